@@ -1,0 +1,80 @@
+#include "base/atomic_file.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include "base/errors.h"
+
+namespace tw {
+namespace fs = std::filesystem;
+
+namespace {
+[[noreturn]] void fail(const fs::path& path, const std::string& why) {
+    throw RunError(path.string() + ": cannot be written: " + why);
+}
+void sync(const fs::path& path, int flags) {
+    const int fd = ::open(path.c_str(), flags);
+    if (fd < 0) fail(path, std::strerror(errno));
+    const int rc = ::fsync(fd);
+    const int error = errno;
+    ::close(fd);
+    if (rc != 0) fail(path, std::strerror(error));
+}
+}  // namespace
+
+void write_atomically(const fs::path& path, const std::function<void(const fs::path&)>& write) {
+    const fs::path tmp = path.string() + ".tmp";
+    try {
+        write(tmp);
+        sync(tmp, O_RDONLY);
+        fs::rename(tmp, path);
+    } catch (const fs::filesystem_error& e) {
+        std::error_code ignored;
+        fs::remove(tmp, ignored);
+        fail(path, e.code().message());
+    } catch (...) {
+        std::error_code ignored;
+        fs::remove(tmp, ignored);
+        throw;
+    }
+    sync(path.has_parent_path() ? path.parent_path() : fs::path("."), O_RDONLY | O_DIRECTORY);
+}
+
+void write_text_atomically(const fs::path& path, std::string_view text) {
+    write_atomically(path, [&](const fs::path& tmp) {
+        std::ofstream out(tmp, std::ios::binary);
+        out.write(text.data(), static_cast<std::streamsize>(text.size()));
+        out.close();
+        if (!out) fail(path, std::strerror(errno));
+    });
+}
+
+std::string read_text(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    std::ostringstream text;
+    if (!in || fs::is_directory(path) || !(text << in.rdbuf() || in.peek() == EOF))
+        throw InputError(path.string() + ": cannot be read: " + std::strerror(errno));
+    return text.str();
+}
+
+FolderLock::FolderLock(const fs::path& folder) {
+    fs::create_directories(folder);
+    fd_ = ::open((folder / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+    if (fd_ < 0 || ::flock(fd_, LOCK_EX | LOCK_NB) != 0) {
+        const std::string why = fd_ < 0 ? std::strerror(errno) : "another run is using it; wait for it or choose another folder";
+        if (fd_ >= 0) ::close(fd_);
+        throw InputError(folder.string() + ": " + why);
+    }
+}
+
+FolderLock::~FolderLock() {
+    if (fd_ >= 0) ::close(fd_);
+}
+
+}  // namespace tw

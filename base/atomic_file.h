@@ -1,0 +1,31 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace tw {
+
+/// Writes a file so that a reader sees either the old or the whole new content: `write(tmp)` fills a temporary
+/// name in the same folder, which is flushed to disk (fsync) and renamed. Throws RunError naming the path and
+/// the system's reason (disk full, no permission); the temporary file is removed.
+void write_atomically(const std::filesystem::path& path, const std::function<void(const std::filesystem::path& tmp)>& write);
+void write_text_atomically(const std::filesystem::path& path, std::string_view text);
+
+/// Whole content of a file; throws InputError when it cannot be read.
+std::string read_text(const std::filesystem::path& path);
+
+/// Holds `folder/.lock` (flock) while it lives: two runs never write into one folder. Throws InputError when another
+/// process holds it.
+class FolderLock {
+public:
+    explicit FolderLock(const std::filesystem::path& folder);
+    ~FolderLock();
+    FolderLock(const FolderLock&) = delete;
+    FolderLock& operator=(const FolderLock&) = delete;
+
+private:
+    int fd_ = -1;
+};
+
+}  // namespace tw

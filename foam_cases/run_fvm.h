@@ -1,0 +1,15 @@
+#pragma once
+#include "record/run_record.h"
+#include "scene/run_options.h"
+#include "scene/scene.h"
+
+namespace tw {
+
+/// Writes the interFoam case of the scene into `options.folder/case`, meshes, runs and reads it back into
+/// `options.folder/record.h5`. Throws InputError (no or faulty OpenFOAM, ...) before anything is run; RunError after.
+RunRecord run_fvm(const Scene& scene, const RunOptions& options);
+
+/// Only writes the case, for an OpenFOAM user to run by hand (./Allrun).
+void write_fvm_case(const Scene& scene, const std::filesystem::path& folder);
+
+}  // namespace tw

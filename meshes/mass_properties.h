@@ -1,0 +1,25 @@
+#pragma once
+#include <Eigen/Core>
+
+#include "meshes/surface.h"
+
+namespace tw {
+
+/// Solid of uniform density inside a closed surface, by the divergence theorem (Mirtich 1996).
+struct MassProperties {
+    double volume = 0;                                 ///< signed [m3]; negative: inverted normals
+    double area = 0;                                   ///< [m2]
+    Vec3 centroid = Vec3::Zero();                      ///< [m]
+    Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero(); ///< about the centroid, per unit density [m5]
+};
+MassProperties mass_properties(const Surface& surface);
+
+/// The part below z = 0: volume [m3], centroid, waterplane bounds; exact clipping.
+struct Hydrostatics {
+    double volume = 0;
+    Vec3 centroid = Vec3::Zero();
+    Box wet_bounds;   ///< bounds of the wetted part of the surface
+};
+Hydrostatics hydrostatics(const Surface& closed_surface);
+
+}  // namespace tw

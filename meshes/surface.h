@@ -1,0 +1,51 @@
+#pragma once
+#include <array>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/vec3.h"
+
+namespace tw {
+
+/// A triangulated surface [m]. Closed surfaces have outward normals (counter-clockwise seen from outside).
+/// Points are shared between triangles: equal corners are one point.
+struct Surface {
+    std::vector<Vec3> points;
+    std::vector<std::array<int, 3>> triangles;
+
+    Vec3 corner(int triangle, int k) const { return points[static_cast<std::size_t>(triangles[static_cast<std::size_t>(triangle)][static_cast<std::size_t>(k)])]; }
+    /// Twice the area times the outward unit normal [m2].
+    Vec3 area_vector2(int triangle) const {
+        return (corner(triangle, 1) - corner(triangle, 0)).cross(corner(triangle, 2) - corner(triangle, 0));
+    }
+    Box bounds() const;
+};
+
+/// How a hull stands in the world. The file's axes are first turned so that x points to the stern and z up, then
+/// scaled to metres; then heel about x, trim about y (bow up positive), then moved so that the lowest point lies
+/// `draft` below still water (z = 0), and shifted by `position` in x and y.
+struct Pose {
+    double trim = 0;     ///< bow up [rad]
+    double heel = 0;     ///< starboard down [rad]
+    double draft = 0;    ///< depth of the lowest point below z = 0 [m]
+    Vec3 position{0, 0, 0};
+};
+Surface posed(const Surface& surface, const Pose& pose);
+
+/// Metres per unit; throws InputError for an unknown name. Known: m, mm, cm, ft, in.
+double metres_per(std::string_view unit);
+
+/// Reads STL (ascii, binary), OBJ, PLY, VTP through VTK, merges equal corners, scales to metres and applies `axes`:
+/// three signed axis letters saying which file axis becomes x, y, z, e.g. "xyz" (as is), "-xyz"...
+/// Throws InputError (missing, empty, truncated or unreadable file, no triangles, non-finite points).
+Surface read_surface(const std::filesystem::path& file, std::string_view unit = "m", std::string_view axes = "xyz");
+
+/// Binary STL (single precision) written atomically; `name` goes into the 80-byte header only.
+void write_stl(const std::filesystem::path& file, const Surface& surface, std::string_view name = "hull");
+
+/// SHA-256 over the corner coordinates in triangle order: same surface, same hash.
+std::string surface_hash(const Surface& surface);
+
+}  // namespace tw
