@@ -75,9 +75,13 @@ struct RunRecord {
     const Column* series(const std::string& table, const std::string& column) const;
 };
 
-/// Fills what follows from the scene alone: attributes, numbers, scene text, hull, effects, raster.
+/// The point moments are taken about: the middle of the posed hull's bounding box in x and y, at still water (z = 0) [m].
+Vec3 moment_reference(const Scene& scene);
+/// Fills what follows from the scene alone: attributes, numbers, scene text, hull, effects, raster, hull findings.
 RunRecord new_record(const Scene& scene, const std::string& method);
-void write_record(const std::filesystem::path& file, const RunRecord& record);   ///< atomically; throws RunError
+/// Writes one HDF5 file, atomically, followed by a line with the SHA-256 of its bytes (HDF5 readers ignore it; read_record
+/// knows damage by it). Throws RunError: disk full, no permission, or a column that is not as long as its table's time.
+void write_record(const std::filesystem::path& file, const RunRecord& record);
 /// Throws InputError: not there, not HDF5, not a run record, newer format, cut off.
 RunRecord read_record(const std::filesystem::path& file);
 

@@ -1,0 +1,90 @@
+#include "record/run_record.h"
+
+#include <fmt/format.h>
+
+#include "record/code_version.h"
+#include "record/this_machine.h"
+
+namespace tw {
+
+Vec3 moment_reference(const Scene& scene) {
+    if (!scene.hull) return Vec3::Zero();
+    const Box b = scene.hull->surface.bounds();
+    return {0.5 * (b.min.x() + b.max.x()), 0.5 * (b.min.y() + b.max.y()), 0};
+}
+
+RunRecord new_record(const Scene& scene, const std::string& method) {
+    RunRecord record;
+    const Vec3 reference = moment_reference(scene);
+    record.attributes = {
+        {"method", method},
+        {"title", scene.title},
+        {"scene_file", scene.file.filename().string()},
+        {"scene_hash", scene.hash},
+        {"code_version", TWINWAKE_CODE_VERSION},
+        {"compiler", TWINWAKE_COMPILER},
+        {"machine", cpu_model()},
+        {"isa", instruction_set()},
+        {"started", utc_now()},
+        {"symmetry_factor", std::to_string(scene.symmetry_factor())},
+        {"moment_reference", fmt::format("{} {} {}", reference.x(), reference.y(), reference.z())},
+        {"motion", scene.motion.kind == Motion::Kind::stream ? "stream" : "none"},
+    };
+    record.numbers = {
+        {"spacing", scene.resolution.spacing},
+        {"near_hull", scene.resolution.near_hull},
+        {"density", scene.water.density},
+        {"kinematic_viscosity", scene.water.kinematic_viscosity},
+        {"gravity", scene.water.gravity},
+        {"depth", scene.water.depth},
+        {"speed", scene.motion.speed},
+        {"ramp", scene.motion.ramp},
+        {"duration", scene.run.duration},
+        {"mean_from", scene.sampling.mean_from},
+        {"sampling_interval", scene.sampling.interval},
+        {"dimensions", scene.domain.dimensions},
+    };
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::string axis(1, "xyz"[k]);
+        record.numbers["domain_" + axis + "_min"] = scene.domain.box.min[static_cast<Eigen::Index>(k)];
+        record.numbers["domain_" + axis + "_max"] = scene.domain.box.max[static_cast<Eigen::Index>(k)];
+    }
+    for (std::size_t k = 0; k < scene.sampling.cuts_x.size(); ++k)
+        record.numbers[fmt::format("cut_x_{}", k)] = scene.sampling.cuts_x[k];
+    for (std::size_t k = 0; k < scene.sampling.cuts_y.size(); ++k)
+        record.numbers[fmt::format("cut_y_{}", k)] = scene.sampling.cuts_y[k];
+    if (method == "sph") {
+        record.numbers["h_over_dp"] = scene.sph.h_over_dp;
+        record.numbers["c0"] = scene.sph.c0;
+        record.numbers["alpha"] = scene.sph.alpha;
+        record.numbers["delta"] = scene.sph.delta;
+        record.numbers["shifting"] = scene.sph.shifting;
+        record.attributes["equation_of_state"] = scene.sph.equation_of_state;
+    }
+    if (method == "fvm") {
+        record.numbers["max_courant_limit"] = scene.fvm.max_courant;
+        record.numbers["interface_compression"] = scene.fvm.interface_compression;
+    }
+    if (scene.hull) {
+        const Hull& hull = *scene.hull;
+        record.attributes["hull_hash"] = hull.hash;
+        record.attributes["hull_source"] = hull.source;
+        record.numbers["length"] = hull.length;
+        record.numbers["beam"] = hull.beam;
+        record.numbers["trim"] = hull.trim;
+        record.numbers["heel"] = hull.heel;
+        record.numbers["draft"] = hull.draft;
+        record.numbers["displaced_volume"] = hull.still.volume;
+        record.hull = hull.surface;
+        for (std::size_t k = 0; k < hull.findings.size(); ++k)
+            record.attributes[fmt::format("hull_finding_{:02}", k)] = hull.findings[k].name + ": " + hull.findings[k].message;
+        for (std::size_t k = 0; k < hull.repairs.size(); ++k)
+            record.attributes[fmt::format("hull_repair_{:02}", k)] = hull.repairs[k];
+    }
+    record.scene_text = scene.text;
+    record.raster = scene.sampling.raster;
+    record.effects = scene.effects;
+    return record;
+}
+
+}  // namespace tw

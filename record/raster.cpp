@@ -1,0 +1,57 @@
+#include "record/raster.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tw {
+
+Raster::Raster(const RasterSpec& spec)
+    : spec_(spec),
+      volume_(static_cast<std::size_t>(std::max(spec.count[0], 0)) * static_cast<std::size_t>(std::max(spec.count[1], 0)) *
+              static_cast<std::size_t>(std::max(spec.count[2], 0))) {}
+
+namespace {
+/// Voxels [first, last] that the interval [low, high] (in voxel edges) meets; empty when first > last.
+struct Reach {
+    long first, last;
+    Reach(double low, double high, int count)
+        : first(std::max(0L, static_cast<long>(std::floor(low)))),
+          last(std::min(static_cast<long>(count) - 1, static_cast<long>(std::ceil(high)) - 1)) {}
+};
+/// Share of the interval [low, high] that lies in voxel k [-].
+double share(double low, double high, long k) {
+    const double k0 = static_cast<double>(k);
+    return std::max(0.0, std::min(high, k0 + 1) - std::max(low, k0)) / (high - low);
+}
+}  // namespace
+
+void Raster::pour(const Vec3& centre, double edge, double water) {
+    poured_ += water;
+    if (volume_.empty() || !centre.allFinite() || !(edge > 0)) return;
+    const Vec3 low = (centre - spec_.origin).array() / spec_.spacing - 0.5 * edge / spec_.spacing;
+    const Vec3 high = low.array() + edge / spec_.spacing;
+    // Far outside: also keeps the conversion to integers below in range.
+    for (int a = 0; a < 3; ++a)
+        if (high[a] <= 0 || low[a] >= spec_.count[static_cast<std::size_t>(a)]) return;
+    const Reach x(low.x(), high.x(), spec_.count[0]), y(low.y(), high.y(), spec_.count[1]), z(low.z(), high.z(), spec_.count[2]);
+    for (long k = z.first; k <= z.last; ++k) {
+        const double in_z = water * share(low.z(), high.z(), k);
+        for (long j = y.first; j <= y.last; ++j) {
+            const double in_yz = in_z * share(low.y(), high.y(), j);
+            float* row = &volume_[static_cast<std::size_t>((k * spec_.count[1] + j) * spec_.count[0])];
+            for (long i = x.first; i <= x.last; ++i) row[i] += static_cast<float>(in_yz * share(low.x(), high.x(), i));
+        }
+    }
+}
+
+RasterFrame Raster::frame(double time) const {
+    RasterFrame f;
+    f.time = time;
+    f.water.resize(volume_.size());
+    const double voxel = spec_.spacing * spec_.spacing * spec_.spacing;
+    for (std::size_t i = 0; i < volume_.size(); ++i)
+        f.water[i] = static_cast<std::uint8_t>(std::lround(255 * std::clamp(volume_[i] / voxel, 0.0, 1.0)));
+    return f;
+}
+
+}  // namespace tw

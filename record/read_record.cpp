@@ -1,0 +1,170 @@
+#include <hdf5.h>
+
+#include <algorithm>
+#include <new>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "base/atomic_file.h"
+#include "base/errors.h"
+#include "base/sha256.h"
+#include "record/hdf5_file.h"
+#include "record/record_layout.h"
+#include "record/run_record.h"
+
+namespace tw {
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Refuses what is no HDF5 file or whose bytes are not those that were written.
+void check_bytes(const fs::path& file) {
+    if (!fs::exists(file))
+        throw InputError(file.string() + ": there is no such run record; a run leaves it as record.h5 in its folder");
+    if (fs::is_directory(file))
+        throw InputError(file.string() + ": is a folder; give the record.h5 in it");
+    const std::string bytes = read_text(file);
+    static constexpr std::string_view signature("\x89HDF\r\n\x1a\n", 8);
+    if (!bytes.starts_with(signature))
+        throw InputError(fmt::format("{}: not a run record: not an HDF5 file ({} bytes)", file.string(), bytes.size()));
+    if (bytes.size() < layout::checksum_line) return;
+    const std::string_view line = std::string_view(bytes).substr(bytes.size() - layout::checksum_line);
+    if (!line.starts_with(layout::checksum_label)) return;   // cut off, or made by another program: HDF5 will tell
+    const std::string_view body = std::string_view(bytes).substr(0, bytes.size() - layout::checksum_line);
+    if (sha256_hex(body) != line.substr(layout::checksum_label.size(), 64))
+        throw InputError(file.string() + ": damaged: its bytes do not fit their checksum; copy or run it again");
+}
+
+double number(hid_t object, const char* name) { return h5::read_numbers_attribute(object, name).at(0); }
+
+void read_tables(hid_t file, RunRecord& record) {
+    const h5::Handle tables = h5::open_group(file, layout::tables);
+    for (const std::string& link : h5::member_names(tables)) {
+        const h5::Handle group = h5::open_group(tables, link.c_str());
+        Table& table = record.table(h5::has_attribute(group, "name") ? h5::read_text_attribute(group, "name") : link);
+        table.time = h5::read_vector<double>(group, "time", H5T_NATIVE_DOUBLE);
+        for (const std::string& column_link : h5::member_names(group)) {
+            if (column_link == "time") continue;
+            const h5::Handle set(h5::checked(H5Dopen2(group, column_link.c_str(), H5P_DEFAULT), column_link.c_str()), H5Dclose);
+            Column& column = table.column(h5::has_attribute(set, "name") ? h5::read_text_attribute(set, "name") : column_link,
+                                          h5::has_attribute(set, "unit") ? h5::read_text_attribute(set, "unit") : "");
+            column.values = h5::read_vector<double>(group, column_link.c_str(), H5T_NATIVE_DOUBLE);
+            if (column.values.size() != table.time.size())
+                throw h5::Failure{"column " + column.name + " of table " + table.name + " is not as long as its time"};
+        }
+    }
+}
+
+void read_raster(hid_t file, RunRecord& record) {
+    const h5::Handle group = h5::open_group(file, layout::raster);
+    const auto origin = h5::read_numbers_attribute(group, "origin"), count = h5::read_numbers_attribute(group, "count");
+    if (origin.size() != 3 || count.size() != 3) throw h5::Failure{"the raster's origin or count"};
+    RasterSpec& spec = record.raster;
+    spec.origin = {origin[0], origin[1], origin[2]};
+    spec.spacing = number(group, "spacing");
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (!(count[k] >= 0 && count[k] < 1e6)) throw h5::Failure{"the raster's count"};
+        spec.count[k] = static_cast<int>(count[k]);
+    }
+    const auto times = h5::read_vector<double>(group, "time", H5T_NATIVE_DOUBLE);
+    const auto dims = h5::dimensions(group, "water");
+    if (dims.size() != 4 || dims[0] != times.size() || dims[1] != static_cast<hsize_t>(spec.count[2]) ||
+        dims[2] != static_cast<hsize_t>(spec.count[1]) || dims[3] != static_cast<hsize_t>(spec.count[0]))
+        throw h5::Failure{"the raster's size"};
+    const std::size_t voxels = dims[1] * dims[2] * dims[3];
+    std::vector<std::uint8_t> water(voxels * times.size());
+    h5::read_array(group, "water", H5T_NATIVE_UINT8, water.data(), water.size());
+    for (std::size_t f = 0; f < times.size(); ++f) {
+        const auto first = water.begin() + static_cast<std::ptrdiff_t>(f * voxels);
+        record.frames.push_back({times[f], {first, first + static_cast<std::ptrdiff_t>(voxels)}});
+    }
+}
+
+void read_hull(hid_t file, RunRecord& record) {
+    const h5::Handle group = h5::open_group(file, layout::hull);
+    const auto point_dims = h5::dimensions(group, "points"), triangle_dims = h5::dimensions(group, "triangles");
+    if (point_dims.size() != 2 || point_dims[1] != 3 || triangle_dims.size() != 2 || triangle_dims[1] != 3)
+        throw h5::Failure{"the hull's size"};
+    std::vector<double> points(point_dims[0] * 3);
+    h5::read_array(group, "points", H5T_NATIVE_DOUBLE, points.data(), points.size());
+    for (std::size_t i = 0; i < points.size(); i += 3) record.hull.points.emplace_back(points[i], points[i + 1], points[i + 2]);
+    record.hull.triangles.resize(triangle_dims[0]);
+    h5::read_array(group, "triangles", H5T_NATIVE_INT, record.hull.triangles.data(), record.hull.triangles.size() * 3);
+    for (const auto& t : record.hull.triangles)
+        for (const int corner : t)
+            if (corner < 0 || static_cast<std::size_t>(corner) >= record.hull.points.size())
+                throw h5::Failure{"a hull triangle names a point that is not there"};
+    record.hull_pressure = h5::read_vector<float>(group, "pressure", H5T_NATIVE_FLOAT);
+    record.hull_wet = h5::read_vector<float>(group, "wet", H5T_NATIVE_FLOAT);
+    for (const auto* values : {&record.hull_pressure, &record.hull_wet})
+        if (!values->empty() && values->size() != record.hull.triangles.size())
+            throw h5::Failure{"the hull's pressure or wetness is not one value per triangle"};
+}
+
+void read_cost(hid_t file, RunRecord& record) {
+    const h5::Handle group = h5::open_group(file, layout::cost);
+    const auto names = h5::read_texts(group, "phase");
+    const auto wall = h5::read_vector<double>(group, "wall", H5T_NATIVE_DOUBLE), cpu = h5::read_vector<double>(group, "cpu", H5T_NATIVE_DOUBLE);
+    if (wall.size() != names.size() || cpu.size() != names.size()) throw h5::Failure{"the phases"};
+    for (std::size_t i = 0; i < names.size(); ++i) record.phases.push_back({names[i], wall[i], cpu[i]});
+    record.peak_memory = number(group, "peak_memory");
+    record.elements = number(group, "elements");
+    record.steps = number(group, "steps");
+}
+
+void read_effects(hid_t file, RunRecord& record) {
+    const h5::Handle group = h5::open_group(file, layout::effects);
+    const auto name = h5::read_texts(group, "name"), reason = h5::read_texts(group, "reason"), influence = h5::read_texts(group, "influence");
+    const auto cost = h5::read_vector<double>(group, "cost", H5T_NATIVE_DOUBLE);
+    const auto on = h5::read_vector<int>(group, "on", H5T_NATIVE_INT), forced = h5::read_vector<int>(group, "forced", H5T_NATIVE_INT);
+    const std::size_t n = name.size();
+    if (reason.size() != n || influence.size() != n || cost.size() != n || on.size() != n || forced.size() != n)
+        throw h5::Failure{"the effects"};
+    for (std::size_t i = 0; i < n; ++i) record.effects.push_back({name[i], on[i] != 0, forced[i] != 0, reason[i], influence[i], cost[i]});
+}
+
+RunRecord read_contents(hid_t file) {
+    RunRecord record;
+    record.state = h5::read_text_attribute(file, "state");
+    record.reason = h5::read_text_attribute(file, "reason");
+    const auto scene_text = h5::read_texts(file, layout::scene_text);
+    if (!scene_text.empty()) record.scene_text = scene_text[0];
+    const h5::Handle attributes = h5::open_group(file, layout::attributes), numbers = h5::open_group(file, layout::numbers);
+    for (const std::string& name : h5::attribute_names(attributes))
+        record.attributes[name] = h5::read_text_attribute(attributes, name.c_str());
+    for (const std::string& name : h5::attribute_names(numbers)) record.numbers[name] = number(numbers, name.c_str());
+    read_tables(file, record);
+    read_raster(file, record);
+    read_hull(file, record);
+    read_cost(file, record);
+    read_effects(file, record);
+    return record;
+}
+
+}  // namespace
+
+RunRecord read_record(const fs::path& file) {
+    check_bytes(file);
+    const h5::Silence silence;
+    const h5::Handle h(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+    if (!h.open())
+        throw InputError(file.string() + ": cut off or damaged: it begins like HDF5 but cannot be opened; copy or run it again");
+    try {
+        if (!h5::has_attribute(h, layout::kind_attribute) || h5::read_text_attribute(h, layout::kind_attribute) != layout::kind)
+            throw InputError(file.string() + ": an HDF5 file, but not a run record of twinwake");
+        const double version = number(h, layout::version_attribute);
+        if (!(version <= RunRecord::format_version))
+            throw InputError(fmt::format("{}: run record of format {}; this twinwake reads up to format {}: use a newer twinwake",
+                                         file.string(), version, RunRecord::format_version));
+        return read_contents(h);
+    } catch (const h5::Failure& f) {
+        throw InputError(file.string() + ": cut off or damaged: cannot read " + f.what);
+    } catch (const std::bad_alloc&) {
+        throw InputError(file.string() + ": damaged: an array in it claims more than the memory holds");
+    } catch (const std::length_error&) {
+        throw InputError(file.string() + ": damaged: an array in it claims a senseless size");
+    }
+}
+
+}  // namespace tw

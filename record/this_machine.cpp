@@ -1,0 +1,42 @@
+#include "record/this_machine.h"
+
+#include <chrono>
+#include <ctime>
+#include <fstream>
+#include <thread>
+
+namespace tw {
+
+std::string cpu_model() {
+    std::ifstream info("/proc/cpuinfo");
+    std::string line, model = "unknown processor";
+    while (std::getline(info, line)) {
+        if (!line.starts_with("model name")) continue;
+        const auto colon = line.find(": ");
+        if (colon != std::string::npos) model = line.substr(colon + 2);
+        break;
+    }
+    return model + ", " + std::to_string(std::thread::hardware_concurrency()) + " threads";
+}
+
+std::string instruction_set() {
+#if defined(__x86_64__)
+    if (__builtin_cpu_supports("x86-64-v4")) return "x86-64-v4";
+    if (__builtin_cpu_supports("x86-64-v3")) return "x86-64-v3";
+    if (__builtin_cpu_supports("x86-64-v2")) return "x86-64-v2";
+    return "x86-64";
+#else
+    return "generic";
+#endif
+}
+
+std::string utc_now() {
+    const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+    std::tm parts{};
+    gmtime_r(&now, &parts);
+    char text[32];
+    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
+    return text;
+}
+
+}  // namespace tw

@@ -1,0 +1,165 @@
+#include <hdf5.h>
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "base/atomic_file.h"
+#include "base/errors.h"
+#include "base/sha256.h"
+#include "record/hdf5_file.h"
+#include "record/record_layout.h"
+#include "record/run_record.h"
+
+namespace tw {
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A link name HDF5 and h5py take as one path element; the true name is kept in the attribute "name".
+std::string link_name(const std::string& name, std::set<std::string>& taken) {
+    std::string link;
+    for (const char c : name) link += static_cast<unsigned char>(c) < 0x20 || c == '/' ? '_' : c;
+    if (link.empty() || link == "." || link == "..") link = "_" + link;
+    std::string unique = link;
+    for (int k = 2; !taken.insert(unique).second; ++k) unique = fmt::format("{}#{}", link, k);
+    return unique;
+}
+
+void write_column(hid_t group, const std::string& link, const Column& column) {
+    h5::write_vector(group, link.c_str(), H5T_NATIVE_DOUBLE, column.values);
+    const h5::Handle set(h5::checked(H5Dopen2(group, link.c_str(), H5P_DEFAULT), "column"), H5Dclose);
+    h5::write_attribute(set, "name", column.name);
+    h5::write_attribute(set, "unit", column.unit);
+}
+
+void write_tables(hid_t file, const RunRecord& record) {
+    const h5::Handle tables = h5::create_group(file, layout::tables);
+    std::set<std::string> table_links;
+    for (const auto& [name, table] : record.tables) {
+        const h5::Handle group = h5::create_group(tables, link_name(name, table_links).c_str());
+        h5::write_attribute(group, "name", name);
+        std::set<std::string> links;
+        write_column(group, link_name("time", links), {"time", "s", table.time});
+        for (const Column& c : table.columns) {
+            if (c.values.size() != table.time.size())
+                throw RunError(fmt::format("run record: column {} of table {} has {} values for {} times", c.name, name,
+                                           c.values.size(), table.time.size()));
+            write_column(group, link_name(c.name, links), c);
+        }
+    }
+}
+
+void write_raster(hid_t file, const RunRecord& record) {
+    const h5::Handle group = h5::create_group(file, layout::raster);
+    const RasterSpec& spec = record.raster;
+    h5::write_attribute(group, "origin", std::span<const double>(spec.origin.data(), 3));
+    h5::write_attribute(group, "spacing", spec.spacing);
+    const std::array<long long, 3> count{spec.count[0], spec.count[1], spec.count[2]};
+    h5::write_attribute(group, "count", count);
+    const std::size_t voxels = static_cast<std::size_t>(spec.count[0]) * static_cast<std::size_t>(spec.count[1]) *
+                               static_cast<std::size_t>(spec.count[2]);
+    std::vector<double> times;
+    std::vector<std::uint8_t> water;
+    water.reserve(voxels * record.frames.size());
+    for (const RasterFrame& f : record.frames) {
+        if (f.water.size() != voxels)
+            throw RunError(fmt::format("run record: the raster frame of t = {} s has {} voxels, not {}", f.time, f.water.size(), voxels));
+        times.push_back(f.time);
+        water.insert(water.end(), f.water.begin(), f.water.end());
+    }
+    h5::write_vector(group, "time", H5T_NATIVE_DOUBLE, times, false);
+    const std::array<hsize_t, 4> dims{times.size(), static_cast<hsize_t>(spec.count[2]), static_cast<hsize_t>(spec.count[1]),
+                                      static_cast<hsize_t>(spec.count[0])};
+    h5::write_array(group, "water", H5T_NATIVE_UINT8, water.data(), dims, true);
+}
+
+void write_hull(hid_t file, const RunRecord& record) {
+    const h5::Handle group = h5::create_group(file, layout::hull);
+    std::vector<double> points;
+    for (const Vec3& p : record.hull.points) points.insert(points.end(), p.data(), p.data() + 3);
+    const std::array<hsize_t, 2> point_dims{record.hull.points.size(), 3}, triangle_dims{record.hull.triangles.size(), 3};
+    h5::write_array(group, "points", H5T_NATIVE_DOUBLE, points.data(), point_dims, true);
+    h5::write_array(group, "triangles", H5T_NATIVE_INT, record.hull.triangles.data(), triangle_dims, true);
+    h5::write_vector(group, "pressure", H5T_NATIVE_FLOAT, record.hull_pressure);
+    h5::write_vector(group, "wet", H5T_NATIVE_FLOAT, record.hull_wet);
+}
+
+void write_cost(hid_t file, const RunRecord& record) {
+    const h5::Handle group = h5::create_group(file, layout::cost);
+    std::vector<std::string> names;
+    std::vector<double> wall, cpu;
+    for (const Phase& p : record.phases) {
+        names.push_back(p.name);
+        wall.push_back(p.wall);
+        cpu.push_back(p.cpu);
+    }
+    h5::write_texts(group, "phase", names);
+    h5::write_vector(group, "wall", H5T_NATIVE_DOUBLE, wall, false);
+    h5::write_vector(group, "cpu", H5T_NATIVE_DOUBLE, cpu, false);
+    h5::write_attribute(group, "peak_memory", record.peak_memory);
+    h5::write_attribute(group, "elements", record.elements);
+    h5::write_attribute(group, "steps", record.steps);
+}
+
+void write_effects(hid_t file, const RunRecord& record) {
+    const h5::Handle group = h5::create_group(file, layout::effects);
+    std::vector<std::string> name, reason, influence;
+    std::vector<double> cost;
+    std::vector<int> on, forced;
+    for (const EffectChoice& e : record.effects) {
+        name.push_back(e.name);
+        reason.push_back(e.reason);
+        influence.push_back(e.influence);
+        cost.push_back(e.cost);
+        on.push_back(e.on);
+        forced.push_back(e.forced);
+    }
+    h5::write_texts(group, "name", name);
+    h5::write_texts(group, "reason", reason);
+    h5::write_texts(group, "influence", influence);
+    h5::write_vector(group, "cost", H5T_NATIVE_DOUBLE, cost, false);
+    h5::write_vector(group, "on", H5T_NATIVE_INT, on, false);
+    h5::write_vector(group, "forced", H5T_NATIVE_INT, forced, false);
+}
+
+std::string record_bytes(const RunRecord& record) {
+    const h5::Handle file = h5::create_in_memory();
+    h5::write_attribute(file, layout::kind_attribute, layout::kind);
+    h5::write_attribute(file, layout::version_attribute, RunRecord::format_version);
+    h5::write_attribute(file, "state", record.state);
+    h5::write_attribute(file, "reason", record.reason);
+    h5::write_texts(file, layout::scene_text, {record.scene_text});
+    {
+        const h5::Handle group = h5::create_group(file, layout::attributes);
+        for (const auto& [name, text] : record.attributes) h5::write_attribute(group, name.c_str(), text);
+    }
+    {
+        const h5::Handle group = h5::create_group(file, layout::numbers);
+        for (const auto& [name, value] : record.numbers) h5::write_attribute(group, name.c_str(), value);
+    }
+    write_tables(file, record);
+    write_raster(file, record);
+    write_hull(file, record);
+    write_cost(file, record);
+    write_effects(file, record);
+    return h5::image(file);
+}
+
+}  // namespace
+
+void write_record(const fs::path& file, const RunRecord& record) {
+    const h5::Silence silence;
+    std::string bytes;
+    try {
+        bytes = record_bytes(record);
+    } catch (const h5::Failure& f) {
+        throw RunError(file.string() + ": cannot be written: HDF5 failed at " + f.what);
+    }
+    bytes += layout::checksum_label + sha256_hex(bytes) + "\n";
+    write_text_atomically(file, bytes);
+}
+
+}  // namespace tw
