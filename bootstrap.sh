@@ -133,6 +133,12 @@ install_packages() {
     # The package lists are fetched only when they are absent or too old to name what is wanted.
     if ! apt-get -s -qq --no-install-recommends install "${missing[@]}" >/dev/null 2>&1; then
         "${apt[@]}" update
+        local unknown=()
+        for package in "${missing[@]}"; do
+            [[ $(apt-cache policy "$package") == *"Candidate: "[!\(]* ]] || unknown+=("$package")
+        done
+        [ ${#unknown[@]} = 0 ] || tell_and_stop "${PRETTY_NAME:-this system} does not package: ${unknown[*]}." \
+            "these from source (Ubuntu 22.04 lacks toml++ 3 only), or take Debian 12 or Ubuntu 24.04, which have all"
     fi
     if ! "${apt[@]}" install "${missing[@]}" </dev/null; then
         "${apt[@]}" update
