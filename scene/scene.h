@@ -154,6 +154,7 @@ struct Scene {
     SphOptions sph;
     FvmOptions fvm;
     std::vector<EffectChoice> effects;
+    std::string resolution_place;    ///< `file:line:column: [resolution] near_hull = ...`, for messages about size
 
     bool effect_on(const std::string& name) const;
     int symmetry_factor() const { return hull && hull->half ? 2 : 1; }
@@ -175,6 +176,9 @@ struct Prediction {
 };
 Prediction predict(const Scene& scene);
 /// Throws InputError when a run cannot fit: too many particles for the memory of this machine, with the numbers.
+/// Only the methods in `scene.run.methods` count.
 void refuse_oversize(const Scene& scene, const Prediction& prediction);
+/// The checked scene in words: hull, domain, resolution, sampling, effects with reasons, predicted cost.
+std::string to_text(const Scene& scene, const Prediction& prediction);
 
 }  // namespace tw

@@ -1,0 +1,128 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <set>
+#include <thread>
+
+#include "base/errors.h"
+#include "scene/defaults.h"
+#include "scene/scene.h"
+
+namespace tw {
+namespace {
+
+// Throughput, measured on AVX-512 server cores of about 3 GHz; one place for all of them.
+constexpr double particle_steps_per_core_second = 1.75e6;  // delta-SPH with renormalised diffusion, h/dp = 1.5
+constexpr double bytes_per_particle = 240;
+constexpr double wall_layers = 4;
+constexpr double cell_steps_per_core_second = 235e3;       // interFoam, three pressure correctors
+constexpr double bytes_per_cell = 2.5e3, bytes_of_interfoam = 115e6;
+constexpr double steps_per_cell_crossing = 0.63;           // at Courant number 4: 240 steps/s at 21 mm and 8 m/s
+constexpr double mesh_seconds_per_cell = 20.0 / 74e3;      // blockMesh, features, snappyHexMesh, renumber
+constexpr double parallel_share = 0.8;                     // of each further core (1.58 times on two)
+constexpr double transition_cells = 1.35;                  // layers between refinement levels, edges of the hull
+
+double cores(const Scene& scene) {
+    if (scene.run.threads > 0) return scene.run.threads;
+    return std::max(1u, std::thread::hardware_concurrency());
+}
+
+/// Cells of nested refinement boxes: every piece of space counts at the finest level that covers it.
+double count_cells(const Scene& scene) {
+    std::array<std::set<double>, 3> cuts;
+    const Box& domain = scene.domain.box;
+    for (int a = 0; a < 3; ++a) {
+        auto& c = cuts[static_cast<std::size_t>(a)];
+        c = {domain.min[a], domain.max[a]};
+        for (const RefinementBox& r : scene.refinement) {
+            c.insert(r.box.min[a]);
+            c.insert(r.box.max[a]);
+        }
+    }
+    double cells = 0;
+    const auto each = [](const std::set<double>& c, auto&& use) {
+        for (auto low = c.begin(); std::next(low) != c.end(); ++low) use(*low, *std::next(low));
+    };
+    each(cuts[0], [&](double x0, double x1) {
+        each(cuts[1], [&](double y0, double y1) {
+            each(cuts[2], [&](double z0, double z1) {
+                const Vec3 middle(0.5 * (x0 + x1), 0.5 * (y0 + y1), 0.5 * (z0 + z1));
+                int level = 0;
+                for (const RefinementBox& r : scene.refinement)
+                    if (r.box.contains(middle)) level = std::max(level, r.level);
+                const double volume = (x1 - x0) * (y1 - y0) * (z1 - z0);
+                const double edge = scene.resolution.spacing / std::exp2(level);
+                cells += volume / (scene.domain.dimensions == 2 ? edge * edge * (domain.max.y() - domain.min.y()) : edge * edge * edge);
+            });
+        });
+    });
+    return cells * (scene.refinement.empty() ? 1 : transition_cells);
+}
+
+/// Water at the start [m3], of what is solved (half a half model).
+double water_volume(const Scene& scene) {
+    if (!scene.water_blocks.empty()) {
+        double volume = 0;
+        for (const Box& block : scene.water_blocks) volume += block.volume();
+        return volume;
+    }
+    const Vec3 size = scene.domain.box.size();
+    const double hull = scene.hull ? scene.hull->still.volume / scene.symmetry_factor() : 0;
+    return size.x() * size.y() * -scene.domain.box.min.z() - hull;
+}
+
+/// Memory this process may use [bytes]: the machine's, or less where a control group says so.
+double machine_memory() {
+    double bytes = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+    std::ifstream group("/sys/fs/cgroup/memory.max");
+    double limit = 0;
+    if (group >> limit && limit > 0) bytes = std::min(bytes, limit);  // "max" does not read as a number
+    return bytes;
+}
+
+}  // namespace
+
+Prediction predict(const Scene& scene) {
+    Prediction p;
+    const double dp = scene.resolution.near_hull;
+    const bool flat = scene.domain.dimensions == 2;
+    const double particle = flat ? dp * dp * scene.domain.box.size().y() : dp * dp * dp;
+    p.particles = water_volume(scene) / particle;
+    double solid_area = scene.hull ? scene.hull->mass.area / scene.symmetry_factor() : 0;
+    for (const Obstacle& o : scene.obstacles) solid_area += mass_properties(o.surface).area;
+    p.wall_particles = flat ? 0 : wall_layers * solid_area / (dp * dp);
+    p.cells = count_cells(scene);
+
+    const double h = scene.sph.h_over_dp * dp;
+    const double speed = scene.motion.kind == Motion::Kind::stream ? scene.motion.speed
+                                                                   : std::sqrt(2 * scene.water.gravity * water_height(scene));
+    p.sph_steps = scene.run.duration * (scene.sph.c0 + speed) / (scene.sph.cfl * h);
+    const double n = cores(scene);
+    // Work grows with the number of neighbours: the throughput above is that of h/dp = 1.5.
+    const double neighbours = std::pow(scene.sph.h_over_dp / 1.5, flat ? 2 : 3) * (flat ? 0.3 : 1);
+    p.sph_seconds = (p.particles + p.wall_particles) * p.sph_steps * neighbours / (particle_steps_per_core_second * n);
+    p.sph_bytes = (p.particles + p.wall_particles) * bytes_per_particle;
+
+    const double steps = scene.run.duration * steps_per_cell_crossing * speed / dp * 4 / scene.fvm.max_courant;
+    p.fvm_seconds = p.cells * mesh_seconds_per_cell + p.cells * steps / (cell_steps_per_core_second * (1 + (n - 1) * parallel_share));
+    p.fvm_bytes = p.cells * bytes_per_cell + bytes_of_interfoam * n;
+    return p;
+}
+
+void refuse_oversize(const Scene& scene, const Prediction& p) {
+    const double memory = 0.9 * machine_memory();
+    for (const std::string& method : scene.run.methods) {
+        const bool sph = method == "sph";
+        const double bytes = sph ? p.sph_bytes : p.fvm_bytes;
+        if (bytes <= memory) continue;
+        throw InputError(fmt::format("{}: too fine for this machine: {:.3g} {} need {:.3g} GB, of which {:.3g} GB can be had; "
+                                     "expected at least near_hull = {:.3g} m",
+                                     scene.resolution_place, sph ? p.particles + p.wall_particles : p.cells, sph ? "particles" : "cells",
+                                     bytes / 1e9, memory / 1e9, scene.resolution.near_hull * std::cbrt(bytes / memory) * 1.01));
+    }
+}
+
+}  // namespace tw

@@ -1,0 +1,42 @@
+#pragma once
+#include "scene/scene.h"
+
+namespace tw {
+
+// Everything a scene does not say, as formulas of the hull's bounding box, draft and speed. Where a number comes from a
+// measurement on the reference case (prismatic hull, length 4 m, beam 1 m, trim 5 deg, 8 m/s, draft 0.2 m) it says so.
+
+/// Particle spacing and cell at the hull: a twentieth of the beam, and at least four of them in the draft.
+double default_near_hull(const Hull& hull);
+/// Largest cell: near_hull * 2^n that does not exceed a twelfth of the length, n <= 4 (measured: finer outer cells change
+/// the lift by less than 0.5 %). Without a hull: near_hull.
+double default_spacing(double near_hull, const Hull* hull);
+/// `wish` rounded to near_hull * 2^n, n >= 0.
+double snapped_spacing(double wish, double near_hull);
+
+/// Distances of the domain's faces from the hull. Displacement hulls (length Froude number below 1) get room for the wave.
+struct Margins {
+    double ahead = 0;    ///< from the bow to the inlet [m]
+    double behind = 0;   ///< from the stern to the outlet [m]
+    double side = 0;     ///< from y = 0 to the side [m]
+    double below = 0;    ///< from still water to the floor [m]
+    double above = 0;    ///< from still water to the top [m]
+};
+Margins default_margins(const Hull& hull, double speed, double gravity);
+
+/// Boxes round the wet bottom and spray root, the wetted hull, its surroundings, the wake and the free surface.
+std::vector<RefinementBox> default_refinement(const Scene& scene);
+
+/// Settling of the stream [s]: the flow is ramped up over this time (SPH).
+double default_ramp(const Scene& scene);
+/// Time scale of the scene [s]: L/U in a stream with a hull, sqrt(H/g) in a tank.
+double time_scale(const Scene& scene);
+/// Fills what is still zero or empty in run, sampling and the sound speed; domain, resolution and motion are known.
+void fill_times(Scene& scene);
+RasterSpec default_raster(const Scene& scene, double spacing);
+double default_sound_speed(const Scene& scene);
+
+/// Bounds of the water at rest [m]: depth below the surface of the deepest place.
+double water_height(const Scene& scene);
+
+}  // namespace tw

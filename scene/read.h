@@ -1,0 +1,63 @@
+#pragma once
+#include <optional>
+
+#include "scene/scene.h"
+#include "scene/section.h"
+
+namespace tw {
+
+// The readers of the sections: text -> typed options in SI, one function per section. Each throws InputError at the key
+// and ends in Section::finish().
+
+/// All sections of one scene file; kept while the scene is being checked so that a later finding names its key.
+struct Sections {
+    Section root, hull, water, motion, resolution, domain, run, sampling, tank, sph, fvm, effects;
+    std::vector<Section> obstacles, probes, water_blocks;
+};
+Sections split_sections(const std::filesystem::path& file, const Value& document);
+
+struct WaterOptions {
+    Water water;
+    std::optional<double> depth;  ///< of the place [m]
+};
+WaterOptions read_water(Section& s);
+Motion read_motion(Section& s, bool has_hull);
+
+struct ResolutionOptions {
+    std::optional<double> spacing, near_hull;
+};
+ResolutionOptions read_resolution(Section& s);
+
+struct DomainOptions {
+    std::optional<double> ahead, behind, side, below, above;
+    std::optional<std::pair<double, double>> x, y, z;
+    int dimensions = 3;
+    bool empty() const { return !ahead && !behind && !side && !below && !above && !x && !y && !z; }
+};
+DomainOptions read_domain(Section& s);
+std::optional<Box> read_tank(Section& s);   ///< nothing when there is no [tank]
+
+Run read_run(Section& s);
+/// Times, planes and probes; the raster's voxel edge separately.
+struct SamplingOptions {
+    Sampling sampling;
+    std::optional<double> raster_spacing;
+};
+SamplingOptions read_sampling(Section& s, std::vector<Section>& probes);
+SphOptions read_sph(Section& s);
+FvmOptions read_fvm(Section& s);
+
+/// The hull as it stands in the water; health is checked later, when the particle spacing is known.
+struct HullOptions {
+    Hull hull;
+    Surface as_read;   ///< before posing [m]: what the health check looks at
+    Pose pose;
+    bool repair = false;
+    std::string key;   ///< "file" or "shape": where findings about the surface are reported
+};
+HullOptions read_hull(Section& s);
+/// A solid from a file, a shape or a box (min, max).
+Obstacle read_obstacle(Section& s, std::size_t number);
+std::vector<Box> read_water_blocks(std::vector<Section>& sections);
+
+}  // namespace tw

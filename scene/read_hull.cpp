@@ -1,0 +1,107 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "base/errors.h"
+#include "meshes/generate.h"
+#include "meshes/surface.h"
+#include "scene/read.h"
+
+namespace tw {
+namespace {
+
+constexpr double quarter_turn = std::numbers::pi / 2;
+
+std::vector<std::string> shape_names() {
+    std::vector<std::string> names;
+    for (const HullShape& shape : hull_shapes()) names.push_back(shape.name);
+    return names;
+}
+
+/// The surface of [hull] or [[obstacle]] in metres, before it is posed: from `file` or from `shape` and its parameters.
+Surface read_solid(Section& s, const std::filesystem::path& scene_file, std::string& source, std::string& key) {
+    const auto file = s.text("file");
+    const auto shape = s.text("shape");
+    const std::string unit = s.choice("unit", "m", {"m", "mm", "cm", "ft", "in"});
+    const std::string axes = s.text("axes", "xyz");
+    if (file && shape) s.fail("shape", "given twice: also file; keep one of the two");
+    if (!file && !shape) s.fail("file", "missing; expected file = \"hull.stl\" or shape = \"prismatic\"");
+    key = file ? "file" : "shape";
+    source = file ? *file : *shape;
+    try {
+        if (file) {
+            const std::filesystem::path path = scene_file.parent_path() / *file;
+            if (!std::filesystem::exists(path)) s.fail("file", fmt::format("there is no file {}", path.string()));
+            return read_surface(path, unit, axes);
+        }
+        const std::string name = s.choice("shape", "", shape_names());
+        const auto found = std::find_if(hull_shapes().begin(), hull_shapes().end(), [&](const HullShape& h) { return h.name == name; });
+        std::map<std::string, double> values;
+        for (const HullParameter& p : found->parameters)
+            values[p.name] = s.number(p.name, p.fallback, p.kind, {p.min, p.max});
+        return make_hull(name, values);
+    } catch (const InputError& e) {
+        if (std::string(e.what()).starts_with(scene_file.string() + ":")) throw;
+        s.fail(key, e.what());
+    }
+}
+
+Surface box_surface(const Box& box) {
+    Surface surface;
+    for (int corner = 0; corner < 8; ++corner)
+        surface.points.push_back({(corner & 1 ? box.max : box.min).x(), (corner & 2 ? box.max : box.min).y(),
+                                  (corner & 4 ? box.max : box.min).z()});
+    surface.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                         {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    return surface;
+}
+
+}  // namespace
+
+HullOptions read_hull(Section& s) {
+    HullOptions o;
+    Hull& hull = o.hull;
+    hull.trim = s.number("trim", 0, "rad", {-quarter_turn, quarter_turn});
+    hull.heel = s.number("heel", 0, "rad", {-quarter_turn, quarter_turn});
+    const auto draft = s.number("draft", "m");
+    Pose& pose = o.pose;
+    if (const auto position = s.numbers("position", "m", 2)) pose.position = {(*position)[0], (*position)[1], 0};
+    hull.half = s.flag("half", false);
+    o.repair = s.flag("repair", false);
+    if (hull.half && hull.heel != 0) s.fail("half", "a heeled hull is not symmetric about y = 0; set heel = 0 or half = false");
+    if (hull.half && pose.position.y() != 0) s.fail("half", "a hull beside y = 0 is not symmetric about it; expected position = [x, 0]");
+    o.as_read = read_solid(s, s.file(), hull.source, o.key);
+    s.finish();
+    // Without a draft the hull keeps the height it has in its own file.
+    hull.draft = draft.value_or(-o.as_read.bounds().min.z());
+    if (!(hull.draft > 0))
+        s.fail("draft", fmt::format("the hull is not in the water: its lowest point stands {:.6g} m above still water; "
+                                    "expected draft > 0, the depth of the lowest point below z = 0", std::abs(hull.draft)));
+    pose.trim = hull.trim;
+    pose.heel = hull.heel;
+    pose.draft = hull.draft;
+    hull.surface = posed(o.as_read, pose);
+    return o;
+}
+
+Obstacle read_obstacle(Section& s, std::size_t number) {
+    Obstacle o;
+    o.name = s.identifier("name", fmt::format("obstacle{}", number));
+    const auto min = s.vector("min", "m"), max = s.vector("max", "m");
+    if (min || max) {
+        if (!min || !max) s.fail(min ? "max" : "min", "missing; a box needs min = [x, y, z] and max = [x, y, z]");
+        const Box box{*min, *max};
+        if (!(box.size().array() > 0).all()) s.fail("max", "the box has no volume; expected max > min in every direction");
+        o.surface = box_surface(box);
+    } else {
+        std::string source, key;
+        o.surface = read_solid(s, s.file(), source, key);
+        const Vec3 position = s.vector("position", "m").value_or(Vec3::Zero());
+        for (Vec3& p : o.surface.points) p += position;
+    }
+    s.finish();
+    return o;
+}
+
+}  // namespace tw

@@ -1,0 +1,320 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/atomic_file.h"
+#include "base/errors.h"
+#include "meshes/query.h"
+#include "scene/defaults.h"
+#include "scene/effects_plan.h"
+#include "scene/hash.h"
+#include "scene/read.h"
+
+namespace tw {
+namespace {
+
+/// Puts a command line option into the document as if it stood in the file; its messages name the option.
+void override_key(Value& document, const std::string& section, const std::string& key, const std::string& option, Value value) {
+    Value* table = document.find(section);
+    if (!table) {
+        Value empty;
+        empty.kind = Value::Kind::table;
+        document.members.emplace_back(section, empty);
+        table = &document.members.back().second;
+    }
+    value.option = option;
+    std::erase_if(table->members, [&](const auto& m) { return m.first == key; });
+    table->members.emplace_back(key, std::move(value));
+}
+
+Value number_value(double number) {
+    Value v;
+    v.kind = Value::Kind::number;
+    v.number = number;
+    v.text = fmt::format("{:.10g}", number);
+    return v;
+}
+
+void apply(const SceneOverrides& o, Value& document) {
+    if (o.hull_file) {
+        // Only what says how the hull stands in the water outlives a swap; a shape's own parameters would be unknown keys.
+        if (Value* hull = document.find("hull"))
+            std::erase_if(hull->members, [](const auto& m) {
+                static const std::set<std::string> kept{"trim", "heel", "draft", "position", "half", "repair", "unit", "axes"};
+                return !kept.contains(m.first);
+            });
+        Value file;
+        file.kind = Value::Kind::text;
+        file.text = std::filesystem::absolute(*o.hull_file).string();
+        override_key(document, "hull", "file", "--hull", file);
+    }
+    if (o.speed) override_key(document, "motion", "speed", "--speed", number_value(*o.speed));
+    if (o.spacing) override_key(document, "resolution", "spacing", "--spacing", number_value(*o.spacing));
+    if (o.near_hull) override_key(document, "resolution", "near_hull", "--near-hull", number_value(*o.near_hull));
+    if (o.duration) override_key(document, "run", "duration", "--duration", number_value(*o.duration));
+}
+
+/// Particle spacing and largest cell: as written, else from the hull; the ratio is always a power of two.
+Resolution resolution_of(const ResolutionOptions& o, const Hull* hull, Section& s, double scale) {
+    Resolution r;
+    if (!o.near_hull && !o.spacing && !hull)
+        s.fail("near_hull", "missing; a scene without a hull needs its particle spacing, e.g. near_hull = \"0.02 m\"");
+    if (o.near_hull) r.near_hull = *o.near_hull;
+    else r.near_hull = hull ? default_near_hull(*hull) : *o.spacing;
+    if (!o.near_hull && o.spacing) r.near_hull = std::min(r.near_hull, *o.spacing);
+    r.near_hull *= scale;
+    r.spacing = o.spacing ? snapped_spacing(*o.spacing * scale, r.near_hull) : default_spacing(r.near_hull, hull);
+    return r;
+}
+
+/// Low and high end outward to multiples of `step`, so that z = 0 and every face lie on the coarse grid.
+void snap_outward(double& low, double& high, double step) {
+    low = std::floor(low / step + 1e-6) * step;
+    high = std::ceil(high / step - 1e-6) * step;
+}
+
+Box stream_box(const DomainOptions& o, const Scene& scene, std::optional<double> water_depth) {
+    Box box;
+    if (scene.hull) {
+        const Box hull = scene.hull->surface.bounds();
+        const Margins m = default_margins(*scene.hull, scene.motion.speed, scene.water.gravity);
+        const double side = o.side.value_or(m.side);
+        const double below = o.below.value_or(water_depth ? std::min(*water_depth, m.below) : m.below);
+        box.min = {hull.min.x() - o.ahead.value_or(m.ahead), -side, -below};
+        box.max = {hull.max.x() + o.behind.value_or(m.behind), side, o.above.value_or(m.above)};
+    }
+    if (o.x) std::tie(box.min.x(), box.max.x()) = *o.x;
+    if (o.y) std::tie(box.min.y(), box.max.y()) = *o.y;
+    if (o.z) std::tie(box.min.z(), box.max.z()) = *o.z;
+    if (scene.hull && scene.hull->half) box.min.y() = 0;
+    for (int axis = 0; axis < 3; ++axis) snap_outward(box.min[axis], box.max[axis], scene.resolution.spacing);
+    return box;
+}
+
+Domain domain_of(const DomainOptions& o, const std::optional<Box>& tank, Scene& scene, Sections& s, std::optional<double> depth) {
+    Domain d;
+    d.dimensions = o.dimensions;
+    const bool stream = scene.motion.kind == Motion::Kind::stream;
+    if (tank) {
+        if (stream) s.tank.fail("size", "a tank has walls all round and no stream; use [domain] for a stream, or kind = \"none\"");
+        if (!o.empty()) s.domain.fail("x", "[tank] already says how large the domain is; keep one of the two");
+        d.box = *tank;
+        if (scene.hull && scene.hull->half) d.box.min.y() = 0;
+    } else {
+        if (!scene.hull && !(o.x && o.z && (o.y || o.dimensions == 2)))
+            s.domain.fail(stream ? "x" : "size", "missing; a scene without a hull needs [domain] x, y and z ranges, or a [tank]");
+        d.box = stream_box(o, scene, depth);
+    }
+    if (o.dimensions == 2) {
+        if (scene.hull) s.domain.fail("dimensions", "a hull needs 3 dimensions in this version");
+        d.box.min.y() = 0;
+        d.box.max.y() = scene.resolution.near_hull;
+    }
+    if (stream) {
+        d.x_min = Side::inlet;
+        d.x_max = Side::outlet;
+    }
+    if (scene.hull && scene.hull->half) d.y_min = Side::symmetry;
+    if (o.dimensions == 2) d.y_min = d.y_max = Side::symmetry;
+    return d;
+}
+
+void check_hull_place(const Scene& scene, Sections& s, const std::string& key) {
+    const Hull& hull = *scene.hull;
+    const Box bounds = hull.surface.bounds();
+    if (hull.still.volume <= 0)
+        s.hull.fail("draft", fmt::format("the hull displaces no water at draft {:.6g} m; expected it to reach below z = 0", hull.draft));
+    const Box& domain = scene.domain.box;
+    const double room = 4 * scene.resolution.near_hull;
+    static constexpr const char* axis_names[] = {"x", "y", "z"};
+    static constexpr const char* low_keys[] = {"ahead", "side", "below"};
+    static constexpr const char* high_keys[] = {"behind", "side", "above"};
+    for (int axis = 0; axis < 3; ++axis) {
+        const bool mirrored = axis == 1 && hull.half;
+        const bool low = !mirrored && bounds.min[axis] < domain.min[axis] + room;
+        if (!low && bounds.max[axis] <= domain.max[axis] - room) continue;
+        const auto a = static_cast<std::size_t>(axis);
+        const std::string message =
+            fmt::format("the hull is larger than the domain: in {} it spans {:.6g} to {:.6g} m, the domain {:.6g} to {:.6g} m; "
+                        "expected at least {:.3g} m (four particles) between them",
+                        axis_names[a], bounds.min[axis], bounds.max[axis], domain.min[axis], domain.max[axis], room);
+        if (s.tank.present()) s.tank.fail(s.tank.has("size") ? "size" : "max", message);
+        const std::string nearest = s.domain.has(axis_names[a]) ? axis_names[a] : low ? low_keys[a] : high_keys[a];
+        if (s.domain.has(nearest)) s.domain.fail(nearest, message);
+        if (axis == 2 && low && s.water.has("depth")) s.water.fail("depth", message);
+        s.hull.fail(key, message);
+    }
+}
+
+/// Mirror images of the corners must lie on the surface.
+void check_symmetry(const Hull& hull, Section& s) {
+    const SurfaceQuery query(hull.surface);
+    const double tolerance = 1e-3 * hull.beam;
+    for (const Vec3& p : hull.surface.points) {
+        const Vec3 mirror(p.x(), -p.y(), p.z());
+        const double off = std::abs(query.nearest(mirror).distance);
+        if (off > tolerance)
+            s.fail("half", fmt::format("the hull is not symmetric about y = 0: near ({:.4g}, {:.4g}, {:.4g}) m the two sides differ by "
+                                       "{:.3g} m; set half = false", p.x(), p.y(), p.z(), off));
+    }
+}
+
+void check_health(HullOptions& o, double particle_spacing, Section& s) {
+    Hull& hull = o.hull;
+    hull.findings = check_surface(o.as_read, particle_spacing);
+    if (o.repair) {
+        Repaired repaired = repair_surface(o.as_read);
+        hull.repairs = std::move(repaired.done);
+        o.as_read = std::move(repaired.surface);
+        hull.surface = posed(o.as_read, o.pose);
+        hull.findings = check_surface(o.as_read, particle_spacing);
+    }
+    for (const Finding& f : hull.findings)
+        if (f.level == Finding::Level::error)
+            s.fail(o.key, fmt::format("{}: {}{}", f.name, f.message, o.repair ? "; repair = true did not mend it" : "; repair = true mends what is safe"));
+}
+
+void check_places(Scene& scene, Sections& s) {
+    const Box& box = scene.domain.box;
+    const auto outside = [&](const Vec3& p, double slack) {
+        return !Box{(box.min.array() - slack).matrix(), (box.max.array() + slack).matrix()}.contains(p);
+    };
+    const std::string range = fmt::format("the domain spans ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g}) m", box.min.x(), box.min.y(),
+                                          box.min.z(), box.max.x(), box.max.y(), box.max.z());
+    const double slack = 1e-6 * box.size().maxCoeff();
+    for (std::size_t i = 0; i < scene.water_blocks.size(); ++i) {
+        Box& block = scene.water_blocks[i];
+        if (scene.domain.dimensions == 2) {
+            block.min.y() = box.min.y();
+            block.max.y() = box.max.y();
+        }
+        for (const char* key : {"min", "max"})
+            if (outside(key == std::string("min") ? block.min : block.max, slack)) s.water_blocks[i].fail(key, "outside the domain; " + range);
+    }
+    std::size_t pressure = 0, height = 0;
+    for (Section& probe : s.probes) {
+        if (probe.has("pressure")) {
+            Vec3& place = scene.sampling.pressure[pressure++].place;
+            if (scene.domain.dimensions == 2) place.y() = 0.5 * (box.min.y() + box.max.y());
+            if (outside(place, slack)) probe.fail("pressure", "outside the domain; " + range);
+        } else {
+            HeightProbe& place = scene.sampling.height[height++];
+            if (scene.domain.dimensions == 2) place.y = 0.5 * (box.min.y() + box.max.y());
+            if (outside({place.x, place.y, box.min.z()}, slack)) probe.fail("height", "outside the domain; " + range);
+        }
+    }
+}
+
+template <class List>
+void refuse_same_names(const List& items, std::vector<Section>& sections) {
+    for (std::size_t i = 0; i < items.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (items[i].name == items[j].name) sections[i].fail("name", fmt::format("'{}' is taken already; give every one its own name", items[i].name));
+}
+
+}  // namespace
+
+Sections split_sections(const std::filesystem::path& file, const Value& document) {
+    Section root(file, "", &document);
+    const auto one = [&](const std::string& name) {
+        root.know(name);
+        const Value* table = document.find(name);
+        if (table && table->kind != Value::Kind::table) root.fail(name, "expected a section [" + name + "]");
+        return Section(file, name, table);
+    };
+    const auto many = [&](const std::string& name) {
+        root.know(name);
+        std::vector<Section> all;
+        const Value* list = document.find(name);
+        if (!list) return all;
+        if (list->kind != Value::Kind::list) root.fail(name, "expected a list of sections [[" + name + "]]");
+        for (const Value& item : list->list) {
+            if (item.kind != Value::Kind::table) root.fail(name, "expected a list of sections [[" + name + "]]");
+            all.emplace_back(file, "[" + name + "]", &item);
+        }
+        return all;
+    };
+    Sections s{root,       one("hull"), one("water"), one("motion"), one("resolution"), one("domain"),  one("run"),        one("sampling"),
+               one("tank"), one("sph"),  one("fvm"),   one("effects"), many("obstacle"),  many("probe"), many("water_block")};
+    s.root = root;
+    s.root.know("title");
+    s.root.finish();
+    return s;
+}
+
+Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overrides) {
+    Scene scene;
+    scene.file = file;
+    scene.text = read_text(file);
+    Value document = parse_document(scene.text, file);
+    apply(overrides, document);
+    Sections s = split_sections(file, document);
+    scene.title = s.root.text("title", file.stem().string());
+
+    const WaterOptions water = read_water(s.water);
+    scene.water = water.water;
+    scene.motion = read_motion(s.motion, s.hull.present());
+    scene.run = read_run(s.run);
+    scene.sph = read_sph(s.sph);
+    scene.fvm = read_fvm(s.fvm);
+    SamplingOptions sampling = read_sampling(s.sampling, s.probes);
+    scene.sampling = sampling.sampling;
+    const ResolutionOptions resolution = read_resolution(s.resolution);
+    const DomainOptions domain = read_domain(s.domain);
+    const std::optional<Box> tank = read_tank(s.tank);
+    scene.water_blocks = read_water_blocks(s.water_blocks);
+    for (std::size_t i = 0; i < s.obstacles.size(); ++i) scene.obstacles.push_back(read_obstacle(s.obstacles[i], i + 1));
+    refuse_same_names(scene.obstacles, s.obstacles);
+
+    std::optional<HullOptions> hull;
+    if (s.hull.present()) {
+        hull = read_hull(s.hull);
+        const auto measure = [&] {
+            const Vec3 size = hull->hull.surface.bounds().size();
+            hull->hull.length = size.x();
+            hull->hull.beam = size.y();
+        };
+        measure();
+        scene.resolution = resolution_of(resolution, &hull->hull, s.resolution, overrides.scale_resolution.value_or(1));
+        check_health(*hull, scene.resolution.near_hull, s.hull);
+        measure();
+        hull->hull.hash = surface_hash(hull->hull.surface);
+        hull->hull.mass = mass_properties(hull->hull.surface);
+        hull->hull.still = hydrostatics(hull->hull.surface);
+        scene.hull = hull->hull;
+        if (scene.hull->half) check_symmetry(*scene.hull, s.hull);
+    } else {
+        scene.resolution = resolution_of(resolution, nullptr, s.resolution, overrides.scale_resolution.value_or(1));
+    }
+    scene.resolution_place = s.resolution.where("near_hull");
+
+    // A stream without a hull has no length to settle over: its ramp is the domain's, so the domain comes first.
+    scene.domain = domain_of(domain, tank, scene, s, water.depth);
+    if (scene.hull) check_hull_place(scene, s, hull->key);
+    if (scene.motion.kind == Motion::Kind::stream && !scene.water_blocks.empty())
+        s.water_blocks[0].fail("min", "a stream fills all below z = 0 with water; water blocks belong to still scenes (kind = \"none\")");
+    if (!(scene.domain.box.min.z() < 0) && scene.water_blocks.empty())
+        s.domain.fail("z", "there is no water: still water is z = 0, and the domain begins above it; expected a floor below z = 0, or [[water_block]]");
+    check_places(scene, s);
+
+    scene.water.depth = water_height(scene);
+    if (scene.motion.ramp < 0) scene.motion.ramp = default_ramp(scene);
+    fill_times(scene);
+    if (scene.sampling.mean_from >= scene.run.duration && s.sampling.has("mean_from"))
+        s.sampling.fail("mean_from", fmt::format("the run ends at {:.6g} s, before means begin; expected less", scene.run.duration));
+    if (scene.sph.c0 == 0) scene.sph.c0 = default_sound_speed(scene);
+    scene.refinement = default_refinement(scene);
+    const double voxel = scene.domain.dimensions == 2 ? scene.resolution.near_hull : 2 * scene.resolution.near_hull;
+    scene.sampling.raster = default_raster(scene, sampling.raster_spacing.value_or(voxel));
+    scene.effects = plan_effects(scene, s.effects);
+    scene.hash = scene_hash(scene);
+    return scene;
+}
+
+bool Scene::effect_on(const std::string& name) const {
+    for (const EffectChoice& e : effects)
+        if (e.name == name) return e.on;
+    return false;
+}
+
+}  // namespace tw

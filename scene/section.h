@@ -1,0 +1,77 @@
+#pragma once
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/vec3.h"
+#include "scene/document.h"
+
+namespace tw {
+
+/// Closed range of SI values that a key accepts; `open_min`: the lower end itself is refused.
+struct Range {
+    double min = -std::numeric_limits<double>::infinity(), max = std::numeric_limits<double>::infinity();
+    bool open_min = false;
+};
+inline constexpr Range any_value{};
+inline constexpr Range positive{0, std::numeric_limits<double>::infinity(), true};
+inline constexpr Range not_negative{0, std::numeric_limits<double>::infinity(), false};
+
+/// One [section] of a scene file. Every getter remembers its key; finish() reports keys nobody asked for. All errors are
+/// InputError in the form
+///   file:line:column: [section] key = value: what was found; what is expected
+class Section {
+public:
+    /// `table` may be null: the section is absent and every key has its fallback. `place`: of the header.
+    Section(std::filesystem::path file, std::string name, const Value* table);
+
+    bool present() const { return table_ != nullptr; }
+    bool has(const std::string& key) const { return table_ && table_->find(key); }
+    const std::string& name() const { return name_; }
+    const std::filesystem::path& file() const { return file_; }
+
+    /// Numbers take SI values or strings with a unit; `unit` is the SI unit ("m", "m/s", "rad", "-").
+    std::optional<double> number(const std::string& key, std::string_view unit, Range range = any_value);
+    double number(const std::string& key, double fallback, std::string_view unit, Range range = any_value);
+    std::optional<std::vector<double>> numbers(const std::string& key, std::string_view unit);
+    std::optional<std::vector<double>> numbers(const std::string& key, std::string_view unit, std::size_t count);
+    std::optional<Vec3> vector(const std::string& key, std::string_view unit);
+    /// [low, high] with low < high.
+    std::optional<std::pair<double, double>> range(const std::string& key, std::string_view unit);
+    std::optional<std::string> text(const std::string& key);
+    std::string text(const std::string& key, const std::string& fallback) { return text(key).value_or(fallback); }
+    std::string choice(const std::string& key, const std::string& fallback, const std::vector<std::string>& known);
+    std::optional<std::vector<std::string>> texts(const std::string& key, const std::vector<std::string>& known);
+    bool flag(const std::string& key, bool fallback);
+    /// A name that later becomes part of file, patch or column names: a letter, then letters, digits, '_'.
+    std::string identifier(const std::string& key, const std::string& fallback);
+    /// "auto", "on" or "off" (also true and false): nothing for auto.
+    std::optional<bool> on_off(const std::string& key);
+
+    /// Throws InputError at the key (or at the section, or the file, when it is absent).
+    [[noreturn]] void fail(const std::string& key, const std::string& message) const;
+    /// `file:line:column: [section] key = value` for messages.
+    std::string where(const std::string& key) const;
+    /// Throws for the first key that was never asked for, with the known keys and the nearest one.
+    void finish() const;
+    /// Takes a key as known without reading it.
+    void know(const std::string& key) { asked_.insert(key); }
+
+private:
+    const Value* ask(const std::string& key);
+    double as_number(const std::string& key, const Value& value, std::string_view unit) const;
+
+    std::filesystem::path file_;
+    std::string name_;
+    const Value* table_;
+    std::set<std::string> asked_;
+};
+
+/// "; did you mean 'draft'?" when one of `known` is near `word`, else empty.
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& known);
+
+}  // namespace tw

@@ -1,0 +1,179 @@
+#include "scene/units.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+
+namespace tw {
+namespace {
+
+struct Symbol {
+    std::string_view name;
+    double factor;
+    Dimension dimension;
+};
+
+constexpr double pound = 0.45359237;      // [kg], exact by definition
+constexpr double foot = 0.3048;           // [m], exact by definition
+constexpr double nautical_mile = 1852.0;  // [m], exact by definition
+constexpr double g0 = 9.80665;            // [m/s2], standard gravity, for pound-force
+constexpr double degree = std::numbers::pi / 180;
+constexpr Dimension length{1, 0, 0, 0}, mass{0, 1, 0, 0}, time{0, 0, 1, 0}, angle{0, 0, 0, 1}, speed{1, 0, -1, 0},
+    force{1, 1, -2, 0}, pressure{-1, 1, -2, 0}, energy{2, 1, -2, 0}, power{2, 1, -3, 0}, frequency{0, 0, -1, 0}, none{};
+
+// The whole table: nothing else in the project knows a unit by its name.
+constexpr auto symbols = std::to_array<Symbol>({
+    {"m", 1, length},
+    {"mm", 1e-3, length},
+    {"cm", 1e-2, length},
+    {"um", 1e-6, length},
+    {"km", 1e3, length},
+    {"ft", foot, length},
+    {"in", foot / 12, length},
+    {"yd", 3 * foot, length},
+    {"nmi", nautical_mile, length},
+    {"s", 1, time},
+    {"ms", 1e-3, time},
+    {"us", 1e-6, time},
+    {"min", 60, time},
+    {"h", 3600, time},
+    {"kg", 1, mass},
+    {"g", 1e-3, mass},
+    {"t", 1e3, mass},
+    {"lb", pound, mass},
+    {"rad", 1, angle},
+    {"deg", degree, angle},
+    {"°", degree, angle},
+    {"mrad", 1e-3, angle},
+    {"kn", nautical_mile / 3600, speed},
+    {"kt", nautical_mile / 3600, speed},
+    {"mph", 5280 * foot / 3600, speed},
+    {"N", 1, force},
+    {"mN", 1e-3, force},
+    {"kN", 1e3, force},
+    {"MN", 1e6, force},
+    {"lbf", pound * g0, force},
+    {"Pa", 1, pressure},
+    {"hPa", 1e2, pressure},
+    {"kPa", 1e3, pressure},
+    {"MPa", 1e6, pressure},
+    {"GPa", 1e9, pressure},
+    {"bar", 1e5, pressure},
+    {"psi", pound* g0 / (foot / 12) / (foot / 12), pressure},
+    {"J", 1, energy},
+    {"kJ", 1e3, energy},
+    {"W", 1, power},
+    {"kW", 1e3, power},
+    {"Hz", 1, frequency},
+    {"kHz", 1e3, frequency},
+    {"%", 1e-2, none},
+});
+
+/// With "²" and "³" written as "^2" and "^3".
+std::string plain_powers(std::string_view text) {
+    std::string out;
+    while (!text.empty()) {
+        const bool two = text.starts_with("²"), three = text.starts_with("³");
+        if (two || three)
+            out += two ? "^2" : "^3";
+        else
+            out += text.front();
+        text.remove_prefix(two || three ? std::string_view("²").size() : 1);
+    }
+    return out;
+}
+
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_symbol(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '%' || static_cast<unsigned char>(c) >= 0x80;
+}
+
+std::string_view trimmed(std::string_view text) {
+    while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+    return text;
+}
+
+const Symbol& find_symbol(std::string_view name) {
+    for (const Symbol& s : symbols)
+        if (s.name == name) return s;
+    std::string known;
+    for (const Symbol& s : symbols) {
+        if (!known.empty()) known += ' ';
+        known += s.name;
+    }
+    throw UnitError(fmt::format("unknown unit '{}'; known units: {} (and products such as m/s, kg/m^3)", name, known));
+}
+
+}  // namespace
+
+Unit parse_unit(std::string_view original) {
+    const std::string plain = plain_powers(original);
+    std::string_view text = trimmed(plain);
+    Unit unit;
+    if (text == "-" || text.empty()) return unit;
+    int sign = 1;
+    while (true) {
+        std::size_t n = 0;
+        while (n < text.size() && is_symbol(text[n])) ++n;
+        if (n == 0) throw UnitError(fmt::format("'{}' is not a unit", original));
+        const Symbol& symbol = find_symbol(text.substr(0, n));
+        text.remove_prefix(n);
+        if (!text.empty() && text.front() == '^') text.remove_prefix(1);
+        int power = 1;
+        if (!text.empty() && (is_digit(text.front()) || text.front() == '-')) {
+            const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), power);
+            if (error != std::errc{} || std::abs(power) > 9) throw UnitError(fmt::format("'{}' is not a unit", original));
+            text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+        }
+        power *= sign;
+        unit.factor *= std::pow(symbol.factor, power);
+        unit.dimension.m += power * symbol.dimension.m;
+        unit.dimension.kg += power * symbol.dimension.kg;
+        unit.dimension.s += power * symbol.dimension.s;
+        unit.dimension.rad += power * symbol.dimension.rad;
+        text = trimmed(text);
+        if (text.empty()) return unit;
+        sign = 1;
+        if (text.front() == '/' || text.front() == '*' || text.front() == '.') {
+            sign = text.front() == '/' ? -1 : 1;
+            text.remove_prefix(1);
+        }
+        text = trimmed(text);
+    }
+}
+
+std::string units_like(std::string_view si_unit) {
+    const Dimension wanted = parse_unit(si_unit).dimension;
+    std::string list(si_unit);
+    for (const Symbol& s : symbols) {
+        if (s.dimension != wanted || s.name == si_unit || s.name == "°") continue;
+        list += ", ";
+        list += s.name;
+    }
+    return list;
+}
+
+double quantity(std::string_view original, std::string_view si_unit) {
+    const std::string_view text = trimmed(original);
+    double value = 0;
+    // from_chars: the same answer in any locale; it takes no leading '+'.
+    const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);
+    const auto [end, error] = std::from_chars(begin, text.data() + text.size(), value);
+    if (error != std::errc{} || !std::isfinite(value))
+        throw UnitError(fmt::format("'{}' does not begin with a finite number; expected e.g. \"1.5 {}\"", original, si_unit));
+    const std::string_view rest = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
+    if (rest.empty()) return value;
+    const Unit unit = parse_unit(rest);
+    if (unit.dimension != parse_unit(si_unit).dimension) {
+        if (si_unit == "-") throw UnitError(fmt::format("'{}' has a unit; expected a plain number", original));
+        throw UnitError(fmt::format("'{}' does not measure the right thing; expected a unit like {}", rest, units_like(si_unit)));
+    }
+    return value * unit.factor;
+}
+
+}  // namespace tw

@@ -1,0 +1,35 @@
+#pragma once
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace tw {
+
+/// Exponents of the base units metre, kilogram, second and radian (an angle is a dimension of its own here, so that
+/// "5 deg" cannot pass for a plain number).
+struct Dimension {
+    int m = 0, kg = 0, s = 0, rad = 0;
+    bool operator==(const Dimension&) const = default;
+};
+
+/// What is wrong with a quantity, without its place: "unknown unit 'kmh'; ...".
+struct UnitError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// Dimension and SI factor of a unit expression: symbols with integer powers, joined by '*', '.', blank or '/', e.g.
+/// "m/s", "kg/m^3", "m2/s", "N/m", "-" (none). Throws UnitError for an unknown symbol.
+struct Unit {
+    double factor = 1;
+    Dimension dimension;
+};
+Unit parse_unit(std::string_view text);
+
+/// The SI value of `text` ("30 m/s", "5 deg", "12") where a quantity measured in `si_unit` is expected. A number
+/// without a unit is taken as SI. Throws UnitError: not a finite number, unknown unit, other dimension.
+double quantity(std::string_view text, std::string_view si_unit);
+
+/// Symbols that measure the same thing as `si_unit`, for messages: "m, mm, cm, ...".
+std::string units_like(std::string_view si_unit);
+
+}  // namespace tw
