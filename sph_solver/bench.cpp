@@ -1,0 +1,92 @@
+#include "sph_solver/bench.h"
+
+#include <omp.h>
+
+#include <chrono>
+#include <cmath>
+#include <random>
+
+#include "sph_solver/solver.h"
+
+namespace tw {
+
+namespace {
+
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+/// Candidate pairs per second of gradient + force pass on one group and 400 neighbours, all in the first cache, per thread.
+double kernel_peak(const PassData& like, int threads) {
+    constexpr int n = 400, repeats = 4000;
+    double best = 0;
+    for (int trial = 0; trial < 3; ++trial) {
+        const double start = now();
+#pragma omp parallel num_threads(threads)
+        {
+            std::vector<PlaceRecord> place(n);
+            std::vector<MotionRecord> motion(n, MotionRecord{0, 0, 0, 0});
+            std::vector<StressRecord> stress(n, StressRecord{0, 0, 0, 0});
+            std::vector<ShiftRecord> shift(16);
+            std::vector<RateRecord> rate(16);
+            std::vector<std::int32_t> list(n);
+            for (int k = 0; k < n; ++k) {
+                place[static_cast<std::size_t>(k)] = {(k % 8) << 18, (k / 8 % 8) << 18, (k / 64) << 18, 1e-6f};
+                list[static_cast<std::size_t>(k)] = k;
+            }
+            PassData d = like;
+            d.place = place.data(), d.motion = motion.data(), d.stress = stress.data(), d.shift = shift.data(), d.rate = rate.data();
+            Group g;
+            g.size = 16, g.list = list.data(), g.list_size = n;
+            for (int r = 0; r < repeats; ++r) {
+                passes().continuity_and_gradient(d, &g, 1);
+                passes().forces(d, &g, 1);
+            }
+        }
+        best = std::max(best, double(threads) * repeats * n * 16 / (now() - start));
+    }
+    return best;
+}
+
+}  // namespace
+
+BenchResult run_bench(std::int64_t particles, double h_over_dp, int threads, double seconds) {
+    const int n = std::max(8, static_cast<int>(std::lround(std::cbrt(double(particles)))));
+    SolverSetup s;
+    s.dp = 0.01;
+    s.h_over_dp = h_over_dp;
+    s.state_equation.c0 = 20;
+    s.threads = threads > 0 ? threads : omp_get_num_procs();
+    s.domain = {Vec3::Zero(), Vec3::Constant(n * s.dp)};
+    for (auto& axis : s.mirrors.on) axis = {true, true};
+    Fluid fluid = fill_with_fluid(s, {s.domain});
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> jitter(-0.1 * s.dp, 0.1 * s.dp);
+    for (Vec3& p : fluid.places) p += Vec3(jitter(random), jitter(random), jitter(random));
+    Solver solver(s, fluid);
+    solver.step();
+
+    const Timers before = solver.timers();
+    const std::int64_t first = solver.steps();
+    const double start = now();
+    while (now() - start < seconds || solver.steps() - first < 4) solver.step();
+    const double wall = now() - start;
+    const Timers& t = solver.timers();
+
+    BenchResult r;
+    r.particles = static_cast<std::int64_t>(fluid.places.size());
+    r.threads = s.threads;
+    r.isa = passes().isa;
+    r.evaluations_per_second = double(t.evaluations - before.evaluations) / wall;
+    const double support = 2 * h_over_dp;
+    r.neighbours_per_particle = 4.0 / 3 * 3.14159265358979 * support * support * support;
+    r.pairs_per_second = r.evaluations_per_second * r.neighbours_per_particle;
+    r.bytes_per_particle = solver.bytes() / double(r.particles);
+    const double in_pairs = t.gradient + t.forces - before.gradient - before.forces;
+    r.share_outside_pairs = 1 - in_pairs / wall;
+    PassData like;
+    like.kernel = Kernel(solver.h(), 3);
+    like.quantum = static_cast<float>(s.dp / (1 << 18));
+    r.share_of_kernel_peak = double(t.pair_candidates - before.pair_candidates) / in_pairs / kernel_peak(like, s.threads);
+    return r;
+}
+
+}  // namespace tw

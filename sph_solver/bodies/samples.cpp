@@ -1,0 +1,54 @@
+#include "sph_solver/bodies/samples.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tw {
+
+SurfaceSamples::SurfaceSamples(const Surface& surface, double size, const Box& region) {
+    for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
+        const Vec3 a = surface.corner(t, 0), ab = surface.corner(t, 1) - a, ac = surface.corner(t, 2) - a;
+        const double longest = std::max({ab.norm(), ac.norm(), (ab - ac).norm()});
+        const int n = std::max(1, static_cast<int>(std::ceil(longest / size)));
+        const Vec3 part = surface.area_vector2(t) / (2.0 * n * n);
+        // n^2 congruent triangles: those standing up, and those upside down between them
+        for (int i = 0; i < n; ++i)
+            for (int j = 0; i + j < n; ++j)
+                for (int down = 0; down < (i + j < n - 1 ? 2 : 1); ++down) {
+                    const double third = down ? 2.0 / 3 : 1.0 / 3;
+                    const Vec3 p = a + ab * ((i + third) / n) + ac * ((j + third) / n);
+                    if (!region.contains(p)) continue;
+                    points.places.push_back(p);
+                    area.push_back(part);
+                    triangle.push_back(t);
+                }
+    }
+}
+
+Vec3 SurfaceSamples::pressure_force(const Vec3& moment_reference, Vec3& moment) const {
+    Vec3 force = Vec3::Zero();
+    moment.setZero();
+    for (std::size_t k = 0; k < area.size(); ++k) {
+        if (points.support[k] < wet) continue;
+        const Vec3 f = -double(points.p[k]) * area[k];
+        force += f;
+        moment += (points.places[k] - moment_reference).cross(f);
+    }
+    return force;
+}
+
+double SurfaceSamples::wetted_area() const {
+    double sum = 0;
+    for (std::size_t k = 0; k < area.size(); ++k)
+        if (points.support[k] >= wet) sum += area[k].norm();
+    return sum;
+}
+
+double SurfaceSamples::wetted_planform() const {
+    double sum = 0;
+    for (std::size_t k = 0; k < area.size(); ++k)
+        if (points.support[k] >= wet && area[k].z() < 0) sum -= area[k].z();
+    return sum;
+}
+
+}  // namespace tw

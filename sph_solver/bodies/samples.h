@@ -1,0 +1,36 @@
+#pragma once
+#include <vector>
+
+#include "base/vec3.h"
+#include "meshes/surface.h"
+
+namespace tw {
+
+/// Points at which the solver is asked for pressure, kernel support and (when wanted) velocity.
+struct PointSamples {
+    std::vector<Vec3> places;
+    bool want_velocity = false;
+    std::vector<float> p;         ///< [Pa], hydrostatically corrected Shepard mean of the water near
+    std::vector<float> support;   ///< sum_j V_j W_j: 1 inside water, 1/2 on a flat wetted wall
+    std::vector<float> velocity;  ///< 3 per point [m/s]
+};
+
+/// A surface cut into patches no larger than `size`, each with a centre and an area vector, for integrals over it.
+struct SurfaceSamples {
+    PointSamples points;
+    std::vector<Vec3> area;           ///< outward area vector of each patch [m2]
+    std::vector<int> triangle;        ///< the triangle it is part of
+
+    /// `region`: patches whose centre is outside are left out.
+    SurfaceSamples(const Surface& surface, double size, const Box& region);
+
+    /// A quarter of the full support, half of what a flat wetted wall sees: the unbiased place of a waterline.
+    static constexpr float wet = 0.25f;
+    /// Force of the pressure on the wet patches, and its moment.
+    Vec3 pressure_force(const Vec3& moment_reference, Vec3& moment) const;
+    double wetted_area() const;
+    /// Wetted area projected on the horizontal plane, patches that face down [m2].
+    double wetted_planform() const;
+};
+
+}  // namespace tw

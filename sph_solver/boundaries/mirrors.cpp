@@ -1,0 +1,74 @@
+#include "sph_solver/boundaries/mirrors.h"
+
+namespace tw {
+
+std::vector<MirrorImage> make_mirror_images(const Mirrors& mirrors, const Box& domain, const Particles& p, double reach) {
+    std::vector<MirrorImage> images;
+    const std::vector<double>* coordinate[3] = {&p.x, &p.y, &p.z};
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        int choices[3][3], count[3];
+        for (int a = 0; a < 3; ++a) {
+            const double x = (*coordinate[a])[i];
+            choices[a][0] = 0;
+            count[a] = 1;
+            if (mirrors.on[static_cast<std::size_t>(a)][0] && x - domain.min[a] < reach) choices[a][count[a]++] = 1;
+            if (mirrors.on[static_cast<std::size_t>(a)][1] && domain.max[a] - x < reach) choices[a][count[a]++] = 2;
+        }
+        for (int c = 0; c < count[2]; ++c)
+            for (int b = 0; b < count[1]; ++b)
+                for (int a = 0; a < count[0]; ++a) {
+                    const int planes = choices[0][a] | choices[1][b] << 2 | choices[2][c] << 4;
+                    if (planes) images.push_back({static_cast<std::int32_t>(i), static_cast<std::uint8_t>(planes)});
+                }
+    }
+    return images;
+}
+
+MirrorPlanes::MirrorPlanes(const Box& domain, const Quanta& quanta) {
+    for (int a = 0; a < 3; ++a) {
+        twice[a][0] = 2 * std::int64_t{quanta.of(domain.min[a], a)};
+        twice[a][1] = 2 * std::int64_t{quanta.of(domain.max[a], a)};
+    }
+}
+
+PlaceRecord MirrorPlanes::place(PlaceRecord p, const MirrorImage& image) const {
+    std::int32_t* xyz[3] = {&p.x, &p.y, &p.z};
+    for (int a = 0; a < 3; ++a)
+        if (const int plane = image.plane(a)) *xyz[a] = static_cast<std::int32_t>(twice[a][plane - 1] - *xyz[a]);
+    return p;
+}
+
+MotionRecord mirrored(MotionRecord m, const MirrorImage& image) {
+    if (image.plane(0)) m.u = -m.u;
+    if (image.plane(1)) m.v = -m.v;
+    if (image.plane(2)) m.w = -m.w;
+    return m;
+}
+
+StressRecord mirrored(StressRecord s, const MirrorImage& image) {
+    if (image.plane(0)) s.gx = -s.gx;
+    if (image.plane(1)) s.gy = -s.gy;
+    if (image.plane(2)) s.gz = -s.gz;
+    return s;
+}
+
+std::int64_t return_from_mirrors(const Mirrors& mirrors, const Box& domain, Particles& p) {
+    std::vector<double>* coordinate[3] = {&p.x, &p.y, &p.z};
+    std::vector<float>* velocity[3] = {&p.u, &p.v, &p.w};
+    std::int64_t returned = 0;
+    for (int a = 0; a < 3; ++a)
+        for (int side = 0; side < 2; ++side) {
+            if (!mirrors.on[static_cast<std::size_t>(a)][static_cast<std::size_t>(side)]) continue;
+            const double plane = side == 0 ? domain.min[a] : domain.max[a];
+            for (std::size_t i = 0; i < p.size(); ++i) {
+                double& x = (*coordinate[a])[i];
+                if (side == 0 ? x >= plane : x <= plane) continue;
+                x = 2 * plane - x;
+                (*velocity[a])[i] = -(*velocity[a])[i];
+                ++returned;
+            }
+        }
+    return returned;
+}
+
+}  // namespace tw

@@ -1,0 +1,96 @@
+#pragma once
+#include <cstdint>
+
+#include "sph_solver/core/kernel.h"
+
+namespace tw {
+
+// What the pair passes read and write: plain arrays, so that the passes can be compiled once per instruction set (and for
+// a GPU) without dragging other code along. One neighbour costs three 16-byte loads.
+
+/// Position in units of `quantum`, exact differences; volume m/rho [m3].
+struct alignas(16) PlaceRecord {
+    std::int32_t x, y, z;
+    float volume;
+};
+/// Velocity [m/s] and density deviation rho - rho0 [kg/m3].
+struct alignas(16) MotionRecord {
+    float u, v, w, drho;
+};
+/// Renormalised density gradient [kg/m4] and pressure [Pa].
+struct alignas(16) StressRecord {
+    float gx, gy, gz, p;
+};
+
+/// A group of up to 16 particles that are neighbours in space and in memory.
+struct Group {
+    std::int32_t first = 0, size = 0;           ///< particles [first, first + size)
+    const std::int32_t* list = nullptr;         ///< its neighbours among particles and mirror images
+    const std::int32_t* wall_list = nullptr;    ///< its neighbours among the wall's dummy particles
+    std::int32_t list_size = 0, wall_size = 0;
+    std::int32_t x = 0, y = 0, z = 0;           ///< centre, in quanta: pair coordinates are relative to it
+};
+
+/// Per-particle result of the gradient pass.
+struct alignas(16) ShiftRecord {
+    float x, y, z;      ///< sum_j (1 + 0.2 (W_ij/W(dp))^4) grad_i W_ij V_j [1/m]
+    float support;      ///< sum_j V_j W_ij, walls and the particle itself counted [-]
+};
+/// Per-particle rates; `wall` is the part of the acceleration that walls exert.
+struct alignas(16) RateRecord {
+    float ax, ay, az, drho;         ///< [m/s2], [kg/m3/s]
+    float wx, wy, wz, viscous_work; ///< wall part [m/s2]; u . artificial viscosity [m2/s3]
+};
+/// Exterior unit normal of the nearest wall at a fluid particle (zero when none is near).
+struct alignas(16) NormalRecord {
+    float x, y, z, distance;
+};
+
+struct PassData {
+    // the particles and their mirror images, in one index space; then the wall's dummy particles in their own
+    const PlaceRecord* place = nullptr;
+    const MotionRecord* motion = nullptr;
+    StressRecord* stress = nullptr;
+    const PlaceRecord* wall_place = nullptr;
+    const float* wall_p = nullptr;
+    const NormalRecord* normal = nullptr;
+    ShiftRecord* shift = nullptr;
+    RateRecord* rate = nullptr;
+
+    Kernel kernel;
+    float quantum = 1;      ///< [m]
+    float rho0 = 1000;
+    float inv_W_dp = 0;     ///< 1 / W(dp)
+    float diffusion = 0;    ///< delta h c0 [m2/s]
+    float viscosity = 0;    ///< alpha h c0 rho0 [kg/m/s]
+    float eta2 = 0;         ///< 0.01 h^2 [m2]
+    float gx = 0, gy = 0, gz = 0;  ///< body force [m/s2]
+    bool two_dimensional = false;
+};
+
+/// Points at which fields are extrapolated from the fluid: wall dummies, surface samples, probes.
+struct ExtrapolateData {
+    const PlaceRecord* at = nullptr;            ///< the points, in groups as particles are
+    const PlaceRecord* place = nullptr;
+    const MotionRecord* motion = nullptr;
+    const StressRecord* stress = nullptr;
+    float* p = nullptr;                         ///< [Pa]
+    float* support = nullptr;                   ///< sum_j V_j W_ij; may be null
+    float* velocity = nullptr;                  ///< 3 per point; may be null
+    Kernel kernel;
+    float quantum = 1, rho0 = 1000;
+    float gx = 0, gy = 0, gz = 0;
+};
+
+/// The pair passes of one instruction set.
+struct Passes {
+    const char* isa;
+    void (*continuity_and_gradient)(const PassData&, const Group*, int count);   ///< fills shift, stress.g and rate.drho = -rho div u
+    void (*forces)(const PassData&, const Group*, int count);                    ///< fills rate; rate.drho = density diffusion
+    void (*extrapolate)(const ExtrapolateData&, const Group*, int count);
+};
+/// The best this processor runs; TWINWAKE_ISA=baseline|avx2|avx512 chooses another. Throws InputError for one it cannot run.
+const Passes& passes();
+const Passes& passes(const char* isa);
+
+}  // namespace tw

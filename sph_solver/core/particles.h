@@ -1,0 +1,42 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+namespace tw {
+
+/// What a particle is: moved by the equations, prescribed at the inlet, or carried out through the outlet.
+enum class Kind : std::uint8_t { fluid = 0, inlet = 1, outlet = 2 };
+
+/// The state of all particles, structure of arrays, kept sorted in space. Positions in double precision; density as
+/// the deviation from rho0, so that single precision loses nothing.
+struct Particles {
+    std::vector<double> x, y, z;       ///< [m]
+    std::vector<float> u, v, w;        ///< [m/s]
+    std::vector<float> drho;           ///< rho - rho0 [kg/m3]
+    std::vector<std::int64_t> id;      ///< never reused
+    std::vector<Kind> kind;
+
+    std::size_t size() const { return x.size(); }
+
+    /// Applies `f` to each array; every operation on whole particles goes through here.
+    template <class Function>
+    void for_each_array(Function f) {
+        f(x), f(y), f(z), f(u), f(v), f(w), f(drho), f(id), f(kind);
+    }
+    void add(double px, double py, double pz, float pu, float pdrho, std::int64_t pid, Kind pkind) {
+        x.push_back(px), y.push_back(py), z.push_back(pz);
+        u.push_back(pu), v.push_back(0), w.push_back(0);
+        drho.push_back(pdrho), id.push_back(pid), kind.push_back(pkind);
+    }
+    /// New order: particle k becomes what particle order[k] was; particles not named are dropped.
+    void reorder(const std::vector<std::int32_t>& order) {
+        for_each_array([&](auto& array) {
+            auto old = array;
+            array.resize(order.size());
+#pragma omp parallel for schedule(static)
+            for (std::size_t k = 0; k < order.size(); ++k) array[k] = old[static_cast<std::size_t>(order[k])];
+        });
+    }
+};
+
+}  // namespace tw

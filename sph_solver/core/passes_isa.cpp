@@ -1,0 +1,265 @@
+// The neighbour loops, compiled once per instruction set (TW_ISA names it). Nothing here may call inline functions of the
+// standard library: the linker would be free to keep this file's AVX-512 copy for the whole program.
+#include "sph_solver/core/pair_data.h"
+#include "sph_solver/core/simd.h"
+#include "sph_solver/physics/terms.h"
+
+namespace tw {
+namespace TW_ISA {
+namespace {
+
+using simd::F;
+using simd::lanes;
+using simd::splat;
+
+/// Coordinates of a chunk of neighbours relative to the group's centre [m], so that the pair loop loads broadcast floats.
+struct alignas(64) Chunk {
+    static constexpr int capacity = 256;
+    float xyz[capacity][4];   // the fourth is the volume
+};
+
+typedef std::int32_t I4 __attribute__((vector_size(16), may_alias));
+typedef float F4 __attribute__((vector_size(16), may_alias));
+
+inline void load_chunk(Chunk& chunk, const PlaceRecord* place, const std::int32_t* list, int n, const Group& g, float quantum) {
+    const I4 centre{g.x, g.y, g.z, 0};
+    for (int k = 0; k < n; ++k) {
+        const PlaceRecord& r = place[list[k]];
+        const I4 raw = *reinterpret_cast<const I4*>(&r);
+        F4 relative = __builtin_convertvector(raw - centre, F4) * quantum;
+        relative[3] = r.volume;
+        *reinterpret_cast<F4*>(chunk.xyz[k]) = relative;
+    }
+}
+
+/// The group's own particles, one per lane; lanes beyond its size repeat the last particle.
+struct Lanes {
+    F x{}, y{}, z{};
+};
+inline Lanes load_places(const PlaceRecord* place, const Group& g, float quantum) {
+    Lanes r;
+    for (int l = 0; l < lanes; ++l) {
+        const PlaceRecord& a = place[g.first + (l < g.size ? l : g.size - 1)];
+        r.x[l] = static_cast<float>(a.x - g.x) * quantum;
+        r.y[l] = static_cast<float>(a.y - g.y) * quantum;
+        r.z[l] = static_cast<float>(a.z - g.z) * quantum;
+    }
+    return r;
+}
+
+/// (1 - q/2) cut off at the support, and q.
+struct KernelShape {
+    F t, q, r2;
+};
+inline KernelShape shape(const V3<F>& r_ji, float inv_h) {
+    KernelShape s;
+    s.r2 = dot(r_ji, r_ji);
+    s.q = simd::sqrt(s.r2) * inv_h;
+    s.t = simd::positive_part(1.0f - 0.5f * s.q);
+    return s;
+}
+
+/// Calls `body(k, j, xyz)` for every neighbour of a list.
+template <class Body>
+inline void for_each_neighbour(const PlaceRecord* place, const std::int32_t* list, int n, const Group& g, float quantum, Body body) {
+    Chunk chunk;
+    for (int begin = 0; begin < n; begin += Chunk::capacity) {
+        const int m = n - begin < Chunk::capacity ? n - begin : Chunk::capacity;
+        load_chunk(chunk, place, list + begin, m, g, quantum);
+        for (int k = 0; k < m; ++k) body(list[begin + k], chunk.xyz[k]);
+    }
+}
+
+/// Inverse of a symmetric 3x3 matrix applied to a vector; where it is nearly singular (spray) the result is zero.
+inline V3<F> solve_symmetric(const F (&m)[6], const V3<F>& b) {
+    const F xx = m[0], xy = m[1], xz = m[2], yy = m[3], yz = m[4], zz = m[5];
+    const F cxx = yy * zz - yz * yz, cxy = xz * yz - xy * zz, cxz = xy * yz - xz * yy;
+    const F cyy = xx * zz - xz * xz, cyz = xy * xz - xx * yz, czz = xx * yy - xy * xy;
+    const F det = xx * cxx + xy * cxy + xz * cxz;
+    // det = 1 inside the fluid, about 1/2 at a plane surface
+    const F inv = det > 0.02f ? 1.0f / det : F{};
+    return {(cxx * b.x + cxy * b.y + cxz * b.z) * inv, (cxy * b.x + cyy * b.y + cyz * b.z) * inv,
+            (cxz * b.x + cyz * b.y + czz * b.z) * inv};
+}
+
+/// First sweep of a step: velocity divergence (continuity), and with it what the second sweep needs of the neighbourhood:
+/// renormalised density gradient (Randles & Libersky 1996), kernel support and the shifting sum (Sun et al. 2017):
+///   <grad rho>_i = L_i sum_j (rho_j - rho_i) grad W_ij V_j,   L_i^-1 = sum_j r_ji (x) grad W_ij V_j
+/// Slip wall: the wall's velocity in the continuity sum is u_i - (u_i . n_i) n_i with the exterior normal n_i at the fluid
+/// particle, so u_i - u_wall = (u_i . n_i) n_i.
+void continuity_and_gradient(const PassData& d, const Group* groups, int count) {
+    for (int n = 0; n < count; ++n) {
+        const Group& g = groups[n];
+        const Lanes a = load_places(d.place, g, d.quantum);
+        V3<F> u{}, n_i{};
+        F drho_i{};
+        for (int l = 0; l < lanes; ++l) {
+            const MotionRecord& r = d.motion[g.first + (l < g.size ? l : g.size - 1)];
+            u.x[l] = r.u;
+            u.y[l] = r.v;
+            u.z[l] = r.w;
+            drho_i[l] = r.drho;
+        }
+        F m[6] = {}, divergence{};
+        V3<F> b{F{}, F{}, F{}}, s{F{}, F{}, F{}};
+        F support{};
+
+        for_each_neighbour(d.place, g.list, g.list_size, g, d.quantum, [&](std::int32_t j, const float* xyz) {
+            const V3<F> r{xyz[0] - a.x, xyz[1] - a.y, xyz[2] - a.z};
+            const KernelShape k = shape(r, d.kernel.inv_h);
+            const F t2 = k.t * k.t;
+            const F FV = (d.kernel.five_sigma * xyz[3]) * t2 * k.t;
+            const F W = d.kernel.sigma * (t2 * t2) * (k.q + k.q + 1.0f);
+            support += W * xyz[3];
+            const F ratio = W * d.inv_W_dp, ratio2 = ratio * ratio;
+            const F fs = FV + 0.2f * FV * ratio2 * ratio2;
+            s.x += fs * r.x;
+            s.y += fs * r.y;
+            s.z += fs * r.z;
+            const F fx = FV * r.x, fy = FV * r.y, fz = FV * r.z;
+            m[0] += fx * r.x;
+            m[1] += fx * r.y;
+            m[2] += fx * r.z;
+            m[3] += fy * r.y;
+            m[4] += fy * r.z;
+            m[5] += fz * r.z;
+            const MotionRecord& mj = d.motion[j];
+            Continuity::add(Pair<F>{r, k.r2, FV}, V3<F>{u.x - mj.u, u.y - mj.v, u.z - mj.w}, divergence);
+            const F jump = mj.drho - drho_i;
+            b.x += jump * fx;
+            b.y += jump * fy;
+            b.z += jump * fz;
+        });
+        for (int l = 0; l < lanes && g.wall_size > 0; ++l) {
+            const NormalRecord& r = d.normal[g.first + (l < g.size ? l : g.size - 1)];
+            n_i.x[l] = r.x;
+            n_i.y[l] = r.y;
+            n_i.z[l] = r.z;
+        }
+        const F u_n = dot(u, n_i);
+        const V3<F> u_iw{u_n * n_i.x, u_n * n_i.y, u_n * n_i.z};
+        for_each_neighbour(d.wall_place, g.wall_list, g.wall_size, g, d.quantum, [&](std::int32_t, const float* xyz) {
+            const V3<F> r{xyz[0] - a.x, xyz[1] - a.y, xyz[2] - a.z};
+            const KernelShape k = shape(r, d.kernel.inv_h);
+            const F t2 = k.t * k.t;
+            const F FV = (d.kernel.five_sigma * xyz[3]) * t2 * k.t;
+            const F W = d.kernel.sigma * (t2 * t2) * (k.q + k.q + 1.0f);
+            support += W * xyz[3];
+            const F ratio = W * d.inv_W_dp, ratio2 = ratio * ratio;
+            const F fs = FV + 0.2f * FV * ratio2 * ratio2;
+            s.x += fs * r.x;
+            s.y += fs * r.y;
+            s.z += fs * r.z;
+            Continuity::add(Pair<F>{r, k.r2, FV}, u_iw, divergence);
+        });
+        if (d.two_dimensional) m[3] += 1.0f;
+        const V3<F> grad = solve_symmetric(m, b);
+        for (int l = 0; l < g.size; ++l) {
+            StressRecord& out = d.stress[g.first + l];
+            out.gx = grad.x[l];
+            out.gy = grad.y[l];
+            out.gz = grad.z[l];
+            d.rate[g.first + l].drho = (d.rho0 + drho_i[l]) * divergence[l];
+            d.shift[g.first + l] = {s.x[l], s.y[l], s.z[l], support[l]};
+        }
+    }
+}
+
+/// Second sweep: pressure, artificial viscosity and density diffusion. Walls press, and do not rub (slip).
+void forces(const PassData& d, const Group* groups, int count) {
+    const ArtificialViscosity artificial_viscosity{d.viscosity, d.eta2};
+    for (int n = 0; n < count; ++n) {
+        const Group& g = groups[n];
+        const Lanes a = load_places(d.place, g, d.quantum);
+        V3<F> u{}, grad{};
+        F drho_i{}, p_i{};
+        for (int l = 0; l < lanes; ++l) {
+            const int i = g.first + (l < g.size ? l : g.size - 1);
+            u.x[l] = d.motion[i].u;
+            u.y[l] = d.motion[i].v;
+            u.z[l] = d.motion[i].w;
+            drho_i[l] = d.motion[i].drho;
+            grad.x[l] = d.stress[i].gx;
+            grad.y[l] = d.stress[i].gy;
+            grad.z[l] = d.stress[i].gz;
+            p_i[l] = d.stress[i].p;
+        }
+        F diffusion{};
+        V3<F> pressure{F{}, F{}, F{}}, viscous{F{}, F{}, F{}}, wall{F{}, F{}, F{}};
+
+        for_each_neighbour(d.place, g.list, g.list_size, g, d.quantum, [&](std::int32_t j, const float* xyz) {
+            const MotionRecord& mj = d.motion[j];
+            const StressRecord& sj = d.stress[j];
+            Pair<F> ij;
+            ij.r_ji = {xyz[0] - a.x, xyz[1] - a.y, xyz[2] - a.z};
+            const KernelShape k = shape(ij.r_ji, d.kernel.inv_h);
+            ij.r2 = k.r2;
+            ij.FV = (d.kernel.five_sigma * xyz[3]) * (k.t * k.t) * k.t;
+            const V3<F> u_ij{u.x - mj.u, u.y - mj.v, u.z - mj.w};
+            DensityDiffusion::add(ij, mj.drho - drho_i, V3<F>{grad.x + sj.gx, grad.y + sj.gy, grad.z + sj.gz}, diffusion);
+            PressureGradient::add(ij, p_i + sj.p, pressure);
+            artificial_viscosity.add(ij, u_ij, viscous);
+        });
+
+        for_each_neighbour(d.wall_place, g.wall_list, g.wall_size, g, d.quantum, [&](std::int32_t j, const float* xyz) {
+            Pair<F> ij;
+            ij.r_ji = {xyz[0] - a.x, xyz[1] - a.y, xyz[2] - a.z};
+            const KernelShape k = shape(ij.r_ji, d.kernel.inv_h);
+            ij.FV = (d.kernel.five_sigma * xyz[3]) * (k.t * k.t) * k.t;
+            PressureGradient::add(ij, p_i + d.wall_p[j], wall);
+        });
+        const F rho_i = d.rho0 + drho_i, inv_rho = 1.0f / rho_i;
+        const F work = dot(u, viscous) * inv_rho;
+        const F drho = d.diffusion * diffusion;
+        const V3<F> w{wall.x * inv_rho, wall.y * inv_rho, wall.z * inv_rho};
+        const V3<F> acc{(pressure.x + viscous.x) * inv_rho + w.x + d.gx, (pressure.y + viscous.y) * inv_rho + w.y + d.gy,
+                        (pressure.z + viscous.z) * inv_rho + w.z + d.gz};
+        for (int l = 0; l < g.size; ++l)
+            d.rate[g.first + l] = {acc.x[l], acc.y[l], acc.z[l], drho[l], w.x[l], w.y[l], w.z[l], work[l]};
+    }
+}
+
+/// Fields at points from the fluid round them (Adami, Hu & Adams 2012, doi:10.1016/j.jcp.2012.05.005):
+///   p_b = sum_f (p_f + rho_f g . (x_b - x_f)) V_f W_bf / sum_f V_f W_bf
+void extrapolate(const ExtrapolateData& d, const Group* groups, int count) {
+    for (int n = 0; n < count; ++n) {
+        const Group& g = groups[n];
+        const Lanes a = load_places(d.at, g, d.quantum);
+        F support{}, p{};
+        V3<F> u{F{}, F{}, F{}};
+        for_each_neighbour(d.place, g.list, g.list_size, g, d.quantum, [&](std::int32_t j, const float* xyz) {
+            const V3<F> r{xyz[0] - a.x, xyz[1] - a.y, xyz[2] - a.z};
+            const KernelShape k = shape(r, d.kernel.inv_h);
+            const F t2 = k.t * k.t;
+            const F WV = (d.kernel.sigma * xyz[3]) * (t2 * t2) * (k.q + k.q + 1.0f);
+            support += WV;
+            const float rho = d.rho0 + d.motion[j].drho;
+            p += WV * (d.stress[j].p - rho * (d.gx * r.x + d.gy * r.y + d.gz * r.z));
+            if (d.velocity) {
+                u.x += WV * d.motion[j].u;
+                u.y += WV * d.motion[j].v;
+                u.z += WV * d.motion[j].w;
+            }
+        });
+        // below this the point has lost the water: a hundredth of the support at a plane wall
+        const F inv = support > 0.005f ? 1.0f / support : F{};
+        for (int l = 0; l < g.size; ++l) {
+            const int i = g.first + l;
+            d.p[i] = p[l] * inv[l];
+            if (d.support) d.support[i] = support[l];
+            if (d.velocity) {
+                d.velocity[3 * i] = u.x[l] * inv[l];
+                d.velocity[3 * i + 1] = u.y[l] * inv[l];
+                d.velocity[3 * i + 2] = u.z[l] * inv[l];
+            }
+        }
+    }
+}
+
+}  // namespace
+
+extern const Passes table;
+const Passes table = {TW_ISA_NAME, continuity_and_gradient, forces, extrapolate};
+
+}  // namespace TW_ISA
+}  // namespace tw

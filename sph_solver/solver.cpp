@@ -1,0 +1,559 @@
+#include "sph_solver/solver.h"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/errors.h"
+#include "sph_solver/boundaries/wall_dummies.h"
+
+namespace tw {
+
+namespace {
+
+constexpr double skin_over_dp = 0.3;        ///< slack of the particle lists
+constexpr double wall_skin_over_dp = 0.6;   ///< slack of the lists between particles and walls
+constexpr double largest_density_deviation = 0.3;
+constexpr double largest_mach = 1.0;
+
+class Stopwatch {
+public:
+    explicit Stopwatch(double& total) : total_(total), start_(std::chrono::steady_clock::now()) {}
+    ~Stopwatch() { total_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+private:
+    double& total_;
+    std::chrono::steady_clock::time_point start_;
+};
+
+/// Runs a pass over all groups, in parallel; what a group writes is its own, so any number of threads gives the same bits.
+template <class Data>
+void run_pass(void (*pass)(const Data&, const Group*, int), const Data& data, const std::vector<Group>& groups) {
+    constexpr std::size_t block = 16;
+    const std::size_t blocks = (groups.size() + block - 1) / block;
+#pragma omp parallel for schedule(dynamic, 4)
+    for (std::size_t b = 0; b < blocks; ++b)
+        pass(data, groups.data() + b * block, static_cast<int>(std::min(block, groups.size() - b * block)));
+}
+
+/// Particle ranges of fixed length: partial sums over them, added in order, do not depend on the number of threads.
+constexpr std::size_t chunk = 4096;
+std::size_t chunks(std::size_t n) { return (n + chunk - 1) / chunk; }
+
+}  // namespace
+
+Solver::Solver(SolverSetup setup, const Fluid& fluid) : setup_(std::move(setup)), passes_(&passes()) {
+    const SolverSetup& s = setup_;
+    if (s.threads > 0) omp_set_num_threads(s.threads);
+    h_ = s.h_over_dp * s.dp;
+    kernel_ = Kernel(h_, s.dimensions);
+    mass_ = s.rho0 * std::pow(s.dp, s.dimensions);
+    quanta_.size = s.dp / (1 << 18);
+    quanta_.origin = (s.domain.min + s.domain.max) / 2;
+    if (s.dimensions == 2) quanta_.origin.y() = 0;
+    if (s.domain.size().maxCoeff() > quanta_.reach())
+        throw InputError(fmt::format("the domain is {:.3g} spacings long; at most 8000 are possible in one run", s.domain.size().maxCoeff() / s.dp));
+    Box area = s.domain;
+    const double margin = kernel_.support() + s.dp;
+    area.min.array() -= margin;
+    area.max.array() += margin;
+    if (s.stream) {
+        area.min.x() -= s.stream->buffer;
+        area.max.x() += s.stream->buffer;
+    }
+    grid_ = ColumnGrid(area, s.dp, s.dimensions, quanta_);
+
+    for (std::size_t k = 0; k < fluid.places.size(); ++k) {
+        const Vec3& p = fluid.places[k];
+        const double depth_pressure = s.rho0 * s.gravity.norm() * fluid.depth[k];
+        const Kind kind = s.stream && p.x() < s.domain.min.x() ? Kind::inlet : s.stream && p.x() > s.domain.max.x() ? Kind::outlet : Kind::fluid;
+        particles_.add(p.x(), p.y(), p.z(), s.stream ? static_cast<float>(s.stream->velocity(0)) : 0.0f,
+                       s.state_equation.deviation(s.rho0, depth_pressure), next_id_++, kind);
+    }
+    build_wall();
+}
+
+void Solver::build_wall() {
+    WallDummies all;
+    Box region = setup_.domain;
+    region.min.array() -= kernel_.support();
+    region.max.array() += kernel_.support();
+    for (const Surface& surface : setup_.solids) {
+        queries_.emplace_back(surface);
+        const WallDummies d = make_wall_dummies(queries_.back(), surface.bounds(), setup_.dp, kernel_.support() + setup_.dp, region, setup_.dimensions);
+        all.places.insert(all.places.end(), d.places.begin(), d.places.end());
+        all.volumes.insert(all.volumes.end(), d.volumes.begin(), d.volumes.end());
+    }
+    std::vector<PlaceRecord> raw(all.places.size());
+    for (std::size_t k = 0; k < raw.size(); ++k)
+        raw[k] = {quanta_.of(all.places[k].x(), 0), quanta_.of(all.places[k].y(), 1), quanta_.of(all.places[k].z(), 2), static_cast<float>(all.volumes[k])};
+    std::vector<std::int32_t> order;
+    sort_by_column(grid_, raw, 0, raw.size(), order, wall_start_);
+    wall_place_.resize(raw.size());
+    wall_mass_.resize(raw.size());
+    for (std::size_t k = 0; k < raw.size(); ++k) {
+        wall_place_[k] = raw[static_cast<std::size_t>(order[k])];
+        wall_mass_[k] = static_cast<float>(setup_.rho0) * wall_place_[k].volume;
+    }
+    wall_p_.assign(raw.size(), 0);
+    make_groups(wall_place_, wall_start_, 0, wall_groups_);
+}
+
+void Solver::rebuild() {
+    const Stopwatch watch(timers_.lists);
+    ++timers_.rebuilds;
+    const SolverSetup& s = setup_;
+    Particles& p = particles_;
+
+    // open boundaries: who has crossed a plane, who has left, who is new
+    std::vector<char> gone(p.size(), 0);
+    if (s.stream) {
+        const Stream& stream = *s.stream;
+        const std::size_t n = p.size();
+        for (std::size_t i = 0; i < n; ++i) {
+            switch (p.kind[i]) {
+                case Kind::inlet:
+                    if (p.x[i] < s.domain.min.x()) break;
+                    p.kind[i] = Kind::fluid;
+                    p.add(p.x[i] - stream.buffer, p.y[i], p.z[i], p.u[i], s.state_equation.deviation(s.rho0, s.rho0 * std::max(0.0, s.gravity.z() * p.z[i])), next_id_++, Kind::inlet);
+                    ++ledger_.in;
+                    break;
+                case Kind::fluid:
+                    if (p.x[i] > s.domain.max.x()) p.kind[i] = Kind::outlet;
+                    else if (p.x[i] < s.domain.min.x() - 0.5 * s.dp) gone[i] = 1;   // washed back into the inlet
+                    break;
+                case Kind::outlet:
+                    if (p.x[i] > s.domain.max.x() + stream.buffer) gone[i] = 1;
+                    break;
+            }
+        }
+        gone.resize(p.size(), 0);
+    }
+    return_from_mirrors(s.mirrors, s.domain, p);
+    for (std::size_t i = 0; i < p.size(); ++i)
+        if (p.z[i] > s.domain.max.z() && !s.mirrors.on[2][1]) gone[i] = 1;   // through the open top
+
+    place_.resize(p.size());
+    std::vector<PlaceRecord> kept;
+    std::vector<std::int32_t> index;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        if (gone[i]) {
+            ++ledger_.out;
+            continue;
+        }
+        kept.push_back({quanta_.of(p.x[i], 0), quanta_.of(p.y[i], 1), quanta_.of(p.z[i], 2), 0});
+        index.push_back(static_cast<std::int32_t>(i));
+    }
+    std::vector<std::int32_t> order;
+    sort_by_column(grid_, kept, 0, kept.size(), order, start_);
+    for (auto& k : order) k = index[static_cast<std::size_t>(k)];
+    p.reorder(order);
+    const std::size_t n = p.size();
+
+    // mirror images, sorted the same way
+    const double reach = kernel_.support() + skin_over_dp * s.dp, wall_reach = kernel_.support() + wall_skin_over_dp * s.dp;
+    images_ = make_mirror_images(s.mirrors, s.domain, p, std::max(reach, wall_reach));
+    const MirrorPlanes planes(s.domain, quanta_);
+    std::vector<PlaceRecord> image_places(images_.size());
+    for (std::size_t k = 0; k < images_.size(); ++k) {
+        const auto i = static_cast<std::size_t>(images_[k].source);
+        image_places[k] = planes.place({quanta_.of(p.x[i], 0), quanta_.of(p.y[i], 1), quanta_.of(p.z[i], 2), 0}, images_[k]);
+    }
+    sort_by_column(grid_, image_places, 0, images_.size(), order, image_start_);
+    {
+        std::vector<MirrorImage> sorted(images_.size());
+        for (std::size_t k = 0; k < images_.size(); ++k) sorted[k] = images_[static_cast<std::size_t>(order[k])];
+        images_ = std::move(sorted);
+    }
+    place_.resize(n + images_.size());
+    motion_.resize(n + images_.size());
+    stress_.resize(n + images_.size());
+    shift_.resize(n);
+    rate_.resize(n);
+    normal_.resize(n);
+    update_records();
+
+    make_groups(place_, start_, 0, groups_);
+    const std::vector<Source> sources = {{place_.data(), &start_, 0}, {place_.data() + n, &image_start_, static_cast<std::int32_t>(n)}};
+    lists_.build(grid_, quanta_, place_.data(), groups_, sources, reach, false);
+    if (!wall_place_.empty()) {
+        wall_lists_.build(grid_, quanta_, place_.data(), groups_, {{wall_place_.data(), &wall_start_, 0}}, wall_reach, true);
+        live_wall_groups_ = wall_groups_;
+        wall_source_lists_.build(grid_, quanta_, wall_place_.data(), live_wall_groups_, sources, wall_reach, false);
+        std::fill(wall_p_.begin(), wall_p_.end(), 0.0f);
+        std::erase_if(live_wall_groups_, [](const Group& g) { return g.list_size == 0; });
+        find_normals();
+    }
+    travel_ = travel_in_stream_ = 0;
+    rebuild_due_ = false;
+}
+
+void Solver::find_normals() {
+    const double reach = 2 * kernel_.support() + setup_.dp;
+    std::int64_t through = -1;
+#pragma omp parallel for schedule(dynamic, 16)
+    for (std::size_t k = 0; k < groups_.size(); ++k) {
+        const Group& g = groups_[k];
+        for (int l = 0; l < g.size; ++l) {
+            const auto i = static_cast<std::size_t>(g.first + l);
+            NormalRecord& r = normal_[i];
+            r = {0, 0, 0, 1e30f};
+            if (g.wall_size == 0) continue;
+            const Vec3 x(particles_.x[i], particles_.y[i], particles_.z[i]);
+            for (const SurfaceQuery& query : queries_) {
+                const SurfaceQuery::Nearest nearest = query.nearest(x, reach);
+                if (nearest.triangle < 0 || nearest.distance >= r.distance) continue;
+                r = {static_cast<float>(nearest.normal.x()), static_cast<float>(nearest.normal.y()), static_cast<float>(nearest.normal.z()),
+                     static_cast<float>(nearest.distance)};
+            }
+            if (r.distance < -setup_.dp) {
+#pragma omp critical
+                through = std::max(through, static_cast<std::int64_t>(i));
+            }
+        }
+    }
+    if (through >= 0) {
+        ++ledger_.lost;
+        fail_at(static_cast<std::size_t>(through), "has gone through the hull; often a wall thinner than the kernel's support 2 h, or a spacing too coarse for a sharp edge");
+    }
+}
+
+void Solver::update_records() {
+    const Particles& p = particles_;
+    const float m = static_cast<float>(mass_), rho0 = static_cast<float>(setup_.rho0);
+#pragma omp parallel for schedule(static)
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        place_[i] = {quanta_.of(p.x[i], 0), quanta_.of(p.y[i], 1), quanta_.of(p.z[i], 2), m / (rho0 + p.drho[i])};
+        motion_[i] = {p.u[i], p.v[i], p.w[i], p.drho[i]};
+    }
+    update_mirror_images(false);
+}
+
+void Solver::update_mirror_images(bool stress) {
+    const MirrorPlanes planes(setup_.domain, quanta_);
+    const std::size_t n = particles_.size();
+#pragma omp parallel for schedule(static)
+    for (std::size_t k = 0; k < images_.size(); ++k) {
+        const auto i = static_cast<std::size_t>(images_[k].source);
+        if (stress) {
+            stress_[n + k] = mirrored(stress_[i], images_[k]);
+            motion_[n + k].drho = motion_[i].drho;
+        } else {
+            place_[n + k] = planes.place(place_[i], images_[k]);
+            motion_[n + k] = mirrored(motion_[i], images_[k]);
+        }
+    }
+}
+
+void Solver::evaluate() {
+    if (rebuild_due_) rebuild();
+    const SolverSetup& s = setup_;
+    {
+        const Stopwatch watch(timers_.update);
+        update_records();
+    }
+    PassData d;
+    d.place = place_.data();
+    d.motion = motion_.data();
+    d.stress = stress_.data();
+    d.wall_place = wall_place_.data();
+    d.wall_p = wall_p_.data();
+    d.normal = normal_.data();
+    d.shift = shift_.data();
+    d.rate = rate_.data();
+    d.kernel = kernel_;
+    d.quantum = static_cast<float>(quanta_.size);
+    d.rho0 = static_cast<float>(s.rho0);
+    d.inv_W_dp = static_cast<float>(1 / kernel_.W(s.dp));
+    d.diffusion = static_cast<float>(s.delta * h_ * s.state_equation.c0);
+    d.viscosity = static_cast<float>(s.alpha * h_ * s.state_equation.c0 * s.rho0);
+    d.eta2 = static_cast<float>(0.01 * h_ * h_);
+    const double stream_acceleration = s.stream ? s.stream->acceleration(time_) : 0;
+    d.gx = static_cast<float>(s.gravity.x() + stream_acceleration);
+    d.gy = static_cast<float>(s.gravity.y());
+    d.gz = static_cast<float>(s.gravity.z());
+    d.two_dimensional = s.dimensions == 2;
+    {
+        const Stopwatch watch(timers_.gradient);
+        run_pass(passes_->continuity_and_gradient, d, groups_);
+    }
+    {
+        const Stopwatch watch(timers_.update);
+#pragma omp parallel for schedule(static)
+        for (std::size_t i = 0; i < particles_.size(); ++i) {
+            float& drho = particles_.drho[i];
+            if (particles_.kind[i] == Kind::fluid) drho += static_cast<float>(dt_ * rate_[i].drho);
+            // the free surface bears no tension (its density is not let below rho0)
+            if (particles_.kind[i] == Kind::fluid && shift_[i].support < s.tension_free_below && drho < 0) {
+                drho = 0;
+            }
+            motion_[i].drho = drho;
+            stress_[i].p = s.state_equation.pressure(s.rho0, drho);
+        }
+        update_mirror_images(true);
+    }
+    if (!live_wall_groups_.empty()) {
+        const Stopwatch watch(timers_.walls);
+        ExtrapolateData e;
+        e.at = wall_place_.data();
+        e.place = place_.data();
+        e.motion = motion_.data();
+        e.stress = stress_.data();
+        e.p = wall_p_.data();
+        e.kernel = kernel_;
+        e.quantum = d.quantum;
+        e.rho0 = d.rho0;
+        e.gx = static_cast<float>(s.gravity.x()), e.gy = d.gy, e.gz = d.gz;
+        run_pass(passes_->extrapolate, e, live_wall_groups_);
+    }
+    {
+        const Stopwatch watch(timers_.forces);
+        run_pass(passes_->forces, d, groups_);
+    }
+    timers_.evaluations += static_cast<std::int64_t>(particles_.size());
+    for (const Group& g : groups_) timers_.pair_candidates += std::int64_t{g.list_size + g.wall_size} * g.size;
+}
+
+void Solver::gather_load() {
+    // force on the solids = minus the momentum that walls give to the fluid; pair forces are central, so the moment may be
+    // taken at the fluid particle
+    struct Part {
+        Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
+        double work = 0;
+    };
+    const std::size_t n = particles_.size();
+    std::vector<Part> parts(chunks(n));
+#pragma omp parallel for schedule(static)
+    for (std::size_t c = 0; c < parts.size(); ++c)
+        for (std::size_t i = c * chunk; i < std::min(n, (c + 1) * chunk); ++i) {
+            if (particles_.kind[i] != Kind::fluid) continue;
+            const RateRecord& r = rate_[i];
+            parts[c].work += mass_ * double(r.viscous_work);
+            if (r.wx == 0 && r.wy == 0 && r.wz == 0) continue;
+            const Vec3 f = -mass_ * Vec3(r.wx, r.wy, r.wz);
+            parts[c].force += f;
+            parts[c].moment += (Vec3(particles_.x[i], particles_.y[i], particles_.z[i]) - setup_.moment_reference).cross(f);
+        }
+    load_ = {};
+    viscous_work_ = 0;
+    for (const Part& part : parts) {
+        load_.force += part.force;
+        load_.moment += part.moment;
+        viscous_work_ += part.work;
+    }
+}
+
+void Solver::integrate() {
+    const Stopwatch watch(timers_.update);
+    const SolverSetup& s = setup_;
+    Particles& p = particles_;
+    const double c0 = s.state_equation.c0;
+    const double speed = std::max(extremes_.speed, s.stream ? s.stream->velocity(time_) : 0.0);
+    dt_ = s.cfl * h_ / (c0 + speed);
+    if (extremes_.acceleration > 0) dt_ = std::min(dt_, s.cfl * std::sqrt(h_ / extremes_.acceleration));
+    if (s.alpha > 0) dt_ = std::min(dt_, 0.25 * h_ * h_ / (s.alpha * h_ * c0));
+    const double dt = dt_, stream_before = s.stream ? s.stream->velocity(time_) : 0, stream_after = s.stream ? s.stream->velocity(time_ + dt) : 0;
+    const double shift_scale = -s.shifting * dt * std::max(speed, 1e-30) * h_, shift_cap = 0.05 * s.dp;
+
+    struct Part {
+        double speed2 = 0, acceleration2 = 0, relative2 = 0, low = 0, high = 0;
+        std::size_t fastest = 0;
+        Vec3 crossed = Vec3::Zero();
+        bool broken = false;
+    };
+    std::vector<Part> parts(chunks(p.size()));
+#pragma omp parallel for schedule(static)
+    for (std::size_t c = 0; c < parts.size(); ++c) {
+        Part& part = parts[c];
+        for (std::size_t i = c * chunk; i < std::min(p.size(), (c + 1) * chunk); ++i) {
+            const bool was_inside = control_ && control_->inside(p.x[i], p.y[i], p.z[i]);
+            const double u0 = p.u[i], v0 = p.v[i], w0 = p.w[i];
+            Vec3 shift = Vec3::Zero();
+            switch (p.kind[i]) {
+                case Kind::fluid: {
+                    const RateRecord& r = rate_[i];
+                    part.acceleration2 = std::max(part.acceleration2, double(r.ax) * r.ax + double(r.ay) * r.ay + double(r.az) * r.az);
+                    p.u[i] = static_cast<float>(u0 + dt * r.ax);
+                    p.v[i] = static_cast<float>(v0 + dt * r.ay);
+                    p.w[i] = static_cast<float>(w0 + dt * r.az);
+                    p.drho[i] = static_cast<float>(p.drho[i] + dt * r.drho);
+                    if (shift_[i].support > 0.95f && s.shifting > 0) {
+                        shift = shift_scale * Vec3(shift_[i].x, shift_[i].y, shift_[i].z);
+                        const double length = shift.norm();
+                        if (length > shift_cap) shift *= shift_cap / length;
+                    }
+                    break;
+                }
+                case Kind::inlet: p.u[i] = static_cast<float>(stream_after); break;
+                case Kind::outlet: p.u[i] = static_cast<float>(u0 + (stream_after - stream_before)); break;
+            }
+            p.x[i] += dt * double(p.u[i]) + shift.x();
+            p.y[i] += dt * double(p.v[i]) + shift.y();
+            p.z[i] += dt * double(p.w[i]) + shift.z();
+            const double u = p.u[i], v = p.v[i], w = p.w[i], speed2 = u * u + v * v + w * w;
+            if (speed2 > part.speed2) part.speed2 = speed2, part.fastest = i;
+            part.relative2 = std::max(part.relative2, (u - stream_after) * (u - stream_after) + v * v + w * w);
+            part.low = std::min(part.low, double(p.drho[i]));
+            part.high = std::max(part.high, double(p.drho[i]));
+            if (!std::isfinite(speed2 + p.drho[i] + p.x[i] + p.y[i] + p.z[i])) part.broken = true, part.fastest = i;
+            if (control_) {
+                // momentum of what crosses a face, with the velocity in the middle of the step
+                const int crossing = int(control_->inside(p.x[i], p.y[i], p.z[i])) - int(was_inside);
+                if (crossing) part.crossed += crossing * mass_ * Vec3((u0 + u) / 2, (v0 + v) / 2, (w0 + w) / 2);
+            }
+            if (part.broken) break;
+        }
+    }
+    extremes_ = {};
+    double relative2 = 0, speed2 = 0;
+    std::size_t fastest = 0;
+    Vec3 crossed = Vec3::Zero();
+    for (const Part& part : parts) {
+        if (part.broken) fail_at(part.fastest, "has a velocity, density or place that is not a number; often a time step or sound speed that does not fit the flow");
+        if (part.speed2 > speed2) speed2 = part.speed2, fastest = part.fastest;
+        relative2 = std::max(relative2, part.relative2);
+        extremes_.acceleration = std::max(extremes_.acceleration, part.acceleration2);
+        extremes_.density_deviation_low = std::min(extremes_.density_deviation_low, part.low);
+        extremes_.density_deviation_high = std::max(extremes_.density_deviation_high, part.high);
+        crossed += part.crossed;
+    }
+    extremes_.speed = std::sqrt(speed2);
+    extremes_.acceleration = std::sqrt(extremes_.acceleration);
+    if (fastest < p.size()) {
+        extremes_.fastest = p.id[fastest];
+        extremes_.fastest_place = Vec3(p.x[fastest], p.y[fastest], p.z[fastest]);
+    }
+    if (control_) control_->add_crossed(crossed);
+    // what moves with the stream stays beside its neighbours: the particle lists need only the motion relative to it
+    const double shift_travel = s.shifting > 0 ? shift_cap : 0;
+    travel_in_stream_ += dt * std::sqrt(relative2) + shift_travel;
+    travel_ += dt * extremes_.speed + shift_travel;
+    time_ += dt;
+    ++steps_;
+    if (extremes_.speed > largest_mach * c0) fail_at(fastest, fmt::format("moves at {:.3g} m/s = {:.3g} c0; the sound speed is too low for this flow, or a wall was struck too hard", extremes_.speed, extremes_.speed / c0));
+    check_bounds();
+}
+
+void Solver::check_bounds() {
+    const double limit = largest_density_deviation * setup_.rho0;
+    if (extremes_.density_deviation_high <= limit && extremes_.density_deviation_low >= -limit) return;
+    for (std::size_t i = 0; i < particles_.size(); ++i)
+        if (std::abs(particles_.drho[i]) > limit)
+            fail_at(i, fmt::format("has the density {:.4g} kg/m3, more than {:.0f} % from {:.4g}; often a sound speed that is too low or water caught between walls",
+                                   setup_.rho0 + double(particles_.drho[i]), 100 * largest_density_deviation, setup_.rho0));
+}
+
+void Solver::step() {
+    const SolverSetup& s = setup_;
+    // two particles may both have moved towards each other; walls stand still
+    if (2 * travel_in_stream_ > skin_over_dp * s.dp || travel_ > wall_skin_over_dp * s.dp) rebuild_due_ = true;
+    evaluate();
+    gather_load();
+    integrate();
+}
+
+void Solver::sample(PointSamples& points) {
+    if (stress_.empty()) evaluate();
+    const std::size_t n = points.places.size();
+    points.p.assign(n, 0);
+    points.support.assign(n, 0);
+    if (points.want_velocity) points.velocity.assign(3 * n, 0);
+    if (n == 0) return;
+    std::vector<PlaceRecord> raw(n), sorted(n);
+    for (std::size_t k = 0; k < n; ++k)
+        raw[k] = {quanta_.of(points.places[k].x(), 0), quanta_.of(points.places[k].y(), 1), quanta_.of(points.places[k].z(), 2), 0};
+    std::vector<std::int32_t> order, start;
+    sort_by_column(grid_, raw, 0, n, order, start);
+    for (std::size_t k = 0; k < n; ++k) sorted[k] = raw[static_cast<std::size_t>(order[k])];
+    std::vector<Group> groups;
+    make_groups(sorted, start, 0, groups);
+    NeighbourLists lists;
+    const std::size_t particles = particles_.size();
+    // the particles were sorted a few steps ago and have moved by up to the skin since: twice that keeps the search complete
+    const double reach = kernel_.support() + 2 * wall_skin_over_dp * setup_.dp;
+    lists.build(grid_, quanta_, sorted.data(), groups,
+                {{place_.data(), &start_, 0}, {place_.data() + particles, &image_start_, static_cast<std::int32_t>(particles)}}, reach, false);
+    std::vector<float> p(n), support(n), velocity(points.want_velocity ? 3 * n : 0);
+    ExtrapolateData e;
+    e.at = sorted.data();
+    e.place = place_.data();
+    e.motion = motion_.data();
+    e.stress = stress_.data();
+    e.p = p.data();
+    e.support = support.data();
+    e.velocity = points.want_velocity ? velocity.data() : nullptr;
+    e.kernel = kernel_;
+    e.quantum = static_cast<float>(quanta_.size);
+    e.rho0 = static_cast<float>(setup_.rho0);
+    e.gx = static_cast<float>(setup_.gravity.x()), e.gy = static_cast<float>(setup_.gravity.y()), e.gz = static_cast<float>(setup_.gravity.z());
+    run_pass(passes_->extrapolate, e, groups);
+    for (std::size_t k = 0; k < n; ++k) {
+        const auto i = static_cast<std::size_t>(order[k]);
+        points.p[i] = p[k];
+        points.support[i] = support[k];
+        for (std::size_t a = 0; a < 3 && points.want_velocity; ++a) points.velocity[3 * i + a] = velocity[3 * k + a];
+    }
+}
+
+double Solver::bytes() const {
+    double sum = double(lists_.bytes() + wall_lists_.bytes() + wall_source_lists_.bytes());
+    const auto add = [&](const auto& v) { sum += double(v.capacity() * sizeof(v[0])); };
+    auto& p = const_cast<Particles&>(particles_);
+    p.for_each_array(add);
+    add(images_), add(place_), add(motion_), add(stress_), add(shift_), add(rate_), add(normal_), add(groups_);
+    add(wall_mass_), add(wall_place_), add(wall_p_), add(wall_groups_), add(live_wall_groups_);
+    return sum;
+}
+
+Solver::Restart Solver::restart_state() const {
+    Restart r{time_, dt_, viscous_work_, steps_, ledger_, extremes_, next_id_, {}};
+    if (control_) r.control = control_->state();
+    return r;
+}
+
+void Solver::restore(const Restart& r, Particles particles) {
+    time_ = r.time, dt_ = r.dt, viscous_work_ = r.viscous_work, steps_ = r.steps;
+    ledger_ = r.ledger, extremes_ = r.extremes, next_id_ = r.next_id;
+    if (control_) control_->set_state(r.control);
+    particles_ = std::move(particles);
+    rebuild_due_ = true;
+}
+
+void Solver::fail_at(std::size_t i, const std::string& what) const {
+    const Particles& p = particles_;
+    throw RunError(fmt::format("particle {} at t = {:.6g} s (step {}) near ({:.4g}, {:.4g}, {:.4g}) m, |u| = {:.4g} m/s, {}", p.id[i], time_, steps_, p.x[i], p.y[i], p.z[i],
+                               std::sqrt(double(p.u[i]) * p.u[i] + double(p.v[i]) * p.v[i] + double(p.w[i]) * p.w[i]), what));
+}
+
+Fluid fill_with_fluid(const SolverSetup& s, const std::vector<Box>& blocks) {
+    const double dp = s.dp;
+    std::vector<SurfaceQuery> queries;
+    for (const Surface& surface : s.solids) queries.emplace_back(surface);
+    Fluid out;
+    for (const Box& block : blocks) {
+        const auto count = [&](int a) { return static_cast<long>(std::llround(block.size()[a] / dp)); };
+        const long nx = count(0), ny = s.dimensions == 3 ? count(1) : 1, nz = count(2);
+        std::vector<Vec3> lattice;
+        for (long k = 0; k < nz; ++k)
+            for (long j = 0; j < ny; ++j)
+                for (long i = 0; i < nx; ++i)
+                    lattice.emplace_back(block.min.x() + (double(i) + 0.5) * dp, s.dimensions == 3 ? block.min.y() + (double(j) + 0.5) * dp : 0.0, block.min.z() + (double(k) + 0.5) * dp);
+        std::vector<double> distance(lattice.size(), 1e30), d(lattice.size());
+        for (const SurfaceQuery& q : queries) {
+            q.signed_distances(lattice, d, 2 * dp);
+            for (std::size_t k = 0; k < d.size(); ++k) distance[k] = std::min(distance[k], d[k]);
+        }
+        for (std::size_t k = 0; k < lattice.size(); ++k)
+            if (distance[k] > 0) {
+                out.places.push_back(lattice[k]);
+                out.depth.push_back(block.max.z() - lattice[k].z());
+            }
+    }
+    return out;
+}
+
+}  // namespace tw

@@ -1,0 +1,178 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "meshes/query.h"
+#include "meshes/surface.h"
+#include "sph_solver/bodies/control_volume.h"
+#include "sph_solver/bodies/samples.h"
+#include "sph_solver/boundaries/mirrors.h"
+#include "sph_solver/boundaries/stream.h"
+#include "sph_solver/core/columns.h"
+#include "sph_solver/core/pair_data.h"
+#include "sph_solver/core/particles.h"
+#include "sph_solver/physics/state_equation.h"
+
+namespace tw {
+
+/// Everything the engine needs to know, in SI units.
+struct SolverSetup {
+    int dimensions = 3;
+    double dp = 0;             ///< particle spacing [m]
+    double h_over_dp = 1.5;
+    double rho0 = 1000;
+    Vec3 gravity{0, 0, -9.81};
+    StateEquation state_equation;
+    double delta = 0.1;        ///< density diffusion
+    double alpha = 0.01;       ///< artificial viscosity
+    double cfl = 0.45;
+    double shifting = 1;
+    /// Where the kernel support (walls counted) is below this, the water bears no tension.
+    double tension_free_below = 0.9;
+    /// Particles move freely inside; mirror planes lie on its faces.
+    Box domain;
+    Mirrors mirrors;
+    std::optional<Stream> stream;
+    std::vector<Surface> solids;   ///< closed, fixed; loads are those on all of them together
+    Vec3 moment_reference = Vec3::Zero();
+    int threads = 0;
+};
+
+/// Force and moment of the water on the solids, as solved (a half model's half).
+struct Load {
+    Vec3 force = Vec3::Zero();    ///< [N] (per metre of width in two dimensions)
+    Vec3 moment = Vec3::Zero();   ///< about the setup's reference [N m]
+};
+
+/// What left and entered since the start, in particles.
+struct Ledger {
+    std::int64_t in = 0, out = 0, lost = 0;
+};
+
+/// Extremes of one step, for the gates and the time step.
+struct Extremes {
+    double speed = 0, acceleration = 0, density_deviation_low = 0, density_deviation_high = 0;
+    std::int64_t fastest = -1;   ///< id of the fastest particle
+    Vec3 fastest_place = Vec3::Zero();
+};
+
+struct Timers {
+    double lists = 0, gradient = 0, walls = 0, forces = 0, update = 0;   ///< [s] wall
+    std::int64_t pair_candidates = 0, evaluations = 0, rebuilds = 0;
+};
+
+/// Initial particles: places and depth below the surface of their block [m].
+struct Fluid {
+    std::vector<Vec3> places;
+    std::vector<double> depth;
+};
+/// The lattice of spacing dp in each block, outside the solids.
+Fluid fill_with_fluid(const SolverSetup& setup, const std::vector<Box>& blocks);
+
+/// Delta-SPH of one level of particles, symplectic Euler in time, two sweeps over the pairs a step:
+///
+///   sweep 1 at (x, u):  div u, density gradient, kernel support;   rho -= dt rho div u
+///   p = p(rho); wall pressure
+///   sweep 2 at (x, rho): acceleration a, density diffusion D;      u += dt a;  rho += dt D;  x += dt u + shift
+///
+/// So the velocity that compresses is the one the pressure has just made (sound is carried without growth), and the density
+/// gradient of the diffusion is one compression older than the density, which leaves water at rest alone all the same.
+class Solver {
+public:
+    /// The particles start at the stream's velocity at t = 0 (at rest when it is ramped), under hydrostatic pressure.
+    Solver(SolverSetup setup, const Fluid& fluid);
+
+    void step();                  ///< throws RunError: NaN, density or Mach number out of bounds, particle through a wall
+    double time() const { return time_; }
+    std::int64_t steps() const { return steps_; }
+    double dt() const { return dt_; }
+    const SolverSetup& setup() const { return setup_; }
+    const Particles& particles() const { return particles_; }
+    Particles& particles() { return particles_; }
+    double pressure(std::size_t i) const { return setup_.state_equation.pressure(setup_.rho0, particles_.drho[i]); }
+    double mass() const { return mass_; }               ///< of one particle [kg]
+    double h() const { return h_; }
+    const Load& load() const { return load_; }
+    const Ledger& ledger() const { return ledger_; }
+    const Extremes& extremes() const { return extremes_; }
+    const Timers& timers() const { return timers_; }
+    std::size_t wall_particles() const { return wall_mass_.size(); }
+    double bytes() const;                               ///< memory of state, lists and walls
+    double viscous_work() const { return viscous_work_; }   ///< rate of the artificial viscosity's work [W], negative
+
+    /// Fields at points from the present particles; valid until the next step. Not part of the time integration.
+    void sample(PointSamples& points);
+    void set_control_volume(const Box& box) { control_ = ControlVolume(box); }
+    ControlVolume* control_volume() { return control_ ? &*control_ : nullptr; }
+    const std::vector<ShiftRecord>& shift_records() const { return shift_; }
+    const std::vector<RateRecord>& rate_records() const { return rate_; }
+
+    /// The state a restart needs; a restart goes on bitwise the same when `mark_restart_point()` was called at that moment in both.
+    struct Restart {
+        double time = 0, dt = 0, viscous_work = 0;
+        std::int64_t steps = 0;
+        Ledger ledger;
+        Extremes extremes;
+        std::int64_t next_id = 0;
+        ControlVolume::State control;
+    };
+    Restart restart_state() const;
+    void mark_restart_point() { rebuild_due_ = true; }
+    void restore(const Restart& state, Particles particles);
+
+private:
+    void evaluate();
+    void rebuild();
+    void build_wall();
+    void update_records();
+    void update_mirror_images(bool stress);
+    void find_normals();
+    void integrate();
+    void gather_load();
+    [[noreturn]] void fail_at(std::size_t i, const std::string& what) const;
+    void check_bounds();
+
+    SolverSetup setup_;
+    double h_ = 0, mass_ = 0, time_ = 0, dt_ = 0, viscous_work_ = 0;
+    std::int64_t steps_ = 0, next_id_ = 0;
+    Quanta quanta_;
+    ColumnGrid grid_;
+    Kernel kernel_;
+    const Passes* passes_;
+
+    Particles particles_;
+    std::vector<MirrorImage> images_;
+    std::vector<PlaceRecord> place_;      // particles, then mirror images
+    std::vector<MotionRecord> motion_;
+    std::vector<StressRecord> stress_;
+    std::vector<ShiftRecord> shift_;
+    std::vector<RateRecord> rate_;
+    std::vector<NormalRecord> normal_;
+    std::vector<std::int32_t> start_, image_start_;
+    std::vector<Group> groups_;
+    NeighbourLists lists_, wall_lists_;
+    std::vector<double> accumulated_;     // scratch of the load sums
+
+    // solids
+    std::vector<SurfaceQuery> queries_;
+    std::vector<float> wall_mass_;
+    std::vector<PlaceRecord> wall_place_;
+    std::vector<float> wall_p_;
+    std::vector<std::int32_t> wall_start_;
+    std::vector<Group> wall_groups_, live_wall_groups_;
+    NeighbourLists wall_source_lists_;
+
+    double travel_ = 0, travel_in_stream_ = 0;   ///< upper bounds since the last rebuild [m]
+    bool rebuild_due_ = true;
+    std::optional<ControlVolume> control_;
+    Load load_;
+    Ledger ledger_;
+    Extremes extremes_;
+    Timers timers_;
+};
+
+}  // namespace tw
