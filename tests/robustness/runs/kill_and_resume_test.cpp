@@ -1,0 +1,96 @@
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "program.h"
+#include "record/run_record.h"
+
+namespace tw::test {
+namespace {
+
+/// Equal to the last bit; NaN equals NaN.
+void expect_same_series(const RunRecord& a, const RunRecord& b) {
+    const auto same = [](const std::vector<double>& u, const std::vector<double>& v) {
+        return u.size() == v.size() && std::memcmp(u.data(), v.data(), u.size() * sizeof(double)) == 0;
+    };
+    ASSERT_EQ(a.tables.size(), b.tables.size());
+    for (const auto& [name, table] : a.tables) {
+        ASSERT_TRUE(b.tables.contains(name)) << name;
+        const Table& other = b.tables.at(name);
+        EXPECT_TRUE(same(table.time, other.time)) << name << ": " << table.time.size() << " and " << other.time.size() << " rows";
+        ASSERT_EQ(table.columns.size(), other.columns.size()) << name;
+        for (const Column& column : table.columns) {
+            ASSERT_TRUE(other.find(column.name)) << name << "." << column.name;
+            EXPECT_TRUE(same(column.values, other.find(column.name)->values)) << name << "." << column.name;
+        }
+    }
+    ASSERT_EQ(a.frames.size(), b.frames.size());
+    for (std::size_t i = 0; i < a.frames.size(); ++i) EXPECT_EQ(a.frames[i].water, b.frames[i].water) << "frame " << i;
+    EXPECT_EQ(a.steps, b.steps);
+    EXPECT_EQ(a.elements, b.elements);
+}
+
+void kill_and_resume(const std::string& name, const std::filesystem::path& scene, const std::filesystem::path& folder) {
+    const auto command = [&](const char* out) {
+        return std::vector<std::string>{"run", scene.string(), "--method", "sph", "--out", (folder / out).string()};
+    };
+    Program whole(command("whole"), folder);
+    ASSERT_EQ(whole.wait(), 0) << whole.output();
+
+    const auto checkpoint = folder / "killed" / "sph" / "checkpoint.h5";
+    for (int kills = 0; kills < 2; ++kills) {   // once in the first part, once in the resumed one
+        auto arguments = command("killed");
+        if (kills > 0) arguments.push_back("--resume");
+        Program part(arguments, folder);
+        const auto before = std::filesystem::exists(checkpoint) ? std::filesystem::last_write_time(checkpoint) : std::filesystem::file_time_type::min();
+        ASSERT_TRUE(wait_until(
+            [&] {
+                return !part.running() || (std::filesystem::exists(checkpoint) && std::filesystem::last_write_time(checkpoint) != before);
+            },
+            60));
+        ASSERT_TRUE(part.running()) << name << ": ended before it could be killed\n" << part.output();
+        part.kill_hard();
+        ASSERT_EQ(part.wait(), -9);
+    }
+    auto arguments = command("killed");
+    arguments.push_back("--resume");
+    Program rest(arguments, folder);
+    ASSERT_EQ(rest.wait(), 0) << rest.output();
+
+    const RunRecord a = read_record(folder / "whole" / "sph" / "record.h5"), b = read_record(folder / "killed" / "sph" / "record.h5");
+    EXPECT_EQ(b.state, "finished");
+    expect_same_series(a, b);
+}
+
+TEST(KillAndResume, CollapsingColumnGoesOnToTheSameBits) {
+    const ScratchFolder folder("kill_tank");
+    kill_and_resume("tank", write_small_scene(folder.path() / "scene.toml", 0.6), folder.path());
+}
+
+TEST(KillAndResume, HullInAStreamGoesOnToTheSameBits) {
+    const ScratchFolder folder("kill_stream");
+    const auto scene = folder.path() / "scene.toml";
+    std::filesystem::copy_file(std::filesystem::path(TWINWAKE_SOURCE) / "tests/robustness/runs/small_planing.toml", scene);
+    kill_and_resume("stream", scene, folder.path());
+}
+
+TEST(KillAndResume, DamagedCheckpointIsRefusedByName) {
+    const ScratchFolder folder("damaged");
+    const auto scene = write_small_scene(folder.path() / "scene.toml", 2.0);
+    std::vector<std::string> command{"run", scene.string(), "--method", "sph", "--out", (folder.path() / "run").string()};
+    const auto checkpoint = folder.path() / "run" / "sph" / "checkpoint.h5";
+    {
+        Program run(command, folder.path());
+        ASSERT_TRUE(wait_until([&] { return std::filesystem::exists(checkpoint); }, 60)) << run.output();
+        run.kill_hard();
+        ASSERT_EQ(run.wait(), -9);
+    }
+    std::filesystem::resize_file(checkpoint, std::filesystem::file_size(checkpoint) / 2);
+    command.push_back("--resume");
+    Program resumed(command, folder.path());
+    EXPECT_EQ(resumed.wait(), 2);
+    EXPECT_NE(resumed.output().find("checkpoint.h5"), std::string::npos) << resumed.output();
+}
+
+}  // namespace
+}  // namespace tw::test
