@@ -1,0 +1,17 @@
+#include "app/output.h"
+#include "base/errors.h"
+#include "foam_cases/run_fvm.h"
+
+namespace tw::app {
+
+int run_case(const CaseCommand& command, const Common& common) {
+    const Scene scene = read_scene(command.scene.file, command.scene.overrides());
+    refuse_oversize(scene, predict(scene));
+    if (std::filesystem::exists(command.folder) && !std::filesystem::is_empty(command.folder))
+        throw InputError(command.folder.string() + ": is there already and not empty; choose a new folder");
+    write_fvm_case(scene, command.folder);
+    say(common, command.folder.string() + ": OpenFOAM case written; run it with ./Allrun\n");
+    return done;
+}
+
+}  // namespace tw::app

@@ -1,0 +1,86 @@
+#pragma once
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/run_options.h"
+#include "scene/scene.h"
+
+namespace tw::app {
+
+// One struct and one function per subcommand. Functions return the exit status and throw InputError or RunError.
+enum ExitStatus { done = 0, bad_input = 2, run_failed = 3, not_agreed = 4 };
+
+/// What every subcommand takes.
+struct Common {
+    bool quiet = false;          ///< only results and errors
+    std::string json;            ///< file for the same facts for programs; "-": standard output instead of text; empty: none
+};
+
+struct NewCommand {
+    std::string kind;            ///< planing, seaplane, tank, own
+    std::filesystem::path file;
+    bool overwrite = false;
+};
+int run_new(const NewCommand& command, const Common& common);
+std::vector<std::string> template_names();
+
+/// Scene file and what the command line changes about it; values as texts with units.
+struct SceneArguments {
+    std::filesystem::path file;
+    std::filesystem::path hull;
+    std::string speed, spacing, near_hull, duration;
+    SceneOverrides overrides() const;   ///< throws InputError naming the option
+};
+
+struct CheckCommand {
+    SceneArguments scene;
+};
+int run_check(const CheckCommand& command, const Common& common);
+
+struct RunCommand {
+    SceneArguments scene;
+    std::string method = "both";        ///< sph, fvm, both; empty: what the scene says
+    std::filesystem::path out;          ///< empty: runs/<name of the scene file>
+    bool resume = false, overwrite = false;
+    int threads = 0;
+};
+int run_run(const RunCommand& command, const Common& common);
+
+struct CompareCommand {
+    std::vector<std::filesystem::path> sources;
+    std::filesystem::path out;
+    bool force = false, require_agree = false;
+};
+int run_compare(const CompareCommand& command, const Common& common);
+
+struct HullCommand {
+    std::string action;                 ///< info, repair, make, convert
+    std::filesystem::path in, out;
+    std::string shape, unit = "m", axes = "xyz";
+    std::vector<std::string> parameters;   ///< "length=4 m"
+    double particle_spacing = 0;
+};
+int run_hull(const HullCommand& command, const Common& common);
+
+struct CaseCommand {
+    SceneArguments scene;
+    std::filesystem::path folder;
+};
+int run_case(const CaseCommand& command, const Common& common);
+
+struct DoctorCommand {
+    std::string openfoam;
+};
+int run_doctor(const DoctorCommand& command, const Common& common);
+
+struct BenchCommand {
+    long particles = 100000;
+    double h_over_dp = 1.5, seconds = 5;
+    int threads = 0;
+};
+int run_bench_command(const BenchCommand& command, const Common& common);
+
+}  // namespace tw::app

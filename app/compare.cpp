@@ -1,0 +1,46 @@
+#include "compare/compare.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/output.h"
+#include "base/errors.h"
+
+namespace tw::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The record files that a name stands for: the file itself, a method's folder, or a run's folder with both methods in it.
+std::vector<fs::path> record_files(const fs::path& source) {
+    if (!fs::is_directory(source)) return {source};
+    if (fs::exists(source / "record.h5")) return {source / "record.h5"};
+    std::vector<fs::path> files;
+    for (const char* method : {"sph", "fvm"})
+        if (fs::exists(source / method / "record.h5")) files.push_back(source / method / "record.h5");
+    if (files.empty())
+        throw InputError(source.string() + ": no run record here; expected record.h5, sph/record.h5 or fvm/record.h5 (twinwake run leaves them)");
+    return files;
+}
+
+}  // namespace
+
+int run_compare(const CompareCommand& command, const Common& common) {
+    std::vector<RunRecord> records;
+    for (const fs::path& source : command.sources)
+        for (const fs::path& file : record_files(source)) records.push_back(read_record(file));
+    if (records.size() < 2) throw InputError("one run record only; expected two or more to compare, e.g. twinwake compare runs/a/sph runs/a/fvm");
+    CompareOptions options;
+    options.force = command.force;
+    const Comparison comparison = compare_records(std::move(records), options);
+    std::string text = summary_text(comparison);
+    if (!command.out.empty()) text += "\nreport: " + write_report(comparison, command.out).html.string() + "\n";
+    say(common, text);
+    write_json(common, comparison_json(comparison));
+    const bool agree = std::all_of(comparison.quantities.begin(), comparison.quantities.end(),
+                                   [](const Quantity& q) { return !q.judged || q.verdict == Verdict::agree; });
+    return command.require_agree && !agree ? not_agreed : done;
+}
+
+}  // namespace tw::app

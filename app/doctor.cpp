@@ -1,0 +1,80 @@
+#include "foam_cases/doctor.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include "app/facts_json.h"
+#include "app/output.h"
+#include "record/code_version.h"
+#include "record/this_machine.h"
+
+namespace tw::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Full path of a program on PATH; empty when it is not there.
+std::string on_path(const std::string& program) {
+    const char* path = std::getenv("PATH");
+    std::istringstream folders(path ? path : "");
+    for (std::string folder; std::getline(folders, folder, ':');) {
+        const fs::path candidate = fs::path(folder) / program;
+        if (::access(candidate.c_str(), X_OK) == 0 && !fs::is_directory(candidate)) return candidate.string();
+    }
+    return {};
+}
+
+std::string graphics_card() {
+    std::error_code ignored;
+    for (const auto& card : fs::directory_iterator("/proc/driver/nvidia/gpus", ignored)) {
+        std::ifstream facts(card.path() / "information");
+        for (std::string line; std::getline(facts, line);)
+            if (line.starts_with("Model:")) return line.substr(line.find_first_not_of(" \t", 6));
+    }
+    return {};
+}
+
+MachineFacts examine(const std::string& preferred) {
+    MachineFacts f;
+    f.version = TWINWAKE_CODE_VERSION;
+    f.built_with = TWINWAKE_COMPILER;
+    for (const char* compiler : {"g++", "clang++", "nvcc"})
+        if (const std::string found = on_path(compiler); !found.empty()) f.compilers.push_back(found);
+    f.processor = cpu_model();
+    f.isa = instruction_set();
+    f.cores = std::thread::hardware_concurrency();
+    f.memory = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+    f.mpirun = on_path("mpirun");
+    f.gpu = graphics_card();
+    f.openfoam = find_openfoam(preferred);
+    for (OpenFoam& candidate : f.openfoam) {
+        self_test(candidate);
+        f.sound |= candidate.sound;
+    }
+    return f;
+}
+
+}  // namespace
+
+int run_doctor(const DoctorCommand& command, const Common& common) {
+    const MachineFacts f = examine(command.openfoam);
+    std::string out = fmt::format("twinwake    {}\n            built with {}\nprocessor   {}, {} cores, {}\nmemory      {:.3g} GB\n", f.version, f.built_with,
+                                  f.processor, f.cores, f.isa, f.memory / 1e9);
+    for (const std::string& c : f.compilers) out += "compiler    " + c + "\n";
+    out += "mpirun      " + (f.mpirun.empty() ? std::string("none: the mesh side runs on one core") : f.mpirun) + "\n";
+    out += "graphics    " + (f.gpu.empty() ? std::string("no NVIDIA card; this version does not use one") : f.gpu + "; this version does not use it") + "\n";
+    for (const OpenFoam& o : f.openfoam)
+        out += fmt::format("openfoam    {} {} {}: {}: {}\n", o.vendor, o.version, o.solver.string(), o.sound ? "sound" : "NOT SOUND", o.verdict);
+    if (f.openfoam.empty()) out += "openfoam    none found: ./bootstrap.sh build installs it (or apt-get install openfoam and run the script again)\n";
+    out += f.sound ? "\nsound: both methods can run here\n" : "\nnot sound: only the particle side can run here; ./bootstrap.sh build mends the mesh side\n";
+    say(common, out);
+    write_json(common, doctor_json(f));
+    return f.sound ? done : bad_input;
+}
+
+}  // namespace tw::app

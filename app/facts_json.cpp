@@ -1,0 +1,107 @@
+#include "app/facts_json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace tw::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string written(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace); }
+
+Json vec(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+Json box(const Box& b) { return {{"min", vec(b.min)}, {"max", vec(b.max)}}; }
+
+Json findings_json(const std::vector<Finding>& findings) {
+    static constexpr const char* levels[] = {"note", "warning", "error"};
+    Json list = Json::array();
+    for (const Finding& f : findings)
+        list.push_back({{"level", levels[static_cast<int>(f.level)]}, {"name", f.name}, {"message", f.message}, {"place", vec(f.place)}});
+    return list;
+}
+
+}  // namespace
+
+std::string check_json(const Scene& scene, const Prediction& p) {
+    Json hull = Json::object();
+    if (scene.hull) {
+        const Hull& h = *scene.hull;
+        hull = {{"source", h.source}, {"hash", h.hash},      {"length", h.length}, {"beam", h.beam},
+                {"trim", h.trim},     {"draft", h.draft},    {"half", h.half},     {"displacement", h.still.volume},
+                {"findings", findings_json(h.findings)},     {"repairs", h.repairs}};
+    }
+    Json effects = Json::array();
+    for (const EffectChoice& e : scene.effects)
+        effects.push_back({{"name", e.name}, {"on", e.on}, {"forced", e.forced}, {"reason", e.reason}, {"influence", e.influence}, {"cost", e.cost}});
+    Json refinement = Json::array();
+    for (const RefinementBox& r : scene.refinement) refinement.push_back({{"name", r.name}, {"level", r.level}, {"box", box(r.box)}});
+    return written({{"title", scene.title},
+                    {"scene_hash", scene.hash},
+                    {"particles", std::round(p.particles)},
+                    {"wall_particles", std::round(p.wall_particles)},
+                    {"cells", std::round(p.cells)},
+                    {"hull", hull},
+                    {"domain", box(scene.domain.box)},
+                    {"spacing", scene.resolution.spacing},
+                    {"near_hull", scene.resolution.near_hull},
+                    {"refinement", refinement},
+                    {"duration", scene.run.duration},
+                    {"mean_from", scene.sampling.mean_from},
+                    {"ramp", scene.motion.ramp},
+                    {"c0", scene.sph.c0},
+                    {"effects", effects},
+                    {"predicted",
+                     {{"sph", {{"seconds", p.sph_seconds}, {"bytes", p.sph_bytes}, {"steps", std::round(p.sph_steps)}}},
+                      {"fvm", {{"seconds", p.fvm_seconds}, {"bytes", p.fvm_bytes}}}}}});
+}
+
+std::string hull_json(const HullFacts& f) {
+    return written({{"source", f.source},
+                    {"hash", f.hash},
+                    {"points", f.points},
+                    {"triangles", f.triangles},
+                    {"bounds", box(f.bounds)},
+                    {"volume", f.mass.volume},
+                    {"area", f.mass.area},
+                    {"centroid", vec(f.mass.centroid)},
+                    {"findings", findings_json(f.findings)},
+                    {"repairs", f.repairs},
+                    {"usable", f.usable}});
+}
+
+std::string doctor_json(const MachineFacts& f) {
+    Json openfoam = Json::array();
+    for (const OpenFoam& o : f.openfoam)
+        openfoam.push_back({{"solver", o.solver.string()},
+                            {"project_dir", o.project_dir.string()},
+                            {"version", o.version},
+                            {"vendor", o.vendor},
+                            {"sound", o.sound},
+                            {"self_test_error", o.self_test_error},
+                            {"verdict", o.verdict}});
+    return written({{"version", f.version},
+                    {"built_with", f.built_with},
+                    {"compilers", f.compilers},
+                    {"processor", f.processor},
+                    {"isa", f.isa},
+                    {"cores", f.cores},
+                    {"memory", f.memory},
+                    {"gpu", f.gpu},
+                    {"mpirun", f.mpirun},
+                    {"openfoam", openfoam},
+                    {"sound", f.sound}});
+}
+
+std::string bench_json(const BenchResult& r) {
+    return written({{"particles", r.particles},
+                    {"neighbours_per_particle", r.neighbours_per_particle},
+                    {"threads", r.threads},
+                    {"isa", r.isa},
+                    {"evaluations_per_second", r.evaluations_per_second},
+                    {"pairs_per_second", r.pairs_per_second},
+                    {"bytes_per_particle", r.bytes_per_particle},
+                    {"share_of_kernel_peak", r.share_of_kernel_peak},
+                    {"share_outside_pairs", r.share_outside_pairs}});
+}
+
+}  // namespace tw::app

@@ -1,0 +1,39 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "foam_cases/doctor.h"
+#include "meshes/health.h"
+#include "meshes/mass_properties.h"
+#include "scene/scene.h"
+#include "sph_solver/bench.h"
+
+namespace tw::app {
+
+// The facts of each subcommand for programs; keys may be added, they keep their names.
+
+std::string check_json(const Scene& scene, const Prediction& prediction);
+
+struct HullFacts {
+    std::string source, hash;
+    std::size_t points = 0, triangles = 0;
+    Box bounds;
+    MassProperties mass;
+    std::vector<Finding> findings;
+    std::vector<std::string> repairs;
+    bool usable = false;
+};
+std::string hull_json(const HullFacts& facts);
+
+struct MachineFacts {
+    std::string version, built_with, processor, isa, mpirun, gpu;
+    std::vector<std::string> compilers;
+    unsigned cores = 0;
+    double memory = 0;   ///< [bytes]
+    std::vector<OpenFoam> openfoam;
+    bool sound = false;
+};
+std::string doctor_json(const MachineFacts& facts);
+std::string bench_json(const BenchResult& result);
+
+}  // namespace tw::app

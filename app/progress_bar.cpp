@@ -1,0 +1,52 @@
+#include "app/progress_bar.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace tw::app {
+namespace {
+
+std::string clock_text(double seconds) {
+    const long s = std::lround(std::max(0.0, seconds));
+    return s < 3600 ? fmt::format("{}:{:02}", s / 60, s % 60) : fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
+}
+
+}  // namespace
+
+ProgressBar::ProgressBar(std::string label, bool quiet) : label_(std::move(label)), quiet_(quiet), terminal_(isatty(STDERR_FILENO)) {}
+
+ProgressBar::~ProgressBar() {
+    if (shown_ && terminal_) std::fputc('\n', stderr);
+}
+
+void ProgressBar::show(const Progress& p) {
+    if (quiet_) return;
+    const auto now = std::chrono::steady_clock::now();
+    const double share = p.duration > 0 ? std::clamp(p.time / p.duration, 0.0, 1.0) : 0;
+    const double since = shown_ ? std::chrono::duration<double>(now - last_).count() : 1e9;
+    // Phases before the time loop have no share: their note is news.
+    const bool phase = p.time == 0 && p.note != last_note_;
+    const bool due = terminal_ ? since > 0.2 : since > 30 && (share >= last_share_ + 0.1 || since > 120);
+    if (!due && !phase && !(share >= 1 && last_share_ < 1)) return;
+    const std::string steps = p.steps > 0 ? fmt::format("step {}  ", p.steps) : "";
+    const std::string left = p.eta > 0 ? fmt::format("{} left  ", clock_text(p.eta)) : "";
+    const std::string facts = fmt::format("{:3.0f} %  t = {:.4g} of {:.4g} s  {}{} gone  {}{}", 100 * share, p.time, p.duration, steps,
+                                          clock_text(p.wall), left, p.note);
+    if (terminal_) {
+        constexpr std::size_t width = 24;
+        const auto full = static_cast<std::size_t>(share * width);
+        std::fputs(fmt::format("\r\033[K{} [{}{}] {}", label_, std::string(full, '#'), std::string(width - full, '.'), facts).c_str(), stderr);
+    } else {
+        std::fputs(fmt::format("{}: {}\n", label_, facts).c_str(), stderr);
+    }
+    std::fflush(stderr);
+    shown_ = true;
+    last_ = now;
+    last_share_ = share;
+    last_note_ = p.note;
+}
+
+}  // namespace tw::app

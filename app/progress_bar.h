@@ -1,0 +1,25 @@
+#pragma once
+#include <chrono>
+#include <string>
+
+#include "scene/run_options.h"
+
+namespace tw::app {
+
+/// Shows how far a run is on standard error: one line that is rewritten on a terminal, a line every tenth of the run or every
+/// half minute (whichever is rarer) in a log.
+class ProgressBar {
+public:
+    ProgressBar(std::string label, bool quiet);
+    ~ProgressBar();
+    void show(const Progress& progress);
+
+private:
+    std::string label_;
+    bool quiet_, terminal_, shown_ = false;
+    std::chrono::steady_clock::time_point last_;
+    double last_share_ = -1;
+    std::string last_note_;
+};
+
+}  // namespace tw::app

@@ -1,0 +1,20 @@
+#include "app/stop_signal.h"
+
+#include <csignal>
+
+namespace tw::app {
+namespace {
+volatile std::sig_atomic_t asked = 0;
+}
+
+void catch_stop_signals() {
+    struct sigaction action {};
+    action.sa_handler = [](int) { asked = 1; };
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
+}
+
+bool stop_asked() { return asked != 0; }
+
+}  // namespace tw::app

@@ -1,0 +1,9 @@
+#pragma once
+
+namespace tw::app {
+
+/// From now on the first SIGINT or SIGTERM only asks the run to save its state and end; the second one kills.
+void catch_stop_signals();
+bool stop_asked();
+
+}  // namespace tw::app
