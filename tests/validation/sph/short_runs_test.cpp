@@ -1,0 +1,41 @@
+// Laws and measurements through whole runs of the SPH solver, shorter than the rows of docs/validation.md, which come from
+// the same studies and the same judges (see validation_rows.cpp).
+#include <gtest/gtest.h>
+
+#include "judges.h"
+#include "study_run.h"
+
+namespace tw::test {
+namespace {
+
+void expect_all_pass(const StudyRun& run, const std::vector<Row>& rows) {
+    ASSERT_EQ(run.record.state, "finished") << run.record.reason;
+    ASSERT_FALSE(rows.empty());
+    for (const Row& row : rows) EXPECT_TRUE(row.passes()) << row.quantity << ": " << row.value << " " << row.unit << ", limit " << row.limit;
+}
+
+TEST(StillTank, StaysFlatAndHydrostaticAndCarriesASubmergedBox) {
+    const StudyRun run = run_study("still_tank", 2.0);
+    expect_all_pass(run, judge_still_water(run.scene, run.record, 1.0));
+    ASSERT_TRUE(run.scene.hull);
+    ASSERT_NEAR(run.scene.hull->still.volume / run.scene.hull->mass.volume, 1, 1e-9) << "the box of this study lies wholly under water";
+    expect_all_pass(run, judge_buoyancy(run.scene, run.record, 1.0));
+}
+
+TEST(EmptyChannel, SurfaceStaysFlatAndNothingIsLost) {
+    const StudyRun run = run_study("empty_channel");
+    expect_all_pass(run, judge_channel(run.scene, run.record, 0.5 * run.scene.run.duration));
+    const Column* in = run.record.series("samples", "particles_in");
+    ASSERT_TRUE(in);
+    EXPECT_GT(in->values.back(), run.record.elements) << "the water was exchanged at least once";
+}
+
+TEST(DamBreak, FrontFollowsTheMeasurements) {
+    const StudyRun run = run_study("dam_break_2d");
+    const Box& column = run.scene.water_blocks.at(0);
+    ASSERT_NEAR(column.size().z() / column.size().x(), 2, 1e-9) << "both experiments: a column twice as high as wide";
+    expect_all_pass(run, judge_dam_break_front(run.scene, run.record, TWINWAKE_TEST_DATA "/dambreak_front_position.csv"));
+}
+
+}  // namespace
+}  // namespace tw::test
