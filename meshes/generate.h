@@ -12,8 +12,8 @@ struct HullParameter {
     std::string name, kind, meaning;
     double fallback, min, max;
 };
-/// A parametric hull. Closed, outward normals, bow at negative x, stern (transom) at the largest x, symmetric about y = 0,
-/// keel's lowest point at z = 0 before posing.
+/// A parametric hull. Closed, outward normals, bow at negative x, stern (transom) at the largest x, symmetric about y =
+/// 0, keel's lowest point at z = 0 before posing.
 struct HullShape {
     std::string name, description;
     std::vector<HullParameter> parameters;

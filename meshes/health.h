@@ -20,8 +20,8 @@ struct Finding {
 std::vector<Finding> check_surface(const Surface& surface, double particle_spacing = 0);
 bool usable(const std::vector<Finding>& findings);  ///< no finding of level error
 
-/// Mends what is safe (duplicate points, zero-area triangles, small planar holes, flipped and inverted normals) and says
-/// what was done, one line each.
+/// Mends what is safe (duplicate points, zero-area triangles, small planar holes, flipped and inverted normals) and
+/// says what was done, one line each.
 struct Repaired {
     Surface surface;
     std::vector<std::string> done;

@@ -1,0 +1,168 @@
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "base/errors.h"
+#include "meshes/read/precheck.h"
+#include "meshes/read/text.h"
+
+namespace tw {
+namespace {
+
+struct Property {
+    std::string name;
+    std::size_t size = 0;        ///< bytes of a value
+    std::size_t count_size = 0;  ///< bytes of a list's length; 0: a single value
+    bool count_is_float = false;
+};
+struct Element {
+    std::string name;
+    std::uint64_t count = 0;
+    std::vector<Property> properties;
+};
+enum class Format { ascii, little, big };
+
+std::size_t size_of(std::string_view type) {
+    for (const std::string_view t : {"char", "uchar", "int8", "uint8"})
+        if (type == t) return 1;
+    for (const std::string_view t : {"short", "ushort", "int16", "uint16"})
+        if (type == t) return 2;
+    for (const std::string_view t : {"int", "uint", "int32", "uint32", "float", "float32"})
+        if (type == t) return 4;
+    for (const std::string_view t : {"double", "float64"})
+        if (type == t) return 8;
+    return 0;
+}
+
+std::uint64_t read_count(std::string_view bytes, Format format) {
+    std::uint64_t n = 0;
+    for (std::size_t k = 0; k < bytes.size(); ++k) {
+        const std::size_t at = format == Format::big ? k : bytes.size() - 1 - k;
+        n = n << 8 | static_cast<unsigned char>(bytes[at]);
+    }
+    return n;
+}
+
+class PlyCheck {
+public:
+    PlyCheck(const std::filesystem::path& file, std::string_view content) : file_(file), text_(content) {}
+    void run() {
+        read_header();
+        require("vertex", {"x", "y", "z"});
+        const Element& faces = require("face", {});
+        if (std::ranges::none_of(faces.properties, [](const Property& p) {
+                return p.count_size > 0 && (p.name == "vertex_indices" || p.name == "vertex_index");
+            }))
+            fail("the faces have no list vertex_indices");
+        if (faces.count == 0) fail("the file holds no faces");
+        format_ == Format::ascii ? walk_text() : walk_bytes(text_.rest());
+    }
+
+private:
+    [[noreturn]] void fail(const std::string& what) const {
+        throw InputError(file_.string() + ": not a sound PLY file: " + what + "; export the hull again");
+    }
+
+    void read_header() {
+        std::string_view line;
+        if (!text_.line(line) || line != "ply") fail("its first line is not \"ply\"");
+        std::optional<Format> format;
+        for (int n = 0; n < 1000; ++n) {
+            if (!text_.line(line)) fail("its header has no \"end_header\"");
+            const auto w = words(line);
+            if (w.empty() || w[0] == "comment" || w[0] == "obj_info") continue;
+            if (w[0] == "end_header") {
+                if (!format) fail("its header has no \"format\" line");
+                format_ = *format;
+                return;
+            }
+            if (w[0] == "format" && w.size() == 3) {
+                if (w[1] == "ascii")
+                    format = Format::ascii;
+                else if (w[1] == "binary_little_endian")
+                    format = Format::little;
+                else if (w[1] == "binary_big_endian")
+                    format = Format::big;
+                else
+                    fail("unknown format \"" + std::string(w[1]) + "\"");
+            } else if (w[0] == "element" && w.size() == 3) {
+                std::uint64_t count = 0;
+                if (!to_number(w[2], count)) fail("line " + std::to_string(text_.number()) + ": a count was expected");
+                elements_.push_back({std::string(w[1]), count, {}});
+            } else if (w[0] == "property" && !elements_.empty() &&
+                       (w.size() == 3 || (w.size() == 5 && w[1] == "list"))) {
+                Property p{std::string(w.back()), size_of(w[w.size() - 2]), w.size() == 5 ? size_of(w[2]) : 0,
+                           w.size() == 5 && (w[2].starts_with("float") || w[2] == "double")};
+                if (p.size == 0 || (w.size() == 5 && p.count_size == 0) || p.count_is_float)
+                    fail("line " + std::to_string(text_.number()) + ": unknown type");
+                elements_.back().properties.push_back(std::move(p));
+            } else {
+                fail("line " + std::to_string(text_.number()) + ": \"" + std::string(line.substr(0, 60)) +
+                     "\" is no header line");
+            }
+        }
+        fail("its header does not end");
+    }
+
+    const Element& require(std::string_view name, std::initializer_list<std::string_view> properties) const {
+        const auto e = std::ranges::find(elements_, name, &Element::name);
+        if (e == elements_.end()) fail("it has no element \"" + std::string(name) + "\"");
+        for (const std::string_view p : properties)
+            if (std::ranges::find(e->properties, p, &Property::name) == e->properties.end())
+                fail("its element \"" + std::string(name) + "\" has no property \"" + std::string(p) + "\"");
+        return *e;
+    }
+
+    [[noreturn]] void truncated(const Element& e, std::uint64_t at) const {
+        fail("truncated at " + e.name + " " + std::to_string(at) + " of " + std::to_string(e.count));
+    }
+
+    void walk_text() {
+        std::string_view line;
+        for (const Element& e : elements_)
+            for (std::uint64_t i = 0; i < e.count; ++i) {
+                if (!text_.line(line)) truncated(e, i);
+                const auto w = words(line);
+                std::size_t expected = 0;
+                for (const Property& p : e.properties) {
+                    if (p.count_size > 0) {
+                        std::size_t n = 0;
+                        if (expected >= w.size() || !to_number(w[expected], n) || n > w.size()) truncated(e, i);
+                        expected += n;
+                    }
+                    expected += 1;
+                }
+                if (w.size() < expected) truncated(e, i);
+            }
+    }
+
+    void walk_bytes(std::string_view bytes) const {
+        std::size_t at = 0;
+        for (const Element& e : elements_) {
+            if (e.count > bytes.size()) truncated(e, bytes.size());  // every row takes at least a byte
+            for (std::uint64_t i = 0; i < e.count; ++i)
+                for (const Property& p : e.properties) {
+                    std::uint64_t n = 1;
+                    if (p.count_size > 0) {
+                        if (at + p.count_size > bytes.size()) truncated(e, i);
+                        n = read_count(bytes.substr(at, p.count_size), format_);
+                        at += p.count_size;
+                    }
+                    if (n > (bytes.size() - at) / p.size) truncated(e, i);
+                    at += n * p.size;
+                }
+        }
+    }
+
+    std::filesystem::path file_;
+    TextCursor text_;
+    Format format_ = Format::ascii;
+    std::vector<Element> elements_;
+};
+
+}  // namespace
+
+void check_ply(const std::filesystem::path& file, std::string_view content) { PlyCheck(file, content).run(); }
+
+}  // namespace tw

@@ -1,0 +1,220 @@
+#include <vtkCallbackCommand.h>
+#include <vtkCellArray.h>
+#include <vtkExecutive.h>
+#include <vtkNew.h>
+#include <vtkOBJReader.h>
+#include <vtkPLYReader.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkSTLReader.h>
+#include <vtkTriangleFilter.h>
+#include <vtkXMLPolyDataReader.h>
+
+#include <algorithm>
+#include <bit>
+#include <cctype>
+#include <cmath>
+#include <cstdint>
+
+#include "base/atomic_file.h"
+#include "base/errors.h"
+#include "meshes/read/precheck.h"
+#include "meshes/surface.h"
+
+namespace tw {
+namespace fs = std::filesystem;
+namespace {
+
+/// Keeps VTK's complaints instead of letting them run over the terminal.
+class Complaints {
+public:
+    Complaints() {
+        command_->SetClientData(&text_);
+        command_->SetCallback([](vtkObject*, unsigned long, void* text, void* message) {
+            auto& kept = *static_cast<std::string*>(text);
+            if (message != nullptr && kept.empty()) kept = static_cast<const char*>(message);
+        });
+    }
+    void listen_to(vtkObject* object) {
+        object->AddObserver(vtkCommand::ErrorEvent, command_);
+        object->AddObserver(vtkCommand::WarningEvent, command_);
+    }
+    vtkCommand* command() { return command_; }
+    /// The first complaint without VTK's file, line and address; empty: none.
+    std::string text() const {
+        const auto colon = text_.rfind("): ");
+        std::string message = colon == std::string::npos ? text_ : text_.substr(colon + 3);
+        while (!message.empty() && std::isspace(static_cast<unsigned char>(message.back())) != 0) message.pop_back();
+        return message;
+    }
+
+private:
+    vtkNew<vtkCallbackCommand> command_;
+    std::string text_;
+};
+
+template <class Reader>
+vtkSmartPointer<vtkPolyData> read_with(const fs::path& file) {
+    vtkNew<Reader> reader;
+    Complaints complaints;
+    complaints.listen_to(reader);
+    complaints.listen_to(reader->GetExecutive());
+    if constexpr (std::is_same_v<Reader, vtkXMLPolyDataReader>) {
+        reader->SetReaderErrorObserver(complaints.command());
+        reader->SetParserErrorObserver(complaints.command());
+    }
+    if constexpr (std::is_same_v<Reader, vtkSTLReader>) reader->MergingOff();  // it would drop triangles; see welded()
+    reader->SetFileName(file.c_str());
+    reader->Update();
+    if (!complaints.text().empty()) throw InputError(file.string() + ": cannot be read: " + complaints.text());
+    vtkPolyData* data = reader->GetOutput();
+    if (data == nullptr || data->GetNumberOfPoints() == 0)
+        throw InputError(file.string() + ": holds no points; export the hull again");
+    return data;
+}
+
+/// The readers pass the files' connectivity on unchecked.
+void check_connectivity(const fs::path& file, vtkPolyData* data) {
+    for (vtkCellArray* cells : {data->GetPolys(), data->GetStrips()}) {
+        const vtkIdType points = data->GetNumberOfPoints();
+        if (!cells->IsValid()) throw InputError(file.string() + ": its faces are inconsistent; export the hull again");
+        for (vtkIdType c = 0; c < cells->GetNumberOfCells(); ++c) {
+            vtkIdType n = 0;
+            const vtkIdType* ids = nullptr;
+            cells->GetCellAtId(c, n, ids);
+            for (vtkIdType k = 0; k < n; ++k)
+                if (ids[k] < 0 || ids[k] >= points)
+                    throw InputError(file.string() + ": face " + std::to_string(c) + " uses point " +
+                                     std::to_string(ids[k]) + " of " + std::to_string(points) +
+                                     "; export the hull again");
+        }
+    }
+}
+
+Surface from_vtk(const fs::path& file, vtkPolyData* data) {
+    check_connectivity(file, data);
+    vtkNew<vtkTriangleFilter> triangles;
+    triangles->PassVertsOff();
+    triangles->PassLinesOff();
+    triangles->SetInputData(data);
+    triangles->Update();
+    vtkPolyData* cut = triangles->GetOutput();
+    Surface surface;
+    surface.points.resize(static_cast<std::size_t>(cut->GetNumberOfPoints()));
+    for (std::size_t i = 0; i < surface.points.size(); ++i)
+        cut->GetPoint(static_cast<vtkIdType>(i), surface.points[i].data());
+    for (vtkIdType c = 0; c < cut->GetPolys()->GetNumberOfCells(); ++c) {
+        vtkIdType n = 0;
+        const vtkIdType* ids = nullptr;
+        cut->GetPolys()->GetCellAtId(c, n, ids);
+        if (n == 3)
+            surface.triangles.push_back({static_cast<int>(ids[0]), static_cast<int>(ids[1]), static_cast<int>(ids[2])});
+    }
+    return surface;
+}
+
+/// Binary STL is read here and not by vtkSTLReader, which guesses the kind of file by bytes above 127 and takes some
+/// binary files whose header begins with "solid" for text.
+Surface read_binary_stl(std::string_view content) {
+    const auto coordinate = [&](std::size_t at) {
+        std::uint32_t bits = 0;
+        for (std::size_t k = 4; k-- > 0;) bits = bits << 8 | static_cast<unsigned char>(content[at + k]);
+        return static_cast<double>(std::bit_cast<float>(bits));
+    };
+    Surface surface;
+    for (std::size_t facet = 84; facet + 50 <= content.size(); facet += 50) {
+        const int first = static_cast<int>(surface.points.size());
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t at = facet + 12 + 12 * k;  // the facet's own normal comes first and is not used
+            surface.points.emplace_back(coordinate(at), coordinate(at + 4), coordinate(at + 8));
+        }
+        surface.triangles.push_back({first, first + 1, first + 2});
+    }
+    return surface;
+}
+
+Surface read_by_type(const fs::path& file) {
+    std::string type = file.extension().string();
+    std::ranges::transform(type, type.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const bool known = type == ".stl" || type == ".obj" || type == ".ply" || type == ".vtp";
+    if (!known)
+        throw InputError(file.string() + ": surfaces are read from .stl, .obj, .ply and .vtp files, not from \"" +
+                         type + "\"");
+    std::error_code error;
+    if (!fs::exists(file, error)) throw InputError(file.string() + ": no such file; check the name and the folder");
+    if (!fs::is_regular_file(file, error)) throw InputError(file.string() + ": is not a file");
+    constexpr std::uintmax_t largest = 4'000'000'000;  // 80 million STL triangles; indices are 32 bit
+    if (fs::file_size(file, error) > largest)
+        throw InputError(file.string() + ": larger than 4 GB; coarsen the surface first");
+    const std::string content = read_text(file);
+    if (content.empty()) throw InputError(file.string() + ": the file is empty; export the hull again");
+
+    if (type == ".obj") {
+        check_obj(file, content);
+        return from_vtk(file, read_with<vtkOBJReader>(file));
+    }
+    if (type == ".ply") {
+        check_ply(file, content);
+        return from_vtk(file, read_with<vtkPLYReader>(file));
+    }
+    if (type == ".vtp") {
+        check_vtp(file, content);
+        return from_vtk(file, read_with<vtkXMLPolyDataReader>(file));
+    }
+    if (!is_ascii_stl(content)) {
+        check_binary_stl(file, content);
+        return read_binary_stl(content);
+    }
+    const std::size_t facets = check_ascii_stl(file, content);
+    Surface surface = from_vtk(file, read_with<vtkSTLReader>(file));
+    if (surface.triangles.size() != facets)
+        throw InputError(file.string() + ": " + std::to_string(surface.triangles.size()) + " triangles read of " +
+                         std::to_string(facets) + " in the file; export the hull again");
+    return surface;
+}
+
+/// Rows: the file's axis that becomes x, y, z, with its sign.
+Eigen::Matrix3d axis_turn(std::string_view axes) {
+    Eigen::Matrix3d turn = Eigen::Matrix3d::Zero();
+    int row = 0;
+    double sign = 1;
+    bool sound = true;
+    for (const char c : axes) {
+        if (c == '-' || c == '+') {
+            sound = sound && row < 3;
+            sign = c == '-' ? -1 : 1;
+        } else if (c >= 'x' && c <= 'z' && row < 3) {
+            turn(row++, c - 'x') = sign;
+            sign = 1;
+        } else {
+            sound = false;
+        }
+    }
+    if (!sound || row != 3 || std::abs(turn.determinant()) != 1)
+        throw InputError(
+            "axes \"" + std::string(axes) +
+            "\": expected each of x, y and z once, with a sign, e.g. \"xyz\", \"x-zy\" (file with y up) or "
+            "\"-x-yz\" (bow towards +x in the file)");
+    return turn;
+}
+
+}  // namespace
+
+Surface read_surface(const fs::path& file, std::string_view unit, std::string_view axes) {
+    const double scale = metres_per(unit);
+    const Eigen::Matrix3d turn = axis_turn(axes);
+    Surface surface = welded(read_by_type(file));
+    if (surface.triangles.empty())
+        throw InputError(file.string() + ": holds no triangles; export the hull as a surface mesh");
+    for (Vec3& p : surface.points) {
+        if (!p.allFinite())
+            throw InputError(file.string() +
+                             ": a corner is not a finite number (NaN or infinite); export the hull again");
+        p = scale * (turn * p);
+    }
+    if (turn.determinant() < 0)
+        for (auto& t : surface.triangles) std::swap(t[1], t[2]);
+    return surface;
+}
+
+}  // namespace tw
