@@ -15,7 +15,7 @@ namespace tw {
 
 namespace {
 
-constexpr double skin_over_dp = 0.3;        ///< slack of the particle lists
+constexpr double skin_over_dp = 0.2;        ///< slack of the particle lists
 constexpr double wall_skin_over_dp = 0.6;   ///< slack of the lists between particles and walls
 constexpr double largest_density_deviation = 0.3;
 constexpr double largest_mach = 1.0;
@@ -174,7 +174,7 @@ void Solver::rebuild() {
     stress_.resize(n + images_.size());
     shift_.resize(n);
     rate_.resize(n);
-    normal_.resize(n);
+    if (!wall_place_.empty()) normal_.resize(n);
     update_records();
 
     make_groups(place_, start_, 0, groups_);
@@ -186,6 +186,10 @@ void Solver::rebuild() {
         wall_source_lists_.build(grid_, quanta_, wall_place_.data(), live_wall_groups_, sources, wall_reach, false);
         std::fill(wall_p_.begin(), wall_p_.end(), 0.0f);
         std::erase_if(live_wall_groups_, [](const Group& g) { return g.list_size == 0; });
+        std::int32_t near_wall = 0;
+        for (Group& g : groups_)
+            if (g.wall_size > 0) g.wall_load = near_wall++;
+        wall_load_.resize(static_cast<std::size_t>(near_wall));
         find_normals();
     }
     travel_ = travel_in_stream_ = 0;
@@ -265,6 +269,7 @@ void Solver::evaluate() {
     d.normal = normal_.data();
     d.shift = shift_.data();
     d.rate = rate_.data();
+    d.wall_load = wall_load_.data();
     d.kernel = kernel_;
     d.quantum = static_cast<float>(quanta_.size);
     d.rho0 = static_cast<float>(s.rho0);
@@ -319,31 +324,15 @@ void Solver::evaluate() {
 }
 
 void Solver::gather_load() {
-    // force on the solids = minus the momentum that walls give to the fluid; pair forces are central, so the moment may be
-    // taken at the fluid particle
-    struct Part {
-        Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
-        double work = 0;
-    };
-    const std::size_t n = particles_.size();
-    std::vector<Part> parts(chunks(n));
-#pragma omp parallel for schedule(static)
-    for (std::size_t c = 0; c < parts.size(); ++c)
-        for (std::size_t i = c * chunk; i < std::min(n, (c + 1) * chunk); ++i) {
-            if (particles_.kind[i] != Kind::fluid) continue;
-            const RateRecord& r = rate_[i];
-            parts[c].work += mass_ * double(r.viscous_work);
-            if (r.wx == 0 && r.wy == 0 && r.wz == 0) continue;
-            const Vec3 f = -mass_ * Vec3(r.wx, r.wy, r.wz);
-            parts[c].force += f;
-            parts[c].moment += (Vec3(particles_.x[i], particles_.y[i], particles_.z[i]) - setup_.moment_reference).cross(f);
-        }
+    // force on the solids = minus what they exert on the water, group by group in a fixed order
     load_ = {};
-    viscous_work_ = 0;
-    for (const Part& part : parts) {
-        load_.force += part.force;
-        load_.moment += part.moment;
-        viscous_work_ += part.work;
+    for (const Group& g : groups_) {
+        if (g.wall_load < 0) continue;
+        const WallLoad& w = wall_load_[static_cast<std::size_t>(g.wall_load)];
+        const Vec3 force = -mass_ * Vec3(w.ax, w.ay, w.az);
+        const Vec3 centre = quanta_.origin + quanta_.size * Vec3(g.x, g.y, g.z);
+        load_.force += force;
+        load_.moment += (centre - setup_.moment_reference).cross(force) - mass_ * Vec3(w.mx, w.my, w.mz);
     }
 }
 
@@ -504,19 +493,19 @@ double Solver::bytes() const {
     const auto add = [&](const auto& v) { sum += double(v.capacity() * sizeof(v[0])); };
     auto& p = const_cast<Particles&>(particles_);
     p.for_each_array(add);
-    add(images_), add(place_), add(motion_), add(stress_), add(shift_), add(rate_), add(normal_), add(groups_);
+    add(images_), add(place_), add(motion_), add(stress_), add(shift_), add(rate_), add(normal_), add(groups_), add(wall_load_);
     add(wall_mass_), add(wall_place_), add(wall_p_), add(wall_groups_), add(live_wall_groups_);
     return sum;
 }
 
 Solver::Restart Solver::restart_state() const {
-    Restart r{time_, dt_, viscous_work_, steps_, ledger_, extremes_, next_id_, {}};
+    Restart r{time_, dt_, steps_, ledger_, extremes_, next_id_, {}};
     if (control_) r.control = control_->state();
     return r;
 }
 
 void Solver::restore(const Restart& r, Particles particles) {
-    time_ = r.time, dt_ = r.dt, viscous_work_ = r.viscous_work, steps_ = r.steps;
+    time_ = r.time, dt_ = r.dt, steps_ = r.steps;
     ledger_ = r.ledger, extremes_ = r.extremes, next_id_ = r.next_id;
     if (control_) control_->set_state(r.control);
     particles_ = std::move(particles);

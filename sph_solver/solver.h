@@ -102,7 +102,6 @@ public:
     const Timers& timers() const { return timers_; }
     std::size_t wall_particles() const { return wall_mass_.size(); }
     double bytes() const;                               ///< memory of state, lists and walls
-    double viscous_work() const { return viscous_work_; }   ///< rate of the artificial viscosity's work [W], negative
 
     /// Fields at points from the present particles; valid until the next step. Not part of the time integration.
     void sample(PointSamples& points);
@@ -113,7 +112,7 @@ public:
 
     /// The state a restart needs; a restart goes on bitwise the same when `mark_restart_point()` was called at that moment in both.
     struct Restart {
-        double time = 0, dt = 0, viscous_work = 0;
+        double time = 0, dt = 0;
         std::int64_t steps = 0;
         Ledger ledger;
         Extremes extremes;
@@ -137,7 +136,7 @@ private:
     void check_bounds();
 
     SolverSetup setup_;
-    double h_ = 0, mass_ = 0, time_ = 0, dt_ = 0, viscous_work_ = 0;
+    double h_ = 0, mass_ = 0, time_ = 0, dt_ = 0;
     std::int64_t steps_ = 0, next_id_ = 0;
     Quanta quanta_;
     ColumnGrid grid_;
@@ -155,7 +154,7 @@ private:
     std::vector<std::int32_t> start_, image_start_;
     std::vector<Group> groups_;
     NeighbourLists lists_, wall_lists_;
-    std::vector<double> accumulated_;     // scratch of the load sums
+    std::vector<WallLoad> wall_load_;
 
     // solids
     std::vector<SurfaceQuery> queries_;

@@ -28,6 +28,7 @@ struct Group {
     const std::int32_t* list = nullptr;         ///< its neighbours among particles and mirror images
     const std::int32_t* wall_list = nullptr;    ///< its neighbours among the wall's dummy particles
     std::int32_t list_size = 0, wall_size = 0;
+    std::int32_t wall_load = -1;                ///< index of its WallLoad; -1: no wall near
     std::int32_t x = 0, y = 0, z = 0;           ///< centre, in quanta: pair coordinates are relative to it
 };
 
@@ -36,10 +37,14 @@ struct alignas(16) ShiftRecord {
     float x, y, z;      ///< sum_j (1 + 0.2 (W_ij/W(dp))^4) grad_i W_ij V_j [1/m]
     float support;      ///< sum_j V_j W_ij, walls and the particle itself counted [-]
 };
-/// Per-particle rates; `wall` is the part of the acceleration that walls exert.
+/// Per-particle rates [m/s2], [kg/m3/s].
 struct alignas(16) RateRecord {
-    float ax, ay, az, drho;         ///< [m/s2], [kg/m3/s]
-    float wx, wy, wz, viscous_work; ///< wall part [m/s2]; u . artificial viscosity [m2/s3]
+    float ax, ay, az, drho;
+};
+/// What the walls do to one group, per unit of particle mass: sum of the accelerations, and of arm x acceleration about the
+/// group's centre (pair forces are central, so the arm may end at the fluid particle).
+struct WallLoad {
+    float ax = 0, ay = 0, az = 0, mx = 0, my = 0, mz = 0;
 };
 /// Exterior unit normal of the nearest wall at a fluid particle (zero when none is near).
 struct alignas(16) NormalRecord {
@@ -56,6 +61,7 @@ struct PassData {
     const NormalRecord* normal = nullptr;
     ShiftRecord* shift = nullptr;
     RateRecord* rate = nullptr;
+    WallLoad* wall_load = nullptr;
 
     Kernel kernel;
     float quantum = 1;      ///< [m]

@@ -209,13 +209,20 @@ void forces(const PassData& d, const Group* groups, int count) {
             PressureGradient::add(ij, p_i + d.wall_p[j], wall);
         });
         const F rho_i = d.rho0 + drho_i, inv_rho = 1.0f / rho_i;
-        const F work = dot(u, viscous) * inv_rho;
         const F drho = d.diffusion * diffusion;
         const V3<F> w{wall.x * inv_rho, wall.y * inv_rho, wall.z * inv_rho};
         const V3<F> acc{(pressure.x + viscous.x) * inv_rho + w.x + d.gx, (pressure.y + viscous.y) * inv_rho + w.y + d.gy,
                         (pressure.z + viscous.z) * inv_rho + w.z + d.gz};
-        for (int l = 0; l < g.size; ++l)
-            d.rate[g.first + l] = {acc.x[l], acc.y[l], acc.z[l], drho[l], w.x[l], w.y[l], w.z[l], work[l]};
+        for (int l = 0; l < g.size; ++l) d.rate[g.first + l] = {acc.x[l], acc.y[l], acc.z[l], drho[l]};
+        if (g.wall_load >= 0) {
+            const V3<F> m{a.y * w.z - a.z * w.y, a.z * w.x - a.x * w.z, a.x * w.y - a.y * w.x};
+            WallLoad sum;
+            for (int l = 0; l < g.size; ++l) {
+                sum.ax += w.x[l], sum.ay += w.y[l], sum.az += w.z[l];
+                sum.mx += m.x[l], sum.my += m.y[l], sum.mz += m.z[l];
+            }
+            d.wall_load[g.wall_load] = sum;
+        }
     }
 }
 

@@ -15,27 +15,50 @@ typedef std::int32_t I __attribute__((vector_size(64)));
 
 inline F splat(float x) { return F{} + x; }
 
-inline F sqrt(F x) {
 #if defined(__AVX512F__)
-    return (F)_mm512_sqrt_ps((__m512)x);
+inline F sqrt(F x) { return (F)_mm512_sqrt_ps((__m512)x); }
+inline F positive_part(F x) { return (F)_mm512_max_ps((__m512)x, _mm512_setzero_ps()); }
 #elif defined(__AVX__)
-    union { F v; __m256 half[2]; } u{x};
-    u.half[0] = _mm256_sqrt_ps(u.half[0]);
-    u.half[1] = _mm256_sqrt_ps(u.half[1]);
-    return u.v;
-#elif defined(__SSE__)
-    union { F v; __m128 quarter[4]; } u{x};
-    for (auto& q : u.quarter) q = _mm_sqrt_ps(q);
-    return u.v;
-#else
-    F r;
-    for (int l = 0; l < lanes; ++l) r[l] = std::sqrt(x[l]);
-    return r;
-#endif
+union Parts {
+    F whole;
+    __m256 part[2];
+};
+inline F sqrt(F x) {
+    Parts u{x};
+    for (auto& p : u.part) p = _mm256_sqrt_ps(p);
+    return u.whole;
 }
+inline F positive_part(F x) {
+    Parts u{x};
+    for (auto& p : u.part) p = _mm256_max_ps(p, _mm256_setzero_ps());
+    return u.whole;
+}
+#elif defined(__SSE__)
+union Parts {
+    F whole;
+    __m128 part[4];
+};
+inline F sqrt(F x) {
+    Parts u{x};
+    for (auto& p : u.part) p = _mm_sqrt_ps(p);
+    return u.whole;
+}
+inline F positive_part(F x) {
+    Parts u{x};
+    for (auto& p : u.part) p = _mm_max_ps(p, _mm_setzero_ps());
+    return u.whole;
+}
+#else
+inline F sqrt(F x) {
+    for (int l = 0; l < lanes; ++l) x[l] = std::sqrt(x[l]);
+    return x;
+}
+inline F positive_part(F x) {
+    for (int l = 0; l < lanes; ++l) x[l] = x[l] > 0 ? x[l] : 0;
+    return x;
+}
+#endif
 inline float sqrt(float x) { return std::sqrt(x); }
-
-inline F positive_part(F x) { return x > 0.0f ? x : F{}; }
 inline float positive_part(float x) { return x > 0 ? x : 0; }
 
 }  // namespace tw::simd
