@@ -23,7 +23,7 @@ constexpr double bytes_per_cell = 2.5e3, bytes_of_interfoam = 115e6;
 constexpr double steps_per_cell_crossing = 0.63;           // at Courant number 4: 240 steps/s at 21 mm and 8 m/s
 constexpr double mesh_seconds_per_cell = 20.0 / 74e3;      // blockMesh, features, snappyHexMesh, renumber
 constexpr double parallel_share = 0.8;                     // of each further core (1.58 times on two)
-constexpr double transition_cells = 1.35;                  // layers between refinement levels, edges of the hull
+constexpr double transition_cells = 1.05;                  // layers between levels and hull edges, less the hull's inside
 
 double cores(const Scene& scene) {
     if (scene.run.threads > 0) return scene.run.threads;

@@ -2,12 +2,34 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "scene/defaults.h"
 
 namespace tw {
 namespace {
+
+/// Area below still water that the stream along x can rub on [m2]: each triangle's wet part, less as it faces the stream.
+double friction_area(const Surface& surface) {
+    double total = 0;
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+        const Vec3 twice = surface.area_vector2(static_cast<int>(t));
+        const double area = 0.5 * twice.norm();
+        if (area == 0) continue;
+        // Corners from the lowest up; the plane z = 0 cuts off a similar triangle below (or above) it.
+        std::array<double, 3> z{};
+        for (int k = 0; k < 3; ++k) z[static_cast<std::size_t>(k)] = surface.corner(static_cast<int>(t), k).z();
+        std::sort(z.begin(), z.end());
+        double wet = z[2] <= 0 ? 1 : 0;
+        if (z[0] < 0 && z[1] >= 0) wet = z[0] * z[0] / ((z[1] - z[0]) * (z[2] - z[0]));
+        else if (z[1] < 0 && z[2] > 0) wet = 1 - z[2] * z[2] / ((z[2] - z[0]) * (z[2] - z[1]));
+        const double normal_x = twice.x() / twice.norm();
+        total += wet * area * std::sqrt(std::max(0.0, 1 - normal_x * normal_x));
+    }
+    return total;
+}
 
 /// Length, speed and wetted area that the dimensionless numbers are made of.
 struct Scales {
@@ -18,8 +40,7 @@ Scales scales_of(const Scene& scene) {
     const double fall = std::sqrt(2 * scene.water.gravity * water_height(scene));
     const double speed = scene.motion.kind == Motion::Kind::stream ? scene.motion.speed : fall;
     if (!scene.hull) return {water_height(scene), speed, 0};
-    const Vec3 wet = scene.hull->still.wet_bounds.size();
-    return {std::max(wet.x(), 1e-9), speed, wet.x() * (wet.y() + 2 * wet.z())};  // a box's bottom and sides
+    return {std::max(scene.hull->still.wet_bounds.size().x(), 1e-9), speed, friction_area(scene.hull->surface)};
 }
 
 void refuse(Section& s, const std::string& name, const std::string& why) {

@@ -14,7 +14,7 @@ struct Sections {
     Section root, hull, water, motion, resolution, domain, run, sampling, tank, sph, fvm, effects;
     std::vector<Section> obstacles, probes, water_blocks;
 };
-Sections split_sections(const std::filesystem::path& file, const Value& document);
+Sections split_sections(const std::filesystem::path& file, const SceneValue& document);
 
 struct WaterOptions {
     Water water;

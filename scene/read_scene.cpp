@@ -14,11 +14,11 @@ namespace tw {
 namespace {
 
 /// Puts a command line option into the document as if it stood in the file; its messages name the option.
-void override_key(Value& document, const std::string& section, const std::string& key, const std::string& option, Value value) {
-    Value* table = document.find(section);
+void override_key(SceneValue& document, const std::string& section, const std::string& key, const std::string& option, SceneValue value) {
+    SceneValue* table = document.find(section);
     if (!table) {
-        Value empty;
-        empty.kind = Value::Kind::table;
+        SceneValue empty;
+        empty.kind = SceneValue::Kind::table;
         document.members.emplace_back(section, empty);
         table = &document.members.back().second;
     }
@@ -27,24 +27,24 @@ void override_key(Value& document, const std::string& section, const std::string
     table->members.emplace_back(key, std::move(value));
 }
 
-Value number_value(double number) {
-    Value v;
-    v.kind = Value::Kind::number;
+SceneValue number_value(double number) {
+    SceneValue v;
+    v.kind = SceneValue::Kind::number;
     v.number = number;
     v.text = fmt::format("{:.10g}", number);
     return v;
 }
 
-void apply(const SceneOverrides& o, Value& document) {
+void apply(const SceneOverrides& o, SceneValue& document) {
     if (o.hull_file) {
         // Only what says how the hull stands in the water outlives a swap; a shape's own parameters would be unknown keys.
-        if (Value* hull = document.find("hull"))
+        if (SceneValue* hull = document.find("hull"))
             std::erase_if(hull->members, [](const auto& m) {
                 static const std::set<std::string> kept{"trim", "heel", "draft", "position", "half", "repair", "unit", "axes"};
                 return !kept.contains(m.first);
             });
-        Value file;
-        file.kind = Value::Kind::text;
+        SceneValue file;
+        file.kind = SceneValue::Kind::text;
         file.text = std::filesystem::absolute(*o.hull_file).string();
         override_key(document, "hull", "file", "--hull", file);
     }
@@ -67,19 +67,22 @@ Resolution resolution_of(const ResolutionOptions& o, const Hull* hull, Section& 
     return r;
 }
 
-/// Low and high end outward to multiples of `step`, so that z = 0 and every face lie on the coarse grid.
-void snap_outward(double& low, double& high, double step) {
-    low = std::floor(low / step + 1e-6) * step;
-    high = std::ceil(high / step - 1e-6) * step;
+/// A face that the user gave goes to the nearest multiple of the particle spacing, one that follows from the hull outward to a
+/// multiple of the largest cell. Still water, z = 0, is a multiple of both.
+double snapped_face(double face, bool given, bool high, const Resolution& r) {
+    if (given) return std::round(face / r.near_hull) * r.near_hull;
+    return (high ? std::ceil(face / r.spacing - 1e-6) : std::floor(face / r.spacing + 1e-6)) * r.spacing;
 }
 
 Box stream_box(const DomainOptions& o, const Scene& scene, std::optional<double> water_depth) {
     Box box;
+    bool floor_given = o.z || o.below;
     if (scene.hull) {
         const Box hull = scene.hull->surface.bounds();
         const Margins m = default_margins(*scene.hull, scene.motion.speed, scene.water.gravity);
         const double side = o.side.value_or(m.side);
-        const double below = o.below.value_or(water_depth ? std::min(*water_depth, m.below) : m.below);
+        const double below = o.below.value_or(std::min(water_depth.value_or(m.below), m.below));
+        floor_given = floor_given || (water_depth && *water_depth <= m.below);
         box.min = {hull.min.x() - o.ahead.value_or(m.ahead), -side, -below};
         box.max = {hull.max.x() + o.behind.value_or(m.behind), side, o.above.value_or(m.above)};
     }
@@ -87,7 +90,12 @@ Box stream_box(const DomainOptions& o, const Scene& scene, std::optional<double>
     if (o.y) std::tie(box.min.y(), box.max.y()) = *o.y;
     if (o.z) std::tie(box.min.z(), box.max.z()) = *o.z;
     if (scene.hull && scene.hull->half) box.min.y() = 0;
-    for (int axis = 0; axis < 3; ++axis) snap_outward(box.min[axis], box.max[axis], scene.resolution.spacing);
+    const bool low_given[] = {o.x || o.ahead, o.y || o.side, floor_given};
+    const bool high_given[] = {o.x || o.behind, o.y || o.side, o.z || o.above};
+    for (int axis = 0; axis < 3; ++axis) {
+        box.min[axis] = snapped_face(box.min[axis], low_given[axis], false, scene.resolution);
+        box.max[axis] = snapped_face(box.max[axis], high_given[axis], true, scene.resolution);
+    }
     return box;
 }
 
@@ -214,22 +222,22 @@ void refuse_same_names(const List& items, std::vector<Section>& sections) {
 
 }  // namespace
 
-Sections split_sections(const std::filesystem::path& file, const Value& document) {
+Sections split_sections(const std::filesystem::path& file, const SceneValue& document) {
     Section root(file, "", &document);
     const auto one = [&](const std::string& name) {
         root.know(name);
-        const Value* table = document.find(name);
-        if (table && table->kind != Value::Kind::table) root.fail(name, "expected a section [" + name + "]");
+        const SceneValue* table = document.find(name);
+        if (table && table->kind != SceneValue::Kind::table) root.fail(name, "expected a section [" + name + "]");
         return Section(file, name, table);
     };
     const auto many = [&](const std::string& name) {
         root.know(name);
         std::vector<Section> all;
-        const Value* list = document.find(name);
+        const SceneValue* list = document.find(name);
         if (!list) return all;
-        if (list->kind != Value::Kind::list) root.fail(name, "expected a list of sections [[" + name + "]]");
-        for (const Value& item : list->list) {
-            if (item.kind != Value::Kind::table) root.fail(name, "expected a list of sections [[" + name + "]]");
+        if (list->kind != SceneValue::Kind::list) root.fail(name, "expected a list of sections [[" + name + "]]");
+        for (const SceneValue& item : list->list) {
+            if (item.kind != SceneValue::Kind::table) root.fail(name, "expected a list of sections [[" + name + "]]");
             all.emplace_back(file, "[" + name + "]", &item);
         }
         return all;
@@ -246,7 +254,7 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     Scene scene;
     scene.file = file;
     scene.text = read_text(file);
-    Value document = parse_document(scene.text, file);
+    SceneValue document = parse_document(scene.text, file);
     apply(overrides, document);
     Sections s = split_sections(file, document);
     scene.title = s.root.text("title", file.stem().string());

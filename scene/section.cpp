@@ -55,11 +55,11 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
     return best.empty() ? "" : "; did you mean '" + best + "'?";
 }
 
-Section::Section(std::filesystem::path file, std::string name, const Value* table)
+Section::Section(std::filesystem::path file, std::string name, const SceneValue* table)
     : file_(std::move(file)), name_(std::move(name)), table_(table) {}
 
 std::string Section::where(const std::string& key) const {
-    const Value* value = table_ ? table_->find(key) : nullptr;
+    const SceneValue* value = table_ ? table_->find(key) : nullptr;
     const std::string section = name_.empty() ? "" : "[" + name_ + "] ";
     if (value && !value->option.empty()) return fmt::format("{}: {} {}", file_.string(), value->option, value->shown());
     if (value) return fmt::format("{}:{}:{}: {}{} = {}", file_.string(), value->place.line, value->place.column, section, key, value->shown());
@@ -72,17 +72,17 @@ void Section::fail(const std::string& key, const std::string& message) const {
     throw InputError(where(key) + ": " + message);
 }
 
-const Value* Section::ask(const std::string& key) {
+const SceneValue* Section::ask(const std::string& key) {
     asked_.insert(key);
     return table_ ? table_->find(key) : nullptr;
 }
 
-double Section::as_number(const std::string& key, const Value& value, std::string_view unit) const {
+double Section::as_number(const std::string& key, const SceneValue& value, std::string_view unit) const {
     double si = 0;
-    if (value.kind == Value::Kind::number) {
+    if (value.kind == SceneValue::Kind::number) {
         si = value.number;
         if (!std::isfinite(si)) fail(key, "not a finite number");
-    } else if (value.kind == Value::Kind::text) {
+    } else if (value.kind == SceneValue::Kind::text) {
         try {
             si = quantity(value.text, unit);
         } catch (const UnitError& e) {
@@ -95,12 +95,12 @@ double Section::as_number(const std::string& key, const Value& value, std::strin
 }
 
 std::optional<double> Section::number(const std::string& key, std::string_view unit, Range range) {
-    const Value* value = ask(key);
+    const SceneValue* value = ask(key);
     if (!value) return {};
     const double si = as_number(key, *value, unit);
     if (!(si >= range.min && si <= range.max) || (range.open_min && si == range.min)) {
         std::string message = "out of range; expected " + expected(range, unit);
-        if (unit == "rad" && value->kind == Value::Kind::number)
+        if (unit == "rad" && value->kind == SceneValue::Kind::number)
             message += fmt::format(" (a plain number is in radians; write \"{} deg\" for degrees)", value->text);
         fail(key, message);
     }
@@ -112,11 +112,11 @@ double Section::number(const std::string& key, double fallback, std::string_view
 }
 
 std::optional<std::vector<double>> Section::numbers(const std::string& key, std::string_view unit) {
-    const Value* value = ask(key);
+    const SceneValue* value = ask(key);
     if (!value) return {};
-    if (value->kind != Value::Kind::list) fail(key, "expected a list such as [1, 2]");
+    if (value->kind != SceneValue::Kind::list) fail(key, "expected a list such as [1, 2]");
     std::vector<double> all;
-    for (const Value& item : value->list) all.push_back(as_number(key, item, unit));
+    for (const SceneValue& item : value->list) all.push_back(as_number(key, item, unit));
     return all;
 }
 
@@ -140,9 +140,9 @@ std::optional<std::pair<double, double>> Section::range(const std::string& key, 
 }
 
 std::optional<std::string> Section::text(const std::string& key) {
-    const Value* value = ask(key);
+    const SceneValue* value = ask(key);
     if (!value) return {};
-    if (value->kind != Value::Kind::text) fail(key, "expected a text in quotes");
+    if (value->kind != SceneValue::Kind::text) fail(key, "expected a text in quotes");
     return value->text;
 }
 
@@ -154,12 +154,12 @@ std::string Section::choice(const std::string& key, const std::string& fallback,
 }
 
 std::optional<std::vector<std::string>> Section::texts(const std::string& key, const std::vector<std::string>& known) {
-    const Value* value = ask(key);
+    const SceneValue* value = ask(key);
     if (!value) return {};
     std::vector<std::string> words;
-    if (value->kind != Value::Kind::list || value->list.empty()) fail(key, "expected a list of: " + joined(known));
-    for (const Value& item : value->list) {
-        if (item.kind != Value::Kind::text || std::find(known.begin(), known.end(), item.text) == known.end())
+    if (value->kind != SceneValue::Kind::list || value->list.empty()) fail(key, "expected a list of: " + joined(known));
+    for (const SceneValue& item : value->list) {
+        if (item.kind != SceneValue::Kind::text || std::find(known.begin(), known.end(), item.text) == known.end())
             fail(key, item.shown() + " is not known; expected a list of: " + joined(known));
         if (std::find(words.begin(), words.end(), item.text) == words.end()) words.push_back(item.text);
     }
@@ -167,9 +167,9 @@ std::optional<std::vector<std::string>> Section::texts(const std::string& key, c
 }
 
 bool Section::flag(const std::string& key, bool fallback) {
-    const Value* value = ask(key);
+    const SceneValue* value = ask(key);
     if (!value) return fallback;
-    if (value->kind != Value::Kind::flag) fail(key, "expected true or false");
+    if (value->kind != SceneValue::Kind::flag) fail(key, "expected true or false");
     return value->flag;
 }
 
@@ -183,9 +183,9 @@ std::string Section::identifier(const std::string& key, const std::string& fallb
 }
 
 std::optional<bool> Section::on_off(const std::string& key) {
-    const Value* value = ask(key);
+    const SceneValue* value = ask(key);
     if (!value) return {};
-    if (value->kind == Value::Kind::flag) return value->flag;
+    if (value->kind == SceneValue::Kind::flag) return value->flag;
     const std::string word = choice(key, "auto", {"auto", "on", "off"});
     return word == "auto" ? std::optional<bool>{} : word == "on";
 }
@@ -197,7 +197,7 @@ void Section::finish() const {
         if (asked_.contains(key)) continue;
         const std::string what = name_.empty() ? "unknown section or key; the file knows: " : "unknown key; this section knows: ";
         const std::string place = fmt::format("{}:{}:{}", file_.string(), value.key_place.line, value.key_place.column);
-        if (name_.empty() && value.kind == Value::Kind::table)
+        if (name_.empty() && value.kind == SceneValue::Kind::table)
             throw InputError(fmt::format("{}: [{}]: {}{}{}", place, key, what, joined(known), did_you_mean(key, known)));
         throw InputError(fmt::format("{}: {}{} = {}: {}{}{}", place, name_.empty() ? "" : "[" + name_ + "] ", key, value.shown(),
                                      what, joined(known), did_you_mean(key, known)));

@@ -27,7 +27,7 @@ inline constexpr Range not_negative{0, std::numeric_limits<double>::infinity(), 
 class Section {
 public:
     /// `table` may be null: the section is absent and every key has its fallback. `place`: of the header.
-    Section(std::filesystem::path file, std::string name, const Value* table);
+    Section(std::filesystem::path file, std::string name, const SceneValue* table);
 
     bool present() const { return table_ != nullptr; }
     bool has(const std::string& key) const { return table_ && table_->find(key); }
@@ -62,12 +62,12 @@ public:
     void know(const std::string& key) { asked_.insert(key); }
 
 private:
-    const Value* ask(const std::string& key);
-    double as_number(const std::string& key, const Value& value, std::string_view unit) const;
+    const SceneValue* ask(const std::string& key);
+    double as_number(const std::string& key, const SceneValue& value, std::string_view unit) const;
 
     std::filesystem::path file_;
     std::string name_;
-    const Value* table_;
+    const SceneValue* table_;
     std::set<std::string> asked_;
 };
 
