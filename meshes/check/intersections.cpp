@@ -17,7 +17,7 @@ Corners corners(const Surface& s, int t) { return {s.corner(t, 0), s.corner(t, 1
 /// an edge or at a corner is not an overlap.
 bool overlap_in_plane(const Corners& a, const Corners& b) {
     const Vec3 normal = (a[1] - a[0]).cross(a[2] - a[0]);
-    const double slack = 1e-9 * std::sqrt(normal.norm());
+    const double slack = 1e-9 * std::max({(a[1] - a[0]).norm(), (a[2] - a[1]).norm(), (a[0] - a[2]).norm()});
     for (const auto& [from, other] : {std::pair(&a, &b), std::pair(&b, &a)})
         for (std::size_t k = 0; k < 3; ++k) {
             const Vec3& origin = (*from)[k];
@@ -30,17 +30,29 @@ bool overlap_in_plane(const Corners& a, const Corners& b) {
     return true;
 }
 
-/// An edge of `a` from corner k passes through `b`.
+/// The edge of `a` from corner k passes through `b`, its ends on either side of b's plane.
 bool edge_pierces(const Corners& a, std::size_t k, const Corners& b) {
-    return segment_meets_triangle(a[k], a[(k + 1) % 3], b[0], b[1], b[2]);
+    const Vec3 &p = a[k], &q = a[(k + 1) % 3];
+    if (!(orientation(b[0], b[1], b[2], p) * orientation(b[0], b[1], b[2], q) < 0)) return false;
+    // One of the three may be undecided: the edge then runs through an edge of b. More than one says that the corners
+    // lie in one plane up to rounding, where neighbours on a flat face would seem to meet.
+    int left = 0, right = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double side = orientation(p, q, b[i], b[(i + 1) % 3]);
+        left += side > 0;
+        right += side < 0;
+    }
+    return (left >= 2 && right == 0) || (right >= 2 && left == 0);
 }
 
-bool strictly_crosses_plane(const Corners& a, std::size_t k, const Corners& b) {
-    return orientation(b[0], b[1], b[2], a[k]) * orientation(b[0], b[1], b[2], a[(k + 1) % 3]) < 0;
-}
-
+/// All corners within rounding of one plane.
 bool in_one_plane(const Corners& a, const Corners& b) {
-    return std::ranges::all_of(b, [&](const Vec3& p) { return orientation(a[0], a[1], a[2], p) == 0; });
+    const Vec3 normal = (a[1] - a[0]).cross(a[2] - a[0]);
+    double magnitude = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+        magnitude = std::max({magnitude, a[k].cwiseAbs().maxCoeff(), b[k].cwiseAbs().maxCoeff()});
+    return std::ranges::all_of(
+        b, [&](const Vec3& p) { return std::abs(normal.dot(p - a[0])) <= 1e-12 * magnitude * normal.norm(); });
 }
 
 bool intersect(const Surface& s, int ta, int tb) {
@@ -59,8 +71,8 @@ bool intersect(const Surface& s, int ta, int tb) {
         // With one corner shared, only the edge opposite to it can pierce the other triangle.
         const bool free_a = !shared_by(ib, ia[k]) && !shared_by(ib, ia[(k + 1) % 3]);
         const bool free_b = !shared_by(ia, ib[k]) && !shared_by(ia, ib[(k + 1) % 3]);
-        if (free_a && strictly_crosses_plane(a, k, b) && edge_pierces(a, k, b)) return true;
-        if (free_b && strictly_crosses_plane(b, k, a) && edge_pierces(b, k, a)) return true;
+        if (free_a && edge_pierces(a, k, b)) return true;
+        if (free_b && edge_pierces(b, k, a)) return true;
     }
     return false;
 }

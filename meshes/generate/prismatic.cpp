@@ -34,7 +34,7 @@ HullShape prismatic_shape() {
             "prismatic planing hull: V-bottom, hard chines, upright sides and transom",
             {{"length", "m", "over all", 4, 1e-3, 500},
              {"beam", "m", "over the chines", 1, 1e-3, 100},
-             {"deadrise", "rad", "angle of the bottom with the horizontal", 20 * degrees, 0, 60 * degrees},
+             {"deadrise", "rad", "angle of the bottom with the horizontal", 20 * degrees, 0, 50 * degrees},
              {"height", "m", "from the keel to the deck", 0.75, 1e-4, 100},
              {"rake", "rad", "of the bow, deck edge foremost; 0: upright", 0, 0, 70 * degrees}},
             make};

@@ -1,0 +1,133 @@
+#include <gtest/gtest.h>
+#include <vtkCellArray.h>
+#include <vtkNew.h>
+#include <vtkOBJWriter.h>
+#include <vtkPLYWriter.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSTLWriter.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "base/atomic_file.h"
+#include "base/errors.h"
+#include "meshes/generate.h"
+#include "meshes/health.h"
+#include "meshes/mass_properties.h"
+#include "meshes/surface.h"
+
+namespace tw {
+namespace fs = std::filesystem;
+namespace {
+
+class ReadWrite : public testing::Test {
+protected:
+    ReadWrite() {
+        fs::create_directories(folder);
+        vtkNew<vtkPoints> points;
+        vtkNew<vtkCellArray> cells;
+        for (const Vec3& p : hull.points) points->InsertNextPoint(p.data());
+        for (const auto& t : hull.triangles) {
+            const vtkIdType ids[3] = {t[0], t[1], t[2]};
+            cells->InsertNextCell(3, ids);
+        }
+        data->SetPoints(points);
+        data->SetPolys(cells);
+    }
+    ~ReadWrite() override { fs::remove_all(folder); }
+
+    template <class Writer>
+    fs::path written(const std::string& name, int binary = -1) {
+        vtkNew<Writer> writer;
+        const fs::path file = folder / name;
+        writer->SetFileName(file.c_str());
+        writer->SetInputData(data);
+        if constexpr (requires { writer->SetFileTypeToBinary(); }) {
+            if (binary == 1)
+                writer->SetFileTypeToBinary();
+            else
+                writer->SetFileTypeToASCII();
+        }
+        writer->Write();
+        return file;
+    }
+    void expect_the_hull(const Surface& read, double scale = 1) const {
+        ASSERT_EQ(read.triangles.size(), hull.triangles.size());
+        EXPECT_EQ(read.points.size(), hull.points.size());  // corners are shared again
+        for (int t = 0; t < static_cast<int>(hull.triangles.size()); ++t)
+            for (int k = 0; k < 3; ++k)
+                ASSERT_LT((read.corner(t, k) - scale * hull.corner(t, k)).norm(), 1e-6 * scale * 36.9);
+        EXPECT_TRUE(check_surface(read).empty());
+    }
+
+    fs::path folder = fs::temp_directory_path() / ("twinwake_meshes_" + std::to_string(::getpid()));
+    Surface hull = make_hull("seaplane", {});
+    vtkNew<vtkPolyData> data;
+};
+
+TEST_F(ReadWrite, OwnBinaryStlComesBack) {
+    write_stl(folder / "hull.stl", hull,
+              "solid name with 100 letters ......................................................................");
+    expect_the_hull(read_surface(folder / "hull.stl"));
+    EXPECT_EQ(fs::file_size(folder / "hull.stl"), 84 + 50 * hull.triangles.size());
+}
+
+TEST_F(ReadWrite, FilesOfOtherProgramsComeBack) {
+    expect_the_hull(read_surface(written<vtkSTLWriter>("binary.stl", 1)));
+    expect_the_hull(read_surface(written<vtkSTLWriter>("ascii.STL", 0)));
+    expect_the_hull(read_surface(written<vtkOBJWriter>("hull.obj")));
+    expect_the_hull(read_surface(written<vtkPLYWriter>("binary.ply", 1)));
+    expect_the_hull(read_surface(written<vtkPLYWriter>("ascii.ply", 0)));
+    expect_the_hull(read_surface(written<vtkXMLPolyDataWriter>("hull.vtp")));
+}
+
+TEST_F(ReadWrite, BinaryStlThatCallsItselfSolidIsNotTakenForText) {
+    // Coordinates 0 and 2 have no byte above 127, by which some readers tell binary from text.
+    const Surface box = make_hull("box", {{"length", 4}, {"beam", 4}, {"height", 2}});
+    write_stl(folder / "box.stl", box);
+    std::fstream(folder / "box.stl", std::ios::in | std::ios::out | std::ios::binary) << "solid box";
+    EXPECT_NEAR(mass_properties(read_surface(folder / "box.stl")).volume, 32, 1e-12);
+}
+
+TEST_F(ReadWrite, MillimetresBecomeMetres) {
+    write_stl(folder / "hull.stl", hull);
+    expect_the_hull(read_surface(folder / "hull.stl", "mm"), 1e-3);
+    EXPECT_THROW(read_surface(folder / "hull.stl", "furlong"), InputError);
+}
+
+TEST_F(ReadWrite, AxesAreTurnedAndNormalsStayOutward) {
+    // The file has y up and x forward; with z to starboard in both, that is a plain turn.
+    Surface turned = hull;
+    for (Vec3& p : turned.points) p = Vec3(-p.x(), p.z(), p.y());
+    write_stl(folder / "turned.stl", turned);
+    const Surface read = read_surface(folder / "turned.stl", "m", "-xzy");
+    EXPECT_LT((read.bounds().min - hull.bounds().min).norm(), 1e-5);
+    EXPECT_LT((read.bounds().max - hull.bounds().max).norm(), 1e-5);
+    EXPECT_NEAR(mass_properties(read).volume / mass_properties(turned).volume, 1, 1e-5);
+    EXPECT_GT(mass_properties(read_surface(folder / "turned.stl", "m", "-x-zy")).volume, 0);  // mirrored
+    for (const char* bad : {"", "xy", "xyy", "xyzx", "x+-", "abc", "xyz-", "x y z"})
+        EXPECT_THROW(read_surface(folder / "turned.stl", "m", bad), InputError) << bad;
+}
+
+TEST_F(ReadWrite, PolygonsBecomeTrianglesAndTextureSeamsClose) {
+    // A cube of quadrilaterals, every face with corners of its own, in the words of modelling programs.
+    std::ofstream(folder / "cube.obj")
+        << "# cube\nmtllib none.mtl\no cube\n"
+           "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nvt 0 0\nvt 1 0\nvn 0 0 1\n"
+           "f 4/1/1 3/2/1 2/1/1 1/2/1\nf 5/1/1 6/2/1 7/1/1 8/1/1\nf -8/1/1 -7/2/1 -3/2/1 -4/1/1\n"
+           "f 2/2/1 3/1/1 7/2/1 6/1/1\nf 3/1/1 4/2/1 8/1/1 7/2/1\nf 4/1/1 1/1/1 5/1/1 8/2/1\n";
+    const Surface cube = read_surface(folder / "cube.obj");
+    EXPECT_EQ(cube.triangles.size(), 12u);
+    EXPECT_EQ(cube.points.size(), 8u);
+    EXPECT_NEAR(mass_properties(cube).volume, 1, 1e-7);
+    EXPECT_TRUE(check_surface(cube).empty());
+}
+
+TEST_F(ReadWrite, AnUnwritableFolderIsSaidAndLeavesNothing) {
+    EXPECT_THROW(write_stl(folder / "no such folder" / "hull.stl", hull), RunError);
+    EXPECT_TRUE(fs::is_empty(folder));
+}
+}  // namespace
+}  // namespace tw
