@@ -123,9 +123,10 @@ Unit parse_unit(std::string_view original) {
         if (n == 0) throw UnitError(fmt::format("'{}' is not a unit", original));
         const Symbol& symbol = find_symbol(text.substr(0, n));
         text.remove_prefix(n);
-        if (!text.empty() && text.front() == '^') text.remove_prefix(1);
+        const bool raised = !text.empty() && text.front() == '^';
+        if (raised) text.remove_prefix(1);
         int power = 1;
-        if (!text.empty() && (is_digit(text.front()) || text.front() == '-')) {
+        if (raised || (!text.empty() && (is_digit(text.front()) || text.front() == '-'))) {
             const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), power);
             if (error != std::errc{} || std::abs(power) > 9) throw UnitError(fmt::format("'{}' is not a unit", original));
             text.remove_prefix(static_cast<std::size_t>(end - text.data()));

@@ -1,0 +1,94 @@
+#include "scene/defaults.h"
+
+#include <cmath>
+
+#include "scene_text.h"
+
+namespace tw::test {
+namespace {
+
+bool multiple(double value, double of) { return std::abs(value / of - std::round(value / of)) < 1e-6; }
+
+TEST(Defaults, FacesLieOnTheLatticeOfParticlesAndCells) {
+    for (const char* near_hull : {"0.05", "0.0625", "0.03", "0.0217"}) {
+        const Scene s = scene_of(with(planing, "\"0.05 m\"", near_hull));
+        for (int axis = 0; axis < 3; ++axis) {
+            EXPECT_TRUE(multiple(s.domain.box.min[axis], s.resolution.spacing)) << near_hull << " axis " << axis;
+            EXPECT_TRUE(multiple(s.domain.box.max[axis], s.resolution.spacing)) << near_hull << " axis " << axis;
+            EXPECT_TRUE(multiple(s.sampling.raster.origin[axis], s.sampling.raster.spacing)) << near_hull << " axis " << axis;
+        }
+        const double n = std::log2(s.resolution.spacing / s.resolution.near_hull);
+        EXPECT_TRUE(multiple(n, 1)) << near_hull;
+        EXPECT_LE(s.resolution.spacing, s.hull->length / 12 + 1e-12);
+    }
+}
+
+TEST(Defaults, FacesThatTheUserGaveStayWithinHalfAParticle) {
+    const Scene s = scene_of(with(planing, "[motion]", "[domain]\nx = [-3.01, 4.52]\nz = [-1.63, 2]\n[motion]"));
+    EXPECT_NEAR(s.domain.box.min.x(), -3.01, 0.025 + 1e-9);
+    EXPECT_NEAR(s.domain.box.max.x(), 4.52, 0.025 + 1e-9);
+    EXPECT_NEAR(s.domain.box.min.z(), -1.63, 0.025 + 1e-9);
+    EXPECT_TRUE(multiple(s.domain.box.min.x(), s.resolution.near_hull));
+    EXPECT_TRUE(multiple(s.domain.box.min.z(), s.resolution.near_hull));
+}
+
+TEST(Defaults, ThePlaningHullHasTheRoomItWasMeasuredToNeed) {
+    const Scene s = scene_of(planing);
+    EXPECT_GE(s.domain.box.max.y(), 2.0 * s.hull->beam - 1e-9);
+    EXPECT_GE(-s.domain.box.min.z(), 1.6 * s.hull->beam - 1e-9);
+    EXPECT_GT(s.domain.box.max.z(), s.hull->surface.bounds().max.z() + 0.2 * s.hull->length);
+    EXPECT_LT(s.domain.box.min.x(), s.hull->surface.bounds().min.x() - 0.1 * s.hull->length);
+}
+
+TEST(Defaults, ADisplacementHullHasRoomForItsWave) {
+    // Wigley hull at length Froude number 0.3: ten times as long as wide, so two beams would be a ditch.
+    const Scene s = scene_of("[hull]\nshape = 'wigley'\ndraft = 0.15625\nhalf = true\n[motion]\nspeed = 1.5\n[resolution]\nnear_hull = 0.0125\n");
+    EXPECT_GE(s.domain.box.max.y(), 0.5 * s.hull->length - 1e-9);
+    const double wavelength = 2 * M_PI * 1.5 * 1.5 / 9.81;
+    EXPECT_GE(-s.domain.box.min.z(), 0.5 * wavelength - 1e-9);
+}
+
+TEST(Defaults, ShallowWaterLimitsTheDepthAndDeepWaterDoesNot) {
+    EXPECT_NEAR(scene_of(with(planing, "[motion]", "[water]\ndepth = 0.8\n[motion]")).water.depth, 0.8, 1e-9);
+    EXPECT_LT(scene_of(with(planing, "[motion]", "[water]\ndepth = 100\n[motion]")).water.depth, 2);
+}
+
+TEST(Defaults, TheFinestCellsLieRoundTheWettedBottom) {
+    const Scene s = scene_of(with(planing, "\"0.05 m\"", "0.025"));
+    const RefinementBox& finest = s.refinement.back();
+    EXPECT_EQ(finest.name, "wet_bottom");
+    EXPECT_NEAR(s.resolution.spacing / std::exp2(finest.level), s.resolution.near_hull, 1e-12);
+    const Box wet = s.hull->still.wet_bounds;
+    EXPECT_LT(finest.box.min.x(), wet.min.x());
+    EXPECT_GT(finest.box.max.x(), wet.max.x());
+    EXPECT_LT(finest.box.min.z(), wet.min.z());
+    EXPECT_GT(finest.box.max.y(), wet.max.y());
+    for (std::size_t i = 1; i < s.refinement.size(); ++i) EXPECT_LE(s.refinement[i - 1].level, s.refinement[i].level);
+}
+
+TEST(Defaults, TheBoxesFollowTheHull) {
+    // Measured on the reference mesh (prism, length 4 m between perpendiculars, cells L/12 and beam/48): wet bottom box
+    // from x = -0.5 to 2.1 m, to y = 0.55 m, from z = -0.235 to 0.06 m.
+    const Scene s = scene_of(with(planing, "near_hull = \"0.05 m\"", "near_hull = 0.0208333333333333\nspacing = 0.3333333333333333"));
+    const Box& box = s.refinement.back().box;
+    EXPECT_NEAR(box.min.x(), -0.5, 0.03);
+    EXPECT_NEAR(box.max.x(), 2.1, 0.08);
+    EXPECT_NEAR(box.max.y(), 0.55, 1e-9);
+    EXPECT_NEAR(box.min.z(), -0.235, 1e-9);
+    EXPECT_NEAR(box.max.z(), 0.06, 1e-9);
+    EXPECT_EQ(s.refinement.back().level, 4);
+}
+
+TEST(Defaults, ARasterVoxelIsTwoParticlesAndTheRasterHoldsTheWake) {
+    const Scene s = scene_of(planing);
+    EXPECT_DOUBLE_EQ(s.sampling.raster.spacing, 2 * s.resolution.near_hull);
+    const RasterSpec& r = s.sampling.raster;
+    const Vec3 high = r.origin + r.spacing * Vec3(r.count[0], r.count[1], r.count[2]);
+    EXPECT_LT(r.origin.x(), s.hull->still.wet_bounds.min.x());
+    EXPECT_GE(high.x(), s.domain.box.max.x() - r.spacing);
+    EXPECT_LT(r.origin.z(), -s.hull->draft);
+    EXPECT_GT(high.z(), s.hull->surface.bounds().max.z());
+}
+
+}  // namespace
+}  // namespace tw::test
