@@ -1,0 +1,117 @@
+#include "compare/compare.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/errors.h"
+#include "compare/gates.h"
+#include "compare/metrics/forces.h"
+#include "compare/metrics/splash_quantities.h"
+#include "compare/read/record_numbers.h"
+#include "compare/reference/prismatic_hull.h"
+
+namespace tw {
+
+const Quantity* Comparison::find(const std::string& name) const {
+    const auto found = std::ranges::find(quantities, name, &Quantity::name);
+    return found == quantities.end() ? nullptr : &*found;
+}
+
+namespace {
+
+/// The method's name, numbered where several sources share it.
+std::vector<std::string> source_names(const std::vector<RunRecord>& sources) {
+    std::vector<std::string> names;
+    for (const RunRecord& r : sources) {
+        const std::string method = text_of(r, "method", "unnamed");
+        std::string name = method;
+        for (int k = 2; std::ranges::find(names, name) != names.end(); ++k) name = fmt::format("{} {}", method, k);
+        names.push_back(name);
+    }
+    return names;
+}
+
+/// Same scene, same hull: refuses a difference, or with `force` puts it on a banner.
+void check_same(Comparison& comparison, const std::string& attribute, const std::string& what, bool force) {
+    const auto& s = comparison.sources;
+    for (std::size_t i = 1; i < s.size(); ++i) {
+        const std::string a = text_of(s[0], attribute), b = text_of(s[i], attribute);
+        if (a == b) continue;
+        const auto brief = [](const std::string& hash) { return hash.empty() ? std::string("none") : hash.substr(0, 12); };
+        const std::string difference = fmt::format("{} ({} {}) and {} ({} {}) were not made from the same {}", comparison.names[0], attribute,
+                                                   brief(a), comparison.names[i], attribute, brief(b), what);
+        if (!force)
+            throw InputError(difference + ": their difference would not be one of method; compare runs of one scene, or force the comparison");
+        comparison.banners.push_back("Forced comparison: " + difference + ". The differences below are not those of the methods.");
+    }
+}
+
+void add_state_banners(Comparison& comparison) {
+    for (std::size_t i = 0; i < comparison.sources.size(); ++i) {
+        const RunRecord& r = comparison.sources[i];
+        if (r.state == "finished") continue;
+        comparison.banners.push_back(fmt::format("{} did not finish (state: {}{}{}); what it left is compared as far as it goes.", comparison.names[i],
+                                                 r.state, r.reason.empty() ? "" : ": ", r.reason));
+    }
+    if (comparison.sources.size() == 1) comparison.banners.push_back("Only one method: its values stand without a verdict.");
+    for (std::size_t i = 0; i < comparison.sources.size(); ++i) {
+        const std::string calibrated = text_of(comparison.sources[i], "calibrated");
+        if (!calibrated.empty() && calibrated != "none")
+            comparison.banners.push_back(fmt::format("{} was calibrated: {}. Agreement with the data used for that is no validation.",
+                                                     comparison.names[i], calibrated));
+    }
+}
+
+void add_savitsky(Comparison& comparison) {
+    if (comparison.sources.empty()) return;
+    const auto hull = prismatic_hull(comparison.sources.front());
+    if (!hull) return;
+    const Savitsky s = savitsky_at_draft(hull->state, hull->draft);
+    const std::string range = s.in_range ? "empirical, about +-10 %" : "outside the formula's range: a hint at most";
+    const std::string source = "Savitsky 1964";
+    const auto add = [&](const char* quantity, double value, const std::string& remark) {
+        comparison.references.push_back({quantity, "N", source, value, 0.1 * std::abs(value), remark});
+    };
+    add("lift", s.lift, range);
+    const bool friction = std::ranges::any_of(comparison.sources, [](const RunRecord& r) {
+        const Column* c = r.series("forces", "fx_viscous");
+        return c && std::ranges::any_of(c->values, [](double v) { return std::isfinite(v) && v != 0; });
+    });
+    if (friction) add("drag", s.drag, range + "; with ITTC-57 friction");
+    else add("drag", s.pressure_drag, range + "; pressure part only, as the runs have no friction");
+    comparison.references.push_back({"wetted_length", "m", source, s.keel_wetted_length, 0.1 * s.keel_wetted_length, "of the keel, from the draft alone"});
+}
+
+}  // namespace
+
+Comparison compare_records(std::vector<RunRecord> sources, const CompareOptions& options) {
+    if (sources.empty()) throw InputError("no run record to compare; give at least one record.h5");
+    if (!(options.agree_within > 0)) throw InputError(fmt::format("the target of agreement is {}; expected a fraction above 0, e.g. 0.05", options.agree_within));
+    Comparison comparison;
+    comparison.agree_within = options.agree_within;
+    comparison.names = source_names(sources);
+    comparison.sources = std::move(sources);
+    check_same(comparison, "scene_hash", "scene", options.force);
+    check_same(comparison, "hull_hash", "hull", options.force);
+    add_state_banners(comparison);
+    for (std::size_t i = 0; i < comparison.sources.size(); ++i) {
+        const double factor = number_of_text(comparison.sources[i], "symmetry_factor", 1);
+        if (factor > 1 && i == 0)
+            comparison.banners.push_back(fmt::format("Half model: one half was solved; forces, moments, areas and volumes are those of the whole hull "
+                                                     "(multiplied by {:g}, once).", factor));
+        comparison.analyses.push_back(analyse(comparison.sources[i]));
+    }
+    add_forces(comparison, options);
+    add_wetted_length(comparison, options);
+    add_splash(comparison, options);
+    add_elevation(comparison);
+    add_probes(comparison);
+    add_savitsky(comparison);
+    for (std::size_t i = 0; i < comparison.sources.size(); ++i)
+        for (Gate& gate : check_gates(comparison.sources[i], comparison.names[i])) comparison.gates.push_back(std::move(gate));
+    return comparison;
+}
+
+}  // namespace tw

@@ -1,0 +1,75 @@
+#include "compare/gates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "compare/read/record_numbers.h"
+#include "compare/statistics/settled_mean.h"
+
+namespace tw {
+
+namespace {
+
+/// Largest finite value of a sample series from `from` on.
+std::optional<double> largest(const RunRecord& record, const std::string& column, double from) {
+    const Column* c = record.series("samples", column);
+    if (!c) return {};
+    const auto& time = record.tables.at("samples").time;
+    std::optional<double> most;
+    for (std::size_t i = 0; i < time.size(); ++i)
+        if (time[i] >= from && std::isfinite(c->values[i])) most = std::max(most.value_or(c->values[i]), c->values[i]);
+    return most;
+}
+
+std::optional<double> time_mean(const RunRecord& record, const std::string& table, const std::string& column) {
+    const Column* c = record.series(table, column);
+    if (!c) return {};
+    const auto& time = record.tables.at(table).time;
+    const double from = number_of(record, "mean_from", 0);
+    double sum = 0;
+    int count = 0;
+    for (std::size_t i = 0; i < time.size(); ++i)
+        if (time[i] >= from && std::isfinite(c->values[i])) sum += c->values[i], ++count;
+    if (count == 0) return {};
+    return sum / count;
+}
+
+}  // namespace
+
+std::vector<Gate> check_gates(const RunRecord& record, const std::string& name) {
+    std::vector<Gate> gates;
+    const auto add = [&](std::string gate, std::string unit, double value, double limit, std::string remark) {
+        gates.push_back({std::move(gate), name, std::move(unit), value, limit, value <= limit, std::move(remark)});
+    };
+    const double settled = number_of(record, "mean_from", 0), speed = number_of(record, "speed", 0);
+    const double duration = number_of(record, "duration", 0);
+    double end = 0;
+    for (const auto& [table_name, table] : record.tables)
+        if (!table.time.empty()) end = std::max(end, table.time.back());
+    Gate finished{"finished", name, "s", end, duration, record.state == "finished", record.state};
+    if (!record.reason.empty()) finished.remark += ": " + record.reason;
+    gates.push_back(finished);
+
+    if (const auto lost = largest(record, "particles_lost", 0)) add("particles lost", "-", *lost, 0, "no particle may pass a wall");
+    if (const auto mach = largest(record, "max_mach", settled))
+        add("largest Mach number", "-", *mach, 0.15, "weakly compressible: the density varies with its square");
+    if (const auto fastest = largest(record, "max_speed", settled); fastest && speed > 0)
+        add("largest speed over stream", "-", *fastest / speed, 3, "spray and air reach 1.6; more points to a fault");
+    if (const Column* mass = record.series("samples", "mass"); mass && !(speed > 0)) {
+        std::vector<double> known;
+        std::ranges::copy_if(mass->values, std::back_inserter(known), [](double m) { return std::isfinite(m); });
+        if (known.size() > 1 && known.front() > 0) add("mass drift", "%", 100 * std::abs(known.back() / known.front() - 1), 1, "a closed tank keeps its water");
+    }
+    if (const auto air = time_mean(record, "samples", "ventilation"))
+        add("ventilation index", "-", *air, 0.2, "air smeared under the hull; friction is low in proportion, lift by 2 % at most");
+    const auto sum = time_mean(record, "forces", "fz"), surface = time_mean(record, "forces", "fz_surface"), volume = time_mean(record, "forces", "fz_volume");
+    if (sum && (surface || volume) && *sum != 0) {
+        const double low = std::min({*sum, surface.value_or(*sum), volume.value_or(*sum)});
+        const double high = std::max({*sum, surface.value_or(*sum), volume.value_or(*sum)});
+        add("spread of the force measures", "%", 100 * (high - low) / std::abs(*sum), 3, "pair sum, surface pressure and control volume measure one force");
+    }
+    return gates;
+}
+
+}  // namespace tw

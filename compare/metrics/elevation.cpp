@@ -1,0 +1,137 @@
+#include "compare/metrics/elevation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "compare/align/time_bins.h"
+#include "compare/metrics/raster_columns.h"
+#include "compare/read/record_numbers.h"
+
+namespace tw {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+std::vector<double> places(const RunRecord& record, const std::string& prefix) {
+    std::vector<double> list;
+    for (int k = 0;; ++k) {
+        const double place = number_of(record, fmt::format("{}_{}", prefix, k), nan);
+        if (std::isnan(place)) return list;
+        list.push_back(place);
+    }
+}
+
+/// Value of the map at a place across the cut: linear between the two neighbouring rows of columns; at the edge the last row.
+struct Between {
+    int low, high;
+    double weight;   // of `high`
+    Between(double place, double origin, double spacing, int count) {
+        const double at = (place - origin) / spacing - 0.5;
+        low = std::clamp(static_cast<int>(std::floor(at)), 0, count - 1);
+        high = std::min(low + 1, count - 1);
+        weight = std::clamp(at - low, 0.0, 1.0);
+    }
+};
+
+Cut cut_through(const RasterGrid& grid, const ElevationMap& map, bool along_x, double place) {
+    Cut cut;
+    cut.along_x = along_x;
+    cut.place = place;
+    const Between b = along_x ? Between(place, grid.spec.origin.y(), grid.spec.spacing, grid.ny)
+                              : Between(place, grid.spec.origin.x(), grid.spec.spacing, grid.nx);
+    for (int i = 0; i < (along_x ? grid.nx : grid.ny); ++i) {
+        const std::size_t low = along_x ? grid.column(i, b.low) : grid.column(b.low, i);
+        const std::size_t high = along_x ? grid.column(i, b.high) : grid.column(b.high, i);
+        const auto mix = [&](const std::vector<float>& v) { return b.weight == 0 ? v[low] : (1 - b.weight) * v[low] + b.weight * v[high]; };
+        cut.position.push_back(along_x ? grid.x(i) : grid.y(i));
+        cut.elevation.push_back(mix(map.mean));
+        cut.deviation.push_back(mix(map.deviation));
+    }
+    return cut;
+}
+
+Extreme extreme(const Cut& cut, double sign) {
+    Extreme best{nan, nan, nan};
+    for (std::size_t i = 0; i < cut.elevation.size(); ++i)
+        if (std::isfinite(cut.elevation[i]) && !(sign * best.value >= sign * cut.elevation[i]))
+            best = {cut.elevation[i], cut.deviation[i], cut.position[i]};
+    return best;
+}
+
+}  // namespace
+
+ElevationMap mean_elevation(const RunRecord& record, double from) {
+    ElevationMap map;
+    const RasterGrid grid(record.raster);
+    if (grid.empty() || record.frames.empty()) return map;
+    std::vector<double> sum(grid.columns(), 0.0), squares(grid.columns(), 0.0);
+    std::vector<int> count(grid.columns(), 0);
+    for (const RasterFrame& frame : record.frames) {
+        if (frame.time < from && &frame != &record.frames.back()) continue;
+        ++map.frames;
+        const auto height = elevations(grid, frame, main_body(grid, frame));
+        for (std::size_t c = 0; c < height.size(); ++c) {
+            if (!std::isfinite(height[c])) continue;
+            sum[c] += height[c];
+            squares[c] += static_cast<double>(height[c]) * height[c];
+            ++count[c];
+        }
+    }
+    const auto covered = under_hull(grid, record.hull);
+    map.mean.assign(grid.columns(), std::numeric_limits<float>::quiet_NaN());
+    map.deviation = map.mean;
+    for (std::size_t c = 0; c < grid.columns(); ++c) {
+        if (covered[c] || count[c] == 0) continue;
+        const double mean = sum[c] / count[c];
+        map.mean[c] = static_cast<float>(mean);
+        map.deviation[c] = static_cast<float>(std::sqrt(std::max(0.0, squares[c] / count[c] - mean * mean)));
+    }
+    return map;
+}
+
+std::vector<Cut> elevation_cuts(const RunRecord& record, const ElevationMap& map) {
+    std::vector<Cut> cuts;
+    const RasterGrid grid(record.raster);
+    if (grid.empty() || map.mean.empty()) return cuts;
+    auto along_y = places(record, "cut_x"), along_x = places(record, "cut_y");
+    if (along_x.empty() && along_y.empty()) {
+        if (record.hull.points.empty()) {
+            along_x.push_back(grid.spec.origin.y() + 0.5 * grid.ny * grid.spec.spacing);
+        } else {
+            double stern = -std::numeric_limits<double>::infinity(), bow = -stern;
+            for (const Vec3& p : record.hull.points) stern = std::max(stern, p.x()), bow = std::min(bow, p.x());
+            along_x.push_back(0.75 * number_of(record, "beam", 0));
+            along_y.push_back(stern + 0.5 * (stern - bow));
+        }
+    }
+    const auto inside = [&](double place, int axis, int count) {
+        const double at = (place - grid.spec.origin[axis]) / grid.spec.spacing;
+        return at >= 0 && at <= count;
+    };
+    for (const double y : along_x)
+        if (inside(y, 1, grid.ny)) cuts.push_back(cut_through(grid, map, true, y));
+    for (const double x : along_y)
+        if (inside(x, 0, grid.nx)) cuts.push_back(cut_through(grid, map, false, x));
+    return cuts;
+}
+
+Extreme crest(const Cut& cut) { return extreme(cut, 1); }
+Extreme trough(const Cut& cut) { return extreme(cut, -1); }
+
+double rms_difference(const Cut& a, const Cut& b) {
+    double squares = 0;
+    int count = 0;
+    for (std::size_t i = 0; i < a.position.size(); ++i) {
+        const double d = value_at(b.position, b.elevation, a.position[i]) - a.elevation[i];
+        if (!std::isfinite(d)) continue;
+        squares += d * d;
+        ++count;
+    }
+    return count > 0 ? std::sqrt(squares / count) : nan;
+}
+
+}  // namespace tw

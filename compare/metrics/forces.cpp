@@ -1,0 +1,213 @@
+#include "compare/metrics/forces.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "compare/read/record_numbers.h"
+#include "compare/statistics/settled_mean.h"
+#include "compare/verdict/judge.h"
+
+namespace tw {
+
+double flow_through_time(const RunRecord& record) {
+    const double speed = number_of(record, "speed", 0), length = number_of(record, "length", 0);
+    if (!(speed > 0) || !(length > 0)) return 0;
+    const double trim = number_of(record, "trim", 0), draft = number_of(record, "draft", 0);
+    double wet = trim > 0 && draft > 0 ? std::min(length, draft / std::sin(trim)) : length;
+    if (const Column* c = record.series("samples", "wetted_length")) {
+        std::vector<double> known;
+        const auto& time = record.tables.at("samples").time;
+        for (std::size_t i = 0; i < c->values.size(); ++i)
+            if (c->values[i] > 0 && time[i] >= number_of(record, "mean_from", 0)) known.push_back(c->values[i]);
+        if (!known.empty()) {
+            std::ranges::nth_element(known, known.begin() + static_cast<std::ptrdiff_t>(known.size() / 2));
+            wet = std::min(length, known[known.size() / 2]);
+        }
+    }
+    return wet / speed;
+}
+
+MeanValue mean_of(const RunRecord& record, const std::string& table, const std::string& column, const CompareOptions& options,
+                  double allowed_error) {
+    const Column* c = record.series(table, column);
+    if (!c) {
+        MeanValue none;
+        none.why_not = "this method does not give it";
+        return none;
+    }
+    SettledRules rules;
+    rules.from = number_of(record, "mean_from", 0);
+    rules.flow_through = flow_through_time(record);
+    rules.fewest_flow_throughs = options.fewest_flow_throughs;
+    rules.fewest_independent = options.fewest_independent;
+    rules.largest_error = options.largest_error;
+    rules.allowed_error = allowed_error;
+    return settled_mean(record.tables.at(table).time, c->values, rules);
+}
+
+namespace {
+
+bool has_friction(const RunRecord& record) {
+    const Column* c = record.series("forces", "fx_viscous");
+    return c && std::ranges::any_of(c->values, [](double v) { return std::isfinite(v) && v != 0; });
+}
+
+using PerSource = std::function<MeanValue(const RunRecord&)>;
+
+Quantity quantity(const Comparison& comparison, std::string name, std::string label, std::string unit, std::string definition,
+                  const PerSource& value) {
+    Quantity q;
+    q.name = std::move(name);
+    q.label = std::move(label);
+    q.unit = std::move(unit);
+    q.definition = std::move(definition);
+    for (const RunRecord& r : comparison.sources) q.values.push_back(value(r));
+    return q;
+}
+
+bool any_known(const Quantity& q) { return std::ranges::any_of(q.values, &MeanValue::known); }
+
+/// A number beside the verdict: only where some source knows it.
+void add_beside(Comparison& comparison, Quantity q) {
+    if (!any_known(q)) return;
+    q.judged = false;
+    if (q.values.size() == 2 && q.values[0].known && q.values[1].known) {
+        q.difference = q.values[1].value - q.values[0].value;
+        q.interval = std::hypot(q.values[0].half_width, q.values[1].half_width);
+        const double mean = 0.5 * std::abs(q.values[0].value + q.values[1].value);
+        if (mean > 0) q.per_cent = 100 * q.difference / mean;
+    }
+    comparison.quantities.push_back(std::move(q));
+}
+
+/// Half width of a force from the uncertainty of the draft: numbers <name>_per_draft [N/m] times draft_uncertainty [m], by default a
+/// tenth of the spacing at the hull, to which neither method places the waterline.
+double draft_term(const Comparison& comparison, const std::string& name, std::string& text) {
+    double term = 0;
+    for (const RunRecord& r : comparison.sources) {
+        const double slope = std::abs(number_of(r, name + "_per_draft", 0));
+        const double draft = number_of(r, "draft_uncertainty", 0.1 * number_of(r, "near_hull", number_of(r, "spacing", 0)));
+        if (slope * draft <= term) continue;
+        term = slope * draft;
+        text = fmt::format("draft known to {:.2g} mm at {:.3g} N per mm", 1e3 * draft, 1e-3 * slope);
+    }
+    return term;
+}
+
+struct Force {
+    const char *name, *label, *unit, *column, *pressure, *definition;
+};
+
+void add_sph_measures(Comparison& comparison, const CompareOptions& options) {
+    struct Measure {
+        const char *name, *label, *column;
+    };
+    for (const Measure& m : {Measure{"lift_surface", "Lift by surface pressure", "fz_surface"}, Measure{"lift_volume", "Lift by control volume", "fz_volume"},
+                             Measure{"drag_surface", "Drag by surface pressure", "fx_surface"}, Measure{"drag_volume", "Drag by control volume", "fx_volume"}})
+        add_beside(comparison, quantity(comparison, m.name, m.label, "N",
+                                        "a second, independent measure of the same force in the same run",
+                                        [&](const RunRecord& r) { return mean_of(r, "forces", m.column, options); }));
+    add_beside(comparison, quantity(comparison, "force_measure_spread", "Spread of the force measures (lift)", "%",
+                                    "largest minus smallest of pair sum, surface pressure and control volume, over the pair sum",
+                                    [&](const RunRecord& r) {
+                                        const MeanValue sum = mean_of(r, "forces", "fz", options);
+                                        MeanValue spread;
+                                        spread.why_not = "this method does not give it";
+                                        if (!sum.known) return spread;
+                                        double low = sum.value, high = sum.value, u = sum.half_width;
+                                        bool other = false;
+                                        for (const char* c : {"fz_surface", "fz_volume"}) {
+                                            const MeanValue m = mean_of(r, "forces", c, options);
+                                            if (!m.known) continue;
+                                            other = true;
+                                            low = std::min(low, m.value);
+                                            high = std::max(high, m.value);
+                                            u = std::hypot(u, m.half_width);
+                                        }
+                                        if (!other || sum.value == 0) return spread;
+                                        spread = sum;
+                                        spread.value = 100 * (high - low) / std::abs(sum.value);
+                                        spread.half_width = 100 * u / std::abs(sum.value);
+                                        spread.second_opinion = std::numeric_limits<double>::quiet_NaN();
+                                        return spread;
+                                    }));
+}
+
+}  // namespace
+
+void add_forces(Comparison& comparison, const CompareOptions& options) {
+    const auto& sources = comparison.sources;
+    if (std::ranges::none_of(sources, [](const RunRecord& r) { return r.tables.contains("forces"); })) return;
+    const auto with_friction = std::ranges::count_if(sources, has_friction);
+    const bool leave_friction_out = with_friction > 0 && with_friction < static_cast<std::ptrdiff_t>(sources.size()) &&
+                                    std::ranges::all_of(sources, [](const RunRecord& r) {
+                                        return !has_friction(r) || r.series("forces", "fx_pressure");
+                                    });
+    if (leave_friction_out)
+        comparison.banners.push_back("Only one side solves friction: drag and lift are compared without it (pressure parts); friction stands beside.");
+
+    double lift = 0;
+    for (const Force& f : {Force{"lift", "Lift", "N", "fz", "fz_pressure", "mean vertical force of the water on the whole hull"},
+                           Force{"drag", "Drag", "N", "fx", "fx_pressure", "mean force of the water on the whole hull along the stream"},
+                           Force{"trim_moment", "Trim moment", "N m", "my", nullptr,
+                                 "mean moment of the water about the hull's middle at still water, bow up positive; its target is taken of at least "
+                                 "a tenth of lift times length"}}) {
+        double length = 0;
+        for (const RunRecord& r : sources) length = std::max(length, number_of(r, "length", 0));
+        const bool moment = !f.pressure;
+        Quantity q = quantity(comparison, f.name, f.label, f.unit, f.definition, [&](const RunRecord& r) {
+            const bool pressure_only = leave_friction_out && !moment && has_friction(r);
+            return mean_of(r, "forces", pressure_only ? f.pressure : f.column, options, moment ? 1e-3 * lift * length : 0);
+        });
+        if (leave_friction_out) q.remark = moment ? "friction included where solved" : "friction left out on both sides";
+        if (std::string_view(f.name) == "lift")
+            for (const MeanValue& m : q.values)
+                if (m.known) lift = std::max(lift, std::abs(m.value));
+        if (moment) q.scale = 0.1 * lift * length;
+        if (std::ranges::none_of(sources, [&](const RunRecord& r) { return r.series("forces", f.column) != nullptr; })) continue;
+        std::string shared_name;
+        const double shared = draft_term(comparison, f.name, shared_name);
+        judge(q, comparison.names, comparison.agree_within, shared, shared_name);
+        if (shared > 0) q.remark += (q.remark.empty() ? "" : "; ") + ("interval includes " + shared_name);
+        comparison.quantities.push_back(std::move(q));
+    }
+
+    struct Beside {
+        const char *name, *label, *unit, *table, *column, *definition;
+    };
+    for (const Beside& b :
+         {Beside{"drag_pressure", "Pressure drag", "N", "forces", "fx_pressure", "pressure part of the drag"},
+          Beside{"drag_friction", "Friction drag", "N", "forces", "fx_viscous", "viscous part of the drag; zero where no physical viscosity is solved"},
+          Beside{"drag_friction_corrected", "Friction drag, corrected for air", "N", "forces", "fx_viscous_corrected",
+                 "friction if the wet faces touched water alone"},
+          Beside{"drag_air", "Drag by air", "N", "forces", "fx_air", "force on the dry faces, part of the total of a method that solves air; not compared"},
+          Beside{"lift_air", "Lift by air", "N", "forces", "fz_air", "force on the dry faces, part of the total of a method that solves air; not compared"},
+          Beside{"drag_total", "Drag, air included", "N", "forces", "fx_total", "all faces; not compared"},
+          Beside{"lift_total", "Lift, air included", "N", "forces", "fz_total", "all faces; not compared"},
+          Beside{"ventilation", "Ventilation index", "-", "samples", "ventilation",
+                 "share of air in what touches the wet part of the hull; friction is low in proportion"},
+          Beside{"wetted_area", "Wetted area", "m2", "samples", "wetted_area", "area of the hull that water touches"}})
+        add_beside(comparison, quantity(comparison, b.name, b.label, b.unit, b.definition, [&](const RunRecord& r) {
+                       return mean_of(r, b.table, b.column, options, HUGE_VAL);
+                   }));
+    add_sph_measures(comparison, options);
+}
+
+void add_wetted_length(Comparison& comparison, const CompareOptions& options) {
+    Quantity q = quantity(comparison, "wetted_length", "Wetted length", "m", "length of the hull that water touches, along the keel",
+                          [&](const RunRecord& r) {
+                              const double half_cell = 0.5 * number_of(r, "near_hull", 0);
+                              MeanValue m = mean_of(r, "samples", "wetted_length", options, half_cell);
+                              if (m.known) m.half_width = std::max(m.half_width, half_cell);
+                              return m;
+                          });
+    if (std::ranges::none_of(comparison.sources, [](const RunRecord& r) { return r.series("samples", "wetted_length") != nullptr; })) return;
+    q.definition += "; known to half the spacing at the hull at best";
+    judge(q, comparison.names, comparison.agree_within);
+    comparison.quantities.push_back(std::move(q));
+}
+
+}  // namespace tw

@@ -1,0 +1,77 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "compare/align/time_bins.h"
+#include "compare/metrics/forces.h"
+
+namespace tw {
+
+namespace {
+
+MeanValue peak(const RunRecord& record, const std::string& table, const std::string& column) {
+    MeanValue m;
+    m.why_not = "no such probe";
+    const Column* c = record.series(table, column);
+    if (!c) return m;
+    const auto& time = record.tables.at(table).time;
+    for (std::size_t i = 0; i < time.size(); ++i)
+        if (std::isfinite(c->values[i]) && !(m.value >= c->values[i])) {
+            m.value = c->values[i];
+            m.from = m.to = time[i];
+        }
+    m.known = std::isfinite(m.value);
+    m.half_width = 0;
+    m.why_not = m.known ? "" : "no value in the whole record";
+    return m;
+}
+
+/// Root mean square of B - A over A's times that B covers, over A's range, in per cent; NaN when they share no time.
+double rms_per_cent(const RunRecord& a, const RunRecord& b, const std::string& table, const std::string& column) {
+    const Column *x = a.series(table, column), *y = b.series(table, column);
+    if (!x || !y) return std::numeric_limits<double>::quiet_NaN();
+    const auto &ta = a.tables.at(table).time, &tb = b.tables.at(table).time;
+    double squares = 0, low = HUGE_VAL, high = -HUGE_VAL;
+    int count = 0;
+    for (std::size_t i = 0; i < ta.size(); ++i) {
+        const double d = value_at(tb, y->values, ta[i]) - x->values[i];
+        if (!std::isfinite(d)) continue;
+        low = std::min(low, x->values[i]);
+        high = std::max(high, x->values[i]);
+        squares += d * d;
+        ++count;
+    }
+    return count > 0 && high > low ? 100 * std::sqrt(squares / count) / (high - low) : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
+void add_probes(Comparison& comparison) {
+    for (const std::string table : {"pressure", "height"}) {
+        std::set<std::pair<std::string, std::string>> probes;   // name, unit
+        for (const RunRecord& r : comparison.sources)
+            if (const auto found = r.tables.find(table); found != r.tables.end())
+                for (const Column& c : found->second.columns) probes.emplace(c.name, c.unit);
+        for (const auto& [name, unit] : probes) {
+            Quantity q;
+            q.name = table + ":" + name;
+            q.label = fmt::format("Peak {} at {}", table, name);
+            q.unit = unit;
+            q.definition = "highest value of the record; depends on its length and sampling";
+            q.judged = false;
+            for (const RunRecord& r : comparison.sources) q.values.push_back(peak(r, table, name));
+            if (q.values.size() >= 2 && q.values[0].known && q.values[1].known) {
+                q.difference = q.values[1].value - q.values[0].value;
+                const double mean = 0.5 * std::abs(q.values[0].value + q.values[1].value);
+                if (mean > 0) q.per_cent = 100 * q.difference / mean;
+                const double rms = rms_per_cent(comparison.sources[0], comparison.sources[1], table, name);
+                if (std::isfinite(rms)) q.remark = fmt::format("histories differ by {:.2g} % of the range (root mean square)", rms);
+            }
+            comparison.quantities.push_back(std::move(q));
+        }
+    }
+}
+
+}  // namespace tw

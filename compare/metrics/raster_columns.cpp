@@ -1,0 +1,105 @@
+#include "compare/metrics/raster_columns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tw {
+
+namespace {
+constexpr std::uint8_t half = 128;   // 128/255 is the first share that is at least one half
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+}  // namespace
+
+std::vector<std::uint8_t> main_body(const RasterGrid& grid, const RasterFrame& frame) {
+    std::vector<int> label(grid.voxels(), 0);
+    std::vector<std::array<int, 3>> open;
+    int labels = 0, largest = 0;
+    std::size_t largest_size = 0;
+    for (int k0 = 0; k0 < grid.nz; ++k0)
+        for (int j0 = 0; j0 < grid.ny; ++j0)
+            for (int i0 = 0; i0 < grid.nx; ++i0) {
+                const std::size_t seed = grid.voxel(i0, j0, k0);
+                if (label[seed] != 0 || frame.water[seed] < half) continue;
+                label[seed] = ++labels;
+                open.assign(1, {i0, j0, k0});
+                std::size_t size = 0;
+                while (!open.empty()) {
+                    const auto [i, j, k] = open.back();
+                    open.pop_back();
+                    ++size;
+                    for (int c = std::max(k - 1, 0); c <= std::min(k + 1, grid.nz - 1); ++c)
+                        for (int b = std::max(j - 1, 0); b <= std::min(j + 1, grid.ny - 1); ++b)
+                            for (int a = std::max(i - 1, 0); a <= std::min(i + 1, grid.nx - 1); ++a) {
+                                const std::size_t v = grid.voxel(a, b, c);
+                                if (label[v] != 0 || frame.water[v] < half) continue;
+                                label[v] = labels;
+                                open.push_back({a, b, c});
+                            }
+                }
+                if (size > largest_size) {
+                    largest_size = size;
+                    largest = labels;
+                }
+            }
+    std::vector<std::uint8_t> body(grid.voxels());
+    for (std::size_t v = 0; v < body.size(); ++v) body[v] = largest != 0 && label[v] == largest;
+    return body;
+}
+
+std::vector<float> sheet_tops(const RasterGrid& grid, const RasterFrame& frame, const std::vector<std::uint8_t>& body) {
+    std::vector<float> top(grid.columns(), nan);
+    for (int k = 0; k < grid.nz; ++k)
+        for (int j = 0; j < grid.ny; ++j)
+            for (int i = 0; i < grid.nx; ++i) {
+                const std::size_t v = grid.voxel(i, j, k);
+                if (!body[v]) continue;
+                // Water that only part-fills the voxel above belongs to the same surface.
+                const double above = k + 1 < grid.nz && !body[grid.voxel(i, j, k + 1)] ? frame.water[grid.voxel(i, j, k + 1)] / 255.0 : 0;
+                top[grid.column(i, j)] = static_cast<float>(grid.z_low(k) + grid.spec.spacing * (frame.water[v] / 255.0 + above));
+            }
+    return top;
+}
+
+std::vector<float> elevations(const RasterGrid& grid, const RasterFrame& frame, const std::vector<std::uint8_t>& body) {
+    std::vector<float> height(grid.columns(), nan);
+    for (int j = 0; j < grid.ny; ++j)
+        for (int i = 0; i < grid.nx; ++i) {
+            double sum = 0;
+            bool any = false;
+            for (int k = 0; k < grid.nz; ++k) {
+                const std::size_t v = grid.voxel(i, j, k);
+                const bool on_body = k > 0 && body[grid.voxel(i, j, k - 1)];
+                if (!body[v] && !on_body) continue;
+                any = true;
+                sum += frame.water[v] / 255.0;
+            }
+            if (any) height[grid.column(i, j)] = static_cast<float>(grid.spec.origin.z() + grid.spec.spacing * sum);
+        }
+    return height;
+}
+
+std::vector<std::uint8_t> under_hull(const RasterGrid& grid, const Surface& hull) {
+    std::vector<std::uint8_t> covered(grid.columns(), 0);
+    if (grid.empty()) return covered;
+    const auto cross = [](const Vec3& a, const Vec3& b, double x, double y) {
+        return (b.x() - a.x()) * (y - a.y()) - (b.y() - a.y()) * (x - a.x());
+    };
+    for (int t = 0; t < static_cast<int>(hull.triangles.size()); ++t) {
+        const Vec3 a = hull.corner(t, 0), b = hull.corner(t, 1), c = hull.corner(t, 2);
+        const double x_min = std::min({a.x(), b.x(), c.x()}), x_max = std::max({a.x(), b.x(), c.x()});
+        const double y_min = std::min({a.y(), b.y(), c.y()}), y_max = std::max({a.y(), b.y(), c.y()});
+        const auto index = [&](double at, double origin, int count) {
+            return static_cast<int>(std::clamp((at - origin) / grid.spec.spacing, -1.0, static_cast<double>(count)));
+        };
+        for (int j = std::max(0, index(y_min, grid.spec.origin.y(), grid.ny)); j <= std::min(grid.ny - 1, index(y_max, grid.spec.origin.y(), grid.ny)); ++j)
+            for (int i = std::max(0, index(x_min, grid.spec.origin.x(), grid.nx)); i <= std::min(grid.nx - 1, index(x_max, grid.spec.origin.x(), grid.nx)); ++i) {
+                const double x = grid.x(i), y = grid.y(j);
+                const double s = cross(a, b, x, y), u = cross(b, c, x, y), v = cross(c, a, x, y);
+                if ((s >= 0 && u >= 0 && v >= 0) || (s <= 0 && u <= 0 && v <= 0)) covered[grid.column(i, j)] = 1;
+            }
+    }
+    return covered;
+}
+
+}  // namespace tw

@@ -1,0 +1,145 @@
+#include "compare/metrics/splash.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "compare/read/record_numbers.h"
+
+namespace tw {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Airborne water by layers: volume and lower edge of each layer above the cut-off.
+struct Airborne {
+    std::vector<double> low, high, volume;
+    double total = 0;
+
+    /// Height below which the share `q` of the volume lies, linear inside a layer [m].
+    double height(double q) const {
+        if (!(total > 0)) return nan;
+        double below = 0;
+        for (std::size_t k = 0; k < volume.size(); ++k) {
+            if (below + volume[k] >= q * total && volume[k] > 0) return low[k] + (high[k] - low[k]) * (q * total - below) / volume[k];
+            below += volume[k];
+        }
+        return high.back();
+    }
+};
+
+Airborne airborne(const RasterGrid& grid, const RasterFrame& frame, double cut_off) {
+    Airborne air;
+    const double voxel = std::pow(grid.spec.spacing, 3);
+    for (int k = 0; k < grid.nz; ++k) {
+        const double low = grid.z_low(k), high = grid.z_low(k + 1);
+        if (high <= cut_off + 1e-9 * grid.spec.spacing) continue;
+        const auto first = frame.water.begin() + static_cast<std::ptrdiff_t>(grid.voxel(0, 0, k));
+        double sum = 0;
+        for (auto v = first; v != first + static_cast<std::ptrdiff_t>(grid.columns()); ++v) sum += *v / 255.0;
+        const double above = std::min(1.0, (high - cut_off) / grid.spec.spacing);   // the layer may straddle the cut-off
+        air.low.push_back(std::max(low, cut_off));
+        air.high.push_back(high);
+        air.volume.push_back(sum * above * voxel);
+        air.total += air.volume.back();
+    }
+    return air;
+}
+
+}  // namespace
+
+double still_level(const RunRecord& record) {
+    const auto motion = record.attributes.find("motion");
+    const bool stream = motion != record.attributes.end() ? motion->second == "stream" : number_of(record, "speed", 0) > 0;
+    const RasterGrid grid(record.raster);
+    if (stream || record.frames.empty() || grid.empty()) return 0;
+    double water = 0;
+    for (const std::uint8_t v : record.frames.front().water) water += v / 255.0;
+    return grid.spec.origin.z() + water * grid.spec.spacing / static_cast<double>(grid.columns());
+}
+
+Table splash_series(const RunRecord& record, double level) {
+    Table table;
+    table.name = "splash";
+    const RasterGrid grid(record.raster);
+    if (grid.empty()) return table;
+    const double factor = number_of_text(record, "symmetry_factor", 1);
+    const double weight = number_of(record, "density", 1000) * number_of(record, "gravity", 9.81);
+    std::array<Column, 7> columns{{{"sheet_height", "m", {}}, {"p95", "m", {}}, {"p99", "m", {}}, {"p99_9", "m", {}},
+                                   {"airborne_volume", "m3", {}}, {"airborne_energy", "J", {}}, {"raw_height", "m", {}}}};
+    for (const RasterFrame& frame : record.frames) {
+        const auto tops = sheet_tops(grid, frame, main_body(grid, frame));
+        double sheet = -std::numeric_limits<double>::infinity();
+        for (const float top : tops)
+            if (std::isfinite(top)) sheet = std::max(sheet, static_cast<double>(top));
+        const Airborne air = airborne(grid, frame, level + grid.spec.spacing);
+        double energy = 0;
+        for (std::size_t k = 0; k < air.volume.size(); ++k) energy += weight * air.volume[k] * (0.5 * (air.low[k] + air.high[k]) - level);
+        double raw = nan;
+        for (int k = grid.nz - 1; k >= 0 && std::isnan(raw); --k) {
+            const auto first = frame.water.begin() + static_cast<std::ptrdiff_t>(grid.voxel(0, 0, k));
+            const std::uint8_t most = *std::max_element(first, first + static_cast<std::ptrdiff_t>(grid.columns()));
+            if (most >= 3) raw = grid.z_low(k + 1) - level;   // 3/255 is the first share of at least 1/100
+        }
+        table.time.push_back(frame.time);
+        const std::array<double, 7> row{std::isfinite(sheet) ? sheet - level : nan, air.height(0.95) - level, air.height(0.99) - level,
+                                        air.height(0.999) - level, factor * air.total, factor * energy, raw};
+        for (std::size_t c = 0; c < row.size(); ++c) columns[c].values.push_back(row[c]);
+    }
+    table.columns.assign(columns.begin(), columns.end());
+    return table;
+}
+
+std::vector<float> splash_envelope(const RunRecord& record, double from) {
+    const RasterGrid grid(record.raster);
+    std::vector<float> envelope(grid.empty() ? 0 : grid.columns(), std::numeric_limits<float>::quiet_NaN());
+    if (grid.empty()) return envelope;
+    for (const RasterFrame& frame : record.frames) {
+        if (frame.time < from) continue;
+        const auto tops = sheet_tops(grid, frame, main_body(grid, frame));
+        for (std::size_t c = 0; c < tops.size(); ++c)
+            if (std::isfinite(tops[c]) && !(envelope[c] >= tops[c])) envelope[c] = tops[c];
+    }
+    return envelope;
+}
+
+double wake_width(const RunRecord& record, const std::vector<float>& envelope, double level) {
+    const RasterGrid grid(record.raster);
+    if (grid.empty() || envelope.empty() || record.hull.points.empty()) return nan;
+    double stern = -std::numeric_limits<double>::infinity();
+    for (const Vec3& p : record.hull.points) stern = std::max(stern, p.x());
+    std::vector<int> stations;
+    double mean_crest = 0;
+    for (int i = 0; i < grid.nx; ++i) {
+        if (grid.x(i) <= stern) continue;
+        double crest = -std::numeric_limits<double>::infinity();
+        for (int j = 0; j < grid.ny; ++j)
+            if (std::isfinite(envelope[grid.column(i, j)])) crest = std::max(crest, envelope[grid.column(i, j)] - level);
+        if (!std::isfinite(crest)) continue;
+        stations.push_back(i);
+        mean_crest += crest;
+    }
+    if (stations.empty()) return nan;
+    mean_crest /= static_cast<double>(stations.size());
+    if (mean_crest < 0.5 * grid.spec.spacing) return nan;
+    const double threshold = level + 0.5 * mean_crest;
+    const bool half_model = number_of_text(record, "symmetry_factor", 1) > 1;
+    double sum = 0;
+    int wide = 0;
+    for (const int i : stations) {
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        for (int j = 0; j < grid.ny; ++j)
+            if (envelope[grid.column(i, j)] >= threshold) {
+                low = std::min(low, grid.y(j));
+                high = std::max(high, grid.y(j));
+            }
+        if (high < low) continue;
+        sum += half_model ? 2 * (high + 0.5 * grid.spec.spacing) : high - low + grid.spec.spacing;
+        ++wide;
+    }
+    return wide > 0 ? sum / wide : nan;
+}
+
+}  // namespace tw

@@ -1,0 +1,29 @@
+#pragma once
+#include "compare/compare.h"
+#include "compare/metrics/raster_columns.h"
+
+namespace tw {
+
+/// Splash measures of every raster frame, the same for any source because only the common raster is read. Columns:
+///
+///   sheet_height [m]   highest connected water (sheet_tops) above still water
+///   p95, p99, p99_9 [m]  height above still water below which 95 / 99 / 99.9 % of the airborne water lies
+///   airborne_volume [m3], airborne_energy [J] = rho g sum V (z - level)   times the symmetry factor
+///   raw_height [m]     highest voxel with a water share of at least 1/100: shown, never judged
+///
+/// Airborne is all water more than one voxel edge above still water, attached or not. Heights are NaN in frames without it.
+/// No height is better than half a voxel edge.
+Table splash_series(const RunRecord& record, double still_level);
+
+/// z = 0 in a stream. In a tank: where the water of the first frame would stand if it were spread over the raster.
+double still_level(const RunRecord& record);
+
+/// Highest connected water per raster column over all frames from `from` on [m].
+std::vector<float> splash_envelope(const RunRecord& record, double from);
+
+/// Width of the Kelvin wake behind the hull [m], from the envelope: crest(x) = max over y behind the transom, level = still level +
+/// half the mean crest height; width(x) = distance between the outermost columns that reach the level (twice the half width for a
+/// half model); the mean over x. NaN when nothing behind the hull rises above still water by half a voxel edge.
+double wake_width(const RunRecord& record, const std::vector<float>& envelope, double still_level);
+
+}  // namespace tw

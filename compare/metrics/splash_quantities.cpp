@@ -1,0 +1,165 @@
+#include "compare/metrics/splash_quantities.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/metrics/elevation.h"
+#include "compare/metrics/splash.h"
+#include "compare/read/record_numbers.h"
+#include "compare/statistics/settled_mean.h"
+#include "compare/statistics/student_t.h"
+#include "compare/verdict/judge.h"
+
+namespace tw {
+
+Analysis analyse(const RunRecord& record) {
+    Analysis a;
+    a.still_level = still_level(record);
+    a.settled_from = number_of(record, "mean_from", 0);
+    if (record.frames.empty()) return a;
+    // A record that ends before its means begin still shows its last frame.
+    const double from = std::min(a.settled_from, record.frames.back().time);
+    a.splash = splash_series(record, a.still_level);
+    const ElevationMap map = mean_elevation(record, from);
+    a.mean_elevation = map.mean;
+    a.cuts = elevation_cuts(record, map);
+    a.envelope = splash_envelope(record, from);
+    return a;
+}
+
+namespace {
+
+/// A value known to `half_width` at best, from single frames rather than from a series.
+MeanValue single(double value, double half_width, const RunRecord& record, const std::string& why_not) {
+    MeanValue m;
+    if (!std::isfinite(value)) {
+        m.why_not = why_not;
+        return m;
+    }
+    m.known = true;
+    m.value = value;
+    m.half_width = half_width;
+    m.from = number_of(record, "mean_from", 0);
+    m.to = record.frames.empty() ? 0 : record.frames.back().time;
+    return m;
+}
+
+bool has_frames(const Comparison& c) {
+    return std::ranges::any_of(c.sources, [](const RunRecord& r) { return !r.frames.empty(); });
+}
+
+}  // namespace
+
+void add_splash(Comparison& comparison, const CompareOptions& options) {
+    if (!has_frames(comparison)) return;
+    struct Measure {
+        const char *name, *label, *unit, *column, *definition;
+        bool height, judged;
+    };
+    for (const Measure& m :
+         {Measure{"splash_sheet_height", "Splash height (connected sheet)", "m", "sheet_height",
+                  "highest water, above still water, that hangs together with the main body: voxels at least half full, 26 neighbours", true, true},
+          Measure{"splash_p95", "Splash height, 95 % of airborne water", "m", "p95", "height above still water below which 95 % of the airborne water lies", true, true},
+          Measure{"splash_p99", "Splash height, 99 % of airborne water", "m", "p99", "height above still water below which 99 % of the airborne water lies", true, true},
+          Measure{"splash_p99_9", "Splash height, 99.9 % of airborne water", "m", "p99_9", "height above still water below which 99.9 % of the airborne water lies", true, true},
+          Measure{"airborne_volume", "Airborne water", "m3", "airborne_volume", "water more than one voxel above still water, attached or not, whole hull", false, true},
+          Measure{"airborne_energy", "Potential energy of airborne water", "J", "airborne_energy", "rho g times the airborne water's volume times height", false, true},
+          Measure{"splash_raw_max", "Highest water of any kind (raw)", "m", "raw_height",
+                  "highest voxel with a water share of 1/100: one droplet decides it, so it is shown and not judged", true, false}}) {
+        Quantity q;
+        q.name = m.name;
+        q.label = m.label;
+        q.unit = m.unit;
+        q.definition = m.definition;
+        q.judged = m.judged;
+        for (std::size_t s = 0; s < comparison.sources.size(); ++s) {
+            const RunRecord& record = comparison.sources[s];
+            const double floor = m.height ? 0.5 * record.raster.spacing : 0;
+            MeanValue value;
+            const Column* column = comparison.analyses[s].splash.find(m.column);
+            if (!column) {
+                value.why_not = "no raster frames";
+            } else {
+                SettledRules rules;
+                rules.from = comparison.analyses[s].settled_from;
+                rules.fewest_independent = options.fewest_independent;
+                rules.largest_error = options.largest_error;
+                rules.allowed_error = m.judged ? floor : HUGE_VAL;
+                value = settled_mean(comparison.analyses[s].splash.time, column->values, rules);
+                if (value.known) value.half_width = std::max(value.half_width, floor);
+                if (!value.known && value.seconds_needed == 0) value.why_not = "no airborne water";
+            }
+            q.values.push_back(value);
+        }
+        if (m.height) q.definition += fmt::format("; no better than half a voxel ({:.3g} m)", 0.5 * comparison.sources[0].raster.spacing);
+        judge(q, comparison.names, comparison.agree_within);
+        if (!m.judged) q.verdict = Verdict::not_comparable;
+        comparison.quantities.push_back(std::move(q));
+    }
+
+    Quantity envelope, wake;
+    envelope.name = "splash_envelope";
+    envelope.label = "Splash envelope, highest point";
+    envelope.unit = "m";
+    envelope.definition = "highest connected water at any time of the settled frames; grows with the length of the record";
+    envelope.judged = false;
+    wake.name = "wake_width";
+    wake.label = "Kelvin wake width";
+    wake.unit = "m";
+    wake.definition = "behind the hull: mean distance between the outermost columns whose envelope reaches half the mean crest height; no better than a voxel";
+    for (std::size_t s = 0; s < comparison.sources.size(); ++s) {
+        const RunRecord& record = comparison.sources[s];
+        const Analysis& a = comparison.analyses[s];
+        double highest = std::numeric_limits<double>::quiet_NaN();
+        for (const float z : a.envelope)
+            if (std::isfinite(z) && !(highest >= z - a.still_level)) highest = z - a.still_level;
+        envelope.values.push_back(single(highest, 0.5 * record.raster.spacing, record, "no raster frames"));
+        wake.values.push_back(single(wake_width(record, a.envelope, a.still_level), number_of_text(record, "symmetry_factor", 1) * 0.5 * record.raster.spacing,
+                                     record, record.frames.empty() ? "no raster frames" : "no wake crest above half a voxel"));
+    }
+    judge(envelope, comparison.names, comparison.agree_within);
+    envelope.verdict = Verdict::not_comparable;
+    comparison.quantities.push_back(std::move(envelope));
+    if (std::ranges::any_of(comparison.sources, [](const RunRecord& r) { return !r.hull.points.empty() && number_of(r, "speed", 0) > 0; })) {
+        judge(wake, comparison.names, comparison.agree_within);
+        comparison.quantities.push_back(std::move(wake));
+    }
+}
+
+void add_elevation(Comparison& comparison) {
+    if (comparison.analyses.empty()) return;
+    const auto& first = comparison.analyses.front().cuts;
+    for (std::size_t k = 0; k < first.size(); ++k) {
+        const std::string place = fmt::format("{} = {:.4g} m", first[k].along_x ? "y" : "x", first[k].place);
+        for (const bool high : {true, false}) {
+            Quantity q;
+            q.name = fmt::format("{}_{}_{:.4g}", high ? "crest" : "trough", first[k].along_x ? "y" : "x", first[k].place);
+            q.label = fmt::format("{} along {}", high ? "Highest elevation" : "Lowest elevation", place);
+            q.unit = "m";
+            q.definition = "of the mean free surface (column integral of the connected water) over this cut, outside the hull's plan view; no better than half a voxel";
+            for (std::size_t s = 0; s < comparison.sources.size(); ++s) {
+                const Analysis& a = comparison.analyses[s];
+                const RunRecord& record = comparison.sources[s];
+                if (k >= a.cuts.size()) {
+                    q.values.push_back(single(std::numeric_limits<double>::quiet_NaN(), 0, record, "no raster frames"));
+                    continue;
+                }
+                const Extreme e = high ? crest(a.cuts[k]) : trough(a.cuts[k]);
+                const auto frames = static_cast<double>(std::ranges::count_if(record.frames, [&](const RasterFrame& f) { return f.time >= a.settled_from; }));
+                const double statistical = frames > 1 ? student_t_95(frames - 1) * e.deviation / std::sqrt(frames) : 0;
+                q.values.push_back(single(e.value, std::max(statistical, 0.5 * record.raster.spacing), record, "no free surface on this cut"));
+            }
+            q.scale = 0;
+            judge(q, comparison.names, comparison.agree_within);
+            if (high && comparison.analyses.size() == 2 && k < comparison.analyses[1].cuts.size()) {
+                const double rms = rms_difference(first[k], comparison.analyses[1].cuts[k]);
+                if (std::isfinite(rms)) q.remark += fmt::format("{}whole cut: root mean square difference {:.2g} m", q.remark.empty() ? "" : "; ", rms);
+            }
+            comparison.quantities.push_back(std::move(q));
+        }
+    }
+}
+
+}  // namespace tw

@@ -1,0 +1,27 @@
+#include "compare/read/record_numbers.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace tw {
+
+double number_of(const RunRecord& record, const std::string& name, double fallback) {
+    const auto found = record.numbers.find(name);
+    return found != record.numbers.end() && std::isfinite(found->second) ? found->second : fallback;
+}
+
+double number_of_text(const RunRecord& record, const std::string& name, double fallback) {
+    const auto found = record.attributes.find(name);
+    if (found == record.attributes.end()) return fallback;
+    double value = fallback;
+    const std::string& text = found->second;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc{} && std::isfinite(value) ? value : fallback;
+}
+
+std::string text_of(const RunRecord& record, const std::string& name, const std::string& fallback) {
+    const auto found = record.attributes.find(name);
+    return found == record.attributes.end() ? fallback : found->second;
+}
+
+}  // namespace tw

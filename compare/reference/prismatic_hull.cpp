@@ -1,0 +1,53 @@
+#include "compare/reference/prismatic_hull.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/read/record_numbers.h"
+
+namespace tw {
+
+std::optional<PrismaticHull> prismatic_hull(const RunRecord& record) {
+    const double trim = number_of(record, "trim", 0), heel = number_of(record, "heel", 0);
+    PrismaticHull hull;
+    hull.draft = number_of(record, "draft", 0);
+    PlaningState& s = hull.state;
+    s.trim = trim;
+    s.speed = number_of(record, "speed", 0);
+    s.density = number_of(record, "density", 1000);
+    s.gravity = number_of(record, "gravity", 9.81);
+    s.kinematic_viscosity = number_of(record, "kinematic_viscosity", 1e-6);
+    if (record.hull.triangles.empty() || !(trim > 0) || heel != 0 || !(hull.draft > 0) || !(s.speed > 0)) return {};
+
+    // Bow up turns the hull's own x axis (to the stern) downward: body axes e_x = (cos, 0, -sin), e_z = (sin, 0, cos).
+    const Vec3 e_x(std::cos(trim), 0, -std::sin(trim)), e_z(std::sin(trim), 0, std::cos(trim));
+    double area = 0, deadrise = 0, y_min = 0, y_max = 0;
+    std::vector<std::pair<double, Vec3>> bottom;   // area, unit normal in body axes
+    for (int t = 0; t < static_cast<int>(record.hull.triangles.size()); ++t) {
+        const Vec3 a2 = record.hull.area_vector2(t);
+        const double twice = a2.norm();
+        if (!(twice > 0)) continue;
+        const Vec3 n(a2.dot(e_x) / twice, a2.y() / twice, a2.dot(e_z) / twice);
+        const double lowest = std::min({record.hull.corner(t, 0).z(), record.hull.corner(t, 1).z(), record.hull.corner(t, 2).z()});
+        if (n.z() > -0.3 || lowest >= 0) continue;   // not bottom, or dry
+        bottom.emplace_back(twice, n);
+        area += twice;
+        deadrise += twice * std::atan2(std::abs(n.y()), -n.z());
+        for (int k = 0; k < 3; ++k) {
+            y_min = std::min(y_min, record.hull.corner(t, k).y());
+            y_max = std::max(y_max, record.hull.corner(t, k).y());
+        }
+    }
+    if (!(area > 0)) return {};
+    deadrise /= area;
+    constexpr double tolerance = 0.01;   // of a unit normal: about half a degree
+    for (const auto& [a, n] : bottom) {
+        const Vec3 expected(0, std::copysign(std::sin(deadrise), n.y()), -std::cos(deadrise));
+        if ((n - expected).norm() > tolerance && a > 1e-3 * area) return {};
+    }
+    s.deadrise = deadrise;
+    s.beam = y_max - y_min;
+    return hull;
+}
+
+}  // namespace tw

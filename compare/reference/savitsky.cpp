@@ -1,0 +1,48 @@
+#include "compare/reference/savitsky.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tw {
+
+Savitsky savitsky(const PlaningState& s, double lambda) {
+    constexpr double degrees = 180 / std::numbers::pi;
+    const double trim_deg = s.trim * degrees, deadrise_deg = s.deadrise * degrees, b = s.beam;
+    const double trim_power = std::pow(trim_deg, 1.1);
+    const double Cv = s.speed / std::sqrt(s.gravity * b);
+    const double CL0 = trim_power * (0.012 * std::sqrt(lambda) + 0.0055 * std::pow(lambda, 2.5) / (Cv * Cv));
+    const double CLbeta = CL0 - 0.0065 * deadrise_deg * std::pow(CL0, 0.6);
+
+    Savitsky r;
+    r.lambda = lambda;
+    const double keel_over_chine = b * std::tan(s.deadrise) / (std::numbers::pi * std::tan(s.trim));
+    r.keel_wetted_length = lambda * b + 0.5 * keel_over_chine;
+    r.chine_wetted_length = lambda * b - 0.5 * keel_over_chine;
+    r.lift = CLbeta * 0.5 * s.density * s.speed * s.speed * b * b;
+    r.pressure_drag = r.lift * std::tan(s.trim);
+
+    // The dynamic part of the lift, spread over the wetted bottom, lowers the mean velocity along it (Bernoulli).
+    const double dynamic0 = 0.012 * std::sqrt(lambda) * trim_power;
+    const double dynamic = dynamic0 - 0.0065 * deadrise_deg * std::pow(dynamic0, 0.6);
+    const double Vm = s.speed * std::sqrt(std::max(0.0, 1 - dynamic / (lambda * std::cos(s.trim))));
+    const double Re = Vm * lambda * b / s.kinematic_viscosity;
+    const double Cf = 0.075 / std::pow(std::log10(Re) - 2, 2);
+    r.friction_drag = Cf * 0.5 * s.density * Vm * Vm * lambda * b * b / std::cos(s.deadrise);
+    r.drag = r.pressure_drag + r.friction_drag / std::cos(s.trim);
+    r.pressure_centre = lambda * b * (0.75 - 1 / (5.21 * Cv * Cv / (lambda * lambda) + 2.39));
+    r.in_range = Cv >= 0.6 && Cv <= 13 && trim_deg >= 2 && trim_deg <= 15 && lambda > 0 && lambda <= 4 && r.chine_wetted_length > 0;
+    return r;
+}
+
+Savitsky savitsky_at_draft(const PlaningState& s, double draft) {
+    const double keel = draft / std::sin(s.trim);
+    const double chine = keel - s.beam * std::tan(s.deadrise) / (std::numbers::pi * std::tan(s.trim));
+    Savitsky r = savitsky(s, (keel + std::max(chine, 0.0)) / (2 * s.beam));
+    r.keel_wetted_length = keel;
+    r.chine_wetted_length = chine;
+    r.in_range = r.in_range && chine > 0;
+    return r;
+}
+
+}  // namespace tw

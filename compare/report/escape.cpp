@@ -1,0 +1,49 @@
+#include "compare/report/escape.h"
+
+namespace tw {
+
+namespace {
+constexpr std::string_view replacement = "\xEF\xBF\xBD";
+
+/// Length of the well-formed UTF-8 sequence at the start of `s`, 0 when there is none.
+std::size_t sequence_length(std::string_view s) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(s[i]); };
+    const unsigned char b = byte(0);
+    const std::size_t n = b < 0x80 ? 1 : b >= 0xC2 && b < 0xE0 ? 2 : b >= 0xE0 && b < 0xF0 ? 3 : b >= 0xF0 && b < 0xF5 ? 4 : 0;
+    if (n == 0 || n > s.size()) return 0;
+    for (std::size_t i = 1; i < n; ++i)
+        if ((byte(i) & 0xC0) != 0x80) return 0;
+    return n;
+}
+}  // namespace
+
+std::string escaped(std::string_view text) {
+    std::string out;
+    while (!text.empty()) {
+        const std::size_t n = sequence_length(text);
+        const char c = text[0];
+        if (n == 0) {
+            out += replacement;
+        } else if (n > 1) {
+            out += text.substr(0, n);
+        } else if (c == '&') {
+            out += "&amp;";
+        } else if (c == '<') {
+            out += "&lt;";
+        } else if (c == '>') {
+            out += "&gt;";
+        } else if (c == '"') {
+            out += "&quot;";
+        } else if (c == '\'') {
+            out += "&#39;";
+        } else if ((static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') || c == 0x7f) {
+            out += replacement;
+        } else {
+            out += c;
+        }
+        text.remove_prefix(n == 0 ? 1 : n);
+    }
+    return out;
+}
+
+}  // namespace tw

@@ -1,0 +1,22 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "compare/compare.h"
+#include "compare/report/pictures.h"
+
+namespace tw {
+
+/// Everything drawn of a comparison. `file`: name (without suffix) under figures/.
+struct Figure {
+    std::string file, svg;
+};
+struct Figures {
+    std::vector<Figure> forces, splash, wetting, cuts, probes;   ///< plots over time and along cuts
+    std::vector<Figure> maps;                                    ///< mean elevation from above, one per source
+    std::string elevation_legend, pressure_legend;
+    Pictures pictures;
+};
+Figures draw_figures(const Comparison& comparison);
+
+}  // namespace tw

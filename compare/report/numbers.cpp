@@ -1,0 +1,72 @@
+#include "compare/report/numbers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tw {
+
+namespace {
+/// Decimals so that the half width shows two significant digits, at most six.
+int decimals(double value, double half_width) {
+    const double scale = half_width > 0 && std::isfinite(half_width) ? half_width / 10 : std::abs(value) / 1000;
+    if (!(scale > 0)) return 0;
+    return std::clamp(static_cast<int>(-std::floor(std::log10(scale))), 0, 6);
+}
+
+/// Plain digits where they are readable, powers of ten elsewhere.
+std::string digits(double value, int places) {
+    const double size = std::abs(value);
+    if (size != 0 && (size >= 1e7 || size < 1e-4)) return fmt::format("{:.3g}", value);
+    return fmt::format("{:.{}f}", value, places);
+}
+}  // namespace
+
+std::string value_text(double value, double half_width) {
+    if (!std::isfinite(value)) return "–";
+    const int places = decimals(value, half_width);
+    if (!(half_width > 0) || !std::isfinite(half_width)) return digits(value, places);
+    return digits(value, places) + " ± " + digits(half_width, places);
+}
+
+std::string mean_text(const MeanValue& mean) { return mean.known ? value_text(mean.value, mean.half_width) : "–"; }
+
+std::string signed_text(double value, double half_width) {
+    if (!std::isfinite(value)) return "–";
+    return (value > 0 ? "+" : "") + value_text(value, half_width);
+}
+
+std::string per_cent_text(double per_cent) {
+    if (!std::isfinite(per_cent)) return "–";
+    return fmt::format("{:+.{}f} %", per_cent, std::abs(per_cent) < 10 ? 1 : 0);
+}
+
+std::string verdict_label(Verdict verdict) { return verdict == Verdict::not_comparable ? "not comparable" : to_string(verdict); }
+
+std::string verdict_sentence(const Comparison& comparison) {
+    if (comparison.sources.size() < 2) return "One run: values without a verdict.";
+    std::string text;
+    for (const char* name : {"lift", "drag", "splash_sheet_height"}) {
+        const Quantity* q = comparison.find(name);
+        if (!q) continue;
+        const std::string label = std::string(name) == "splash_sheet_height" ? "Splash height" : q->label;
+        if (!text.empty()) text += " ";
+        switch (q->verdict) {
+            case Verdict::agree: text += fmt::format("{} agrees within {:g} % ({}).", label, 100 * comparison.agree_within, per_cent_text(q->per_cent)); break;
+            case Verdict::differ: {
+                const double scale = q->per_cent != 0 ? std::abs(q->difference / q->per_cent) : 0;
+                text += std::isfinite(q->per_cent) && scale > 0
+                            ? fmt::format("{} differs by {} (± {:.1f} %).", label, per_cent_text(q->per_cent), q->interval / scale)
+                            : fmt::format("{} differs by {} {}.", label, signed_text(q->difference, q->interval), q->unit);
+                break;
+            }
+            case Verdict::undecided: text += label + " is undecided."; break;
+            case Verdict::not_comparable: text += label + " cannot be compared."; break;
+        }
+    }
+    if (text.empty()) text = "No force and no splash to judge; see the tables.";
+    return text;
+}
+
+}  // namespace tw

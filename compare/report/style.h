@@ -1,0 +1,40 @@
+#pragma once
+
+namespace tw {
+
+/// Style sheet of the report: light and dark, print; curves take their colours from here.
+inline constexpr const char* report_style = R"(
+:root{color-scheme:light dark;--bg:#fff;--text:#1b1f24;--soft:#5b6470;--line:#d8dde3;--panel:#f5f7f9;--s0:#1f62b5;--s1:#c8501c;--s2:#2a8a4a;--s3:#8447b5;
+--good:#1d7a3a;--goodbg:#e2f4e7;--bad:#b02a1b;--badbg:#fbe7e3;--open:#8a5a00;--openbg:#fdf1d6;--none:#5b6470;--nonebg:#eceff2}
+@media (prefers-color-scheme:dark){:root{--bg:#14171b;--text:#e4e8ec;--soft:#9aa4af;--line:#343b43;--panel:#1c2126;--s0:#6aa8f0;--s1:#f0905a;--s2:#63c585;--s3:#bf92ea;
+--good:#7ad695;--goodbg:#173322;--bad:#f59a8c;--badbg:#3b1c17;--open:#efc36b;--openbg:#3a2d10;--none:#9aa4af;--nonebg:#262c32}}
+*{box-sizing:border-box}
+body{margin:0;background:var(--bg);color:var(--text);font:15px/1.5 system-ui,-apple-system,"Segoe UI",Roboto,"DejaVu Sans",sans-serif}
+main{max-width:1120px;margin:0 auto;padding:28px 24px 60px}
+h1{font-size:25px;line-height:1.25;margin:0 0 4px}h2{font-size:18px;margin:38px 0 10px;padding-bottom:5px;border-bottom:1px solid var(--line)}
+h3{font-size:15px;margin:22px 0 6px}p{margin:6px 0}.sub{color:var(--soft);margin:0 0 18px}
+.verdict{font-size:18px;line-height:1.45;background:var(--panel);border-left:5px solid var(--s0);padding:14px 18px;border-radius:4px;margin:0 0 14px}
+.banner{background:var(--openbg);color:var(--text);border-left:5px solid var(--open);padding:9px 14px;border-radius:4px;margin:8px 0}
+.note{color:var(--soft);font-size:13.5px}
+.wide{overflow-x:auto}table{border-collapse:collapse;width:100%;font-size:14px}
+th,td{text-align:left;padding:6px 10px;border-bottom:1px solid var(--line);vertical-align:top}th{font-weight:600;color:var(--soft);font-size:13px}
+td.num,th.num{text-align:right;white-space:nowrap;font-variant-numeric:tabular-nums}tr.ref td{color:var(--soft);font-style:italic}tr.remark td{color:var(--soft);font-size:13px;padding-top:0}
+tr.has-remark td{border-bottom:0;padding-bottom:2px}
+.badge{display:inline-block;padding:1px 9px;border-radius:10px;font-size:13px;font-weight:600;white-space:nowrap}
+.agree{color:var(--good);background:var(--goodbg)}.differ{color:var(--bad);background:var(--badbg)}.undecided{color:var(--open);background:var(--openbg)}.not_comparable{color:var(--none);background:var(--nonebg)}
+.key{display:inline-block;width:11px;height:11px;border-radius:2px;margin-right:5px;vertical-align:-1px}.k0{background:var(--s0)}.k1{background:var(--s1)}.k2{background:var(--s2)}.k3{background:var(--s3)}
+.pair{display:grid;grid-template-columns:repeat(auto-fit,minmax(330px,1fr));gap:14px;margin:10px 0}
+figure{margin:0}figcaption{font-size:13.5px;color:var(--soft);margin:4px 0}figure img{width:100%;height:auto;display:block;border:1px solid var(--line);border-radius:4px;background:#fff}
+svg text{fill:var(--text);font:12px system-ui,-apple-system,"Segoe UI",Roboto,"DejaVu Sans",sans-serif}svg.plot{width:100%;height:auto;display:block}svg.scale{width:400px;max-width:100%;height:auto;display:block;margin:2px auto}
+svg .plot-title{font-size:13.5px;font-weight:600}svg .tick{font-size:11px;fill:var(--soft)}svg .mid{text-anchor:middle}svg .end{text-anchor:end}
+svg .frame{fill:none;stroke:var(--soft);stroke-width:1}svg .grid{stroke:var(--line);stroke-width:1}svg .line{fill:none;stroke-width:1.7;stroke-linejoin:round}
+svg .faint{stroke-width:.8;opacity:.32}svg .dashed{stroke-dasharray:5 3}svg .mean{stroke-width:2.2}svg .band{opacity:.22}svg .level{stroke:var(--soft);stroke-dasharray:2 3}svg .level-text{fill:var(--soft);font-size:11px}
+svg .outline{fill:none;stroke:var(--text);stroke-width:1.2}
+svg .s0{stroke:var(--s0)}svg .s1{stroke:var(--s1)}svg .s2{stroke:var(--s2)}svg .s3{stroke:var(--s3)}svg .f0{fill:var(--s0)}svg .f1{fill:var(--s1)}svg .f2{fill:var(--s2)}svg .f3{fill:var(--s3)}
+details{margin:8px 0}summary{cursor:pointer;color:var(--soft)}pre{background:var(--panel);padding:12px;border-radius:4px;overflow-x:auto;font-size:13px;line-height:1.4}code{font-family:ui-monospace,"DejaVu Sans Mono",monospace;font-size:.93em}
+dl{display:grid;grid-template-columns:max-content 1fr;gap:2px 16px;font-size:14px}dt{color:var(--soft)}dd{margin:0;overflow-wrap:anywhere}
+@media print{:root{color-scheme:light;--bg:#fff;--text:#000;--soft:#444;--line:#bbb;--panel:#f3f3f3;--s0:#1f62b5;--s1:#c8501c;--s2:#2a8a4a;--s3:#8447b5;--good:#1d7a3a;--goodbg:#e2f4e7;--bad:#b02a1b;--badbg:#fbe7e3;--open:#8a5a00;--openbg:#fdf1d6;--none:#444;--nonebg:#eee}
+body{font-size:12px;-webkit-print-color-adjust:exact;print-color-adjust:exact}main{max-width:none;padding:0}h2{break-after:avoid}figure,tr,svg{break-inside:avoid}.pair{grid-template-columns:1fr 1fr}}
+)";
+
+}  // namespace tw

@@ -1,0 +1,174 @@
+#include "compare/report/svg_plot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "compare/report/escape.h"
+
+namespace tw {
+
+namespace {
+
+struct Range {
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    void add(double v) {
+        if (!std::isfinite(v)) return;
+        low = std::min(low, v);
+        high = std::max(high, v);
+    }
+    bool empty() const { return !(low <= high); }
+    void widen(double share) {
+        double by = share * (high - low);
+        if (!(by > 0)) by = low != 0 ? 0.05 * std::abs(low) : 1;
+        low -= by;
+        high += by;
+    }
+};
+
+Range x_range(const Plot& p) {
+    Range r;
+    for (const auto* lines : {&p.lines, &p.outlines})
+        for (const PlotLine& l : *lines)
+            for (const double v : l.x) r.add(v);
+    for (const PlotImage& i : p.images) r.add(i.x_min), r.add(i.x_max);
+    return r;
+}
+
+Range y_range(const Plot& p) {
+    std::vector<double> values;
+    for (const PlotLine& l : p.lines) std::ranges::copy_if(l.y, std::back_inserter(values), [](double v) { return std::isfinite(v); });
+    Range r;
+    if (!values.empty()) {
+        std::size_t skip = p.clip_spikes ? values.size() / 100 : 0;
+        std::ranges::sort(values);
+        r.add(values[skip]);
+        r.add(values[values.size() - 1 - skip]);
+    }
+    for (const PlotBand& b : p.bands) r.add(b.value - b.half_width), r.add(b.value + b.half_width);
+    for (const PlotLevel& l : p.levels) r.add(l.value);
+    for (const PlotImage& i : p.images) r.add(i.y_min), r.add(i.y_max);
+    if (p.include_zero && !r.empty()) r.add(0);
+    return r;
+}
+
+/// Path of a line; many points per pixel column are thinned to first, lowest, highest and last of it.
+std::string path(const PlotLine& line, const auto& X, const auto& Y) {
+    std::string d;
+    bool pen_down = false;
+    const auto point = [&](std::size_t i) {
+        d += fmt::format("{}{:.1f},{:.1f}", pen_down ? 'L' : 'M', X(line.x[i]), Y(line.y[i]));
+        pen_down = true;
+    };
+    const std::size_t n = std::min(line.x.size(), line.y.size());
+    for (std::size_t i = 0; i < n;) {
+        if (!std::isfinite(line.x[i]) || !std::isfinite(line.y[i])) {
+            pen_down = false;
+            ++i;
+            continue;
+        }
+        std::size_t last = i, low = i, high = i;
+        const double pixel = std::floor(X(line.x[i]));
+        while (last + 1 < n && std::isfinite(line.y[last + 1]) && std::floor(X(line.x[last + 1])) == pixel) {
+            ++last;
+            if (line.y[last] < line.y[low]) low = last;
+            if (line.y[last] > line.y[high]) high = last;
+        }
+        std::vector<std::size_t> keep{i, low, high, last};
+        std::ranges::sort(keep);
+        keep.erase(std::unique(keep.begin(), keep.end()), keep.end());
+        for (const std::size_t k : keep) point(k);
+        i = last + 1;
+    }
+    return d;
+}
+
+std::string tick_text(double v, double step) {
+    if (std::abs(v) < 1e-9 * step) v = 0;
+    const int places = std::clamp(static_cast<int>(-std::floor(std::log10(step) + 1e-9)), 0, 6);
+    return std::abs(v) >= 1e6 ? fmt::format("{:.4g}", v) : fmt::format("{:.{}f}", v, places);
+}
+
+}  // namespace
+
+std::vector<double> ticks(double low, double high, int about) {
+    std::vector<double> list;
+    if (!(high > low) || about < 1) return list;
+    const double raw = (high - low) / about, power = std::pow(10, std::floor(std::log10(raw)));
+    const double step = power * (raw / power < 1.5 ? 1 : raw / power < 3.5 ? 2 : raw / power < 7.5 ? 5 : 10);
+    for (double k = std::ceil(low / step - 1e-9); k <= high / step + 1e-9; ++k) list.push_back(k * step);
+    return list;
+}
+
+std::string svg(const Plot& p) {
+    Range xr = x_range(p), yr = y_range(p);
+    if (xr.empty() || yr.empty()) return fmt::format("<p class=\"note\">{}: no data.</p>", escaped(p.title));
+    if (p.images.empty()) yr.widen(0.06);
+    if (!(xr.high > xr.low)) xr.widen(0.05);
+
+    constexpr int left = 66, right = 14, bottom = 44;
+    int legend_rows = 0;
+    double legend_x = 0;
+    std::string legend;
+    const double plot_width = p.width - left - right;
+    for (const PlotLine& l : p.lines) {
+        if (l.name.empty()) continue;
+        const double entry = 34 + 7.2 * static_cast<double>(l.name.size());
+        if (legend_rows == 0 || legend_x + entry > plot_width) {
+            ++legend_rows;
+            legend_x = 0;
+        }
+        const double y = 20 + 16.0 * legend_rows;
+        legend += fmt::format("<line class=\"line s{}{}\" x1=\"{:.0f}\" x2=\"{:.0f}\" y1=\"{:.0f}\" y2=\"{:.0f}\"/><text x=\"{:.0f}\" y=\"{:.0f}\">{}</text>",
+                              l.source, l.dashed ? " dashed" : "", left + legend_x, left + legend_x + 22, y - 4, y - 4, left + legend_x + 27, y, escaped(l.name));
+        legend_x += entry;
+    }
+    const int top = 26 + 16 * legend_rows;
+    const int height = p.equal_scales ? top + bottom + static_cast<int>(plot_width * (yr.high - yr.low) / (xr.high - xr.low)) : p.height;
+    const double plot_height = height - top - bottom;
+    const auto X = [&](double v) { return left + plot_width * (v - xr.low) / (xr.high - xr.low); };
+    const auto Y = [&](double v) { return top + plot_height * (yr.high - v) / (yr.high - yr.low); };
+
+    std::string out = fmt::format("<svg class=\"plot\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\" xmlns=\"http://www.w3.org/2000/svg\">", p.width,
+                                  height, escaped(p.title));
+    out += fmt::format("<text class=\"plot-title\" x=\"{}\" y=\"16\">{}</text>{}", left, escaped(p.title), legend);
+
+    // A nested <svg> clips what reaches beyond the axes and needs no id, which would have to be unique in the page.
+    out += fmt::format("<svg x=\"{}\" y=\"{}\" width=\"{:.0f}\" height=\"{:.0f}\" viewBox=\"{} {} {:.0f} {:.0f}\">", left, top, plot_width, plot_height, left,
+                       top, plot_width, plot_height);
+    for (const PlotImage& i : p.images)
+        out += fmt::format("<image href=\"data:image/png;base64,{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" preserveAspectRatio=\"none\"/>",
+                           i.png_base64, X(i.x_min), Y(i.y_max), X(i.x_max) - X(i.x_min), Y(i.y_min) - Y(i.y_max));
+    const auto x_ticks = ticks(xr.low, xr.high, 8), y_ticks = ticks(yr.low, yr.high, std::max(2, static_cast<int>(plot_height / 45)));
+    if (p.images.empty()) {
+        for (const double v : x_ticks) out += fmt::format("<line class=\"grid\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1}\" y2=\"{2:.1f}\"/>", X(v), top, top + plot_height);
+        for (const double v : y_ticks) out += fmt::format("<line class=\"grid\" y1=\"{0:.1f}\" y2=\"{0:.1f}\" x1=\"{1}\" x2=\"{2:.1f}\"/>", Y(v), left, left + plot_width);
+    }
+    for (const PlotBand& b : p.bands) {
+        const double h = std::max(1.0, Y(b.value - b.half_width) - Y(b.value + b.half_width));
+        out += fmt::format("<rect class=\"band f{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>", b.source, X(b.from), Y(b.value) - 0.5 * h,
+                           std::max(1.0, X(b.to) - X(b.from)), h);
+        out += fmt::format("<line class=\"mean s{0}\" x1=\"{1:.1f}\" x2=\"{2:.1f}\" y1=\"{3:.1f}\" y2=\"{3:.1f}\"/>", b.source, X(b.from), X(b.to), Y(b.value));
+    }
+    for (const PlotLine& l : p.lines)
+        out += fmt::format("<path class=\"line s{}{}{}\" d=\"{}\"/>", l.source, l.faint ? " faint" : "", l.dashed ? " dashed" : "", path(l, X, Y));
+    for (const PlotLine& l : p.outlines) out += fmt::format("<path class=\"outline\" d=\"{}\"/>", path(l, X, Y));
+    for (const PlotLevel& l : p.levels)
+        out += fmt::format("<line class=\"level\" x1=\"{}\" x2=\"{:.1f}\" y1=\"{:.1f}\" y2=\"{:.1f}\"/><text class=\"level-text\" x=\"{}\" y=\"{:.1f}\">{}</text>", left,
+                           left + plot_width, Y(l.value), Y(l.value), left + 6, Y(l.value) - 4, escaped(l.name));
+    out += "</svg>";
+
+    out += fmt::format("<rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{:.0f}\" height=\"{:.0f}\"/>", left, top, plot_width, plot_height);
+    const auto step = [](const std::vector<double>& t) { return t.size() > 1 ? t[1] - t[0] : 1.0; };
+    for (const double v : x_ticks)
+        out += fmt::format("<text class=\"tick mid\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", X(v), top + plot_height + 15, tick_text(v, step(x_ticks)));
+    for (const double v : y_ticks)
+        out += fmt::format("<text class=\"tick end\" x=\"{}\" y=\"{:.1f}\">{}</text>", left - 6, Y(v) + 4, tick_text(v, step(y_ticks)));
+    out += fmt::format("<text class=\"mid\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", left + 0.5 * plot_width, top + plot_height + 34, escaped(p.x_label));
+    out += fmt::format("<text class=\"mid\" transform=\"translate(14 {:.1f}) rotate(-90)\">{}</text>", top + 0.5 * plot_height, escaped(p.y_label));
+    return out + "</svg>";
+}
+
+}  // namespace tw

@@ -1,0 +1,49 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace tw {
+
+/// A curve; `source` chooses its colour (CSS class s0, s1, ...), `faint` a thin pale line behind the others.
+struct PlotLine {
+    std::string name;            ///< in the legend; empty: not there
+    std::size_t source = 0;
+    std::vector<double> x, y;    ///< NaN interrupts the line
+    bool faint = false, dashed = false;
+};
+/// A settled mean with its interval over the window it was taken from.
+struct PlotBand {
+    std::size_t source = 0;
+    double from = 0, to = 0, value = 0, half_width = 0;
+};
+/// A horizontal reference with a label.
+struct PlotLevel {
+    std::string name;
+    double value = 0;
+};
+/// A picture laid under the axes in data coordinates.
+struct PlotImage {
+    std::string png_base64;
+    double x_min = 0, x_max = 0, y_min = 0, y_max = 0;
+};
+
+struct Plot {
+    std::string title, x_label, y_label;
+    std::vector<PlotLine> lines;
+    std::vector<PlotBand> bands;
+    std::vector<PlotLevel> levels;
+    std::vector<PlotImage> images;
+    std::vector<PlotLine> outlines;  ///< drawn in the text's colour, e.g. the hull's plan view
+    bool include_zero = false;
+    bool equal_scales = false;       ///< metres alike on both axes: the height follows from the width
+    bool clip_spikes = false;        ///< the y axis covers the middle 98 % of the values, so that a start-up spike does not flatten the rest
+    int width = 640, height = 300;   ///< [px]
+};
+
+/// The plot as one <svg> element without scripts; colours come from the page's style sheet. "no data" when it has none.
+std::string svg(const Plot& plot);
+
+/// 1-2-5 ticks that cover [low, high].
+std::vector<double> ticks(double low, double high, int about);
+
+}  // namespace tw

@@ -1,0 +1,46 @@
+#include <fmt/format.h>
+
+#include "base/atomic_file.h"
+#include "base/errors.h"
+#include "compare/compare.h"
+#include "compare/report/csv.h"
+#include "compare/report/report_html.h"
+#include "compare/report/style.h"
+
+namespace tw {
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A plot as a file of its own carries the style sheet that the page would give it.
+std::string standalone(const std::string& svg) {
+    const auto end = svg.find('>');
+    if (!svg.starts_with("<svg") || end == std::string::npos) return {};
+    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + svg.substr(0, end + 1) + "<style>" + report_style + "</style>" + svg.substr(end + 1) + "\n";
+}
+
+}  // namespace
+
+ReportFiles write_report(const Comparison& comparison, const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder / "figures", error);
+    if (error) throw RunError((folder / "figures").string() + ": cannot be made: " + error.message());
+    const Figures figures = draw_figures(comparison);
+    for (const auto* list : {&figures.forces, &figures.splash, &figures.wetting, &figures.cuts, &figures.probes, &figures.maps})
+        for (const Figure& f : *list)
+            if (const std::string text = standalone(f.svg); !text.empty()) write_text_atomically(folder / "figures" / (f.file + ".svg"), text);
+    for (std::size_t s = 0; s < figures.pictures.free_surface.size(); ++s) {
+        if (!figures.pictures.free_surface[s].empty())
+            write_text_atomically(folder / "figures" / fmt::format("free_surface_{}.png", s), figures.pictures.free_surface[s]);
+        if (!figures.pictures.hull_pressure[s].empty())
+            write_text_atomically(folder / "figures" / fmt::format("hull_pressure_{}.png", s), figures.pictures.hull_pressure[s]);
+    }
+    write_text_atomically(folder / "quantities.csv", quantities_csv(comparison));
+    write_text_atomically(folder / "series.csv", series_csv(comparison));
+    const ReportFiles files{folder / "report.html", folder / "report.json", folder / "quantities.csv"};
+    write_text_atomically(files.json, comparison_json(comparison));
+    write_text_atomically(files.html, report_html(comparison, figures));
+    return files;
+}
+
+}  // namespace tw

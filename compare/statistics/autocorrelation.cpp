@@ -1,0 +1,31 @@
+#include "compare/statistics/autocorrelation.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace tw {
+
+double integrated_autocorrelation_time(std::span<const double> x) {
+    const std::size_t n = x.size();
+    if (n < 2) return 0.5;
+    const double mean = std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(n);
+    const auto covariance = [&](std::size_t lag) {
+        double sum = 0;
+        for (std::size_t i = 0; i + lag < n; ++i) sum += (x[i] - mean) * (x[i + lag] - mean);
+        return sum / static_cast<double>(n - lag);
+    };
+    const double variance = covariance(0);
+    if (!(variance > 0)) return 0.5;
+    double tau = 0.5;
+    std::size_t lag = 1;
+    for (; lag < n / 2; ++lag) {
+        tau += covariance(lag) / variance;
+        if (static_cast<double>(lag) > 5 * tau) break;
+    }
+    // Every rho up to the window is short by 2 tau / n.
+    const double shortfall = 2 * static_cast<double>(lag) / static_cast<double>(n);
+    tau /= std::max(0.2, 1 - shortfall);
+    return std::clamp(tau, 0.5, static_cast<double>(n) / 2);
+}
+
+}  // namespace tw

@@ -1,0 +1,16 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <span>
+
+namespace tw {
+
+/// Samples to drop from the start of a series so that the rest is settled, by the marginal standard error rule MSER-5
+/// (White 1997): with batch means b_j of 5 samples each,
+///
+///   d* = argmin_d  sum_{j > d} (b_j - mean_{j > d} b)^2 / (m - d)^2        cut = 5 d*
+///
+/// Nothing when d* > m / 2: the series is still settling. Series shorter than 50 samples use batches of one.
+std::optional<std::size_t> mser_cut(std::span<const double> x);
+
+}  // namespace tw

@@ -1,0 +1,103 @@
+#include "compare/statistics/settled_mean.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "compare/align/time_bins.h"
+#include "compare/statistics/autocorrelation.h"
+#include "compare/statistics/batch_means.h"
+#include "compare/statistics/mser.h"
+#include "compare/statistics/student_t.h"
+
+namespace tw {
+
+namespace {
+
+MeanValue unknown(std::string why) {
+    MeanValue m;
+    m.why_not = std::move(why);
+    return m;
+}
+
+MeanValue too_short(MeanValue m, double more, const std::string& why) {
+    MeanValue refused;
+    refused.from = m.from;
+    refused.to = m.to;
+    refused.n_effective = m.n_effective;
+    refused.seconds_needed = more;
+    refused.why_not = fmt::format("record too short: {}; about {:.2g} s more is needed", why, more);
+    return refused;
+}
+
+}  // namespace
+
+MeanValue settled_mean(std::span<const double> time, std::span<const double> values, const SettledRules& rules) {
+    std::vector<double> t, x;
+    for (std::size_t i = 0; i < std::min(time.size(), values.size()); ++i) {
+        if (!(time[i] >= rules.from) || !std::isfinite(values[i])) continue;
+        t.push_back(time[i]);
+        x.push_back(values[i]);
+    }
+    if (t.empty()) {
+        if (std::ranges::none_of(values, [](double v) { return std::isfinite(v); })) return unknown("no value in the whole record");
+        const double end = time.empty() ? 0 : time.back();
+        MeanValue m;
+        return too_short(m, rules.from - end + 3 * rules.flow_through,
+                         fmt::format("it ends at {:.3g} s and means begin at {:.3g} s", end, rules.from));
+    }
+    MeanValue m;
+    m.from = t.front();
+    m.to = t.back();
+    constexpr std::size_t fewest_samples = 10;
+    if (t.size() < fewest_samples || !(m.to > m.from)) {
+        const double per_sample = t.size() > 1 ? (m.to - m.from) / static_cast<double>(t.size() - 1) : 0;
+        return too_short(m, std::max(rules.flow_through * rules.fewest_flow_throughs, per_sample * fewest_samples),
+                         fmt::format("{} samples after {:.3g} s", t.size(), rules.from));
+    }
+
+    constexpr std::size_t most_bins = 4096;
+    const std::vector<double> bins = time_bins(t, x, std::min(t.size(), most_bins));
+    const double bin = (m.to - m.from) / static_cast<double>(bins.size());
+    const auto cut = mser_cut(bins);
+    if (!cut) return too_short(m, m.to - m.from, "the series is still settling");
+    m.from += bin * static_cast<double>(*cut);
+    const std::span<const double> settled = std::span(bins).subspan(*cut);
+    const double n = static_cast<double>(settled.size()), window = m.to - m.from;
+
+    double mean = 0, squares = 0;
+    for (const double v : settled) mean += v / n;
+    for (const double v : settled) squares += (v - mean) * (v - mean);
+    const double tau = integrated_autocorrelation_time(settled);
+    m.n_effective = n / (2 * tau);
+    const double s = std::sqrt(squares / (n - 1));
+    const double u = s / std::sqrt(m.n_effective);
+
+    if (m.n_effective < rules.fewest_independent)
+        return too_short(m, window * (rules.fewest_independent / m.n_effective - 1),
+                         fmt::format("{:.2g} independent samples, {:g} wanted", m.n_effective, rules.fewest_independent));
+    if (rules.flow_through > 0 && window < rules.fewest_flow_throughs * rules.flow_through)
+        return too_short(m, rules.fewest_flow_throughs * rules.flow_through - window,
+                         fmt::format("{:.2g} flow-through times after the transient, {:g} wanted", window / rules.flow_through,
+                                     rules.fewest_flow_throughs));
+    const double allowed = std::max(rules.largest_error * std::abs(mean), rules.allowed_error);
+    if (u > allowed)
+        return too_short(m, allowed > 0 ? window * ((u / allowed) * (u / allowed) - 1) : window,
+                         fmt::format("standard error {:.2g} % of the mean, {:g} % wanted", 100 * u / std::abs(mean),
+                                     100 * allowed / std::abs(mean)));
+
+    const auto batch = static_cast<std::size_t>(std::min(n / 5, std::max(std::sqrt(n), 10 * tau)));
+    const double second = batch_means_error(settled, batch);
+    const double t95 = student_t_95(m.n_effective - 1);
+    m.known = true;
+    m.value = mean;
+    m.half_width = t95 * u;
+    m.second_opinion = t95 * second;
+    m.unreliable = std::max(u, second) > 1.5 * std::min(u, second);
+    if (m.unreliable) m.half_width = std::max(m.half_width, m.second_opinion);
+    return m;
+}
+
+}  // namespace tw

@@ -1,0 +1,27 @@
+#pragma once
+#include <span>
+
+#include "compare/compare.h"
+
+namespace tw {
+
+/// What a settled mean must fulfil to be printed.
+struct SettledRules {
+    double from = 0;                ///< no sample before this time counts [s]
+    double flow_through = 0;        ///< length over speed [s]; 0: no such rule
+    double fewest_flow_throughs = 3;///< after the cut
+    double fewest_independent = 10; ///< n_eff
+    double largest_error = 0.02;    ///< standard error over |mean|
+    double allowed_error = 0;       ///< a standard error below this is fine whatever the mean [unit of the series]
+};
+
+/// The mean of a series after its transient, with its 95 % interval:
+/// - rows whose value is not finite are left out; the rest is averaged into equal time bins (means are kept exactly);
+/// - transient cut by MSER-5 (statistics/mser.h);
+/// - n_eff = n / (2 tau_int), u = s / sqrt(n_eff), half width t_95(n_eff - 1) u;
+/// - overlapping batch means as a second opinion: where the two differ by more than 1.5 the wider one is used and the value is
+///   marked unreliable.
+/// Not known, with the reason and about how many seconds more would do, where a rule is not met.
+MeanValue settled_mean(std::span<const double> time, std::span<const double> values, const SettledRules& rules);
+
+}  // namespace tw
