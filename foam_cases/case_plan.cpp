@@ -1,0 +1,213 @@
+#include "foam_cases/case_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "base/errors.h"
+#include "meshes/query.h"
+
+namespace tw {
+namespace {
+
+Patch patch(Side side, const char* wall_name, bool empty) {
+    switch (side) {
+        case Side::inlet: return {"inlet", side, false};
+        case Side::outlet: return {"outlet", side, false};
+        case Side::atmosphere: return {"atmosphere", side, false};
+        case Side::symmetry: return {"midPlane", side, empty};
+        case Side::slip_wall: break;
+    }
+    return {wall_name, side, empty};
+}
+
+std::array<Patch, 6> patches_of(const Domain& d) {
+    const bool flat = d.dimensions == 2;
+    std::array<Patch, 6> p{patch(d.x_min, "left", false),      patch(d.x_max, "right", false),  patch(d.y_min, "front", flat),
+                           patch(d.y_max, flat ? "back" : "side", flat), patch(d.z_min, "bottom", false), patch(d.z_max, "top", false)};
+    // Two sides of one kind would share a patch name: the later one gets its axis behind it.
+    std::set<std::string> seen;
+    static constexpr const char* axis[] = {"X", "X", "Y", "Y", "Z", "Z"};
+    for (std::size_t i = 0; i < 6; ++i)
+        while (!seen.insert(p[i].name).second) p[i].name += axis[i];
+    return p;
+}
+
+/// Every corner lies in a corner of the bounding box: its faces can be cell faces of the background mesh.
+bool is_aligned_box(const Surface& s) {
+    const Box b = s.bounds();
+    const double eps = 1e-9 * b.size().norm();
+    for (const Vec3& p : s.points)
+        for (int a = 0; a < 3; ++a)
+            if (std::abs(p[a] - b.min[a]) > eps && std::abs(p[a] - b.max[a]) > eps) return false;
+    return true;
+}
+
+Vec3 find_point_in_fluid(const CasePlan& plan) {
+    const Box& b = plan.scene->domain.box;
+    std::vector<SurfaceQuery> solids;
+    for (const Solid& s : plan.solids) solids.emplace_back(*s.surface);
+    // Odd fractions of the background cell: never on a face of any refinement level. Far corners first, then inwards.
+    const double h = plan.background_cell;
+    for (int inward = 0; inward < 40; ++inward)
+        for (const int corner : {6, 4, 2, 0, 7, 5, 3, 1}) {
+            const Vec3 step(0.1234 * h + inward * h, (plan.scene->domain.dimensions == 2 ? 0.317 * b.size().y() : 0.317 * h + inward * h),
+                            0.2143 * h + inward * h);
+            Vec3 p;
+            const bool high[3] = {(corner & 1) != 0, (corner & 2) != 0, (corner & 4) == 0};
+            // In the floor's corners of the inlet's side first (bits: x, y, not z).
+            p.x() = high[0] ? b.max.x() - step.x() : b.min.x() + step.x();
+            p.y() = high[1] ? b.max.y() - step.y() : b.min.y() + step.y();
+            p.z() = high[2] ? b.max.z() - step.z() : b.min.z() + step.z();
+            if (!b.contains(p)) continue;
+            bool free = true;
+            for (const SurfaceQuery& s : solids) free = free && !s.inside(p) && s.nearest(p).distance > 0.5 * h;
+            if (free) return p;
+        }
+    throw InputError("the solids fill the domain: no place for water was found in " + std::to_string(b.size().x()) + " x " +
+                     std::to_string(b.size().y()) + " x " + std::to_string(b.size().z()) + " m; enlarge the domain");
+}
+
+/// Moves a probe off walls and solids, so that it surely lies in a cell.
+Vec3 into_fluid(const CasePlan& plan, const std::vector<SurfaceQuery>& solids, Vec3 p) {
+    const double gap = 0.05 * plan.finest_cell;
+    for (const SurfaceQuery& s : solids) {
+        const auto near = s.nearest(p, plan.finest_cell);
+        if (near.triangle >= 0 && near.distance < gap) p = near.point + gap * near.normal;
+    }
+    const Box& b = plan.scene->domain.box;
+    for (int a = 0; a < 3; ++a) p[a] = std::clamp(p[a], b.min[a] + gap, b.max[a] - gap);
+    if (plan.scene->domain.dimensions == 2) p.y() = 0.5 * (b.min.y() + b.max.y());
+    return p;
+}
+
+void plan_probes(CasePlan& plan) {
+    const Scene& scene = *plan.scene;
+    if (scene.sampling.pressure.empty() && scene.sampling.height.empty()) return;
+    std::vector<SurfaceQuery> solids;
+    for (const Solid& s : plan.solids) solids.emplace_back(*s.surface);
+    for (const PressureProbe& probe : scene.sampling.pressure) plan.pressure_places.push_back(into_fluid(plan, solids, probe.place));
+    const Box& b = scene.domain.box;
+    const int points = std::max(1, static_cast<int>(std::lround(b.size().z() / plan.finest_cell)));
+    plan.column_step = b.size().z() / points;
+    for (const HeightProbe& probe : scene.sampling.height) {
+        std::vector<Vec3> column;
+        const Vec3 foot = into_fluid(plan, {}, {probe.x, probe.y, b.min.z()});
+        for (int k = 0; k < points; ++k) column.emplace_back(foot.x(), foot.y(), b.min.z() + (k + 0.5) * plan.column_step);
+        plan.height_columns.push_back(column);
+    }
+}
+
+void plan_refinement(CasePlan& plan) {
+    const Scene& scene = *plan.scene;
+    if (scene.domain.dimensions == 2) return;   // one cell thick: snappyHexMesh would split it; background_cell is fine already
+    const double ratio = plan.background_cell / scene.resolution.near_hull;
+    plan.wet_level = ratio > 1 ? static_cast<int>(std::lround(std::log2(ratio))) : 0;
+    int reached = 0;
+    std::set<std::string> names;
+    for (const Solid& s : plan.solids) names.insert(s.name);
+    for (RefinementBox box : scene.refinement) {
+        if (box.level <= 0) continue;
+        box.name = word_from(box.name, "refined");
+        while (!names.insert(box.name).second) box.name += "_";
+        reached = std::max(reached, box.level);
+        plan.boxes.push_back(box);
+    }
+    // The wet bottom is refined by boxes; the surface itself may then be two levels coarser, so that dry topsides stay cheap
+    // (measured: the force does not change). Without such boxes the whole surface gets the finest level.
+    plan.surface_level = reached >= plan.wet_level ? std::max(0, plan.wet_level - 2) : plan.wet_level;
+    plan.feature_level = std::max(plan.surface_level, plan.wet_level - 1);
+    plan.finest_cell = plan.background_cell / std::pow(2.0, std::max(reached, plan.solids.empty() ? 0 : plan.surface_level));
+}
+
+void plan_times(CasePlan& plan) {
+    const Scene& scene = *plan.scene;
+    const double g = std::abs(scene.water.gravity), height = scene.domain.box.size().z();
+    const double interval = scene.sampling.interval > 0 ? scene.sampling.interval : scene.run.duration / 100;
+    if (scene.hull && plan.stream) {
+        // Forces of the water need the hull's pressures: forty times per hull length of travel resolves their settling.
+        const double wanted = scene.hull->length / scene.motion.speed / 40;
+        plan.raster_every = std::max(1, static_cast<int>(std::ceil(interval / wanted - 1e-9)));
+    }
+    plan.write_interval = interval / plan.raster_every;
+    if (scene.sampling.snapshot_interval > 0)
+        plan.snapshot_every = std::max(1, static_cast<int>(std::lround(scene.sampling.snapshot_interval / plan.write_interval)));
+    const double fall = std::sqrt(2 * g * height);
+    plan.first_step = 0.05 * plan.finest_cell / std::max({scene.motion.speed, fall, 1e-6});
+    plan.first_step = std::min(plan.first_step, 0.1 * plan.write_interval);
+    // Gravity acts explicitly on the surface: still water would otherwise be taken in steps that shake it.
+    plan.largest_step = g > 0 ? 0.5 * std::sqrt(plan.finest_cell / g) : plan.write_interval;
+    const double length = scene.hull ? scene.hull->length : height;
+    plan.speed_limit = 10 * (scene.motion.speed + std::sqrt(g * length) + fall);
+}
+
+}  // namespace
+
+AxisCells split_axis(double low, double high, double spacing, std::vector<double> wanted) {
+    AxisCells axis;
+    std::sort(wanted.begin(), wanted.end());
+    axis.planes = {low};
+    for (const double plane : wanted) {
+        const auto fits = [&](double from, double to) {   // both in whole cells within 25 %
+            const double n = (to - from) / spacing;
+            return n > 0.75 && std::abs(n / std::max(1.0, std::round(n)) - 1) <= 0.25;
+        };
+        if (plane > low && plane < high && fits(axis.planes.back(), plane) && fits(plane, high)) axis.planes.push_back(plane);
+    }
+    axis.planes.push_back(high);
+    for (std::size_t i = 1; i < axis.planes.size(); ++i)
+        axis.cells.push_back(std::max(1, static_cast<int>(std::lround((axis.planes[i] - axis.planes[i - 1]) / spacing))));
+    return axis;
+}
+
+CasePlan plan_case(const Scene& scene, const Flavour& flavour) {
+    CasePlan plan;
+    plan.scene = &scene;
+    plan.flavour = flavour;
+    plan.stream = scene.motion.kind == Motion::Kind::stream;
+    plan.viscous = scene.effect_on("viscosity");
+    plan.turbulent = plan.viscous && std::none_of(scene.effects.begin(), scene.effects.end(),
+                                                  [](const EffectChoice& e) { return e.name == "turbulence" && !e.on; });
+    plan.sides = patches_of(scene.domain);
+    const Box& box = scene.domain.box;
+    if (!box.min.allFinite() || !box.max.allFinite() || !(box.size().minCoeff() > 0) || !(scene.resolution.spacing > 0) ||
+        !(scene.resolution.near_hull > 0) || !(scene.run.duration > 0))
+        throw InputError("the scene's domain, spacings and duration must be positive numbers before a case can be written");
+
+    if (scene.hull) plan.solids.push_back({"hull", &scene.hull->surface, true});
+    std::set<std::string> names{"hull"};
+    for (const Patch& p : plan.sides) names.insert(p.name);
+    for (const Obstacle& o : scene.obstacles) {
+        std::string name = word_from(o.name, "obstacle");
+        while (!names.insert(name).second) name += "_";
+        plan.solids.push_back({name, &o.surface, false});
+    }
+
+    const bool uniform = scene.domain.dimensions == 2 || (!scene.hull && scene.refinement.empty());
+    plan.background_cell = plan.finest_cell = uniform ? scene.resolution.near_hull : scene.resolution.spacing;
+    plan_refinement(plan);
+    plan.snappy = !plan.solids.empty() || !plan.boxes.empty();
+    plan.half_space = scene.water_blocks.empty();
+
+    for (int a = 0; a < 3; ++a) {
+        std::vector<double> wanted;
+        if (a == 2 && plan.half_space) wanted.push_back(0);
+        for (const Box& b : scene.water_blocks) wanted.insert(wanted.end(), {b.min[a], b.max[a]});
+        for (const Obstacle& o : scene.obstacles)
+            if (is_aligned_box(o.surface)) wanted.insert(wanted.end(), {o.surface.bounds().min[a], o.surface.bounds().max[a]});
+        plan.axes[static_cast<std::size_t>(a)] = split_axis(box.min[a], box.max[a], plan.background_cell, wanted);
+    }
+    if (scene.domain.dimensions == 2) plan.axes[1] = {{box.min.y(), box.max.y()}, {1}};
+    if (plan.snappy) plan.point_in_fluid = find_point_in_fluid(plan);
+
+    const double length = scene.hull ? scene.hull->length : box.size().x();
+    const double speed = plan.stream ? scene.motion.speed : std::sqrt(std::abs(scene.water.gravity) * box.size().z());
+    plan.inlet_omega = 5 * speed / length;   // a clean stream; the force does not react to it (measured over a factor 10)
+    plan.inlet_k = 10 * scene.water.kinematic_viscosity * plan.inlet_omega;
+
+    plan_times(plan);
+    plan_probes(plan);
+    return plan;
+}
+
+}  // namespace tw

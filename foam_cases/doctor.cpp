@@ -1,0 +1,152 @@
+#include "foam_cases/doctor.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "base/atomic_file.h"
+#include "base/errors.h"
+#include "foam_cases/flavour.h"
+#include "foam_cases/read/number_rows.h"
+#include "foam_cases/run/environment.h"
+
+namespace tw {
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path environment_path(const char* name) {
+    const char* value = std::getenv(name);
+    return value == nullptr ? fs::path() : fs::path(value);
+}
+
+bool is_program(const fs::path& p) {
+    std::error_code none;
+    return fs::is_regular_file(p, none) && ::access(p.c_str(), X_OK) == 0;
+}
+
+/// "WM_PROJECT_VERSION=v1912" of etc/bashrc; META-INFO/api-info of openfoam.com says "api=2312".
+void read_version(OpenFoam& found) {
+    const auto behind = [](const std::string& text, const std::string& label) {
+        for (std::size_t at = text.find(label); at != std::string::npos; at = text.find(label, at + 1)) {
+            if (at > 0 && text.compare(at - std::min<std::size_t>(at, 1), 1, "[") == 0) continue;   // a comment that explains it
+            std::string value;
+            for (std::size_t i = at + label.size(); i < text.size() && (std::isalnum(static_cast<unsigned char>(text[i])) || text[i] == '.'); ++i) value += text[i];
+            if (!value.empty()) return value;
+        }
+        return std::string();
+    };
+    std::error_code none;
+    if (fs::exists(found.project_dir / "META-INFO/api-info", none)) {
+        const std::string api = behind(read_text(found.project_dir / "META-INFO/api-info"), "api=");
+        if (!api.empty()) found.version = "v" + api;
+    }
+    if (found.version.empty() && fs::exists(found.project_dir / "etc/bashrc", none))
+        found.version = behind(read_text(found.project_dir / "etc/bashrc"), "WM_PROJECT_VERSION=");
+    // openfoam.com numbers its releases by year and month with a v, openfoam.org simply counts.
+    found.vendor = found.version.rfind('v', 0) == 0 ? "openfoam.com" : "openfoam.org";
+}
+
+/// Fills in programs and version; false when no installation is there.
+bool look_into(const fs::path& project_dir, OpenFoam& found) {
+    std::error_code none;
+    if (project_dir.empty() || !fs::exists(project_dir / "etc/controlDict", none)) return false;
+    found.project_dir = project_dir;
+    for (const auto& options : fs::directory_iterator(project_dir / "platforms", none))
+        if (is_program(options.path() / "bin/blockMesh")) found.bin = options.path() / "bin";
+    const fs::path wanted = project_dir / "platforms" / environment_path("WM_OPTIONS") / "bin";
+    if (is_program(wanted / "blockMesh")) found.bin = wanted;
+    if (found.bin.empty() && is_program("/usr/bin/blockMesh") && project_dir.string().rfind("/usr/share", 0) == 0) found.bin = "/usr/bin";
+    if (found.bin.empty()) {
+        const fs::path on_path = find_program(environment_of(OpenFoam{}), "blockMesh");
+        if (on_path.empty()) return false;
+        found.bin = on_path.parent_path();
+    }
+    read_version(found);
+    found.solver = found.bin / Flavour::from_version(found.vendor, found.version).solver_program();
+    return is_program(found.solver);
+}
+
+std::vector<fs::path> project_folders(const std::string& preferred) {
+    std::vector<fs::path> out;
+    if (!preferred.empty()) out.emplace_back(preferred);
+    out.push_back(environment_path("WM_PROJECT_DIR"));
+    out.emplace_back("/usr/share/openfoam");
+    const auto children = [&](const fs::path& parent, const std::string& prefix) {
+        std::vector<fs::path> found;
+        std::error_code none;
+        for (const auto& e : fs::directory_iterator(parent, none))
+            if (e.path().filename().string().rfind(prefix, 0) == 0) found.push_back(e.path());
+        std::sort(found.rbegin(), found.rend());   // the newest first
+        out.insert(out.end(), found.begin(), found.end());
+    };
+    children("/usr/lib/openfoam", "openfoam");
+    children("/opt", "openfoam");
+    children("/opt", "OpenFOAM");
+    children(environment_path("HOME") / "OpenFOAM", "OpenFOAM-");
+    return out;
+}
+
+/// Folders that may hold solvers built by tools/build_openfoam_solvers.sh.
+std::vector<fs::path> mended_folders() {
+    std::vector<fs::path> out;
+    if (const fs::path p = environment_path("TWINWAKE_OPENFOAM_BIN"); !p.empty()) out.push_back(p);
+    std::error_code none;
+    const fs::path self = fs::read_symlink("/proc/self/exe", none);
+    if (!self.empty()) out.push_back(self.parent_path().parent_path() / ".openfoam/bin");
+    if (const fs::path home = environment_path("HOME"); !home.empty()) out.push_back(home / ".local/share/twinwake/openfoam/bin");
+    return out;
+}
+
+bool belongs_to(const OpenFoam& found, const std::string& preferred) {
+    if (preferred.empty()) return true;
+    std::error_code none;
+    return fs::equivalent(found.project_dir, preferred, none) || fs::equivalent(found.solver.parent_path(), preferred, none) ||
+           fs::equivalent(found.solver, preferred, none);
+}
+
+}  // namespace
+
+std::vector<OpenFoam> find_openfoam(const std::string& preferred) {
+    std::vector<OpenFoam> installed, all;
+    for (const fs::path& folder : project_folders(preferred)) {
+        OpenFoam found;
+        std::error_code none;
+        const bool known = std::any_of(installed.begin(), installed.end(), [&](const OpenFoam& f) { return fs::equivalent(f.project_dir, folder, none); });
+        if (!known && look_into(folder, found)) installed.push_back(found);
+    }
+    // Mended solvers run on the libraries of the distribution they were built from.
+    const auto debian = std::find_if(installed.begin(), installed.end(), [](const OpenFoam& f) { return f.bin == "/usr/bin"; });
+    if (debian != installed.end())
+        for (const fs::path& folder : mended_folders())
+            if (is_program(folder / "interFoam")) {
+                OpenFoam mended = *debian;
+                mended.solver = folder / "interFoam";
+                all.push_back(mended);
+            }
+    all.insert(all.end(), installed.begin(), installed.end());
+    std::erase_if(all, [&](const OpenFoam& f) { return !belongs_to(f, preferred); });
+    for (OpenFoam& candidate : all) self_test(candidate);
+    return all;
+}
+
+OpenFoam sound_openfoam(const std::string& preferred) {
+    const std::vector<OpenFoam> all = find_openfoam(preferred);
+    for (const OpenFoam& f : all)
+        if (f.sound) return f;
+    std::string text;
+    for (const OpenFoam& f : all) text += fmt::format("\n  {}: {}", f.solver.string(), f.verdict);
+    if (all.empty()) {
+        const std::string where = preferred.empty() ? "on this machine" : "in '" + preferred + "'";
+        throw InputError("no OpenFOAM was found " + where +
+                         " (looked at WM_PROJECT_DIR, /usr/share/openfoam, /usr/lib/openfoam, /opt, ~/OpenFOAM).\n"
+                         "  Debian, Ubuntu: sudo apt-get install --no-install-recommends openfoam, then tools/build_openfoam_solvers.sh .openfoam\n"
+                         "  others: a release of openfoam.com or openfoam.org, its etc/bashrc sourced; or run with --method sph");
+    }
+    throw InputError("no sound OpenFOAM solver was found; a faulty one is never used:" + text +
+                     "\n  Debian, Ubuntu: tools/build_openfoam_solvers.sh .openfoam builds a sound interFoam in a minute, from the package's own source");
+}
+
+}  // namespace tw

@@ -1,0 +1,40 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "foam_cases/case_plan.h"
+
+namespace tw {
+
+struct CaseFile {
+    std::string path;   ///< inside the case folder
+    std::string text;
+    bool executable = false;
+};
+
+// One function per OpenFOAM file, each in a source file of the same subject.
+std::string block_mesh_dict(const CasePlan& plan);
+std::string surface_features_dict(const CasePlan& plan);
+std::string snappy_hex_mesh_dict(const CasePlan& plan);
+std::string set_fields_dict(const CasePlan& plan);
+std::string decompose_par_dict(const CasePlan& plan, int ranks);
+std::string control_dict(const CasePlan& plan);
+std::string fv_schemes(const CasePlan& plan);
+std::string fv_solution(const CasePlan& plan);
+
+std::string gravity_file(const CasePlan& plan);
+std::string turbulence_file(const CasePlan& plan);
+std::vector<CaseFile> phase_files(const CasePlan& plan);   ///< transportProperties, or a file per phase
+
+std::string alpha_water(const CasePlan& plan);
+std::string velocity_field(const CasePlan& plan);
+std::string p_rgh(const CasePlan& plan);
+std::vector<CaseFile> turbulence_fields(const CasePlan& plan);   ///< k, omega, nut; none in laminar flow
+
+std::string allrun_script(const CasePlan& plan, int ranks);
+std::string case_readme(const CasePlan& plan);
+
+/// The whole case but for the surfaces of constant/triSurface.
+std::vector<CaseFile> case_files(const CasePlan& plan, int ranks);
+
+}  // namespace tw

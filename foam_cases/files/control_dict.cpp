@@ -1,0 +1,120 @@
+#include "foam_cases/files/case_files.h"
+#include "record/run_record.h"
+
+namespace tw {
+namespace {
+
+Dictionary every_step() { return {{"log", false}, {"writeControl", Word("timeStep")}, {"writeInterval", 1}}; }
+Dictionary every_write(int nth = 1) { return {{"log", false}, {"writeControl", Word("writeTime")}, {"writeInterval", nth}}; }
+
+/// Pressure and viscous force of water and air together on the hull, every step.
+Dictionary forces(const CasePlan& plan) {
+    Dictionary d{{"type", Word("forces")},
+                 {"libs", plan.flavour.library("forces")},
+                 {"patches", List{Word("hull")}},
+                 {"rho", Word("rho")},   // the solver's own density field
+                 {"CofR", moment_reference(*plan.scene)}};
+    return d.add(every_step());
+}
+
+Dictionary fastest(const CasePlan& plan) {
+    Dictionary d{{"type", Word("fieldMinMax")},
+                 {"libs", plan.flavour.library("fieldFunctionObjects")},
+                 {"fields", List{Word("U")}},
+                 {"mode", Word("magnitude")},
+                 {"location", true}};
+    return d.add(every_step());
+}
+
+Dictionary wall_shear(const CasePlan& plan) {
+    List patches;
+    for (const Solid& s : plan.solids) patches.push_back(Word(s.name));
+    return {{"type", Word("wallShearStress")},
+            {"libs", plan.flavour.library("fieldFunctionObjects")},
+            {"patches", patches},
+            {"log", false},
+            {"writeControl", Word("none")}};   // a field for the surfaces below, never a file of its own
+}
+
+Dictionary surface_output(const CasePlan& plan, const List& fields, const List& surfaces, int nth) {
+    Dictionary d{{"type", Word("surfaces")}, {"libs", plan.flavour.library("sampling")}};
+    d.add(every_write(nth));   // an interval of its own would be counted from the time of a restart
+    d.add({{"surfaceFormat", Word("vtk")},
+           {"formatOptions", Dictionary{{"vtk", Dictionary{{"format", Word("binary")}, {"legacy", false}, {"precision", 7}}}}},
+           {"interpolationScheme", Word("cellPoint")},
+           {"fields", fields},
+           {"surfaces", surfaces}});
+    return d;
+}
+
+Dictionary hull_surface(const CasePlan& plan) {
+    List fields{Word("p"), Word("alpha.water")};
+    if (plan.viscous) fields.push_back(Word("wallShearStress"));
+    const Dictionary hull{{"type", Word("patch")}, {"patches", List{Word("hull")}}, {"interpolate", false}, {"triangulate", false}};
+    return surface_output(plan, fields, {Value::named(Word("hull"), hull)}, 1);
+}
+
+Dictionary free_surface(const CasePlan& plan) {
+    const Dictionary iso{{"type", Word("isoSurfaceCell")}, {"isoField", Word("alpha.water")}, {"isoValue", 0.5}, {"interpolate", true},
+                         {"regularise", true}};
+    return surface_output(plan, {Word("U")}, {Value::named(Word("freeSurface"), iso)}, plan.snapshot_every);
+}
+
+Dictionary probes(const CasePlan& plan, const char* field, const std::vector<Vec3>& places, const char* interpolation) {
+    List points;
+    for (const Vec3& p : places) points.push_back(p);
+    Dictionary d{{"type", Word("probes")}, {"libs", plan.flavour.library("sampling")}};
+    d.add(every_step());
+    d.add({{"fields", List{Word(field)}}, {"fixedLocations", true}, {"interpolationScheme", Word(interpolation)}, {"probeLocations", points}});
+    return d;
+}
+
+Dictionary functions(const CasePlan& plan) {
+    Dictionary f;
+    if (plan.scene->hull) f.add("forces", forces(plan));
+    f.add("fastest", fastest(plan));
+    if (plan.scene->hull && plan.viscous) f.add("wallShear", wall_shear(plan));   // before hullSurface, which writes it
+    if (plan.scene->hull) f.add("hullSurface", hull_surface(plan));
+    if (plan.snapshot_every > 0) f.add("freeSurface", free_surface(plan));
+    if (!plan.pressure_places.empty()) f.add("pressureProbes", probes(plan, "p", plan.pressure_places, "cellPoint"));
+    std::vector<Vec3> columns;
+    for (const auto& column : plan.height_columns) columns.insert(columns.end(), column.begin(), column.end());
+    if (!columns.empty()) f.add("heightColumns", probes(plan, "alpha.water", columns, "cell"));
+    // A file of this name in the case folder ends the run after writing its state.
+    f.add("stop", Dictionary{{"type", Word(plan.flavour.stop_file_object())},
+                             {"libs", plan.flavour.library("utilityFunctionObjects")},
+                             {"action", Word("writeNow")}});
+    return f;
+}
+
+}  // namespace
+
+/// system/controlDict. Transient Euler steps of a fixed largest Courant number; local time stepping is no faster here and its
+/// force or its wake is wrong by 5-20 % (measured).
+std::string control_dict(const CasePlan& plan) {
+    const FvmOptions& fvm = plan.scene->fvm;
+    Dictionary d{{"application", Word(plan.flavour.solver_program())}};
+    if (!plan.flavour.solver_arguments().empty()) d.add("solver", Word(plan.flavour.solver_arguments().back()));
+    d.add({{"startFrom", Word("latestTime")},
+           {"startTime", 0},
+           {"stopAt", Word("endTime")},
+           {"endTime", plan.scene->run.duration},
+           {"deltaT", plan.first_step},   // of the first step only
+           {"writeControl", Word("adjustableRunTime")},
+           {"writeInterval", plan.write_interval},
+           {"purgeWrite", 0},
+           {"writeFormat", Word("binary")},
+           {"writePrecision", 8},
+           {"writeCompression", Word("off")},
+           {"timeFormat", Word("general")},
+           {"timePrecision", 8},
+           {"runTimeModifiable", true},
+           {"adjustTimeStep", true},
+           {"maxCo", fvm.max_courant},
+           {"maxAlphaCo", fvm.max_alpha_courant},
+           {"maxDeltaT", plan.largest_step},
+           {"functions", functions(plan)}});
+    return foam_file("dictionary", "controlDict", d);
+}
+
+}  // namespace tw

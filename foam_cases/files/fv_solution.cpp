@@ -1,0 +1,51 @@
+#include "foam_cases/files/case_files.h"
+
+namespace tw {
+
+/// system/fvSolution. Semi-implicit MULES takes the water through steps of Courant number 4 and more.
+std::string fv_solution(const CasePlan& plan) {
+    const Box& box = plan.scene->domain.box;
+    Dictionary alpha{{"nAlphaCorr", 1},
+                     {"nAlphaSubCycles", 1},
+                     {"MULESCorr", true},
+                     {"nLimiterIter", 8},
+                     {"alphaApplyPrevCorr", true},
+                     {"solver", Word("smoothSolver")},
+                     {"smoother", Word("symGaussSeidel")},
+                     {"tolerance", 1e-8},
+                     {"relTol", 0},
+                     {"minIter", 1}};
+    if (!plan.flavour.compression_in_scheme())
+        alpha.add({{"cAlpha", plan.scene->fvm.interface_compression}, {"icAlpha", 0}});   // 1 lets twice the air under a hull (measured)
+    const auto pressure_solver = [](double relative) {
+        return Dictionary{{"solver", Word("GAMG")}, {"smoother", Word("DIC")}, {"tolerance", 1e-7}, {"relTol", relative}};
+    };
+    const Dictionary preconditioner{{"preconditioner", Word("GAMG")}, {"smoother", Word("GaussSeidel")}, {"tolerance", 1e-5}, {"relTol", 0}};
+    Dictionary solvers;
+    solvers.add(Key::pattern("alpha.water.*"), alpha);
+    solvers.add(Key::pattern("pcorr.*"),
+                Dictionary{{"solver", Word("PCG")}, {"preconditioner", preconditioner}, {"tolerance", 1e-5}, {"relTol", 0}});
+    solvers.add("p_rgh", pressure_solver(0.01));
+    solvers.add("p_rghFinal", pressure_solver(0.001));
+    solvers.add(Key::pattern("(U|k|omega).*"), Dictionary{{"solver", Word("smoothSolver")},
+                                                          {"smoother", Word("symGaussSeidel")},
+                                                          {"nSweeps", 1},
+                                                          {"tolerance", 1e-8},
+                                                          {"relTol", 0.1},
+                                                          {"minIter", 1}});
+    Dictionary equations;
+    equations.add(Key::pattern(".*"), 1);
+    return foam_file("dictionary", "fvSolution",
+                     {{"solvers", solvers},
+                      {"PIMPLE", Dictionary{{"momentumPredictor", false},
+                                            {"nOuterCorrectors", 1},
+                                            {"nCorrectors", plan.scene->fvm.correctors},
+                                            {"nNonOrthogonalCorrectors", 0},
+                                            // asked for only where no side is open to the air: zero in the top corner
+                                            {"pRefPoint", Vec3(box.max - 0.01 * box.size())},
+                                            {"pRefValue", 0}}},
+                      {"relaxationFactors", Dictionary{{"equations", equations}}},
+                      {"cache", Dictionary{{"grad(U)", Word("true")}}}});
+}
+
+}  // namespace tw

@@ -1,0 +1,49 @@
+#include "foam_cases/files/case_files.h"
+
+namespace tw {
+namespace {
+
+/// Boxes of water as wide as needed: a face of a block that lies on the domain's side reaches beyond it.
+std::vector<Box> water_boxes(const CasePlan& plan) {
+    const Scene& scene = *plan.scene;
+    const Box& d = scene.domain.box;
+    const Vec3 beyond = d.size();
+    if (plan.half_space) return {Box{d.min - beyond, Vec3(d.max.x() + beyond.x(), d.max.y() + beyond.y(), 0)}};
+    std::vector<Box> boxes = scene.water_blocks;
+    for (Box& b : boxes)
+        for (int a = 0; a < 3; ++a) {
+            if (b.min[a] <= d.min[a]) b.min[a] -= beyond[a];
+            if (b.max[a] >= d.max[a]) b.max[a] += beyond[a];
+            if (a == 1 && scene.domain.dimensions == 2) b.min[a] = d.min[a] - beyond[a], b.max[a] = d.max[a] + beyond[a];
+        }
+    return boxes;
+}
+
+}  // namespace
+
+/// system/setFieldsDict: water into cells whose centre lies in a block (block faces are cell faces, see case_plan.h), and onto the inlet.
+std::string set_fields_dict(const CasePlan& plan) {
+    const bool has_inlet = plan.stream;
+    if (plan.flavour.set_fields_zones()) {
+        Dictionary zones;
+        int n = 0;
+        for (const Box& b : water_boxes(plan)) {
+            const Dictionary values{{"alpha.water", 1}};
+            const std::string name = "water" + std::to_string(n++);
+            zones.add(name, Dictionary{{"type", Word("box")}, {"zoneType", Word("cell")}, {"box", Value::sequence({b.min, b.max})}, {"values", values}});
+            if (has_inlet)
+                zones.add(name + "Faces", Dictionary{{"type", Word("box")}, {"zoneType", Word("face")}, {"box", Value::sequence({b.min, b.max})}, {"values", values}});
+        }
+        return foam_file("dictionary", "setFieldsDict", {{"defaultValues", Dictionary{{"alpha.water", 0}}}, {"zones", zones}});
+    }
+    const auto value = [](int v) { return Value::sequence({Word("volScalarFieldValue alpha.water"), v}); };
+    List regions;
+    for (const Box& b : water_boxes(plan)) {
+        const Dictionary region{{"box", Value::sequence({b.min, b.max})}, {"fieldValues", List{value(1)}}};
+        regions.push_back(Value::named(Word("boxToCell"), region));
+        if (has_inlet) regions.push_back(Value::named(Word("boxToFace"), region));
+    }
+    return foam_file("dictionary", "setFieldsDict", {{"defaultFieldValues", List{value(0)}}, {"regions", regions}});
+}
+
+}  // namespace tw

@@ -1,0 +1,37 @@
+#include "foam_cases/flavour.h"
+
+#include <charconv>
+
+namespace tw {
+
+Flavour Flavour::from_version(std::string_view vendor_text, std::string_view version) {
+    Flavour f;
+    f.vendor = vendor_text == "openfoam.org" ? Vendor::org : Vendor::com;
+    while (!version.empty() && (version[0] < '0' || version[0] > '9')) version.remove_prefix(1);
+    if (std::from_chars(version.data(), version.data() + version.size(), f.number).ec != std::errc{}) f.number = 0;
+    return f;
+}
+
+namespace {
+bool org_from(const Flavour& f, int number) { return f.vendor == Flavour::Vendor::org && f.number >= number; }
+}  // namespace
+
+std::string Flavour::solver_program() const { return org_from(*this, 11) ? "foamRun" : "interFoam"; }
+std::vector<std::string> Flavour::solver_arguments() const {
+    return org_from(*this, 11) ? std::vector<std::string>{"-solver", "incompressibleVoF"} : std::vector<std::string>{};
+}
+std::string Flavour::post_process_program() const { return org_from(*this, 11) ? "foamPostProcess" : "postProcess"; }
+std::string Flavour::surface_features_program() const { return org_from(*this, 7) ? "surfaceFeatures" : "surfaceFeatureExtract"; }
+bool Flavour::features_per_surface() const { return !org_from(*this, 7); }
+std::string Flavour::turbulence_file() const { return org_from(*this, 8) ? "momentumTransport" : "turbulenceProperties"; }
+std::string Flavour::turbulence_model_key() const { return org_from(*this, 8) ? "model" : "RASModel"; }
+bool Flavour::phases_in_files() const { return org_from(*this, 10); }
+bool Flavour::compression_in_scheme() const { return org_from(*this, 8); }
+std::string Flavour::stop_file_object() const { return org_from(*this, 8) ? "stopAtFile" : "abort"; }
+List Flavour::library(std::string_view name) const {
+    if (vendor == Vendor::org) return {Quoted("lib" + std::string(name) + ".so")};
+    return {Word(name)};
+}
+bool Flavour::set_fields_zones() const { return org_from(*this, 12); }
+
+}  // namespace tw

@@ -1,0 +1,76 @@
+#include "foam_cases/mesh/make_mesh.h"
+
+#include "base/atomic_file.h"
+#include "base/errors.h"
+#include "foam_cases/files/case_files.h"
+#include "foam_cases/read/number_rows.h"
+#include "foam_cases/run/time_folders.h"
+
+namespace tw {
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Whatever an earlier, unfinished try left: mesh, times, decomposition, results.
+void clear_results(const fs::path& folder) {
+    std::vector<fs::path> old{folder / "constant/polyMesh", folder / "postProcessing", folder / "0", folder / "log.solver"};
+    for (const auto& e : fs::directory_iterator(folder)) {
+        const std::string name = e.path().filename().string();
+        if (e.is_directory() && (time_of(name) || name.rfind("processor", 0) == 0)) old.push_back(e.path());
+    }
+    for (const fs::path& p : old) fs::remove_all(p);
+}
+
+/// What checkMesh says: the number of cells and the lines it marks with ***.
+void read_check(const std::string& text, MeshOutcome& out) {
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        const std::string line = text.substr(at, end - at);
+        if (line.rfind("    cells:", 0) == 0) out.cells = numbers_in(line).empty() ? 0 : numbers_in(line).front();
+        if (line.find("***") != std::string::npos) out.check += line.substr(line.find_first_not_of(" *")) + "; ";
+        at = end + 1;
+    }
+    out.clean = text.find("Mesh OK") != std::string::npos;
+}
+
+}  // namespace
+
+MeshOutcome make_mesh(const CasePlan& plan, const CasePrograms& programs, const std::function<int(double)>& ranks_for, const Watch& watch,
+                      const std::function<void(const std::string&)>& starting) {
+    const fs::path& folder = programs.case_folder();
+    MeshOutcome out;
+    const auto step = [&](const std::string& program, const std::vector<std::string>& arguments, const std::string& log_name = {}) {
+        if (out.stopped) return;
+        starting(program);
+        const Ended ended = programs.run(program, arguments, watch, log_name);
+        out.cpu += ended.cpu;
+        out.peak_memory = std::max(out.peak_memory, ended.peak_memory);
+        out.stopped = !ended.ok();
+    };
+    clear_results(folder);
+    step("blockMesh", {});
+    if (plan.snappy) {
+        if (!plan.solids.empty()) step(plan.flavour.surface_features_program(), {});
+        step("snappyHexMesh", {"-overwrite"});
+    }
+    step("checkMesh", {});
+    if (out.stopped) return out;
+    read_check(read_text(programs.log("checkMesh")), out);
+    if (out.cells < 1) throw RunError("the mesh has no cells, see " + programs.log("checkMesh").string());
+    step("renumberMesh", {"-overwrite"});
+    fs::remove_all(folder / "0");
+    fs::copy(folder / "0.orig", folder / "0", fs::copy_options::recursive);
+    step("setFields", {});
+    // Cell centres and volumes as fields: decomposePar then shares them out in the order of the processors' cells.
+    step(plan.flavour.post_process_program(), {"-func", "writeCellCentres", "-time", "0"}, "writeCellCentres");
+    step(plan.flavour.post_process_program(), {"-func", "writeCellVolumes", "-time", "0"}, "writeCellVolumes");
+    for (const char* component : {"Cx", "Cy", "Cz"}) fs::remove(folder / "0" / component);
+    out.ranks = ranks_for(out.cells);
+    if (out.ranks > 1) {
+        write_text_atomically(folder / "system/decomposeParDict", decompose_par_dict(plan, out.ranks));
+        step("decomposePar", {});
+    }
+    return out;
+}
+
+}  // namespace tw

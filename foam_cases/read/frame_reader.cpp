@@ -1,0 +1,158 @@
+#include "foam_cases/read/frame_reader.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "foam_cases/read/field_file.h"
+#include "foam_cases/read/hull_patch.h"
+#include "record/raster.h"
+
+namespace tw {
+namespace fs = std::filesystem;
+
+namespace {
+
+void append(Table& table, double time, const std::vector<std::tuple<const char*, const char*, double>>& row) {
+    table.time.push_back(time);
+    for (const auto& [name, unit, value] : row) {
+        Column& c = table.column(name, unit);
+        c.values.resize(table.time.size() - 1, std::nan(""));
+        c.values.push_back(value);
+    }
+}
+
+/// The patch as a surface with one value per triangle; a half model is mirrored to the whole.
+void keep_picture(const HullPatch& patch, bool half, RunRecord& record) {
+    record.hull = patch.surface;
+    record.hull_pressure.clear();
+    record.hull_wet.clear();
+    for (const int f : patch.face_of_triangle) {
+        record.hull_pressure.push_back(static_cast<float>(patch.faces[static_cast<std::size_t>(f)].pressure));
+        record.hull_wet.push_back(static_cast<float>(patch.faces[static_cast<std::size_t>(f)].water));
+    }
+    if (!half) return;
+    const int points = static_cast<int>(record.hull.points.size());
+    const std::size_t triangles = record.hull.triangles.size();
+    for (int i = 0; i < points; ++i) {
+        Vec3 p = record.hull.points[static_cast<std::size_t>(i)];
+        p.y() = -p.y();
+        record.hull.points.push_back(p);
+    }
+    for (std::size_t t = 0; t < triangles; ++t) {
+        const auto a = record.hull.triangles[t];
+        record.hull.triangles.push_back({a[0] + points, a[2] + points, a[1] + points});
+        record.hull_pressure.push_back(record.hull_pressure[t]);
+        record.hull_wet.push_back(record.hull_wet[t]);
+    }
+}
+
+}  // namespace
+
+FrameReader::FrameReader(const CasePlan& plan, const fs::path& case_folder) : plan_(plan), case_(case_folder), folders_(case_folder) {
+    for (const fs::path& root : folders_.roots()) {
+        const FieldFile centres = read_field(root / "0" / "C"), volumes = read_field(root / "0" / "V");
+        Part part;
+        const std::size_t n = std::max(centres.uniform ? 0 : centres.cells(), volumes.uniform ? 0 : volumes.cells());
+        for (std::size_t i = 0; i < n; ++i) {
+            part.centres.push_back(centres.vector(i));
+            part.volumes.push_back(volumes.scalar(i));
+        }
+        parts_.push_back(std::move(part));
+    }
+}
+
+std::size_t FrameReader::cells() const {
+    std::size_t n = 0;
+    for (const Part& p : parts_) n += p.volumes.size();
+    return n;
+}
+
+void FrameReader::read(const TimeFolders::Moment& moment, const SolverLog& log, RunRecord& record) {
+    read_water(moment, log, record);
+    if (plan_.scene->hull) read_hull(moment, record);
+}
+
+void FrameReader::read_water(const TimeFolders::Moment& moment, const SolverLog& log, RunRecord& record) const {
+    const Scene& scene = *plan_.scene;
+    const double factor = scene.symmetry_factor(), density = scene.water.density, g = std::abs(scene.water.gravity);
+    double volume = 0, kinetic = 0, potential = 0, fastest = 0;
+    const double frames = moment.time / (plan_.write_interval * plan_.raster_every);
+    const bool to_raster = std::abs(frames - std::round(frames)) < 1e-4 && scene.sampling.raster.spacing > 0;
+    Raster raster(scene.sampling.raster);
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+        const fs::path folder = folders_.roots()[k] / moment.name;
+        const FieldFile alpha = read_field(folder / "alpha.water"), speed = read_field(folder / "U");
+        const Part& part = parts_[k];
+        for (std::size_t i = 0; i < part.volumes.size(); ++i) {
+            const double share = alpha.scalar(i), water = share * part.volumes[i];
+            volume += water;
+            if (share <= 1e-6) continue;
+            const double v2 = speed.vector(i).squaredNorm();
+            kinetic += 0.5 * density * water * v2;
+            potential += density * g * water * part.centres[i].z();
+            if (share > 0.5) fastest = std::max(fastest, v2);
+            if (to_raster) raster.pour(part.centres[i], std::cbrt(part.volumes[i]), water);
+        }
+    }
+    if (to_raster) record.frames.push_back(raster.frame(moment.time));
+    const SolverLog::Step* step = log.at(moment.time);
+    const double unknown = std::nan("");
+    append(record.table("samples"), moment.time,
+           {{"mass", "kg", factor * density * volume},
+            {"kinetic_energy", "J", factor * kinetic},
+            {"potential_energy", "J", factor * potential},
+            {"dt", "s", step != nullptr ? step->step : unknown},
+            {"max_courant", "-", step != nullptr ? step->courant : unknown},
+            {"max_speed", "m/s", std::sqrt(fastest)},
+            {"cells", "-", static_cast<double>(cells())}});
+}
+
+void FrameReader::read_hull(const TimeFolders::Moment& moment, RunRecord& record) const {
+    const Scene& scene = *plan_.scene;
+    const auto patch = read_hull_patch(case_ / "postProcessing" / "hullSurface" / moment.name);
+    Table& samples = record.table("samples");
+    const auto sample = [&](const char* name, const char* unit, double value) {
+        Column& c = samples.column(name, unit);
+        c.values.resize(samples.time.size() - 1, std::nan(""));
+        c.values.push_back(value);
+    };
+    if (!patch) {   // the solver was stopped before it wrote the surface
+        for (Column& c : samples.columns) c.values.resize(samples.time.size(), std::nan(""));
+        return;
+    }
+    const WaterLoad load = water_load(*patch, scene.water.density, scene.water.air_density, moment_reference(scene));
+    const double factor = scene.symmetry_factor();
+    // The two halves' side forces cancel.
+    const Vec3 whole(factor, factor > 1 ? 0 : 1, factor);
+    const Vec3 pressing = load.pressure.cwiseProduct(whole), rubbing = load.viscous.cwiseProduct(whole);
+    append(record.table("forces"), moment.time,
+           {{"fx", "N", pressing.x() + rubbing.x()},
+            {"fy", "N", pressing.y() + rubbing.y()},
+            {"fz", "N", pressing.z() + rubbing.z()},
+            {"fx_pressure", "N", pressing.x()},
+            {"fy_pressure", "N", pressing.y()},
+            {"fz_pressure", "N", pressing.z()},
+            {"fx_viscous", "N", rubbing.x()},
+            {"fy_viscous", "N", rubbing.y()},
+            {"fz_viscous", "N", rubbing.z()},
+            {"fx_viscous_uncorrected", "N", factor * load.viscous_mixture.x()},
+            {"fx_air", "N", factor * load.air.x()},
+            {"fz_air", "N", factor * load.air.z()},
+            {"my", "N m", factor * load.moment.y()}});
+    sample("wetted_area", "m2", factor * load.wetted_area);
+    sample("wetted_length", "m", load.wetted_length);
+    sample("ventilation", "-", load.ventilation);
+    keep_picture(*patch, factor > 1, record);
+}
+
+void forget_after(RunRecord& record, double time) {
+    const double limit = time * (1 + 1e-9);
+    for (auto& [name, table] : record.tables) {
+        const auto keep = static_cast<std::size_t>(std::upper_bound(table.time.begin(), table.time.end(), limit) - table.time.begin());
+        table.time.resize(keep);
+        for (Column& c : table.columns) c.values.resize(keep);
+    }
+    std::erase_if(record.frames, [&](const RasterFrame& f) { return f.time > limit; });
+}
+
+}  // namespace tw

@@ -1,0 +1,128 @@
+#include <algorithm>
+#include <cmath>
+
+#include "foam_cases/read/frame_reader.h"
+#include "foam_cases/read/number_rows.h"
+
+namespace tw {
+namespace fs = std::filesystem;
+
+namespace {
+
+using Rows = std::vector<std::vector<double>>;
+
+/// Pressure and viscous parts (and their moments) from the `forces` function object, in the order force x y z, moment x y z.
+struct StepLoads {
+    std::vector<double> time;
+    std::vector<std::array<double, 6>> pressure, viscous;
+};
+
+/// openfoam.com: force.dat and moment.dat, each total, pressure, viscous. openfoam.org: forces.dat with ((pressure) (viscous))
+/// ((pressure) (viscous)), porous parts behind in some releases.
+StepLoads read_loads(const fs::path& folder) {
+    StepLoads out;
+    const Rows force = joined_rows(folder, "force.dat"), moment = joined_rows(folder, "moment.dat");
+    for (std::size_t i = 0; i < std::min(force.size(), moment.size()); ++i) {
+        const auto &f = force[i], &m = moment[i];
+        if (f.size() < 10 || m.size() < 10 || f[0] != m[0]) continue;
+        out.time.push_back(f[0]);
+        out.pressure.push_back({f[4], f[5], f[6], m[4], m[5], m[6]});
+        out.viscous.push_back({f[7], f[8], f[9], m[7], m[8], m[9]});
+    }
+    if (!out.time.empty()) return out;
+    for (const auto& r : joined_rows(folder, "forces.dat")) {
+        const std::size_t half = (r.size() - 1) / 2;
+        if (half < 6) continue;
+        out.time.push_back(r[0]);
+        out.pressure.push_back({r[1], r[2], r[3], r[1 + half], r[2 + half], r[3 + half]});
+        out.viscous.push_back({r[4], r[5], r[6], r[4 + half], r[5 + half], r[6 + half]});
+    }
+    return out;
+}
+
+void read_forces(const CasePlan& plan, const fs::path& case_folder, RunRecord& record) {
+    const StepLoads loads = read_loads(case_folder / "postProcessing" / "forces");
+    if (loads.time.empty()) return;
+    const double factor = plan.scene->symmetry_factor(), side = factor > 1 ? 0 : 1;
+    Table& t = record.table("forces_total");
+    t.time = loads.time;
+    t.columns.clear();
+    const auto column = [&](const char* name, const char* unit, double scale, std::size_t k, bool with_pressure, bool with_viscous) {
+        Column& c = t.column(name, unit);
+        c.values.clear();
+        for (std::size_t i = 0; i < loads.time.size(); ++i)
+            c.values.push_back(scale * ((with_pressure ? loads.pressure[i][k] : 0) + (with_viscous ? loads.viscous[i][k] : 0)));
+    };
+    column("fx", "N", factor, 0, true, true);
+    column("fy", "N", side, 1, true, true);
+    column("fz", "N", factor, 2, true, true);
+    column("my", "N m", factor, 4, true, true);
+    column("fx_pressure", "N", factor, 0, true, false);
+    column("fz_pressure", "N", factor, 2, true, false);
+    column("fx_viscous", "N", factor, 0, false, true);
+
+    // Beside the water's force at the write times: what the solver's own sum over water and air says then.
+    Table& water = record.table("forces");
+    for (const char* name : {"fx", "fz"}) {
+        const std::vector<double>& all = t.find(name)->values;
+        std::vector<double> total;
+        for (const double time : water.time) {
+            const auto at = std::lower_bound(t.time.begin(), t.time.end(), time * (1 - 1e-7));
+            const bool met = at != t.time.end() && std::abs(*at - time) <= 1e-6 * time;
+            total.push_back(met ? all[static_cast<std::size_t>(at - t.time.begin())] : std::nan(""));
+        }
+        water.column(std::string(name) + "_total", "N").values = total;
+    }
+}
+
+/// Probes that lie in no cell read as a huge number.
+double found(double value) { return std::abs(value) > 1e100 ? std::nan("") : value; }
+
+void read_pressure(const CasePlan& plan, const fs::path& post, RunRecord& record) {
+    const auto& probes = plan.scene->sampling.pressure;
+    if (probes.empty()) return;
+    Table& t = record.table("pressure");
+    t.time.clear();
+    t.columns.clear();
+    for (const PressureProbe& p : probes) t.column(p.name, "Pa");
+    for (const auto& row : joined_rows(post / "pressureProbes", "p")) {
+        if (row.size() != probes.size() + 1) continue;
+        t.time.push_back(row[0]);
+        for (std::size_t i = 0; i < probes.size(); ++i) t.columns[i].values.push_back(found(row[i + 1]));
+    }
+}
+
+/// Elevation of the water at a height probe: the foot of the column plus the water in it, sum of alpha dz. Overturning water counts with
+/// what it holds, as a capacitive wave gauge would.
+void read_heights(const CasePlan& plan, const fs::path& post, RunRecord& record) {
+    const auto& probes = plan.scene->sampling.height;
+    if (probes.empty()) return;
+    Table& t = record.table("height");
+    t.time.clear();
+    t.columns.clear();
+    for (const HeightProbe& p : probes) t.column(p.name, "m");
+    std::size_t points = 0;
+    for (const auto& column : plan.height_columns) points += column.size();
+    for (const auto& row : joined_rows(post / "heightColumns", "alpha.water")) {
+        if (row.size() != points + 1) continue;
+        t.time.push_back(row[0]);
+        std::size_t at = 1;
+        for (std::size_t i = 0; i < probes.size(); ++i) {
+            double level = plan.scene->domain.box.min.z();
+            for (std::size_t k = 0; k < plan.height_columns[i].size(); ++k, ++at)
+                if (const double alpha = found(row[at]); std::isfinite(alpha)) level += std::clamp(alpha, 0.0, 1.0) * plan.column_step;
+            t.columns[i].values.push_back(level);
+        }
+    }
+}
+
+}  // namespace
+
+void read_step_tables(const CasePlan& plan, const fs::path& case_folder, RunRecord& record) {
+    if (plan.scene->hull) read_forces(plan, case_folder, record);
+    const fs::path post = case_folder / "postProcessing";
+    read_pressure(plan, post, record);
+    read_heights(plan, post, record);
+}
+
+}  // namespace tw

@@ -1,0 +1,86 @@
+#include "foam_cases/run/solver_log.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace tw {
+namespace {
+
+constexpr std::size_t kept_lines = 200;
+constexpr int fatal_block = 14;   // lines that OpenFOAM's error messages take at most before the stack trace
+
+/// The number behind `label`, wherever that stands in the line.
+std::optional<double> number_after(std::string_view line, std::string_view label) {
+    const std::size_t at = line.find(label);
+    if (at == std::string_view::npos) return std::nullopt;
+    line.remove_prefix(at + label.size());
+    while (!line.empty() && line[0] == ' ') line.remove_prefix(1);
+    if (line.rfind("nan", 0) == 0 || line.rfind("-nan", 0) == 0) return std::numeric_limits<double>::quiet_NaN();
+    double value = 0;
+    if (std::from_chars(line.data(), line.data() + line.size(), value).ec != std::errc{}) return std::nullopt;
+    return value;
+}
+
+}  // namespace
+
+void SolverLog::feed(std::string_view text) {
+    for (;;) {
+        const std::size_t end = text.find('\n');
+        partial_.append(text.substr(0, end));
+        if (end == std::string_view::npos) return;
+        line(partial_);
+        partial_.clear();
+        text.remove_prefix(end + 1);
+    }
+}
+
+void SolverLog::line(std::string_view text) {
+    recent_.emplace_back(text);
+    if (recent_.size() > 2 * kept_lines) recent_.erase(recent_.begin(), recent_.begin() + kept_lines);
+    if (fatal_lines_ > 0) {
+        --fatal_lines_;
+        if (text.rfind("FOAM ", 0) == 0) fatal_lines_ = 0;   // "FOAM exiting", "FOAM aborting"
+        else if (!text.empty()) fatal_ += "\n" + std::string(text);
+    }
+    if (text.find("--> FOAM FATAL") != std::string_view::npos && fatal_.empty()) {
+        fatal_ = text;
+        fatal_lines_ = fatal_block;
+    } else if (text.rfind("Time = ", 0) == 0) {   // not the header's "Time   : 12:00:00"; openfoam.org writes "0.1s"
+        const auto time = number_after(text, "Time = ");
+        if (!time) return;
+        while (!steps_.empty() && steps_.back().time >= *time) steps_.pop_back();
+        next_.time = *time;
+        next_.water = std::numeric_limits<double>::quiet_NaN();
+        steps_.push_back(next_);
+        ended_ = false;
+    } else if (text.rfind("deltaT = ", 0) == 0) {
+        next_.step = number_after(text, "deltaT = ").value_or(next_.step);
+    } else if (text.rfind("Courant Number", 0) == 0) {
+        next_.courant = number_after(text, "max:").value_or(next_.courant);
+    } else if (text.rfind("Interface Courant Number", 0) == 0) {
+        next_.alpha_courant = number_after(text, "max:").value_or(next_.alpha_courant);
+    } else if (text.rfind("Phase-1 volume fraction", 0) == 0) {
+        if (!steps_.empty()) steps_.back().water = number_after(text, "fraction =").value_or(steps_.back().water);
+    } else if (text.rfind("ExecutionTime", 0) == 0) {
+        if (!steps_.empty()) steps_.back().cpu = number_after(text, "ExecutionTime =").value_or(steps_.back().cpu);
+    } else if (text == "End") {
+        ended_ = true;
+    }
+}
+
+const SolverLog::Step* SolverLog::at(double time) const {
+    const double tolerance = 1e-9 * (1 + std::abs(time));
+    auto after = std::upper_bound(steps_.begin(), steps_.end(), time + tolerance, [](double t, const Step& s) { return t < s.time; });
+    return after == steps_.begin() ? nullptr : &*std::prev(after);
+}
+
+std::string SolverLog::tail(std::size_t lines) const {
+    std::string out;
+    for (std::size_t i = recent_.size() > lines ? recent_.size() - lines : 0; i < recent_.size(); ++i) out += recent_[i] + "\n";
+    return out;
+}
+
+}  // namespace tw

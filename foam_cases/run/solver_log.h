@@ -1,0 +1,39 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tw {
+
+/// What interFoam's log says, fed in pieces as it grows. One entry per time step; after a restart in the same log the entries
+/// that are computed again are replaced.
+class SolverLog {
+public:
+    struct Step {
+        double time = 0, step = 0;                ///< [s]
+        double courant = 0, alpha_courant = 0;    ///< largest, anywhere and at the surface
+        double water = 0;                         ///< volume fraction of the domain; NaN before the first solution
+        double cpu = 0;                           ///< ExecutionTime since this start of the solver [s]
+    };
+    void feed(std::string_view text);
+
+    const std::vector<Step>& steps() const { return steps_; }
+    bool ended() const { return ended_; }                     ///< "End" was reached
+    const std::string& fatal() const { return fatal_; }       ///< OpenFOAM's own error message; empty: none
+    /// The step that was current at `time`: the last one not later; nullptr before the first.
+    const Step* at(double time) const;
+    /// Last lines [at most `lines`].
+    std::string tail(std::size_t lines) const;
+
+private:
+    void line(std::string_view text);
+    std::string partial_;
+    std::vector<std::string> recent_;
+    std::vector<Step> steps_;
+    Step next_;
+    bool ended_ = false;
+    int fatal_lines_ = 0;
+    std::string fatal_;
+};
+
+}  // namespace tw

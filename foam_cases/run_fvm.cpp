@@ -1,0 +1,250 @@
+#include "foam_cases/run_fvm.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <thread>
+
+#include "base/atomic_file.h"
+#include "base/errors.h"
+#include "foam_cases/doctor.h"
+#include "foam_cases/files/case_files.h"
+#include "foam_cases/mesh/make_mesh.h"
+#include "foam_cases/read/frame_reader.h"
+#include "foam_cases/run/solve.h"
+#include "foam_cases/run/watchdog.h"
+#include "foam_cases/write_case.h"
+
+namespace tw {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double save_interval = 20;          // wall seconds between saves of the record while the solver runs
+constexpr double cells_per_rank = 20000;      // below, ranks cost more than they bring
+
+/// One run of one scene, from the empty folder to the record.
+class FvmRun {
+public:
+    FvmRun(const Scene& scene, const RunOptions& options, const OpenFoam& openfoam)
+        : options_(options),
+          case_(options.folder / "case"),
+          record_file_(options.folder / "record.h5"),
+          plan_(plan_case(scene, Flavour::from_version(openfoam.vendor, openfoam.version))),
+          openfoam_(openfoam),
+          record_(new_record(scene, "fvm")) {}
+
+    RunRecord run() {
+        prepare();
+        const CasePrograms programs(openfoam_, case_);
+        try {
+            if (!fs::exists(meshed_mark()) && !mesh(programs)) return end("stopped", "stopped while meshing, as asked; --resume meshes anew");
+            return solve_and_read(programs);
+        } catch (const std::exception& e) {
+            fail(e.what());
+        }
+    }
+
+private:
+    fs::path meshed_mark() const { return case_ / "meshed"; }
+
+    void prepare() {
+        const bool holds_run = fs::exists(case_) || fs::exists(record_file_);
+        if (holds_run && !options_.resume && !options_.overwrite)
+            throw InputError(options_.folder.string() + ": holds a run already; --resume goes on with it, --overwrite begins anew");
+        if (holds_run && !options_.resume) {
+            fs::remove_all(case_);
+            fs::remove(record_file_);
+        }
+        if (options_.resume && fs::exists(record_file_)) take_up(read_record(record_file_));
+        if (options_.resume && fs::exists(meshed_mark())) {
+            if (const std::string file = changed_file(plan_, case_); !file.empty())
+                throw InputError((case_ / file).string() + ": the scene (or this file) was changed since the run began, it cannot be gone on with; "
+                                                           "put it back, or begin anew with --overwrite");
+            write_text_atomically(case_ / "system/controlDict", control_dict(plan_));   // the duration may have grown
+        } else {
+            write_case(plan_, case_, 1);
+        }
+        record_.attributes["openfoam"] = openfoam_.vendor + " " + openfoam_.version;
+        record_.attributes["openfoam_solver"] = openfoam_.solver.string();
+        record_.attributes["openfoam_self_test"] = openfoam_.verdict;
+        record_.numbers["openfoam_self_test_error"] = openfoam_.self_test_error;
+        record_.attributes["restart"] = "not bitwise: after a restart of interFoam forces differ by about 0.1 %";
+        record_.numbers["cell_far"] = plan_.background_cell;
+        record_.numbers["cell_finest"] = plan_.finest_cell;
+    }
+
+    void take_up(RunRecord earlier) {
+        if (earlier.attributes["method"] != "fvm" || earlier.attributes["hull_hash"] != record_.attributes["hull_hash"])
+            throw InputError(record_file_.string() + ": is not a record of this scene's hull and method; begin anew with --overwrite");
+        record_.tables = std::move(earlier.tables);
+        record_.frames = std::move(earlier.frames);
+        record_.phases = std::move(earlier.phases);
+        record_.peak_memory = earlier.peak_memory;
+        record_.elements = earlier.elements;
+        for (const char* kept : {"started", "mesh_check", "restarts"})
+            if (earlier.attributes.count(kept) != 0) record_.attributes[kept] = earlier.attributes[kept];
+        record_.attributes["restarts"] = std::to_string(std::atoi(record_.attributes["restarts"].c_str()) + 1);
+    }
+
+    Phase& phase(const std::string& name) {
+        for (Phase& p : record_.phases)
+            if (p.name == name) return p;
+        return record_.phases.emplace_back(Phase{name});
+    }
+    void tell(double time, double wall, double eta, long steps, const std::string& note) const {
+        if (options_.progress) options_.progress({time, plan_.scene->run.duration, wall, eta, steps, note});
+    }
+    bool stop_asked() const { return options_.stop_asked && options_.stop_asked(); }
+
+    bool mesh(const CasePrograms& programs) {
+        const double began = wall_clock();
+        if (const auto full = disk_trouble(case_, 50e6)) throw RunError(*full);
+        const auto ranks = [&](double cells) {
+            if (!programs.has_mpi()) return 1;
+            if (options_.threads > 0) return options_.threads;
+            const int cores = static_cast<int>(std::thread::hardware_concurrency());
+            return std::clamp(static_cast<int>(cells / cells_per_rank), 1, std::max(1, cores));
+        };
+        const MeshOutcome made = make_mesh(plan_, programs, ranks, [&](Child&) { return stop_asked(); },
+                                           [&](const std::string& program) { tell(0, wall_clock() - began, 0, 0, "meshing: " + program); });
+        record_.phases.clear();
+        phase("meshing") = {"meshing", wall_clock() - began, made.cpu};
+        record_.peak_memory = std::max(record_.peak_memory, made.peak_memory);
+        record_.elements = made.cells;
+        record_.attributes["mesh_check"] = made.clean ? "Mesh OK" : made.check;
+        if (made.stopped) return false;
+        write_text_atomically(meshed_mark(), "the mesh, its fields and its decomposition are complete\n");
+        return true;
+    }
+
+    RunRecord solve_and_read(const CasePrograms& programs) {
+        const TimeFolders folders(case_);
+        const int ranks = static_cast<int>(folders.roots().size());
+        record_.attributes["ranks"] = record_.attributes["threads"] = std::to_string(ranks);
+        folders.prune(plan_.write_interval);
+        const auto moments = folders.moments();
+        const double restart = moments.empty() ? 0 : moments.back().time;
+        forget_after(record_, restart);
+        FrameReader reader(plan_, case_);
+        record_.elements = static_cast<double>(reader.cells());
+
+        const double began = wall_clock(), earlier_wall = phase("solving").wall, earlier_cpu = phase("solving").cpu;
+        double saved = began;
+        const double duration = plan_.scene->run.duration;
+        const auto account = [&](double cpu_of_this_start) {
+            Phase& p = phase("solving");
+            p.wall = earlier_wall + wall_clock() - began;
+            p.cpu = earlier_cpu + cpu_of_this_start;
+            record_.steps = static_cast<double>(log_.steps().size());
+        };
+        SolverOutcome outcome;
+        if (restart < duration * (1 - 1e-9)) {
+            long first_steps = -1;
+            const auto growing = [&] {
+                const auto& steps = log_.steps();
+                if (first_steps < 0) first_steps = static_cast<long>(steps.size());
+                if (!steps.empty()) {
+                    const auto& last = steps.back();
+                    const double wall = wall_clock() - began, gone = last.time - restart;
+                    const double eta = gone > 0 ? wall / gone * (duration - last.time) : 0;
+                    tell(last.time, earlier_wall + wall, eta, static_cast<long>(steps.size()),
+                         fmt::format("dt {:.2g} s, Courant {:.2g}", last.step, last.courant));
+                    // The step under way has a later time: everything of the write times before it is on disk.
+                    read_new(folders, reader, last.time * (1 - 1e-9));
+                }
+                if (wall_clock() - saved > save_interval) {
+                    account(ranks * (steps.empty() ? 0 : steps.back().cpu));
+                    save(folders);
+                    saved = wall_clock();
+                }
+                return stop_asked();
+            };
+            outcome = solve(plan_, programs, ranks, log_, growing);
+            account(outcome.process.cpu);
+            record_.peak_memory = std::max(record_.peak_memory, ranks * outcome.process.peak_memory);
+        } else {
+            follow(programs.log("solver"), 0, log_);
+            record_.steps = static_cast<double>(log_.steps().size());
+        }
+        read_new(folders, reader, 2 * duration);
+        save(folders);
+        if (!outcome.failure.empty()) throw RunError(outcome.failure);
+        if (outcome.stopped) return end("stopped", "stopped as asked; --resume goes on from the last write time");
+        return end("finished", "");
+    }
+
+    /// Reads the write times that are not in the record yet and lie before `limit`.
+    void read_new(const TimeFolders& folders, FrameReader& reader, double limit) {
+        for (const TimeFolders::Moment& moment : folders.moments()) {
+            const std::vector<double>& known = record_.table("samples").time;
+            if (moment.time >= limit || (!known.empty() && moment.time <= known.back() * (1 + 1e-9)) || !folders.whole(moment)) continue;
+            const double began = wall_clock(), cpu = own_cpu();
+            reader.read(moment, log_, record_);
+            Phase& p = phase("reading");
+            p.wall += wall_clock() - began;
+            p.cpu += own_cpu() - cpu;
+        }
+    }
+
+    /// Saves the record; only then are time folders that it holds removed, but for the last two and the kept pictures.
+    void save(const TimeFolders& folders) {
+        const double began = wall_clock(), cpu = own_cpu();
+        read_step_tables(plan_, case_, record_);
+        write_record(record_file_, record_);
+        const auto moments = folders.moments();
+        const std::vector<double>& known = record_.table("samples").time;
+        const double read_to = known.empty() ? 0 : known.back() * (1 + 1e-9);
+        for (std::size_t i = 0; i + 2 < moments.size(); ++i) {
+            if (moments[i].time > read_to) break;
+            folders.remove(moments[i]);
+            const long n = std::lround(moments[i].time / plan_.write_interval);
+            const bool keep_picture = plan_.snapshot_every > 0 && n % plan_.snapshot_every == 0;
+            std::error_code none;
+            if (!keep_picture) fs::remove_all(case_ / "postProcessing/hullSurface" / moments[i].name, none);
+        }
+        Phase& p = phase("reading");
+        p.wall += wall_clock() - began;
+        p.cpu += own_cpu() - cpu;
+    }
+
+    RunRecord end(const std::string& state, const std::string& reason) {
+        record_.state = state;
+        record_.reason = reason;
+        write_record(record_file_, record_);
+        return record_;
+    }
+
+    [[noreturn]] void fail(const std::string& why) {
+        record_.state = "failed";
+        record_.reason = why;
+        std::string unsaved;
+        try {
+            write_record(record_file_, record_);
+        } catch (const std::exception& e) {
+            unsaved = std::string("\n  and the record could not be saved: ") + e.what();
+        }
+        throw RunError(why + unsaved);
+    }
+
+    static double own_cpu() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+    const RunOptions& options_;
+    fs::path case_, record_file_;
+    CasePlan plan_;
+    OpenFoam openfoam_;
+    RunRecord record_;
+    SolverLog log_;
+};
+
+}  // namespace
+
+RunRecord run_fvm(const Scene& scene, const RunOptions& options) {
+    const OpenFoam openfoam = sound_openfoam(scene.fvm.openfoam);
+    const FolderLock lock(options.folder);
+    return FvmRun(scene, options, openfoam).run();
+}
+
+}  // namespace tw
