@@ -5,12 +5,11 @@ cd "$(dirname "${BASH_SOURCE[0]}")"
 root=$PWD
 
 # ---------------------------------------------------------------------------------------------------------------------
-# What has to be installed: the one list. `libembree-dev` is Embree 3 on Debian 12 and Ubuntu 22.04 and Embree 4 on
-# Ubuntu 24.04: same package name, the build takes either.
+# What has to be installed: the one list.
 build_packages=(
     cmake ninja-build g++ ccache git make
     libvtk9-dev libeigen3-dev libhdf5-dev libfmt-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev
-    libembree-dev libssl-dev libgtest-dev
+    libssl-dev libgtest-dev
     libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri   # pictures without a display
 )
 # interFoam, and what its mended build from the distribution's source package takes (tools/build_openfoam_solvers.sh).
@@ -178,6 +177,8 @@ provide_openfoam() {
 run_tests() {
     # Short tests side by side; those that run a solver keep all cores to themselves, one after the other.
     local status=0
+    # The test programs lie deeper than build/twinwake, beside which the mended solvers are looked for.
+    if [ -d .openfoam/bin ]; then export TWINWAKE_OPENFOAM_BIN=$root/.openfoam/bin; fi
     say "unit and verification tests"
     ctest --test-dir build --output-on-failure --no-tests=error -j "$jobs" -L '^(unit|verification)$' || status=1
     say "stability, validation, paired and robustness tests"
