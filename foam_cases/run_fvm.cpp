@@ -72,6 +72,8 @@ private:
         record_.attributes["openfoam_self_test"] = openfoam_.verdict;
         record_.numbers["openfoam_self_test_error"] = openfoam_.self_test_error;
         record_.attributes["restart"] = "not bitwise: after a restart of interFoam forces differ by about 0.1 %";
+        record_.numbers["write_interval"] = plan_.write_interval;
+        record_.numbers["raster_every"] = plan_.raster_every;
         record_.numbers["cell_far"] = plan_.background_cell;
         record_.numbers["cell_finest"] = plan_.finest_cell;
     }
@@ -79,6 +81,11 @@ private:
     void take_up(RunRecord earlier) {
         if (earlier.attributes["method"] != "fvm" || earlier.attributes["hull_hash"] != record_.attributes["hull_hash"])
             throw InputError(record_file_.string() + ": is not a record of this scene's hull and method; begin anew with --overwrite");
+        // Write times stay on their grid, even where the interval follows from a duration that has grown.
+        if (const double interval = earlier.numbers["write_interval"]; interval > 0) {
+            plan_.write_interval = interval;
+            plan_.raster_every = static_cast<int>(std::lround(earlier.numbers["raster_every"]));
+        }
         record_.tables = std::move(earlier.tables);
         record_.frames = std::move(earlier.frames);
         record_.phases = std::move(earlier.phases);
@@ -113,9 +120,10 @@ private:
         record_.phases.clear();
         phase("meshing") = {"meshing", wall_clock() - began, made.cpu};
         record_.peak_memory = std::max(record_.peak_memory, made.peak_memory);
+        if (made.stopped) return false;
         record_.elements = made.cells;
         record_.attributes["mesh_check"] = made.clean ? "Mesh OK" : made.check;
-        if (made.stopped) return false;
+        write_record(record_file_, record_);
         write_text_atomically(meshed_mark(), "the mesh, its fields and its decomposition are complete\n");
         return true;
     }

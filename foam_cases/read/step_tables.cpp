@@ -51,7 +51,7 @@ void read_forces(const CasePlan& plan, const fs::path& case_folder, RunRecord& r
         Column& c = t.column(name, unit);
         c.values.clear();
         for (std::size_t i = 0; i < loads.time.size(); ++i)
-            c.values.push_back(scale * ((with_pressure ? loads.pressure[i][k] : 0) + (with_viscous ? loads.viscous[i][k] : 0)));
+            c.values.push_back(scale * ((with_pressure ? loads.pressure[i][k] : 0) + (with_viscous ? loads.viscous[i][k] : 0)) + 0.0);
     };
     column("fx", "N", factor, 0, true, true);
     column("fy", "N", side, 1, true, true);

@@ -62,18 +62,9 @@ void TimeFolders::remove(const Moment& moment) const {
 
 std::vector<std::string> TimeFolders::prune(double interval) const {
     std::vector<std::string> dropped;
-    std::vector<Moment> good, off;
     for (const Moment& m : moments()) {
-        if (!whole(m)) {
-            remove(m);
-            dropped.push_back(m.name);
-            continue;
-        }
         const double n = interval > 0 ? m.time / interval : 0;
-        (interval > 0 && std::abs(n - std::round(n)) > 1e-4 ? off : good).push_back(m);
-    }
-    if (good.empty() && !off.empty()) off.pop_back();   // better a shifted clock than a lost run
-    for (const Moment& m : off) {
+        if (whole(m) && std::abs(n - std::round(n)) <= 1e-4) continue;
         remove(m);
         dropped.push_back(m.name);
     }

@@ -25,7 +25,7 @@ public:
     void remove(const Moment& moment) const;
 
     /// Drops folders that a killed solver left half-written, and, where `interval` > 0, those that lie off its multiples (written
-    /// because a stop was asked for): going on from them would shift all later write times. Keeps at least one whole folder.
+    /// because a stop was asked for): going on from them would shift all later write times.
     /// Returns the names that were dropped.
     std::vector<std::string> prune(double interval) const;
 
