@@ -18,6 +18,7 @@ struct MeanValue {
     std::string why_not;           ///< "record too short: about 0.8 s more is needed"
     double seconds_needed = 0;     ///< > 0: not known because the record is too short, by about this much [s]
     double second_opinion = std::numeric_limits<double>::quiet_NaN();  ///< half width by overlapping batch means
+    std::string limited_by;        ///< what makes the interval as wide as it is, where that is not the series: "half a voxel"
     bool unreliable = false;       ///< the two estimates of the interval differ by more than 1.5; the wider one is used
 };
 

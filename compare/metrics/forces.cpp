@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "compare/metrics/quantity.h"
 #include "compare/read/record_numbers.h"
 #include "compare/statistics/settled_mean.h"
 #include "compare/verdict/judge.h"
@@ -59,11 +60,7 @@ using PerSource = std::function<MeanValue(const RunRecord&)>;
 
 Quantity quantity(const Comparison& comparison, std::string name, std::string label, std::string unit, std::string definition,
                   const PerSource& value) {
-    Quantity q;
-    q.name = std::move(name);
-    q.label = std::move(label);
-    q.unit = std::move(unit);
-    q.definition = std::move(definition);
+    Quantity q = new_quantity(std::move(name), std::move(label), std::move(unit), std::move(definition));
     for (const RunRecord& r : comparison.sources) q.values.push_back(value(r));
     return q;
 }
@@ -201,7 +198,10 @@ void add_wetted_length(Comparison& comparison, const CompareOptions& options) {
                           [&](const RunRecord& r) {
                               const double half_cell = 0.5 * number_of(r, "near_hull", 0);
                               MeanValue m = mean_of(r, "samples", "wetted_length", options, half_cell);
-                              if (m.known) m.half_width = std::max(m.half_width, half_cell);
+                              if (m.known && m.half_width < half_cell) {
+                                  m.half_width = half_cell;
+                                  m.limited_by = "the spacing at the hull";
+                              }
                               return m;
                           });
     if (std::ranges::none_of(comparison.sources, [](const RunRecord& r) { return r.series("samples", "wetted_length") != nullptr; })) return;

@@ -6,6 +6,7 @@
 
 #include "compare/align/time_bins.h"
 #include "compare/metrics/forces.h"
+#include "compare/metrics/quantity.h"
 
 namespace tw {
 
@@ -55,11 +56,8 @@ void add_probes(Comparison& comparison) {
             if (const auto found = r.tables.find(table); found != r.tables.end())
                 for (const Column& c : found->second.columns) probes.emplace(c.name, c.unit);
         for (const auto& [name, unit] : probes) {
-            Quantity q;
-            q.name = table + ":" + name;
-            q.label = fmt::format("Peak {} at {}", table, name);
-            q.unit = unit;
-            q.definition = "highest value of the record; depends on its length and sampling";
+            Quantity q = new_quantity(fmt::format("{}:{}", table, name), fmt::format("Peak {} at {}", table, name), unit,
+                                      "highest value of the record; depends on its length and sampling");
             q.judged = false;
             for (const RunRecord& r : comparison.sources) q.values.push_back(peak(r, table, name));
             if (q.values.size() >= 2 && q.values[0].known && q.values[1].known) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compare/metrics/elevation.h"
+#include "compare/metrics/quantity.h"
 #include "compare/metrics/splash.h"
 #include "compare/read/record_numbers.h"
 #include "compare/statistics/settled_mean.h"
@@ -31,8 +32,15 @@ Analysis analyse(const RunRecord& record) {
 
 namespace {
 
-/// A value known to `half_width` at best, from single frames rather than from a series.
-MeanValue single(double value, double half_width, const RunRecord& record, const std::string& why_not) {
+/// No height is better than half a voxel.
+void widen_to(MeanValue& value, double floor) {
+    if (!value.known || value.half_width >= floor) return;
+    value.half_width = floor;
+    value.limited_by = fmt::format("the raster ({:.2g} m)", floor);
+}
+
+/// A value from single frames rather than from a series.
+MeanValue single(double value, double half_width, double floor, const RunRecord& record, const std::string& why_not) {
     MeanValue m;
     if (!std::isfinite(value)) {
         m.why_not = why_not;
@@ -43,6 +51,7 @@ MeanValue single(double value, double half_width, const RunRecord& record, const
     m.half_width = half_width;
     m.from = number_of(record, "mean_from", 0);
     m.to = record.frames.empty() ? 0 : record.frames.back().time;
+    widen_to(m, floor);
     return m;
 }
 
@@ -68,11 +77,7 @@ void add_splash(Comparison& comparison, const CompareOptions& options) {
           Measure{"airborne_energy", "Potential energy of airborne water", "J", "airborne_energy", "rho g times the airborne water's volume times height", false, true},
           Measure{"splash_raw_max", "Highest water of any kind (raw)", "m", "raw_height",
                   "highest voxel with a water share of 1/100: one droplet decides it, so it is shown and not judged", true, false}}) {
-        Quantity q;
-        q.name = m.name;
-        q.label = m.label;
-        q.unit = m.unit;
-        q.definition = m.definition;
+        Quantity q = new_quantity(m.name, m.label, m.unit, m.definition);
         q.judged = m.judged;
         for (std::size_t s = 0; s < comparison.sources.size(); ++s) {
             const RunRecord& record = comparison.sources[s];
@@ -88,7 +93,7 @@ void add_splash(Comparison& comparison, const CompareOptions& options) {
                 rules.largest_error = options.largest_error;
                 rules.allowed_error = m.judged ? floor : HUGE_VAL;
                 value = settled_mean(comparison.analyses[s].splash.time, column->values, rules);
-                if (value.known) value.half_width = std::max(value.half_width, floor);
+                widen_to(value, floor);
                 if (!value.known && value.seconds_needed == 0) value.why_not = "no airborne water";
             }
             q.values.push_back(value);
@@ -99,24 +104,19 @@ void add_splash(Comparison& comparison, const CompareOptions& options) {
         comparison.quantities.push_back(std::move(q));
     }
 
-    Quantity envelope, wake;
-    envelope.name = "splash_envelope";
-    envelope.label = "Splash envelope, highest point";
-    envelope.unit = "m";
-    envelope.definition = "highest connected water at any time of the settled frames; grows with the length of the record";
+    Quantity envelope = new_quantity("splash_envelope", "Splash envelope, highest point", "m",
+                                     "highest connected water at any time of the settled frames; grows with the length of the record");
     envelope.judged = false;
-    wake.name = "wake_width";
-    wake.label = "Kelvin wake width";
-    wake.unit = "m";
-    wake.definition = "behind the hull: mean distance between the outermost columns whose envelope reaches half the mean crest height; no better than a voxel";
+    Quantity wake = new_quantity("wake_width", "Kelvin wake width", "m",
+                                 "behind the hull: mean distance between the outermost columns whose envelope reaches half the mean crest height; no better than a voxel");
     for (std::size_t s = 0; s < comparison.sources.size(); ++s) {
         const RunRecord& record = comparison.sources[s];
         const Analysis& a = comparison.analyses[s];
         double highest = std::numeric_limits<double>::quiet_NaN();
         for (const float z : a.envelope)
             if (std::isfinite(z) && !(highest >= z - a.still_level)) highest = z - a.still_level;
-        envelope.values.push_back(single(highest, 0.5 * record.raster.spacing, record, "no raster frames"));
-        wake.values.push_back(single(wake_width(record, a.envelope, a.still_level), number_of_text(record, "symmetry_factor", 1) * 0.5 * record.raster.spacing,
+        envelope.values.push_back(single(highest, 0, 0.5 * record.raster.spacing, record, "no raster frames"));
+        wake.values.push_back(single(wake_width(record, a.envelope, a.still_level), 0, number_of_text(record, "symmetry_factor", 1) * 0.5 * record.raster.spacing,
                                      record, record.frames.empty() ? "no raster frames" : "no wake crest above half a voxel"));
     }
     judge(envelope, comparison.names, comparison.agree_within);
@@ -134,24 +134,23 @@ void add_elevation(Comparison& comparison) {
     for (std::size_t k = 0; k < first.size(); ++k) {
         const std::string place = fmt::format("{} = {:.4g} m", first[k].along_x ? "y" : "x", first[k].place);
         for (const bool high : {true, false}) {
-            Quantity q;
-            q.name = fmt::format("{}_{}_{:.4g}", high ? "crest" : "trough", first[k].along_x ? "y" : "x", first[k].place);
-            q.label = fmt::format("{} along {}", high ? "Highest elevation" : "Lowest elevation", place);
-            q.unit = "m";
-            q.definition = "of the mean free surface (column integral of the connected water) over this cut, outside the hull's plan view; no better than half a voxel";
+            Quantity q = new_quantity(fmt::format("{}_{}_{:.4g}", high ? "crest" : "trough", first[k].along_x ? "y" : "x", first[k].place),
+                                      fmt::format("{} along {}", high ? "Highest elevation" : "Lowest elevation", place), "m",
+                                      "of the mean free surface (column integral of the connected water) over this cut, outside the hull's plan "
+                                      "view; no better than half a voxel");
             for (std::size_t s = 0; s < comparison.sources.size(); ++s) {
                 const Analysis& a = comparison.analyses[s];
                 const RunRecord& record = comparison.sources[s];
                 if (k >= a.cuts.size()) {
-                    q.values.push_back(single(std::numeric_limits<double>::quiet_NaN(), 0, record, "no raster frames"));
+                    q.values.push_back(single(std::numeric_limits<double>::quiet_NaN(), 0, 0, record, "no raster frames"));
                     continue;
                 }
                 const Extreme e = high ? crest(a.cuts[k]) : trough(a.cuts[k]);
                 const auto frames = static_cast<double>(std::ranges::count_if(record.frames, [&](const RasterFrame& f) { return f.time >= a.settled_from; }));
                 const double statistical = frames > 1 ? student_t_95(frames - 1) * e.deviation / std::sqrt(frames) : 0;
-                q.values.push_back(single(e.value, std::max(statistical, 0.5 * record.raster.spacing), record, "no free surface on this cut"));
+                q.values.push_back(single(e.value, statistical, 0.5 * record.raster.spacing, record, "no free surface on this cut"));
             }
-            q.scale = 0;
+            q.scale = comparison.sources.front().raster.spacing;   // an elevation near zero is no measure of itself
             judge(q, comparison.names, comparison.agree_within);
             if (high && comparison.analyses.size() == 2 && k < comparison.analyses[1].cuts.size()) {
                 const double rms = rms_difference(first[k], comparison.analyses[1].cuts[k]);

@@ -11,7 +11,7 @@ namespace {
 /// RFC 4180; a cell that a spreadsheet would take for a formula is kept as text.
 std::string cell(const std::string& text) {
     const bool formula = !text.empty() && (text[0] == '=' || text[0] == '+' || text[0] == '-' || text[0] == '@');
-    const std::string safe = formula ? "'" + text : text;
+    const std::string safe = formula ? fmt::format("'{}", text) : text;
     if (safe.find_first_of(",\"\r\n") == std::string::npos) return safe;
     std::string quoted = "\"";
     for (const char c : safe) {
@@ -27,11 +27,11 @@ std::string number(double v) { return std::isfinite(v) ? fmt::format("{}", v) : 
 
 std::string quantities_csv(const Comparison& comparison) {
     std::string out = "name,unit";
-    for (const std::string& n : comparison.names) out += "," + cell(n) + "," + cell(n + " interval");
+    for (const std::string& n : comparison.names) out += fmt::format(",{},{}", cell(n), cell(n + " interval"));
     out += ",difference,interval,per_cent,verdict,judged,remark\n";
     for (const Quantity& q : comparison.quantities) {
         out += cell(q.name) + "," + cell(q.unit);
-        for (const MeanValue& m : q.values) out += m.known ? "," + number(m.value) + "," + number(m.half_width) : ",,";
+        for (const MeanValue& m : q.values) out += m.known ? fmt::format(",{},{}", number(m.value), number(m.half_width)) : ",,";
         out += fmt::format(",{},{},{},{},{},{}\n", number(q.difference), number(q.interval), number(q.per_cent), to_string(q.verdict),
                            q.judged ? "yes" : "no", cell(q.remark));
     }

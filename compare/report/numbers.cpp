@@ -15,10 +15,10 @@ int decimals(double value, double half_width) {
     return std::clamp(static_cast<int>(-std::floor(std::log10(scale))), 0, 6);
 }
 
-/// Plain digits where they are readable, powers of ten elsewhere.
-std::string digits(double value, int places) {
-    const double size = std::abs(value);
+/// Plain digits where they are readable, powers of ten elsewhere; `size` decides for a value and its interval alike.
+std::string digits(double value, int places, double size) {
     if (size != 0 && (size >= 1e7 || size < 1e-4)) return fmt::format("{:.3g}", value);
+    if (std::abs(value) < 0.5 * std::pow(10.0, -places)) value = 0;   // no "-0.00"
     return fmt::format("{:.{}f}", value, places);
 }
 }  // namespace
@@ -26,15 +26,16 @@ std::string digits(double value, int places) {
 std::string value_text(double value, double half_width) {
     if (!std::isfinite(value)) return "–";
     const int places = decimals(value, half_width);
-    if (!(half_width > 0) || !std::isfinite(half_width)) return digits(value, places);
-    return digits(value, places) + " ± " + digits(half_width, places);
+    if (!(half_width > 0) || !std::isfinite(half_width)) return digits(value, places, std::abs(value));
+    const double size = std::max(std::abs(value), half_width);
+    return fmt::format("{} ± {}", digits(value, places, size), digits(half_width, places, size));
 }
 
 std::string mean_text(const MeanValue& mean) { return mean.known ? value_text(mean.value, mean.half_width) : "–"; }
 
 std::string signed_text(double value, double half_width) {
     if (!std::isfinite(value)) return "–";
-    return (value > 0 ? "+" : "") + value_text(value, half_width);
+    return fmt::format("{}{}", value > 0 ? "+" : "", value_text(value, half_width));
 }
 
 std::string per_cent_text(double per_cent) {

@@ -1,12 +1,13 @@
 #include "compare/statistics/mser.h"
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
 namespace tw {
 
 std::optional<std::size_t> mser_cut(std::span<const double> x) {
-    const std::size_t batch = x.size() < 50 ? 1 : 5;
+    const std::size_t batch = x.size() < 250 ? 1 : 5;
     const std::size_t m = x.size() / batch;
     if (m < 4) return std::nullopt;
     std::vector<double> b(m, 0.0);
@@ -17,7 +18,7 @@ std::optional<std::size_t> mser_cut(std::span<const double> x) {
     // From the back, so that each d needs one more batch: Welford's update of mean and sum of squares.
     double mean = 0, squares = 0, best = std::numeric_limits<double>::infinity();
     std::size_t best_d = m;
-    constexpr std::size_t fewest = 3;   // the last few batches agree with each other by chance
+    const std::size_t fewest = std::max<std::size_t>(3, m / 5);   // a few batches agree with each other by chance
     for (std::size_t d = m; d-- > 0;) {
         const double n = static_cast<double>(m - d);
         const double step = b[d] - mean;

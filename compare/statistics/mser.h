@@ -10,7 +10,8 @@ namespace tw {
 ///
 ///   d* = argmin_d  sum_{j > d} (b_j - mean_{j > d} b)^2 / (m - d)^2        cut = 5 d*
 ///
-/// Nothing when d* > m / 2: the series is still settling. Series shorter than 50 samples use batches of one.
+/// over d that leave at least a fifth of the batches. Nothing when d* > m / 2: the series is still settling. Series shorter than
+/// 250 samples use batches of one: among few batches the smallest score is a matter of chance.
 std::optional<std::size_t> mser_cut(std::span<const double> x);
 
 }  // namespace tw

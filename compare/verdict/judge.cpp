@@ -75,8 +75,10 @@ void judge(Quantity& q, const std::vector<std::string>& names, double target, do
         q.verdict = Verdict::agree;
     } else {
         q.verdict = Verdict::undecided;
-        const double largest_part = std::max({A.half_width, B.half_width, shared});
-        const std::string who = largest_part == shared ? shared_name : largest_part == A.half_width ? "the interval of " + names[a] : "the interval of " + names[b];
+        const MeanValue& wider = A.half_width >= B.half_width ? A : B;
+        const std::string who = shared > wider.half_width ? shared_name
+                                : !wider.limited_by.empty() ? wider.limited_by
+                                                            : "the interval of " + names[&wider == &A ? a : b];
         add_remark(q, fmt::format("intervals too wide for a target of {:g} %; widest: {}", 100 * target, who));
     }
     for (const std::size_t i : {a, b})

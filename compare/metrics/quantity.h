@@ -1,0 +1,18 @@
+#pragma once
+#include <string>
+#include <utility>
+
+#include "compare/compare.h"
+
+namespace tw {
+
+inline Quantity new_quantity(std::string name, std::string label, std::string unit, std::string definition) {
+    Quantity q;
+    q.name = std::move(name);
+    q.label = std::move(label);
+    q.unit = std::move(unit);
+    q.definition = std::move(definition);
+    return q;
+}
+
+}  // namespace tw
