@@ -1,9 +1,11 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 
 #include "app/commands.h"
 #include "base/errors.h"
 #include "record/code_version.h"
+#include "scene/section.h"
 
 // The command line: the only file that knows CLI11. Every subcommand lives in a file of its own name.
 
@@ -29,6 +31,18 @@ void add_scene(CLI::App* command, SceneArguments& scene) {
     command->add_option("--near-hull", scene.near_hull, "finest size instead of the scene's, e.g. \"25 mm\"");
     command->add_option("--spacing", scene.spacing, "largest size instead of the scene's");
     command->add_option("--duration", scene.duration, "simulated time instead of the scene's, e.g. \"2 s\"");
+}
+
+/// A misspelt subcommand, with the nearest known one.
+void refuse_unknown(const CLI::App& app, const std::string& word) {
+    std::vector<std::string> names;
+    std::string list;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        names.push_back(command->get_name());
+        list += (list.empty() ? "" : ", ") + names.back();
+    }
+    if (std::find(names.begin(), names.end(), word) == names.end())
+        throw InputError("twinwake " + word + ": no such subcommand; expected one of: " + list + did_you_mean(word, names));
 }
 
 int dispatch(int argc, char** argv) {
@@ -123,6 +137,7 @@ int dispatch(int argc, char** argv) {
     c->add_option("--threads", bench.threads, "threads; all cores unless given")->check(CLI::Range(0, 4096));
     c->add_option("--seconds", bench.seconds, "how long to measure")->check(CLI::Range(0.1, 3600.0));
 
+    if (argc > 1 && argv[1][0] != '-') refuse_unknown(app, argv[1]);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {

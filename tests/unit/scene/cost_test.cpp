@@ -32,17 +32,17 @@ TEST(Cost, HalfAHullIsHalfTheWork) {
     EXPECT_NEAR(whole.cells / half.cells, 2, 0.05);
 }
 
-TEST(Cost, ABillionParticlesAreRefusedWithTheNumberAndThePlace) {
-    const Scene s = scene_of(with(tank, "0.01", "0.0006"));   // 0.25 m3 / (0.6 mm)^3 = 1.16e9
+TEST(Cost, BillionsOfParticlesAreRefusedWithTheNumberAndThePlace) {
+    const Scene s = scene_of(with(tank, "0.01", "0.0003"));   // 0.25 m3 / (0.3 mm)^3 = 9.26e9
     const Prediction p = predict(s);
-    EXPECT_GT(p.particles, 1e9);
+    EXPECT_NEAR(p.particles / 9.26e9, 1, 0.01);
     std::string message;
     try {
         refuse_oversize(s, p);
     } catch (const InputError& e) {
         message = e.what();
     }
-    EXPECT_NE(message.find("scene.toml:7:13: [resolution] near_hull = 0.0006: too fine for this machine: 1.16e+09 particles need"), std::string::npos) << message;
+    EXPECT_NE(message.find("scene.toml:7:13: [resolution] near_hull = 0.0003: too fine for this machine: 9.26e+09 particles need"), std::string::npos) << message;
     EXPECT_NO_THROW(refuse_oversize(scene_of(tank), predict(scene_of(tank))));
 }
 

@@ -1,0 +1,33 @@
+# Completion of the twinwake command for bash:  source app/completion/twinwake.bash
+_twinwake() {
+    local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]}
+    local scene="--hull --speed --near-hull --spacing --duration"
+    local words=""
+    COMPREPLY=()
+    if [ "$COMP_CWORD" -eq 1 ]; then
+        COMPREPLY=($(compgen -W "new check run compare hull case doctor bench --help --version" -- "$word"))
+        return
+    fi
+    case $previous in
+        --method) COMPREPLY=($(compgen -W "sph fvm both" -- "$word")); return ;;
+        --require) COMPREPLY=($(compgen -W "agree" -- "$word")); return ;;
+        --unit) COMPREPLY=($(compgen -W "m mm cm ft in" -- "$word")); return ;;
+        --hull | --json | --out | -o | --openfoam) COMPREPLY=($(compgen -f -- "$word")); return ;;
+    esac
+    case $command in
+        new) words="--overwrite --quiet --help"
+             [ "$COMP_CWORD" -eq 2 ] && words="planing seaplane tank own" ;;
+        check) words="$scene --json --quiet --help" ;;
+        run) words="$scene --method --out --resume --overwrite --threads --json --quiet --help" ;;
+        compare) words="--out --force --require --json --quiet --help" ;;
+        hull) words="--unit --axes --particle-spacing --out --json --quiet --help"
+              [ "$COMP_CWORD" -eq 2 ] && words="info repair make convert"
+              [ "$COMP_CWORD" -eq 3 ] && [ "${COMP_WORDS[2]}" = make ] && words="prismatic seaplane wigley wedge plate box cylinder sphere torpedo" ;;
+        case) words="$scene --quiet --help" ;;
+        doctor) words="--openfoam --json --quiet --help" ;;
+        bench) words="--particles --h-over-dp --threads --seconds --json --quiet --help" ;;
+    esac
+    local IFS=$'\n'
+    COMPREPLY=($(IFS=' ' compgen -W "$words" -- "$word") $(compgen -f -- "$word"))
+}
+complete -o filenames -F _twinwake twinwake

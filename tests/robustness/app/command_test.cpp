@@ -1,0 +1,63 @@
+#include "program.h"
+
+namespace tw::test {
+namespace {
+
+TEST_F(Command, HelpAndVersionAreNoErrors) {
+    for (const std::vector<std::string>& a : {std::vector<std::string>{"--help"}, {"--version"}, {"run", "--help"}, {"hull", "make", "--help"}}) {
+        const Outcome o = twinwake(a);
+        EXPECT_EQ(o.status, 0) << a.back();
+        EXPECT_FALSE(o.out.empty()) << a.back();
+    }
+    EXPECT_NE(twinwake({"--version"}).out.find("twinwake 0."), std::string::npos);
+}
+
+TEST_F(Command, WrongUsageIsStatusTwoAndSaysWhatIsKnown) {
+    EXPECT_EQ(twinwake({}).status, 2);
+    const Outcome misspelt = twinwake({"chekc", "x.toml"});
+    EXPECT_EQ(misspelt.status, 2);
+    EXPECT_NE(misspelt.err.find("did you mean 'check'?"), std::string::npos) << misspelt.err;
+    EXPECT_EQ(twinwake({"check"}).status, 2);
+    EXPECT_EQ(twinwake({"check", "absent.toml"}).status, 2);
+    EXPECT_EQ(twinwake({"check", "."}).status, 2);
+    write("a.toml", planing);
+    EXPECT_EQ(twinwake({"check", "a.toml", "--sped", "3"}).status, 2);
+    EXPECT_EQ(twinwake({"check", "a.toml", "--speed", "3 kg"}).err, "--speed 3 kg: 'kg' does not measure the right thing; expected a unit like m/s, kn, kt, mph\n");
+    EXPECT_EQ(twinwake({"run", "a.toml", "--method", "dns"}).status, 2);
+    EXPECT_EQ(twinwake({"run", "a.toml", "--resume", "--overwrite"}).status, 2);
+    EXPECT_EQ(twinwake({"compare", "absent"}).status, 2);
+    EXPECT_EQ(files(), std::set<std::string>{"a.toml"});
+}
+
+TEST_F(Command, EveryTemplateThatNeedsNoFilePassesItsOwnCheck) {
+    for (const char* kind : {"planing", "seaplane", "tank"}) {
+        const std::string file = std::string(kind) + ".toml";
+        EXPECT_EQ(twinwake({"new", kind, file}).status, 0);
+        const Outcome o = twinwake({"check", file});
+        EXPECT_EQ(o.status, 0) << kind << o.err;
+        EXPECT_NE(o.out.find("predicted"), std::string::npos);
+    }
+    EXPECT_EQ(twinwake({"new", "planing", "planing.toml"}).status, 2);   // a file that is there is not lost
+    // The template for an own hull works as soon as that hull is there.
+    EXPECT_EQ(twinwake({"new", "own", "own.toml"}).status, 0);
+    EXPECT_EQ(twinwake({"check", "own.toml"}).err, "own.toml:4:9: [hull] file = \"my_hull.stl\": there is no file my_hull.stl\n");
+    EXPECT_EQ(twinwake({"hull", "make", "prismatic", "-o", "my_hull.stl", "length=8 m", "beam=2 m", "height=1.5"}).status, 0);
+    const Outcome own = twinwake({"check", "own.toml"});
+    EXPECT_EQ(own.status, 0) << own.err;
+}
+
+TEST_F(Command, CheckGivesItsFactsToPrograms) {
+    write("a.toml", planing);
+    const Outcome o = twinwake({"check", "a.toml", "--json", "-"});
+    EXPECT_EQ(o.status, 0);
+    EXPECT_EQ(o.out.substr(0, 1), "{");   // nothing but JSON on standard output
+    for (const char* key : {"\"particles\"", "\"cells\"", "\"hull\"", "\"findings\"", "\"effects\"", "\"name\"", "\"on\"", "\"reason\"", "\"influence\"", "\"cost\"",
+                            "\"predicted\"", "\"sph\"", "\"fvm\"", "\"seconds\"", "\"bytes\""})
+        EXPECT_NE(o.out.find(key), std::string::npos) << key;
+    EXPECT_EQ(twinwake({"check", "a.toml", "-q", "--json", "facts.json"}).out, "");
+    EXPECT_EQ(content(folder_ / "facts.json"), o.out);
+    EXPECT_EQ(twinwake({"check", "a.toml", "--json", "no/such/folder/facts.json"}).status, 3);
+}
+
+}  // namespace
+}  // namespace tw::test

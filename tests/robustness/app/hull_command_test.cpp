@@ -1,0 +1,41 @@
+#include "program.h"
+
+namespace tw::test {
+namespace {
+
+TEST_F(Command, AHullIsMadeInspectedAndConverted) {
+    EXPECT_EQ(twinwake({"hull", "make", "box", "-o", "box.stl", "length=2", "beam=1000 mm", "height=0.5"}).status, 0);
+    const Outcome info = twinwake({"hull", "info", "box.stl"});
+    EXPECT_EQ(info.status, 0);
+    EXPECT_NE(info.out.find("volume 1 m3"), std::string::npos) << info.out;
+    // Read as millimetres and written in metres: a thousandth of the size, and the finding that it is odd.
+    EXPECT_EQ(twinwake({"hull", "convert", "box.stl", "small.stl", "--unit", "mm"}).status, 0);
+    EXPECT_NE(twinwake({"hull", "info", "small.stl"}).out.find("volume 1e-09 m3"), std::string::npos);
+    EXPECT_EQ(twinwake({"hull", "convert", "box.stl", "box.obj"}).status, 2);
+    EXPECT_EQ(files(), (std::set<std::string>{"box.stl", "small.stl"}));
+}
+
+TEST_F(Command, WrongHullArgumentsNameTheKnownOnes) {
+    EXPECT_NE(twinwake({"hull", "make", "box", "-o", "b.stl", "lenght=2"}).err.find("did you mean 'length'?"), std::string::npos);
+    EXPECT_NE(twinwake({"hull", "make", "box", "-o", "b.stl", "length=2 kg"}).err.find("length=2 kg: 'kg' does not measure"), std::string::npos);
+    EXPECT_EQ(twinwake({"hull", "make", "bx", "-o", "b.stl"}).status, 2);
+    EXPECT_EQ(twinwake({"hull", "info", "absent.stl"}).status, 2);
+    EXPECT_EQ(twinwake({"hull", "info", "absent.stl", "--unit", "parsec"}).status, 2);
+    EXPECT_TRUE(files().empty());
+    EXPECT_NE(twinwake({"hull", "make"}).out.find("deadrise"), std::string::npos);   // the list of shapes and parameters
+}
+
+TEST_F(Command, AnOpenHullIsFoundAndNotSilentlyMended) {
+    ASSERT_EQ(twinwake({"hull", "make", "box", "-o", "box.stl"}).status, 0);
+    std::string bytes = content(folder_ / "box.stl");
+    bytes.resize(bytes.size() - 50);        // one triangle of 50 bytes less
+    bytes[80] = static_cast<char>(bytes[80] - 1);
+    write("open.stl", bytes);
+    const Outcome o = twinwake({"hull", "info", "open.stl"});
+    EXPECT_EQ(o.status, 2);
+    EXPECT_NE(o.out.find("open_edges"), std::string::npos) << o.out;
+    EXPECT_NE(o.out.find("usable: no"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tw::test
