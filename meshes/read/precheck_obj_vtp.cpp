@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <string>
 
 #include "base/errors.h"
@@ -12,8 +14,14 @@ void check_obj(const std::filesystem::path& file, std::string_view content) {
         throw InputError(file.string() + ": not an OBJ file: it holds binary data; export the hull again");
     TextCursor text(content);
     std::string_view line;
-    long vertices = 0, faces = 0, highest = 0;
-    std::size_t highest_line = 0;
+    // Corners refer to vertices, texture points and normals as v/vt/vn; the reader follows all three unchecked.
+    struct List {
+        std::string_view key, meaning;
+        long count = 0, highest = 0;
+        std::size_t highest_line = 0;
+    };
+    std::array<List, 3> lists{{{"v", "vertices"}, {"vt", "texture points"}, {"vn", "normals"}}};
+    long faces = 0;
     const auto fail = [&](std::size_t number, const std::string& what) {
         throw InputError(file.string() + ":" + std::to_string(number) + ": " + what + "; export the hull again");
     };
@@ -21,33 +29,48 @@ void check_obj(const std::filesystem::path& file, std::string_view content) {
         const auto w = words(line);
         if (w.empty()) continue;
         if (w.back() == "\\") fail(text.number(), "continued lines are not read");
-        if (w[0] == "v") {
+        if (const auto list = std::ranges::find(lists, w[0], &List::key); list != lists.end()) {
+            const std::size_t numbers = w[0] == "vt" ? 2 : 3;
             double x = 0;
-            if (w.size() < 4 || !to_number(w[1], x) || !to_number(w[2], x) || !to_number(w[3], x))
-                fail(text.number(), "found \"" + std::string(line.substr(0, 60)) + "\", expected \"v x y z\"");
-            ++vertices;
+            for (std::size_t k = 1; k <= numbers; ++k)
+                if (k >= w.size() || !to_number(w[k], x) || !std::isfinite(x))
+                    fail(text.number(), "found \"" + std::string(line.substr(0, 60)) + "\", expected \"" +
+                                            std::string(w[0]) + "\" and " + std::to_string(numbers) +
+                                            " finite numbers");
+            ++list->count;
         } else if (w[0] == "f") {
             if (w.size() < 4) fail(text.number(), "a face of fewer than three corners");
             ++faces;
             for (std::size_t k = 1; k < w.size(); ++k) {
-                long index = 0;
-                const bool is_number = to_number(w[k].substr(0, w[k].find('/')), index);
-                if (!is_number || index == 0 || index < -vertices)
-                    fail(text.number(),
-                         "the corner \"" + std::string(w[k].substr(0, 30)) + "\" is not one of the vertices");
-                if (index > highest) {
-                    highest = index;
-                    highest_line = text.number();
+                std::string_view rest = w[k];
+                for (List& of : lists) {
+                    const std::string_view part = rest.substr(0, rest.find('/'));
+                    rest.remove_prefix(std::min(rest.size(), part.size() + 1));
+                    if (part.empty() && of.key != "v") continue;
+                    long index = 0;
+                    if (!to_number(part, index) || index == 0 || index < -of.count)
+                        fail(text.number(), "the corner \"" + std::string(w[k].substr(0, 30)) +
+                                                "\" does not name one of the " + std::string(of.meaning));
+                    if (index > of.highest) {
+                        of.highest = index;
+                        of.highest_line = text.number();
+                    }
                 }
+                if (!rest.empty())
+                    fail(text.number(), "the corner \"" + std::string(w[k].substr(0, 30)) + "\" is not v/vt/vn");
             }
+        } else if (w[0] == "l" || w[0] == "p") {
+            fail(text.number(), "the file holds lines or points, which are no part of a surface");
         }
     }
-    if (faces == 0 || vertices == 0)
-        throw InputError(file.string() + ": no triangles: " + std::to_string(vertices) + " vertices (\"v\") and " +
-                         std::to_string(faces) + " faces (\"f\") found; is it an OBJ file? export the hull again");
-    if (highest > vertices)
-        fail(highest_line, "corner " + std::to_string(highest) + " of a face does not exist: the file has " +
-                               std::to_string(vertices) + " vertices (truncated?)");
+    if (faces == 0 || lists[0].count == 0)
+        throw InputError(file.string() + ": no triangles: " + std::to_string(lists[0].count) +
+                         " vertices (\"v\") and " + std::to_string(faces) +
+                         " faces (\"f\") found; is it an OBJ file? export the hull again");
+    for (const List& of : lists)
+        if (of.highest > of.count)
+            fail(of.highest_line, "a face names number " + std::to_string(of.highest) + " of " +
+                                      std::to_string(of.count) + " " + std::string(of.meaning) + " (truncated?)");
 }
 
 void check_vtp(const std::filesystem::path& file, std::string_view content) {

@@ -14,7 +14,7 @@ struct Property {
     std::string name;
     std::size_t size = 0;        ///< bytes of a value
     std::size_t count_size = 0;  ///< bytes of a list's length; 0: a single value
-    bool count_is_float = false;
+    bool is_corners = false;     ///< the list of a face's vertices
 };
 struct Element {
     std::string name;
@@ -49,11 +49,9 @@ public:
     PlyCheck(const std::filesystem::path& file, std::string_view content) : file_(file), text_(content) {}
     void run() {
         read_header();
-        require("vertex", {"x", "y", "z"});
+        vertices_ = require("vertex", {"x", "y", "z"}).count;
         const Element& faces = require("face", {});
-        if (std::ranges::none_of(faces.properties, [](const Property& p) {
-                return p.count_size > 0 && (p.name == "vertex_indices" || p.name == "vertex_index");
-            }))
+        if (std::ranges::none_of(faces.properties, &Property::is_corners))
             fail("the faces have no list vertex_indices");
         if (faces.count == 0) fail("the file holds no faces");
         format_ == Format::ascii ? walk_text() : walk_bytes(text_.rest());
@@ -92,9 +90,12 @@ private:
                 elements_.push_back({std::string(w[1]), count, {}});
             } else if (w[0] == "property" && !elements_.empty() &&
                        (w.size() == 3 || (w.size() == 5 && w[1] == "list"))) {
-                Property p{std::string(w.back()), size_of(w[w.size() - 2]), w.size() == 5 ? size_of(w[2]) : 0,
-                           w.size() == 5 && (w[2].starts_with("float") || w[2] == "double")};
-                if (p.size == 0 || (w.size() == 5 && p.count_size == 0) || p.count_is_float)
+                const bool is_list = w.size() == 5;
+                Property p{std::string(w.back()), size_of(w[w.size() - 2]), is_list ? size_of(w[2]) : 0, false};
+                p.is_corners = elements_.back().name == "face" && is_list &&
+                               (p.name == "vertex_indices" || p.name == "vertex_index");
+                const auto whole = [](std::string_view type) { return !type.starts_with("float") && type != "double"; };
+                if (p.size == 0 || (is_list && (p.count_size == 0 || !whole(w[2]))) || (p.is_corners && !whole(w[3])))
                     fail("line " + std::to_string(text_.number()) + ": unknown type");
                 elements_.back().properties.push_back(std::move(p));
             } else {
@@ -118,6 +119,12 @@ private:
         fail("truncated at " + e.name + " " + std::to_string(at) + " of " + std::to_string(e.count));
     }
 
+    void check_corner(std::uint64_t face, std::int64_t corner) const {
+        if (corner < 0 || static_cast<std::uint64_t>(corner) >= vertices_)
+            fail("face " + std::to_string(face) + " uses point " + std::to_string(corner) + " of " +
+                 std::to_string(vertices_));
+    }
+
     void walk_text() {
         std::string_view line;
         for (const Element& e : elements_)
@@ -128,12 +135,23 @@ private:
                 for (const Property& p : e.properties) {
                     if (p.count_size > 0) {
                         std::size_t n = 0;
-                        if (expected >= w.size() || !to_number(w[expected], n) || n > w.size()) truncated(e, i);
+                        if (expected >= w.size() || !to_number(w[expected], n) || n >= w.size() - expected)
+                            truncated(e, i);
+                        for (std::size_t k = 1; k <= n && p.is_corners; ++k) {
+                            std::int64_t corner = -1;
+                            to_number(w[expected + k], corner);
+                            check_corner(i, corner);
+                        }
                         expected += n;
                     }
                     expected += 1;
                 }
                 if (w.size() < expected) truncated(e, i);
+                double number = 0;
+                for (const std::string_view word : w)
+                    if (!to_number(word, number))
+                        fail("line " + std::to_string(text_.number()) + ": \"" + std::string(word.substr(0, 30)) +
+                             "\" is not a number");
             }
     }
 
@@ -150,6 +168,10 @@ private:
                         at += p.count_size;
                     }
                     if (n > (bytes.size() - at) / p.size) truncated(e, i);
+                    for (std::uint64_t k = 0; k < n && p.is_corners;
+                         ++k)  // a negative number reads as one far too large
+                        check_corner(
+                            i, static_cast<std::int64_t>(read_count(bytes.substr(at + k * p.size, p.size), format_)));
                     at += n * p.size;
                 }
         }
@@ -159,6 +181,7 @@ private:
     TextCursor text_;
     Format format_ = Format::ascii;
     std::vector<Element> elements_;
+    std::uint64_t vertices_ = 0;
 };
 
 }  // namespace

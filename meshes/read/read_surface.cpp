@@ -1,8 +1,9 @@
-#include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
-#include <vtkExecutive.h>
+#include <vtkLogger.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
 #include <vtkOBJReader.h>
+#include <vtkOutputWindow.h>
 #include <vtkPLYReader.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
@@ -15,6 +16,8 @@
 #include <cctype>
 #include <cmath>
 #include <cstdint>
+#include <new>
+#include <type_traits>
 
 #include "base/atomic_file.h"
 #include "base/errors.h"
@@ -25,48 +28,71 @@ namespace tw {
 namespace fs = std::filesystem;
 namespace {
 
-/// Keeps VTK's complaints instead of letting them run over the terminal.
-class Complaints {
+/// Takes VTK's complaints, which else run over the terminal, also those of the objects that a reader makes for itself.
+class KeptOutput : public vtkOutputWindow {
 public:
-    Complaints() {
-        command_->SetClientData(&text_);
-        command_->SetCallback([](vtkObject*, unsigned long, void* text, void* message) {
-            auto& kept = *static_cast<std::string*>(text);
-            if (message != nullptr && kept.empty()) kept = static_cast<const char*>(message);
-        });
+    static KeptOutput* New();
+    vtkTypeMacro(KeptOutput, vtkOutputWindow);
+    KeptOutput(const KeptOutput&) = delete;
+    KeptOutput& operator=(const KeptOutput&) = delete;
+    void DisplayText(const char* text) override {
+        if (text_.empty() && text != nullptr) text_ = text;
     }
-    void listen_to(vtkObject* object) {
-        object->AddObserver(vtkCommand::ErrorEvent, command_);
-        object->AddObserver(vtkCommand::WarningEvent, command_);
-    }
-    vtkCommand* command() { return command_; }
     /// The first complaint without VTK's file, line and address; empty: none.
     std::string text() const {
-        const auto colon = text_.rfind("): ");
-        std::string message = colon == std::string::npos ? text_ : text_.substr(colon + 3);
-        while (!message.empty() && std::isspace(static_cast<unsigned char>(message.back())) != 0) message.pop_back();
+        const auto address = text_.find("): ");
+        std::string message = address == std::string::npos ? text_ : text_.substr(address + 3);
+        std::ranges::replace(message, '\n', ' ');
+        while (!message.empty() && message.back() == ' ') message.pop_back();
         return message;
     }
 
+protected:
+    KeptOutput() = default;
+
 private:
-    vtkNew<vtkCallbackCommand> command_;
     std::string text_;
+};
+vtkStandardNewMacro(KeptOutput);
+
+/// Puts VTK's own output back however reading ends.
+class OutputGuard {
+public:
+    explicit OutputGuard(vtkOutputWindow* ours) : before_(vtkOutputWindow::GetInstance()) {
+        vtkOutputWindow::SetInstance(ours);
+        vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);  // VTK prints beside its output window
+    }
+    ~OutputGuard() {
+        vtkOutputWindow::SetInstance(before_);
+        vtkLogger::SetStderrVerbosity(verbosity_);
+    }
+    OutputGuard(const OutputGuard&) = delete;
+    OutputGuard& operator=(const OutputGuard&) = delete;
+
+private:
+    vtkSmartPointer<vtkOutputWindow> before_;
+    vtkLogger::Verbosity verbosity_ = vtkLogger::GetCurrentVerbosityCutoff();
 };
 
 template <class Reader>
-vtkSmartPointer<vtkPolyData> read_with(const fs::path& file) {
+vtkSmartPointer<vtkPolyData> read_with(const fs::path& file, const std::string& content = {}) {
     vtkNew<Reader> reader;
-    Complaints complaints;
-    complaints.listen_to(reader);
-    complaints.listen_to(reader->GetExecutive());
-    if constexpr (std::is_same_v<Reader, vtkXMLPolyDataReader>) {
-        reader->SetReaderErrorObserver(complaints.command());
-        reader->SetParserErrorObserver(complaints.command());
-    }
+    vtkNew<KeptOutput> complaints;
+    const OutputGuard guard(complaints);
     if constexpr (std::is_same_v<Reader, vtkSTLReader>) reader->MergingOff();  // it would drop triangles; see welded()
-    reader->SetFileName(file.c_str());
-    reader->Update();
-    if (!complaints.text().empty()) throw InputError(file.string() + ": cannot be read: " + complaints.text());
+    if constexpr (std::is_same_v<Reader, vtkPLYReader>) {
+        reader->ReadFromInputStringOn();
+        reader->SetInputString(content + '\n');  // without an end to its last line VTK frees memory twice
+    } else {
+        reader->SetFileName(file.c_str());
+    }
+    try {
+        reader->Update();
+    } catch (const std::bad_alloc&) {
+        throw InputError(file.string() +
+                         ": cannot be read: its counts ask for more memory than there is; export the hull again");
+    }
+    if (!complaints->text().empty()) throw InputError(file.string() + ": cannot be read: " + complaints->text());
     vtkPolyData* data = reader->GetOutput();
     if (data == nullptr || data->GetNumberOfPoints() == 0)
         throw InputError(file.string() + ": holds no points; export the hull again");
@@ -155,7 +181,7 @@ Surface read_by_type(const fs::path& file) {
     }
     if (type == ".ply") {
         check_ply(file, content);
-        return from_vtk(file, read_with<vtkPLYReader>(file));
+        return from_vtk(file, read_with<vtkPLYReader>(file, content));
     }
     if (type == ".vtp") {
         check_vtp(file, content);
