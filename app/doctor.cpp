@@ -69,7 +69,7 @@ int run_doctor(const DoctorCommand& command, const Common& common) {
     out += "mpirun      " + (f.mpirun.empty() ? std::string("none: the mesh side runs on one core") : f.mpirun) + "\n";
     out += "graphics    " + (f.gpu.empty() ? std::string("no NVIDIA card; this version does not use one") : f.gpu + "; this version does not use it") + "\n";
     for (const OpenFoam& o : f.openfoam)
-        out += fmt::format("openfoam    {} {} {}: {}: {}\n", o.vendor, o.version, o.solver.string(), o.sound ? "sound" : "NOT SOUND", o.verdict);
+        out += fmt::format("openfoam    {}: {}: {}\n", o.solver.string(), o.sound ? "sound" : "NOT SOUND", o.verdict);
     if (f.openfoam.empty()) out += "openfoam    none found: ./bootstrap.sh build installs it (or apt-get install openfoam and run the script again)\n";
     out += f.sound ? "\nsound: both methods can run here\n" : "\nnot sound: only the particle side can run here; ./bootstrap.sh build mends the mesh side\n";
     say(common, out);

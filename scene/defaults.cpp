@@ -101,7 +101,7 @@ void fill_times(Scene& scene) {
     // Measured: the force of a planing hull is settled one L/U after the start to within 2 %.
     if (scene.run.duration == 0) scene.run.duration = stream ? scene.motion.ramp + 3 * T : 10 * T;
     if (scene.sampling.interval == 0) scene.sampling.interval = T / 25;
-    if (scene.sampling.mean_from == 0 && stream) scene.sampling.mean_from = scene.motion.ramp + T;
+    if (scene.sampling.mean_from == 0 && (stream || scene.hull)) scene.sampling.mean_from = stream ? scene.motion.ramp + T : 5 * T;
     if (scene.run.checkpoint == 0) scene.run.checkpoint = scene.run.duration / 20;
 }
 

@@ -31,7 +31,8 @@ Surface read_solid(Section& s, const std::filesystem::path& scene_file, std::str
     source = file ? *file : *shape;
     try {
         if (file) {
-            const std::filesystem::path path = scene_file.parent_path() / *file;
+            // A file of the command line is where the user stands, one of the scene beside the scene.
+            const std::filesystem::path path = s.from_option("file") ? std::filesystem::path(*file) : scene_file.parent_path() / *file;
             if (!std::filesystem::exists(path)) s.fail("file", fmt::format("there is no file {}", path.string()));
             return read_surface(path, unit, axes);
         }
@@ -97,6 +98,8 @@ Obstacle read_obstacle(Section& s, std::size_t number) {
     } else {
         std::string source, key;
         o.surface = read_solid(s, s.file(), source, key);
+        for (const Finding& f : check_surface(o.surface))
+            if (f.level == Finding::Level::error) s.fail(key, f.name + ": " + f.message);
         const Vec3 position = s.vector("position", "m").value_or(Vec3::Zero());
         for (Vec3& p : o.surface.points) p += position;
     }

@@ -45,7 +45,7 @@ void apply(const SceneOverrides& o, SceneValue& document) {
             });
         SceneValue file;
         file.kind = SceneValue::Kind::text;
-        file.text = std::filesystem::absolute(*o.hull_file).string();
+        file.text = o.hull_file->string();
         override_key(document, "hull", "file", "--hull", file);
     }
     if (o.speed) override_key(document, "motion", "speed", "--speed", number_value(*o.speed));
@@ -115,8 +115,8 @@ Domain domain_of(const DomainOptions& o, const std::optional<Box>& tank, Scene& 
     }
     if (o.dimensions == 2) {
         if (scene.hull) s.domain.fail("dimensions", "a hull needs 3 dimensions in this version");
-        d.box.min.y() = 0;
-        d.box.max.y() = scene.resolution.near_hull;
+        d.box.max.y() = 0.5 * scene.resolution.near_hull;   // one particle thick, round the plane y = 0
+        d.box.min.y() = -d.box.max.y();
     }
     if (stream) {
         d.x_min = Side::inlet;
@@ -198,6 +198,16 @@ void check_places(Scene& scene, Sections& s) {
         }
         for (const char* key : {"min", "max"})
             if (outside(key == std::string("min") ? block.min : block.max, slack)) s.water_blocks[i].fail(key, "outside the domain; " + range);
+    }
+    for (std::size_t i = 0; i < scene.obstacles.size(); ++i) {
+        Obstacle& o = scene.obstacles[i];
+        if (scene.domain.dimensions == 2 && s.obstacles[i].has("min")) {   // a box reaches through the whole thickness
+            const double high = o.surface.bounds().max.y();
+            for (Vec3& p : o.surface.points) p.y() = p.y() == high ? box.max.y() : box.min.y();
+        }
+        const Box at = o.surface.bounds();
+        if (((at.max - box.min).array() <= 0).any() || ((box.max - at.min).array() <= 0).any())
+            s.obstacles[i].fail(s.obstacles[i].has("min") ? "min" : "position", "the obstacle lies outside the domain; " + range);
     }
     std::size_t pressure = 0, height = 0;
     for (Section& probe : s.probes) {

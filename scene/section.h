@@ -31,6 +31,8 @@ public:
 
     bool present() const { return table_ != nullptr; }
     bool has(const std::string& key) const { return table_ && table_->find(key); }
+    /// True when the value came from the command line.
+    bool from_option(const std::string& key) const { return has(key) && !table_->find(key)->option.empty(); }
     const std::string& name() const { return name_; }
     const std::filesystem::path& file() const { return file_; }
 

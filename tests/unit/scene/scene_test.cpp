@@ -86,7 +86,7 @@ TEST(Scene, ASwappedHullNeedsNoOtherEdit) {
     EXPECT_NEAR(s.hull->length / small.hull->length, 2, 1e-6);
     EXPECT_NEAR(s.domain.box.size().y() / small.domain.box.size().y(), 2, 0.21);   // faces go out to whole cells
     EXPECT_NEAR(s.sampling.mean_from / small.sampling.mean_from, 2, 1e-6);
-    EXPECT_EQ(s.hull->source, std::filesystem::absolute(file).string());
+    EXPECT_EQ(s.hull->source, file.string());
 }
 
 TEST(Scene, AHullThatCannotBeSolvedIsRefusedAtItsKey) {
@@ -131,6 +131,18 @@ TEST(Scene, ATankHasItsOwnAxesAndNoStream) {
     EXPECT_NE(complaint(tank + "[motion]\nkind = 'stream'\nspeed = 1\n").find("a tank has walls all round"), std::string::npos);
     EXPECT_NE(complaint(with(tank, "max = [0.146", "max = [0.9")).find("scene.toml:5:7: [[water_block]] max = [0.9, 0.1, 0.292]: outside the domain"), std::string::npos);
     EXPECT_NE(complaint(with(tank, "[[water_block]]\nmin = [0, 0, 0]\nmax = [0.146, 0.1, 0.292]\n", "")).find("there is no water"), std::string::npos);
+}
+
+TEST(Scene, TwoDimensionsAreOneParticleThickRoundThePlane) {
+    const Scene s = scene_of("[tank]\nsize = [0.584, 0.1, 0.4]\n[domain]\ndimensions = 2\n[[water_block]]\nmin = [0, 0, 0]\nmax = [0.146, 0.1, 0.292]\n"
+                             "[[obstacle]]\nmin = [0.3, -1, 0]\nmax = [0.32, -0.5, 0.05]\n[[probe]]\npressure = [0.584, 0.05, 0.01]\n[resolution]\nnear_hull = 0.01\n");
+    EXPECT_NEAR(s.domain.box.min.y(), -0.005, 1e-15);
+    EXPECT_NEAR(s.domain.box.max.y(), 0.005, 1e-15);
+    EXPECT_NEAR(s.water_blocks[0].volume(), 0.146 * 0.01 * 0.292, 1e-12);
+    EXPECT_NEAR(mass_properties(s.obstacles[0].surface).volume, 0.02 * 0.01 * 0.05, 1e-12);
+    EXPECT_EQ(s.sampling.pressure[0].place.y(), 0);
+    EXPECT_EQ(s.sampling.raster.count[1], 1);
+    EXPECT_NEAR(predict(s).particles, 0.146 * 0.292 / 1e-4, 1);
 }
 
 }  // namespace
