@@ -63,6 +63,18 @@ TEST(Scene, TheHashIsOfTheNumbersOnly) {
     EXPECT_NE(hash, hash_with("[run]", "[sampling]\ncuts_x = [1]\n[run]"));
 }
 
+TEST(Scene, TheHashSeesEachNumberByItself) {
+    // With every default that follows from the speed written out, the speed itself must still count; and so for the rest.
+    const std::string fixed = planing + "[sampling]\ninterval = 0.02\nmean_from = 0.7\n[domain]\nx = [-3, 5]\ny = [-2, 2]\nz = [-1.6, 2]\n[sph]\nc0 = 100\n"
+                                        "[water]\ndensity = 1000\n";
+    const std::string hash = scene_of(fixed).hash;
+    const std::pair<const char*, const char*> changes[] = {{"\"8 m/s\"", "8.1"},         {"mean_from = 0.7", "mean_from = 0.8"},   {"interval = 0.02", "interval = 0.03"},
+                                                           {"x = [-3, 5]", "x = [-3, 5.1]"}, {"density = 1000", "density = 1001"},     {"density = 1000", "gravity = 9.8"},
+                                                           {"density = 1000", "viscosity = 2e-6"}, {"density = 1000", "surface_tension = 0"}, {"density = 1000", "air_density = 1"},
+                                                           {"half     = true", "half     = false"}, {"c0 = 100", "c0 = 100\n[effects]\nshifting = \"off\""}};
+    for (const auto& [from, to] : changes) EXPECT_NE(scene_of(with(fixed, from, to)).hash, hash) << to;
+}
+
 TEST(Scene, AnOptionOnTheCommandLineIsTheSameAsInTheFile) {
     SceneOverrides o;
     o.speed = 12;
