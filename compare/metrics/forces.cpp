@@ -70,13 +70,7 @@ bool any_known(const Quantity& q) { return std::ranges::any_of(q.values, &MeanVa
 /// A number beside the verdict: only where some source knows it.
 void add_beside(Comparison& comparison, Quantity q) {
     if (!any_known(q)) return;
-    q.judged = false;
-    if (q.values.size() == 2 && q.values[0].known && q.values[1].known) {
-        q.difference = q.values[1].value - q.values[0].value;
-        q.interval = std::hypot(q.values[0].half_width, q.values[1].half_width);
-        const double mean = 0.5 * std::abs(q.values[0].value + q.values[1].value);
-        if (mean > 0) q.per_cent = 100 * q.difference / mean;
-    }
+    beside(q);
     comparison.quantities.push_back(std::move(q));
 }
 

@@ -7,6 +7,7 @@
 #include "compare/align/time_bins.h"
 #include "compare/metrics/forces.h"
 #include "compare/metrics/quantity.h"
+#include "compare/verdict/judge.h"
 
 namespace tw {
 
@@ -58,12 +59,9 @@ void add_probes(Comparison& comparison) {
         for (const auto& [name, unit] : probes) {
             Quantity q = new_quantity(fmt::format("{}:{}", table, name), fmt::format("Peak {} at {}", table, name), unit,
                                       "highest value of the record; depends on its length and sampling");
-            q.judged = false;
             for (const RunRecord& r : comparison.sources) q.values.push_back(peak(r, table, name));
-            if (q.values.size() >= 2 && q.values[0].known && q.values[1].known) {
-                q.difference = q.values[1].value - q.values[0].value;
-                const double mean = 0.5 * std::abs(q.values[0].value + q.values[1].value);
-                if (mean > 0) q.per_cent = 100 * q.difference / mean;
+            beside(q);
+            if (q.values.size() >= 2) {
                 const double rms = rms_per_cent(comparison.sources[0], comparison.sources[1], table, name);
                 if (std::isfinite(rms)) q.remark = fmt::format("histories differ by {:.2g} % of the range (root mean square)", rms);
             }

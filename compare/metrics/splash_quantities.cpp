@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "compare/metrics/elevation.h"
 #include "compare/metrics/quantity.h"
@@ -65,20 +66,17 @@ void add_splash(Comparison& comparison, const CompareOptions& options) {
     if (!has_frames(comparison)) return;
     struct Measure {
         const char *name, *label, *unit, *column, *definition;
-        bool height, judged;
+        bool height;
     };
     for (const Measure& m :
          {Measure{"splash_sheet_height", "Splash height (connected sheet)", "m", "sheet_height",
-                  "highest water, above still water, that hangs together with the main body: voxels at least half full, 26 neighbours", true, true},
-          Measure{"splash_p95", "Splash height, 95 % of airborne water", "m", "p95", "height above still water below which 95 % of the airborne water lies", true, true},
-          Measure{"splash_p99", "Splash height, 99 % of airborne water", "m", "p99", "height above still water below which 99 % of the airborne water lies", true, true},
-          Measure{"splash_p99_9", "Splash height, 99.9 % of airborne water", "m", "p99_9", "height above still water below which 99.9 % of the airborne water lies", true, true},
-          Measure{"airborne_volume", "Airborne water", "m3", "airborne_volume", "water more than one voxel above still water, attached or not, whole hull", false, true},
-          Measure{"airborne_energy", "Potential energy of airborne water", "J", "airborne_energy", "rho g times the airborne water's volume times height", false, true},
-          Measure{"splash_raw_max", "Highest water of any kind (raw)", "m", "raw_height",
-                  "highest voxel with a water share of 1/100: one droplet decides it, so it is shown and not judged", true, false}}) {
+                  "highest water, above still water, that hangs together with the main body: voxels at least half full, 26 neighbours", true},
+          Measure{"splash_p95", "Splash height, 95 % of airborne water", "m", "p95", "height above still water below which 95 % of the airborne water lies", true},
+          Measure{"splash_p99", "Splash height, 99 % of airborne water", "m", "p99", "height above still water below which 99 % of the airborne water lies", true},
+          Measure{"splash_p99_9", "Splash height, 99.9 % of airborne water", "m", "p99_9", "height above still water below which 99.9 % of the airborne water lies", true},
+          Measure{"airborne_volume", "Airborne water", "m3", "airborne_volume", "water more than one voxel above still water, attached or not, whole hull", false},
+          Measure{"airborne_energy", "Potential energy of airborne water", "J", "airborne_energy", "rho g times the airborne water's volume times height", false}}) {
         Quantity q = new_quantity(m.name, m.label, m.unit, m.definition);
-        q.judged = m.judged;
         for (std::size_t s = 0; s < comparison.sources.size(); ++s) {
             const RunRecord& record = comparison.sources[s];
             const double floor = m.height ? 0.5 * record.raster.spacing : 0;
@@ -91,7 +89,7 @@ void add_splash(Comparison& comparison, const CompareOptions& options) {
                 rules.from = comparison.analyses[s].settled_from;
                 rules.fewest_independent = options.fewest_independent;
                 rules.largest_error = options.largest_error;
-                rules.allowed_error = m.judged ? floor : HUGE_VAL;
+                rules.allowed_error = floor;
                 value = settled_mean(comparison.analyses[s].splash.time, column->values, rules);
                 widen_to(value, floor);
                 if (!value.known && value.seconds_needed == 0) value.why_not = "no airborne water";
@@ -100,13 +98,13 @@ void add_splash(Comparison& comparison, const CompareOptions& options) {
         }
         if (m.height) q.definition += fmt::format("; no better than half a voxel ({:.3g} m)", 0.5 * comparison.sources[0].raster.spacing);
         judge(q, comparison.names, comparison.agree_within);
-        if (!m.judged) q.verdict = Verdict::not_comparable;
         comparison.quantities.push_back(std::move(q));
     }
 
     Quantity envelope = new_quantity("splash_envelope", "Splash envelope, highest point", "m",
                                      "highest connected water at any time of the settled frames; grows with the length of the record");
-    envelope.judged = false;
+    Quantity raw = new_quantity("splash_raw_max", "Highest water of any kind (raw)", "m",
+                                "highest voxel with a water share of 1/100 at any time of the settled frames: one droplet decides it, so it is shown and not judged");
     Quantity wake = new_quantity("wake_width", "Kelvin wake width", "m",
                                  "behind the hull: mean distance between the outermost columns whose envelope reaches half the mean crest height; no better than a voxel");
     for (std::size_t s = 0; s < comparison.sources.size(); ++s) {
@@ -116,12 +114,18 @@ void add_splash(Comparison& comparison, const CompareOptions& options) {
         for (const float z : a.envelope)
             if (std::isfinite(z) && !(highest >= z - a.still_level)) highest = z - a.still_level;
         envelope.values.push_back(single(highest, 0, 0.5 * record.raster.spacing, record, "no raster frames"));
+        double droplet = std::numeric_limits<double>::quiet_NaN();
+        if (const Column* c = a.splash.find("raw_height"))
+            for (std::size_t i = 0; i < c->values.size(); ++i)
+                if (a.splash.time[i] >= a.settled_from && !(droplet >= c->values[i])) droplet = c->values[i];
+        raw.values.push_back(single(droplet, 0, 0.5 * record.raster.spacing, record, "no raster frames"));
         wake.values.push_back(single(wake_width(record, a.envelope, a.still_level), 0, number_of_text(record, "symmetry_factor", 1) * 0.5 * record.raster.spacing,
                                      record, record.frames.empty() ? "no raster frames" : "no wake crest above half a voxel"));
     }
-    judge(envelope, comparison.names, comparison.agree_within);
-    envelope.verdict = Verdict::not_comparable;
-    comparison.quantities.push_back(std::move(envelope));
+    for (Quantity* q : {&envelope, &raw}) {
+        beside(*q);
+        comparison.quantities.push_back(std::move(*q));
+    }
     if (std::ranges::any_of(comparison.sources, [](const RunRecord& r) { return !r.hull.points.empty() && number_of(r, "speed", 0) > 0; })) {
         judge(wake, comparison.names, comparison.agree_within);
         comparison.quantities.push_back(std::move(wake));

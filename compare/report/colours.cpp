@@ -33,7 +33,7 @@ std::string ColourScale::legend(const std::string& label) const {
 }
 
 ColourScale elevation_scale(double half_range, double middle) {
-    return ColourScale({{0.03, 0.13, 0.36}, {0.12, 0.38, 0.67}, {0.47, 0.72, 0.86}, {0.93, 0.95, 0.95}, {0.98, 0.80, 0.55}, {0.90, 0.45, 0.20}, {0.58, 0.10, 0.12}},
+    return ColourScale({{0.03, 0.13, 0.36}, {0.12, 0.38, 0.67}, {0.47, 0.72, 0.86}, {0.86, 0.93, 0.96}, {0.98, 0.80, 0.55}, {0.90, 0.45, 0.20}, {0.58, 0.10, 0.12}},
                        middle - half_range, middle + half_range);
 }
 

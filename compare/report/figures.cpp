@@ -49,7 +49,7 @@ Figure force_figure(const Comparison& c, const Trace& t) {
             if (q->values[s].known) plot.bands.push_back({s, q->values[s].from, q->values[s].to, q->values[s].value, q->values[s].half_width});
     for (const Reference& r : c.references)
         if (r.quantity == t.quantity) plot.levels.push_back({r.source + (std::string(t.quantity) == "drag" && r.remark.find("pressure") != std::string::npos ? ", pressure part" : ""), r.value});
-    if (filter > 0) plot.title += fmt::format(" (drawn: moving mean of {:.2g} ms over the raw trace; means come from the raw trace)", 1e3 * filter);
+    if (filter > 0) plot.title += fmt::format(" (bold: moving mean of {:.2g} ms)", 1e3 * filter);
     return {std::string("force_") + t.quantity, svg(plot)};
 }
 

@@ -17,14 +17,16 @@ int decimals(double value, double half_width) {
 
 /// Plain digits where they are readable, powers of ten elsewhere; `size` decides for a value and its interval alike.
 std::string digits(double value, int places, double size) {
-    if (size != 0 && (size >= 1e7 || size < 1e-4)) return fmt::format("{:.3g}", value);
-    if (std::abs(value) < 0.5 * std::pow(10.0, -places)) value = 0;   // no "-0.00"
-    return fmt::format("{:.{}f}", value, places);
+    const std::string sign = value < 0 ? "−" : "";
+    if (size != 0 && (size >= 1e7 || size < 1e-4)) return fmt::format("{}{:.3g}", sign, std::abs(value));
+    if (std::abs(value) < 0.5 * std::pow(10.0, -places)) return fmt::format("{:.{}f}", 0.0, places);   // no "-0.00"
+    return fmt::format("{}{:.{}f}", sign, std::abs(value), places);
 }
 }  // namespace
 
 std::string value_text(double value, double half_width) {
     if (!std::isfinite(value)) return "–";
+    if (half_width < 1e-6 * std::abs(value)) half_width = 0;
     const int places = decimals(value, half_width);
     if (!(half_width > 0) || !std::isfinite(half_width)) return digits(value, places, std::abs(value));
     const double size = std::max(std::abs(value), half_width);
@@ -40,28 +42,32 @@ std::string signed_text(double value, double half_width) {
 
 std::string per_cent_text(double per_cent) {
     if (!std::isfinite(per_cent)) return "–";
-    return fmt::format("{:+.{}f} %", per_cent, std::abs(per_cent) < 10 ? 1 : 0);
+    return fmt::format("{}{:.{}f} %", per_cent < 0 ? "−" : "+", std::abs(per_cent), std::abs(per_cent) < 10 ? 1 : 0);
 }
 
 std::string verdict_label(Verdict verdict) { return verdict == Verdict::not_comparable ? "not comparable" : to_string(verdict); }
 
 std::string verdict_sentence(const Comparison& comparison) {
     if (comparison.sources.size() < 2) return "One run: values without a verdict.";
+    const bool pair = comparison.sources.size() == 2;
     std::string text;
     for (const char* name : {"lift", "drag", "splash_sheet_height"}) {
         const Quantity* q = comparison.find(name);
         if (!q) continue;
-        const std::string label = std::string(name) == "splash_sheet_height" ? "Splash height" : q->label;
+        const std::string label = std::string_view(name) == "splash_sheet_height" ? "Splash height" : q->label;
+        const double interval = q->difference != 0 ? std::abs(q->per_cent * q->interval / q->difference) : 0;   // in per cent
         if (!text.empty()) text += " ";
         switch (q->verdict) {
-            case Verdict::agree: text += fmt::format("{} agrees within {:g} % ({}).", label, 100 * comparison.agree_within, per_cent_text(q->per_cent)); break;
-            case Verdict::differ: {
-                const double scale = q->per_cent != 0 ? std::abs(q->difference / q->per_cent) : 0;
-                text += std::isfinite(q->per_cent) && scale > 0
-                            ? fmt::format("{} differs by {} (± {:.1f} %).", label, per_cent_text(q->per_cent), q->interval / scale)
-                            : fmt::format("{} differs by {} {}.", label, signed_text(q->difference, q->interval), q->unit);
+            case Verdict::agree:
+                text += fmt::format("{} agrees within {:g} %", label, 100 * comparison.agree_within);
+                text += pair ? fmt::format(" ({} {}).", comparison.names[1], per_cent_text(q->per_cent)) : ".";
                 break;
-            }
+            case Verdict::differ:
+                text += label + " differs: ";
+                text += pair ? fmt::format("{} is {:.1f} % {} than {} (± {:.1f} %).", comparison.names[1], std::abs(q->per_cent),
+                                           q->difference < 0 ? "lower" : "higher", comparison.names[0], interval)
+                             : fmt::format("by up to {:.1f} % (± {:.1f} %).", std::abs(q->per_cent), interval);
+                break;
             case Verdict::undecided: text += label + " is undecided."; break;
             case Verdict::not_comparable: text += label + " cannot be compared."; break;
         }

@@ -129,7 +129,9 @@ std::string surface_picture(EglWindow& window, const RunRecord& record, const Bo
     renderer->SetBackground(1, 1, 1);
     const auto water = free_surface(record, scale);
     const auto water_actor = actor(water);
-    water_actor->GetProperty()->SetSpecular(0.25);
+    water_actor->GetProperty()->SetAmbient(0.5);
+    water_actor->GetProperty()->SetDiffuse(0.6);
+    water_actor->GetProperty()->SetSpecular(0.2);
     water_actor->GetProperty()->SetSpecularPower(30);
     renderer->AddActor(water_actor);
     if (!record.hull.triangles.empty()) {

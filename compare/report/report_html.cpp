@@ -241,7 +241,7 @@ std::string report_html(const Comparison& c, const Figures& f) {
                        "them (a ladder of resolutions shows it).</p>", 100 * c.agree_within);
     out += settling_table(c);
     out += free_surfaces(c, f);
-    if (!f.forces.empty()) out += "<h2>Forces over time</h2>" + figure_list(f.forces) + "<p class=\"note\">Bars: the settled mean with its interval, over the window it was taken from.</p>";
+    if (!f.forces.empty()) out += "<h2>Forces over time</h2>" + figure_list(f.forces) + "<p class=\"note\">Pale: the raw trace, from which the means are taken. Bars: the settled mean with its interval, over the window it was taken from.</p>";
     if (!f.splash.empty()) out += "<h2>Splash</h2>" + figure_list(f.splash);
     if (!f.wetting.empty() || !f.cuts.empty()) out += "<h2>Wetted length and free surface</h2>" + figure_list(f.wetting) + figure_list(f.cuts);
     if (!f.probes.empty()) out += "<h2>Probes</h2>" + figure_list(f.probes);

@@ -156,8 +156,8 @@ std::string svg(const Plot& p) {
         out += fmt::format("<path class=\"line s{}{}{}\" d=\"{}\"/>", l.source, l.faint ? " faint" : "", l.dashed ? " dashed" : "", path(l, X, Y));
     for (const PlotLine& l : p.outlines) out += fmt::format("<path class=\"outline\" d=\"{}\"/>", path(l, X, Y));
     for (const PlotLevel& l : p.levels)
-        out += fmt::format("<line class=\"level\" x1=\"{}\" x2=\"{:.1f}\" y1=\"{:.1f}\" y2=\"{:.1f}\"/><text class=\"level-text\" x=\"{}\" y=\"{:.1f}\">{}</text>", left,
-                           left + plot_width, Y(l.value), Y(l.value), left + 6, Y(l.value) - 4, escaped(l.name));
+        out += fmt::format("<line class=\"level\" x1=\"{}\" x2=\"{:.1f}\" y1=\"{:.1f}\" y2=\"{:.1f}\"/><text class=\"level-text end\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", left,
+                           left + plot_width, Y(l.value), Y(l.value), left + plot_width - 6, Y(l.value) - 4, escaped(l.name));
     out += "</svg>";
 
     out += fmt::format("<rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{:.0f}\" height=\"{:.0f}\"/>", left, top, plot_width, plot_height);

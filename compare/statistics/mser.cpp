@@ -6,7 +6,7 @@
 
 namespace tw {
 
-std::optional<std::size_t> mser_cut(std::span<const double> x) {
+std::optional<std::size_t> mser_cut(std::span<const double> x, double resolution) {
     const std::size_t batch = x.size() < 250 ? 1 : 5;
     const std::size_t m = x.size() / batch;
     if (m < 4) return std::nullopt;
@@ -25,7 +25,7 @@ std::optional<std::size_t> mser_cut(std::span<const double> x) {
         mean += step / n;
         squares += step * (b[d] - mean);
         if (m - d < fewest) continue;
-        const double score = squares / (n * n);
+        const double score = (squares / n + resolution * resolution) / n;
         if (score <= best) {
             best = score;
             best_d = d;

@@ -12,6 +12,8 @@ namespace tw {
 ///
 /// over d that leave at least a fifth of the batches. Nothing when d* > m / 2: the series is still settling. Series shorter than
 /// 250 samples use batches of one: among few batches the smallest score is a matter of chance.
-std::optional<std::size_t> mser_cut(std::span<const double> x);
+/// `resolution`: error of a single value [unit of x]; its square is added to the variance, so that a run of equal values in a
+/// coarsely resolved series is not taken for the settled part.
+std::optional<std::size_t> mser_cut(std::span<const double> x, double resolution = 0);
 
 }  // namespace tw

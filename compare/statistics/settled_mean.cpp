@@ -61,7 +61,7 @@ MeanValue settled_mean(std::span<const double> time, std::span<const double> val
     constexpr std::size_t most_bins = 4096;
     const std::vector<double> bins = time_bins(t, x, std::min(t.size(), most_bins));
     const double bin = (m.to - m.from) / static_cast<double>(bins.size());
-    const auto cut = mser_cut(bins);
+    const auto cut = mser_cut(bins, std::isfinite(rules.allowed_error) ? rules.allowed_error : 0);
     if (!cut) return too_short(m, m.to - m.from, "the series is still settling");
     m.from += bin * static_cast<double>(*cut);
     const std::span<const double> settled = std::span(bins).subspan(*cut);

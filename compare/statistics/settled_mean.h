@@ -9,10 +9,10 @@ namespace tw {
 struct SettledRules {
     double from = 0;                ///< no sample before this time counts [s]
     double flow_through = 0;        ///< length over speed [s]; 0: no such rule
-    double fewest_flow_throughs = 3;///< after the cut
+    double fewest_flow_throughs = 1.5;  ///< after the cut
     double fewest_independent = 10; ///< n_eff
     double largest_error = 0.02;    ///< standard error over |mean|
-    double allowed_error = 0;       ///< a standard error below this is fine whatever the mean [unit of the series]
+    double allowed_error = 0;       ///< a standard error below this is fine whatever the mean; single values are no better [unit of the series]
 };
 
 /// The mean of a series after its transient, with its 95 % interval:

@@ -85,4 +85,14 @@ void judge(Quantity& q, const std::vector<std::string>& names, double target, do
         if (q.values[i].unreliable) add_remark(q, names[i] + ": two estimates of its interval differ by more than 1.5; the wider is used");
 }
 
+void beside(Quantity& q) {
+    q.judged = false;
+    q.verdict = Verdict::not_comparable;
+    if (q.values.size() != 2 || !q.values[0].known || !q.values[1].known) return;
+    q.difference = q.values[1].value - q.values[0].value;
+    q.interval = std::hypot(q.values[0].half_width, q.values[1].half_width);
+    const double mean = 0.5 * std::abs(q.values[0].value + q.values[1].value);
+    if (mean > 0) q.per_cent = 100 * q.difference / mean;
+}
+
 }  // namespace tw

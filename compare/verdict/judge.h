@@ -18,4 +18,7 @@ namespace tw {
 void judge(Quantity& quantity, const std::vector<std::string>& names, double target, double shared = 0,
            const std::string& shared_name = {});
 
+/// For numbers that stand beside the verdict: difference and interval of two known values, no verdict.
+void beside(Quantity& quantity);
+
 }  // namespace tw
