@@ -71,6 +71,7 @@ struct Analysis {
     std::vector<float> envelope;         ///< highest connected water per raster column over the settled frames [m]
     double still_level = 0;              ///< [m]
     double settled_from = 0;             ///< first time that counts for the frames [s]
+    double surface_from = 0;             ///< first time of the mean surface; in a tank the last frame's [s]
 };
 
 struct Comparison {

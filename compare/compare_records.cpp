@@ -106,7 +106,7 @@ Comparison compare_records(std::vector<RunRecord> sources, const CompareOptions&
     add_forces(comparison, options);
     add_wetted_length(comparison, options);
     add_splash(comparison, options);
-    add_elevation(comparison);
+    add_elevation(comparison, options);
     add_probes(comparison);
     add_savitsky(comparison);
     for (std::size_t i = 0; i < comparison.sources.size(); ++i)

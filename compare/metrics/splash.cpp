@@ -50,11 +50,14 @@ Airborne airborne(const RasterGrid& grid, const RasterFrame& frame, double cut_o
 
 }  // namespace
 
-double still_level(const RunRecord& record) {
+bool is_stream(const RunRecord& record) {
     const auto motion = record.attributes.find("motion");
-    const bool stream = motion != record.attributes.end() ? motion->second == "stream" : number_of(record, "speed", 0) > 0;
+    return motion != record.attributes.end() ? motion->second == "stream" : number_of(record, "speed", 0) > 0;
+}
+
+double still_level(const RunRecord& record) {
     const RasterGrid grid(record.raster);
-    if (stream || record.frames.empty() || grid.empty()) return 0;
+    if (is_stream(record) || record.frames.empty() || grid.empty()) return 0;
     double water = 0;
     for (const std::uint8_t v : record.frames.front().water) water += v / 255.0;
     return grid.spec.origin.z() + water * grid.spec.spacing / static_cast<double>(grid.columns());

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "compare/metrics/elevation.h"
+#include "compare/metrics/forces.h"
 #include "compare/metrics/quantity.h"
 #include "compare/metrics/splash.h"
 #include "compare/read/record_numbers.h"
@@ -24,7 +25,9 @@ Analysis analyse(const RunRecord& record) {
     // A record that ends before its means begin still shows its last frame.
     const double from = std::min(a.settled_from, record.frames.back().time);
     a.splash = splash_series(record, a.still_level);
-    const ElevationMap map = mean_elevation(record, from);
+    // A tank's surface has no mean worth a name: its last frame is shown.
+    a.surface_from = is_stream(record) ? from : record.frames.back().time;
+    const ElevationMap map = mean_elevation(record, a.surface_from);
     a.mean_elevation = map.mean;
     a.cuts = elevation_cuts(record, map);
     a.envelope = splash_envelope(record, from);
@@ -56,6 +59,27 @@ MeanValue single(double value, double half_width, double floor, const RunRecord&
     return m;
 }
 
+/// A mean surface or an envelope from less settled time than a mean needs is withheld like one.
+void withhold_if_short(MeanValue& value, const Analysis& analysis, const RunRecord& record, const CompareOptions& options) {
+    const double needed = options.fewest_flow_throughs * flow_through_time(record);
+    const double window = record.frames.empty() ? 0 : record.frames.back().time - analysis.settled_from;
+    // Frames are a sampling interval apart: the last may lie that much before the end.
+    const double interval = record.frames.size() > 1 ? record.frames.back().time - record.frames[record.frames.size() - 2].time : 0;
+    if (!value.known || !is_stream(record) || window + interval >= needed) return;
+    value = {};
+    value.seconds_needed = needed - window;
+    value.why_not = fmt::format("record too short: {:.2g} s of settled frames, {:.2g} s wanted; about {:.2g} s more is needed", std::max(window, 0.0), needed,
+                                value.seconds_needed);
+}
+
+/// Largest finite value from `from` on; NaN where there is none.
+double largest(const Table& table, const Column& column, double from) {
+    double most = std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t i = 0; i < column.values.size(); ++i)
+        if (table.time[i] >= from && !(most >= column.values[i])) most = column.values[i];
+    return most;
+}
+
 bool has_frames(const Comparison& c) {
     return std::ranges::any_of(c.sources, [](const RunRecord& r) { return !r.frames.empty(); });
 }
@@ -64,6 +88,7 @@ bool has_frames(const Comparison& c) {
 
 void add_splash(Comparison& comparison, const CompareOptions& options) {
     if (!has_frames(comparison)) return;
+    const bool stream = is_stream(comparison.sources.front());
     struct Measure {
         const char *name, *label, *unit, *column, *definition;
         bool height;
@@ -84,9 +109,13 @@ void add_splash(Comparison& comparison, const CompareOptions& options) {
             const Column* column = comparison.analyses[s].splash.find(m.column);
             if (!column) {
                 value.why_not = "no raster frames";
+            } else if (!stream) {
+                value = single(largest(comparison.analyses[s].splash, *column, 0), 0, floor, record, "no airborne water");
             } else {
                 SettledRules rules;
                 rules.from = comparison.analyses[s].settled_from;
+                rules.flow_through = flow_through_time(record);
+                rules.fewest_flow_throughs = options.fewest_flow_throughs;
                 rules.fewest_independent = options.fewest_independent;
                 rules.largest_error = options.largest_error;
                 rules.allowed_error = floor;
@@ -97,7 +126,10 @@ void add_splash(Comparison& comparison, const CompareOptions& options) {
             q.values.push_back(value);
         }
         if (m.height) q.definition += fmt::format("; no better than half a voxel ({:.3g} m)", 0.5 * comparison.sources[0].raster.spacing);
-        judge(q, comparison.names, comparison.agree_within);
+        if (!stream) q.definition += "; the largest of the run, since a tank's water does not settle";
+        // A volume's largest value has no interval that could carry a verdict.
+        if (stream || m.height) judge(q, comparison.names, comparison.agree_within);
+        else beside(q);
         comparison.quantities.push_back(std::move(q));
     }
 
@@ -114,13 +146,12 @@ void add_splash(Comparison& comparison, const CompareOptions& options) {
         for (const float z : a.envelope)
             if (std::isfinite(z) && !(highest >= z - a.still_level)) highest = z - a.still_level;
         envelope.values.push_back(single(highest, 0, 0.5 * record.raster.spacing, record, "no raster frames"));
-        double droplet = std::numeric_limits<double>::quiet_NaN();
-        if (const Column* c = a.splash.find("raw_height"))
-            for (std::size_t i = 0; i < c->values.size(); ++i)
-                if (a.splash.time[i] >= a.settled_from && !(droplet >= c->values[i])) droplet = c->values[i];
+        const Column* heights = a.splash.find("raw_height");
+        const double droplet = heights ? largest(a.splash, *heights, a.settled_from) : std::numeric_limits<double>::quiet_NaN();
         raw.values.push_back(single(droplet, 0, 0.5 * record.raster.spacing, record, "no raster frames"));
         wake.values.push_back(single(wake_width(record, a.envelope, a.still_level), 0, number_of_text(record, "symmetry_factor", 1) * 0.5 * record.raster.spacing,
                                      record, record.frames.empty() ? "no raster frames" : "no wake crest above half a voxel"));
+        withhold_if_short(wake.values.back(), a, record, options);
     }
     for (Quantity* q : {&envelope, &raw}) {
         beside(*q);
@@ -132,7 +163,7 @@ void add_splash(Comparison& comparison, const CompareOptions& options) {
     }
 }
 
-void add_elevation(Comparison& comparison) {
+void add_elevation(Comparison& comparison, const CompareOptions& options) {
     if (comparison.analyses.empty()) return;
     const auto& first = comparison.analyses.front().cuts;
     for (std::size_t k = 0; k < first.size(); ++k) {
@@ -150,9 +181,10 @@ void add_elevation(Comparison& comparison) {
                     continue;
                 }
                 const Extreme e = high ? crest(a.cuts[k]) : trough(a.cuts[k]);
-                const auto frames = static_cast<double>(std::ranges::count_if(record.frames, [&](const RasterFrame& f) { return f.time >= a.settled_from; }));
+                const auto frames = static_cast<double>(std::ranges::count_if(record.frames, [&](const RasterFrame& f) { return f.time >= a.surface_from; }));
                 const double statistical = frames > 1 ? student_t_95(frames - 1) * e.deviation / std::sqrt(frames) : 0;
                 q.values.push_back(single(e.value, statistical, 0.5 * record.raster.spacing, record, "no free surface on this cut"));
+                withhold_if_short(q.values.back(), a, record, options);
             }
             q.scale = comparison.sources.front().raster.spacing;   // an elevation near zero is no measure of itself
             judge(q, comparison.names, comparison.agree_within);

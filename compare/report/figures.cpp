@@ -7,7 +7,7 @@
 #include <set>
 
 #include "compare/align/time_bins.h"
-#include "compare/metrics/raster_columns.h"
+#include "compare/metrics/splash.h"
 #include "compare/read/record_numbers.h"
 #include "compare/report/base64.h"
 #include "compare/report/svg_plot.h"
@@ -87,7 +87,9 @@ Figure series_figure(const Comparison& c, const std::string& table, const std::s
 Figure cut_figure(const Comparison& c, std::size_t k) {
     const Cut& first = c.analyses.front().cuts[k];
     Plot plot;
-    plot.title = fmt::format("Mean free surface along {} = {:.4g} m", first.along_x ? "y" : "x", first.place);
+    const bool mean = is_stream(c.sources.front());
+    plot.title = fmt::format("{} along {} = {:.4g} m", mean ? std::string("Mean free surface") : fmt::format("Free surface at {:.3g} s", c.analyses.front().surface_from),
+                             first.along_x ? "y" : "x", first.place);
     plot.x_label = first.along_x ? "x, to the stern [m]" : "y [m]";
     plot.y_label = "elevation [m]";
     plot.include_zero = true;
@@ -168,7 +170,7 @@ Figures draw_figures(const Comparison& c) {
     const ColourScale scale = elevation_scale(elevation_half_range(c), c.analyses.front().still_level);
     f.elevation_legend = scale.legend("height above still water [m]");
     for (std::size_t s = 0; s < c.sources.size(); ++s)
-        if (!c.analyses[s].mean_elevation.empty()) f.maps.push_back(map_figure(c, s, scale));
+        if (!c.analyses[s].mean_elevation.empty() && c.sources[s].raster.count[1] > 1) f.maps.push_back(map_figure(c, s, scale));
     f.pictures = render_pictures(c, scale);
     if (f.pictures.pressure_high > f.pictures.pressure_low)
         f.pressure_legend = pressure_scale(f.pictures.pressure_low / 1e3, f.pictures.pressure_high / 1e3).legend("pressure [kPa]");

@@ -62,10 +62,11 @@ vtkSmartPointer<vtkPolyData> free_surface(const RunRecord& record, const ColourS
     const RasterGrid grid(record.raster);
     const RasterFrame& frame = record.frames.back();
     const bool mirror = number_of_text(record, "symmetry_factor", 1) > 1;
-    const int mirrored = mirror ? grid.ny : 0, ny = grid.ny + mirrored;
+    const bool flat = grid.ny == 1;   // a two-dimensional run is drawn as a slab
+    const int mirrored = mirror ? grid.ny : 0, ny = flat ? 2 : grid.ny + mirrored;
     vtkNew<vtkImageData> image;
     image->SetDimensions(grid.nx, ny, grid.nz);
-    image->SetSpacing(grid.spec.spacing, grid.spec.spacing, grid.spec.spacing);
+    image->SetSpacing(grid.spec.spacing, flat ? 0.2 * grid.nx * grid.spec.spacing : grid.spec.spacing, grid.spec.spacing);
     image->SetOrigin(grid.x(0), mirror ? -grid.y(grid.ny - 1) : grid.y(0), grid.z_low(0) + 0.5 * grid.spec.spacing);
     vtkNew<vtkFloatArray> share;
     share->SetNumberOfTuples(static_cast<vtkIdType>(grid.nx) * ny * grid.nz);
@@ -73,7 +74,7 @@ vtkSmartPointer<vtkPolyData> free_surface(const RunRecord& record, const ColourS
     for (int k = 0; k < grid.nz; ++k)
         for (int j = 0; j < ny; ++j)
             for (int i = 0; i < grid.nx; ++i) {
-                const int row = !mirror ? j : j < mirrored ? mirrored - 1 - j : j - mirrored;
+                const int row = flat ? 0 : !mirror ? j : j < mirrored ? mirrored - 1 - j : j - mirrored;
                 share->SetValue(n++, frame.water[grid.voxel(i, row, k)] / 255.0f);
             }
     image->GetPointData()->SetScalars(share);

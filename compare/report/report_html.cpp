@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "compare/metrics/splash.h"
 #include "compare/read/record_numbers.h"
 #include "compare/report/base64.h"
 #include "compare/report/escape.h"
@@ -75,12 +76,12 @@ std::string picture_pair(const Comparison& c, const std::vector<std::string>& pn
 
 std::string free_surfaces(const Comparison& c, const Figures& f) {
     std::string out;
-    const std::string pictures = picture_pair(c, f.pictures.free_surface, "free surface of the last frame, from astern");
+    const std::string pictures = picture_pair(c, f.pictures.free_surface, "free surface of the last frame");
     if (!pictures.empty() || !f.maps.empty()) {
         out += "<h2>The water of both methods</h2><p class=\"note\">Surfaces are where the water share of the common raster is one half, drawn by the same code, from "
                "the same place, on the same scale. Half models are mirrored.</p>" + pictures;
         if (!f.maps.empty()) {
-            out += "<h3>Mean elevation seen from above</h3>" + figure_list(f.maps);
+            out += std::string(is_stream(c.sources.front()) ? "<h3>Mean elevation seen from above</h3>" : "<h3>Elevation of the last frame seen from above</h3>") + figure_list(f.maps);
         }
         out += f.elevation_legend;
     }
@@ -188,11 +189,21 @@ std::string definitions(const Comparison& c) {
     return out + "</dl></details>";
 }
 
+/// A file name as one word of a POSIX shell: readers paste the command.
+std::string shell_word(const std::string& name) {
+    const bool plain = !name.empty() && name[0] != '-' && name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-/") == std::string::npos;
+    if (plain) return name;
+    std::string quoted = "'";
+    for (const char ch : name) quoted += ch == '\'' ? std::string("'\\''") : std::string(1, ch);
+    quoted += "'";
+    return name.starts_with('-') ? fmt::format("./{}", quoted) : quoted;
+}
+
 std::string reproduce(const Comparison& c) {
     const RunRecord& r = c.sources.front();
     const std::string file = text_of(r, "scene_file", "scene.toml");
     std::string out = "<h2>How to do it again</h2><p>Save the scene below as <code>" + escaped(file) + "</code> beside its hull file, with the code version named above:</p>"
-                      "<pre>twinwake run " + escaped(file) + "</pre>";
+                      "<pre>twinwake run " + escaped(shell_word(file)) + "</pre>";
     if (!r.scene_text.empty()) out += "<details><summary>The scene</summary><pre>" + escaped(r.scene_text) + "</pre></details>";
     return out;
 }
@@ -236,9 +247,9 @@ std::string report_html(const Comparison& c, const Figures& f) {
     for (const std::string& b : c.banners) out += "<div class=\"banner\">" + escaped(b) + "</div>";
 
     out += "<h2>Verdict by quantity</h2>" + quantity_table(c, true);
-    out += fmt::format("<p class=\"note\">Values are settled means with 95 % intervals. Agree: the difference lies inside the joint interval, and that is at most {:g} % of the value. "
+    out += fmt::format("<p class=\"note\">Values {} with 95 % intervals. Agree: the difference lies inside the joint interval, and that is at most {:g} % of the value. "
                        "Differ: it lies outside. Undecided: inside, but the interval is too wide to tell. The intervals hold what the records show; the error of the resolution is not in "
-                       "them (a ladder of resolutions shows it).</p>", 100 * c.agree_within);
+                       "them (a ladder of resolutions shows it).</p>", is_stream(first) ? "are settled means" : "of forces are settled means, of splash the largest of the run, each", 100 * c.agree_within);
     out += settling_table(c);
     out += free_surfaces(c, f);
     if (!f.forces.empty()) out += "<h2>Forces over time</h2>" + figure_list(f.forces) + "<p class=\"note\">Pale: the raw trace, from which the means are taken. Bars: the settled mean with its interval, over the window it was taken from.</p>";

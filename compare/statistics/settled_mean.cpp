@@ -75,6 +75,13 @@ MeanValue settled_mean(std::span<const double> time, std::span<const double> val
     const double s = std::sqrt(squares / (n - 1));
     const double u = s / std::sqrt(m.n_effective);
 
+    // What stays within its own resolution needs no statistics: its whole spread is the interval.
+    if (s <= rules.allowed_error && std::isfinite(rules.allowed_error) && !(rules.flow_through > 0 && window < rules.fewest_flow_throughs * rules.flow_through)) {
+        m.known = true;
+        m.value = mean;
+        m.half_width = 2 * s;
+        return m;
+    }
     if (m.n_effective < rules.fewest_independent)
         return too_short(m, window * (rules.fewest_independent / m.n_effective - 1),
                          fmt::format("{:.2g} independent samples, {:g} wanted", m.n_effective, rules.fewest_independent));
