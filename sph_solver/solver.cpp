@@ -174,6 +174,8 @@ void Solver::rebuild() {
     stress_.resize(n + images_.size());
     shift_.resize(n);
     rate_.resize(n);
+    near_surface_.resize(n);
+    surface_.resize(n + images_.size());
     if (!wall_place_.empty()) normal_.resize(n);
     update_records();
 
@@ -246,6 +248,7 @@ void Solver::update_mirror_images(bool stress) {
         if (stress) {
             stress_[n + k] = mirrored(stress_[i], images_[k]);
             motion_[n + k].drho = motion_[i].drho;
+            surface_[n + k] = surface_[i];
         } else {
             place_[n + k] = planes.place(place_[i], images_[k]);
             motion_[n + k] = mirrored(motion_[i], images_[k]);
@@ -269,6 +272,8 @@ void Solver::evaluate() {
     d.normal = normal_.data();
     d.shift = shift_.data();
     d.rate = rate_.data();
+    d.surface = surface_.data();
+    d.near_surface = near_surface_.data();
     d.wall_load = wall_load_.data();
     d.kernel = kernel_;
     d.quantum = static_cast<float>(quanta_.size);
@@ -292,10 +297,9 @@ void Solver::evaluate() {
         for (std::size_t i = 0; i < particles_.size(); ++i) {
             float& drho = particles_.drho[i];
             if (particles_.kind[i] == Kind::fluid) drho += static_cast<float>(dt_ * rate_[i].drho);
+            surface_[i] = shift_[i].support < s.surface_below ? 1.0f : 0.0f;
             // the free surface bears no tension (its density is not let below rho0)
-            if (particles_.kind[i] == Kind::fluid && shift_[i].support < s.tension_free_below && drho < 0) {
-                drho = 0;
-            }
+            if (particles_.kind[i] == Kind::fluid && shift_[i].support < s.tension_free_below && drho < 0) drho = 0;
             motion_[i].drho = drho;
             stress_[i].p = s.state_equation.pressure(s.rho0, drho);
         }
@@ -349,7 +353,7 @@ void Solver::integrate() {
     const double shift_scale = -s.shifting * dt * std::max(speed, 1e-30) * h_, shift_cap = 0.05 * s.dp;
 
     struct Part {
-        double speed2 = 0, acceleration2 = 0, relative2 = 0, low = 0, high = 0;
+        double speed2 = 0, acceleration2 = 0, relative2 = 0, shift2 = 0, low = 0, high = 0;
         std::size_t fastest = 0;
         Vec3 crossed = Vec3::Zero();
         bool broken = false;
@@ -370,10 +374,16 @@ void Solver::integrate() {
                     p.v[i] = static_cast<float>(v0 + dt * r.ay);
                     p.w[i] = static_cast<float>(w0 + dt * r.az);
                     p.drho[i] = static_cast<float>(p.drho[i] + dt * r.drho);
-                    if (shift_[i].support > 0.95f && s.shifting > 0) {
+                    if (s.shifting > 0 && surface_[i] == 0) {
                         shift = shift_scale * Vec3(shift_[i].x, shift_[i].y, shift_[i].z);
+                        const NearSurfaceRecord& near = near_surface_[i];
+                        if (near.weight > 0 && s.shift_mode < 2) {
+                            const Vec3 normal = Vec3(near.x, near.y, near.z).normalized();
+                            shift -= (s.shift_mode == 1 ? std::max(0.0, shift.dot(normal)) : shift.dot(normal)) * normal;
+                        }
                         const double length = shift.norm();
                         if (length > shift_cap) shift *= shift_cap / length;
+                        part.shift2 = std::max(part.shift2, shift.squaredNorm());
                     }
                     break;
                 }
@@ -398,13 +408,14 @@ void Solver::integrate() {
         }
     }
     extremes_ = {};
-    double relative2 = 0, speed2 = 0;
+    double relative2 = 0, speed2 = 0, shift2 = 0;
     std::size_t fastest = 0;
     Vec3 crossed = Vec3::Zero();
     for (const Part& part : parts) {
         if (part.broken) fail_at(part.fastest, "has a velocity, density or place that is not a number; often a time step or sound speed that does not fit the flow");
         if (part.speed2 > speed2) speed2 = part.speed2, fastest = part.fastest;
         relative2 = std::max(relative2, part.relative2);
+        shift2 = std::max(shift2, part.shift2);
         extremes_.acceleration = std::max(extremes_.acceleration, part.acceleration2);
         extremes_.density_deviation_low = std::min(extremes_.density_deviation_low, part.low);
         extremes_.density_deviation_high = std::max(extremes_.density_deviation_high, part.high);
@@ -418,7 +429,7 @@ void Solver::integrate() {
     }
     if (control_) control_->add_crossed(crossed);
     // what moves with the stream stays beside its neighbours: the particle lists need only the motion relative to it
-    const double shift_travel = s.shifting > 0 ? shift_cap : 0;
+    const double shift_travel = std::sqrt(shift2);
     travel_in_stream_ += dt * std::sqrt(relative2) + shift_travel;
     travel_ += dt * extremes_.speed + shift_travel;
     time_ += dt;
@@ -493,7 +504,7 @@ double Solver::bytes() const {
     const auto add = [&](const auto& v) { sum += double(v.capacity() * sizeof(v[0])); };
     auto& p = const_cast<Particles&>(particles_);
     p.for_each_array(add);
-    add(images_), add(place_), add(motion_), add(stress_), add(shift_), add(rate_), add(normal_), add(groups_), add(wall_load_);
+    add(images_), add(place_), add(motion_), add(stress_), add(shift_), add(rate_), add(normal_), add(surface_), add(near_surface_), add(groups_), add(wall_load_);
     add(wall_mass_), add(wall_place_), add(wall_p_), add(wall_groups_), add(live_wall_groups_);
     return sum;
 }

@@ -33,6 +33,7 @@ struct SolverSetup {
     double shifting = 1;
     /// Where the kernel support (walls counted) is below this, the water bears no tension.
     double tension_free_below = 0.9;
+    double surface_below = 0.8; int shift_mode = 0;
     /// Particles move freely inside; mirror planes lie on its faces.
     Box domain;
     Mirrors mirrors;
@@ -151,6 +152,8 @@ private:
     std::vector<ShiftRecord> shift_;
     std::vector<RateRecord> rate_;
     std::vector<NormalRecord> normal_;
+    std::vector<float> surface_;
+    std::vector<NearSurfaceRecord> near_surface_;
     std::vector<std::int32_t> start_, image_start_;
     std::vector<Group> groups_;
     NeighbourLists lists_, wall_lists_;

@@ -20,7 +20,13 @@ SurfaceSamples::SurfaceSamples(const Surface& surface, double size, const Box& r
                     if (!region.contains(p)) continue;
                     points.places.push_back(p);
                     area.push_back(part);
-                    triangle.push_back(t);
+                    const double u = double(i) / n, v = double(j) / n, e = 1.0 / n;
+                    const auto corner = [&](double x, double y) {
+                        patches_.points.push_back(a + ab * x + ac * y);
+                        return static_cast<int>(patches_.points.size()) - 1;
+                    };
+                    if (down) patches_.triangles.push_back({corner(u + e, v), corner(u + e, v + e), corner(u, v + e)});
+                    else patches_.triangles.push_back({corner(u, v), corner(u + e, v), corner(u, v + e)});
                 }
     }
 }

@@ -19,7 +19,8 @@ struct PointSamples {
 struct SurfaceSamples {
     PointSamples points;
     std::vector<Vec3> area;           ///< outward area vector of each patch [m2]
-    std::vector<int> triangle;        ///< the triangle it is part of
+    /// The patches as a surface, one triangle each, in the same order.
+    const Surface& patches() const { return patches_; }
 
     /// `region`: patches whose centre is outside are left out.
     SurfaceSamples(const Surface& surface, double size, const Box& region);
@@ -31,6 +32,9 @@ struct SurfaceSamples {
     double wetted_area() const;
     /// Wetted area projected on the horizontal plane, patches that face down [m2].
     double wetted_planform() const;
+
+private:
+    Surface patches_;
 };
 
 }  // namespace tw

@@ -51,6 +51,12 @@ struct alignas(16) NormalRecord {
     float x, y, z, distance;
 };
 
+/// Where the free surface is, seen from a particle: sum over surface particles of F V r_ji (towards them) and of F V; all zero
+/// farther than 2h from any.
+struct alignas(16) NearSurfaceRecord {
+    float x, y, z, weight;
+};
+
 struct PassData {
     // the particles and their mirror images, in one index space; then the wall's dummy particles in their own
     const PlaceRecord* place = nullptr;
@@ -59,6 +65,8 @@ struct PassData {
     const PlaceRecord* wall_place = nullptr;
     const float* wall_p = nullptr;
     const NormalRecord* normal = nullptr;
+    const float* surface = nullptr;   ///< 1 for particles (and images) at the free surface, else 0
+    NearSurfaceRecord* near_surface = nullptr;
     ShiftRecord* shift = nullptr;
     RateRecord* rate = nullptr;
     WallLoad* wall_load = nullptr;

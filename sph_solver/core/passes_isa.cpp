@@ -184,7 +184,8 @@ void forces(const PassData& d, const Group* groups, int count) {
             grad.z[l] = d.stress[i].gz;
             p_i[l] = d.stress[i].p;
         }
-        F diffusion{};
+        F diffusion{}, near_surface{};
+        V3<F> towards_surface{F{}, F{}, F{}};
         V3<F> pressure{F{}, F{}, F{}}, viscous{F{}, F{}, F{}}, wall{F{}, F{}, F{}};
 
         for_each_neighbour(d.place, g.list, g.list_size, g, d.quantum, [&](std::int32_t j, const float* xyz) {
@@ -199,6 +200,11 @@ void forces(const PassData& d, const Group* groups, int count) {
             DensityDiffusion::add(ij, mj.drho - drho_i, V3<F>{grad.x + sj.gx, grad.y + sj.gy, grad.z + sj.gz}, diffusion);
             PressureGradient::add(ij, p_i + sj.p, pressure);
             artificial_viscosity.add(ij, u_ij, viscous);
+            const F s = ij.FV * d.surface[j];
+            near_surface += s;
+            towards_surface.x += s * ij.r_ji.x;
+            towards_surface.y += s * ij.r_ji.y;
+            towards_surface.z += s * ij.r_ji.z;
         });
 
         for_each_neighbour(d.wall_place, g.wall_list, g.wall_size, g, d.quantum, [&](std::int32_t j, const float* xyz) {
@@ -213,7 +219,10 @@ void forces(const PassData& d, const Group* groups, int count) {
         const V3<F> w{wall.x * inv_rho, wall.y * inv_rho, wall.z * inv_rho};
         const V3<F> acc{(pressure.x + viscous.x) * inv_rho + w.x + d.gx, (pressure.y + viscous.y) * inv_rho + w.y + d.gy,
                         (pressure.z + viscous.z) * inv_rho + w.z + d.gz};
-        for (int l = 0; l < g.size; ++l) d.rate[g.first + l] = {acc.x[l], acc.y[l], acc.z[l], drho[l]};
+        for (int l = 0; l < g.size; ++l) {
+            d.rate[g.first + l] = {acc.x[l], acc.y[l], acc.z[l], drho[l]};
+            d.near_surface[g.first + l] = {towards_surface.x[l], towards_surface.y[l], towards_surface.z[l], near_surface[l]};
+        }
         if (g.wall_load >= 0) {
             const V3<F> m{a.y * w.z - a.z * w.y, a.z * w.x - a.x * w.z, a.x * w.y - a.y * w.x};
             WallLoad sum;

@@ -1,0 +1,235 @@
+#include "sph_solver/run_sph.h"
+
+#include <omp.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/atomic_file.h"
+#include "base/errors.h"
+#include "record/snapshot.h"
+#include "sph_solver/output/checkpoint.h"
+#include "sph_solver/output/recorder.h"
+#include "sph_solver/scene_setup.h"
+
+namespace tw {
+namespace fs = std::filesystem;
+
+namespace {
+
+double wall_now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+double cpu_now() {
+    rusage u{};
+    getrusage(RUSAGE_SELF, &u);
+    const auto seconds = [](const timeval& t) { return double(t.tv_sec) + 1e-6 * double(t.tv_usec); };
+    return seconds(u.ru_utime) + seconds(u.ru_stime);
+}
+double peak_memory() {
+    rusage u{};
+    getrusage(RUSAGE_SELF, &u);
+    return 1024.0 * double(u.ru_maxrss);
+}
+
+/// Adds wall and processor time to a phase of the record while it lives.
+class PhaseTimer {
+public:
+    PhaseTimer(RunRecord& record, std::string name) : record_(record), name_(std::move(name)), wall_(wall_now()), cpu_(cpu_now()) {}
+    ~PhaseTimer() {
+        auto p = std::find_if(record_.phases.begin(), record_.phases.end(), [&](const Phase& q) { return q.name == name_; });
+        if (p == record_.phases.end()) p = record_.phases.insert(p, Phase{name_, 0, 0});
+        p->wall += wall_now() - wall_;
+        p->cpu += cpu_now() - cpu_;
+    }
+    PhaseTimer(const PhaseTimer&) = delete;
+    PhaseTimer& operator=(const PhaseTimer&) = delete;
+
+private:
+    RunRecord& record_;
+    std::string name_;
+    double wall_, cpu_;
+};
+
+/// The next multiple of `interval` after `time`.
+double next_after(double time, double interval) { return (std::floor(time / interval + 1e-9) + 1) * interval; }
+
+/// ParaView files of one moment: particles, and the hull with its pressure.
+class Snapshots {
+public:
+    explicit Snapshots(const fs::path& folder) : folder_(folder / "snapshots") {}
+    void write(const Solver& solver, const RunRecord& record) {
+        fs::create_directories(folder_);
+        const Particles& p = solver.particles();
+        std::vector<Vec3> places(p.size());
+        Field velocity{"velocity", 3, {}}, pressure{"pressure", 1, {}}, kind{"kind", 1, {}};
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            places[i] = Vec3(p.x[i], p.y[i], p.z[i]);
+            velocity.values.insert(velocity.values.end(), {p.u[i], p.v[i], p.w[i]});
+            pressure.values.push_back(static_cast<float>(solver.pressure(i)));
+            kind.values.push_back(static_cast<float>(p.kind[i]));
+        }
+        const std::string stamp = fmt::format("{:09.5f}", solver.time());
+        const std::string particles = "particles_" + stamp + ".hdf", hull = "hull_" + stamp + ".vtp";
+        write_particles(folder_ / particles, solver.time(), places, {velocity, pressure, kind});
+        particles_.emplace_back(particles, solver.time());
+        write_series(folder_ / "particles.hdf.series", particles_);
+        if (record.hull_pressure.empty()) return;
+        write_surface(folder_ / hull, record.hull, {{"pressure", 1, record.hull_pressure}, {"wet", 1, record.hull_wet}});
+        hulls_.emplace_back(hull, solver.time());
+        write_series(folder_ / "hull.vtp.series", hulls_);
+    }
+    /// After a restart: the files already there, up to `time`.
+    void find_written(double time) {
+        if (!fs::exists(folder_)) return;
+        for (const auto& entry : fs::directory_iterator(folder_)) {
+            const std::string name = entry.path().filename().string();
+            for (auto [prefix, suffix, list] : {std::tuple{"particles_", ".hdf", &particles_}, std::tuple{"hull_", ".vtp", &hulls_}})
+                if (name.starts_with(prefix) && name.ends_with(suffix)) {
+                    const double at = std::stod(name.substr(std::string(prefix).size()));
+                    if (at <= time) list->emplace_back(name, at);
+                }
+        }
+        const auto earlier = [](const auto& a, const auto& b) { return a.second < b.second; };
+        std::sort(particles_.begin(), particles_.end(), earlier);
+        std::sort(hulls_.begin(), hulls_.end(), earlier);
+    }
+
+private:
+    fs::path folder_;
+    std::vector<std::pair<std::string, double>> particles_, hulls_;
+};
+
+void remove_old_run(const fs::path& folder) {
+    for (const char* name : {"record.h5", "checkpoint.h5", "snapshots"}) fs::remove_all(folder / name);
+}
+
+}  // namespace
+
+RunRecord run_sph(const Scene& scene, const RunOptions& options) {
+    const fs::path record_file = options.folder / "record.h5", checkpoint_file = options.folder / "checkpoint.h5";
+    const FolderLock lock(options.folder);
+    const bool holds_run = fs::exists(record_file) || fs::exists(checkpoint_file);
+    if (holds_run && !options.resume && !options.overwrite)
+        throw InputError(options.folder.string() + ": holds a run already; go on with --resume, begin anew with --overwrite, or choose another --out");
+    if (options.resume && fs::exists(record_file)) {
+        RunRecord done = read_record(record_file);
+        if (done.state == "finished" && done.attributes["scene_hash"] == scene.hash && done.numbers["duration"] >= scene.run.duration) return done;
+    }
+    std::optional<Checkpoint> checkpoint;
+    if (options.resume && holds_run) checkpoint = read_checkpoint(checkpoint_file, scene.hash);
+
+    const int threads = options.threads > 0 ? options.threads : scene.run.threads > 0 ? scene.run.threads : omp_get_num_procs();
+    RunRecord fresh = new_record(scene, "sph");
+    std::optional<SphSetup> setup;
+    std::optional<Solver> solver;
+    {
+        const PhaseTimer timer(fresh, "particles");
+        setup = sph_setup(scene, threads);
+        solver.emplace(setup->solver, setup->fluid);
+    }
+    if (setup->control_volume) {
+        solver->set_control_volume(*setup->control_volume);
+        solver->control_volume()->make_faces(scene.resolution.near_hull);
+    }
+    fresh.attributes["threads"] = std::to_string(threads);
+    fresh.attributes["isa"] = passes().isa;
+    fresh.attributes["symmetry_factor"] = std::to_string(scene.symmetry_factor());
+    const Vec3& reference = setup->solver.moment_reference;
+    fresh.attributes["moment_reference"] = fmt::format("{} {} {}", reference.x(), reference.y(), reference.z());
+    fresh.numbers["spacing"] = scene.resolution.near_hull;
+    fresh.numbers["wall_particles"] = double(solver->wall_particles());
+    const double mass_at_start = checkpoint ? checkpoint->mass_at_start : solver->mass() * double(solver->particles().size());
+    setup->fluid = {};
+
+    if (!checkpoint) remove_old_run(options.folder);
+    if (checkpoint && fs::exists(record_file)) {
+        RunRecord before = read_record(record_file);
+        fresh.tables = std::move(before.tables);
+        fresh.frames = std::move(before.frames);
+        fresh.phases = std::move(before.phases);
+        fresh.attributes["resumed_at"] = fmt::format("{}", checkpoint->state.time);
+    }
+    Recorder recorder(scene, *solver, std::move(fresh));
+    RunRecord& record = recorder.record();
+    Snapshots snapshots(options.folder);
+    if (checkpoint) {
+        solver->restore(checkpoint->state, std::move(checkpoint->particles));
+        recorder.rewind(*solver);
+        snapshots.find_written(solver->time());
+    }
+
+    const double duration = scene.run.duration, interval = scene.sampling.interval;
+    double next_frame = next_after(solver->time(), interval);
+    double next_checkpoint = next_after(solver->time(), scene.run.checkpoint > 0 ? scene.run.checkpoint : duration);
+    double next_snapshot = scene.sampling.snapshot_interval > 0 ? next_after(solver->time(), scene.sampling.snapshot_interval) : 2 * duration;
+    const double started = wall_now(), time_at_start = solver->time();
+    double last_report = 0;
+
+    const auto save = [&](const std::string& state, const std::string& reason) {
+        record.state = state;
+        record.reason = reason;
+        record.elements = double(solver->particles().size());
+        record.steps = double(solver->steps());
+        record.peak_memory = std::max(record.peak_memory, peak_memory());
+        record.numbers["bytes_per_particle"] = solver->bytes() / double(solver->particles().size());
+        write_record(record_file, record);
+    };
+    const auto report = [&] {
+        if (!options.progress) return;
+        const double wall = wall_now() - started, rate = (solver->time() - time_at_start) / std::max(wall, 1e-9);
+        Progress p;
+        p.time = solver->time(), p.duration = duration, p.wall = wall, p.steps = solver->steps();
+        p.eta = rate > 0 ? (duration - solver->time()) / rate : 0;
+        p.note = fmt::format("sph {} particles, dt {:.3g} s", solver->particles().size(), solver->dt());
+        options.progress(p);
+        last_report = wall_now();
+    };
+
+    try {
+        while (solver->time() < duration) {
+            {
+                const PhaseTimer timer(record, "solving");
+                solver->step();
+            }
+            const bool last = solver->time() >= duration, frame = last || solver->time() >= next_frame;
+            {
+                const PhaseTimer timer(record, "output");
+                recorder.after_step(*solver, frame);
+                if (frame) next_frame = next_after(solver->time(), interval);
+                if (last || solver->time() >= next_snapshot) {
+                    recorder.fill_hull_pressure(*solver);
+                    if (scene.sampling.snapshot_interval > 0) snapshots.write(*solver, record);
+                    next_snapshot = next_after(solver->time(), std::max(scene.sampling.snapshot_interval, 1e-300));
+                }
+                // at a frame, where the control volume's sums begin anew
+                if (frame && !last && solver->time() >= next_checkpoint) {
+                    save("running", "");
+                    write_checkpoint(checkpoint_file, scene.hash, *solver, mass_at_start);
+                    solver->mark_restart_point();
+                    next_checkpoint = next_after(solver->time(), scene.run.checkpoint);
+                }
+            }
+            if (wall_now() - last_report > 0.5) report();
+            if (options.stop_asked && options.stop_asked()) {
+                save("stopped", fmt::format("asked to stop at t = {:.6g} s; --resume goes on from the last checkpoint", solver->time()));
+                return record;
+            }
+        }
+        write_checkpoint(checkpoint_file, scene.hash, *solver, mass_at_start);
+        save("finished", "");
+        report();
+    } catch (const RunError& e) {
+        try {
+            save("failed", e.what());
+        } catch (const RunError& nested) {
+            throw RunError(std::string(e.what()) + "; and the record could not be saved: " + nested.what());
+        }
+        throw;
+    }
+    return record;
+}
+
+}  // namespace tw

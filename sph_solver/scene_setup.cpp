@@ -1,0 +1,89 @@
+#include "sph_solver/scene_setup.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/errors.h"
+
+namespace tw {
+
+namespace {
+
+bool is_mirror(Side side) { return side == Side::slip_wall || side == Side::symmetry; }
+
+/// Clear of the wet hull by half a beam below and beside it (at least six spacings), a quarter of its length ahead and as
+/// far behind as half of that, and open above.
+Box control_box(const Scene& scene, const SolverSetup& s) {
+    const Hull& hull = *scene.hull;
+    const double near = std::max(6 * s.dp, 0.5 * hull.beam);
+    const auto on_lattice = [&](double x) { return std::round(x / s.dp) * s.dp; };
+    Box box = hull.still.wet_bounds;
+    box.min -= Vec3(std::max(near, 0.25 * hull.length), near, near);
+    box.max += Vec3(std::max(near, 0.125 * hull.length), near, 0);
+    const double clear = 2 * s.dp;   // of the domain's sides
+    box.min = box.min.cwiseMax(s.domain.min + Vec3::Constant(clear));
+    box.max = box.max.cwiseMin(s.domain.max - Vec3::Constant(clear));
+    for (int a = 0; a < 3; ++a) {
+        box.min[a] = on_lattice(box.min[a]);
+        box.max[a] = on_lattice(box.max[a]);
+    }
+    if (hull.half || s.dimensions == 2) box.min.y() = s.domain.min.y();
+    if (s.dimensions == 2) box.max.y() = s.domain.max.y();
+    box.max.z() = s.domain.max.z();
+    return box;
+}
+
+}  // namespace
+
+SphSetup sph_setup(const Scene& scene, int threads) {
+    SphSetup setup;
+    SolverSetup& s = setup.solver;
+    s.dimensions = scene.domain.dimensions;
+    s.dp = scene.resolution.near_hull;
+    s.h_over_dp = scene.sph.h_over_dp;
+    s.rho0 = scene.water.density;
+    s.gravity = Vec3(0, 0, -scene.water.gravity);
+    s.state_equation.form = scene.sph.equation_of_state == "tait" ? StateEquation::Form::tait : StateEquation::Form::linear;
+    s.state_equation.c0 = scene.sph.c0;
+    s.state_equation.gamma = scene.sph.gamma;
+    s.delta = scene.sph.delta;
+    s.alpha = scene.sph.alpha;
+    s.cfl = scene.sph.cfl;
+    s.shifting = scene.sph.shifting;
+    s.domain = scene.domain.box;
+    s.threads = threads;
+    const Domain& d = scene.domain;
+    s.mirrors.on = {{{is_mirror(d.x_min), is_mirror(d.x_max)}, {is_mirror(d.y_min), is_mirror(d.y_max)}, {is_mirror(d.z_min), is_mirror(d.z_max)}}};
+    if (s.dimensions == 2) s.mirrors.on[1] = {false, false};
+    if (scene.motion.kind == Motion::Kind::stream) {
+        Stream stream;
+        stream.speed = scene.motion.speed;
+        stream.ramp = scene.motion.ramp;
+        // the inlet must fill every support that reaches back over its plane, and outlast the steps between two list builds
+        stream.buffer = std::ceil(2 * s.h_over_dp + 2) * s.dp;
+        s.stream = stream;
+    }
+    if (scene.hull) {
+        s.solids.push_back(scene.hull->surface);
+        s.moment_reference = scene.hull->mass.centroid;
+        setup.control_volume = control_box(scene, s);
+    }
+    for (const Obstacle& o : scene.obstacles) s.solids.push_back(o.surface);
+
+    std::vector<Box> blocks = scene.water_blocks;
+    if (blocks.empty()) {
+        Box water = s.domain;
+        water.max.z() = std::min(0.0, water.max.z());
+        if (s.stream) {
+            water.min.x() -= s.stream->buffer;
+            water.max.x() += s.stream->buffer;
+        }
+        blocks.push_back(water);
+    }
+    setup.fluid = fill_with_fluid(s, blocks);
+    if (setup.fluid.places.empty())
+        throw InputError(scene.file.string() + ": no water particle fits: the spacing " + std::to_string(s.dp) + " m is too coarse for the water");
+    return setup;
+}
+
+}  // namespace tw

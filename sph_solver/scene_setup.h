@@ -1,0 +1,19 @@
+#pragma once
+#include <optional>
+
+#include "scene/scene.h"
+#include "sph_solver/solver.h"
+
+namespace tw {
+
+/// The scene as the engine needs it.
+struct SphSetup {
+    SolverSetup solver;
+    Fluid fluid;
+    std::optional<Box> control_volume;   ///< round the hull, clear of it and inside the water's sides
+};
+
+/// Throws InputError for what this engine does not solve (an effect forced on, refinement levels, motions).
+SphSetup sph_setup(const Scene& scene, int threads);
+
+}  // namespace tw
