@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <random>
 
 #include "meshes/mass_properties.h"
@@ -66,6 +67,9 @@ TEST(CheckSurface, TellsACatamaranFromAHullInAHull) {
     expect_findings(together(box, turned_inside_out(inner)), "nested_shells");  // a hollow body: a double shell
     EXPECT_NE(check_surface(together(box, turned_inside_out(inner)))[0].message.find("hollow"), std::string::npos);
     EXPECT_FALSE(usable(check_surface(together(box, inner))));
+    // Within the other's bounding box, but outside of it.
+    expect_findings(together(make_hull("sphere", {}), shifted(scaled(box, 0.05), {0.45, 0.45, 0.02})),
+                    "several_shells");
 }
 
 TEST(CheckSurface, FindsABoxAndASphereThatPassThroughEachOther) {
@@ -92,6 +96,34 @@ TEST(CheckSurface, TakesNeighboursOnNoisyFlatFacesForWhatTheyAre) {
         Surface s = refined(posed(make_hull("prismatic", {}), {.trim = 0.1, .heel = 0.05}), 0.1);
         std::uniform_real_distribution<double> shake(-noise, noise);
         for (Vec3& p : s.points) p += Vec3(shake(random), shake(random), shake(random));
+        expect_findings(s, "");
+    }
+}
+
+TEST(CheckSurface, TakesFlatFacesOfVeryUnequalTrianglesForWhatTheyAre) {
+    // A box whose faces are cut towards one corner again and again, turned so that nothing lies in a plane exactly.
+    for (int turn = 1; turn < 40; ++turn) {
+        Surface s = make_hull("box", {});
+        for (int cut = 0; cut < 20; ++cut) {
+            // Halve every edge at corner 0: triangles there shrink to 1e-6 of the others.
+            std::map<int, int> middles;
+            const auto middle = [&](int far) {
+                const auto [entry, fresh] = middles.try_emplace(far, static_cast<int>(s.points.size()));
+                if (fresh) s.points.push_back(0.5 * (s.points[0] + s.points[static_cast<std::size_t>(far)]));
+                return entry->second;
+            };
+            const std::size_t count = s.triangles.size();
+            for (std::size_t t = 0; t < count; ++t) {
+                auto c = s.triangles[t];
+                while (c[0] != 0 && (c[1] == 0 || c[2] == 0)) std::ranges::rotate(c, c.begin() + 1);
+                if (c[0] != 0) continue;
+                const int b = middle(c[1]), d = middle(c[2]);
+                s.triangles[t] = {0, b, d};
+                s.triangles.push_back({b, c[1], c[2]});
+                s.triangles.push_back({b, c[2], d});
+            }
+        }
+        s = posed(s, {.trim = 0.1 * turn, .heel = 0.07 * turn, .draft = 0.3});
         expect_findings(s, "");
     }
 }
