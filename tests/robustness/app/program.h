@@ -1,9 +1,11 @@
 #pragma once
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -44,28 +46,43 @@ protected:
         return folder_ / name;
     }
 
-    /// Runs the program in the test's folder, without a shell.
-    Outcome twinwake(std::vector<std::string> arguments) const {
-        const fs::path out = fs::temp_directory_path() / ("twinwake_out_" + std::to_string(getpid()));
-        const fs::path err = fs::temp_directory_path() / ("twinwake_err_" + std::to_string(getpid()));
+    struct Started {
+        pid_t child;
+        fs::path out, err;
+    };
+    /// Starts the program in the test's folder, without a shell. `largest_file` > 0: no file may grow beyond it [bytes], as on a
+    /// disk that is full.
+    Started start(std::vector<std::string> arguments, rlim_t largest_file = 0) const {
+        static int number = 0;
+        const std::string name = "twinwake_" + std::to_string(getpid()) + "_" + std::to_string(++number);
+        const Started s0{0, fs::temp_directory_path() / (name + ".out"), fs::temp_directory_path() / (name + ".err")};
         const pid_t child = fork();
         if (child == 0) {
             if (chdir(folder_.c_str()) != 0) _exit(126);
-            dup2(open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDOUT_FILENO);
-            dup2(open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO);
+            dup2(open(s0.out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDOUT_FILENO);
+            dup2(open(s0.err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO);
+            if (largest_file > 0) {
+                const rlimit limit{largest_file, largest_file};
+                setrlimit(RLIMIT_FSIZE, &limit);
+                std::signal(SIGXFSZ, SIG_IGN);   // inherited: writes fail instead of killing
+            }
             std::vector<char*> argv{const_cast<char*>(TWINWAKE_PROGRAM)};
             for (std::string& a : arguments) argv.push_back(a.data());
             argv.push_back(nullptr);
             execv(TWINWAKE_PROGRAM, argv.data());
             _exit(127);
         }
+        return {child, s0.out, s0.err};
+    }
+    Outcome finish(const Started& s) const {
         int status = 0;
-        waitpid(child, &status, 0);
-        Outcome o{WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), content(out), content(err)};
-        fs::remove(out);
-        fs::remove(err);
+        waitpid(s.child, &status, 0);
+        Outcome o{WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), content(s.out), content(s.err)};
+        fs::remove(s.out);
+        fs::remove(s.err);
         return o;
     }
+    Outcome twinwake(const std::vector<std::string>& arguments, rlim_t largest_file = 0) const { return finish(start(arguments, largest_file)); }
 
     std::set<std::string> files() const {
         std::set<std::string> names;

@@ -1,0 +1,87 @@
+#include <chrono>
+#include <thread>
+
+#include "program.h"
+
+namespace tw::test {
+namespace {
+
+// A small column of water falling in a tank: about 1000 particles.
+const std::string column = R"(title = "a \"column\" of $(touch pwned) <script>"
+[tank]
+size = [0.4, 0.2, 0.4]
+[[water_block]]
+min = [0, 0, 0]
+max = [0.2, 0.2, 0.2]
+[resolution]
+near_hull = 0.02
+[run]
+duration = 0.1
+threads = 1
+methods = ["sph"]
+[[probe]]
+pressure = [0.4, 0.1, 0.02]
+)";
+
+std::string longer(const std::string& seconds) { return with(column, "duration = 0.1", "duration = " + seconds + "\ncheckpoint = 0.02"); }
+
+void wait_for(const fs::path& file, double seconds) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+    while (!fs::exists(file) && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+}
+
+TEST_F(Command, ARunLeavesItsRecordAndIsNotWrittenOver) {
+    write("my column.toml", column);
+    const Outcome o = twinwake({"run", "my column.toml"});
+    ASSERT_EQ(o.status, 0) << o.err;
+    EXPECT_TRUE(fs::exists(folder_ / "runs/my column/sph/record.h5"));
+    EXPECT_FALSE(files().contains("pwned"));
+    const std::string record = content(folder_ / "runs/my column/sph/record.h5");
+    const Outcome again = twinwake({"run", "my column.toml"});
+    EXPECT_EQ(again.status, 2);
+    EXPECT_NE(again.err.find("holds a run already; go on with it by --resume, begin anew by --overwrite"), std::string::npos) << again.err;
+    EXPECT_EQ(content(folder_ / "runs/my column/sph/record.h5"), record);
+    EXPECT_EQ(twinwake({"run", "my column.toml", "--overwrite", "-q"}).status, 0);
+}
+
+TEST_F(Command, AnInterruptedRunSavesItsStateAndGoesOn) {
+    write("long.toml", longer("3"));
+    const Started run = start({"run", "long.toml", "--out", "out"});
+    wait_for(folder_ / "out/sph/checkpoint.h5", 60);
+    ASSERT_TRUE(fs::exists(folder_ / "out/sph/checkpoint.h5"));
+    kill(run.child, SIGINT);
+    const Outcome stopped = finish(run);
+    EXPECT_EQ(stopped.status, 3);
+    EXPECT_NE(stopped.err.find("go on with --resume"), std::string::npos) << stopped.err;
+    EXPECT_EQ(twinwake({"run", "long.toml", "--out", "out", "--resume", "--duration", "0.2"}).status, 0);
+}
+
+TEST_F(Command, TwoRunsNeverShareAFolder) {
+    write("long.toml", longer("3"));
+    const Started first = start({"run", "long.toml", "--out", "out"});
+    wait_for(folder_ / "out/sph/checkpoint.h5", 60);
+    for (const char* how : {"--overwrite", "--resume"}) {
+        const Outcome second = twinwake({"run", "long.toml", "--out", "out", how});
+        EXPECT_EQ(second.status, 2) << how << second.err;
+        EXPECT_NE(second.err.find("another run is using it"), std::string::npos) << second.err;
+    }
+    kill(first.child, SIGKILL);
+    EXPECT_EQ(finish(first).status, 128 + SIGKILL);
+    // A killed run holds nothing: its last checkpoint goes on.
+    EXPECT_EQ(twinwake({"run", "long.toml", "--out", "out", "--resume", "--duration", "0.2"}).status, 0);
+}
+
+TEST_F(Command, AFullDiskIsAFailedRunWithTheSystemsReason) {
+    const Outcome stl = twinwake({"hull", "make", "sphere", "-o", "ball.stl", "level=6"}, 10000);
+    EXPECT_EQ(stl.status, 3);
+    EXPECT_NE(stl.err.find("ball.stl: cannot be written: File too large"), std::string::npos) << stl.err;
+    EXPECT_TRUE(files().empty());   // no half-written file, no temporary one
+    write("column.toml", column);
+    const Outcome run = twinwake({"run", "column.toml"}, 2000);
+    EXPECT_EQ(run.status, 3) << run.err;
+    EXPECT_NE(run.err.find("cannot be written"), std::string::npos) << run.err;
+    EXPECT_FALSE(fs::exists(folder_ / "runs/column/sph/record.h5"));
+}
+
+}  // namespace
+}  // namespace tw::test
