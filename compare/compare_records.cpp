@@ -55,7 +55,6 @@ void add_state_banners(Comparison& comparison) {
         comparison.banners.push_back(fmt::format("{} did not finish (state: {}{}{}); what it left is compared as far as it goes.", comparison.names[i],
                                                  r.state, r.reason.empty() ? "" : ": ", r.reason));
     }
-    if (comparison.sources.size() == 1) comparison.banners.push_back("Only one method: its values stand without a verdict.");
     for (std::size_t i = 0; i < comparison.sources.size(); ++i) {
         const std::string calibrated = text_of(comparison.sources[i], "calibrated");
         if (!calibrated.empty() && calibrated != "none")

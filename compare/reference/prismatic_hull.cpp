@@ -29,7 +29,7 @@ std::optional<PrismaticHull> prismatic_hull(const RunRecord& record) {
         if (!(twice > 0)) continue;
         const Vec3 n(a2.dot(e_x) / twice, a2.y() / twice, a2.dot(e_z) / twice);
         const double lowest = std::min({record.hull.corner(t, 0).z(), record.hull.corner(t, 1).z(), record.hull.corner(t, 2).z()});
-        if (n.z() > -0.3 || lowest >= 0) continue;   // not bottom, or dry
+        if (n.z() > -0.02 || lowest >= 0) continue;   // upright (side, transom), or dry
         bottom.emplace_back(twice, n);
         area += twice;
         deadrise += twice * std::atan2(std::abs(n.y()), -n.z());
@@ -40,6 +40,8 @@ std::optional<PrismaticHull> prismatic_hull(const RunRecord& record) {
     }
     if (!(area > 0)) return {};
     deadrise /= area;
+    constexpr double steepest = 0.7;   // [rad], 40 degrees: a planing bottom, and inside the formula's data
+    if (deadrise > steepest) return {};
     constexpr double tolerance = 0.01;   // of a unit normal: about half a degree
     for (const auto& [a, n] : bottom) {
         const Vec3 expected(0, std::copysign(std::sin(deadrise), n.y()), -std::cos(deadrise));

@@ -1,6 +1,4 @@
 #pragma once
-#include <vtkSmartPointer.h>
-
 #include <memory>
 #include <string>
 

@@ -168,7 +168,7 @@ Figures draw_figures(const Comparison& c) {
     }
     if (!frames) return f;
     const ColourScale scale = elevation_scale(elevation_half_range(c), c.analyses.front().still_level);
-    f.elevation_legend = scale.legend("height above still water [m]");
+    f.elevation_legend = scale.legend(is_stream(c.sources.front()) ? "height above still water [m]" : "height z [m]");
     for (std::size_t s = 0; s < c.sources.size(); ++s)
         if (!c.analyses[s].mean_elevation.empty() && c.sources[s].raster.count[1] > 1) f.maps.push_back(map_figure(c, s, scale));
     f.pictures = render_pictures(c, scale);

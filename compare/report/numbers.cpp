@@ -48,7 +48,7 @@ std::string per_cent_text(double per_cent) {
 std::string verdict_label(Verdict verdict) { return verdict == Verdict::not_comparable ? "not comparable" : to_string(verdict); }
 
 std::string verdict_sentence(const Comparison& comparison) {
-    if (comparison.sources.size() < 2) return "One run: values without a verdict.";
+    if (comparison.sources.size() < 2) return "Only one run: its values stand without a verdict.";
     const bool pair = comparison.sources.size() == 2;
     std::string text;
     for (const char* name : {"lift", "drag", "splash_sheet_height"}) {

@@ -83,6 +83,8 @@ vtkSmartPointer<vtkPolyData> free_surface(const RunRecord& record, const ColourS
     contour->SetValue(0, 0.5);
     contour->ComputeNormalsOff();
     contour->ComputeScalarsOff();
+    contour->Update();
+    if (contour->GetOutput()->GetNumberOfCells() == 0) return contour->GetOutput();   // all wet or all dry
     vtkNew<vtkWindowedSincPolyDataFilter> smooth;
     smooth->SetInputConnection(contour->GetOutputPort());
     smooth->SetNumberOfIterations(12);
@@ -125,6 +127,10 @@ Box subject(const RunRecord& record) {
     return b;
 }
 
+bool can_be_drawn(const RunRecord& record) {
+    return !record.frames.empty() && record.raster.spacing > 0 && record.raster.count[0] > 1 && record.raster.count[1] > 0 && record.raster.count[2] > 1;
+}
+
 std::string surface_picture(EglWindow& window, const RunRecord& record, const Box& view, const ColourScale& scale) {
     vtkNew<vtkRenderer> renderer;
     renderer->SetBackground(1, 1, 1);
@@ -149,6 +155,7 @@ std::string surface_picture(EglWindow& window, const RunRecord& record, const Bo
     camera->SetPosition(eye.data());
     camera->SetViewUp(0, 0, 1);
     camera->SetViewAngle(32);
+    if (record.hull.points.empty()) renderer->ResetCamera();   // a tank: all of its water
     renderer->ResetCameraClippingRange();
     return window.png(renderer);
 }
@@ -230,7 +237,7 @@ Pictures render_pictures(const Comparison& comparison, const ColourScale& elevat
         const Box view = subject(comparison.sources.front());
         const bool pressures = pressure_range(comparison, pictures.pressure_low, pictures.pressure_high);
         for (std::size_t s = 0; s < comparison.sources.size(); ++s)
-            if (!comparison.sources[s].frames.empty() && !RasterGrid(comparison.sources[s].raster).empty())
+            if (can_be_drawn(comparison.sources[s]))
                 pictures.free_surface[s] = surface_picture(window, comparison.sources[s], view, elevation);
         if (!pressures) return pictures;
         const ColourScale scale = pressure_scale(pictures.pressure_low, pictures.pressure_high);

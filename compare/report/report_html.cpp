@@ -78,7 +78,7 @@ std::string free_surfaces(const Comparison& c, const Figures& f) {
     std::string out;
     const std::string pictures = picture_pair(c, f.pictures.free_surface, "free surface of the last frame");
     if (!pictures.empty() || !f.maps.empty()) {
-        out += "<h2>The water of both methods</h2><p class=\"note\">Surfaces are where the water share of the common raster is one half, drawn by the same code, from "
+        out += "<h2>The water</h2><p class=\"note\">Surfaces are where the water share of the common raster is one half, drawn by the same code, from "
                "the same place, on the same scale. Half models are mirrored.</p>" + pictures;
         if (!f.maps.empty()) {
             out += std::string(is_stream(c.sources.front()) ? "<h3>Mean elevation seen from above</h3>" : "<h3>Elevation of the last frame seen from above</h3>") + figure_list(f.maps);
@@ -246,7 +246,7 @@ std::string report_html(const Comparison& c, const Figures& f) {
     out += "<div class=\"verdict\">" + escaped(verdict_sentence(c)) + "</div>";
     for (const std::string& b : c.banners) out += "<div class=\"banner\">" + escaped(b) + "</div>";
 
-    out += "<h2>Verdict by quantity</h2>" + quantity_table(c, true);
+    out += (c.sources.size() > 1 ? "<h2>Verdict by quantity</h2>" : "<h2>Values</h2>") + quantity_table(c, true);
     out += fmt::format("<p class=\"note\">Values {} with 95 % intervals. Agree: the difference lies inside the joint interval, and that is at most {:g} % of the value. "
                        "Differ: it lies outside. Undecided: inside, but the interval is too wide to tell. The intervals hold what the records show; the error of the resolution is not in "
                        "them (a ladder of resolutions shows it).</p>", is_stream(first) ? "are settled means" : "of forces are settled means, of splash the largest of the run, each", 100 * c.agree_within);

@@ -28,12 +28,12 @@ struct PlotImage {
 };
 
 struct Plot {
-    std::string title, x_label, y_label;
-    std::vector<PlotLine> lines;
-    std::vector<PlotBand> bands;
-    std::vector<PlotLevel> levels;
-    std::vector<PlotImage> images;
-    std::vector<PlotLine> outlines;  ///< drawn in the text's colour, e.g. the hull's plan view
+    std::string title = {}, x_label = {}, y_label = {};
+    std::vector<PlotLine> lines = {};
+    std::vector<PlotBand> bands = {};
+    std::vector<PlotLevel> levels = {};
+    std::vector<PlotImage> images = {};
+    std::vector<PlotLine> outlines = {};  ///< drawn in the text's colour, e.g. the hull's plan view
     bool include_zero = false;
     bool equal_scales = false;       ///< metres alike on both axes: the height follows from the width
     bool clip_spikes = false;        ///< the y axis covers the middle 98 % of the values, so that a start-up spike does not flatten the rest

@@ -61,7 +61,11 @@ MeanValue settled_mean(std::span<const double> time, std::span<const double> val
     constexpr std::size_t most_bins = 4096;
     const std::vector<double> bins = time_bins(t, x, std::min(t.size(), most_bins));
     const double bin = (m.to - m.from) / static_cast<double>(bins.size());
-    const auto cut = mser_cut(bins, std::isfinite(rules.allowed_error) ? rules.allowed_error : 0);
+    // A slow creep that stays within half the permitted error is no transient worth a refusal.
+    const double half_error = 0.5 * rules.largest_error * std::abs(bins.back());
+    const double resolution = std::isfinite(rules.allowed_error) ? std::max(rules.allowed_error, half_error) : half_error;
+    auto cut = mser_cut(bins, std::isfinite(rules.allowed_error) ? rules.allowed_error : 0);
+    if (!cut) cut = mser_cut(bins, resolution);
     if (!cut) return too_short(m, m.to - m.from, "the series is still settling");
     m.from += bin * static_cast<double>(*cut);
     const std::span<const double> settled = std::span(bins).subspan(*cut);
@@ -75,11 +79,12 @@ MeanValue settled_mean(std::span<const double> time, std::span<const double> val
     const double s = std::sqrt(squares / (n - 1));
     const double u = s / std::sqrt(m.n_effective);
 
-    // What stays within its own resolution needs no statistics: its whole spread is the interval.
-    if (s <= rules.allowed_error && std::isfinite(rules.allowed_error) && !(rules.flow_through > 0 && window < rules.fewest_flow_throughs * rules.flow_through)) {
+    const bool long_enough = !(rules.flow_through > 0 && window < rules.fewest_flow_throughs * rules.flow_through);
+    if (m.n_effective < rules.fewest_independent && s <= resolution && long_enough) {
         m.known = true;
         m.value = mean;
         m.half_width = 2 * s;
+        m.limited_by = "slow changes of the series";
         return m;
     }
     if (m.n_effective < rules.fewest_independent)

@@ -21,7 +21,8 @@ struct SettledRules {
 /// - n_eff = n / (2 tau_int), u = s / sqrt(n_eff), half width t_95(n_eff - 1) u;
 /// - overlapping batch means as a second opinion: where the two differ by more than 1.5 the wider one is used and the value is
 ///   marked unreliable.
-/// A series whose standard deviation s is within `allowed_error` is taken as it is, +- 2 s.
+/// A series of too few independent samples whose whole standard deviation s is within `allowed_error` or half of `largest_error`
+/// (a slow creep, a height that flickers inside one voxel) is taken as it is, +- 2 s.
 /// Not known, with the reason and about how many seconds more would do, where a rule is not met.
 MeanValue settled_mean(std::span<const double> time, std::span<const double> values, const SettledRules& rules);
 

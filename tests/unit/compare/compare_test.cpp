@@ -1,0 +1,169 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/errors.h"
+#include "compare/compare.h"
+#include "tests/unit/compare/synthetic_pair.h"
+
+namespace tw {
+namespace {
+
+const SyntheticRun sph{.frames = false};
+const SyntheticRun fvm{.method = "fvm", .lift = 2722, .drag = 251, .moment = 870, .noise = 15, .seed = 2, .frames = false};
+
+TEST(Compare, MeansOfBothSidesAndTheirDifference) {
+    const Comparison c = compare_records({synthetic_run(sph), synthetic_run(fvm)});
+    const Quantity* lift = c.find("lift");
+    ASSERT_NE(lift, nullptr);
+    ASSERT_TRUE(lift->values[0].known && lift->values[1].known) << lift->remark;
+    EXPECT_NEAR(lift->values[0].value, 2800, 1.5 * lift->values[0].half_width);
+    EXPECT_NEAR(lift->values[1].value, 2722, 1.5 * lift->values[1].half_width);
+    EXPECT_DOUBLE_EQ(lift->difference, lift->values[1].value - lift->values[0].value);
+    EXPECT_EQ(lift->verdict, Verdict::differ);
+    EXPECT_EQ(c.find("drag")->verdict, Verdict::agree);
+    EXPECT_EQ(c.names, (std::vector<std::string>{"sph", "fvm"}));
+    EXPECT_NEAR(c.find("wetted_length")->values[0].half_width, 0.02, 1e-12);   // half the spacing at the hull
+}
+
+TEST(Compare, WhatStandsBesideIsNotJudged) {
+    const Comparison c = compare_records({synthetic_run(sph), synthetic_run(fvm)});
+    for (const char* name : {"lift_surface", "lift_volume", "lift_air", "ventilation", "force_measure_spread"}) {
+        ASSERT_NE(c.find(name), nullptr) << name;
+        EXPECT_FALSE(c.find(name)->judged) << name;
+    }
+    EXPECT_NEAR(c.find("force_measure_spread")->values[0].value, 3, 0.1);   // 1.02 against 0.99
+    EXPECT_FALSE(c.find("lift_air")->values[0].known);
+    ASSERT_EQ(c.references.size(), 3u);
+    EXPECT_NEAR(c.references[0].value, 2334, 2);   // lift by Savitsky
+    EXPECT_NEAR(c.references[1].value, 204, 0.5);  // pressure drag: neither run has friction
+}
+
+TEST(Compare, DifferentScenesAreRefusedUnlessForced) {
+    RunRecord other = synthetic_run(fvm);
+    other.attributes["scene_hash"] = "scene-2";
+    try {
+        compare_records({synthetic_run(sph), other});
+        FAIL() << "compared what was not made from one scene";
+    } catch (const InputError& e) {
+        EXPECT_NE(std::string(e.what()).find("scene-2"), std::string::npos);
+    }
+    const Comparison forced = compare_records({synthetic_run(sph), other}, {.force = true});
+    EXPECT_NE(forced.banners.at(0).find("Forced comparison"), std::string::npos);
+    RunRecord hull = synthetic_run(fvm);
+    hull.attributes["hull_hash"] = "hull-2";
+    EXPECT_THROW(compare_records({synthetic_run(sph), hull}), InputError);
+    EXPECT_THROW(compare_records({}), InputError);
+    EXPECT_THROW(compare_records({synthetic_run(sph)}, {.agree_within = 0}), InputError);
+}
+
+TEST(Compare, HalfModelsSayTheirFactor) {
+    const Comparison c = compare_records({synthetic_run(sph), synthetic_run(fvm)});
+    ASSERT_FALSE(c.banners.empty());
+    EXPECT_NE(c.banners[0].find("multiplied by 2"), std::string::npos);
+}
+
+TEST(Compare, OneMethodAloneStandsWithoutAVerdict) {
+    const Comparison c = compare_records({synthetic_run(sph)});
+    EXPECT_TRUE(c.find("lift")->values[0].known);
+    EXPECT_EQ(c.find("lift")->verdict, Verdict::not_comparable);
+}
+
+TEST(Compare, AMethodWithoutForcesIsNotComparable) {
+    RunRecord mute = synthetic_run(fvm);
+    mute.tables.erase("forces");
+    const Comparison c = compare_records({synthetic_run(sph), mute});
+    EXPECT_EQ(c.find("lift")->verdict, Verdict::not_comparable);
+    EXPECT_TRUE(std::isnan(c.find("lift")->difference));
+}
+
+TEST(Compare, FrictionOnOneSideOnlyIsLeftOutAndSaidSo) {
+    RunRecord viscous = synthetic_run(fvm);
+    Table& forces = viscous.table("forces");
+    const auto pressure = forces.find("fx_pressure")->values;
+    forces.column("fx_viscous", "N").values.assign(pressure.size(), 150);
+    for (double& v : forces.column("fx", "N").values) v += 150;
+    const Comparison c = compare_records({synthetic_run(sph), viscous});
+    EXPECT_NEAR(c.find("drag")->values[1].value, 251, 3);
+    EXPECT_NE(c.find("drag")->remark.find("friction left out"), std::string::npos);
+    EXPECT_NEAR(c.find("drag_friction")->values[1].value, 150, 1e-6);
+    bool said = false;
+    for (const auto& b : c.banners) said = said || b.find("friction") != std::string::npos;
+    EXPECT_TRUE(said);
+}
+
+TEST(Compare, DraftSensitivityIsPartOfTheInterval) {
+    RunRecord a = synthetic_run(sph), b = synthetic_run(fvm);
+    const double without = compare_records({a, b}).find("lift")->interval;
+    a.numbers["lift_per_draft"] = 22000;   // 22 N per mm, known to a tenth of 40 mm
+    const Quantity with = *compare_records({a, b}).find("lift");
+    EXPECT_NEAR(with.interval, std::hypot(without, 88), 1e-6);
+    EXPECT_EQ(with.verdict, Verdict::agree);
+    EXPECT_NE(with.remark.find("draft"), std::string::npos);
+}
+
+TEST(Compare, NotANumberInASeriesDoesNotSpread) {
+    RunRecord a = synthetic_run(sph);
+    auto& fz = a.table("forces").column("fz", "N").values;
+    for (std::size_t i = 0; i < fz.size(); i += 11) fz[i] = std::nan("");
+    const Comparison c = compare_records({a, synthetic_run(fvm)});
+    EXPECT_TRUE(c.find("lift")->values[0].known);
+    EXPECT_NEAR(c.find("lift")->values[0].value, 2800, 30);
+    for (double& v : a.table("forces").column("fz", "N").values) v = std::nan("");
+    EXPECT_EQ(compare_records({a, synthetic_run(fvm)}).find("lift")->verdict, Verdict::not_comparable);
+}
+
+TEST(Compare, AShortRunIsUndecidedWithTheTimeThatIsMissing) {
+    SyntheticRun brief = sph;
+    brief.duration = 0.7;
+    const Quantity lift = *compare_records({synthetic_run(brief), synthetic_run(fvm)}).find("lift");
+    EXPECT_EQ(lift.verdict, Verdict::undecided);
+    EXPECT_NE(lift.remark.find("s more is needed"), std::string::npos);
+}
+
+TEST(Compare, RunsThatDidNotFinishCarryABannerAndAGate) {
+    RunRecord stopped = synthetic_run(fvm);
+    stopped.state = "failed";
+    stopped.reason = "time step collapsed";
+    const Comparison c = compare_records({synthetic_run(sph), stopped});
+    bool banner = false, gate = false;
+    for (const auto& b : c.banners) banner = banner || b.find("time step collapsed") != std::string::npos;
+    for (const Gate& g : c.gates) gate = gate || (g.source == "fvm" && g.name == "finished" && !g.pass);
+    EXPECT_TRUE(banner);
+    EXPECT_TRUE(gate);
+}
+
+TEST(Compare, LostParticlesFailTheirGate) {
+    RunRecord leaky = synthetic_run(sph);
+    leaky.table("samples").column("particles_lost", "-").values[3] = 2;
+    bool failed = false;
+    for (const Gate& g : compare_records({leaky, synthetic_run(fvm)}).gates) failed = failed || (g.name == "particles lost" && !g.pass && g.value == 2);
+    EXPECT_TRUE(failed);
+}
+
+TEST(Compare, TwoRunsOfOneMethodAreToldApart) {
+    EXPECT_EQ(compare_records({synthetic_run(sph), synthetic_run(sph)}).names, (std::vector<std::string>{"sph", "sph 2"}));
+    const Comparison same = compare_records({synthetic_run(sph), synthetic_run(sph)});
+    EXPECT_EQ(same.find("lift")->difference, 0);
+    EXPECT_EQ(same.find("lift")->verdict, Verdict::agree);
+}
+
+TEST(Compare, SplashOfBothSidesOnTheCommonRaster) {
+    SyntheticRun a = sph, b = fvm;
+    a.frames = b.frames = true;
+    a.splash = 0.5;
+    b.splash = 0.3;
+    const Comparison c = compare_records({synthetic_run(a), synthetic_run(b)});
+    const Quantity* sheet = c.find("splash_sheet_height");
+    ASSERT_TRUE(sheet->values[0].known && sheet->values[1].known) << sheet->remark;
+    EXPECT_NEAR(sheet->values[0].value, 0.5, 0.04);
+    EXPECT_NEAR(sheet->values[1].value, 0.3, 0.04);
+    EXPECT_GE(sheet->values[0].half_width, 0.04);   // half a voxel
+    EXPECT_EQ(sheet->verdict, Verdict::differ);
+    EXPECT_FALSE(c.find("splash_raw_max")->judged);
+    EXPECT_NEAR(c.find("splash_raw_max")->values[0].value, 0.9, 0.05);   // the lone drop
+    EXPECT_TRUE(c.find("wake_width")->values[0].known);
+}
+
+}  // namespace
+}  // namespace tw

@@ -1,0 +1,123 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/atomic_file.h"
+#include "compare/compare.h"
+#include "compare/report/csv.h"
+#include "compare/report/egl_window.h"
+#include "tests/unit/compare/synthetic_pair.h"
+#include "tests/unit/record/example_record.h"
+
+namespace tw {
+namespace {
+
+const Comparison& pair() {
+    static const Comparison c = compare_records(
+        {synthetic_run({.step = 4e-3}), synthetic_run({.method = "fvm", .lift = 2722, .moment = 870, .noise = 15, .step = 4e-3, .splash = 0.3, .seed = 2})});
+    return c;
+}
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(Report, IsOneFileThatNeedsNothingElse) {
+    const ScratchFolder folder;
+    const ReportFiles files = write_report(pair(), folder.path());
+    const std::string page = read_text(files.html);
+    for (const char* outside : {"<script", "http://", "https://", "src=\"figures", "<link", "@import"}) {
+        std::string rest = page;
+        // The SVG name space is an identifier, not an address that is fetched.
+        for (std::size_t at; (at = rest.find("http://www.w3.org/2000/svg")) != std::string::npos;) rest.erase(at, 26);
+        EXPECT_FALSE(has(rest, outside)) << outside;
+    }
+    for (const char* part : {"<h1>Planing prism, synthetic</h1>", "class=\"verdict\"", "Verdict by quantity", "Lift", "Savitsky 1964", "Soundness of the runs",
+                             "Effects solved and left out", "What it cost", "How to do it again", "Splash height (connected sheet)", "multiplied by 2"})
+        EXPECT_TRUE(has(page, part)) << part;
+    EXPECT_LT(page.find("class=\"verdict\""), page.find("<table"));   // the verdict comes first
+    EXPECT_TRUE(std::filesystem::exists(folder / "series.csv"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "figures/force_lift.svg"));
+}
+
+TEST(Report, PicturesAreDrawnWithoutADisplayOrTheReasonIsSaid) {
+    const ScratchFolder folder;
+    const std::string page = read_text(write_report(pair(), folder.path()).html);
+    bool can_draw = true;
+    try {
+        EglWindow probe(16, 16);
+    } catch (const std::exception&) {
+        can_draw = false;
+    }
+    if (!can_draw) {
+        EXPECT_TRUE(has(page, "no pictures"));
+        return;
+    }
+    for (const char* name : {"figures/free_surface_0.png", "figures/free_surface_1.png", "figures/hull_pressure_0.png"}) {
+        ASSERT_TRUE(std::filesystem::exists(folder / name)) << name;
+        EXPECT_EQ(read_text(folder / name).substr(1, 3), "PNG");
+    }
+    // Different water gives a different picture; the same water gives the same bytes.
+    EXPECT_NE(read_text(folder / "figures/free_surface_0.png"), read_text(folder / "figures/free_surface_1.png"));
+    const Comparison twice = compare_records({pair().sources[0], pair().sources[0]});
+    const ScratchFolder again;
+    write_report(twice, again.path());
+    EXPECT_EQ(read_text(again / "figures/free_surface_0.png"), read_text(again / "figures/free_surface_1.png"));
+}
+
+TEST(Report, JsonKeepsItsKeys) {
+    const auto j = nlohmann::json::parse(comparison_json(pair()));
+    ASSERT_TRUE(j.contains("quantities") && j.contains("gates") && j.contains("cost"));
+    const auto& lift = j["quantities"][0];
+    EXPECT_EQ(lift["name"], "lift");
+    EXPECT_EQ(lift["unit"], "N");
+    EXPECT_EQ(lift["values"].size(), 2u);
+    EXPECT_EQ(lift["intervals"].size(), 2u);
+    for (const char* key : {"difference", "interval", "verdict"}) EXPECT_TRUE(lift.contains(key)) << key;
+    EXPECT_NEAR(lift["difference"].get<double>(), lift["values"][1].get<double>() - lift["values"][0].get<double>(), 1e-9);
+    EXPECT_EQ(j["cost"].size(), 2u);
+    EXPECT_TRUE(j["cost"][0].contains("wall"));
+}
+
+TEST(Report, UnknownNumbersAreNullInJsonAndEmptyInCsv) {
+    RunRecord a = pair().sources[0], b = pair().sources[1];
+    b.tables.erase("forces");
+    const Comparison c = compare_records({a, b});
+    const auto j = nlohmann::json::parse(comparison_json(c));
+    EXPECT_TRUE(j["quantities"][0]["values"][1].is_null());
+    EXPECT_TRUE(j["quantities"][0]["difference"].is_null());
+    const std::string csv = quantities_csv(c);
+    EXPECT_FALSE(has(csv, "nan"));
+    EXPECT_TRUE(has(csv, "not_comparable"));
+}
+
+TEST(Report, CsvHasOneRowPerQuantityAndQuotesWhatNeedsIt) {
+    const std::string csv = quantities_csv(pair());
+    EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), pair().quantities.size() + 1);
+    EXPECT_TRUE(csv.starts_with("name,unit,sph,sph interval,fvm,fvm interval,difference,interval,per_cent,verdict"));
+    EXPECT_TRUE(has(series_csv(pair()), "sph,splash,sheet_height,m,"));
+}
+
+TEST(Report, SummaryNamesTheVerdictOfEachQuantity) {
+    const std::string text = summary_text(pair());
+    EXPECT_TRUE(has(text, "Lift")) << text;
+    EXPECT_TRUE(has(text, "Lift differs: fvm is")) << text;
+    EXPECT_TRUE(has(text, "Drag agrees")) << text;
+    EXPECT_TRUE(has(text, "Savitsky 1964"));
+}
+
+TEST(Report, OneRunAloneAndATankWithoutAHullHaveAReportToo) {
+    const ScratchFolder folder;
+    RunRecord tank = synthetic_run({.step = 4e-3});
+    tank.hull = {};
+    tank.hull_pressure.clear();
+    tank.hull_wet.clear();
+    tank.numbers.erase("speed");
+    tank.attributes["motion"] = "none";
+    tank.tables.erase("forces");
+    tank.table("height").time = {0, 1};
+    tank.table("height").column("H1", "m").values = {0.1, 0.2};
+    const std::string page = read_text(write_report(compare_records({tank}), folder.path()).html);
+    EXPECT_TRUE(has(page, "Water height at H1"));
+    EXPECT_TRUE(has(page, "largest of the run"));
+}
+
+}  // namespace
+}  // namespace tw

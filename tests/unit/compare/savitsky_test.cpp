@@ -1,0 +1,73 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <sstream>
+
+#include "compare/reference/prismatic_hull.h"
+#include "tests/unit/compare/synthetic_pair.h"
+
+namespace tw {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+// Columns: Cv, deadrise [deg], trim [deg], lambda, beam [m], U [m/s], CL0, CLbeta, lift [N], Cf, friction, drag [N], D/L,
+// keel wetted, chine wetted, centre of pressure [m]; water of 15 degrees, standard gravity.
+TEST(SavitskyFormula, EqualsTheIndependentTable) {
+    std::ifstream file(TWINWAKE_TEST_DATA "/savitsky_prismatic_fixed_trim.csv");
+    std::string line;
+    std::getline(file, line);
+    int rows = 0;
+    while (std::getline(file, line)) {
+        std::istringstream cells(line);
+        std::vector<double> row;
+        for (std::string cell; std::getline(cells, cell, ',');) row.push_back(std::stod(cell));
+        const PlaningState state{.beam = row[4], .deadrise = row[1] * degree, .trim = row[2] * degree, .speed = row[5], .density = 1000,
+                                 .kinematic_viscosity = 1.139e-6, .gravity = 9.80665};
+        const Savitsky s = savitsky(state, row[3]);
+        EXPECT_NEAR(s.lift / row[8], 1, 2e-6) << line;
+        EXPECT_NEAR(s.friction_drag / row[10], 1, 2e-6) << line;
+        EXPECT_NEAR(s.drag / row[11], 1, 2e-6) << line;
+        EXPECT_NEAR(s.keel_wetted_length, row[13], 2e-6) << line;
+        EXPECT_NEAR(s.chine_wetted_length, row[14], 2e-6) << line;
+        EXPECT_NEAR(s.pressure_centre, row[15], 2e-6) << line;
+        ++rows;
+    }
+    EXPECT_GE(rows, 90);
+}
+
+TEST(SavitskyFormula, HandCaseAtFixedDraft) {
+    const PlaningState state{.beam = 1, .deadrise = 20 * degree, .trim = 5 * degree, .speed = 8};
+    const Savitsky s = savitsky_at_draft(state, 0.2);
+    EXPECT_NEAR(s.lift, 2334, 2);
+    EXPECT_NEAR(s.pressure_drag, 204, 0.5);
+    EXPECT_NEAR(s.friction_drag, 154, 1);
+    EXPECT_NEAR(s.keel_wetted_length, 2.295, 1e-3);
+    EXPECT_NEAR(s.chine_wetted_length, 0.971, 1e-3);
+    EXPECT_TRUE(s.in_range);
+    EXPECT_FALSE(savitsky_at_draft(state, 0.05).in_range);   // chines dry
+}
+
+TEST(PrismaticHull, DeadriseAndBeamAreReadOffTheSurface) {
+    const auto hull = prismatic_hull(synthetic_run({.duration = 0.1, .frames = false}));
+    ASSERT_TRUE(hull);
+    EXPECT_NEAR(hull->state.deadrise / degree, 20, 1e-6);
+    EXPECT_NEAR(hull->state.beam, 1, 1e-9);
+    EXPECT_NEAR(savitsky_at_draft(hull->state, hull->draft).lift, 2334, 2);
+}
+
+TEST(PrismaticHull, OtherShapesGetNoFormula) {
+    RunRecord r = synthetic_run({.duration = 0.1, .frames = false});
+    r.hull = posed(make_hull("wigley", {}), {.trim = 5 * degree, .draft = 0.2});
+    EXPECT_FALSE(prismatic_hull(r));
+    r = synthetic_run({.duration = 0.1, .frames = false});
+    r.numbers["speed"] = 0;
+    EXPECT_FALSE(prismatic_hull(r));
+    r.hull = {};
+    EXPECT_FALSE(prismatic_hull(r));
+}
+
+}  // namespace
+}  // namespace tw

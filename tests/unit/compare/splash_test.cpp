@@ -1,0 +1,148 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "compare/metrics/elevation.h"
+#include "compare/metrics/splash.h"
+#include "meshes/generate.h"
+#include "record/raster.h"
+
+namespace tw {
+namespace {
+
+constexpr double edge = 0.1;
+
+/// A channel of still water, 4 x 2 m, voxels of 0.1 m, up to z = 0, with whatever is poured on top.
+struct Channel {
+    RasterSpec spec{{0, 0, -0.5}, edge, {40, 20, 20}};
+    Raster raster{spec};
+    Channel() { fill({0, 0, -0.5}, {4, 2, 0}); }
+    /// A block of whole voxels.
+    void fill(const Vec3& low, const Vec3& high) {
+        for (double x = low.x() + edge / 2; x < high.x(); x += edge)
+            for (double y = low.y() + edge / 2; y < high.y(); y += edge)
+                for (double z = low.z() + edge / 2; z < high.z(); z += edge) raster.pour({x, y, z}, edge, edge * edge * edge);
+    }
+    RunRecord record() const {
+        RunRecord r;
+        r.attributes["motion"] = "stream";
+        r.numbers = {{"density", 1000}, {"gravity", 9.81}, {"speed", 8}};
+        r.raster = spec;
+        r.frames.push_back(raster.frame(1.0));
+        return r;
+    }
+};
+double at(const Table& t, const std::string& column) { return t.find(column)->values.at(0); }
+
+TEST(Splash, StillWaterHasNone) {
+    const Table t = splash_series(Channel().record(), 0);
+    EXPECT_NEAR(at(t, "sheet_height"), 0, 1e-6);
+    EXPECT_EQ(at(t, "airborne_volume"), 0);
+    EXPECT_TRUE(std::isnan(at(t, "p95")));
+}
+
+TEST(Splash, AnAttachedSheetCountsToItsTop) {
+    Channel c;
+    c.fill({2, 1, 0}, {2.1, 1.5, 0.8});   // a wall of water 0.8 m high, one voxel thick, half a metre long
+    const Table t = splash_series(c.record(), 0);
+    EXPECT_NEAR(at(t, "sheet_height"), 0.8, 1e-5);
+    // Airborne: above one voxel, 0.1 x 0.5 x 0.7 m3; evenly spread from 0.1 to 0.8 m.
+    EXPECT_NEAR(at(t, "airborne_volume"), 0.035, 1e-9);
+    EXPECT_NEAR(at(t, "p95"), 0.1 + 0.95 * 0.7, 1e-6);
+    EXPECT_NEAR(at(t, "p99"), 0.1 + 0.99 * 0.7, 1e-6);
+    EXPECT_NEAR(at(t, "airborne_energy"), 1000 * 9.81 * 0.035 * 0.45, 1e-4);
+}
+
+TEST(Splash, ADropIsNoSheetHoweverHigh) {
+    Channel c;
+    c.fill({1, 1, 1.0}, {1.1, 1.1, 1.1});
+    const Table t = splash_series(c.record(), 0);
+    EXPECT_NEAR(at(t, "sheet_height"), 0, 1e-6);
+    EXPECT_NEAR(at(t, "raw_height"), 1.1, 1e-6);
+    EXPECT_NEAR(at(t, "airborne_volume"), 1e-3, 1e-9);
+    // A thread of half-full voxels down to the water makes the same drop part of a sheet.
+    for (double z = 0.05; z < 1; z += edge) c.raster.pour({1.05, 1.05, z}, edge, 0.6 * edge * edge * edge);
+    EXPECT_NEAR(at(splash_series(c.record(), 0), "sheet_height"), 1.1, 1e-5);
+}
+
+TEST(Splash, DiagonalNeighboursHangTogether) {
+    Channel c;
+    for (int k = 0; k < 5; ++k) c.fill({1 + k * edge, 1 + k * edge, k * edge}, {1 + (k + 1) * edge - 1e-9, 1 + (k + 1) * edge - 1e-9, (k + 1) * edge - 1e-9});
+    EXPECT_NEAR(at(splash_series(c.record(), 0), "sheet_height"), 0.5, 1e-5);
+}
+
+TEST(Splash, HalfModelsReportTheWholeHullsVolume) {
+    Channel c;
+    c.fill({2, 1, 0}, {2.1, 1.5, 0.8});
+    RunRecord r = c.record();
+    r.attributes["symmetry_factor"] = "2";
+    EXPECT_NEAR(at(splash_series(r, 0), "airborne_volume"), 0.07, 1e-9);
+    EXPECT_NEAR(at(splash_series(r, 0), "sheet_height"), 0.8, 1e-5);
+}
+
+TEST(Splash, TheSameWaterOnAFinerParticleSpacingGivesTheSameNumbers) {
+    Channel coarse, fine;
+    coarse.fill({2, 1, 0}, {2.1, 1.5, 0.8});
+    const double d = edge / 4;
+    for (double x = 2 + d / 2; x < 2.1; x += d)
+        for (double y = 1 + d / 2; y < 1.5; y += d)
+            for (double z = d / 2; z < 0.8; z += d) fine.raster.pour({x, y, z}, d, d * d * d);
+    const Table a = splash_series(coarse.record(), 0), b = splash_series(fine.record(), 0);
+    for (const char* c : {"sheet_height", "p95", "p99", "p99_9", "airborne_volume", "airborne_energy"}) EXPECT_NEAR(at(a, c), at(b, c), 1e-3 * at(a, c)) << c;
+}
+
+TEST(Elevation, FlatWaterIsFlatAndABumpIsItsHeight) {
+    Channel c;
+    c.fill({1, 0, 0}, {2, 2, 0.3});
+    for (double x = 3.05; x < 4; x += edge)   // a part-filled layer: water at 0.03 m
+        for (double y = 0.05; y < 2; y += edge) c.raster.pour({x, y, 0.05}, edge, 0.3 * edge * edge * edge);
+    RunRecord r = c.record();
+    r.numbers["cut_y_0"] = 1.03;
+    const auto cuts = elevation_cuts(r, mean_elevation(r, 0));
+    ASSERT_EQ(cuts.size(), 1u);
+    EXPECT_NEAR(cuts[0].elevation[5], 0, 1e-6);
+    EXPECT_NEAR(cuts[0].elevation[15], 0.3, 1e-6);
+    EXPECT_NEAR(cuts[0].elevation[35], 0.03, 5e-4);   // shares are stored in steps of 1/255
+    EXPECT_NEAR(crest(cuts[0]).value, 0.3, 1e-6);
+    EXPECT_NEAR(trough(cuts[0]).value, 0, 1e-6);
+    EXPECT_NEAR(rms_difference(cuts[0], cuts[0]), 0, 1e-12);
+}
+
+TEST(Elevation, UnderTheHullThereIsNoFreeSurface) {
+    Channel c;
+    RunRecord r = c.record();
+    r.hull = make_hull("box", {{"length", 1.0}, {"beam", 0.4}});
+    for (Vec3& p : r.hull.points) p += Vec3(2, 1, 0);
+    r.numbers["cut_y_0"] = 1.0;
+    const auto cut = elevation_cuts(r, mean_elevation(r, 0)).at(0);
+    EXPECT_TRUE(std::isnan(cut.elevation[20]));   // x = 2.05
+    EXPECT_FALSE(std::isnan(cut.elevation[5]));
+    EXPECT_FALSE(std::isnan(cut.elevation[35]));
+}
+
+TEST(WakeWidth, TwoWallsBehindTheHullAreAsFarApartAsTheyStand) {
+    Channel c;
+    c.fill({1, 0.4, 0}, {4, 0.5, 0.4});
+    c.fill({1, 1.5, 0}, {4, 1.6, 0.4});
+    RunRecord r = c.record();
+    r.hull.points = {{0, 1, 0}, {1, 1, 0}};
+    EXPECT_NEAR(wake_width(r, splash_envelope(r, 0), 0), 1.2, 1e-9);
+    r.attributes["symmetry_factor"] = "2";   // the half beyond y = 0 mirrored
+    EXPECT_NEAR(wake_width(r, splash_envelope(r, 0), 0), 3.2, 1e-9);
+    EXPECT_TRUE(std::isnan(wake_width(Channel().record(), {}, 0)));
+}
+
+TEST(StillLevel, OfATankIsThatOfItsWaterSpreadOut) {
+    RunRecord r = Channel().record();
+    EXPECT_EQ(still_level(r), 0);
+    r.attributes["motion"] = "none";
+    EXPECT_NEAR(still_level(r), 0, 1e-9);
+    Channel c;
+    c.fill({0, 0, 0}, {2, 2, 0.4});   // half the tank 0.4 m higher
+    r = c.record();
+    r.attributes["motion"] = "none";
+    EXPECT_NEAR(still_level(r), 0.2, 1e-9);
+}
+
+}  // namespace
+}  // namespace tw

@@ -1,0 +1,205 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "compare/align/time_bins.h"
+#include "compare/statistics/autocorrelation.h"
+#include "compare/statistics/batch_means.h"
+#include "compare/statistics/mser.h"
+#include "compare/statistics/settled_mean.h"
+#include "compare/statistics/student_t.h"
+
+namespace tw {
+namespace {
+
+/// First-order autoregressive series of mean `mean` and standard deviation 1, started in its stationary state.
+std::vector<double> ar1(std::size_t n, double rho, double mean, std::mt19937& random) {
+    std::normal_distribution<double> normal;
+    std::vector<double> x(n);
+    double state = normal(random);
+    for (double& v : x) {
+        state = rho * state + std::sqrt(1 - rho * rho) * normal(random);
+        v = mean + state;
+    }
+    return x;
+}
+std::vector<double> steps(std::size_t n, double dt) {
+    std::vector<double> t(n);
+    for (std::size_t i = 0; i < n; ++i) t[i] = dt * static_cast<double>(i);
+    return t;
+}
+
+TEST(Mser5, CutsARampOfFiftySamplesAtItsEnd) {
+    std::vector<double> x;
+    for (int i = 0; i < 50; ++i) x.push_back(10 - 0.2 * i);
+    for (int i = 0; i < 200; ++i) x.push_back(0.5 * std::sin(2 * std::numbers::pi * i / 20));
+    EXPECT_EQ(mser_cut(x), 50u);
+}
+
+TEST(Mser5, KeepsASettledSeriesAndRefusesOneThatNeverSettles) {
+    std::mt19937 random(3);
+    int kept = 0, refused = 0;
+    for (int k = 0; k < 200; ++k) {
+        const auto cut = mser_cut(ar1(1000, 0.5, 2, random));
+        refused += !cut;
+        kept += cut && *cut < 250;
+    }
+    EXPECT_GE(kept, 180);
+    EXPECT_LE(refused, 4);
+    std::vector<double> growing;
+    for (int i = 0; i < 500; ++i) growing.push_back(i);
+    EXPECT_FALSE(mser_cut(growing));
+}
+
+TEST(Mser5, ARunOfEqualVoxelHeightsIsNotTakenForTheSettledPart) {
+    std::vector<double> x;   // a sheet that flickers between two voxels, then stays in one for a while
+    for (int i = 0; i < 100; ++i) x.push_back(i < 65 && i % 3 == 0 ? 0.4 : 0.3);
+    EXPECT_FALSE(mser_cut(x));
+    EXPECT_LE(mser_cut(x, 0.05).value_or(99), 5u);
+}
+
+// AR(1) with rho: variance of the mean is inflated by (1 + rho)/(1 - rho) = 2 tau_int; rho = 0.9 gives 19 and 9.5.
+TEST(Autocorrelation, FirstOrderSeriesHasTheTimeOfTheory) {
+    std::mt19937 random(5);
+    double sum = 0;
+    for (int k = 0; k < 20; ++k) sum += integrated_autocorrelation_time(ar1(20000, 0.9, 0, random)) / 20;
+    EXPECT_NEAR(sum, 9.5, 0.5);
+    EXPECT_NEAR(integrated_autocorrelation_time(ar1(20000, 0.0, 0, random)), 0.5, 0.1);
+    EXPECT_EQ(integrated_autocorrelation_time(std::vector<double>(100, 0.1)), 0.5);   // constant but for rounding
+}
+
+TEST(BatchMeans, AgreeWithTheoryForWhiteAndForCorrelatedNoise) {
+    std::mt19937 random(6);
+    double white = 0, correlated = 0;
+    for (int k = 0; k < 50; ++k) {
+        white += std::pow(batch_means_error(ar1(4000, 0, 0, random), 63), 2) / 50;
+        correlated += std::pow(batch_means_error(ar1(4000, 0.9, 0, random), 200), 2) / 50;
+    }
+    EXPECT_NEAR(white / (1.0 / 4000), 1, 0.1);
+    EXPECT_NEAR(correlated / (19.0 / 4000), 1, 0.15);
+    EXPECT_EQ(batch_means_error(std::vector<double>(10, 1.0), 6), 0);
+}
+
+TEST(StudentT, TabulatedQuantiles) {   // Abramowitz & Stegun, table 26.10
+    EXPECT_NEAR(student_t_95(1), 12.706, 5e-4);
+    EXPECT_NEAR(student_t_95(2), 4.303, 5e-4);
+    EXPECT_NEAR(student_t_95(10), 2.228, 5e-4);
+    EXPECT_NEAR(student_t_95(60), 2.000, 5e-4);
+    EXPECT_NEAR(student_t_95(1e9), 1.960, 5e-4);
+}
+
+TEST(SettledMean, IntervalCoversTheTruthInNinetyTwoToNinetyEightOfAHundred) {
+    std::mt19937 random(11);
+    const std::vector<double> t = steps(4000, 1e-3);
+    int covered = 0, known = 0;
+    for (int k = 0; k < 1000; ++k) {
+        const MeanValue m = settled_mean(t, ar1(4000, 0.9, 100, random), {});
+        if (!m.known) continue;
+        ++known;
+        covered += std::abs(m.value - 100) <= m.half_width;
+    }
+    EXPECT_GE(known, 950);
+    EXPECT_GE(covered, 0.92 * known);
+    EXPECT_LE(covered, 0.98 * known);
+}
+
+TEST(SettledMean, TheTransientIsLeftOut) {
+    std::mt19937 random(12);
+    std::vector<double> x = ar1(2000, 0.8, 50, random);
+    for (std::size_t i = 0; i < 400; ++i) x[i] -= 50 * std::exp(-static_cast<double>(i) / 80);
+    const MeanValue m = settled_mean(steps(2000, 1e-3), x, {});
+    ASSERT_TRUE(m.known) << m.why_not;
+    EXPECT_GT(m.from, 0.2);
+    EXPECT_NEAR(m.value, 50, 2 * m.half_width);
+    EXPECT_FALSE(m.unreliable);
+}
+
+TEST(SettledMean, UnevenStepsDoNotWeighMore) {
+    // 1 for a second in long steps, then 3 for a second in steps a hundred times shorter: the time mean is 2.
+    std::vector<double> t, x;
+    for (int i = 0; i < 10; ++i) t.push_back(0.1 * i), x.push_back(1);
+    for (int i = 0; i < 1000; ++i) t.push_back(1 + 1e-3 * i), x.push_back(3);
+    const auto bins = time_bins(t, x, 200);
+    double mean = 0;
+    for (const double v : bins) mean += v / 200;
+    EXPECT_NEAR(mean, 2, 0.06);   // the step between the levels is a ramp of 0.1 s
+}
+
+TEST(SettledMean, NotKnownValuesAreLeftOut) {
+    std::mt19937 random(13);
+    std::vector<double> x = ar1(2000, 0.5, 10, random);
+    for (std::size_t i = 0; i < x.size(); i += 7) x[i] = std::nan("");
+    const MeanValue m = settled_mean(steps(2000, 1e-3), x, {});
+    ASSERT_TRUE(m.known) << m.why_not;
+    EXPECT_NEAR(m.value, 10, 2 * m.half_width);
+    const MeanValue none = settled_mean(steps(10, 1), std::vector<double>(10, std::nan("")), {});
+    EXPECT_FALSE(none.known);
+    EXPECT_EQ(none.seconds_needed, 0);
+    EXPECT_NE(none.why_not.find("no value"), std::string::npos);
+}
+
+TEST(SettledMean, ShortRecordsAreRefusedWithTheTimeThatIsMissing) {
+    std::mt19937 random(14);
+    const MeanValue few = settled_mean(steps(100, 1e-2), ar1(100, 0.95, 10, random), {});
+    EXPECT_FALSE(few.known);
+    EXPECT_GT(few.seconds_needed, 0);
+    EXPECT_NE(few.why_not.find("more is needed"), std::string::npos);
+
+    SettledRules flow;
+    flow.flow_through = 0.5;
+    flow.fewest_flow_throughs = 3;
+    const MeanValue brief = settled_mean(steps(1000, 1e-3), ar1(1000, 0.2, 100, random), flow);   // one second
+    EXPECT_FALSE(brief.known);
+    EXPECT_NEAR(brief.seconds_needed, 0.5, 0.3);
+
+    // Noise of 30 about 10, white: the standard error falls like 1/sqrt(T); 2 % of 10 needs (30/0.2)^2 samples.
+    std::vector<double> noisy = ar1(2000, 0, 0, random);
+    for (double& v : noisy) v = 10 + 30 * v;
+    const MeanValue wide = settled_mean(steps(2000, 1e-3), noisy, {});
+    EXPECT_FALSE(wide.known);
+    EXPECT_NEAR(wide.seconds_needed, 20.5, 8);
+
+    SettledRules later;
+    later.from = 5;
+    const MeanValue before = settled_mean(steps(1000, 1e-3), ar1(1000, 0, 1, random), later);
+    EXPECT_FALSE(before.known);
+    EXPECT_GE(before.seconds_needed, 4);
+}
+
+// interFoam's lift on a planing hull creeps up by 1.5 to 2 % while it settles: the mean is known to about that, not unknown.
+TEST(SettledMean, ASlowCreepWithinThePermittedErrorWidensTheInterval) {
+    std::vector<double> x;
+    for (int i = 0; i < 1000; ++i) x.push_back(2800 * (1 + 0.015 * i / 1000));
+    const MeanValue m = settled_mean(steps(1000, 1e-3), x, {});
+    ASSERT_TRUE(m.known) << m.why_not;
+    EXPECT_NEAR(m.value, 2821, 8);
+    EXPECT_GT(m.half_width, 0.004 * m.value);
+    EXPECT_LT(m.half_width, 0.012 * m.value);
+    EXPECT_FALSE(m.limited_by.empty());
+    for (int i = 0; i < 1000; ++i) x[static_cast<std::size_t>(i)] = 2800 * (1 + 0.1 * i / 1000);   // 10 % is no settled mean
+    EXPECT_FALSE(settled_mean(steps(1000, 1e-3), x, {}).known);
+}
+
+TEST(SettledMean, AConstantIsKnownExactly) {
+    const MeanValue m = settled_mean(steps(100, 1e-2), std::vector<double>(100, 0.1), {});
+    ASSERT_TRUE(m.known) << m.why_not;
+    EXPECT_NEAR(m.value, 0.1, 1e-15);
+    EXPECT_LT(m.half_width, 1e-12);
+}
+
+TEST(TimeBins, LinearBetweenSamplesAndNothingOutside) {
+    const std::vector<double> t{0, 1, 3}, x{0, 10, 30};
+    EXPECT_EQ(value_at(t, x, 2), 20);
+    EXPECT_EQ(value_at(t, x, 3), 30);
+    EXPECT_TRUE(std::isnan(value_at(t, x, 3.1)));
+    EXPECT_TRUE(std::isnan(value_at({}, {}, 0)));
+    const auto smooth = moving_mean(t, std::vector<double>{1, std::nan(""), 5}, 2.5);
+    EXPECT_EQ(smooth[1], 1);
+    EXPECT_EQ(smooth[2], 5);
+}
+
+}  // namespace
+}  // namespace tw

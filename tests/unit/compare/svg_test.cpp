@@ -1,0 +1,97 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "compare/report/base64.h"
+#include "compare/report/colours.h"
+#include "compare/report/escape.h"
+#include "compare/report/numbers.h"
+#include "compare/report/svg_plot.h"
+
+namespace tw {
+namespace {
+
+std::size_t count(const std::string& text, const std::string& part) {
+    std::size_t n = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+    return n;
+}
+
+TEST(SvgPlot, DrawsEachLineInItsSourcesColourAndABreakAtNotANumber) {
+    Plot p{.title = "t", .x_label = "x", .y_label = "y"};
+    p.lines.push_back({"one", 0, {0, 1, 2, 3}, {1, 2, std::nan(""), 3}, false, false});
+    p.lines.push_back({"two", 1, {0, 3}, {0, 4}, false, false});
+    const std::string s = svg(p);
+    EXPECT_EQ(count(s, "<path"), 2u);
+    EXPECT_NE(s.find("class=\"line s1\""), std::string::npos);
+    EXPECT_EQ(s.find("nan"), std::string::npos);
+    const std::string first = s.substr(s.find("<path class=\"line s0\""));
+    EXPECT_EQ(count(first.substr(0, first.find("/>")), "M"), 2u);
+    EXPECT_EQ(count(s, "<svg"), count(s, "</svg>"));
+}
+
+TEST(SvgPlot, NothingToDrawIsSaid) {
+    EXPECT_NE(svg({.title = "empty"}).find("no data"), std::string::npos);
+    Plot p{.title = "t"};
+    p.lines.push_back({"a", 0, {0, 1}, {std::nan(""), std::nan("")}, false, false});
+    EXPECT_NE(svg(p).find("no data"), std::string::npos);
+}
+
+TEST(SvgPlot, AStartUpSpikeDoesNotFlattenTheRest) {
+    Plot p{.title = "t", .clip_spikes = true};
+    PlotLine l{"a", 0, {}, {}, false, false};
+    for (int i = 0; i < 1000; ++i) l.x.push_back(i), l.y.push_back(i == 0 ? 1e6 : 100 + i % 7);
+    p.lines.push_back(l);
+    EXPECT_EQ(svg(p).find("1e+06"), std::string::npos);
+    p.clip_spikes = false;
+    EXPECT_NE(svg(p).find("1e+06"), std::string::npos);
+}
+
+TEST(SvgPlot, LongSeriesAreThinnedWithoutLosingTheirExtremes) {
+    Plot p{.title = "t"};
+    PlotLine l{"a", 0, {}, {}, false, false};
+    for (int i = 0; i < 200000; ++i) l.x.push_back(i), l.y.push_back(i == 77777 ? 5 : 0);
+    p.lines.push_back(l);
+    EXPECT_LT(svg(p).size(), 60000u);
+    EXPECT_NE(svg(p).find(">5<"), std::string::npos);
+}
+
+TEST(Ticks, AreOneTwoFive) {
+    EXPECT_EQ(ticks(0, 10, 5), (std::vector<double>{0, 2, 4, 6, 8, 10}));
+    EXPECT_EQ(ticks(5, 5, 5).size(), 0u);
+}
+
+TEST(Escaping, LeavesNoMarkupAndNoBrokenBytes) {
+    EXPECT_EQ(escaped("<script>alert(\"x\")</script>&'"), "&lt;script&gt;alert(&quot;x&quot;)&lt;/script&gt;&amp;&#39;");
+    EXPECT_EQ(escaped("é–"), "é–");
+    EXPECT_EQ(escaped("a\xff\x01"), "a\xEF\xBF\xBD\xEF\xBF\xBD");
+    EXPECT_EQ(escaped("\xC0\xBC"), "\xEF\xBF\xBD\xEF\xBF\xBD");   // an overlong '<'
+}
+
+TEST(Base64, KnownVectors) {   // RFC 4648, section 10
+    EXPECT_EQ(base64(""), "");
+    EXPECT_EQ(base64("f"), "Zg==");
+    EXPECT_EQ(base64("fo"), "Zm8=");
+    EXPECT_EQ(base64("foo"), "Zm9v");
+    EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+}
+
+TEST(Numbers, ShowTheDigitsTheirIntervalSupports) {
+    EXPECT_EQ(value_text(2722.4, 13.2), "2722 ± 13");
+    EXPECT_EQ(value_text(0.41234, 0.0251), "0.412 ± 0.025");
+    EXPECT_EQ(value_text(-0.00001, 0.05), "0.000 ± 0.050");
+    EXPECT_EQ(signed_text(-82.3, 19), "−82 ± 19");
+    EXPECT_EQ(per_cent_text(-3.02), "−3.0 %");
+    EXPECT_EQ(value_text(std::nan(""), 1), "–");
+}
+
+TEST(Colours, EndsAndMiddle) {
+    const ColourScale s = elevation_scale(1, 0);
+    EXPECT_EQ(s(-5), s(-1));
+    EXPECT_EQ(s(5), s(1));
+    EXPECT_GT(s(0)[0], s(-1)[0]);   // pale in the middle
+    EXPECT_GT(s(0)[2], s(1)[2]);
+}
+
+}  // namespace
+}  // namespace tw

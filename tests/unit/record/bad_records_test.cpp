@@ -1,0 +1,111 @@
+#include <gtest/gtest.h>
+#include <hdf5.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <random>
+
+#include "base/atomic_file.h"
+#include "base/errors.h"
+#include "tests/unit/record/example_record.h"
+
+namespace tw {
+namespace {
+
+/// The message of the InputError that reading throws; empty when it reads.
+std::string refusal(const std::filesystem::path& file) {
+    try {
+        read_record(file);
+    } catch (const InputError& e) {
+        return e.what();
+    }
+    return {};
+}
+bool says(const std::string& message, const std::string& part) { return message.find(part) != std::string::npos; }
+
+TEST(BadRecords, EachFaultIsNamedWithTheFile) {
+    const ScratchFolder folder;
+    EXPECT_TRUE(says(refusal(folder / "none.h5"), "none.h5: there is no such run record"));
+    EXPECT_TRUE(says(refusal(folder.path()), "is a folder"));
+    write_text_atomically(folder / "empty.h5", "");
+    EXPECT_TRUE(says(refusal(folder / "empty.h5"), "not an HDF5 file (0 bytes)"));
+    write_text_atomically(folder / "text.h5", "solid hull\nendsolid\n");
+    EXPECT_TRUE(says(refusal(folder / "text.h5"), "not an HDF5 file"));
+    const hid_t other = H5Fcreate((folder / "other.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+    H5Fclose(other);
+    EXPECT_TRUE(says(refusal(folder / "other.h5"), "not a run record of twinwake"));
+}
+
+TEST(BadRecords, ANewerFormatAsksForANewerTwinwake) {
+    const ScratchFolder folder;
+    write_record(folder / "record.h5", example_record());
+    // As a later version would write it: other version number, no checksum line of ours to contradict it.
+    std::string bytes = read_text(folder / "record.h5");
+    write_text_atomically(folder / "new.h5", bytes.substr(0, bytes.rfind("\ntwinwake sha256 ")));
+    const hid_t file = H5Fopen((folder / "new.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+    const hid_t version = H5Aopen(file, "format_version", H5P_DEFAULT);
+    const double two = 2;
+    ASSERT_GE(H5Awrite(version, H5T_NATIVE_DOUBLE, &two), 0);
+    H5Aclose(version);
+    H5Fclose(file);
+    EXPECT_TRUE(says(refusal(folder / "new.h5"), "format 2"));
+    EXPECT_TRUE(says(refusal(folder / "new.h5"), "newer twinwake"));
+}
+
+TEST(BadRecords, CutOffAnywhereIsRefused) {
+    const ScratchFolder folder;
+    write_record(folder / "record.h5", example_record());
+    const std::string bytes = read_text(folder / "record.h5");
+    // From "only the checksum line is missing its last byte" down to nothing. Cut exactly behind the HDF5 part the data are
+    // whole, and the file reads.
+    const std::size_t whole = bytes.rfind("\ntwinwake sha256 ");
+    for (std::size_t keep = 0; keep < whole; keep += 1 + whole / 97) {
+        write_text_atomically(folder / "cut.h5", bytes.substr(0, keep));
+        EXPECT_NE(refusal(folder / "cut.h5"), "") << keep << " of " << bytes.size();
+    }
+    write_text_atomically(folder / "cut.h5", bytes.substr(0, whole));
+    EXPECT_EQ(refusal(folder / "cut.h5"), "");
+}
+
+TEST(BadRecords, AnyFlippedByteIsRefused) {
+    const ScratchFolder folder;
+    write_record(folder / "record.h5", example_record());
+    const std::string bytes = read_text(folder / "record.h5");
+    std::mt19937 random(1);
+    for (int i = 0; i < 200; ++i) {
+        std::string bad = bytes;
+        const std::size_t at = random() % (bytes.size() - 100);
+        bad[at] = static_cast<char>(bad[at] ^ (1 << (random() % 8)));
+        write_text_atomically(folder / "bad.h5", bad);
+        EXPECT_NE(refusal(folder / "bad.h5"), "") << "byte " << at;
+    }
+}
+
+TEST(BadRecords, AFullDiskLeavesTheOldFile) {
+    const ScratchFolder folder;
+    RunRecord first = example_record();
+    first.reason = "the old one";
+    write_record(folder / "record.h5", first);
+
+    // Like a full disk: files may not grow beyond 4 kB, and the system says so instead of killing us.
+    rlimit old_limit{};
+    getrlimit(RLIMIT_FSIZE, &old_limit);
+    const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit small{4096, old_limit.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+    std::string message;
+    try {
+        write_record(folder / "record.h5", example_record());
+    } catch (const RunError& e) {
+        message = e.what();
+    }
+    setrlimit(RLIMIT_FSIZE, &old_limit);
+    std::signal(SIGXFSZ, old_handler);
+
+    EXPECT_TRUE(says(message, "record.h5: cannot be written")) << message;
+    EXPECT_EQ(read_record(folder / "record.h5").reason, "the old one");
+    EXPECT_FALSE(std::filesystem::exists(folder / "record.h5.tmp"));
+}
+
+}  // namespace
+}  // namespace tw

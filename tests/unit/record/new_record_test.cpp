@@ -1,0 +1,45 @@
+#include <gtest/gtest.h>
+
+#include "record/run_record.h"
+
+namespace tw {
+namespace {
+
+TEST(NewRecord, CarriesWhatTheSceneSays) {
+    Scene scene;
+    scene.title = "t";
+    scene.hash = "abc";
+    scene.text = "title = \"t\"";
+    scene.motion = {Motion::Kind::stream, 8, 0.1};
+    scene.sampling.raster = {{0, 0, 0}, 0.1, {2, 3, 4}};
+    scene.sampling.cuts_y = {0.25};
+    scene.effects = {{"air", false, false, "r", "i", 0}};
+    Hull hull;
+    hull.hash = "h";
+    hull.half = true;
+    hull.trim = 0.0875;
+    hull.draft = 0.2;
+    hull.surface.points = {{-2, -0.5, 0}, {2, 0.5, 1}, {0, 0, -0.2}};
+    hull.surface.triangles = {{0, 1, 2}};
+    scene.hull = hull;
+    const RunRecord r = new_record(scene, "sph");
+    EXPECT_EQ(r.attributes.at("method"), "sph");
+    EXPECT_EQ(r.attributes.at("scene_hash"), "abc");
+    EXPECT_EQ(r.attributes.at("hull_hash"), "h");
+    EXPECT_EQ(r.attributes.at("symmetry_factor"), "2");
+    EXPECT_EQ(r.attributes.at("moment_reference"), "0 0 0");
+    EXPECT_FALSE(r.attributes.at("code_version").empty());
+    EXPECT_FALSE(r.attributes.at("compiler").empty());
+    EXPECT_FALSE(r.attributes.at("machine").empty());
+    EXPECT_EQ(r.numbers.at("speed"), 8);
+    EXPECT_EQ(r.numbers.at("trim"), 0.0875);
+    EXPECT_EQ(r.numbers.at("cut_y_0"), 0.25);
+    EXPECT_EQ(r.raster.count, (std::array<int, 3>{2, 3, 4}));
+    EXPECT_EQ(r.hull.triangles.size(), 1u);
+    EXPECT_EQ(r.effects.size(), 1u);
+    EXPECT_EQ(r.scene_text, scene.text);
+    EXPECT_EQ(r.state, "running");
+}
+
+}  // namespace
+}  // namespace tw

@@ -1,0 +1,93 @@
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <random>
+
+#include "record/raster.h"
+
+namespace tw {
+namespace {
+
+constexpr double voxel = 0.1;
+const RasterSpec spec{{-0.5, 0.0, -0.4}, voxel, {10, 6, 9}};
+
+struct Moments {
+    double volume = 0;
+    Vec3 centroid = Vec3::Zero();
+};
+Moments moments(const RasterFrame& f) {
+    Moments m;
+    std::size_t n = 0;
+    for (int k = 0; k < spec.count[2]; ++k)
+        for (int j = 0; j < spec.count[1]; ++j)
+            for (int i = 0; i < spec.count[0]; ++i) {
+                const double v = f.water[n++] / 255.0 * voxel * voxel * voxel;
+                m.volume += v;
+                m.centroid += v * (spec.origin + voxel * Vec3(i + 0.5, j + 0.5, k + 0.5));
+            }
+    m.centroid /= m.volume;
+    return m;
+}
+
+// A cube whose edge is a whole number of voxels is shared linearly in its position, so the first moment is kept exactly;
+// what remains is the rounding of each voxel to 1/255.
+TEST(Raster, KeepsVolumeAndCentroidWhereverTheCubesLie) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> x(-0.4, 0.4), y(0.1, 0.5), z(-0.3, 0.4);
+    Raster raster(spec);
+    double volume = 0;
+    Vec3 first = Vec3::Zero();
+    for (int i = 0; i < 60; ++i) {
+        const Vec3 c(x(random), y(random), z(random));
+        const double water = 0.3 * voxel * voxel * voxel;
+        raster.pour(c, i % 2 ? voxel : 2 * voxel, water);
+        volume += water;
+        first += water * c;
+    }
+    EXPECT_NEAR(raster.poured(), volume, 1e-15);
+    const Moments m = moments(raster.frame(0));
+    EXPECT_NEAR(m.volume, volume, 0.01 * volume);
+    EXPECT_LT((m.centroid - first / volume).norm(), 0.02 * voxel);
+}
+
+TEST(Raster, KeepsVolumeOfCubesOfAnySize) {
+    std::mt19937 random(8);
+    std::uniform_real_distribution<double> x(-0.4, 0.4), y(0.1, 0.5), z(-0.3, 0.4), edge(0.003, 0.19);
+    Raster raster(spec);
+    for (int i = 0; i < 60; ++i) raster.pour({x(random), y(random), z(random)}, edge(random), 0.3 * voxel * voxel * voxel);
+    EXPECT_NEAR(moments(raster.frame(0)).volume, 18 * voxel * voxel * voxel, 0.18 * voxel * voxel * voxel);
+}
+
+TEST(Raster, CubeOnVoxelFacesFillsExactlyThem) {
+    Raster raster(spec);
+    raster.pour(spec.origin + voxel * Vec3(3, 2, 4), 2 * voxel, 8 * voxel * voxel * voxel);   // voxels 2..3, 1..2, 3..4
+    const RasterFrame f = raster.frame(1.5);
+    EXPECT_EQ(f.time, 1.5);
+    EXPECT_EQ(std::accumulate(f.water.begin(), f.water.end(), 0), 8 * 255);
+    EXPECT_EQ(f.water[static_cast<std::size_t>((3 * 6 + 1) * 10 + 2)], 255);
+    EXPECT_EQ(f.water[static_cast<std::size_t>((4 * 6 + 2) * 10 + 3)], 255);
+}
+
+TEST(Raster, OffsetCubeIsSharedInProportionToTheOverlap) {
+    Raster raster(spec);
+    // A cube of one voxel edge, shifted by a quarter along x: three quarters here, one quarter there.
+    raster.pour(spec.origin + voxel * Vec3(4.75, 2.5, 3.5), voxel, voxel * voxel * voxel);
+    const RasterFrame f = raster.frame(0);
+    EXPECT_EQ(f.water[static_cast<std::size_t>((3 * 6 + 2) * 10 + 4)], 191);   // 0.75 * 255 = 191.25
+    EXPECT_EQ(f.water[static_cast<std::size_t>((3 * 6 + 2) * 10 + 5)], 64);    // 0.25 * 255 = 63.75
+}
+
+TEST(Raster, WaterOutsideIsCountedButNotSeenAndOverfullVoxelsStopAtOne) {
+    Raster raster(spec);
+    raster.pour({1e12, 0, 0}, 0.1, 1);
+    raster.pour({-1e300, 0, 0}, 0.1, 1);
+    raster.pour({0, 0, std::nan("")}, 0.1, 1);
+    EXPECT_EQ(raster.poured(), 3);
+    raster.pour(spec.origin + voxel * Vec3(0, 0.5, 0.5), voxel, voxel * voxel * voxel);   // half of it beyond the edge
+    raster.pour(spec.origin + voxel * Vec3(5.5, 3.5, 5.5), voxel, 5 * voxel * voxel * voxel);
+    const RasterFrame f = raster.frame(0);
+    EXPECT_EQ(std::accumulate(f.water.begin(), f.water.end(), 0), 128 + 255);
+}
+
+}  // namespace
+}  // namespace tw
