@@ -4,7 +4,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
+#include <sstream>
 
 #include "base/atomic_file.h"
 #include "base/errors.h"
@@ -73,6 +75,11 @@ std::vector<fs::path> project_folders(const std::string& preferred) {
     std::vector<fs::path> out;
     if (!preferred.empty()) out.emplace_back(preferred);
     out.push_back(environment_path("WM_PROJECT_DIR"));
+    if (const char* places = std::getenv("TWINWAKE_OPENFOAM_PLACES"); places != nullptr) {
+        std::stringstream list(places);
+        for (std::string place; std::getline(list, place, ':');) out.emplace_back(place);
+        return out;
+    }
     out.emplace_back("/usr/share/openfoam");
     const auto children = [&](const fs::path& parent, const std::string& prefix) {
         std::vector<fs::path> found;

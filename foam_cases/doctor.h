@@ -19,7 +19,7 @@ struct OpenFoam {
 
 /// All that are here, sound or not: the mended solvers of twinwake's own folders first ($TWINWAKE_OPENFOAM_BIN, .openfoam/bin beside
 /// the program's folder, ~/.local/share/twinwake/openfoam/bin), then WM_PROJECT_DIR, then the usual places (/usr/share/openfoam,
-/// /usr/lib/openfoam, /opt, ~/OpenFOAM). `preferred`, an installation's folder or that of its solver, leaves only what belongs to it.
+/// /usr/lib/openfoam, /opt, ~/OpenFOAM) or, in their stead, the folders of $TWINWAKE_OPENFOAM_PLACES (colons between). `preferred`, an installation's folder or that of its solver, leaves only what belongs to it.
 /// Each has been self-tested (0.2 s).
 std::vector<OpenFoam> find_openfoam(const std::string& preferred = {});
 /// The first sound one; throws InputError that names the faulty ones and says what to install or run.

@@ -19,8 +19,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// VTK prints about broken files; here they are an expected end of a killed solver.
+struct QuietVtk {
+    const int before = vtkObject::GetGlobalWarningDisplay();
+    QuietVtk() { vtkObject::GlobalWarningDisplayOff(); }
+    ~QuietVtk() { vtkObject::SetGlobalWarningDisplay(before); }
+};
+
 template <class Reader>
 vtkSmartPointer<vtkPolyData> read_with(const fs::path& file) {
+    const QuietVtk quiet;
     vtkNew<Reader> reader;
     reader->SetFileName(file.c_str());
     reader->Update();

@@ -56,11 +56,10 @@ double latest_fastest(const fs::path& post_processing) {
     std::string line, last;
     std::getline(in, line);   // cut off, or the header
     while (std::getline(in, line) && !in.eof()) last = line;
-    // time, min, (x y z), [processor,] max, (x y z) [, processor]: the largest is the first number behind the first place
-    const std::size_t place = last.find(')');
-    if (place == std::string::npos || last[0] == '#') return std::numeric_limits<double>::quiet_NaN();
-    const std::size_t second = last.find('(', place);
-    const std::vector<double> between = numbers_in(std::string_view(last).substr(place, second == std::string::npos ? second : second - place));
+    // time, mag(U), min, (x y z), [processor,] max, (x y z) [, processor]: the largest stands before the last place
+    const std::size_t place = last.rfind('('), earlier = place == std::string::npos ? place : last.rfind(')', place);
+    if (earlier == std::string::npos || last[0] == '#') return std::numeric_limits<double>::quiet_NaN();
+    const std::vector<double> between = numbers_in(std::string_view(last).substr(earlier, place - earlier));
     return between.empty() ? std::numeric_limits<double>::quiet_NaN() : between.back();
 }
 

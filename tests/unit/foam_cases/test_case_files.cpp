@@ -1,0 +1,210 @@
+// What follows from a scene, and the OpenFOAM files that say it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "base/errors.h"
+#include "foam_cases/files/case_files.h"
+#include "scenes.h"
+
+namespace tw {
+namespace {
+
+const Flavour v1912{};
+
+std::string without_blanks(std::string text) {
+    std::string out;
+    for (const char c : text) {
+        const bool blank = c == ' ' || c == '\n';
+        if (!blank) out += c;
+        else if (!out.empty() && out.back() != ' ') out += ' ';
+    }
+    return out;
+}
+void set_effect(Scene& scene, const std::string& name, bool on) {
+    EffectChoice choice;
+    choice.name = name;
+    choice.on = on;
+    scene.effects.push_back(choice);
+}
+#define EXPECT_SAYS(file, part) EXPECT_NE(without_blanks(file).find(part), std::string::npos) << (file)
+#define EXPECT_SILENT(file, part) EXPECT_EQ(without_blanks(file).find(part), std::string::npos) << (file)
+
+TEST(SplitAxis, PutsWantedPlanesOnCellFacesWhereCellsStayNearlyCubes) {
+    const AxisCells a = split_axis(-3, 2, 1.0 / 3, {0});
+    EXPECT_EQ(a.planes, (std::vector<double>{-3, 0, 2}));
+    EXPECT_EQ(a.cells, (std::vector<int>{9, 6}));
+    // 0.1 spacings from the end: no room for a cell, the plane is left out.
+    EXPECT_EQ(split_axis(0, 1, 0.1, {0.99}).planes, (std::vector<double>{0, 1}));
+    // A tank of Koshizuka & Oka's column: every cell within a quarter of the spacing.
+    const AxisCells tank = split_axis(0, 0.584, 0.0146, {0.146, 0.146});
+    EXPECT_EQ(tank.cells, (std::vector<int>{10, 30}));
+}
+
+TEST(CasePlan, StillWaterIsACellFaceAndTheStreamIsOpen) {
+    const Scene scene = planing_scene();
+    const CasePlan plan = plan_case(scene, v1912);
+    EXPECT_EQ(std::count(plan.axes[2].planes.begin(), plan.axes[2].planes.end(), 0.0), 1);
+    EXPECT_EQ(plan.sides[0].name, "inlet");
+    EXPECT_EQ(plan.sides[1].name, "outlet");
+    EXPECT_EQ(plan.sides[2].name, "midPlane");
+    EXPECT_EQ(plan.sides[5].name, "atmosphere");
+    EXPECT_EQ(plan.wet_level, 3);
+    EXPECT_EQ(plan.surface_level, 1) << "the wet box reaches the finest level: dry topsides may be coarser";
+    EXPECT_NEAR(plan.finest_cell, 1.0 / 24, 1e-12);
+    // 40 pressure samples per hull length of travel, and the frames' interval a multiple of theirs.
+    EXPECT_LE(plan.write_interval, 4.0 / 8 / 40 + 1e-12);
+    EXPECT_NEAR(plan.write_interval * plan.raster_every, scene.sampling.interval, 1e-15);
+}
+
+TEST(CasePlan, WithoutAWetBoxTheWholeHullIsFine) {
+    Scene scene = planing_scene();
+    scene.refinement.pop_back();
+    EXPECT_EQ(plan_case(scene, v1912).surface_level, 3);
+}
+
+TEST(CasePlan, ThePointInTheFluidIsOutsideEverySolid) {
+    Scene scene = planing_scene();
+    // An obstacle that fills the corner where the point would lie.
+    const Vec3 low = scene.domain.box.min - Vec3(1, 1, 1);
+    Surface box = make_hull("box", {{"length", 4}, {"beam", 2}, {"height", 2}});
+    const Box b = box.bounds();
+    for (Vec3& p : box.points) p += low - b.min;
+    scene.obstacles.push_back({"corner", box});
+    const CasePlan plan = plan_case(scene, v1912);
+    EXPECT_FALSE(box.bounds().contains(plan.point_in_fluid));
+    EXPECT_TRUE(scene.domain.box.contains(plan.point_in_fluid));
+    // A solid that fills everything leaves no place: a message, not a mesh of nothing.
+    Surface whole = make_hull("box", {{"length", 40}, {"beam", 40}, {"height", 40}});
+    for (Vec3& p : whole.points) p.z() -= 20;
+    scene.obstacles = {{"everything", whole}};
+    EXPECT_THROW(plan_case(scene, v1912), InputError);
+}
+
+TEST(CaseFiles, TheInviscidTwinSlipsAndTheViscousOneHasWallFunctions) {
+    Scene scene = planing_scene();
+    const CasePlan slippery = plan_case(scene, v1912);
+    EXPECT_SAYS(turbulence_file(slippery), "simulationType laminar;");
+    EXPECT_SAYS(velocity_field(slippery), "hull { type slip; }");
+    EXPECT_TRUE(turbulence_fields(slippery).empty());
+
+    set_effect(scene, "viscosity", true);
+    const CasePlan viscous = plan_case(scene, v1912);
+    EXPECT_SAYS(turbulence_file(viscous), "RASModel kOmegaSST;");
+    EXPECT_SAYS(velocity_field(viscous), "hull { type noSlip; }");
+    ASSERT_EQ(turbulence_fields(viscous).size(), 3u);
+    EXPECT_SAYS(turbulence_fields(viscous)[2].text, "nutUSpaldingWallFunction");
+    EXPECT_SAYS(control_dict(viscous), "wallShearStress");
+
+    set_effect(scene, "turbulence", false);
+    EXPECT_SAYS(turbulence_file(plan_case(scene, v1912)), "simulationType laminar;");
+    EXPECT_SAYS(velocity_field(plan_case(scene, v1912)), "hull { type noSlip; }");
+}
+
+TEST(CaseFiles, TheOutletsSpeedStandsUnderBothOfItsNames) {
+    const Scene scene = planing_scene();
+    const std::string u = velocity_field(plan_case(scene, v1912));
+    EXPECT_SAYS(u, "Umean 8; UnMean 8;");
+    EXPECT_SAYS(u, "tangentialVelocity uniform (8 0 0);");
+}
+
+TEST(CaseFiles, AFlatTankIsOneCellThickAndEmptySided) {
+    const Scene scene = dam_break_scene();
+    const CasePlan plan = plan_case(scene, v1912);
+    EXPECT_FALSE(plan.snappy);
+    const std::string mesh = block_mesh_dict(plan);
+    EXPECT_SAYS(mesh, "front { type empty;");
+    EXPECT_SAYS(mesh, "back { type empty;");
+    EXPECT_SAYS(mesh, "left { type symmetryPlane;");
+    EXPECT_SAYS(mesh, "(10 1 20) simpleGrading");   // the column's own block
+    EXPECT_SAYS(set_fields_dict(plan), "volScalarFieldValue alpha.water 1");
+    EXPECT_SILENT(set_fields_dict(plan), "boxToFace");
+    // Blocks reach beyond the domain's sides, so that rounding leaves no cell out.
+    EXPECT_SAYS(set_fields_dict(plan), "box (-0.584 -0.01 -0.4) (0.146 0.02 0.292);");
+}
+
+TEST(CaseFiles, BlockFacesCoverEverySideOnce) {
+    const Scene scene = dam_break_scene();
+    const CasePlan plan = plan_case(scene, v1912);
+    std::size_t faces = 0, expected = 0;
+    const std::string mesh = block_mesh_dict(plan);
+    const std::string boundary = mesh.substr(mesh.find("boundary"));
+    for (std::size_t at = boundary.find("faces"); at != std::string::npos; at = boundary.find("faces", at + 1)) {
+        const std::string list = boundary.substr(at, boundary.find(';', at) - at);
+        faces += static_cast<std::size_t>(std::count(list.begin(), list.end(), '(')) - 1;
+    }
+    for (std::size_t a = 0; a < 3; ++a) expected += 2 * plan.axes[(a + 1) % 3].cells.size() * plan.axes[(a + 2) % 3].cells.size();
+    EXPECT_EQ(faces, expected);
+}
+
+TEST(CaseFiles, SurfaceTensionIsThereOnlyWhenTheEffectIsOn) {
+    Scene scene = dam_break_scene();
+    EXPECT_SAYS(phase_files(plan_case(scene, v1912))[0].text, "sigma 0;");
+    set_effect(scene, "surface_tension", true);
+    EXPECT_SAYS(phase_files(plan_case(scene, v1912))[0].text, "sigma 0.072;");
+}
+
+TEST(CaseFiles, NamesFromTheSceneStayNames) {
+    Scene scene = planing_scene();
+    scene.title = "evil\n$(touch x) \"; } #calc <script>";
+    scene.refinement[0].name = "wake; } #calc \"1\"";
+    scene.refinement[1].name = "hull";   // taken by the hull itself
+    Surface box = make_hull("box", {{"length", 0.2}, {"beam", 0.2}, {"height", 0.2}});
+    for (Vec3& p : box.points) p += Vec3(3, 1.5, -1);
+    scene.obstacles = {{"inlet", box}, {"$(rm -rf /); }", box}};
+    scene.sampling.pressure = {{"#calc \"system(x)\"", Vec3(3, 1, -1)}};
+    const CasePlan plan = plan_case(scene, v1912);
+    for (const CaseFile& f : case_files(plan, 2)) {
+        if (f.path == "README" || f.path == "Allrun") continue;
+        for (const char* word : {"#", "$", "touch", "calc ", "script", "rm -rf", "system(", "`", "\\"})
+            EXPECT_EQ(f.text.find(word), std::string::npos) << f.path << " holds " << word;
+        EXPECT_EQ(std::count(f.text.begin(), f.text.end(), '{'), std::count(f.text.begin(), f.text.end(), '}')) << f.path;
+    }
+    // The script of the case knows nothing of the scene's texts; the read-me shows the title on one line.
+    EXPECT_EQ(allrun_script(plan, 2).find("touch"), std::string::npos);
+    EXPECT_EQ(case_readme(plan).find("evil $(touch x)"), 0u);
+    EXPECT_EQ(plan.solids[1].name, "inlet_") << "a patch of that name is there already";
+    EXPECT_EQ(plan.boxes[1].name, "hull_");
+}
+
+TEST(CaseFiles, TheSameSceneGivesTheSameBytes) {
+    const Scene a = planing_scene(), b = planing_scene();
+    const auto files_a = case_files(plan_case(a, v1912), 2), files_b = case_files(plan_case(b, v1912), 2);
+    ASSERT_EQ(files_a.size(), files_b.size());
+    for (std::size_t i = 0; i < files_a.size(); ++i) EXPECT_EQ(files_a[i].text, files_b[i].text) << files_a[i].path;
+}
+
+TEST(CaseFiles, RanksAreAProductAndNeverCutTheWaterFromTheAir) {
+    const Scene scene = planing_scene();
+    const CasePlan plan = plan_case(scene, v1912);
+    for (const auto& [ranks, n] : {std::pair{2, "(2 1 1)"}, {4, "(2 2 1)"}, {6, "(3 2 1)"}, {7, "(7 1 1)"}, {16, "(4 4 1)"}})
+        EXPECT_SAYS(decompose_par_dict(plan, ranks), std::string("n ") + n);
+}
+
+TEST(Flavour, OpenFoamOrgGetsItsOwnKeywords) {
+    const Scene scene = planing_scene();
+    const CasePlan com = plan_case(scene, Flavour::from_version("openfoam.com", "v2312"));
+    const CasePlan org10 = plan_case(scene, Flavour::from_version("openfoam.org", "10"));
+    const CasePlan org11 = plan_case(scene, Flavour::from_version("openfoam.org", "11"));
+    EXPECT_EQ(com.flavour.number, 2312);
+    EXPECT_SAYS(fv_schemes(com), "div(phirb,alpha) Gauss linear;");
+    EXPECT_SAYS(fv_schemes(org10), "Gauss interfaceCompression vanLeer 2;");
+    EXPECT_SILENT(fv_solution(org10), "cAlpha");
+    EXPECT_SAYS(fv_solution(com), "cAlpha 2;");
+    EXPECT_EQ(com.flavour.solver_program(), "interFoam");
+    EXPECT_EQ(org11.flavour.solver_program(), "foamRun");
+    EXPECT_EQ(phase_files(org10).size(), 3u);
+    EXPECT_EQ(phase_files(com).size(), 1u);
+    EXPECT_EQ(surface_features_dict(org10).find("surfaceFeaturesDict") != std::string::npos, true);
+    EXPECT_SAYS(control_dict(org10), "\"libforces.so\"");
+    EXPECT_SAYS(control_dict(org11), "solver incompressibleVoF;");
+}
+
+TEST(CasePlan, RefusesASceneWithoutSizes) {
+    Scene scene = dam_break_scene();
+    scene.resolution.near_hull = 0;
+    EXPECT_THROW(plan_case(scene, v1912), InputError);
+}
+
+}  // namespace
+}  // namespace tw

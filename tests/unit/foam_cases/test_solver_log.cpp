@@ -1,0 +1,121 @@
+// What the solver's log says, and when the watchdog barks.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "foam_cases/run/solver_log.h"
+#include "foam_cases/run/watchdog.h"
+
+namespace tw {
+namespace {
+
+const char* const header =
+    "Date   : Nov 21 2026\n"
+    "Time   : 12:32:22\n"
+    "Create time\n\nCourant Number mean: 0 max: 0\n";
+
+std::string step(double time, double dt, double courant = 1.5, double water = 0.4) {
+    const auto n = [](double v) { return std::to_string(v); };
+    char dt_text[32];
+    std::snprintf(dt_text, sizeof dt_text, "%.3g", dt);
+    return "Courant Number mean: 0.01 max: " + n(courant) + "\nInterface Courant Number mean: 0.001 max: " + n(courant / 2) + "\ndeltaT = " +
+           dt_text + "\nTime = " + n(time) + "\n\nPIMPLE: iteration 1\nPhase-1 volume fraction = " + n(water) +
+           "  Min(alpha.water) = -1e-7  Max(alpha.water) = 1.00001\nExecutionTime = 1.5 s  ClockTime = 2 s\n\n";
+}
+
+TEST(SolverLog, ReadsStepsWhateverThePiecesItIsFed) {
+    const std::string text = header + step(0.1, 0.1) + step(0.25, 0.15, 2.5, 0.41) + "End\n";
+    for (const std::size_t piece : {std::size_t{1}, std::size_t{7}, text.size()}) {
+        SolverLog log;
+        for (std::size_t at = 0; at < text.size(); at += piece) log.feed(std::string_view(text).substr(at, piece));
+        ASSERT_EQ(log.steps().size(), 2u);
+        EXPECT_DOUBLE_EQ(log.steps()[1].time, 0.25);
+        EXPECT_DOUBLE_EQ(log.steps()[1].step, 0.15);
+        EXPECT_DOUBLE_EQ(log.steps()[1].courant, 2.5);
+        EXPECT_DOUBLE_EQ(log.steps()[1].alpha_courant, 1.25);
+        EXPECT_DOUBLE_EQ(log.steps()[1].water, 0.41);
+        EXPECT_DOUBLE_EQ(log.steps()[1].cpu, 1.5);
+        EXPECT_TRUE(log.ended());
+        EXPECT_TRUE(log.fatal().empty());
+    }
+}
+
+TEST(SolverLog, AfterARestartTheLaterStartWins) {
+    SolverLog log;
+    log.feed(header + step(0.1, 0.1) + step(0.2, 0.1) + step(0.3, 0.1));   // killed here
+    log.feed(header + step(0.15, 0.05) + step(0.2, 0.05));
+    ASSERT_EQ(log.steps().size(), 3u);
+    EXPECT_DOUBLE_EQ(log.steps()[1].time, 0.15);
+    EXPECT_FALSE(log.ended());
+    EXPECT_DOUBLE_EQ(log.at(0.17)->time, 0.15);
+    EXPECT_DOUBLE_EQ(log.at(0.2)->time, 0.2);
+    EXPECT_EQ(log.at(0.05), nullptr);
+}
+
+TEST(SolverLog, KeepsOpenFoamsOwnErrorMessage) {
+    SolverLog log;
+    log.feed(header + step(0.1, 0.1) +
+             "\n\n--> FOAM FATAL IO ERROR: \ncannot find file\n\nfile: /x/0.12/p_rgh at line 0.\n\n"
+             "    From function regIOobject::readStream\n    in file regIOobjectRead.C at line 88.\n\nFOAM exiting\n\nlater noise\n");
+    EXPECT_NE(log.fatal().find("cannot find file"), std::string::npos);
+    EXPECT_NE(log.fatal().find("0.12/p_rgh"), std::string::npos);
+    EXPECT_EQ(log.fatal().find("later noise"), std::string::npos);
+}
+
+TEST(SolverLog, ReadsOpenFoamOrgsTimesWithTheirUnit) {
+    SolverLog log;
+    log.feed("deltaT = 0.01\nTime = 0.05s\n");
+    ASSERT_EQ(log.steps().size(), 1u);
+    EXPECT_DOUBLE_EQ(log.steps()[0].time, 0.05);
+}
+
+std::string many_steps(int count, double dt, double from = 0) {
+    std::string text;
+    for (int i = 1; i <= count; ++i) text += step(from + i * 1e-3, dt);
+    return text;
+}
+
+TEST(Watchdog, IsSilentInAHealthyRun) {
+    SolverLog log;
+    EXPECT_FALSE(trouble(log, 12.0, Limits{}));
+    log.feed(many_steps(500, 1e-3));
+    EXPECT_FALSE(trouble(log, 12.0, {.speed = 100}));
+    EXPECT_FALSE(trouble(log, std::nan(""), {.speed = 100})) << "not known yet is not too fast";
+}
+
+TEST(Watchdog, BarksAtACollapsedTimeStep) {
+    SolverLog log;
+    log.feed(many_steps(10, 1e-3) + step(0.011, 5e-9));
+    const auto wrong = trouble(log, 1, Limits{});
+    ASSERT_TRUE(wrong);
+    EXPECT_NE(wrong->find("time step collapsed to 5e-09"), std::string::npos) << *wrong;
+}
+
+TEST(Watchdog, BarksAtAStepThatStaysFarBelowTheUsualOne) {
+    SolverLog log;
+    log.feed(many_steps(400, 1e-3) + many_steps(99, 5e-7, 0.4));
+    EXPECT_FALSE(trouble(log, 1, Limits{})) << "short dips are allowed";
+    log.feed(step(0.6, 5e-7) + step(0.601, 5e-7));
+    EXPECT_TRUE(trouble(log, 1, Limits{}));
+}
+
+TEST(Watchdog, BarksAtVelocitiesBeyondReasonAndWaterThatIsNoNumber) {
+    SolverLog log;
+    log.feed(many_steps(10, 1e-3));
+    EXPECT_TRUE(trouble(log, 101, {.speed = 100}));
+    EXPECT_TRUE(trouble(log, std::numeric_limits<double>::infinity(), {.speed = 100}));
+    log.feed("deltaT = 1e-3\nTime = 0.02\nPhase-1 volume fraction = nan  Min\nExecutionTime = 2 s  ClockTime = 2 s\n");
+    EXPECT_TRUE(trouble(log, 1, {.speed = 100}));
+}
+
+TEST(Watchdog, SeesAFullDisk) {
+    EXPECT_FALSE(disk_trouble("/tmp", 1));
+    const auto wrong = disk_trouble("/tmp", 1e30);
+    ASSERT_TRUE(wrong);
+    EXPECT_NE(wrong->find("disk is full"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tw
