@@ -53,7 +53,7 @@ std::string summary_text(const Comparison& comparison) {
     std::string notes;
     for (const Quantity& q : comparison.quantities) {
         if (!q.judged) continue;
-        std::vector<std::string> row{plain(q.label), q.unit};
+        std::vector<std::string> row{plain(q.label), plain(q.unit)};
         for (const MeanValue& m : q.values) row.push_back(mean_text(m));
         if (pair) row.insert(row.end(), {signed_text(q.difference, q.interval), per_cent_text(q.per_cent), verdict_label(q.verdict)});
         rows.push_back(std::move(row));
@@ -79,7 +79,7 @@ std::string summary_text(const Comparison& comparison) {
         out += fmt::format("{}: {:.4g} elements, {:.4g} steps, {:.3g} s wall, {:.3g} s cpu, {:.3g} MB\n", plain(comparison.names[i]), r.elements, r.steps, wall,
                            cpu, r.peak_memory / 1e6);
     }
-    out += "\n" + verdict_sentence(comparison) + "\n";
+    out += "\n" + plain(verdict_sentence(comparison)) + "\n";
     return out;
 }
 

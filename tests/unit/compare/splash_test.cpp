@@ -66,9 +66,12 @@ TEST(Splash, ADropIsNoSheetHoweverHigh) {
 }
 
 TEST(Splash, DiagonalNeighboursHangTogether) {
-    Channel c;
-    for (int k = 0; k < 5; ++k) c.fill({1 + k * edge, 1 + k * edge, k * edge}, {1 + (k + 1) * edge - 1e-9, 1 + (k + 1) * edge - 1e-9, (k + 1) * edge - 1e-9});
-    EXPECT_NEAR(at(splash_series(c.record(), 0), "sheet_height"), 0.5, 1e-5);
+    for (const double dx : {-edge, edge})
+        for (const double dy : {-edge, edge}) {   // a staircase of voxels that touch at corners only, in all four directions
+            Channel c;
+            for (int k = 0; k < 5; ++k) c.raster.pour({2.05 + k * dx, 1.05 + k * dy, (k + 0.5) * edge}, edge, edge * edge * edge);
+            EXPECT_NEAR(at(splash_series(c.record(), 0), "sheet_height"), 0.5, 1e-5) << dx << " " << dy;
+        }
 }
 
 TEST(Splash, HalfModelsReportTheWholeHullsVolume) {
