@@ -9,6 +9,7 @@
 #include "compare/gates.h"
 #include "compare/metrics/forces.h"
 #include "compare/metrics/splash_quantities.h"
+#include "compare/read/prepare.h"
 #include "compare/read/record_numbers.h"
 #include "compare/reference/prismatic_hull.h"
 
@@ -64,8 +65,10 @@ void add_state_banners(Comparison& comparison) {
 }
 
 void add_savitsky(Comparison& comparison) {
-    if (comparison.sources.empty()) return;
-    const auto hull = prismatic_hull(comparison.sources.front());
+    // A method may keep the hull as its mesh sees it, with edges cut: the first surface that is a clean prism is taken.
+    std::optional<PrismaticHull> hull;
+    for (const RunRecord& record : comparison.sources)
+        if (!hull) hull = prismatic_hull(record);
     if (!hull) return;
     const Savitsky s = savitsky_at_draft(hull->state, hull->draft);
     const std::string range = s.in_range ? "empirical, about +-10 %" : "outside the formula's range: a hint at most";
@@ -95,6 +98,12 @@ Comparison compare_records(std::vector<RunRecord> sources, const CompareOptions&
     check_same(comparison, "scene_hash", "scene", options.force);
     check_same(comparison, "hull_hash", "hull", options.force);
     add_state_banners(comparison);
+    const Vec3 reference = moment_reference_of(comparison.sources.front());
+    for (RunRecord& record : comparison.sources) {
+        crop_to_domain(record);
+        complete_half_hull(record);
+        refer_moments_to(record, reference);
+    }
     for (std::size_t i = 0; i < comparison.sources.size(); ++i) {
         const double factor = number_of_text(comparison.sources[i], "symmetry_factor", 1);
         if (factor > 1 && i == 0)

@@ -144,8 +144,8 @@ void add_forces(Comparison& comparison, const CompareOptions& options) {
     for (const Force& f : {Force{"lift", "Lift", "N", "fz", "fz_pressure", "mean vertical force of the water on the whole hull"},
                            Force{"drag", "Drag", "N", "fx", "fx_pressure", "mean force of the water on the whole hull along the stream"},
                            Force{"trim_moment", "Trim moment", "N m", "my", nullptr,
-                                 "mean moment of the water about the hull's middle at still water, bow up positive; its target is taken of at least "
-                                 "a tenth of lift times length"}}) {
+                                 "mean moment of the water about one point for all sources (moment_reference), bow up positive; its target is "
+                                 "taken of at least a tenth of lift times length"}}) {
         double length = 0;
         for (const RunRecord& r : sources) length = std::max(length, number_of(r, "length", 0));
         const bool moment = !f.pressure;

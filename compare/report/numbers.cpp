@@ -42,7 +42,8 @@ std::string signed_text(double value, double half_width) {
 
 std::string per_cent_text(double per_cent) {
     if (!std::isfinite(per_cent)) return "–";
-    return fmt::format("{}{:.{}f} %", per_cent < 0 ? "−" : "+", std::abs(per_cent), std::abs(per_cent) < 10 ? 1 : 0);
+    const char* sign = std::abs(per_cent) < 0.05 ? "" : per_cent < 0 ? "−" : "+";
+    return fmt::format("{}{:.{}f} %", sign, std::abs(per_cent), std::abs(per_cent) < 10 ? 1 : 0);
 }
 
 std::string verdict_label(Verdict verdict) { return verdict == Verdict::not_comparable ? "not comparable" : to_string(verdict); }

@@ -82,7 +82,7 @@ void judge(Quantity& q, const std::vector<std::string>& names, double target, do
         add_remark(q, fmt::format("intervals too wide for a target of {:g} %; widest: {}", 100 * target, who));
     }
     for (const std::size_t i : {a, b})
-        if (q.values[i].unreliable) add_remark(q, names[i] + ": two estimates of its interval differ by more than 1.5; the wider is used");
+        if (q.values[i].unreliable && q.values[i].limited_by.empty()) add_remark(q, names[i] + ": two estimates of its interval differ by more than 1.5; the wider is used");
 }
 
 void beside(Quantity& q) {

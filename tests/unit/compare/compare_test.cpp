@@ -141,6 +141,53 @@ TEST(Compare, LostParticlesFailTheirGate) {
     EXPECT_TRUE(failed);
 }
 
+TEST(Compare, MomentsAreTakenAboutOnePoint) {
+    RunRecord a = synthetic_run(sph), b = a;
+    a.attributes["moment_reference"] = "0 0 0";
+    b.attributes["moment_reference"] = "0.5 0 0.2";
+    auto& my = b.table("forces").column("my", "N m").values;
+    for (std::size_t i = 0; i < my.size(); ++i)   // the same force, its moment taken about the other point
+        my[i] += -0.2 * b.series("forces", "fx")->values[i] + 0.5 * b.series("forces", "fz")->values[i];
+    const Comparison c = compare_records({a, b});
+    EXPECT_NEAR(c.find("trim_moment")->difference, 0, 1e-6);
+    EXPECT_NEAR(c.find("trim_moment")->values[0].value, 900, 20);
+}
+
+TEST(Compare, RasterColumnsHalfOutsideTheDomainAreLeftOut) {
+    RunRecord a = synthetic_run({}), b = a;
+    for (RunRecord* r : {&a, &b}) r->numbers["domain_x_max"] = r->raster.origin.x() + (r->raster.count[0] - 0.5) * r->raster.spacing;
+    for (RasterFrame& f : b.frames)   // as a mesh that ends with the domain leaves it: half the water of the last column
+        for (std::size_t v = static_cast<std::size_t>(b.raster.count[0]) - 1; v < f.water.size(); v += static_cast<std::size_t>(b.raster.count[0])) f.water[v] /= 2;
+    const Comparison c = compare_records({a, b});
+    EXPECT_EQ(c.sources[1].raster.count[0], a.raster.count[0] - 1);
+    for (const Quantity& q : c.quantities)
+        if (q.judged) EXPECT_EQ(q.difference, 0) << q.name;
+}
+
+TEST(Compare, AHullStoredAsOneHalfIsCompleted) {
+    RunRecord half = synthetic_run(sph);
+    Surface side;
+    side.points = half.hull.points;
+    std::vector<float> pressure, wet;
+    for (std::size_t t = 0; t < half.hull.triangles.size(); ++t) {
+        double lowest = 1;
+        for (int k = 0; k < 3; ++k) lowest = std::min(lowest, half.hull.corner(static_cast<int>(t), k).y());
+        if (lowest < -1e-9) continue;
+        side.triangles.push_back(half.hull.triangles[t]);
+        pressure.push_back(half.hull_pressure[t]);
+        wet.push_back(half.hull_wet[t]);
+    }
+    for (Vec3& p : side.points) p.y() = std::max(p.y(), 0.0);   // points of the other side are no longer used
+    half.hull = side;
+    half.hull_pressure = pressure;
+    half.hull_wet = wet;
+    const Comparison c = compare_records({half});
+    EXPECT_EQ(c.sources[0].hull.triangles.size(), 2 * side.triangles.size());
+    EXPECT_EQ(c.sources[0].hull_pressure.size(), 2 * side.triangles.size());
+    ASSERT_FALSE(c.references.empty());
+    EXPECT_NEAR(c.references[0].value, 2334, 2);   // the whole beam
+}
+
 TEST(Compare, TwoRunsOfOneMethodAreToldApart) {
     EXPECT_EQ(compare_records({synthetic_run(sph), synthetic_run(sph)}).names, (std::vector<std::string>{"sph", "sph 2"}));
     const Comparison same = compare_records({synthetic_run(sph), synthetic_run(sph)});
