@@ -286,6 +286,7 @@ void Solver::evaluate() {
     d.gx = static_cast<float>(s.gravity.x() + stream_acceleration);
     d.gy = static_cast<float>(s.gravity.y());
     d.gz = static_cast<float>(s.gravity.z());
+    d.inv_void = static_cast<float>(1 / (1 - s.surface_support));
     d.two_dimensional = s.dimensions == 2;
     {
         const Stopwatch watch(timers_.gradient);
@@ -297,9 +298,9 @@ void Solver::evaluate() {
         for (std::size_t i = 0; i < particles_.size(); ++i) {
             float& drho = particles_.drho[i];
             if (particles_.kind[i] == Kind::fluid) drho += static_cast<float>(dt_ * rate_[i].drho);
-            surface_[i] = shift_[i].support < s.surface_below ? 1.0f : 0.0f;
+            surface_[i] = shift_[i].support < s.surface_support ? 1.0f : 0.0f;
             // the free surface bears no tension (its density is not let below rho0)
-            if (particles_.kind[i] == Kind::fluid && shift_[i].support < s.tension_free_below && drho < 0) drho = 0;
+            if (particles_.kind[i] == Kind::fluid && surface_[i] > 0 && drho < 0) drho = 0;
             motion_[i].drho = drho;
             stress_[i].p = s.state_equation.pressure(s.rho0, drho);
         }
@@ -374,12 +375,14 @@ void Solver::integrate() {
                     p.v[i] = static_cast<float>(v0 + dt * r.ay);
                     p.w[i] = static_cast<float>(w0 + dt * r.az);
                     p.drho[i] = static_cast<float>(p.drho[i] + dt * r.drho);
-                    if (s.shifting > 0 && surface_[i] == 0) {
+                    if (s.shifting > 0 && shift_[i].support > s.shifting_support) {
                         shift = shift_scale * Vec3(shift_[i].x, shift_[i].y, shift_[i].z);
                         const NearSurfaceRecord& near = near_surface_[i];
-                        if (near.weight > 0 && s.shift_mode < 2) {
+                        const bool wall_near = !normal_.empty() && normal_[i].distance < 2 * h_;
+                        if (near.weight > 0 && !wall_near) {
+                            // along the surface only: towards it, shifting would pump water up for ever
                             const Vec3 normal = Vec3(near.x, near.y, near.z).normalized();
-                            shift -= (s.shift_mode == 1 ? std::max(0.0, shift.dot(normal)) : shift.dot(normal)) * normal;
+                            shift -= shift.dot(normal) * normal;
                         }
                         const double length = shift.norm();
                         if (length > shift_cap) shift *= shift_cap / length;

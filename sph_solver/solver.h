@@ -31,9 +31,12 @@ struct SolverSetup {
     double alpha = 0.01;       ///< artificial viscosity
     double cfl = 0.45;
     double shifting = 1;
-    /// Where the kernel support (walls counted) is below this, the water bears no tension.
-    double tension_free_below = 0.9;
-    double surface_below = 0.8; int shift_mode = 0;
+    /// Kernel support sum_j V_j W_ij (walls and images counted; 1 in the interior, about 0.75 at a flat free surface) below
+    /// which a particle counts as free surface: it bears no tension, and a wall that comes nearer does not compress it; between
+    /// this and 1 the wall's compression sets in.
+    double surface_support = 0.9;
+    /// Shifting acts from this support on; near the free surface only along it, unless a wall is near.
+    double shifting_support = 0.95;
     /// Particles move freely inside; mirror planes lie on its faces.
     Box domain;
     Mirrors mirrors;

@@ -100,7 +100,7 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
             u.z[l] = r.w;
             drho_i[l] = r.drho;
         }
-        F m[6] = {}, divergence{};
+        F m[6] = {}, divergence{}, wall_divergence{};
         V3<F> b{F{}, F{}, F{}}, s{F{}, F{}, F{}};
         F support{};
 
@@ -150,8 +150,16 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
             s.x += fs * r.x;
             s.y += fs * r.y;
             s.z += fs * r.z;
-            Continuity::add(Pair<F>{r, k.r2, FV}, u_iw, divergence);
+            Continuity::add(Pair<F>{r, k.r2, FV}, u_iw, wall_divergence);
         });
+        if (g.wall_size > 0) {
+            // A wall compresses only the water that it touches: while the support is incomplete there is a void between them,
+            // and the void closes first. Receding walls pull at once.
+            const F void_share = simd::positive_part(1.0f - support) * d.inv_void;
+            const F touch = simd::positive_part(1.0f - void_share);
+            const F compression = simd::positive_part(wall_divergence);
+            divergence += wall_divergence + compression * (touch - 1.0f);
+        }
         if (d.two_dimensional) m[3] += 1.0f;
         const V3<F> grad = solve_symmetric(m, b);
         for (int l = 0; l < g.size; ++l) {

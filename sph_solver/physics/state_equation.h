@@ -4,7 +4,7 @@
 namespace tw {
 
 /// Pressure from density. Linear: p = c0^2 (rho - rho0). Tait: p = c0^2 rho0 / gamma ((rho / rho0)^gamma - 1)
-/// (Monaghan 1994). Negative pressures are allowed; see `tension_free_below` of the setup for the free surface.
+/// (Monaghan 1994). Negative pressures are allowed; see `surface_support` of SolverSetup for the free surface.
 struct StateEquation {
     enum class Form { linear, tait } form = Form::linear;
     double c0 = 0;      ///< [m/s]
