@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "app/commands.h"
+#include "app/quiet_waits.h"
 #include "base/errors.h"
 #include "record/code_version.h"
 #include "scene/section.h"
@@ -150,6 +151,7 @@ int dispatch(int argc, char** argv) {
 }  // namespace tw::app
 
 int main(int argc, char** argv) {
+    tw::app::wait_without_spinning(argv);
     try {
         return tw::app::dispatch(argc, argv);
     } catch (const tw::InputError& e) {

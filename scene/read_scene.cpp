@@ -318,8 +318,6 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     scene.water.depth = water_height(scene);
     if (scene.motion.ramp < 0) scene.motion.ramp = default_ramp(scene);
     fill_times(scene);
-    if (scene.sampling.mean_from >= scene.run.duration && s.sampling.has("mean_from"))
-        s.sampling.fail("mean_from", fmt::format("the run ends at {:.6g} s, before means begin; expected less", scene.run.duration));
     if (scene.sph.c0 == 0) scene.sph.c0 = default_sound_speed(scene);
     scene.refinement = default_refinement(scene);
     const double voxel = scene.domain.dimensions == 2 ? scene.resolution.near_hull : 2 * scene.resolution.near_hull;
