@@ -88,12 +88,16 @@ void plan_probes(CasePlan& plan) {
     for (const Solid& s : plan.solids) solids.emplace_back(*s.surface);
     for (const PressureProbe& probe : scene.sampling.pressure) plan.pressure_places.push_back(into_fluid(plan, solids, probe.place));
     const Box& b = scene.domain.box;
-    const int points = std::max(1, static_cast<int>(std::lround(b.size().z() / plan.finest_cell)));
-    plan.column_step = b.size().z() / points;
+    const int split = std::max(1, static_cast<int>(std::lround(plan.background_cell / plan.finest_cell)));
     for (const HeightProbe& probe : scene.sampling.height) {
-        std::vector<Vec3> column;
+        std::vector<CasePlan::ColumnPoint> column;
         const Vec3 foot = into_fluid(plan, {}, {probe.x, probe.y, b.min.z()});
-        for (int k = 0; k < points; ++k) column.emplace_back(foot.x(), foot.y(), b.min.z() + (k + 0.5) * plan.column_step);
+        const AxisCells& z = plan.axes[2];
+        for (std::size_t block = 0; block < z.cells.size(); ++block) {
+            const int points = z.cells[block] * split;
+            const double step = (z.planes[block + 1] - z.planes[block]) / points;
+            for (int k = 0; k < points; ++k) column.push_back({Vec3(foot.x(), foot.y(), z.planes[block] + (k + 0.5) * step), step});
+        }
         plan.height_columns.push_back(column);
     }
 }

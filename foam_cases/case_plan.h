@@ -62,8 +62,11 @@ struct CasePlan {
 
     // probes
     std::vector<Vec3> pressure_places;               ///< [m], moved into the flow by 5 % of a cell where a wall is near
-    std::vector<std::vector<Vec3>> height_columns;   ///< one column of points per height probe, finest_cell apart
-    double column_step = 0;                          ///< [m]
+    struct ColumnPoint {
+        Vec3 place;
+        double height;                               ///< share of the column that it stands for [m]
+    };
+    std::vector<std::vector<ColumnPoint>> height_columns;   ///< per height probe: the middles of the cells of a column, floor to top
 };
 
 /// Throws InputError when the scene cannot become an OpenFOAM case (no point of the domain is outside all solids, sizes

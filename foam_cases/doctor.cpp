@@ -133,7 +133,10 @@ std::vector<OpenFoam> find_openfoam(const std::string& preferred) {
                 mended.solver = folder / "interFoam";
                 all.push_back(mended);
             }
-    all.insert(all.end(), installed.begin(), installed.end());
+    for (const OpenFoam& f : installed) {   // unless a folder above already led to the same program
+        std::error_code none;
+        if (std::none_of(all.begin(), all.end(), [&](const OpenFoam& known) { return fs::equivalent(known.solver, f.solver, none); })) all.push_back(f);
+    }
     std::erase_if(all, [&](const OpenFoam& f) { return !belongs_to(f, preferred); });
     for (OpenFoam& candidate : all) self_test(candidate);
     return all;

@@ -78,7 +78,8 @@ Dictionary functions(const CasePlan& plan) {
     if (plan.snapshot_every > 0) f.add("freeSurface", free_surface(plan));
     if (!plan.pressure_places.empty()) f.add("pressureProbes", probes(plan, "p", plan.pressure_places, "cellPoint"));
     std::vector<Vec3> columns;
-    for (const auto& column : plan.height_columns) columns.insert(columns.end(), column.begin(), column.end());
+    for (const auto& column : plan.height_columns)
+        for (const auto& point : column) columns.push_back(point.place);
     if (!columns.empty()) f.add("heightColumns", probes(plan, "alpha.water", columns, "cell"));
     // A file of this name in the case folder ends the run after writing its state.
     f.add("stop", Dictionary{{"type", Word(plan.flavour.stop_file_object())},

@@ -1,5 +1,7 @@
 #include "foam_cases/read/frame_reader.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -120,8 +122,17 @@ void FrameReader::read_hull(const TimeFolders::Moment& moment, RunRecord& record
         for (Column& c : samples.columns) c.values.resize(samples.time.size(), std::nan(""));
         return;
     }
-    const WaterLoad load = water_load(*patch, scene.water.density, scene.water.air_density, moment_reference(scene));
     const double factor = scene.symmetry_factor();
+    if (record.numbers.count("hull_mesh_error") == 0) {   // once: corners near and below still water
+        const Vec3 low = scene.hull->surface.bounds().min;
+        const double edge = plan_.finest_cell;
+        const double error = mesh_error(*patch, scene.hull->surface, factor > 1 ? -1e-6 * edge : low.y(), std::max(0.0, 0.3 * std::abs(low.z())));
+        record.numbers["hull_mesh_error"] = error;
+        if (error > 0.5 * edge)
+            record.attributes["mesh_warning"] = fmt::format("an edge or corner of the hull's wet part is missed by {:.3g} m, {:.2g} of the finest cell: "
+                                                            "the force may be off by much; use a smaller near_hull", error, error / edge);
+    }
+    const WaterLoad load = water_load(*patch, scene.water.density, scene.water.air_density, moment_reference(scene));
     // The two halves' side forces cancel.
     const Vec3 whole(factor, factor > 1 ? 0 : 1, factor);
     const Vec3 pressing = load.pressure.cwiseProduct(whole), rubbing = load.viscous.cwiseProduct(whole);

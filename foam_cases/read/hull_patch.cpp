@@ -14,6 +14,8 @@
 #include <cmath>
 #include <limits>
 
+#include "meshes/query.h"
+
 namespace tw {
 namespace fs = std::filesystem;
 
@@ -85,6 +87,14 @@ std::optional<HullPatch> read_hull_patch(const fs::path& folder) {
         patch.faces.push_back(face);
     }
     return patch;
+}
+
+double mesh_error(const HullPatch& patch, const Surface& hull, double y_min, double z_max) {
+    const SurfaceQuery query(patch.surface);
+    double error = 0;
+    for (const Vec3& p : hull.points)
+        if (p.y() >= y_min && p.z() <= z_max) error = std::max(error, std::abs(query.nearest(p).distance));
+    return error;
 }
 
 WaterLoad water_load(const HullPatch& patch, double density, double density_air, const Vec3& reference) {

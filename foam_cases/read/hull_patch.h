@@ -25,6 +25,10 @@ struct HullPatch {
 /// Reads hull.vtp (openfoam.com) or hull.vtk (openfoam.org) below `folder`; nothing when neither is there or whole.
 std::optional<HullPatch> read_hull_patch(const std::filesystem::path& folder);
 
+/// How well the mesh shows the hull: the largest distance from a corner of its surface that lies at y >= `y_min` and below `z_max` to
+/// the patch [m]. A keel or transom edge that snapping has cut off shows here, and in the force.
+double mesh_error(const HullPatch& patch, const Surface& hull, double y_min, double z_max);
+
 /// What the water does to the solved part of the hull (a half model's other half is not added here).
 struct WaterLoad {
     Vec3 pressure = Vec3::Zero();          ///< force by pressure on wet faces (water fraction > 0.05) [N]

@@ -109,8 +109,8 @@ void read_heights(const CasePlan& plan, const fs::path& post, RunRecord& record)
         std::size_t at = 1;
         for (std::size_t i = 0; i < probes.size(); ++i) {
             double level = plan.scene->domain.box.min.z();
-            for (std::size_t k = 0; k < plan.height_columns[i].size(); ++k, ++at)
-                if (const double alpha = found(row[at]); std::isfinite(alpha)) level += std::clamp(alpha, 0.0, 1.0) * plan.column_step;
+            for (const auto& point : plan.height_columns[i])
+                if (const double alpha = found(row[at++]); std::isfinite(alpha)) level += std::clamp(alpha, 0.0, 1.0) * point.height;
             t.columns[i].values.push_back(level);
         }
     }

@@ -129,6 +129,15 @@ TEST_F(ReadTest, FrictionIsCorrectedForAirUnderTheHull) {
     EXPECT_NEAR(load.ventilation, 0.2, 1e-9);
 }
 
+TEST_F(ReadTest, AnEdgeThatTheMeshHasCutOffShows) {
+    const HullPatch patch = box_in_water(folder, -0.1);
+    Surface box = patch.surface;
+    EXPECT_LT(mesh_error(patch, box, -1, 0), 1e-7);
+    box.points.push_back(Vec3(1, 0, -0.35));   // the true keel: 0.05 m below the mesh's bottom
+    EXPECT_NEAR(mesh_error(patch, box, -1, 0), 0.05, 1e-6);
+    EXPECT_LT(mesh_error(patch, box, 0.1, 0), 1e-7) << "not in the solved half";
+}
+
 TEST_F(ReadTest, AMissingOrBrokenSurfaceIsNoSurface) {
     EXPECT_FALSE(read_hull_patch(folder));
     std::ofstream(folder / "hull.vtp") << "<VTKFile type=\"PolyData\"";

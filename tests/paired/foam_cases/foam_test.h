@@ -1,0 +1,95 @@
+#pragma once
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "foam_cases/doctor.h"
+#include "foam_cases/run_fvm.h"
+
+namespace tw {
+
+/// Puts the environment that a test has changed back.
+class EnvironmentGuard {
+public:
+    ~EnvironmentGuard() {
+        for (const auto& [name, value] : saved_) value ? ::setenv(name.c_str(), value->c_str(), 1) : ::unsetenv(name.c_str());
+    }
+
+private:
+    static std::map<std::string, std::optional<std::string>> now() {
+        std::map<std::string, std::optional<std::string>> values;
+        for (const char* name : {"PATH", "HOME", "WM_PROJECT_DIR", "TWINWAKE_OPENFOAM_BIN", "TWINWAKE_OPENFOAM_PLACES"}) {
+            const char* value = std::getenv(name);
+            values[name] = value == nullptr ? std::nullopt : std::optional<std::string>(value);
+        }
+        return values;
+    }
+    std::map<std::string, std::optional<std::string>> saved_ = now();
+};
+
+/// Runs with the real OpenFOAM: the mended solvers of the source tree unless the environment names others. Skipped where no
+/// OpenFOAM is installed at all (bootstrap.sh --no-openfoam); a faulty one is a failure.
+class FoamTest : public testing::Test {
+    EnvironmentGuard environment_;
+
+protected:
+    std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / ("foam_run_" + std::to_string(::getpid()));
+    void SetUp() override {
+        ::setenv("TWINWAKE_OPENFOAM_BIN", TWINWAKE_SOURCE "/.openfoam/bin", 0);
+        if (find_openfoam().empty()) GTEST_SKIP() << "no OpenFOAM is installed";
+        std::filesystem::create_directories(folder);
+    }
+    void TearDown() override { std::filesystem::remove_all(folder); }
+
+    Scene scene(const std::string& text) const {
+        std::ofstream(folder / "scene.toml") << text;
+        return read_scene(folder / "scene.toml");
+    }
+    RunOptions options() const {
+        RunOptions o;
+        o.folder = folder / "fvm";
+        o.threads = 1;
+        return o;
+    }
+};
+
+/// Koshizuka & Oka's column, ten cells wide.
+inline std::string dam_break(const std::string& duration) {
+    return R"(
+title = "dam break"
+[tank]
+size = ["0.584 m", "14.6 mm", "0.4 m"]
+[domain]
+dimensions = 2
+[[water_block]]
+min = [0, 0, 0]
+max = ["0.146 m", "14.6 mm", "0.292 m"]
+[motion]
+kind = "none"
+[resolution]
+near_hull = "14.6 mm"
+[[probe]]
+name = "wall"
+pressure = [0.0, 0, 0.0]
+[[probe]]
+name = "column"
+height = [0.07, 0]
+[sampling]
+interval = "0.02 s"
+[run]
+duration = ")" + duration + "\"\n";
+}
+
+inline double mean(const Column& c, std::size_t from) {
+    double sum = 0;
+    for (std::size_t i = from; i < c.values.size(); ++i) sum += c.values[i];
+    return sum / static_cast<double>(c.values.size() - from);
+}
+
+}  // namespace tw

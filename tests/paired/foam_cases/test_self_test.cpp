@@ -1,0 +1,59 @@
+// The doctor's flow with an exact answer tells sound solvers from miscompiled ones.
+#include "base/errors.h"
+#include "foam_test.h"
+
+namespace tw {
+namespace {
+namespace fs = std::filesystem;
+
+using SelfTest = FoamTest;
+
+TEST_F(SelfTest, AtLeastOneSolverHereIsSoundAndIsTheOneThatIsUsed) {
+    const OpenFoam used = sound_openfoam();
+    EXPECT_TRUE(used.sound) << used.verdict;
+    EXPECT_LT(used.self_test_error, 1e-5);
+    EXPECT_NE(used.verdict.find("sound"), std::string::npos);
+    EXPECT_FALSE(used.version.empty());
+}
+
+/// Debian's OpenFOAM 1912 is the faulty one that this test was made for. Without it the test cannot show that it can fail.
+class PackagedSolver : public FoamTest {
+protected:
+    OpenFoam packaged() const {
+        for (const OpenFoam& f : find_openfoam())
+            if (f.solver == "/usr/bin/interFoam" && f.version == "v1912") return f;
+        return {};
+    }
+};
+
+TEST_F(PackagedSolver, IsFaultyAndRefusedByName) {
+    const OpenFoam faulty = packaged();
+    if (faulty.solver.empty()) GTEST_SKIP() << "Debian's OpenFOAM 1912 is not installed";
+    EXPECT_FALSE(faulty.sound);
+    EXPECT_GT(faulty.self_test_error, 0.01);
+    ::setenv("TWINWAKE_OPENFOAM_BIN", "/usr/bin", 1);
+    ::setenv("HOME", folder.c_str(), 1);
+    try {
+        sound_openfoam();
+        FAIL() << "a faulty solver was used";
+    } catch (const InputError& e) {
+        const std::string text = e.what();
+        EXPECT_NE(text.find("/usr/bin/interFoam"), std::string::npos) << text;
+        EXPECT_NE(text.find("FAULTY"), std::string::npos) << text;
+        EXPECT_NE(text.find("tools/build_openfoam_solvers.sh"), std::string::npos) << text;
+    }
+}
+
+TEST_F(SelfTest, ASolverThatDoesNotRunIsUnusableAndNotSound) {
+    OpenFoam broken = sound_openfoam();
+    broken.solver = "/bin/false";
+    self_test(broken);
+    EXPECT_FALSE(broken.sound);
+    EXPECT_NE(broken.verdict.find("unusable"), std::string::npos) << broken.verdict;
+    broken.solver = "/bin/true";   // ends well, and has computed nothing
+    self_test(broken);
+    EXPECT_FALSE(broken.sound);
+}
+
+}  // namespace
+}  // namespace tw

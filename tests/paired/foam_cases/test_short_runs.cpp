@@ -1,0 +1,158 @@
+// Whole runs through the real interFoam, small enough for every test day.
+#include <algorithm>
+#include <cmath>
+
+#include "base/errors.h"
+#include "foam_test.h"
+
+namespace tw {
+namespace {
+namespace fs = std::filesystem;
+
+using ShortRun = FoamTest;
+
+/// The water's front: the far side of the last voxel that holds at least a quarter of water.
+double front(const RunRecord& record, const RasterFrame& frame) {
+    const RasterSpec& r = record.raster;
+    double x = -1e30;
+    for (int k = 0; k < r.count[2]; ++k)
+        for (int j = 0; j < r.count[1]; ++j)
+            for (int i = 0; i < r.count[0]; ++i)
+                if (frame.water[static_cast<std::size_t>((k * r.count[1] + j) * r.count[0] + i)] >= 64)
+                    x = std::max(x, r.origin.x() + (i + 1) * r.spacing);
+    return x;
+}
+
+TEST_F(ShortRun, ADamBreakKeepsItsWaterAndLosesOnlyTheEnergyItMay) {
+    const Scene s = scene(dam_break("0.2 s"));
+    const RunRecord record = run_fvm(s, options());
+    EXPECT_EQ(record.state, "finished") << record.reason;
+    ASSERT_EQ(record.frames.size(), 10u);
+    const Table& samples = record.tables.at("samples");
+    const double water = 0.146 * 0.292 * 0.0146 * 1000;
+    for (const double mass : samples.find("mass")->values) EXPECT_NEAR(mass, water, 1e-3 * water);
+    const auto &kinetic = samples.find("kinetic_energy")->values, &potential = samples.find("potential_energy")->values;
+    const double potential_at_start = water * 9.81 * 0.146;
+    for (std::size_t i = 0; i < kinetic.size(); ++i) EXPECT_LT(kinetic[i] + potential[i], 1.005 * potential_at_start);
+    EXPECT_GT(kinetic.back(), 0.2 * potential_at_start) << "it falls";
+    // Measured (Koshizuka & Oka 1996): x/a = 1.98 at t sqrt(2 g / a) = 1.62, that is 0.14 s. A voxel of the raster is 0.2 a.
+    EXPECT_NEAR(front(record, record.frames[6]) / 0.146, 1.98, 0.35);
+
+    // Probes: the column is 0.292 m high at first, and sinks.
+    const Table &p = record.tables.at("pressure"), &h = record.tables.at("height");
+    EXPECT_GT(p.time.size(), 20u) << "probes are read every step";
+    EXPECT_NEAR(h.columns[0].values.front(), 0.292, 1e-3);
+    EXPECT_LT(h.columns[0].values.back(), 0.28);
+
+    const RunRecord again = read_record(options().folder / "record.h5");
+    EXPECT_EQ(again.state, "finished");
+    EXPECT_EQ(again.frames.size(), record.frames.size());
+    EXPECT_EQ(again.attributes.at("openfoam"), record.attributes.at("openfoam"));
+    EXPECT_EQ(again.attributes.count("openfoam_self_test"), 1u);
+    EXPECT_GT(again.peak_memory, 1e7);
+    EXPECT_GT(again.steps, 10);
+    EXPECT_EQ(again.elements, 40 * 1 * 27);
+}
+
+TEST_F(ShortRun, AFolderThatHoldsARunIsNotOverwrittenUnasked) {
+    const Scene s = scene(dam_break("0.02 s"));
+    run_fvm(s, options());
+    EXPECT_THROW(run_fvm(s, options()), InputError);
+    RunOptions anew = options();
+    anew.overwrite = true;
+    EXPECT_EQ(run_fvm(s, anew).state, "finished");
+}
+
+TEST_F(ShortRun, StoppedRunsGoOnAndLongerDurationsTooButNotChangedScenes) {
+    RunOptions o = options();
+    double reached = 0;
+    o.progress = [&](const Progress& p) { reached = std::max(reached, p.time); };
+    o.stop_asked = [&] { return reached > 0.03; };
+    const RunRecord stopped = run_fvm(scene(dam_break("10 s")), o);
+    EXPECT_EQ(stopped.state, "stopped");
+    EXPECT_FALSE(stopped.reason.empty());
+    ASSERT_FALSE(stopped.tables.at("samples").time.empty());
+
+    RunOptions resume = options();
+    resume.resume = true;
+    const double until = stopped.tables.at("samples").time.back() + 0.1;
+    const RunRecord record = run_fvm(scene(dam_break(std::to_string(until) + " s")), resume);
+    EXPECT_EQ(record.state, "finished") << record.reason;
+    // Every write time is there once, on the grid of the first start.
+    const auto& times = record.tables.at("samples").time;
+    for (std::size_t i = 0; i < times.size(); ++i) EXPECT_NEAR(times[i], 0.02 * static_cast<double>(i + 1), 1e-6);
+    EXPECT_EQ(record.frames.size(), times.size());
+    const auto& steps = record.tables.at("pressure").time;
+    EXPECT_TRUE(std::is_sorted(steps.begin(), steps.end()));
+    EXPECT_EQ(record.attributes.at("restarts"), "1");
+
+    std::string changed = dam_break("1 s");
+    changed.replace(changed.find("14.6 mm\"\n[[probe"), 7, "7.30 mm");
+    EXPECT_THROW(run_fvm(scene(changed), resume), InputError);
+}
+
+const char* const planing = R"(
+title = "planing hull, smoke"
+[hull]
+shape    = "prismatic"
+length   = "4 m"
+beam     = "1 m"
+deadrise = "20 deg"
+trim     = "5 deg"
+draft    = "0.2 m"
+half     = true
+[water]
+depth = "1.5 m"
+[motion]
+kind  = "stream"
+speed = "8 m/s"
+[resolution]
+near_hull = "0.08 m"
+[run]
+duration = "0.6 s"
+[sampling]
+mean_from = "0.4 s"
+)";
+
+TEST_F(ShortRun, APlaningHullIsLiftedAndItsPressureDragIsLiftTimesTheTangentOfTrim) {
+    const RunRecord record = run_fvm(scene(planing), options());
+    EXPECT_EQ(record.state, "finished") << record.reason;
+    EXPECT_GT(record.elements, 5000);
+    EXPECT_LT(record.elements, 30000);
+    EXPECT_LT(record.numbers.at("hull_mesh_error"), 0.5 * 0.08);
+    EXPECT_EQ(record.attributes.count("mesh_warning"), 0u);
+    const Table& f = record.tables.at("forces");
+    ASSERT_GT(f.time.size(), 20u);
+    const auto from = static_cast<std::size_t>(std::lower_bound(f.time.begin(), f.time.end(), 0.4) - f.time.begin());
+    const double lift = mean(*f.find("fz"), from), drag = mean(*f.find("fx_pressure"), from);
+    // Fine meshes: 2694 to 2750 N of water on the whole hull; coarse ones 2900 to 3300 N.
+    EXPECT_GT(lift, 2500);
+    EXPECT_LT(lift, 3800);
+    EXPECT_NEAR(drag / lift, std::tan(5 * 3.14159265 / 180), 0.25 * std::tan(5 * 3.14159265 / 180));
+    EXPECT_EQ(mean(*f.find("fy"), from), 0);
+    // Our own sum over the hull's faces, air included, against the solver's forces function object.
+    for (std::size_t i = 3; i < f.time.size(); ++i) {
+        const double total = f.find("fz_total")->values[i];
+        EXPECT_NEAR(f.find("fz")->values[i] + f.find("fz_air")->values[i], total, 2e-3 * std::abs(total) + 1) << "t = " << f.time[i];
+    }
+    EXPECT_GT(mean(*f.find("fz_air"), from), 0) << "air sucks at the deck";
+    const Table& samples = record.tables.at("samples");
+    EXPECT_NEAR(mean(*samples.find("wetted_area"), from), 1.9, 0.5);
+    EXPECT_GT(mean(*samples.find("ventilation"), from), 0);
+    EXPECT_LT(mean(*samples.find("ventilation"), from), 0.5);
+    // The picture: the whole hull, both halves, closed to rounding, within its bounding box.
+    EXPECT_EQ(record.hull.triangles.size(), record.hull_pressure.size());
+    EXPECT_NEAR(record.hull.bounds().min.y(), -record.hull.bounds().max.y(), 1e-6);
+    EXPECT_NEAR(record.hull.bounds().max.y(), 0.5, 0.02);
+}
+
+TEST_F(ShortRun, APathWithBlanksQuotesAndDollarsIsOnlyAPath) {
+    RunOptions o = options();
+    o.folder = folder / "a b $(touch x) \"q' #calc" / "fvm";
+    const RunRecord record = run_fvm(scene(dam_break("0.02 s")), o);
+    EXPECT_EQ(record.state, "finished") << record.reason;
+    EXPECT_FALSE(fs::exists(folder / "x"));
+}
+
+}  // namespace
+}  // namespace tw

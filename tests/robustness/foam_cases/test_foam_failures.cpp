@@ -1,0 +1,139 @@
+// OpenFOAM that is not there, dies, or is killed.
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cmath>
+#include <thread>
+
+#include "base/atomic_file.h"
+#include "base/errors.h"
+#include "foam_test.h"
+
+namespace tw {
+namespace {
+namespace fs = std::filesystem;
+
+TEST(NoOpenFoam, TheMessageSaysWhatToInstall) {
+    const EnvironmentGuard guard;
+    ::setenv("PATH", "", 1);
+    ::unsetenv("WM_PROJECT_DIR");
+    ::setenv("TWINWAKE_OPENFOAM_PLACES", "/nowhere", 1);
+    EXPECT_TRUE(find_openfoam().empty());
+    try {
+        sound_openfoam();
+        FAIL();
+    } catch (const InputError& e) {
+        const std::string text = e.what();
+        EXPECT_NE(text.find("no OpenFOAM was found"), std::string::npos) << text;
+        EXPECT_NE(text.find("apt-get install"), std::string::npos) << text;
+        EXPECT_NE(text.find("--method sph"), std::string::npos) << text;
+    }
+    try {
+        sound_openfoam("/home/somebody/OpenFOAM-v9999");
+        FAIL();
+    } catch (const InputError& e) {
+        EXPECT_NE(std::string(e.what()).find("/home/somebody/OpenFOAM-v9999"), std::string::npos) << e.what();
+    }
+}
+
+class FoamFailure : public FoamTest {
+protected:
+    /// A solver that is sound in the self-test and in anger does `script`; $REAL is the sound one.
+    void use_solver(const std::string& script) {
+        const fs::path bin = folder / "bin";
+        fs::create_directories(bin);
+        std::ofstream(bin / "interFoam") << "#!/bin/sh\nREAL='" << sound_openfoam().solver.string()
+                                         << "'\n[ -f system/setFieldsDict ] || exec \"$REAL\" \"$@\"\n" << script;
+        fs::permissions(bin / "interFoam", fs::perms::owner_all);
+        ::setenv("TWINWAKE_OPENFOAM_BIN", bin.c_str(), 1);
+    }
+    std::string failure_of(const Scene& s) {
+        try {
+            run_fvm(s, options());
+        } catch (const RunError& e) {
+            return e.what();
+        }
+        return "no failure";
+    }
+};
+
+TEST_F(FoamFailure, ASolverThatDiesMidwayLeavesARecordThatSaysSo) {
+    use_solver("\"$REAL\" \"$@\" & p=$!\nwhile [ ! -d 0.06 ]; do sleep 0.05; done\nkill -FPE $p\nwait $p\n");
+    const std::string text = failure_of(scene(dam_break("5 s")));
+    EXPECT_NE(text.find("died at t = "), std::string::npos) << text;
+    EXPECT_NE(text.find("floating point exception"), std::string::npos) << text;
+    EXPECT_NE(text.find("log.solver"), std::string::npos) << text;
+    const RunRecord record = read_record(options().folder / "record.h5");
+    EXPECT_EQ(record.state, "failed");
+    EXPECT_EQ(record.reason, text);
+    EXPECT_GE(record.tables.at("samples").time.size(), 2u) << "what was computed is kept";
+}
+
+TEST_F(FoamFailure, OpenFoamsOwnErrorIsShown) {
+    use_solver("echo '--> FOAM FATAL ERROR: '; echo 'the moon is in the wrong house'; echo 'FOAM exiting'; exit 1\n");
+    const std::string text = failure_of(scene(dam_break("0.1 s")));
+    EXPECT_NE(text.find("the moon is in the wrong house"), std::string::npos) << text;
+    EXPECT_EQ(read_record(options().folder / "record.h5").state, "failed");
+}
+
+TEST_F(FoamFailure, ASolverThatEndsWithoutTheEndIsNotTakenForFinished) {
+    use_solver("exit 0\n");
+    EXPECT_NE(failure_of(scene(dam_break("0.1 s"))).find("without reaching the end time"), std::string::npos);
+}
+
+TEST_F(FoamFailure, AMeshThatFailsNamesTheProgramAndItsMessage) {
+    // Solver sound, blockMesh of the case broken by hand between two tries.
+    RunOptions o = options();
+    o.stop_asked = [] { return true; };
+    const Scene s = scene(dam_break("0.1 s"));
+    EXPECT_EQ(run_fvm(s, o).state, "stopped");
+    fs::remove_all(o.folder / "case" / "constant");
+    std::ofstream(o.folder / "case" / "constant") << "a file where a folder should be";
+    RunOptions again = options();
+    again.resume = true;
+    EXPECT_THROW(run_fvm(s, again), std::exception);
+}
+
+TEST_F(FoamFailure, TwoRunsInOneFolderAreRefused) {
+    fs::create_directories(options().folder);
+    const FolderLock other(options().folder);
+    EXPECT_THROW(run_fvm(scene(dam_break("0.02 s")), options()), InputError);
+}
+
+TEST_F(FoamFailure, AfterAKillTheRunIsTakenUpAndEndsAsIfNothingHadBeen) {
+    const Scene s = scene(dam_break("0.3 s"));
+    const pid_t child = ::fork();
+    if (child == 0) {
+        run_fvm(s, options());
+        ::_exit(0);
+    }
+    const fs::path run = options().folder / "case";
+    for (int i = 0; i < 600 && !fs::exists(run / "0.08"); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    ::kill(child, SIGKILL);
+    ::waitpid(child, nullptr, 0);
+    ASSERT_TRUE(fs::exists(run / "0.08"));
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));   // the solver goes with its parent
+    // What a kill in the middle of writing leaves: a folder with one cut-off file.
+    fs::create_directories(run / "5");
+    std::ofstream(run / "5" / "U") << "FoamFile\n{ cut";
+
+    RunOptions resume = options();
+    resume.resume = true;
+    const RunRecord taken_up = run_fvm(s, resume);
+    EXPECT_EQ(taken_up.state, "finished") << taken_up.reason;
+    RunOptions whole = options();
+    whole.folder = folder / "whole";
+    const RunRecord undisturbed = run_fvm(s, whole);
+    const Table &a = taken_up.tables.at("samples"), &b = undisturbed.tables.at("samples");
+    ASSERT_EQ(a.time.size(), b.time.size());
+    // Not bitwise (interFoam does not store its last compression correction), but the same flow.
+    for (std::size_t i = 0; i < a.time.size(); ++i) {
+        EXPECT_NEAR(a.time[i], b.time[i], 1e-9);
+        EXPECT_NEAR(a.find("kinetic_energy")->values[i], b.find("kinetic_energy")->values[i], 0.02 * b.find("kinetic_energy")->values[i]);
+    }
+}
+
+}  // namespace
+}  // namespace tw
