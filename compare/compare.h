@@ -13,44 +13,45 @@ struct MeanValue {
     bool known = false;
     double value = std::numeric_limits<double>::quiet_NaN();
     double half_width = std::numeric_limits<double>::quiet_NaN();  ///< of the 95 % interval
-    double from = 0, to = 0;       ///< the window used [s]
+    double from = 0, to = 0;                                       ///< the window used [s]
     double n_effective = 0;
-    std::string why_not;           ///< "record too short: about 0.8 s more is needed"
-    double seconds_needed = 0;     ///< > 0: not known because the record is too short, by about this much [s]
+    std::string why_not;        ///< "record too short: about 0.8 s more is needed"
+    double seconds_needed = 0;  ///< > 0: not known because the record is too short, by about this much [s]
     double second_opinion = std::numeric_limits<double>::quiet_NaN();  ///< half width by overlapping batch means
-    std::string limited_by;        ///< what makes the interval as wide as it is, where that is not the series: "half a voxel"
-    bool unreliable = false;       ///< the two estimates of the interval differ by more than 1.5; the wider one is used
+    std::string limited_by;  ///< what makes the interval as wide as it is, where that is not the series: "half a voxel"
+    bool unreliable = false;  ///< the two estimates of the interval differ by more than 1.5; the wider one is used
 };
 
 enum class Verdict { agree, differ, undecided, not_comparable };
 std::string to_string(Verdict verdict);
 
-/// One compared number. `name` is a stable key: drag, lift, trim_moment, splash_sheet_height, splash_p95, splash_p99, splash_p99_9,
-/// airborne_volume, airborne_energy, splash_envelope, wake_width, wetted_length, crest_y_0.75, trough_y_0.75, ...
+/// One compared number. `name` is a stable key: drag, lift, trim_moment, splash_sheet_height, splash_p95, splash_p99,
+/// splash_p99_9, airborne_volume, airborne_energy, splash_envelope, wake_width, wetted_length, crest_y_0.75,
+/// trough_y_0.75, ...
 struct Quantity {
     std::string name, unit, definition;
-    std::string label;                   ///< for people, e.g. "Lift"
-    std::vector<MeanValue> values;       ///< one per source
-    double difference = std::numeric_limits<double>::quiet_NaN();        ///< source B - source A
-    double interval = std::numeric_limits<double>::quiet_NaN();          ///< half width of its 95 % interval
-    double per_cent = std::numeric_limits<double>::quiet_NaN();          ///< difference over the mean of the two, in per cent
+    std::string label;                                             ///< for people, e.g. "Lift"
+    std::vector<MeanValue> values;                                 ///< one per source
+    double difference = std::numeric_limits<double>::quiet_NaN();  ///< source B - source A
+    double interval = std::numeric_limits<double>::quiet_NaN();    ///< half width of its 95 % interval
+    double per_cent = std::numeric_limits<double>::quiet_NaN();    ///< difference over the mean of the two, in per cent
     Verdict verdict = Verdict::not_comparable;
     std::string remark;
-    bool judged = true;                  ///< raw maxima are shown, not judged
-    double scale = 0;                    ///< |values| the target refers to are at least this [unit]
+    bool judged = true;  ///< raw maxima are shown, not judged
+    double scale = 0;    ///< |values| the target refers to are at least this [unit]
 };
 
 /// What an empirical formula or another reference says of a quantity; shown beside, never part of a verdict.
 struct Reference {
-    std::string quantity, unit;          ///< name of the quantity it stands beside
-    std::string source;                  ///< "Savitsky 1964"
+    std::string quantity, unit;  ///< name of the quantity it stands beside
+    std::string source;          ///< "Savitsky 1964"
     double value = 0, half_width = 0;
     std::string remark;
 };
 
 /// One soundness check of one run: value against limit.
 struct Gate {
-    std::string name, source, unit;      ///< source: the run's name
+    std::string name, source, unit;  ///< source: the run's name
     double value = 0, limit = 0;
     bool pass = false;
     std::string remark;
@@ -58,46 +59,47 @@ struct Gate {
 
 /// Free-surface elevation over a straight cut, mean over the settled frames.
 struct Cut {
-    bool along_x = true;                 ///< along x at y = place, or along y at x = place
-    double place = 0;                    ///< [m]
-    std::vector<double> position, elevation, deviation;  ///< [m]; elevation NaN under the hull; deviation: standard, over time
+    bool along_x = true;  ///< along x at y = place, or along y at x = place
+    double place = 0;     ///< [m]
+    std::vector<double> position, elevation,
+        deviation;  ///< [m]; elevation NaN under the hull; deviation: standard, over time
 };
 
 /// What is worked out of one record before anything is compared.
 struct Analysis {
-    Table splash;                        ///< splash measures per raster frame, see metrics/splash.h
+    Table splash;  ///< splash measures per raster frame, see metrics/splash.h
     std::vector<Cut> cuts;
-    std::vector<float> mean_elevation;   ///< per raster column, x fastest; NaN under the hull [m]
-    std::vector<float> envelope;         ///< highest connected water per raster column over the settled frames [m]
-    double still_level = 0;              ///< [m]
-    double settled_from = 0;             ///< first time that counts for the frames [s]
-    double surface_from = 0;             ///< first time of the mean surface; in a tank the last frame's [s]
+    std::vector<float> mean_elevation;  ///< per raster column, x fastest; NaN under the hull [m]
+    std::vector<float> envelope;        ///< highest connected water per raster column over the settled frames [m]
+    double still_level = 0;             ///< [m]
+    double settled_from = 0;            ///< first time that counts for the frames [s]
+    double surface_from = 0;            ///< first time of the mean surface; in a tank the last frame's [s]
 };
 
 struct Comparison {
     std::vector<RunRecord> sources;
-    std::vector<std::string> names;      ///< one per source: "sph", "fvm", "sph 2", ...
-    std::vector<Analysis> analyses;      ///< one per source
+    std::vector<std::string> names;  ///< one per source: "sph", "fvm", "sph 2", ...
+    std::vector<Analysis> analyses;  ///< one per source
     std::vector<Quantity> quantities;
     std::vector<Reference> references;
     std::vector<Gate> gates;
-    std::vector<std::string> banners;    ///< warnings that stand on top of the report
+    std::vector<std::string> banners;  ///< warnings that stand on top of the report
     double agree_within = 0.05;
 
     const Quantity* find(const std::string& name) const;
 };
 
 struct CompareOptions {
-    bool force = false;             ///< compare records of different scenes, with a banner
-    double agree_within = 0.05;     ///< target of AGREE, as a fraction
+    bool force = false;                 ///< compare records of different scenes, with a banner
+    double agree_within = 0.05;         ///< target of AGREE, as a fraction
     double fewest_flow_throughs = 1.5;  ///< a mean is not given from less settled time than this [length / speed]
-    double fewest_independent = 10; ///< nor from fewer independent samples
-    double largest_error = 0.02;    ///< nor with a larger standard error, as a fraction of the mean
+    double fewest_independent = 10;     ///< nor from fewer independent samples
+    double largest_error = 0.02;        ///< nor with a larger standard error, as a fraction of the mean
 };
 
-/// Differences are taken between two sources; with more, between the two that lie farthest apart in units of their interval.
-/// One source alone is accepted: its values stand without a verdict.
-/// Throws InputError when the records cannot be compared (different scene or hull without `force`, ...).
+/// Differences are taken between two sources; with more, between the two that lie farthest apart in units of their
+/// interval. One source alone is accepted: its values stand without a verdict. Throws InputError when the records
+/// cannot be compared (different scene or hull without `force`, ...).
 Comparison compare_records(std::vector<RunRecord> sources, const CompareOptions& options = {});
 
 /// report.html (self-contained), report.json, quantities.csv, series.csv, figures/.

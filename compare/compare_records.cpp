@@ -40,12 +40,18 @@ void check_same(Comparison& comparison, const std::string& attribute, const std:
     for (std::size_t i = 1; i < s.size(); ++i) {
         const std::string a = text_of(s[0], attribute), b = text_of(s[i], attribute);
         if (a == b) continue;
-        const auto brief = [](const std::string& hash) { return hash.empty() ? std::string("none") : hash.substr(0, 12); };
-        const std::string difference = fmt::format("{} ({} {}) and {} ({} {}) were not made from the same {}", comparison.names[0], attribute,
-                                                   brief(a), comparison.names[i], attribute, brief(b), what);
+        const auto brief = [](const std::string& hash) {
+            return hash.empty() ? std::string("none") : hash.substr(0, 12);
+        };
+        const std::string difference =
+            fmt::format("{} ({} {}) and {} ({} {}) were not made from the same {}", comparison.names[0], attribute,
+                        brief(a), comparison.names[i], attribute, brief(b), what);
         if (!force)
-            throw InputError(difference + ": their difference would not be one of method; compare runs of one scene, or force the comparison");
-        comparison.banners.push_back("Forced comparison: " + difference + ". The differences below are not those of the methods.");
+            throw InputError(
+                difference +
+                ": their difference would not be one of method; compare runs of one scene, or force the comparison");
+        comparison.banners.push_back("Forced comparison: " + difference +
+                                     ". The differences below are not those of the methods.");
     }
 }
 
@@ -53,14 +59,16 @@ void add_state_banners(Comparison& comparison) {
     for (std::size_t i = 0; i < comparison.sources.size(); ++i) {
         const RunRecord& r = comparison.sources[i];
         if (r.state == "finished") continue;
-        comparison.banners.push_back(fmt::format("{} did not finish (state: {}{}{}); what it left is compared as far as it goes.", comparison.names[i],
-                                                 r.state, r.reason.empty() ? "" : ": ", r.reason));
+        comparison.banners.push_back(
+            fmt::format("{} did not finish (state: {}{}{}); what it left is compared as far as it goes.",
+                        comparison.names[i], r.state, r.reason.empty() ? "" : ": ", r.reason));
     }
     for (std::size_t i = 0; i < comparison.sources.size(); ++i) {
         const std::string calibrated = text_of(comparison.sources[i], "calibrated");
         if (!calibrated.empty() && calibrated != "none")
-            comparison.banners.push_back(fmt::format("{} was calibrated: {}. Agreement with the data used for that is no validation.",
-                                                     comparison.names[i], calibrated));
+            comparison.banners.push_back(
+                fmt::format("{} was calibrated: {}. Agreement with the data used for that is no validation.",
+                            comparison.names[i], calibrated));
     }
 }
 
@@ -71,7 +79,7 @@ void add_savitsky(Comparison& comparison) {
         if (!hull) hull = prismatic_hull(record);
     if (!hull) return;
     const Savitsky s = savitsky_at_draft(hull->state, hull->draft);
-    const std::string range = s.in_range ? "empirical, about +-10 %" : "outside the formula's range: a hint at most";
+    const std::string range = s.in_range ? "empirical, about ±10 %" : "outside the formula's range: a hint at most";
     const std::string source = "Savitsky 1964";
     const auto add = [&](const char* quantity, double value, const std::string& remark) {
         comparison.references.push_back({quantity, "N", source, value, 0.1 * std::abs(value), remark});
@@ -81,16 +89,21 @@ void add_savitsky(Comparison& comparison) {
         const Column* c = r.series("forces", "fx_viscous");
         return c && std::ranges::any_of(c->values, [](double v) { return std::isfinite(v) && v != 0; });
     });
-    if (friction) add("drag", s.drag, range + "; with ITTC-57 friction");
-    else add("drag", s.pressure_drag, range + "; pressure part only, as the runs have no friction");
-    comparison.references.push_back({"wetted_length", "m", source, s.keel_wetted_length, 0.1 * s.keel_wetted_length, "of the keel, from the draft alone"});
+    if (friction)
+        add("drag", s.drag, range + "; with ITTC-57 friction");
+    else
+        add("drag", s.pressure_drag, range + "; pressure part only, as the runs have no friction");
+    comparison.references.push_back({"wetted_length", "m", source, s.keel_wetted_length, 0.1 * s.keel_wetted_length,
+                                     "of the keel, from the draft alone"});
 }
 
 }  // namespace
 
 Comparison compare_records(std::vector<RunRecord> sources, const CompareOptions& options) {
     if (sources.empty()) throw InputError("no run record to compare; give at least one record.h5");
-    if (!(options.agree_within > 0)) throw InputError(fmt::format("the target of agreement is {}; expected a fraction above 0, e.g. 0.05", options.agree_within));
+    if (!(options.agree_within > 0))
+        throw InputError(
+            fmt::format("the target of agreement is {}; expected a fraction above 0, e.g. 0.05", options.agree_within));
     Comparison comparison;
     comparison.agree_within = options.agree_within;
     comparison.names = source_names(sources);
@@ -107,8 +120,10 @@ Comparison compare_records(std::vector<RunRecord> sources, const CompareOptions&
     for (std::size_t i = 0; i < comparison.sources.size(); ++i) {
         const double factor = number_of_text(comparison.sources[i], "symmetry_factor", 1);
         if (factor > 1 && i == 0)
-            comparison.banners.push_back(fmt::format("Half model: one half was solved; forces, moments, areas and volumes are those of the whole hull "
-                                                     "(multiplied by {:g}, once).", factor));
+            comparison.banners.push_back(fmt::format(
+                "Half model: one half was solved; forces, moments, areas and volumes are those of the whole hull "
+                "(multiplied by {:g}, once).",
+                factor));
         comparison.analyses.push_back(analyse(comparison.sources[i]));
     }
     add_forces(comparison, options);
@@ -118,7 +133,8 @@ Comparison compare_records(std::vector<RunRecord> sources, const CompareOptions&
     add_probes(comparison);
     add_savitsky(comparison);
     for (std::size_t i = 0; i < comparison.sources.size(); ++i)
-        for (Gate& gate : check_gates(comparison.sources[i], comparison.names[i])) comparison.gates.push_back(std::move(gate));
+        for (Gate& gate : check_gates(comparison.sources[i], comparison.names[i]))
+            comparison.gates.push_back(std::move(gate));
     return comparison;
 }
 

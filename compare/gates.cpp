@@ -51,7 +51,8 @@ std::vector<Gate> check_gates(const RunRecord& record, const std::string& name) 
     if (!record.reason.empty()) finished.remark += ": " + record.reason;
     gates.push_back(finished);
 
-    if (const auto lost = largest(record, "particles_lost", 0)) add("particles lost", "-", *lost, 0, "no particle may pass a wall");
+    if (const auto lost = largest(record, "particles_lost", 0))
+        add("particles lost", "-", *lost, 0, "no particle may pass a wall");
     if (const auto mach = largest(record, "max_mach", settled))
         add("largest Mach number", "-", *mach, 0.15, "weakly compressible: the density varies with its square");
     if (const auto fastest = largest(record, "max_speed", settled); fastest && speed > 0)
@@ -59,15 +60,20 @@ std::vector<Gate> check_gates(const RunRecord& record, const std::string& name) 
     if (const Column* mass = record.series("samples", "mass"); mass && !(speed > 0)) {
         std::vector<double> known;
         std::ranges::copy_if(mass->values, std::back_inserter(known), [](double m) { return std::isfinite(m); });
-        if (known.size() > 1 && known.front() > 0) add("mass drift", "%", 100 * std::abs(known.back() / known.front() - 1), 1, "a closed tank keeps its water");
+        if (known.size() > 1 && known.front() > 0)
+            add("mass drift", "%", 100 * std::abs(known.back() / known.front() - 1), 1,
+                "a closed tank keeps its water");
     }
     if (const auto air = time_mean(record, "samples", "ventilation"))
-        add("ventilation index", "-", *air, 0.2, "air smeared under the hull; friction is low in proportion, lift by 2 % at most");
-    const auto sum = time_mean(record, "forces", "fz"), surface = time_mean(record, "forces", "fz_surface"), volume = time_mean(record, "forces", "fz_volume");
+        add("ventilation index", "-", *air, 0.2,
+            "air smeared under the hull; friction is low in proportion, lift by 2 % at most");
+    const auto sum = time_mean(record, "forces", "fz"), surface = time_mean(record, "forces", "fz_surface"),
+               volume = time_mean(record, "forces", "fz_volume");
     if (sum && (surface || volume) && *sum != 0) {
         const double low = std::min({*sum, surface.value_or(*sum), volume.value_or(*sum)});
         const double high = std::max({*sum, surface.value_or(*sum), volume.value_or(*sum)});
-        add("spread of the force measures", "%", 100 * (high - low) / std::abs(*sum), 3, "pair sum, surface pressure and control volume measure one force");
+        add("spread of the force measures", "%", 100 * (high - low) / std::abs(*sum), 3,
+            "pair sum, surface pressure and control volume measure one force");
     }
     return gates;
 }

@@ -84,7 +84,7 @@ std::string read_text_attribute(hid_t object, const char* name) {
     const Handle attribute(checked(H5Aopen(object, name, H5P_DEFAULT), name), H5Aclose);
     const Handle type(checked(H5Aget_type(attribute), name), H5Tclose);
     if (H5Tget_class(type) != H5T_STRING) throw Failure{std::string(name) + " is not text"};
-    if (H5Tis_variable_str(type) > 0) {   // written by other tools, e.g. h5py
+    if (H5Tis_variable_str(type) > 0) {  // written by other tools, e.g. h5py
         char* text = nullptr;
         checked_status(H5Aread(attribute, type, &text), name);
         std::string copy = text ? text : "";
@@ -149,7 +149,8 @@ void write_array(hid_t parent, const char* name, hid_t memory_type, const void* 
         checked_status(H5Pset_shuffle(options), name);
         checked_status(H5Pset_deflate(options, 1), name);
     }
-    const Handle set(checked(H5Dcreate2(parent, name, memory_type, space, H5P_DEFAULT, options, H5P_DEFAULT), name), H5Dclose);
+    const Handle set(checked(H5Dcreate2(parent, name, memory_type, space, H5P_DEFAULT, options, H5P_DEFAULT), name),
+                     H5Dclose);
     if (!empty) checked_status(H5Dwrite(set, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), name);
 }
 
@@ -157,7 +158,8 @@ void write_texts(hid_t parent, const char* name, const std::vector<std::string>&
     std::size_t longest = 1;
     for (const auto& t : texts) longest = std::max(longest, t.size());
     std::string bytes(longest * texts.size(), '\0');
-    for (std::size_t i = 0; i < texts.size(); ++i) std::ranges::copy(texts[i], bytes.begin() + static_cast<std::ptrdiff_t>(i * longest));
+    for (std::size_t i = 0; i < texts.size(); ++i)
+        std::ranges::copy(texts[i], bytes.begin() + static_cast<std::ptrdiff_t>(i * longest));
     const Handle type = text_type(longest);
     const hsize_t n = texts.size();
     write_array(parent, name, type, bytes.data(), {&n, 1}, false);

@@ -90,6 +90,6 @@ std::vector<std::string> read_texts(hid_t parent, const char* name);
 /// A new HDF5 file that lives in memory: a full disk cannot leave HDF5's own caches half-flushed, since the bytes are
 /// handed over in one piece and written by ordinary means.
 Handle create_in_memory();
-std::string image(hid_t file);   ///< flushes and returns the file's bytes
+std::string image(hid_t file);  ///< flushes and returns the file's bytes
 
 }  // namespace tw::h5

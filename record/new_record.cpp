@@ -77,7 +77,8 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
         record.numbers["displaced_volume"] = hull.still.volume;
         record.hull = hull.surface;
         for (std::size_t k = 0; k < hull.findings.size(); ++k)
-            record.attributes[fmt::format("hull_finding_{:02}", k)] = hull.findings[k].name + ": " + hull.findings[k].message;
+            record.attributes[fmt::format("hull_finding_{:02}", k)] =
+                hull.findings[k].name + ": " + hull.findings[k].message;
         for (std::size_t k = 0; k < hull.repairs.size(); ++k)
             record.attributes[fmt::format("hull_repair_{:02}", k)] = hull.repairs[k];
     }

@@ -7,7 +7,8 @@ namespace tw {
 
 Raster::Raster(const RasterSpec& spec)
     : spec_(spec),
-      volume_(static_cast<std::size_t>(std::max(spec.count[0], 0)) * static_cast<std::size_t>(std::max(spec.count[1], 0)) *
+      volume_(static_cast<std::size_t>(std::max(spec.count[0], 0)) *
+              static_cast<std::size_t>(std::max(spec.count[1], 0)) *
               static_cast<std::size_t>(std::max(spec.count[2], 0))) {}
 
 namespace {
@@ -33,7 +34,8 @@ void Raster::pour(const Vec3& centre, double edge, double water) {
     // Far outside: also keeps the conversion to integers below in range.
     for (int a = 0; a < 3; ++a)
         if (high[a] <= 0 || low[a] >= spec_.count[static_cast<std::size_t>(a)]) return;
-    const Reach x(low.x(), high.x(), spec_.count[0]), y(low.y(), high.y(), spec_.count[1]), z(low.z(), high.z(), spec_.count[2]);
+    const Reach x(low.x(), high.x(), spec_.count[0]), y(low.y(), high.y(), spec_.count[1]),
+        z(low.z(), high.z(), spec_.count[2]);
     for (long k = z.first; k <= z.last; ++k) {
         const double in_z = water * share(low.z(), high.z(), k);
         for (long j = y.first; j <= y.last; ++j) {

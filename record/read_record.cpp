@@ -22,15 +22,14 @@ namespace {
 void check_bytes(const fs::path& file) {
     if (!fs::exists(file))
         throw InputError(file.string() + ": there is no such run record; a run leaves it as record.h5 in its folder");
-    if (fs::is_directory(file))
-        throw InputError(file.string() + ": is a folder; give the record.h5 in it");
+    if (fs::is_directory(file)) throw InputError(file.string() + ": is a folder; give the record.h5 in it");
     const std::string bytes = read_text(file);
     static constexpr std::string_view signature("\x89HDF\r\n\x1a\n", 8);
     if (!bytes.starts_with(signature))
         throw InputError(fmt::format("{}: not a run record: not an HDF5 file ({} bytes)", file.string(), bytes.size()));
     if (bytes.size() < layout::checksum_line) return;
     const std::string_view line = std::string_view(bytes).substr(bytes.size() - layout::checksum_line);
-    if (!line.starts_with(layout::checksum_label)) return;   // cut off, or made by another program: HDF5 will tell
+    if (!line.starts_with(layout::checksum_label)) return;  // cut off, or made by another program: HDF5 will tell
     const std::string_view body = std::string_view(bytes).substr(0, bytes.size() - layout::checksum_line);
     if (sha256_hex(body) != line.substr(layout::checksum_label.size(), 64))
         throw InputError(file.string() + ": damaged: its bytes do not fit their checksum; copy or run it again");
@@ -46,9 +45,11 @@ void read_tables(hid_t file, RunRecord& record) {
         table.time = h5::read_vector<double>(group, "time", H5T_NATIVE_DOUBLE);
         for (const std::string& column_link : h5::member_names(group)) {
             if (column_link == "time") continue;
-            const h5::Handle set(h5::checked(H5Dopen2(group, column_link.c_str(), H5P_DEFAULT), column_link.c_str()), H5Dclose);
-            Column& column = table.column(h5::has_attribute(set, "name") ? h5::read_text_attribute(set, "name") : column_link,
-                                          h5::has_attribute(set, "unit") ? h5::read_text_attribute(set, "unit") : "");
+            const h5::Handle set(h5::checked(H5Dopen2(group, column_link.c_str(), H5P_DEFAULT), column_link.c_str()),
+                                 H5Dclose);
+            Column& column =
+                table.column(h5::has_attribute(set, "name") ? h5::read_text_attribute(set, "name") : column_link,
+                             h5::has_attribute(set, "unit") ? h5::read_text_attribute(set, "unit") : "");
             column.values = h5::read_vector<double>(group, column_link.c_str(), H5T_NATIVE_DOUBLE);
             if (column.values.size() != table.time.size())
                 throw h5::Failure{"column " + column.name + " of table " + table.name + " is not as long as its time"};
@@ -88,7 +89,8 @@ void read_hull(hid_t file, RunRecord& record) {
         throw h5::Failure{"the hull's size"};
     std::vector<double> points(point_dims[0] * 3);
     h5::read_array(group, "points", H5T_NATIVE_DOUBLE, points.data(), points.size());
-    for (std::size_t i = 0; i < points.size(); i += 3) record.hull.points.emplace_back(points[i], points[i + 1], points[i + 2]);
+    for (std::size_t i = 0; i < points.size(); i += 3)
+        record.hull.points.emplace_back(points[i], points[i + 1], points[i + 2]);
     record.hull.triangles.resize(triangle_dims[0]);
     h5::read_array(group, "triangles", H5T_NATIVE_INT, record.hull.triangles.data(), record.hull.triangles.size() * 3);
     for (const auto& t : record.hull.triangles)
@@ -105,7 +107,8 @@ void read_hull(hid_t file, RunRecord& record) {
 void read_cost(hid_t file, RunRecord& record) {
     const h5::Handle group = h5::open_group(file, layout::cost);
     const auto names = h5::read_texts(group, "phase");
-    const auto wall = h5::read_vector<double>(group, "wall", H5T_NATIVE_DOUBLE), cpu = h5::read_vector<double>(group, "cpu", H5T_NATIVE_DOUBLE);
+    const auto wall = h5::read_vector<double>(group, "wall", H5T_NATIVE_DOUBLE),
+               cpu = h5::read_vector<double>(group, "cpu", H5T_NATIVE_DOUBLE);
     if (wall.size() != names.size() || cpu.size() != names.size()) throw h5::Failure{"the phases"};
     for (std::size_t i = 0; i < names.size(); ++i) record.phases.push_back({names[i], wall[i], cpu[i]});
     record.peak_memory = number(group, "peak_memory");
@@ -115,13 +118,16 @@ void read_cost(hid_t file, RunRecord& record) {
 
 void read_effects(hid_t file, RunRecord& record) {
     const h5::Handle group = h5::open_group(file, layout::effects);
-    const auto name = h5::read_texts(group, "name"), reason = h5::read_texts(group, "reason"), influence = h5::read_texts(group, "influence");
+    const auto name = h5::read_texts(group, "name"), reason = h5::read_texts(group, "reason"),
+               influence = h5::read_texts(group, "influence");
     const auto cost = h5::read_vector<double>(group, "cost", H5T_NATIVE_DOUBLE);
-    const auto on = h5::read_vector<int>(group, "on", H5T_NATIVE_INT), forced = h5::read_vector<int>(group, "forced", H5T_NATIVE_INT);
+    const auto on = h5::read_vector<int>(group, "on", H5T_NATIVE_INT),
+               forced = h5::read_vector<int>(group, "forced", H5T_NATIVE_INT);
     const std::size_t n = name.size();
     if (reason.size() != n || influence.size() != n || cost.size() != n || on.size() != n || forced.size() != n)
         throw h5::Failure{"the effects"};
-    for (std::size_t i = 0; i < n; ++i) record.effects.push_back({name[i], on[i] != 0, forced[i] != 0, reason[i], influence[i], cost[i]});
+    for (std::size_t i = 0; i < n; ++i)
+        record.effects.push_back({name[i], on[i] != 0, forced[i] != 0, reason[i], influence[i], cost[i]});
 }
 
 RunRecord read_contents(hid_t file) {
@@ -130,7 +136,8 @@ RunRecord read_contents(hid_t file) {
     record.reason = h5::read_text_attribute(file, "reason");
     const auto scene_text = h5::read_texts(file, layout::scene_text);
     if (!scene_text.empty()) record.scene_text = scene_text[0];
-    const h5::Handle attributes = h5::open_group(file, layout::attributes), numbers = h5::open_group(file, layout::numbers);
+    const h5::Handle attributes = h5::open_group(file, layout::attributes),
+                     numbers = h5::open_group(file, layout::numbers);
     for (const std::string& name : h5::attribute_names(attributes))
         record.attributes[name] = h5::read_text_attribute(attributes, name.c_str());
     for (const std::string& name : h5::attribute_names(numbers)) record.numbers[name] = number(numbers, name.c_str());
@@ -149,14 +156,17 @@ RunRecord read_record(const fs::path& file) {
     const h5::Silence silence;
     const h5::Handle h(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
     if (!h.open())
-        throw InputError(file.string() + ": cut off or damaged: it begins like HDF5 but cannot be opened; copy or run it again");
+        throw InputError(file.string() +
+                         ": cut off or damaged: it begins like HDF5 but cannot be opened; copy or run it again");
     try {
-        if (!h5::has_attribute(h, layout::kind_attribute) || h5::read_text_attribute(h, layout::kind_attribute) != layout::kind)
+        if (!h5::has_attribute(h, layout::kind_attribute) ||
+            h5::read_text_attribute(h, layout::kind_attribute) != layout::kind)
             throw InputError(file.string() + ": an HDF5 file, but not a run record of twinwake");
         const double version = number(h, layout::version_attribute);
         if (!(version <= RunRecord::format_version))
-            throw InputError(fmt::format("{}: run record of format {}; this twinwake reads up to format {}: use a newer twinwake",
-                                         file.string(), version, RunRecord::format_version));
+            throw InputError(
+                fmt::format("{}: run record of format {}; this twinwake reads up to format {}: use a newer twinwake",
+                            file.string(), version, RunRecord::format_version));
         return read_contents(h);
     } catch (const h5::Failure& f) {
         throw InputError(file.string() + ": cut off or damaged: cannot read " + f.what);

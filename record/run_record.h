@@ -18,9 +18,9 @@ struct Column {
 /// Series that share their times, e.g. "forces" (one row per step) or "samples" (one row per frame).
 struct Table {
     std::string name;
-    std::vector<double> time;   ///< [s], increasing
+    std::vector<double> time;  ///< [s], increasing
     std::vector<Column> columns;
-    Column& column(const std::string& name, const std::string& unit);   ///< created when missing
+    Column& column(const std::string& name, const std::string& unit);  ///< created when missing
     const Column* find(const std::string& name) const;
 };
 
@@ -30,9 +30,9 @@ struct RasterFrame {
     std::vector<std::uint8_t> water;
 };
 
-struct Phase {            ///< where the time went
-    std::string name;     ///< "set-up", "meshing", "solving", "output"...
-    double wall = 0, cpu = 0;   ///< [s]
+struct Phase {                 ///< where the time went
+    std::string name;          ///< "set-up", "meshing", "solving", "output"...
+    double wall = 0, cpu = 0;  ///< [s]
 };
 
 /// What one run leaves: the same layout for SPH, FVM and any other source. One HDF5 file, written atomically.
@@ -40,8 +40,8 @@ struct Phase {            ///< where the time went
 /// Tables every source fills as far as it can (whole hull: symmetry already applied, see attribute symmetry_factor):
 ///   forces:  fx, fy, fz [N]       force of the water on the hull (the compared one)
 ///            fx_pressure.. fz_pressure, fx_viscous.. fz_viscous [N]
-///            my [N m]             moment about the pose's reference point (attribute moment_reference "x y z"), bow up positive
-///            SPH: fx_surface, fz_surface (surface-pressure integral), fx_volume, fz_volume (control volume)
+///            my [N m]             moment about the pose's reference point (attribute moment_reference "x y z"), bow up
+///            positive SPH: fx_surface, fz_surface (surface-pressure integral), fx_volume, fz_volume (control volume)
 ///            FVM: fx_total, fz_total (air included), fx_air, fz_air
 ///   samples: mass, kinetic_energy, potential_energy, dt, max_mach | max_courant, max_speed, particles | cells,
 ///            particles_in, particles_out, particles_lost, wetted_length [m], ventilation [-], wetted_area [m2]
@@ -50,8 +50,8 @@ struct Phase {            ///< where the time went
 struct RunRecord {
     static constexpr int format_version = 1;
 
-    /// method ("sph", "fvm", ...), title, scene_hash, hull_hash, hull_source, code_version, compiler, machine, threads, ranks, isa,
-    /// openfoam, started, symmetry_factor, moment_reference, calibrated, ...
+    /// method ("sph", "fvm", ...), title, scene_hash, hull_hash, hull_source, code_version, compiler, machine, threads,
+    /// ranks, isa, openfoam, started, symmetry_factor, moment_reference, calibrated, ...
     std::map<std::string, std::string> attributes;
     /// spacing h, length, beam, draft, trim, speed, density, gravity, duration, mean_from, h_over_dp, c0, alpha, ...
     std::map<std::string, double> numbers;
@@ -62,25 +62,27 @@ struct RunRecord {
     std::vector<RasterFrame> frames;
     /// Pressure on the hull at the last frame, for the pictures: triangles of the posed hull and one value each.
     Surface hull;
-    std::vector<float> hull_pressure, hull_wet;   ///< per triangle [Pa], [0..1]; empty when unknown
+    std::vector<float> hull_pressure, hull_wet;  ///< per triangle [Pa], [0..1]; empty when unknown
     std::vector<Phase> phases;
     double peak_memory = 0;          ///< [bytes]
     double elements = 0, steps = 0;  ///< particles or cells; time steps
     std::vector<EffectChoice> effects;
 
-    std::string state = "running";   ///< "running", "finished", "stopped", "failed"
-    std::string reason;              ///< why it stopped or failed
+    std::string state = "running";  ///< "running", "finished", "stopped", "failed"
+    std::string reason;             ///< why it stopped or failed
 
     Table& table(const std::string& name);
     const Column* series(const std::string& table, const std::string& column) const;
 };
 
-/// The point moments are taken about: the middle of the posed hull's bounding box in x and y, at still water (z = 0) [m].
+/// The point moments are taken about: the middle of the posed hull's bounding box in x and y, at still water (z = 0)
+/// [m].
 Vec3 moment_reference(const Scene& scene);
 /// Fills what follows from the scene alone: attributes, numbers, scene text, hull, effects, raster, hull findings.
 RunRecord new_record(const Scene& scene, const std::string& method);
-/// Writes one HDF5 file, atomically, followed by a line with the SHA-256 of its bytes (HDF5 readers ignore it; read_record
-/// knows damage by it). Throws RunError: disk full, no permission, or a column that is not as long as its table's time.
+/// Writes one HDF5 file, atomically, followed by a line with the SHA-256 of its bytes (HDF5 readers ignore it;
+/// read_record knows damage by it). Throws RunError: disk full, no permission, or a column that is not as long as its
+/// table's time.
 void write_record(const std::filesystem::path& file, const RunRecord& record);
 /// Throws InputError: not there, not HDF5, not a run record, newer format, cut off.
 RunRecord read_record(const std::filesystem::path& file);

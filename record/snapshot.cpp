@@ -24,14 +24,14 @@ namespace {
 void check_fields(const fs::path& file, const std::vector<Field>& fields, std::size_t count) {
     for (const Field& f : fields)
         if (f.components < 1 || f.values.size() != count * static_cast<std::size_t>(f.components))
-            throw RunError(fmt::format("{}: field {} has {} values; expected {} x {}", file.string(), f.name, f.values.size(), count,
-                                       f.components));
+            throw RunError(fmt::format("{}: field {} has {} values; expected {} x {}", file.string(), f.name,
+                                       f.values.size(), count, f.components));
 }
 
-/// VTKHDF 1.0: https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html, UnstructuredGrid with one vertex cell
-/// per particle. The PolyData type is read by neither VTK 9.1 nor ParaView 5.11.
+/// VTKHDF 1.0: https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html, UnstructuredGrid with one vertex
+/// cell per particle. The PolyData type is read by neither VTK 9.1 nor ParaView 5.11.
 std::string particle_bytes(double time, const std::vector<Vec3>& points, const std::vector<Field>& fields) {
-    constexpr unsigned char vertex = 1;   // VTK_VERTEX
+    constexpr unsigned char vertex = 1;  // VTK_VERTEX
     const std::size_t n = points.size();
     const h5::Handle file = h5::create_in_memory();
     const h5::Handle root = h5::create_group(file, "VTKHDF");
@@ -45,7 +45,8 @@ std::string particle_bytes(double time, const std::vector<Vec3>& points, const s
     std::vector<float> coordinates(3 * n);
     std::vector<long long> connectivity(n), offsets(n + 1);
     for (std::size_t i = 0; i < n; ++i) {
-        for (std::size_t k = 0; k < 3; ++k) coordinates[3 * i + k] = static_cast<float>(points[i][static_cast<Eigen::Index>(k)]);
+        for (std::size_t k = 0; k < 3; ++k)
+            coordinates[3 * i + k] = static_cast<float>(points[i][static_cast<Eigen::Index>(k)]);
         connectivity[i] = static_cast<long long>(i);
         offsets[i + 1] = static_cast<long long>(i + 1);
     }
@@ -71,15 +72,14 @@ std::string particle_bytes(double time, const std::vector<Vec3>& points, const s
 
 }  // namespace
 
-void write_particles(const fs::path& file, double time, const std::vector<Vec3>& points, const std::vector<Field>& fields) {
+void write_particles(const fs::path& file, double time, const std::vector<Vec3>& points,
+                     const std::vector<Field>& fields) {
     check_fields(file, fields, points.size());
     const h5::Silence silence;
     std::string bytes;
     try {
         bytes = particle_bytes(time, points, fields);
-    } catch (const h5::Failure& f) {
-        throw RunError(file.string() + ": cannot be written: HDF5 failed at " + f.what);
-    }
+    } catch (const h5::Failure& f) { throw RunError(file.string() + ": cannot be written: HDF5 failed at " + f.what); }
     write_text_atomically(file, bytes);
 }
 
@@ -88,7 +88,8 @@ void write_surface(const fs::path& file, const Surface& surface, const std::vect
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
     points->SetNumberOfPoints(static_cast<vtkIdType>(surface.points.size()));
-    for (std::size_t i = 0; i < surface.points.size(); ++i) points->SetPoint(static_cast<vtkIdType>(i), surface.points[i].data());
+    for (std::size_t i = 0; i < surface.points.size(); ++i)
+        points->SetPoint(static_cast<vtkIdType>(i), surface.points[i].data());
     vtkNew<vtkCellArray> cells;
     for (const auto& t : surface.triangles) {
         const vtkIdType corners[3] = {t[0], t[1], t[2]};

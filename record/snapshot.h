@@ -15,11 +15,14 @@ struct Field {
     std::vector<float> values;
 };
 
-/// Particles as a VTKHDF UnstructuredGrid of vertices (ParaView 5.11 and VTK 9.1 open it under the suffix .hdf), atomically.
-void write_particles(const std::filesystem::path& file, double time, const std::vector<Vec3>& points, const std::vector<Field>& fields);
+/// Particles as a VTKHDF UnstructuredGrid of vertices (ParaView 5.11 and VTK 9.1 open it under the suffix .hdf),
+/// atomically.
+void write_particles(const std::filesystem::path& file, double time, const std::vector<Vec3>& points,
+                     const std::vector<Field>& fields);
 /// A surface with cell fields as .vtp, atomically.
 void write_surface(const std::filesystem::path& file, const Surface& surface, const std::vector<Field>& cell_fields);
 /// name.hdf.series / name.vtp.series: the times of a set of files, as ParaView reads them.
-void write_series(const std::filesystem::path& file, const std::vector<std::pair<std::string, double>>& files_and_times);
+void write_series(const std::filesystem::path& file,
+                  const std::vector<std::pair<std::string, double>>& files_and_times);
 
 }  // namespace tw

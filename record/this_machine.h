@@ -3,8 +3,8 @@
 
 namespace tw {
 
-std::string cpu_model();          ///< e.g. "Intel(R) Xeon(R) ... x 2 threads"
-std::string instruction_set();    ///< best level this processor has: "x86-64", "x86-64-v2", "x86-64-v3", "x86-64-v4"
-std::string utc_now();            ///< "2024-01-31T12:34:56Z"
+std::string cpu_model();        ///< e.g. "Intel(R) Xeon(R) ... x 2 threads"
+std::string instruction_set();  ///< best level this processor has: "x86-64", "x86-64-v2", "x86-64-v3", "x86-64-v4"
+std::string utc_now();          ///< "2024-01-31T12:34:56Z"
 
 }  // namespace tw

@@ -66,13 +66,14 @@ void write_raster(hid_t file, const RunRecord& record) {
     water.reserve(voxels * record.frames.size());
     for (const RasterFrame& f : record.frames) {
         if (f.water.size() != voxels)
-            throw RunError(fmt::format("run record: the raster frame of t = {} s has {} voxels, not {}", f.time, f.water.size(), voxels));
+            throw RunError(fmt::format("run record: the raster frame of t = {} s has {} voxels, not {}", f.time,
+                                       f.water.size(), voxels));
         times.push_back(f.time);
         water.insert(water.end(), f.water.begin(), f.water.end());
     }
     h5::write_vector(group, "time", H5T_NATIVE_DOUBLE, times, false);
-    const std::array<hsize_t, 4> dims{times.size(), static_cast<hsize_t>(spec.count[2]), static_cast<hsize_t>(spec.count[1]),
-                                      static_cast<hsize_t>(spec.count[0])};
+    const std::array<hsize_t, 4> dims{times.size(), static_cast<hsize_t>(spec.count[2]),
+                                      static_cast<hsize_t>(spec.count[1]), static_cast<hsize_t>(spec.count[0])};
     h5::write_array(group, "water", H5T_NATIVE_UINT8, water.data(), dims, true);
 }
 
@@ -80,7 +81,8 @@ void write_hull(hid_t file, const RunRecord& record) {
     const h5::Handle group = h5::create_group(file, layout::hull);
     std::vector<double> points;
     for (const Vec3& p : record.hull.points) points.insert(points.end(), p.data(), p.data() + 3);
-    const std::array<hsize_t, 2> point_dims{record.hull.points.size(), 3}, triangle_dims{record.hull.triangles.size(), 3};
+    const std::array<hsize_t, 2> point_dims{record.hull.points.size(), 3},
+        triangle_dims{record.hull.triangles.size(), 3};
     h5::write_array(group, "points", H5T_NATIVE_DOUBLE, points.data(), point_dims, true);
     h5::write_array(group, "triangles", H5T_NATIVE_INT, record.hull.triangles.data(), triangle_dims, true);
     h5::write_vector(group, "pressure", H5T_NATIVE_FLOAT, record.hull_pressure);
@@ -155,9 +157,7 @@ void write_record(const fs::path& file, const RunRecord& record) {
     std::string bytes;
     try {
         bytes = record_bytes(record);
-    } catch (const h5::Failure& f) {
-        throw RunError(file.string() + ": cannot be written: HDF5 failed at " + f.what);
-    }
+    } catch (const h5::Failure& f) { throw RunError(file.string() + ": cannot be written: HDF5 failed at " + f.what); }
     bytes += layout::checksum_label + sha256_hex(bytes) + "\n";
     write_text_atomically(file, bytes);
 }

@@ -12,13 +12,14 @@ std::vector<double> time_bins(std::span<const double> t, std::span<const double>
     if (count == n) {
         const double step = span / static_cast<double>(n - 1);
         bool even = true;
-        for (std::size_t i = 0; i < n && even; ++i) even = std::abs(t[i] - t[0] - static_cast<double>(i) * step) < 1e-3 * step;
+        for (std::size_t i = 0; i < n && even; ++i)
+            even = std::abs(t[i] - t[0] - static_cast<double>(i) * step) < 1e-3 * step;
         if (even) return {x.begin(), x.end()};
     }
     // Integral of the piecewise linear series from t[0] up to any time, walked once.
     std::vector<double> bins(count);
     std::size_t i = 0;
-    double whole = 0, before = 0;   // whole: integral up to t[i]
+    double whole = 0, before = 0;  // whole: integral up to t[i]
     for (std::size_t b = 0; b < count; ++b) {
         const double end = t[0] + span * static_cast<double>(b + 1) / static_cast<double>(count);
         while (i + 2 < n && t[i + 1] <= end) {

@@ -5,9 +5,9 @@
 
 namespace tw {
 
-/// Means of a piecewise linear series over `count` equal bins of its whole time span. Time steps may vary: a solver's short steps do
-/// not count more than its long ones, and the mean of the bins is the time mean. `t` increases; at least two points. When the
-/// series has as many points as bins and equal steps, the bins are the samples themselves.
+/// Means of a piecewise linear series over `count` equal bins of its whole time span. Time steps may vary: a solver's
+/// short steps do not count more than its long ones, and the mean of the bins is the time mean. `t` increases; at least
+/// two points. When the series has as many points as bins and equal steps, the bins are the samples themselves.
 std::vector<double> time_bins(std::span<const double> t, std::span<const double> x, std::size_t count);
 
 /// Value of a series at time `at` by linear interpolation; NaN outside its span or where a neighbour is not finite.

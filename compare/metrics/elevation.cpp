@@ -25,10 +25,11 @@ std::vector<double> places(const RunRecord& record, const std::string& prefix) {
     }
 }
 
-/// Value of the map at a place across the cut: linear between the two neighbouring rows of columns; at the edge the last row.
+/// Value of the map at a place across the cut: linear between the two neighbouring rows of columns; at the edge the
+/// last row.
 struct Between {
     int low, high;
-    double weight;   // of `high`
+    double weight;  // of `high`
     Between(double place, double origin, double spacing, int count) {
         const double at = (place - origin) / spacing - 0.5;
         low = std::clamp(static_cast<int>(std::floor(at)), 0, count - 1);
@@ -46,7 +47,9 @@ Cut cut_through(const RasterGrid& grid, const ElevationMap& map, bool along_x, d
     for (int i = 0; i < (along_x ? grid.nx : grid.ny); ++i) {
         const std::size_t low = along_x ? grid.column(i, b.low) : grid.column(b.low, i);
         const std::size_t high = along_x ? grid.column(i, b.high) : grid.column(b.high, i);
-        const auto mix = [&](const std::vector<float>& v) { return b.weight == 0 ? v[low] : (1 - b.weight) * v[low] + b.weight * v[high]; };
+        const auto mix = [&](const std::vector<float>& v) {
+            return b.weight == 0 ? v[low] : (1 - b.weight) * v[low] + b.weight * v[high];
+        };
         cut.position.push_back(along_x ? grid.x(i) : grid.y(i));
         cut.elevation.push_back(mix(map.mean));
         cut.deviation.push_back(mix(map.deviation));

@@ -3,20 +3,21 @@
 
 namespace tw {
 
-/// Free-surface elevation per raster column, mean over the frames from `from` on (the last frame where there is none) [m]:
-/// column integral of the connected water (elevations()). Columns under the hull's plan view are NaN: their surface is not free.
-/// `deviation`: standard deviation over time.
+/// Free-surface elevation per raster column, mean over the frames from `from` on (the last frame where there is none)
+/// [m]: column integral of the connected water (elevations()). Columns under the hull's plan view are NaN: their
+/// surface is not free. `deviation`: standard deviation over time.
 struct ElevationMap {
     std::vector<float> mean, deviation;
     std::size_t frames = 0;
 };
 ElevationMap mean_elevation(const RunRecord& record, double from);
 
-/// The map along the record's cuts (numbers cut_x_0.., cut_y_0..), linear between column centres; where the scene asks for none:
-/// along x at y = 3/4 beam and across the wake half a length behind the hull.
+/// The map along the record's cuts (numbers cut_x_0.., cut_y_0..), linear between column centres; where the scene asks
+/// for none: along x at y = 3/4 beam and across the wake half a length behind the hull.
 std::vector<Cut> elevation_cuts(const RunRecord& record, const ElevationMap& map);
 
-/// Highest and lowest point of a cut with the standard error of its mean elevation [m]; NaN when the cut holds no value.
+/// Highest and lowest point of a cut with the standard error of its mean elevation [m]; NaN when the cut holds no
+/// value.
 struct Extreme {
     double value, deviation, position;
 };

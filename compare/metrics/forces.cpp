@@ -31,8 +31,8 @@ double flow_through_time(const RunRecord& record) {
     return wet / speed;
 }
 
-MeanValue mean_of(const RunRecord& record, const std::string& table, const std::string& column, const CompareOptions& options,
-                  double allowed_error) {
+MeanValue mean_of(const RunRecord& record, const std::string& table, const std::string& column,
+                  const CompareOptions& options, double allowed_error) {
     const Column* c = record.series(table, column);
     if (!c) {
         MeanValue none;
@@ -58,8 +58,8 @@ bool has_friction(const RunRecord& record) {
 
 using PerSource = std::function<MeanValue(const RunRecord&)>;
 
-Quantity quantity(const Comparison& comparison, std::string name, std::string label, std::string unit, std::string definition,
-                  const PerSource& value) {
+Quantity quantity(const Comparison& comparison, std::string name, std::string label, std::string unit,
+                  std::string definition, const PerSource& value) {
     Quantity q = new_quantity(std::move(name), std::move(label), std::move(unit), std::move(definition));
     for (const RunRecord& r : comparison.sources) q.values.push_back(value(r));
     return q;
@@ -74,13 +74,14 @@ void add_beside(Comparison& comparison, Quantity q) {
     comparison.quantities.push_back(std::move(q));
 }
 
-/// Half width of a force from the uncertainty of the draft: numbers <name>_per_draft [N/m] times draft_uncertainty [m], by default a
-/// tenth of the spacing at the hull, to which neither method places the waterline.
+/// Half width of a force from the uncertainty of the draft: numbers <name>_per_draft [N/m] times draft_uncertainty [m],
+/// by default a tenth of the spacing at the hull, to which neither method places the waterline.
 double draft_term(const Comparison& comparison, const std::string& name, std::string& text) {
     double term = 0;
     for (const RunRecord& r : comparison.sources) {
         const double slope = std::abs(number_of(r, name + "_per_draft", 0));
-        const double draft = number_of(r, "draft_uncertainty", 0.1 * number_of(r, "near_hull", number_of(r, "spacing", 0)));
+        const double draft =
+            number_of(r, "draft_uncertainty", 0.1 * number_of(r, "near_hull", number_of(r, "spacing", 0)));
         if (slope * draft <= term) continue;
         term = slope * draft;
         text = fmt::format("draft known to {:.2g} mm at {:.3g} N per mm", 1e3 * draft, 1e-3 * slope);
@@ -96,35 +97,38 @@ void add_sph_measures(Comparison& comparison, const CompareOptions& options) {
     struct Measure {
         const char *name, *label, *column;
     };
-    for (const Measure& m : {Measure{"lift_surface", "Lift by surface pressure", "fz_surface"}, Measure{"lift_volume", "Lift by control volume", "fz_volume"},
-                             Measure{"drag_surface", "Drag by surface pressure", "fx_surface"}, Measure{"drag_volume", "Drag by control volume", "fx_volume"}})
+    for (const Measure& m : {Measure{"lift_surface", "Lift by surface pressure", "fz_surface"},
+                             Measure{"lift_volume", "Lift by control volume", "fz_volume"},
+                             Measure{"drag_surface", "Drag by surface pressure", "fx_surface"},
+                             Measure{"drag_volume", "Drag by control volume", "fx_volume"}})
         add_beside(comparison, quantity(comparison, m.name, m.label, "N",
                                         "a second, independent measure of the same force in the same run",
                                         [&](const RunRecord& r) { return mean_of(r, "forces", m.column, options); }));
-    add_beside(comparison, quantity(comparison, "force_measure_spread", "Spread of the force measures (lift)", "%",
-                                    "largest minus smallest of pair sum, surface pressure and control volume, over the pair sum",
-                                    [&](const RunRecord& r) {
-                                        const MeanValue sum = mean_of(r, "forces", "fz", options);
-                                        MeanValue spread;
-                                        spread.why_not = "this method does not give it";
-                                        if (!sum.known) return spread;
-                                        double low = sum.value, high = sum.value, u = sum.half_width;
-                                        bool other = false;
-                                        for (const char* c : {"fz_surface", "fz_volume"}) {
-                                            const MeanValue m = mean_of(r, "forces", c, options);
-                                            if (!m.known) continue;
-                                            other = true;
-                                            low = std::min(low, m.value);
-                                            high = std::max(high, m.value);
-                                            u = std::hypot(u, m.half_width);
-                                        }
-                                        if (!other || sum.value == 0) return spread;
-                                        spread = sum;
-                                        spread.value = 100 * (high - low) / std::abs(sum.value);
-                                        spread.half_width = 100 * u / std::abs(sum.value);
-                                        spread.second_opinion = std::numeric_limits<double>::quiet_NaN();
-                                        return spread;
-                                    }));
+    add_beside(comparison,
+               quantity(comparison, "force_measure_spread", "Spread of the force measures (lift)", "%",
+                        "largest minus smallest of pair sum, surface pressure and control volume, over the pair sum",
+                        [&](const RunRecord& r) {
+                            const MeanValue sum = mean_of(r, "forces", "fz", options);
+                            MeanValue spread;
+                            spread.why_not = "this method does not give it";
+                            if (!sum.known) return spread;
+                            double low = sum.value, high = sum.value, u = sum.half_width;
+                            bool other = false;
+                            for (const char* c : {"fz_surface", "fz_volume"}) {
+                                const MeanValue m = mean_of(r, "forces", c, options);
+                                if (!m.known) continue;
+                                other = true;
+                                low = std::min(low, m.value);
+                                high = std::max(high, m.value);
+                                u = std::hypot(u, m.half_width);
+                            }
+                            if (!other || sum.value == 0) return spread;
+                            spread = sum;
+                            spread.value = 100 * (high - low) / std::abs(sum.value);
+                            spread.half_width = 100 * u / std::abs(sum.value);
+                            spread.second_opinion = std::numeric_limits<double>::quiet_NaN();
+                            return spread;
+                        }));
 }
 
 }  // namespace
@@ -138,27 +142,34 @@ void add_forces(Comparison& comparison, const CompareOptions& options) {
                                         return !has_friction(r) || r.series("forces", "fx_pressure");
                                     });
     if (leave_friction_out)
-        comparison.banners.push_back("Only one side solves friction: drag and lift are compared without it (pressure parts); friction stands beside.");
+        comparison.banners.push_back(
+            "Only one side solves friction: drag and lift are compared without it (pressure parts); friction stands "
+            "beside.");
 
     double lift = 0;
-    for (const Force& f : {Force{"lift", "Lift", "N", "fz", "fz_pressure", "mean vertical force of the water on the whole hull"},
-                           Force{"drag", "Drag", "N", "fx", "fx_pressure", "mean force of the water on the whole hull along the stream"},
-                           Force{"trim_moment", "Trim moment", "N m", "my", nullptr,
-                                 "mean moment of the water about one point for all sources (moment_reference), bow up positive; its target is "
-                                 "taken of at least a tenth of lift times length"}}) {
+    for (const Force& f :
+         {Force{"lift", "Lift", "N", "fz", "fz_pressure", "mean vertical force of the water on the whole hull"},
+          Force{"drag", "Drag", "N", "fx", "fx_pressure", "mean force of the water on the whole hull along the stream"},
+          Force{"trim_moment", "Trim moment", "N m", "my", nullptr,
+                "mean moment of the water about one point for all sources (moment_reference), bow up positive; its "
+                "target is "
+                "taken of at least a tenth of lift times length"}}) {
         double length = 0;
         for (const RunRecord& r : sources) length = std::max(length, number_of(r, "length", 0));
         const bool moment = !f.pressure;
         Quantity q = quantity(comparison, f.name, f.label, f.unit, f.definition, [&](const RunRecord& r) {
             const bool pressure_only = leave_friction_out && !moment && has_friction(r);
-            return mean_of(r, "forces", pressure_only ? f.pressure : f.column, options, moment ? 1e-3 * lift * length : 0);
+            return mean_of(r, "forces", pressure_only ? f.pressure : f.column, options,
+                           moment ? 1e-3 * lift * length : 0);
         });
-        if (leave_friction_out) q.remark = moment ? "friction included where solved" : "friction left out on both sides";
+        if (leave_friction_out)
+            q.remark = moment ? "friction included where solved" : "friction left out on both sides";
         if (std::string_view(f.name) == "lift")
             for (const MeanValue& m : q.values)
                 if (m.known) lift = std::max(lift, std::abs(m.value));
         if (moment) q.scale = 0.1 * lift * length;
-        if (std::ranges::none_of(sources, [&](const RunRecord& r) { return r.series("forces", f.column) != nullptr; })) continue;
+        if (std::ranges::none_of(sources, [&](const RunRecord& r) { return r.series("forces", f.column) != nullptr; }))
+            continue;
         std::string shared_name;
         const double shared = draft_term(comparison, f.name, shared_name);
         judge(q, comparison.names, comparison.agree_within, shared, shared_name);
@@ -171,11 +182,14 @@ void add_forces(Comparison& comparison, const CompareOptions& options) {
     };
     for (const Beside& b :
          {Beside{"drag_pressure", "Pressure drag", "N", "forces", "fx_pressure", "pressure part of the drag"},
-          Beside{"drag_friction", "Friction drag", "N", "forces", "fx_viscous", "viscous part of the drag; zero where no physical viscosity is solved"},
+          Beside{"drag_friction", "Friction drag", "N", "forces", "fx_viscous",
+                 "viscous part of the drag; zero where no physical viscosity is solved"},
           Beside{"drag_friction_corrected", "Friction drag, corrected for air", "N", "forces", "fx_viscous_corrected",
                  "friction if the wet faces touched water alone"},
-          Beside{"drag_air", "Drag by air", "N", "forces", "fx_air", "force on the dry faces, part of the total of a method that solves air; not compared"},
-          Beside{"lift_air", "Lift by air", "N", "forces", "fz_air", "force on the dry faces, part of the total of a method that solves air; not compared"},
+          Beside{"drag_air", "Drag by air", "N", "forces", "fx_air",
+                 "force on the dry faces, part of the total of a method that solves air; not compared"},
+          Beside{"lift_air", "Lift by air", "N", "forces", "fz_air",
+                 "force on the dry faces, part of the total of a method that solves air; not compared"},
           Beside{"drag_total", "Drag, air included", "N", "forces", "fx_total", "all faces; not compared"},
           Beside{"lift_total", "Lift, air included", "N", "forces", "fz_total", "all faces; not compared"},
           Beside{"ventilation", "Ventilation index", "-", "samples", "ventilation",
@@ -188,8 +202,8 @@ void add_forces(Comparison& comparison, const CompareOptions& options) {
 }
 
 void add_wetted_length(Comparison& comparison, const CompareOptions& options) {
-    Quantity q = quantity(comparison, "wetted_length", "Wetted length", "m", "length of the hull that water touches, along the keel",
-                          [&](const RunRecord& r) {
+    Quantity q = quantity(comparison, "wetted_length", "Wetted length", "m",
+                          "length of the hull that water touches, along the keel", [&](const RunRecord& r) {
                               const double half_cell = 0.5 * number_of(r, "near_hull", 0);
                               MeanValue m = mean_of(r, "samples", "wetted_length", options, half_cell);
                               if (m.known && m.half_width < half_cell) {
@@ -198,7 +212,9 @@ void add_wetted_length(Comparison& comparison, const CompareOptions& options) {
                               }
                               return m;
                           });
-    if (std::ranges::none_of(comparison.sources, [](const RunRecord& r) { return r.series("samples", "wetted_length") != nullptr; })) return;
+    if (std::ranges::none_of(comparison.sources,
+                             [](const RunRecord& r) { return r.series("samples", "wetted_length") != nullptr; }))
+        return;
     q.definition += "; known to half the spacing at the hull at best";
     judge(q, comparison.names, comparison.agree_within);
     comparison.quantities.push_back(std::move(q));

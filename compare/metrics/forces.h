@@ -3,24 +3,26 @@
 
 namespace tw {
 
-/// Settled mean of one column of a record under the rules of `options`; unknown with a reason when it has no such column.
-/// `allowed_error`: standard error that is fine whatever the mean [unit of the column].
-MeanValue mean_of(const RunRecord& record, const std::string& table, const std::string& column, const CompareOptions& options,
-                  double allowed_error = 0);
+/// Settled mean of one column of a record under the rules of `options`; unknown with a reason when it has no such
+/// column. `allowed_error`: standard error that is fine whatever the mean [unit of the column].
+MeanValue mean_of(const RunRecord& record, const std::string& table, const std::string& column,
+                  const CompareOptions& options, double allowed_error = 0);
 
-/// Length over speed [s]: the settled wetted length where the record knows it, else what the undisturbed water would wet; 0 in a tank.
+/// Length over speed [s]: the settled wetted length where the record knows it, else what the undisturbed water would
+/// wet; 0 in a tank.
 double flow_through_time(const RunRecord& record);
 
 /// Drag, lift and trim moment of the water on the hull (judged) and what stands beside them (not judged): pressure and
-/// friction parts, the air's part and the total of a method that solves air, ventilation index and friction corrected for it,
-/// SPH's three force measures and their spread. Where only one side has friction, pressure parts are compared and that is said.
+/// friction parts, the air's part and the total of a method that solves air, ventilation index and friction corrected
+/// for it, SPH's three force measures and their spread. Where only one side has friction, pressure parts are compared
+/// and that is said.
 void add_forces(Comparison& comparison, const CompareOptions& options);
 
 /// Wetted length [m].
 void add_wetted_length(Comparison& comparison, const CompareOptions& options);
 
-/// One quantity per pressure and height probe that at least two sources share: peaks, and the root mean square difference in the
-/// remark. Shown, not judged.
+/// One quantity per pressure and height probe that at least two sources share: peaks, and the root mean square
+/// difference in the remark. Shown, not judged.
 void add_probes(Comparison& comparison);
 
 }  // namespace tw

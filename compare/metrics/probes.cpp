@@ -45,25 +45,27 @@ double rms_per_cent(const RunRecord& a, const RunRecord& b, const std::string& t
         squares += d * d;
         ++count;
     }
-    return count > 0 && high > low ? 100 * std::sqrt(squares / count) / (high - low) : std::numeric_limits<double>::quiet_NaN();
+    return count > 0 && high > low ? 100 * std::sqrt(squares / count) / (high - low)
+                                   : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace
 
 void add_probes(Comparison& comparison) {
     for (const std::string table : {"pressure", "height"}) {
-        std::set<std::pair<std::string, std::string>> probes;   // name, unit
+        std::set<std::pair<std::string, std::string>> probes;  // name, unit
         for (const RunRecord& r : comparison.sources)
             if (const auto found = r.tables.find(table); found != r.tables.end())
                 for (const Column& c : found->second.columns) probes.emplace(c.name, c.unit);
         for (const auto& [name, unit] : probes) {
-            Quantity q = new_quantity(fmt::format("{}:{}", table, name), fmt::format("Peak {} at {}", table, name), unit,
-                                      "highest value of the record; depends on its length and sampling");
+            Quantity q = new_quantity(fmt::format("{}:{}", table, name), fmt::format("Peak {} at {}", table, name),
+                                      unit, "highest value of the record; depends on its length and sampling");
             for (const RunRecord& r : comparison.sources) q.values.push_back(peak(r, table, name));
             beside(q);
             if (q.values.size() >= 2) {
                 const double rms = rms_per_cent(comparison.sources[0], comparison.sources[1], table, name);
-                if (std::isfinite(rms)) q.remark = fmt::format("histories differ by {:.2g} % of the range (root mean square)", rms);
+                if (std::isfinite(rms))
+                    q.remark = fmt::format("histories differ by {:.2g} % of the range (root mean square)", rms);
             }
             comparison.quantities.push_back(std::move(q));
         }

@@ -7,7 +7,7 @@
 namespace tw {
 
 namespace {
-constexpr std::uint8_t half = 128;   // 128/255 is the first share that is at least one half
+constexpr std::uint8_t half = 128;  // 128/255 is the first share that is at least one half
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 }  // namespace
 
@@ -55,8 +55,11 @@ std::vector<float> sheet_tops(const RasterGrid& grid, const RasterFrame& frame, 
                 const std::size_t v = grid.voxel(i, j, k);
                 if (!body[v]) continue;
                 // Water that only part-fills the voxel above belongs to the same surface.
-                const double above = k + 1 < grid.nz && !body[grid.voxel(i, j, k + 1)] ? frame.water[grid.voxel(i, j, k + 1)] / 255.0 : 0;
-                top[grid.column(i, j)] = static_cast<float>(grid.z_low(k) + grid.spec.spacing * (frame.water[v] / 255.0 + above));
+                const double above = k + 1 < grid.nz && !body[grid.voxel(i, j, k + 1)]
+                                         ? frame.water[grid.voxel(i, j, k + 1)] / 255.0
+                                         : 0;
+                top[grid.column(i, j)] =
+                    static_cast<float>(grid.z_low(k) + grid.spec.spacing * (frame.water[v] / 255.0 + above));
             }
     return top;
 }
@@ -92,8 +95,10 @@ std::vector<std::uint8_t> under_hull(const RasterGrid& grid, const Surface& hull
         const auto index = [&](double at, double origin, int count) {
             return static_cast<int>(std::clamp((at - origin) / grid.spec.spacing, -1.0, static_cast<double>(count)));
         };
-        for (int j = std::max(0, index(y_min, grid.spec.origin.y(), grid.ny)); j <= std::min(grid.ny - 1, index(y_max, grid.spec.origin.y(), grid.ny)); ++j)
-            for (int i = std::max(0, index(x_min, grid.spec.origin.x(), grid.nx)); i <= std::min(grid.nx - 1, index(x_max, grid.spec.origin.x(), grid.nx)); ++i) {
+        for (int j = std::max(0, index(y_min, grid.spec.origin.y(), grid.ny));
+             j <= std::min(grid.ny - 1, index(y_max, grid.spec.origin.y(), grid.ny)); ++j)
+            for (int i = std::max(0, index(x_min, grid.spec.origin.x(), grid.nx));
+                 i <= std::min(grid.nx - 1, index(x_max, grid.spec.origin.x(), grid.nx)); ++i) {
                 const double x = grid.x(i), y = grid.y(j);
                 const double s = cross(a, b, x, y), u = cross(b, c, x, y), v = cross(c, a, x, y);
                 if ((s >= 0 && u >= 0 && v >= 0) || (s <= 0 && u <= 0 && v <= 0)) covered[grid.column(i, j)] = 1;

@@ -23,7 +23,8 @@ struct Airborne {
         if (!(total > 0)) return nan;
         double below = 0;
         for (std::size_t k = 0; k < volume.size(); ++k) {
-            if (below + volume[k] >= q * total && volume[k] > 0) return low[k] + (high[k] - low[k]) * (q * total - below) / volume[k];
+            if (below + volume[k] >= q * total && volume[k] > 0)
+                return low[k] + (high[k] - low[k]) * (q * total - below) / volume[k];
             below += volume[k];
         }
         return high.back();
@@ -39,7 +40,7 @@ Airborne airborne(const RasterGrid& grid, const RasterFrame& frame, double cut_o
         const auto first = frame.water.begin() + static_cast<std::ptrdiff_t>(grid.voxel(0, 0, k));
         double sum = 0;
         for (auto v = first; v != first + static_cast<std::ptrdiff_t>(grid.columns()); ++v) sum += *v / 255.0;
-        const double above = std::min(1.0, (high - cut_off) / grid.spec.spacing);   // the layer may straddle the cut-off
+        const double above = std::min(1.0, (high - cut_off) / grid.spec.spacing);  // the layer may straddle the cut-off
         air.low.push_back(std::max(low, cut_off));
         air.high.push_back(high);
         air.volume.push_back(sum * above * voxel);
@@ -70,8 +71,13 @@ Table splash_series(const RunRecord& record, double level) {
     if (grid.empty()) return table;
     const double factor = number_of_text(record, "symmetry_factor", 1);
     const double weight = number_of(record, "density", 1000) * number_of(record, "gravity", 9.81);
-    std::array<Column, 7> columns{{{"sheet_height", "m", {}}, {"p95", "m", {}}, {"p99", "m", {}}, {"p99_9", "m", {}},
-                                   {"airborne_volume", "m3", {}}, {"airborne_energy", "J", {}}, {"raw_height", "m", {}}}};
+    std::array<Column, 7> columns{{{"sheet_height", "m", {}},
+                                   {"p95", "m", {}},
+                                   {"p99", "m", {}},
+                                   {"p99_9", "m", {}},
+                                   {"airborne_volume", "m3", {}},
+                                   {"airborne_energy", "J", {}},
+                                   {"raw_height", "m", {}}}};
     for (const RasterFrame& frame : record.frames) {
         const auto tops = sheet_tops(grid, frame, main_body(grid, frame));
         double sheet = -std::numeric_limits<double>::infinity();
@@ -79,16 +85,22 @@ Table splash_series(const RunRecord& record, double level) {
             if (std::isfinite(top)) sheet = std::max(sheet, static_cast<double>(top));
         const Airborne air = airborne(grid, frame, level + grid.spec.spacing);
         double energy = 0;
-        for (std::size_t k = 0; k < air.volume.size(); ++k) energy += weight * air.volume[k] * (0.5 * (air.low[k] + air.high[k]) - level);
+        for (std::size_t k = 0; k < air.volume.size(); ++k)
+            energy += weight * air.volume[k] * (0.5 * (air.low[k] + air.high[k]) - level);
         double raw = nan;
         for (int k = grid.nz - 1; k >= 0 && std::isnan(raw); --k) {
             const auto first = frame.water.begin() + static_cast<std::ptrdiff_t>(grid.voxel(0, 0, k));
             const std::uint8_t most = *std::max_element(first, first + static_cast<std::ptrdiff_t>(grid.columns()));
-            if (most >= 3) raw = grid.z_low(k + 1) - level;   // 3/255 is the first share of at least 1/100
+            if (most >= 3) raw = grid.z_low(k + 1) - level;  // 3/255 is the first share of at least 1/100
         }
         table.time.push_back(frame.time);
-        const std::array<double, 7> row{std::isfinite(sheet) ? sheet - level : nan, air.height(0.95) - level, air.height(0.99) - level,
-                                        air.height(0.999) - level, factor * air.total, factor * energy, raw};
+        const std::array<double, 7> row{std::isfinite(sheet) ? sheet - level : nan,
+                                        air.height(0.95) - level,
+                                        air.height(0.99) - level,
+                                        air.height(0.999) - level,
+                                        factor * air.total,
+                                        factor * energy,
+                                        raw};
         for (std::size_t c = 0; c < row.size(); ++c) columns[c].values.push_back(row[c]);
     }
     table.columns.assign(columns.begin(), columns.end());
@@ -119,7 +131,8 @@ double wake_width(const RunRecord& record, const std::vector<float>& envelope, d
         if (grid.x(i) <= stern) continue;
         double crest = -std::numeric_limits<double>::infinity();
         for (int j = 0; j < grid.ny; ++j)
-            if (std::isfinite(envelope[grid.column(i, j)])) crest = std::max(crest, envelope[grid.column(i, j)] - level);
+            if (std::isfinite(envelope[grid.column(i, j)]))
+                crest = std::max(crest, envelope[grid.column(i, j)] - level);
         if (!std::isfinite(crest)) continue;
         stations.push_back(i);
         mean_crest += crest;

@@ -14,8 +14,8 @@ bool is_stream(const RunRecord& record);
 ///   airborne_volume [m3], airborne_energy [J] = rho g sum V (z - level)   times the symmetry factor
 ///   raw_height [m]     highest voxel with a water share of at least 1/100: shown, never judged
 ///
-/// Airborne is all water more than one voxel edge above still water, attached or not. Heights are NaN in frames without it.
-/// No height is better than half a voxel edge.
+/// Airborne is all water more than one voxel edge above still water, attached or not. Heights are NaN in frames without
+/// it. No height is better than half a voxel edge.
 Table splash_series(const RunRecord& record, double still_level);
 
 /// z = 0 in a stream. In a tank: where the water of the first frame would stand if it were spread over the raster.
@@ -24,9 +24,10 @@ double still_level(const RunRecord& record);
 /// Highest connected water per raster column over all frames from `from` on [m].
 std::vector<float> splash_envelope(const RunRecord& record, double from);
 
-/// Width of the Kelvin wake behind the hull [m], from the envelope: crest(x) = max over y behind the transom, level = still level +
-/// half the mean crest height; width(x) = distance between the outermost columns that reach the level (twice the half width for a
-/// half model); the mean over x. NaN when nothing behind the hull rises above still water by half a voxel edge.
+/// Width of the Kelvin wake behind the hull [m], from the envelope: crest(x) = max over y behind the transom, level =
+/// still level + half the mean crest height; width(x) = distance between the outermost columns that reach the level
+/// (twice the half width for a half model); the mean over x. NaN when nothing behind the hull rises above still water
+/// by half a voxel edge.
 double wake_width(const RunRecord& record, const std::vector<float>& envelope, double still_level);
 
 }  // namespace tw

@@ -60,16 +60,19 @@ MeanValue single(double value, double half_width, double floor, const RunRecord&
 }
 
 /// A mean surface or an envelope from less settled time than a mean needs is withheld like one.
-void withhold_if_short(MeanValue& value, const Analysis& analysis, const RunRecord& record, const CompareOptions& options) {
+void withhold_if_short(MeanValue& value, const Analysis& analysis, const RunRecord& record,
+                       const CompareOptions& options) {
     const double needed = options.fewest_flow_throughs * flow_through_time(record);
     const double window = record.frames.empty() ? 0 : record.frames.back().time - analysis.settled_from;
     // Frames are a sampling interval apart: the last may lie that much before the end.
-    const double interval = record.frames.size() > 1 ? record.frames.back().time - record.frames[record.frames.size() - 2].time : 0;
+    const double interval =
+        record.frames.size() > 1 ? record.frames.back().time - record.frames[record.frames.size() - 2].time : 0;
     if (!value.known || !is_stream(record) || window + interval >= needed) return;
     value = {};
     value.seconds_needed = needed - window;
-    value.why_not = fmt::format("record too short: {:.2g} s of settled frames, {:.2g} s wanted; about {:.2g} s more is needed", std::max(window, 0.0), needed,
-                                value.seconds_needed);
+    value.why_not =
+        fmt::format("record too short: {:.2g} s of settled frames, {:.2g} s wanted; about {:.2g} s more is needed",
+                    std::max(window, 0.0), needed, value.seconds_needed);
 }
 
 /// Largest finite value from `from` on; NaN where there is none.
@@ -93,14 +96,20 @@ void add_splash(Comparison& comparison, const CompareOptions& options) {
         const char *name, *label, *unit, *column, *definition;
         bool height;
     };
-    for (const Measure& m :
-         {Measure{"splash_sheet_height", "Splash height (connected sheet)", "m", "sheet_height",
-                  "highest water, above still water, that hangs together with the main body: voxels at least half full, 26 neighbours", true},
-          Measure{"splash_p95", "Splash height, 95 % of airborne water", "m", "p95", "height above still water below which 95 % of the airborne water lies", true},
-          Measure{"splash_p99", "Splash height, 99 % of airborne water", "m", "p99", "height above still water below which 99 % of the airborne water lies", true},
-          Measure{"splash_p99_9", "Splash height, 99.9 % of airborne water", "m", "p99_9", "height above still water below which 99.9 % of the airborne water lies", true},
-          Measure{"airborne_volume", "Airborne water", "m3", "airborne_volume", "water more than one voxel above still water, attached or not, whole hull", false},
-          Measure{"airborne_energy", "Potential energy of airborne water", "J", "airborne_energy", "rho g times the airborne water's volume times height", false}}) {
+    for (const Measure& m : {Measure{"splash_sheet_height", "Splash height (connected sheet)", "m", "sheet_height",
+                                     "highest water, above still water, that hangs together with the main body: voxels "
+                                     "at least half full, 26 neighbours",
+                                     true},
+                             Measure{"splash_p95", "Splash height, 95 % of airborne water", "m", "p95",
+                                     "height above still water below which 95 % of the airborne water lies", true},
+                             Measure{"splash_p99", "Splash height, 99 % of airborne water", "m", "p99",
+                                     "height above still water below which 99 % of the airborne water lies", true},
+                             Measure{"splash_p99_9", "Splash height, 99.9 % of airborne water", "m", "p99_9",
+                                     "height above still water below which 99.9 % of the airborne water lies", true},
+                             Measure{"airborne_volume", "Airborne water", "m3", "airborne_volume",
+                                     "water more than one voxel above still water, attached or not, whole hull", false},
+                             Measure{"airborne_energy", "Potential energy of airborne water", "J", "airborne_energy",
+                                     "rho g times the airborne water's volume times height", false}}) {
         Quantity q = new_quantity(m.name, m.label, m.unit, m.definition);
         for (std::size_t s = 0; s < comparison.sources.size(); ++s) {
             const RunRecord& record = comparison.sources[s];
@@ -110,7 +119,8 @@ void add_splash(Comparison& comparison, const CompareOptions& options) {
             if (!column) {
                 value.why_not = "no raster frames";
             } else if (!stream) {
-                value = single(largest(comparison.analyses[s].splash, *column, 0), 0, floor, record, "no airborne water");
+                value =
+                    single(largest(comparison.analyses[s].splash, *column, 0), 0, floor, record, "no airborne water");
             } else {
                 SettledRules rules;
                 rules.from = comparison.analyses[s].settled_from;
@@ -125,20 +135,27 @@ void add_splash(Comparison& comparison, const CompareOptions& options) {
             }
             q.values.push_back(value);
         }
-        if (m.height) q.definition += fmt::format("; no better than half a voxel ({:.3g} m)", 0.5 * comparison.sources[0].raster.spacing);
+        if (m.height)
+            q.definition +=
+                fmt::format("; no better than half a voxel ({:.3g} m)", 0.5 * comparison.sources[0].raster.spacing);
         if (!stream) q.definition += "; the largest of the run, since a tank's water does not settle";
         // A volume's largest value has no interval that could carry a verdict.
-        if (stream || m.height) judge(q, comparison.names, comparison.agree_within);
-        else beside(q);
+        if (stream || m.height)
+            judge(q, comparison.names, comparison.agree_within);
+        else
+            beside(q);
         comparison.quantities.push_back(std::move(q));
     }
 
-    Quantity envelope = new_quantity("splash_envelope", "Splash envelope, highest point", "m",
-                                     "highest connected water at any time of the settled frames; grows with the length of the record");
+    Quantity envelope =
+        new_quantity("splash_envelope", "Splash envelope, highest point", "m",
+                     "highest connected water at any time of the settled frames; grows with the length of the record");
     Quantity raw = new_quantity("splash_raw_max", "Highest water of any kind (raw)", "m",
-                                "highest voxel with a water share of 1/100 at any time of the settled frames: one droplet decides it, so it is shown and not judged");
+                                "highest voxel with a water share of 1/100 at any time of the settled frames: one "
+                                "droplet decides it, so it is shown and not judged");
     Quantity wake = new_quantity("wake_width", "Kelvin wake width", "m",
-                                 "behind the hull: mean distance between the outermost columns whose envelope reaches half the mean crest height; no better than a voxel");
+                                 "behind the hull: mean distance between the outermost columns whose envelope reaches "
+                                 "half the mean crest height; no better than a voxel");
     for (std::size_t s = 0; s < comparison.sources.size(); ++s) {
         const RunRecord& record = comparison.sources[s];
         const Analysis& a = comparison.analyses[s];
@@ -147,17 +164,21 @@ void add_splash(Comparison& comparison, const CompareOptions& options) {
             if (std::isfinite(z) && !(highest >= z - a.still_level)) highest = z - a.still_level;
         envelope.values.push_back(single(highest, 0, 0.5 * record.raster.spacing, record, "no raster frames"));
         const Column* heights = a.splash.find("raw_height");
-        const double droplet = heights ? largest(a.splash, *heights, a.settled_from) : std::numeric_limits<double>::quiet_NaN();
+        const double droplet =
+            heights ? largest(a.splash, *heights, a.settled_from) : std::numeric_limits<double>::quiet_NaN();
         raw.values.push_back(single(droplet, 0, 0.5 * record.raster.spacing, record, "no raster frames"));
-        wake.values.push_back(single(wake_width(record, a.envelope, a.still_level), 0, number_of_text(record, "symmetry_factor", 1) * 0.5 * record.raster.spacing,
-                                     record, record.frames.empty() ? "no raster frames" : "no wake crest above half a voxel"));
+        wake.values.push_back(single(wake_width(record, a.envelope, a.still_level), 0,
+                                     number_of_text(record, "symmetry_factor", 1) * 0.5 * record.raster.spacing, record,
+                                     record.frames.empty() ? "no raster frames" : "no wake crest above half a voxel"));
         withhold_if_short(wake.values.back(), a, record, options);
     }
     for (Quantity* q : {&envelope, &raw}) {
         beside(*q);
         comparison.quantities.push_back(std::move(*q));
     }
-    if (std::ranges::any_of(comparison.sources, [](const RunRecord& r) { return !r.hull.points.empty() && number_of(r, "speed", 0) > 0; })) {
+    if (std::ranges::any_of(comparison.sources, [](const RunRecord& r) {
+            return !r.hull.points.empty() && number_of(r, "speed", 0) > 0;
+        })) {
         judge(wake, comparison.names, comparison.agree_within);
         comparison.quantities.push_back(std::move(wake));
     }
@@ -169,28 +190,35 @@ void add_elevation(Comparison& comparison, const CompareOptions& options) {
     for (std::size_t k = 0; k < first.size(); ++k) {
         const std::string place = fmt::format("{} = {:.4g} m", first[k].along_x ? "y" : "x", first[k].place);
         for (const bool high : {true, false}) {
-            Quantity q = new_quantity(fmt::format("{}_{}_{:.4g}", high ? "crest" : "trough", first[k].along_x ? "y" : "x", first[k].place),
-                                      fmt::format("{} along {}", high ? "Highest elevation" : "Lowest elevation", place), "m",
-                                      "of the mean free surface (column integral of the connected water) over this cut, outside the hull's plan "
-                                      "view; no better than half a voxel");
+            Quantity q = new_quantity(
+                fmt::format("{}_{}_{:.4g}", high ? "crest" : "trough", first[k].along_x ? "y" : "x", first[k].place),
+                fmt::format("{} along {}", high ? "Highest elevation" : "Lowest elevation", place), "m",
+                "of the mean free surface (column integral of the connected water) over this cut, outside the hull's "
+                "plan "
+                "view; no better than half a voxel");
             for (std::size_t s = 0; s < comparison.sources.size(); ++s) {
                 const Analysis& a = comparison.analyses[s];
                 const RunRecord& record = comparison.sources[s];
                 if (k >= a.cuts.size()) {
-                    q.values.push_back(single(std::numeric_limits<double>::quiet_NaN(), 0, 0, record, "no raster frames"));
+                    q.values.push_back(
+                        single(std::numeric_limits<double>::quiet_NaN(), 0, 0, record, "no raster frames"));
                     continue;
                 }
                 const Extreme e = high ? crest(a.cuts[k]) : trough(a.cuts[k]);
-                const auto frames = static_cast<double>(std::ranges::count_if(record.frames, [&](const RasterFrame& f) { return f.time >= a.surface_from; }));
+                const auto frames = static_cast<double>(std::ranges::count_if(
+                    record.frames, [&](const RasterFrame& f) { return f.time >= a.surface_from; }));
                 const double statistical = frames > 1 ? student_t_95(frames - 1) * e.deviation / std::sqrt(frames) : 0;
-                q.values.push_back(single(e.value, statistical, 0.5 * record.raster.spacing, record, "no free surface on this cut"));
+                q.values.push_back(
+                    single(e.value, statistical, 0.5 * record.raster.spacing, record, "no free surface on this cut"));
                 withhold_if_short(q.values.back(), a, record, options);
             }
-            q.scale = comparison.sources.front().raster.spacing;   // an elevation near zero is no measure of itself
+            q.scale = comparison.sources.front().raster.spacing;  // an elevation near zero is no measure of itself
             judge(q, comparison.names, comparison.agree_within);
             if (high && comparison.analyses.size() == 2 && k < comparison.analyses[1].cuts.size()) {
                 const double rms = rms_difference(first[k], comparison.analyses[1].cuts[k]);
-                if (std::isfinite(rms)) q.remark += fmt::format("{}whole cut: root mean square difference {:.2g} m", q.remark.empty() ? "" : "; ", rms);
+                if (std::isfinite(rms))
+                    q.remark += fmt::format("{}whole cut: root mean square difference {:.2g} m",
+                                            q.remark.empty() ? "" : "; ", rms);
             }
             comparison.quantities.push_back(std::move(q));
         }

@@ -29,17 +29,21 @@ void crop_to_domain(RunRecord& record) {
     RasterSpec& spec = record.raster;
     constexpr double far = std::numeric_limits<double>::infinity();
     if (!(spec.spacing > 0) || spec.count[0] < 2) return;
-    const Inside x(spec.origin.x(), spec.spacing, spec.count[0], number_of(record, "domain_x_min", -far), number_of(record, "domain_x_max", far));
-    const Inside y(spec.origin.y(), spec.spacing, spec.count[1], spec.count[1] > 1 ? number_of(record, "domain_y_min", -far) : -far,
+    const Inside x(spec.origin.x(), spec.spacing, spec.count[0], number_of(record, "domain_x_min", -far),
+                   number_of(record, "domain_x_max", far));
+    const Inside y(spec.origin.y(), spec.spacing, spec.count[1],
+                   spec.count[1] > 1 ? number_of(record, "domain_y_min", -far) : -far,
                    spec.count[1] > 1 ? number_of(record, "domain_y_max", far) : far);
     const int nx = x.end - x.first, ny = y.end - y.first;
     if ((nx == spec.count[0] && ny == spec.count[1]) || nx < 1 || ny < 1) return;
     for (RasterFrame& frame : record.frames) {
         std::vector<std::uint8_t> kept;
-        kept.reserve(static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny) * static_cast<std::size_t>(spec.count[2]));
+        kept.reserve(static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny) *
+                     static_cast<std::size_t>(spec.count[2]));
         for (int k = 0; k < spec.count[2]; ++k)
             for (int j = y.first; j < y.end; ++j) {
-                const auto row = frame.water.begin() + (static_cast<std::ptrdiff_t>(k) * spec.count[1] + j) * spec.count[0];
+                const auto row =
+                    frame.water.begin() + (static_cast<std::ptrdiff_t>(k) * spec.count[1] + j) * spec.count[0];
                 kept.insert(kept.end(), row + x.first, row + x.end);
             }
         frame.water = std::move(kept);
@@ -55,13 +59,14 @@ void complete_half_hull(RunRecord& record) {
     if (!(number_of_text(record, "symmetry_factor", 1) > 1) || hull.points.empty()) return;
     double low = hull.points[0].y(), high = low;
     for (const Vec3& p : hull.points) low = std::min(low, p.y()), high = std::max(high, p.y());
-    if (low < -0.01 * high) return;   // both sides are there
+    if (low < -0.01 * high) return;  // both sides are there
     const std::size_t points = hull.points.size(), triangles = hull.triangles.size();
-    for (std::size_t i = 0; i < points; ++i) hull.points.emplace_back(hull.points[i].x(), -hull.points[i].y(), hull.points[i].z());
+    for (std::size_t i = 0; i < points; ++i)
+        hull.points.emplace_back(hull.points[i].x(), -hull.points[i].y(), hull.points[i].z());
     for (std::size_t t = 0; t < triangles; ++t) {
         const auto [a, b, c] = hull.triangles[t];
         const int n = static_cast<int>(points);
-        hull.triangles.push_back({a + n, c + n, b + n});   // turned, so that normals stay outward
+        hull.triangles.push_back({a + n, c + n, b + n});  // turned, so that normals stay outward
     }
     for (auto* values : {&record.hull_pressure, &record.hull_wet})
         if (values->size() == triangles) {

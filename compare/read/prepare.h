@@ -3,8 +3,9 @@
 
 namespace tw {
 
-/// Leaves only raster columns that lie wholly inside the solved domain (numbers domain_x_min ...): in others a method's outlet buffer
-/// or the missing half of a voxel would look like a wave. A record without these numbers, or one voxel wide, stays as it is.
+/// Leaves only raster columns that lie wholly inside the solved domain (numbers domain_x_min ...): in others a method's
+/// outlet buffer or the missing half of a voxel would look like a wave. A record without these numbers, or one voxel
+/// wide, stays as it is.
 void crop_to_domain(RunRecord& record);
 
 /// A half model whose hull surface holds only one side gets the other by reflection in y = 0, values included.

@@ -22,14 +22,15 @@ std::optional<PrismaticHull> prismatic_hull(const RunRecord& record) {
     // Bow up turns the hull's own x axis (to the stern) downward: body axes e_x = (cos, 0, -sin), e_z = (sin, 0, cos).
     const Vec3 e_x(std::cos(trim), 0, -std::sin(trim)), e_z(std::sin(trim), 0, std::cos(trim));
     double area = 0, deadrise = 0, y_min = 0, y_max = 0;
-    std::vector<std::pair<double, Vec3>> bottom;   // area, unit normal in body axes
+    std::vector<std::pair<double, Vec3>> bottom;  // area, unit normal in body axes
     for (int t = 0; t < static_cast<int>(record.hull.triangles.size()); ++t) {
         const Vec3 a2 = record.hull.area_vector2(t);
         const double twice = a2.norm();
         if (!(twice > 0)) continue;
         const Vec3 n(a2.dot(e_x) / twice, a2.y() / twice, a2.dot(e_z) / twice);
-        const double lowest = std::min({record.hull.corner(t, 0).z(), record.hull.corner(t, 1).z(), record.hull.corner(t, 2).z()});
-        if (n.z() > -0.02 || lowest >= 0) continue;   // upright (side, transom), or dry
+        const double lowest =
+            std::min({record.hull.corner(t, 0).z(), record.hull.corner(t, 1).z(), record.hull.corner(t, 2).z()});
+        if (n.z() > -0.02 || lowest >= 0) continue;  // upright (side, transom), or dry
         bottom.emplace_back(twice, n);
         area += twice;
         deadrise += twice * std::atan2(std::abs(n.y()), -n.z());
@@ -40,9 +41,9 @@ std::optional<PrismaticHull> prismatic_hull(const RunRecord& record) {
     }
     if (!(area > 0)) return {};
     deadrise /= area;
-    constexpr double steepest = 0.7;   // [rad], 40 degrees: a planing bottom, and inside the formula's data
+    constexpr double steepest = 0.7;  // [rad], 40 degrees: a planing bottom, and inside the formula's data
     if (deadrise > steepest) return {};
-    constexpr double tolerance = 0.01;   // of a unit normal: about half a degree
+    constexpr double tolerance = 0.01;  // of a unit normal: about half a degree
     for (const auto& [a, n] : bottom) {
         const Vec3 expected(0, std::copysign(std::sin(deadrise), n.y()), -std::cos(deadrise));
         if ((n - expected).norm() > tolerance && a > 1e-3 * area) return {};

@@ -31,7 +31,8 @@ Savitsky savitsky(const PlaningState& s, double lambda) {
     r.friction_drag = Cf * 0.5 * s.density * Vm * Vm * lambda * b * b / std::cos(s.deadrise);
     r.drag = r.pressure_drag + r.friction_drag / std::cos(s.trim);
     r.pressure_centre = lambda * b * (0.75 - 1 / (5.21 * Cv * Cv / (lambda * lambda) + 2.39));
-    r.in_range = Cv >= 0.6 && Cv <= 13 && trim_deg >= 2 && trim_deg <= 15 && lambda > 0 && lambda <= 4 && r.chine_wetted_length > 0;
+    r.in_range = Cv >= 0.6 && Cv <= 13 && trim_deg >= 2 && trim_deg <= 15 && lambda > 0 && lambda <= 4 &&
+                 r.chine_wetted_length > 0;
     return r;
 }
 

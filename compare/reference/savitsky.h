@@ -4,13 +4,14 @@ namespace tw {
 
 /// A prismatic planing hull held at fixed trim in fresh or sea water.
 struct PlaningState {
-    double beam = 0;                    ///< [m]
-    double deadrise = 0, trim = 0;      ///< [rad]
-    double speed = 0;                   ///< [m/s]
+    double beam = 0;                ///< [m]
+    double deadrise = 0, trim = 0;  ///< [rad]
+    double speed = 0;               ///< [m/s]
     double density = 1000, kinematic_viscosity = 1e-6, gravity = 9.81;
 };
 
-/// Savitsky, "Hydrodynamic design of planing hulls", Marine Technology 1(1), 1964, with ITTC-57 friction, no roughness allowance:
+/// Savitsky, "Hydrodynamic design of planing hulls", Marine Technology 1(1), 1964, with ITTC-57 friction, no roughness
+/// allowance:
 ///
 ///   CL0    = trim_deg^1.1 (0.012 lambda^0.5 + 0.0055 lambda^2.5 / Cv^2)       Cv = U / sqrt(g b)
 ///   CLbeta = CL0 - 0.0065 beta_deg CL0^0.6                                    lift = CLbeta 1/2 rho U^2 b^2
@@ -19,15 +20,16 @@ struct PlaningState {
 ///
 /// A fit to towing-tank data, good to about +-10 % inside 0.6 <= Cv <= 13, 2 <= trim <= 15 degrees, lambda <= 4.
 struct Savitsky {
-    double lambda = 0;                  ///< mean wetted length over beam [-]
-    double keel_wetted_length = 0, chine_wetted_length = 0;   ///< [m]; chine < 0: chines dry, outside the fit
-    double lift = 0, pressure_drag = 0, friction_drag = 0, drag = 0;   ///< [N]
-    double pressure_centre = 0;         ///< forward of the transom, along the keel [m]
+    double lambda = 0;                                                ///< mean wetted length over beam [-]
+    double keel_wetted_length = 0, chine_wetted_length = 0;           ///< [m]; chine < 0: chines dry, outside the fit
+    double lift = 0, pressure_drag = 0, friction_drag = 0, drag = 0;  ///< [N]
+    double pressure_centre = 0;                                       ///< forward of the transom, along the keel [m]
     bool in_range = false;
 };
 /// `lambda`: mean wetted length over beam [-].
 Savitsky savitsky(const PlaningState& state, double lambda);
-/// From the draft of the keel at the transom [m]: keel wet over draft / sin(trim), chine shorter by b tan(beta) / (pi tan(trim)).
+/// From the draft of the keel at the transom [m]: keel wet over draft / sin(trim), chine shorter by b tan(beta) / (pi
+/// tan(trim)).
 Savitsky savitsky_at_draft(const PlaningState& state, double draft);
 
 }  // namespace tw

@@ -5,13 +5,14 @@
 
 namespace tw {
 
-using Rgb = std::array<double, 3>;   ///< 0..1
+using Rgb = std::array<double, 3>;  ///< 0..1
 
 /// A colour scale through evenly spaced colours, the same for pictures, maps and legends.
 class ColourScale {
 public:
-    explicit ColourScale(std::vector<Rgb> stops, double low, double high) : stops_(std::move(stops)), low_(low), high_(high) {}
-    Rgb operator()(double value) const;   ///< clamped to the ends
+    explicit ColourScale(std::vector<Rgb> stops, double low, double high)
+        : stops_(std::move(stops)), low_(low), high_(high) {}
+    Rgb operator()(double value) const;  ///< clamped to the ends
     double low() const { return low_; }
     double high() const { return high_; }
     /// A labelled bar as <svg>.

@@ -31,9 +31,10 @@ std::string quantities_csv(const Comparison& comparison) {
     out += ",difference,interval,per_cent,verdict,judged,remark\n";
     for (const Quantity& q : comparison.quantities) {
         out += cell(q.name) + "," + cell(q.unit);
-        for (const MeanValue& m : q.values) out += m.known ? fmt::format(",{},{}", number(m.value), number(m.half_width)) : ",,";
-        out += fmt::format(",{},{},{},{},{},{}\n", number(q.difference), number(q.interval), number(q.per_cent), to_string(q.verdict),
-                           q.judged ? "yes" : "no", cell(q.remark));
+        for (const MeanValue& m : q.values)
+            out += m.known ? fmt::format(",{},{}", number(m.value), number(m.half_width)) : ",,";
+        out += fmt::format(",{},{},{},{},{},{}\n", number(q.difference), number(q.interval), number(q.per_cent),
+                           to_string(q.verdict), q.judged ? "yes" : "no", cell(q.remark));
     }
     return out;
 }
@@ -45,7 +46,8 @@ std::string series_csv(const Comparison& comparison) {
     const auto add = [&](const std::string& source, const Table& table) {
         const std::size_t stride = 1 + table.time.size() / most_rows;
         for (const Column& c : table.columns) {
-            const std::string head = cell(source) + "," + cell(table.name) + "," + cell(c.name) + "," + cell(c.unit) + ",";
+            const std::string head =
+                cell(source) + "," + cell(table.name) + "," + cell(c.name) + "," + cell(c.unit) + ",";
             for (std::size_t i = 0; i < table.time.size(); i += stride)
                 fmt::format_to(std::back_inserter(out), "{}{},{}\n", head, table.time[i], number(c.values[i]));
         }

@@ -1,8 +1,8 @@
 #include "compare/report/egl_window.h"
 
+#include <dlfcn.h>
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
-#include <dlfcn.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
@@ -14,8 +14,9 @@
 
 #include "base/errors.h"
 
-/// VTK calls glewInit, which loads all entry points and then fails for want of a GLX display (4, GLEW_ERROR_NO_GLX_DISPLAY).
-/// Under EGL that is no fault. The linker exports this name because VTK's shared library refers to it.
+/// VTK calls glewInit, which loads all entry points and then fails for want of a GLX display (4,
+/// GLEW_ERROR_NO_GLX_DISPLAY). Under EGL that is no fault. The linker exports this name because VTK's shared library
+/// refers to it.
 extern "C" unsigned int glewInit() {
     using Function = unsigned int (*)();
     const auto real = reinterpret_cast<Function>(dlsym(RTLD_NEXT, "glewInit"));
@@ -63,7 +64,8 @@ struct EglWindow::Impl {
 };
 
 EglWindow::EglWindow(int width, int height) : impl_(std::make_unique<Impl>()) {
-    const auto platform_display = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
+    const auto platform_display =
+        reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
     if (!platform_display) throw RunError("no pictures: this EGL knows no surfaceless display");
     impl_->display = platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     if (impl_->display == EGL_NO_DISPLAY || !eglInitialize(impl_->display, nullptr, nullptr)) {
@@ -75,10 +77,12 @@ EglWindow::EglWindow(int width, int height) : impl_(std::make_unique<Impl>()) {
     EGLint count = 0;
     if (!eglBindAPI(EGL_OPENGL_API) || !eglChooseConfig(impl_->display, wanted, &config, 1, &count) || count < 1)
         throw RunError("no pictures: EGL offers no OpenGL here");
-    const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 2, EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                              EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+    const EGLint version[] = {
+        EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 2, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
     impl_->context = eglCreateContext(impl_->display, config, EGL_NO_CONTEXT, version);
-    if (impl_->context == EGL_NO_CONTEXT || !eglMakeCurrent(impl_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, impl_->context))
+    if (impl_->context == EGL_NO_CONTEXT ||
+        !eglMakeCurrent(impl_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, impl_->context))
         throw RunError("no pictures: no OpenGL 3.2 context without a surface");
 
     impl_->window = vtkSmartPointer<Window>::New();
@@ -108,7 +112,8 @@ std::string EglWindow::png(vtkRenderer* renderer) {
     writer->WriteToMemoryOn();
     writer->Write();
     vtkUnsignedCharArray* bytes = writer->GetResult();
-    std::string out(reinterpret_cast<const char*>(bytes->GetPointer(0)), static_cast<std::size_t>(bytes->GetNumberOfValues()));
+    std::string out(reinterpret_cast<const char*>(bytes->GetPointer(0)),
+                    static_cast<std::size_t>(bytes->GetNumberOfValues()));
     impl_->window->RemoveRenderer(renderer);
     return out;
 }

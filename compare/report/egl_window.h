@@ -6,8 +6,8 @@ class vtkRenderer;
 
 namespace tw {
 
-/// Pictures without a display: an EGL surfaceless context (Mesa's software renderer where there is no graphics card) under VTK's
-/// generic window. Debian's VTK is built for X11 only and aborts without a display.
+/// Pictures without a display: an EGL surfaceless context (Mesa's software renderer where there is no graphics card)
+/// under VTK's generic window. Debian's VTK is built for X11 only and aborts without a display.
 class EglWindow {
 public:
     /// Throws RunError with the reason when the machine has no such context.

@@ -16,7 +16,8 @@ namespace tw {
 
 namespace {
 
-/// Width of the moving mean of displayed traces [s]: measured to take out particle noise and to leave the flow, 0.16 beam / speed.
+/// Width of the moving mean of displayed traces [s]: measured to take out particle noise and to leave the flow, 0.16
+/// beam / speed.
 double display_filter(const RunRecord& record) {
     const double speed = number_of(record, "speed", 0), beam = number_of(record, "beam", 0);
     return speed > 0 && beam > 0 ? 0.16 * beam / speed : 0;
@@ -41,46 +42,60 @@ Figure force_figure(const Comparison& c, const Trace& t) {
         const double width = display_filter(c.sources[s]);
         filter = std::max(filter, width);
         if (width > 0) plot.lines.push_back({"", s, time, column->values, true, false});
-        smooth.push_back({c.names[s], s, time, width > 0 ? moving_mean(time, column->values, width) : column->values, false, false});
+        smooth.push_back(
+            {c.names[s], s, time, width > 0 ? moving_mean(time, column->values, width) : column->values, false, false});
     }
     for (PlotLine& l : smooth) plot.lines.push_back(std::move(l));
     if (const Quantity* q = c.find(t.quantity))
         for (std::size_t s = 0; s < q->values.size(); ++s)
-            if (q->values[s].known) plot.bands.push_back({s, q->values[s].from, q->values[s].to, q->values[s].value, q->values[s].half_width});
+            if (q->values[s].known)
+                plot.bands.push_back(
+                    {s, q->values[s].from, q->values[s].to, q->values[s].value, q->values[s].half_width});
     for (const Reference& r : c.references)
-        if (r.quantity == t.quantity) plot.levels.push_back({r.source + (std::string(t.quantity) == "drag" && r.remark.find("pressure") != std::string::npos ? ", pressure part" : ""), r.value});
+        if (r.quantity == t.quantity)
+            plot.levels.push_back(
+                {r.source + (std::string(t.quantity) == "drag" && r.remark.find("pressure") != std::string::npos
+                                 ? ", pressure part"
+                                 : ""),
+                 r.value});
     if (filter > 0) plot.title += fmt::format(" (bold: moving mean of {:.2g} ms)", 1e3 * filter);
     return {std::string("force_") + t.quantity, svg(plot)};
 }
 
-Figure splash_figure(const Comparison& c, const std::string& file, const std::string& title, const std::string& unit, const std::string& column,
-                     const std::string& quantity) {
+Figure splash_figure(const Comparison& c, const std::string& file, const std::string& title, const std::string& unit,
+                     const std::string& column, const std::string& quantity) {
     Plot plot;
     plot.title = title;
     plot.x_label = "time [s]";
     plot.y_label = unit;
     plot.include_zero = true;
     for (std::size_t s = 0; s < c.sources.size(); ++s)
-        if (const Column* v = c.analyses[s].splash.find(column)) plot.lines.push_back({c.names[s], s, c.analyses[s].splash.time, v->values, false, false});
+        if (const Column* v = c.analyses[s].splash.find(column))
+            plot.lines.push_back({c.names[s], s, c.analyses[s].splash.time, v->values, false, false});
     if (const Quantity* q = c.find(quantity))
         for (std::size_t s = 0; s < q->values.size(); ++s)
-            if (q->values[s].known) plot.bands.push_back({s, q->values[s].from, q->values[s].to, q->values[s].value, q->values[s].half_width});
+            if (q->values[s].known)
+                plot.bands.push_back(
+                    {s, q->values[s].from, q->values[s].to, q->values[s].value, q->values[s].half_width});
     return {file, svg(plot)};
 }
 
 /// A column of any table of all sources over time.
-Figure series_figure(const Comparison& c, const std::string& table, const std::string& column, const std::string& title, const std::string& y_label,
-                     const std::string& quantity, const std::string& file) {
+Figure series_figure(const Comparison& c, const std::string& table, const std::string& column, const std::string& title,
+                     const std::string& y_label, const std::string& quantity, const std::string& file) {
     Plot plot;
     plot.title = title;
     plot.x_label = "time [s]";
     plot.y_label = y_label;
     plot.clip_spikes = true;
     for (std::size_t s = 0; s < c.sources.size(); ++s)
-        if (const Column* v = c.sources[s].series(table, column)) plot.lines.push_back({c.names[s], s, c.sources[s].tables.at(table).time, v->values, false, false});
+        if (const Column* v = c.sources[s].series(table, column))
+            plot.lines.push_back({c.names[s], s, c.sources[s].tables.at(table).time, v->values, false, false});
     if (const Quantity* q = c.find(quantity); q && table == "samples")
         for (std::size_t s = 0; s < q->values.size(); ++s)
-            if (q->values[s].known) plot.bands.push_back({s, q->values[s].from, q->values[s].to, q->values[s].value, q->values[s].half_width});
+            if (q->values[s].known)
+                plot.bands.push_back(
+                    {s, q->values[s].from, q->values[s].to, q->values[s].value, q->values[s].half_width});
     return {file, svg(plot)};
 }
 
@@ -88,7 +103,9 @@ Figure cut_figure(const Comparison& c, std::size_t k) {
     const Cut& first = c.analyses.front().cuts[k];
     Plot plot;
     const bool mean = is_stream(c.sources.front());
-    plot.title = fmt::format("{} along {} = {:.4g} m", mean ? std::string("Mean free surface") : fmt::format("Free surface at {:.3g} s", c.analyses.front().surface_from),
+    plot.title = fmt::format("{} along {} = {:.4g} m",
+                             mean ? std::string("Mean free surface")
+                                  : fmt::format("Free surface at {:.3g} s", c.analyses.front().surface_from),
                              first.along_x ? "y" : "x", first.place);
     plot.x_label = first.along_x ? "x, to the stern [m]" : "y [m]";
     plot.y_label = "elevation [m]";
@@ -101,14 +118,17 @@ Figure cut_figure(const Comparison& c, std::size_t k) {
     return {fmt::format("cut_{}_{}", first.along_x ? "y" : "x", k), svg(plot)};
 }
 
-/// Plan view of the hull as the outline of its columns would be too coarse: the convex hull of its points (monotone chain).
+/// Plan view of the hull as the outline of its columns would be too coarse: the convex hull of its points (monotone
+/// chain).
 PlotLine plan_outline(const Surface& hull) {
     std::vector<std::pair<double, double>> points;
     for (const Vec3& p : hull.points) points.emplace_back(p.x(), p.y());
     std::ranges::sort(points);
     points.erase(std::unique(points.begin(), points.end()), points.end());
     std::vector<std::pair<double, double>> chain;
-    const auto turn = [](auto a, auto b, auto p) { return (b.first - a.first) * (p.second - a.second) - (b.second - a.second) * (p.first - a.first); };
+    const auto turn = [](auto a, auto b, auto p) {
+        return (b.first - a.first) * (p.second - a.second) - (b.second - a.second) * (p.first - a.first);
+    };
     for (int pass = 0; pass < 2; ++pass) {
         const std::size_t start = chain.size();
         for (const auto& p : points) {
@@ -144,16 +164,23 @@ Figures draw_figures(const Comparison& c) {
     const auto any = [&](const char* table, const char* column) {
         return std::ranges::any_of(c.sources, [&](const RunRecord& r) { return r.series(table, column) != nullptr; });
     };
-    for (const Trace& t : {Trace{"lift", "Lift", "fz", "lift [N]"}, Trace{"drag", "Drag", "fx", "drag [N]"}, Trace{"trim_moment", "Trim moment, bow up", "my", "moment [N m]"}})
+    for (const Trace& t : {Trace{"lift", "Lift", "fz", "lift [N]"}, Trace{"drag", "Drag", "fx", "drag [N]"},
+                           Trace{"trim_moment", "Trim moment, bow up", "my", "moment [N m]"}})
         if (any("forces", t.column)) f.forces.push_back(force_figure(c, t));
     const bool frames = std::ranges::any_of(c.sources, [](const RunRecord& r) { return !r.frames.empty(); });
     if (frames) {
-        f.splash.push_back(splash_figure(c, "splash_sheet", "Highest connected water", "height [m]", "sheet_height", "splash_sheet_height"));
-        f.splash.push_back(splash_figure(c, "splash_p99", "99 % of the airborne water lies below", "height [m]", "p99", "splash_p99"));
-        f.splash.push_back(splash_figure(c, "airborne_volume", "Airborne water", "volume [m3]", "airborne_volume", "airborne_volume"));
-        f.splash.push_back(splash_figure(c, "splash_raw", "Highest water of any kind (not judged)", "height [m]", "raw_height", ""));
+        f.splash.push_back(splash_figure(c, "splash_sheet", "Highest connected water", "height [m]", "sheet_height",
+                                         "splash_sheet_height"));
+        f.splash.push_back(
+            splash_figure(c, "splash_p99", "99 % of the airborne water lies below", "height [m]", "p99", "splash_p99"));
+        f.splash.push_back(
+            splash_figure(c, "airborne_volume", "Airborne water", "volume [m3]", "airborne_volume", "airborne_volume"));
+        f.splash.push_back(
+            splash_figure(c, "splash_raw", "Highest water of any kind (not judged)", "height [m]", "raw_height", ""));
     }
-    if (any("samples", "wetted_length")) f.wetting.push_back(series_figure(c, "samples", "wetted_length", "Wetted length", "length [m]", "wetted_length", "wetted_length"));
+    if (any("samples", "wetted_length"))
+        f.wetting.push_back(series_figure(c, "samples", "wetted_length", "Wetted length", "length [m]", "wetted_length",
+                                          "wetted_length"));
     if (!c.analyses.empty())
         for (std::size_t k = 0; k < c.analyses.front().cuts.size(); ++k) f.cuts.push_back(cut_figure(c, k));
     int probe = 0;
@@ -163,17 +190,20 @@ Figures draw_figures(const Comparison& c) {
             if (const auto found = r.tables.find(table); found != r.tables.end())
                 for (const Column& column : found->second.columns) names.emplace(column.name, column.unit);
         for (const auto& [name, unit] : names)
-            f.probes.push_back(series_figure(c, table, name, fmt::format("{} at {}", table == "height" ? "Water height" : "Pressure", name),
-                                             fmt::format("{} [{}]", table, unit), "", fmt::format("probe_{}", probe++)));
+            f.probes.push_back(series_figure(
+                c, table, name, fmt::format("{} at {}", table == "height" ? "Water height" : "Pressure", name),
+                fmt::format("{} [{}]", table, unit), "", fmt::format("probe_{}", probe++)));
     }
     if (!frames) return f;
     const ColourScale scale = elevation_scale(elevation_half_range(c), c.analyses.front().still_level);
     f.elevation_legend = scale.legend(is_stream(c.sources.front()) ? "height above still water [m]" : "height z [m]");
     for (std::size_t s = 0; s < c.sources.size(); ++s)
-        if (!c.analyses[s].mean_elevation.empty() && c.sources[s].raster.count[1] > 1) f.maps.push_back(map_figure(c, s, scale));
+        if (!c.analyses[s].mean_elevation.empty() && c.sources[s].raster.count[1] > 1)
+            f.maps.push_back(map_figure(c, s, scale));
     f.pictures = render_pictures(c, scale);
     if (f.pictures.pressure_high > f.pictures.pressure_low)
-        f.pressure_legend = pressure_scale(f.pictures.pressure_low / 1e3, f.pictures.pressure_high / 1e3).legend("pressure [kPa]");
+        f.pressure_legend =
+            pressure_scale(f.pictures.pressure_low / 1e3, f.pictures.pressure_high / 1e3).legend("pressure [kPa]");
     return f;
 }
 

@@ -19,7 +19,7 @@ int decimals(double value, double half_width) {
 std::string digits(double value, int places, double size) {
     const std::string sign = value < 0 ? "−" : "";
     if (size != 0 && (size >= 1e7 || size < 1e-4)) return fmt::format("{}{:.3g}", sign, std::abs(value));
-    if (std::abs(value) < 0.5 * std::pow(10.0, -places)) return fmt::format("{:.{}f}", 0.0, places);   // no "-0.00"
+    if (std::abs(value) < 0.5 * std::pow(10.0, -places)) return fmt::format("{:.{}f}", 0.0, places);  // no "-0.00"
     return fmt::format("{}{:.{}f}", sign, std::abs(value), places);
 }
 }  // namespace
@@ -46,7 +46,9 @@ std::string per_cent_text(double per_cent) {
     return fmt::format("{}{:.{}f} %", sign, std::abs(per_cent), std::abs(per_cent) < 10 ? 1 : 0);
 }
 
-std::string verdict_label(Verdict verdict) { return verdict == Verdict::not_comparable ? "not comparable" : to_string(verdict); }
+std::string verdict_label(Verdict verdict) {
+    return verdict == Verdict::not_comparable ? "not comparable" : to_string(verdict);
+}
 
 std::string verdict_sentence(const Comparison& comparison) {
     if (comparison.sources.size() < 2) return "Only one run: its values stand without a verdict.";
@@ -56,7 +58,8 @@ std::string verdict_sentence(const Comparison& comparison) {
         const Quantity* q = comparison.find(name);
         if (!q) continue;
         const std::string label = std::string_view(name) == "splash_sheet_height" ? "Splash height" : q->label;
-        const double interval = q->difference != 0 ? std::abs(q->per_cent * q->interval / q->difference) : 0;   // in per cent
+        const double interval =
+            q->difference != 0 ? std::abs(q->per_cent * q->interval / q->difference) : 0;  // in per cent
         if (!text.empty()) text += " ";
         switch (q->verdict) {
             case Verdict::agree:
@@ -65,8 +68,9 @@ std::string verdict_sentence(const Comparison& comparison) {
                 break;
             case Verdict::differ:
                 text += label + " differs: ";
-                text += pair ? fmt::format("{} is {:.1f} % {} than {} (± {:.1f} %).", comparison.names[1], std::abs(q->per_cent),
-                                           q->difference < 0 ? "lower" : "higher", comparison.names[0], interval)
+                text += pair ? fmt::format("{} is {:.1f} % {} than {} (± {:.1f} %).", comparison.names[1],
+                                           std::abs(q->per_cent), q->difference < 0 ? "lower" : "higher",
+                                           comparison.names[0], interval)
                              : fmt::format("by up to {:.1f} % (± {:.1f} %).", std::abs(q->per_cent), interval);
                 break;
             case Verdict::undecided: text += label + " is undecided."; break;

@@ -57,16 +57,18 @@ void paint_by_height(vtkPolyData* surface, const ColourScale& scale) {
     surface->GetPointData()->SetScalars(colours);
 }
 
-/// Surface where the water share is one half, by the same filter for every source; lightly smoothed, coloured by height.
+/// Surface where the water share is one half, by the same filter for every source; lightly smoothed, coloured by
+/// height.
 vtkSmartPointer<vtkPolyData> free_surface(const RunRecord& record, const ColourScale& scale) {
     const RasterGrid grid(record.raster);
     const RasterFrame& frame = record.frames.back();
     const bool mirror = number_of_text(record, "symmetry_factor", 1) > 1;
-    const bool flat = grid.ny == 1;   // a two-dimensional run is drawn as a slab
+    const bool flat = grid.ny == 1;  // a two-dimensional run is drawn as a slab
     const int mirrored = mirror ? grid.ny : 0, ny = flat ? 2 : grid.ny + mirrored;
     vtkNew<vtkImageData> image;
     image->SetDimensions(grid.nx, ny, grid.nz);
-    image->SetSpacing(grid.spec.spacing, flat ? 0.2 * grid.nx * grid.spec.spacing : grid.spec.spacing, grid.spec.spacing);
+    image->SetSpacing(grid.spec.spacing, flat ? 0.2 * grid.nx * grid.spec.spacing : grid.spec.spacing,
+                      grid.spec.spacing);
     image->SetOrigin(grid.x(0), mirror ? -grid.y(grid.ny - 1) : grid.y(0), grid.z_low(0) + 0.5 * grid.spec.spacing);
     vtkNew<vtkFloatArray> share;
     share->SetNumberOfTuples(static_cast<vtkIdType>(grid.nx) * ny * grid.nz);
@@ -84,7 +86,7 @@ vtkSmartPointer<vtkPolyData> free_surface(const RunRecord& record, const ColourS
     contour->ComputeNormalsOff();
     contour->ComputeScalarsOff();
     contour->Update();
-    if (contour->GetOutput()->GetNumberOfCells() == 0) return contour->GetOutput();   // all wet or all dry
+    if (contour->GetOutput()->GetNumberOfCells() == 0) return contour->GetOutput();  // all wet or all dry
     vtkNew<vtkWindowedSincPolyDataFilter> smooth;
     smooth->SetInputConnection(contour->GetOutputPort());
     smooth->SetNumberOfIterations(12);
@@ -128,7 +130,8 @@ Box subject(const RunRecord& record) {
 }
 
 bool can_be_drawn(const RunRecord& record) {
-    return !record.frames.empty() && record.raster.spacing > 0 && record.raster.count[0] > 1 && record.raster.count[1] > 0 && record.raster.count[2] > 1;
+    return !record.frames.empty() && record.raster.spacing > 0 && record.raster.count[0] > 1 &&
+           record.raster.count[1] > 0 && record.raster.count[2] > 1;
 }
 
 std::string surface_picture(EglWindow& window, const RunRecord& record, const Box& view, const ColourScale& scale) {
@@ -149,13 +152,14 @@ std::string surface_picture(EglWindow& window, const RunRecord& record, const Bo
     const Vec3 size = view.size(), middle = 0.5 * (view.min + view.max);
     const double reach = std::max(size.x(), 2 * size.y());
     // From astern, to one side and above: the wake lies in front, the hull behind it.
-    const Vec3 target = middle + Vec3(0.45 * size.x(), 0, -0.35 * size.z()), eye = target + reach * Vec3(1.25, 0.95, 0.75);
+    const Vec3 target = middle + Vec3(0.45 * size.x(), 0, -0.35 * size.z()),
+               eye = target + reach * Vec3(1.25, 0.95, 0.75);
     vtkCamera* camera = renderer->GetActiveCamera();
     camera->SetFocalPoint(target.data());
     camera->SetPosition(eye.data());
     camera->SetViewUp(0, 0, 1);
     camera->SetViewAngle(32);
-    if (record.hull.points.empty()) renderer->ResetCamera();   // a tank: all of its water
+    if (record.hull.points.empty()) renderer->ResetCamera();  // a tank: all of its water
     renderer->ResetCameraClippingRange();
     return window.png(renderer);
 }
@@ -168,12 +172,13 @@ std::string pressure_picture(EglWindow& window, const RunRecord& record, const C
     colours->SetNumberOfComponents(3);
     for (std::size_t t = 0; t < record.hull.triangles.size(); ++t) {
         const bool wet = record.hull_wet.empty() || record.hull_wet[t] > 0.05f;
-        const Rgb c = wet && std::isfinite(record.hull_pressure[t]) ? scale(record.hull_pressure[t]) : Rgb{0.80, 0.81, 0.83};
+        const Rgb c =
+            wet && std::isfinite(record.hull_pressure[t]) ? scale(record.hull_pressure[t]) : Rgb{0.80, 0.81, 0.83};
         colours->InsertNextTuple3(255 * c[0], 255 * c[1], 255 * c[2]);
     }
     data->GetCellData()->SetScalars(colours);
     const auto hull = actor(data);
-    hull->GetProperty()->SetAmbient(0.8);   // colours are values: little shading
+    hull->GetProperty()->SetAmbient(0.8);  // colours are values: little shading
     hull->GetProperty()->SetDiffuse(0.2);
     renderer->AddActor(hull);
     const Box b = subject(record);
@@ -182,7 +187,7 @@ std::string pressure_picture(EglWindow& window, const RunRecord& record, const C
     camera->ParallelProjectionOn();
     camera->SetFocalPoint(middle.data());
     camera->SetPosition(eye.data());
-    camera->SetViewUp(0, -1, 0);   // stern on the right, as in the maps
+    camera->SetViewUp(0, -1, 0);  // stern on the right, as in the maps
     camera->SetParallelScale(1.08 * 0.5 * std::max(b.size().y(), b.size().x() * 300 / width));
     renderer->ResetCameraClippingRange();
     return window.png(renderer);
@@ -193,7 +198,8 @@ bool pressure_range(const Comparison& comparison, double& low, double& high) {
     std::vector<float> values;
     for (const RunRecord& r : comparison.sources)
         for (std::size_t t = 0; t < r.hull_pressure.size(); ++t)
-            if (std::isfinite(r.hull_pressure[t]) && (r.hull_wet.empty() || r.hull_wet[t] > 0.05f)) values.push_back(r.hull_pressure[t]);
+            if (std::isfinite(r.hull_pressure[t]) && (r.hull_wet.empty() || r.hull_wet[t] > 0.05f))
+                values.push_back(r.hull_pressure[t]);
     if (values.empty()) return false;
     std::ranges::sort(values);
     low = std::min(0.0f, values[values.size() / 100]);
@@ -243,10 +249,9 @@ Pictures render_pictures(const Comparison& comparison, const ColourScale& elevat
         const ColourScale scale = pressure_scale(pictures.pressure_low, pictures.pressure_high);
         EglWindow flat(width, 300);
         for (std::size_t s = 0; s < comparison.sources.size(); ++s)
-            if (!comparison.sources[s].hull_pressure.empty()) pictures.hull_pressure[s] = pressure_picture(flat, comparison.sources[s], scale);
-    } catch (const RunError& e) {
-        pictures.note = e.what();
-    }
+            if (!comparison.sources[s].hull_pressure.empty())
+                pictures.hull_pressure[s] = pressure_picture(flat, comparison.sources[s], scale);
+    } catch (const RunError& e) { pictures.note = e.what(); }
     return pictures;
 }
 

@@ -17,17 +17,32 @@ Json quantity_json(const Comparison& comparison, const Quantity& q) {
         const MeanValue& m = q.values[i];
         values.push_back(m.known ? number(m.value) : Json(nullptr));
         intervals.push_back(m.known ? number(m.half_width) : Json(nullptr));
-        Json s = {{"name", comparison.names[i]}, {"known", m.known}, {"from", m.from}, {"to", m.to}, {"independent_samples", number(m.n_effective)},
-                  {"second_interval", number(m.second_opinion)}, {"unreliable", m.unreliable}};
+        Json s = {{"name", comparison.names[i]},
+                  {"known", m.known},
+                  {"from", m.from},
+                  {"to", m.to},
+                  {"independent_samples", number(m.n_effective)},
+                  {"second_interval", number(m.second_opinion)},
+                  {"unreliable", m.unreliable}};
         if (!m.known) {
             s["why_not"] = m.why_not;
             s["seconds_needed"] = number(m.seconds_needed);
         }
         sources.push_back(std::move(s));
     }
-    return {{"name", q.name}, {"label", q.label}, {"unit", q.unit}, {"definition", q.definition}, {"judged", q.judged}, {"values", values},
-            {"intervals", intervals}, {"difference", number(q.difference)}, {"interval", number(q.interval)}, {"per_cent", number(q.per_cent)},
-            {"verdict", to_string(q.verdict)}, {"remark", q.remark}, {"sources", sources}};
+    return {{"name", q.name},
+            {"label", q.label},
+            {"unit", q.unit},
+            {"definition", q.definition},
+            {"judged", q.judged},
+            {"values", values},
+            {"intervals", intervals},
+            {"difference", number(q.difference)},
+            {"interval", number(q.interval)},
+            {"per_cent", number(q.per_cent)},
+            {"verdict", to_string(q.verdict)},
+            {"remark", q.remark},
+            {"sources", sources}};
 }
 
 Json cost_json(const RunRecord& r, const std::string& name) {
@@ -38,30 +53,54 @@ Json cost_json(const RunRecord& r, const std::string& name) {
         wall += p.wall;
         cpu += p.cpu;
     }
-    return {{"source", name}, {"wall", number(wall)}, {"cpu", number(cpu)}, {"peak_memory", number(r.peak_memory)}, {"elements", number(r.elements)},
-            {"steps", number(r.steps)}, {"phases", phases}};
+    return {{"source", name},
+            {"wall", number(wall)},
+            {"cpu", number(cpu)},
+            {"peak_memory", number(r.peak_memory)},
+            {"elements", number(r.elements)},
+            {"steps", number(r.steps)},
+            {"phases", phases}};
 }
 
 }  // namespace
 
 std::string comparison_json(const Comparison& comparison) {
-    Json sources = Json::array(), quantities = Json::array(), references = Json::array(), gates = Json::array(), cost = Json::array();
+    Json sources = Json::array(), quantities = Json::array(), references = Json::array(), gates = Json::array(),
+         cost = Json::array();
     for (std::size_t i = 0; i < comparison.sources.size(); ++i) {
         const RunRecord& r = comparison.sources[i];
         Json numbers = Json::object();
         for (const auto& [name, value] : r.numbers) numbers[name] = number(value);
-        sources.push_back({{"name", comparison.names[i]}, {"state", r.state}, {"reason", r.reason}, {"attributes", r.attributes}, {"numbers", numbers}});
+        sources.push_back({{"name", comparison.names[i]},
+                           {"state", r.state},
+                           {"reason", r.reason},
+                           {"attributes", r.attributes},
+                           {"numbers", numbers}});
         cost.push_back(cost_json(r, comparison.names[i]));
     }
     for (const Quantity& q : comparison.quantities) quantities.push_back(quantity_json(comparison, q));
     for (const Reference& r : comparison.references)
-        references.push_back({{"quantity", r.quantity}, {"unit", r.unit}, {"source", r.source}, {"value", number(r.value)},
-                              {"interval", number(r.half_width)}, {"remark", r.remark}});
+        references.push_back({{"quantity", r.quantity},
+                              {"unit", r.unit},
+                              {"source", r.source},
+                              {"value", number(r.value)},
+                              {"interval", number(r.half_width)},
+                              {"remark", r.remark}});
     for (const Gate& g : comparison.gates)
-        gates.push_back({{"name", g.name}, {"source", g.source}, {"unit", g.unit}, {"value", number(g.value)}, {"limit", number(g.limit)}, {"pass", g.pass},
+        gates.push_back({{"name", g.name},
+                         {"source", g.source},
+                         {"unit", g.unit},
+                         {"value", number(g.value)},
+                         {"limit", number(g.limit)},
+                         {"pass", g.pass},
                          {"remark", g.remark}});
-    const Json all = {{"agree_within", comparison.agree_within}, {"banners", comparison.banners}, {"sources", sources}, {"quantities", quantities},
-                      {"references", references}, {"gates", gates}, {"cost", cost}};
+    const Json all = {{"agree_within", comparison.agree_within},
+                      {"banners", comparison.banners},
+                      {"sources", sources},
+                      {"quantities", quantities},
+                      {"references", references},
+                      {"gates", gates},
+                      {"cost", cost}};
     // Names and titles come from users' files: bytes that are no UTF-8 are replaced, not thrown at.
     return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -11,7 +11,8 @@ namespace {
 
 /// Width on a terminal: UTF-8 continuation bytes take no column.
 std::size_t columns(const std::string& s) {
-    return static_cast<std::size_t>(std::ranges::count_if(s, [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
+    return static_cast<std::size_t>(
+        std::ranges::count_if(s, [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
 }
 
 /// Text of a record may not steer the terminal.
@@ -55,7 +56,9 @@ std::string summary_text(const Comparison& comparison) {
         if (!q.judged) continue;
         std::vector<std::string> row{plain(q.label), plain(q.unit)};
         for (const MeanValue& m : q.values) row.push_back(mean_text(m));
-        if (pair) row.insert(row.end(), {signed_text(q.difference, q.interval), per_cent_text(q.per_cent), verdict_label(q.verdict)});
+        if (pair)
+            row.insert(row.end(),
+                       {signed_text(q.difference, q.interval), per_cent_text(q.per_cent), verdict_label(q.verdict)});
         rows.push_back(std::move(row));
         for (const Reference& r : comparison.references) {
             if (r.quantity != q.name) continue;
@@ -69,15 +72,17 @@ std::string summary_text(const Comparison& comparison) {
     if (!notes.empty()) out += "\nnotes\n" + notes;
     std::string failed;
     for (const Gate& g : comparison.gates)
-        if (!g.pass) failed += fmt::format("  {}: {} = {:.3g} {} (limit {:.3g}) {}\n", plain(g.source), g.name, g.value, g.unit, g.limit, plain(g.remark));
+        if (!g.pass)
+            failed += fmt::format("  {}: {} = {:.3g} {} (limit {:.3g}) {}\n", plain(g.source), g.name, g.value, g.unit,
+                                  g.limit, plain(g.remark));
     if (!failed.empty()) out += "\nchecks not met\n" + failed;
     for (std::size_t i = 0; i < comparison.sources.size(); ++i) {
         const RunRecord& r = comparison.sources[i];
         double wall = 0, cpu = 0;
         for (const Phase& p : r.phases) wall += p.wall, cpu += p.cpu;
         if (i == 0) out += "\n";
-        out += fmt::format("{}: {:.4g} elements, {:.4g} steps, {:.3g} s wall, {:.3g} s cpu, {:.3g} MB\n", plain(comparison.names[i]), r.elements, r.steps, wall,
-                           cpu, r.peak_memory / 1e6);
+        out += fmt::format("{}: {:.4g} elements, {:.4g} steps, {:.3g} s wall, {:.3g} s cpu, {:.3g} MB\n",
+                           plain(comparison.names[i]), r.elements, r.steps, wall, cpu, r.peak_memory / 1e6);
     }
     out += "\n" + plain(verdict_sentence(comparison)) + "\n";
     return out;

@@ -39,7 +39,8 @@ Range x_range(const Plot& p) {
 
 Range y_range(const Plot& p) {
     std::vector<double> values;
-    for (const PlotLine& l : p.lines) std::ranges::copy_if(l.y, std::back_inserter(values), [](double v) { return std::isfinite(v); });
+    for (const PlotLine& l : p.lines)
+        std::ranges::copy_if(l.y, std::back_inserter(values), [](double v) { return std::isfinite(v); });
     Range r;
     if (!values.empty()) {
         std::size_t skip = p.clip_spikes ? values.size() / 100 : 0;
@@ -121,53 +122,76 @@ std::string svg(const Plot& p) {
             legend_x = 0;
         }
         const double y = 20 + 16.0 * legend_rows;
-        legend += fmt::format("<line class=\"line s{}{}\" x1=\"{:.0f}\" x2=\"{:.0f}\" y1=\"{:.0f}\" y2=\"{:.0f}\"/><text x=\"{:.0f}\" y=\"{:.0f}\">{}</text>",
-                              l.source, l.dashed ? " dashed" : "", left + legend_x, left + legend_x + 22, y - 4, y - 4, left + legend_x + 27, y, escaped(l.name));
+        legend += fmt::format(
+            "<line class=\"line s{}{}\" x1=\"{:.0f}\" x2=\"{:.0f}\" y1=\"{:.0f}\" y2=\"{:.0f}\"/><text x=\"{:.0f}\" "
+            "y=\"{:.0f}\">{}</text>",
+            l.source, l.dashed ? " dashed" : "", left + legend_x, left + legend_x + 22, y - 4, y - 4,
+            left + legend_x + 27, y, escaped(l.name));
         legend_x += entry;
     }
     const int top = 26 + 16 * legend_rows;
-    const int height = p.equal_scales ? top + bottom + static_cast<int>(plot_width * (yr.high - yr.low) / (xr.high - xr.low)) : p.height;
+    const int height = p.equal_scales
+                           ? top + bottom + static_cast<int>(plot_width * (yr.high - yr.low) / (xr.high - xr.low))
+                           : p.height;
     const double plot_height = height - top - bottom;
     const auto X = [&](double v) { return left + plot_width * (v - xr.low) / (xr.high - xr.low); };
     const auto Y = [&](double v) { return top + plot_height * (yr.high - v) / (yr.high - yr.low); };
 
-    std::string out = fmt::format("<svg class=\"plot\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\" xmlns=\"http://www.w3.org/2000/svg\">", p.width,
-                                  height, escaped(p.title));
+    std::string out = fmt::format(
+        "<svg class=\"plot\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\" "
+        "xmlns=\"http://www.w3.org/2000/svg\">",
+        p.width, height, escaped(p.title));
     out += fmt::format("<text class=\"plot-title\" x=\"{}\" y=\"16\">{}</text>{}", left, escaped(p.title), legend);
 
     // A nested <svg> clips what reaches beyond the axes and needs no id, which would have to be unique in the page.
-    out += fmt::format("<svg x=\"{}\" y=\"{}\" width=\"{:.0f}\" height=\"{:.0f}\" viewBox=\"{} {} {:.0f} {:.0f}\">", left, top, plot_width, plot_height, left,
-                       top, plot_width, plot_height);
+    out += fmt::format("<svg x=\"{}\" y=\"{}\" width=\"{:.0f}\" height=\"{:.0f}\" viewBox=\"{} {} {:.0f} {:.0f}\">",
+                       left, top, plot_width, plot_height, left, top, plot_width, plot_height);
     for (const PlotImage& i : p.images)
-        out += fmt::format("<image href=\"data:image/png;base64,{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" preserveAspectRatio=\"none\"/>",
-                           i.png_base64, X(i.x_min), Y(i.y_max), X(i.x_max) - X(i.x_min), Y(i.y_min) - Y(i.y_max));
-    const auto x_ticks = ticks(xr.low, xr.high, 8), y_ticks = ticks(yr.low, yr.high, std::max(2, static_cast<int>(plot_height / 45)));
+        out += fmt::format(
+            "<image href=\"data:image/png;base64,{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" "
+            "preserveAspectRatio=\"none\"/>",
+            i.png_base64, X(i.x_min), Y(i.y_max), X(i.x_max) - X(i.x_min), Y(i.y_min) - Y(i.y_max));
+    const auto x_ticks = ticks(xr.low, xr.high, 8),
+               y_ticks = ticks(yr.low, yr.high, std::max(2, static_cast<int>(plot_height / 45)));
     if (p.images.empty()) {
-        for (const double v : x_ticks) out += fmt::format("<line class=\"grid\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1}\" y2=\"{2:.1f}\"/>", X(v), top, top + plot_height);
-        for (const double v : y_ticks) out += fmt::format("<line class=\"grid\" y1=\"{0:.1f}\" y2=\"{0:.1f}\" x1=\"{1}\" x2=\"{2:.1f}\"/>", Y(v), left, left + plot_width);
+        for (const double v : x_ticks)
+            out += fmt::format("<line class=\"grid\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1}\" y2=\"{2:.1f}\"/>", X(v),
+                               top, top + plot_height);
+        for (const double v : y_ticks)
+            out += fmt::format("<line class=\"grid\" y1=\"{0:.1f}\" y2=\"{0:.1f}\" x1=\"{1}\" x2=\"{2:.1f}\"/>", Y(v),
+                               left, left + plot_width);
     }
     for (const PlotBand& b : p.bands) {
         const double h = std::max(1.0, Y(b.value - b.half_width) - Y(b.value + b.half_width));
-        out += fmt::format("<rect class=\"band f{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>", b.source, X(b.from), Y(b.value) - 0.5 * h,
-                           std::max(1.0, X(b.to) - X(b.from)), h);
-        out += fmt::format("<line class=\"mean s{0}\" x1=\"{1:.1f}\" x2=\"{2:.1f}\" y1=\"{3:.1f}\" y2=\"{3:.1f}\"/>", b.source, X(b.from), X(b.to), Y(b.value));
+        out += fmt::format("<rect class=\"band f{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>",
+                           b.source, X(b.from), Y(b.value) - 0.5 * h, std::max(1.0, X(b.to) - X(b.from)), h);
+        out += fmt::format("<line class=\"mean s{0}\" x1=\"{1:.1f}\" x2=\"{2:.1f}\" y1=\"{3:.1f}\" y2=\"{3:.1f}\"/>",
+                           b.source, X(b.from), X(b.to), Y(b.value));
     }
     for (const PlotLine& l : p.lines)
-        out += fmt::format("<path class=\"line s{}{}{}\" d=\"{}\"/>", l.source, l.faint ? " faint" : "", l.dashed ? " dashed" : "", path(l, X, Y));
+        out += fmt::format("<path class=\"line s{}{}{}\" d=\"{}\"/>", l.source, l.faint ? " faint" : "",
+                           l.dashed ? " dashed" : "", path(l, X, Y));
     for (const PlotLine& l : p.outlines) out += fmt::format("<path class=\"outline\" d=\"{}\"/>", path(l, X, Y));
     for (const PlotLevel& l : p.levels)
-        out += fmt::format("<line class=\"level\" x1=\"{}\" x2=\"{:.1f}\" y1=\"{:.1f}\" y2=\"{:.1f}\"/><text class=\"level-text end\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", left,
-                           left + plot_width, Y(l.value), Y(l.value), left + plot_width - 6, Y(l.value) - 4, escaped(l.name));
+        out += fmt::format(
+            "<line class=\"level\" x1=\"{}\" x2=\"{:.1f}\" y1=\"{:.1f}\" y2=\"{:.1f}\"/><text class=\"level-text end\" "
+            "x=\"{:.1f}\" y=\"{:.1f}\">{}</text>",
+            left, left + plot_width, Y(l.value), Y(l.value), left + plot_width - 6, Y(l.value) - 4, escaped(l.name));
     out += "</svg>";
 
-    out += fmt::format("<rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{:.0f}\" height=\"{:.0f}\"/>", left, top, plot_width, plot_height);
+    out += fmt::format("<rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{:.0f}\" height=\"{:.0f}\"/>", left, top,
+                       plot_width, plot_height);
     const auto step = [](const std::vector<double>& t) { return t.size() > 1 ? t[1] - t[0] : 1.0; };
     for (const double v : x_ticks)
-        out += fmt::format("<text class=\"tick mid\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", X(v), top + plot_height + 15, tick_text(v, step(x_ticks)));
+        out += fmt::format("<text class=\"tick mid\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", X(v), top + plot_height + 15,
+                           tick_text(v, step(x_ticks)));
     for (const double v : y_ticks)
-        out += fmt::format("<text class=\"tick end\" x=\"{}\" y=\"{:.1f}\">{}</text>", left - 6, Y(v) + 4, tick_text(v, step(y_ticks)));
-    out += fmt::format("<text class=\"mid\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", left + 0.5 * plot_width, top + plot_height + 34, escaped(p.x_label));
-    out += fmt::format("<text class=\"mid\" transform=\"translate(14 {:.1f}) rotate(-90)\">{}</text>", top + 0.5 * plot_height, escaped(p.y_label));
+        out += fmt::format("<text class=\"tick end\" x=\"{}\" y=\"{:.1f}\">{}</text>", left - 6, Y(v) + 4,
+                           tick_text(v, step(y_ticks)));
+    out += fmt::format("<text class=\"mid\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", left + 0.5 * plot_width,
+                       top + plot_height + 34, escaped(p.x_label));
+    out += fmt::format("<text class=\"mid\" transform=\"translate(14 {:.1f}) rotate(-90)\">{}</text>",
+                       top + 0.5 * plot_height, escaped(p.y_label));
     return out + "</svg>";
 }
 

@@ -6,9 +6,9 @@ namespace tw {
 
 /// A curve; `source` chooses its colour (CSS class s0, s1, ...), `faint` a thin pale line behind the others.
 struct PlotLine {
-    std::string name;            ///< in the legend; empty: not there
+    std::string name;  ///< in the legend; empty: not there
     std::size_t source = 0;
-    std::vector<double> x, y;    ///< NaN interrupts the line
+    std::vector<double> x, y;  ///< NaN interrupts the line
     bool faint = false, dashed = false;
 };
 /// A settled mean with its interval over the window it was taken from.
@@ -35,9 +35,10 @@ struct Plot {
     std::vector<PlotImage> images = {};
     std::vector<PlotLine> outlines = {};  ///< drawn in the text's colour, e.g. the hull's plan view
     bool include_zero = false;
-    bool equal_scales = false;       ///< metres alike on both axes: the height follows from the width
-    bool clip_spikes = false;        ///< the y axis covers the middle 98 % of the values, so that a start-up spike does not flatten the rest
-    int width = 640, height = 300;   ///< [px]
+    bool equal_scales = false;  ///< metres alike on both axes: the height follows from the width
+    bool clip_spikes =
+        false;  ///< the y axis covers the middle 98 % of the values, so that a start-up spike does not flatten the rest
+    int width = 640, height = 300;  ///< [px]
 };
 
 /// The plot as one <svg> element without scripts; colours come from the page's style sheet. "no data" when it has none.

@@ -16,7 +16,8 @@ namespace {
 std::string standalone(const std::string& svg) {
     const auto end = svg.find('>');
     if (!svg.starts_with("<svg") || end == std::string::npos) return {};
-    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + svg.substr(0, end + 1) + "<style>" + report_style + "</style>" + svg.substr(end + 1) + "\n";
+    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + svg.substr(0, end + 1) + "<style>" + report_style +
+           "</style>" + svg.substr(end + 1) + "\n";
 }
 
 }  // namespace
@@ -26,14 +27,18 @@ ReportFiles write_report(const Comparison& comparison, const fs::path& folder) {
     fs::create_directories(folder / "figures", error);
     if (error) throw RunError((folder / "figures").string() + ": cannot be made: " + error.message());
     const Figures figures = draw_figures(comparison);
-    for (const auto* list : {&figures.forces, &figures.splash, &figures.wetting, &figures.cuts, &figures.probes, &figures.maps})
+    for (const auto* list :
+         {&figures.forces, &figures.splash, &figures.wetting, &figures.cuts, &figures.probes, &figures.maps})
         for (const Figure& f : *list)
-            if (const std::string text = standalone(f.svg); !text.empty()) write_text_atomically(folder / "figures" / (f.file + ".svg"), text);
+            if (const std::string text = standalone(f.svg); !text.empty())
+                write_text_atomically(folder / "figures" / (f.file + ".svg"), text);
     for (std::size_t s = 0; s < figures.pictures.free_surface.size(); ++s) {
         if (!figures.pictures.free_surface[s].empty())
-            write_text_atomically(folder / "figures" / fmt::format("free_surface_{}.png", s), figures.pictures.free_surface[s]);
+            write_text_atomically(folder / "figures" / fmt::format("free_surface_{}.png", s),
+                                  figures.pictures.free_surface[s]);
         if (!figures.pictures.hull_pressure[s].empty())
-            write_text_atomically(folder / "figures" / fmt::format("hull_pressure_{}.png", s), figures.pictures.hull_pressure[s]);
+            write_text_atomically(folder / "figures" / fmt::format("hull_pressure_{}.png", s),
+                                  figures.pictures.hull_pressure[s]);
     }
     write_text_atomically(folder / "quantities.csv", quantities_csv(comparison));
     write_text_atomically(folder / "series.csv", series_csv(comparison));

@@ -15,7 +15,7 @@ double integrated_autocorrelation_time(std::span<const double> x) {
         return sum / static_cast<double>(n - lag);
     };
     const double variance = covariance(0);
-    if (!(variance > 1e-24 * mean * mean)) return 0.5;   // constant but for rounding
+    if (!(variance > 1e-24 * mean * mean)) return 0.5;  // constant but for rounding
     double tau = 0.5;
     std::size_t lag = 1;
     for (; lag < n / 2; ++lag) {

@@ -18,7 +18,7 @@ std::optional<std::size_t> mser_cut(std::span<const double> x, double resolution
     // From the back, so that each d needs one more batch: Welford's update of mean and sum of squares.
     double mean = 0, squares = 0, best = std::numeric_limits<double>::infinity();
     std::size_t best_d = m;
-    const std::size_t fewest = std::max<std::size_t>(3, m / 5);   // a few batches agree with each other by chance
+    const std::size_t fewest = std::max<std::size_t>(3, m / 5);  // a few batches agree with each other by chance
     for (std::size_t d = m; d-- > 0;) {
         const double n = static_cast<double>(m - d);
         const double step = b[d] - mean;

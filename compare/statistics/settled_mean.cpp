@@ -42,7 +42,8 @@ MeanValue settled_mean(std::span<const double> time, std::span<const double> val
         x.push_back(values[i]);
     }
     if (t.empty()) {
-        if (std::ranges::none_of(values, [](double v) { return std::isfinite(v); })) return unknown("no value in the whole record");
+        if (std::ranges::none_of(values, [](double v) { return std::isfinite(v); }))
+            return unknown("no value in the whole record");
         const double end = time.empty() ? 0 : time.back();
         MeanValue m;
         return too_short(m, rules.from - end + 3 * rules.flow_through,
@@ -63,7 +64,8 @@ MeanValue settled_mean(std::span<const double> time, std::span<const double> val
     const double bin = (m.to - m.from) / static_cast<double>(bins.size());
     // A slow creep that stays within half the permitted error is no transient worth a refusal.
     const double half_error = 0.5 * rules.largest_error * std::abs(bins.back());
-    const double resolution = std::isfinite(rules.allowed_error) ? std::max(rules.allowed_error, half_error) : half_error;
+    const double resolution =
+        std::isfinite(rules.allowed_error) ? std::max(rules.allowed_error, half_error) : half_error;
     auto cut = mser_cut(bins, std::isfinite(rules.allowed_error) ? rules.allowed_error : 0);
     if (!cut) cut = mser_cut(bins, resolution);
     if (!cut) return too_short(m, m.to - m.from, "the series is still settling");
@@ -88,12 +90,13 @@ MeanValue settled_mean(std::span<const double> time, std::span<const double> val
         return m;
     }
     if (m.n_effective < rules.fewest_independent)
-        return too_short(m, window * (rules.fewest_independent / m.n_effective - 1),
-                         fmt::format("{:.2g} independent samples, {:g} wanted", m.n_effective, rules.fewest_independent));
+        return too_short(
+            m, window * (rules.fewest_independent / m.n_effective - 1),
+            fmt::format("{:.2g} independent samples, {:g} wanted", m.n_effective, rules.fewest_independent));
     if (rules.flow_through > 0 && window < rules.fewest_flow_throughs * rules.flow_through)
         return too_short(m, rules.fewest_flow_throughs * rules.flow_through - window,
-                         fmt::format("{:.2g} flow-through times after the transient, {:g} wanted", window / rules.flow_through,
-                                     rules.fewest_flow_throughs));
+                         fmt::format("{:.2g} flow-through times after the transient, {:g} wanted",
+                                     window / rules.flow_through, rules.fewest_flow_throughs));
     const double allowed = std::max(rules.largest_error * std::abs(mean), rules.allowed_error);
     if (u > allowed)
         return too_short(m, allowed > 0 ? window * ((u / allowed) * (u / allowed) - 1) : window,

@@ -2,7 +2,8 @@
 
 namespace tw {
 
-/// Two-sided 95 % quantile of Student's t with `degrees` (> 0, not only whole) degrees of freedom [-]; 1.96 for infinity.
+/// Two-sided 95 % quantile of Student's t with `degrees` (> 0, not only whole) degrees of freedom [-]; 1.96 for
+/// infinity.
 double student_t_95(double degrees);
 
 }  // namespace tw

@@ -36,7 +36,8 @@ void judge_incomplete(Quantity& q, const std::vector<std::string>& names) {
 
 }  // namespace
 
-void judge(Quantity& q, const std::vector<std::string>& names, double target, double shared, const std::string& shared_name) {
+void judge(Quantity& q, const std::vector<std::string>& names, double target, double shared,
+           const std::string& shared_name) {
     q.verdict = Verdict::not_comparable;
     if (q.values.size() < 2) {
         if (q.values.size() == 1 && !q.values[0].known) add_remark(q, q.values[0].why_not);
@@ -76,13 +77,14 @@ void judge(Quantity& q, const std::vector<std::string>& names, double target, do
     } else {
         q.verdict = Verdict::undecided;
         const MeanValue& wider = A.half_width >= B.half_width ? A : B;
-        const std::string who = shared > wider.half_width ? shared_name
+        const std::string who = shared > wider.half_width   ? shared_name
                                 : !wider.limited_by.empty() ? wider.limited_by
                                                             : "the interval of " + names[&wider == &A ? a : b];
         add_remark(q, fmt::format("intervals too wide for a target of {:g} %; widest: {}", 100 * target, who));
     }
     for (const std::size_t i : {a, b})
-        if (q.values[i].unreliable && q.values[i].limited_by.empty()) add_remark(q, names[i] + ": two estimates of its interval differ by more than 1.5; the wider is used");
+        if (q.values[i].unreliable && q.values[i].limited_by.empty())
+            add_remark(q, names[i] + ": two estimates of its interval differ by more than 1.5; the wider is used");
 }
 
 void beside(Quantity& q) {

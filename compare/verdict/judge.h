@@ -12,9 +12,9 @@ namespace tw {
 ///   a record too short             undecided, with the time that is missing
 ///   a value missing                not comparable
 ///
-/// (ITTC / ASME V&V style E_n = |E| / U; shared inputs cancel and are not added.) `shared`: half width of what both sides share
-/// and yet may hold differently, e.g. the draft [unit of the quantity]. With more than two known sources the pair with the
-/// largest |E| / U is taken. Discretisation uncertainty is not part of U; the remark says so.
+/// (ITTC / ASME V&V style E_n = |E| / U; shared inputs cancel and are not added.) `shared`: half width of what both
+/// sides share and yet may hold differently, e.g. the draft [unit of the quantity]. With more than two known sources
+/// the pair with the largest |E| / U is taken. Discretisation uncertainty is not part of U; the remark says so.
 void judge(Quantity& quantity, const std::vector<std::string>& names, double target, double shared = 0,
            const std::string& shared_name = {});
 

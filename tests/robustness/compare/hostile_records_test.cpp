@@ -15,7 +15,8 @@ namespace {
 const std::string hostile = "</title><script>alert('x')</script>\" onload=\"$(touch /tmp/x) `id` \x1b[31m #calc";
 
 RunRecord hostile_run(const std::string& method) {
-    RunRecord r = synthetic_run({.method = method, .lift = method == "sph" ? 2800.0 : 2500.0, .duration = 3, .step = 4e-3});
+    RunRecord r =
+        synthetic_run({.method = method, .lift = method == "sph" ? 2800.0 : 2500.0, .duration = 3, .step = 4e-3});
     for (auto& [name, text] : r.attributes)
         if (name != "method" && name != "symmetry_factor" && name != "motion") text = hostile;
     r.attributes["hull_finding_00"] = hostile;
@@ -41,7 +42,8 @@ TEST(HostileRecords, NoTextBecomesMarkupOrSteersTheTerminal) {
     EXPECT_EQ(page.find('\x1b'), std::string::npos);
     EXPECT_NE(page.find("&lt;script&gt;"), std::string::npos);
     EXPECT_EQ(summary_text(c).find('\x1b'), std::string::npos);
-    EXPECT_NE(summary_text(c).find("Lift differs: </title>"), std::string::npos);   // the sentence that names the runs is there
+    EXPECT_NE(summary_text(c).find("Lift differs: </title>"),
+              std::string::npos);  // the sentence that names the runs is there
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path() / "figures"))
         EXPECT_EQ(read_text(entry.path()).find("<script"), std::string::npos) << entry.path();
 }
@@ -110,9 +112,7 @@ TEST(WriteFailure, AFullDiskLeavesTheOldReport) {
     std::string message;
     try {
         write_report(c, folder.path());
-    } catch (const RunError& e) {
-        message = e.what();
-    }
+    } catch (const RunError& e) { message = e.what(); }
     setrlimit(RLIMIT_FSIZE, &old_limit);
     std::signal(SIGXFSZ, old_handler);
     EXPECT_NE(message.find("cannot be written"), std::string::npos) << message;
@@ -122,7 +122,8 @@ TEST(WriteFailure, AFullDiskLeavesTheOldReport) {
 TEST(WriteFailure, AFolderThatIsAFileIsRefusedByName) {
     const ScratchFolder folder;
     write_text_atomically(folder / "taken", "x");
-    EXPECT_THROW(write_report(compare_records({synthetic_run({.duration = 0.1, .frames = false})}), folder / "taken"), RunError);
+    EXPECT_THROW(write_report(compare_records({synthetic_run({.duration = 0.1, .frames = false})}), folder / "taken"),
+                 RunError);
 }
 
 }  // namespace

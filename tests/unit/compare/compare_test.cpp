@@ -10,7 +10,8 @@ namespace tw {
 namespace {
 
 const SyntheticRun sph{.frames = false};
-const SyntheticRun fvm{.method = "fvm", .lift = 2722, .drag = 251, .moment = 870, .noise = 15, .seed = 2, .frames = false};
+const SyntheticRun fvm{
+    .method = "fvm", .lift = 2722, .drag = 251, .moment = 870, .noise = 15, .seed = 2, .frames = false};
 
 TEST(Compare, MeansOfBothSidesAndTheirDifference) {
     const Comparison c = compare_records({synthetic_run(sph), synthetic_run(fvm)});
@@ -23,7 +24,7 @@ TEST(Compare, MeansOfBothSidesAndTheirDifference) {
     EXPECT_EQ(lift->verdict, Verdict::differ);
     EXPECT_EQ(c.find("drag")->verdict, Verdict::agree);
     EXPECT_EQ(c.names, (std::vector<std::string>{"sph", "fvm"}));
-    EXPECT_NEAR(c.find("wetted_length")->values[0].half_width, 0.02, 1e-12);   // half the spacing at the hull
+    EXPECT_NEAR(c.find("wetted_length")->values[0].half_width, 0.02, 1e-12);  // half the spacing at the hull
 }
 
 TEST(Compare, WhatStandsBesideIsNotJudged) {
@@ -32,7 +33,7 @@ TEST(Compare, WhatStandsBesideIsNotJudged) {
         ASSERT_NE(c.find(name), nullptr) << name;
         EXPECT_FALSE(c.find(name)->judged) << name;
     }
-    EXPECT_NEAR(c.find("force_measure_spread")->values[0].value, 3, 0.1);   // 1.02 against 0.99
+    EXPECT_NEAR(c.find("force_measure_spread")->values[0].value, 3, 0.1);  // 1.02 against 0.99
     EXPECT_FALSE(c.find("lift_air")->values[0].known);
     ASSERT_EQ(c.references.size(), 3u);
     EXPECT_NEAR(c.references[0].value, 2334, 2);   // lift by Savitsky
@@ -45,9 +46,7 @@ TEST(Compare, DifferentScenesAreRefusedUnlessForced) {
     try {
         compare_records({synthetic_run(sph), other});
         FAIL() << "compared what was not made from one scene";
-    } catch (const InputError& e) {
-        EXPECT_NE(std::string(e.what()).find("scene-2"), std::string::npos);
-    }
+    } catch (const InputError& e) { EXPECT_NE(std::string(e.what()).find("scene-2"), std::string::npos); }
     const Comparison forced = compare_records({synthetic_run(sph), other}, {.force = true});
     EXPECT_NE(forced.banners.at(0).find("Forced comparison"), std::string::npos);
     RunRecord hull = synthetic_run(fvm);
@@ -95,7 +94,7 @@ TEST(Compare, FrictionOnOneSideOnlyIsLeftOutAndSaidSo) {
 TEST(Compare, DraftSensitivityIsPartOfTheInterval) {
     RunRecord a = synthetic_run(sph), b = synthetic_run(fvm);
     const double without = compare_records({a, b}).find("lift")->interval;
-    a.numbers["lift_per_draft"] = 22000;   // 22 N per mm, known to a tenth of 40 mm
+    a.numbers["lift_per_draft"] = 22000;  // 22 N per mm, known to a tenth of 40 mm
     const Quantity with = *compare_records({a, b}).find("lift");
     EXPECT_NEAR(with.interval, std::hypot(without, 88), 1e-6);
     EXPECT_EQ(with.verdict, Verdict::agree);
@@ -137,7 +136,8 @@ TEST(Compare, LostParticlesFailTheirGate) {
     RunRecord leaky = synthetic_run(sph);
     leaky.table("samples").column("particles_lost", "-").values[3] = 2;
     bool failed = false;
-    for (const Gate& g : compare_records({leaky, synthetic_run(fvm)}).gates) failed = failed || (g.name == "particles lost" && !g.pass && g.value == 2);
+    for (const Gate& g : compare_records({leaky, synthetic_run(fvm)}).gates)
+        failed = failed || (g.name == "particles lost" && !g.pass && g.value == 2);
     EXPECT_TRUE(failed);
 }
 
@@ -146,7 +146,7 @@ TEST(Compare, MomentsAreTakenAboutOnePoint) {
     a.attributes["moment_reference"] = "0 0 0";
     b.attributes["moment_reference"] = "0.5 0 0.2";
     auto& my = b.table("forces").column("my", "N m").values;
-    for (std::size_t i = 0; i < my.size(); ++i)   // the same force, its moment taken about the other point
+    for (std::size_t i = 0; i < my.size(); ++i)  // the same force, its moment taken about the other point
         my[i] += -0.2 * b.series("forces", "fx")->values[i] + 0.5 * b.series("forces", "fz")->values[i];
     const Comparison c = compare_records({a, b});
     EXPECT_NEAR(c.find("trim_moment")->difference, 0, 1e-6);
@@ -155,13 +155,19 @@ TEST(Compare, MomentsAreTakenAboutOnePoint) {
 
 TEST(Compare, RasterColumnsHalfOutsideTheDomainAreLeftOut) {
     RunRecord a = synthetic_run({}), b = a;
-    for (RunRecord* r : {&a, &b}) r->numbers["domain_x_max"] = r->raster.origin.x() + (r->raster.count[0] - 0.5) * r->raster.spacing;
-    for (RasterFrame& f : b.frames)   // as a mesh that ends with the domain leaves it: half the water of the last column
-        for (std::size_t v = static_cast<std::size_t>(b.raster.count[0]) - 1; v < f.water.size(); v += static_cast<std::size_t>(b.raster.count[0])) f.water[v] /= 2;
+    for (RunRecord* r : {&a, &b})
+        r->numbers["domain_x_max"] = r->raster.origin.x() + (r->raster.count[0] - 0.5) * r->raster.spacing;
+    for (RasterFrame& f : b.frames)  // as a mesh that ends with the domain leaves it: half the water of the last column
+        for (std::size_t v = static_cast<std::size_t>(b.raster.count[0]) - 1; v < f.water.size();
+             v += static_cast<std::size_t>(b.raster.count[0]))
+            f.water[v] /= 2;
     const Comparison c = compare_records({a, b});
     EXPECT_EQ(c.sources[1].raster.count[0], a.raster.count[0] - 1);
-    for (const Quantity& q : c.quantities)
-        if (q.judged) EXPECT_EQ(q.difference, 0) << q.name;
+    for (const Quantity& q : c.quantities) {
+        if (q.judged) {
+            EXPECT_EQ(q.difference, 0) << q.name;
+        }
+    }
 }
 
 TEST(Compare, AHullStoredAsOneHalfIsCompleted) {
@@ -177,7 +183,7 @@ TEST(Compare, AHullStoredAsOneHalfIsCompleted) {
         pressure.push_back(half.hull_pressure[t]);
         wet.push_back(half.hull_wet[t]);
     }
-    for (Vec3& p : side.points) p.y() = std::max(p.y(), 0.0);   // points of the other side are no longer used
+    for (Vec3& p : side.points) p.y() = std::max(p.y(), 0.0);  // points of the other side are no longer used
     half.hull = side;
     half.hull_pressure = pressure;
     half.hull_wet = wet;
@@ -185,11 +191,12 @@ TEST(Compare, AHullStoredAsOneHalfIsCompleted) {
     EXPECT_EQ(c.sources[0].hull.triangles.size(), 2 * side.triangles.size());
     EXPECT_EQ(c.sources[0].hull_pressure.size(), 2 * side.triangles.size());
     ASSERT_FALSE(c.references.empty());
-    EXPECT_NEAR(c.references[0].value, 2334, 2);   // the whole beam
+    EXPECT_NEAR(c.references[0].value, 2334, 2);  // the whole beam
 }
 
 TEST(Compare, TwoRunsOfOneMethodAreToldApart) {
-    EXPECT_EQ(compare_records({synthetic_run(sph), synthetic_run(sph)}).names, (std::vector<std::string>{"sph", "sph 2"}));
+    EXPECT_EQ(compare_records({synthetic_run(sph), synthetic_run(sph)}).names,
+              (std::vector<std::string>{"sph", "sph 2"}));
     const Comparison same = compare_records({synthetic_run(sph), synthetic_run(sph)});
     EXPECT_EQ(same.find("lift")->difference, 0);
     EXPECT_EQ(same.find("lift")->verdict, Verdict::agree);
@@ -205,10 +212,10 @@ TEST(Compare, SplashOfBothSidesOnTheCommonRaster) {
     ASSERT_TRUE(sheet->values[0].known && sheet->values[1].known) << sheet->remark;
     EXPECT_NEAR(sheet->values[0].value, 0.5, 0.04);
     EXPECT_NEAR(sheet->values[1].value, 0.3, 0.04);
-    EXPECT_GE(sheet->values[0].half_width, 0.04);   // half a voxel
+    EXPECT_GE(sheet->values[0].half_width, 0.04);  // half a voxel
     EXPECT_EQ(sheet->verdict, Verdict::differ);
     EXPECT_FALSE(c.find("splash_raw_max")->judged);
-    EXPECT_NEAR(c.find("splash_raw_max")->values[0].value, 0.9, 0.05);   // the lone drop
+    EXPECT_NEAR(c.find("splash_raw_max")->values[0].value, 0.9, 0.05);  // the lone drop
     EXPECT_TRUE(c.find("wake_width")->values[0].known);
 }
 

@@ -14,7 +14,9 @@ namespace {
 
 const Comparison& pair() {
     static const Comparison c = compare_records(
-        {synthetic_run({.step = 4e-3}), synthetic_run({.method = "fvm", .lift = 2722, .moment = 870, .noise = 15, .step = 4e-3, .splash = 0.3, .seed = 2})});
+        {synthetic_run({.step = 4e-3}),
+         synthetic_run(
+             {.method = "fvm", .lift = 2722, .moment = 870, .noise = 15, .step = 4e-3, .splash = 0.3, .seed = 2})});
     return c;
 }
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
@@ -29,10 +31,11 @@ TEST(Report, IsOneFileThatNeedsNothingElse) {
         for (std::size_t at; (at = rest.find("http://www.w3.org/2000/svg")) != std::string::npos;) rest.erase(at, 26);
         EXPECT_FALSE(has(rest, outside)) << outside;
     }
-    for (const char* part : {"<h1>Planing prism, synthetic</h1>", "class=\"verdict\"", "Verdict by quantity", "Lift", "Savitsky 1964", "Soundness of the runs",
-                             "Effects solved and left out", "What it cost", "How to do it again", "Splash height (connected sheet)", "multiplied by 2"})
+    for (const char* part : {"<h1>Planing prism, synthetic</h1>", "class=\"verdict\"", "Verdict by quantity", "Lift",
+                             "Savitsky 1964", "Soundness of the runs", "Effects solved and left out", "What it cost",
+                             "How to do it again", "Splash height (connected sheet)", "multiplied by 2"})
         EXPECT_TRUE(has(page, part)) << part;
-    EXPECT_LT(page.find("class=\"verdict\""), page.find("<table"));   // the verdict comes first
+    EXPECT_LT(page.find("class=\"verdict\""), page.find("<table"));  // the verdict comes first
     EXPECT_TRUE(std::filesystem::exists(folder / "series.csv"));
     EXPECT_TRUE(std::filesystem::exists(folder / "figures/force_lift.svg"));
 }
@@ -43,14 +46,13 @@ TEST(Report, PicturesAreDrawnWithoutADisplayOrTheReasonIsSaid) {
     bool can_draw = true;
     try {
         EglWindow probe(16, 16);
-    } catch (const std::exception&) {
-        can_draw = false;
-    }
+    } catch (const std::exception&) { can_draw = false; }
     if (!can_draw) {
         EXPECT_TRUE(has(page, "no pictures"));
         return;
     }
-    for (const char* name : {"figures/free_surface_0.png", "figures/free_surface_1.png", "figures/hull_pressure_0.png"}) {
+    for (const char* name :
+         {"figures/free_surface_0.png", "figures/free_surface_1.png", "figures/hull_pressure_0.png"}) {
         ASSERT_TRUE(std::filesystem::exists(folder / name)) << name;
         EXPECT_EQ(read_text(folder / name).substr(1, 3), "PNG");
     }
@@ -71,7 +73,8 @@ TEST(Report, JsonKeepsItsKeys) {
     EXPECT_EQ(lift["values"].size(), 2u);
     EXPECT_EQ(lift["intervals"].size(), 2u);
     for (const char* key : {"difference", "interval", "verdict"}) EXPECT_TRUE(lift.contains(key)) << key;
-    EXPECT_NEAR(lift["difference"].get<double>(), lift["values"][1].get<double>() - lift["values"][0].get<double>(), 1e-9);
+    EXPECT_NEAR(lift["difference"].get<double>(), lift["values"][1].get<double>() - lift["values"][0].get<double>(),
+                1e-9);
     EXPECT_EQ(j["cost"].size(), 2u);
     EXPECT_TRUE(j["cost"][0].contains("wall"));
 }

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-// Columns: Cv, deadrise [deg], trim [deg], lambda, beam [m], U [m/s], CL0, CLbeta, lift [N], Cf, friction, drag [N], D/L,
-// keel wetted, chine wetted, centre of pressure [m]; water of 15 degrees, standard gravity.
+// Columns: Cv, deadrise [deg], trim [deg], lambda, beam [m], U [m/s], CL0, CLbeta, lift [N], Cf, friction, drag [N],
+// D/L, keel wetted, chine wetted, centre of pressure [m]; water of 15 degrees, standard gravity.
 TEST(SavitskyFormula, EqualsTheIndependentTable) {
     std::ifstream file(TWINWAKE_TEST_DATA "/savitsky_prismatic_fixed_trim.csv");
     std::string line;
@@ -24,8 +24,13 @@ TEST(SavitskyFormula, EqualsTheIndependentTable) {
         std::istringstream cells(line);
         std::vector<double> row;
         for (std::string cell; std::getline(cells, cell, ',');) row.push_back(std::stod(cell));
-        const PlaningState state{.beam = row[4], .deadrise = row[1] * degree, .trim = row[2] * degree, .speed = row[5], .density = 1000,
-                                 .kinematic_viscosity = 1.139e-6, .gravity = 9.80665};
+        const PlaningState state{.beam = row[4],
+                                 .deadrise = row[1] * degree,
+                                 .trim = row[2] * degree,
+                                 .speed = row[5],
+                                 .density = 1000,
+                                 .kinematic_viscosity = 1.139e-6,
+                                 .gravity = 9.80665};
         const Savitsky s = savitsky(state, row[3]);
         EXPECT_NEAR(s.lift / row[8], 1, 2e-6) << line;
         EXPECT_NEAR(s.friction_drag / row[10], 1, 2e-6) << line;
@@ -47,7 +52,7 @@ TEST(SavitskyFormula, HandCaseAtFixedDraft) {
     EXPECT_NEAR(s.keel_wetted_length, 2.295, 1e-3);
     EXPECT_NEAR(s.chine_wetted_length, 0.971, 1e-3);
     EXPECT_TRUE(s.in_range);
-    EXPECT_FALSE(savitsky_at_draft(state, 0.05).in_range);   // chines dry
+    EXPECT_FALSE(savitsky_at_draft(state, 0.05).in_range);  // chines dry
 }
 
 TEST(PrismaticHull, DeadriseAndBeamAreReadOffTheSurface) {

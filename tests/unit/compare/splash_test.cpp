@@ -21,7 +21,8 @@ struct Channel {
     void fill(const Vec3& low, const Vec3& high) {
         for (double x = low.x() + edge / 2; x < high.x(); x += edge)
             for (double y = low.y() + edge / 2; y < high.y(); y += edge)
-                for (double z = low.z() + edge / 2; z < high.z(); z += edge) raster.pour({x, y, z}, edge, edge * edge * edge);
+                for (double z = low.z() + edge / 2; z < high.z(); z += edge)
+                    raster.pour({x, y, z}, edge, edge * edge * edge);
     }
     RunRecord record() const {
         RunRecord r;
@@ -43,7 +44,7 @@ TEST(Splash, StillWaterHasNone) {
 
 TEST(Splash, AnAttachedSheetCountsToItsTop) {
     Channel c;
-    c.fill({2, 1, 0}, {2.1, 1.5, 0.8});   // a wall of water 0.8 m high, one voxel thick, half a metre long
+    c.fill({2, 1, 0}, {2.1, 1.5, 0.8});  // a wall of water 0.8 m high, one voxel thick, half a metre long
     const Table t = splash_series(c.record(), 0);
     EXPECT_NEAR(at(t, "sheet_height"), 0.8, 1e-5);
     // Airborne: above one voxel, 0.1 x 0.5 x 0.7 m3; evenly spread from 0.1 to 0.8 m.
@@ -67,9 +68,11 @@ TEST(Splash, ADropIsNoSheetHoweverHigh) {
 
 TEST(Splash, DiagonalNeighboursHangTogether) {
     for (const double dx : {-edge, edge})
-        for (const double dy : {-edge, edge}) {   // a staircase of voxels that touch at corners only, in all four directions
+        for (const double dy :
+             {-edge, edge}) {  // a staircase of voxels that touch at corners only, in all four directions
             Channel c;
-            for (int k = 0; k < 5; ++k) c.raster.pour({2.05 + k * dx, 1.05 + k * dy, (k + 0.5) * edge}, edge, edge * edge * edge);
+            for (int k = 0; k < 5; ++k)
+                c.raster.pour({2.05 + k * dx, 1.05 + k * dy, (k + 0.5) * edge}, edge, edge * edge * edge);
             EXPECT_NEAR(at(splash_series(c.record(), 0), "sheet_height"), 0.5, 1e-5) << dx << " " << dy;
         }
 }
@@ -91,13 +94,14 @@ TEST(Splash, TheSameWaterOnAFinerParticleSpacingGivesTheSameNumbers) {
         for (double y = 1 + d / 2; y < 1.5; y += d)
             for (double z = d / 2; z < 0.8; z += d) fine.raster.pour({x, y, z}, d, d * d * d);
     const Table a = splash_series(coarse.record(), 0), b = splash_series(fine.record(), 0);
-    for (const char* c : {"sheet_height", "p95", "p99", "p99_9", "airborne_volume", "airborne_energy"}) EXPECT_NEAR(at(a, c), at(b, c), 1e-3 * at(a, c)) << c;
+    for (const char* c : {"sheet_height", "p95", "p99", "p99_9", "airborne_volume", "airborne_energy"})
+        EXPECT_NEAR(at(a, c), at(b, c), 1e-3 * at(a, c)) << c;
 }
 
 TEST(Elevation, FlatWaterIsFlatAndABumpIsItsHeight) {
     Channel c;
     c.fill({1, 0, 0}, {2, 2, 0.3});
-    for (double x = 3.05; x < 4; x += edge)   // a part-filled layer: water at 0.03 m
+    for (double x = 3.05; x < 4; x += edge)  // a part-filled layer: water at 0.03 m
         for (double y = 0.05; y < 2; y += edge) c.raster.pour({x, y, 0.05}, edge, 0.3 * edge * edge * edge);
     RunRecord r = c.record();
     r.numbers["cut_y_0"] = 1.03;
@@ -105,7 +109,7 @@ TEST(Elevation, FlatWaterIsFlatAndABumpIsItsHeight) {
     ASSERT_EQ(cuts.size(), 1u);
     EXPECT_NEAR(cuts[0].elevation[5], 0, 1e-6);
     EXPECT_NEAR(cuts[0].elevation[15], 0.3, 1e-6);
-    EXPECT_NEAR(cuts[0].elevation[35], 0.03, 5e-4);   // shares are stored in steps of 1/255
+    EXPECT_NEAR(cuts[0].elevation[35], 0.03, 5e-4);  // shares are stored in steps of 1/255
     EXPECT_NEAR(crest(cuts[0]).value, 0.3, 1e-6);
     EXPECT_NEAR(trough(cuts[0]).value, 0, 1e-6);
     EXPECT_NEAR(rms_difference(cuts[0], cuts[0]), 0, 1e-12);
@@ -118,7 +122,7 @@ TEST(Elevation, UnderTheHullThereIsNoFreeSurface) {
     for (Vec3& p : r.hull.points) p += Vec3(2, 1, 0);
     r.numbers["cut_y_0"] = 1.0;
     const auto cut = elevation_cuts(r, mean_elevation(r, 0)).at(0);
-    EXPECT_TRUE(std::isnan(cut.elevation[20]));   // x = 2.05
+    EXPECT_TRUE(std::isnan(cut.elevation[20]));  // x = 2.05
     EXPECT_FALSE(std::isnan(cut.elevation[5]));
     EXPECT_FALSE(std::isnan(cut.elevation[35]));
 }
@@ -130,7 +134,7 @@ TEST(WakeWidth, TwoWallsBehindTheHullAreAsFarApartAsTheyStand) {
     RunRecord r = c.record();
     r.hull.points = {{0, 1, 0}, {1, 1, 0}};
     EXPECT_NEAR(wake_width(r, splash_envelope(r, 0), 0), 1.2, 1e-9);
-    r.attributes["symmetry_factor"] = "2";   // the half beyond y = 0 mirrored
+    r.attributes["symmetry_factor"] = "2";  // the half beyond y = 0 mirrored
     EXPECT_NEAR(wake_width(r, splash_envelope(r, 0), 0), 3.2, 1e-9);
     EXPECT_TRUE(std::isnan(wake_width(Channel().record(), {}, 0)));
 }
@@ -141,7 +145,7 @@ TEST(StillLevel, OfATankIsThatOfItsWaterSpreadOut) {
     r.attributes["motion"] = "none";
     EXPECT_NEAR(still_level(r), 0, 1e-9);
     Channel c;
-    c.fill({0, 0, 0}, {2, 2, 0.4});   // half the tank 0.4 m higher
+    c.fill({0, 0, 0}, {2, 2, 0.4});  // half the tank 0.4 m higher
     r = c.record();
     r.attributes["motion"] = "none";
     EXPECT_NEAR(still_level(r), 0.2, 1e-9);

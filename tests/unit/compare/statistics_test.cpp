@@ -55,7 +55,7 @@ TEST(Mser5, KeepsASettledSeriesAndRefusesOneThatNeverSettles) {
 }
 
 TEST(Mser5, ARunOfEqualVoxelHeightsIsNotTakenForTheSettledPart) {
-    std::vector<double> x;   // a sheet that flickers between two voxels, then stays in one for a while
+    std::vector<double> x;  // a sheet that flickers between two voxels, then stays in one for a while
     for (int i = 0; i < 100; ++i) x.push_back(i < 65 && i % 3 == 0 ? 0.4 : 0.3);
     EXPECT_FALSE(mser_cut(x));
     EXPECT_LE(mser_cut(x, 0.05).value_or(99), 5u);
@@ -68,7 +68,7 @@ TEST(Autocorrelation, FirstOrderSeriesHasTheTimeOfTheory) {
     for (int k = 0; k < 20; ++k) sum += integrated_autocorrelation_time(ar1(20000, 0.9, 0, random)) / 20;
     EXPECT_NEAR(sum, 9.5, 0.5);
     EXPECT_NEAR(integrated_autocorrelation_time(ar1(20000, 0.0, 0, random)), 0.5, 0.1);
-    EXPECT_EQ(integrated_autocorrelation_time(std::vector<double>(100, 0.1)), 0.5);   // constant but for rounding
+    EXPECT_EQ(integrated_autocorrelation_time(std::vector<double>(100, 0.1)), 0.5);  // constant but for rounding
 }
 
 TEST(BatchMeans, AgreeWithTheoryForWhiteAndForCorrelatedNoise) {
@@ -83,7 +83,7 @@ TEST(BatchMeans, AgreeWithTheoryForWhiteAndForCorrelatedNoise) {
     EXPECT_EQ(batch_means_error(std::vector<double>(10, 1.0), 6), 0);
 }
 
-TEST(StudentT, TabulatedQuantiles) {   // Abramowitz & Stegun, table 26.10
+TEST(StudentT, TabulatedQuantiles) {  // Abramowitz & Stegun, table 26.10
     EXPECT_NEAR(student_t_95(1), 12.706, 5e-4);
     EXPECT_NEAR(student_t_95(2), 4.303, 5e-4);
     EXPECT_NEAR(student_t_95(10), 2.228, 5e-4);
@@ -125,7 +125,7 @@ TEST(SettledMean, UnevenStepsDoNotWeighMore) {
     const auto bins = time_bins(t, x, 200);
     double mean = 0;
     for (const double v : bins) mean += v / 200;
-    EXPECT_NEAR(mean, 2, 0.06);   // the step between the levels is a ramp of 0.1 s
+    EXPECT_NEAR(mean, 2, 0.06);  // the step between the levels is a ramp of 0.1 s
 }
 
 TEST(SettledMean, NotKnownValuesAreLeftOut) {
@@ -151,7 +151,7 @@ TEST(SettledMean, ShortRecordsAreRefusedWithTheTimeThatIsMissing) {
     SettledRules flow;
     flow.flow_through = 0.5;
     flow.fewest_flow_throughs = 3;
-    const MeanValue brief = settled_mean(steps(1000, 1e-3), ar1(1000, 0.2, 100, random), flow);   // one second
+    const MeanValue brief = settled_mean(steps(1000, 1e-3), ar1(1000, 0.2, 100, random), flow);  // one second
     EXPECT_FALSE(brief.known);
     EXPECT_NEAR(brief.seconds_needed, 0.5, 0.3);
 
@@ -169,7 +169,8 @@ TEST(SettledMean, ShortRecordsAreRefusedWithTheTimeThatIsMissing) {
     EXPECT_GE(before.seconds_needed, 4);
 }
 
-// interFoam's lift on a planing hull creeps up by 1.5 to 2 % while it settles: the mean is known to about that, not unknown.
+// interFoam's lift on a planing hull creeps up by 1.5 to 2 % while it settles: the mean is known to about that, not
+// unknown.
 TEST(SettledMean, ASlowCreepWithinThePermittedErrorWidensTheInterval) {
     std::vector<double> x;
     for (int i = 0; i < 1000; ++i) x.push_back(2800 * (1 + 0.015 * i / 1000));
@@ -179,7 +180,8 @@ TEST(SettledMean, ASlowCreepWithinThePermittedErrorWidensTheInterval) {
     EXPECT_GT(m.half_width, 0.004 * m.value);
     EXPECT_LT(m.half_width, 0.012 * m.value);
     EXPECT_FALSE(m.limited_by.empty());
-    for (int i = 0; i < 1000; ++i) x[static_cast<std::size_t>(i)] = 2800 * (1 + 0.1 * i / 1000);   // 10 % is no settled mean
+    for (int i = 0; i < 1000; ++i)
+        x[static_cast<std::size_t>(i)] = 2800 * (1 + 0.1 * i / 1000);  // 10 % is no settled mean
     EXPECT_FALSE(settled_mean(steps(1000, 1e-3), x, {}).known);
 }
 

@@ -62,13 +62,14 @@ TEST(Ticks, AreOneTwoFive) {
 }
 
 TEST(Escaping, LeavesNoMarkupAndNoBrokenBytes) {
-    EXPECT_EQ(escaped("<script>alert(\"x\")</script>&'"), "&lt;script&gt;alert(&quot;x&quot;)&lt;/script&gt;&amp;&#39;");
+    EXPECT_EQ(escaped("<script>alert(\"x\")</script>&'"),
+              "&lt;script&gt;alert(&quot;x&quot;)&lt;/script&gt;&amp;&#39;");
     EXPECT_EQ(escaped("é–"), "é–");
     EXPECT_EQ(escaped("a\xff\x01"), "a\xEF\xBF\xBD\xEF\xBF\xBD");
-    EXPECT_EQ(escaped("\xC0\xBC"), "\xEF\xBF\xBD\xEF\xBF\xBD");   // an overlong '<'
+    EXPECT_EQ(escaped("\xC0\xBC"), "\xEF\xBF\xBD\xEF\xBF\xBD");  // an overlong '<'
 }
 
-TEST(Base64, KnownVectors) {   // RFC 4648, section 10
+TEST(Base64, KnownVectors) {  // RFC 4648, section 10
     EXPECT_EQ(base64(""), "");
     EXPECT_EQ(base64("f"), "Zg==");
     EXPECT_EQ(base64("fo"), "Zm8=");
@@ -89,7 +90,7 @@ TEST(Colours, EndsAndMiddle) {
     const ColourScale s = elevation_scale(1, 0);
     EXPECT_EQ(s(-5), s(-1));
     EXPECT_EQ(s(5), s(1));
-    EXPECT_GT(s(0)[0], s(-1)[0]);   // pale in the middle
+    EXPECT_GT(s(0)[0], s(-1)[0]);  // pale in the middle
     EXPECT_GT(s(0)[2], s(1)[2]);
 }
 

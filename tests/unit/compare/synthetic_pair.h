@@ -12,24 +12,37 @@ namespace tw {
 /// How one synthetic run of a planing prism differs from another.
 struct SyntheticRun {
     std::string method = "sph";
-    double lift = 2800, drag = 250, moment = 900;   ///< settled means
-    double noise = 40;                              ///< standard deviation of the lift [N]
+    double lift = 2800, drag = 250, moment = 900;  ///< settled means
+    double noise = 40;                             ///< standard deviation of the lift [N]
     double duration = 2.0, step = 1e-3;
-    double splash = 0.35;                           ///< height of the spray sheet [m]
-    double wave = 0.08;                             ///< wave height in the wake [m]
+    double splash = 0.35;  ///< height of the spray sheet [m]
+    double wave = 0.08;    ///< wave height in the wake [m]
     unsigned seed = 1;
     bool frames = true;
 };
 
-/// A record as a solver would leave it: prism of 4 m at 8 m/s, half model, forces with a start-up transient and correlated noise,
-/// rasters of a wake with a spray sheet and a drop. Every number in it is invented.
+/// A record as a solver would leave it: prism of 4 m at 8 m/s, half model, forces with a start-up transient and
+/// correlated noise, rasters of a wake with a spray sheet and a drop. Every number in it is invented.
 inline RunRecord synthetic_run(const SyntheticRun& o) {
     constexpr double pi = std::numbers::pi;
     RunRecord r;
-    r.attributes = {{"method", o.method}, {"title", "Planing prism, synthetic"}, {"scene_hash", "scene-1"}, {"hull_hash", "hull-1"}, {"hull_source", "prismatic"},
-                    {"symmetry_factor", "2"}, {"motion", "stream"}, {"code_version", "0.1.0"}, {"machine", "test machine"}, {"scene_file", "prism.toml"}};
-    r.numbers = {{"speed", 8}, {"length", 4}, {"beam", 1}, {"draft", 0.2}, {"trim", 5 * pi / 180}, {"density", 1000}, {"gravity", 9.81}, {"kinematic_viscosity", 1e-6},
-                 {"duration", o.duration}, {"mean_from", 0.5}, {"near_hull", 0.04}, {"spacing", 0.16}};
+    r.attributes = {{"method", o.method},         {"title", "Planing prism, synthetic"},
+                    {"scene_hash", "scene-1"},    {"hull_hash", "hull-1"},
+                    {"hull_source", "prismatic"}, {"symmetry_factor", "2"},
+                    {"motion", "stream"},         {"code_version", "0.1.0"},
+                    {"machine", "test machine"},  {"scene_file", "prism.toml"}};
+    r.numbers = {{"speed", 8},
+                 {"length", 4},
+                 {"beam", 1},
+                 {"draft", 0.2},
+                 {"trim", 5 * pi / 180},
+                 {"density", 1000},
+                 {"gravity", 9.81},
+                 {"kinematic_viscosity", 1e-6},
+                 {"duration", o.duration},
+                 {"mean_from", 0.5},
+                 {"near_hull", 0.04},
+                 {"spacing", 0.16}};
     r.scene_text = "title = \"Planing prism, synthetic\"\n";
     const Surface hull = make_hull("prismatic", {{"length", 4.0}, {"beam", 1.0}, {"deadrise", 20 * pi / 180}});
     r.hull = posed(hull, {.trim = 5 * pi / 180, .draft = 0.2});
@@ -46,9 +59,11 @@ inline RunRecord synthetic_run(const SyntheticRun& o) {
     Table& forces = r.table("forces");
     for (const char* c : {"fx", "fz", "fx_pressure", "fz_pressure"}) forces.column(c, "N");
     forces.column("my", "N m");
-    if (o.method == "sph") forces.column("fz_surface", "N"), forces.column("fz_volume", "N");
-    else forces.column("fz_air", "N");
-    const double memory = std::exp(-o.step / 0.03);   // noise correlated over 30 ms
+    if (o.method == "sph")
+        forces.column("fz_surface", "N"), forces.column("fz_volume", "N");
+    else
+        forces.column("fz_air", "N");
+    const double memory = std::exp(-o.step / 0.03);  // noise correlated over 30 ms
     double wander = 0;
     for (double t = 0; t <= o.duration + 1e-9; t += o.step) {
         wander = memory * wander + std::sqrt(1 - memory * memory) * normal(random);
@@ -71,9 +86,12 @@ inline RunRecord synthetic_run(const SyntheticRun& o) {
     for (double t = 0; t <= o.duration + 1e-9; t += 0.02) {
         samples.time.push_back(t);
         samples.column("wetted_length", "m").values.push_back(2.35 + 0.01 * normal(random));
-        samples.column(o.method == "sph" ? "max_mach" : "max_courant", "-").values.push_back(o.method == "sph" ? 0.11 : 3.9);
-        if (o.method == "sph") samples.column("particles_lost", "-").values.push_back(0);
-        else samples.column("ventilation", "-").values.push_back(0.12);
+        samples.column(o.method == "sph" ? "max_mach" : "max_courant", "-")
+            .values.push_back(o.method == "sph" ? 0.11 : 3.9);
+        if (o.method == "sph")
+            samples.column("particles_lost", "-").values.push_back(0);
+        else
+            samples.column("ventilation", "-").values.push_back(0.12);
     }
     if (o.frames) {
         r.raster = {{-2.4, 0, -0.6}, 0.08, {88, 38, 20}};
@@ -85,7 +103,9 @@ inline RunRecord synthetic_run(const SyntheticRun& o) {
                     const double x = r.raster.origin.x() + (i + 0.5) * part, y = (j + 0.5) * part;
                     const bool hull_here = x > -0.3 && x < 2 && y < 0.5;
                     const double behind = x - 2;
-                    double z = behind > 0 ? o.wave * std::cos(2 * pi * behind / 2.2) * std::exp(-y / 0.9) - 0.16 * std::exp(-behind / 0.8 - y * y / 0.16) : 0;
+                    double z = behind > 0 ? o.wave * std::cos(2 * pi * behind / 2.2) * std::exp(-y / 0.9) -
+                                                0.16 * std::exp(-behind / 0.8 - y * y / 0.16)
+                                          : 0;
                     z += o.wave * std::exp(-std::pow((y - 0.55 - 0.35 * (x + 0.3)) / 0.18, 2)) * (x > -0.3);
                     if (hull_here) z = -0.2 + 0.0875 * (2 - x) + 0.36 * y;
                     z = std::min(z, hull_here ? 0.0 : z);
@@ -96,9 +116,10 @@ inline RunRecord synthetic_run(const SyntheticRun& o) {
                     // The spray sheet: a wall along the chine, as high as the run says.
                     const double crest = (o.splash + 0.02 * normal(random)) * std::exp(-std::pow((x - 0.5) / 0.5, 2));
                     if (std::abs(y - 0.66) < 0.05)
-                        for (double zc = 0.5 * part; zc < crest; zc += part) raster.pour({x, y, zc}, part, part * part * part);
+                        for (double zc = 0.5 * part; zc < crest; zc += part)
+                            raster.pour({x, y, zc}, part, part * part * part);
                 }
-            raster.pour({1.0, 1.2, 0.85}, 0.03, 2.7e-5);   // one drop, far above everything
+            raster.pour({1.0, 1.2, 0.85}, 0.03, 2.7e-5);  // one drop, far above everything
             r.frames.push_back(raster.frame(t));
         }
     }

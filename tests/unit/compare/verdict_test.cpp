@@ -27,7 +27,7 @@ TEST(Verdict, InsideANarrowIntervalAgrees) {
     const Quantity q = judged({known(100, 2), known(102, 1.5)});
     EXPECT_EQ(q.verdict, Verdict::agree);
     EXPECT_DOUBLE_EQ(q.difference, 2);
-    EXPECT_DOUBLE_EQ(q.interval, 2.5);   // root of the sum of squares
+    EXPECT_DOUBLE_EQ(q.interval, 2.5);  // root of the sum of squares
     EXPECT_NEAR(q.per_cent, 100 * 2.0 / 101, 1e-12);
 }
 

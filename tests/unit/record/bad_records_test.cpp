@@ -16,9 +16,7 @@ namespace {
 std::string refusal(const std::filesystem::path& file) {
     try {
         read_record(file);
-    } catch (const InputError& e) {
-        return e.what();
-    }
+    } catch (const InputError& e) { return e.what(); }
     return {};
 }
 bool says(const std::string& message, const std::string& part) { return message.find(part) != std::string::npos; }
@@ -56,8 +54,8 @@ TEST(BadRecords, CutOffAnywhereIsRefused) {
     const ScratchFolder folder;
     write_record(folder / "record.h5", example_record());
     const std::string bytes = read_text(folder / "record.h5");
-    // From "only the checksum line is missing its last byte" down to nothing. Cut exactly behind the HDF5 part the data are
-    // whole, and the file reads.
+    // From "only the checksum line is missing its last byte" down to nothing. Cut exactly behind the HDF5 part the data
+    // are whole, and the file reads.
     const std::size_t whole = bytes.rfind("\ntwinwake sha256 ");
     for (std::size_t keep = 0; keep < whole; keep += 1 + whole / 97) {
         write_text_atomically(folder / "cut.h5", bytes.substr(0, keep));
@@ -96,9 +94,7 @@ TEST(BadRecords, AFullDiskLeavesTheOldFile) {
     std::string message;
     try {
         write_record(folder / "record.h5", example_record());
-    } catch (const RunError& e) {
-        message = e.what();
-    }
+    } catch (const RunError& e) { message = e.what(); }
     setrlimit(RLIMIT_FSIZE, &old_limit);
     std::signal(SIGXFSZ, old_handler);
 

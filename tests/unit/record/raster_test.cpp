@@ -29,8 +29,8 @@ Moments moments(const RasterFrame& f) {
     return m;
 }
 
-// A cube whose edge is a whole number of voxels is shared linearly in its position, so the first moment is kept exactly;
-// what remains is the rounding of each voxel to 1/255.
+// A cube whose edge is a whole number of voxels is shared linearly in its position, so the first moment is kept
+// exactly; what remains is the rounding of each voxel to 1/255.
 TEST(Raster, KeepsVolumeAndCentroidWhereverTheCubesLie) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> x(-0.4, 0.4), y(0.1, 0.5), z(-0.3, 0.4);
@@ -54,13 +54,14 @@ TEST(Raster, KeepsVolumeOfCubesOfAnySize) {
     std::mt19937 random(8);
     std::uniform_real_distribution<double> x(-0.4, 0.4), y(0.1, 0.5), z(-0.3, 0.4), edge(0.003, 0.19);
     Raster raster(spec);
-    for (int i = 0; i < 60; ++i) raster.pour({x(random), y(random), z(random)}, edge(random), 0.3 * voxel * voxel * voxel);
+    for (int i = 0; i < 60; ++i)
+        raster.pour({x(random), y(random), z(random)}, edge(random), 0.3 * voxel * voxel * voxel);
     EXPECT_NEAR(moments(raster.frame(0)).volume, 18 * voxel * voxel * voxel, 0.18 * voxel * voxel * voxel);
 }
 
 TEST(Raster, CubeOnVoxelFacesFillsExactlyThem) {
     Raster raster(spec);
-    raster.pour(spec.origin + voxel * Vec3(3, 2, 4), 2 * voxel, 8 * voxel * voxel * voxel);   // voxels 2..3, 1..2, 3..4
+    raster.pour(spec.origin + voxel * Vec3(3, 2, 4), 2 * voxel, 8 * voxel * voxel * voxel);  // voxels 2..3, 1..2, 3..4
     const RasterFrame f = raster.frame(1.5);
     EXPECT_EQ(f.time, 1.5);
     EXPECT_EQ(std::accumulate(f.water.begin(), f.water.end(), 0), 8 * 255);
@@ -73,8 +74,8 @@ TEST(Raster, OffsetCubeIsSharedInProportionToTheOverlap) {
     // A cube of one voxel edge, shifted by a quarter along x: three quarters here, one quarter there.
     raster.pour(spec.origin + voxel * Vec3(4.75, 2.5, 3.5), voxel, voxel * voxel * voxel);
     const RasterFrame f = raster.frame(0);
-    EXPECT_EQ(f.water[static_cast<std::size_t>((3 * 6 + 2) * 10 + 4)], 191);   // 0.75 * 255 = 191.25
-    EXPECT_EQ(f.water[static_cast<std::size_t>((3 * 6 + 2) * 10 + 5)], 64);    // 0.25 * 255 = 63.75
+    EXPECT_EQ(f.water[static_cast<std::size_t>((3 * 6 + 2) * 10 + 4)], 191);  // 0.75 * 255 = 191.25
+    EXPECT_EQ(f.water[static_cast<std::size_t>((3 * 6 + 2) * 10 + 5)], 64);   // 0.25 * 255 = 63.75
 }
 
 TEST(Raster, WaterOutsideIsCountedButNotSeenAndOverfullVoxelsStopAtOne) {
@@ -83,7 +84,7 @@ TEST(Raster, WaterOutsideIsCountedButNotSeenAndOverfullVoxelsStopAtOne) {
     raster.pour({-1e300, 0, 0}, 0.1, 1);
     raster.pour({0, 0, std::nan("")}, 0.1, 1);
     EXPECT_EQ(raster.poured(), 3);
-    raster.pour(spec.origin + voxel * Vec3(0, 0.5, 0.5), voxel, voxel * voxel * voxel);   // half of it beyond the edge
+    raster.pour(spec.origin + voxel * Vec3(0, 0.5, 0.5), voxel, voxel * voxel * voxel);  // half of it beyond the edge
     raster.pour(spec.origin + voxel * Vec3(5.5, 3.5, 5.5), voxel, 5 * voxel * voxel * voxel);
     const RasterFrame f = raster.frame(0);
     EXPECT_EQ(std::accumulate(f.water.begin(), f.water.end(), 0), 128 + 255);

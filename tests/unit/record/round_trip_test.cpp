@@ -23,7 +23,8 @@ TEST(RunRecordFile, GivesBackEveryFieldBitForBit) {
     EXPECT_EQ(in.attributes, out.attributes);
     EXPECT_EQ(in.scene_text, out.scene_text);
     ASSERT_EQ(in.numbers.size(), out.numbers.size());
-    for (const auto& [name, value] : out.numbers) EXPECT_EQ(std::memcmp(&in.numbers.at(name), &value, sizeof value), 0) << name;
+    for (const auto& [name, value] : out.numbers)
+        EXPECT_EQ(std::memcmp(&in.numbers.at(name), &value, sizeof value), 0) << name;
     ASSERT_EQ(in.tables.size(), out.tables.size());
     for (const auto& [name, table] : out.tables) {
         const Table& got = in.tables.at(name);
@@ -31,7 +32,7 @@ TEST(RunRecordFile, GivesBackEveryFieldBitForBit) {
         EXPECT_TRUE(same_bits(got.time, table.time)) << name;
         ASSERT_EQ(got.columns.size(), table.columns.size()) << name;
         for (std::size_t c = 0; c < table.columns.size(); ++c) {
-            EXPECT_EQ(got.columns[c].name, table.columns[c].name);   // order is kept too
+            EXPECT_EQ(got.columns[c].name, table.columns[c].name);  // order is kept too
             EXPECT_EQ(got.columns[c].unit, table.columns[c].unit);
             EXPECT_TRUE(same_bits(got.columns[c].values, table.columns[c].values)) << table.columns[c].name;
         }
@@ -89,7 +90,8 @@ TEST(RunRecordFile, AColumnShorterThanItsTimesIsRefusedAndTheOldFileStays) {
     RunRecord bad = good;
     bad.tables["forces"].columns[1].values.pop_back();
     EXPECT_THROW(write_record(folder / "record.h5", bad), RunError);
-    EXPECT_EQ(read_record(folder / "record.h5").tables.at("forces").columns.size(), good.tables.at("forces").columns.size());
+    EXPECT_EQ(read_record(folder / "record.h5").tables.at("forces").columns.size(),
+              good.tables.at("forces").columns.size());
 }
 
 TEST(Tables, ColumnIsMadeOnceAndFound) {

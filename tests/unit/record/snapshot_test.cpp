@@ -30,7 +30,8 @@ std::vector<T> whole(hid_t file, const std::string& path, hid_t type) {
 TEST(Snapshots, ParticlesFollowTheVtkHdfLayout) {
     const ScratchFolder folder;
     const std::vector<Vec3> points{{0, 0, 0}, {1, 2, 3}, {-1, 0.5, 0.25}};
-    write_particles(folder / "p.hdf", 0.75, points, {{"pressure", 1, {1, 2, 3}}, {"velocity", 3, {1, 0, 0, 0, 1, 0, 0, 0, 1}}});
+    write_particles(folder / "p.hdf", 0.75, points,
+                    {{"pressure", 1, {1, 2, 3}}, {"velocity", 3, {1, 0, 0, 0, 1, 0, 0, 0, 1}}});
     const hid_t file = H5Fopen((folder / "p.hdf").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
     ASSERT_GE(file, 0);
     EXPECT_EQ(whole<long long>(file, "VTKHDF/NumberOfPoints", H5T_NATIVE_LLONG), (std::vector<long long>{3}));
@@ -38,7 +39,8 @@ TEST(Snapshots, ParticlesFollowTheVtkHdfLayout) {
     EXPECT_EQ(whole<long long>(file, "VTKHDF/Offsets", H5T_NATIVE_LLONG), (std::vector<long long>{0, 1, 2, 3}));
     EXPECT_EQ(whole<long long>(file, "VTKHDF/Connectivity", H5T_NATIVE_LLONG), (std::vector<long long>{0, 1, 2}));
     EXPECT_EQ(whole<int>(file, "VTKHDF/Types", H5T_NATIVE_INT), (std::vector<int>{1, 1, 1}));
-    EXPECT_EQ(whole<float>(file, "VTKHDF/Points", H5T_NATIVE_FLOAT), (std::vector<float>{0, 0, 0, 1, 2, 3, -1, 0.5, 0.25}));
+    EXPECT_EQ(whole<float>(file, "VTKHDF/Points", H5T_NATIVE_FLOAT),
+              (std::vector<float>{0, 0, 0, 1, 2, 3, -1, 0.5, 0.25}));
     EXPECT_EQ(whole<float>(file, "VTKHDF/PointData/velocity", H5T_NATIVE_FLOAT).size(), 9u);
     EXPECT_EQ(whole<double>(file, "VTKHDF/FieldData/TimeValue", H5T_NATIVE_DOUBLE), (std::vector<double>{0.75}));
     H5Fclose(file);
