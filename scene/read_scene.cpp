@@ -142,10 +142,11 @@ void check_hull_place(const Scene& scene, Sections& s, const std::string& key) {
         const bool low = !mirrored && bounds.min[axis] < domain.min[axis] + room;
         if (!low && bounds.max[axis] <= domain.max[axis] - room) continue;
         const auto a = static_cast<std::size_t>(axis);
+        const bool beyond = bounds.max[axis] > domain.max[axis] || (!mirrored && bounds.min[axis] < domain.min[axis]);
         const std::string message =
-            fmt::format("the hull is larger than the domain: in {} it spans {:.6g} to {:.6g} m, the domain {:.6g} to {:.6g} m; "
+            fmt::format("the hull {} the domain: in {} it spans {:.6g} to {:.6g} m, the domain {:.6g} to {:.6g} m; "
                         "expected at least {:.3g} m (four particles) between them",
-                        axis_names[a], bounds.min[axis], bounds.max[axis], domain.min[axis], domain.max[axis], room);
+                        beyond ? "is larger than" : "comes too close to a side of", axis_names[a], bounds.min[axis], bounds.max[axis], domain.min[axis], domain.max[axis], room);
         if (s.tank.present()) s.tank.fail(s.tank.has("size") ? "size" : "max", message);
         const std::string nearest = s.domain.has(axis_names[a]) ? axis_names[a] : low ? low_keys[a] : high_keys[a];
         if (s.domain.has(nearest)) s.domain.fail(nearest, message);

@@ -5,7 +5,7 @@
 namespace tw::test {
 namespace {
 
-const std::string tank = "[tank]\nsize = [1, 1, 1]\n[[water_block]]\nmin = [0, 0, 0]\nmax = [0.5, 1, 0.5]\n[resolution]\nnear_hull = 0.01\n[run]\nduration = 1\n";
+const std::string tank = "[tank]\nsize = [1, 1, 1]\n[[water_block]]\nmin = [0, 0, 0]\nmax = [0.5, 1, 0.5]\n[resolution]\nnear_hull = 0.01\n[run]\nduration = 1\n[sampling]\ninterval = 0.1\n";
 
 TEST(Cost, ParticlesAreTheWatersVolumeOverTheirOwn) {
     const Prediction p = predict(scene_of(tank));
