@@ -128,7 +128,7 @@ void FrameReader::read_hull(const TimeFolders::Moment& moment, RunRecord& record
         const double edge = plan_.finest_cell;
         const double error = mesh_error(*patch, scene.hull->surface, factor > 1 ? -1e-6 * edge : low.y(), std::max(0.0, 0.3 * std::abs(low.z())));
         record.numbers["hull_mesh_error"] = error;
-        if (error > 0.5 * edge)
+        if (error > 0.15 * edge)
             record.attributes["mesh_warning"] = fmt::format("an edge or corner of the hull's wet part is missed by {:.3g} m, {:.2g} of the finest cell: "
                                                             "the force may be off by much; use a smaller near_hull", error, error / edge);
     }

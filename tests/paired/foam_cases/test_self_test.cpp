@@ -44,6 +44,27 @@ TEST_F(PackagedSolver, IsFaultyAndRefusedByName) {
     }
 }
 
+TEST_F(SelfTest, AUsersOwnSoundInstallationIsUsedAsItIs) {
+    const OpenFoam sound = sound_openfoam();
+    // The layout of openfoam.com's own packages, around the programs that are here.
+    const fs::path project = folder / "openfoam9912", bin = project / "platforms/linux64GccDPInt32Opt/bin";
+    fs::create_directories(bin);
+    fs::create_directories(project / "META-INFO");
+    std::ofstream(project / "META-INFO/api-info") << "api=9912\npatch=0\n";
+    fs::create_directory_symlink(sound.project_dir / "etc", project / "etc");
+    fs::create_symlink(sound.bin / "blockMesh", bin / "blockMesh");
+    fs::create_symlink(sound.solver, bin / "interFoam");
+    ::setenv("TWINWAKE_OPENFOAM_BIN", "/nowhere", 1);
+    ::setenv("HOME", folder.c_str(), 1);
+    ::setenv("TWINWAKE_OPENFOAM_PLACES", project.c_str(), 1);
+    ::unsetenv("WM_PROJECT_DIR");
+    const OpenFoam found = sound_openfoam();
+    EXPECT_EQ(found.version, "v9912");
+    EXPECT_EQ(found.vendor, "openfoam.com");
+    EXPECT_EQ(found.bin, bin);
+    EXPECT_EQ(sound_openfoam(project.string()).solver, bin / "interFoam") << "a scene may name it";
+}
+
 TEST_F(SelfTest, ASolverThatDoesNotRunIsUnusableAndNotSound) {
     OpenFoam broken = sound_openfoam();
     broken.solver = "/bin/false";
