@@ -1,0 +1,164 @@
+#include <gtest/gtest.h>
+#include <omp.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <random>
+
+#include "base/errors.h"
+#include "sph_solver/output/checkpoint.h"
+#include "sph_solver/solver.h"
+
+namespace tw {
+namespace {
+
+/// A closed tank with a column of water against one side.
+SolverSetup tank(int threads = 1) {
+    SolverSetup s;
+    s.dp = 0.05;
+    s.state_equation.c0 = 30;
+    s.domain = {Vec3(0, 0, 0), Vec3(1, 0.3, 1)};
+    s.mirrors.on = {{{true, true}, {true, true}, {true, false}}};
+    s.threads = threads;
+    return s;
+}
+Fluid column(const SolverSetup& s) { return fill_with_fluid(s, {Box{Vec3(0, 0, 0), Vec3(0.5, 0.3, 0.6)}}); }
+
+/// A stream past a box, with everything that can disturb a restart: inlet, outlet, mirrors, wall.
+SolverSetup stream(int threads = 1) {
+    SolverSetup s;
+    s.dp = 0.1;
+    s.state_equation.c0 = 40;
+    s.domain = {Vec3(-1, 0, -1), Vec3(1.5, 0.8, 2)};
+    s.mirrors.on = {{{false, false}, {true, true}, {true, false}}};
+    s.stream = Stream{4, 0.02, 0.5};
+    Surface box;
+    for (double z : {-0.2, 0.4})
+        for (double y : {-0.3, 0.3})
+            for (double x : {-0.3, 0.3}) box.points.emplace_back(x, y, z);
+    box.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    s.solids = {box};
+    s.threads = threads;
+    return s;
+}
+Fluid stream_water(const SolverSetup& s) {
+    Box water = s.domain;
+    water.min.x() -= s.stream->buffer, water.max.x() += s.stream->buffer, water.max.z() = 0;
+    return fill_with_fluid(s, {water});
+}
+
+::testing::AssertionResult same_bits(const Particles& a, const Particles& b) {
+    if (a.size() != b.size()) return ::testing::AssertionFailure() << a.size() << " particles against " << b.size();
+    for (std::size_t i = 0; i < a.size(); ++i)
+        if (a.id[i] != b.id[i] || a.x[i] != b.x[i] || a.y[i] != b.y[i] || a.z[i] != b.z[i] || a.u[i] != b.u[i] || a.v[i] != b.v[i] || a.w[i] != b.w[i] || a.drho[i] != b.drho[i])
+            return ::testing::AssertionFailure() << "particle " << i << " differs";
+    return ::testing::AssertionSuccess();
+}
+
+TEST(Engine, AnyNumberOfThreadsGivesTheSameBits) {
+    const auto run = [](int threads) {
+        Solver solver(stream(threads), stream_water(stream(threads)));
+        for (int k = 0; k < 60; ++k) solver.step();
+        return solver;
+    };
+    const Solver one = run(1), three = run(3);
+    EXPECT_TRUE(same_bits(one.particles(), three.particles()));
+    EXPECT_EQ(one.load().force.z(), three.load().force.z());
+    EXPECT_NE(one.load().force.z(), 0);
+}
+
+TEST(Engine, ARestartGoesOnWithTheSameBitsInletAndOutletIncluded) {
+    const SolverSetup s = stream();
+    const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "restart_test.h5";
+    Solver whole(s, stream_water(s));
+    for (int k = 0; k < 80; ++k) whole.step();
+    write_checkpoint(file, "a scene", whole, 1);
+    whole.mark_restart_point();
+    Solver resumed(s, stream_water(s));
+    Checkpoint c = read_checkpoint(file, "a scene");
+    resumed.restore(c.state, std::move(c.particles));
+    for (int k = 0; k < 80; ++k) whole.step(), resumed.step();
+    EXPECT_TRUE(same_bits(whole.particles(), resumed.particles()));
+    EXPECT_EQ(whole.time(), resumed.time());
+    EXPECT_GT(whole.ledger().in, 0);   // particles did come and go
+    EXPECT_EQ(whole.ledger().in, resumed.ledger().in);
+    EXPECT_THROW(read_checkpoint(file, "another scene"), InputError);
+    std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
+    EXPECT_THROW(read_checkpoint(file, "a scene"), InputError);
+}
+
+TEST(Engine, AFreeBlobKeepsItsMomentumWhateverItsParticlesDo) {
+    SolverSetup s;
+    s.dp = 0.05;
+    s.state_equation.c0 = 20;
+    s.gravity = Vec3::Zero();
+    s.domain = {Vec3::Constant(-5), Vec3::Constant(5)};
+    s.threads = 1;
+    Fluid blob = fill_with_fluid(s, {Box{Vec3::Constant(-0.3), Vec3::Constant(0.3)}});
+    for (double& d : blob.depth) d = 0;
+    Solver solver(s, blob);
+    std::mt19937 random(3);
+    std::normal_distribution<float> noise(0, 0.3f);
+    Particles& p = solver.particles();
+    for (std::size_t i = 0; i < p.size(); ++i) p.u[i] = 1 + noise(random), p.v[i] = noise(random), p.w[i] = noise(random);
+    const auto momentum = [&] {
+        Vec3 sum = Vec3::Zero();
+        for (std::size_t i = 0; i < p.size(); ++i) sum += solver.mass() * Vec3(p.u[i], p.v[i], p.w[i]);
+        return sum;
+    };
+    const Vec3 before = momentum();
+    for (int k = 0; k < 100; ++k) solver.step();
+    EXPECT_LT((momentum() - before).norm(), 2e-6 * before.norm() * 100);   // rounding of single precision, step by step
+}
+
+TEST(Engine, EveryInstructionSetGivesTheSameForces) {
+    if (!__builtin_cpu_supports("x86-64-v3")) GTEST_SKIP() << "this processor has only the baseline";
+    std::vector<double> lifts;
+    for (const char* isa : {"baseline", "avx2", "avx512"}) {
+        if (std::string(isa) == "avx512" && !__builtin_cpu_supports("x86-64-v4")) continue;
+        setenv("TWINWAKE_ISA", isa, 1);
+        Solver solver(stream(), stream_water(stream()));
+        unsetenv("TWINWAKE_ISA");
+        for (int k = 0; k < 5; ++k) solver.step();
+        lifts.push_back(solver.load().force.z());
+    }
+    for (double lift : lifts) EXPECT_NEAR(lift, lifts.front(), 1e-4 * std::abs(lifts.front()));
+}
+
+TEST(Engine, ASoundSpeedThatIsTooLowStopsTheRunWithPlaceAndReason) {
+    SolverSetup s = tank();
+    s.state_equation.c0 = 0.5;   // the column falls at up to 3 m/s
+    Solver solver(s, column(s));
+    try {
+        for (int k = 0; k < 2000; ++k) solver.step();
+        FAIL() << "went on to t = " << solver.time();
+    } catch (const RunError& e) {
+        const std::string what = e.what();
+        EXPECT_NE(what.find("sound speed"), std::string::npos) << what;
+        EXPECT_NE(what.find(" at t = "), std::string::npos) << what;
+        EXPECT_NE(what.find("near ("), std::string::npos) << what;
+    }
+}
+
+TEST(Engine, NotANumberStopsTheRun) {
+    const SolverSetup s = tank();
+    Solver solver(s, column(s));
+    solver.step();
+    solver.particles().u[17] = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_THROW(solver.step(), RunError);
+}
+
+TEST(Engine, NoParticleLeavesAClosedTank) {
+    const SolverSetup s = tank();
+    Solver solver(s, column(s));
+    const std::size_t n = solver.particles().size();
+    while (solver.time() < 0.4) solver.step();
+    EXPECT_EQ(solver.particles().size(), n);
+    for (std::size_t i = 0; i < n; ++i) {
+        const Particles& p = solver.particles();
+        EXPECT_TRUE(s.domain.contains(Vec3(p.x[i], p.y[i], p.z[i])) || p.x[i] > -s.dp) << i;
+    }
+}
+
+}  // namespace
+}  // namespace tw
