@@ -15,12 +15,12 @@ enum ExitStatus { done = 0, bad_input = 2, run_failed = 3, not_agreed = 4 };
 
 /// What every subcommand takes.
 struct Common {
-    bool quiet = false;          ///< only results and errors
-    std::string json;            ///< file for the same facts for programs; "-": standard output instead of text; empty: none
+    bool quiet = false;  ///< only results and errors
+    std::string json;    ///< file for the same facts for programs; "-": standard output instead of text; empty: none
 };
 
 struct NewCommand {
-    std::string kind;            ///< planing, seaplane, tank, own
+    std::string kind;  ///< planing, seaplane, tank, own
     std::filesystem::path file;
     bool overwrite = false;
 };
@@ -32,7 +32,7 @@ struct SceneArguments {
     std::filesystem::path file;
     std::filesystem::path hull;
     std::string speed, spacing, near_hull, duration;
-    SceneOverrides overrides() const;   ///< throws InputError naming the option
+    SceneOverrides overrides() const;  ///< throws InputError naming the option
 };
 
 struct CheckCommand {
@@ -42,8 +42,8 @@ int run_check(const CheckCommand& command, const Common& common);
 
 struct RunCommand {
     SceneArguments scene;
-    std::string method = "both";        ///< sph, fvm, both; empty: what the scene says
-    std::filesystem::path out;          ///< empty: runs/<name of the scene file>
+    std::string method = "both";  ///< sph, fvm, both; empty: what the scene says
+    std::filesystem::path out;    ///< empty: runs/<name of the scene file>
     bool resume = false, overwrite = false;
     int threads = 0;
 };
@@ -57,10 +57,10 @@ struct CompareCommand {
 int run_compare(const CompareCommand& command, const Common& common);
 
 struct HullCommand {
-    std::string action;                 ///< info, repair, make, convert
+    std::string action;  ///< info, repair, make, convert
     std::filesystem::path in, out;
     std::string shape, unit = "m", axes = "xyz";
-    std::vector<std::string> parameters;   ///< "length=4 m"
+    std::vector<std::string> parameters;  ///< "length=4 m"
     double particle_spacing = 0;
 };
 int run_hull(const HullCommand& command, const Common& common);

@@ -12,7 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The record files that a name stands for: the file itself, a method's folder, or a run's folder with both methods in it.
+/// The record files that a name stands for: the file itself, a method's folder, or a run's folder with both methods in
+/// it.
 std::vector<fs::path> record_files(const fs::path& source) {
     if (!fs::is_directory(source)) return {source};
     if (fs::exists(source / "record.h5")) return {source / "record.h5"};
@@ -20,7 +21,9 @@ std::vector<fs::path> record_files(const fs::path& source) {
     for (const char* method : {"sph", "fvm"})
         if (fs::exists(source / method / "record.h5")) files.push_back(source / method / "record.h5");
     if (files.empty())
-        throw InputError(source.string() + ": no run record here; expected record.h5, sph/record.h5 or fvm/record.h5 (twinwake run leaves them)");
+        throw InputError(
+            source.string() +
+            ": no run record here; expected record.h5, sph/record.h5 or fvm/record.h5 (twinwake run leaves them)");
     return files;
 }
 
@@ -30,7 +33,9 @@ int run_compare(const CompareCommand& command, const Common& common) {
     std::vector<RunRecord> records;
     for (const fs::path& source : command.sources)
         for (const fs::path& file : record_files(source)) records.push_back(read_record(file));
-    if (records.size() < 2) throw InputError("one run record only; expected two or more to compare, e.g. twinwake compare runs/a/sph runs/a/fvm");
+    if (records.size() < 2)
+        throw InputError(
+            "one run record only; expected two or more to compare, e.g. twinwake compare runs/a/sph runs/a/fvm");
     CompareOptions options;
     options.force = command.force;
     const Comparison comparison = compare_records(std::move(records), options);

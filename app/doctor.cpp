@@ -63,15 +63,23 @@ MachineFacts examine(const std::string& preferred) {
 
 int run_doctor(const DoctorCommand& command, const Common& common) {
     const MachineFacts f = examine(command.openfoam);
-    std::string out = fmt::format("twinwake    {}\n            built with {}\nprocessor   {}, {} cores, {}\nmemory      {:.3g} GB\n", f.version, f.built_with,
-                                  f.processor, f.cores, f.isa, f.memory / 1e9);
+    std::string out =
+        fmt::format("twinwake    {}\n            built with {}\nprocessor   {}, {} cores, {}\nmemory      {:.3g} GB\n",
+                    f.version, f.built_with, f.processor, f.cores, f.isa, f.memory / 1e9);
     for (const std::string& c : f.compilers) out += "compiler    " + c + "\n";
     out += "mpirun      " + (f.mpirun.empty() ? std::string("none: the mesh side runs on one core") : f.mpirun) + "\n";
-    out += "graphics    " + (f.gpu.empty() ? std::string("no NVIDIA card; this version does not use one") : f.gpu + "; this version does not use it") + "\n";
+    out += "graphics    " +
+           (f.gpu.empty() ? std::string("no NVIDIA card; this version does not use one")
+                          : f.gpu + "; this version does not use it") +
+           "\n";
     for (const OpenFoam& o : f.openfoam)
         out += fmt::format("openfoam    {}: {}: {}\n", o.solver.string(), o.sound ? "sound" : "NOT SOUND", o.verdict);
-    if (f.openfoam.empty()) out += "openfoam    none found: ./bootstrap.sh build installs it (or apt-get install openfoam and run the script again)\n";
-    out += f.sound ? "\nsound: both methods can run here\n" : "\nnot sound: only the particle side can run here; ./bootstrap.sh build mends the mesh side\n";
+    if (f.openfoam.empty())
+        out +=
+            "openfoam    none found: ./bootstrap.sh build installs it (or apt-get install openfoam and run the script "
+            "again)\n";
+    out += f.sound ? "\nsound: both methods can run here\n"
+                   : "\nnot sound: only the particle side can run here; ./bootstrap.sh build mends the mesh side\n";
     say(common, out);
     write_json(common, doctor_json(f));
     return f.sound ? done : bad_input;

@@ -16,7 +16,10 @@ Json findings_json(const std::vector<Finding>& findings) {
     static constexpr const char* levels[] = {"note", "warning", "error"};
     Json list = Json::array();
     for (const Finding& f : findings)
-        list.push_back({{"level", levels[static_cast<int>(f.level)]}, {"name", f.name}, {"message", f.message}, {"place", vec(f.place)}});
+        list.push_back({{"level", levels[static_cast<int>(f.level)]},
+                        {"name", f.name},
+                        {"message", f.message},
+                        {"place", vec(f.place)}});
     return list;
 }
 
@@ -26,15 +29,28 @@ std::string check_json(const Scene& scene, const Prediction& p) {
     Json hull = Json::object();
     if (scene.hull) {
         const Hull& h = *scene.hull;
-        hull = {{"source", h.source}, {"hash", h.hash},      {"length", h.length}, {"beam", h.beam},
-                {"trim", h.trim},     {"draft", h.draft},    {"half", h.half},     {"displacement", h.still.volume},
-                {"findings", findings_json(h.findings)},     {"repairs", h.repairs}};
+        hull = {{"source", h.source},
+                {"hash", h.hash},
+                {"length", h.length},
+                {"beam", h.beam},
+                {"trim", h.trim},
+                {"draft", h.draft},
+                {"half", h.half},
+                {"displacement", h.still.volume},
+                {"findings", findings_json(h.findings)},
+                {"repairs", h.repairs}};
     }
     Json effects = Json::array();
     for (const EffectChoice& e : scene.effects)
-        effects.push_back({{"name", e.name}, {"on", e.on}, {"forced", e.forced}, {"reason", e.reason}, {"influence", e.influence}, {"cost", e.cost}});
+        effects.push_back({{"name", e.name},
+                           {"on", e.on},
+                           {"forced", e.forced},
+                           {"reason", e.reason},
+                           {"influence", e.influence},
+                           {"cost", e.cost}});
     Json refinement = Json::array();
-    for (const RefinementBox& r : scene.refinement) refinement.push_back({{"name", r.name}, {"level", r.level}, {"box", box(r.box)}});
+    for (const RefinementBox& r : scene.refinement)
+        refinement.push_back({{"name", r.name}, {"level", r.level}, {"box", box(r.box)}});
     return written({{"title", scene.title},
                     {"scene_hash", scene.hash},
                     {"particles", std::round(p.particles)},

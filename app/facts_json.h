@@ -29,7 +29,7 @@ struct MachineFacts {
     std::string version, built_with, processor, isa, mpirun, gpu;
     std::vector<std::string> compilers;
     unsigned cores = 0;
-    double memory = 0;   ///< [bytes]
+    double memory = 0;  ///< [bytes]
     std::vector<OpenFoam> openfoam;
     bool sound = false;
 };

@@ -28,11 +28,13 @@ HullFacts facts_of(const std::string& source, const Surface& surface, double par
 
 std::string text_of(const HullFacts& f) {
     const Vec3 size = f.bounds.size();
-    std::string out = fmt::format("{}\n  {} points, {} triangles, {:.6g} x {:.6g} x {:.6g} m\n", f.source, f.points, f.triangles, size.x(), size.y(), size.z());
-    out += fmt::format("  from ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g}) m\n", f.bounds.min.x(), f.bounds.min.y(), f.bounds.min.z(),
-                       f.bounds.max.x(), f.bounds.max.y(), f.bounds.max.z());
-    out += fmt::format("  volume {:.6g} m3, area {:.6g} m2, centroid ({:.6g}, {:.6g}, {:.6g}) m\n  sha256 {}\n", f.mass.volume, f.mass.area,
-                       f.mass.centroid.x(), f.mass.centroid.y(), f.mass.centroid.z(), f.hash);
+    std::string out = fmt::format("{}\n  {} points, {} triangles, {:.6g} x {:.6g} x {:.6g} m\n", f.source, f.points,
+                                  f.triangles, size.x(), size.y(), size.z());
+    out += fmt::format("  from ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g}) m\n", f.bounds.min.x(),
+                       f.bounds.min.y(), f.bounds.min.z(), f.bounds.max.x(), f.bounds.max.y(), f.bounds.max.z());
+    out +=
+        fmt::format("  volume {:.6g} m3, area {:.6g} m2, centroid ({:.6g}, {:.6g}, {:.6g}) m\n  sha256 {}\n",
+                    f.mass.volume, f.mass.area, f.mass.centroid.x(), f.mass.centroid.y(), f.mass.centroid.z(), f.hash);
     static constexpr const char* levels[] = {"note", "warning", "error"};
     for (const std::string& r : f.repairs) out += "  repaired: " + r + "\n";
     for (const Finding& finding : f.findings)
@@ -43,13 +45,16 @@ std::string text_of(const HullFacts& f) {
 /// Only STL is written, so another suffix would be a lie.
 void require_stl(const std::filesystem::path& out) {
     std::string suffix = out.extension().string();
-    std::transform(suffix.begin(), suffix.end(), suffix.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (suffix != ".stl") throw InputError(out.string() + ": the suffix says another format; expected a name ending in .stl");
+    std::transform(suffix.begin(), suffix.end(), suffix.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (suffix != ".stl")
+        throw InputError(out.string() + ": the suffix says another format; expected a name ending in .stl");
 }
 
 Surface made(const HullCommand& command) {
     const auto& shapes = hull_shapes();
-    const auto shape = std::find_if(shapes.begin(), shapes.end(), [&](const HullShape& s) { return s.name == command.shape; });
+    const auto shape =
+        std::find_if(shapes.begin(), shapes.end(), [&](const HullShape& s) { return s.name == command.shape; });
     if (shape == shapes.end()) return make_hull(command.shape, {});  // its message names the known shapes
     std::vector<std::string> known;
     for (const HullParameter& p : shape->parameters) known.push_back(p.name);
@@ -57,16 +62,16 @@ Surface made(const HullCommand& command) {
     for (const std::string& word : command.parameters) {
         const std::size_t equals = word.find('=');
         const std::string name = word.substr(0, equals);
-        const auto p = std::find_if(shape->parameters.begin(), shape->parameters.end(), [&](const HullParameter& q) { return q.name == name; });
+        const auto p = std::find_if(shape->parameters.begin(), shape->parameters.end(),
+                                    [&](const HullParameter& q) { return q.name == name; });
         std::string list;
         for (const std::string& k : known) list += (list.empty() ? "" : ", ") + k;
         if (equals == std::string::npos || p == shape->parameters.end())
-            throw InputError(fmt::format("{}: expected name=value; {} knows: {}{}", word, command.shape, list, did_you_mean(name, known)));
+            throw InputError(fmt::format("{}: expected name=value; {} knows: {}{}", word, command.shape, list,
+                                         did_you_mean(name, known)));
         try {
             values[name] = quantity(word.substr(equals + 1), p->kind);
-        } catch (const UnitError& e) {
-            throw InputError(word + ": " + e.what());
-        }
+        } catch (const UnitError& e) { throw InputError(word + ": " + e.what()); }
     }
     return make_hull(command.shape, values);
 }
@@ -76,7 +81,8 @@ std::string shapes_text() {
     for (const HullShape& shape : hull_shapes()) {
         out += fmt::format("{}: {}\n", shape.name, shape.description);
         for (const HullParameter& p : shape.parameters)
-            out += fmt::format("  {:16} {} [{}], {:.6g} unless given, {:.6g} to {:.6g}\n", p.name, p.meaning, p.kind, p.fallback, p.min, p.max);
+            out += fmt::format("  {:16} {} [{}], {:.6g} unless given, {:.6g} to {:.6g}\n", p.name, p.meaning, p.kind,
+                               p.fallback, p.min, p.max);
     }
     return out;
 }
@@ -96,11 +102,13 @@ int run_hull(const HullCommand& command, const Common& common) {
         surface = std::move(repaired.surface);
         repairs = std::move(repaired.done);
     }
-    HullFacts facts = facts_of(command.action == "make" ? command.shape : command.in.string(), surface, command.particle_spacing);
+    HullFacts facts =
+        facts_of(command.action == "make" ? command.shape : command.in.string(), surface, command.particle_spacing);
     facts.repairs = repairs;
     if (command.action == "repair" && !facts.usable) {
         say(common, text_of(facts));
-        throw InputError(command.in.string() + ": could not be mended safely; nothing written. The findings above name the places");
+        throw InputError(command.in.string() +
+                         ": could not be mended safely; nothing written. The findings above name the places");
     }
     if (command.action != "info") write_stl(command.out, surface);
     say(common, text_of(facts) + (command.action == "info" ? "" : "  written: " + command.out.string() + "\n"));

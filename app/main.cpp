@@ -1,5 +1,5 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <CLI/CLI.hpp>
 #include <cstdio>
 
 #include "app/commands.h"
@@ -23,12 +23,15 @@ constexpr const char* about =
     "  twinwake run my.toml              both methods, then the report in runs/my/report.html\n"
     "  twinwake run my.toml --hull other.stl --out runs/other\n";
 constexpr const char* footer =
-    "Exit status: 0 done, 2 bad input or usage, 3 a run failed or was stopped (state saved), 4 --require agree not met.";
+    "Exit status: 0 done, 2 bad input or usage, 3 a run failed or was stopped (state saved), 4 --require agree not "
+    "met.";
 
 void add_scene(CLI::App* command, SceneArguments& scene) {
     command->add_option("scene", scene.file, "scene file (TOML)")->required();
-    command->add_option("--hull", scene.hull, "swap the hull: this surface file instead of the scene's, in the same attitude and unit");
-    command->add_option("--speed", scene.speed, "speed of the stream instead of the scene's, e.g. \"30 m/s\" or \"60 kn\"");
+    command->add_option("--hull", scene.hull,
+                        "swap the hull: this surface file instead of the scene's, in the same attitude and unit");
+    command->add_option("--speed", scene.speed,
+                        "speed of the stream instead of the scene's, e.g. \"30 m/s\" or \"60 kn\"");
     command->add_option("--near-hull", scene.near_hull, "finest size instead of the scene's, e.g. \"25 mm\"");
     command->add_option("--spacing", scene.spacing, "largest size instead of the scene's");
     command->add_option("--duration", scene.duration, "simulated time instead of the scene's, e.g. \"2 s\"");
@@ -43,7 +46,8 @@ void refuse_unknown(const CLI::App& app, const std::string& word) {
         list += (list.empty() ? "" : ", ") + names.back();
     }
     if (std::find(names.begin(), names.end(), word) == names.end())
-        throw InputError("twinwake " + word + ": no such subcommand; expected one of: " + list + did_you_mean(word, names));
+        throw InputError("twinwake " + word + ": no such subcommand; expected one of: " + list +
+                         did_you_mean(word, names));
 }
 
 int dispatch(int argc, char** argv) {
@@ -55,33 +59,43 @@ int dispatch(int argc, char** argv) {
 
     Common common;
     std::function<int()> chosen;
-    const auto subcommand = [&](CLI::App* parent, const std::string& name, const std::string& description, std::function<int()> run, bool json = true) {
+    const auto subcommand = [&](CLI::App* parent, const std::string& name, const std::string& description,
+                                std::function<int()> run, bool json = true) {
         CLI::App* command = parent->add_subcommand(name, description);
         command->add_flag("-q,--quiet", common.quiet, "only errors (and what --json writes)");
-        if (json) command->add_option("--json", common.json, "write the facts for programs to this file; - for standard output")->type_name("FILE");
+        if (json)
+            command
+                ->add_option("--json", common.json, "write the facts for programs to this file; - for standard output")
+                ->type_name("FILE");
         command->callback([&chosen, run = std::move(run)] { chosen = run; });
         return command;
     };
 
     NewCommand create;
-    CLI::App* c = subcommand(&app, "new", "write a scene file to start from", [&] { return run_new(create, common); }, false);
-    c->add_option("template", create.kind, "planing, seaplane, tank, own")->required()->check(CLI::IsMember(template_names()));
+    CLI::App* c = subcommand(
+        &app, "new", "write a scene file to start from", [&] { return run_new(create, common); }, false);
+    c->add_option("template", create.kind, "planing, seaplane, tank, own")
+        ->required()
+        ->check(CLI::IsMember(template_names()));
     c->add_option("file", create.file, "scene file to write")->required();
     c->add_flag("--overwrite", create.overwrite, "replace the file if it is there");
 
     CheckCommand check;
-    c = subcommand(&app, "check", "hull health, effects with reasons, size, memory and time; solves nothing", [&] { return run_check(check, common); });
+    c = subcommand(&app, "check", "hull health, effects with reasons, size, memory and time; solves nothing",
+                   [&] { return run_check(check, common); });
     add_scene(c, check.scene);
 
     RunCommand run;
     run.method.clear();
     c = subcommand(&app, "run", "run a scene with both methods and compare them", [&] { return run_run(run, common); });
     add_scene(c, run.scene);
-    c->add_option("--method", run.method, "sph, fvm or both instead of the scene's")->check(CLI::IsMember({"sph", "fvm", "both"}));
+    c->add_option("--method", run.method, "sph, fvm or both instead of the scene's")
+        ->check(CLI::IsMember({"sph", "fvm", "both"}));
     c->add_option("--out", run.out, "folder of the results (runs/<name of the scene file>)");
     CLI::Option* resume = c->add_flag("--resume", run.resume, "go on from the last saved state");
     c->add_flag("--overwrite", run.overwrite, "begin anew where a run is")->excludes(resume);
-    c->add_option("--threads", run.threads, "threads (particles) and ranks (mesh); all cores unless given")->check(CLI::Range(1, 4096));
+    c->add_option("--threads", run.threads, "threads (particles) and ranks (mesh); all cores unless given")
+        ->check(CLI::Range(1, 4096));
 
     CompareCommand compare;
     std::string require;
@@ -92,7 +106,8 @@ int dispatch(int argc, char** argv) {
     c->add_option("sources", compare.sources, "run records, or folders of runs")->required()->expected(1, 64);
     c->add_option("--out", compare.out, "folder for report.html, report.json, CSV and figures");
     c->add_flag("--force", compare.force, "compare records of different scenes, with a banner");
-    c->add_option("--require", require, "agree: exit status 4 unless every judged quantity agrees")->check(CLI::IsMember({"agree"}));
+    c->add_option("--require", require, "agree: exit status 4 unless every judged quantity agrees")
+        ->check(CLI::IsMember({"agree"}));
 
     HullCommand hull;
     CLI::App* hulls = app.add_subcommand("hull", "inspect, mend, make and convert hull surfaces");
@@ -110,7 +125,8 @@ int dispatch(int argc, char** argv) {
     };
     c = hull_action("info", "size, volume and health findings of a surface");
     add_input(c);
-    c->add_option("--particle-spacing", hull.particle_spacing, "also find walls too thin for particles of this spacing [m]");
+    c->add_option("--particle-spacing", hull.particle_spacing,
+                  "also find walls too thin for particles of this spacing [m]");
     c = hull_action("repair", "mend what is safe and write the result as STL");
     add_input(c);
     c->add_option("out", hull.out, "STL to write")->required();
@@ -118,21 +134,26 @@ int dispatch(int argc, char** argv) {
     add_input(c);
     c->add_option("out", hull.out, "STL to write")->required();
     c = hull_action("make", "a parametric hull; without a shape: the list of shapes and parameters");
-    CLI::Option* shape = c->add_option("shape", hull.shape, "prismatic, seaplane, wigley, wedge, plate, box, cylinder, sphere, torpedo");
+    CLI::Option* shape =
+        c->add_option("shape", hull.shape, "prismatic, seaplane, wigley, wedge, plate, box, cylinder, sphere, torpedo");
     c->add_option("-o,--out", hull.out, "STL to write")->needs(shape);
     c->add_option("parameters", hull.parameters, "name=value, e.g. length=4 \"beam=100 cm\" deadrise=20deg");
 
     CaseCommand foam_case;
-    c = subcommand(&app, "case", "write the OpenFOAM case of a scene, to look at, change and run by hand", [&] { return run_case(foam_case, common); }, false);
+    c = subcommand(
+        &app, "case", "write the OpenFOAM case of a scene, to look at, change and run by hand",
+        [&] { return run_case(foam_case, common); }, false);
     add_scene(c, foam_case.scene);
     c->add_option("folder", foam_case.folder, "new folder for the case")->required();
 
     DoctorCommand doctor;
-    c = subcommand(&app, "doctor", "is everything here, and is it sound: proves OpenFOAM by a run with an exact answer", [&] { return run_doctor(doctor, common); });
+    c = subcommand(&app, "doctor", "is everything here, and is it sound: proves OpenFOAM by a run with an exact answer",
+                   [&] { return run_doctor(doctor, common); });
     c->add_option("--openfoam", doctor.openfoam, "folder of an OpenFOAM installation to examine first");
 
     BenchCommand bench;
-    c = subcommand(&app, "bench", "throughput of the particle solver on this machine", [&] { return run_bench_command(bench, common); });
+    c = subcommand(&app, "bench", "throughput of the particle solver on this machine",
+                   [&] { return run_bench_command(bench, common); });
     c->add_option("--particles", bench.particles, "number of particles")->check(CLI::Range(1000L, 1000000000L));
     c->add_option("--h-over-dp", bench.h_over_dp, "smoothing length over spacing")->check(CLI::Range(1.1, 3.0));
     c->add_option("--threads", bench.threads, "threads; all cores unless given")->check(CLI::Range(0, 4096));
@@ -141,9 +162,7 @@ int dispatch(int argc, char** argv) {
     if (argc > 1 && argv[1][0] != '-') refuse_unknown(app, argv[1]);
     try {
         app.parse(argc, argv);
-    } catch (const CLI::ParseError& e) {
-        return app.exit(e) == 0 ? done : bad_input;
-    }
+    } catch (const CLI::ParseError& e) { return app.exit(e) == 0 ? done : bad_input; }
     return chosen();
 }
 
@@ -157,12 +176,8 @@ int main(int argc, char** argv) {
     } catch (const tw::InputError& e) {
         std::fprintf(stderr, "%s\n", e.what());
         return tw::app::bad_input;
-    } catch (const tw::RunError& e) {
-        std::fprintf(stderr, "%s\n", e.what());
-    } catch (const std::bad_alloc&) {
+    } catch (const tw::RunError& e) { std::fprintf(stderr, "%s\n", e.what()); } catch (const std::bad_alloc&) {
         std::fprintf(stderr, "out of memory: coarsen [resolution] near_hull; twinwake check tells the need\n");
-    } catch (const std::exception& e) {
-        std::fprintf(stderr, "unexpected: %s\n", e.what());
-    }
+    } catch (const std::exception& e) { std::fprintf(stderr, "unexpected: %s\n", e.what()); }
     return tw::app::run_failed;
 }

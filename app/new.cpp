@@ -19,7 +19,8 @@ int run_new(const NewCommand& command, const Common& common) {
     for (const Template& t : templates()) {
         if (t.name != command.kind) continue;
         write_text_atomically(command.file, t.text);
-        say(common, fmt::format("{}: written. Next: twinwake check {}\n", command.file.string(), command.file.string()));
+        say(common,
+            fmt::format("{}: written. Next: twinwake check {}\n", command.file.string(), command.file.string()));
     }
     return done;
 }

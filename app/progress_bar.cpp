@@ -11,12 +11,14 @@ namespace {
 
 std::string clock_text(double seconds) {
     const long s = std::lround(std::max(0.0, seconds));
-    return s < 3600 ? fmt::format("{}:{:02}", s / 60, s % 60) : fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
+    return s < 3600 ? fmt::format("{}:{:02}", s / 60, s % 60)
+                    : fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
 }
 
 }  // namespace
 
-ProgressBar::ProgressBar(std::string label, bool quiet) : label_(std::move(label)), quiet_(quiet), terminal_(isatty(STDERR_FILENO)) {}
+ProgressBar::ProgressBar(std::string label, bool quiet)
+    : label_(std::move(label)), quiet_(quiet), terminal_(isatty(STDERR_FILENO)) {}
 
 ProgressBar::~ProgressBar() {
     if (shown_ && terminal_) std::fputc('\n', stderr);
@@ -33,12 +35,15 @@ void ProgressBar::show(const Progress& p) {
     if (!due && !phase && !(share >= 1 && last_share_ < 1)) return;
     const std::string steps = p.steps > 0 ? fmt::format("step {}  ", p.steps) : "";
     const std::string left = p.eta > 0 ? fmt::format("{} left  ", clock_text(p.eta)) : "";
-    const std::string facts = fmt::format("{:3.0f} %  t = {:.4g} of {:.4g} s  {}{} gone  {}{}", 100 * share, p.time, p.duration, steps,
-                                          clock_text(p.wall), left, p.note);
+    const std::string facts = fmt::format("{:3.0f} %  t = {:.4g} of {:.4g} s  {}{} gone  {}{}", 100 * share, p.time,
+                                          p.duration, steps, clock_text(p.wall), left, p.note);
     if (terminal_) {
         constexpr std::size_t width = 24;
         const auto full = static_cast<std::size_t>(share * width);
-        std::fputs(fmt::format("\r\033[K{} [{}{}] {}", label_, std::string(full, '#'), std::string(width - full, '.'), facts).c_str(), stderr);
+        std::fputs(
+            fmt::format("\r\033[K{} [{}{}] {}", label_, std::string(full, '#'), std::string(width - full, '.'), facts)
+                .c_str(),
+            stderr);
     } else {
         std::fputs(fmt::format("{}: {}\n", label_, facts).c_str(), stderr);
     }

@@ -20,11 +20,14 @@ namespace fs = std::filesystem;
 void refuse_taken(const fs::path& folder, const RunCommand& command) {
     const bool taken = fs::exists(folder / "record.h5") || fs::exists(folder / "checkpoint.h5");
     if (taken && !command.resume && !command.overwrite)
-        throw InputError(fmt::format("{}: holds a run already; go on with it by --resume, begin anew by --overwrite, or choose another folder by --out",
-                                     folder.string()));
+        throw InputError(
+            fmt::format("{}: holds a run already; go on with it by --resume, begin anew by --overwrite, or choose "
+                        "another folder by --out",
+                        folder.string()));
 }
 
-RunRecord run_method(const std::string& method, const Scene& scene, const fs::path& out, const RunCommand& command, const Common& common) {
+RunRecord run_method(const std::string& method, const Scene& scene, const fs::path& out, const RunCommand& command,
+                     const Common& common) {
     RunOptions options;
     options.folder = out / method;
     options.resume = command.resume && fs::exists(options.folder);
@@ -48,8 +51,10 @@ std::string closing_line(const std::string& method, const RunRecord& record, con
 
 int run_run(const RunCommand& command, const Common& common) {
     Scene scene = read_scene(command.scene.file, command.scene.overrides());
-    if (command.method == "both") scene.run.methods = {"sph", "fvm"};
-    else if (!command.method.empty()) scene.run.methods = {command.method};
+    if (command.method == "both")
+        scene.run.methods = {"sph", "fvm"};
+    else if (!command.method.empty())
+        scene.run.methods = {command.method};
     if (command.threads > 0) scene.run.threads = command.threads;
     const Prediction prediction = predict(scene);
     refuse_oversize(scene, prediction);
@@ -61,8 +66,9 @@ int run_run(const RunCommand& command, const Common& common) {
         with_fvm |= method == "fvm";
     }
     if (with_fvm) say(common, "OpenFOAM: " + sound_openfoam(scene.fvm.openfoam).verdict + "\n");
-    say(common, fmt::format("{}\n{:.3g} particles about {:.3g} s, {:.3g} cells about {:.3g} s; results in {}\n", scene.title, prediction.particles,
-                            prediction.sph_seconds, prediction.cells, prediction.fvm_seconds, out.string()));
+    say(common, fmt::format("{}\n{:.3g} particles about {:.3g} s, {:.3g} cells about {:.3g} s; results in {}\n",
+                            scene.title, prediction.particles, prediction.sph_seconds, prediction.cells,
+                            prediction.fvm_seconds, out.string()));
 
     catch_stop_signals();
     for (const std::string method : {"sph", "fvm"}) {  // in this order, whatever the scene's
@@ -70,7 +76,9 @@ int run_run(const RunCommand& command, const Common& common) {
         const RunRecord record = run_method(method, scene, out, command, common);
         say(common, closing_line(method, record, out / method));
         if (record.state != "finished" || stop_asked()) {
-            std::fputs(fmt::format("{}: stopped at the user's wish; state saved, go on with --resume\n", method).c_str(), stderr);
+            std::fputs(
+                fmt::format("{}: stopped at the user's wish; state saved, go on with --resume\n", method).c_str(),
+                stderr);
             return run_failed;
         }
     }

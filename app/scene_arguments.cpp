@@ -8,13 +8,12 @@ namespace tw::app {
 
 SceneOverrides SceneArguments::overrides() const {
     SceneOverrides o;
-    const auto read = [](const std::string& option, const std::string& text, const char* unit, std::optional<double>& value) {
+    const auto read = [](const std::string& option, const std::string& text, const char* unit,
+                         std::optional<double>& value) {
         if (text.empty()) return;
         try {
             value = quantity(text, unit);
-        } catch (const UnitError& e) {
-            throw InputError(fmt::format("{} {}: {}", option, text, e.what()));
-        }
+        } catch (const UnitError& e) { throw InputError(fmt::format("{} {}: {}", option, text, e.what())); }
     };
     if (!hull.empty()) o.hull_file = hull;
     read("--speed", speed, "m/s", o.speed);

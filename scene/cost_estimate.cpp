@@ -18,13 +18,13 @@ namespace {
 constexpr double particle_steps_per_core_second = 1.75e6;  // delta-SPH with renormalised diffusion, h/dp = 1.5
 constexpr double bytes_per_particle = 240;
 constexpr double wall_layers = 4;
-constexpr double cell_steps_per_core_second = 235e3;       // interFoam, three pressure correctors
+constexpr double cell_steps_per_core_second = 235e3;  // interFoam, three pressure correctors
 constexpr double bytes_per_cell = 2.5e3, bytes_of_interfoam = 115e6;
-constexpr double steps_per_cell_crossing = 0.63;           // at Courant number 4: 240 steps/s at 21 mm and 8 m/s
-constexpr double steps_per_frame = 4;                      // interFoam hits every sampling time and then regains its step slowly
-constexpr double mesh_seconds_per_cell = 20.0 / 74e3;      // blockMesh, features, snappyHexMesh, renumber
-constexpr double parallel_share = 0.8;                     // of each further core (1.58 times on two)
-constexpr double transition_cells = 1.05;                  // layers between levels and hull edges, less the hull's inside
+constexpr double steps_per_cell_crossing = 0.63;  // at Courant number 4: 240 steps/s at 21 mm and 8 m/s
+constexpr double steps_per_frame = 4;             // interFoam hits every sampling time and then regains its step slowly
+constexpr double mesh_seconds_per_cell = 20.0 / 74e3;  // blockMesh, features, snappyHexMesh, renumber
+constexpr double parallel_share = 0.8;                 // of each further core (1.58 times on two)
+constexpr double transition_cells = 1.05;              // layers between levels and hull edges, less the hull's inside
 
 double cores(const Scene& scene) {
     if (scene.run.threads > 0) return scene.run.threads;
@@ -56,7 +56,8 @@ double count_cells(const Scene& scene) {
                     if (r.box.contains(middle)) level = std::max(level, r.level);
                 const double volume = (x1 - x0) * (y1 - y0) * (z1 - z0);
                 const double edge = scene.resolution.spacing / std::exp2(level);
-                cells += volume / (scene.domain.dimensions == 2 ? edge * edge * (domain.max.y() - domain.min.y()) : edge * edge * edge);
+                cells += volume / (scene.domain.dimensions == 2 ? edge * edge * (domain.max.y() - domain.min.y())
+                                                                : edge * edge * edge);
             });
         });
     });
@@ -98,8 +99,9 @@ Prediction predict(const Scene& scene) {
     p.cells = count_cells(scene);
 
     const double h = scene.sph.h_over_dp * dp;
-    const double speed = scene.motion.kind == Motion::Kind::stream ? scene.motion.speed
-                                                                   : std::sqrt(2 * scene.water.gravity * water_height(scene));
+    const double speed = scene.motion.kind == Motion::Kind::stream
+                             ? scene.motion.speed
+                             : std::sqrt(2 * scene.water.gravity * water_height(scene));
     p.sph_steps = scene.run.duration * (scene.sph.c0 + speed) / (scene.sph.cfl * h);
     const double n = cores(scene);
     // Work grows with the number of neighbours: the throughput above is that of h/dp = 1.5.
@@ -109,7 +111,8 @@ Prediction predict(const Scene& scene) {
 
     const double courant_rate = steps_per_cell_crossing * speed / dp * 4 / scene.fvm.max_courant;
     const double steps = scene.run.duration * std::max(courant_rate, steps_per_frame / scene.sampling.interval);
-    p.fvm_seconds = p.cells * mesh_seconds_per_cell + p.cells * steps / (cell_steps_per_core_second * (1 + (n - 1) * parallel_share));
+    p.fvm_seconds = p.cells * mesh_seconds_per_cell +
+                    p.cells * steps / (cell_steps_per_core_second * (1 + (n - 1) * parallel_share));
     p.fvm_bytes = p.cells * bytes_per_cell + bytes_of_interfoam * n;
     return p;
 }
@@ -120,10 +123,11 @@ void refuse_oversize(const Scene& scene, const Prediction& p) {
         const bool sph = method == "sph";
         const double bytes = sph ? p.sph_bytes : p.fvm_bytes;
         if (bytes <= memory) continue;
-        throw InputError(fmt::format("{}: too fine for this machine: {:.3g} {} need {:.3g} GB, of which {:.3g} GB can be had; "
-                                     "expected at least near_hull = {:.3g} m",
-                                     scene.resolution_place, sph ? p.particles + p.wall_particles : p.cells, sph ? "particles" : "cells",
-                                     bytes / 1e9, memory / 1e9, scene.resolution.near_hull * std::cbrt(bytes / memory) * 1.01));
+        throw InputError(fmt::format(
+            "{}: too fine for this machine: {:.3g} {} need {:.3g} GB, of which {:.3g} GB can be had; "
+            "expected at least near_hull = {:.3g} m",
+            scene.resolution_place, sph ? p.particles + p.wall_particles : p.cells, sph ? "particles" : "cells",
+            bytes / 1e9, memory / 1e9, scene.resolution.near_hull * std::cbrt(bytes / memory) * 1.01));
     }
 }
 

@@ -31,7 +31,8 @@ double default_spacing(double near_hull, const Hull* hull) {
 }
 
 Margins default_margins(const Hull& hull, double speed, double gravity) {
-    const double L = hull.length, B = hull.beam, top = hull.surface.bounds().max.z(), bow = hull.surface.bounds().min.x();
+    const double L = hull.length, B = hull.beam, top = hull.surface.bounds().max.z(),
+                 bow = hull.surface.bounds().min.x();
     const double wavelength = 2 * std::numbers::pi * speed * speed / gravity;
     Margins m;
     // Measured: moving the inlet from 0.18 L to 0.43 L ahead of the keel's entry changed the lift by 0.4 %.
@@ -73,7 +74,8 @@ std::vector<RefinementBox> default_refinement(const Scene& scene) {
     add("wake", 2, L / 24, {bow - 0.2 * L, -1.7 * B, -D - 0.7 * B}, {stern + 1.125 * L, 1.7 * B, 0.7 * B});
     add("near", 1, L / 48, {entry - 0.23 * L, -B, -D - 0.25 * B}, {stern + 0.5 * L, B, 0.35 * B});
     add("wet", 1, B / 24, {entry - 0.08 * L, -0.62 * B, -D - 0.06 * B}, {stern + 0.09 * L, 0.62 * B, 0.12 * B});
-    add("wet_bottom", 0, B / 48, {entry - 0.055 * L, -0.55 * B, -D - 0.035 * B}, {stern + 0.025 * L, 0.55 * B, 0.06 * B});
+    add("wet_bottom", 0, B / 48, {entry - 0.055 * L, -0.55 * B, -D - 0.035 * B},
+        {stern + 0.025 * L, 0.55 * B, 0.06 * B});
     std::stable_sort(boxes.begin(), boxes.end(), [](const auto& a, const auto& b) { return a.level < b.level; });
     return boxes;
 }
@@ -94,7 +96,9 @@ double time_scale(const Scene& scene) {
 }
 
 // Measured on the reference case: 0.15 s at L/U = 0.5 s.
-double default_ramp(const Scene& scene) { return scene.motion.kind == Motion::Kind::stream ? 0.3 * time_scale(scene) : 0; }
+double default_ramp(const Scene& scene) {
+    return scene.motion.kind == Motion::Kind::stream ? 0.3 * time_scale(scene) : 0;
+}
 
 void fill_times(Scene& scene) {
     const bool stream = scene.motion.kind == Motion::Kind::stream;
@@ -102,7 +106,8 @@ void fill_times(Scene& scene) {
     // Measured: the force of a planing hull is settled one L/U after the start to within 2 %.
     if (scene.run.duration == 0) scene.run.duration = stream ? scene.motion.ramp + 3 * T : 10 * T;
     if (scene.sampling.interval == 0) scene.sampling.interval = T / 25;
-    if (scene.sampling.mean_from == 0 && (stream || scene.hull)) scene.sampling.mean_from = stream ? scene.motion.ramp + T : 5 * T;
+    if (scene.sampling.mean_from == 0 && (stream || scene.hull))
+        scene.sampling.mean_from = stream ? scene.motion.ramp + T : 5 * T;
     if (scene.run.checkpoint == 0) scene.run.checkpoint = scene.run.duration / 20;
 }
 

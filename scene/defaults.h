@@ -8,19 +8,20 @@ namespace tw {
 
 /// Particle spacing and cell at the hull: a twentieth of the beam, and at least four of them in the draft.
 double default_near_hull(const Hull& hull);
-/// Largest cell: near_hull * 2^n that does not exceed a twelfth of the length, n <= 4 (measured: finer outer cells change
-/// the lift by less than 0.5 %). Without a hull: near_hull.
+/// Largest cell: near_hull * 2^n that does not exceed a twelfth of the length, n <= 4 (measured: finer outer cells
+/// change the lift by less than 0.5 %). Without a hull: near_hull.
 double default_spacing(double near_hull, const Hull* hull);
 /// `wish` rounded to near_hull * 2^n, n >= 0.
 double snapped_spacing(double wish, double near_hull);
 
-/// Distances of the domain's faces from the hull. Displacement hulls (length Froude number below 1) get room for the wave.
+/// Distances of the domain's faces from the hull. Displacement hulls (length Froude number below 1) get room for the
+/// wave.
 struct Margins {
-    double ahead = 0;    ///< from the bow to the inlet [m]
-    double behind = 0;   ///< from the stern to the outlet [m]
-    double side = 0;     ///< from y = 0 to the side [m]
-    double below = 0;    ///< from still water to the floor [m]
-    double above = 0;    ///< from still water to the top [m]
+    double ahead = 0;   ///< from the bow to the inlet [m]
+    double behind = 0;  ///< from the stern to the outlet [m]
+    double side = 0;    ///< from y = 0 to the side [m]
+    double below = 0;   ///< from still water to the floor [m]
+    double above = 0;   ///< from still water to the top [m]
 };
 Margins default_margins(const Hull& hull, double speed, double gravity);
 

@@ -100,7 +100,8 @@ SceneValue parse_document(const std::string& text, const std::filesystem::path& 
         return converted_table(toml::parse(std::string_view(text), std::string_view("scene")));
     } catch (const toml::parse_error& e) {
         const Place at = place_of(e.source());
-        throw InputError(fmt::format("{}:{}:{}: not valid TOML: {}", file.string(), at.line, at.column, e.description()));
+        throw InputError(
+            fmt::format("{}:{}:{}: not valid TOML: {}", file.string(), at.line, at.column, e.description()));
     }
 }
 

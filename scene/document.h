@@ -14,14 +14,14 @@ struct Place {
 /// One value of a scene file with its place; tables keep their members in the order of the file.
 struct SceneValue {
     enum class Kind { text, number, flag, list, table, other } kind = Kind::other;
-    std::string text;       ///< of a text; of a number as written in canonical form
+    std::string text;  ///< of a text; of a number as written in canonical form
     double number = 0;
     bool flag = false;
     std::vector<SceneValue> list;
     std::vector<std::pair<std::string, SceneValue>> members;
-    Place place;            ///< of the value
-    Place key_place;        ///< of its key, when it has one
-    std::string option;     ///< the command line option it came from, empty for the file
+    Place place;         ///< of the value
+    Place key_place;     ///< of its key, when it has one
+    std::string option;  ///< the command line option it came from, empty for the file
 
     const SceneValue* find(const std::string& key) const;
     SceneValue* find(const std::string& key);

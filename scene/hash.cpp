@@ -25,7 +25,9 @@ public:
         return *this;
     }
     Lines& add(const std::string& name, const Vec3& v) { return add(name, {v.x(), v.y(), v.z()}); }
-    Lines& add(const std::string& name, const Box& box) { return add(name + ".min", box.min).add(name + ".max", box.max); }
+    Lines& add(const std::string& name, const Box& box) {
+        return add(name + ".min", box.min).add(name + ".max", box.max);
+    }
     const std::string& text() const { return text_; }
 
 private:
@@ -38,11 +40,13 @@ std::string canonical_text(const Scene& scene) {
     Lines t;
     t.add("format", {1});
     const Water& w = scene.water;
-    t.add("water", {w.density, w.kinematic_viscosity, w.surface_tension, w.gravity, w.depth, w.air_density, w.air_kinematic_viscosity});
+    t.add("water", {w.density, w.kinematic_viscosity, w.surface_tension, w.gravity, w.depth, w.air_density,
+                    w.air_kinematic_viscosity});
     t.add("motion", {static_cast<double>(scene.motion.kind), scene.motion.speed});
     t.add("domain", scene.domain.box).add("dimensions", {static_cast<double>(scene.domain.dimensions)});
     const Domain& d = scene.domain;
-    for (const Side side : {d.x_min, d.x_max, d.y_min, d.y_max, d.z_min, d.z_max}) t.add("side", {static_cast<double>(side)});
+    for (const Side side : {d.x_min, d.x_max, d.y_min, d.y_max, d.z_min, d.z_max})
+        t.add("side", {static_cast<double>(side)});
     t.add("resolution", {scene.resolution.spacing, scene.resolution.near_hull});
     for (const RefinementBox& r : scene.refinement) t.add("refine", r.box).add("level", {static_cast<double>(r.level)});
     if (scene.hull) t.add("hull", scene.hull->hash).add("half", {scene.hull->half ? 1.0 : 0.0});

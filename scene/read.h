@@ -35,7 +35,7 @@ struct DomainOptions {
     bool empty() const { return !ahead && !behind && !side && !below && !above && !x && !y && !z; }
 };
 DomainOptions read_domain(Section& s);
-std::optional<Box> read_tank(Section& s);   ///< nothing when there is no [tank]
+std::optional<Box> read_tank(Section& s);  ///< nothing when there is no [tank]
 
 Run read_run(Section& s);
 /// Times, planes and probes; the raster's voxel edge separately.
@@ -50,10 +50,10 @@ FvmOptions read_fvm(Section& s);
 /// The hull as it stands in the water; health is checked later, when the particle spacing is known.
 struct HullOptions {
     Hull hull;
-    Surface as_read;   ///< before posing [m]: what the health check looks at
+    Surface as_read;  ///< before posing [m]: what the health check looks at
     Pose pose;
     bool repair = false;
-    std::string key;   ///< "file" or "shape": where findings about the surface are reported
+    std::string key;  ///< "file" or "shape": where findings about the surface are reported
 };
 HullOptions read_hull(Section& s);
 /// A solid from a file, a shape or a box (min, max).

@@ -32,12 +32,14 @@ Surface read_solid(Section& s, const std::filesystem::path& scene_file, std::str
     try {
         if (file) {
             // A file of the command line is where the user stands, one of the scene beside the scene.
-            const std::filesystem::path path = s.from_option("file") ? std::filesystem::path(*file) : scene_file.parent_path() / *file;
+            const std::filesystem::path path =
+                s.from_option("file") ? std::filesystem::path(*file) : scene_file.parent_path() / *file;
             if (!std::filesystem::exists(path)) s.fail("file", fmt::format("there is no file {}", path.string()));
             return read_surface(path, unit, axes);
         }
         const std::string name = s.choice("shape", "", shape_names());
-        const auto found = std::find_if(hull_shapes().begin(), hull_shapes().end(), [&](const HullShape& h) { return h.name == name; });
+        const auto found = std::find_if(hull_shapes().begin(), hull_shapes().end(),
+                                        [&](const HullShape& h) { return h.name == name; });
         std::map<std::string, double> values;
         for (const HullParameter& p : found->parameters)
             values[p.name] = s.number(p.name, p.fallback, p.kind, {p.min, p.max});
@@ -70,15 +72,18 @@ HullOptions read_hull(Section& s) {
     if (const auto position = s.numbers("position", "m", 2)) pose.position = {(*position)[0], (*position)[1], 0};
     hull.half = s.flag("half", false);
     o.repair = s.flag("repair", false);
-    if (hull.half && hull.heel != 0) s.fail("half", "a heeled hull is not symmetric about y = 0; set heel = 0 or half = false");
-    if (hull.half && pose.position.y() != 0) s.fail("half", "a hull beside y = 0 is not symmetric about it; expected position = [x, 0]");
+    if (hull.half && hull.heel != 0)
+        s.fail("half", "a heeled hull is not symmetric about y = 0; set heel = 0 or half = false");
+    if (hull.half && pose.position.y() != 0)
+        s.fail("half", "a hull beside y = 0 is not symmetric about it; expected position = [x, 0]");
     o.as_read = read_solid(s, s.file(), hull.source, o.key);
     s.finish();
     // Without a draft the hull keeps the height it has in its own file.
     hull.draft = draft.value_or(-o.as_read.bounds().min.z());
     if (!(hull.draft > 0))
         s.fail("draft", fmt::format("the hull is not in the water: its lowest point stands {:.6g} m above still water; "
-                                    "expected draft > 0, the depth of the lowest point below z = 0", std::abs(hull.draft)));
+                                    "expected draft > 0, the depth of the lowest point below z = 0",
+                                    std::abs(hull.draft)));
     pose.trim = hull.trim;
     pose.heel = hull.heel;
     pose.draft = hull.draft;
@@ -93,7 +98,8 @@ Obstacle read_obstacle(Section& s, std::size_t number) {
     if (min || max) {
         if (!min || !max) s.fail(min ? "max" : "min", "missing; a box needs min = [x, y, z] and max = [x, y, z]");
         const Box box{*min, *max};
-        if (!(box.size().array() > 0).all()) s.fail("max", "the box has no volume; expected max > min in every direction");
+        if (!(box.size().array() > 0).all())
+            s.fail("max", "the box has no volume; expected max > min in every direction");
         o.surface = box_surface(box);
     } else {
         std::string source, key;

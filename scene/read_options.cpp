@@ -22,17 +22,20 @@ Motion read_motion(Section& s, bool has_hull) {
     Motion o;
     const std::string kind = s.choice("kind", has_hull ? "stream" : "none", {"stream", "none", "prescribed", "free"});
     if (kind == "prescribed" || kind == "free")
-        s.fail("kind", "this version solves a fixed hull only; expected \"stream\" (uniform stream) or \"none\" (still water)");
+        s.fail("kind",
+               "this version solves a fixed hull only; expected \"stream\" (uniform stream) or \"none\" (still water)");
     if (kind == "stream") {
         o.kind = Motion::Kind::stream;
         const auto speed = s.number("speed", "m/s", {0, 1000});
         if (!speed) s.fail("speed", "missing; a stream needs a speed, e.g. speed = \"8 m/s\"");
-        if (*speed == 0) s.fail("speed", "a stream of zero speed; give a speed > 0, or kind = \"none\" for still water");
+        if (*speed == 0)
+            s.fail("speed", "a stream of zero speed; give a speed > 0, or kind = \"none\" for still water");
         o.speed = *speed;
         o.ramp = s.number("ramp", -1, "s", not_negative);
     } else {
         for (const char* key : {"speed", "ramp"})
-            if (s.has(key)) s.fail(key, "there is no stream with kind = \"none\"; remove this key or write kind = \"stream\"");
+            if (s.has(key))
+                s.fail(key, "there is no stream with kind = \"none\"; remove this key or write kind = \"stream\"");
         s.know("speed");
         s.know("ramp");
     }
@@ -45,7 +48,9 @@ ResolutionOptions read_resolution(Section& s) {
     o.spacing = s.number("spacing", "m", positive);
     o.near_hull = s.number("near_hull", "m", positive);
     if (o.spacing && o.near_hull && *o.near_hull > *o.spacing)
-        s.fail("near_hull", fmt::format("coarser than spacing = {:.6g} m; near_hull is the finest, spacing the coarsest size", *o.spacing));
+        s.fail("near_hull",
+               fmt::format("coarser than spacing = {:.6g} m; near_hull is the finest, spacing the coarsest size",
+                           *o.spacing));
     s.finish();
     return o;
 }
@@ -82,7 +87,8 @@ std::optional<Box> read_tank(Section& s) {
     if (!size && !(min && max)) s.fail("size", "missing; expected size = [length, width, height], or min and max");
     Box box{min.value_or(Vec3::Zero()), max.value_or(Vec3::Zero())};
     if (size) box.max = *size;
-    if (!(box.size().array() > 0).all()) s.fail(size ? "size" : "max", "the tank has no volume; expected every edge > 0");
+    if (!(box.size().array() > 0).all())
+        s.fail(size ? "size" : "max", "the tank has no volume; expected every edge > 0");
     s.finish();
     return box;
 }
@@ -157,7 +163,8 @@ std::vector<Box> read_water_blocks(std::vector<Section>& sections) {
         const auto min = s.vector("min", "m"), max = s.vector("max", "m");
         if (!min || !max) s.fail(min ? "max" : "min", "missing; expected min = [x, y, z] and max = [x, y, z]");
         const Box box{*min, *max};
-        if (!(box.size().array() > 0).all()) s.fail("max", "the block has no volume; expected max > min in every direction");
+        if (!(box.size().array() > 0).all())
+            s.fail("max", "the block has no volume; expected max > min in every direction");
         blocks.push_back(box);
         s.finish();
     }

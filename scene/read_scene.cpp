@@ -14,7 +14,8 @@ namespace tw {
 namespace {
 
 /// Puts a command line option into the document as if it stood in the file; its messages name the option.
-void override_key(SceneValue& document, const std::string& section, const std::string& key, const std::string& option, SceneValue value) {
+void override_key(SceneValue& document, const std::string& section, const std::string& key, const std::string& option,
+                  SceneValue value) {
     SceneValue* table = document.find(section);
     if (!table) {
         SceneValue empty;
@@ -37,10 +38,12 @@ SceneValue number_value(double number) {
 
 void apply(const SceneOverrides& o, SceneValue& document) {
     if (o.hull_file) {
-        // Only what says how the hull stands in the water outlives a swap; a shape's own parameters would be unknown keys.
+        // Only what says how the hull stands in the water outlives a swap; a shape's own parameters would be unknown
+        // keys.
         if (SceneValue* hull = document.find("hull"))
             std::erase_if(hull->members, [](const auto& m) {
-                static const std::set<std::string> kept{"trim", "heel", "draft", "position", "half", "repair", "unit", "axes"};
+                static const std::set<std::string> kept{"trim", "heel",   "draft", "position",
+                                                        "half", "repair", "unit",  "axes"};
                 return !kept.contains(m.first);
             });
         SceneValue file;
@@ -59,16 +62,18 @@ Resolution resolution_of(const ResolutionOptions& o, const Hull* hull, Section& 
     Resolution r;
     if (!o.near_hull && !o.spacing && !hull)
         s.fail("near_hull", "missing; a scene without a hull needs its particle spacing, e.g. near_hull = \"0.02 m\"");
-    if (o.near_hull) r.near_hull = *o.near_hull;
-    else r.near_hull = hull ? default_near_hull(*hull) : *o.spacing;
+    if (o.near_hull)
+        r.near_hull = *o.near_hull;
+    else
+        r.near_hull = hull ? default_near_hull(*hull) : *o.spacing;
     if (!o.near_hull && o.spacing) r.near_hull = std::min(r.near_hull, *o.spacing);
     r.near_hull *= scale;
     r.spacing = o.spacing ? snapped_spacing(*o.spacing * scale, r.near_hull) : default_spacing(r.near_hull, hull);
     return r;
 }
 
-/// A face that the user gave goes to the nearest multiple of the particle spacing, one that follows from the hull outward to a
-/// multiple of the largest cell. Still water, z = 0, is a multiple of both.
+/// A face that the user gave goes to the nearest multiple of the particle spacing, one that follows from the hull
+/// outward to a multiple of the largest cell. Still water, z = 0, is a multiple of both.
 double snapped_face(double face, bool given, bool high, const Resolution& r) {
     if (given) return std::round(face / r.near_hull) * r.near_hull;
     return (high ? std::ceil(face / r.spacing - 1e-6) : std::floor(face / r.spacing + 1e-6)) * r.spacing;
@@ -99,23 +104,27 @@ Box stream_box(const DomainOptions& o, const Scene& scene, std::optional<double>
     return box;
 }
 
-Domain domain_of(const DomainOptions& o, const std::optional<Box>& tank, Scene& scene, Sections& s, std::optional<double> depth) {
+Domain domain_of(const DomainOptions& o, const std::optional<Box>& tank, Scene& scene, Sections& s,
+                 std::optional<double> depth) {
     Domain d;
     d.dimensions = o.dimensions;
     const bool stream = scene.motion.kind == Motion::Kind::stream;
     if (tank) {
-        if (stream) s.tank.fail("size", "a tank has walls all round and no stream; use [domain] for a stream, or kind = \"none\"");
+        if (stream)
+            s.tank.fail("size",
+                        "a tank has walls all round and no stream; use [domain] for a stream, or kind = \"none\"");
         if (!o.empty()) s.domain.fail("x", "[tank] already says how large the domain is; keep one of the two");
         d.box = *tank;
         if (scene.hull && scene.hull->half) d.box.min.y() = 0;
     } else {
         if (!scene.hull && !(o.x && o.z && (o.y || o.dimensions == 2)))
-            s.domain.fail(stream ? "x" : "size", "missing; a scene without a hull needs [domain] x, y and z ranges, or a [tank]");
+            s.domain.fail(stream ? "x" : "size",
+                          "missing; a scene without a hull needs [domain] x, y and z ranges, or a [tank]");
         d.box = stream_box(o, scene, depth);
     }
     if (o.dimensions == 2) {
         if (scene.hull) s.domain.fail("dimensions", "a hull needs 3 dimensions in this version");
-        d.box.max.y() = 0.5 * scene.resolution.near_hull;   // one particle thick, round the plane y = 0
+        d.box.max.y() = 0.5 * scene.resolution.near_hull;  // one particle thick, round the plane y = 0
         d.box.min.y() = -d.box.max.y();
     }
     if (stream) {
@@ -131,7 +140,9 @@ void check_hull_place(const Scene& scene, Sections& s, const std::string& key) {
     const Hull& hull = *scene.hull;
     const Box bounds = hull.surface.bounds();
     if (hull.still.volume <= 0)
-        s.hull.fail("draft", fmt::format("the hull displaces no water at draft {:.6g} m; expected it to reach below z = 0", hull.draft));
+        s.hull.fail(
+            "draft",
+            fmt::format("the hull displaces no water at draft {:.6g} m; expected it to reach below z = 0", hull.draft));
     const Box& domain = scene.domain.box;
     const double room = 4 * scene.resolution.near_hull;
     static constexpr const char* axis_names[] = {"x", "y", "z"};
@@ -143,10 +154,11 @@ void check_hull_place(const Scene& scene, Sections& s, const std::string& key) {
         if (!low && bounds.max[axis] <= domain.max[axis] - room) continue;
         const auto a = static_cast<std::size_t>(axis);
         const bool beyond = bounds.max[axis] > domain.max[axis] || (!mirrored && bounds.min[axis] < domain.min[axis]);
-        const std::string message =
-            fmt::format("the hull {} the domain: in {} it spans {:.6g} to {:.6g} m, the domain {:.6g} to {:.6g} m; "
-                        "expected at least {:.3g} m (four particles) between them",
-                        beyond ? "is larger than" : "comes too close to a side of", axis_names[a], bounds.min[axis], bounds.max[axis], domain.min[axis], domain.max[axis], room);
+        const std::string message = fmt::format(
+            "the hull {} the domain: in {} it spans {:.6g} to {:.6g} m, the domain {:.6g} to {:.6g} m; "
+            "expected at least {:.3g} m (four particles) between them",
+            beyond ? "is larger than" : "comes too close to a side of", axis_names[a], bounds.min[axis],
+            bounds.max[axis], domain.min[axis], domain.max[axis], room);
         if (s.tank.present()) s.tank.fail(s.tank.has("size") ? "size" : "max", message);
         const std::string nearest = s.domain.has(axis_names[a]) ? axis_names[a] : low ? low_keys[a] : high_keys[a];
         if (s.domain.has(nearest)) s.domain.fail(nearest, message);
@@ -163,8 +175,11 @@ void check_symmetry(const Hull& hull, Section& s) {
         const Vec3 mirror(p.x(), -p.y(), p.z());
         const double off = std::abs(query.nearest(mirror).distance);
         if (off > tolerance)
-            s.fail("half", fmt::format("the hull is not symmetric about y = 0: near ({:.4g}, {:.4g}, {:.4g}) m the two sides differ by "
-                                       "{:.3g} m; set half = false", p.x(), p.y(), p.z(), off));
+            s.fail("half",
+                   fmt::format(
+                       "the hull is not symmetric about y = 0: near ({:.4g}, {:.4g}, {:.4g}) m the two sides differ by "
+                       "{:.3g} m; set half = false",
+                       p.x(), p.y(), p.z(), off));
     }
 }
 
@@ -180,7 +195,9 @@ void check_health(HullOptions& o, double particle_spacing, Section& s) {
     }
     for (const Finding& f : hull.findings)
         if (f.level == Finding::Level::error)
-            s.fail(o.key, fmt::format("{}: {}{}", f.name, f.message, o.repair ? "; repair = true did not mend it" : "; repair = true mends what is safe"));
+            s.fail(o.key,
+                   fmt::format("{}: {}{}", f.name, f.message,
+                               o.repair ? "; repair = true did not mend it" : "; repair = true mends what is safe"));
 }
 
 void check_places(Scene& scene, Sections& s) {
@@ -188,8 +205,8 @@ void check_places(Scene& scene, Sections& s) {
     const auto outside = [&](const Vec3& p, double slack) {
         return !Box{(box.min.array() - slack).matrix(), (box.max.array() + slack).matrix()}.contains(p);
     };
-    const std::string range = fmt::format("the domain spans ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g}) m", box.min.x(), box.min.y(),
-                                          box.min.z(), box.max.x(), box.max.y(), box.max.z());
+    const std::string range = fmt::format("the domain spans ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g}) m",
+                                          box.min.x(), box.min.y(), box.min.z(), box.max.x(), box.max.y(), box.max.z());
     const double slack = 1e-6 * box.size().maxCoeff();
     for (std::size_t i = 0; i < scene.water_blocks.size(); ++i) {
         Box& block = scene.water_blocks[i];
@@ -198,17 +215,19 @@ void check_places(Scene& scene, Sections& s) {
             block.max.y() = box.max.y();
         }
         for (const char* key : {"min", "max"})
-            if (outside(key == std::string("min") ? block.min : block.max, slack)) s.water_blocks[i].fail(key, "outside the domain; " + range);
+            if (outside(key == std::string("min") ? block.min : block.max, slack))
+                s.water_blocks[i].fail(key, "outside the domain; " + range);
     }
     for (std::size_t i = 0; i < scene.obstacles.size(); ++i) {
         Obstacle& o = scene.obstacles[i];
-        if (scene.domain.dimensions == 2 && s.obstacles[i].has("min")) {   // a box reaches through the whole thickness
+        if (scene.domain.dimensions == 2 && s.obstacles[i].has("min")) {  // a box reaches through the whole thickness
             const double high = o.surface.bounds().max.y();
             for (Vec3& p : o.surface.points) p.y() = p.y() == high ? box.max.y() : box.min.y();
         }
         const Box at = o.surface.bounds();
         if (((at.max - box.min).array() <= 0).any() || ((box.max - at.min).array() <= 0).any())
-            s.obstacles[i].fail(s.obstacles[i].has("min") ? "min" : "position", "the obstacle lies outside the domain; " + range);
+            s.obstacles[i].fail(s.obstacles[i].has("min") ? "min" : "position",
+                                "the obstacle lies outside the domain; " + range);
     }
     std::size_t pressure = 0, height = 0;
     for (Section& probe : s.probes) {
@@ -228,7 +247,9 @@ template <class List>
 void refuse_same_names(const List& items, std::vector<Section>& sections) {
     for (std::size_t i = 0; i < items.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
-            if (items[i].name == items[j].name) sections[i].fail("name", fmt::format("'{}' is taken already; give every one its own name", items[i].name));
+            if (items[i].name == items[j].name)
+                sections[i].fail("name",
+                                 fmt::format("'{}' is taken already; give every one its own name", items[i].name));
 }
 
 }  // namespace
@@ -253,8 +274,9 @@ Sections split_sections(const std::filesystem::path& file, const SceneValue& doc
         }
         return all;
     };
-    Sections s{root,       one("hull"), one("water"), one("motion"), one("resolution"), one("domain"),  one("run"),        one("sampling"),
-               one("tank"), one("sph"),  one("fvm"),   one("effects"), many("obstacle"),  many("probe"), many("water_block")};
+    Sections s{root,          one("hull"),    one("water"),     one("motion"), one("resolution"),
+               one("domain"), one("run"),     one("sampling"),  one("tank"),   one("sph"),
+               one("fvm"),    one("effects"), many("obstacle"), many("probe"), many("water_block")};
     s.root = root;
     s.root.know("title");
     s.root.finish();
@@ -282,7 +304,8 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     const DomainOptions domain = read_domain(s.domain);
     const std::optional<Box> tank = read_tank(s.tank);
     scene.water_blocks = read_water_blocks(s.water_blocks);
-    for (std::size_t i = 0; i < s.obstacles.size(); ++i) scene.obstacles.push_back(read_obstacle(s.obstacles[i], i + 1));
+    for (std::size_t i = 0; i < s.obstacles.size(); ++i)
+        scene.obstacles.push_back(read_obstacle(s.obstacles[i], i + 1));
     refuse_same_names(scene.obstacles, s.obstacles);
 
     std::optional<HullOptions> hull;
@@ -311,9 +334,12 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     scene.domain = domain_of(domain, tank, scene, s, water.depth);
     if (scene.hull) check_hull_place(scene, s, hull->key);
     if (scene.motion.kind == Motion::Kind::stream && !scene.water_blocks.empty())
-        s.water_blocks[0].fail("min", "a stream fills all below z = 0 with water; water blocks belong to still scenes (kind = \"none\")");
+        s.water_blocks[0].fail(
+            "min", "a stream fills all below z = 0 with water; water blocks belong to still scenes (kind = \"none\")");
     if (!(scene.domain.box.min.z() < 0) && scene.water_blocks.empty())
-        s.domain.fail("z", "there is no water: still water is z = 0, and the domain begins above it; expected a floor below z = 0, or [[water_block]]");
+        s.domain.fail("z",
+                      "there is no water: still water is z = 0, and the domain begins above it; expected a floor below "
+                      "z = 0, or [[water_block]]");
     check_places(scene, s);
 
     scene.water.depth = water_height(scene);

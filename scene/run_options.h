@@ -6,20 +6,20 @@
 namespace tw {
 
 struct Progress {
-    double time = 0, duration = 0;   ///< simulated [s]
-    double wall = 0, eta = 0;        ///< [s]
+    double time = 0, duration = 0;  ///< simulated [s]
+    double wall = 0, eta = 0;       ///< [s]
     long steps = 0;
-    std::string note;                ///< phase or state, e.g. "meshing", "dt 1.2e-4 s"
+    std::string note;  ///< phase or state, e.g. "meshing", "dt 1.2e-4 s"
 };
 
 /// How one method is run. Both solvers take this and leave `folder/record.h5`.
 struct RunOptions {
-    std::filesystem::path folder;    ///< of this method's run, e.g. runs/my_scene/sph
-    bool resume = false;             ///< go on from the last checkpoint; without it a folder that holds a run is refused
-    bool overwrite = false;          ///< begin anew in a folder that holds a run
-    int threads = 0;                 ///< 0: all cores (OpenMP threads; MPI ranks for the FVM side)
+    std::filesystem::path folder;  ///< of this method's run, e.g. runs/my_scene/sph
+    bool resume = false;           ///< go on from the last checkpoint; without it a folder that holds a run is refused
+    bool overwrite = false;        ///< begin anew in a folder that holds a run
+    int threads = 0;               ///< 0: all cores (OpenMP threads; MPI ranks for the FVM side)
     std::function<void(const Progress&)> progress = {};
-    std::function<bool()> stop_asked = {};   ///< polled: true ends the run after saving state
+    std::function<bool()> stop_asked = {};  ///< polled: true ends the run after saving state
 };
 
 }  // namespace tw

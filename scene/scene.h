@@ -17,53 +17,56 @@ namespace tw {
 // filled in. Axes: x to the stern (the stream's direction), z up, still water at z = 0.
 
 struct Water {
-    double density = 1000;             ///< [kg/m3]
-    double kinematic_viscosity = 1e-6; ///< [m2/s]
-    double surface_tension = 0.072;    ///< [N/m]
-    double gravity = 9.81;             ///< [m/s2], along -z
-    double depth = 0;                  ///< [m], of the solved water (domain floor at z = -depth)
-    double air_density = 1.2;          ///< [kg/m3]
+    double density = 1000;              ///< [kg/m3]
+    double kinematic_viscosity = 1e-6;  ///< [m2/s]
+    double surface_tension = 0.072;     ///< [N/m]
+    double gravity = 9.81;              ///< [m/s2], along -z
+    double depth = 0;                   ///< [m], of the solved water (domain floor at z = -depth)
+    double air_density = 1.2;           ///< [kg/m3]
     double air_kinematic_viscosity = 1.5e-5;
 };
 
 struct Hull {
-    std::string source;        ///< file name or generator name, as the user wrote it
-    Surface surface;           ///< posed, in world coordinates [m]
-    std::string hash;          ///< surface_hash(surface)
-    bool half = false;         ///< symmetric about y = 0: one half is solved, results are for the whole
+    std::string source;  ///< file name or generator name, as the user wrote it
+    Surface surface;     ///< posed, in world coordinates [m]
+    std::string hash;    ///< surface_hash(surface)
+    bool half = false;   ///< symmetric about y = 0: one half is solved, results are for the whole
     double trim = 0, heel = 0, draft = 0;
-    double length = 0, beam = 0;              ///< of the posed bounding box
+    double length = 0, beam = 0;  ///< of the posed bounding box
     MassProperties mass;
-    Hydrostatics still;                        ///< of the part below z = 0
+    Hydrostatics still;  ///< of the part below z = 0
     std::vector<Finding> findings;
     std::vector<std::string> repairs;
 };
 
 struct Motion {
-    enum class Kind { none, stream } kind = Kind::none;  ///< none: still water (tank); stream: fixed hull in a uniform stream
-    double speed = 0;          ///< [m/s], along +x
-    double ramp = 0;           ///< start-up ramp of the stream [s] (SPH); 0: impulsive
+    enum class Kind {
+        none,
+        stream
+    } kind = Kind::none;  ///< none: still water (tank); stream: fixed hull in a uniform stream
+    double speed = 0;     ///< [m/s], along +x
+    double ramp = 0;      ///< start-up ramp of the stream [s] (SPH); 0: impulsive
 };
 
 /// What each side of the domain is. Both methods use the same list.
 enum class Side { slip_wall, symmetry, inlet, outlet, atmosphere };
 struct Domain {
-    Box box;                   ///< z from the floor to the top of the air region (the SPH side kills nothing above it: it fails)
-    int dimensions = 3;        ///< 2: the x-z plane, one particle / cell thick in y
+    Box box;  ///< z from the floor to the top of the air region (the SPH side kills nothing above it: it fails)
+    int dimensions = 3;  ///< 2: the x-z plane, one particle / cell thick in y
     Side x_min = Side::slip_wall, x_max = Side::slip_wall, y_min = Side::slip_wall, y_max = Side::slip_wall,
          z_min = Side::slip_wall, z_max = Side::atmosphere;
 };
 
 struct Resolution {
-    double spacing = 0;        ///< far away: largest cell [m]
-    double near_hull = 0;      ///< particle spacing dp, and cell size at the wetted hull [m]
+    double spacing = 0;    ///< far away: largest cell [m]
+    double near_hull = 0;  ///< particle spacing dp, and cell size at the wetted hull [m]
 };
 
 /// Boxes of successively finer resolution, coarsest first; the FVM mesh refines in them, and SPH particle levels will.
 struct RefinementBox {
     std::string name;
     Box box;
-    int level = 0;             ///< cell size = spacing / 2^level
+    int level = 0;  ///< cell size = spacing / 2^level
 };
 
 /// A closed solid beside the hull (a tank's obstacle), fixed.
@@ -74,23 +77,23 @@ struct Obstacle {
 
 struct PressureProbe {
     std::string name;
-    Vec3 place;                ///< [m]
+    Vec3 place;  ///< [m]
 };
 struct HeightProbe {
     std::string name;
-    double x = 0, y = 0;       ///< [m]
+    double x = 0, y = 0;  ///< [m]
 };
 
 /// Voxels into which both methods pour their water, so that splash is measured alike (see record/raster.h).
 struct RasterSpec {
-    Vec3 origin = Vec3::Zero();          ///< low corner [m]
-    double spacing = 0;                  ///< voxel edge [m]
+    Vec3 origin = Vec3::Zero();  ///< low corner [m]
+    double spacing = 0;          ///< voxel edge [m]
     std::array<int, 3> count{0, 0, 0};
 };
 
 struct Sampling {
-    double interval = 0;       ///< between frames (raster, metrics) [s]
-    double mean_from = 0;      ///< settled means are not begun before this time [s]
+    double interval = 0;   ///< between frames (raster, metrics) [s]
+    double mean_from = 0;  ///< settled means are not begun before this time [s]
     RasterSpec raster;
     std::vector<PressureProbe> pressure;
     std::vector<HeightProbe> height;
@@ -106,21 +109,21 @@ struct Run {
 };
 
 struct SphOptions {
-    double h_over_dp = 1.5;      ///< smoothing length over spacing
-    double c0 = 0;               ///< numerical sound speed [m/s]; default 10 max(U, sqrt(p_max/rho0))
-    double delta = 0.1;          ///< density diffusion
-    double alpha = 0.01;         ///< artificial viscosity
+    double h_over_dp = 1.5;  ///< smoothing length over spacing
+    double c0 = 0;           ///< numerical sound speed [m/s]; default 10 max(U, sqrt(p_max/rho0))
+    double delta = 0.1;      ///< density diffusion
+    double alpha = 0.01;     ///< artificial viscosity
     double cfl = 0.45;
     std::string equation_of_state = "linear";  ///< linear, tait
-    double gamma = 7;            ///< Tait exponent
-    double shifting = 1;         ///< coefficient; 0: off
+    double gamma = 7;                          ///< Tait exponent
+    double shifting = 1;                       ///< coefficient; 0: off
 };
 
 struct FvmOptions {
     double max_courant = 4, max_alpha_courant = 4;
     double interface_compression = 2;  ///< cAlpha
     int correctors = 3;
-    std::string openfoam;        ///< folder of an OpenFOAM installation; empty: found
+    std::string openfoam;  ///< folder of an OpenFOAM installation; empty: found
 };
 
 /// Water at the start, besides the still-water half space of a stream scene.
@@ -128,7 +131,7 @@ using WaterBlocks = std::vector<Box>;
 
 /// One effect of the plan: whether both methods solve it, why, and what it is thought to change.
 struct EffectChoice {
-    std::string name;       ///< viscosity, turbulence, surface_tension, air, ...
+    std::string name;  ///< viscosity, turbulence, surface_tension, air, ...
     bool on = false;
     bool forced = false;    ///< the user said so
     std::string reason;     ///< one sentence with the numbers
@@ -138,12 +141,12 @@ struct EffectChoice {
 
 struct Scene {
     std::string title;
-    std::filesystem::path file;      ///< the scene file
-    std::string text;                ///< its content as read
-    std::string hash;                ///< of every number both methods use (not of title, paths, comments)
+    std::filesystem::path file;  ///< the scene file
+    std::string text;            ///< its content as read
+    std::string hash;            ///< of every number both methods use (not of title, paths, comments)
     std::optional<Hull> hull;
     std::vector<Obstacle> obstacles;
-    WaterBlocks water_blocks;        ///< empty in a stream scene: all below z = 0 outside the hull
+    WaterBlocks water_blocks;  ///< empty in a stream scene: all below z = 0 outside the hull
     Water water;
     Motion motion;
     Domain domain;
@@ -154,7 +157,7 @@ struct Scene {
     SphOptions sph;
     FvmOptions fvm;
     std::vector<EffectChoice> effects;
-    std::string resolution_place;    ///< `file:line:column: [resolution] near_hull = ...`, for messages about size
+    std::string resolution_place;  ///< `file:line:column: [resolution] near_hull = ...`, for messages about size
 
     bool effect_on(const std::string& name) const;
     int symmetry_factor() const { return hull && hull->half ? 2 : 1; }
@@ -163,10 +166,12 @@ struct Scene {
 /// What a command line may change before the scene is checked.
 struct SceneOverrides {
     std::optional<std::filesystem::path> hull_file;
-    std::optional<double> speed, spacing, near_hull, duration, scale_resolution;  ///< scale_resolution multiplies both spacings
+    std::optional<double> speed, spacing, near_hull, duration,
+        scale_resolution;  ///< scale_resolution multiplies both spacings
 };
 
-/// Reads, fills in and checks a scene file. Throws InputError `file:line:column: ...` for the first thing that is wrong.
+/// Reads, fills in and checks a scene file. Throws InputError `file:line:column: ...` for the first thing that is
+/// wrong.
 Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overrides = {});
 
 /// Predicted size of a run, from the geometry and a throughput table; no solving.

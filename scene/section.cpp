@@ -21,7 +21,8 @@ std::size_t edits(const std::string& a, const std::string& b) {
     for (std::size_t i = 1; i <= a.size(); ++i) {
         for (std::size_t j = 1; j <= b.size(); ++j) {
             d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
         }
     }
     return d[a.size()][b.size()];
@@ -62,7 +63,9 @@ std::string Section::where(const std::string& key) const {
     const SceneValue* value = table_ ? table_->find(key) : nullptr;
     const std::string section = name_.empty() ? "" : "[" + name_ + "] ";
     if (value && !value->option.empty()) return fmt::format("{}: {} {}", file_.string(), value->option, value->shown());
-    if (value) return fmt::format("{}:{}:{}: {}{} = {}", file_.string(), value->place.line, value->place.column, section, key, value->shown());
+    if (value)
+        return fmt::format("{}:{}:{}: {}{} = {}", file_.string(), value->place.line, value->place.column, section, key,
+                           value->shown());
     if (table_ && table_->place.line > 0)
         return fmt::format("{}:{}:{}: {}{}", file_.string(), table_->place.line, table_->place.column, section, key);
     return fmt::format("{}:1:1: {}{}", file_.string(), section, key);
@@ -85,11 +88,10 @@ double Section::as_number(const std::string& key, const SceneValue& value, std::
     } else if (value.kind == SceneValue::Kind::text) {
         try {
             si = quantity(value.text, unit);
-        } catch (const UnitError& e) {
-            fail(key, e.what());
-        }
+        } catch (const UnitError& e) { fail(key, e.what()); }
     } else {
-        fail(key, unit == "-" ? std::string("expected a number") : fmt::format("expected a number in {} or a text such as \"1.5 {}\"", unit, unit));
+        fail(key, unit == "-" ? std::string("expected a number")
+                              : fmt::format("expected a number in {} or a text such as \"1.5 {}\"", unit, unit));
     }
     return si;
 }
@@ -146,7 +148,8 @@ std::optional<std::string> Section::text(const std::string& key) {
     return value->text;
 }
 
-std::string Section::choice(const std::string& key, const std::string& fallback, const std::vector<std::string>& known) {
+std::string Section::choice(const std::string& key, const std::string& fallback,
+                            const std::vector<std::string>& known) {
     const std::string word = text(key, fallback);
     if (std::find(known.begin(), known.end(), word) == known.end())
         fail(key, "not known; expected one of: " + joined(known) + did_you_mean(word, known));
@@ -195,12 +198,14 @@ void Section::finish() const {
     const std::vector<std::string> known(asked_.begin(), asked_.end());
     for (const auto& [key, value] : table_->members) {
         if (asked_.contains(key)) continue;
-        const std::string what = name_.empty() ? "unknown section or key; the file knows: " : "unknown key; this section knows: ";
+        const std::string what =
+            name_.empty() ? "unknown section or key; the file knows: " : "unknown key; this section knows: ";
         const std::string place = fmt::format("{}:{}:{}", file_.string(), value.key_place.line, value.key_place.column);
         if (name_.empty() && value.kind == SceneValue::Kind::table)
-            throw InputError(fmt::format("{}: [{}]: {}{}{}", place, key, what, joined(known), did_you_mean(key, known)));
-        throw InputError(fmt::format("{}: {}{} = {}: {}{}{}", place, name_.empty() ? "" : "[" + name_ + "] ", key, value.shown(),
-                                     what, joined(known), did_you_mean(key, known)));
+            throw InputError(
+                fmt::format("{}: [{}]: {}{}{}", place, key, what, joined(known), did_you_mean(key, known)));
+        throw InputError(fmt::format("{}: {}{} = {}: {}{}{}", place, name_.empty() ? "" : "[" + name_ + "] ", key,
+                                     value.shown(), what, joined(known), did_you_mean(key, known)));
     }
 }
 

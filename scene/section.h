@@ -21,8 +21,8 @@ inline constexpr Range any_value{};
 inline constexpr Range positive{0, std::numeric_limits<double>::infinity(), true};
 inline constexpr Range not_negative{0, std::numeric_limits<double>::infinity(), false};
 
-/// One [section] of a scene file. Every getter remembers its key; finish() reports keys nobody asked for. All errors are
-/// InputError in the form
+/// One [section] of a scene file. Every getter remembers its key; finish() reports keys nobody asked for. All errors
+/// are InputError in the form
 ///   file:line:column: [section] key = value: what was found; what is expected
 class Section {
 public:

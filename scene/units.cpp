@@ -55,7 +55,7 @@ constexpr auto symbols = std::to_array<Symbol>({
     {"mN", 1e-3, force},
     {"kN", 1e3, force},
     {"MN", 1e6, force},
-    {"lbf", pound * g0, force},
+    {"lbf", pound* g0, force},
     {"Pa", 1, pressure},
     {"hPa", 1e2, pressure},
     {"kPa", 1e3, pressure},
@@ -128,7 +128,8 @@ Unit parse_unit(std::string_view original) {
         int power = 1;
         if (raised || (!text.empty() && (is_digit(text.front()) || text.front() == '-'))) {
             const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), power);
-            if (error != std::errc{} || std::abs(power) > 9) throw UnitError(fmt::format("'{}' is not a unit", original));
+            if (error != std::errc{} || std::abs(power) > 9)
+                throw UnitError(fmt::format("'{}' is not a unit", original));
             text.remove_prefix(static_cast<std::size_t>(end - text.data()));
         }
         power *= sign;
@@ -166,13 +167,15 @@ double quantity(std::string_view original, std::string_view si_unit) {
     const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);
     const auto [end, error] = std::from_chars(begin, text.data() + text.size(), value);
     if (error != std::errc{} || !std::isfinite(value))
-        throw UnitError(fmt::format("'{}' does not begin with a finite number; expected e.g. \"1.5 {}\"", original, si_unit));
+        throw UnitError(
+            fmt::format("'{}' does not begin with a finite number; expected e.g. \"1.5 {}\"", original, si_unit));
     const std::string_view rest = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
     if (rest.empty()) return value;
     const Unit unit = parse_unit(rest);
     if (unit.dimension != parse_unit(si_unit).dimension) {
         if (si_unit == "-") throw UnitError(fmt::format("'{}' has a unit; expected a plain number", original));
-        throw UnitError(fmt::format("'{}' does not measure the right thing; expected a unit like {}", rest, units_like(si_unit)));
+        throw UnitError(
+            fmt::format("'{}' does not measure the right thing; expected a unit like {}", rest, units_like(si_unit)));
     }
     return value * unit.factor;
 }

@@ -27,26 +27,43 @@ INSTANTIATE_TEST_SUITE_P(
     Scenes, BadScenes,
     testing::Values(
         BadScene{"draft =", "darft =",
-                 "bad.toml:5:1: [hull] darft = \"0.2 m\": unknown key; this section knows: axes, beam, deadrise, draft, file, half, heel, height, length, position, "
+                 "bad.toml:5:1: [hull] darft = \"0.2 m\": unknown key; this section knows: axes, beam, deadrise, "
+                 "draft, file, half, heel, height, length, position, "
                  "rake, repair, shape, trim, unit; did you mean 'draft'?\n"},
-        BadScene{"near_hull = \"0.1 m\"", "near_hull = -0.1", "bad.toml:11:13: [resolution] near_hull = -0.1: out of range; expected greater than 0 m\n"},
-        BadScene{"near_hull = \"0.1 m\"", "near_hull = 0.1\nspacing = -1", "bad.toml:12:11: [resolution] spacing = -1: out of range; expected greater than 0 m\n"},
-        BadScene{"\"8 m/s\"", "0", "bad.toml:9:9: [motion] speed = 0: a stream of zero speed; give a speed > 0, or kind = \"none\" for still water\n"},
-        BadScene{"near_hull = \"0.1 m\"", "near_hull = \"1 mm\"", "bad.toml:11:13: [resolution] near_hull = \"1 mm\": too fine for this machine: 2.8"},
-        BadScene{"shape = \"prismatic\"", "file  = \"gone.stl\"", "bad.toml:3:9: [hull] file = \"gone.stl\": there is no file gone.stl\n"},
+        BadScene{"near_hull = \"0.1 m\"", "near_hull = -0.1",
+                 "bad.toml:11:13: [resolution] near_hull = -0.1: out of range; expected greater than 0 m\n"},
+        BadScene{"near_hull = \"0.1 m\"", "near_hull = 0.1\nspacing = -1",
+                 "bad.toml:12:11: [resolution] spacing = -1: out of range; expected greater than 0 m\n"},
+        BadScene{"\"8 m/s\"", "0",
+                 "bad.toml:9:9: [motion] speed = 0: a stream of zero speed; give a speed > 0, or kind = \"none\" for "
+                 "still water\n"},
+        BadScene{"near_hull = \"0.1 m\"", "near_hull = \"1 mm\"",
+                 "bad.toml:11:13: [resolution] near_hull = \"1 mm\": too fine for this machine: 2.8"},
+        BadScene{"shape = \"prismatic\"", "file  = \"gone.stl\"",
+                 "bad.toml:3:9: [hull] file = \"gone.stl\": there is no file gone.stl\n"},
         BadScene{"shape = \"prismatic\"", "shape = \"prismatik\"",
                  "bad.toml:3:9: [hull] shape = \"prismatik\": not known; expected one of: "},
-        BadScene{"draft = \"0.2 m\"", "draft = 0", "bad.toml:5:9: [hull] draft = 0: the hull is not in the water: its lowest point stands 0 m above still water"},
-        BadScene{"[motion]", "[domain]\nside = 0.3\n[motion]", "bad.toml:8:8: [domain] side = 0.3: the hull is larger than the domain: in y it spans -0.5 to 0.5 m"},
-        BadScene{"kind  = \"stream\"", "kind  = \"prescribed\"", "bad.toml:8:9: [motion] kind = \"prescribed\": this version solves a fixed hull only"},
-        BadScene{"[run]", "[effects]\nviscosity = \"on\"\n[run]", "bad.toml:13:13: [effects] viscosity = \"on\": this version's particle side has no physical viscosity"},
+        BadScene{"draft = \"0.2 m\"", "draft = 0",
+                 "bad.toml:5:9: [hull] draft = 0: the hull is not in the water: its lowest point stands 0 m above "
+                 "still water"},
+        BadScene{"[motion]", "[domain]\nside = 0.3\n[motion]",
+                 "bad.toml:8:8: [domain] side = 0.3: the hull is larger than the domain: in y it spans -0.5 to 0.5 m"},
+        BadScene{"kind  = \"stream\"", "kind  = \"prescribed\"",
+                 "bad.toml:8:9: [motion] kind = \"prescribed\": this version solves a fixed hull only"},
+        BadScene{
+            "[run]", "[effects]\nviscosity = \"on\"\n[run]",
+            "bad.toml:13:13: [effects] viscosity = \"on\": this version's particle side has no physical viscosity"},
         BadScene{"title = \"planing\"", "title = \"planing", "bad.toml:1:17: not valid TOML: "}),
     case_name);
 
 TEST_F(Command, ABadHullFileIsReportedAtItsKey) {
     const std::string scene = with(planing, "shape = \"prismatic\"", "file  = \"bad.stl\"");
     write("bad.toml", scene);
-    for (const std::string& bytes : {std::string(), std::string("solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0"), std::string(84, '\xff'), std::string("\x7f" "ELF garbage \0\1\2", 16)}) {
+    for (const std::string& bytes :
+         {std::string(), std::string("solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0"), std::string(84, '\xff'),
+          std::string("\x7f"
+                      "ELF garbage \0\1\2",
+                      16)}) {
         write("bad.stl", bytes);
         const Outcome o = twinwake({"check", "bad.toml"});
         EXPECT_EQ(o.status, 2);

@@ -4,7 +4,8 @@ namespace tw::test {
 namespace {
 
 TEST_F(Command, HelpAndVersionAreNoErrors) {
-    for (const std::vector<std::string>& a : {std::vector<std::string>{"--help"}, {"--version"}, {"run", "--help"}, {"hull", "make", "--help"}}) {
+    for (const std::vector<std::string>& a :
+         {std::vector<std::string>{"--help"}, {"--version"}, {"run", "--help"}, {"hull", "make", "--help"}}) {
         const Outcome o = twinwake(a);
         EXPECT_EQ(o.status, 0) << a.back();
         EXPECT_FALSE(o.out.empty()) << a.back();
@@ -22,7 +23,8 @@ TEST_F(Command, WrongUsageIsStatusTwoAndSaysWhatIsKnown) {
     EXPECT_EQ(twinwake({"check", "."}).status, 2);
     write("a.toml", planing);
     EXPECT_EQ(twinwake({"check", "a.toml", "--sped", "3"}).status, 2);
-    EXPECT_EQ(twinwake({"check", "a.toml", "--speed", "3 kg"}).err, "--speed 3 kg: 'kg' does not measure the right thing; expected a unit like m/s, kn, kt, mph\n");
+    EXPECT_EQ(twinwake({"check", "a.toml", "--speed", "3 kg"}).err,
+              "--speed 3 kg: 'kg' does not measure the right thing; expected a unit like m/s, kn, kt, mph\n");
     EXPECT_EQ(twinwake({"run", "a.toml", "--method", "dns"}).status, 2);
     EXPECT_EQ(twinwake({"run", "a.toml", "--resume", "--overwrite"}).status, 2);
     EXPECT_EQ(twinwake({"compare", "absent"}).status, 2);
@@ -37,11 +39,13 @@ TEST_F(Command, EveryTemplateThatNeedsNoFilePassesItsOwnCheck) {
         EXPECT_EQ(o.status, 0) << kind << o.err;
         EXPECT_NE(o.out.find("predicted"), std::string::npos);
     }
-    EXPECT_EQ(twinwake({"new", "planing", "planing.toml"}).status, 2);   // a file that is there is not lost
+    EXPECT_EQ(twinwake({"new", "planing", "planing.toml"}).status, 2);  // a file that is there is not lost
     // The template for an own hull works as soon as that hull is there.
     EXPECT_EQ(twinwake({"new", "own", "own.toml"}).status, 0);
-    EXPECT_EQ(twinwake({"check", "own.toml"}).err, "own.toml:4:9: [hull] file = \"my_hull.stl\": there is no file my_hull.stl\n");
-    EXPECT_EQ(twinwake({"hull", "make", "prismatic", "-o", "my_hull.stl", "length=8 m", "beam=2 m", "height=1.5"}).status, 0);
+    EXPECT_EQ(twinwake({"check", "own.toml"}).err,
+              "own.toml:4:9: [hull] file = \"my_hull.stl\": there is no file my_hull.stl\n");
+    EXPECT_EQ(
+        twinwake({"hull", "make", "prismatic", "-o", "my_hull.stl", "length=8 m", "beam=2 m", "height=1.5"}).status, 0);
     const Outcome own = twinwake({"check", "own.toml"});
     EXPECT_EQ(own.status, 0) << own.err;
 }
@@ -50,9 +54,10 @@ TEST_F(Command, CheckGivesItsFactsToPrograms) {
     write("a.toml", planing);
     const Outcome o = twinwake({"check", "a.toml", "--json", "-"});
     EXPECT_EQ(o.status, 0);
-    EXPECT_EQ(o.out.substr(0, 1), "{");   // nothing but JSON on standard output
-    for (const char* key : {"\"particles\"", "\"cells\"", "\"hull\"", "\"findings\"", "\"effects\"", "\"name\"", "\"on\"", "\"reason\"", "\"influence\"", "\"cost\"",
-                            "\"predicted\"", "\"sph\"", "\"fvm\"", "\"seconds\"", "\"bytes\""})
+    EXPECT_EQ(o.out.substr(0, 1), "{");  // nothing but JSON on standard output
+    for (const char* key :
+         {"\"particles\"", "\"cells\"", "\"hull\"", "\"findings\"", "\"effects\"", "\"name\"", "\"on\"", "\"reason\"",
+          "\"influence\"", "\"cost\"", "\"predicted\"", "\"sph\"", "\"fvm\"", "\"seconds\"", "\"bytes\""})
         EXPECT_NE(o.out.find(key), std::string::npos) << key;
     EXPECT_EQ(twinwake({"check", "a.toml", "-q", "--json", "facts.json"}).out, "");
     EXPECT_EQ(content(folder_ / "facts.json"), o.out);

@@ -16,19 +16,22 @@ TEST_F(Command, AHullIsMadeInspectedAndConverted) {
 }
 
 TEST_F(Command, WrongHullArgumentsNameTheKnownOnes) {
-    EXPECT_NE(twinwake({"hull", "make", "box", "-o", "b.stl", "lenght=2"}).err.find("did you mean 'length'?"), std::string::npos);
-    EXPECT_NE(twinwake({"hull", "make", "box", "-o", "b.stl", "length=2 kg"}).err.find("length=2 kg: 'kg' does not measure"), std::string::npos);
+    EXPECT_NE(twinwake({"hull", "make", "box", "-o", "b.stl", "lenght=2"}).err.find("did you mean 'length'?"),
+              std::string::npos);
+    EXPECT_NE(
+        twinwake({"hull", "make", "box", "-o", "b.stl", "length=2 kg"}).err.find("length=2 kg: 'kg' does not measure"),
+        std::string::npos);
     EXPECT_EQ(twinwake({"hull", "make", "bx", "-o", "b.stl"}).status, 2);
     EXPECT_EQ(twinwake({"hull", "info", "absent.stl"}).status, 2);
     EXPECT_EQ(twinwake({"hull", "info", "absent.stl", "--unit", "parsec"}).status, 2);
     EXPECT_TRUE(files().empty());
-    EXPECT_NE(twinwake({"hull", "make"}).out.find("deadrise"), std::string::npos);   // the list of shapes and parameters
+    EXPECT_NE(twinwake({"hull", "make"}).out.find("deadrise"), std::string::npos);  // the list of shapes and parameters
 }
 
 TEST_F(Command, AnOpenHullIsFoundAndNotSilentlyMended) {
     ASSERT_EQ(twinwake({"hull", "make", "box", "-o", "box.stl"}).status, 0);
     std::string bytes = content(folder_ / "box.stl");
-    bytes.resize(bytes.size() - 50);        // one triangle of 50 bytes less
+    bytes.resize(bytes.size() - 50);  // one triangle of 50 bytes less
     bytes[80] = static_cast<char>(bytes[80] - 1);
     write("open.stl", bytes);
     const Outcome o = twinwake({"hull", "info", "open.stl"});

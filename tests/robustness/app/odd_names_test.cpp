@@ -3,16 +3,27 @@
 namespace tw::test {
 namespace {
 
-const std::vector<std::string> odd_titles = {"it's a \"title\"", "$(touch pwned)", "`touch pwned`", "#calc \"system(\\\"touch pwned\\\")\"", "#include \"/etc/passwd\"",
-                                             "<script>alert(1)</script>", "; rm -rf x", "*/ }; functions { } /*", "%s%n%d", "über Ωmega\ttab\nline"};
+const std::vector<std::string> odd_titles = {"it's a \"title\"",
+                                             "$(touch pwned)",
+                                             "`touch pwned`",
+                                             "#calc \"system(\\\"touch pwned\\\")\"",
+                                             "#include \"/etc/passwd\"",
+                                             "<script>alert(1)</script>",
+                                             "; rm -rf x",
+                                             "*/ }; functions { } /*",
+                                             "%s%n%d",
+                                             "über Ωmega\ttab\nline"};
 
 std::string quoted(const std::string& text) {
     std::string out = "\"";
     for (const char c : text) {
         if (c == '"' || c == '\\') out += '\\';
-        if (c == '\t') out += "\\t";
-        else if (c == '\n') out += "\\n";
-        else out += c;
+        if (c == '\t')
+            out += "\\t";
+        else if (c == '\n')
+            out += "\\n";
+        else
+            out += c;
     }
     return out + "\"";
 }
@@ -30,7 +41,8 @@ TEST_F(Command, ATitleIsOnlyEverText) {
     for (const auto& entry : fs::recursive_directory_iterator(folder_)) {
         const std::string name = fs::relative(entry.path(), folder_).string();
         if (!entry.is_regular_file() || name.find("/system/") == std::string::npos) continue;
-        for (const char* word : {"#calc", "#include", "$(", "touch", "passwd"}) EXPECT_EQ(content(entry.path()).find(word), std::string::npos) << name;
+        for (const char* word : {"#calc", "#include", "$(", "touch", "passwd"})
+            EXPECT_EQ(content(entry.path()).find(word), std::string::npos) << name;
     }
     EXPECT_FALSE(files().contains("pwned"));
 }

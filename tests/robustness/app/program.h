@@ -32,7 +32,8 @@ class Command : public testing::Test {
 protected:
     void SetUp() override {
         const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = fs::temp_directory_path() / "twinwake_command_tests" / (std::string(info->test_suite_name()) + "." + info->name());
+        folder_ = fs::temp_directory_path() / "twinwake_command_tests" /
+                  (std::string(info->test_suite_name()) + "." + info->name());
         fs::remove_all(folder_);
         fs::create_directories(folder_);
     }
@@ -50,8 +51,8 @@ protected:
         pid_t child;
         fs::path out, err;
     };
-    /// Starts the program in the test's folder, without a shell. `largest_file` > 0: no file may grow beyond it [bytes], as on a
-    /// disk that is full.
+    /// Starts the program in the test's folder, without a shell. `largest_file` > 0: no file may grow beyond it
+    /// [bytes], as on a disk that is full.
     Started start(std::vector<std::string> arguments, rlim_t largest_file = 0) const {
         static int number = 0;
         const std::string name = "twinwake_" + std::to_string(getpid()) + "_" + std::to_string(++number);
@@ -64,7 +65,7 @@ protected:
             if (largest_file > 0) {
                 const rlimit limit{largest_file, largest_file};
                 setrlimit(RLIMIT_FSIZE, &limit);
-                std::signal(SIGXFSZ, SIG_IGN);   // inherited: writes fail instead of killing
+                std::signal(SIGXFSZ, SIG_IGN);  // inherited: writes fail instead of killing
             }
             std::vector<char*> argv{const_cast<char*>(TWINWAKE_PROGRAM)};
             for (std::string& a : arguments) argv.push_back(a.data());
@@ -82,11 +83,14 @@ protected:
         fs::remove(s.err);
         return o;
     }
-    Outcome twinwake(const std::vector<std::string>& arguments, rlim_t largest_file = 0) const { return finish(start(arguments, largest_file)); }
+    Outcome twinwake(const std::vector<std::string>& arguments, rlim_t largest_file = 0) const {
+        return finish(start(arguments, largest_file));
+    }
 
     std::set<std::string> files() const {
         std::set<std::string> names;
-        for (const auto& entry : fs::recursive_directory_iterator(folder_)) names.insert(fs::relative(entry.path(), folder_).string());
+        for (const auto& entry : fs::recursive_directory_iterator(folder_))
+            names.insert(fs::relative(entry.path(), folder_).string());
         return names;
     }
 

@@ -23,11 +23,14 @@ methods = ["sph"]
 pressure = [0.4, 0.1, 0.02]
 )";
 
-std::string longer(const std::string& seconds) { return with(column, "duration = 0.1", "duration = " + seconds + "\ncheckpoint = 0.02"); }
+std::string longer(const std::string& seconds) {
+    return with(column, "duration = 0.1", "duration = " + seconds + "\ncheckpoint = 0.02");
+}
 
 void wait_for(const fs::path& file, double seconds) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
-    while (!fs::exists(file) && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    while (!fs::exists(file) && std::chrono::steady_clock::now() < end)
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
 }
 
 TEST_F(Command, ARunLeavesItsRecordAndIsNotWrittenOver) {
@@ -39,7 +42,9 @@ TEST_F(Command, ARunLeavesItsRecordAndIsNotWrittenOver) {
     const std::string record = content(folder_ / "runs/my column/sph/record.h5");
     const Outcome again = twinwake({"run", "my column.toml"});
     EXPECT_EQ(again.status, 2);
-    EXPECT_NE(again.err.find("holds a run already; go on with it by --resume, begin anew by --overwrite"), std::string::npos) << again.err;
+    EXPECT_NE(again.err.find("holds a run already; go on with it by --resume, begin anew by --overwrite"),
+              std::string::npos)
+        << again.err;
     EXPECT_EQ(content(folder_ / "runs/my column/sph/record.h5"), record);
     EXPECT_EQ(twinwake({"run", "my column.toml", "--overwrite", "-q"}).status, 0);
 }
@@ -75,7 +80,7 @@ TEST_F(Command, AFullDiskIsAFailedRunWithTheSystemsReason) {
     const Outcome stl = twinwake({"hull", "make", "sphere", "-o", "ball.stl", "level=6"}, 10000);
     EXPECT_EQ(stl.status, 3);
     EXPECT_NE(stl.err.find("ball.stl: cannot be written: File too large"), std::string::npos) << stl.err;
-    EXPECT_TRUE(files().empty());   // no half-written file, no temporary one
+    EXPECT_TRUE(files().empty());  // no half-written file, no temporary one
     write("column.toml", column);
     const Outcome run = twinwake({"run", "column.toml"}, 2000);
     EXPECT_EQ(run.status, 3) << run.err;

@@ -15,7 +15,8 @@ TEST(Defaults, FacesLieOnTheLatticeOfParticlesAndCells) {
         for (int axis = 0; axis < 3; ++axis) {
             EXPECT_TRUE(multiple(s.domain.box.min[axis], s.resolution.spacing)) << near_hull << " axis " << axis;
             EXPECT_TRUE(multiple(s.domain.box.max[axis], s.resolution.spacing)) << near_hull << " axis " << axis;
-            EXPECT_TRUE(multiple(s.sampling.raster.origin[axis], s.sampling.raster.spacing)) << near_hull << " axis " << axis;
+            EXPECT_TRUE(multiple(s.sampling.raster.origin[axis], s.sampling.raster.spacing))
+                << near_hull << " axis " << axis;
         }
         const double n = std::log2(s.resolution.spacing / s.resolution.near_hull);
         EXPECT_TRUE(multiple(n, 1)) << near_hull;
@@ -42,7 +43,9 @@ TEST(Defaults, ThePlaningHullHasTheRoomItWasMeasuredToNeed) {
 
 TEST(Defaults, ADisplacementHullHasRoomForItsWave) {
     // Wigley hull at length Froude number 0.3: ten times as long as wide, so two beams would be a ditch.
-    const Scene s = scene_of("[hull]\nshape = 'wigley'\ndraft = 0.15625\nhalf = true\n[motion]\nspeed = 1.5\n[resolution]\nnear_hull = 0.0125\n");
+    const Scene s = scene_of(
+        "[hull]\nshape = 'wigley'\ndraft = 0.15625\nhalf = true\n[motion]\nspeed = 1.5\n[resolution]\nnear_hull = "
+        "0.0125\n");
     EXPECT_GE(s.domain.box.max.y(), 0.5 * s.hull->length - 1e-9);
     const double wavelength = 2 * M_PI * 1.5 * 1.5 / 9.81;
     EXPECT_GE(-s.domain.box.min.z(), 0.5 * wavelength - 1e-9);
@@ -69,7 +72,8 @@ TEST(Defaults, TheFinestCellsLieRoundTheWettedBottom) {
 TEST(Defaults, TheBoxesFollowTheHull) {
     // Measured on the reference mesh (prism, length 4 m between perpendiculars, cells L/12 and beam/48): wet bottom box
     // from x = -0.5 to 2.1 m, to y = 0.55 m, from z = -0.235 to 0.06 m.
-    const Scene s = scene_of(with(planing, "near_hull = \"0.05 m\"", "near_hull = 0.0208333333333333\nspacing = 0.3333333333333333"));
+    const Scene s = scene_of(
+        with(planing, "near_hull = \"0.05 m\"", "near_hull = 0.0208333333333333\nspacing = 0.3333333333333333"));
     const Box& box = s.refinement.back().box;
     EXPECT_NEAR(box.min.x(), -0.5, 0.03);
     EXPECT_NEAR(box.max.x(), 2.1, 0.08);

@@ -8,8 +8,8 @@ namespace tw::test {
 namespace {
 
 TEST(Effects, Ittc57IsTheLineOf1957) {
-    EXPECT_NEAR(ittc57(1e7), 0.003, 1e-12);           // 0.075 / 25
-    EXPECT_NEAR(ittc57(1.28e7), 0.00287, 1e-5);       // the reference hull
+    EXPECT_NEAR(ittc57(1e7), 0.003, 1e-12);      // 0.075 / 25
+    EXPECT_NEAR(ittc57(1.28e7), 0.00287, 1e-5);  // the reference hull
 }
 
 TEST(Effects, EveryChoiceSaysWhy) {

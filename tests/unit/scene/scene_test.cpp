@@ -12,8 +12,8 @@ constexpr double degree = std::numbers::pi / 180;
 TEST(Scene, TwentyLinesGiveTheWholeDescription) {
     const Scene s = scene_of(planing);
     EXPECT_NEAR(s.hull->trim, 5 * degree, 1e-15);
-    EXPECT_NEAR(s.hull->surface.bounds().min.z(), -0.2, 1e-12);          // the draft, whatever the trim
-    EXPECT_DOUBLE_EQ(s.sph.c0, 80);                                     // 10 U
+    EXPECT_NEAR(s.hull->surface.bounds().min.z(), -0.2, 1e-12);  // the draft, whatever the trim
+    EXPECT_DOUBLE_EQ(s.sph.c0, 80);                              // 10 U
     EXPECT_NEAR(s.motion.ramp, 0.3 * s.hull->length / 8, 1e-12);
     EXPECT_NEAR(s.sampling.mean_from, 1.3 * s.hull->length / 8, 1e-12);  // one L/U after the ramp
     EXPECT_EQ(s.domain.x_min, Side::inlet);
@@ -29,12 +29,13 @@ TEST(Scene, TheStillHullDisplacesWhatGeometrySays) {
     // triangles of d^2 / tan(deadrise) while the chine is dry, cut at the chine depth where it is wet.
     const Scene s = scene_of(planing);
     const double beta = 20 * degree, trim = 5 * degree, chine = 0.5 * std::tan(beta);
-    double volume = 0;  // per section normal to the keel; the keel's draft there is x sin(trim) / cos(trim) in hull axes
+    double volume =
+        0;  // per section normal to the keel; the keel's draft there is x sin(trim) / cos(trim) in hull axes
     constexpr int n = 20000;
     const double wet_keel = 0.2 / std::sin(trim);
     for (int i = 0; i < n; ++i) {
         const double along = (i + 0.5) / n * wet_keel;
-        const double d = along * std::tan(trim);                     // depth normal to the keel
+        const double d = along * std::tan(trim);  // depth normal to the keel
         const double triangle = std::min(d, chine), above = std::max(0.0, d - chine);
         volume += (triangle * triangle / std::tan(beta) + above) * wet_keel / n;
     }
@@ -44,13 +45,15 @@ TEST(Scene, TheStillHullDisplacesWhatGeometrySays) {
 
 TEST(Scene, TheHashIsOfTheNumbersOnly) {
     const std::string hash = scene_of(planing).hash;
-    const auto hash_with = [](const std::string& from, const std::string& to) { return scene_of(with(planing, from, to)).hash; };
+    const auto hash_with = [](const std::string& from, const std::string& to) {
+        return scene_of(with(planing, from, to)).hash;
+    };
     // The same physics in other words
     EXPECT_EQ(hash, hash_with("title = \"planing\"", "title = \"another <b>title</b>\" # and a comment"));
     EXPECT_EQ(hash, hash_with("\"8 m/s\"", "8.0"));
     EXPECT_EQ(hash, hash_with("\"0.05 m\"", "\"50 mm\""));
     EXPECT_EQ(hash, hash_with("duration = \"1.5 s\"", "duration = \"1.5 s\"\nthreads = 1"));
-    EXPECT_EQ(hash, hash_with("duration = \"1.5 s\"", "duration = \"3 s\""));   // a longer run of the same question
+    EXPECT_EQ(hash, hash_with("duration = \"1.5 s\"", "duration = \"3 s\""));  // a longer run of the same question
     EXPECT_EQ(hash, hash_with("[run]", "[sph]\nalpha = 0.02\n[fvm]\nmax_courant = 2\n[run]"));
     EXPECT_EQ(hash, hash_with("methods  = [\"sph\", \"fvm\"]", "methods  = [\"fvm\"]"));
     // Another physics
@@ -64,14 +67,24 @@ TEST(Scene, TheHashIsOfTheNumbersOnly) {
 }
 
 TEST(Scene, TheHashSeesEachNumberByItself) {
-    // With every default that follows from the speed written out, the speed itself must still count; and so for the rest.
-    const std::string fixed = planing + "[sampling]\ninterval = 0.02\nmean_from = 0.7\n[domain]\nx = [-3, 5]\ny = [-2, 2]\nz = [-1.6, 2]\n[sph]\nc0 = 100\n"
-                                        "[water]\ndensity = 1000\n";
+    // With every default that follows from the speed written out, the speed itself must still count; and so for the
+    // rest.
+    const std::string fixed = planing +
+                              "[sampling]\ninterval = 0.02\nmean_from = 0.7\n[domain]\nx = [-3, 5]\ny = [-2, 2]\nz = "
+                              "[-1.6, 2]\n[sph]\nc0 = 100\n"
+                              "[water]\ndensity = 1000\n";
     const std::string hash = scene_of(fixed).hash;
-    const std::pair<const char*, const char*> changes[] = {{"\"8 m/s\"", "8.1"},         {"mean_from = 0.7", "mean_from = 0.8"},   {"interval = 0.02", "interval = 0.03"},
-                                                           {"x = [-3, 5]", "x = [-3, 5.1]"}, {"density = 1000", "density = 1001"},     {"density = 1000", "gravity = 9.8"},
-                                                           {"density = 1000", "viscosity = 2e-6"}, {"density = 1000", "surface_tension = 0"}, {"density = 1000", "air_density = 1"},
-                                                           {"half     = true", "half     = false"}, {"c0 = 100", "c0 = 100\n[effects]\nshifting = \"off\""}};
+    const std::pair<const char*, const char*> changes[] = {{"\"8 m/s\"", "8.1"},
+                                                           {"mean_from = 0.7", "mean_from = 0.8"},
+                                                           {"interval = 0.02", "interval = 0.03"},
+                                                           {"x = [-3, 5]", "x = [-3, 5.1]"},
+                                                           {"density = 1000", "density = 1001"},
+                                                           {"density = 1000", "gravity = 9.8"},
+                                                           {"density = 1000", "viscosity = 2e-6"},
+                                                           {"density = 1000", "surface_tension = 0"},
+                                                           {"density = 1000", "air_density = 1"},
+                                                           {"half     = true", "half     = false"},
+                                                           {"c0 = 100", "c0 = 100\n[effects]\nshifting = \"off\""}};
     for (const auto& [from, to] : changes) EXPECT_NE(scene_of(with(fixed, from, to)).hash, hash) << to;
 }
 
@@ -96,7 +109,7 @@ TEST(Scene, ASwappedHullNeedsNoOtherEdit) {
     o.hull_file = file;
     const Scene s = scene_of(with(planing, "trim     = \"5 deg\"\n", ""), o);
     EXPECT_NEAR(s.hull->length / small.hull->length, 2, 1e-6);
-    EXPECT_NEAR(s.domain.box.size().y() / small.domain.box.size().y(), 2, 0.21);   // faces go out to whole cells
+    EXPECT_NEAR(s.domain.box.size().y() / small.domain.box.size().y(), 2, 0.21);  // faces go out to whole cells
     EXPECT_NEAR(s.sampling.mean_from / small.sampling.mean_from, 2, 1e-6);
     EXPECT_EQ(s.hull->source, file.string());
 }
@@ -104,19 +117,27 @@ TEST(Scene, ASwappedHullNeedsNoOtherEdit) {
 TEST(Scene, AHullThatCannotBeSolvedIsRefusedAtItsKey) {
     EXPECT_EQ(complaint(with(planing, "draft    = \"0.2 m\"", "draft    = \"-0.1 m\"")).substr(0, 73),
               "scene.toml:8:12: [hull] draft = \"-0.1 m\": the hull is not in the water: i");
-    EXPECT_NE(complaint(with(planing, "draft    = \"0.2 m\"\n", "")).find("the hull is not in the water"), std::string::npos);  // a shape stands on z = 0
-    EXPECT_NE(complaint(with(planing, "[motion]", "[domain]\nside = 0.4\n[motion]")).find("scene.toml:12:8: [domain] side = 0.4: the hull is larger than the domain: in y"),
+    EXPECT_NE(complaint(with(planing, "draft    = \"0.2 m\"\n", "")).find("the hull is not in the water"),
+              std::string::npos);  // a shape stands on z = 0
+    EXPECT_NE(complaint(with(planing, "[motion]", "[domain]\nside = 0.4\n[motion]"))
+                  .find("scene.toml:12:8: [domain] side = 0.4: the hull is larger than the domain: in y"),
               std::string::npos);
-    EXPECT_NE(complaint(with(planing, "[motion]", "[water]\ndepth = 0.15\n[motion]")).find("[water] depth = 0.15: the hull is larger than the domain: in z"),
+    EXPECT_NE(complaint(with(planing, "[motion]", "[water]\ndepth = 0.15\n[motion]"))
+                  .find("[water] depth = 0.15: the hull is larger than the domain: in z"),
               std::string::npos);
-    EXPECT_NE(complaint(with(planing, "draft    = \"0.2 m\"", "heel = \"3 deg\"\ndraft = 0.2")).find("a heeled hull is not symmetric"), std::string::npos);
+    EXPECT_NE(complaint(with(planing, "draft    = \"0.2 m\"", "heel = \"3 deg\"\ndraft = 0.2"))
+                  .find("a heeled hull is not symmetric"),
+              std::string::npos);
 }
 
 TEST(Scene, AnUnhealthyHullIsRefusedUnlessItCanBeMended) {
     Surface flipped = scene_of(planing).hull->surface;
     std::swap(flipped.triangles[4][0], flipped.triangles[4][1]);
     write_stl(scratch() / "flipped.stl", flipped);
-    const std::string text = with(planing, "shape    = \"prismatic\"\nlength   = \"4 m\"\nbeam     = \"1 m\"\ndeadrise = \"20 deg\"\ntrim     = \"5 deg\"", "file = \"flipped.stl\"");
+    const std::string text = with(
+        planing,
+        "shape    = \"prismatic\"\nlength   = \"4 m\"\nbeam     = \"1 m\"\ndeadrise = \"20 deg\"\ntrim     = \"5 deg\"",
+        "file = \"flipped.stl\"");
     const std::string message = complaint(text);
     EXPECT_EQ(message.substr(0, 61), "scene.toml:3:8: [hull] file = \"flipped.stl\": flipped_normals:") << message;
     EXPECT_EQ(complaint(with(text, "half ", "repair = true\nhalf ")), "");
@@ -127,27 +148,40 @@ TEST(Scene, AOneSidedHullIsNotHalved) {
     for (Vec3& p : lopsided.points)
         if (p.y() > 0.1) p.y() *= 1.2;
     write_stl(scratch() / "lopsided.stl", lopsided);
-    const std::string text = with(planing, "shape    = \"prismatic\"\nlength   = \"4 m\"\nbeam     = \"1 m\"\ndeadrise = \"20 deg\"\ntrim     = \"5 deg\"", "file = \"lopsided.stl\"");
+    const std::string text = with(
+        planing,
+        "shape    = \"prismatic\"\nlength   = \"4 m\"\nbeam     = \"1 m\"\ndeadrise = \"20 deg\"\ntrim     = \"5 deg\"",
+        "file = \"lopsided.stl\"");
     EXPECT_NE(complaint(text).find("[hull] half = true: the hull is not symmetric about y = 0"), std::string::npos);
     EXPECT_EQ(complaint(with(text, "half     = true", "half     = false")), "");
 }
 
 TEST(Scene, ATankHasItsOwnAxesAndNoStream) {
-    const std::string tank = "[tank]\nsize = [0.584, 0.1, 0.4]\n[[water_block]]\nmin = [0, 0, 0]\nmax = [0.146, 0.1, 0.292]\n[resolution]\nnear_hull = 0.01\n";
+    const std::string tank =
+        "[tank]\nsize = [0.584, 0.1, 0.4]\n[[water_block]]\nmin = [0, 0, 0]\nmax = [0.146, 0.1, "
+        "0.292]\n[resolution]\nnear_hull = 0.01\n";
     const Scene s = scene_of(tank);
     EXPECT_EQ(s.motion.kind, Motion::Kind::none);
     EXPECT_EQ(s.domain.x_min, Side::slip_wall);
     EXPECT_EQ(s.domain.z_max, Side::atmosphere);
     EXPECT_NEAR(s.water.depth, 0.292, 1e-12);
-    EXPECT_NEAR(s.sph.c0, 10 * std::sqrt(2 * 9.81 * 0.292), 1e-9);   // Torricelli
-    EXPECT_NE(complaint(tank + "[motion]\nkind = 'stream'\nspeed = 1\n").find("a tank has walls all round"), std::string::npos);
-    EXPECT_NE(complaint(with(tank, "max = [0.146", "max = [0.9")).find("scene.toml:5:7: [[water_block]] max = [0.9, 0.1, 0.292]: outside the domain"), std::string::npos);
-    EXPECT_NE(complaint(with(tank, "[[water_block]]\nmin = [0, 0, 0]\nmax = [0.146, 0.1, 0.292]\n", "")).find("there is no water"), std::string::npos);
+    EXPECT_NEAR(s.sph.c0, 10 * std::sqrt(2 * 9.81 * 0.292), 1e-9);  // Torricelli
+    EXPECT_NE(complaint(tank + "[motion]\nkind = 'stream'\nspeed = 1\n").find("a tank has walls all round"),
+              std::string::npos);
+    EXPECT_NE(complaint(with(tank, "max = [0.146", "max = [0.9"))
+                  .find("scene.toml:5:7: [[water_block]] max = [0.9, 0.1, 0.292]: outside the domain"),
+              std::string::npos);
+    EXPECT_NE(complaint(with(tank, "[[water_block]]\nmin = [0, 0, 0]\nmax = [0.146, 0.1, 0.292]\n", ""))
+                  .find("there is no water"),
+              std::string::npos);
 }
 
 TEST(Scene, TwoDimensionsAreOneParticleThickRoundThePlane) {
-    const Scene s = scene_of("[tank]\nsize = [0.584, 0.1, 0.4]\n[domain]\ndimensions = 2\n[[water_block]]\nmin = [0, 0, 0]\nmax = [0.146, 0.1, 0.292]\n"
-                             "[[obstacle]]\nmin = [0.3, -1, 0]\nmax = [0.32, -0.5, 0.05]\n[[probe]]\npressure = [0.584, 0.05, 0.01]\n[resolution]\nnear_hull = 0.01\n");
+    const Scene s = scene_of(
+        "[tank]\nsize = [0.584, 0.1, 0.4]\n[domain]\ndimensions = 2\n[[water_block]]\nmin = [0, 0, 0]\nmax = [0.146, "
+        "0.1, 0.292]\n"
+        "[[obstacle]]\nmin = [0.3, -1, 0]\nmax = [0.32, -0.5, 0.05]\n[[probe]]\npressure = [0.584, 0.05, "
+        "0.01]\n[resolution]\nnear_hull = 0.01\n");
     EXPECT_NEAR(s.domain.box.min.y(), -0.005, 1e-15);
     EXPECT_NEAR(s.domain.box.max.y(), 0.005, 1e-15);
     EXPECT_NEAR(s.water_blocks[0].volume(), 0.146 * 0.01 * 0.292, 1e-12);

@@ -13,7 +13,8 @@ namespace tw::test {
 /// A fresh folder for the running test.
 inline std::filesystem::path scratch() {
     const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    const auto folder = std::filesystem::temp_directory_path() / "twinwake_scene_tests" / (std::string(info->test_suite_name()) + "." + info->name());
+    const auto folder = std::filesystem::temp_directory_path() / "twinwake_scene_tests" /
+                        (std::string(info->test_suite_name()) + "." + info->name());
     std::filesystem::create_directories(folder);
     return folder;
 }
@@ -24,7 +25,9 @@ inline std::filesystem::path written(const std::string& text) {
     return file;
 }
 
-inline Scene scene_of(const std::string& text, const SceneOverrides& overrides = {}) { return read_scene(written(text), overrides); }
+inline Scene scene_of(const std::string& text, const SceneOverrides& overrides = {}) {
+    return read_scene(written(text), overrides);
+}
 
 /// The message that reading `text` ends in, without the folder; empty when it is read without complaint.
 inline std::string complaint(const std::string& text, const SceneOverrides& overrides = {}) {

@@ -16,13 +16,16 @@ TEST(Studies, EveryReadySceneIsSound) {
             EXPECT_GT(s.run.duration, s.sampling.mean_from) << entry.path();
         }) << entry.path();
     }
-    for (const char* name : {"demo", "planing_prism", "seaplane_30", "seaplane_30_night", "seaplane_30_paper", "seaplane_80", "seaplane_80_night",
-                             "seaplane_80_paper", "still_tank", "empty_channel", "dam_break_2d", "spheric02"})
+    for (const char* name :
+         {"demo", "planing_prism", "seaplane_30", "seaplane_30_night", "seaplane_30_paper", "seaplane_80",
+          "seaplane_80_night", "seaplane_80_paper", "still_tank", "empty_channel", "dam_break_2d", "spheric02"})
         EXPECT_TRUE(names.contains(name)) << name;
 }
 
 TEST(Studies, TheSeaplanesDifferInSpeedOnly) {
-    const auto study = [](const std::string& name) { return read_scene(std::filesystem::path(TWINWAKE_SOURCE) / "studies" / name); };
+    const auto study = [](const std::string& name) {
+        return read_scene(std::filesystem::path(TWINWAKE_SOURCE) / "studies" / name);
+    };
     const Scene slow = study("seaplane_30.toml"), fast = study("seaplane_80.toml");
     EXPECT_EQ(slow.hull->hash, fast.hull->hash);
     EXPECT_EQ(slow.resolution.near_hull, fast.resolution.near_hull);

@@ -12,15 +12,15 @@ TEST(Units, AreWhatTheStandardsSay) {
     constexpr double exact = 1e-15;
     EXPECT_DOUBLE_EQ(quantity("30 m/s", "m/s"), 30);
     EXPECT_NEAR(quantity("5 deg", "rad"), 5 * std::numbers::pi / 180, exact);
-    EXPECT_NEAR(quantity("80 kn", "m/s"), 80 * 1852.0 / 3600, 1e-13);      // international knot
+    EXPECT_NEAR(quantity("80 kn", "m/s"), 80 * 1852.0 / 3600, 1e-13);  // international knot
     EXPECT_NEAR(quantity("300 km/h", "m/s"), 300 / 3.6, 1e-13);
     EXPECT_DOUBLE_EQ(quantity("2 GPa", "Pa"), 2e9);
     EXPECT_DOUBLE_EQ(quantity("12 mm", "m"), 0.012);
     EXPECT_NEAR(quantity("1 ft", "m"), 0.3048, exact);
     EXPECT_NEAR(quantity("1 in", "m"), 0.0254, exact);
-    EXPECT_NEAR(quantity("62.42796 lb/ft^3", "kg/m3"), 1000, 1e-3);        // water in US units
+    EXPECT_NEAR(quantity("62.42796 lb/ft^3", "kg/m3"), 1000, 1e-3);  // water in US units
     EXPECT_NEAR(quantity("1 psi", "Pa"), 6894.757293168, 1e-9);
-    EXPECT_NEAR(quantity("1 cm^2/s", "m2/s"), 1e-4, 1e-18);                // the stokes
+    EXPECT_NEAR(quantity("1 cm^2/s", "m2/s"), 1e-4, 1e-18);  // the stokes
     EXPECT_NEAR(quantity("72 mN/m", "N/m"), 0.072, exact);
     EXPECT_NEAR(quantity("72.8e-3 kg/s²", "N/m"), 0.0728, exact);
     EXPECT_NEAR(quantity("1 kg m^2 s^-2", "N m"), 1, exact);
@@ -36,15 +36,13 @@ TEST(Units, PlainNumbersAreSi) {
 std::string error_of(const std::string& text, const std::string& unit) {
     try {
         quantity(text, unit);
-    } catch (const UnitError& e) {
-        return e.what();
-    }
+    } catch (const UnitError& e) { return e.what(); }
     return {};
 }
 
 TEST(Units, WrongDimensionIsRefusedWithTheUnitsThatFit) {
     EXPECT_EQ(error_of("30 m", "m/s"), "'m' does not measure the right thing; expected a unit like m/s, kn, kt, mph");
-    EXPECT_NE(error_of("5 deg", "-"), "");   // an angle is no plain number here
+    EXPECT_NE(error_of("5 deg", "-"), "");  // an angle is no plain number here
     EXPECT_NE(error_of("5 deg", "m"), "");
     EXPECT_NE(error_of("2 kg", "N"), "");
     EXPECT_NE(error_of("3 m^2", "m"), "");
@@ -52,7 +50,8 @@ TEST(Units, WrongDimensionIsRefusedWithTheUnitsThatFit) {
 }
 
 TEST(Units, NonsenseIsRefused) {
-    for (const char* text : {"", "fast", "nan m", "inf", "1e999 m", "3 m/", "3 m//s", "3 m^", "3 m^99", "0x10 m", "1,5 m", "3 m; rm -rf", "3 #calc"})
+    for (const char* text : {"", "fast", "nan m", "inf", "1e999 m", "3 m/", "3 m//s", "3 m^", "3 m^99", "0x10 m",
+                             "1,5 m", "3 m; rm -rf", "3 #calc"})
         EXPECT_NE(error_of(text, "m"), "") << text;
     EXPECT_NE(error_of("3 furlong", "m").find("unknown unit 'furlong'"), std::string::npos);
 }
