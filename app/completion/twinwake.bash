@@ -28,6 +28,8 @@ _twinwake() {
         bench) words="--particles --h-over-dp --threads --seconds --json --quiet --help" ;;
     esac
     local IFS=$'\n'
-    COMPREPLY=($(IFS=' ' compgen -W "$words" -- "$word") $(compgen -f -- "$word"))
+    COMPREPLY=($(IFS=' ' compgen -W "$words" -- "$word"))
+    # Where no fixed word is expected, a file may stand.
+    [[ $words == *--* ]] && COMPREPLY+=($(compgen -f -- "$word"))
 }
 complete -o filenames -F _twinwake twinwake
