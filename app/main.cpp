@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <cstdlib>
 
 #include "app/commands.h"
 #include "app/quiet_waits.h"
@@ -171,6 +172,9 @@ int dispatch(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     tw::app::wait_without_spinning(argv);
+    // OpenFOAM believes PWD rather than the folder it is started in, and refuses one with a blank: the shell's must not
+    // reach it.
+    unsetenv("PWD");
     try {
         return tw::app::dispatch(argc, argv);
     } catch (const tw::InputError& e) {

@@ -62,5 +62,16 @@ TEST_F(Command, PathsMayHoldBlanksAndQuotes) {
     EXPECT_NE(absent.err.find("--hull"), std::string::npos) << absent.err;
 }
 
+TEST_F(Command, OpenFoamRunsForAUserWhoStandsInAFolderWithBlanks) {
+    if (twinwake({"doctor", "-q"}).status != 0) GTEST_SKIP() << "no sound OpenFOAM here";
+    stands_in_ = "my runs (1)";
+    fs::create_directories(folder_ / stands_in_);
+    write("my runs (1)/a scene.toml", planing);
+    EXPECT_EQ(twinwake({"doctor", "-q"}).status, 0);
+    const Outcome o = twinwake({"run", "a scene.toml", "--method", "fvm", "--threads", "1", "-q"});
+    EXPECT_EQ(o.status, 0) << o.err;
+    EXPECT_TRUE(fs::exists(folder_ / stands_in_ / "runs/a scene/fvm/record.h5"));
+}
+
 }  // namespace
 }  // namespace tw::test

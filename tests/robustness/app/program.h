@@ -59,7 +59,8 @@ protected:
         const Started s0{0, fs::temp_directory_path() / (name + ".out"), fs::temp_directory_path() / (name + ".err")};
         const pid_t child = fork();
         if (child == 0) {
-            if (chdir(folder_.c_str()) != 0) _exit(126);
+            if (chdir((folder_ / stands_in_).c_str()) != 0) _exit(126);
+            setenv("PWD", (folder_ / stands_in_).c_str(), 1);  // as a shell does
             dup2(open(s0.out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDOUT_FILENO);
             dup2(open(s0.err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO);
             if (largest_file > 0) {
@@ -95,6 +96,7 @@ protected:
     }
 
     fs::path folder_;
+    fs::path stands_in_;  ///< folder in it where commands are given
 };
 
 inline const std::string planing = R"(title = "planing"
