@@ -23,8 +23,9 @@ Patch patch(Side side, const char* wall_name, bool empty) {
 
 std::array<Patch, 6> patches_of(const Domain& d) {
     const bool flat = d.dimensions == 2;
-    std::array<Patch, 6> p{patch(d.x_min, "left", false),      patch(d.x_max, "right", false),  patch(d.y_min, "front", flat),
-                           patch(d.y_max, flat ? "back" : "side", flat), patch(d.z_min, "bottom", false), patch(d.z_max, "top", false)};
+    std::array<Patch, 6> p{patch(d.x_min, "left", false),   patch(d.x_max, "right", false),
+                           patch(d.y_min, "front", flat),   patch(d.y_max, flat ? "back" : "side", flat),
+                           patch(d.z_min, "bottom", false), patch(d.z_max, "top", false)};
     // Two sides of one kind would share a patch name: the later one gets its axis behind it.
     std::set<std::string> seen;
     static constexpr const char* axis[] = {"X", "X", "Y", "Y", "Z", "Z"};
@@ -51,7 +52,8 @@ Vec3 find_point_in_fluid(const CasePlan& plan) {
     const double h = plan.background_cell;
     for (int inward = 0; inward < 40; ++inward)
         for (const int corner : {6, 4, 2, 0, 7, 5, 3, 1}) {
-            const Vec3 step(0.1234 * h + inward * h, (plan.scene->domain.dimensions == 2 ? 0.317 * b.size().y() : 0.317 * h + inward * h),
+            const Vec3 step(0.1234 * h + inward * h,
+                            (plan.scene->domain.dimensions == 2 ? 0.317 * b.size().y() : 0.317 * h + inward * h),
                             0.2143 * h + inward * h);
             Vec3 p;
             const bool high[3] = {(corner & 1) != 0, (corner & 2) != 0, (corner & 4) == 0};
@@ -64,8 +66,9 @@ Vec3 find_point_in_fluid(const CasePlan& plan) {
             for (const SurfaceQuery& s : solids) free = free && !s.inside(p) && s.nearest(p).distance > 0.5 * h;
             if (free) return p;
         }
-    throw InputError("the solids fill the domain: no place for water was found in " + std::to_string(b.size().x()) + " x " +
-                     std::to_string(b.size().y()) + " x " + std::to_string(b.size().z()) + " m; enlarge the domain");
+    throw InputError("the solids fill the domain: no place for water was found in " + std::to_string(b.size().x()) +
+                     " x " + std::to_string(b.size().y()) + " x " + std::to_string(b.size().z()) +
+                     " m; enlarge the domain");
 }
 
 /// Moves a probe off walls and solids, so that it surely lies in a cell.
@@ -86,7 +89,8 @@ void plan_probes(CasePlan& plan) {
     if (scene.sampling.pressure.empty() && scene.sampling.height.empty()) return;
     std::vector<SurfaceQuery> solids;
     for (const Solid& s : plan.solids) solids.emplace_back(*s.surface);
-    for (const PressureProbe& probe : scene.sampling.pressure) plan.pressure_places.push_back(into_fluid(plan, solids, probe.place));
+    for (const PressureProbe& probe : scene.sampling.pressure)
+        plan.pressure_places.push_back(into_fluid(plan, solids, probe.place));
     const Box& b = scene.domain.box;
     const int split = std::max(1, static_cast<int>(std::lround(plan.background_cell / plan.finest_cell)));
     for (const HeightProbe& probe : scene.sampling.height) {
@@ -96,7 +100,8 @@ void plan_probes(CasePlan& plan) {
         for (std::size_t block = 0; block < z.cells.size(); ++block) {
             const int points = z.cells[block] * split;
             const double step = (z.planes[block + 1] - z.planes[block]) / points;
-            for (int k = 0; k < points; ++k) column.push_back({Vec3(foot.x(), foot.y(), z.planes[block] + (k + 0.5) * step), step});
+            for (int k = 0; k < points; ++k)
+                column.push_back({Vec3(foot.x(), foot.y(), z.planes[block] + (k + 0.5) * step), step});
         }
         plan.height_columns.push_back(column);
     }
@@ -104,7 +109,8 @@ void plan_probes(CasePlan& plan) {
 
 void plan_refinement(CasePlan& plan) {
     const Scene& scene = *plan.scene;
-    if (scene.domain.dimensions == 2) return;   // one cell thick: snappyHexMesh would split it; background_cell is fine already
+    if (scene.domain.dimensions == 2)
+        return;  // one cell thick: snappyHexMesh would split it; background_cell is fine already
     const double ratio = plan.background_cell / scene.resolution.near_hull;
     plan.wet_level = ratio > 1 ? static_cast<int>(std::lround(std::log2(ratio))) : 0;
     int reached = 0;
@@ -117,11 +123,12 @@ void plan_refinement(CasePlan& plan) {
         reached = std::max(reached, box.level);
         plan.boxes.push_back(box);
     }
-    // The wet bottom is refined by boxes; the surface itself may then be two levels coarser, so that dry topsides stay cheap
-    // (measured: the force does not change). Without such boxes the whole surface gets the finest level.
+    // The wet bottom is refined by boxes; the surface itself may then be two levels coarser, so that dry topsides stay
+    // cheap (measured: the force does not change). Without such boxes the whole surface gets the finest level.
     plan.surface_level = reached >= plan.wet_level ? std::max(0, plan.wet_level - 2) : plan.wet_level;
     plan.feature_level = std::max(plan.surface_level, plan.wet_level - 1);
-    plan.finest_cell = plan.background_cell / std::pow(2.0, std::max(reached, plan.solids.empty() ? 0 : plan.surface_level));
+    plan.finest_cell =
+        plan.background_cell / std::pow(2.0, std::max(reached, plan.solids.empty() ? 0 : plan.surface_level));
 }
 
 void plan_times(CasePlan& plan) {
@@ -135,7 +142,8 @@ void plan_times(CasePlan& plan) {
     }
     plan.write_interval = interval / plan.raster_every;
     if (scene.sampling.snapshot_interval > 0)
-        plan.snapshot_every = std::max(1, static_cast<int>(std::lround(scene.sampling.snapshot_interval / plan.write_interval)));
+        plan.snapshot_every =
+            std::max(1, static_cast<int>(std::lround(scene.sampling.snapshot_interval / plan.write_interval)));
     const double fall = std::sqrt(2 * g * height);
     plan.first_step = 0.05 * plan.finest_cell / std::max({scene.motion.speed, fall, 1e-6});
     plan.first_step = std::min(plan.first_step, 0.1 * plan.write_interval);
@@ -152,15 +160,17 @@ AxisCells split_axis(double low, double high, double spacing, std::vector<double
     std::sort(wanted.begin(), wanted.end());
     axis.planes = {low};
     for (const double plane : wanted) {
-        const auto fits = [&](double from, double to) {   // both in whole cells within 25 %
+        const auto fits = [&](double from, double to) {  // both in whole cells within 25 %
             const double n = (to - from) / spacing;
             return n > 0.75 && std::abs(n / std::max(1.0, std::round(n)) - 1) <= 0.25;
         };
-        if (plane > low && plane < high && fits(axis.planes.back(), plane) && fits(plane, high)) axis.planes.push_back(plane);
+        if (plane > low && plane < high && fits(axis.planes.back(), plane) && fits(plane, high))
+            axis.planes.push_back(plane);
     }
     axis.planes.push_back(high);
     for (std::size_t i = 1; i < axis.planes.size(); ++i)
-        axis.cells.push_back(std::max(1, static_cast<int>(std::lround((axis.planes[i] - axis.planes[i - 1]) / spacing))));
+        axis.cells.push_back(
+            std::max(1, static_cast<int>(std::lround((axis.planes[i] - axis.planes[i - 1]) / spacing))));
     return axis;
 }
 
@@ -170,13 +180,15 @@ CasePlan plan_case(const Scene& scene, const Flavour& flavour) {
     plan.flavour = flavour;
     plan.stream = scene.motion.kind == Motion::Kind::stream;
     plan.viscous = scene.effect_on("viscosity");
-    plan.turbulent = plan.viscous && std::none_of(scene.effects.begin(), scene.effects.end(),
-                                                  [](const EffectChoice& e) { return e.name == "turbulence" && !e.on; });
+    plan.turbulent =
+        plan.viscous && std::none_of(scene.effects.begin(), scene.effects.end(),
+                                     [](const EffectChoice& e) { return e.name == "turbulence" && !e.on; });
     plan.sides = patches_of(scene.domain);
     const Box& box = scene.domain.box;
-    if (!box.min.allFinite() || !box.max.allFinite() || !(box.size().minCoeff() > 0) || !(scene.resolution.spacing > 0) ||
-        !(scene.resolution.near_hull > 0) || !(scene.run.duration > 0))
-        throw InputError("the scene's domain, spacings and duration must be positive numbers before a case can be written");
+    if (!box.min.allFinite() || !box.max.allFinite() || !(box.size().minCoeff() > 0) ||
+        !(scene.resolution.spacing > 0) || !(scene.resolution.near_hull > 0) || !(scene.run.duration > 0))
+        throw InputError(
+            "the scene's domain, spacings and duration must be positive numbers before a case can be written");
 
     if (scene.hull) plan.solids.push_back({"hull", &scene.hull->surface, true});
     std::set<std::string> names{"hull"};
@@ -198,7 +210,8 @@ CasePlan plan_case(const Scene& scene, const Flavour& flavour) {
         if (a == 2 && plan.half_space) wanted.push_back(0);
         for (const Box& b : scene.water_blocks) wanted.insert(wanted.end(), {b.min[a], b.max[a]});
         for (const Obstacle& o : scene.obstacles)
-            if (is_aligned_box(o.surface)) wanted.insert(wanted.end(), {o.surface.bounds().min[a], o.surface.bounds().max[a]});
+            if (is_aligned_box(o.surface))
+                wanted.insert(wanted.end(), {o.surface.bounds().min[a], o.surface.bounds().max[a]});
         plan.axes[static_cast<std::size_t>(a)] = split_axis(box.min[a], box.max[a], plan.background_cell, wanted);
     }
     if (scene.domain.dimensions == 2) plan.axes[1] = {{box.min.y(), box.max.y()}, {1}};
@@ -206,7 +219,8 @@ CasePlan plan_case(const Scene& scene, const Flavour& flavour) {
 
     const double length = scene.hull ? scene.hull->length : box.size().x();
     const double speed = plan.stream ? scene.motion.speed : std::sqrt(std::abs(scene.water.gravity) * box.size().z());
-    plan.inlet_omega = 5 * speed / length;   // a clean stream; the force does not react to it (measured over a factor 10)
+    plan.inlet_omega =
+        5 * speed / length;  // a clean stream; the force does not react to it (measured over a factor 10)
     plan.inlet_k = 10 * scene.water.kinematic_viscosity * plan.inlet_omega;
 
     plan_times(plan);

@@ -12,7 +12,7 @@ namespace tw {
 struct Patch {
     std::string name;
     Side side = Side::slip_wall;
-    bool empty = false;          ///< front and back of a 2-D scene
+    bool empty = false;  ///< front and back of a 2-D scene
     bool plane() const { return empty || side == Side::slip_wall || side == Side::symmetry; }
     std::string plane_type() const { return empty ? "empty" : "symmetryPlane"; }
 };
@@ -22,51 +22,53 @@ struct AxisCells {
     std::vector<double> planes;  ///< [m], ascending
     std::vector<int> cells;      ///< one fewer than planes
 };
-/// Cells of about `spacing` from `low` to `high`, with the `wanted` planes on cell faces as far as cells stay within 25 % of
-/// `spacing`: a water block then begins with exactly its volume.
+/// Cells of about `spacing` from `low` to `high`, with the `wanted` planes on cell faces as far as cells stay within 25
+/// % of `spacing`: a water block then begins with exactly its volume.
 AxisCells split_axis(double low, double high, double spacing, std::vector<double> wanted);
 
 /// A closed surface that is cut out of the mesh.
 struct Solid {
-    std::string name;            ///< patch, and constant/triSurface/<name>.stl
+    std::string name;  ///< patch, and constant/triSurface/<name>.stl
     const Surface* surface = nullptr;
     bool is_hull = false;
 };
 
-/// Everything that follows from the scene and that more than one OpenFOAM file needs. It points into the scene, which must outlive it.
+/// Everything that follows from the scene and that more than one OpenFOAM file needs. It points into the scene, which
+/// must outlive it.
 struct CasePlan {
     const Scene* scene = nullptr;
     Flavour flavour;
 
     // geometry
-    std::array<Patch, 6> sides;          ///< x_min, x_max, y_min, y_max, z_min, z_max
+    std::array<Patch, 6> sides;  ///< x_min, x_max, y_min, y_max, z_min, z_max
     std::array<AxisCells, 3> axes;
-    std::vector<Solid> solids;           ///< the hull first
-    std::vector<RefinementBox> boxes;    ///< names are OpenFOAM words, each once
-    bool snappy = false;                 ///< something has to be cut out or refined
+    std::vector<Solid> solids;         ///< the hull first
+    std::vector<RefinementBox> boxes;  ///< names are OpenFOAM words, each once
+    bool snappy = false;               ///< something has to be cut out or refined
     int wet_level = 0, surface_level = 0, feature_level = 0;
-    double background_cell = 0, finest_cell = 0;   ///< [m]
+    double background_cell = 0, finest_cell = 0;  ///< [m]
     Vec3 point_in_fluid = Vec3::Zero();
-    bool half_space = true;              ///< water: all below z = 0 (else the scene's water blocks)
+    bool half_space = true;  ///< water: all below z = 0 (else the scene's water blocks)
 
     // physics
     bool stream = false, viscous = false, turbulent = false;
-    double inlet_k = 0, inlet_omega = 0; ///< [m2/s2], [1/s]
+    double inlet_k = 0, inlet_omega = 0;  ///< [m2/s2], [1/s]
 
     // time
-    double write_interval = 0;           ///< [s]; hull pressures (and so the water's force) are sampled at it
-    int raster_every = 1;                ///< water is poured into the raster at every n-th write
-    int snapshot_every = 0;              ///< ParaView surfaces are kept at every n-th write; 0: of the last one only
-    double first_step = 0, largest_step = 0;   ///< [s]
-    double speed_limit = 0;              ///< [m/s]; faster water or air stops the run
+    double write_interval = 0;  ///< [s]; hull pressures (and so the water's force) are sampled at it
+    int raster_every = 1;       ///< water is poured into the raster at every n-th write
+    int snapshot_every = 0;     ///< ParaView surfaces are kept at every n-th write; 0: of the last one only
+    double first_step = 0, largest_step = 0;  ///< [s]
+    double speed_limit = 0;                   ///< [m/s]; faster water or air stops the run
 
     // probes
-    std::vector<Vec3> pressure_places;               ///< [m], moved into the flow by 5 % of a cell where a wall is near
+    std::vector<Vec3> pressure_places;  ///< [m], moved into the flow by 5 % of a cell where a wall is near
     struct ColumnPoint {
         Vec3 place;
-        double height;                               ///< share of the column that it stands for [m]
+        double height;  ///< share of the column that it stands for [m]
     };
-    std::vector<std::vector<ColumnPoint>> height_columns;   ///< per height probe: the middles of the cells of a column, floor to top
+    std::vector<std::vector<ColumnPoint>>
+        height_columns;  ///< per height probe: the middles of the cells of a column, floor to top
 };
 
 /// Throws InputError when the scene cannot become an OpenFOAM case (no point of the domain is outside all solids, sizes

@@ -20,8 +20,10 @@ void check_characters(std::string_view text, std::string_view allowed, const cha
     };
     if (text.empty()) refuse("it is empty");
     for (const char c : text)
-        if (!is_letter_or_digit(c) && allowed.find(c) == std::string_view::npos) refuse("it holds a character with a meaning of its own");
-    if (text.find("//") != std::string_view::npos || text.find("/*") != std::string_view::npos) refuse("it would open a comment");
+        if (!is_letter_or_digit(c) && allowed.find(c) == std::string_view::npos)
+            refuse("it holds a character with a meaning of its own");
+    if (text.find("//") != std::string_view::npos || text.find("/*") != std::string_view::npos)
+        refuse("it would open a comment");
     int depth = 0;
     for (const char c : text) {
         depth += c == '(' ? 1 : c == ')' ? -1 : 0;
@@ -31,7 +33,8 @@ void check_characters(std::string_view text, std::string_view allowed, const cha
 }
 
 std::string spelled(double number) {
-    if (!std::isfinite(number)) throw InputError("a number of the case is not finite; check the scene's sizes, speed and spacings");
+    if (!std::isfinite(number))
+        throw InputError("a number of the case is not finite; check the scene's sizes, speed and spacings");
     char buffer[32];
     const auto end = std::to_chars(buffer, buffer + sizeof buffer, number == 0 ? 0.0 : number).ptr;  // no "-0"
     return {buffer, end};
@@ -83,7 +86,8 @@ Value::Value(const std::vector<Value>& list) {
     }
     text_ += ')';
 }
-Value::Value(const Dictionary& dictionary) : text_(dictionary.empty() ? "{\n}" : "{\n" + indented(dictionary.text()) + '}'), block_(true) {}
+Value::Value(const Dictionary& dictionary)
+    : text_(dictionary.empty() ? "{\n}" : "{\n" + indented(dictionary.text()) + '}'), block_(true) {}
 Value Value::named(const Word& name, const Dictionary& dictionary) {
     Value value{dictionary};
     value.text_ = name.text + '\n' + value.text_;
@@ -98,7 +102,8 @@ Value Value::sequence(const std::vector<Value>& parts) {
 Key::Key(std::string_view word) : text(word) {
     check_characters(word, "_.:+-*(),", "a key");
     // OpenFOAM reads `div(phi,U)` as one word, but not a word that begins with a digit, a sign or a bracket.
-    if (!is_letter(word[0])) throw InputError("'" + text + "' cannot be a key of an OpenFOAM dictionary: it must begin with a letter");
+    if (!is_letter(word[0]))
+        throw InputError("'" + text + "' cannot be a key of an OpenFOAM dictionary: it must begin with a letter");
 }
 Key Key::pattern(std::string_view expression) {
     check_characters(expression, "_.*|()", "a key pattern");
@@ -112,7 +117,8 @@ Dictionary::Dictionary(std::initializer_list<Entry> entries) {
 }
 Dictionary& Dictionary::add(const Key& key, const Value& value) {
     for (const Entry& e : entries_)
-        if (e.first.text == key.text) throw InputError("the key '" + key.text + "' would stand twice in one OpenFOAM dictionary");
+        if (e.first.text == key.text)
+            throw InputError("the key '" + key.text + "' would stand twice in one OpenFOAM dictionary");
     entries_.emplace_back(key, value);
     return *this;
 }
@@ -128,15 +134,18 @@ std::string Dictionary::text() const {
             out += '\n' + value.text() + '\n';
             continue;
         }
-        if (value.text().find('\n') != std::string::npos) out += '\n' + value.text();
-        else out += std::string(key.text.size() < 16 ? 16 - key.text.size() : 1, ' ') + value.text();
+        if (value.text().find('\n') != std::string::npos)
+            out += '\n' + value.text();
+        else
+            out += std::string(key.text.size() < 16 ? 16 - key.text.size() : 1, ' ') + value.text();
         out += ";\n";
     }
     return out;
 }
 
 std::string foam_file(std::string_view foam_class, std::string_view object, const Dictionary& entries) {
-    const Dictionary header{{"version", Word("2.0")}, {"format", Word("ascii")}, {"class", Word(foam_class)}, {"object", Word(object)}};
+    const Dictionary header{
+        {"version", Word("2.0")}, {"format", Word("ascii")}, {"class", Word(foam_class)}, {"object", Word(object)}};
     return "FoamFile\n" + Value(header).text() + "\n\n" + entries.text();
 }
 

@@ -14,8 +14,8 @@ namespace tw {
 class Dictionary;
 
 /// Tokens that OpenFOAM reads as they stand: `patch`, `uniform (0 0 0)`, `Gauss linear limited corrected 0.5`.
-/// Letters, digits, blanks and _ . : + - ( ) , only: nothing that ends an entry, opens a dictionary or a string, starts a
-/// directive (#calc, #include), a variable ($) or a comment. Throws InputError that shows the text.
+/// Letters, digits, blanks and _ . : + - ( ) , only: nothing that ends an entry, opens a dictionary or a string, starts
+/// a directive (#calc, #include), a variable ($) or a comment. Throws InputError that shows the text.
 struct Word {
     explicit Word(std::string_view tokens);
     std::string text;
@@ -33,16 +33,15 @@ inline constexpr Dimensions dimensionless{}, velocity{{0, 1, -1}}, pressure{{1, 
     per_second{{0, 0, -1}}, diffusivity{{0, 2, -1}}, acceleration{{0, 1, -2}}, metres{{0, 1}}, density_units{{1, -3}},
     surface_tension_units{{1, 0, -2}};
 
-/// The right-hand side of an entry, already spelled as OpenFOAM text. Numbers go through std::to_chars: the same value gives
-/// the same bytes in any locale. A number that is not finite throws InputError.
+/// The right-hand side of an entry, already spelled as OpenFOAM text. Numbers go through std::to_chars: the same value
+/// gives the same bytes in any locale. A number that is not finite throws InputError.
 class Value {
 public:
     Value(const Word& word);
     Value(const Quoted& quoted);
     Value(double number);
     template <class T>
-        requires std::is_integral_v<T>
-    Value(T whole) : Value(whole_number(static_cast<long long>(whole))) {}
+    requires std::is_integral_v<T> Value(T whole) : Value(whole_number(static_cast<long long>(whole))) {}
     Value(bool yes_or_no);
     Value(const Vec3& vector);
     Value(const Dimensions& dimensions);
@@ -54,7 +53,7 @@ public:
     static Value sequence(const std::vector<Value>& parts);
 
     const std::string& text() const { return text_; }
-    bool is_block() const { return block_; }   ///< ends in a brace: takes no semicolon
+    bool is_block() const { return block_; }  ///< ends in a brace: takes no semicolon
 
 private:
     Value() = default;
@@ -76,16 +75,17 @@ private:
     Key() = default;
 };
 
-/// OpenFOAM's dictionary as a value: keys keep their order. This class and Value hold the only code that spells it as text.
+/// OpenFOAM's dictionary as a value: keys keep their order. This class and Value hold the only code that spells it as
+/// text.
 class Dictionary {
 public:
     using Entry = std::pair<Key, Value>;
     Dictionary() = default;
     Dictionary(std::initializer_list<Entry> entries);
-    Dictionary& add(const Key& key, const Value& value);   ///< throws InputError when the key is there already
-    Dictionary& add(const Dictionary& other);              ///< all its entries, in their order
+    Dictionary& add(const Key& key, const Value& value);  ///< throws InputError when the key is there already
+    Dictionary& add(const Dictionary& other);             ///< all its entries, in their order
     bool empty() const { return entries_.empty(); }
-    std::string text() const;   ///< one entry per line
+    std::string text() const;  ///< one entry per line
 
 private:
     std::vector<Entry> entries_;

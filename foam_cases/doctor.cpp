@@ -33,9 +33,12 @@ bool is_program(const fs::path& p) {
 void read_version(OpenFoam& found) {
     const auto behind = [](const std::string& text, const std::string& label) {
         for (std::size_t at = text.find(label); at != std::string::npos; at = text.find(label, at + 1)) {
-            if (at > 0 && text.compare(at - std::min<std::size_t>(at, 1), 1, "[") == 0) continue;   // a comment that explains it
+            if (at > 0 && text.compare(at - std::min<std::size_t>(at, 1), 1, "[") == 0)
+                continue;  // a comment that explains it
             std::string value;
-            for (std::size_t i = at + label.size(); i < text.size() && (std::isalnum(static_cast<unsigned char>(text[i])) || text[i] == '.'); ++i) value += text[i];
+            for (std::size_t i = at + label.size();
+                 i < text.size() && (std::isalnum(static_cast<unsigned char>(text[i])) || text[i] == '.'); ++i)
+                value += text[i];
             if (!value.empty()) return value;
         }
         return std::string();
@@ -60,7 +63,8 @@ bool look_into(const fs::path& project_dir, OpenFoam& found) {
         if (is_program(options.path() / "bin/blockMesh")) found.bin = options.path() / "bin";
     const fs::path wanted = project_dir / "platforms" / environment_path("WM_OPTIONS") / "bin";
     if (is_program(wanted / "blockMesh")) found.bin = wanted;
-    if (found.bin.empty() && is_program("/usr/bin/blockMesh") && project_dir.string().rfind("/usr/share", 0) == 0) found.bin = "/usr/bin";
+    if (found.bin.empty() && is_program("/usr/bin/blockMesh") && project_dir.string().rfind("/usr/share", 0) == 0)
+        found.bin = "/usr/bin";
     if (found.bin.empty()) {
         const fs::path on_path = find_program(environment_of(OpenFoam{}), "blockMesh");
         if (on_path.empty()) return false;
@@ -86,7 +90,7 @@ std::vector<fs::path> project_folders(const std::string& preferred) {
         std::error_code none;
         for (const auto& e : fs::directory_iterator(parent, none))
             if (e.path().filename().string().rfind(prefix, 0) == 0) found.push_back(e.path());
-        std::sort(found.rbegin(), found.rend());   // the newest first
+        std::sort(found.rbegin(), found.rend());  // the newest first
         out.insert(out.end(), found.begin(), found.end());
     };
     children("/usr/lib/openfoam", "openfoam");
@@ -103,15 +107,16 @@ std::vector<fs::path> mended_folders() {
     std::error_code none;
     const fs::path self = fs::read_symlink("/proc/self/exe", none);
     if (!self.empty()) out.push_back(self.parent_path().parent_path() / ".openfoam/bin");
-    if (const fs::path home = environment_path("HOME"); !home.empty()) out.push_back(home / ".local/share/twinwake/openfoam/bin");
+    if (const fs::path home = environment_path("HOME"); !home.empty())
+        out.push_back(home / ".local/share/twinwake/openfoam/bin");
     return out;
 }
 
 bool belongs_to(const OpenFoam& found, const std::string& preferred) {
     if (preferred.empty()) return true;
     std::error_code none;
-    return fs::equivalent(found.project_dir, preferred, none) || fs::equivalent(found.solver.parent_path(), preferred, none) ||
-           fs::equivalent(found.solver, preferred, none);
+    return fs::equivalent(found.project_dir, preferred, none) ||
+           fs::equivalent(found.solver.parent_path(), preferred, none) || fs::equivalent(found.solver, preferred, none);
 }
 
 }  // namespace
@@ -121,11 +126,13 @@ std::vector<OpenFoam> find_openfoam(const std::string& preferred) {
     for (const fs::path& folder : project_folders(preferred)) {
         OpenFoam found;
         std::error_code none;
-        const bool known = std::any_of(installed.begin(), installed.end(), [&](const OpenFoam& f) { return fs::equivalent(f.project_dir, folder, none); });
+        const bool known = std::any_of(installed.begin(), installed.end(),
+                                       [&](const OpenFoam& f) { return fs::equivalent(f.project_dir, folder, none); });
         if (!known && look_into(folder, found)) installed.push_back(found);
     }
     // Mended solvers run on the libraries of the distribution they were built from.
-    const auto debian = std::find_if(installed.begin(), installed.end(), [](const OpenFoam& f) { return f.bin == "/usr/bin"; });
+    const auto debian =
+        std::find_if(installed.begin(), installed.end(), [](const OpenFoam& f) { return f.bin == "/usr/bin"; });
     if (debian != installed.end())
         for (const fs::path& folder : mended_folders())
             if (is_program(folder / "interFoam")) {
@@ -133,9 +140,11 @@ std::vector<OpenFoam> find_openfoam(const std::string& preferred) {
                 mended.solver = folder / "interFoam";
                 all.push_back(mended);
             }
-    for (const OpenFoam& f : installed) {   // unless a folder above already led to the same program
+    for (const OpenFoam& f : installed) {  // unless a folder above already led to the same program
         std::error_code none;
-        if (std::none_of(all.begin(), all.end(), [&](const OpenFoam& known) { return fs::equivalent(known.solver, f.solver, none); })) all.push_back(f);
+        if (std::none_of(all.begin(), all.end(),
+                         [&](const OpenFoam& known) { return fs::equivalent(known.solver, f.solver, none); }))
+            all.push_back(f);
     }
     std::erase_if(all, [&](const OpenFoam& f) { return !belongs_to(f, preferred); });
     for (OpenFoam& candidate : all) self_test(candidate);
@@ -150,13 +159,16 @@ OpenFoam sound_openfoam(const std::string& preferred) {
     for (const OpenFoam& f : all) text += fmt::format("\n  {}: {}", f.solver.string(), f.verdict);
     if (all.empty()) {
         const std::string where = preferred.empty() ? "on this machine" : "in '" + preferred + "'";
-        throw InputError("no OpenFOAM was found " + where +
-                         " (looked at WM_PROJECT_DIR, /usr/share/openfoam, /usr/lib/openfoam, /opt, ~/OpenFOAM).\n"
-                         "  Debian, Ubuntu: sudo apt-get install --no-install-recommends openfoam, then tools/build_openfoam_solvers.sh .openfoam\n"
-                         "  others: a release of openfoam.com or openfoam.org, its etc/bashrc sourced; or run with --method sph");
+        throw InputError(
+            "no OpenFOAM was found " + where +
+            " (looked at WM_PROJECT_DIR, /usr/share/openfoam, /usr/lib/openfoam, /opt, ~/OpenFOAM).\n"
+            "  Debian, Ubuntu: sudo apt-get install --no-install-recommends openfoam, then "
+            "tools/build_openfoam_solvers.sh .openfoam\n"
+            "  others: a release of openfoam.com or openfoam.org, its etc/bashrc sourced; or run with --method sph");
     }
     throw InputError("no sound OpenFOAM solver was found; a faulty one is never used:" + text +
-                     "\n  Debian, Ubuntu: tools/build_openfoam_solvers.sh .openfoam builds a sound interFoam in a minute, from the package's own source");
+                     "\n  Debian, Ubuntu: tools/build_openfoam_solvers.sh .openfoam builds a sound interFoam in a "
+                     "minute, from the package's own source");
 }
 
 }  // namespace tw

@@ -8,24 +8,26 @@ namespace tw {
 
 /// One OpenFOAM installation and what the self-test says of its interFoam.
 struct OpenFoam {
-    std::filesystem::path project_dir;   ///< WM_PROJECT_DIR
-    std::filesystem::path solver;        ///< the interFoam program (or foamRun)
-    std::filesystem::path bin;           ///< of blockMesh, snappyHexMesh, ...
-    std::string version, vendor;         ///< "v1912", "openfoam.com"
-    bool sound = false;                  ///< exact answer of the self-test reproduced
-    double self_test_error = 0;          ///< [m/s], of 0.1; NaN: the test did not come to an answer
-    std::string verdict;                 ///< one line for people
+    std::filesystem::path project_dir;  ///< WM_PROJECT_DIR
+    std::filesystem::path solver;       ///< the interFoam program (or foamRun)
+    std::filesystem::path bin;          ///< of blockMesh, snappyHexMesh, ...
+    std::string version, vendor;        ///< "v1912", "openfoam.com"
+    bool sound = false;                 ///< exact answer of the self-test reproduced
+    double self_test_error = 0;         ///< [m/s], of 0.1; NaN: the test did not come to an answer
+    std::string verdict;                ///< one line for people
 };
 
-/// All that are here, sound or not: the mended solvers of twinwake's own folders first ($TWINWAKE_OPENFOAM_BIN, .openfoam/bin beside
-/// the program's folder, ~/.local/share/twinwake/openfoam/bin), then WM_PROJECT_DIR, then the usual places (/usr/share/openfoam,
-/// /usr/lib/openfoam, /opt, ~/OpenFOAM) or, in their stead, the folders of $TWINWAKE_OPENFOAM_PLACES (colons between). `preferred`, an installation's folder or that of its solver, leaves only what belongs to it.
-/// Each has been self-tested (0.2 s).
+/// All that are here, sound or not: the mended solvers of twinwake's own folders first ($TWINWAKE_OPENFOAM_BIN,
+/// .openfoam/bin beside the program's folder, ~/.local/share/twinwake/openfoam/bin), then WM_PROJECT_DIR, then the
+/// usual places (/usr/share/openfoam, /usr/lib/openfoam, /opt, ~/OpenFOAM) or, in their stead, the folders of
+/// $TWINWAKE_OPENFOAM_PLACES (colons between). `preferred`, an installation's folder or that of its solver, leaves only
+/// what belongs to it. Each has been self-tested (0.2 s).
 std::vector<OpenFoam> find_openfoam(const std::string& preferred = {});
 /// The first sound one; throws InputError that names the faulty ones and says what to install or run.
 OpenFoam sound_openfoam(const std::string& preferred = {});
-/// A full pipe of water, turned about two axes, pushed from rest by 1000 Pa over 1 m for 0.1 s without friction: exact answer 0.1 m/s
-/// along the pipe in every cell. Axis-aligned pipes hide the fault of miscompiled solvers. Sound below 1e-4 m/s.
+/// A full pipe of water, turned about two axes, pushed from rest by 1000 Pa over 1 m for 0.1 s without friction: exact
+/// answer 0.1 m/s along the pipe in every cell. Axis-aligned pipes hide the fault of miscompiled solvers. Sound below
+/// 1e-4 m/s.
 void self_test(OpenFoam& candidate);
 
 }  // namespace tw

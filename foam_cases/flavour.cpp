@@ -21,9 +21,13 @@ std::vector<std::string> Flavour::solver_arguments() const {
     return org_from(*this, 11) ? std::vector<std::string>{"-solver", "incompressibleVoF"} : std::vector<std::string>{};
 }
 std::string Flavour::post_process_program() const { return org_from(*this, 11) ? "foamPostProcess" : "postProcess"; }
-std::string Flavour::surface_features_program() const { return org_from(*this, 7) ? "surfaceFeatures" : "surfaceFeatureExtract"; }
+std::string Flavour::surface_features_program() const {
+    return org_from(*this, 7) ? "surfaceFeatures" : "surfaceFeatureExtract";
+}
 bool Flavour::features_per_surface() const { return !org_from(*this, 7); }
-std::string Flavour::turbulence_file() const { return org_from(*this, 8) ? "momentumTransport" : "turbulenceProperties"; }
+std::string Flavour::turbulence_file() const {
+    return org_from(*this, 8) ? "momentumTransport" : "turbulenceProperties";
+}
 std::string Flavour::turbulence_model_key() const { return org_from(*this, 8) ? "model" : "RASModel"; }
 bool Flavour::phases_in_files() const { return org_from(*this, 10); }
 bool Flavour::compression_in_scheme() const { return org_from(*this, 8); }

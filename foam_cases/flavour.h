@@ -7,16 +7,21 @@
 
 namespace tw {
 
-/// Which OpenFOAM a case is written for. Two vendors share most keywords; every difference between them is one function here,
-/// and nowhere else. openfoam.com v1912 is what the settings were measured with; the rest follows the vendors' documentation and
-/// tutorials (openfoam.com to v2412, openfoam.org 7 to 12) and has not been run.
+/// Which OpenFOAM a case is written for. Two vendors share most keywords; every difference between them is one function
+/// here, and nowhere else. openfoam.com v1912 is what the settings were measured with; the rest follows the vendors'
+/// documentation and tutorials (openfoam.com to v2412, openfoam.org 7 to 12) and has not been run.
 struct Flavour {
-    enum class Vendor { com, org } vendor = Vendor::com;   ///< openfoam.com (v1912, v2312...), openfoam.org (7, 10, 11...)
+    enum class Vendor {
+        com,
+        org
+    } vendor = Vendor::com;  ///< openfoam.com (v1912, v2312...), openfoam.org (7, 10, 11...)
     int number = 1912;
 
-    static Flavour from_version(std::string_view vendor, std::string_view version);   ///< "openfoam.org", "10"
+    static Flavour from_version(std::string_view vendor, std::string_view version);  ///< "openfoam.org", "10"
     std::string vendor_name() const { return vendor == Vendor::com ? "openfoam.com" : "openfoam.org"; }
-    std::string version_name() const { return vendor == Vendor::com ? "v" + std::to_string(number) : std::to_string(number); }
+    std::string version_name() const {
+        return vendor == Vendor::com ? "v" + std::to_string(number) : std::to_string(number);
+    }
 
     /// The solver's program and arguments: interFoam; openfoam.org from 11: foamRun -solver incompressibleVoF.
     std::string solver_program() const;
@@ -25,15 +30,16 @@ struct Flavour {
     std::string post_process_program() const;
     /// surfaceFeatureExtract; openfoam.org from 7: surfaceFeatures. The dictionary carries the same name + Dict.
     std::string surface_features_program() const;
-    bool features_per_surface() const;      ///< one sub-dictionary per surface (surfaceFeatureExtract) or one list for all
+    bool features_per_surface() const;  ///< one sub-dictionary per surface (surfaceFeatureExtract) or one list for all
 
-    std::string turbulence_file() const;    ///< turbulenceProperties; openfoam.org from 8: momentumTransport
-    std::string turbulence_model_key() const;   ///< RASModel; openfoam.org from 8: model
-    bool phases_in_files() const;           ///< openfoam.org from 10: phaseProperties and physicalProperties.<phase>
-    bool compression_in_scheme() const;     ///< openfoam.org from 8: div(phi,alpha) interfaceCompression, no cAlpha
-    std::string stop_file_object() const;   ///< function object that watches for a file: abort; openfoam.org from 8: stopAtFile
+    std::string turbulence_file() const;       ///< turbulenceProperties; openfoam.org from 8: momentumTransport
+    std::string turbulence_model_key() const;  ///< RASModel; openfoam.org from 8: model
+    bool phases_in_files() const;              ///< openfoam.org from 10: phaseProperties and physicalProperties.<phase>
+    bool compression_in_scheme() const;        ///< openfoam.org from 8: div(phi,alpha) interfaceCompression, no cAlpha
+    std::string stop_file_object()
+        const;  ///< function object that watches for a file: abort; openfoam.org from 8: stopAtFile
     List library(std::string_view name) const;  ///< (forces); openfoam.org: ("libforces.so")
-    bool set_fields_zones() const;          ///< openfoam.org from 12: setFieldsDict with defaultValues and zones
+    bool set_fields_zones() const;              ///< openfoam.org from 12: setFieldsDict with defaultValues and zones
 };
 
 }  // namespace tw

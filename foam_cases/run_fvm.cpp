@@ -22,8 +22,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double save_interval = 20;          // wall seconds between saves of the record while the solver runs
-constexpr double cells_per_rank = 20000;      // below, ranks cost more than they bring
+constexpr double save_interval = 20;      // wall seconds between saves of the record while the solver runs
+constexpr double cells_per_rank = 20000;  // below, ranks cost more than they bring
 
 /// One run of one scene, from the empty folder to the record.
 class FvmRun {
@@ -40,11 +40,10 @@ public:
         prepare();
         const CasePrograms programs(openfoam_, case_);
         try {
-            if (!fs::exists(meshed_mark()) && !mesh(programs)) return end("stopped", "stopped while meshing, as asked; --resume meshes anew");
+            if (!fs::exists(meshed_mark()) && !mesh(programs))
+                return end("stopped", "stopped while meshing, as asked; --resume meshes anew");
             return solve_and_read(programs);
-        } catch (const std::exception& e) {
-            fail(e.what());
-        }
+        } catch (const std::exception& e) { fail(e.what()); }
     }
 
 private:
@@ -53,7 +52,8 @@ private:
     void prepare() {
         const bool holds_run = fs::exists(case_) || fs::exists(record_file_);
         if (holds_run && !options_.resume && !options_.overwrite)
-            throw InputError(options_.folder.string() + ": holds a run already; --resume goes on with it, --overwrite begins anew");
+            throw InputError(options_.folder.string() +
+                             ": holds a run already; --resume goes on with it, --overwrite begins anew");
         if (holds_run && !options_.resume) {
             fs::remove_all(case_);
             fs::remove(record_file_);
@@ -61,9 +61,11 @@ private:
         if (options_.resume && fs::exists(record_file_)) take_up(read_record(record_file_));
         if (options_.resume && fs::exists(meshed_mark())) {
             if (const std::string file = changed_file(plan_, case_); !file.empty())
-                throw InputError((case_ / file).string() + ": the scene (or this file) was changed since the run began, it cannot be gone on with; "
-                                                           "put it back, or begin anew with --overwrite");
-            write_text_atomically(case_ / "system/controlDict", control_dict(plan_));   // the duration may have grown
+                throw InputError(
+                    (case_ / file).string() +
+                    ": the scene (or this file) was changed since the run began, it cannot be gone on with; "
+                    "put it back, or begin anew with --overwrite");
+            write_text_atomically(case_ / "system/controlDict", control_dict(plan_));  // the duration may have grown
         } else {
             write_case(plan_, case_, 1);
         }
@@ -80,7 +82,8 @@ private:
 
     void take_up(RunRecord earlier) {
         if (earlier.attributes["method"] != "fvm" || earlier.attributes["hull_hash"] != record_.attributes["hull_hash"])
-            throw InputError(record_file_.string() + ": is not a record of this scene's hull and method; begin anew with --overwrite");
+            throw InputError(record_file_.string() +
+                             ": is not a record of this scene's hull and method; begin anew with --overwrite");
         // Write times stay on their grid, even where the interval follows from a duration that has grown.
         if (const double interval = earlier.numbers["write_interval"]; interval > 0) {
             plan_.write_interval = interval;
@@ -115,8 +118,9 @@ private:
             const int cores = static_cast<int>(std::thread::hardware_concurrency());
             return std::clamp(static_cast<int>(cells / cells_per_rank), 1, std::max(1, cores));
         };
-        const MeshOutcome made = make_mesh(plan_, programs, ranks, [&](Child&) { return stop_asked(); },
-                                           [&](const std::string& program) { tell(0, wall_clock() - began, 0, 0, "meshing: " + program); });
+        const MeshOutcome made = make_mesh(
+            plan_, programs, ranks, [&](Child&) { return stop_asked(); },
+            [&](const std::string& program) { tell(0, wall_clock() - began, 0, 0, "meshing: " + program); });
         record_.phases.clear();
         phase("meshing") = {"meshing", wall_clock() - began, made.cpu};
         record_.peak_memory = std::max(record_.peak_memory, made.peak_memory);
@@ -188,7 +192,9 @@ private:
     void read_new(const TimeFolders& folders, FrameReader& reader, double limit) {
         for (const TimeFolders::Moment& moment : folders.moments()) {
             const std::vector<double>& known = record_.table("samples").time;
-            if (moment.time >= limit || (!known.empty() && moment.time <= known.back() * (1 + 1e-9)) || !folders.whole(moment)) continue;
+            if (moment.time >= limit || (!known.empty() && moment.time <= known.back() * (1 + 1e-9)) ||
+                !folders.whole(moment))
+                continue;
             const double began = wall_clock(), cpu = own_cpu();
             reader.read(moment, log_, record_);
             Phase& p = phase("reading");

@@ -16,36 +16,41 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double turn_z = 0.5, turn_x = 0.7;   // of the pipe [rad]
+constexpr double turn_z = 0.5, turn_x = 0.7;  // of the pipe [rad]
 constexpr double push = 1000, rho = 1000, length = 1, duration = 0.1;
-constexpr double exact_speed = push / rho / length * duration;   // 0.1 m/s: du/dt = dp / (rho L)
+constexpr double exact_speed = push / rho / length * duration;  // 0.1 m/s: du/dt = dp / (rho L)
 
 /// The pipe lies along x; it is turned about z, then about x.
 Vec3 turned(const Vec3& p) {
-    const Vec3 q(std::cos(turn_z) * p.x() - std::sin(turn_z) * p.y(), std::sin(turn_z) * p.x() + std::cos(turn_z) * p.y(), p.z());
-    return {q.x(), std::cos(turn_x) * q.y() - std::sin(turn_x) * q.z(), std::sin(turn_x) * q.y() + std::cos(turn_x) * q.z()};
+    const Vec3 q(std::cos(turn_z) * p.x() - std::sin(turn_z) * p.y(),
+                 std::sin(turn_z) * p.x() + std::cos(turn_z) * p.y(), p.z());
+    return {q.x(), std::cos(turn_x) * q.y() - std::sin(turn_x) * q.z(),
+            std::sin(turn_x) * q.y() + std::cos(turn_x) * q.z()};
 }
 
 std::string pipe_mesh() {
     List vertices;
     for (const double z : {0.0, 1.0})
-        for (const auto& [x, y] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}) vertices.push_back(turned({x, y, z}));
+        for (const auto& [x, y] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}})
+            vertices.push_back(turned({x, y, z}));
     const auto side = [](const char* name, const char* type, const List& faces) {
         return Value::named(Word(name), Dictionary{{"type", Word(type)}, {"faces", faces}});
     };
     const List blocks{Value::sequence({Word("hex (0 1 2 3 4 5 6 7) (6 5 4) simpleGrading (1 1 1)")})};
-    return foam_file("dictionary", "blockMeshDict",
-                     {{"scale", 1},
-                      {"convertToMeters", 1},
-                      {"vertices", vertices},
-                      {"blocks", blocks},
-                      {"edges", List{}},
-                      {"boundary", List{side("inlet", "patch", {Word("(0 4 7 3)")}), side("outlet", "patch", {Word("(1 2 6 5)")}),
-                                        side("sides", "wall", {Word("(0 1 5 4)"), Word("(3 7 6 2)"), Word("(0 3 2 1)"), Word("(4 5 6 7)")})}}});
+    return foam_file(
+        "dictionary", "blockMeshDict",
+        {{"scale", 1},
+         {"convertToMeters", 1},
+         {"vertices", vertices},
+         {"blocks", blocks},
+         {"edges", List{}},
+         {"boundary",
+          List{side("inlet", "patch", {Word("(0 4 7 3)")}), side("outlet", "patch", {Word("(1 2 6 5)")}),
+               side("sides", "wall", {Word("(0 1 5 4)"), Word("(3 7 6 2)"), Word("(0 3 2 1)"), Word("(4 5 6 7)")})}}});
 }
 
-std::string pipe_field(const char* foam_class, const char* name, const Dimensions& dimensions, const char* inside, const Dictionary& inlet,
-                       const Dictionary& outlet, const Dictionary& sides) {
+std::string pipe_field(const char* foam_class, const char* name, const Dimensions& dimensions, const char* inside,
+                       const Dictionary& inlet, const Dictionary& outlet, const Dictionary& sides) {
     return foam_file(foam_class, name,
                      {{"dimensions", dimensions},
                       {"internalField", Word(inside)},
@@ -55,19 +60,33 @@ std::string pipe_field(const char* foam_class, const char* name, const Dimension
 std::string pipe_control(const Flavour& flavour) {
     Dictionary d{{"application", Word(flavour.solver_program())}};
     if (!flavour.solver_arguments().empty()) d.add("solver", Word(flavour.solver_arguments().back()));
-    d.add({{"startFrom", Word("startTime")}, {"startTime", 0},        {"stopAt", Word("endTime")},      {"endTime", duration},
-           {"deltaT", duration / 10},        {"writeControl", Word("timeStep")}, {"writeInterval", 10},        {"writeFormat", Word("ascii")},
-           {"writePrecision", 12},           {"writeCompression", Word("off")},  {"runTimeModifiable", false}, {"adjustTimeStep", false},
-           {"maxCo", 1},                     {"maxAlphaCo", 1},       {"maxDeltaT", 1}});
+    d.add({{"startFrom", Word("startTime")},
+           {"startTime", 0},
+           {"stopAt", Word("endTime")},
+           {"endTime", duration},
+           {"deltaT", duration / 10},
+           {"writeControl", Word("timeStep")},
+           {"writeInterval", 10},
+           {"writeFormat", Word("ascii")},
+           {"writePrecision", 12},
+           {"writeCompression", Word("off")},
+           {"runTimeModifiable", false},
+           {"adjustTimeStep", false},
+           {"maxCo", 1},
+           {"maxAlphaCo", 1},
+           {"maxDeltaT", 1}});
     return foam_file("dictionary", "controlDict", d);
 }
 
 std::vector<CaseFile> pipe_case(const Flavour& flavour) {
     const auto type = [](const char* name) { return Dictionary{{"type", Word(name)}}; };
-    const auto fixed = [](double v) { return Dictionary{{"type", Word("fixedValue")}, {"value", Value::sequence({Word("uniform"), v})}}; };
+    const auto fixed = [](double v) {
+        return Dictionary{{"type", Word("fixedValue")}, {"value", Value::sequence({Word("uniform"), v})}};
+    };
     const auto solver = [](const char* name, double tolerance) {
         Dictionary d{{"solver", Word(name)}, {"tolerance", tolerance}, {"relTol", 0}};
-        return std::string(name) == "PCG" ? d.add("preconditioner", Word("DIC")) : d.add("smoother", Word("symGaussSeidel"));
+        return std::string(name) == "PCG" ? d.add("preconditioner", Word("DIC"))
+                                          : d.add("smoother", Word("symGaussSeidel"));
     };
     Scene scene;
     scene.water.kinematic_viscosity = scene.water.air_kinematic_viscosity = 0;
@@ -78,14 +97,16 @@ std::vector<CaseFile> pipe_case(const Flavour& flavour) {
     plan.scene = &scene;
     plan.flavour = flavour;
 
-    Dictionary alpha{{"nAlphaCorr", 1}, {"nAlphaSubCycles", 1}, {"cAlpha", 1}, {"MULESCorr", false}, {"nLimiterIter", 3}};
+    Dictionary alpha{
+        {"nAlphaCorr", 1}, {"nAlphaSubCycles", 1}, {"cAlpha", 1}, {"MULESCorr", false}, {"nLimiterIter", 3}};
     alpha.add(solver("smoothSolver", 1e-8));
     Dictionary solvers;
     solvers.add(Key::pattern("alpha.water.*"), alpha);
     solvers.add(Key::pattern("pcorr.*"), solver("PCG", 1e-10));
     solvers.add(Key::pattern("p_rgh.*"), solver("PCG", 1e-12));
     solvers.add(Key::pattern("U.*"), solver("smoothSolver", 1e-10));
-    const Dictionary pimple{{"momentumPredictor", false}, {"nOuterCorrectors", 1}, {"nCorrectors", 2}, {"nNonOrthogonalCorrectors", 0}};
+    const Dictionary pimple{
+        {"momentumPredictor", false}, {"nOuterCorrectors", 1}, {"nCorrectors", 2}, {"nNonOrthogonalCorrectors", 0}};
 
     std::vector<CaseFile> files{
         {"system/blockMeshDict", pipe_mesh()},
@@ -94,9 +115,12 @@ std::vector<CaseFile> pipe_case(const Flavour& flavour) {
         {"system/fvSolution", foam_file("dictionary", "fvSolution", {{"solvers", solvers}, {"PIMPLE", pimple}})},
         {"constant/g", gravity_file(plan)},
         {"constant/" + flavour.turbulence_file(), turbulence_file(plan)},
-        {"0/U", pipe_field("volVectorField", "U", velocity, "uniform (0 0 0)", type("zeroGradient"), type("zeroGradient"), type("slip"))},
-        {"0/alpha.water", pipe_field("volScalarField", "alpha.water", dimensionless, "uniform 1", fixed(1), type("zeroGradient"), type("zeroGradient"))},
-        {"0/p_rgh", pipe_field("volScalarField", "p_rgh", pressure, "uniform 0", fixed(push), fixed(0), type("zeroGradient"))},
+        {"0/U", pipe_field("volVectorField", "U", velocity, "uniform (0 0 0)", type("zeroGradient"),
+                           type("zeroGradient"), type("slip"))},
+        {"0/alpha.water", pipe_field("volScalarField", "alpha.water", dimensionless, "uniform 1", fixed(1),
+                                     type("zeroGradient"), type("zeroGradient"))},
+        {"0/p_rgh",
+         pipe_field("volScalarField", "p_rgh", pressure, "uniform 0", fixed(push), fixed(0), type("zeroGradient"))},
     };
     for (CaseFile& f : phase_files(plan)) files.push_back(std::move(f));
     return files;
@@ -146,9 +170,11 @@ void self_test(OpenFoam& candidate) {
         if (!done) throw RunError("it did not end within 30 s");
         candidate.self_test_error = largest_error(folder.path);
         candidate.sound = candidate.self_test_error < 1e-4;
-        const char* judged = candidate.sound ? "sound" : "FAULTY (miscompiled: velocities are wrong on meshes that are not axis-aligned)";
-        candidate.verdict = fmt::format("{} {}, {}: error {:.2g} m/s in a flow of {:g} m/s", candidate.vendor, candidate.version, judged,
-                                        candidate.self_test_error, exact_speed);
+        const char* judged = candidate.sound
+                                 ? "sound"
+                                 : "FAULTY (miscompiled: velocities are wrong on meshes that are not axis-aligned)";
+        candidate.verdict = fmt::format("{} {}, {}: error {:.2g} m/s in a flow of {:g} m/s", candidate.vendor,
+                                        candidate.version, judged, candidate.self_test_error, exact_speed);
     } catch (const std::exception& e) {
         candidate.verdict = fmt::format("{} {}, unusable: {}", candidate.vendor, candidate.version, e.what());
     }

@@ -15,21 +15,26 @@ void write_case(const CasePlan& plan, const fs::path& folder, int ranks) {
     for (const CaseFile& f : case_files(plan, ranks)) {
         write_text_atomically(folder / f.path, f.text);
         if (f.executable)
-            fs::permissions(folder / f.path, fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec, fs::perm_options::add);
+            fs::permissions(folder / f.path, fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec,
+                            fs::perm_options::add);
     }
-    for (const Solid& s : plan.solids) write_stl(folder / "constant/triSurface" / (s.name + ".stl"), *s.surface, s.name);
+    for (const Solid& s : plan.solids)
+        write_stl(folder / "constant/triSurface" / (s.name + ".stl"), *s.surface, s.name);
 }
 
 std::string changed_file(const CasePlan& plan, const fs::path& folder) {
     for (const CaseFile& f : case_files(plan, 1)) {
-        if (f.path == "system/controlDict" || f.path == "system/decomposeParDict" || f.path == "Allrun" || f.path == "README") continue;
+        if (f.path == "system/controlDict" || f.path == "system/decomposeParDict" || f.path == "Allrun" ||
+            f.path == "README")
+            continue;
         if (!fs::exists(folder / f.path) || read_text(folder / f.path) != f.text) return f.path;
     }
     return {};
 }
 
 void write_fvm_case(const Scene& scene, const fs::path& folder) {
-    // Written for the installation that is here, sound or not; without one for the release the settings were measured with.
+    // Written for the installation that is here, sound or not; without one for the release the settings were measured
+    // with.
     Flavour flavour;
     const auto found = find_openfoam(scene.fvm.openfoam);
     if (!found.empty()) flavour = Flavour::from_version(found.front().vendor, found.front().version);

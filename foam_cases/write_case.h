@@ -7,8 +7,8 @@ namespace tw {
 
 /// Writes every file of the case and the solids' surfaces.
 void write_case(const CasePlan& plan, const std::filesystem::path& folder, int ranks);
-/// Name of the first file that `plan` would write otherwise than it stands in `folder` (system/controlDict and the number of ranks
-/// aside); empty when there is none: the run in the folder can be gone on with.
+/// Name of the first file that `plan` would write otherwise than it stands in `folder` (system/controlDict and the
+/// number of ranks aside); empty when there is none: the run in the folder can be gone on with.
 std::string changed_file(const CasePlan& plan, const std::filesystem::path& folder);
 
 }  // namespace tw

@@ -4,7 +4,8 @@
 
 namespace tw {
 
-/// ./Allrun, for running the case by hand. Every word of it is the program's own; nothing of the scene goes in but the number of ranks.
+/// ./Allrun, for running the case by hand. Every word of it is the program's own; nothing of the scene goes in but the
+/// number of ranks.
 std::string allrun_script(const CasePlan& plan, int ranks) {
     const Flavour& f = plan.flavour;
     std::string solver = "${SOLVER:-" + f.solver_program() + "}";
@@ -45,7 +46,8 @@ std::string case_readme(const CasePlan& plan) {
     const CasePlan& p = plan;
     std::string title;
     for (const char c : p.scene->title) title += c >= ' ' && c != 127 ? c : ' ';
-    return fmt::format(R"({0}
+    return fmt::format(
+        R"({0}
 OpenFOAM case written by twinwake for {1} {2} ({3}).
 
   ./Allrun             mesh and run from the start
@@ -61,11 +63,12 @@ postProcessing/fastest     largest velocity, every step: 1.3 to 1.6 times the st
 A restart does not continue bit by bit: forces differ by about 0.1 % afterwards, because interFoam does not store its last
 compression correction.
 )",
-                       title, p.flavour.vendor_name(), p.flavour.version_name(), p.flavour.solver_program(), p.background_cell, p.finest_cell,
-                       p.viscous ? (p.turbulent ? "Viscous and turbulent: k-omega SST with wall functions.\n" : "Viscous, laminar.\n")
-                                 : "The solids let water slip: the twin of an SPH run without physical viscosity.\n",
-                       p.scene->hull && p.scene->hull->half ? "Half model: multiply fx, fz and my by two.\n" : "",
-                       p.scene->hull && p.scene->hull->half ? " (half model)" : "");
+        title, p.flavour.vendor_name(), p.flavour.version_name(), p.flavour.solver_program(), p.background_cell,
+        p.finest_cell,
+        p.viscous ? (p.turbulent ? "Viscous and turbulent: k-omega SST with wall functions.\n" : "Viscous, laminar.\n")
+                  : "The solids let water slip: the twin of an SPH run without physical viscosity.\n",
+        p.scene->hull && p.scene->hull->half ? "Half model: multiply fx, fz and my by two.\n" : "",
+        p.scene->hull && p.scene->hull->half ? " (half model)" : "");
 }
 
 }  // namespace tw

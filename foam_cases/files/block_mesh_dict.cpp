@@ -22,15 +22,18 @@ List side_faces(const CasePlan& plan, std::size_t axis, bool high) {
                 return Value(vertex(plan, index[0], index[1], index[2]));
             };
             // Outward normals: u x v points along +axis.
-            if (high) faces.push_back(List{corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)});
-            else faces.push_back(List{corner(0, 0), corner(0, 1), corner(1, 1), corner(1, 0)});
+            if (high)
+                faces.push_back(List{corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)});
+            else
+                faces.push_back(List{corner(0, 0), corner(0, 1), corner(1, 1), corner(1, 0)});
         }
     return faces;
 }
 
 }  // namespace
 
-/// system/blockMeshDict: cubes of the far spacing; block faces lie on still water and on the faces of water blocks and box obstacles.
+/// system/blockMeshDict: cubes of the far spacing; block faces lie on still water and on the faces of water blocks and
+/// box obstacles.
 std::string block_mesh_dict(const CasePlan& plan) {
     const auto& [x, y, z] = plan.axes;
     List vertices, blocks, boundary;
@@ -40,11 +43,14 @@ std::string block_mesh_dict(const CasePlan& plan) {
     for (std::size_t k = 0; k < z.cells.size(); ++k)
         for (std::size_t j = 0; j < y.cells.size(); ++j)
             for (std::size_t i = 0; i < x.cells.size(); ++i) {
-                const auto at = [&](std::size_t di, std::size_t dj, std::size_t dk) { return Value(vertex(plan, i + di, j + dj, k + dk)); };
-                blocks.push_back(Value::sequence({Word("hex"),
-                                                  List{at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(0, 1, 0), at(0, 0, 1), at(1, 0, 1),
-                                                       at(1, 1, 1), at(0, 1, 1)},
-                                                  List{x.cells[i], y.cells[j], z.cells[k]}, Word("simpleGrading (1 1 1)")}));
+                const auto at = [&](std::size_t di, std::size_t dj, std::size_t dk) {
+                    return Value(vertex(plan, i + di, j + dj, k + dk));
+                };
+                blocks.push_back(
+                    Value::sequence({Word("hex"),
+                                     List{at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(0, 1, 0), at(0, 0, 1), at(1, 0, 1),
+                                          at(1, 1, 1), at(0, 1, 1)},
+                                     List{x.cells[i], y.cells[j], z.cells[k]}, Word("simpleGrading (1 1 1)")}));
             }
     for (std::size_t s = 0; s < plan.sides.size(); ++s) {
         const Patch& p = plan.sides[s];
@@ -53,7 +59,7 @@ std::string block_mesh_dict(const CasePlan& plan) {
     }
     return foam_file("dictionary", "blockMeshDict",
                      {{"scale", 1},
-                      {"convertToMeters", 1},   // the same, for releases that do not know `scale`
+                      {"convertToMeters", 1},  // the same, for releases that do not know `scale`
                       {"vertices", vertices},
                       {"blocks", blocks},
                       {"edges", List{}},

@@ -21,7 +21,8 @@ std::vector<CaseFile> case_files(const CasePlan& plan, int ranks) {
     if (plan.snappy) {
         files.push_back({"system/snappyHexMeshDict", snappy_hex_mesh_dict(plan)});
         if (!plan.solids.empty())
-            files.push_back({"system/" + plan.flavour.surface_features_program() + "Dict", surface_features_dict(plan)});
+            files.push_back(
+                {"system/" + plan.flavour.surface_features_program() + "Dict", surface_features_dict(plan)});
     }
     for (CaseFile& f : phase_files(plan)) files.push_back(std::move(f));
     for (CaseFile& f : turbulence_fields(plan)) files.push_back(std::move(f));

@@ -7,7 +7,7 @@
 namespace tw {
 
 struct CaseFile {
-    std::string path;   ///< inside the case folder
+    std::string path;  ///< inside the case folder
     std::string text;
     bool executable = false;
 };
@@ -24,12 +24,12 @@ std::string fv_solution(const CasePlan& plan);
 
 std::string gravity_file(const CasePlan& plan);
 std::string turbulence_file(const CasePlan& plan);
-std::vector<CaseFile> phase_files(const CasePlan& plan);   ///< transportProperties, or a file per phase
+std::vector<CaseFile> phase_files(const CasePlan& plan);  ///< transportProperties, or a file per phase
 
 std::string alpha_water(const CasePlan& plan);
 std::string velocity_field(const CasePlan& plan);
 std::string p_rgh(const CasePlan& plan);
-std::vector<CaseFile> turbulence_fields(const CasePlan& plan);   ///< k, omega, nut; none in laminar flow
+std::vector<CaseFile> turbulence_fields(const CasePlan& plan);  ///< k, omega, nut; none in laminar flow
 
 std::string allrun_script(const CasePlan& plan, int ranks);
 std::string case_readme(const CasePlan& plan);

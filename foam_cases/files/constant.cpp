@@ -13,7 +13,9 @@ std::string gravity_file(const CasePlan& plan) {
 std::string turbulence_file(const CasePlan& plan) {
     Dictionary d{{"simulationType", Word(plan.turbulent ? "RAS" : "laminar")}};
     if (plan.turbulent)
-        d.add("RAS", Dictionary{{plan.flavour.turbulence_model_key(), Word("kOmegaSST")}, {"turbulence", true}, {"printCoeffs", false}});
+        d.add("RAS", Dictionary{{plan.flavour.turbulence_model_key(), Word("kOmegaSST")},
+                                {"turbulence", true},
+                                {"printCoeffs", false}});
     return foam_file("dictionary", plan.flavour.turbulence_file(), d);
 }
 
@@ -27,14 +29,17 @@ std::vector<CaseFile> phase_files(const CasePlan& plan) {
                           {"nu", nu},
                           {"rho", rho}};
     };
-    const Dictionary water = fluid(w.kinematic_viscosity, w.density), air = fluid(w.air_kinematic_viscosity, w.air_density);
+    const Dictionary water = fluid(w.kinematic_viscosity, w.density),
+                     air = fluid(w.air_kinematic_viscosity, w.air_density);
     const List phases{Word("water"), Word("air")};
     if (plan.flavour.phases_in_files())
-        return {{"constant/phaseProperties", foam_file("dictionary", "phaseProperties", {{"phases", phases}, {"sigma", tension}})},
+        return {{"constant/phaseProperties",
+                 foam_file("dictionary", "phaseProperties", {{"phases", phases}, {"sigma", tension}})},
                 {"constant/physicalProperties.water", foam_file("dictionary", "physicalProperties.water", water)},
                 {"constant/physicalProperties.air", foam_file("dictionary", "physicalProperties.air", air)}};
     return {{"constant/transportProperties",
-             foam_file("dictionary", "transportProperties", {{"phases", phases}, {"water", water}, {"air", air}, {"sigma", tension}})}};
+             foam_file("dictionary", "transportProperties",
+                       {{"phases", phases}, {"water", water}, {"air", air}, {"sigma", tension}})}};
 }
 
 }  // namespace tw

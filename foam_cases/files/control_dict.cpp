@@ -5,14 +5,16 @@ namespace tw {
 namespace {
 
 Dictionary every_step() { return {{"log", false}, {"writeControl", Word("timeStep")}, {"writeInterval", 1}}; }
-Dictionary every_write(int nth = 1) { return {{"log", false}, {"writeControl", Word("writeTime")}, {"writeInterval", nth}}; }
+Dictionary every_write(int nth = 1) {
+    return {{"log", false}, {"writeControl", Word("writeTime")}, {"writeInterval", nth}};
+}
 
 /// Pressure and viscous force of water and air together on the hull, every step.
 Dictionary forces(const CasePlan& plan) {
     Dictionary d{{"type", Word("forces")},
                  {"libs", plan.flavour.library("forces")},
                  {"patches", List{Word("hull")}},
-                 {"rho", Word("rho")},   // the solver's own density field
+                 {"rho", Word("rho")},  // the solver's own density field
                  {"CofR", moment_reference(*plan.scene)}};
     return d.add(every_step());
 }
@@ -33,14 +35,15 @@ Dictionary wall_shear(const CasePlan& plan) {
             {"libs", plan.flavour.library("fieldFunctionObjects")},
             {"patches", patches},
             {"log", false},
-            {"writeControl", Word("none")}};   // a field for the surfaces below, never a file of its own
+            {"writeControl", Word("none")}};  // a field for the surfaces below, never a file of its own
 }
 
 Dictionary surface_output(const CasePlan& plan, const List& fields, const List& surfaces, int nth) {
     Dictionary d{{"type", Word("surfaces")}, {"libs", plan.flavour.library("sampling")}};
-    d.add(every_write(nth));   // an interval of its own would be counted from the time of a restart
+    d.add(every_write(nth));  // an interval of its own would be counted from the time of a restart
     d.add({{"surfaceFormat", Word("vtk")},
-           {"formatOptions", Dictionary{{"vtk", Dictionary{{"format", Word("binary")}, {"legacy", false}, {"precision", 7}}}}},
+           {"formatOptions",
+            Dictionary{{"vtk", Dictionary{{"format", Word("binary")}, {"legacy", false}, {"precision", 7}}}}},
            {"interpolationScheme", Word("cellPoint")},
            {"fields", fields},
            {"surfaces", surfaces}});
@@ -50,12 +53,16 @@ Dictionary surface_output(const CasePlan& plan, const List& fields, const List& 
 Dictionary hull_surface(const CasePlan& plan) {
     List fields{Word("p"), Word("alpha.water")};
     if (plan.viscous) fields.push_back(Word("wallShearStress"));
-    const Dictionary hull{{"type", Word("patch")}, {"patches", List{Word("hull")}}, {"interpolate", false}, {"triangulate", false}};
+    const Dictionary hull{
+        {"type", Word("patch")}, {"patches", List{Word("hull")}}, {"interpolate", false}, {"triangulate", false}};
     return surface_output(plan, fields, {Value::named(Word("hull"), hull)}, 1);
 }
 
 Dictionary free_surface(const CasePlan& plan) {
-    const Dictionary iso{{"type", Word("isoSurfaceCell")}, {"isoField", Word("alpha.water")}, {"isoValue", 0.5}, {"interpolate", true},
+    const Dictionary iso{{"type", Word("isoSurfaceCell")},
+                         {"isoField", Word("alpha.water")},
+                         {"isoValue", 0.5},
+                         {"interpolate", true},
                          {"regularise", true}};
     return surface_output(plan, {Word("U")}, {Value::named(Word("freeSurface"), iso)}, plan.snapshot_every);
 }
@@ -65,7 +72,10 @@ Dictionary probes(const CasePlan& plan, const char* field, const std::vector<Vec
     for (const Vec3& p : places) points.push_back(p);
     Dictionary d{{"type", Word("probes")}, {"libs", plan.flavour.library("sampling")}};
     d.add(every_step());
-    d.add({{"fields", List{Word(field)}}, {"fixedLocations", true}, {"interpolationScheme", Word(interpolation)}, {"probeLocations", points}});
+    d.add({{"fields", List{Word(field)}},
+           {"fixedLocations", true},
+           {"interpolationScheme", Word(interpolation)},
+           {"probeLocations", points}});
     return d;
 }
 
@@ -73,7 +83,7 @@ Dictionary functions(const CasePlan& plan) {
     Dictionary f;
     if (plan.scene->hull) f.add("forces", forces(plan));
     f.add("fastest", fastest(plan));
-    if (plan.scene->hull && plan.viscous) f.add("wallShear", wall_shear(plan));   // before hullSurface, which writes it
+    if (plan.scene->hull && plan.viscous) f.add("wallShear", wall_shear(plan));  // before hullSurface, which writes it
     if (plan.scene->hull) f.add("hullSurface", hull_surface(plan));
     if (plan.snapshot_every > 0) f.add("freeSurface", free_surface(plan));
     if (!plan.pressure_places.empty()) f.add("pressureProbes", probes(plan, "p", plan.pressure_places, "cellPoint"));
@@ -90,8 +100,8 @@ Dictionary functions(const CasePlan& plan) {
 
 }  // namespace
 
-/// system/controlDict. Transient Euler steps of a fixed largest Courant number; local time stepping is no faster here and its
-/// force or its wake is wrong by 5-20 % (measured).
+/// system/controlDict. Transient Euler steps of a fixed largest Courant number; local time stepping is no faster here
+/// and its force or its wake is wrong by 5-20 % (measured).
 std::string control_dict(const CasePlan& plan) {
     const FvmOptions& fvm = plan.scene->fvm;
     Dictionary d{{"application", Word(plan.flavour.solver_program())}};
@@ -100,7 +110,7 @@ std::string control_dict(const CasePlan& plan) {
            {"startTime", 0},
            {"stopAt", Word("endTime")},
            {"endTime", plan.scene->run.duration},
-           {"deltaT", plan.first_step},   // of the first step only
+           {"deltaT", plan.first_step},  // of the first step only
            {"writeControl", Word("adjustableRunTime")},
            {"writeInterval", plan.write_interval},
            {"purgeWrite", 0},

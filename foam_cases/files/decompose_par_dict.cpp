@@ -4,8 +4,8 @@
 
 namespace tw {
 
-/// system/decomposeParDict: hierarchical, because the scotch of some distributions is an empty shell that fails. Cuts across
-/// x and y only: water and air then share every rank.
+/// system/decomposeParDict: hierarchical, because the scotch of some distributions is an empty shell that fails. Cuts
+/// across x and y only: water and air then share every rank.
 std::string decompose_par_dict(const CasePlan& plan, int ranks) {
     int across = 1;
     if (plan.scene->domain.dimensions == 3)
@@ -14,7 +14,8 @@ std::string decompose_par_dict(const CasePlan& plan, int ranks) {
     return foam_file("dictionary", "decomposeParDict",
                      {{"numberOfSubdomains", ranks},
                       {"method", Word("hierarchical")},
-                      {"hierarchicalCoeffs", Dictionary{{"n", List{ranks / across, across, 1}}, {"delta", 0.001}, {"order", Word("xyz")}}}});
+                      {"hierarchicalCoeffs",
+                       Dictionary{{"n", List{ranks / across, across, 1}}, {"delta", 0.001}, {"order", Word("xyz")}}}});
 }
 
 }  // namespace tw

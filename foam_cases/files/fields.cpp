@@ -8,14 +8,16 @@ namespace {
 Value uniform(double v) { return Value::sequence({Word("uniform"), v}); }
 Value uniform(const Vec3& v) { return Value::sequence({Word("uniform"), v}); }
 
-/// A field of 0.orig: `open` gives the entries of an inlet, outlet or atmosphere, `wall` those of a solid. Plane sides are the same in
-/// every field.
-std::string field(const CasePlan& plan, const char* foam_class, const char* name, const Dimensions& dimensions, const Value& inside,
-                  const std::function<Dictionary(Side)>& open, const Dictionary& wall) {
+/// A field of 0.orig: `open` gives the entries of an inlet, outlet or atmosphere, `wall` those of a solid. Plane sides
+/// are the same in every field.
+std::string field(const CasePlan& plan, const char* foam_class, const char* name, const Dimensions& dimensions,
+                  const Value& inside, const std::function<Dictionary(Side)>& open, const Dictionary& wall) {
     Dictionary boundary;
-    for (const Patch& p : plan.sides) boundary.add(p.name, p.plane() ? Dictionary{{"type", Word(p.plane_type())}} : open(p.side));
+    for (const Patch& p : plan.sides)
+        boundary.add(p.name, p.plane() ? Dictionary{{"type", Word(p.plane_type())}} : open(p.side));
     for (const Solid& s : plan.solids) boundary.add(s.name, wall);
-    return foam_file(foam_class, name, {{"dimensions", dimensions}, {"internalField", inside}, {"boundaryField", boundary}});
+    return foam_file(foam_class, name,
+                     {{"dimensions", dimensions}, {"internalField", inside}, {"boundaryField", boundary}});
 }
 
 }  // namespace
@@ -24,25 +26,36 @@ std::string field(const CasePlan& plan, const char* foam_class, const char* name
 std::string alpha_water(const CasePlan& plan) {
     const auto open = [](Side side) -> Dictionary {
         if (side == Side::inlet) return {{"type", Word("fixedValue")}, {"value", uniform(0.0)}};
-        if (side == Side::outlet)   // keeps what arrives, within 0..1
-            return {{"type", Word("variableHeightFlowRate")}, {"lowerBound", 0}, {"upperBound", 1}, {"value", uniform(0.0)}};
-        return {{"type", Word("inletOutlet")}, {"inletValue", uniform(0.0)}, {"value", uniform(0.0)}};   // what flows in is air
+        if (side == Side::outlet)  // keeps what arrives, within 0..1
+            return {{"type", Word("variableHeightFlowRate")},
+                    {"lowerBound", 0},
+                    {"upperBound", 1},
+                    {"value", uniform(0.0)}};
+        return {{"type", Word("inletOutlet")},
+                {"inletValue", uniform(0.0)},
+                {"value", uniform(0.0)}};  // what flows in is air
     };
-    return field(plan, "volScalarField", "alpha.water", dimensionless, uniform(0.0), open, {{"type", Word("zeroGradient")}});
+    return field(plan, "volScalarField", "alpha.water", dimensionless, uniform(0.0), open,
+                 {{"type", Word("zeroGradient")}});
 }
 
-/// 0/U: water and air enter with the stream; the outlet's water keeps the mean speed of the stream, so that the level neither
-/// rises nor falls.
+/// 0/U: water and air enter with the stream; the outlet's water keeps the mean speed of the stream, so that the level
+/// neither rises nor falls.
 std::string velocity_field(const CasePlan& plan) {
     const double speed = plan.stream ? plan.scene->motion.speed : 0;
     const Value stream = uniform(Vec3(speed, 0, 0));
     const auto open = [&](Side side) -> Dictionary {
         if (side == Side::inlet) return {{"type", Word("fixedValue")}, {"value", stream}};
-        if (side == Side::outlet)   // Umean in v1912, UnMean later and at openfoam.org
-            return {{"type", Word("outletPhaseMeanVelocity")}, {"alpha", Word("alpha.water")}, {"Umean", speed}, {"UnMean", speed}, {"value", stream}};
+        if (side == Side::outlet)  // Umean in v1912, UnMean later and at openfoam.org
+            return {{"type", Word("outletPhaseMeanVelocity")},
+                    {"alpha", Word("alpha.water")},
+                    {"Umean", speed},
+                    {"UnMean", speed},
+                    {"value", stream}};
         return {{"type", Word("pressureInletOutletVelocity")}, {"tangentialVelocity", stream}, {"value", stream}};
     };
-    return field(plan, "volVectorField", "U", velocity, stream, open, {{"type", Word(plan.viscous ? "noSlip" : "slip")}});
+    return field(plan, "volVectorField", "U", velocity, stream, open,
+                 {{"type", Word(plan.viscous ? "noSlip" : "slip")}});
 }
 
 /// 0/p_rgh: pressure less the hydrostatic part rho g z.
@@ -52,11 +65,12 @@ std::string p_rgh(const CasePlan& plan) {
         if (side == Side::outlet) return {{"type", Word("zeroGradient")}};
         return {{"type", Word("totalPressure")}, {"p0", uniform(0.0)}, {"value", uniform(0.0)}};
     };
-    return field(plan, "volScalarField", "p_rgh", pressure, uniform(0.0), open, {{"type", Word("fixedFluxPressure")}, {"value", uniform(0.0)}});
+    return field(plan, "volScalarField", "p_rgh", pressure, uniform(0.0), open,
+                 {{"type", Word("fixedFluxPressure")}, {"value", uniform(0.0)}});
 }
 
-/// 0/k, omega, nut. nutUSpaldingWallFunction holds from the wall to the logarithmic layer; nutkWallFunction loses 80 % of the
-/// friction in a clean stream (measured).
+/// 0/k, omega, nut. nutUSpaldingWallFunction holds from the wall to the logarithmic layer; nutkWallFunction loses 80 %
+/// of the friction in a clean stream (measured).
 std::vector<CaseFile> turbulence_fields(const CasePlan& plan) {
     if (!plan.turbulent) return {};
     const auto clean_stream = [](double v) {
@@ -66,11 +80,16 @@ std::vector<CaseFile> turbulence_fields(const CasePlan& plan) {
         };
     };
     const auto calculated = [](Side) -> Dictionary { return {{"type", Word("calculated")}, {"value", uniform(0.0)}}; };
-    const auto wall = [](const char* type, double v) { return Dictionary{{"type", Word(type)}, {"value", uniform(v)}}; };
+    const auto wall = [](const char* type, double v) {
+        return Dictionary{{"type", Word(type)}, {"value", uniform(v)}};
+    };
     const double k = plan.inlet_k, omega = plan.inlet_omega;
-    return {{"0.orig/k", field(plan, "volScalarField", "k", specific_energy, uniform(k), clean_stream(k), wall("kqRWallFunction", k))},
-            {"0.orig/omega", field(plan, "volScalarField", "omega", per_second, uniform(omega), clean_stream(omega), wall("omegaWallFunction", omega))},
-            {"0.orig/nut", field(plan, "volScalarField", "nut", diffusivity, uniform(k / omega), calculated, wall("nutUSpaldingWallFunction", 0))}};
+    return {{"0.orig/k", field(plan, "volScalarField", "k", specific_energy, uniform(k), clean_stream(k),
+                               wall("kqRWallFunction", k))},
+            {"0.orig/omega", field(plan, "volScalarField", "omega", per_second, uniform(omega), clean_stream(omega),
+                                   wall("omegaWallFunction", omega))},
+            {"0.orig/nut", field(plan, "volScalarField", "nut", diffusivity, uniform(k / omega), calculated,
+                                 wall("nutUSpaldingWallFunction", 0))}};
 }
 
 }  // namespace tw

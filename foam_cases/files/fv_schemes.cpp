@@ -6,16 +6,19 @@ namespace tw {
 std::string fv_schemes(const CasePlan& plan) {
     Dictionary divergence{{"default", Word("none")}, {"div(rhoPhi,U)", Word("Gauss linearUpwind limitedGrad")}};
     if (plan.flavour.compression_in_scheme()) {
-        divergence.add("div(phi,alpha)", Value::sequence({Word("Gauss interfaceCompression vanLeer"), plan.scene->fvm.interface_compression}));
+        divergence.add("div(phi,alpha)", Value::sequence({Word("Gauss interfaceCompression vanLeer"),
+                                                          plan.scene->fvm.interface_compression}));
     } else {
         divergence.add("div(phi,alpha)", Word("Gauss vanLeer"));
         divergence.add("div(phirb,alpha)", Word("Gauss linear"));
     }
-    if (plan.turbulent) divergence.add({{"div(phi,k)", Word("Gauss upwind")}, {"div(phi,omega)", Word("Gauss upwind")}});
+    if (plan.turbulent)
+        divergence.add({{"div(phi,k)", Word("Gauss upwind")}, {"div(phi,omega)", Word("Gauss upwind")}});
     divergence.add("div(((rho*nuEff)*dev2(T(grad(U)))))", Word("Gauss linear"));
     return foam_file("dictionary", "fvSchemes",
                      {{"ddtSchemes", Dictionary{{"default", Word("Euler")}}},
-                      {"gradSchemes", Dictionary{{"default", Word("Gauss linear")}, {"limitedGrad", Word("cellLimited Gauss linear 1")}}},
+                      {"gradSchemes", Dictionary{{"default", Word("Gauss linear")},
+                                                 {"limitedGrad", Word("cellLimited Gauss linear 1")}}},
                       {"divSchemes", divergence},
                       {"laplacianSchemes", Dictionary{{"default", Word("Gauss linear limited corrected 0.5")}}},
                       {"interpolationSchemes", Dictionary{{"default", Word("linear")}}},

@@ -16,15 +16,19 @@ std::string fv_solution(const CasePlan& plan) {
                      {"relTol", 0},
                      {"minIter", 1}};
     if (!plan.flavour.compression_in_scheme())
-        alpha.add({{"cAlpha", plan.scene->fvm.interface_compression}, {"icAlpha", 0}});   // 1 lets twice the air under a hull (measured)
+        alpha.add({{"cAlpha", plan.scene->fvm.interface_compression},
+                   {"icAlpha", 0}});  // 1 lets twice the air under a hull (measured)
     const auto pressure_solver = [](double relative) {
-        return Dictionary{{"solver", Word("GAMG")}, {"smoother", Word("DIC")}, {"tolerance", 1e-7}, {"relTol", relative}};
+        return Dictionary{
+            {"solver", Word("GAMG")}, {"smoother", Word("DIC")}, {"tolerance", 1e-7}, {"relTol", relative}};
     };
-    const Dictionary preconditioner{{"preconditioner", Word("GAMG")}, {"smoother", Word("GaussSeidel")}, {"tolerance", 1e-5}, {"relTol", 0}};
+    const Dictionary preconditioner{
+        {"preconditioner", Word("GAMG")}, {"smoother", Word("GaussSeidel")}, {"tolerance", 1e-5}, {"relTol", 0}};
     Dictionary solvers;
     solvers.add(Key::pattern("alpha.water.*"), alpha);
-    solvers.add(Key::pattern("pcorr.*"),
-                Dictionary{{"solver", Word("PCG")}, {"preconditioner", preconditioner}, {"tolerance", 1e-5}, {"relTol", 0}});
+    solvers.add(
+        Key::pattern("pcorr.*"),
+        Dictionary{{"solver", Word("PCG")}, {"preconditioner", preconditioner}, {"tolerance", 1e-5}, {"relTol", 0}});
     solvers.add("p_rgh", pressure_solver(0.01));
     solvers.add("p_rghFinal", pressure_solver(0.001));
     solvers.add(Key::pattern("(U|k|omega).*"), Dictionary{{"solver", Word("smoothSolver")},

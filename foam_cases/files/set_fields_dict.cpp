@@ -14,14 +14,16 @@ std::vector<Box> water_boxes(const CasePlan& plan) {
         for (int a = 0; a < 3; ++a) {
             if (b.min[a] <= d.min[a]) b.min[a] -= beyond[a];
             if (b.max[a] >= d.max[a]) b.max[a] += beyond[a];
-            if (a == 1 && scene.domain.dimensions == 2) b.min[a] = d.min[a] - beyond[a], b.max[a] = d.max[a] + beyond[a];
+            if (a == 1 && scene.domain.dimensions == 2)
+                b.min[a] = d.min[a] - beyond[a], b.max[a] = d.max[a] + beyond[a];
         }
     return boxes;
 }
 
 }  // namespace
 
-/// system/setFieldsDict: water into cells whose centre lies in a block (block faces are cell faces, see case_plan.h), and onto the inlet.
+/// system/setFieldsDict: water into cells whose centre lies in a block (block faces are cell faces, see case_plan.h),
+/// and onto the inlet.
 std::string set_fields_dict(const CasePlan& plan) {
     const bool has_inlet = plan.stream;
     if (plan.flavour.set_fields_zones()) {
@@ -30,11 +32,18 @@ std::string set_fields_dict(const CasePlan& plan) {
         for (const Box& b : water_boxes(plan)) {
             const Dictionary values{{"alpha.water", 1}};
             const std::string name = "water" + std::to_string(n++);
-            zones.add(name, Dictionary{{"type", Word("box")}, {"zoneType", Word("cell")}, {"box", Value::sequence({b.min, b.max})}, {"values", values}});
+            zones.add(name, Dictionary{{"type", Word("box")},
+                                       {"zoneType", Word("cell")},
+                                       {"box", Value::sequence({b.min, b.max})},
+                                       {"values", values}});
             if (has_inlet)
-                zones.add(name + "Faces", Dictionary{{"type", Word("box")}, {"zoneType", Word("face")}, {"box", Value::sequence({b.min, b.max})}, {"values", values}});
+                zones.add(name + "Faces", Dictionary{{"type", Word("box")},
+                                                     {"zoneType", Word("face")},
+                                                     {"box", Value::sequence({b.min, b.max})},
+                                                     {"values", values}});
         }
-        return foam_file("dictionary", "setFieldsDict", {{"defaultValues", Dictionary{{"alpha.water", 0}}}, {"zones", zones}});
+        return foam_file("dictionary", "setFieldsDict",
+                         {{"defaultValues", Dictionary{{"alpha.water", 0}}}, {"zones", zones}});
     }
     const auto value = [](int v) { return Value::sequence({Word("volScalarFieldValue alpha.water"), v}); };
     List regions;

@@ -25,53 +25,70 @@ namespace {
 
 /// snappyHexMesh's own limits of mesh quality, with the openings it needs at sharp keels and chines.
 Dictionary mesh_quality() {
-    return {{"maxNonOrtho", 65},      {"maxBoundarySkewness", 20}, {"maxInternalSkewness", 4}, {"maxConcave", 80},
-            {"minVol", 1e-13},        {"minTetQuality", 1e-15},    {"minArea", -1},            {"minTwist", 0.02},
-            {"minDeterminant", 0.001}, {"minFaceWeight", 0.05},    {"minVolRatio", 0.02},      {"minTriangleTwist", -1},
-            {"nSmoothScale", 4},      {"errorReduction", 0.75},    {"relaxed", Dictionary{{"maxNonOrtho", 75}}}};
+    return {{"maxNonOrtho", 65},     {"maxBoundarySkewness", 20}, {"maxInternalSkewness", 4},
+            {"maxConcave", 80},      {"minVol", 1e-13},           {"minTetQuality", 1e-15},
+            {"minArea", -1},         {"minTwist", 0.02},          {"minDeterminant", 0.001},
+            {"minFaceWeight", 0.05}, {"minVolRatio", 0.02},       {"minTriangleTwist", -1},
+            {"nSmoothScale", 4},     {"errorReduction", 0.75},    {"relaxed", Dictionary{{"maxNonOrtho", 75}}}};
 }
 
 /// snappyHexMesh wants this dictionary even where no layers are added.
 Dictionary no_layers() {
-    return {{"relativeSizes", true},        {"layers", Dictionary{}},         {"expansionRatio", 1.5},
-            {"finalLayerThickness", 0.5},   {"minThickness", 0.05},           {"nGrow", 0},
-            {"featureAngle", 130},          {"nRelaxIter", 5},                {"nSmoothSurfaceNormals", 1},
-            {"nSmoothNormals", 3},          {"nSmoothThickness", 10},         {"maxFaceThicknessRatio", 0.5},
-            {"maxThicknessToMedialRatio", 0.5}, {"minMedianAxisAngle", 90},   {"minMedialAxisAngle", 90},
-            {"nBufferCellsNoExtrude", 0},   {"nLayerIter", 50},               {"nRelaxedIter", 20}};
+    return {{"relativeSizes", true},
+            {"layers", Dictionary{}},
+            {"expansionRatio", 1.5},
+            {"finalLayerThickness", 0.5},
+            {"minThickness", 0.05},
+            {"nGrow", 0},
+            {"featureAngle", 130},
+            {"nRelaxIter", 5},
+            {"nSmoothSurfaceNormals", 1},
+            {"nSmoothNormals", 3},
+            {"nSmoothThickness", 10},
+            {"maxFaceThicknessRatio", 0.5},
+            {"maxThicknessToMedialRatio", 0.5},
+            {"minMedianAxisAngle", 90},
+            {"minMedialAxisAngle", 90},
+            {"nBufferCellsNoExtrude", 0},
+            {"nLayerIter", 50},
+            {"nRelaxedIter", 20}};
 }
 
 }  // namespace
 
-/// system/snappyHexMeshDict: refinement in the scene's boxes, solids cut out and snapped to. No prism layers: air smeared
-/// by the interface scheme collects in them and halves the friction (measured).
+/// system/snappyHexMeshDict: refinement in the scene's boxes, solids cut out and snapped to. No prism layers: air
+/// smeared by the interface scheme collects in them and halves the friction (measured).
 std::string snappy_hex_mesh_dict(const CasePlan& plan) {
     Dictionary geometry, surfaces, regions;
     List features;
     for (const Solid& s : plan.solids) {
         const int level = s.is_hull ? plan.surface_level : std::max(plan.surface_level, plan.wet_level);
         geometry.add(s.name + ".stl", Dictionary{{"type", Word("triSurfaceMesh")}, {"name", Word(s.name)}});
-        features.push_back(Dictionary{{"file", Quoted(s.name + ".eMesh")}, {"level", s.is_hull ? plan.feature_level : level}});
-        surfaces.add(s.name, Dictionary{{"level", List{level, level}}, {"patchInfo", Dictionary{{"type", Word("wall")}}}});
+        features.push_back(
+            Dictionary{{"file", Quoted(s.name + ".eMesh")}, {"level", s.is_hull ? plan.feature_level : level}});
+        surfaces.add(s.name,
+                     Dictionary{{"level", List{level, level}}, {"patchInfo", Dictionary{{"type", Word("wall")}}}});
     }
     for (const RefinementBox& b : plan.boxes) {
         geometry.add(b.name, Dictionary{{"type", Word("searchableBox")}, {"min", b.box.min}, {"max", b.box.max}});
-        regions.add(b.name, Dictionary{{"mode", Word("inside")}, {"level", List{1e15, b.level}}, {"levels", List{List{1e15, b.level}}}});
+        regions.add(b.name, Dictionary{{"mode", Word("inside")},
+                                       {"level", List{1e15, b.level}},
+                                       {"levels", List{List{1e15, b.level}}}});
     }
-    const Dictionary castellation{{"maxLocalCells", 100000000},
-                                  {"maxGlobalCells", 200000000},
-                                  {"minRefinementCells", 0},
-                                  {"maxLoadUnbalance", 0.1},
-                                  {"nCellsBetweenLevels", 3},
-                                  {"features", features},
-                                  {"refinementSurfaces", surfaces},
-                                  {"resolveFeatureAngle", 30},
-                                  {"refinementRegions", regions},
-                                  {"locationInMesh", plan.point_in_fluid},
+    const Dictionary castellation{{"maxLocalCells", 100000000},        {"maxGlobalCells", 200000000},
+                                  {"minRefinementCells", 0},           {"maxLoadUnbalance", 0.1},
+                                  {"nCellsBetweenLevels", 3},          {"features", features},
+                                  {"refinementSurfaces", surfaces},    {"resolveFeatureAngle", 30},
+                                  {"refinementRegions", regions},      {"locationInMesh", plan.point_in_fluid},
                                   {"allowFreeStandingZoneFaces", true}};
-    const Dictionary snapping{{"nSmoothPatch", 3},          {"tolerance", 2.0},           {"nSolveIter", 50},
-                              {"nRelaxIter", 5},            {"nFeatureSnapIter", 10},     {"implicitFeatureSnap", false},
-                              {"explicitFeatureSnap", true}, {"multiRegionFeatureSnap", false}};
+    const Dictionary snapping{{"nSmoothPatch", 3},
+                              {"tolerance", 2.0},
+                              {"nSolveIter", 50},
+                              {"nRelaxIter", 5},
+                              {"nFeatureSnapIter", 10},
+                              {"implicitFeatureSnap", false},
+                              {"explicitFeatureSnap", true},
+                              {"multiRegionFeatureSnap", false}};
     return foam_file("dictionary", "snappyHexMeshDict",
                      {{"castellatedMesh", true},
                       {"snap", !plan.solids.empty()},

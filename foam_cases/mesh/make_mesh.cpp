@@ -13,7 +13,8 @@ namespace {
 
 /// Whatever an earlier, unfinished try left: mesh, times, decomposition, results.
 void clear_results(const fs::path& folder) {
-    std::vector<fs::path> old{folder / "constant/polyMesh", folder / "postProcessing", folder / "0", folder / "log.solver"};
+    std::vector<fs::path> old{folder / "constant/polyMesh", folder / "postProcessing", folder / "0",
+                              folder / "log.solver"};
     for (const auto& e : fs::directory_iterator(folder)) {
         const std::string name = e.path().filename().string();
         if (e.is_directory() && (time_of(name) || name.rfind("processor", 0) == 0)) old.push_back(e.path());
@@ -35,11 +36,12 @@ void read_check(const std::string& text, MeshOutcome& out) {
 
 }  // namespace
 
-MeshOutcome make_mesh(const CasePlan& plan, const CasePrograms& programs, const std::function<int(double)>& ranks_for, const Watch& watch,
-                      const std::function<void(const std::string&)>& starting) {
+MeshOutcome make_mesh(const CasePlan& plan, const CasePrograms& programs, const std::function<int(double)>& ranks_for,
+                      const Watch& watch, const std::function<void(const std::string&)>& starting) {
     const fs::path& folder = programs.case_folder();
     MeshOutcome out;
-    const auto step = [&](const std::string& program, const std::vector<std::string>& arguments, const std::string& log_name = {}) {
+    const auto step = [&](const std::string& program, const std::vector<std::string>& arguments,
+                          const std::string& log_name = {}) {
         if (out.stopped) return;
         starting(program);
         const Ended ended = programs.run(program, arguments, watch, log_name);

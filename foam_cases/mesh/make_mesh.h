@@ -5,17 +5,19 @@
 namespace tw {
 
 struct MeshOutcome {
-    bool stopped = false;       ///< the watch asked for it
+    bool stopped = false;  ///< the watch asked for it
     double cells = 0;
-    bool clean = true;          ///< checkMesh said "Mesh OK"
-    std::string check;          ///< else what it found
+    bool clean = true;  ///< checkMesh said "Mesh OK"
+    std::string check;  ///< else what it found
     double cpu = 0, peak_memory = 0;
     int ranks = 1;
 };
 
-/// blockMesh, surface features, snappyHexMesh, checkMesh, renumberMesh, fields of 0, water, cell centres and volumes, decomposition.
-/// `ranks_for` decides by the number of cells. `starting` hears the name of each program. Throws RunError when one fails.
-MeshOutcome make_mesh(const CasePlan& plan, const CasePrograms& programs, const std::function<int(double cells)>& ranks_for,
-                      const Watch& watch, const std::function<void(const std::string&)>& starting);
+/// blockMesh, surface features, snappyHexMesh, checkMesh, renumberMesh, fields of 0, water, cell centres and volumes,
+/// decomposition. `ranks_for` decides by the number of cells. `starting` hears the name of each program. Throws
+/// RunError when one fails.
+MeshOutcome make_mesh(const CasePlan& plan, const CasePrograms& programs,
+                      const std::function<int(double cells)>& ranks_for, const Watch& watch,
+                      const std::function<void(const std::string&)>& starting);
 
 }  // namespace tw

@@ -42,7 +42,8 @@ FieldFile read_field(const std::filesystem::path& file) {
     const std::string_view header = std::string_view(text).substr(0, internal);
     FieldFile field;
     const std::string_view field_class = entry(header, "class ");
-    if (field_class == "volVectorField") field.components = 3;
+    if (field_class == "volVectorField")
+        field.components = 3;
     else if (field_class != "volScalarField" && field_class != "volScalarField::Internal")
         throw fail("is a '" + std::string(field_class) + "', expected a volScalarField or volVectorField");
     const bool binary = entry(header, "format ") == "binary";
@@ -54,11 +55,13 @@ FieldFile read_field(const std::filesystem::path& file) {
     if (rest.rfind("uniform", 0) == 0) {
         field.uniform = true;
         field.values = numbers_in(rest.substr(7, rest.find(';') - 7));
-        if (field.values.size() != n) throw fail("holds a uniform value of " + std::to_string(field.values.size()) + " numbers");
+        if (field.values.size() != n)
+            throw fail("holds a uniform value of " + std::to_string(field.values.size()) + " numbers");
         return field;
     }
     const std::size_t list = rest.find('>');
-    if (rest.rfind("nonuniform", 0) != 0 || list == std::string_view::npos) throw fail("holds an internalField of an unknown form");
+    if (rest.rfind("nonuniform", 0) != 0 || list == std::string_view::npos)
+        throw fail("holds an internalField of an unknown form");
     rest.remove_prefix(list + 1);
     rest.remove_prefix(std::min(rest.find_first_not_of(" \t\n"), rest.size()));
     std::size_t cells = 0;

@@ -7,12 +7,12 @@
 
 namespace tw {
 
-/// Internal values of a volume field as OpenFOAM writes it: ascii or binary, single or double precision, uniform or one value
-/// per cell. `components` is 1 (volScalarField) or 3 (volVectorField).
+/// Internal values of a volume field as OpenFOAM writes it: ascii or binary, single or double precision, uniform or one
+/// value per cell. `components` is 1 (volScalarField) or 3 (volVectorField).
 struct FieldFile {
     int components = 1;
     bool uniform = false;
-    std::vector<double> values;   ///< one tuple when uniform
+    std::vector<double> values;  ///< one tuple when uniform
 
     std::size_t cells() const { return values.size() / static_cast<std::size_t>(components); }
     double scalar(std::size_t cell) const { return values[uniform ? 0 : cell]; }

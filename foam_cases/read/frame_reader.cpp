@@ -50,7 +50,8 @@ void keep_picture(const HullPatch& patch, bool half, RunRecord& record) {
 
 }  // namespace
 
-FrameReader::FrameReader(const CasePlan& plan, const fs::path& case_folder) : plan_(plan), case_(case_folder), folders_(case_folder) {
+FrameReader::FrameReader(const CasePlan& plan, const fs::path& case_folder)
+    : plan_(plan), case_(case_folder), folders_(case_folder) {
     for (const fs::path& root : folders_.roots()) {
         const FieldFile centres = read_field(root / "0" / "C"), volumes = read_field(root / "0" / "V");
         Part part;
@@ -118,19 +119,22 @@ void FrameReader::read_hull(const TimeFolders::Moment& moment, RunRecord& record
         c.values.resize(samples.time.size() - 1, std::nan(""));
         c.values.push_back(value);
     };
-    if (!patch) {   // the solver was stopped before it wrote the surface
+    if (!patch) {  // the solver was stopped before it wrote the surface
         for (Column& c : samples.columns) c.values.resize(samples.time.size(), std::nan(""));
         return;
     }
     const double factor = scene.symmetry_factor();
-    if (record.numbers.count("hull_mesh_error") == 0) {   // once: corners near and below still water
+    if (record.numbers.count("hull_mesh_error") == 0) {  // once: corners near and below still water
         const Vec3 low = scene.hull->surface.bounds().min;
         const double edge = plan_.finest_cell;
-        const double error = mesh_error(*patch, scene.hull->surface, factor > 1 ? -1e-6 * edge : low.y(), std::max(0.0, 0.3 * std::abs(low.z())));
+        const double error = mesh_error(*patch, scene.hull->surface, factor > 1 ? -1e-6 * edge : low.y(),
+                                        std::max(0.0, 0.3 * std::abs(low.z())));
         record.numbers["hull_mesh_error"] = error;
         if (error > 0.15 * edge)
-            record.attributes["mesh_warning"] = fmt::format("an edge or corner of the hull's wet part is missed by {:.3g} m, {:.2g} of the finest cell: "
-                                                            "the force may be off by much; use a smaller near_hull", error, error / edge);
+            record.attributes["mesh_warning"] = fmt::format(
+                "an edge or corner of the hull's wet part is missed by {:.3g} m, {:.2g} of the finest cell: "
+                "the force may be off by much; use a smaller near_hull",
+                error, error / edge);
     }
     const WaterLoad load = water_load(*patch, scene.water.density, scene.water.air_density, moment_reference(scene));
     // The two halves' side forces cancel.
@@ -159,7 +163,8 @@ void FrameReader::read_hull(const TimeFolders::Moment& moment, RunRecord& record
 void forget_after(RunRecord& record, double time) {
     const double limit = time * (1 + 1e-9);
     for (auto& [name, table] : record.tables) {
-        const auto keep = static_cast<std::size_t>(std::upper_bound(table.time.begin(), table.time.end(), limit) - table.time.begin());
+        const auto keep = static_cast<std::size_t>(std::upper_bound(table.time.begin(), table.time.end(), limit) -
+                                                   table.time.begin());
         table.time.resize(keep);
         for (Column& c : table.columns) c.values.resize(keep);
     }

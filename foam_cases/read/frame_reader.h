@@ -8,19 +8,20 @@
 
 namespace tw {
 
-/// Turns what the solver leaves at its write times into rows of the run record: water poured into the raster, mass, energies, the
-/// water's load on the hull. Half-model results are doubled here, once.
+/// Turns what the solver leaves at its write times into rows of the run record: water poured into the raster, mass,
+/// energies, the water's load on the hull. Half-model results are doubled here, once.
 class FrameReader {
 public:
     /// Reads cell centres and volumes from the 0 folders; throws RunError when they are not there.
     FrameReader(const CasePlan& plan, const std::filesystem::path& case_folder);
 
     std::size_t cells() const;
-    /// Adds the write time to `record` (tables forces and samples, raster frames, hull pictures). The folder must be whole.
+    /// Adds the write time to `record` (tables forces and samples, raster frames, hull pictures). The folder must be
+    /// whole.
     void read(const TimeFolders::Moment& moment, const SolverLog& log, RunRecord& record);
 
 private:
-    struct Part {   ///< one root: the case or a processor's share
+    struct Part {  ///< one root: the case or a processor's share
         std::vector<Vec3> centres;
         std::vector<double> volumes;
     };
@@ -33,8 +34,8 @@ private:
     std::vector<Part> parts_;
 };
 
-/// Tables that hold every step: forces_total (water and air together), pressure and height of the probes. They are made anew
-/// from the files each time, and fx_total, fz_total and the air's part are added to the table forces.
+/// Tables that hold every step: forces_total (water and air together), pressure and height of the probes. They are made
+/// anew from the files each time, and fx_total, fz_total and the air's part are added to the table forces.
 void read_step_tables(const CasePlan& plan, const std::filesystem::path& case_folder, RunRecord& record);
 
 /// Drops rows and frames later than `time`: the run goes on from there.

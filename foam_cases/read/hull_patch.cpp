@@ -65,12 +65,14 @@ std::optional<HullPatch> read_hull_patch(const fs::path& folder) {
         vtkIdType count = 0;
         const vtkIdType* ids = nullptr;
         polygons->GetCurrentCell(count, ids);
-        const auto point = [&](vtkIdType k) -> const Vec3& { return patch.surface.points[static_cast<std::size_t>(ids[k % count])]; };
+        const auto point = [&](vtkIdType k) -> const Vec3& {
+            return patch.surface.points[static_cast<std::size_t>(ids[k % count])];
+        };
         HullPatch::Face face;
         Vec3 middle = Vec3::Zero();
         for (vtkIdType k = 0; k < count; ++k) middle += point(k) / static_cast<double>(count);
         double weight = 0;
-        for (vtkIdType k = 0; k < count; ++k) {   // a fan round the middle: exact area vector, area-weighted centre
+        for (vtkIdType k = 0; k < count; ++k) {  // a fan round the middle: exact area vector, area-weighted centre
             const Vec3 part = 0.5 * (point(k) - middle).cross(point(k + 1) - middle);
             face.area += part;
             face.centre += part.norm() * (point(k) + point(k + 1) + middle) / 3;
@@ -80,8 +82,9 @@ std::optional<HullPatch> read_hull_patch(const fs::path& folder) {
         face.pressure = p->GetTuple1(face_number);
         face.water = std::clamp(alpha->GetTuple1(face_number), 0.0, 1.0);
         if (shear != nullptr) face.shear = Vec3(shear->GetTuple3(face_number));
-        for (vtkIdType k = 1; k + 1 < count; ++k) {   // turned round: out of the hull
-            patch.surface.triangles.push_back({static_cast<int>(ids[0]), static_cast<int>(ids[k + 1]), static_cast<int>(ids[k])});
+        for (vtkIdType k = 1; k + 1 < count; ++k) {  // turned round: out of the hull
+            patch.surface.triangles.push_back(
+                {static_cast<int>(ids[0]), static_cast<int>(ids[k + 1]), static_cast<int>(ids[k])});
             patch.face_of_triangle.push_back(static_cast<int>(face_number));
         }
         patch.faces.push_back(face);
@@ -111,7 +114,7 @@ WaterLoad water_load(const HullPatch& patch, double density, double density_air,
             load.pressure += pressing;
             load.viscous_mixture += mixture;
             load.moment += (f.centre - reference).cross(pressing);
-            if (f.area.z() > 0.3 * area) {   // area points into the hull: up where the hull looks down
+            if (f.area.z() > 0.3 * area) {  // area points into the hull: up where the hull looks down
                 looking_down += area;
                 water_below += area * f.water;
             }

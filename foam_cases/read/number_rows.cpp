@@ -15,7 +15,8 @@ std::vector<double> numbers_in(std::string_view line) {
         const bool begins = (*p >= '0' && *p <= '9') || *p == '-' || *p == '+' || *p == '.' || *p == 'n' || *p == 'i';
         double value = 0;
         const char* from = p + (*p == '+' ? 1 : 0);
-        const auto [after, error] = begins ? std::from_chars(from, end, value) : std::from_chars_result{p, std::errc::invalid_argument};
+        const auto [after, error] =
+            begins ? std::from_chars(from, end, value) : std::from_chars_result{p, std::errc::invalid_argument};
         if (error == std::errc{}) {
             out.push_back(value);
             p = after;
@@ -38,14 +39,15 @@ std::vector<std::vector<double>> joined_rows(const fs::path& function_object, co
     std::map<double, fs::path> starts;
     std::error_code none;
     for (const auto& e : fs::directory_iterator(function_object, none))
-        if (const auto t = time_of(e.path().filename().string()); t && fs::exists(e.path() / file)) starts[*t] = e.path() / file;
+        if (const auto t = time_of(e.path().filename().string()); t && fs::exists(e.path() / file))
+            starts[*t] = e.path() / file;
     std::vector<std::vector<double>> rows;
     std::size_t width = 0;
     for (const auto& [start, path] : starts) {
         std::ifstream in(path, std::ios::binary);
         std::string line;
         while (std::getline(in, line)) {
-            if (line.empty() || line[0] == '#' || in.eof()) continue;   // a last line without its end was being written
+            if (line.empty() || line[0] == '#' || in.eof()) continue;  // a last line without its end was being written
             std::vector<double> row = numbers_in(line);
             if (row.empty()) continue;
             width = std::max(width, row.size());

@@ -11,13 +11,15 @@ namespace {
 
 using Rows = std::vector<std::vector<double>>;
 
-/// Pressure and viscous parts (and their moments) from the `forces` function object, in the order force x y z, moment x y z.
+/// Pressure and viscous parts (and their moments) from the `forces` function object, in the order force x y z, moment x
+/// y z.
 struct StepLoads {
     std::vector<double> time;
     std::vector<std::array<double, 6>> pressure, viscous;
 };
 
-/// openfoam.com: force.dat and moment.dat, each total, pressure, viscous. openfoam.org: forces.dat with ((pressure) (viscous))
+/// openfoam.com: force.dat and moment.dat, each total, pressure, viscous. openfoam.org: forces.dat with ((pressure)
+/// (viscous))
 /// ((pressure) (viscous)), porous parts behind in some releases.
 StepLoads read_loads(const fs::path& folder) {
     StepLoads out;
@@ -47,11 +49,13 @@ void read_forces(const CasePlan& plan, const fs::path& case_folder, RunRecord& r
     Table& t = record.table("forces_total");
     t.time = loads.time;
     t.columns.clear();
-    const auto column = [&](const char* name, const char* unit, double scale, std::size_t k, bool with_pressure, bool with_viscous) {
+    const auto column = [&](const char* name, const char* unit, double scale, std::size_t k, bool with_pressure,
+                            bool with_viscous) {
         Column& c = t.column(name, unit);
         c.values.clear();
         for (std::size_t i = 0; i < loads.time.size(); ++i)
-            c.values.push_back(scale * ((with_pressure ? loads.pressure[i][k] : 0) + (with_viscous ? loads.viscous[i][k] : 0)) + 0.0);
+            c.values.push_back(
+                scale * ((with_pressure ? loads.pressure[i][k] : 0) + (with_viscous ? loads.viscous[i][k] : 0)) + 0.0);
     };
     column("fx", "N", factor, 0, true, true);
     column("fy", "N", side, 1, true, true);
@@ -92,8 +96,8 @@ void read_pressure(const CasePlan& plan, const fs::path& post, RunRecord& record
     }
 }
 
-/// Elevation of the water at a height probe: the foot of the column plus the water in it, sum of alpha dz. Overturning water counts with
-/// what it holds, as a capacitive wave gauge would.
+/// Elevation of the water at a height probe: the foot of the column plus the water in it, sum of alpha dz. Overturning
+/// water counts with what it holds, as a capacitive wave gauge would.
 void read_heights(const CasePlan& plan, const fs::path& post, RunRecord& record) {
     const auto& probes = plan.scene->sampling.height;
     if (probes.empty()) return;
@@ -110,7 +114,8 @@ void read_heights(const CasePlan& plan, const fs::path& post, RunRecord& record)
         for (std::size_t i = 0; i < probes.size(); ++i) {
             double level = plan.scene->domain.box.min.z();
             for (const auto& point : plan.height_columns[i])
-                if (const double alpha = found(row[at++]); std::isfinite(alpha)) level += std::clamp(alpha, 0.0, 1.0) * point.height;
+                if (const double alpha = found(row[at++]); std::isfinite(alpha))
+                    level += std::clamp(alpha, 0.0, 1.0) * point.height;
             t.columns[i].values.push_back(level);
         }
     }

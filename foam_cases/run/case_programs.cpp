@@ -20,7 +20,8 @@ namespace {
 bool openfoam_takes(const fs::path& path) {
     const std::string text = path.string();
     return std::all_of(text.begin(), text.end(), [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || std::string_view("_./+-").find(c) != std::string_view::npos;
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               std::string_view("_./+-").find(c) != std::string_view::npos;
     });
 }
 }  // namespace
@@ -43,16 +44,17 @@ CasePrograms::~CasePrograms() {
 
 fs::path CasePrograms::find_mpirun() const { return find_program(environment_, "mpirun"); }
 
-std::unique_ptr<Child> CasePrograms::start(const fs::path& program, std::vector<std::string> arguments, const std::string& log_name,
-                                           int ranks) const {
+std::unique_ptr<Child> CasePrograms::start(const fs::path& program, std::vector<std::string> arguments,
+                                           const std::string& log_name, int ranks) const {
     fs::path path = program;
     if (!program.has_parent_path()) {
         path = openfoam_.bin / program;
         if (!fs::exists(path)) path = find_program(environment_, program.string());
     }
     if (path.empty() || !fs::exists(path))
-        throw RunError(fmt::format("'{}' is not in the OpenFOAM installation {} (programs in {}); its package is not complete", program.string(),
-                                   openfoam_.project_dir.string(), openfoam_.bin.string()));
+        throw RunError(
+            fmt::format("'{}' is not in the OpenFOAM installation {} (programs in {}); its package is not complete",
+                        program.string(), openfoam_.project_dir.string(), openfoam_.bin.string()));
     if (!link_.empty()) arguments.insert(arguments.end(), {"-case", link_.string()});
     Command command{path, arguments};
     if (ranks > 1) {
@@ -60,7 +62,8 @@ std::unique_ptr<Child> CasePrograms::start(const fs::path& program, std::vector<
         if (mpirun.empty()) throw RunError("mpirun is not on the PATH; install openmpi-bin, or run with one thread");
         // Not bound to cores and yielding while they wait: ranks share the machine with whatever else runs on it.
         command.program = mpirun;
-        command.arguments = {"-np", std::to_string(ranks), "--bind-to", "none", "--mca", "mpi_yield_when_idle", "1", path.string()};
+        command.arguments = {"-np",   std::to_string(ranks), "--bind-to", "none",
+                             "--mca", "mpi_yield_when_idle", "1",         path.string()};
         command.arguments.insert(command.arguments.end(), arguments.begin(), arguments.end());
         command.arguments.push_back("-parallel");
     }
@@ -71,13 +74,15 @@ Ended CasePrograms::run(const fs::path& program, const std::vector<std::string>&
                         const std::string& log_name) const {
     const std::string name = log_name.empty() ? program.filename().string() : log_name;
     std::error_code none;
-    fs::remove(log(name), none);   // of an earlier try
+    fs::remove(log(name), none);  // of an earlier try
     const auto child = start(program, arguments, name);
     for (double pause = 0.005;; pause = std::min(0.1, 1.5 * pause)) {
         if (const auto ended = child->poll()) {
             if (ended->ok()) return *ended;
-            throw RunError(fmt::format("{} failed ({}):\n{}", name, ended->signal != 0 ? signal_in_words(ended->signal) : fmt::format("exit status {}", ended->status),
-                                       why_it_failed(log(name))));
+            throw RunError(fmt::format(
+                "{} failed ({}):\n{}", name,
+                ended->signal != 0 ? signal_in_words(ended->signal) : fmt::format("exit status {}", ended->status),
+                why_it_failed(log(name))));
         }
         if (watch && watch(*child)) {
             child->signal_group(SIGKILL);

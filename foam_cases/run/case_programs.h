@@ -11,11 +11,12 @@
 
 namespace tw {
 
-/// What a run of child processes reports and asks while it waits, several times a second. Return true to stop the child.
+/// What a run of child processes reports and asks while it waits, several times a second. Return true to stop the
+/// child.
 using Watch = std::function<bool(Child&)>;
 
-/// Runs OpenFOAM programs in one case. OpenFOAM refuses paths with blanks, quotes and the like; such a case is reached through a
-/// symbolic link in the system's temporary folder, which lives as long as this object.
+/// Runs OpenFOAM programs in one case. OpenFOAM refuses paths with blanks, quotes and the like; such a case is reached
+/// through a symbolic link in the system's temporary folder, which lives as long as this object.
 class CasePrograms {
 public:
     CasePrograms(const OpenFoam& openfoam, std::filesystem::path case_folder);
@@ -23,11 +24,12 @@ public:
     CasePrograms(const CasePrograms&) = delete;
     CasePrograms& operator=(const CasePrograms&) = delete;
 
-    /// Starts `program` (a name: looked for in the installation; or a path), on `ranks` processes through mpirun when > 1; output is
-    /// appended to log.<log_name>. Throws RunError when the program or mpirun is not there.
-    std::unique_ptr<Child> start(const std::filesystem::path& program, std::vector<std::string> arguments, const std::string& log_name,
-                                 int ranks = 1) const;
-    /// Runs to the end. Throws RunError with the program's own message when it fails; returns early (status not 0) when `watch` stopped it.
+    /// Starts `program` (a name: looked for in the installation; or a path), on `ranks` processes through mpirun when >
+    /// 1; output is appended to log.<log_name>. Throws RunError when the program or mpirun is not there.
+    std::unique_ptr<Child> start(const std::filesystem::path& program, std::vector<std::string> arguments,
+                                 const std::string& log_name, int ranks = 1) const;
+    /// Runs to the end. Throws RunError with the program's own message when it fails; returns early (status not 0) when
+    /// `watch` stopped it.
     Ended run(const std::filesystem::path& program, const std::vector<std::string>& arguments, const Watch& watch,
               const std::string& log_name = {}) const;
 

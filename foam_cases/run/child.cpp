@@ -15,7 +15,9 @@
 
 namespace tw {
 
-double wall_clock() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+double wall_clock() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 namespace {
 std::vector<char*> pointers(const std::vector<std::string>& texts) {
@@ -35,14 +37,14 @@ Child::Child(const Command& command, const std::vector<std::string>& environment
     const std::vector<char*> argv = pointers(texts), envp = pointers(environment);
     const int out = ::open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
     if (out < 0) throw RunError(log.string() + ": cannot be written: " + std::strerror(errno));
-    int report[2];   // the child writes errno here when it cannot start the program
+    int report[2];  // the child writes errno here when it cannot start the program
     if (::pipe2(report, O_CLOEXEC) != 0) {
         ::close(out);
         throw RunError(std::string("no pipe for a child process: ") + std::strerror(errno));
     }
     const pid_t parent = ::getpid();
     pid_ = ::fork();
-    if (pid_ == 0) {   // only async-signal-safe calls from here to execve
+    if (pid_ == 0) {  // only async-signal-safe calls from here to execve
         ::setpgid(0, 0);
         ::prctl(PR_SET_PDEATHSIG, SIGTERM);
         const int null = ::open("/dev/null", O_RDONLY);
@@ -61,7 +63,7 @@ Child::Child(const Command& command, const std::vector<std::string>& environment
     ::close(report[1]);
     int error = pid_ < 0 ? fork_error : 0;
     if (pid_ > 0) {
-        ::setpgid(pid_, pid_);   // whichever of the two comes first
+        ::setpgid(pid_, pid_);  // whichever of the two comes first
         if (::read(report[0], &error, sizeof error) != static_cast<ssize_t>(sizeof error)) error = 0;
     }
     ::close(report[0]);
@@ -89,9 +91,11 @@ std::optional<Ended> Child::collect(int options) {
     Ended e;
     e.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
     e.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + e.signal;
-    if (e.signal == 0 && e.status > 128 && e.status < 160) e.signal = e.status - 128;   // mpirun hands it on this way
+    if (e.signal == 0 && e.status > 128 && e.status < 160) e.signal = e.status - 128;  // mpirun hands it on this way
     e.wall = wall_clock() - started_;
-    const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
+    const auto seconds = [](const timeval& t) {
+        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+    };
     e.cpu = seconds(used.ru_utime) + seconds(used.ru_stime);
     e.peak_memory = 1024.0 * static_cast<double>(used.ru_maxrss);
     ended_ = e;

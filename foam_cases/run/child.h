@@ -15,25 +15,25 @@ struct Command {
 };
 
 struct Ended {
-    int status = 0;            ///< exit status; 128 + signal when a signal ended it
+    int status = 0;  ///< exit status; 128 + signal when a signal ended it
     int signal = 0;
     double wall = 0, cpu = 0;  ///< [s], its own children included
     double peak_memory = 0;    ///< [bytes], of the largest process
     bool ok() const { return status == 0; }
 };
 
-/// A child process in a process group of its own; its output is appended to a log file. It is ended with its parent, whatever
-/// ends that.
+/// A child process in a process group of its own; its output is appended to a log file. It is ended with its parent,
+/// whatever ends that.
 class Child {
 public:
     /// `environment`: "NAME=value" each. Throws RunError when the program cannot be started.
     Child(const Command& command, const std::vector<std::string>& environment, const std::filesystem::path& folder,
           const std::filesystem::path& log);
-    ~Child();   ///< kills what still runs
+    ~Child();  ///< kills what still runs
     Child(const Child&) = delete;
     Child& operator=(const Child&) = delete;
 
-    std::optional<Ended> poll();   ///< set once it has ended
+    std::optional<Ended> poll();  ///< set once it has ended
     Ended wait();
     void signal_group(int number);
     pid_t pid() const { return pid_; }
@@ -45,7 +45,7 @@ private:
     std::optional<Ended> ended_;
 };
 
-double wall_clock();   ///< monotonic [s]
+double wall_clock();  ///< monotonic [s]
 
 /// "Floating point exception (a division by zero or an overflow in the flow)" and the like.
 std::string signal_in_words(int number);

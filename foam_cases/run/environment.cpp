@@ -17,8 +17,8 @@ std::string library_path(const OpenFoam& openfoam) {
         std::error_code none;
         if (fs::is_directory(p, none)) path += (path.empty() ? "" : ":") + p.string();
     };
-    const fs::path lib = openfoam.bin.parent_path() / "lib";   // platforms/<options>/lib beside .../bin
-    if (!fs::exists(lib / "libOpenFOAM.so")) return path;      // Debian's layout: the linker knows where they are
+    const fs::path lib = openfoam.bin.parent_path() / "lib";  // platforms/<options>/lib beside .../bin
+    if (!fs::exists(lib / "libOpenFOAM.so")) return path;     // Debian's layout: the linker knows where they are
     std::error_code none;
     std::vector<fs::path> inner;
     for (const auto& e : fs::directory_iterator(lib, none))
@@ -30,7 +30,8 @@ std::string library_path(const OpenFoam& openfoam) {
     });
     for (const fs::path& p : inner) append(p);
     append(lib);
-    for (const fs::path& third : {openfoam.project_dir / "ThirdParty", openfoam.project_dir.parent_path() / ("ThirdParty-" + openfoam.version)})
+    for (const fs::path& third :
+         {openfoam.project_dir / "ThirdParty", openfoam.project_dir.parent_path() / ("ThirdParty-" + openfoam.version)})
         for (const auto& options : fs::directory_iterator(third / "platforms", none)) {
             append(options.path() / "lib");
             append(options.path() / "lib64");
@@ -57,7 +58,7 @@ std::vector<std::string> environment_of(const OpenFoam& openfoam) {
     variables["WM_PROJECT_DIR"] = openfoam.project_dir.string();
     variables["FOAM_ETC"] = (openfoam.project_dir / "etc").string();
     variables["WM_PROJECT_VERSION"] = openfoam.version;
-    variables["FOAM_SIGFPE"] = "true";   // a division by zero ends the run instead of spreading
+    variables["FOAM_SIGFPE"] = "true";  // a division by zero ends the run instead of spreading
     variables["LC_ALL"] = "C";
     for (const char* name : {"FOAM_CASE", "FOAM_CASENAME", "WM_PROJECT_SITE"}) variables.erase(name);
     if (::geteuid() == 0) variables["OMPI_ALLOW_RUN_AS_ROOT"] = variables["OMPI_ALLOW_RUN_AS_ROOT_CONFIRM"] = "1";

@@ -7,8 +7,8 @@
 
 namespace tw {
 
-/// Environment in which programs of an installation run: the caller's, with WM_PROJECT_DIR, PATH and LD_LIBRARY_PATH of that
-/// installation in front, in place of sourcing its shell scripts.
+/// Environment in which programs of an installation run: the caller's, with WM_PROJECT_DIR, PATH and LD_LIBRARY_PATH of
+/// that installation in front, in place of sourcing its shell scripts.
 std::vector<std::string> environment_of(const OpenFoam& openfoam);
 
 /// First program of that name on the PATH of the environment; empty when there is none.

@@ -46,12 +46,13 @@ long long follow(const fs::path& file, long long offset, SolverLog& log) {
     return offset;
 }
 
-SolverOutcome solve(const CasePlan& plan, const CasePrograms& programs, int ranks, SolverLog& log, const std::function<bool()>& growing) {
+SolverOutcome solve(const CasePlan& plan, const CasePrograms& programs, int ranks, SolverLog& log,
+                    const std::function<bool()>& growing) {
     const fs::path stop_file = programs.case_folder() / "stop", log_file = programs.log("solver");
     std::error_code none;
     fs::remove(stop_file, none);
-    long long offset = follow(log_file, 0, log);   // earlier starts of the same run
-    SolverLog now;                                 // this start only: its end, its errors
+    long long offset = follow(log_file, 0, log);  // earlier starts of the same run
+    SolverLog now;                                // this start only: its end, its errors
     long long now_offset = offset;
     Limits limits;
     limits.smallest_step = std::min(1e-8, 1e-4 * plan.first_step);
@@ -71,14 +72,16 @@ SolverOutcome solve(const CasePlan& plan, const CasePrograms& programs, int rank
         if (growing()) {
             out.stopped = true;
             write_text_atomically(stop_file, "twinwake asks the solver to write its state and end\n");
-            const double per_step = now.steps().empty() ? 60 : (wall_clock() - started) / static_cast<double>(now.steps().size());
+            const double per_step =
+                now.steps().empty() ? 60 : (wall_clock() - started) / static_cast<double>(now.steps().size());
             out.process = end_gently(*child, 30 + 20 * per_step);
             fs::remove(stop_file, none);
             break;
         }
         if (wall_clock() - last_look > 1) {
             last_look = wall_clock();
-            std::optional<std::string> wrong = trouble(now, latest_fastest(programs.case_folder() / "postProcessing"), limits);
+            std::optional<std::string> wrong =
+                trouble(now, latest_fastest(programs.case_folder() / "postProcessing"), limits);
             // Two more write times and the record have to fit.
             if (!wrong) wrong = disk_trouble(programs.case_folder(), 50e6);
             if (wrong) {
@@ -98,8 +101,8 @@ SolverOutcome solve(const CasePlan& plan, const CasePrograms& programs, int rank
         const std::string how = out.process.signal != 0   ? signal_in_words(out.process.signal)
                                 : out.process.status != 0 ? fmt::format("exit status {}", out.process.status)
                                                           : std::string("it ended without reaching the end time");
-        out.failure = fmt::format("{} died at t = {:.6g} of {:.6g} s ({}):\n{}", programs.openfoam().solver.string(), reached,
-                                  plan.scene->run.duration, how, why_it_failed(log_file));
+        out.failure = fmt::format("{} died at t = {:.6g} of {:.6g} s ({}):\n{}", programs.openfoam().solver.string(),
+                                  reached, plan.scene->run.duration, how, why_it_failed(log_file));
     }
     return out;
 }

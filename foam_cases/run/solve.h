@@ -8,14 +8,16 @@
 namespace tw {
 
 struct SolverOutcome {
-    bool stopped = false;       ///< asked for
-    std::string failure;        ///< empty: none
+    bool stopped = false;  ///< asked for
+    std::string failure;   ///< empty: none
     Ended process;
 };
 
-/// Runs the solver to its end time, a stop or a failure. `growing` is called about five times a second with the log so far; it
-/// returns true to ask for a stop: the solver then writes its state and ends. `log` is read on from where it stands.
-SolverOutcome solve(const CasePlan& plan, const CasePrograms& programs, int ranks, SolverLog& log, const std::function<bool()>& growing);
+/// Runs the solver to its end time, a stop or a failure. `growing` is called about five times a second with the log so
+/// far; it returns true to ask for a stop: the solver then writes its state and ends. `log` is read on from where it
+/// stands.
+SolverOutcome solve(const CasePlan& plan, const CasePrograms& programs, int ranks, SolverLog& log,
+                    const std::function<bool()>& growing);
 
 /// Reads what a log file has beyond `offset` into `log`; returns the new offset.
 long long follow(const std::filesystem::path& file, long long offset, SolverLog& log);

@@ -10,7 +10,7 @@ namespace tw {
 namespace {
 
 constexpr std::size_t kept_lines = 200;
-constexpr int fatal_block = 14;   // lines that OpenFOAM's error messages take at most before the stack trace
+constexpr int fatal_block = 14;  // lines that OpenFOAM's error messages take at most before the stack trace
 
 /// The number behind `label`, wherever that stands in the line.
 std::optional<double> number_after(std::string_view line, std::string_view label) {
@@ -42,13 +42,15 @@ void SolverLog::line(std::string_view text) {
     if (recent_.size() > 2 * kept_lines) recent_.erase(recent_.begin(), recent_.begin() + kept_lines);
     if (fatal_lines_ > 0) {
         --fatal_lines_;
-        if (text.rfind("FOAM ", 0) == 0) fatal_lines_ = 0;   // "FOAM exiting", "FOAM aborting"
-        else if (!text.empty()) fatal_ += "\n" + std::string(text);
+        if (text.rfind("FOAM ", 0) == 0)
+            fatal_lines_ = 0;  // "FOAM exiting", "FOAM aborting"
+        else if (!text.empty())
+            fatal_ += "\n" + std::string(text);
     }
     if (text.find("--> FOAM FATAL") != std::string_view::npos && fatal_.empty()) {
         fatal_ = text;
         fatal_lines_ = fatal_block;
-    } else if (text.rfind("Time = ", 0) == 0) {   // not the header's "Time   : 12:00:00"; openfoam.org writes "0.1s"
+    } else if (text.rfind("Time = ", 0) == 0) {  // not the header's "Time   : 12:00:00"; openfoam.org writes "0.1s"
         const auto time = number_after(text, "Time = ");
         if (!time) return;
         while (!steps_.empty() && steps_.back().time >= *time) steps_.pop_back();
@@ -73,13 +75,15 @@ void SolverLog::line(std::string_view text) {
 
 const SolverLog::Step* SolverLog::at(double time) const {
     const double tolerance = 1e-9 * (1 + std::abs(time));
-    auto after = std::upper_bound(steps_.begin(), steps_.end(), time + tolerance, [](double t, const Step& s) { return t < s.time; });
+    auto after = std::upper_bound(steps_.begin(), steps_.end(), time + tolerance,
+                                  [](double t, const Step& s) { return t < s.time; });
     return after == steps_.begin() ? nullptr : &*std::prev(after);
 }
 
 std::string SolverLog::tail(std::size_t lines) const {
     std::string out;
-    for (std::size_t i = recent_.size() > lines ? recent_.size() - lines : 0; i < recent_.size(); ++i) out += recent_[i] + "\n";
+    for (std::size_t i = recent_.size() > lines ? recent_.size() - lines : 0; i < recent_.size(); ++i)
+        out += recent_[i] + "\n";
     return out;
 }
 

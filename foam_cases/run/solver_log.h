@@ -5,21 +5,21 @@
 
 namespace tw {
 
-/// What interFoam's log says, fed in pieces as it grows. One entry per time step; after a restart in the same log the entries
-/// that are computed again are replaced.
+/// What interFoam's log says, fed in pieces as it grows. One entry per time step; after a restart in the same log the
+/// entries that are computed again are replaced.
 class SolverLog {
 public:
     struct Step {
-        double time = 0, step = 0;                ///< [s]
-        double courant = 0, alpha_courant = 0;    ///< largest, anywhere and at the surface
-        double water = 0;                         ///< volume fraction of the domain; NaN before the first solution
-        double cpu = 0;                           ///< ExecutionTime since this start of the solver [s]
+        double time = 0, step = 0;              ///< [s]
+        double courant = 0, alpha_courant = 0;  ///< largest, anywhere and at the surface
+        double water = 0;                       ///< volume fraction of the domain; NaN before the first solution
+        double cpu = 0;                         ///< ExecutionTime since this start of the solver [s]
     };
     void feed(std::string_view text);
 
     const std::vector<Step>& steps() const { return steps_; }
-    bool ended() const { return ended_; }                     ///< "End" was reached
-    const std::string& fatal() const { return fatal_; }       ///< OpenFOAM's own error message; empty: none
+    bool ended() const { return ended_; }                ///< "End" was reached
+    const std::string& fatal() const { return fatal_; }  ///< OpenFOAM's own error message; empty: none
     /// The step that was current at `time`: the last one not later; nullptr before the first.
     const Step* at(double time) const;
     /// Last lines [at most `lines`].

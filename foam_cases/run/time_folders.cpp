@@ -12,7 +12,8 @@ namespace fs = std::filesystem;
 
 namespace {
 bool ends_in_closing_line(const fs::path& file) {
-    static constexpr std::string_view closing = "// ************************************************************************* //";
+    static constexpr std::string_view closing =
+        "// ************************************************************************* //";
     std::ifstream in(file, std::ios::binary);
     if (!in) return false;
     in.seekg(0, std::ios::end);
@@ -24,7 +25,8 @@ bool ends_in_closing_line(const fs::path& file) {
 }
 }  // namespace
 
-TimeFolders::TimeFolders(fs::path case_folder) : case_(std::move(case_folder)), fields_{"U", "p_rgh", "alpha.water", "phi", "uniform/time"} {
+TimeFolders::TimeFolders(fs::path case_folder)
+    : case_(std::move(case_folder)), fields_{"U", "p_rgh", "alpha.water", "phi", "uniform/time"} {
     std::map<long, fs::path> processors;
     std::error_code none;
     for (const auto& e : fs::directory_iterator(case_, none)) {
@@ -43,7 +45,8 @@ std::vector<TimeFolders::Moment> TimeFolders::moments() const {
     std::error_code none;
     for (const fs::path& root : roots_)
         for (const auto& e : fs::directory_iterator(root, none))
-            if (const auto t = time_of(e.path().filename().string()); t && *t > 0 && e.is_directory()) found[*t] = e.path().filename().string();
+            if (const auto t = time_of(e.path().filename().string()); t && *t > 0 && e.is_directory())
+                found[*t] = e.path().filename().string();
     std::vector<Moment> out;
     for (const auto& [time, name] : found) out.push_back({time, name});
     return out;
@@ -51,7 +54,8 @@ std::vector<TimeFolders::Moment> TimeFolders::moments() const {
 
 bool TimeFolders::whole(const Moment& moment) const {
     return std::all_of(roots_.begin(), roots_.end(), [&](const fs::path& root) {
-        return std::all_of(fields_.begin(), fields_.end(), [&](const std::string& f) { return ends_in_closing_line(root / moment.name / f); });
+        return std::all_of(fields_.begin(), fields_.end(),
+                           [&](const std::string& f) { return ends_in_closing_line(root / moment.name / f); });
     });
 }
 

@@ -10,7 +10,9 @@ class TimeFolders {
 public:
     explicit TimeFolders(std::filesystem::path case_folder);
 
-    const std::vector<std::filesystem::path>& roots() const { return roots_; }   ///< the case, or processor0, processor1, ...
+    const std::vector<std::filesystem::path>& roots() const {
+        return roots_;
+    }  ///< the case, or processor0, processor1, ...
     bool decomposed() const { return roots_.front() != case_; }
 
     struct Moment {
@@ -19,14 +21,14 @@ public:
     };
     /// Times after 0 that exist in any root, ascending.
     std::vector<Moment> moments() const;
-    /// Every field that a restart needs is there in every root and written to its end. OpenFOAM writes straight into the final names;
-    /// a whole file ends in a closing comment line.
+    /// Every field that a restart needs is there in every root and written to its end. OpenFOAM writes straight into
+    /// the final names; a whole file ends in a closing comment line.
     bool whole(const Moment& moment) const;
     void remove(const Moment& moment) const;
 
-    /// Drops folders that a killed solver left half-written, and, where `interval` > 0, those that lie off its multiples (written
-    /// because a stop was asked for): going on from them would shift all later write times.
-    /// Returns the names that were dropped.
+    /// Drops folders that a killed solver left half-written, and, where `interval` > 0, those that lie off its
+    /// multiples (written because a stop was asked for): going on from them would shift all later write times. Returns
+    /// the names that were dropped.
     std::vector<std::string> prune(double interval) const;
 
 private:

@@ -9,12 +9,13 @@ namespace tw {
 
 /// Stops that OpenFOAM lacks: a time step that collapses, velocities beyond reason, a water volume that is no number.
 struct Limits {
-    double smallest_step = 1e-8;      ///< [s]
-    double collapse = 1e-3;           ///< of the usual (median) step...
-    int collapsed_steps = 100;        ///< ...for so many steps on end
-    double speed = 1e30;              ///< [m/s]
+    double smallest_step = 1e-8;  ///< [s]
+    double collapse = 1e-3;       ///< of the usual (median) step...
+    int collapsed_steps = 100;    ///< ...for so many steps on end
+    double speed = 1e30;          ///< [m/s]
 };
-/// In plain words what is wrong and a likely cause; nothing while all is well. `largest_speed` [m/s] may be NaN: unknown.
+/// In plain words what is wrong and a likely cause; nothing while all is well. `largest_speed` [m/s] may be NaN:
+/// unknown.
 std::optional<std::string> trouble(const SolverLog& log, double largest_speed, const Limits& limits);
 
 /// Largest velocity that the `fastest` function object has written last [m/s]; NaN while there is none.

@@ -18,13 +18,15 @@ namespace tw {
 class EnvironmentGuard {
 public:
     ~EnvironmentGuard() {
-        for (const auto& [name, value] : saved_) value ? ::setenv(name.c_str(), value->c_str(), 1) : ::unsetenv(name.c_str());
+        for (const auto& [name, value] : saved_)
+            value ? ::setenv(name.c_str(), value->c_str(), 1) : ::unsetenv(name.c_str());
     }
 
 private:
     static std::map<std::string, std::optional<std::string>> now() {
         std::map<std::string, std::optional<std::string>> values;
-        for (const char* name : {"PATH", "HOME", "WM_PROJECT_DIR", "TWINWAKE_OPENFOAM_BIN", "TWINWAKE_OPENFOAM_PLACES"}) {
+        for (const char* name :
+             {"PATH", "HOME", "WM_PROJECT_DIR", "TWINWAKE_OPENFOAM_BIN", "TWINWAKE_OPENFOAM_PLACES"}) {
             const char* value = std::getenv(name);
             values[name] = value == nullptr ? std::nullopt : std::optional<std::string>(value);
         }
@@ -33,13 +35,14 @@ private:
     std::map<std::string, std::optional<std::string>> saved_ = now();
 };
 
-/// Runs with the real OpenFOAM: the mended solvers of the source tree unless the environment names others. Skipped where no
-/// OpenFOAM is installed at all (bootstrap.sh --no-openfoam); a faulty one is a failure.
+/// Runs with the real OpenFOAM: the mended solvers of the source tree unless the environment names others. Skipped
+/// where no OpenFOAM is installed at all (bootstrap.sh --no-openfoam); a faulty one is a failure.
 class FoamTest : public testing::Test {
     EnvironmentGuard environment_;
 
 protected:
-    std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / ("foam_run_" + std::to_string(::getpid()));
+    std::filesystem::path folder =
+        std::filesystem::path(testing::TempDir()) / ("foam_run_" + std::to_string(::getpid()));
     void SetUp() override {
         ::setenv("TWINWAKE_OPENFOAM_BIN", TWINWAKE_SOURCE "/.openfoam/bin", 0);
         if (find_openfoam().empty()) GTEST_SKIP() << "no OpenFOAM is installed";
@@ -83,7 +86,8 @@ height = [0.07, 0]
 [sampling]
 interval = "0.02 s"
 [run]
-duration = ")" + duration + "\"\n";
+duration = ")" +
+           duration + "\"\n";
 }
 
 inline double mean(const Column& c, std::size_t from) {

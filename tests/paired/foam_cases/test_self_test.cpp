@@ -16,7 +16,8 @@ TEST_F(SelfTest, AtLeastOneSolverHereIsSoundAndIsTheOneThatIsUsed) {
     EXPECT_FALSE(used.version.empty());
 }
 
-/// Debian's OpenFOAM 1912 is the faulty one that this test was made for. Without it the test cannot show that it can fail.
+/// Debian's OpenFOAM 1912 is the faulty one that this test was made for. Without it the test cannot show that it can
+/// fail.
 class PackagedSolver : public FoamTest {
 protected:
     OpenFoam packaged() const {
@@ -71,7 +72,7 @@ TEST_F(SelfTest, ASolverThatDoesNotRunIsUnusableAndNotSound) {
     self_test(broken);
     EXPECT_FALSE(broken.sound);
     EXPECT_NE(broken.verdict.find("unusable"), std::string::npos) << broken.verdict;
-    broken.solver = "/bin/true";   // ends well, and has computed nothing
+    broken.solver = "/bin/true";  // ends well, and has computed nothing
     self_test(broken);
     EXPECT_FALSE(broken.sound);
 }

@@ -35,7 +35,8 @@ TEST_F(ShortRun, ADamBreakKeepsItsWaterAndLosesOnlyTheEnergyItMay) {
     const double potential_at_start = water * 9.81 * 0.146;
     for (std::size_t i = 0; i < kinetic.size(); ++i) EXPECT_LT(kinetic[i] + potential[i], 1.005 * potential_at_start);
     EXPECT_GT(kinetic.back(), 0.2 * potential_at_start) << "it falls";
-    // Measured (Koshizuka & Oka 1996): x/a = 1.98 at t sqrt(2 g / a) = 1.62, that is 0.14 s. A voxel of the raster is 0.2 a.
+    // Measured (Koshizuka & Oka 1996): x/a = 1.98 at t sqrt(2 g / a) = 1.62, that is 0.14 s. A voxel of the raster is
+    // 0.2 a.
     EXPECT_NEAR(front(record, record.frames[6]) / 0.146, 1.98, 0.35);
 
     // Probes: the column is 0.292 m high at first, and sinks.
@@ -133,7 +134,8 @@ TEST_F(ShortRun, APlaningHullIsLiftedAndItsPressureDragIsLiftTimesTheTangentOfTr
     // Our own sum over the hull's faces, air included, against the solver's forces function object.
     for (std::size_t i = 3; i < f.time.size(); ++i) {
         const double total = f.find("fz_total")->values[i];
-        EXPECT_NEAR(f.find("fz")->values[i] + f.find("fz_air")->values[i], total, 2e-3 * std::abs(total) + 1) << "t = " << f.time[i];
+        EXPECT_NEAR(f.find("fz")->values[i] + f.find("fz_air")->values[i], total, 2e-3 * std::abs(total) + 1)
+            << "t = " << f.time[i];
     }
     EXPECT_GT(mean(*f.find("fz_air"), from), 0) << "air sucks at the deck";
     const Table& samples = record.tables.at("samples");

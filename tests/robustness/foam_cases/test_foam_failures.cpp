@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <csignal>
 #include <cmath>
+#include <csignal>
 #include <thread>
 
 #include "base/atomic_file.h"
@@ -45,16 +45,15 @@ protected:
         const fs::path bin = folder / "bin";
         fs::create_directories(bin);
         std::ofstream(bin / "interFoam") << "#!/bin/sh\nREAL='" << sound_openfoam().solver.string()
-                                         << "'\n[ -f system/setFieldsDict ] || exec \"$REAL\" \"$@\"\n" << script;
+                                         << "'\n[ -f system/setFieldsDict ] || exec \"$REAL\" \"$@\"\n"
+                                         << script;
         fs::permissions(bin / "interFoam", fs::perms::owner_all);
         ::setenv("TWINWAKE_OPENFOAM_BIN", bin.c_str(), 1);
     }
     std::string failure_of(const Scene& s) {
         try {
             run_fvm(s, options());
-        } catch (const RunError& e) {
-            return e.what();
-        }
+        } catch (const RunError& e) { return e.what(); }
         return "no failure";
     }
 };
@@ -110,11 +109,12 @@ TEST_F(FoamFailure, AfterAKillTheRunIsTakenUpAndEndsAsIfNothingHadBeen) {
         ::_exit(0);
     }
     const fs::path run = options().folder / "case";
-    for (int i = 0; i < 600 && !fs::exists(run / "0.08"); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    for (int i = 0; i < 600 && !fs::exists(run / "0.08"); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
     ::kill(child, SIGKILL);
     ::waitpid(child, nullptr, 0);
     ASSERT_TRUE(fs::exists(run / "0.08"));
-    std::this_thread::sleep_for(std::chrono::milliseconds(500));   // the solver goes with its parent
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));  // the solver goes with its parent
     // What a kill in the middle of writing leaves: a folder with one cut-off file.
     fs::create_directories(run / "5");
     std::ofstream(run / "5" / "U") << "FoamFile\n{ cut";
@@ -131,7 +131,8 @@ TEST_F(FoamFailure, AfterAKillTheRunIsTakenUpAndEndsAsIfNothingHadBeen) {
     // Not bitwise (interFoam does not store its last compression correction), but the same flow.
     for (std::size_t i = 0; i < a.time.size(); ++i) {
         EXPECT_NEAR(a.time[i], b.time[i], 1e-9);
-        EXPECT_NEAR(a.find("kinetic_energy")->values[i], b.find("kinetic_energy")->values[i], 0.02 * b.find("kinetic_energy")->values[i]);
+        EXPECT_NEAR(a.find("kinetic_energy")->values[i], b.find("kinetic_energy")->values[i],
+                    0.02 * b.find("kinetic_energy")->values[i]);
     }
 }
 

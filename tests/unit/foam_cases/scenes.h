@@ -10,7 +10,8 @@ inline Scene planing_scene() {
     Scene s;
     s.title = "planing";
     Hull hull;
-    hull.surface = posed(make_hull("prismatic", {{"length", 4}, {"beam", 1}, {"deadrise", 0.349}}), {.trim = 0.0873, .draft = 0.2});
+    hull.surface = posed(make_hull("prismatic", {{"length", 4}, {"beam", 1}, {"deadrise", 0.349}}),
+                         {.trim = 0.0873, .draft = 0.2});
     hull.half = true;
     hull.length = 4;
     hull.beam = 1;
@@ -21,7 +22,8 @@ inline Scene planing_scene() {
     s.domain.x_max = Side::outlet;
     s.domain.y_min = Side::symmetry;
     s.resolution = {1.0 / 3, 1.0 / 24};
-    s.refinement = {{"wake", {Vec3(-2.5, -1, -0.9), Vec3(4.5, 1.5, 0.7)}, 1}, {"wet bottom", {Vec3(-0.5, -1, -0.25), Vec3(2.1, 0.55, 0.1)}, 3}};
+    s.refinement = {{"wake", {Vec3(-2.5, -1, -0.9), Vec3(4.5, 1.5, 0.7)}, 1},
+                    {"wet bottom", {Vec3(-0.5, -1, -0.25), Vec3(2.1, 0.55, 0.1)}, 3}};
     s.sampling.interval = 0.05;
     s.run.duration = 1;
     return s;

@@ -16,8 +16,10 @@ std::string without_blanks(std::string text) {
     std::string out;
     for (const char c : text) {
         const bool blank = c == ' ' || c == '\n';
-        if (!blank) out += c;
-        else if (!out.empty() && out.back() != ' ') out += ' ';
+        if (!blank)
+            out += c;
+        else if (!out.empty() && out.back() != ' ')
+            out += ' ';
     }
     return out;
 }
@@ -116,7 +118,7 @@ TEST(CaseFiles, AFlatTankIsOneCellThickAndEmptySided) {
     EXPECT_SAYS(mesh, "front { type empty;");
     EXPECT_SAYS(mesh, "back { type empty;");
     EXPECT_SAYS(mesh, "left { type symmetryPlane;");
-    EXPECT_SAYS(mesh, "(10 1 20) simpleGrading");   // the column's own block
+    EXPECT_SAYS(mesh, "(10 1 20) simpleGrading");  // the column's own block
     EXPECT_SAYS(set_fields_dict(plan), "volScalarFieldValue alpha.water 1");
     EXPECT_SILENT(set_fields_dict(plan), "boxToFace");
     // Blocks reach beyond the domain's sides, so that rounding leaves no cell out.
@@ -133,7 +135,8 @@ TEST(CaseFiles, BlockFacesCoverEverySideOnce) {
         const std::string list = boundary.substr(at, boundary.find(';', at) - at);
         faces += static_cast<std::size_t>(std::count(list.begin(), list.end(), '(')) - 1;
     }
-    for (std::size_t a = 0; a < 3; ++a) expected += 2 * plan.axes[(a + 1) % 3].cells.size() * plan.axes[(a + 2) % 3].cells.size();
+    for (std::size_t a = 0; a < 3; ++a)
+        expected += 2 * plan.axes[(a + 1) % 3].cells.size() * plan.axes[(a + 2) % 3].cells.size();
     EXPECT_EQ(faces, expected);
 }
 
@@ -148,7 +151,7 @@ TEST(CaseFiles, NamesFromTheSceneStayNames) {
     Scene scene = planing_scene();
     scene.title = "evil\n$(touch x) \"; } #calc <script>";
     scene.refinement[0].name = "wake; } #calc \"1\"";
-    scene.refinement[1].name = "hull";   // taken by the hull itself
+    scene.refinement[1].name = "hull";  // taken by the hull itself
     Surface box = make_hull("box", {{"length", 0.2}, {"beam", 0.2}, {"height", 0.2}});
     for (Vec3& p : box.points) p += Vec3(3, 1.5, -1);
     scene.obstacles = {{"inlet", box}, {"$(rm -rf /); }", box}};
@@ -158,7 +161,8 @@ TEST(CaseFiles, NamesFromTheSceneStayNames) {
         if (f.path == "README" || f.path == "Allrun") continue;
         for (const char* word : {"#", "$", "touch", "calc ", "script", "rm -rf", "system(", "`", "\\"})
             EXPECT_EQ(f.text.find(word), std::string::npos) << f.path << " holds " << word;
-        EXPECT_EQ(std::count(f.text.begin(), f.text.end(), '{'), std::count(f.text.begin(), f.text.end(), '}')) << f.path;
+        EXPECT_EQ(std::count(f.text.begin(), f.text.end(), '{'), std::count(f.text.begin(), f.text.end(), '}'))
+            << f.path;
     }
     // The script of the case knows nothing of the scene's texts; the read-me shows the title on one line.
     EXPECT_EQ(allrun_script(plan, 2).find("touch"), std::string::npos);
@@ -177,7 +181,8 @@ TEST(CaseFiles, TheSameSceneGivesTheSameBytes) {
 TEST(CaseFiles, RanksAreAProductAndNeverCutTheWaterFromTheAir) {
     const Scene scene = planing_scene();
     const CasePlan plan = plan_case(scene, v1912);
-    for (const auto& [ranks, n] : {std::pair{2, "(2 1 1)"}, {4, "(2 2 1)"}, {6, "(3 2 1)"}, {7, "(7 1 1)"}, {16, "(4 4 1)"}})
+    for (const auto& [ranks, n] :
+         {std::pair{2, "(2 1 1)"}, {4, "(2 2 1)"}, {6, "(3 2 1)"}, {7, "(7 1 1)"}, {16, "(4 4 1)"}})
         EXPECT_SAYS(decompose_par_dict(plan, ranks), std::string("n ") + n);
 }
 

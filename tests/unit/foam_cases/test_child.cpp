@@ -56,9 +56,7 @@ TEST_F(ChildTest, AProgramThatCannotBeStartedIsAnErrorWithItsName) {
     try {
         run("/no/such/program", {});
         FAIL();
-    } catch (const RunError& e) {
-        EXPECT_NE(std::string(e.what()).find("/no/such/program"), std::string::npos);
-    }
+    } catch (const RunError& e) { EXPECT_NE(std::string(e.what()).find("/no/such/program"), std::string::npos); }
     std::ofstream(folder / "text") << "no program";
     EXPECT_THROW(run(folder / "text", {}), RunError);
 }

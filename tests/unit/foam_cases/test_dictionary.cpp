@@ -11,7 +11,8 @@ namespace tw {
 namespace {
 
 TEST(Dictionary, IsSpelledAsOpenFoamReadsIt) {
-    Dictionary d{{"type", Word("fixedValue")}, {"value", Value::sequence({Word("uniform"), Vec3(8, 0, -0.5)})}, {"on", true}};
+    Dictionary d{
+        {"type", Word("fixedValue")}, {"value", Value::sequence({Word("uniform"), Vec3(8, 0, -0.5)})}, {"on", true}};
     d.add("box", List{Vec3(0, 0, 0), Vec3(1, 2, 3)});
     d.add("inner", Dictionary{{"file", Quoted("hull.eMesh")}, {"level", 3}});
     EXPECT_EQ(d.text(),
@@ -35,8 +36,9 @@ TEST(Dictionary, KeepsTheOrderOfItsKeysAndRefusesOneTwice) {
 TEST(Dictionary, NumbersKeepEveryDigitInAnyLocale) {
     const char* before = std::setlocale(LC_ALL, nullptr);
     const std::string saved = before != nullptr ? before : "C";
-    std::setlocale(LC_ALL, "de_DE.UTF-8");   // a decimal comma, where that locale is installed
-    const std::string text = Value(0.1).text() + " " + Value(1.0 / 3).text() + " " + Value(1e-8).text() + " " + Value(-0.0).text();
+    std::setlocale(LC_ALL, "de_DE.UTF-8");  // a decimal comma, where that locale is installed
+    const std::string text =
+        Value(0.1).text() + " " + Value(1.0 / 3).text() + " " + Value(1e-8).text() + " " + Value(-0.0).text();
     std::setlocale(LC_ALL, saved.c_str());
     EXPECT_EQ(text, "0.1 0.3333333333333333 1e-08 0");
     EXPECT_THROW(Value(std::nan("")), InputError);
@@ -78,7 +80,7 @@ TEST(Dictionary, NoTextOpensADirectiveAStringOrAnotherDictionary) {
         EXPECT_THROW(Quoted{attack}, InputError) << attack;
         EXPECT_THROW(Key{attack}, InputError) << attack;
     }
-    EXPECT_THROW(Key{"a b"}, InputError);   // would be a key and the beginning of a value
+    EXPECT_THROW(Key{"a b"}, InputError);  // would be a key and the beginning of a value
     EXPECT_THROW(Key{"1a"}, InputError);
     EXPECT_NO_THROW(Word{"Gauss linear limited corrected 0.5"});
     EXPECT_NO_THROW(Key{"div(((rho*nuEff)*dev2(T(grad(U)))))"});

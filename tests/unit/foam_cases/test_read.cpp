@@ -26,9 +26,10 @@ protected:
         std::ofstream(folder / "field", std::ios::binary) << text;
         return folder / "field";
     }
-    static std::string header(const std::string& format, const std::string& foam_class, const std::string& arch = "LSB;label=32;scalar=64") {
-        return "FoamFile\n{\n    version     2.0;\n    format      " + format + ";\n    class       " + foam_class + ";\n    arch        \"" + arch +
-               "\";\n    object      x;\n}\n\ndimensions      [0 0 0 0 0 0 0];\n\n";
+    static std::string header(const std::string& format, const std::string& foam_class,
+                              const std::string& arch = "LSB;label=32;scalar=64") {
+        return "FoamFile\n{\n    version     2.0;\n    format      " + format + ";\n    class       " + foam_class +
+               ";\n    arch        \"" + arch + "\";\n    object      x;\n}\n\ndimensions      [0 0 0 0 0 0 0];\n\n";
     }
     template <class Real>
     static std::string bytes(std::initializer_list<Real> values) {
@@ -40,50 +41,58 @@ protected:
 
 TEST_F(ReadTest, AsciiAndBinarySingleAndDoubleScalarAndVector) {
     const std::string tail = ")\n;\n\nboundaryField\n{\n    hull { type zeroGradient; }\n}\n";
-    FieldFile f = read_field(write(header("ascii", "volScalarField") + "internalField   nonuniform List<scalar> \n3\n(\n0.5\n-1e-3\n2\n" + tail));
+    FieldFile f = read_field(write(header("ascii", "volScalarField") +
+                                   "internalField   nonuniform List<scalar> \n3\n(\n0.5\n-1e-3\n2\n" + tail));
     ASSERT_EQ(f.cells(), 3u);
     EXPECT_DOUBLE_EQ(f.scalar(1), -1e-3);
 
-    f = read_field(write(header("binary", "volScalarField") + "internalField   nonuniform List<scalar> 2(" + bytes<double>({0.25, 41}) + tail));
+    f = read_field(write(header("binary", "volScalarField") + "internalField   nonuniform List<scalar> 2(" +
+                         bytes<double>({0.25, 41}) + tail));
     ASSERT_EQ(f.cells(), 2u);
     EXPECT_DOUBLE_EQ(f.scalar(1), 41) << "bytes that look like a bracket are no bracket";
 
-    f = read_field(write(header("binary", "volVectorField", "LSB;label=32;scalar=32") + "internalField nonuniform List<vector> 1(" +
-                         bytes<float>({1, 2, 3}) + tail));
+    f = read_field(write(header("binary", "volVectorField", "LSB;label=32;scalar=32") +
+                         "internalField nonuniform List<vector> 1(" + bytes<float>({1, 2, 3}) + tail));
     EXPECT_EQ(f.vector(0), Vec3(1, 2, 3));
 
     f = read_field(write(header("binary", "volVectorField") + "internalField   uniform (8 0 0);\n"));
     EXPECT_TRUE(f.uniform);
     EXPECT_EQ(f.vector(17), Vec3(8, 0, 0));
 
-    f = read_field(write(header("binary", "volScalarField") + "internalField   nonuniform List<scalar> 0()\n;\n"));   // a rank without cells
+    f = read_field(write(header("binary", "volScalarField") +
+                         "internalField   nonuniform List<scalar> 0()\n;\n"));  // a rank without cells
     EXPECT_EQ(f.cells(), 0u);
 }
 
 TEST_F(ReadTest, FilesThatAreCutOffOrOfAnotherClassAreErrorsThatNameThem) {
-    const std::string good = header("binary", "volScalarField") + "internalField   nonuniform List<scalar> 3(" + bytes<double>({1, 2, 3}) + ")\n;\n";
+    const std::string good = header("binary", "volScalarField") + "internalField   nonuniform List<scalar> 3(" +
+                             bytes<double>({1, 2, 3}) + ")\n;\n";
     ASSERT_NO_THROW(read_field(write(good)));
-    for (const std::size_t keep : {good.size() - 4, good.size() - 12, good.find("3("), good.find("internalField"), std::size_t{0}})
+    for (const std::size_t keep :
+         {good.size() - 4, good.size() - 12, good.find("3("), good.find("internalField"), std::size_t{0}})
         EXPECT_THROW(read_field(write(good.substr(0, keep))), RunError) << keep;
     EXPECT_THROW(read_field(write(header("ascii", "surfaceScalarField") + "internalField uniform 0;")), RunError);
-    EXPECT_THROW(read_field(write(header("ascii", "volScalarField") + "internalField nonuniform List<scalar> 99999999999(1)")), RunError);
+    EXPECT_THROW(
+        read_field(write(header("ascii", "volScalarField") + "internalField nonuniform List<scalar> 99999999999(1)")),
+        RunError);
     try {
         read_field(folder / "missing");
         FAIL();
-    } catch (const RunError& e) {
-        EXPECT_NE(std::string(e.what()).find("missing"), std::string::npos);
-    }
+    } catch (const RunError& e) { EXPECT_NE(std::string(e.what()).find("missing"), std::string::npos); }
 }
 
-/// A box in still water, 0.3 m wide, its top `above` the surface; pressure rho g depth on it, all faces wet below z = 0.
+/// A box in still water, 0.3 m wide, its top `above` the surface; pressure rho g depth on it, all faces wet below z =
+/// 0.
 HullPatch box_in_water(const fs::path& folder, double above) {
     Surface box = make_hull("box", {{"length", 0.4}, {"beam", 0.3}, {"height", 0.2}});
     const Box b = box.bounds();
     for (Vec3& p : box.points) p += Vec3(1, 0, above - b.max.z());
-    for (auto& t : box.triangles) std::swap(t[1], t[2]);   // OpenFOAM's faces point out of the flow
+    for (auto& t : box.triangles) std::swap(t[1], t[2]);  // OpenFOAM's faces point out of the flow
     Field p{"p", 1, {}}, alpha{"alpha.water", 1, {}};
     for (std::size_t t = 0; t < box.triangles.size(); ++t) {
-        const double z = (box.corner(static_cast<int>(t), 0).z() + box.corner(static_cast<int>(t), 1).z() + box.corner(static_cast<int>(t), 2).z()) / 3;
+        const double z = (box.corner(static_cast<int>(t), 0).z() + box.corner(static_cast<int>(t), 1).z() +
+                          box.corner(static_cast<int>(t), 2).z()) /
+                         3;
         p.values.push_back(static_cast<float>(z < 0 ? -9810 * z : 0));
         alpha.values.push_back(z < 0 ? 1.0f : 0.0f);
     }
@@ -106,14 +115,16 @@ TEST_F(ReadTest, TheWatersLoadOnASubmergedBoxIsItsWeightOfWater) {
     double volume = 0;
     for (const auto& t : patch.surface.triangles)
         volume += patch.surface.points[static_cast<std::size_t>(t[0])].dot(
-                      patch.surface.points[static_cast<std::size_t>(t[1])].cross(patch.surface.points[static_cast<std::size_t>(t[2])])) / 6;
+                      patch.surface.points[static_cast<std::size_t>(t[1])].cross(
+                          patch.surface.points[static_cast<std::size_t>(t[2])])) /
+                  6;
     EXPECT_NEAR(volume, 0.4 * 0.3 * 0.2, 1e-7);
 }
 
 TEST_F(ReadTest, DryFacesCountAsAirAndNotAsWater) {
     HullPatch patch = box_in_water(folder, -0.1);
     for (auto& f : patch.faces)
-        if (f.area.z() < 0) f.water = 0.01, f.pressure = 100;   // the deck looks up: 100 Pa of air on it
+        if (f.area.z() < 0) f.water = 0.01, f.pressure = 100;  // the deck looks up: 100 Pa of air on it
     const WaterLoad load = water_load(patch, 1000, 1.2, Vec3::Zero());
     EXPECT_NEAR(load.air.z(), -100 * 0.4 * 0.3, 1e-6);
     EXPECT_NEAR(load.pressure.z(), 9810 * 0.3 * 0.12, 1e-3) << "only the bottom, 0.3 m deep, is left";
@@ -122,7 +133,7 @@ TEST_F(ReadTest, DryFacesCountAsAirAndNotAsWater) {
 TEST_F(ReadTest, FrictionIsCorrectedForAirUnderTheHull) {
     HullPatch patch = box_in_water(folder, -0.1);
     for (auto& f : patch.faces)
-        if (f.area.z() > 0) f.water = 0.8, f.shear = Vec3(-0.01, 0, 0);   // OpenFOAM's sign: the wall brakes the stream
+        if (f.area.z() > 0) f.water = 0.8, f.shear = Vec3(-0.01, 0, 0);  // OpenFOAM's sign: the wall brakes the stream
     const WaterLoad load = water_load(patch, 1000, 0, Vec3::Zero());
     EXPECT_NEAR(load.viscous.x(), 1000 * 0.01 * 0.12, 1e-7) << "drag: along the stream";
     EXPECT_NEAR(load.viscous_mixture.x(), 0.8 * 1000 * 0.01 * 0.12, 1e-7);
@@ -133,7 +144,7 @@ TEST_F(ReadTest, AnEdgeThatTheMeshHasCutOffShows) {
     const HullPatch patch = box_in_water(folder, -0.1);
     Surface box = patch.surface;
     EXPECT_LT(mesh_error(patch, box, -1, 0), 1e-7);
-    box.points.push_back(Vec3(1, 0, -0.35));   // the true keel: 0.05 m below the mesh's bottom
+    box.points.push_back(Vec3(1, 0, -0.35));  // the true keel: 0.05 m below the mesh's bottom
     EXPECT_NEAR(mesh_error(patch, box, -1, 0), 0.05, 1e-6);
     EXPECT_LT(mesh_error(patch, box, 0.1, 0), 1e-7) << "not in the solved half";
 }

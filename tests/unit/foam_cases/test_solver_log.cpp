@@ -20,8 +20,9 @@ std::string step(double time, double dt, double courant = 1.5, double water = 0.
     const auto n = [](double v) { return std::to_string(v); };
     char dt_text[32];
     std::snprintf(dt_text, sizeof dt_text, "%.3g", dt);
-    return "Courant Number mean: 0.01 max: " + n(courant) + "\nInterface Courant Number mean: 0.001 max: " + n(courant / 2) + "\ndeltaT = " +
-           dt_text + "\nTime = " + n(time) + "\n\nPIMPLE: iteration 1\nPhase-1 volume fraction = " + n(water) +
+    return "Courant Number mean: 0.01 max: " + n(courant) +
+           "\nInterface Courant Number mean: 0.001 max: " + n(courant / 2) + "\ndeltaT = " + dt_text +
+           "\nTime = " + n(time) + "\n\nPIMPLE: iteration 1\nPhase-1 volume fraction = " + n(water) +
            "  Min(alpha.water) = -1e-7  Max(alpha.water) = 1.00001\nExecutionTime = 1.5 s  ClockTime = 2 s\n\n";
 }
 
@@ -44,7 +45,7 @@ TEST(SolverLog, ReadsStepsWhateverThePiecesItIsFed) {
 
 TEST(SolverLog, AfterARestartTheLaterStartWins) {
     SolverLog log;
-    log.feed(header + step(0.1, 0.1) + step(0.2, 0.1) + step(0.3, 0.1));   // killed here
+    log.feed(header + step(0.1, 0.1) + step(0.2, 0.1) + step(0.3, 0.1));  // killed here
     log.feed(header + step(0.15, 0.05) + step(0.2, 0.05));
     ASSERT_EQ(log.steps().size(), 3u);
     EXPECT_DOUBLE_EQ(log.steps()[1].time, 0.15);
@@ -58,7 +59,8 @@ TEST(SolverLog, KeepsOpenFoamsOwnErrorMessage) {
     SolverLog log;
     log.feed(header + step(0.1, 0.1) +
              "\n\n--> FOAM FATAL IO ERROR: \ncannot find file\n\nfile: /x/0.12/p_rgh at line 0.\n\n"
-             "    From function regIOobject::readStream\n    in file regIOobjectRead.C at line 88.\n\nFOAM exiting\n\nlater noise\n");
+             "    From function regIOobject::readStream\n    in file regIOobjectRead.C at line 88.\n\nFOAM "
+             "exiting\n\nlater noise\n");
     EXPECT_NE(log.fatal().find("cannot find file"), std::string::npos);
     EXPECT_NE(log.fatal().find("0.12/p_rgh"), std::string::npos);
     EXPECT_EQ(log.fatal().find("later noise"), std::string::npos);

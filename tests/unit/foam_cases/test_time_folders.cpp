@@ -28,7 +28,8 @@ protected:
         std::ofstream(folder / path, std::ios::binary) << text;
     }
     void whole_time(const std::string& name, const std::string& root = ".") const {
-        for (const char* f : {"U", "p_rgh", "alpha.water", "phi", "uniform/time"}) write(fs::path(root) / name / f, "values" + closing);
+        for (const char* f : {"U", "p_rgh", "alpha.water", "phi", "uniform/time"})
+            write(fs::path(root) / name / f, "values" + closing);
     }
     std::vector<std::string> names() const {
         std::vector<std::string> out;
@@ -42,10 +43,10 @@ TEST_F(TimeFoldersTest, HalfWrittenOnesAreDropped) {
     whole_time("0.1");
     whole_time("0.2");
     whole_time("0.3");
-    write("0.3/U", "values\n// **** cut");          // killed while this file was written
+    write("0.3/U", "values\n// **** cut");  // killed while this file was written
     whole_time("0.4");
-    fs::remove(folder / "0.4/phi");                 // killed before it was
-    write("0.5/yPlus", "values" + closing);         // written by a function object alone
+    fs::remove(folder / "0.4/phi");          // killed before it was
+    write("0.5/yPlus", "values" + closing);  // written by a function object alone
     EXPECT_EQ(TimeFolders(folder).prune(0), (Names{"0.3", "0.4", "0.5"}));
     EXPECT_EQ(names(), (Names{"0.1", "0.2"}));
     EXPECT_TRUE(fs::exists(folder / "0")) << "the start is never dropped";
@@ -70,14 +71,15 @@ TEST_F(TimeFoldersTest, EveryProcessorMustHaveWrittenItsShare) {
 
 TEST_F(TimeFoldersTest, TimesOffTheWriteIntervalGoSoThatTheClockIsNotShifted) {
     whole_time("0.1");
-    whole_time("0.20000001");   // eight digits of OpenFOAM's names
-    whole_time("0.2345");       // written because a stop was asked for
+    whole_time("0.20000001");  // eight digits of OpenFOAM's names
+    whole_time("0.2345");      // written because a stop was asked for
     EXPECT_EQ(TimeFolders(folder).prune(0.1), Names{"0.2345"});
 }
 
 TEST_F(TimeFoldersTest, ForceFilesOfLaterStartsWin) {
     write("forces/0/force.dat",
-          "# Force\n# Time \t(total)\n0.1\t(1 2 3) (4 5 6) (7 8 9)\n0.2\t(2 2 3) (4 5 6) (7 8 9)\n0.3\t(3 2 3) (4 5 6) (7 8 9)\n0.4\t(4 2");
+          "# Force\n# Time \t(total)\n0.1\t(1 2 3) (4 5 6) (7 8 9)\n0.2\t(2 2 3) (4 5 6) (7 8 9)\n0.3\t(3 2 3) (4 5 6) "
+          "(7 8 9)\n0.4\t(4 2");
     write("forces/0.25/force.dat", "# Force\n0.28 (9 2 3) (4 5 6) (7 8 9)\n0.35 (8 2 3) (4 5 6) (7 8 9)\n");
     const auto rows = joined_rows(folder / "forces", "force.dat");
     ASSERT_EQ(rows.size(), 4u);
