@@ -108,6 +108,19 @@ std::string doctor_json(const MachineFacts& f) {
                     {"sound", f.sound}});
 }
 
+std::string runs_json(const std::vector<RunFacts>& runs) {
+    Json list = Json::array();
+    for (const RunFacts& r : runs)
+        list.push_back({{"method", r.method},
+                        {"state", r.state},
+                        {"reason", r.reason},
+                        {"record", r.record},
+                        {"elements", r.elements},
+                        {"steps", r.steps},
+                        {"wall", r.wall}});
+    return written({{"runs", list}});
+}
+
 std::string bench_json(const BenchResult& r) {
     return written({{"particles", r.particles},
                     {"neighbours_per_particle", r.neighbours_per_particle},

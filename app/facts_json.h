@@ -34,6 +34,12 @@ struct MachineFacts {
     bool sound = false;
 };
 std::string doctor_json(const MachineFacts& facts);
+/// What runs left, when there is nothing to compare.
+struct RunFacts {
+    std::string method, state, reason, record;
+    double elements = 0, steps = 0, wall = 0;
+};
+std::string runs_json(const std::vector<RunFacts>& runs);
 std::string bench_json(const BenchResult& result);
 
 }  // namespace tw::app

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 
+#include "app/facts_json.h"
 #include "app/output.h"
 #include "app/progress_bar.h"
 #include "app/stop_signal.h"
@@ -39,12 +41,16 @@ RunRecord run_method(const std::string& method, const Scene& scene, const fs::pa
     return method == "sph" ? run_sph(scene, options) : run_fvm(scene, options);
 }
 
-std::string closing_line(const std::string& method, const RunRecord& record, const fs::path& folder) {
-    double wall = 0;
-    for (const Phase& phase : record.phases) wall += phase.wall;
-    const std::string why = record.reason.empty() ? "" : ": " + record.reason;
-    return fmt::format("{}: {}{}, {:.3g} {}, {:.3g} steps, {:.3g} s, {}\n", method, record.state, why, record.elements,
-                       method == "sph" ? "particles" : "cells", record.steps, wall, (folder / "record.h5").string());
+RunFacts facts_of(const std::string& method, const RunRecord& record, const fs::path& folder) {
+    RunFacts f{method, record.state, record.reason, (folder / "record.h5").string(), record.elements, record.steps, 0};
+    for (const Phase& phase : record.phases) f.wall += phase.wall;
+    return f;
+}
+
+std::string closing_line(const RunFacts& f) {
+    return fmt::format("{}: {}{}, {:.3g} {}, {:.3g} steps, {:.3g} s, {}\n", f.method, f.state,
+                       f.reason.empty() ? "" : ": " + f.reason, f.elements, f.method == "sph" ? "particles" : "cells",
+                       f.steps, f.wall, f.record);
 }
 
 }  // namespace
@@ -71,14 +77,17 @@ int run_run(const RunCommand& command, const Common& common) {
                             prediction.fvm_seconds, out.string()));
 
     catch_stop_signals();
+    std::vector<RunFacts> runs;
     for (const std::string method : {"sph", "fvm"}) {  // in this order, whatever the scene's
         if (std::find(scene.run.methods.begin(), scene.run.methods.end(), method) == scene.run.methods.end()) continue;
         const RunRecord record = run_method(method, scene, out, command, common);
-        say(common, closing_line(method, record, out / method));
+        runs.push_back(facts_of(method, record, out / method));
+        say(common, closing_line(runs.back()));
         if (record.state != "finished" || stop_asked()) {
             std::fputs(
                 fmt::format("{}: stopped at the user's wish; state saved, go on with --resume\n", method).c_str(),
                 stderr);
+            write_json(common, runs_json(runs));
             return run_failed;
         }
     }
@@ -86,7 +95,10 @@ int run_run(const RunCommand& command, const Common& common) {
     std::vector<RunRecord> records;
     for (const char* method : {"sph", "fvm"})
         if (fs::exists(out / method / "record.h5")) records.push_back(read_record(out / method / "record.h5"));
-    if (records.size() < 2) return done;
+    if (records.size() < 2) {
+        write_json(common, runs_json(runs));
+        return done;
+    }
     const bool both_now = scene.run.methods.size() == 2;
     try {
         const Comparison comparison = compare_records(std::move(records));
@@ -97,6 +109,7 @@ int run_run(const RunCommand& command, const Common& common) {
         if (both_now) throw;
         // The other method's record is from an earlier scene: that takes nothing from this run.
         say(common, std::string("not compared: ") + e.what() + "\n");
+        write_json(common, runs_json(runs));
     }
     return done;
 }

@@ -46,7 +46,10 @@ TEST_F(Command, ARunLeavesItsRecordAndIsNotWrittenOver) {
               std::string::npos)
         << again.err;
     EXPECT_EQ(content(folder_ / "runs/my column/sph/record.h5"), record);
-    EXPECT_EQ(twinwake({"run", "my column.toml", "--overwrite", "-q"}).status, 0);
+    const Outcome facts = twinwake({"run", "my column.toml", "--overwrite", "-q", "--json", "-"});
+    EXPECT_EQ(facts.status, 0);
+    EXPECT_NE(facts.out.find("\"state\": \"finished\""), std::string::npos) << facts.out;
+    EXPECT_EQ(twinwake({"run", "my column.toml", "--resume"}).status, 0);  // nothing left to do is no error
 }
 
 TEST_F(Command, AnInterruptedRunSavesItsStateAndGoesOn) {
