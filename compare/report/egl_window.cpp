@@ -42,6 +42,21 @@ public:
 };
 vtkStandardNewMacro(Window);
 
+/// One display for the whole process, opened when first needed and kept: Mesa's software driver loses a little memory
+/// each time a display is terminated, and starting it again costs more than drawing.
+EGLDisplay surfaceless_display() {
+    static const EGLDisplay display = [] {
+        const auto platform_display =
+            reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
+        if (!platform_display) throw RunError("no pictures: this EGL knows no surfaceless display");
+        const EGLDisplay found = platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+        if (found == EGL_NO_DISPLAY || !eglInitialize(found, nullptr, nullptr))
+            throw RunError("no pictures: no surfaceless EGL display (packages libegl1, libegl-mesa0, libgl1-mesa-dri)");
+        return found;
+    }();
+    return display;
+}
+
 }  // namespace
 
 struct EglWindow::Impl {
@@ -59,19 +74,11 @@ struct EglWindow::Impl {
             eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
             eglDestroyContext(display, context);
         }
-        if (display != EGL_NO_DISPLAY) eglTerminate(display);
     }
 };
 
 EglWindow::EglWindow(int width, int height) : impl_(std::make_unique<Impl>()) {
-    const auto platform_display =
-        reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
-    if (!platform_display) throw RunError("no pictures: this EGL knows no surfaceless display");
-    impl_->display = platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-    if (impl_->display == EGL_NO_DISPLAY || !eglInitialize(impl_->display, nullptr, nullptr)) {
-        impl_->display = EGL_NO_DISPLAY;
-        throw RunError("no pictures: no surfaceless EGL display (packages libegl1, libegl-mesa0, libgl1-mesa-dri)");
-    }
+    impl_->display = surfaceless_display();
     const EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
     EGLConfig config{};
     EGLint count = 0;
