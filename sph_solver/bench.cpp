@@ -27,6 +27,8 @@ double kernel_peak(const PassData& like, int threads) {
             std::vector<StressRecord> stress(n, StressRecord{0, 0, 0, 0});
             std::vector<ShiftRecord> shift(16);
             std::vector<RateRecord> rate(16);
+            std::vector<NearSurfaceRecord> near_surface(16);
+            const std::vector<float> surface(n, 0.0f);
             std::vector<std::int32_t> list(n);
             for (int k = 0; k < n; ++k) {
                 place[static_cast<std::size_t>(k)] = {(k % 8) << 18, (k / 8 % 8) << 18, (k / 64) << 18, 1e-6f};
@@ -34,6 +36,7 @@ double kernel_peak(const PassData& like, int threads) {
             }
             PassData d = like;
             d.place = place.data(), d.motion = motion.data(), d.stress = stress.data(), d.shift = shift.data(), d.rate = rate.data();
+            d.surface = surface.data(), d.near_surface = near_surface.data();
             Group g;
             g.size = 16, g.list = list.data(), g.list_size = n;
             for (int r = 0; r < repeats; ++r) {

@@ -136,9 +136,6 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
     }
     fresh.attributes["threads"] = std::to_string(threads);
     fresh.attributes["isa"] = passes().isa;
-    fresh.attributes["symmetry_factor"] = std::to_string(scene.symmetry_factor());
-    const Vec3& reference = setup->solver.moment_reference;
-    fresh.attributes["moment_reference"] = fmt::format("{} {} {}", reference.x(), reference.y(), reference.z());
     fresh.numbers["spacing"] = scene.resolution.near_hull;
     fresh.numbers["wall_particles"] = double(solver->wall_particles());
     const double mass_at_start = checkpoint ? checkpoint->mass_at_start : solver->mass() * double(solver->particles().size());

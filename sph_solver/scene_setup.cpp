@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/errors.h"
+#include "record/run_record.h"
 
 namespace tw {
 
@@ -65,7 +66,7 @@ SphSetup sph_setup(const Scene& scene, int threads) {
     }
     if (scene.hull) {
         s.solids.push_back(scene.hull->surface);
-        s.moment_reference = scene.hull->mass.centroid;
+        s.moment_reference = moment_reference(scene);
         setup.control_volume = control_box(scene, s);
     }
     for (const Obstacle& o : scene.obstacles) s.solids.push_back(o.surface);

@@ -241,18 +241,27 @@ void Solver::update_records() {
 
 void Solver::update_mirror_images(bool stress) {
     const MirrorPlanes planes(setup_.domain, quanta_);
+    const Hydrostatic still{setup_.gravity, setup_.rho0, setup_.state_equation.c0};
+    const Vec3 gradient = still.gradient();
     const std::size_t n = particles_.size();
 #pragma omp parallel for schedule(static)
     for (std::size_t k = 0; k < images_.size(); ++k) {
         const auto i = static_cast<std::size_t>(images_[k].source);
-        if (stress) {
-            stress_[n + k] = mirrored(stress_[i], images_[k]);
-            motion_[n + k].drho = motion_[i].drho;
-            surface_[n + k] = surface_[i];
-        } else {
+        if (!stress) {
             place_[n + k] = planes.place(place_[i], images_[k]);
             motion_[n + k] = mirrored(motion_[i], images_[k]);
         }
+        const PlaceRecord &from = place_[i], &to = place_[n + k];
+        const Vec3 step = quanta_.size * Vec3(double(to.x) - from.x, double(to.y) - from.y, double(to.z) - from.z);
+        motion_[n + k].drho = motion_[i].drho + static_cast<float>(still.deviation(step));
+        if (!stress) continue;
+        StressRecord s = stress_[i];
+        s.gx -= static_cast<float>(gradient.x()), s.gy -= static_cast<float>(gradient.y()), s.gz -= static_cast<float>(gradient.z());
+        s = mirrored(s, images_[k]);
+        s.gx += static_cast<float>(gradient.x()), s.gy += static_cast<float>(gradient.y()), s.gz += static_cast<float>(gradient.z());
+        s.p += static_cast<float>(still.pressure(step));
+        stress_[n + k] = s;
+        surface_[n + k] = surface_[i];
     }
 }
 

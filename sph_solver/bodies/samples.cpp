@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tw {
 
@@ -50,11 +51,14 @@ double SurfaceSamples::wetted_area() const {
     return sum;
 }
 
-double SurfaceSamples::wetted_planform() const {
-    double sum = 0;
-    for (std::size_t k = 0; k < area.size(); ++k)
-        if (points.support[k] >= wet && area[k].z() < 0) sum -= area[k].z();
-    return sum;
+double SurfaceSamples::wetted_length(double half_width) const {
+    double first = std::numeric_limits<double>::infinity(), last = -first;
+    for (std::size_t k = 0; k < area.size(); ++k) {
+        if (points.support[k] < wet || std::abs(points.places[k].y()) > half_width) continue;
+        first = std::min(first, points.places[k].x());
+        last = std::max(last, points.places[k].x());
+    }
+    return std::max(0.0, last - first);
 }
 
 }  // namespace tw

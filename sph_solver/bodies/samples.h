@@ -30,8 +30,8 @@ struct SurfaceSamples {
     /// Force of the pressure on the wet patches, and its moment.
     Vec3 pressure_force(const Vec3& moment_reference, Vec3& moment) const;
     double wetted_area() const;
-    /// Wetted area projected on the horizontal plane, patches that face down [m2].
-    double wetted_planform() const;
+    /// Extent in x of the wet patches within `half_width` of the centre plane y = 0 [m]: the wetted keel.
+    double wetted_length(double half_width) const;
 
 private:
     Surface patches_;

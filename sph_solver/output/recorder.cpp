@@ -126,7 +126,7 @@ void Recorder::sample_frame(Solver& solver, std::size_t row) {
     set(t, k, "particles_lost", "-", double(solver.ledger().lost));
     if (hull_) {
         set(t, k, "wetted_area", "m2", factor_ * hull_->wetted_area());
-        set(t, k, "wetted_length", "m", factor_ * hull_->wetted_planform() / scene_.hull->beam);
+        set(t, k, "wetted_length", "m", hull_->wetted_length(0.1 * scene_.hull->beam));
     }
     probe(solver);
 }

@@ -26,7 +26,7 @@ double mean(const Table& table, const std::string& name, double from) {
     double sum = 0;
     int count = 0;
     for (std::size_t i = 0; i < table.time.size(); ++i)
-        if (table.time[i] >= from) {
+        if (table.time[i] >= from && !std::isnan(column->values[i])) {   // NaN: not sampled at this step
             sum += column->values[i];
             ++count;
         }
