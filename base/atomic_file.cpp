@@ -64,7 +64,9 @@ std::string read_text(const fs::path& path) {
 }
 
 FolderLock::FolderLock(const fs::path& folder) {
-    fs::create_directories(folder);
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) throw InputError(folder.string() + ": the folder cannot be made: " + error.message());
     fd_ = ::open((folder / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
     if (fd_ < 0 || ::flock(fd_, LOCK_EX | LOCK_NB) != 0) {
         const std::string why = fd_ < 0 ? std::strerror(errno) : "another run is using it; wait for it or choose another folder";
