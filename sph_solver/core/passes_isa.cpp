@@ -10,7 +10,6 @@ namespace {
 
 using simd::F;
 using simd::lanes;
-using simd::splat;
 
 /// Coordinates of a chunk of neighbours relative to the group's centre [m], so that the pair loop loads broadcast floats.
 struct alignas(64) Chunk {
