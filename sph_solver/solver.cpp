@@ -94,11 +94,7 @@ void Solver::build_wall() {
     std::vector<std::int32_t> order;
     sort_by_column(grid_, raw, 0, raw.size(), order, wall_start_);
     wall_place_.resize(raw.size());
-    wall_mass_.resize(raw.size());
-    for (std::size_t k = 0; k < raw.size(); ++k) {
-        wall_place_[k] = raw[static_cast<std::size_t>(order[k])];
-        wall_mass_[k] = static_cast<float>(setup_.rho0) * wall_place_[k].volume;
-    }
+    for (std::size_t k = 0; k < raw.size(); ++k) wall_place_[k] = raw[static_cast<std::size_t>(order[k])];
     wall_p_.assign(raw.size(), 0);
     make_groups(wall_place_, wall_start_, 0, wall_groups_);
 }
@@ -517,7 +513,7 @@ double Solver::bytes() const {
     auto& p = const_cast<Particles&>(particles_);
     p.for_each_array(add);
     add(images_), add(place_), add(motion_), add(stress_), add(shift_), add(rate_), add(normal_), add(surface_), add(near_surface_), add(groups_), add(wall_load_);
-    add(wall_mass_), add(wall_place_), add(wall_p_), add(wall_groups_), add(live_wall_groups_);
+    add(wall_place_), add(wall_p_), add(wall_groups_), add(live_wall_groups_);
     return sum;
 }
 

@@ -104,15 +104,13 @@ public:
     const Ledger& ledger() const { return ledger_; }
     const Extremes& extremes() const { return extremes_; }
     const Timers& timers() const { return timers_; }
-    std::size_t wall_particles() const { return wall_mass_.size(); }
+    std::size_t wall_particles() const { return wall_place_.size(); }
     double bytes() const;                               ///< memory of state, lists and walls
 
     /// Fields at points from the present particles; valid until the next step. Not part of the time integration.
     void sample(PointSamples& points);
     void set_control_volume(const Box& box) { control_ = ControlVolume(box); }
     ControlVolume* control_volume() { return control_ ? &*control_ : nullptr; }
-    const std::vector<ShiftRecord>& shift_records() const { return shift_; }
-    const std::vector<RateRecord>& rate_records() const { return rate_; }
 
     /// The state a restart needs; a restart goes on bitwise the same when `mark_restart_point()` was called at that moment in both.
     struct Restart {
@@ -164,7 +162,6 @@ private:
 
     // solids
     std::vector<SurfaceQuery> queries_;
-    std::vector<float> wall_mass_;
     std::vector<PlaceRecord> wall_place_;
     std::vector<float> wall_p_;
     std::vector<std::int32_t> wall_start_;

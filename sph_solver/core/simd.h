@@ -2,7 +2,6 @@
 // Sixteen floats at a time. The vector type is GCC's: on AVX-512 it is one register, on AVX2 two, on baseline x86-64 four,
 // and on other machines whatever the compiler makes of it. The pair terms are written against `Real` and never see this.
 #include <cmath>
-#include <cstdint>
 #if defined(__x86_64__)
 #include <immintrin.h>
 #endif
@@ -11,9 +10,6 @@ namespace tw::simd {
 
 inline constexpr int lanes = 16;
 typedef float F __attribute__((vector_size(64)));
-typedef std::int32_t I __attribute__((vector_size(64)));
-
-inline F splat(float x) { return F{} + x; }
 
 #if defined(__AVX512F__)
 inline F sqrt(F x) { return (F)_mm512_sqrt_ps((__m512)x); }

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "base/errors.h"
+#include "sph_solver/bench.h"
 #include "sph_solver/output/checkpoint.h"
 #include "sph_solver/solver.h"
 
@@ -146,6 +147,17 @@ TEST(Engine, NotANumberStopsTheRun) {
     solver.step();
     solver.particles().u[17] = std::numeric_limits<float>::quiet_NaN();
     EXPECT_THROW(solver.step(), RunError);
+}
+
+TEST(Bench, MeasuresEveryFigureItPrints) {
+    const BenchResult r = run_bench(4000, 1.5, 1, 0.05);
+    EXPECT_EQ(r.particles, 16 * 16 * 16);
+    EXPECT_NEAR(r.neighbours_per_particle, 113.1, 0.1);
+    EXPECT_GT(r.evaluations_per_second, 0);
+    EXPECT_GT(r.bytes_per_particle, 100);
+    EXPECT_GT(r.share_of_kernel_peak, 0);
+    EXPECT_GT(r.share_outside_pairs, 0);
+    EXPECT_LT(r.share_outside_pairs, 1);
 }
 
 TEST(Engine, NoParticleLeavesAClosedTank) {
