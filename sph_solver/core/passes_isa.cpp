@@ -103,7 +103,8 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
         V3<F> b{F{}, F{}, F{}}, s{F{}, F{}, F{}};
         F support{};
 
-        for_each_neighbour(d.place, g.list, g.list_size, g, d.quantum, [&](std::int32_t j, const float* xyz) {
+        // what water and wall neighbours have in common: support and shifting sum
+        const auto meet = [&](const float* xyz) {
             const V3<F> r{xyz[0] - a.x, xyz[1] - a.y, xyz[2] - a.z};
             const KernelShape k = shape(r, d.kernel.inv_h);
             const F t2 = k.t * k.t;
@@ -115,7 +116,12 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
             s.x += fs * r.x;
             s.y += fs * r.y;
             s.z += fs * r.z;
-            const F fx = FV * r.x, fy = FV * r.y, fz = FV * r.z;
+            return Pair<F>{r, k.r2, FV};
+        };
+        for_each_neighbour(d.place, g.list, g.list_size, g, d.quantum, [&](std::int32_t j, const float* xyz) {
+            const Pair<F> ij = meet(xyz);
+            const V3<F>& r = ij.r_ji;
+            const F fx = ij.FV * r.x, fy = ij.FV * r.y, fz = ij.FV * r.z;
             m[0] += fx * r.x;
             m[1] += fx * r.y;
             m[2] += fx * r.z;
@@ -123,7 +129,7 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
             m[4] += fy * r.z;
             m[5] += fz * r.z;
             const MotionRecord& mj = d.motion[j];
-            Continuity::add(Pair<F>{r, k.r2, FV}, V3<F>{u.x - mj.u, u.y - mj.v, u.z - mj.w}, divergence);
+            Continuity::add(ij, V3<F>{u.x - mj.u, u.y - mj.v, u.z - mj.w}, divergence);
             const F jump = mj.drho - drho_i;
             b.x += jump * fx;
             b.y += jump * fy;
@@ -137,20 +143,8 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
         }
         const F u_n = dot(u, n_i);
         const V3<F> u_iw{u_n * n_i.x, u_n * n_i.y, u_n * n_i.z};
-        for_each_neighbour(d.wall_place, g.wall_list, g.wall_size, g, d.quantum, [&](std::int32_t, const float* xyz) {
-            const V3<F> r{xyz[0] - a.x, xyz[1] - a.y, xyz[2] - a.z};
-            const KernelShape k = shape(r, d.kernel.inv_h);
-            const F t2 = k.t * k.t;
-            const F FV = (d.kernel.five_sigma * xyz[3]) * t2 * k.t;
-            const F W = d.kernel.sigma * (t2 * t2) * (k.q + k.q + 1.0f);
-            support += W * xyz[3];
-            const F ratio = W * d.inv_W_dp, ratio2 = ratio * ratio;
-            const F fs = FV + 0.2f * FV * ratio2 * ratio2;
-            s.x += fs * r.x;
-            s.y += fs * r.y;
-            s.z += fs * r.z;
-            Continuity::add(Pair<F>{r, k.r2, FV}, u_iw, wall_divergence);
-        });
+        for_each_neighbour(d.wall_place, g.wall_list, g.wall_size, g, d.quantum,
+                           [&](std::int32_t, const float* xyz) { Continuity::add(meet(xyz), u_iw, wall_divergence); });
         if (g.wall_size > 0) {
             // A wall compresses only the water that it touches: while the support is incomplete there is a void between them,
             // and the void closes first. Receding walls pull at once.
@@ -195,14 +189,15 @@ void forces(const PassData& d, const Group* groups, int count) {
         V3<F> towards_surface{F{}, F{}, F{}};
         V3<F> pressure{F{}, F{}, F{}}, viscous{F{}, F{}, F{}}, wall{F{}, F{}, F{}};
 
+        const auto meet = [&](const float* xyz) {
+            const V3<F> r{xyz[0] - a.x, xyz[1] - a.y, xyz[2] - a.z};
+            const KernelShape k = shape(r, d.kernel.inv_h);
+            return Pair<F>{r, k.r2, (d.kernel.five_sigma * xyz[3]) * (k.t * k.t) * k.t};
+        };
         for_each_neighbour(d.place, g.list, g.list_size, g, d.quantum, [&](std::int32_t j, const float* xyz) {
             const MotionRecord& mj = d.motion[j];
             const StressRecord& sj = d.stress[j];
-            Pair<F> ij;
-            ij.r_ji = {xyz[0] - a.x, xyz[1] - a.y, xyz[2] - a.z};
-            const KernelShape k = shape(ij.r_ji, d.kernel.inv_h);
-            ij.r2 = k.r2;
-            ij.FV = (d.kernel.five_sigma * xyz[3]) * (k.t * k.t) * k.t;
+            const Pair<F> ij = meet(xyz);
             const V3<F> u_ij{u.x - mj.u, u.y - mj.v, u.z - mj.w};
             DensityDiffusion::add(ij, mj.drho - drho_i, V3<F>{grad.x + sj.gx, grad.y + sj.gy, grad.z + sj.gz}, diffusion);
             PressureGradient::add(ij, p_i + sj.p, pressure);
@@ -215,10 +210,7 @@ void forces(const PassData& d, const Group* groups, int count) {
         });
 
         for_each_neighbour(d.wall_place, g.wall_list, g.wall_size, g, d.quantum, [&](std::int32_t j, const float* xyz) {
-            Pair<F> ij;
-            ij.r_ji = {xyz[0] - a.x, xyz[1] - a.y, xyz[2] - a.z};
-            const KernelShape k = shape(ij.r_ji, d.kernel.inv_h);
-            ij.FV = (d.kernel.five_sigma * xyz[3]) * (k.t * k.t) * k.t;
+            const Pair<F> ij = meet(xyz);
             PressureGradient::add(ij, p_i + d.wall_p[j], wall);
         });
         const F rho_i = d.rho0 + drho_i, inv_rho = 1.0f / rho_i;
