@@ -183,9 +183,9 @@ void add_forces(Comparison& comparison, const CompareOptions& options) {
     for (const Beside& b :
          {Beside{"drag_pressure", "Pressure drag", "N", "forces", "fx_pressure", "pressure part of the drag"},
           Beside{"drag_friction", "Friction drag", "N", "forces", "fx_viscous",
-                 "viscous part of the drag; zero where no physical viscosity is solved"},
-          Beside{"drag_friction_corrected", "Friction drag, corrected for air", "N", "forces", "fx_viscous_corrected",
-                 "friction if the wet faces touched water alone"},
+                 "viscous part of the drag, as if the wet faces touched water alone; zero where no physical viscosity is solved"},
+          Beside{"drag_friction_uncorrected", "Friction drag, not corrected for air", "N", "forces", "fx_viscous_uncorrected",
+                 "friction of the mixture of water and air at the wet faces"},
           Beside{"drag_air", "Drag by air", "N", "forces", "fx_air",
                  "force on the dry faces, part of the total of a method that solves air; not compared"},
           Beside{"lift_air", "Lift by air", "N", "forces", "fz_air",
