@@ -69,7 +69,8 @@ FolderLock::FolderLock(const fs::path& folder) {
     if (error) throw InputError(folder.string() + ": the folder cannot be made: " + error.message());
     fd_ = ::open((folder / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
     if (fd_ < 0 || ::flock(fd_, LOCK_EX | LOCK_NB) != 0) {
-        const std::string why = fd_ < 0 ? std::strerror(errno) : "another run is using it; wait for it or choose another folder";
+        const std::string why =
+            fd_ < 0 ? std::strerror(errno) : "another run is using it; wait for it or choose another folder";
         if (fd_ >= 0) ::close(fd_);
         throw InputError(folder.string() + ": " + why);
     }

@@ -14,7 +14,8 @@ namespace {
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-/// Candidate pairs per second of gradient + force pass on one group and 400 neighbours, all in the first cache, per thread.
+/// Candidate pairs per second of gradient + force pass on one group and 400 neighbours, all in the first cache, per
+/// thread.
 double kernel_peak(const PassData& like, int threads) {
     constexpr int n = 400, repeats = 4000;
     double best = 0;
@@ -35,7 +36,8 @@ double kernel_peak(const PassData& like, int threads) {
                 list[static_cast<std::size_t>(k)] = k;
             }
             PassData d = like;
-            d.place = place.data(), d.motion = motion.data(), d.stress = stress.data(), d.shift = shift.data(), d.rate = rate.data();
+            d.place = place.data(), d.motion = motion.data(), d.stress = stress.data(), d.shift = shift.data(),
+            d.rate = rate.data();
             d.surface = surface.data(), d.near_surface = near_surface.data();
             Group g;
             g.size = 16, g.list = list.data(), g.list_size = n;
@@ -88,7 +90,8 @@ BenchResult run_bench(std::int64_t particles, double h_over_dp, int threads, dou
     PassData like;
     like.kernel = Kernel(solver.h(), 3);
     like.quantum = static_cast<float>(s.dp / (1 << 18));
-    r.share_of_kernel_peak = double(t.pair_candidates - before.pair_candidates) / in_pairs / kernel_peak(like, s.threads);
+    r.share_of_kernel_peak =
+        double(t.pair_candidates - before.pair_candidates) / in_pairs / kernel_peak(like, s.threads);
     return r;
 }
 

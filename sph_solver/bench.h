@@ -4,19 +4,19 @@
 
 namespace tw {
 
-/// Throughput of this machine on a block of jittered particles in a closed box: full delta-SPH right-hand side (renormalised
-/// gradient pass and force pass), lists rebuilt as in a run.
+/// Throughput of this machine on a block of jittered particles in a closed box: full delta-SPH right-hand side
+/// (renormalised gradient pass and force pass), lists rebuilt as in a run.
 struct BenchResult {
     std::int64_t particles = 0;
     double neighbours_per_particle = 0;
     int threads = 0;
     std::string isa;
-    double evaluations_per_second = 0;   ///< particle evaluations of the whole right-hand side, everything included
-    double pairs_per_second = 0;         ///< directed pairs within the support, both passes counted as one
+    double evaluations_per_second = 0;  ///< particle evaluations of the whole right-hand side, everything included
+    double pairs_per_second = 0;        ///< directed pairs within the support, both passes counted as one
     double bytes_per_particle = 0;
-    double share_of_kernel_peak = 0;     ///< candidate pairs per second in the pair passes over those of the same passes on data that
-                                         ///< never leaves the first cache
-    double share_outside_pairs = 0;      ///< of a step: lists, sorting, updates
+    double share_of_kernel_peak = 0;  ///< candidate pairs per second in the pair passes over those of the same passes
+                                      ///< on data that never leaves the first cache
+    double share_outside_pairs = 0;  ///< of a step: lists, sorting, updates
 };
 BenchResult run_bench(std::int64_t particles, double h_over_dp, int threads, double seconds);
 

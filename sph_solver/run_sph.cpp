@@ -37,9 +37,11 @@ double peak_memory() {
 /// Adds wall and processor time to a phase of the record while it lives.
 class PhaseTimer {
 public:
-    PhaseTimer(RunRecord& record, std::string name) : record_(record), name_(std::move(name)), wall_(wall_now()), cpu_(cpu_now()) {}
+    PhaseTimer(RunRecord& record, std::string name)
+        : record_(record), name_(std::move(name)), wall_(wall_now()), cpu_(cpu_now()) {}
     ~PhaseTimer() {
-        auto p = std::find_if(record_.phases.begin(), record_.phases.end(), [&](const Phase& q) { return q.name == name_; });
+        auto p =
+            std::find_if(record_.phases.begin(), record_.phases.end(), [&](const Phase& q) { return q.name == name_; });
         if (p == record_.phases.end()) p = record_.phases.insert(p, Phase{name_, 0, 0});
         p->wall += wall_now() - wall_;
         p->cpu += cpu_now() - cpu_;
@@ -77,7 +79,8 @@ public:
         particles_.emplace_back(particles, solver.time());
         write_series(folder_ / "particles.hdf.series", particles_);
         if (record.hull_pressure.empty()) return;
-        write_surface(folder_ / hull, record.hull, {{"pressure", 1, record.hull_pressure}, {"wet", 1, record.hull_wet}});
+        write_surface(folder_ / hull, record.hull,
+                      {{"pressure", 1, record.hull_pressure}, {"wet", 1, record.hull_wet}});
         hulls_.emplace_back(hull, solver.time());
         write_series(folder_ / "hull.vtp.series", hulls_);
     }
@@ -86,7 +89,8 @@ public:
         if (!fs::exists(folder_)) return;
         for (const auto& entry : fs::directory_iterator(folder_)) {
             const std::string name = entry.path().filename().string();
-            for (auto [prefix, suffix, list] : {std::tuple{"particles_", ".hdf", &particles_}, std::tuple{"hull_", ".vtp", &hulls_}})
+            for (auto [prefix, suffix, list] :
+                 {std::tuple{"particles_", ".hdf", &particles_}, std::tuple{"hull_", ".vtp", &hulls_}})
                 if (name.starts_with(prefix) && name.ends_with(suffix)) {
                     const double at = std::stod(name.substr(std::string(prefix).size()));
                     if (at <= time) list->emplace_back(name, at);
@@ -113,15 +117,21 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
     const FolderLock lock(options.folder);
     const bool holds_run = fs::exists(record_file) || fs::exists(checkpoint_file);
     if (holds_run && !options.resume && !options.overwrite)
-        throw InputError(options.folder.string() + ": holds a run already; go on with --resume, begin anew with --overwrite, or choose another --out");
+        throw InputError(
+            options.folder.string() +
+            ": holds a run already; go on with --resume, begin anew with --overwrite, or choose another --out");
     if (options.resume && fs::exists(record_file)) {
         RunRecord done = read_record(record_file);
-        if (done.state == "finished" && done.attributes["scene_hash"] == scene.hash && done.numbers["duration"] >= scene.run.duration) return done;
+        if (done.state == "finished" && done.attributes["scene_hash"] == scene.hash &&
+            done.numbers["duration"] >= scene.run.duration)
+            return done;
     }
     std::optional<Checkpoint> checkpoint;
     if (options.resume && holds_run) checkpoint = read_checkpoint(checkpoint_file, scene.hash);
 
-    const int threads = options.threads > 0 ? options.threads : scene.run.threads > 0 ? scene.run.threads : omp_get_num_procs();
+    const int threads = options.threads > 0     ? options.threads
+                        : scene.run.threads > 0 ? scene.run.threads
+                                                : omp_get_num_procs();
     RunRecord fresh = new_record(scene, "sph");
     std::optional<SphSetup> setup;
     std::optional<Solver> solver;
@@ -138,7 +148,8 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
     fresh.attributes["isa"] = passes().isa;
     fresh.numbers["spacing"] = scene.resolution.near_hull;
     fresh.numbers["wall_particles"] = double(solver->wall_particles());
-    const double mass_at_start = checkpoint ? checkpoint->mass_at_start : solver->mass() * double(solver->particles().size());
+    const double mass_at_start =
+        checkpoint ? checkpoint->mass_at_start : solver->mass() * double(solver->particles().size());
     setup->fluid = {};
 
     if (!checkpoint) remove_old_run(options.folder);
@@ -161,7 +172,9 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
     const double duration = scene.run.duration, interval = scene.sampling.interval;
     double next_frame = next_after(solver->time(), interval);
     double next_checkpoint = next_after(solver->time(), scene.run.checkpoint > 0 ? scene.run.checkpoint : duration);
-    double next_snapshot = scene.sampling.snapshot_interval > 0 ? next_after(solver->time(), scene.sampling.snapshot_interval) : 2 * duration;
+    double next_snapshot = scene.sampling.snapshot_interval > 0
+                               ? next_after(solver->time(), scene.sampling.snapshot_interval)
+                               : 2 * duration;
     const double started = wall_now(), time_at_start = solver->time();
     double last_report = 0;
 
@@ -211,7 +224,8 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
             }
             if (wall_now() - last_report > 0.5) report();
             if (options.stop_asked && options.stop_asked()) {
-                save("stopped", fmt::format("asked to stop at t = {:.6g} s; --resume goes on from the last checkpoint", solver->time()));
+                save("stopped", fmt::format("asked to stop at t = {:.6g} s; --resume goes on from the last checkpoint",
+                                            solver->time()));
                 return record;
             }
         }

@@ -5,8 +5,8 @@
 
 namespace tw {
 
-/// Runs the scene with smoothed particles into `options.folder` (record.h5, checkpoint.h5, snapshots/). Returns the record as
-/// written. Throws InputError before anything is written; RunError after state was saved.
+/// Runs the scene with smoothed particles into `options.folder` (record.h5, checkpoint.h5, snapshots/). Returns the
+/// record as written. Throws InputError before anything is written; RunError after state was saved.
 RunRecord run_sph(const Scene& scene, const RunOptions& options);
 
 }  // namespace tw

@@ -12,8 +12,8 @@ namespace {
 
 bool is_mirror(Side side) { return side == Side::slip_wall || side == Side::symmetry; }
 
-/// Clear of the wet hull by half a beam below and beside it (at least six spacings), a quarter of its length ahead and as
-/// far behind as half of that, and open above.
+/// Clear of the wet hull by half a beam below and beside it (at least six spacings), a quarter of its length ahead and
+/// as far behind as half of that, and open above.
 Box control_box(const Scene& scene, const SolverSetup& s) {
     const Hull& hull = *scene.hull;
     const double near = std::max(6 * s.dp, 0.5 * hull.beam);
@@ -21,7 +21,7 @@ Box control_box(const Scene& scene, const SolverSetup& s) {
     Box box = hull.still.wet_bounds;
     box.min -= Vec3(std::max(near, 0.25 * hull.length), near, near);
     box.max += Vec3(std::max(near, 0.125 * hull.length), near, 0);
-    const double clear = 2 * s.dp;   // of the domain's sides
+    const double clear = 2 * s.dp;  // of the domain's sides
     box.min = box.min.cwiseMax(s.domain.min + Vec3::Constant(clear));
     box.max = box.max.cwiseMin(s.domain.max - Vec3::Constant(clear));
     for (int a = 0; a < 3; ++a) {
@@ -44,7 +44,8 @@ SphSetup sph_setup(const Scene& scene, int threads) {
     s.h_over_dp = scene.sph.h_over_dp;
     s.rho0 = scene.water.density;
     s.gravity = Vec3(0, 0, -scene.water.gravity);
-    s.state_equation.form = scene.sph.equation_of_state == "tait" ? StateEquation::Form::tait : StateEquation::Form::linear;
+    s.state_equation.form =
+        scene.sph.equation_of_state == "tait" ? StateEquation::Form::tait : StateEquation::Form::linear;
     s.state_equation.c0 = scene.sph.c0;
     s.state_equation.gamma = scene.sph.gamma;
     s.delta = scene.sph.delta;
@@ -54,13 +55,16 @@ SphSetup sph_setup(const Scene& scene, int threads) {
     s.domain = scene.domain.box;
     s.threads = threads;
     const Domain& d = scene.domain;
-    s.mirrors.on = {{{is_mirror(d.x_min), is_mirror(d.x_max)}, {is_mirror(d.y_min), is_mirror(d.y_max)}, {is_mirror(d.z_min), is_mirror(d.z_max)}}};
+    s.mirrors.on = {{{is_mirror(d.x_min), is_mirror(d.x_max)},
+                     {is_mirror(d.y_min), is_mirror(d.y_max)},
+                     {is_mirror(d.z_min), is_mirror(d.z_max)}}};
     if (s.dimensions == 2) s.mirrors.on[1] = {false, false};
     if (scene.motion.kind == Motion::Kind::stream) {
         Stream stream;
         stream.speed = scene.motion.speed;
         stream.ramp = scene.motion.ramp;
-        // the inlet must fill every support that reaches back over its plane, and outlast the steps between two list builds
+        // the inlet must fill every support that reaches back over its plane, and outlast the steps between two list
+        // builds
         stream.buffer = std::ceil(2 * s.h_over_dp + 2) * s.dp;
         s.stream = stream;
     }
@@ -83,7 +87,8 @@ SphSetup sph_setup(const Scene& scene, int threads) {
     }
     setup.fluid = fill_with_fluid(s, blocks);
     if (setup.fluid.places.empty())
-        throw InputError(scene.file.string() + ": no water particle fits: the spacing " + std::to_string(s.dp) + " m is too coarse for the water");
+        throw InputError(scene.file.string() + ": no water particle fits: the spacing " + std::to_string(s.dp) +
+                         " m is too coarse for the water");
     return setup;
 }
 

@@ -10,7 +10,7 @@ namespace tw {
 struct SphSetup {
     SolverSetup solver;
     Fluid fluid;
-    std::optional<Box> control_volume;   ///< round the hull, clear of it and inside the water's sides
+    std::optional<Box> control_volume;  ///< round the hull, clear of it and inside the water's sides
 };
 
 /// Throws InputError for what this engine does not solve (an effect forced on, refinement levels, motions).

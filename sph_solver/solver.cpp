@@ -15,8 +15,8 @@ namespace tw {
 
 namespace {
 
-constexpr double skin_over_dp = 0.2;        ///< slack of the particle lists
-constexpr double wall_skin_over_dp = 0.6;   ///< slack of the lists between particles and walls
+constexpr double skin_over_dp = 0.2;       ///< slack of the particle lists
+constexpr double wall_skin_over_dp = 0.6;  ///< slack of the lists between particles and walls
 constexpr double largest_density_deviation = 0.3;
 constexpr double largest_mach = 1.0;
 
@@ -30,7 +30,8 @@ private:
     std::chrono::steady_clock::time_point start_;
 };
 
-/// Runs a pass over all groups, in parallel; what a group writes is its own, so any number of threads gives the same bits.
+/// Runs a pass over all groups, in parallel; what a group writes is its own, so any number of threads gives the same
+/// bits.
 template <class Data>
 void run_pass(void (*pass)(const Data&, const Group*, int), const Data& data, const std::vector<Group>& groups) {
     constexpr std::size_t block = 16;
@@ -56,7 +57,8 @@ Solver::Solver(SolverSetup setup, const Fluid& fluid) : setup_(std::move(setup))
     quanta_.origin = (s.domain.min + s.domain.max) / 2;
     if (s.dimensions == 2) quanta_.origin.y() = 0;
     if (s.domain.size().maxCoeff() > quanta_.reach())
-        throw InputError(fmt::format("the domain is {:.3g} spacings long; at most 8000 are possible in one run", s.domain.size().maxCoeff() / s.dp));
+        throw InputError(fmt::format("the domain is {:.3g} spacings long; at most 8000 are possible in one run",
+                                     s.domain.size().maxCoeff() / s.dp));
     Box area = s.domain;
     const double margin = kernel_.support() + s.dp;
     area.min.array() -= margin;
@@ -70,7 +72,9 @@ Solver::Solver(SolverSetup setup, const Fluid& fluid) : setup_(std::move(setup))
     for (std::size_t k = 0; k < fluid.places.size(); ++k) {
         const Vec3& p = fluid.places[k];
         const double depth_pressure = s.rho0 * s.gravity.norm() * fluid.depth[k];
-        const Kind kind = s.stream && p.x() < s.domain.min.x() ? Kind::inlet : s.stream && p.x() > s.domain.max.x() ? Kind::outlet : Kind::fluid;
+        const Kind kind = s.stream && p.x() < s.domain.min.x()   ? Kind::inlet
+                          : s.stream && p.x() > s.domain.max.x() ? Kind::outlet
+                                                                 : Kind::fluid;
         particles_.add(p.x(), p.y(), p.z(), s.stream ? static_cast<float>(s.stream->velocity(0)) : 0.0f,
                        s.state_equation.deviation(s.rho0, depth_pressure), next_id_++, kind);
     }
@@ -84,13 +88,15 @@ void Solver::build_wall() {
     region.max.array() += kernel_.support();
     for (const Surface& surface : setup_.solids) {
         queries_.emplace_back(surface);
-        const WallDummies d = make_wall_dummies(queries_.back(), surface.bounds(), setup_.dp, kernel_.support() + setup_.dp, region, setup_.dimensions);
+        const WallDummies d = make_wall_dummies(queries_.back(), surface.bounds(), setup_.dp,
+                                                kernel_.support() + setup_.dp, region, setup_.dimensions);
         all.places.insert(all.places.end(), d.places.begin(), d.places.end());
         all.volumes.insert(all.volumes.end(), d.volumes.begin(), d.volumes.end());
     }
     std::vector<PlaceRecord> raw(all.places.size());
     for (std::size_t k = 0; k < raw.size(); ++k)
-        raw[k] = {quanta_.of(all.places[k].x(), 0), quanta_.of(all.places[k].y(), 1), quanta_.of(all.places[k].z(), 2), static_cast<float>(all.volumes[k])};
+        raw[k] = {quanta_.of(all.places[k].x(), 0), quanta_.of(all.places[k].y(), 1), quanta_.of(all.places[k].z(), 2),
+                  static_cast<float>(all.volumes[k])};
     std::vector<std::int32_t> order;
     sort_by_column(grid_, raw, 0, raw.size(), order, wall_start_);
     wall_place_.resize(raw.size());
@@ -115,12 +121,16 @@ void Solver::rebuild() {
                 case Kind::inlet:
                     if (p.x[i] < s.domain.min.x()) break;
                     p.kind[i] = Kind::fluid;
-                    p.add(p.x[i] - stream.buffer, p.y[i], p.z[i], p.u[i], s.state_equation.deviation(s.rho0, s.rho0 * std::max(0.0, s.gravity.z() * p.z[i])), next_id_++, Kind::inlet);
+                    p.add(p.x[i] - stream.buffer, p.y[i], p.z[i], p.u[i],
+                          s.state_equation.deviation(s.rho0, s.rho0 * std::max(0.0, s.gravity.z() * p.z[i])),
+                          next_id_++, Kind::inlet);
                     ++ledger_.in;
                     break;
                 case Kind::fluid:
-                    if (p.x[i] > s.domain.max.x()) p.kind[i] = Kind::outlet;
-                    else if (p.x[i] < s.domain.min.x() - 0.5 * s.dp) gone[i] = 1;   // washed back into the inlet
+                    if (p.x[i] > s.domain.max.x())
+                        p.kind[i] = Kind::outlet;
+                    else if (p.x[i] < s.domain.min.x() - 0.5 * s.dp)
+                        gone[i] = 1;  // washed back into the inlet
                     break;
                 case Kind::outlet:
                     if (p.x[i] > s.domain.max.x() + stream.buffer) gone[i] = 1;
@@ -131,7 +141,7 @@ void Solver::rebuild() {
     }
     return_from_mirrors(s.mirrors, s.domain, p);
     for (std::size_t i = 0; i < p.size(); ++i)
-        if (p.z[i] > s.domain.max.z() && !s.mirrors.on[2][1]) gone[i] = 1;   // through the open top
+        if (p.z[i] > s.domain.max.z() && !s.mirrors.on[2][1]) gone[i] = 1;  // through the open top
 
     place_.resize(p.size());
     std::vector<PlaceRecord> kept;
@@ -151,13 +161,15 @@ void Solver::rebuild() {
     const std::size_t n = p.size();
 
     // mirror images, sorted the same way
-    const double reach = kernel_.support() + skin_over_dp * s.dp, wall_reach = kernel_.support() + wall_skin_over_dp * s.dp;
+    const double reach = kernel_.support() + skin_over_dp * s.dp,
+                 wall_reach = kernel_.support() + wall_skin_over_dp * s.dp;
     images_ = make_mirror_images(s.mirrors, s.domain, p, std::max(reach, wall_reach));
     const MirrorPlanes planes(s.domain, quanta_);
     std::vector<PlaceRecord> image_places(images_.size());
     for (std::size_t k = 0; k < images_.size(); ++k) {
         const auto i = static_cast<std::size_t>(images_[k].source);
-        image_places[k] = planes.place({quanta_.of(p.x[i], 0), quanta_.of(p.y[i], 1), quanta_.of(p.z[i], 2), 0}, images_[k]);
+        image_places[k] =
+            planes.place({quanta_.of(p.x[i], 0), quanta_.of(p.y[i], 1), quanta_.of(p.z[i], 2), 0}, images_[k]);
     }
     sort_by_column(grid_, image_places, 0, images_.size(), order, image_start_);
     {
@@ -176,10 +188,12 @@ void Solver::rebuild() {
     update_records();
 
     make_groups(place_, start_, 0, groups_);
-    const std::vector<Source> sources = {{place_.data(), &start_, 0}, {place_.data() + n, &image_start_, static_cast<std::int32_t>(n)}};
+    const std::vector<Source> sources = {{place_.data(), &start_, 0},
+                                         {place_.data() + n, &image_start_, static_cast<std::int32_t>(n)}};
     lists_.build(grid_, quanta_, place_.data(), groups_, sources, reach, false);
     if (!wall_place_.empty()) {
-        wall_lists_.build(grid_, quanta_, place_.data(), groups_, {{wall_place_.data(), &wall_start_, 0}}, wall_reach, true);
+        wall_lists_.build(grid_, quanta_, place_.data(), groups_, {{wall_place_.data(), &wall_start_, 0}}, wall_reach,
+                          true);
         live_wall_groups_ = wall_groups_;
         wall_source_lists_.build(grid_, quanta_, wall_place_.data(), live_wall_groups_, sources, wall_reach, false);
         std::fill(wall_p_.begin(), wall_p_.end(), 0.0f);
@@ -209,8 +223,8 @@ void Solver::find_normals() {
             for (const SurfaceQuery& query : queries_) {
                 const SurfaceQuery::Nearest nearest = query.nearest(x, reach);
                 if (nearest.triangle < 0 || nearest.distance >= r.distance) continue;
-                r = {static_cast<float>(nearest.normal.x()), static_cast<float>(nearest.normal.y()), static_cast<float>(nearest.normal.z()),
-                     static_cast<float>(nearest.distance)};
+                r = {static_cast<float>(nearest.normal.x()), static_cast<float>(nearest.normal.y()),
+                     static_cast<float>(nearest.normal.z()), static_cast<float>(nearest.distance)};
             }
             if (r.distance < -setup_.dp) {
 #pragma omp critical
@@ -220,7 +234,9 @@ void Solver::find_normals() {
     }
     if (through >= 0) {
         ++ledger_.lost;
-        fail_at(static_cast<std::size_t>(through), "has gone through the hull; often a wall thinner than the kernel's support 2 h, or a spacing too coarse for a sharp edge");
+        fail_at(static_cast<std::size_t>(through),
+                "has gone through the hull; often a wall thinner than the kernel's support 2 h, or a spacing too "
+                "coarse for a sharp edge");
     }
 }
 
@@ -252,9 +268,11 @@ void Solver::update_mirror_images(bool stress) {
         motion_[n + k].drho = motion_[i].drho + static_cast<float>(still.deviation(step));
         if (!stress) continue;
         StressRecord s = stress_[i];
-        s.gx -= static_cast<float>(gradient.x()), s.gy -= static_cast<float>(gradient.y()), s.gz -= static_cast<float>(gradient.z());
+        s.gx -= static_cast<float>(gradient.x()), s.gy -= static_cast<float>(gradient.y()),
+            s.gz -= static_cast<float>(gradient.z());
         s = mirrored(s, images_[k]);
-        s.gx += static_cast<float>(gradient.x()), s.gy += static_cast<float>(gradient.y()), s.gz += static_cast<float>(gradient.z());
+        s.gx += static_cast<float>(gradient.x()), s.gy += static_cast<float>(gradient.y()),
+            s.gz += static_cast<float>(gradient.z());
         s.p += static_cast<float>(still.pressure(step));
         stress_[n + k] = s;
         surface_[n + k] = surface_[i];
@@ -355,7 +373,8 @@ void Solver::integrate() {
     dt_ = s.cfl * h_ / (c0 + speed);
     if (extremes_.acceleration > 0) dt_ = std::min(dt_, s.cfl * std::sqrt(h_ / extremes_.acceleration));
     if (s.alpha > 0) dt_ = std::min(dt_, 0.25 * h_ * h_ / (s.alpha * h_ * c0));
-    const double dt = dt_, stream_before = s.stream ? s.stream->velocity(time_) : 0, stream_after = s.stream ? s.stream->velocity(time_ + dt) : 0;
+    const double dt = dt_, stream_before = s.stream ? s.stream->velocity(time_) : 0,
+                 stream_after = s.stream ? s.stream->velocity(time_ + dt) : 0;
     const double shift_scale = -s.shifting * dt * std::max(speed, 1e-30) * h_, shift_cap = 0.05 * s.dp;
 
     struct Part {
@@ -375,7 +394,8 @@ void Solver::integrate() {
             switch (p.kind[i]) {
                 case Kind::fluid: {
                     const RateRecord& r = rate_[i];
-                    part.acceleration2 = std::max(part.acceleration2, double(r.ax) * r.ax + double(r.ay) * r.ay + double(r.az) * r.az);
+                    part.acceleration2 =
+                        std::max(part.acceleration2, double(r.ax) * r.ax + double(r.ay) * r.ay + double(r.az) * r.az);
                     p.u[i] = static_cast<float>(u0 + dt * r.ax);
                     p.v[i] = static_cast<float>(v0 + dt * r.ay);
                     p.w[i] = static_cast<float>(w0 + dt * r.az);
@@ -420,7 +440,10 @@ void Solver::integrate() {
     std::size_t fastest = 0;
     Vec3 crossed = Vec3::Zero();
     for (const Part& part : parts) {
-        if (part.broken) fail_at(part.fastest, "has a velocity, density or place that is not a number; often a time step or sound speed that does not fit the flow");
+        if (part.broken)
+            fail_at(part.fastest,
+                    "has a velocity, density or place that is not a number; often a time step or sound speed that does "
+                    "not fit the flow");
         if (part.speed2 > speed2) speed2 = part.speed2, fastest = part.fastest;
         relative2 = std::max(relative2, part.relative2);
         shift2 = std::max(shift2, part.shift2);
@@ -442,7 +465,10 @@ void Solver::integrate() {
     travel_ += dt * extremes_.speed + shift_travel;
     time_ += dt;
     ++steps_;
-    if (extremes_.speed > largest_mach * c0) fail_at(fastest, fmt::format("moves at {:.3g} m/s = {:.3g} c0; the sound speed is too low for this flow, or a wall was struck too hard", extremes_.speed, extremes_.speed / c0));
+    if (extremes_.speed > largest_mach * c0)
+        fail_at(fastest, fmt::format("moves at {:.3g} m/s = {:.3g} c0; the sound speed is too low for this flow, or a "
+                                     "wall was struck too hard",
+                                     extremes_.speed, extremes_.speed / c0));
     check_bounds();
 }
 
@@ -451,8 +477,10 @@ void Solver::check_bounds() {
     if (extremes_.density_deviation_high <= limit && extremes_.density_deviation_low >= -limit) return;
     for (std::size_t i = 0; i < particles_.size(); ++i)
         if (std::abs(particles_.drho[i]) > limit)
-            fail_at(i, fmt::format("has the density {:.4g} kg/m3, more than {:.0f} % from {:.4g}; often a sound speed that is too low or water caught between walls",
-                                   setup_.rho0 + double(particles_.drho[i]), 100 * largest_density_deviation, setup_.rho0));
+            fail_at(
+                i, fmt::format("has the density {:.4g} kg/m3, more than {:.0f} % from {:.4g}; often a sound speed that "
+                               "is too low or water caught between walls",
+                               setup_.rho0 + double(particles_.drho[i]), 100 * largest_density_deviation, setup_.rho0));
 }
 
 void Solver::step() {
@@ -473,7 +501,8 @@ void Solver::sample(PointSamples& points) {
     if (n == 0) return;
     std::vector<PlaceRecord> raw(n), sorted(n);
     for (std::size_t k = 0; k < n; ++k)
-        raw[k] = {quanta_.of(points.places[k].x(), 0), quanta_.of(points.places[k].y(), 1), quanta_.of(points.places[k].z(), 2), 0};
+        raw[k] = {quanta_.of(points.places[k].x(), 0), quanta_.of(points.places[k].y(), 1),
+                  quanta_.of(points.places[k].z(), 2), 0};
     std::vector<std::int32_t> order, start;
     sort_by_column(grid_, raw, 0, n, order, start);
     for (std::size_t k = 0; k < n; ++k) sorted[k] = raw[static_cast<std::size_t>(order[k])];
@@ -481,10 +510,13 @@ void Solver::sample(PointSamples& points) {
     make_groups(sorted, start, 0, groups);
     NeighbourLists lists;
     const std::size_t particles = particles_.size();
-    // the particles were sorted a few steps ago and have moved by up to the skin since: twice that keeps the search complete
+    // the particles were sorted a few steps ago and have moved by up to the skin since: twice that keeps the search
+    // complete
     const double reach = kernel_.support() + 2 * wall_skin_over_dp * setup_.dp;
-    lists.build(grid_, quanta_, sorted.data(), groups,
-                {{place_.data(), &start_, 0}, {place_.data() + particles, &image_start_, static_cast<std::int32_t>(particles)}}, reach, false);
+    lists.build(
+        grid_, quanta_, sorted.data(), groups,
+        {{place_.data(), &start_, 0}, {place_.data() + particles, &image_start_, static_cast<std::int32_t>(particles)}},
+        reach, false);
     std::vector<float> p(n), support(n), velocity(points.want_velocity ? 3 * n : 0);
     ExtrapolateData e;
     e.at = sorted.data();
@@ -497,7 +529,8 @@ void Solver::sample(PointSamples& points) {
     e.kernel = kernel_;
     e.quantum = static_cast<float>(quanta_.size);
     e.rho0 = static_cast<float>(setup_.rho0);
-    e.gx = static_cast<float>(setup_.gravity.x()), e.gy = static_cast<float>(setup_.gravity.y()), e.gz = static_cast<float>(setup_.gravity.z());
+    e.gx = static_cast<float>(setup_.gravity.x()), e.gy = static_cast<float>(setup_.gravity.y()),
+    e.gz = static_cast<float>(setup_.gravity.z());
     run_pass(passes_->extrapolate, e, groups);
     for (std::size_t k = 0; k < n; ++k) {
         const auto i = static_cast<std::size_t>(order[k]);
@@ -512,7 +545,8 @@ double Solver::bytes() const {
     const auto add = [&](const auto& v) { sum += double(v.capacity() * sizeof(v[0])); };
     auto& p = const_cast<Particles&>(particles_);
     p.for_each_array(add);
-    add(images_), add(place_), add(motion_), add(stress_), add(shift_), add(rate_), add(normal_), add(surface_), add(near_surface_), add(groups_), add(wall_load_);
+    add(images_), add(place_), add(motion_), add(stress_), add(shift_), add(rate_), add(normal_), add(surface_),
+        add(near_surface_), add(groups_), add(wall_load_);
     add(wall_place_), add(wall_p_), add(wall_groups_), add(live_wall_groups_);
     return sum;
 }
@@ -533,35 +567,10 @@ void Solver::restore(const Restart& r, Particles particles) {
 
 void Solver::fail_at(std::size_t i, const std::string& what) const {
     const Particles& p = particles_;
-    throw RunError(fmt::format("particle {} at t = {:.6g} s (step {}) near ({:.4g}, {:.4g}, {:.4g}) m, |u| = {:.4g} m/s, {}", p.id[i], time_, steps_, p.x[i], p.y[i], p.z[i],
-                               std::sqrt(double(p.u[i]) * p.u[i] + double(p.v[i]) * p.v[i] + double(p.w[i]) * p.w[i]), what));
-}
-
-Fluid fill_with_fluid(const SolverSetup& s, const std::vector<Box>& blocks) {
-    const double dp = s.dp;
-    std::vector<SurfaceQuery> queries;
-    for (const Surface& surface : s.solids) queries.emplace_back(surface);
-    Fluid out;
-    for (const Box& block : blocks) {
-        const auto count = [&](int a) { return static_cast<long>(std::llround(block.size()[a] / dp)); };
-        const long nx = count(0), ny = s.dimensions == 3 ? count(1) : 1, nz = count(2);
-        std::vector<Vec3> lattice;
-        for (long k = 0; k < nz; ++k)
-            for (long j = 0; j < ny; ++j)
-                for (long i = 0; i < nx; ++i)
-                    lattice.emplace_back(block.min.x() + (double(i) + 0.5) * dp, s.dimensions == 3 ? block.min.y() + (double(j) + 0.5) * dp : 0.0, block.min.z() + (double(k) + 0.5) * dp);
-        std::vector<double> distance(lattice.size(), 1e30), d(lattice.size());
-        for (const SurfaceQuery& q : queries) {
-            q.signed_distances(lattice, d, 2 * dp);
-            for (std::size_t k = 0; k < d.size(); ++k) distance[k] = std::min(distance[k], d[k]);
-        }
-        for (std::size_t k = 0; k < lattice.size(); ++k)
-            if (distance[k] > 0) {
-                out.places.push_back(lattice[k]);
-                out.depth.push_back(block.max.z() - lattice[k].z());
-            }
-    }
-    return out;
+    throw RunError(
+        fmt::format("particle {} at t = {:.6g} s (step {}) near ({:.4g}, {:.4g}, {:.4g}) m, |u| = {:.4g} m/s, {}",
+                    p.id[i], time_, steps_, p.x[i], p.y[i], p.z[i],
+                    std::sqrt(double(p.u[i]) * p.u[i] + double(p.v[i]) * p.v[i] + double(p.w[i]) * p.w[i]), what));
 }
 
 }  // namespace tw

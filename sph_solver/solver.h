@@ -22,18 +22,18 @@ namespace tw {
 /// Everything the engine needs to know, in SI units.
 struct SolverSetup {
     int dimensions = 3;
-    double dp = 0;             ///< particle spacing [m]
+    double dp = 0;  ///< particle spacing [m]
     double h_over_dp = 1.5;
     double rho0 = 1000;
     Vec3 gravity{0, 0, -9.81};
     StateEquation state_equation;
-    double delta = 0.1;        ///< density diffusion
-    double alpha = 0.01;       ///< artificial viscosity
+    double delta = 0.1;   ///< density diffusion
+    double alpha = 0.01;  ///< artificial viscosity
     double cfl = 0.45;
     double shifting = 1;
-    /// Kernel support sum_j V_j W_ij (walls and images counted; 1 in the interior, about 0.75 at a flat free surface) below
-    /// which a particle counts as free surface: it bears no tension, and a wall that comes nearer does not compress it; between
-    /// this and 1 the wall's compression sets in.
+    /// Kernel support sum_j V_j W_ij (walls and images counted; 1 in the interior, about 0.75 at a flat free surface)
+    /// below which a particle counts as free surface: it bears no tension, and a wall that comes nearer does not
+    /// compress it; between this and 1 the wall's compression sets in.
     double surface_support = 0.9;
     /// Shifting acts from this support on; near the free surface only along it, unless a wall is near.
     double shifting_support = 0.95;
@@ -41,15 +41,15 @@ struct SolverSetup {
     Box domain;
     Mirrors mirrors;
     std::optional<Stream> stream;
-    std::vector<Surface> solids;   ///< closed, fixed; loads are those on all of them together
+    std::vector<Surface> solids;  ///< closed, fixed; loads are those on all of them together
     Vec3 moment_reference = Vec3::Zero();
     int threads = 0;
 };
 
 /// Force and moment of the water on the solids, as solved (a half model's half).
 struct Load {
-    Vec3 force = Vec3::Zero();    ///< [N] (per metre of width in two dimensions)
-    Vec3 moment = Vec3::Zero();   ///< about the setup's reference [N m]
+    Vec3 force = Vec3::Zero();   ///< [N] (per metre of width in two dimensions)
+    Vec3 moment = Vec3::Zero();  ///< about the setup's reference [N m]
 };
 
 /// What left and entered since the start, in particles.
@@ -60,12 +60,12 @@ struct Ledger {
 /// Extremes of one step, for the gates and the time step.
 struct Extremes {
     double speed = 0, acceleration = 0, density_deviation_low = 0, density_deviation_high = 0;
-    std::int64_t fastest = -1;   ///< id of the fastest particle
+    std::int64_t fastest = -1;  ///< id of the fastest particle
     Vec3 fastest_place = Vec3::Zero();
 };
 
 struct Timers {
-    double lists = 0, gradient = 0, walls = 0, forces = 0, update = 0;   ///< [s] wall
+    double lists = 0, gradient = 0, walls = 0, forces = 0, update = 0;  ///< [s] wall
     std::int64_t pair_candidates = 0, evaluations = 0, rebuilds = 0;
 };
 
@@ -83,14 +83,15 @@ Fluid fill_with_fluid(const SolverSetup& setup, const std::vector<Box>& blocks);
 ///   p = p(rho); wall pressure
 ///   sweep 2 at (x, rho): acceleration a, density diffusion D;      u += dt a;  rho += dt D;  x += dt u + shift
 ///
-/// So the velocity that compresses is the one the pressure has just made (sound is carried without growth), and the density
-/// gradient of the diffusion is one compression older than the density, which leaves water at rest alone all the same.
+/// So the velocity that compresses is the one the pressure has just made (sound is carried without growth), and the
+/// density gradient of the diffusion is one compression older than the density, which leaves water at rest alone all
+/// the same.
 class Solver {
 public:
     /// The particles start at the stream's velocity at t = 0 (at rest when it is ramped), under hydrostatic pressure.
     Solver(SolverSetup setup, const Fluid& fluid);
 
-    void step();                  ///< throws RunError: NaN, density or Mach number out of bounds, particle through a wall
+    void step();  ///< throws RunError: NaN, density or Mach number out of bounds, particle through a wall
     double time() const { return time_; }
     std::int64_t steps() const { return steps_; }
     double dt() const { return dt_; }
@@ -98,21 +99,22 @@ public:
     const Particles& particles() const { return particles_; }
     Particles& particles() { return particles_; }
     double pressure(std::size_t i) const { return setup_.state_equation.pressure(setup_.rho0, particles_.drho[i]); }
-    double mass() const { return mass_; }               ///< of one particle [kg]
+    double mass() const { return mass_; }  ///< of one particle [kg]
     double h() const { return h_; }
     const Load& load() const { return load_; }
     const Ledger& ledger() const { return ledger_; }
     const Extremes& extremes() const { return extremes_; }
     const Timers& timers() const { return timers_; }
     std::size_t wall_particles() const { return wall_place_.size(); }
-    double bytes() const;                               ///< memory of state, lists and walls
+    double bytes() const;  ///< memory of state, lists and walls
 
     /// Fields at points from the present particles; valid until the next step. Not part of the time integration.
     void sample(PointSamples& points);
     void set_control_volume(const Box& box) { control_ = ControlVolume(box); }
     ControlVolume* control_volume() { return control_ ? &*control_ : nullptr; }
 
-    /// The state a restart needs; a restart goes on bitwise the same when `mark_restart_point()` was called at that moment in both.
+    /// The state a restart needs; a restart goes on bitwise the same when `mark_restart_point()` was called at that
+    /// moment in both.
     struct Restart {
         double time = 0, dt = 0;
         std::int64_t steps = 0;
@@ -147,7 +149,7 @@ private:
 
     Particles particles_;
     std::vector<MirrorImage> images_;
-    std::vector<PlaceRecord> place_;      // particles, then mirror images
+    std::vector<PlaceRecord> place_;  // particles, then mirror images
     std::vector<MotionRecord> motion_;
     std::vector<StressRecord> stress_;
     std::vector<ShiftRecord> shift_;
@@ -168,7 +170,7 @@ private:
     std::vector<Group> wall_groups_, live_wall_groups_;
     NeighbourLists wall_source_lists_;
 
-    double travel_ = 0, travel_in_stream_ = 0;   ///< upper bounds since the last rebuild [m]
+    double travel_ = 0, travel_in_stream_ = 0;  ///< upper bounds since the last rebuild [m]
     bool rebuild_due_ = true;
     std::optional<ControlVolume> control_;
     Load load_;

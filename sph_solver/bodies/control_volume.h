@@ -15,8 +15,8 @@ class ControlVolume {
 public:
     /// The running sums, part of a restart.
     struct State {
-        Vec3 crossed = Vec3::Zero();          ///< momentum carried in minus out since the start [N s]
-        Vec3 impulse = Vec3::Zero();          ///< of face pressure and gravity [N s]
+        Vec3 crossed = Vec3::Zero();  ///< momentum carried in minus out since the start [N s]
+        Vec3 impulse = Vec3::Zero();  ///< of face pressure and gravity [N s]
         double since = 0;
     };
 
@@ -27,7 +27,8 @@ public:
     const Box& box() const { return box_; }
     PointSamples& faces() { return faces_; }
     bool inside(double x, double y, double z) const {
-        return x >= box_.min.x() && x < box_.max.x() && y >= box_.min.y() && y < box_.max.y() && z >= box_.min.z() && z < box_.max.z();
+        return x >= box_.min.x() && x < box_.max.x() && y >= box_.min.y() && y < box_.max.y() && z >= box_.min.z() &&
+               z < box_.max.z();
     }
     void add_crossed(const Vec3& momentum) { state_.crossed += momentum; }
     /// Adds the face pressure (after `faces()` were sampled) and gravity over the time `dt`.

@@ -26,8 +26,10 @@ SurfaceSamples::SurfaceSamples(const Surface& surface, double size, const Box& r
                         patches_.points.push_back(a + ab * x + ac * y);
                         return static_cast<int>(patches_.points.size()) - 1;
                     };
-                    if (down) patches_.triangles.push_back({corner(u + e, v), corner(u + e, v + e), corner(u, v + e)});
-                    else patches_.triangles.push_back({corner(u, v), corner(u + e, v), corner(u, v + e)});
+                    if (down)
+                        patches_.triangles.push_back({corner(u + e, v), corner(u + e, v + e), corner(u, v + e)});
+                    else
+                        patches_.triangles.push_back({corner(u, v), corner(u + e, v), corner(u, v + e)});
                 }
     }
 }

@@ -18,7 +18,7 @@ struct PointSamples {
 /// A surface cut into patches no larger than `size`, each with a centre and an area vector, for integrals over it.
 struct SurfaceSamples {
     PointSamples points;
-    std::vector<Vec3> area;           ///< outward area vector of each patch [m2]
+    std::vector<Vec3> area;  ///< outward area vector of each patch [m2]
     /// The patches as a surface, one triangle each, in the same order.
     const Surface& patches() const { return patches_; }
 

@@ -2,7 +2,8 @@
 
 namespace tw {
 
-std::vector<MirrorImage> make_mirror_images(const Mirrors& mirrors, const Box& domain, const Particles& p, double reach) {
+std::vector<MirrorImage> make_mirror_images(const Mirrors& mirrors, const Box& domain, const Particles& p,
+                                            double reach) {
     std::vector<MirrorImage> images;
     const std::vector<double>* coordinate[3] = {&p.x, &p.y, &p.z};
     for (std::size_t i = 0; i < p.size(); ++i) {

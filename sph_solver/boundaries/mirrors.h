@@ -23,7 +23,8 @@ struct MirrorImage {
 };
 
 /// All images of particles within `reach` of a plane, corners included.
-std::vector<MirrorImage> make_mirror_images(const Mirrors& mirrors, const Box& domain, const Particles& particles, double reach);
+std::vector<MirrorImage> make_mirror_images(const Mirrors& mirrors, const Box& domain, const Particles& particles,
+                                            double reach);
 
 /// Planes as twice their place in quanta, so that an image is 2 plane - x exactly.
 struct MirrorPlanes {
@@ -34,15 +35,16 @@ struct MirrorPlanes {
 MotionRecord mirrored(MotionRecord m, const MirrorImage& image);
 StressRecord mirrored(StressRecord s, const MirrorImage& image);
 
-/// Water presses on a wall with dp/dn = rho g . n, not with dp/dn = 0: the mirrored field is the pressure less the hydrostatic one.
-/// So an image carries on the source's hydrostatic line over `step` = image - source; without it the pressure has a kink at a
-/// floor, which the diffusion turns into layers of alternating pressure (5 % of rho g H at the floor of a channel).
+/// Water presses on a wall with dp/dn = rho g . n, not with dp/dn = 0: the mirrored field is the pressure less the
+/// hydrostatic one. So an image carries on the source's hydrostatic line over `step` = image - source; without it the
+/// pressure has a kink at a floor, which the diffusion turns into layers of alternating pressure (5 % of rho g H at the
+/// floor of a channel).
 struct Hydrostatic {
     Vec3 gravity;
     double rho0, c0;
     double pressure(const Vec3& step) const { return rho0 * gravity.dot(step); }
     double deviation(const Vec3& step) const { return pressure(step) / (c0 * c0); }
-    Vec3 gradient() const { return rho0 / (c0 * c0) * gravity; }   ///< of the density [kg/m4]
+    Vec3 gradient() const { return rho0 / (c0 * c0) * gravity; }  ///< of the density [kg/m4]
 };
 
 /// A particle that has crossed a plane has changed places with its own image: puts it back. Returns how many.

@@ -6,14 +6,15 @@ namespace tw {
 
 /// A uniform stream along +x between an inlet and an outlet plane (the x faces of the domain).
 ///
-/// Inlet: a buffer of lattice particles upstream of the plane moves with the stream under hydrostatic pressure; one that
-/// crosses the plane becomes fluid and a new one appears a buffer's length upstream. Outlet: a particle that crosses the
-/// plane keeps its velocity and density until it has left the buffer. The stream starts from rest: during the ramp a body
-/// force accelerates all water alike (the frame of an accelerating hull), which makes no pressure of its own.
+/// Inlet: a buffer of lattice particles upstream of the plane moves with the stream under hydrostatic pressure; one
+/// that crosses the plane becomes fluid and a new one appears a buffer's length upstream. Outlet: a particle that
+/// crosses the plane keeps its velocity and density until it has left the buffer. The stream starts from rest: during
+/// the ramp a body force accelerates all water alike (the frame of an accelerating hull), which makes no pressure of
+/// its own.
 struct Stream {
-    double speed = 0;      ///< [m/s]
-    double ramp = 0;       ///< [s]; 0: at full speed from the start
-    double buffer = 0;     ///< length of both buffers [m], a whole number of spacings
+    double speed = 0;   ///< [m/s]
+    double ramp = 0;    ///< [s]; 0: at full speed from the start
+    double buffer = 0;  ///< length of both buffers [m], a whole number of spacings
 
     double velocity(double t) const { return t >= ramp ? speed : speed * smooth(t / ramp); }
     double acceleration(double t) const { return t >= ramp ? 0 : speed * smooth_slope(t / ramp) / ramp; }

@@ -6,10 +6,11 @@
 namespace tw {
 
 namespace {
-constexpr int samples = 6;   // per axis of a cut cell
+constexpr int samples = 6;  // per axis of a cut cell
 
 /// Inner volume and centroid of the lattice cell round `centre`.
-void cut_cell(const SurfaceQuery& query, const Vec3& centre, double dp, int dimensions, double& volume, Vec3& centroid) {
+void cut_cell(const SurfaceQuery& query, const Vec3& centre, double dp, int dimensions, double& volume,
+              Vec3& centroid) {
     int inside = 0;
     Vec3 sum = Vec3::Zero();
     const int ny = dimensions == 3 ? samples : 1;
@@ -29,14 +30,16 @@ void cut_cell(const SurfaceQuery& query, const Vec3& centre, double dp, int dime
 }
 }  // namespace
 
-WallDummies make_wall_dummies(const SurfaceQuery& query, const Box& bounds, double dp, double depth, const Box& region, int dimensions) {
+WallDummies make_wall_dummies(const SurfaceQuery& query, const Box& bounds, double dp, double depth, const Box& region,
+                              int dimensions) {
     Box box;
     box.min = bounds.min.cwiseMax(region.min).array() - dp;
     box.max = bounds.max.cwiseMin(region.max).array() + dp;
     // lattice cells [i dp, (i + 1) dp]; in 2-D one layer round y = 0
     const auto cell = [&](double x, bool up) { return static_cast<long>(up ? std::ceil(x / dp) : std::floor(x / dp)); };
     const long x0 = cell(box.min.x(), false), nx = cell(box.max.x(), true) - x0;
-    const long y0 = dimensions == 3 ? cell(box.min.y(), false) : 0, ny = dimensions == 3 ? cell(box.max.y(), true) - y0 : 1;
+    const long y0 = dimensions == 3 ? cell(box.min.y(), false) : 0,
+               ny = dimensions == 3 ? cell(box.max.y(), true) - y0 : 1;
     const long z0 = cell(box.min.z(), false), nz = cell(box.max.z(), true) - z0;
     if (nx <= 0 || ny <= 0 || nz <= 0) return {};
 
@@ -47,7 +50,8 @@ WallDummies make_wall_dummies(const SurfaceQuery& query, const Box& bounds, doub
         WallDummies& out = layers[static_cast<std::size_t>(k)];
         for (long j = 0; j < ny; ++j)
             for (long i = 0; i < nx;) {
-                const Vec3 p((double(x0 + i) + 0.5) * dp, dimensions == 3 ? (double(y0 + j) + 0.5) * dp : 0.0, (double(z0 + k) + 0.5) * dp);
+                const Vec3 p((double(x0 + i) + 0.5) * dp, dimensions == 3 ? (double(y0 + j) + 0.5) * dp : 0.0,
+                             (double(z0 + k) + 0.5) * dp);
                 const double d = query.nearest(p).distance;
                 if (std::abs(d) <= half_diagonal) {
                     double volume = 0;

@@ -28,7 +28,9 @@ void sort_by_column(const ColumnGrid& grid, const std::vector<PlaceRecord>& plac
     std::partial_sum(start.begin(), start.end(), start.begin());
     std::vector<std::int32_t> fill(start.begin(), start.end() - 1);
     order.resize(n);
-    for (std::size_t i = 0; i < n; ++i) order[static_cast<std::size_t>(fill[static_cast<std::size_t>(column[i])]++)] = static_cast<std::int32_t>(begin + i);
+    for (std::size_t i = 0; i < n; ++i)
+        order[static_cast<std::size_t>(fill[static_cast<std::size_t>(column[i])]++)] =
+            static_cast<std::int32_t>(begin + i);
     const auto before = [&](std::int32_t a, std::int32_t b) {
         const PlaceRecord &p = places[static_cast<std::size_t>(a)], &q = places[static_cast<std::size_t>(b)];
         if (p.z != q.z) return p.z < q.z;
@@ -38,10 +40,12 @@ void sort_by_column(const ColumnGrid& grid, const std::vector<PlaceRecord>& plac
     };
 #pragma omp parallel for schedule(dynamic, 64)
     for (int c = 0; c < grid.count(); ++c)
-        std::sort(order.begin() + start[static_cast<std::size_t>(c)], order.begin() + start[static_cast<std::size_t>(c) + 1], before);
+        std::sort(order.begin() + start[static_cast<std::size_t>(c)],
+                  order.begin() + start[static_cast<std::size_t>(c) + 1], before);
 }
 
-void make_groups(const std::vector<PlaceRecord>& places, const std::vector<std::int32_t>& start, std::size_t first, std::vector<Group>& groups) {
+void make_groups(const std::vector<PlaceRecord>& places, const std::vector<std::int32_t>& start, std::size_t first,
+                 std::vector<Group>& groups) {
     groups.clear();
     for (std::size_t c = 0; c + 1 < start.size(); ++c)
         for (std::int32_t i = start[c]; i < start[c + 1]; i += simd::lanes) {
@@ -81,8 +85,10 @@ Extent extent(const PlaceRecord* places, const Group& g) {
     return e;
 }
 
-void collect(const ColumnGrid& grid, const Group& g, const Extent& e, const Source& source, std::int64_t reach, std::vector<std::int32_t>& out) {
-    const auto ex = static_cast<std::int64_t>(e.x) + reach, ey = static_cast<std::int64_t>(e.y) + reach, ez = static_cast<std::int64_t>(e.z) + reach;
+void collect(const ColumnGrid& grid, const Group& g, const Extent& e, const Source& source, std::int64_t reach,
+             std::vector<std::int32_t>& out) {
+    const auto ex = static_cast<std::int64_t>(e.x) + reach, ey = static_cast<std::int64_t>(e.y) + reach,
+               ez = static_cast<std::int64_t>(e.z) + reach;
     const float reach2 = static_cast<float>(reach) * static_cast<float>(reach);
     const int x1 = grid.column_x(g.x + ex), y1 = grid.column_y(g.y + ey);
     for (int cy = grid.column_y(g.y - ey); cy <= y1; ++cy)
@@ -95,15 +101,16 @@ void collect(const ColumnGrid& grid, const Group& g, const Extent& e, const Sour
                 const float dx = std::max(0.0f, std::fabs(static_cast<float>(p->x - g.x)) - e.x);
                 const float dy = std::max(0.0f, std::fabs(static_cast<float>(p->y - g.y)) - e.y);
                 const float dz = std::max(0.0f, std::fabs(static_cast<float>(p->z - g.z)) - e.z);
-                if (dx * dx + dy * dy + dz * dz <= reach2) out.push_back(source.offset + static_cast<std::int32_t>(p - source.places));
+                if (dx * dx + dy * dy + dz * dz <= reach2)
+                    out.push_back(source.offset + static_cast<std::int32_t>(p - source.places));
             }
         }
 }
 
 }  // namespace
 
-void NeighbourLists::build(const ColumnGrid& grid, const Quanta& quanta, const PlaceRecord* targets, std::vector<Group>& groups,
-                           const std::vector<Source>& sources, double reach, bool wall) {
+void NeighbourLists::build(const ColumnGrid& grid, const Quanta& quanta, const PlaceRecord* targets,
+                           std::vector<Group>& groups, const std::vector<Source>& sources, double reach, bool wall) {
     constexpr std::size_t per_chunk = 32;
     const std::size_t chunks = (groups.size() + per_chunk - 1) / per_chunk;
     chunks_.resize(chunks);

@@ -10,15 +10,17 @@ namespace tw {
 /// Positions as integers: quanta of dp / 2^18 from `origin`, so that differences are exact in every pair.
 struct Quanta {
     Vec3 origin = Vec3::Zero();
-    double size = 1;   ///< [m]
-    std::int32_t of(double x, int axis) const { return static_cast<std::int32_t>(std::llround((x - origin[axis]) / size)); }
+    double size = 1;  ///< [m]
+    std::int32_t of(double x, int axis) const {
+        return static_cast<std::int32_t>(std::llround((x - origin[axis]) / size));
+    }
     /// Half of the range that 32 bits hold [m].
     double reach() const { return size * 2147483000.0; }
 };
 
 /// Vertical columns of square cross-section over a box; what lies outside belongs to the nearest column.
 struct ColumnGrid {
-    std::int32_t x0 = 0, y0 = 0, width = 1;   ///< [quanta]
+    std::int32_t x0 = 0, y0 = 0, width = 1;  ///< [quanta]
     int nx = 1, ny = 1;
 
     /// `area`: the box to cover [m]. Columns are as wide as a cube of 16 particles (in 2-D: a square).
@@ -33,8 +35,8 @@ private:
     static int clamp(std::int64_t i, int n) { return i < 0 ? 0 : i >= n ? n - 1 : static_cast<int>(i); }
 };
 
-/// Order that sorts places by column, then z, then x, y: a function of the places alone. `start` gets the first index of each
-/// column (count + 1 entries).
+/// Order that sorts places by column, then z, then x, y: a function of the places alone. `start` gets the first index
+/// of each column (count + 1 entries).
 void sort_by_column(const ColumnGrid& grid, const std::vector<PlaceRecord>& places, std::size_t begin, std::size_t end,
                     std::vector<std::int32_t>& order, std::vector<std::int32_t>& start);
 
@@ -44,15 +46,16 @@ void make_groups(const std::vector<PlaceRecord>& places, const std::vector<std::
 
 /// Sorted places in which neighbours are looked for.
 struct Source {
-    const PlaceRecord* places;                 ///< indexed by column start + offset
+    const PlaceRecord* places;  ///< indexed by column start + offset
     const std::vector<std::int32_t>* start;
-    std::int32_t offset;                       ///< index of the first place in the pass's index space
+    std::int32_t offset;  ///< index of the first place in the pass's index space
 };
 
 /// Storage of neighbour lists; groups point into it.
 class NeighbourLists {
 public:
-    /// For every group the indices of all source places within `reach` [m] of its bounding box. `wall`: fills wall_list.
+    /// For every group the indices of all source places within `reach` [m] of its bounding box. `wall`: fills
+    /// wall_list.
     void build(const ColumnGrid& grid, const Quanta& quanta, const PlaceRecord* targets, std::vector<Group>& groups,
                const std::vector<Source>& sources, double reach, bool wall);
     std::size_t bytes() const;

@@ -10,9 +10,9 @@ namespace tw {
 ///
 /// F has no division by r, so coincident particles are harmless.
 struct Kernel {
-    float inv_h = 0;      ///< [1/m]
-    float sigma = 0;      ///< [1/m^dim]
-    float five_sigma = 0; ///< 5 sigma / h^2
+    float inv_h = 0;       ///< [1/m]
+    float sigma = 0;       ///< [1/m^dim]
+    float five_sigma = 0;  ///< 5 sigma / h^2
 
     Kernel() = default;
     Kernel(double h, int dimensions) {

@@ -5,8 +5,8 @@
 
 namespace tw {
 
-// What the pair passes read and write: plain arrays, so that the passes can be compiled once per instruction set (and for
-// a GPU) without dragging other code along. One neighbour costs three 16-byte loads.
+// What the pair passes read and write: plain arrays, so that the passes can be compiled once per instruction set (and
+// for a GPU) without dragging other code along. One neighbour costs three 16-byte loads.
 
 /// Position in units of `quantum`, exact differences; volume m/rho [m3].
 struct alignas(16) PlaceRecord {
@@ -24,25 +24,25 @@ struct alignas(16) StressRecord {
 
 /// A group of up to 16 particles that are neighbours in space and in memory.
 struct Group {
-    std::int32_t first = 0, size = 0;           ///< particles [first, first + size)
-    const std::int32_t* list = nullptr;         ///< its neighbours among particles and mirror images
-    const std::int32_t* wall_list = nullptr;    ///< its neighbours among the wall's dummy particles
+    std::int32_t first = 0, size = 0;         ///< particles [first, first + size)
+    const std::int32_t* list = nullptr;       ///< its neighbours among particles and mirror images
+    const std::int32_t* wall_list = nullptr;  ///< its neighbours among the wall's dummy particles
     std::int32_t list_size = 0, wall_size = 0;
-    std::int32_t wall_load = -1;                ///< index of its WallLoad; -1: no wall near
-    std::int32_t x = 0, y = 0, z = 0;           ///< centre, in quanta: pair coordinates are relative to it
+    std::int32_t wall_load = -1;       ///< index of its WallLoad; -1: no wall near
+    std::int32_t x = 0, y = 0, z = 0;  ///< centre, in quanta: pair coordinates are relative to it
 };
 
 /// Per-particle result of the gradient pass.
 struct alignas(16) ShiftRecord {
-    float x, y, z;      ///< sum_j (1 + 0.2 (W_ij/W(dp))^4) grad_i W_ij V_j [1/m]
-    float support;      ///< sum_j V_j W_ij, walls and the particle itself counted [-]
+    float x, y, z;  ///< sum_j (1 + 0.2 (W_ij/W(dp))^4) grad_i W_ij V_j [1/m]
+    float support;  ///< sum_j V_j W_ij, walls and the particle itself counted [-]
 };
 /// Per-particle rates [m/s2], [kg/m3/s].
 struct alignas(16) RateRecord {
     float ax, ay, az, drho;
 };
-/// What the walls do to one group, per unit of particle mass: sum of the accelerations, and of arm x acceleration about the
-/// group's centre (pair forces are central, so the arm may end at the fluid particle).
+/// What the walls do to one group, per unit of particle mass: sum of the accelerations, and of arm x acceleration about
+/// the group's centre (pair forces are central, so the arm may end at the fluid particle).
 struct WallLoad {
     float ax = 0, ay = 0, az = 0, mx = 0, my = 0, mz = 0;
 };
@@ -51,8 +51,8 @@ struct alignas(16) NormalRecord {
     float x, y, z, distance;
 };
 
-/// Where the free surface is, seen from a particle: sum over surface particles of F V r_ji (towards them) and of F V; all zero
-/// farther than 2h from any.
+/// Where the free surface is, seen from a particle: sum over surface particles of F V r_ji (towards them) and of F V;
+/// all zero farther than 2h from any.
 struct alignas(16) NearSurfaceRecord {
     float x, y, z, weight;
 };
@@ -65,33 +65,33 @@ struct PassData {
     const PlaceRecord* wall_place = nullptr;
     const float* wall_p = nullptr;
     const NormalRecord* normal = nullptr;
-    const float* surface = nullptr;   ///< 1 for particles (and images) at the free surface, else 0
+    const float* surface = nullptr;  ///< 1 for particles (and images) at the free surface, else 0
     NearSurfaceRecord* near_surface = nullptr;
     ShiftRecord* shift = nullptr;
     RateRecord* rate = nullptr;
     WallLoad* wall_load = nullptr;
 
     Kernel kernel;
-    float quantum = 1;      ///< [m]
+    float quantum = 1;  ///< [m]
     float rho0 = 1000;
-    float inv_W_dp = 0;     ///< 1 / W(dp)
-    float diffusion = 0;    ///< delta h c0 [m2/s]
-    float viscosity = 0;    ///< alpha h c0 rho0 [kg/m/s]
-    float inv_void = 10;    ///< 1 / (1 - surface_support), see SolverSetup
-    float eta2 = 0;         ///< 0.01 h^2 [m2]
+    float inv_W_dp = 0;            ///< 1 / W(dp)
+    float diffusion = 0;           ///< delta h c0 [m2/s]
+    float viscosity = 0;           ///< alpha h c0 rho0 [kg/m/s]
+    float inv_void = 10;           ///< 1 / (1 - surface_support), see SolverSetup
+    float eta2 = 0;                ///< 0.01 h^2 [m2]
     float gx = 0, gy = 0, gz = 0;  ///< body force [m/s2]
     bool two_dimensional = false;
 };
 
 /// Points at which fields are extrapolated from the fluid: wall dummies, surface samples, probes.
 struct ExtrapolateData {
-    const PlaceRecord* at = nullptr;            ///< the points, in groups as particles are
+    const PlaceRecord* at = nullptr;  ///< the points, in groups as particles are
     const PlaceRecord* place = nullptr;
     const MotionRecord* motion = nullptr;
     const StressRecord* stress = nullptr;
-    float* p = nullptr;                         ///< [Pa]
-    float* support = nullptr;                   ///< sum_j V_j W_ij; may be null
-    float* velocity = nullptr;                  ///< 3 per point; may be null
+    float* p = nullptr;         ///< [Pa]
+    float* support = nullptr;   ///< sum_j V_j W_ij; may be null
+    float* velocity = nullptr;  ///< 3 per point; may be null
     Kernel kernel;
     float quantum = 1, rho0 = 1000;
     float gx = 0, gy = 0, gz = 0;
@@ -100,11 +100,13 @@ struct ExtrapolateData {
 /// The pair passes of one instruction set.
 struct Passes {
     const char* isa;
-    void (*continuity_and_gradient)(const PassData&, const Group*, int count);   ///< fills shift, stress.g and rate.drho = -rho div u
-    void (*forces)(const PassData&, const Group*, int count);                    ///< fills rate; rate.drho = density diffusion
+    void (*continuity_and_gradient)(const PassData&, const Group*,
+                                    int count);                ///< fills shift, stress.g and rate.drho = -rho div u
+    void (*forces)(const PassData&, const Group*, int count);  ///< fills rate; rate.drho = density diffusion
     void (*extrapolate)(const ExtrapolateData&, const Group*, int count);
 };
-/// The best this processor runs; TWINWAKE_ISA=baseline|avx2|avx512 chooses another. Throws InputError for one it cannot run.
+/// The best this processor runs; TWINWAKE_ISA=baseline|avx2|avx512 chooses another. Throws InputError for one it cannot
+/// run.
 const Passes& passes();
 const Passes& passes(const char* isa);
 

@@ -10,10 +10,10 @@ enum class Kind : std::uint8_t { fluid = 0, inlet = 1, outlet = 2 };
 /// The state of all particles, structure of arrays, kept sorted in space. Positions in double precision; density as
 /// the deviation from rho0, so that single precision loses nothing.
 struct Particles {
-    std::vector<double> x, y, z;       ///< [m]
-    std::vector<float> u, v, w;        ///< [m/s]
-    std::vector<float> drho;           ///< rho - rho0 [kg/m3]
-    std::vector<std::int64_t> id;      ///< never reused
+    std::vector<double> x, y, z;   ///< [m]
+    std::vector<float> u, v, w;    ///< [m/s]
+    std::vector<float> drho;       ///< rho - rho0 [kg/m3]
+    std::vector<std::int64_t> id;  ///< never reused
     std::vector<Kind> kind;
 
     std::size_t size() const { return x.size(); }

@@ -6,7 +6,10 @@
 
 namespace tw {
 
-#define TW_DECLARE(isa) namespace isa { extern const Passes table; }
+#define TW_DECLARE(isa)        \
+    namespace isa {            \
+    extern const Passes table; \
+    }
 TW_DECLARE(baseline)
 #ifdef TW_X86_VARIANTS
 TW_DECLARE(avx2)
@@ -21,7 +24,8 @@ const Passes& passes(const char* isa) {
     if (name == "avx2" && __builtin_cpu_supports("x86-64-v3")) return avx2::table;
     if (name == "avx512" && __builtin_cpu_supports("x86-64-v4")) return avx512::table;
 #endif
-    throw InputError("instruction set " + name + ": not known or not supported by this processor; known: baseline, avx2, avx512");
+    throw InputError("instruction set " + name +
+                     ": not known or not supported by this processor; known: baseline, avx2, avx512");
 }
 
 const Passes& passes() {

@@ -1,5 +1,5 @@
-// The neighbour loops, compiled once per instruction set (TW_ISA names it). Nothing here may call inline functions of the
-// standard library: the linker would be free to keep this file's AVX-512 copy for the whole program.
+// The neighbour loops, compiled once per instruction set (TW_ISA names it). Nothing here may call inline functions of
+// the standard library: the linker would be free to keep this file's AVX-512 copy for the whole program.
 #include "sph_solver/core/pair_data.h"
 #include "sph_solver/core/simd.h"
 #include "sph_solver/physics/terms.h"
@@ -11,16 +11,18 @@ namespace {
 using simd::F;
 using simd::lanes;
 
-/// Coordinates of a chunk of neighbours relative to the group's centre [m], so that the pair loop loads broadcast floats.
+/// Coordinates of a chunk of neighbours relative to the group's centre [m], so that the pair loop loads broadcast
+/// floats.
 struct alignas(64) Chunk {
     static constexpr int capacity = 256;
-    float xyz[capacity][4];   // the fourth is the volume
+    float xyz[capacity][4];  // the fourth is the volume
 };
 
 typedef std::int32_t I4 __attribute__((vector_size(16), may_alias));
 typedef float F4 __attribute__((vector_size(16), may_alias));
 
-inline void load_chunk(Chunk& chunk, const PlaceRecord* place, const std::int32_t* list, int n, const Group& g, float quantum) {
+inline void load_chunk(Chunk& chunk, const PlaceRecord* place, const std::int32_t* list, int n, const Group& g,
+                       float quantum) {
     const I4 centre{g.x, g.y, g.z, 0};
     for (int k = 0; k < n; ++k) {
         const PlaceRecord& r = place[list[k]];
@@ -60,7 +62,8 @@ inline KernelShape shape(const V3<F>& r_ji, float inv_h) {
 
 /// Calls `body(k, j, xyz)` for every neighbour of a list.
 template <class Body>
-inline void for_each_neighbour(const PlaceRecord* place, const std::int32_t* list, int n, const Group& g, float quantum, Body body) {
+inline void for_each_neighbour(const PlaceRecord* place, const std::int32_t* list, int n, const Group& g, float quantum,
+                               Body body) {
     Chunk chunk;
     for (int begin = 0; begin < n; begin += Chunk::capacity) {
         const int m = n - begin < Chunk::capacity ? n - begin : Chunk::capacity;
@@ -81,11 +84,12 @@ inline V3<F> solve_symmetric(const F (&m)[6], const V3<F>& b) {
             (cxz * b.x + cyz * b.y + czz * b.z) * inv};
 }
 
-/// First sweep of a step: velocity divergence (continuity), and with it what the second sweep needs of the neighbourhood:
-/// renormalised density gradient (Randles & Libersky 1996), kernel support and the shifting sum (Sun et al. 2017):
+/// First sweep of a step: velocity divergence (continuity), and with it what the second sweep needs of the
+/// neighbourhood: renormalised density gradient (Randles & Libersky 1996), kernel support and the shifting sum (Sun et
+/// al. 2017):
 ///   <grad rho>_i = L_i sum_j (rho_j - rho_i) grad W_ij V_j,   L_i^-1 = sum_j r_ji (x) grad W_ij V_j
-/// Slip wall: the wall's velocity in the continuity sum is u_i - (u_i . n_i) n_i with the exterior normal n_i at the fluid
-/// particle, so u_i - u_wall = (u_i . n_i) n_i.
+/// Slip wall: the wall's velocity in the continuity sum is u_i - (u_i . n_i) n_i with the exterior normal n_i at the
+/// fluid particle, so u_i - u_wall = (u_i . n_i) n_i.
 void continuity_and_gradient(const PassData& d, const Group* groups, int count) {
     for (int n = 0; n < count; ++n) {
         const Group& g = groups[n];
@@ -146,8 +150,8 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
         for_each_neighbour(d.wall_place, g.wall_list, g.wall_size, g, d.quantum,
                            [&](std::int32_t, const float* xyz) { Continuity::add(meet(xyz), u_iw, wall_divergence); });
         if (g.wall_size > 0) {
-            // A wall compresses only the water that it touches: while the support is incomplete there is a void between them,
-            // and the void closes first. Receding walls pull at once.
+            // A wall compresses only the water that it touches: while the support is incomplete there is a void between
+            // them, and the void closes first. Receding walls pull at once.
             const F void_share = simd::positive_part(1.0f - support) * d.inv_void;
             const F touch = simd::positive_part(1.0f - void_share);
             const F compression = simd::positive_part(wall_divergence);
@@ -199,7 +203,8 @@ void forces(const PassData& d, const Group* groups, int count) {
             const StressRecord& sj = d.stress[j];
             const Pair<F> ij = meet(xyz);
             const V3<F> u_ij{u.x - mj.u, u.y - mj.v, u.z - mj.w};
-            DensityDiffusion::add(ij, mj.drho - drho_i, V3<F>{grad.x + sj.gx, grad.y + sj.gy, grad.z + sj.gz}, diffusion);
+            DensityDiffusion::add(ij, mj.drho - drho_i, V3<F>{grad.x + sj.gx, grad.y + sj.gy, grad.z + sj.gz},
+                                  diffusion);
             PressureGradient::add(ij, p_i + sj.p, pressure);
             artificial_viscosity.add(ij, u_ij, viscous);
             const F s = ij.FV * d.surface[j];
@@ -216,11 +221,13 @@ void forces(const PassData& d, const Group* groups, int count) {
         const F rho_i = d.rho0 + drho_i, inv_rho = 1.0f / rho_i;
         const F drho = d.diffusion * diffusion;
         const V3<F> w{wall.x * inv_rho, wall.y * inv_rho, wall.z * inv_rho};
-        const V3<F> acc{(pressure.x + viscous.x) * inv_rho + w.x + d.gx, (pressure.y + viscous.y) * inv_rho + w.y + d.gy,
+        const V3<F> acc{(pressure.x + viscous.x) * inv_rho + w.x + d.gx,
+                        (pressure.y + viscous.y) * inv_rho + w.y + d.gy,
                         (pressure.z + viscous.z) * inv_rho + w.z + d.gz};
         for (int l = 0; l < g.size; ++l) {
             d.rate[g.first + l] = {acc.x[l], acc.y[l], acc.z[l], drho[l]};
-            d.near_surface[g.first + l] = {towards_surface.x[l], towards_surface.y[l], towards_surface.z[l], near_surface[l]};
+            d.near_surface[g.first + l] = {towards_surface.x[l], towards_surface.y[l], towards_surface.z[l],
+                                           near_surface[l]};
         }
         if (g.wall_load >= 0) {
             const V3<F> m{a.y * w.z - a.z * w.y, a.z * w.x - a.x * w.z, a.x * w.y - a.y * w.x};

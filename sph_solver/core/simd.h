@@ -1,6 +1,7 @@
 #pragma once
-// Sixteen floats at a time. The vector type is GCC's: on AVX-512 it is one register, on AVX2 two, on baseline x86-64 four,
-// and on other machines whatever the compiler makes of it. The pair terms are written against `Real` and never see this.
+// Sixteen floats at a time. The vector type is GCC's: on AVX-512 it is one register, on AVX2 two, on baseline x86-64
+// four, and on other machines whatever the compiler makes of it. The pair terms are written against `Real` and never
+// see this.
 #include <cmath>
 #if defined(__x86_64__)
 #include <immintrin.h>

@@ -18,44 +18,59 @@ void for_each_named(P& p, Function f) {
 }
 }  // namespace
 
-void write_checkpoint(const std::filesystem::path& path, const std::string& scene_hash, const Solver& solver, double mass_at_start) {
+void write_checkpoint(const std::filesystem::path& path, const std::string& scene_hash, const Solver& solver,
+                      double mass_at_start) {
     try {
         const h5::Silence silence;
         const h5::Handle file = h5::create_in_memory();
         h5::write_attribute(file, "twinwake_checkpoint", version);
         h5::write_attribute(file, "scene_hash", scene_hash);
         const Solver::Restart r = solver.restart_state();
-        const double state[] = {r.time, r.dt, r.extremes.speed, r.extremes.acceleration, r.extremes.density_deviation_low, r.extremes.density_deviation_high, mass_at_start};
+        const double state[] = {r.time,
+                                r.dt,
+                                r.extremes.speed,
+                                r.extremes.acceleration,
+                                r.extremes.density_deviation_low,
+                                r.extremes.density_deviation_high,
+                                mass_at_start};
         const long long counts[] = {r.steps, r.next_id, r.ledger.in, r.ledger.out, r.ledger.lost};
         h5::write_attribute(file, "state", std::span<const double>(state));
         h5::write_attribute(file, "counts", std::span<const long long>(counts));
-        for_each_named(solver.particles(), [&](const char* name, hid_t type, const auto& values) { h5::write_vector(file, name, type, values, false); });
+        for_each_named(solver.particles(), [&](const char* name, hid_t type, const auto& values) {
+            h5::write_vector(file, name, type, values, false);
+        });
         write_text_atomically(path, h5::image(file));
-    } catch (const h5::Failure& f) {
-        throw RunError(path.string() + ": cannot be written: " + f.what);
-    }
+    } catch (const h5::Failure& f) { throw RunError(path.string() + ": cannot be written: " + f.what); }
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& path, const std::string& scene_hash) {
-    if (!std::filesystem::exists(path)) throw InputError(path.string() + ": not there: the run has not reached its first checkpoint; start it anew with --overwrite");
+    if (!std::filesystem::exists(path))
+        throw InputError(path.string() +
+                         ": not there: the run has not reached its first checkpoint; start it anew with --overwrite");
     try {
         const h5::Silence silence;
-        const h5::Handle file(h5::checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "not an HDF5 file, or cut off"), H5Fclose);
+        const h5::Handle file(
+            h5::checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "not an HDF5 file, or cut off"), H5Fclose);
         if (!h5::has_attribute(file, "twinwake_checkpoint")) throw h5::Failure{"not a checkpoint"};
         if (h5::read_text_attribute(file, "scene_hash") != scene_hash)
-            throw InputError(path.string() + ": belongs to another scene (or the scene file was changed); run in another folder or with --overwrite");
+            throw InputError(path.string() +
+                             ": belongs to another scene (or the scene file was changed); run in another folder or "
+                             "with --overwrite");
         Checkpoint c;
-        const auto state = h5::read_numbers_attribute(file, "state"), counts = h5::read_numbers_attribute(file, "counts");
+        const auto state = h5::read_numbers_attribute(file, "state"),
+                   counts = h5::read_numbers_attribute(file, "counts");
         if (state.size() != 7 || counts.size() != 5) throw h5::Failure{"its state is not whole"};
         Solver::Restart& r = c.state;
         r.time = state[0], r.dt = state[1];
-        r.extremes.speed = state[2], r.extremes.acceleration = state[3], r.extremes.density_deviation_low = state[4], r.extremes.density_deviation_high = state[5];
+        r.extremes.speed = state[2], r.extremes.acceleration = state[3], r.extremes.density_deviation_low = state[4],
+        r.extremes.density_deviation_high = state[5];
         c.mass_at_start = state[6];
         const auto whole = [&](std::size_t k) { return static_cast<std::int64_t>(counts[k]); };
         r.steps = whole(0), r.next_id = whole(1), r.ledger = {whole(2), whole(3), whole(4)};
         for_each_named(c.particles, [&](const char* name, hid_t type, auto& values) {
             values = h5::read_vector<typename std::remove_reference_t<decltype(values)>::value_type>(file, name, type);
-            if (values.size() != c.particles.x.size()) throw h5::Failure{std::string(name) + " has another length than x"};
+            if (values.size() != c.particles.x.size())
+                throw h5::Failure{std::string(name) + " has another length than x"};
         });
         return c;
     } catch (const h5::Failure& f) {

@@ -7,7 +7,8 @@ namespace tw {
 
 /// Everything a run needs to go on bitwise the same, in one HDF5 file, written atomically (raw, no compression).
 /// The caller marks the restart point in the running solver too, so that both build their lists anew at this step.
-void write_checkpoint(const std::filesystem::path& file, const std::string& scene_hash, const Solver& solver, double mass_at_start);
+void write_checkpoint(const std::filesystem::path& file, const std::string& scene_hash, const Solver& solver,
+                      double mass_at_start);
 
 struct Checkpoint {
     Solver::Restart state;

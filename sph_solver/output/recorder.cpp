@@ -11,7 +11,7 @@ namespace tw {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr std::int64_t surface_every = 10;   ///< steps between samples of surface pressure and control volume faces
+constexpr std::int64_t surface_every = 10;  ///< steps between samples of surface pressure and control volume faces
 
 /// Appends a row: every column gets its value, those not named NaN.
 std::size_t append_row(Table& table, double time) {
@@ -27,7 +27,8 @@ void set(Table& table, std::size_t row, const char* name, const char* unit, doub
 
 }  // namespace
 
-Recorder::Recorder(const Scene& scene, const Solver& solver, RunRecord record) : scene_(scene), record_(std::move(record)), factor_(scene.symmetry_factor()) {
+Recorder::Recorder(const Scene& scene, const Solver& solver, RunRecord record)
+    : scene_(scene), record_(std::move(record)), factor_(scene.symmetry_factor()) {
     const SolverSetup& s = solver.setup();
     if (scene.hull) {
         Box region = scene.hull->surface.bounds();
@@ -40,7 +41,8 @@ Recorder::Recorder(const Scene& scene, const Solver& solver, RunRecord record) :
     height_step_ = s.dp / 2;
     heights_per_gauge_ = static_cast<int>(std::ceil(s.domain.size().z() / height_step_));
     for (const HeightProbe& g : scene.sampling.height)
-        for (int k = 0; k < heights_per_gauge_; ++k) height_points_.places.emplace_back(g.x, g.y, s.domain.min.z() + (k + 0.5) * height_step_);
+        for (int k = 0; k < heights_per_gauge_; ++k)
+            height_points_.places.emplace_back(g.x, g.y, s.domain.min.z() + (k + 0.5) * height_step_);
 }
 
 void Recorder::after_step(Solver& solver, bool frame) {
@@ -49,7 +51,8 @@ void Recorder::after_step(Solver& solver, bool frame) {
         const Load& load = solver.load();
         Table& t = forces();
         // a slip wall does not rub: all of the force is pressure
-        const double fx = factor_ * load.force.x(), fy = factor_ == 2 ? 0 : load.force.y(), fz = factor_ * load.force.z();
+        const double fx = factor_ * load.force.x(), fy = factor_ == 2 ? 0 : load.force.y(),
+                     fz = factor_ * load.force.z();
         set(t, row, "fx", "N", fx), set(t, row, "fy", "N", fy), set(t, row, "fz", "N", fz);
         set(t, row, "fx_pressure", "N", fx), set(t, row, "fy_pressure", "N", fy), set(t, row, "fz_pressure", "N", fz);
         set(t, row, "fx_viscous", "N", 0), set(t, row, "fy_viscous", "N", 0), set(t, row, "fz_viscous", "N", 0);
@@ -137,7 +140,8 @@ void Recorder::probe(Solver& solver) {
         const std::size_t k = append_row(t, solver.time());
         solver.sample(pressure_points_);
         for (std::size_t n = 0; n < pressure_points_.places.size(); ++n)
-            set(t, k, scene_.sampling.pressure[n].name.c_str(), "Pa", pressure_points_.support[n] >= SurfaceSamples::wet ? double(pressure_points_.p[n]) : 0.0);
+            set(t, k, scene_.sampling.pressure[n].name.c_str(), "Pa",
+                pressure_points_.support[n] >= SurfaceSamples::wet ? double(pressure_points_.p[n]) : 0.0);
     }
     if (!height_points_.places.empty()) {
         // elevation of the water column over the floor: the integral of its share of each height
@@ -147,7 +151,9 @@ void Recorder::probe(Solver& solver) {
         for (std::size_t n = 0; n < scene_.sampling.height.size(); ++n) {
             double column = 0;
             for (int j = 0; j < heights_per_gauge_; ++j)
-                column += height_step_ * std::min(1.0, double(height_points_.support[n * static_cast<std::size_t>(heights_per_gauge_) + static_cast<std::size_t>(j)]));
+                column += height_step_ *
+                          std::min(1.0, double(height_points_.support[n * static_cast<std::size_t>(heights_per_gauge_) +
+                                                                      static_cast<std::size_t>(j)]));
             set(t, k, scene_.sampling.height[n].name.c_str(), "m", solver.setup().domain.min.z() + column);
         }
     }
@@ -155,7 +161,8 @@ void Recorder::probe(Solver& solver) {
 
 void Recorder::rewind(Solver& solver) {
     for (auto& [name, table] : record_.tables) {
-        const auto keep = static_cast<std::size_t>(std::upper_bound(table.time.begin(), table.time.end(), solver.time()) - table.time.begin());
+        const auto keep = static_cast<std::size_t>(
+            std::upper_bound(table.time.begin(), table.time.end(), solver.time()) - table.time.begin());
         table.time.resize(keep);
         for (Column& c : table.columns) c.values.resize(keep);
     }

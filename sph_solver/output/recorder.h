@@ -8,8 +8,9 @@
 
 namespace tw {
 
-/// Turns the running solver into the run record: forces at every step, surface pressure every few steps, and at every frame
-/// the raster, the control volume's balance, probes and the ledger. Half-model loads become the whole hull's here, once.
+/// Turns the running solver into the run record: forces at every step, surface pressure every few steps, and at every
+/// frame the raster, the control volume's balance, probes and the ledger. Half-model loads become the whole hull's
+/// here, once.
 class Recorder {
 public:
     Recorder(const Scene& scene, const Solver& solver, RunRecord record);
@@ -34,7 +35,7 @@ private:
     PointSamples pressure_points_, height_points_;
     int heights_per_gauge_ = 0;
     double height_step_ = 0;
-    Vec3 momentum_ = Vec3::Zero();   ///< in the control volume at the last frame
+    Vec3 momentum_ = Vec3::Zero();  ///< in the control volume at the last frame
     bool momentum_known_ = false;
     double last_face_sample_ = 0;
 };

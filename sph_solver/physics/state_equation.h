@@ -7,7 +7,7 @@ namespace tw {
 /// (Monaghan 1994). Negative pressures are allowed; see `surface_support` of SolverSetup for the free surface.
 struct StateEquation {
     enum class Form { linear, tait } form = Form::linear;
-    double c0 = 0;      ///< [m/s]
+    double c0 = 0;  ///< [m/s]
     double gamma = 7;
 
     float pressure(double rho0, float drho) const {

@@ -1,6 +1,7 @@
 #pragma once
-// The right-hand side of delta-SPH as pair terms. Each is written once against `Real`: a SIMD vector over the particles of a
-// group on the CPU, a float on a GPU. Subscript i is the particle, j its neighbour, r_ji = x_j - x_i, grad_i W_ij = F r_ji.
+// The right-hand side of delta-SPH as pair terms. Each is written once against `Real`: a SIMD vector over the particles
+// of a group on the CPU, a float on a GPU. Subscript i is the particle, j its neighbour, r_ji = x_j - x_i, grad_i W_ij
+// = F r_ji.
 
 namespace tw {
 
@@ -25,8 +26,8 @@ inline auto operator+(const V3<A>& a, const V3<B>& b) {
 template <class Real>
 struct Pair {
     V3<Real> r_ji;
-    Real r2;        ///< |r_ji|^2
-    Real FV;        ///< F V_j: grad_i W_ij V_j = FV r_ji
+    Real r2;  ///< |r_ji|^2
+    Real FV;  ///< F V_j: grad_i W_ij V_j = FV r_ji
 };
 
 /// Mass conservation:  drho_i/dt = rho_i sum_j (u_i - u_j) . grad_i W_ij V_j
@@ -43,8 +44,8 @@ struct Continuity {
 ///   drho_i/dt += delta h c0 sum_j psi_ij . grad_i W_ij V_j
 ///   psi_ij     = 2 (rho_j - rho_i) r_ji / |r_ji|^2 - (<grad rho>_i + <grad rho>_j)
 ///
-/// The gradient part (Antuono et al. 2010, doi:10.1016/j.cpc.2009.11.002) keeps still water at rest; without it (Molteni &
-/// Colagrossi 2009, doi:10.1016/j.cpc.2008.12.004) the surface creeps.
+/// The gradient part (Antuono et al. 2010, doi:10.1016/j.cpc.2009.11.002) keeps still water at rest; without it
+/// (Molteni & Colagrossi 2009, doi:10.1016/j.cpc.2008.12.004) the surface creeps.
 struct DensityDiffusion {
     template <class Real>
     static void add(const Pair<Real>& ij, const Real& drho_ji, const V3<Real>& grad_sum, Real& sum) {

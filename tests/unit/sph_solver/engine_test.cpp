@@ -37,7 +37,8 @@ SolverSetup stream(int threads = 1) {
     for (double z : {-0.2, 0.4})
         for (double y : {-0.3, 0.3})
             for (double x : {-0.3, 0.3}) box.points.emplace_back(x, y, z);
-    box.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    box.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                     {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
     s.solids = {box};
     s.threads = threads;
     return s;
@@ -51,7 +52,8 @@ Fluid stream_water(const SolverSetup& s) {
 ::testing::AssertionResult same_bits(const Particles& a, const Particles& b) {
     if (a.size() != b.size()) return ::testing::AssertionFailure() << a.size() << " particles against " << b.size();
     for (std::size_t i = 0; i < a.size(); ++i)
-        if (a.id[i] != b.id[i] || a.x[i] != b.x[i] || a.y[i] != b.y[i] || a.z[i] != b.z[i] || a.u[i] != b.u[i] || a.v[i] != b.v[i] || a.w[i] != b.w[i] || a.drho[i] != b.drho[i])
+        if (a.id[i] != b.id[i] || a.x[i] != b.x[i] || a.y[i] != b.y[i] || a.z[i] != b.z[i] || a.u[i] != b.u[i] ||
+            a.v[i] != b.v[i] || a.w[i] != b.w[i] || a.drho[i] != b.drho[i])
             return ::testing::AssertionFailure() << "particle " << i << " differs";
     return ::testing::AssertionSuccess();
 }
@@ -81,7 +83,7 @@ TEST(Engine, ARestartGoesOnWithTheSameBitsInletAndOutletIncluded) {
     for (int k = 0; k < 80; ++k) whole.step(), resumed.step();
     EXPECT_TRUE(same_bits(whole.particles(), resumed.particles()));
     EXPECT_EQ(whole.time(), resumed.time());
-    EXPECT_GT(whole.ledger().in, 0);   // particles did come and go
+    EXPECT_GT(whole.ledger().in, 0);  // particles did come and go
     EXPECT_EQ(whole.ledger().in, resumed.ledger().in);
     EXPECT_THROW(read_checkpoint(file, "another scene"), InputError);
     std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
@@ -101,7 +103,8 @@ TEST(Engine, AFreeBlobKeepsItsMomentumWhateverItsParticlesDo) {
     std::mt19937 random(3);
     std::normal_distribution<float> noise(0, 0.3f);
     Particles& p = solver.particles();
-    for (std::size_t i = 0; i < p.size(); ++i) p.u[i] = 1 + noise(random), p.v[i] = noise(random), p.w[i] = noise(random);
+    for (std::size_t i = 0; i < p.size(); ++i)
+        p.u[i] = 1 + noise(random), p.v[i] = noise(random), p.w[i] = noise(random);
     const auto momentum = [&] {
         Vec3 sum = Vec3::Zero();
         for (std::size_t i = 0; i < p.size(); ++i) sum += solver.mass() * Vec3(p.u[i], p.v[i], p.w[i]);
@@ -109,7 +112,7 @@ TEST(Engine, AFreeBlobKeepsItsMomentumWhateverItsParticlesDo) {
     };
     const Vec3 before = momentum();
     for (int k = 0; k < 100; ++k) solver.step();
-    EXPECT_LT((momentum() - before).norm(), 2e-6 * before.norm() * 100);   // rounding of single precision, step by step
+    EXPECT_LT((momentum() - before).norm(), 2e-6 * before.norm() * 100);  // rounding of single precision, step by step
 }
 
 TEST(Engine, EveryInstructionSetGivesTheSameForces) {
@@ -128,7 +131,7 @@ TEST(Engine, EveryInstructionSetGivesTheSameForces) {
 
 TEST(Engine, ASoundSpeedThatIsTooLowStopsTheRunWithPlaceAndReason) {
     SolverSetup s = tank();
-    s.state_equation.c0 = 0.5;   // the column falls at up to 3 m/s
+    s.state_equation.c0 = 0.5;  // the column falls at up to 3 m/s
     Solver solver(s, column(s));
     try {
         for (int k = 0; k < 2000; ++k) solver.step();

@@ -31,7 +31,7 @@ TEST(Kernel, GradientIsTheDerivativeOfW) {
     const Kernel k(0.3, 3);
     for (double r : {0.05, 0.2, 0.41, 0.55}) {
         const double e = 1e-4, derivative = (k.W(r + e) - k.W(r - e)) / (2 * e);
-        EXPECT_NEAR(-k.F(r) * r, derivative, 1e-4 * std::abs(derivative));   // grad_i W_ij = F r_ji
+        EXPECT_NEAR(-k.F(r) * r, derivative, 1e-4 * std::abs(derivative));  // grad_i W_ij = F r_ji
     }
 }
 
@@ -39,7 +39,8 @@ TEST(Kernel, FirstMomentOfTheGradientIsTheUnitTensor) {
     // integral of r_ji (x) grad_i W_ij = 1: what makes linear fields differentiate exactly
     for (int dimensions : {2, 3}) {
         const Kernel k(0.7, dimensions);
-        EXPECT_NEAR(over_space(k.support(), dimensions, [&](double r) { return k.F(r) * r * r / dimensions; }), 1, 1e-5);
+        EXPECT_NEAR(over_space(k.support(), dimensions, [&](double r) { return k.F(r) * r * r / dimensions; }), 1,
+                    1e-5);
     }
 }
 

@@ -15,10 +15,11 @@ namespace {
 const Box everywhere{Vec3::Constant(-100), Vec3::Constant(100)};
 
 TEST(WallDummies, CarryTheVolumeOfASharpEdgedHull) {
-    const Surface hull = posed(make_hull("prismatic", {{"length", 4}, {"beam", 1}, {"deadrise", 0.35}}), {.trim = 0.087, .draft = 0.2});
+    const Surface hull =
+        posed(make_hull("prismatic", {{"length", 4}, {"beam", 1}, {"deadrise", 0.35}}), {.trim = 0.087, .draft = 0.2});
     const WallDummies d = make_wall_dummies(SurfaceQuery(hull), hull.bounds(), 0.1, 10, everywhere, 3);
     const double volume = std::accumulate(d.volumes.begin(), d.volumes.end(), 0.0);
-    EXPECT_NEAR(volume / mass_properties(hull).volume, 1, 0.005);   // lattice cells alone would be off by the staircase
+    EXPECT_NEAR(volume / mass_properties(hull).volume, 1, 0.005);  // lattice cells alone would be off by the staircase
     Vec3 centroid = Vec3::Zero();
     for (std::size_t k = 0; k < d.places.size(); ++k) centroid += d.volumes[k] / volume * d.places[k];
     EXPECT_LT((centroid - mass_properties(hull).centroid).norm(), 0.005);
@@ -48,7 +49,8 @@ TEST(SurfaceSamples, AddUpToTheAreaVectorsOfTheSurface) {
     samples.points.support.assign(samples.area.size(), 0.5f);
     for (const Vec3& p : samples.points.places) samples.points.p.push_back(static_cast<float>(-9810 * (p.z() - 10)));
     Vec3 moment;
-    EXPECT_NEAR(samples.pressure_force(Vec3::Zero(), moment).z(), 9810 * mass_properties(sphere).volume, 0.002 * 9810 * mass_properties(sphere).volume);
+    EXPECT_NEAR(samples.pressure_force(Vec3::Zero(), moment).z(), 9810 * mass_properties(sphere).volume,
+                0.002 * 9810 * mass_properties(sphere).volume);
 }
 
 TEST(Mirrors, ACornerParticleHasSevenImages) {

@@ -10,7 +10,7 @@ namespace tw::test {
 struct Csv {
     std::vector<std::string> names;
     std::vector<std::vector<std::string>> rows;
-    std::size_t column(const std::string& name) const;   ///< throws std::out_of_range naming it
+    std::size_t column(const std::string& name) const;  ///< throws std::out_of_range naming it
     std::vector<double> numbers(const std::string& name) const;
 };
 Csv read_csv(const std::filesystem::path& file);

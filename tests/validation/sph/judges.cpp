@@ -26,7 +26,7 @@ double mean(const Table& table, const std::string& name, double from) {
     double sum = 0;
     int count = 0;
     for (std::size_t i = 0; i < table.time.size(); ++i)
-        if (table.time[i] >= from && !std::isnan(column->values[i])) {   // NaN: not sampled at this step
+        if (table.time[i] >= from && !std::isnan(column->values[i])) {  // NaN: not sampled at this step
             sum += column->values[i];
             ++count;
         }
@@ -42,23 +42,25 @@ double last_of(const RunRecord& record, const char* name) {
 }
 
 void add_particles_lost(std::vector<Row>& rows, const RunRecord& record) {
-    if (record.series("samples", "particles_lost")) rows.push_back({"particles lost", "", last_of(record, "particles_lost"), 0});
+    if (record.series("samples", "particles_lost"))
+        rows.push_back({"particles lost", "", last_of(record, "particles_lost"), 0});
 }
 
 struct FrontPoint {
-    double time = 0;    ///< t sqrt(2 g / a) [-]
-    double place = 0;   ///< x / a [-]
+    double time = 0;   ///< t sqrt(2 g / a) [-]
+    double place = 0;  ///< x / a [-]
 };
 
-/// Farthest place the water on the floor has reached [m]: the end of the unbroken wet run of the two lowest voxel layers
-/// (the tongue is a particle or two thick), a partly filled last voxel counted by its share.
+/// Farthest place the water on the floor has reached [m]: the end of the unbroken wet run of the two lowest voxel
+/// layers (the tongue is a particle or two thick), a partly filled last voxel counted by its share.
 double front_on_floor(const RasterSpec& raster, const RasterFrame& frame) {
     const auto [nx, ny, nz] = raster.count;
     double front = raster.origin.x();
     for (int i = 0; i < nx; ++i) {
         double wet = 0;
         for (int k = 0; k < std::min(nz, 2); ++k)
-            for (int j = 0; j < ny; ++j) wet += frame.water[static_cast<std::size_t>((k * ny + j) * nx + i)] / 255.0 / ny;
+            for (int j = 0; j < ny; ++j)
+                wet += frame.water[static_cast<std::size_t>((k * ny + j) * nx + i)] / 255.0 / ny;
         front += std::min(1.0, wet) * raster.spacing;
         if (wet < 0.25) break;
     }
@@ -76,7 +78,8 @@ double value_at(const Times& times, const Values& values, double time) {
 }
 
 /// Root mean square of run - measured over the measured times the run covers.
-double rms(const std::vector<double>& measured_times, const std::vector<double>& measured, const Table& table, const Column& column) {
+double rms(const std::vector<double>& measured_times, const std::vector<double>& measured, const Table& table,
+           const Column& column) {
     double sum = 0;
     int count = 0;
     for (std::size_t i = 0; i < measured_times.size(); ++i) {
@@ -109,7 +112,7 @@ std::vector<Row> judge_still_water(const Scene& scene, const RunRecord& record, 
     rows.push_back({"largest excursion of the surface", "dp", excursion, 0.5});
 
     const Table& pressure = record.tables.at("pressure");
-    const double weight = scene.water.density * scene.water.gravity;   // [Pa/m]
+    const double weight = scene.water.density * scene.water.gravity;  // [Pa/m]
     double error = scene.sampling.pressure.empty() ? nan : 0;
     for (const PressureProbe& probe : scene.sampling.pressure) {
         const double exact = weight * (level - probe.place.z());
@@ -122,15 +125,20 @@ std::vector<Row> judge_still_water(const Scene& scene, const RunRecord& record, 
 
 std::vector<Row> judge_buoyancy(const Scene& scene, const RunRecord& record, double from) {
     std::vector<Row> rows;
-    const double buoyancy = scene.water.density * scene.water.gravity * scene.hull->still.volume;   // Archimedes [N]
+    const double buoyancy = scene.water.density * scene.water.gravity * scene.hull->still.volume;  // Archimedes [N]
     const Table& forces = record.tables.at("forces");
     rows.push_back({"upward force - rho g V", "%", 100 * (mean(forces, "fz", from) / buoyancy - 1), 0.5});
     rows.push_back({"force along x", "% of rho g V", 100 * mean(forces, "fx", from) / buoyancy, 0.5});
     rows.push_back({"force along y", "% of rho g V", 100 * mean(forces, "fy", from) / buoyancy, 0.5});
     // Two other measures of the same force, which see the same water by other means.
-    if (forces.find("fz_surface")) rows.push_back({"from the surface pressure - rho g V", "%", 100 * (mean(forces, "fz_surface", from) / buoyancy - 1), 3});
-    // The box's floor carries some fourteen times rho g V: one per cent of pressure there is 14 % here (measured: 12 %).
-    if (forces.find("fz_volume")) rows.push_back({"from the control volume - rho g V", "%", 100 * (mean(forces, "fz_volume", from) / buoyancy - 1), 15});
+    if (forces.find("fz_surface"))
+        rows.push_back(
+            {"from the surface pressure - rho g V", "%", 100 * (mean(forces, "fz_surface", from) / buoyancy - 1), 3});
+    // The box's floor carries some fourteen times rho g V: one per cent of pressure there is 14 % here (measured: 12
+    // %).
+    if (forces.find("fz_volume"))
+        rows.push_back(
+            {"from the control volume - rho g V", "%", 100 * (mean(forces, "fz_volume", from) / buoyancy - 1), 15});
     return rows;
 }
 
@@ -139,7 +147,8 @@ std::vector<Row> judge_channel(const Scene& scene, const RunRecord& record, doub
     const Table& height = record.tables.at("height");
     double deviation = height.columns.empty() ? nan : 0;
     for (const Column& probe : height.columns)
-        deviation = largest(deviation, std::abs(mean(height, probe.name, from) - still_level(scene)) / scene.resolution.near_hull);
+        deviation = largest(deviation,
+                            std::abs(mean(height, probe.name, from) - still_level(scene)) / scene.resolution.near_hull);
     rows.push_back({"mean surface, worst gauge", "dp", deviation, 0.1});
     const Column* mass = record.series("samples", "mass");
     rows.push_back({"drift of the mass", "%", mass ? 100 * (mass->values.back() / mass->values.front() - 1) : nan, 1});
@@ -147,7 +156,8 @@ std::vector<Row> judge_channel(const Scene& scene, const RunRecord& record, doub
     return rows;
 }
 
-std::vector<Row> judge_dam_break_front(const Scene& scene, const RunRecord& record, const std::filesystem::path& measured) {
+std::vector<Row> judge_dam_break_front(const Scene& scene, const RunRecord& record,
+                                       const std::filesystem::path& measured) {
     const Box& column = scene.water_blocks.at(0);
     const double a = column.size().x(), wall = (scene.domain.box.max.x() - column.min.x()) / a;
     std::vector<double> times, places;
@@ -158,9 +168,10 @@ std::vector<Row> judge_dam_break_front(const Scene& scene, const RunRecord& reco
     const Csv csv = read_csv(measured);
     const auto T = csv.numbers("T_sqrt_2g_over_a"), x = csv.numbers("x_over_a");
     std::vector<Row> rows;
-    for (const auto& [series, digitised_by] : {std::pair<std::string, std::string>{"koshizuka_oka_1996", "DualSPHysics"},
-                                               {"koshizuka_oka_1996", "EtherSPH"},
-                                               {"martin_moyce_1952_a2.25in_n2eq2", "pysph"}}) {
+    for (const auto& [series, digitised_by] :
+         {std::pair<std::string, std::string>{"koshizuka_oka_1996", "DualSPHysics"},
+          {"koshizuka_oka_1996", "EtherSPH"},
+          {"martin_moyce_1952_a2.25in_n2eq2", "pysph"}}) {
         double sum = 0, worst = 0;
         int count = 0;
         for (std::size_t i = 0; i < csv.rows.size(); ++i) {
@@ -173,7 +184,8 @@ std::vector<Row> judge_dam_break_front(const Scene& scene, const RunRecord& reco
             ++count;
         }
         const std::string who = series + " (" + digitised_by + ")";
-        rows.push_back({"front, mean over " + std::to_string(count) + " points, " + who, "%", count >= 3 ? sum / count : nan, 5});
+        rows.push_back(
+            {"front, mean over " + std::to_string(count) + " points, " + who, "%", count >= 3 ? sum / count : nan, 5});
         rows.push_back({"front, worst point, " + who, "%", count >= 3 ? worst : nan, 10});
     }
     return rows;
@@ -190,8 +202,9 @@ std::vector<Row> judge_spheric2(const Scene& scene, const RunRecord& record, con
             char name[32];
             std::snprintf(name, sizeof name, "h_x%.3f_m", x);
             auto run = *height.find(gauge.name);
-            for (double& z : run.values) z -= scene.domain.box.min.z();   // depth over the floor
-            rows.push_back({"height at x = " + std::string(name + 3, 5) + " m, rms", "% of the column", 100 * rms(times, csv.numbers(name), height, run) / 0.55, 10});
+            for (double& z : run.values) z -= scene.domain.box.min.z();  // depth over the floor
+            rows.push_back({"height at x = " + std::string(name + 3, 5) + " m, rms", "% of the column",
+                            100 * rms(times, csv.numbers(name), height, run) / 0.55, 10});
         }
     }
     const Table& pressure = record.tables.at("pressure");
@@ -202,8 +215,10 @@ std::vector<Row> judge_spheric2(const Scene& scene, const RunRecord& record, con
         const auto values = csv.numbers(name);
         const double peak = *std::max_element(values.begin(), values.end());
         rows.push_back({probe.name + ", rms", "% of its peak", 100 * rms(times, values, pressure, *run) / peak, 20});
-        if (probe.name == "P1")   // lowest on the box: the first to be hit
-            rows.push_back({"arrival at the box", "s", arrival(pressure.time, run->values, 0.1 * peak) - arrival(times, values, 0.1 * peak), 0.05});
+        if (probe.name == "P1")  // lowest on the box: the first to be hit
+            rows.push_back({"arrival at the box", "s",
+                            arrival(pressure.time, run->values, 0.1 * peak) - arrival(times, values, 0.1 * peak),
+                            0.05});
     }
     return rows;
 }

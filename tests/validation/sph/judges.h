@@ -11,15 +11,15 @@ namespace tw::test {
 /// One judged number of a run: how far it is from the truth, and how far it may be.
 struct Row {
     std::string quantity, unit;
-    double value = 0;   ///< signed deviation from the exact or measured value
-    double limit = 0;   ///< largest permitted |value|
-    bool passes() const;   ///< NaN fails
+    double value = 0;     ///< signed deviation from the exact or measured value
+    double limit = 0;     ///< largest permitted |value|
+    bool passes() const;  ///< NaN fails
 };
 
 // Each judge takes any method's record of the scene. `from`: means are taken over the times from there on [s].
 
-/// Water at rest: largest excursion of the surface over the whole run [dp], error of the mean pressure at every probe [% of
-/// the floor's pressure], particles lost.
+/// Water at rest: largest excursion of the surface over the whole run [dp], error of the mean pressure at every probe
+/// [% of the floor's pressure], particles lost.
 std::vector<Row> judge_still_water(const Scene& scene, const RunRecord& record, double from);
 
 /// A hull wholly under still water: mean force against rho g V by every measure the record holds [%].
@@ -28,9 +28,10 @@ std::vector<Row> judge_buoyancy(const Scene& scene, const RunRecord& record, dou
 /// A stream with nothing in it: mean surface at every height probe [dp], drift of the mass [%], particles lost.
 std::vector<Row> judge_channel(const Scene& scene, const RunRecord& record, double from);
 
-/// Front of a collapsing column (height 2 a) against every series of tests/data/dambreak_front_position.csv that is used as
-/// a witness: mean and largest difference [%] over 1 <= T sqrt(2 g / a), until the front nears the wall.
-std::vector<Row> judge_dam_break_front(const Scene& scene, const RunRecord& record, const std::filesystem::path& measured);
+/// Front of a collapsing column (height 2 a) against every series of tests/data/dambreak_front_position.csv that is
+/// used as a witness: mean and largest difference [%] over 1 <= T sqrt(2 g / a), until the front nears the wall.
+std::vector<Row> judge_dam_break_front(const Scene& scene, const RunRecord& record,
+                                       const std::filesystem::path& measured);
 
 /// SPHERIC test 2: water heights at the four gauges [% of the still column] and pressures at the box [% of the largest
 /// measured], root mean square over the common time; arrival of the water at the box [s].

@@ -1,5 +1,5 @@
-// Laws and measurements through whole runs of the SPH solver, shorter than the rows of docs/validation.md, which come from
-// the same studies and the same judges (see validation_rows.cpp).
+// Laws and measurements through whole runs of the SPH solver, shorter than the rows of docs/validation.md, which come
+// from the same studies and the same judges (see validation_rows.cpp).
 #include <gtest/gtest.h>
 
 #include "judges.h"
@@ -11,14 +11,16 @@ namespace {
 void expect_all_pass(const StudyRun& run, const std::vector<Row>& rows) {
     ASSERT_EQ(run.record.state, "finished") << run.record.reason;
     ASSERT_FALSE(rows.empty());
-    for (const Row& row : rows) EXPECT_TRUE(row.passes()) << row.quantity << ": " << row.value << " " << row.unit << ", limit " << row.limit;
+    for (const Row& row : rows)
+        EXPECT_TRUE(row.passes()) << row.quantity << ": " << row.value << " " << row.unit << ", limit " << row.limit;
 }
 
 TEST(StillTank, StaysFlatAndHydrostaticAndCarriesASubmergedBox) {
     const StudyRun run = run_study("still_tank", 2.0);
     expect_all_pass(run, judge_still_water(run.scene, run.record, 1.0));
     ASSERT_TRUE(run.scene.hull);
-    ASSERT_NEAR(run.scene.hull->still.volume / run.scene.hull->mass.volume, 1, 1e-9) << "the box of this study lies wholly under water";
+    ASSERT_NEAR(run.scene.hull->still.volume / run.scene.hull->mass.volume, 1, 1e-9)
+        << "the box of this study lies wholly under water";
     expect_all_pass(run, judge_buoyancy(run.scene, run.record, 1.0));
 }
 
@@ -35,14 +37,13 @@ TEST(DamBreak, FrontRunsAheadOfTheMeasuredOneByNoMoreThanItsMissingFriction) {
     const Box& column = run.scene.water_blocks.at(0);
     ASSERT_NEAR(column.size().z() / column.size().x(), 2, 1e-9) << "both experiments: a column twice as high as wide";
     ASSERT_EQ(run.record.state, "finished") << run.record.reason;
-    // Water without friction on a dry floor outruns the measured front (a gate that opens in finite time, a floor that rubs):
-    // 14 to 19 % in the mean, see docs/validation.md. The bounds here keep it there.
-    for (const Row& row : judge_dam_break_front(run.scene, run.record, TWINWAKE_TEST_DATA "/dambreak_front_position.csv")) {
+    // Water without friction on a dry floor outruns the measured front (a gate that opens in finite time, a floor that
+    // rubs): 14 to 19 % in the mean, see docs/validation.md. The bounds here keep it there.
+    for (const Row& row :
+         judge_dam_break_front(run.scene, run.record, TWINWAKE_TEST_DATA "/dambreak_front_position.csv")) {
         EXPECT_LT(row.value, 25) << row.quantity;
         EXPECT_GT(row.value, -5) << row.quantity;
-        if (row.quantity.find("mean") != std::string::npos) {
-            EXPECT_LT(row.value, 20) << row.quantity;
-        }
+        if (row.quantity.find("mean") != std::string::npos) { EXPECT_LT(row.value, 20) << row.quantity; }
     }
 }
 

@@ -2,8 +2,8 @@
 //
 //   validation_rows JUDGE scene.toml record.h5 [measured.csv]
 //
-// JUDGE: still, buoyancy, channel, front, spheric2. Any method's record. Exit status 0 when every row passes, 1 when one
-// does not, 2 for wrong usage.
+// JUDGE: still, buoyancy, channel, front, spheric2. Any method's record. Exit status 0 when every row passes, 1 when
+// one does not, 2 for wrong usage.
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -14,7 +14,8 @@ int main(int argc, char** argv) {
     using namespace tw;
     using namespace tw::test;
     if (argc < 4) {
-        std::fputs("usage: validation_rows still|buoyancy|channel|front|spheric2 scene.toml record.h5 [measured.csv]\n", stderr);
+        std::fputs("usage: validation_rows still|buoyancy|channel|front|spheric2 scene.toml record.h5 [measured.csv]\n",
+                   stderr);
         return 2;
     }
     try {
@@ -24,11 +25,16 @@ int main(int argc, char** argv) {
         const std::filesystem::path measured = argc > 4 ? argv[4] : "";
         const double half = 0.5 * record.numbers.at("duration");
         std::vector<Row> rows;
-        if (judge == "still") rows = judge_still_water(scene, record, half);
-        else if (judge == "buoyancy") rows = judge_buoyancy(scene, record, half);
-        else if (judge == "channel") rows = judge_channel(scene, record, half);
-        else if (judge == "front") rows = judge_dam_break_front(scene, record, measured);
-        else if (judge == "spheric2") rows = judge_spheric2(scene, record, measured);
+        if (judge == "still")
+            rows = judge_still_water(scene, record, half);
+        else if (judge == "buoyancy")
+            rows = judge_buoyancy(scene, record, half);
+        else if (judge == "channel")
+            rows = judge_channel(scene, record, half);
+        else if (judge == "front")
+            rows = judge_dam_break_front(scene, record, measured);
+        else if (judge == "spheric2")
+            rows = judge_spheric2(scene, record, measured);
         else {
             std::fprintf(stderr, "validation_rows: unknown judge '%s'\n", argv[1]);
             return 2;
@@ -36,8 +42,9 @@ int main(int argc, char** argv) {
         bool all = record.state == "finished";
         for (const Row& row : rows) {
             all = all && row.passes();
-            std::printf("| %s | %s | %s | %.3g %s | %.3g | %s |\n", scene.title.c_str(), record.attributes.at("method").c_str(), row.quantity.c_str(),
-                        row.value, row.unit.c_str(), row.limit, row.passes() ? "pass" : "**fail**");
+            std::printf("| %s | %s | %s | %.3g %s | %.3g | %s |\n", scene.title.c_str(),
+                        record.attributes.at("method").c_str(), row.quantity.c_str(), row.value, row.unit.c_str(),
+                        row.limit, row.passes() ? "pass" : "**fail**");
         }
         return all ? 0 : 1;
     } catch (const std::exception& e) {

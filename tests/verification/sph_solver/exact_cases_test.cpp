@@ -31,8 +31,8 @@ Surface prism_along_y(const std::vector<std::pair<double, double>>& section, dou
     return s;
 }
 
-/// Water thrown upwards at a fixed wedge, no gravity: the wedge's entry into still water at constant speed, seen from the wedge.
-/// Exact force: similarity solution of Dobrovol'skaya's problem (tests/data/wedge_similarity_exact.csv).
+/// Water thrown upwards at a fixed wedge, no gravity: the wedge's entry into still water at constant speed, seen from
+/// the wedge. Exact force: similarity solution of Dobrovol'skaya's problem (tests/data/wedge_similarity_exact.csv).
 double wedge_force_coefficient(double deadrise_deg, double dp, double until) {
     SolverSetup s;
     s.dimensions = 2;
@@ -45,7 +45,7 @@ double wedge_force_coefficient(double deadrise_deg, double dp, double until) {
     Fluid water = fill_with_fluid(s, {Box{Vec3(-half, 0, -half), Vec3(half, 0, 0)}});
     for (double& depth : water.depth) depth = 0;
     Solver solver(s, water);
-    for (float& w : solver.particles().w) w = 1;   // V = 1 m/s
+    for (float& w : solver.particles().w) w = 1;  // V = 1 m/s
     double impulse = 0, before = 0, t1 = 0.4 * until, impulse1 = 0;
     while (solver.time() < until) {
         solver.step();
@@ -58,8 +58,8 @@ double wedge_force_coefficient(double deadrise_deg, double dp, double until) {
 }
 
 TEST(WedgeEntry, ForceIsThatOfTheSimilaritySolution) {
-    // 30 degrees: 14.02. The wetted half width grows to 0.33 m, a sixth of the water's; wider, and the finite water tells
-    // (17 % too little at half the width).
+    // 30 degrees: 14.02. The wetted half width grows to 0.33 m, a sixth of the water's; wider, and the finite water
+    // tells (17 % too little at half the width).
     const double c = wedge_force_coefficient(30, 1.0 / 80, 0.12);
     RecordProperty("coefficient", std::to_string(c));
     std::cout << "F / (rho V^3 t) = " << c << ", exact 14.02\n";
@@ -92,8 +92,8 @@ TEST(StillWater, PressesOnASubmergedBoxWithItsWeight) {
         top = std::max(top, p.z[i]);
     }
     pressure_error = std::sqrt(squares / double(p.size())) / 9810;
-    std::cout << "force / weight = " << sum / double(n) / (9810 * 0.064) << ", pressure error " << pressure_error << " of rho g H, highest particle "
-              << top / s.dp << " dp\n";
+    std::cout << "force / weight = " << sum / double(n) / (9810 * 0.064) << ", pressure error " << pressure_error
+              << " of rho g H, highest particle " << top / s.dp << " dp\n";
     EXPECT_NEAR(sum / double(n), 9810 * 0.064, 0.01 * 9810 * 0.064);
     EXPECT_LT(pressure_error, 0.015);
     EXPECT_NEAR(top, -s.dp / 2, 0.5 * s.dp);
@@ -105,12 +105,13 @@ std::pair<double, double> ellipse_in_stream(double dp) {
     s.dimensions = 2;
     s.dp = dp;
     s.state_equation.c0 = 25;
-    s.gravity = Vec3(0, 0, -1);   // deep enough that no suction turns the pressure negative
+    s.gravity = Vec3(0, 0, -1);  // deep enough that no suction turns the pressure negative
     s.domain = {Vec3(-3, -1, -6), Vec3(3.5, 1, -2)};
     s.mirrors.on = {{{false, false}, {false, false}, {true, true}}};
     s.stream = Stream{1, 0.5, 0.6};
     std::vector<std::pair<double, double>> section;
-    for (int k = 0; k < 120; ++k) section.emplace_back(1.2 * std::cos(k * 0.0523598776), 0.3 * std::sin(k * 0.0523598776) - 4);
+    for (int k = 0; k < 120; ++k)
+        section.emplace_back(1.2 * std::cos(k * 0.0523598776), 0.3 * std::sin(k * 0.0523598776) - 4);
     s.solids = {prism_along_y(section, 3)};
     Box water = s.domain;
     water.min.x() -= s.stream->buffer, water.max.x() += s.stream->buffer;
@@ -124,13 +125,15 @@ std::pair<double, double> ellipse_in_stream(double dp) {
         if (solver.time() < 2) continue;
         drag += solver.load().force.x(), lift += solver.load().force.z(), ++n;
     }
-    const double reference = 0.5 * s.rho0 * 0.6 * double(n);   // 1/2 rho U^2 times the thickness
-    std::cout << "dp " << dp << ": drag coefficient on the thickness " << drag / reference << ", lift " << lift / reference << "\n";
+    const double reference = 0.5 * s.rho0 * 0.6 * double(n);  // 1/2 rho U^2 times the thickness
+    std::cout << "dp " << dp << ": drag coefficient on the thickness " << drag / reference << ", lift "
+              << lift / reference << "\n";
     return {drag / reference, lift / reference};
 }
 
-/// Steady ideal flow past a closed body has no drag (d'Alembert). What the engine shows instead is its numerical viscosity and
-/// the wake it makes behind the blunt end: a finding, stated in docs/validation.md. It must shrink with the spacing.
+/// Steady ideal flow past a closed body has no drag (d'Alembert). What the engine shows instead is its numerical
+/// viscosity and the wake it makes behind the blunt end: a finding, stated in docs/validation.md. It must shrink with
+/// the spacing.
 TEST(UniformStream, DragOfAClosedBodyIsNumericalAndShrinksWithTheSpacing) {
     const auto [coarse, coarse_lift] = ellipse_in_stream(0.1);
     const auto [fine, fine_lift] = ellipse_in_stream(0.05);
