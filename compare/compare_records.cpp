@@ -79,6 +79,9 @@ void add_savitsky(Comparison& comparison) {
         if (!hull) hull = prismatic_hull(record);
     if (!hull) return;
     const Savitsky s = savitsky_at_draft(hull->state, hull->draft);
+    // a hull that would have to be longer than it is does not plane on a prism
+    const auto length = comparison.sources.front().numbers.find("length");
+    if (length != comparison.sources.front().numbers.end() && s.keel_wetted_length > length->second) return;
     const std::string range = s.in_range ? "empirical, about ±10 %" : "outside the formula's range: a hint at most";
     const std::string source = "Savitsky 1964";
     const auto add = [&](const char* quantity, double value, const std::string& remark) {
