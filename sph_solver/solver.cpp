@@ -279,6 +279,20 @@ void Solver::update_mirror_images(bool stress) {
     }
 }
 
+ExtrapolateData Solver::extrapolation() const {
+    ExtrapolateData e;
+    e.place = place_.data();
+    e.motion = motion_.data();
+    e.stress = stress_.data();
+    e.kernel = kernel_;
+    e.quantum = static_cast<float>(quanta_.size);
+    e.rho0 = static_cast<float>(setup_.rho0);
+    e.gx = static_cast<float>(setup_.gravity.x());
+    e.gy = static_cast<float>(setup_.gravity.y());
+    e.gz = static_cast<float>(setup_.gravity.z());
+    return e;
+}
+
 void Solver::evaluate() {
     if (rebuild_due_) rebuild();
     const SolverSetup& s = setup_;
@@ -331,16 +345,9 @@ void Solver::evaluate() {
     }
     if (!live_wall_groups_.empty()) {
         const Stopwatch watch(timers_.walls);
-        ExtrapolateData e;
+        ExtrapolateData e = extrapolation();
         e.at = wall_place_.data();
-        e.place = place_.data();
-        e.motion = motion_.data();
-        e.stress = stress_.data();
         e.p = wall_p_.data();
-        e.kernel = kernel_;
-        e.quantum = d.quantum;
-        e.rho0 = d.rho0;
-        e.gx = static_cast<float>(s.gravity.x()), e.gy = d.gy, e.gz = d.gz;
         run_pass(passes_->extrapolate, e, live_wall_groups_);
     }
     {
@@ -518,19 +525,11 @@ void Solver::sample(PointSamples& points) {
         {{place_.data(), &start_, 0}, {place_.data() + particles, &image_start_, static_cast<std::int32_t>(particles)}},
         reach, false);
     std::vector<float> p(n), support(n), velocity(points.want_velocity ? 3 * n : 0);
-    ExtrapolateData e;
+    ExtrapolateData e = extrapolation();
     e.at = sorted.data();
-    e.place = place_.data();
-    e.motion = motion_.data();
-    e.stress = stress_.data();
     e.p = p.data();
     e.support = support.data();
     e.velocity = points.want_velocity ? velocity.data() : nullptr;
-    e.kernel = kernel_;
-    e.quantum = static_cast<float>(quanta_.size);
-    e.rho0 = static_cast<float>(setup_.rho0);
-    e.gx = static_cast<float>(setup_.gravity.x()), e.gy = static_cast<float>(setup_.gravity.y()),
-    e.gz = static_cast<float>(setup_.gravity.z());
     run_pass(passes_->extrapolate, e, groups);
     for (std::size_t k = 0; k < n; ++k) {
         const auto i = static_cast<std::size_t>(order[k]);

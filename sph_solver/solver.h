@@ -129,6 +129,7 @@ public:
 
 private:
     void evaluate();
+    ExtrapolateData extrapolation() const;   ///< from the present records; the caller says where to
     void rebuild();
     void build_wall();
     void update_records();
