@@ -31,7 +31,7 @@ std::vector<std::string> template_names();
 struct SceneArguments {
     std::filesystem::path file;
     std::filesystem::path hull;
-    std::string speed, spacing, near_hull, duration;
+    std::string speed, spacing, near_hull, duration, scale;
     SceneOverrides overrides() const;  ///< throws InputError naming the option
 };
 

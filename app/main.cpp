@@ -35,6 +35,9 @@ void add_scene(CLI::App* command, SceneArguments& scene) {
                         "speed of the stream instead of the scene's, e.g. \"30 m/s\" or \"60 kn\"");
     command->add_option("--near-hull", scene.near_hull, "finest size instead of the scene's, e.g. \"25 mm\"");
     command->add_option("--spacing", scene.spacing, "largest size instead of the scene's");
+    command->add_option(
+        "--scale", scene.scale,
+        "all sizes times this number, levels kept: 2, 1.4142 and 1 make similar meshes, for convergence");
     command->add_option("--duration", scene.duration, "simulated time instead of the scene's, e.g. \"2 s\"");
 }
 

@@ -19,6 +19,10 @@ SceneOverrides SceneArguments::overrides() const {
     read("--speed", speed, "m/s", o.speed);
     read("--spacing", spacing, "m", o.spacing);
     read("--near-hull", near_hull, "m", o.near_hull);
+    read("--scale", scale, "", o.scale_resolution);
+    if (o.scale_resolution && !(*o.scale_resolution > 0))
+        throw InputError(
+            fmt::format("--scale {}: expected a number above 0, e.g. 1.4142 for coarser, 0.7071 for finer", scale));
     read("--duration", duration, "s", o.duration);
     return o;
 }

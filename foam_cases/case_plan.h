@@ -56,6 +56,7 @@ struct CasePlan {
 
     // time
     double write_interval = 0;  ///< [s]; hull pressures (and so the water's force) are sampled at it
+    int time_precision = 8;     ///< digits in a write time's name
     int raster_every = 1;       ///< water is poured into the raster at every n-th write
     int snapshot_every = 0;     ///< ParaView surfaces are kept at every n-th write; 0: of the last one only
     double first_step = 0, largest_step = 0;  ///< [s]

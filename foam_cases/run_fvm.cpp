@@ -65,6 +65,9 @@ private:
                     (case_ / file).string() +
                     ": the scene (or this file) was changed since the run began, it cannot be gone on with; "
                     "put it back, or begin anew with --overwrite");
+            // interFoam adds digits to its time names as it needs them; begun with fewer it does not find its last folder
+            for (const TimeFolders::Moment& m : TimeFolders(case_).moments())
+                plan_.time_precision = std::max(plan_.time_precision, static_cast<int>(m.name.size()));
             write_text_atomically(case_ / "system/controlDict", control_dict(plan_));  // the duration may have grown
         } else {
             write_case(plan_, case_, 1);

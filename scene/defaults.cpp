@@ -52,6 +52,7 @@ Margins default_margins(const Hull& hull, double speed, double gravity) {
 
 std::vector<RefinementBox> default_refinement(const Scene& scene) {
     const int finest = static_cast<int>(std::lround(std::log2(scene.resolution.spacing / scene.resolution.near_hull)));
+    const double unscaled = scene.resolution.spacing / scene.resolution.scale;
     std::vector<RefinementBox> boxes;
     if (!scene.hull || finest == 0) return boxes;
 
@@ -64,11 +65,11 @@ std::vector<RefinementBox> default_refinement(const Scene& scene) {
     const double entry = keel_entry(hull), bow = bounds.min.x(), stern = bounds.max.x();
     const double everywhere = 2 * scene.domain.box.size().maxCoeff();
     const auto add = [&](const std::string& name, int steps, double cell, Vec3 low, Vec3 high) {
-        const int level = std::clamp(level_for(cell, scene.resolution.spacing), std::max(0, finest - steps), finest);
+        const int level = std::clamp(level_for(cell, unscaled), std::max(0, finest - steps), finest);
         Box box{low.cwiseMax(scene.domain.box.min), high.cwiseMin(scene.domain.box.max)};
         if (level > 0 && (box.size().array() > 0).all()) boxes.push_back({name, box, level});
     };
-    const int surface_level = std::clamp(level_for(L / 24, scene.resolution.spacing), std::max(0, finest - 3), finest);
+    const int surface_level = std::clamp(level_for(L / 24, unscaled), std::max(0, finest - 3), finest);
     const double band = scene.resolution.spacing / std::exp2(surface_level);
     add("free_surface", 3, L / 24, {-everywhere, -everywhere, -band}, {everywhere, everywhere, band});
     add("wake", 2, L / 24, {bow - 0.2 * L, -1.7 * B, -D - 0.7 * B}, {stern + 1.125 * L, 1.7 * B, 0.7 * B});

@@ -67,8 +67,10 @@ Resolution resolution_of(const ResolutionOptions& o, const Hull* hull, Section& 
     else
         r.near_hull = hull ? default_near_hull(*hull) : *o.spacing;
     if (!o.near_hull && o.spacing) r.near_hull = std::min(r.near_hull, *o.spacing);
+    r.spacing = o.spacing ? snapped_spacing(*o.spacing, r.near_hull) : default_spacing(r.near_hull, hull);
     r.near_hull *= scale;
-    r.spacing = o.spacing ? snapped_spacing(*o.spacing * scale, r.near_hull) : default_spacing(r.near_hull, hull);
+    r.spacing *= scale;
+    r.scale = scale;
     return r;
 }
 

@@ -60,6 +60,9 @@ struct Domain {
 struct Resolution {
     double spacing = 0;    ///< far away: largest cell [m]
     double near_hull = 0;  ///< particle spacing dp, and cell size at the wetted hull [m]
+    /// Both sizes were multiplied by this. Levels of refinement follow from the sizes without it, so that all scales of
+    /// one scene are one family of similar meshes.
+    double scale = 1;
 };
 
 /// Boxes of successively finer resolution, coarsest first; the FVM mesh refines in them, and SPH particle levels will.
@@ -167,7 +170,7 @@ struct Scene {
 struct SceneOverrides {
     std::optional<std::filesystem::path> hull_file;
     std::optional<double> speed, spacing, near_hull, duration,
-        scale_resolution;  ///< scale_resolution multiplies both spacings
+        scale_resolution;  ///< scale_resolution multiplies both sizes, see Resolution
 };
 
 /// Reads, fills in and checks a scene file. Throws InputError `file:line:column: ...` for the first thing that is

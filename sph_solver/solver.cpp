@@ -15,8 +15,9 @@ namespace tw {
 
 namespace {
 
-constexpr double skin_over_dp = 0.2;       ///< slack of the particle lists
-constexpr double wall_skin_over_dp = 0.6;  ///< slack of the lists between particles and walls
+constexpr double skin_over_dp = 0.2;          ///< slack of the particle lists
+constexpr double wall_skin_over_dp = 0.6;     ///< slack of the lists between particles and walls
+constexpr double held_at_wall_over_dp = 0.1;  ///< nearer than this a particle is not let towards a wall
 constexpr double largest_density_deviation = 0.3;
 constexpr double largest_mach = 1.0;
 
@@ -324,6 +325,7 @@ void Solver::evaluate() {
     d.gy = static_cast<float>(s.gravity.y());
     d.gz = static_cast<float>(s.gravity.z());
     d.inv_void = static_cast<float>(1 / (1 - s.surface_support));
+    d.inv_contact = static_cast<float>(4 / s.dp);
     d.two_dimensional = s.dimensions == 2;
     {
         const Stopwatch watch(timers_.gradient);
@@ -371,6 +373,32 @@ void Solver::gather_load() {
     }
 }
 
+/// The last resort at a wall: a particle so near that no pressure can stop it in time loses its velocity towards the
+/// wall (a plastic impact; the wall gets the momentum). The distance carried along is checked against the surface
+/// first.
+bool Solver::hold_at_wall(std::size_t i) {
+    Particles& p = particles_;
+    NormalRecord& r = normal_[i];
+    SurfaceQuery::Nearest found;
+    found.distance = 1e30;
+    const Vec3 x(p.x[i], p.y[i], p.z[i]);
+    for (const SurfaceQuery& query : queries_) {
+        const SurfaceQuery::Nearest nearest = query.nearest(x, setup_.dp);
+        if (nearest.triangle >= 0 && nearest.distance < found.distance) found = nearest;
+    }
+    if (found.triangle >= 0)
+        r = {static_cast<float>(found.normal.x()), static_cast<float>(found.normal.y()),
+             static_cast<float>(found.normal.z()), static_cast<float>(found.distance)};
+    else
+        r.distance = static_cast<float>(setup_.dp);
+    const double approach = double(p.u[i]) * r.x + double(p.v[i]) * r.y + double(p.w[i]) * r.z;
+    if (r.distance >= held_at_wall_over_dp * setup_.dp || approach >= 0) return false;
+    p.u[i] -= static_cast<float>(approach * r.x);
+    p.v[i] -= static_cast<float>(approach * r.y);
+    p.w[i] -= static_cast<float>(approach * r.z);
+    return true;
+}
+
 void Solver::integrate() {
     const Stopwatch watch(timers_.update);
     const SolverSetup& s = setup_;
@@ -388,6 +416,9 @@ void Solver::integrate() {
         double speed2 = 0, acceleration2 = 0, relative2 = 0, shift2 = 0, low = 0, high = 0;
         std::size_t fastest = 0;
         Vec3 crossed = Vec3::Zero();
+        Vec3 impulse = Vec3::Zero(),
+             turn = Vec3::Zero();  // given to the solids by particles held at a wall [N s, N m s]
+        std::int64_t held = 0;
         bool broken = false;
     };
     std::vector<Part> parts(chunks(p.size()));
@@ -428,6 +459,21 @@ void Solver::integrate() {
             p.x[i] += dt * double(p.u[i]) + shift.x();
             p.y[i] += dt * double(p.v[i]) + shift.y();
             p.z[i] += dt * double(p.w[i]) + shift.z();
+            if (!normal_.empty() && p.kind[i] == Kind::fluid) {
+                NormalRecord& r = normal_[i];
+                r.distance += static_cast<float>((dt * double(p.u[i]) + shift.x()) * r.x +
+                                                 (dt * double(p.v[i]) + shift.y()) * r.y +
+                                                 (dt * double(p.w[i]) + shift.z()) * r.z);
+                if (r.distance < held_at_wall_over_dp * s.dp) {
+                    const Vec3 before(p.u[i], p.v[i], p.w[i]);
+                    if (hold_at_wall(i)) {
+                        const Vec3 impulse = mass_ * (before - Vec3(p.u[i], p.v[i], p.w[i]));
+                        ++part.held;
+                        part.impulse += impulse;
+                        part.turn += (Vec3(p.x[i], p.y[i], p.z[i]) - s.moment_reference).cross(impulse);
+                    }
+                }
+            }
             const double u = p.u[i], v = p.v[i], w = p.w[i], speed2 = u * u + v * v + w * w;
             if (speed2 > part.speed2) part.speed2 = speed2, part.fastest = i;
             part.relative2 = std::max(part.relative2, (u - stream_after) * (u - stream_after) + v * v + w * w);
@@ -458,6 +504,9 @@ void Solver::integrate() {
         extremes_.density_deviation_low = std::min(extremes_.density_deviation_low, part.low);
         extremes_.density_deviation_high = std::max(extremes_.density_deviation_high, part.high);
         crossed += part.crossed;
+        ledger_.held += part.held;
+        load_.force += part.impulse / dt;
+        load_.moment += part.turn / dt;
     }
     extremes_.speed = std::sqrt(speed2);
     extremes_.acceleration = std::sqrt(extremes_.acceleration);

@@ -55,6 +55,7 @@ struct Load {
 /// What left and entered since the start, in particles.
 struct Ledger {
     std::int64_t in = 0, out = 0, lost = 0;
+    std::int64_t held = 0;  ///< times that a particle was stopped at a wall (see Solver::hold_at_wall), not particles
 };
 
 /// Extremes of one step, for the gates and the time step.
@@ -137,6 +138,7 @@ private:
     void find_normals();
     void integrate();
     void gather_load();
+    bool hold_at_wall(std::size_t i);
     [[noreturn]] void fail_at(std::size_t i, const std::string& what) const;
     void check_bounds();
 

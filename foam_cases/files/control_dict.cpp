@@ -118,7 +118,7 @@ std::string control_dict(const CasePlan& plan) {
            {"writePrecision", 8},
            {"writeCompression", Word("off")},
            {"timeFormat", Word("general")},
-           {"timePrecision", 8},
+           {"timePrecision", plan.time_precision},
            {"runTimeModifiable", true},
            {"adjustTimeStep", true},
            {"maxCo", fvm.max_courant},

@@ -46,7 +46,8 @@ struct alignas(16) RateRecord {
 struct WallLoad {
     float ax = 0, ay = 0, az = 0, mx = 0, my = 0, mz = 0;
 };
-/// Exterior unit normal of the nearest wall at a fluid particle (zero when none is near).
+/// Exterior unit normal of the nearest wall at a fluid particle (zero when none is near) and the distance from it [m]
+/// (far when none is near), carried along between two searches by the particle's motion along the normal.
 struct alignas(16) NormalRecord {
     float x, y, z, distance;
 };
@@ -78,6 +79,7 @@ struct PassData {
     float diffusion = 0;           ///< delta h c0 [m2/s]
     float viscosity = 0;           ///< alpha h c0 rho0 [kg/m/s]
     float inv_void = 10;           ///< 1 / (1 - surface_support), see SolverSetup
+    float inv_contact = 0;         ///< 4 / dp: from 3/4 dp on a particle touches a wall whatever its support
     float eta2 = 0;                ///< 0.01 h^2 [m2]
     float gx = 0, gy = 0, gz = 0;  ///< body force [m/s2]
     bool two_dimensional = false;

@@ -95,7 +95,7 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
         const Group& g = groups[n];
         const Lanes a = load_places(d.place, g, d.quantum);
         V3<F> u{}, n_i{};
-        F drho_i{};
+        F drho_i{}, wall_distance{};
         for (int l = 0; l < lanes; ++l) {
             const MotionRecord& r = d.motion[g.first + (l < g.size ? l : g.size - 1)];
             u.x[l] = r.u;
@@ -144,6 +144,7 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
             n_i.x[l] = r.x;
             n_i.y[l] = r.y;
             n_i.z[l] = r.z;
+            wall_distance[l] = r.distance;
         }
         const F u_n = dot(u, n_i);
         const V3<F> u_iw{u_n * n_i.x, u_n * n_i.y, u_n * n_i.z};
@@ -151,9 +152,12 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
                            [&](std::int32_t, const float* xyz) { Continuity::add(meet(xyz), u_iw, wall_divergence); });
         if (g.wall_size > 0) {
             // A wall compresses only the water that it touches: while the support is incomplete there is a void between
-            // them, and the void closes first. Receding walls pull at once.
+            // them, and the void closes first. A drop or a thin sheet never fills its support: it touches from 3/4 of a
+            // spacing on, in full from 1/2, where the first layer of a full support stands. Receding walls pull at once.
             const F void_share = simd::positive_part(1.0f - support) * d.inv_void;
-            const F touch = simd::positive_part(1.0f - void_share);
+            const F filled = simd::positive_part(1.0f - void_share);
+            const F near = simd::positive_part(1.0f - simd::positive_part(wall_distance * d.inv_contact - 2.0f));
+            const F touch = filled + simd::positive_part(near - filled);
             const F compression = simd::positive_part(wall_divergence);
             divergence += wall_divergence + compression * (touch - 1.0f);
         }

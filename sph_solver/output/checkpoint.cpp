@@ -33,7 +33,7 @@ void write_checkpoint(const std::filesystem::path& path, const std::string& scen
                                 r.extremes.density_deviation_low,
                                 r.extremes.density_deviation_high,
                                 mass_at_start};
-        const long long counts[] = {r.steps, r.next_id, r.ledger.in, r.ledger.out, r.ledger.lost};
+        const long long counts[] = {r.steps, r.next_id, r.ledger.in, r.ledger.out, r.ledger.lost, r.ledger.held};
         h5::write_attribute(file, "state", std::span<const double>(state));
         h5::write_attribute(file, "counts", std::span<const long long>(counts));
         for_each_named(solver.particles(), [&](const char* name, hid_t type, const auto& values) {
@@ -59,14 +59,14 @@ Checkpoint read_checkpoint(const std::filesystem::path& path, const std::string&
         Checkpoint c;
         const auto state = h5::read_numbers_attribute(file, "state"),
                    counts = h5::read_numbers_attribute(file, "counts");
-        if (state.size() != 7 || counts.size() != 5) throw h5::Failure{"its state is not whole"};
+        if (state.size() != 7 || counts.size() != 6) throw h5::Failure{"its state is not whole"};
         Solver::Restart& r = c.state;
         r.time = state[0], r.dt = state[1];
         r.extremes.speed = state[2], r.extremes.acceleration = state[3], r.extremes.density_deviation_low = state[4],
         r.extremes.density_deviation_high = state[5];
         c.mass_at_start = state[6];
         const auto whole = [&](std::size_t k) { return static_cast<std::int64_t>(counts[k]); };
-        r.steps = whole(0), r.next_id = whole(1), r.ledger = {whole(2), whole(3), whole(4)};
+        r.steps = whole(0), r.next_id = whole(1), r.ledger = {whole(2), whole(3), whole(4), whole(5)};
         for_each_named(c.particles, [&](const char* name, hid_t type, auto& values) {
             values = h5::read_vector<typename std::remove_reference_t<decltype(values)>::value_type>(file, name, type);
             if (values.size() != c.particles.x.size())

@@ -127,6 +127,7 @@ void Recorder::sample_frame(Solver& solver, std::size_t row) {
     set(t, k, "particles_in", "-", double(solver.ledger().in));
     set(t, k, "particles_out", "-", double(solver.ledger().out));
     set(t, k, "particles_lost", "-", double(solver.ledger().lost));
+    set(t, k, "held_at_wall", "-", double(solver.ledger().held));
     if (hull_) {
         set(t, k, "wetted_area", "m2", factor_ * hull_->wetted_area());
         set(t, k, "wetted_length", "m", hull_->wetted_length(0.1 * scene_.hull->beam));

@@ -63,7 +63,7 @@ protected:
 };
 
 /// Koshizuka & Oka's column, ten cells wide.
-inline std::string dam_break(const std::string& duration) {
+inline std::string dam_break(const std::string& duration, const std::string& interval = "0.02 s") {
     return R"(
 title = "dam break"
 [tank]
@@ -84,7 +84,8 @@ pressure = [0.0, 0, 0.0]
 name = "column"
 height = [0.07, 0]
 [sampling]
-interval = "0.02 s"
+interval = ")" +
+           interval + R"("
 [run]
 duration = ")" +
            duration + "\"\n";

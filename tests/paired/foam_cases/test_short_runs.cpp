@@ -64,6 +64,19 @@ TEST_F(ShortRun, AFolderThatHoldsARunIsNotOverwrittenUnasked) {
     EXPECT_EQ(run_fvm(s, anew).state, "finished");
 }
 
+TEST_F(ShortRun, ATimeWithManyDigitsIsGoneOnFrom) {
+    // interFoam writes 0.0401234567 s and later with more digits than it reads by default.
+    const std::string interval = "0.0101234567891 s";
+    RunOptions o = options();
+    double reached = 0;
+    o.progress = [&](const Progress& p) { reached = std::max(reached, p.time); };
+    o.stop_asked = [&] { return reached > 0.05; };
+    EXPECT_EQ(run_fvm(scene(dam_break("10 s", interval)), o).state, "stopped");
+    RunOptions resume = options();
+    resume.resume = true;
+    EXPECT_EQ(run_fvm(scene(dam_break(std::to_string(reached + 0.05) + " s", interval)), resume).state, "finished");
+}
+
 TEST_F(ShortRun, StoppedRunsGoOnAndLongerDurationsTooButNotChangedScenes) {
     RunOptions o = options();
     double reached = 0;
