@@ -183,7 +183,6 @@ void Solver::rebuild() {
     stress_.resize(n + images_.size());
     shift_.resize(n);
     rate_.resize(n);
-    near_surface_.resize(n);
     surface_.resize(n + images_.size());
     if (!wall_place_.empty()) normal_.resize(n);
     update_records();
@@ -311,7 +310,6 @@ void Solver::evaluate() {
     d.shift = shift_.data();
     d.rate = rate_.data();
     d.surface = surface_.data();
-    d.near_surface = near_surface_.data();
     d.wall_load = wall_load_.data();
     d.kernel = kernel_;
     d.quantum = static_cast<float>(quanta_.size);
@@ -325,6 +323,7 @@ void Solver::evaluate() {
     d.gy = static_cast<float>(s.gravity.y());
     d.gz = static_cast<float>(s.gravity.z());
     d.inv_void = static_cast<float>(1 / (1 - s.surface_support));
+    d.wall_near = static_cast<float>(2 * h_);
     d.inv_contact = static_cast<float>(4 / s.dp);
     d.two_dimensional = s.dimensions == 2;
     {
@@ -357,7 +356,7 @@ void Solver::evaluate() {
         run_pass(passes_->forces, d, groups_);
     }
     timers_.evaluations += static_cast<std::int64_t>(particles_.size());
-    for (const Group& g : groups_) timers_.pair_candidates += std::int64_t{g.list_size + g.wall_size} * g.size;
+    timers_.pair_candidates += lists_.candidates() + wall_lists_.candidates();
 }
 
 void Solver::gather_load() {
@@ -440,13 +439,6 @@ void Solver::integrate() {
                     p.drho[i] = static_cast<float>(p.drho[i] + dt * r.drho);
                     if (s.shifting > 0 && shift_[i].support > s.shifting_support) {
                         shift = shift_scale * Vec3(shift_[i].x, shift_[i].y, shift_[i].z);
-                        const NearSurfaceRecord& near = near_surface_[i];
-                        const bool wall_near = !normal_.empty() && normal_[i].distance < 2 * h_;
-                        if (near.weight > 0 && !wall_near) {
-                            // along the surface only: towards it, shifting would pump water up for ever
-                            const Vec3 normal = Vec3(near.x, near.y, near.z).normalized();
-                            shift -= shift.dot(normal) * normal;
-                        }
                         const double length = shift.norm();
                         if (length > shift_cap) shift *= shift_cap / length;
                         part.shift2 = std::max(part.shift2, shift.squaredNorm());
@@ -594,7 +586,7 @@ double Solver::bytes() const {
     auto& p = const_cast<Particles&>(particles_);
     p.for_each_array(add);
     add(images_), add(place_), add(motion_), add(stress_), add(shift_), add(rate_), add(normal_), add(surface_),
-        add(near_surface_), add(groups_), add(wall_load_);
+        add(groups_), add(wall_load_);
     add(wall_place_), add(wall_p_), add(wall_groups_), add(live_wall_groups_);
     return sum;
 }

@@ -159,7 +159,6 @@ private:
     std::vector<RateRecord> rate_;
     std::vector<NormalRecord> normal_;
     std::vector<float> surface_;
-    std::vector<NearSurfaceRecord> near_surface_;
     std::vector<std::int32_t> start_, image_start_;
     std::vector<Group> groups_;
     NeighbourLists lists_, wall_lists_;

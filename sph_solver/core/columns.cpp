@@ -86,7 +86,7 @@ Extent extent(const PlaceRecord* places, const Group& g) {
 }
 
 void collect(const ColumnGrid& grid, const Group& g, const Extent& e, const Source& source, std::int64_t reach,
-             std::vector<std::int32_t>& out) {
+             std::vector<NeighbourBlock>& out, std::int64_t& found) {
     const auto ex = static_cast<std::int64_t>(e.x) + reach, ey = static_cast<std::int64_t>(e.y) + reach,
                ez = static_cast<std::int64_t>(e.z) + reach;
     const float reach2 = static_cast<float>(reach) * static_cast<float>(reach);
@@ -97,12 +97,20 @@ void collect(const ColumnGrid& grid, const Group& g, const Extent& e, const Sour
             const PlaceRecord* end = source.places + (*source.start)[c + 1];
             const PlaceRecord* p = std::lower_bound(source.places + (*source.start)[c], end, g.z - ez,
                                                     [](const PlaceRecord& a, std::int64_t z) { return a.z < z; });
+            std::size_t block = SIZE_MAX;  // the column's present block
             for (; p < end && p->z <= g.z + ez; ++p) {
                 const float dx = std::max(0.0f, std::fabs(static_cast<float>(p->x - g.x)) - e.x);
                 const float dy = std::max(0.0f, std::fabs(static_cast<float>(p->y - g.y)) - e.y);
                 const float dz = std::max(0.0f, std::fabs(static_cast<float>(p->z - g.z)) - e.z);
-                if (dx * dx + dy * dy + dz * dz <= reach2)
-                    out.push_back(source.offset + static_cast<std::int32_t>(p - source.places));
+                if (dx * dx + dy * dy + dz * dz > reach2) continue;
+                ++found;
+                const auto j = source.offset + static_cast<std::int32_t>(p - source.places);
+                if (block < out.size() && j - out.back().first < 32) {
+                    out.back().mask |= 1u << (j - out.back().first);
+                } else {
+                    block = out.size();
+                    out.push_back({j, 1u});
+                }
             }
         }
 }
@@ -114,11 +122,13 @@ void NeighbourLists::build(const ColumnGrid& grid, const Quanta& quanta, const P
     constexpr std::size_t per_chunk = 32;
     const std::size_t chunks = (groups.size() + per_chunk - 1) / per_chunk;
     chunks_.resize(chunks);
+    candidates_ = 0;
     const auto reach_q = static_cast<std::int64_t>(std::ceil(reach / quanta.size));
 #pragma omp parallel
     {
-        std::vector<std::int32_t> scratch;
+        std::vector<NeighbourBlock> scratch;
         std::int32_t sizes[per_chunk];
+        std::int64_t pairs = 0;
 #pragma omp for schedule(dynamic, 4)
         for (std::size_t k = 0; k < chunks; ++k) {
             scratch.clear();
@@ -126,23 +136,27 @@ void NeighbourLists::build(const ColumnGrid& grid, const Quanta& quanta, const P
             for (std::size_t n = first; n < last; ++n) {
                 const std::size_t before = scratch.size();
                 const Extent e = extent(targets, groups[n]);
-                for (const Source& s : sources) collect(grid, groups[n], e, s, reach_q, scratch);
+                std::int64_t found = 0;
+                for (const Source& s : sources) collect(grid, groups[n], e, s, reach_q, scratch, found);
+                pairs += found * groups[n].size;
                 sizes[n - first] = static_cast<std::int32_t>(scratch.size() - before);
             }
             chunks_[k].assign(scratch.begin(), scratch.end());
-            const std::int32_t* at = chunks_[k].data();
+            const NeighbourBlock* at = chunks_[k].data();
             for (std::size_t n = first; n < last; ++n) {
                 (wall ? groups[n].wall_list : groups[n].list) = at;
                 (wall ? groups[n].wall_size : groups[n].list_size) = sizes[n - first];
                 at += sizes[n - first];
             }
         }
+#pragma omp atomic
+        candidates_ += pairs;
     }
 }
 
 std::size_t NeighbourLists::bytes() const {
     std::size_t n = 0;
-    for (const auto& c : chunks_) n += c.capacity() * sizeof(std::int32_t);
+    for (const auto& c : chunks_) n += c.capacity() * sizeof(NeighbourBlock);
     return n;
 }
 

@@ -59,9 +59,11 @@ public:
     void build(const ColumnGrid& grid, const Quanta& quanta, const PlaceRecord* targets, std::vector<Group>& groups,
                const std::vector<Source>& sources, double reach, bool wall);
     std::size_t bytes() const;
+    std::int64_t candidates() const { return candidates_; }  ///< pairs in the lists
 
 private:
-    std::vector<std::vector<std::int32_t>> chunks_;
+    std::int64_t candidates_ = 0;
+    std::vector<std::vector<NeighbourBlock>> chunks_;
 };
 
 }  // namespace tw

@@ -22,19 +22,27 @@ struct alignas(16) StressRecord {
     float gx, gy, gz, p;
 };
 
+/// Neighbours: of the 32 places from `first` on, those whose bit is set. Sorted places lie in runs, so that a neighbour
+/// costs two bytes instead of an index's four and a list is a quarter as long.
+struct NeighbourBlock {
+    std::int32_t first;
+    std::uint32_t mask;
+};
+
 /// A group of up to 16 particles that are neighbours in space and in memory.
 struct Group {
-    std::int32_t first = 0, size = 0;         ///< particles [first, first + size)
-    const std::int32_t* list = nullptr;       ///< its neighbours among particles and mirror images
-    const std::int32_t* wall_list = nullptr;  ///< its neighbours among the wall's dummy particles
-    std::int32_t list_size = 0, wall_size = 0;
-    std::int32_t wall_load = -1;       ///< index of its WallLoad; -1: no wall near
-    std::int32_t x = 0, y = 0, z = 0;  ///< centre, in quanta: pair coordinates are relative to it
+    std::int32_t first = 0, size = 0;           ///< particles [first, first + size)
+    const NeighbourBlock* list = nullptr;       ///< its neighbours among particles and mirror images
+    const NeighbourBlock* wall_list = nullptr;  ///< its neighbours among the wall's dummy particles
+    std::int32_t list_size = 0, wall_size = 0;  ///< blocks
+    std::int32_t wall_load = -1;                ///< index of its WallLoad; -1: no wall near
+    std::int32_t x = 0, y = 0, z = 0;           ///< centre, in quanta: pair coordinates are relative to it
 };
 
 /// Per-particle result of the gradient pass.
 struct alignas(16) ShiftRecord {
-    float x, y, z;  ///< sum_j (1 + 0.2 (W_ij/W(dp))^4) grad_i W_ij V_j [1/m]
+    float x, y, z;  ///< sum_j (1 + 0.2 (W_ij/W(dp))^4) grad_i W_ij V_j [1/m]; after the second sweep without its
+                    ///< component towards a free surface
     float support;  ///< sum_j V_j W_ij, walls and the particle itself counted [-]
 };
 /// Per-particle rates [m/s2], [kg/m3/s].
@@ -52,12 +60,6 @@ struct alignas(16) NormalRecord {
     float x, y, z, distance;
 };
 
-/// Where the free surface is, seen from a particle: sum over surface particles of F V r_ji (towards them) and of F V;
-/// all zero farther than 2h from any.
-struct alignas(16) NearSurfaceRecord {
-    float x, y, z, weight;
-};
-
 struct PassData {
     // the particles and their mirror images, in one index space; then the wall's dummy particles in their own
     const PlaceRecord* place = nullptr;
@@ -67,7 +69,6 @@ struct PassData {
     const float* wall_p = nullptr;
     const NormalRecord* normal = nullptr;
     const float* surface = nullptr;  ///< 1 for particles (and images) at the free surface, else 0
-    NearSurfaceRecord* near_surface = nullptr;
     ShiftRecord* shift = nullptr;
     RateRecord* rate = nullptr;
     WallLoad* wall_load = nullptr;
@@ -79,6 +80,7 @@ struct PassData {
     float diffusion = 0;           ///< delta h c0 [m2/s]
     float viscosity = 0;           ///< alpha h c0 rho0 [kg/m/s]
     float inv_void = 10;           ///< 1 / (1 - surface_support), see SolverSetup
+    float wall_near = 0;           ///< 2 h [m]: nearer than this to a wall shifting goes towards a free surface, too
     float inv_contact = 0;         ///< 4 / dp: from 3/4 dp on a particle touches a wall whatever its support
     float eta2 = 0;                ///< 0.01 h^2 [m2]
     float gx = 0, gy = 0, gz = 0;  ///< body force [m/s2]
@@ -103,8 +105,9 @@ struct ExtrapolateData {
 struct Passes {
     const char* isa;
     void (*continuity_and_gradient)(const PassData&, const Group*,
-                                    int count);                ///< fills shift, stress.g and rate.drho = -rho div u
-    void (*forces)(const PassData&, const Group*, int count);  ///< fills rate; rate.drho = density diffusion
+                                    int count);  ///< fills shift, stress.g and rate.drho = -rho div u
+    void (*forces)(const PassData&, const Group*,
+                   int count);  ///< fills rate; rate.drho = density diffusion; shift along surfaces
     void (*extrapolate)(const ExtrapolateData&, const Group*, int count);
 };
 /// The best this processor runs; TWINWAKE_ISA=baseline|avx2|avx512 chooses another. Throws InputError for one it cannot

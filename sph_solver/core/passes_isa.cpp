@@ -16,16 +16,16 @@ using simd::lanes;
 struct alignas(64) Chunk {
     static constexpr int capacity = 256;
     float xyz[capacity][4];  // the fourth is the volume
+    std::int32_t index[capacity + 16];
 };
 
 typedef std::int32_t I4 __attribute__((vector_size(16), may_alias));
 typedef float F4 __attribute__((vector_size(16), may_alias));
 
-inline void load_chunk(Chunk& chunk, const PlaceRecord* place, const std::int32_t* list, int n, const Group& g,
-                       float quantum) {
+inline void load_chunk(Chunk& chunk, const PlaceRecord* place, int n, const Group& g, float quantum) {
     const I4 centre{g.x, g.y, g.z, 0};
     for (int k = 0; k < n; ++k) {
-        const PlaceRecord& r = place[list[k]];
+        const PlaceRecord& r = place[chunk.index[k]];
         const I4 raw = *reinterpret_cast<const I4*>(&r);
         F4 relative = __builtin_convertvector(raw - centre, F4) * quantum;
         relative[3] = r.volume;
@@ -60,15 +60,17 @@ inline KernelShape shape(const V3<F>& r_ji, float inv_h) {
     return s;
 }
 
-/// Calls `body(k, j, xyz)` for every neighbour of a list.
+/// Calls `body(j, xyz)` for every neighbour j of a list of `blocks` blocks.
 template <class Body>
-inline void for_each_neighbour(const PlaceRecord* place, const std::int32_t* list, int n, const Group& g, float quantum,
-                               Body body) {
+inline void for_each_neighbour(const PlaceRecord* place, const NeighbourBlock* list, int blocks, const Group& g,
+                               float quantum, Body body) {
     Chunk chunk;
-    for (int begin = 0; begin < n; begin += Chunk::capacity) {
-        const int m = n - begin < Chunk::capacity ? n - begin : Chunk::capacity;
-        load_chunk(chunk, place, list + begin, m, g, quantum);
-        for (int k = 0; k < m; ++k) body(list[begin + k], chunk.xyz[k]);
+    for (int k = 0; k < blocks;) {
+        int n = 0;
+        for (; k < blocks && n <= Chunk::capacity - 32; ++k)
+            n = simd::append_set_bits(list[k].first, list[k].mask, chunk.index, n);
+        load_chunk(chunk, place, n, g, quantum);
+        for (int m = 0; m < n; ++m) body(chunk.index[m], chunk.xyz[m]);
     }
 }
 
@@ -153,7 +155,8 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
         if (g.wall_size > 0) {
             // A wall compresses only the water that it touches: while the support is incomplete there is a void between
             // them, and the void closes first. A drop or a thin sheet never fills its support: it touches from 3/4 of a
-            // spacing on, in full from 1/2, where the first layer of a full support stands. Receding walls pull at once.
+            // spacing on, in full from 1/2, where the first layer of a full support stands. Receding walls pull at
+            // once.
             const F void_share = simd::positive_part(1.0f - support) * d.inv_void;
             const F filled = simd::positive_part(1.0f - void_share);
             const F near = simd::positive_part(1.0f - simd::positive_part(wall_distance * d.inv_contact - 2.0f));
@@ -193,7 +196,7 @@ void forces(const PassData& d, const Group* groups, int count) {
             grad.z[l] = d.stress[i].gz;
             p_i[l] = d.stress[i].p;
         }
-        F diffusion{}, near_surface{};
+        F diffusion{};
         V3<F> towards_surface{F{}, F{}, F{}};
         V3<F> pressure{F{}, F{}, F{}}, viscous{F{}, F{}, F{}}, wall{F{}, F{}, F{}};
 
@@ -212,7 +215,6 @@ void forces(const PassData& d, const Group* groups, int count) {
             PressureGradient::add(ij, p_i + sj.p, pressure);
             artificial_viscosity.add(ij, u_ij, viscous);
             const F s = ij.FV * d.surface[j];
-            near_surface += s;
             towards_surface.x += s * ij.r_ji.x;
             towards_surface.y += s * ij.r_ji.y;
             towards_surface.z += s * ij.r_ji.z;
@@ -228,10 +230,17 @@ void forces(const PassData& d, const Group* groups, int count) {
         const V3<F> acc{(pressure.x + viscous.x) * inv_rho + w.x + d.gx,
                         (pressure.y + viscous.y) * inv_rho + w.y + d.gy,
                         (pressure.z + viscous.z) * inv_rho + w.z + d.gz};
+        const F normal2 = dot(towards_surface, towards_surface);
         for (int l = 0; l < g.size; ++l) {
-            d.rate[g.first + l] = {acc.x[l], acc.y[l], acc.z[l], drho[l]};
-            d.near_surface[g.first + l] = {towards_surface.x[l], towards_surface.y[l], towards_surface.z[l],
-                                           near_surface[l]};
+            const int i = g.first + l;
+            d.rate[i] = {acc.x[l], acc.y[l], acc.z[l], drho[l]};
+            // shifting goes along the surface only: towards it, it would pump water up for ever
+            if (normal2[l] > 0 && !(g.wall_size > 0 && d.normal[i].distance < d.wall_near)) {
+                ShiftRecord& s = d.shift[i];
+                const float x = towards_surface.x[l], y = towards_surface.y[l], z = towards_surface.z[l];
+                const float share = (s.x * x + s.y * y + s.z * z) / normal2[l];
+                s.x -= share * x, s.y -= share * y, s.z -= share * z;
+            }
         }
         if (g.wall_load >= 0) {
             const V3<F> m{a.y * w.z - a.z * w.y, a.z * w.x - a.x * w.z, a.x * w.y - a.y * w.x};

@@ -3,6 +3,7 @@
 // four, and on other machines whatever the compiler makes of it. The pair terms are written against `Real` and never
 // see this.
 #include <cmath>
+#include <cstdint>
 #if defined(__x86_64__)
 #include <immintrin.h>
 #endif
@@ -55,6 +56,23 @@ inline F positive_part(F x) {
     return x;
 }
 #endif
+/// Writes first + k for every set bit k of the mask to out[n...], ascending; returns the new n. May write (and leave
+/// rubbish in) up to 16 entries beyond.
+inline int append_set_bits(std::int32_t first, std::uint32_t mask, std::int32_t* out, int n) {
+#if defined(__AVX512F__)
+    const __m512i step = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+    for (int half = 0; half < 2; ++half) {
+        const auto m = static_cast<__mmask16>(mask >> (16 * half));
+        const __m512i index = _mm512_add_epi32(step, _mm512_set1_epi32(first + 16 * half));
+        _mm512_storeu_si512(out + n, _mm512_maskz_compress_epi32(m, index));
+        n += __builtin_popcount(m);
+    }
+#else
+    for (; mask != 0; mask &= mask - 1) out[n++] = first + __builtin_ctz(mask);
+#endif
+    return n;
+}
+
 inline float sqrt(float x) { return std::sqrt(x); }
 inline float positive_part(float x) { return x > 0 ? x : 0; }
 
