@@ -56,6 +56,12 @@ struct CompareCommand {
 };
 int run_compare(const CompareCommand& command, const Common& common);
 
+struct UncertaintyCommand {
+    std::filesystem::path table;  ///< CSV: spacing, then one column per quantity
+    double order = 2;             ///< of the scheme [-]
+};
+int run_uncertainty(const UncertaintyCommand& command, const Common& common);
+
 struct HullCommand {
     std::string action;  ///< info, repair, make, convert
     std::filesystem::path in, out;

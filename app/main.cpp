@@ -27,6 +27,20 @@ constexpr const char* footer =
     "Exit status: 0 done, 2 bad input or usage, 3 a run failed or was stopped (state saved), 4 --require agree not "
     "met.";
 
+constexpr const char* about_uncertainty =
+    "The first column is the spacing (cell or particle size), every further column one quantity:\n\n"
+    "  h [m], drag [N], lift [N]\n"
+    "  0.05,  412.1,    2722\n"
+    "  0.07,  418.0,    2711\n"
+    "  0.10,  431.0,    2690\n"
+    "  0.14,  449.5,    2655\n\n"
+    "Commas, semicolons or tabs; lines that begin with # and empty lines are skipped; rows in any order.\n"
+    "From four levels on U comes from the least squares of Eca & Hoekstra (2014), with the grid convergence index\n"
+    "of Celik et al. (2008) and the factor of safety of Xing & Stern (2010) of the three finest levels beside it.\n"
+    "Three levels: the widest of these two. Two: the order is assumed (--order) and the factor is 3. One: no U.\n"
+    "U is half the width of a 95 % interval about the finest value. That a table does not converge is a result,\n"
+    "not an error: the exit status is 0.\n\n";
+
 void add_scene(CLI::App* command, SceneArguments& scene) {
     command->add_option("scene", scene.file, "scene file (TOML)")->required();
     command->add_option("--hull", scene.hull,
@@ -112,6 +126,16 @@ int dispatch(int argc, char** argv) {
     c->add_flag("--force", compare.force, "compare records of different scenes, with a banner");
     c->add_option("--require", require, "agree: exit status 4 unless every judged quantity agrees")
         ->check(CLI::IsMember({"agree"}));
+
+    UncertaintyCommand uncertainty;
+    c = subcommand(&app, "uncertainty",
+                   "how far a value at the finest spacing may be off: any table of a refinement study",
+                   [&] { return run_uncertainty(uncertainty, common); });
+    c->add_option("table", uncertainty.table, "CSV file: a header line, then a row for every level")->required();
+    c->add_option("--order", uncertainty.order,
+                  "order of the scheme (2), for the factor of safety and for tables of two levels")
+        ->check(CLI::Range(0.1, 10.0));
+    c->footer(about_uncertainty + std::string(footer));
 
     HullCommand hull;
     CLI::App* hulls = app.add_subcommand("hull", "inspect, mend, make and convert hull surfaces");

@@ -112,6 +112,11 @@ void fill_times(Scene& scene) {
     if (scene.run.checkpoint == 0) scene.run.checkpoint = scene.run.duration / 20;
 }
 
+double default_courant(const Scene& scene) {
+    // Measured: forces of a hull in a steady stream are the same at 4 as at 1; a splash is not.
+    return scene.motion.kind == Motion::Kind::stream ? 4 : 1;
+}
+
 double default_sound_speed(const Scene& scene) {
     // p_max / rho0 of the water at rest is g H; falling from the surface it reaches sqrt(2 g H).
     const double fall = std::sqrt(2 * scene.water.gravity * water_height(scene));

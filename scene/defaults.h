@@ -35,6 +35,8 @@ double time_scale(const Scene& scene);
 /// Fills what is still zero or empty in run, sampling and the sound speed; domain, resolution and motion are known.
 void fill_times(Scene& scene);
 RasterSpec default_raster(const Scene& scene, double spacing);
+/// Largest Courant number of the FVM run.
+double default_courant(const Scene& scene);
 double default_sound_speed(const Scene& scene);
 
 /// Bounds of the water at rest [m]: depth below the surface of the deepest place.

@@ -347,6 +347,8 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     scene.water.depth = water_height(scene);
     if (scene.motion.ramp < 0) scene.motion.ramp = default_ramp(scene);
     fill_times(scene);
+    for (double* courant : {&scene.fvm.max_courant, &scene.fvm.max_alpha_courant})
+        if (*courant == 0) *courant = default_courant(scene);
     if (scene.sph.c0 == 0) scene.sph.c0 = default_sound_speed(scene);
     scene.refinement = default_refinement(scene);
     const double voxel = scene.domain.dimensions == 2 ? scene.resolution.near_hull : 2 * scene.resolution.near_hull;

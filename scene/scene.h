@@ -123,7 +123,7 @@ struct SphOptions {
 };
 
 struct FvmOptions {
-    double max_courant = 4, max_alpha_courant = 4;
+    double max_courant = 0, max_alpha_courant = 0;  ///< as written, else 4 in a stream and 1 without
     double interface_compression = 2;  ///< cAlpha
     int correctors = 3;
     std::string openfoam;  ///< folder of an OpenFOAM installation; empty: found

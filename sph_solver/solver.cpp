@@ -185,6 +185,7 @@ void Solver::rebuild() {
     rate_.resize(n);
     surface_.resize(n + images_.size());
     if (!wall_place_.empty()) normal_.resize(n);
+    if (control_) carried_.resize(n + images_.size());
     update_records();
 
     make_groups(place_, start_, 0, groups_);
@@ -276,6 +277,7 @@ void Solver::update_mirror_images(bool stress) {
         s.p += static_cast<float>(still.pressure(step));
         stress_[n + k] = s;
         surface_[n + k] = surface_[i];
+        if (!carried_.empty()) carried_[n + k] = carried_[i];
     }
 }
 
@@ -311,6 +313,7 @@ void Solver::evaluate() {
     d.rate = rate_.data();
     d.surface = surface_.data();
     d.wall_load = wall_load_.data();
+    d.carried = carried_.empty() ? nullptr : carried_.data();
     d.kernel = kernel_;
     d.quantum = static_cast<float>(quanta_.size);
     d.rho0 = static_cast<float>(s.rho0);
@@ -546,6 +549,7 @@ void Solver::sample(PointSamples& points) {
     points.p.assign(n, 0);
     points.support.assign(n, 0);
     if (points.want_velocity) points.velocity.assign(3 * n, 0);
+    if (points.want_flux) points.flux.assign(3 * n, 0);
     if (n == 0) return;
     std::vector<PlaceRecord> raw(n), sorted(n);
     for (std::size_t k = 0; k < n; ++k)
@@ -565,18 +569,23 @@ void Solver::sample(PointSamples& points) {
         grid_, quanta_, sorted.data(), groups,
         {{place_.data(), &start_, 0}, {place_.data() + particles, &image_start_, static_cast<std::int32_t>(particles)}},
         reach, false);
-    std::vector<float> p(n), support(n), velocity(points.want_velocity ? 3 * n : 0);
+    std::vector<float> p(n), support(n), velocity(points.want_velocity ? 3 * n : 0), flux(points.want_flux ? 3 * n : 0);
     ExtrapolateData e = extrapolation();
     e.at = sorted.data();
     e.p = p.data();
     e.support = support.data();
     e.velocity = points.want_velocity ? velocity.data() : nullptr;
+    if (points.want_flux) {
+        e.carried = carried_.data();
+        e.flux = flux.data();
+    }
     run_pass(passes_->extrapolate, e, groups);
     for (std::size_t k = 0; k < n; ++k) {
         const auto i = static_cast<std::size_t>(order[k]);
         points.p[i] = p[k];
         points.support[i] = support[k];
         for (std::size_t a = 0; a < 3 && points.want_velocity; ++a) points.velocity[3 * i + a] = velocity[3 * k + a];
+        for (std::size_t a = 0; a < 3 && points.want_flux; ++a) points.flux[3 * i + a] = flux[3 * k + a];
     }
 }
 
@@ -585,8 +594,8 @@ double Solver::bytes() const {
     const auto add = [&](const auto& v) { sum += double(v.capacity() * sizeof(v[0])); };
     auto& p = const_cast<Particles&>(particles_);
     p.for_each_array(add);
-    add(images_), add(place_), add(motion_), add(stress_), add(shift_), add(rate_), add(normal_), add(surface_),
-        add(groups_), add(wall_load_);
+    add(images_), add(place_), add(motion_), add(stress_), add(shift_), add(rate_), add(normal_), add(carried_),
+        add(surface_), add(groups_), add(wall_load_);
     add(wall_place_), add(wall_p_), add(wall_groups_), add(live_wall_groups_);
     return sum;
 }

@@ -110,8 +110,12 @@ public:
     double bytes() const;  ///< memory of state, lists and walls
 
     /// Fields at points from the present particles; valid until the next step. Not part of the time integration.
+    /// `want_flux` needs a control volume.
     void sample(PointSamples& points);
-    void set_control_volume(const Box& box) { control_ = ControlVolume(box); }
+    void set_control_volume(const Box& box) {
+        control_ = ControlVolume(box);
+        rebuild_due_ = true;
+    }
     ControlVolume* control_volume() { return control_ ? &*control_ : nullptr; }
 
     /// The state a restart needs; a restart goes on bitwise the same when `mark_restart_point()` was called at that
@@ -158,6 +162,7 @@ private:
     std::vector<ShiftRecord> shift_;
     std::vector<RateRecord> rate_;
     std::vector<NormalRecord> normal_;
+    std::vector<CarriedShare> carried_;  // only with a control volume
     std::vector<float> surface_;
     std::vector<std::int32_t> start_, image_start_;
     std::vector<Group> groups_;

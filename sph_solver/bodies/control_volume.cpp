@@ -7,6 +7,7 @@ namespace tw {
 
 void ControlVolume::make_faces(double size) {
     faces_ = {};
+    faces_.want_flux = true;
     area_.clear();
     for (int axis = 0; axis < 3; ++axis) {
         const int b = (axis + 1) % 3, c = (axis + 2) % 3;
@@ -32,7 +33,8 @@ void ControlVolume::add_impulse(double mass_inside, const Vec3& body_force, doub
     for (std::size_t k = 0; k < area_.size(); ++k) {
         // the share of the patch that is water: full support 1 in the interior
         const double share = std::clamp(2.0 * faces_.support[k] - 0.5, 0.0, 1.0);
-        force -= share * double(faces_.p[k]) * area_[k];
+        for (int axis = 0; axis < 3; ++axis)
+            force[axis] -= share * double(faces_.flux[3 * k + static_cast<std::size_t>(axis)]) * area_[k][axis];
     }
     state_.impulse += force * dt;
     state_.since += dt;

@@ -9,7 +9,8 @@ namespace tw {
 ///
 ///   F = -d/dt (sum_inside m u) + sum_crossing m u / dt - sum_faces p n A + sum_inside m g
 ///
-/// Momentum inside and across is counted particle by particle (exact); the pressure on the faces is sampled.
+/// Momentum inside and across is counted particle by particle (exact); the pressure on the faces is sampled as
+/// the pair forces carry it, p m_nn (see CarriedShare): among disordered particles that is about 1 % less than p.
 /// Means over a time much longer than a particle's passage dp/U are meaningful, single values are not.
 class ControlVolume {
 public:

@@ -60,6 +60,12 @@ struct alignas(16) NormalRecord {
     float x, y, z, distance;
 };
 
+/// How much of the pressure the pair forces carry along each axis: m_aa of m = sum_j r_ji (x) grad_i W_ij V_j. In the
+/// continuum it is 1; among particles the momentum flux is p m_aa, not p.
+struct CarriedShare {
+    float x, y, z;
+};
+
 struct PassData {
     // the particles and their mirror images, in one index space; then the wall's dummy particles in their own
     const PlaceRecord* place = nullptr;
@@ -72,6 +78,7 @@ struct PassData {
     ShiftRecord* shift = nullptr;
     RateRecord* rate = nullptr;
     WallLoad* wall_load = nullptr;
+    CarriedShare* carried = nullptr;  ///< may be null
 
     Kernel kernel;
     float quantum = 1;  ///< [m]
@@ -93,9 +100,11 @@ struct ExtrapolateData {
     const PlaceRecord* place = nullptr;
     const MotionRecord* motion = nullptr;
     const StressRecord* stress = nullptr;
-    float* p = nullptr;         ///< [Pa]
-    float* support = nullptr;   ///< sum_j V_j W_ij; may be null
-    float* velocity = nullptr;  ///< 3 per point; may be null
+    float* p = nullptr;                     ///< [Pa]
+    float* support = nullptr;               ///< sum_j V_j W_ij; may be null
+    float* velocity = nullptr;              ///< 3 per point; may be null
+    const CarriedShare* carried = nullptr;  ///< of the particles; may be null
+    float* flux = nullptr;                  ///< 3 per point: carried pressure along x, y, z [Pa]; needs `carried`
     Kernel kernel;
     float quantum = 1, rho0 = 1000;
     float gx = 0, gy = 0, gz = 0;

@@ -164,6 +164,8 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
             const F compression = simd::positive_part(wall_divergence);
             divergence += wall_divergence + compression * (touch - 1.0f);
         }
+        if (d.carried)
+            for (int l = 0; l < g.size; ++l) d.carried[g.first + l] = {m[0][l], m[3][l], m[5][l]};
         if (d.two_dimensional) m[3] += 1.0f;
         const V3<F> grad = solve_symmetric(m, b);
         for (int l = 0; l < g.size; ++l) {
@@ -261,7 +263,7 @@ void extrapolate(const ExtrapolateData& d, const Group* groups, int count) {
         const Group& g = groups[n];
         const Lanes a = load_places(d.at, g, d.quantum);
         F support{}, p{};
-        V3<F> u{F{}, F{}, F{}};
+        V3<F> u{F{}, F{}, F{}}, flux{F{}, F{}, F{}};
         for_each_neighbour(d.place, g.list, g.list_size, g, d.quantum, [&](std::int32_t j, const float* xyz) {
             const V3<F> r{xyz[0] - a.x, xyz[1] - a.y, xyz[2] - a.z};
             const KernelShape k = shape(r, d.kernel.inv_h);
@@ -269,7 +271,13 @@ void extrapolate(const ExtrapolateData& d, const Group* groups, int count) {
             const F WV = (d.kernel.sigma * xyz[3]) * (t2 * t2) * (k.q + k.q + 1.0f);
             support += WV;
             const float rho = d.rho0 + d.motion[j].drho;
-            p += WV * (d.stress[j].p - rho * (d.gx * r.x + d.gy * r.y + d.gz * r.z));
+            const F p_there = WV * (d.stress[j].p - rho * (d.gx * r.x + d.gy * r.y + d.gz * r.z));
+            p += p_there;
+            if (d.flux) {
+                flux.x += p_there * d.carried[j].x;
+                flux.y += p_there * d.carried[j].y;
+                flux.z += p_there * d.carried[j].z;
+            }
             if (d.velocity) {
                 u.x += WV * d.motion[j].u;
                 u.y += WV * d.motion[j].v;
@@ -282,6 +290,11 @@ void extrapolate(const ExtrapolateData& d, const Group* groups, int count) {
             const int i = g.first + l;
             d.p[i] = p[l] * inv[l];
             if (d.support) d.support[i] = support[l];
+            if (d.flux) {
+                d.flux[3 * i] = flux.x[l] * inv[l];
+                d.flux[3 * i + 1] = flux.y[l] * inv[l];
+                d.flux[3 * i + 2] = flux.z[l] * inv[l];
+            }
             if (d.velocity) {
                 d.velocity[3 * i] = u.x[l] * inv[l];
                 d.velocity[3 * i + 1] = u.y[l] * inv[l];

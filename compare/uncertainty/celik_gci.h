@@ -1,0 +1,40 @@
+#pragma once
+#include <limits>
+#include <span>
+#include <string>
+
+#include "compare/uncertainty/level.h"
+
+namespace tw {
+
+/// Grid convergence index, Celik et al., J. Fluids Eng. 130, 078001 (2008), doi 10.1115/1.2960953, on the three finest
+/// levels, with p, r21, eps21 as in triplet.h:
+///
+///   phi_ext = (r21^p phi1 - phi2)/(r21^p - 1)      e_a = |eps21/phi1|      e_ext = |(phi_ext - phi1)/phi_ext|
+///   GCI21   = Fs e_a/(r21^p - 1)                   GCI32 = Fs |eps32/phi2|/(r32^p - 1)             Fs = 1.25
+///
+/// GCI32/(r21^p GCI21) is near 1 in the asymptotic range. Oscillatory convergence goes in with s = -1, as the paper
+/// does; divergence and two equal finest values have no order and no index.
+struct CelikGci {
+    static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    bool known = false;
+    std::string why_not;  ///< empty where known
+    Convergence convergence = Convergence::unknown;
+    double p = nan;            ///< observed order; the assumed one where only two levels are used [-]
+    double Fs = nan;           ///< [-]
+    double phi_ext = nan;      ///< extrapolated value [unit of the value]
+    double e_a = nan;          ///< approximate relative error [-]
+    double e_ext = nan;        ///< extrapolated relative error [-]
+    double GCI21 = nan;        ///< of the finest level [-]; not a number where phi1 = 0
+    double GCI32 = nan;        ///< of the second level [-]
+    double asymptotic = nan;   ///< GCI32/(r21^p GCI21) [-]
+    double uncertainty = nan;  ///< GCI21 |phi1|: of the finest value [unit of the value]
+};
+/// `levels`: as from finest_first; fewer than three: not known.
+CelikGci celik_gci(std::span<const Level> levels);
+
+/// The index of the two finest levels with an assumed order p > 0: Fs = 3, class unknown (Roache 1994,
+/// doi 10.1115/1.2910291). `levels`: two or more, as from finest_first.
+CelikGci two_level_gci(std::span<const Level> levels, double p);
+
+}  // namespace tw

@@ -1,0 +1,33 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace tw {
+
+/// One run of a refinement study: its representative size h_i and the quantity phi_i found with it.
+struct Level {
+    double spacing = 0;  ///< h_i: cell size or particle spacing where it matters for the quantity, > 0; any one unit
+    double value = 0;    ///< phi_i, any unit
+};
+
+/// The levels with the finest first, as every estimator here wants them (the papers' index 1 is element 0).
+/// Throws InputError for no level, a spacing that is not a finite number above zero, a value that is not finite, and
+/// two levels of the same spacing (nearer than 1e-6 of it).
+std::vector<Level> finest_first(std::vector<Level> levels);
+
+/// How values behave as the spacing shrinks.
+enum class Convergence {
+    unknown,      ///< fewer than three levels
+    unchanged,    ///< the values do not differ, or the two finest do not: there is no order to find
+    monotone,     ///< towards a limit, from one side
+    oscillatory,  ///< towards a limit, from alternating sides
+    divergent,    ///< the changes do not die out
+    scattered     ///< the values scatter by more than they change from level to level
+};
+/// The name of the enumerator.
+std::string to_string(Convergence convergence);
+
+/// True when two values of a set whose largest magnitude is `size` differ by rounding only.
+bool same_but_for_rounding(double a, double b, double size);
+
+}  // namespace tw

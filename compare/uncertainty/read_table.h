@@ -1,0 +1,36 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tw {
+
+/// A refinement study as a user writes it down: one row per level.
+struct RefinementTable {
+    struct Column {
+        std::string name;            ///< from the header line, as written
+        std::vector<double> values;  ///< one per row
+    };
+    std::string spacing_name;
+    std::vector<double> spacing;  ///< one per row, in the order of the file, > 0
+    std::vector<Column> columns;  ///< the quantities, one or more
+};
+
+/// Reads text of the form
+///
+///   # anything
+///   h [m], drag [N], lift [N]
+///   0.05, 412.1, 2722
+///   0.1, 431, 2690
+///
+/// The first line that is neither empty nor begins with # names the columns; the first column is the spacing. Cells are
+/// separated by tabs, semicolons or commas: the first of these that the header line has. Cells may stand in "quotes".
+/// Decimal points, not commas. A byte order mark and CR LF line ends are accepted. Throws InputError
+/// `name:line: what was found; what is expected` for anything else: no header, no row, a row of other length, an empty
+/// cell, a cell that is not a finite number, a spacing that is not above zero or that was there before.
+RefinementTable parse_refinement_table(std::string_view text, const std::string& name);
+/// The same of a file; throws InputError where it cannot be read.
+RefinementTable read_refinement_table(const std::filesystem::path& file);
+
+}  // namespace tw

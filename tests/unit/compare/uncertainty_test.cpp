@@ -1,0 +1,459 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <vector>
+
+#include "base/errors.h"
+#include "compare/uncertainty/convergence.h"
+#include "compare/uncertainty/read_table.h"
+#include "compare/uncertainty/report_uncertainty.h"
+#include "compare/uncertainty/triplet.h"
+
+namespace tw {
+namespace {
+
+const std::vector<double> five{1, 1.25, 1.5, 2, 2.5};
+
+std::vector<Level> study(const std::vector<double>& h, const std::vector<double>& phi) {
+    std::vector<Level> levels;
+    for (std::size_t i = 0; i < h.size(); ++i) levels.push_back({h[i], phi[i]});
+    return levels;
+}
+/// phi = phi0 + a h^p
+std::vector<Level> power(const std::vector<double>& h, double phi0, double a, double p) {
+    std::vector<Level> levels;
+    for (const double x : h) levels.push_back({x, phi0 + a * std::pow(x, p)});
+    return levels;
+}
+/// From numbers of cells of a plane mesh: h = N^(-1/2).
+std::vector<Level> plane_meshes(const std::vector<double>& N, const std::vector<double>& phi) {
+    std::vector<double> h;
+    for (const double n : N) h.push_back(1 / std::sqrt(n));
+    return study(h, phi);
+}
+const std::vector<Level> celik_monotone = plane_meshes({18000, 8000, 4500}, {6.063, 5.972, 5.863});
+const std::vector<Level> noisy = study(five, {1.0511, 1.0688, 1.0926, 1.1409, 1.1981});
+
+std::string message(const std::function<void()>& call) {
+    try {
+        call();
+    } catch (const InputError& e) { return e.what(); }
+    return {};
+}
+
+// ---- the three finest levels
+
+// Celik et al. 2008, table 1, first column: printed 1.53, 6.1685, 2.2 %; more digits recomputed from the equations.
+TEST(CelikGci, MonotoneExampleOfThePaper) {
+    const CelikGci g = celik_gci(celik_monotone);
+    ASSERT_TRUE(g.known) << g.why_not;
+    EXPECT_EQ(g.convergence, Convergence::monotone);
+    EXPECT_NEAR(g.p, 1.5340, 5e-5);
+    EXPECT_NEAR(g.phi_ext, 6.16850, 5e-6);
+    EXPECT_NEAR(100 * g.e_a, 1.5, 0.05);
+    EXPECT_NEAR(100 * g.e_ext, 1.7, 0.05);
+    EXPECT_NEAR(100 * g.GCI21, 2.1750, 5e-5);
+    EXPECT_NEAR(100 * g.GCI32, 4.1129, 5e-5);
+    EXPECT_NEAR(g.uncertainty, g.GCI21 * 6.063, 1e-12);
+}
+
+// The same table, third column: printed 1.51, 6.0269, 0.5 %. With s = +1 the equation has no solution here.
+TEST(CelikGci, OscillatoryExampleOfThePaper) {
+    const CelikGci g = celik_gci(plane_meshes({18000, 4500, 980}, {6.0042, 5.9624, 6.0909}));
+    ASSERT_TRUE(g.known) << g.why_not;
+    EXPECT_EQ(g.convergence, Convergence::oscillatory);
+    EXPECT_NEAR(g.p, 1.5077, 5e-5);
+    EXPECT_NEAR(g.phi_ext, 6.02687, 5e-6);
+    EXPECT_NEAR(100 * g.GCI21, 0.4720, 5e-5);
+}
+
+// NASA's examination of grid convergence, program verify.f90.
+TEST(CelikGci, ExampleOfNasa) {
+    const CelikGci g = celik_gci(study({1, 2, 4}, {0.97050, 0.96854, 0.96178}));
+    EXPECT_NEAR(g.p, 1.78617, 5e-6);
+    EXPECT_NEAR(g.phi_ext, 0.97130, 5e-6);
+    EXPECT_NEAR(100 * g.GCI21, 0.103083, 5e-7);
+    EXPECT_NEAR(100 * g.GCI32, 0.356249, 5e-7);
+    EXPECT_NEAR(g.asymptotic, 1, 0.01);
+}
+
+TEST(XingStern, FactorsOnCeliksExample) {
+    const XingStern x = xing_stern(celik_monotone, 2);
+    ASSERT_TRUE(x.known) << x.why_not;
+    EXPECT_NEAR(x.P, 0.76698, 5e-6);
+    EXPECT_NEAR(std::abs(x.delta_RE), 0.105496, 5e-7);
+    EXPECT_NEAR(x.uncertainty, 0.189688, 5e-7);
+    EXPECT_NEAR(1.25 * std::abs(x.delta_RE), 0.131869, 1e-6);
+    EXPECT_NEAR(x.limit, 6.16850, 5e-6);
+}
+
+TEST(XingStern, TheFactorIsOnePointSixAtTheOrderOfTheSchemeFromBothSides) {
+    EXPECT_NEAR(xing_stern(power({1, 2, 4}, 5, 0.1, 2), 2).factor, 1.6, 1e-9);
+    EXPECT_NEAR(xing_stern(power({1, 2, 4}, 5, 0.1, 2.0001), 2).factor, 1.6, 1e-3);
+    EXPECT_NEAR(xing_stern(power({1, 2, 4}, 5, 0.1, 1), 2).factor, 2.45 - 0.425, 1e-9);
+    EXPECT_NEAR(xing_stern(power({1, 2, 4}, 5, 0.1, 3), 2).factor, 1.5 * 16.4 - 14.8, 1e-9);
+    EXPECT_FALSE(xing_stern(study({1, 2, 4}, {1.01, 0.98, 1.04}), 2).known);  // no factor for alternating signs
+}
+
+TEST(Triplet, FindsTheOrderForAnyRatios) {
+    for (const double p : {0.02, 0.5, 1.0, 1.5, 2.0, 4.0})
+        for (const auto& h : {std::vector<double>{1, 2, 4}, {1, 1.1, 1.7}, {0.3, 0.7, 0.72}}) {
+            const Triplet t = finest_triplet(power(h, 3, -0.2, p));
+            EXPECT_EQ(t.convergence, Convergence::monotone);
+            EXPECT_NEAR(t.p, p, 1e-7) << h[1] << " " << h[2];
+        }
+    // The fixed-point iteration of the paper runs away for {1, 1.1, 1.7}: r32 > r21^2.
+}
+
+TEST(Triplet, AValueThatGoesAsTheLogarithmOfTheSpacingIsTheBorderOfDivergence) {
+    const std::vector<double> h{1, 2, 2.5};  // R = ln 2 / ln 1.25 = 3.1: "divergent" were the border at R = 1
+    EXPECT_EQ(finest_triplet(power(h, 1, 0.1, 0.1)).convergence, Convergence::monotone);
+    EXPECT_GT(finest_triplet(power(h, 1, 0.1, 0.1)).R, 1);
+    EXPECT_EQ(finest_triplet(power(h, 1, 0.1, -0.1)).convergence, Convergence::divergent);
+    EXPECT_EQ(finest_triplet(study(h, {std::log(1), std::log(2), std::log(2.5)})).convergence, Convergence::divergent);
+}
+
+TEST(Triplet, ClassesOfTheIttc) {
+    const std::vector<double> h{1, 2, 4};
+    EXPECT_EQ(finest_triplet(study(h, {1, 1.1, 1.4})).convergence, Convergence::monotone);           // R = 1/3
+    EXPECT_EQ(finest_triplet(study(h, {1, 1.3, 1.4})).convergence, Convergence::divergent);          // R = 3
+    EXPECT_EQ(finest_triplet(study(h, {1, 1.1, 0.8})).convergence, Convergence::oscillatory);        // R = -1/3
+    EXPECT_EQ(finest_triplet(study(h, {1, 1.3, 1.2})).convergence, Convergence::divergent);          // R = -3
+    EXPECT_EQ(finest_triplet(study(h, {1.1, 1.1, 1.2})).convergence, Convergence::unchanged);        // R = 0
+    EXPECT_EQ(finest_triplet(study(h, {1.0, 1.1, 1.1})).convergence, Convergence::divergent);        // R infinite
+    EXPECT_EQ(finest_triplet(study(h, {0.3, 0.1 + 0.2, 0.3})).convergence, Convergence::unchanged);  // rounding
+}
+
+// ---- least squares
+
+TEST(EcaHoekstra, ExactValuesGiveTheGridConvergenceIndex) {
+    const EcaHoekstra e = eca_hoekstra(power(five, 1, 0.05, 1.5));
+    ASSERT_TRUE(e.known) << e.why_not;
+    EXPECT_NEAR(e.p, 1.5, 1e-9);
+    EXPECT_NEAR(e.phi0, 1, 1e-10);
+    EXPECT_NEAR(e.sigma, 0, 1e-10);
+    EXPECT_NEAR(e.uncertainty, 0.0625, 1e-9);  // 1.25 times the error 0.05
+    EXPECT_EQ(e.convergence, Convergence::monotone);
+}
+
+TEST(EcaHoekstra, ValuesWithALittleNoise) {
+    const EcaHoekstra e = eca_hoekstra(noisy);
+    EXPECT_EQ(e.fit, ErrorFit::free_order);
+    EXPECT_NEAR(e.p, 1.5587, 5e-5);
+    EXPECT_NEAR(e.phi0, 1.00419, 5e-6);
+    EXPECT_NEAR(e.sigma, 0.001143, 5e-7);
+    EXPECT_NEAR(e.uncertainty, 0.06022, 5e-6);
+    EXPECT_EQ(e.Fs, 1.25);
+}
+
+TEST(EcaHoekstra, AnOrderAboveTwoFallsToTheSecondOrderFitWithFactorThree) {
+    const EcaHoekstra e = eca_hoekstra(power(five, 1, 0.01, 3));
+    EXPECT_EQ(e.fit, ErrorFit::second);
+    EXPECT_EQ(e.Fs, 3);
+    EXPECT_NEAR(e.p, 3, 1e-9);
+    EXPECT_NEAR(e.uncertainty, 0.1088, 5e-5);
+}
+
+TEST(EcaHoekstra, AnOrderBelowOneHalfFallsToPolynomialsWithFactorThree) {
+    const EcaHoekstra e = eca_hoekstra(power(five, 1, 0.05, 0.3));
+    EXPECT_EQ(e.fit, ErrorFit::first_and_second);
+    EXPECT_EQ(e.Fs, 3);
+    EXPECT_NEAR(e.p, 0.3, 1e-9);
+}
+
+// Between 2 and 2.1 the fit is that of second order, and still trusted: Fs = 1.25.
+TEST(EcaHoekstra, AnOrderJustAboveTwoKeepsTheSmallFactor) {
+    const EcaHoekstra e = eca_hoekstra(power(five, 1, 0.05, 2.05));
+    EXPECT_EQ(e.fit, ErrorFit::second);
+    EXPECT_EQ(e.Fs, 1.25);
+}
+
+TEST(EcaHoekstra, ScatteredValuesGetABoundAndTheirClass) {
+    const EcaHoekstra e = eca_hoekstra(study(five, {1.00, 1.02, 0.99, 1.03, 0.98}));
+    ASSERT_TRUE(e.known) << e.why_not;
+    EXPECT_EQ(e.convergence, Convergence::scattered);
+    EXPECT_GT(e.sigma, e.data_range);
+    EXPECT_NEAR(e.uncertainty, 0.193, 5e-4);
+    EXPECT_FALSE(estimate(study(five, {1.00, 1.02, 0.99, 1.03, 0.98})).converged);
+}
+
+// The weights favour the fine levels: with an outlier on the coarsest level the fits differ, and that of smaller sigma
+// is taken. With one on the finest it is the other.
+TEST(EcaHoekstra, TheFitOfSmallerDeviationIsTaken) {
+    std::vector<Level> coarse_off = power(five, 1, 0.05, 1), fine_off = coarse_off;
+    coarse_off[4].value += 0.01;
+    fine_off[0].value += 0.004;
+    const EcaHoekstra coarse = eca_hoekstra(coarse_off), fine = eca_hoekstra(fine_off);
+    ASSERT_EQ(coarse.fit, ErrorFit::free_order);
+    ASSERT_EQ(fine.fit, ErrorFit::free_order);
+    EXPECT_TRUE(coarse.weighted);
+    EXPECT_FALSE(fine.weighted);
+}
+
+TEST(EcaHoekstra, FourLevelsOrNothing) {
+    EXPECT_TRUE(eca_hoekstra(power({1, 2, 3, 4}, 1, 0.1, 1)).known);
+    const EcaHoekstra e = eca_hoekstra(power({1, 2, 3}, 1, 0.1, 1));
+    EXPECT_FALSE(e.known);
+    EXPECT_NE(e.why_not.find("four levels"), std::string::npos);
+}
+
+// ---- all of them
+
+TEST(Estimate, SmoothValuesGiveBackTheirLimitAndOrderByEveryMethod) {
+    for (const double p : {1.0, 1.5, 2.0})
+        for (const double a : {0.05, -0.05}) {
+            const Estimate e = estimate(power({0.01, 0.0141, 0.02, 0.028}, 100, a, p));
+            EXPECT_TRUE(e.converged);
+            EXPECT_EQ(e.convergence, Convergence::monotone);
+            for (const double order : {e.order, e.celik_gci.p, e.xing_stern.p}) EXPECT_NEAR(order, p, 1e-4);
+            for (const double limit : {e.limit, e.celik_gci.phi_ext, e.xing_stern.limit}) EXPECT_NEAR(limit, 100, 1e-7);
+            const double error = 0.05 * std::pow(0.01, p);
+            EXPECT_NEAR(e.uncertainty / error, 1.25, 1e-3);
+            EXPECT_NEAR(e.celik_gci.uncertainty / error, 1.25, 1e-3);
+            EXPECT_NEAR(e.xing_stern.uncertainty / error, 2.45 - 0.85 * p / 2, 1e-3);
+        }
+}
+
+TEST(Estimate, TheUnitsOfSpacingAndValueDoNotMatter) {
+    for (const std::vector<Level>& levels :
+         {noisy, celik_monotone, study(five, {1.00, 1.02, 0.99, 1.03, 0.98}), power(five, 1, 0.01, 3),
+          study({1, 2, 4}, {1.01, 0.98, 1.04}), study({1, 2}, {1.0, 1.1})}) {
+        std::vector<Level> other = levels;
+        for (Level& l : other) l.spacing *= 1000, l.value *= -0.3048;
+        const Estimate a = estimate(levels), b = estimate(other);
+        EXPECT_EQ(a.convergence, b.convergence);
+        EXPECT_NEAR(b.uncertainty / a.uncertainty, 0.3048, 1e-8);
+        EXPECT_NEAR(b.limit / a.limit, -0.3048, 1e-8);
+        EXPECT_EQ(std::isnan(a.order), std::isnan(b.order));
+        if (!std::isnan(a.order)) { EXPECT_NEAR(a.order, b.order, 1e-7); }
+    }
+}
+
+TEST(Estimate, ALargeOffsetChangesNothingByLeastSquares) {
+    std::vector<Level> other = noisy;
+    for (Level& l : other) l.value += 1e4;
+    EXPECT_NEAR(estimate(other).uncertainty, estimate(noisy).uncertainty, 1e-7);
+}
+
+TEST(Estimate, TheOrderOfTheRowsDoesNotMatter) {
+    std::vector<Level> other{noisy[3], noisy[0], noisy[4], noisy[2], noisy[1]};
+    EXPECT_EQ(estimate(other).uncertainty, estimate(noisy).uncertainty);
+    EXPECT_EQ(estimate(other).levels[0].spacing, 1);
+}
+
+// The mean over all 32 patterns of a disturbance of either sign on each of the five levels.
+TEST(Estimate, MoreNoiseGivesMoreUncertainty) {
+    const auto mean_uncertainty = [](double noise) {
+        double mean = 0;
+        for (unsigned pattern = 0; pattern < 32; ++pattern) {
+            std::vector<Level> levels = power(five, 1, 0.05, 1.5);
+            for (std::size_t i = 0; i < 5; ++i) levels[i].value += (pattern >> i & 1) ? noise : -noise;
+            mean += estimate(levels).uncertainty / 32;
+        }
+        return mean;
+    };
+    const double none = mean_uncertainty(0), little = mean_uncertainty(0.002), more = mean_uncertainty(0.006);
+    EXPECT_NEAR(none, 0.0625, 1e-8);
+    EXPECT_GT(little, 1.03 * none);
+    EXPECT_GT(more, 1.1 * little);
+}
+
+// The interval is meant to hold the true value in 95 of 100 cases; see eca_hoekstra.h on where it does not.
+TEST(Estimate, TheIntervalHoldsTheTruthInMostNoisyStudies) {
+    std::mt19937 random(8);
+    std::normal_distribution<double> normal;
+    int held = 0, held_by_gci = 0;
+    for (int k = 0; k < 200; ++k) {
+        std::vector<Level> levels = power({1, 1.41, 2, 2.83, 4}, 1, 0.02, 1.5 + 0.0025 * k);
+        for (Level& l : levels) l.value += 0.001 * normal(random);
+        const Estimate e = estimate(levels);
+        held += std::abs(levels[0].value - 1) <= e.uncertainty;
+        held_by_gci += std::abs(levels[0].value - 1) <= e.celik_gci.uncertainty;
+    }
+    EXPECT_GE(held, 180);
+    EXPECT_LT(held_by_gci, 170);  // three levels do not see the noise: the count can come out low
+}
+
+TEST(Estimate, DivergentValuesHaveNoUncertaintyAndThatIsNoError) {
+    for (const std::vector<Level>& levels : {power(five, 1, 0.05, -1), power({1, 2, 4}, 1, 0.05, -1),
+                                             study({1, 2, 4, 8}, {1.0, 1.1, 1.2, 1.3}),  // as the logarithm of h
+                                             study({1, 2, 4}, {1.0, 1.3, 1.2})}) {
+        const Estimate e = estimate(levels);
+        EXPECT_EQ(e.convergence, Convergence::divergent);
+        EXPECT_FALSE(e.converged);
+        EXPECT_TRUE(std::isnan(e.uncertainty));
+        EXPECT_TRUE(std::isnan(e.limit));
+        EXPECT_NE(verdict_sentence(e).find("not converged (divergent)"), std::string::npos) << verdict_sentence(e);
+    }
+    EXPECT_TRUE(estimate(power(five, 1, 0.05, 1)).converged);
+}
+
+TEST(Estimate, OscillatoryValues) {
+    const Estimate three = estimate(study({1, 2, 4}, {1.01, 0.98, 1.04}));
+    EXPECT_EQ(three.convergence, Convergence::oscillatory);
+    EXPECT_TRUE(three.converged);
+    EXPECT_FALSE(three.xing_stern.known);
+    EXPECT_NEAR(three.order, 1, 1e-9);  // 1 + 0.01 (-1)^k h
+    EXPECT_NEAR(three.celik_gci.uncertainty, 0.0375, 1e-9);
+    EXPECT_NEAR(three.uncertainty, 0.0375, 1e-9);  // wider than half the range, 0.03
+    // Half the range is the wider one where the changes die out fast.
+    EXPECT_NEAR(estimate(study({1, 2, 4}, {1.001, 0.98, 1.04})).uncertainty, 0.03, 1e-9);
+    EXPECT_EQ(estimate(study({1, 2, 4, 8}, {1.01, 0.98, 1.04, 0.92})).convergence, Convergence::oscillatory);
+}
+
+TEST(Estimate, ThreeLevelsTakeTheWidest) {
+    const Estimate e = estimate(celik_monotone);
+    EXPECT_FALSE(e.eca_hoekstra.known);
+    EXPECT_EQ(e.uncertainty, e.xing_stern.uncertainty);
+    EXPECT_GT(e.uncertainty, e.celik_gci.uncertainty);
+    EXPECT_NE(e.method.find("factor of safety"), std::string::npos);
+    EXPECT_NEAR(e.limit, 6.16850, 5e-6);
+    // An order of 10 is luck: 3 |eps21|/(2^2 - 1) stands instead of next to nothing.
+    const Estimate lucky = estimate(power({1, 2, 4}, 1, 1e-4, 10));
+    EXPECT_NEAR(lucky.uncertainty, 1e-4 * 1023, 1e-9);
+    EXPECT_LT(lucky.xing_stern.uncertainty, 0.1 * lucky.uncertainty);
+}
+
+TEST(Estimate, TwoLevelsAssumeTheOrderAndTakeFactorThree) {
+    const std::vector<Level> levels = study({1, 2}, {1.0, 1.3});
+    const Estimate second = estimate(levels), first = estimate(levels, 1);
+    EXPECT_NEAR(second.uncertainty, 3 * 0.3 / 3, 1e-12);
+    EXPECT_NEAR(first.uncertainty, 3 * 0.3 / 1, 1e-12);
+    EXPECT_NEAR(second.limit, 0.9, 1e-12);
+    EXPECT_EQ(second.order, 2);
+    EXPECT_EQ(second.convergence, Convergence::unknown);
+    EXPECT_FALSE(second.converged);
+    EXPECT_NE(verdict_sentence(second).find("Fs = 3"), std::string::npos);
+}
+
+TEST(Estimate, OneLevelHasNoUncertainty) {
+    const Estimate e = estimate({{0.1, 5}});
+    EXPECT_TRUE(std::isnan(e.uncertainty));
+    EXPECT_FALSE(e.converged);
+    EXPECT_FALSE(e.why_not.empty());
+}
+
+TEST(Estimate, ValuesThatDoNotChangeAreCertain) {
+    const Estimate five_same = estimate(power(five, 0.1, 0, 1)), zero = estimate(power(five, 0, 0, 1));
+    EXPECT_EQ(five_same.convergence, Convergence::unchanged);
+    EXPECT_EQ(five_same.uncertainty, 0);
+    EXPECT_EQ(zero.uncertainty, 0);
+    EXPECT_TRUE(zero.converged);
+    EXPECT_EQ(estimate(power({1, 2, 4}, 3, 0, 1)).uncertainty, 0);
+}
+
+TEST(Estimate, SaysWhereTheMethodsDisagree) {
+    EXPECT_GT(estimate(noisy).disagreement, 2);
+    EXPECT_NE(verdict_sentence(estimate(noisy)).find("differ by a factor"), std::string::npos);
+    const Estimate agree = estimate(power(five, 1, 0.05, 1.5));
+    EXPECT_NEAR(agree.disagreement, (2.45 - 0.85 * 0.75) / 1.25, 1e-6);
+    EXPECT_EQ(verdict_sentence(agree).find("differ"), std::string::npos);
+}
+
+TEST(Estimate, BadInputIsRefusedWithWhatWasFound) {
+    const double nan = std::nan("");
+    const auto of = [](std::vector<Level> levels, double order = 2) {
+        return message([&] { estimate(std::move(levels), order); });
+    };
+    EXPECT_NE(of({}).find("no level found"), std::string::npos);
+    EXPECT_NE(of({{1, 2}, {nan, 3}}).find("level 2: spacing nan found"), std::string::npos);
+    EXPECT_NE(of({{1, 2}, {2, nan}}).find("value nan found"), std::string::npos);
+    EXPECT_NE(of({{1, 2}, {2, INFINITY}}).find("value inf found"), std::string::npos);
+    EXPECT_NE(of({{0, 2}, {1, 3}}).find("spacing 0 found; expected a finite number above zero"), std::string::npos);
+    EXPECT_NE(of({{-0.5, 2}, {1, 3}}).find("spacing -0.5 found"), std::string::npos);
+    EXPECT_NE(of({{1, 2}, {2, 3}, {1, 4}}).find("two levels of spacing 1 found"), std::string::npos);
+    EXPECT_NE(of({{1, 2}, {2, 3}}, 0).find("order of the scheme 0 found"), std::string::npos);
+    EXPECT_NE(of({{1, 2}, {2, 3}}, nan).find("order of the scheme nan found"), std::string::npos);
+    EXPECT_EQ(of({{1, 2}, {2, 3}}), "");
+}
+
+// ---- the table
+
+RefinementTable table(std::string_view text) { return parse_refinement_table(text, "t.csv"); }
+std::string error(std::string_view text) {
+    return message([&] { table(text); });
+}
+
+TEST(RefinementTable, ColumnsOfAGoodTable) {
+    const RefinementTable t = table(
+        "# a study\n\nh [m], drag [N],\"lift, total [N]\"\n0.05, 412.1, 2722\n\n  # coarser\n0.1,+4.31e2,-2690\n");
+    EXPECT_EQ(t.spacing_name, "h [m]");
+    EXPECT_EQ(t.spacing, (std::vector<double>{0.05, 0.1}));
+    ASSERT_EQ(t.columns.size(), 2u);
+    EXPECT_EQ(t.columns[0].name, "drag [N]");
+    EXPECT_EQ(t.columns[1].name, "lift, total [N]");
+    EXPECT_EQ(t.columns[0].values, (std::vector<double>{412.1, 431}));
+    EXPECT_EQ(t.columns[1].values, (std::vector<double>{2722, -2690}));
+}
+
+TEST(RefinementTable, SemicolonsTabsByteOrderMarkAndCarriageReturns) {
+    for (const char* text :
+         {"h;drag\n1;2\n2;3\n", "h\tdrag\n1\t2\n2\t3\n", "\xEF\xBB\xBFh,drag\r\n1,2\r\n2,3\r\n", "h,drag\n1,2\n2,3"}) {
+        const RefinementTable t = table(text);
+        EXPECT_EQ(t.spacing_name, "h");
+        EXPECT_EQ(t.columns[0].name, "drag");
+        EXPECT_EQ(t.spacing, (std::vector<double>{1, 2}));
+        EXPECT_EQ(t.columns[0].values, (std::vector<double>{2, 3}));
+    }
+}
+
+TEST(RefinementTable, OneRowIsATable) { EXPECT_EQ(table("h,drag\n0.1,5\n").spacing.size(), 1u); }
+
+TEST(RefinementTable, FaultsAreNamedWithLineFoundAndExpected) {
+    EXPECT_EQ(error("h,drag\n1,2\n2,\n"), "t.csv:3: nothing in column 'drag' found; expected a number");
+    EXPECT_EQ(error("h,drag\n# x\n1,2,3\n"), "t.csv:3: 3 cells found; expected 2 as in the header line");
+    EXPECT_EQ(error("h,drag\n\n1\n"), "t.csv:3: 1 cell found; expected 2 as in the header line");
+    EXPECT_EQ(error("h,drag\n1,high\n"), "t.csv:2: 'high' in column 'drag' found; expected a finite number");
+    EXPECT_EQ(error("h,drag\n1,2 N\n"), "t.csv:2: '2 N' in column 'drag' found; expected a finite number");
+    EXPECT_EQ(error("h,drag\n1,nan\n"), "t.csv:2: 'nan' in column 'drag' found; expected a finite number");
+    EXPECT_EQ(error("h;drag\n1,5;2\n"),
+              "t.csv:2: '1,5' in column 'h' found; expected a finite number with a decimal point, such as 1.5");
+    EXPECT_EQ(error("h,drag\n0,2\n"), "t.csv:2: spacing 0 found; expected a spacing above zero");
+    EXPECT_EQ(error("h,drag\n1,2\n2,3\n1.0,4\n"),
+              "t.csv:4: spacing 1.0, as in line 2, found; expected a different spacing in every row");
+    EXPECT_EQ(error("0.1,5\n0.2,6\n"), "t.csv:1: number '0.1' found; expected a header line that names the columns");
+    EXPECT_NE(error("h drag\n1 2\n").find("t.csv:1: one column, 'h drag', found"), std::string::npos);
+    EXPECT_NE(error("h,,drag\n1,2,3\n").find("no name of column 2"), std::string::npos);
+    EXPECT_NE(error("").find("no header line found"), std::string::npos);
+    EXPECT_NE(error("# only a comment\n").find("no header line found"), std::string::npos);
+    EXPECT_NE(error("h,drag\n").find("no row below the header line found"), std::string::npos);
+    EXPECT_THROW(read_refinement_table("no_such_table.csv"), InputError);
+}
+
+// ---- what is printed
+
+TEST(UncertaintyReport, ATableAndAVerdictForEveryQuantity) {
+    const std::string text =
+        uncertainty_text({{"drag [N]", estimate(noisy)}, {"a|b\x1b[31m", estimate(power(five, 1, 0.05, -1))}}, "h [m]");
+    EXPECT_NE(text.find("## drag [N]\n\n5 levels, h [m] = 1 to 2.5; finest value 1.0511"), std::string::npos);
+    EXPECT_NE(text.find("| least squares (Eca & Hoekstra)  | 5      | 1.56  | monotone | 1.00419 | 0.0602 | 5.7"),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find("drag [N]: converged (monotone, order 1.56): 1.051 +- 0.060 (5.7 %)"), std::string::npos)
+        << text;
+    EXPECT_NE(text.find("a\\|b?[31m: not converged (divergent)"), std::string::npos);
+    EXPECT_EQ(text.find('\x1b'), std::string::npos);
+}
+
+TEST(UncertaintyReport, KeysForPrograms) {
+    const auto one = nlohmann::json::parse(uncertainty_json({{"value", estimate(noisy)}}, "h"));
+    for (const char* method : {"eca_hoekstra", "celik_gci", "factor_of_safety"}) {
+        for (const char* key : {"order", "limit", "uncertainty", "class"}) {
+            EXPECT_TRUE(one.at(method).contains(key)) << method << " " << key;
+            EXPECT_EQ(one.at(method).at(key), one.at("quantities").at(0).at(method).at(key));
+        }
+    }
+    EXPECT_NEAR(one["eca_hoekstra"]["uncertainty"].get<double>(), 0.06022, 5e-6);
+    EXPECT_EQ(one["eca_hoekstra"]["class"], "monotone");
+    const auto two = nlohmann::json::parse(
+        uncertainty_json({{"a", estimate(noisy)}, {"b", estimate(power(five, 1, 0.05, -1))}}, "h"));
+    EXPECT_FALSE(two.contains("eca_hoekstra"));
+    EXPECT_TRUE(two["quantities"][1]["uncertainty"].is_null());
+    EXPECT_EQ(two["quantities"][1]["converged"], false);
+}
+
+}  // namespace
+}  // namespace tw
