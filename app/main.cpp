@@ -38,8 +38,8 @@ constexpr const char* about_uncertainty =
     "From four levels on U comes from the least squares of Eca & Hoekstra (2014), with the grid convergence index\n"
     "of Celik et al. (2008) and the factor of safety of Xing & Stern (2010) of the three finest levels beside it.\n"
     "Three levels: the widest of these two. Two: the order is assumed (--order) and the factor is 3. One: no U.\n"
-    "U is half the width of a 95 % interval about the finest value. That a table does not converge is a result,\n"
-    "not an error: the exit status is 0.\n\n";
+    "U is meant as half the width of a 95 % interval about the finest value. That a table does not converge is\n"
+    "a result, not an error: the exit status is 0.\n\n";
 
 void add_scene(CLI::App* command, SceneArguments& scene) {
     command->add_option("scene", scene.file, "scene file (TOML)")->required();

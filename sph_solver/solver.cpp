@@ -317,6 +317,7 @@ void Solver::evaluate() {
     d.kernel = kernel_;
     d.quantum = static_cast<float>(quanta_.size);
     d.rho0 = static_cast<float>(s.rho0);
+    d.inv_mass = static_cast<float>(1 / mass_);
     d.inv_W_dp = static_cast<float>(1 / kernel_.W(s.dp));
     d.diffusion = static_cast<float>(s.delta * h_ * s.state_equation.c0);
     d.viscosity = static_cast<float>(s.alpha * h_ * s.state_equation.c0 * s.rho0);
@@ -327,7 +328,6 @@ void Solver::evaluate() {
     d.gz = static_cast<float>(s.gravity.z());
     d.inv_void = static_cast<float>(1 / (1 - s.surface_support));
     d.wall_near = static_cast<float>(2 * h_);
-    d.inv_contact = static_cast<float>(4 / s.dp);
     d.two_dimensional = s.dimensions == 2;
     {
         const Stopwatch watch(timers_.gradient);

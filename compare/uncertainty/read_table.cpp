@@ -115,9 +115,8 @@ RefinementTable parse_refinement_table(std::string_view text, const std::string&
     while (!text.empty()) {
         ++number;
         const std::size_t end = text.find('\n');
-        std::string_view line = text.substr(0, end);
+        const std::string_view line = text.substr(0, end);
         text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-        if (line.ends_with('\r')) line.remove_suffix(1);
         if (trimmed(line).empty() || trimmed(line).starts_with('#')) continue;
         if (table.columns.empty())
             read_header(line);

@@ -83,12 +83,12 @@ struct PassData {
     Kernel kernel;
     float quantum = 1;  ///< [m]
     float rho0 = 1000;
+    float inv_mass = 1;            ///< of a particle [1/kg]
     float inv_W_dp = 0;            ///< 1 / W(dp)
     float diffusion = 0;           ///< delta h c0 [m2/s]
     float viscosity = 0;           ///< alpha h c0 rho0 [kg/m/s]
     float inv_void = 10;           ///< 1 / (1 - surface_support), see SolverSetup
     float wall_near = 0;           ///< 2 h [m]: nearer than this to a wall shifting goes towards a free surface, too
-    float inv_contact = 0;         ///< 4 / dp: from 3/4 dp on a particle touches a wall whatever its support
     float eta2 = 0;                ///< 0.01 h^2 [m2]
     float gx = 0, gy = 0, gz = 0;  ///< body force [m/s2]
     bool two_dimensional = false;

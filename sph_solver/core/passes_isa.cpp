@@ -97,7 +97,7 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
         const Group& g = groups[n];
         const Lanes a = load_places(d.place, g, d.quantum);
         V3<F> u{}, n_i{};
-        F drho_i{}, wall_distance{};
+        F drho_i{};
         for (int l = 0; l < lanes; ++l) {
             const MotionRecord& r = d.motion[g.first + (l < g.size ? l : g.size - 1)];
             u.x[l] = r.u;
@@ -146,7 +146,6 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
             n_i.x[l] = r.x;
             n_i.y[l] = r.y;
             n_i.z[l] = r.z;
-            wall_distance[l] = r.distance;
         }
         const F u_n = dot(u, n_i);
         const V3<F> u_iw{u_n * n_i.x, u_n * n_i.y, u_n * n_i.z};
@@ -154,18 +153,15 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
                            [&](std::int32_t, const float* xyz) { Continuity::add(meet(xyz), u_iw, wall_divergence); });
         if (g.wall_size > 0) {
             // A wall compresses only the water that it touches: while the support is incomplete there is a void between
-            // them, and the void closes first. A drop or a thin sheet never fills its support: it touches from 3/4 of a
-            // spacing on, in full from 1/2, where the first layer of a full support stands. Receding walls pull at
-            // once.
+            // them, and the void closes first. Receding walls pull at once.
             const F void_share = simd::positive_part(1.0f - support) * d.inv_void;
-            const F filled = simd::positive_part(1.0f - void_share);
-            const F near = simd::positive_part(1.0f - simd::positive_part(wall_distance * d.inv_contact - 2.0f));
-            const F touch = filled + simd::positive_part(near - filled);
+            const F touch = simd::positive_part(1.0f - void_share);
             const F compression = simd::positive_part(wall_divergence);
             divergence += wall_divergence + compression * (touch - 1.0f);
         }
         if (d.carried)
-            for (int l = 0; l < g.size; ++l) d.carried[g.first + l] = {m[0][l], m[3][l], m[5][l]};
+            for (int l = 0; l < g.size; ++l)
+                d.carried[g.first + l] = {m[0][l] * support[l], m[3][l] * support[l], m[5][l] * support[l]};
         if (d.two_dimensional) m[3] += 1.0f;
         const V3<F> grad = solve_symmetric(m, b);
         for (int l = 0; l < g.size; ++l) {
@@ -186,7 +182,7 @@ void forces(const PassData& d, const Group* groups, int count) {
         const Group& g = groups[n];
         const Lanes a = load_places(d.place, g, d.quantum);
         V3<F> u{}, grad{};
-        F drho_i{}, p_i{};
+        F drho_i{}, p_i{}, V_i{};
         for (int l = 0; l < lanes; ++l) {
             const int i = g.first + (l < g.size ? l : g.size - 1);
             u.x[l] = d.motion[i].u;
@@ -197,6 +193,7 @@ void forces(const PassData& d, const Group* groups, int count) {
             grad.y[l] = d.stress[i].gy;
             grad.z[l] = d.stress[i].gz;
             p_i[l] = d.stress[i].p;
+            V_i[l] = d.place[i].volume;
         }
         F diffusion{};
         V3<F> towards_surface{F{}, F{}, F{}};
@@ -226,7 +223,8 @@ void forces(const PassData& d, const Group* groups, int count) {
             const Pair<F> ij = meet(xyz);
             PressureGradient::add(ij, p_i + d.wall_p[j], wall);
         });
-        const F rho_i = d.rho0 + drho_i, inv_rho = 1.0f / rho_i;
+        // The volume that the neighbours see, not this density's: so the forces of a pair cancel to rounding.
+        const F inv_rho = V_i * d.inv_mass;
         const F drho = d.diffusion * diffusion;
         const V3<F> w{wall.x * inv_rho, wall.y * inv_rho, wall.z * inv_rho};
         const V3<F> acc{(pressure.x + viscous.x) * inv_rho + w.x + d.gx,

@@ -98,6 +98,29 @@ TEST(Scene, AnOptionOnTheCommandLineIsTheSameAsInTheFile) {
     EXPECT_EQ(scene_of(planing, finer).resolution.near_hull, 0.025);
 }
 
+TEST(Scene, ScalesOfOneSceneAreOneFamily) {
+    const Scene base = scene_of(planing);
+    for (const double scale : {0.5, 1.41421356, 3.0}) {
+        SceneOverrides o;
+        o.scale_resolution = scale;
+        const Scene s = scene_of(planing, o);
+        EXPECT_NEAR(s.resolution.near_hull, scale * base.resolution.near_hull, 1e-12);
+        EXPECT_NEAR(s.resolution.spacing, scale * base.resolution.spacing, 1e-12);
+        ASSERT_EQ(s.refinement.size(), base.refinement.size());
+        for (std::size_t k = 0; k < s.refinement.size(); ++k)
+            EXPECT_EQ(s.refinement[k].level, base.refinement[k].level);
+    }
+}
+
+TEST(Scene, AStreamBearsALargeCourantNumberAndASplashDoesNot) {
+    EXPECT_EQ(scene_of(planing).fvm.max_courant, 4);
+    EXPECT_EQ(scene_of(with(planing, "[run]", "[fvm]\nmax_courant = 2\n[run]")).fvm.max_courant, 2);
+    EXPECT_EQ(scene_of("[tank]\nsize = [1, 1, 1]\n[[water_block]]\nmin = [0, 0, 0]\nmax = [0.5, 1, 0.5]\n"
+                       "[resolution]\nnear_hull = 0.1\n")
+                  .fvm.max_courant,
+              1);
+}
+
 TEST(Scene, ASwappedHullNeedsNoOtherEdit) {
     // The same hull twice as large, from a file: everything that follows from its size follows.
     const Scene small = scene_of(planing);

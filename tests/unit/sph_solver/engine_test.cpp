@@ -175,5 +175,53 @@ TEST(Engine, NoParticleLeavesAClosedTank) {
     }
 }
 
+/// Water in free flight towards the top of the box of `stream()`, without gravity: `count` particles in a row, dp
+/// apart.
+struct Impact {
+    double deepest = 0;                ///< lowest height of any particle above the wall, in spacings
+    double momentum = 0, impulse = 0;  ///< lost by the water, got by the wall [N s]
+    std::int64_t held = 0;
+};
+Impact throw_at_wall(int count, double speed) {
+    SolverSetup s = stream();
+    s.stream.reset();
+    s.gravity = Vec3::Zero();
+    Fluid drops;
+    for (int k = 0; k < count; ++k) {
+        drops.places.emplace_back((k % 2) * s.dp - 0.05, ((k / 2) % 2) * s.dp + 0.01, 0.65 + (k / 4) * s.dp);
+        drops.depth.push_back(0);
+    }
+    Solver solver(s, drops);
+    for (float& w : solver.particles().w) w = static_cast<float>(-speed);
+    Impact r;
+    r.deepest = 1e30;
+    const auto momentum = [&] {
+        double sum = 0;
+        for (float w : solver.particles().w) sum += solver.mass() * double(w);
+        return sum;
+    };
+    const double before = momentum();
+    while (solver.time() < 0.6 / speed) {
+        const double since = solver.time();
+        solver.step();
+        r.impulse -= solver.load().force.z() * (solver.time() - since);
+        for (double z : solver.particles().z) r.deepest = std::min(r.deepest, (z - 0.4) / s.dp);
+    }
+    r.momentum = momentum() - before;
+    r.held = solver.ledger().held;
+    return r;
+}
+
+TEST(Walls, StopADropAndGetItsMomentum) {
+    // A single particle never fills its support, so no pressure stops it: the last resort at the wall has to.
+    for (const int count : {1, 4, 32}) {
+        const Impact r = throw_at_wall(count, 6);  // Mach 0.15
+        EXPECT_GT(r.deepest, -0.05) << count << " particles";
+        EXPECT_GT(r.momentum, 0) << count << " particles";
+        EXPECT_NEAR(r.impulse, r.momentum, 1e-5 * r.momentum) << count << " particles";
+        if (count == 1) { EXPECT_GT(r.held, 0); }
+    }
+}
+
 }  // namespace
 }  // namespace tw
