@@ -35,6 +35,22 @@ std::optional<double> time_mean(const RunRecord& record, const std::string& tabl
     return sum / count;
 }
 
+/// Share of the wet hull's pressure load (last picture) that is suction, [%]. Fast water leaves a step or a transom and
+/// lets air in; where a method keeps it attached, because the edge is not resolved, it sucks at the hull.
+std::optional<double> suction_share(const RunRecord& record) {
+    if (record.hull_pressure.size() != record.hull.triangles.size()) return {};
+    double suction = 0, all = 0;
+    for (std::size_t t = 0; t < record.hull_pressure.size(); ++t) {
+        if (t < record.hull_wet.size() && record.hull_wet[t] < 0.5f) continue;
+        const double load = double(record.hull_pressure[t]) * record.hull.area_vector2(static_cast<int>(t)).norm();
+        if (!std::isfinite(load)) continue;
+        suction += std::max(0.0, -load);
+        all += std::abs(load);
+    }
+    if (all <= 0) return {};
+    return 100 * suction / all;
+}
+
 }  // namespace
 
 std::vector<Gate> check_gates(const RunRecord& record, const std::string& name) {
@@ -67,6 +83,9 @@ std::vector<Gate> check_gates(const RunRecord& record, const std::string& name) 
     if (const auto air = time_mean(record, "samples", "ventilation"))
         add("ventilation index", "-", *air, 0.2,
             "air smeared under the hull; friction is low in proportion, lift by 2 % at most");
+    if (const auto suction = suction_share(record); suction && speed > 0)
+        add("suction on the hull", "%", *suction, 15,
+            "water stays attached where it should leave the hull: a step or transom edge that the resolution misses");
     const auto sum = time_mean(record, "forces", "fz"), surface = time_mean(record, "forces", "fz_surface"),
                volume = time_mean(record, "forces", "fz_volume");
     if (sum && (surface || volume) && *sum != 0) {

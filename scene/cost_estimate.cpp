@@ -15,7 +15,7 @@ namespace tw {
 namespace {
 
 // Throughput, measured on AVX-512 server cores of about 3 GHz; one place for all of them.
-constexpr double particle_steps_per_core_second = 1.75e6;  // delta-SPH with renormalised diffusion, h/dp = 1.5
+constexpr double particle_steps_per_core_second = 1.1e6;  // delta-SPH with renormalised diffusion, h/dp = 1.5
 constexpr double bytes_per_particle = 240;
 constexpr double wall_layers = 4;
 constexpr double cell_steps_per_core_second = 235e3;  // interFoam, three pressure correctors

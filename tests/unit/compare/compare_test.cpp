@@ -4,6 +4,7 @@
 
 #include "base/errors.h"
 #include "compare/compare.h"
+#include "compare/gates.h"
 #include "tests/unit/compare/synthetic_pair.h"
 
 namespace tw {
@@ -141,6 +142,20 @@ TEST(Compare, LostParticlesFailTheirGate) {
     EXPECT_TRUE(failed);
 }
 
+TEST(Compare, WaterThatStaysAttachedBehindAStepIsTold) {
+    RunRecord attached = synthetic_run(fvm);
+    const auto suction = [](const RunRecord& r) {
+        for (const Gate& g : check_gates(r, "fvm"))
+            if (g.name == "suction on the hull") return g;
+        return Gate{};
+    };
+    EXPECT_TRUE(suction(attached).pass);
+    EXPECT_EQ(suction(attached).value, 0);
+    for (float& p : attached.hull_pressure) p *= -1;
+    EXPECT_NEAR(suction(attached).value, 100, 1e-9);
+    EXPECT_FALSE(suction(attached).pass);
+}
+
 TEST(Compare, MomentsAreTakenAboutOnePoint) {
     RunRecord a = synthetic_run(sph), b = a;
     a.attributes["moment_reference"] = "0 0 0";
@@ -164,9 +179,7 @@ TEST(Compare, RasterColumnsHalfOutsideTheDomainAreLeftOut) {
     const Comparison c = compare_records({a, b});
     EXPECT_EQ(c.sources[1].raster.count[0], a.raster.count[0] - 1);
     for (const Quantity& q : c.quantities) {
-        if (q.judged) {
-            EXPECT_EQ(q.difference, 0) << q.name;
-        }
+        if (q.judged) { EXPECT_EQ(q.difference, 0) << q.name; }
     }
 }
 
