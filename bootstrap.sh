@@ -154,7 +154,9 @@ build_twinwake() {
         export CC=gcc-12 CXX=g++-12
     fi
     cmake --preset release -DTWINWAKE_WERROR="$werror"
-    cmake --build build -j "$jobs"
+    local targets=()
+    if [ "$command" = demo ]; then targets=(--target twinwake); fi  # a first look need not wait for the tests
+    cmake --build build -j "$jobs" "${targets[@]}"
     echo "program: build/twinwake"
 }
 
