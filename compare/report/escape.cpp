@@ -50,4 +50,10 @@ std::string escaped(std::string_view text) {
     return out;
 }
 
+std::string for_terminal(std::string text) {
+    for (char& c : text)
+        if ((static_cast<unsigned char>(c) < 0x20 && c != '\n') || c == 0x7f) c = '?';
+    return text;
+}
+
 }  // namespace tw

@@ -8,4 +8,7 @@ namespace tw {
 /// become U+FFFD.
 std::string escaped(std::string_view text);
 
+/// Text for a terminal: control characters but the line feed become ?, so that no record or table steers it.
+std::string for_terminal(std::string text);
+
 }  // namespace tw

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "compare/compare.h"
+#include "compare/report/escape.h"
 #include "compare/report/numbers.h"
 
 namespace tw {
@@ -13,13 +14,6 @@ namespace {
 std::size_t columns(const std::string& s) {
     return static_cast<std::size_t>(
         std::ranges::count_if(s, [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
-}
-
-/// Text of a record may not steer the terminal.
-std::string plain(std::string s) {
-    for (char& c : s)
-        if ((static_cast<unsigned char>(c) < 0x20 && c != '\n') || c == 0x7f) c = '?';
-    return s;
 }
 
 std::string table_text(const std::vector<std::vector<std::string>>& rows) {
@@ -44,17 +38,17 @@ std::string table_text(const std::vector<std::vector<std::string>>& rows) {
 
 std::string summary_text(const Comparison& comparison) {
     std::string out;
-    for (const std::string& b : comparison.banners) out += "! " + plain(b) + "\n";
+    for (const std::string& b : comparison.banners) out += "! " + for_terminal(b) + "\n";
     if (!out.empty()) out += "\n";
     const bool pair = comparison.sources.size() > 1;
 
     std::vector<std::vector<std::string>> rows{{"", "unit"}};
-    for (const std::string& n : comparison.names) rows[0].push_back(plain(n));
+    for (const std::string& n : comparison.names) rows[0].push_back(for_terminal(n));
     if (pair) rows[0].insert(rows[0].end(), {"difference", "", "verdict"});
     std::string notes;
     for (const Quantity& q : comparison.quantities) {
         if (!q.judged) continue;
-        std::vector<std::string> row{plain(q.label), plain(q.unit)};
+        std::vector<std::string> row{for_terminal(q.label), for_terminal(q.unit)};
         for (const MeanValue& m : q.values) row.push_back(mean_text(m));
         if (pair)
             row.insert(row.end(),
@@ -66,15 +60,15 @@ std::string summary_text(const Comparison& comparison) {
             beside.resize(rows[0].size());
             rows.push_back(std::move(beside));
         }
-        if (!q.remark.empty()) notes += fmt::format("  {}: {}\n", plain(q.label), plain(q.remark));
+        if (!q.remark.empty()) notes += fmt::format("  {}: {}\n", for_terminal(q.label), for_terminal(q.remark));
     }
     if (rows.size() > 1) out += table_text(rows);
     if (!notes.empty()) out += "\nnotes\n" + notes;
     std::string failed;
     for (const Gate& g : comparison.gates)
         if (!g.pass)
-            failed += fmt::format("  {}: {} = {:.3g} {} (limit {:.3g}) {}\n", plain(g.source), g.name, g.value, g.unit,
-                                  g.limit, plain(g.remark));
+            failed += fmt::format("  {}: {} = {:.3g} {} (limit {:.3g}) {}\n", for_terminal(g.source), g.name, g.value,
+                                  g.unit, g.limit, for_terminal(g.remark));
     if (!failed.empty()) out += "\nchecks not met\n" + failed;
     for (std::size_t i = 0; i < comparison.sources.size(); ++i) {
         const RunRecord& r = comparison.sources[i];
@@ -82,9 +76,9 @@ std::string summary_text(const Comparison& comparison) {
         for (const Phase& p : r.phases) wall += p.wall, cpu += p.cpu;
         if (i == 0) out += "\n";
         out += fmt::format("{}: {:.4g} elements, {:.4g} steps, {:.3g} s wall, {:.3g} s cpu, {:.3g} MB\n",
-                           plain(comparison.names[i]), r.elements, r.steps, wall, cpu, r.peak_memory / 1e6);
+                           for_terminal(comparison.names[i]), r.elements, r.steps, wall, cpu, r.peak_memory / 1e6);
     }
-    out += "\n" + plain(verdict_sentence(comparison)) + "\n";
+    out += "\n" + for_terminal(verdict_sentence(comparison)) + "\n";
     return out;
 }
 

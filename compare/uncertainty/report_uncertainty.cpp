@@ -6,6 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "compare/report/escape.h"
+
 namespace tw {
 
 namespace {
@@ -35,11 +37,11 @@ std::vector<MethodRow> rows_of(const Estimate& e) {
 }
 
 /// A name of the user's may neither steer the terminal nor break the table.
-std::string plain(std::string_view text) {
+std::string plain(const std::string& text) {
     std::string out;
-    for (const char c : text) {
+    for (const char c : for_terminal(text)) {
         if (c == '|') out += '\\';
-        out += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
+        out += c;
     }
     return out;
 }
