@@ -18,6 +18,7 @@ namespace {
 constexpr double skin_over_dp = 0.2;          ///< slack of the particle lists
 constexpr double wall_skin_over_dp = 0.6;     ///< slack of the lists between particles and walls
 constexpr double held_at_wall_over_dp = 0.1;  ///< nearer than this a particle is not let towards a wall
+constexpr NormalRecord no_wall{0, 0, 0, 1e30f};
 constexpr double largest_density_deviation = 0.3;
 constexpr double largest_mach = 1.0;
 
@@ -209,6 +210,18 @@ void Solver::rebuild() {
     rebuild_due_ = false;
 }
 
+NormalRecord Solver::nearest_wall(std::size_t i, double reach) const {
+    NormalRecord r = no_wall;
+    const Vec3 x(particles_.x[i], particles_.y[i], particles_.z[i]);
+    for (const SurfaceQuery& query : queries_) {
+        const SurfaceQuery::Nearest nearest = query.nearest(x, reach);
+        if (nearest.triangle < 0 || nearest.distance >= r.distance) continue;
+        r = {static_cast<float>(nearest.normal.x()), static_cast<float>(nearest.normal.y()),
+             static_cast<float>(nearest.normal.z()), static_cast<float>(nearest.distance)};
+    }
+    return r;
+}
+
 void Solver::find_normals() {
     const double reach = 2 * kernel_.support() + setup_.dp;
     std::int64_t through = -1;
@@ -217,17 +230,8 @@ void Solver::find_normals() {
         const Group& g = groups_[k];
         for (int l = 0; l < g.size; ++l) {
             const auto i = static_cast<std::size_t>(g.first + l);
-            NormalRecord& r = normal_[i];
-            r = {0, 0, 0, 1e30f};
-            if (g.wall_size == 0) continue;
-            const Vec3 x(particles_.x[i], particles_.y[i], particles_.z[i]);
-            for (const SurfaceQuery& query : queries_) {
-                const SurfaceQuery::Nearest nearest = query.nearest(x, reach);
-                if (nearest.triangle < 0 || nearest.distance >= r.distance) continue;
-                r = {static_cast<float>(nearest.normal.x()), static_cast<float>(nearest.normal.y()),
-                     static_cast<float>(nearest.normal.z()), static_cast<float>(nearest.distance)};
-            }
-            if (r.distance < -setup_.dp) {
+            normal_[i] = g.wall_size > 0 ? nearest_wall(i, reach) : no_wall;
+            if (normal_[i].distance < -setup_.dp) {
 #pragma omp critical
                 through = std::max(through, static_cast<std::int64_t>(i));
             }
@@ -376,29 +380,22 @@ void Solver::gather_load() {
 }
 
 /// The last resort at a wall: a particle so near that no pressure can stop it in time loses its velocity towards the
-/// wall (a plastic impact; the wall gets the momentum). The distance carried along is checked against the surface
-/// first.
-bool Solver::hold_at_wall(std::size_t i) {
+/// wall (a plastic impact; the wall gets the impulse, which is returned [N s]). The distance carried along is checked
+/// against the surface first.
+std::optional<Vec3> Solver::hold_at_wall(std::size_t i) {
     Particles& p = particles_;
     NormalRecord& r = normal_[i];
-    SurfaceQuery::Nearest found;
-    found.distance = 1e30;
-    const Vec3 x(p.x[i], p.y[i], p.z[i]);
-    for (const SurfaceQuery& query : queries_) {
-        const SurfaceQuery::Nearest nearest = query.nearest(x, setup_.dp);
-        if (nearest.triangle >= 0 && nearest.distance < found.distance) found = nearest;
-    }
-    if (found.triangle >= 0)
-        r = {static_cast<float>(found.normal.x()), static_cast<float>(found.normal.y()),
-             static_cast<float>(found.normal.z()), static_cast<float>(found.distance)};
+    if (const NormalRecord found = nearest_wall(i, setup_.dp); found.distance < no_wall.distance)
+        r = found;
     else
         r.distance = static_cast<float>(setup_.dp);
     const double approach = double(p.u[i]) * r.x + double(p.v[i]) * r.y + double(p.w[i]) * r.z;
-    if (r.distance >= held_at_wall_over_dp * setup_.dp || approach >= 0) return false;
+    if (r.distance >= held_at_wall_over_dp * setup_.dp || approach >= 0) return {};
+    const Vec3 before(p.u[i], p.v[i], p.w[i]);
     p.u[i] -= static_cast<float>(approach * r.x);
     p.v[i] -= static_cast<float>(approach * r.y);
     p.w[i] -= static_cast<float>(approach * r.z);
-    return true;
+    return mass_ * (before - Vec3(p.u[i], p.v[i], p.w[i]));
 }
 
 void Solver::integrate() {
@@ -459,14 +456,11 @@ void Solver::integrate() {
                 r.distance += static_cast<float>((dt * double(p.u[i]) + shift.x()) * r.x +
                                                  (dt * double(p.v[i]) + shift.y()) * r.y +
                                                  (dt * double(p.w[i]) + shift.z()) * r.z);
-                if (r.distance < held_at_wall_over_dp * s.dp) {
-                    const Vec3 before(p.u[i], p.v[i], p.w[i]);
-                    if (hold_at_wall(i)) {
-                        const Vec3 impulse = mass_ * (before - Vec3(p.u[i], p.v[i], p.w[i]));
-                        ++part.held;
-                        part.impulse += impulse;
-                        part.turn += (Vec3(p.x[i], p.y[i], p.z[i]) - s.moment_reference).cross(impulse);
-                    }
+                const bool too_near = r.distance < held_at_wall_over_dp * s.dp;
+                if (const auto impulse = too_near ? hold_at_wall(i) : std::nullopt) {
+                    ++part.held;
+                    part.impulse += *impulse;
+                    part.turn += (Vec3(p.x[i], p.y[i], p.z[i]) - s.moment_reference).cross(*impulse);
                 }
             }
             const double u = p.u[i], v = p.v[i], w = p.w[i], speed2 = u * u + v * v + w * w;
@@ -548,7 +542,6 @@ void Solver::sample(PointSamples& points) {
     const std::size_t n = points.places.size();
     points.p.assign(n, 0);
     points.support.assign(n, 0);
-    if (points.want_velocity) points.velocity.assign(3 * n, 0);
     if (points.want_flux) points.flux.assign(3 * n, 0);
     if (n == 0) return;
     std::vector<PlaceRecord> raw(n), sorted(n);
@@ -569,12 +562,11 @@ void Solver::sample(PointSamples& points) {
         grid_, quanta_, sorted.data(), groups,
         {{place_.data(), &start_, 0}, {place_.data() + particles, &image_start_, static_cast<std::int32_t>(particles)}},
         reach, false);
-    std::vector<float> p(n), support(n), velocity(points.want_velocity ? 3 * n : 0), flux(points.want_flux ? 3 * n : 0);
+    std::vector<float> p(n), support(n), flux(points.want_flux ? 3 * n : 0);
     ExtrapolateData e = extrapolation();
     e.at = sorted.data();
     e.p = p.data();
     e.support = support.data();
-    e.velocity = points.want_velocity ? velocity.data() : nullptr;
     if (points.want_flux) {
         e.carried = carried_.data();
         e.flux = flux.data();
@@ -584,7 +576,6 @@ void Solver::sample(PointSamples& points) {
         const auto i = static_cast<std::size_t>(order[k]);
         points.p[i] = p[k];
         points.support[i] = support[k];
-        for (std::size_t a = 0; a < 3 && points.want_velocity; ++a) points.velocity[3 * i + a] = velocity[3 * k + a];
         for (std::size_t a = 0; a < 3 && points.want_flux; ++a) points.flux[3 * i + a] = flux[3 * k + a];
     }
 }

@@ -134,7 +134,7 @@ public:
 
 private:
     void evaluate();
-    ExtrapolateData extrapolation() const;   ///< from the present records; the caller says where to
+    ExtrapolateData extrapolation() const;  ///< from the present records; the caller says where to
     void rebuild();
     void build_wall();
     void update_records();
@@ -142,7 +142,8 @@ private:
     void find_normals();
     void integrate();
     void gather_load();
-    bool hold_at_wall(std::size_t i);
+    NormalRecord nearest_wall(std::size_t i, double reach) const;
+    std::optional<Vec3> hold_at_wall(std::size_t i);
     [[noreturn]] void fail_at(std::size_t i, const std::string& what) const;
     void check_bounds();
 

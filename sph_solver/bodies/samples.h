@@ -6,14 +6,13 @@
 
 namespace tw {
 
-/// Points at which the solver is asked for pressure, kernel support and (when wanted) velocity.
+/// Points at which the solver is asked for pressure, kernel support and (when wanted) the pressure that pairs carry.
 struct PointSamples {
     std::vector<Vec3> places;
-    bool want_velocity = false, want_flux = false;
-    std::vector<float> p;         ///< [Pa], hydrostatically corrected Shepard mean of the water near
-    std::vector<float> support;   ///< sum_j V_j W_j: 1 inside water, 1/2 on a flat wetted wall
-    std::vector<float> velocity;  ///< 3 per point [m/s]
-    std::vector<float> flux;      ///< 3 per point: the pressure that the pair forces carry along x, y, z [Pa]
+    bool want_flux = false;
+    std::vector<float> p;        ///< [Pa], hydrostatically corrected Shepard mean of the water near
+    std::vector<float> support;  ///< sum_j V_j W_j: 1 inside water, 1/2 on a flat wetted wall
+    std::vector<float> flux;     ///< 3 per point: the pressure that the pair forces carry along x, y, z [Pa]
 };
 
 /// A surface cut into patches no larger than `size`, each with a centre and an area vector, for integrals over it.

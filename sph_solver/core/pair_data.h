@@ -102,7 +102,6 @@ struct ExtrapolateData {
     const StressRecord* stress = nullptr;
     float* p = nullptr;                     ///< [Pa]
     float* support = nullptr;               ///< sum_j V_j W_ij; may be null
-    float* velocity = nullptr;              ///< 3 per point; may be null
     const CarriedShare* carried = nullptr;  ///< of the particles; may be null
     float* flux = nullptr;                  ///< 3 per point: carried pressure along x, y, z [Pa]; needs `carried`
     Kernel kernel;

@@ -261,7 +261,7 @@ void extrapolate(const ExtrapolateData& d, const Group* groups, int count) {
         const Group& g = groups[n];
         const Lanes a = load_places(d.at, g, d.quantum);
         F support{}, p{};
-        V3<F> u{F{}, F{}, F{}}, flux{F{}, F{}, F{}};
+        V3<F> flux{F{}, F{}, F{}};
         for_each_neighbour(d.place, g.list, g.list_size, g, d.quantum, [&](std::int32_t j, const float* xyz) {
             const V3<F> r{xyz[0] - a.x, xyz[1] - a.y, xyz[2] - a.z};
             const KernelShape k = shape(r, d.kernel.inv_h);
@@ -276,11 +276,6 @@ void extrapolate(const ExtrapolateData& d, const Group* groups, int count) {
                 flux.y += p_there * d.carried[j].y;
                 flux.z += p_there * d.carried[j].z;
             }
-            if (d.velocity) {
-                u.x += WV * d.motion[j].u;
-                u.y += WV * d.motion[j].v;
-                u.z += WV * d.motion[j].w;
-            }
         });
         // below this the point has lost the water: a hundredth of the support at a plane wall
         const F inv = support > 0.005f ? 1.0f / support : F{};
@@ -292,11 +287,6 @@ void extrapolate(const ExtrapolateData& d, const Group* groups, int count) {
                 d.flux[3 * i] = flux.x[l] * inv[l];
                 d.flux[3 * i + 1] = flux.y[l] * inv[l];
                 d.flux[3 * i + 2] = flux.z[l] * inv[l];
-            }
-            if (d.velocity) {
-                d.velocity[3 * i] = u.x[l] * inv[l];
-                d.velocity[3 * i + 1] = u.y[l] * inv[l];
-                d.velocity[3 * i + 2] = u.z[l] * inv[l];
             }
         }
     }

@@ -16,34 +16,28 @@ typedef float F __attribute__((vector_size(64)));
 #if defined(__AVX512F__)
 inline F sqrt(F x) { return (F)_mm512_sqrt_ps((__m512)x); }
 inline F positive_part(F x) { return (F)_mm512_max_ps((__m512)x, _mm512_setzero_ps()); }
-#elif defined(__AVX__)
-union Parts {
-    F whole;
-    __m256 part[2];
-};
-inline F sqrt(F x) {
-    Parts u{x};
-    for (auto& p : u.part) p = _mm256_sqrt_ps(p);
-    return u.whole;
-}
-inline F positive_part(F x) {
-    Parts u{x};
-    for (auto& p : u.part) p = _mm256_max_ps(p, _mm256_setzero_ps());
-    return u.whole;
-}
 #elif defined(__SSE__)
+#if defined(__AVX__)
+typedef __m256 Register;
+inline Register sqrt(Register x) { return _mm256_sqrt_ps(x); }
+inline Register positive_part(Register x) { return _mm256_max_ps(x, _mm256_setzero_ps()); }
+#else
+typedef __m128 Register;
+inline Register sqrt(Register x) { return _mm_sqrt_ps(x); }
+inline Register positive_part(Register x) { return _mm_max_ps(x, _mm_setzero_ps()); }
+#endif
 union Parts {
     F whole;
-    __m128 part[4];
+    Register part[sizeof(F) / sizeof(Register)];
 };
 inline F sqrt(F x) {
     Parts u{x};
-    for (auto& p : u.part) p = _mm_sqrt_ps(p);
+    for (auto& p : u.part) p = sqrt(p);
     return u.whole;
 }
 inline F positive_part(F x) {
     Parts u{x};
-    for (auto& p : u.part) p = _mm_max_ps(p, _mm_setzero_ps());
+    for (auto& p : u.part) p = positive_part(p);
     return u.whole;
 }
 #else
