@@ -17,6 +17,7 @@ struct PseudoNormals {
     std::vector<Vec3> face;                 ///< unit
     std::vector<std::array<Vec3, 3>> edge;  ///< of the edge from corner k to k + 1
     std::vector<Vec3> corner;               ///< by point of the surface
+    std::vector<std::vector<int>> round;    ///< triangles that share a point
 };
 
 double angle_at(const Surface& s, int t, int k) {
@@ -27,6 +28,7 @@ double angle_at(const Surface& s, int t, int k) {
 PseudoNormals pseudo_normals(const Surface& s) {
     PseudoNormals n;
     n.corner.assign(s.points.size(), Vec3::Zero());
+    n.round.resize(s.points.size());
     std::unordered_map<std::uint64_t, Vec3> edges;
     const auto key = [](int i, int j) {
         return static_cast<std::uint64_t>(std::min(i, j)) << 32 | static_cast<std::uint64_t>(std::max(i, j));
@@ -39,6 +41,7 @@ PseudoNormals pseudo_normals(const Surface& s) {
         n.face.push_back(unit);
         for (std::size_t k = 0; k < 3; ++k) {
             n.corner[static_cast<std::size_t>(corners[k])] += angle_at(s, t, static_cast<int>(k)) * unit;
+            n.round[static_cast<std::size_t>(corners[k])].push_back(t);
             edges.try_emplace(key(corners[k], corners[(k + 1) % 3]), Vec3::Zero()).first->second += unit;
         }
     }
@@ -127,7 +130,21 @@ SurfaceQuery::Nearest SurfaceQuery::nearest(const Vec3& p, double reach) const {
     Nearest result{hit.on.point, hit.triangle, impl_->sign(p, hit) * std::sqrt(hit.distance2), Vec3::Zero()};
     result.normal = std::abs(result.distance) > impl_->touching ? Vec3((p - hit.on.point) / result.distance)
                                                                 : Vec3(impl_->pseudo_normal(hit).stableNormalized());
+    result.feature = static_cast<int>(hit.on.feature);
     return result;
+}
+
+std::vector<Vec3> SurfaceQuery::faces_at(const Nearest& nearest) const {
+    if (nearest.triangle < 0) return {};
+    const PseudoNormals& n = impl_->normals;
+    const auto t = static_cast<std::size_t>(nearest.triangle);
+    if (nearest.on_face()) return {n.face[t]};
+    if (nearest.feature <= 3) return {n.face[t], n.edge[t][static_cast<std::size_t>(nearest.feature - 1)] - n.face[t]};
+    std::vector<Vec3> faces;
+    const int corner = impl_->surface.triangles[t][static_cast<std::size_t>(nearest.feature - 4)];
+    for (const int other : n.round[static_cast<std::size_t>(corner)])
+        faces.push_back(n.face[static_cast<std::size_t>(other)]);
+    return faces;
 }
 
 bool SurfaceQuery::inside(const Vec3& p) const { return impl_->inside(p); }

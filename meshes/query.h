@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "meshes/surface.h"
 
@@ -23,9 +24,14 @@ public:
         double distance = 0;  ///< signed [m]: positive outside, negative inside
         Vec3 normal;          ///< exterior unit normal there, (p - point)/distance; the angle-weighted
                               ///< pseudo-normal where the distance vanishes
+        int feature = 0;      ///< of the triangle: 0 its face, 1 to 3 an edge, 4 to 6 a corner
+        bool on_face() const { return feature == 0; }
     };
     /// `reach`: only surfaces nearer than this are looked for [m].
     Nearest nearest(const Vec3& p, double reach = 1e30) const;
+    /// Exterior unit normals of the faces that meet at the nearest point: one on a face, two at an edge, all round a
+    /// corner. Empty when nothing was in reach.
+    std::vector<Vec3> faces_at(const Nearest& nearest) const;
     bool inside(const Vec3& p) const;
     /// Signed distances of many points, in parallel (OpenMP); beyond `reach` the value is +-reach with the right sign.
     void signed_distances(std::span<const Vec3> points, std::span<double> out, double reach = 1e30) const;

@@ -112,11 +112,11 @@ struct Run {
 };
 
 struct SphOptions {
-    double h_over_dp = 1.5;  ///< smoothing length over spacing
-    double c0 = 0;           ///< numerical sound speed [m/s]; default 10 max(U, sqrt(p_max/rho0))
-    double delta = 0.1;      ///< density diffusion
-    double alpha = 0.01;     ///< artificial viscosity
-    double cfl = 0.45;
+    double h_over_dp = 1.5;                    ///< smoothing length over spacing
+    double c0 = 0;                             ///< numerical sound speed [m/s]; default 10 max(U, sqrt(p_max/rho0))
+    double delta = 0.1;                        ///< density diffusion
+    double alpha = 0.01;                       ///< artificial viscosity
+    double cfl = 0.9;                          ///< acoustic Courant number on h; stable to about 1.2
     std::string equation_of_state = "linear";  ///< linear, tait
     double gamma = 7;                          ///< Tait exponent
     double shifting = 1;                       ///< coefficient; 0: off
@@ -124,7 +124,7 @@ struct SphOptions {
 
 struct FvmOptions {
     double max_courant = 0, max_alpha_courant = 0;  ///< as written, else 4 in a stream and 1 without
-    double interface_compression = 2;  ///< cAlpha
+    double interface_compression = 2;               ///< cAlpha
     int correctors = 3;
     std::string openfoam;  ///< folder of an OpenFOAM installation; empty: found
 };

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
+#include "sph_solver/boundaries/slip_normal.h"
 #include "sph_solver/boundaries/wall_dummies.h"
 
 namespace tw {
@@ -21,6 +22,7 @@ constexpr double held_at_wall_over_dp = 0.1;  ///< nearer than this a particle i
 constexpr NormalRecord no_wall{0, 0, 0, 1e30f};
 constexpr double largest_density_deviation = 0.3;
 constexpr double largest_mach = 1.0;
+constexpr double acceleration_limit = 0.45;  ///< dt < this times sqrt(h / a)
 
 class Stopwatch {
 public:
@@ -213,11 +215,13 @@ void Solver::rebuild() {
 NormalRecord Solver::nearest_wall(std::size_t i, double reach) const {
     NormalRecord r = no_wall;
     const Vec3 x(particles_.x[i], particles_.y[i], particles_.z[i]);
+    const Vec3 u(particles_.u[i], particles_.v[i], particles_.w[i]);
     for (const SurfaceQuery& query : queries_) {
         const SurfaceQuery::Nearest nearest = query.nearest(x, reach);
         if (nearest.triangle < 0 || nearest.distance >= r.distance) continue;
-        r = {static_cast<float>(nearest.normal.x()), static_cast<float>(nearest.normal.y()),
-             static_cast<float>(nearest.normal.z()), static_cast<float>(nearest.distance)};
+        const Vec3 n = slip_normal(query, nearest, u);
+        r = {static_cast<float>(n.x()), static_cast<float>(n.y()), static_cast<float>(n.z()),
+             static_cast<float>(nearest.distance)};
     }
     return r;
 }
@@ -331,7 +335,6 @@ void Solver::evaluate() {
     d.gy = static_cast<float>(s.gravity.y());
     d.gz = static_cast<float>(s.gravity.z());
     d.inv_void = static_cast<float>(1 / (1 - s.surface_support));
-    d.wall_near = static_cast<float>(2 * h_);
     d.two_dimensional = s.dimensions == 2;
     {
         const Stopwatch watch(timers_.gradient);
@@ -379,9 +382,9 @@ void Solver::gather_load() {
     }
 }
 
-/// The last resort at a wall: a particle so near that no pressure can stop it in time loses its velocity towards the
-/// wall (a plastic impact; the wall gets the impulse, which is returned [N s]). The distance carried along is checked
-/// against the surface first.
+/// The last resort at a wall: a particle so near that no pressure can stop it in time, or that would cross the wall in
+/// the next step, loses its velocity towards the wall (a plastic impact; the wall gets the impulse, which is returned
+/// [N s]). The distance carried along is checked against the surface first.
 std::optional<Vec3> Solver::hold_at_wall(std::size_t i) {
     Particles& p = particles_;
     NormalRecord& r = normal_[i];
@@ -391,6 +394,12 @@ std::optional<Vec3> Solver::hold_at_wall(std::size_t i) {
         r.distance = static_cast<float>(setup_.dp);
     const double approach = double(p.u[i]) * r.x + double(p.v[i]) * r.y + double(p.w[i]) * r.z;
     if (r.distance >= held_at_wall_over_dp * setup_.dp || approach >= 0) return {};
+    if (r.distance < 0) {
+        p.x[i] -= double(r.distance) * r.x;
+        p.y[i] -= double(r.distance) * r.y;
+        p.z[i] -= double(r.distance) * r.z;
+        r.distance = 0;
+    }
     const Vec3 before(p.u[i], p.v[i], p.w[i]);
     p.u[i] -= static_cast<float>(approach * r.x);
     p.v[i] -= static_cast<float>(approach * r.y);
@@ -405,7 +414,7 @@ void Solver::integrate() {
     const double c0 = s.state_equation.c0;
     const double speed = std::max(extremes_.speed, s.stream ? s.stream->velocity(time_) : 0.0);
     dt_ = s.cfl * h_ / (c0 + speed);
-    if (extremes_.acceleration > 0) dt_ = std::min(dt_, s.cfl * std::sqrt(h_ / extremes_.acceleration));
+    if (extremes_.acceleration > 0) dt_ = std::min(dt_, acceleration_limit * std::sqrt(h_ / extremes_.acceleration));
     if (s.alpha > 0) dt_ = std::min(dt_, 0.25 * h_ * h_ / (s.alpha * h_ * c0));
     const double dt = dt_, stream_before = s.stream ? s.stream->velocity(time_) : 0,
                  stream_after = s.stream ? s.stream->velocity(time_ + dt) : 0;
@@ -453,9 +462,8 @@ void Solver::integrate() {
             p.z[i] += dt * double(p.w[i]) + shift.z();
             if (!normal_.empty() && p.kind[i] == Kind::fluid) {
                 NormalRecord& r = normal_[i];
-                r.distance += static_cast<float>((dt * double(p.u[i]) + shift.x()) * r.x +
-                                                 (dt * double(p.v[i]) + shift.y()) * r.y +
-                                                 (dt * double(p.w[i]) + shift.z()) * r.z);
+                const double approach = double(p.u[i]) * r.x + double(p.v[i]) * r.y + double(p.w[i]) * r.z;
+                r.distance += static_cast<float>(dt * approach + shift.x() * r.x + shift.y() * r.y + shift.z() * r.z);
                 const bool too_near = r.distance < held_at_wall_over_dp * s.dp;
                 if (const auto impulse = too_near ? hold_at_wall(i) : std::nullopt) {
                     ++part.held;

@@ -88,7 +88,6 @@ struct PassData {
     float diffusion = 0;           ///< delta h c0 [m2/s]
     float viscosity = 0;           ///< alpha h c0 rho0 [kg/m/s]
     float inv_void = 10;           ///< 1 / (1 - surface_support), see SolverSetup
-    float wall_near = 0;           ///< 2 h [m]: nearer than this to a wall shifting goes towards a free surface, too
     float eta2 = 0;                ///< 0.01 h^2 [m2]
     float gx = 0, gy = 0, gz = 0;  ///< body force [m/s2]
     bool two_dimensional = false;

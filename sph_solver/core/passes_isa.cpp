@@ -235,7 +235,7 @@ void forces(const PassData& d, const Group* groups, int count) {
             const int i = g.first + l;
             d.rate[i] = {acc.x[l], acc.y[l], acc.z[l], drho[l]};
             // shifting goes along the surface only: towards it, it would pump water up for ever
-            if (normal2[l] > 0 && !(g.wall_size > 0 && d.normal[i].distance < d.wall_near)) {
+            if (normal2[l] > 0) {
                 ShiftRecord& s = d.shift[i];
                 const float x = towards_surface.x[l], y = towards_surface.y[l], z = towards_surface.z[l];
                 const float share = (s.x * x + s.y * y + s.z * z) / normal2[l];

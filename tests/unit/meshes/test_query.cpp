@@ -55,6 +55,28 @@ TEST(SurfaceQuery, OfABoxIsExactAtFacesEdgesAndCorners) {
     EXPECT_LT((query.nearest({1, 0.5, 0.5}).normal - Vec3::Ones().normalized()).norm(), 1e-12);
 }
 
+TEST(SurfaceQuery, NamesTheFacesThatMeetAtTheNearestPoint) {
+    const Surface s = make_hull("box", {{"length", 2}, {"beam", 1}, {"height", 0.5}});
+    const Box box = s.bounds();
+    const SurfaceQuery query(s);
+    const Vec3 top_rear = Vec3(box.max.x(), 0.2, box.max.z());
+    const auto all_along = [](const std::vector<Vec3>& faces, const std::vector<Vec3>& directions) {
+        for (const Vec3& d : directions) {
+            bool found = false;
+            for (const Vec3& f : faces) found = found || (f - d).norm() < 1e-12;
+            if (!found) return false;
+        }
+        return !faces.empty();
+    };
+    EXPECT_EQ(query.faces_at(query.nearest(Vec3(0.1, 0.13, box.max.z() + 0.2))).size(), 1u);
+    const auto edge = query.faces_at(query.nearest(top_rear + Vec3(0.1, 0, 0.1)));
+    EXPECT_EQ(edge.size(), 2u);
+    EXPECT_TRUE(all_along(edge, {Vec3::UnitX(), Vec3::UnitZ()}));
+    EXPECT_TRUE(all_along(query.faces_at(query.nearest(box.max + Vec3::Constant(0.1))),
+                          {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()}));
+    EXPECT_TRUE(query.faces_at(query.nearest(box.max + Vec3::Constant(9), 0.1)).empty());
+}
+
 TEST(SurfaceQuery, OfASphereIsTheRadialDistanceUpToTheFacets) {
     const double radius = 0.5, sag = 2.5e-4;  // of level 6
     const SurfaceQuery query(make_hull("sphere", {{"level", 6}}));
