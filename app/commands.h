@@ -56,6 +56,18 @@ struct CompareCommand {
 };
 int run_compare(const CompareCommand& command, const Common& common);
 
+struct LadderCommand {
+    SceneArguments scene;
+    std::string method;         ///< sph, fvm, both; empty: what the scene says
+    std::filesystem::path out;  ///< empty: runs/<name of the scene file>_ladder
+    int levels = 4;
+    double ratio = 1.4142135623730951;  ///< of neighbouring spacings
+    std::string budget;                 ///< predicted time of all runs, a text with unit; empty: no limit
+    int threads = 0;
+    double budget_seconds() const;  ///< throws InputError naming the option
+};
+int run_ladder(const LadderCommand& command, const Common& common);
+
 struct UncertaintyCommand {
     std::filesystem::path table;  ///< CSV: spacing, then one column per quantity
     double order = 2;             ///< of the scheme [-]

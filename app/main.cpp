@@ -127,6 +127,23 @@ int dispatch(int argc, char** argv) {
     c->add_option("--require", require, "agree: exit status 4 unless every judged quantity agrees")
         ->check(CLI::IsMember({"agree"}));
 
+    LadderCommand ladder;
+    c = subcommand(&app, "ladder",
+                   "a scene at several sizes with both methods: verdicts that hold the error of the resolution",
+                   [&] { return run_ladder(ladder, common); });
+    add_scene(c, ladder.scene);
+    c->add_option("--method", ladder.method, "sph, fvm or both instead of the scene's")
+        ->check(CLI::IsMember({"sph", "fvm", "both"}));
+    c->add_option("--levels", ladder.levels, "number of sizes (4): the scene's own and coarser ones")
+        ->check(CLI::Range(1, 8));
+    c->add_option("--ratio", ladder.ratio, "of neighbouring spacings (1.4142)")->check(CLI::Range(1.05, 4.0));
+    c->add_option("--budget", ladder.budget,
+                  "predicted time of all runs, e.g. 2h: what does not fit is left out, and said")
+        ->type_name("TIME");
+    c->add_option("--out", ladder.out, "folder of the results (runs/<name of the scene file>_ladder)");
+    c->add_option("--threads", ladder.threads, "threads (particles) and ranks (mesh); all cores unless given")
+        ->check(CLI::Range(1, 4096));
+
     UncertaintyCommand uncertainty;
     c = subcommand(&app, "uncertainty",
                    "how far a value at the finest spacing may be off: any table of a refinement study",

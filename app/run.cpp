@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "app/facts_json.h"
 #include "app/output.h"
-#include "app/progress_bar.h"
+#include "app/run_method.h"
 #include "app/stop_signal.h"
 #include "base/errors.h"
 #include "compare/compare.h"
 #include "foam_cases/doctor.h"
-#include "foam_cases/run_fvm.h"
-#include "sph_solver/run_sph.h"
 
 namespace tw::app {
 namespace {
@@ -26,31 +23,6 @@ void refuse_taken(const fs::path& folder, const RunCommand& command) {
             fmt::format("{}: holds a run already; go on with it by --resume, begin anew by --overwrite, or choose "
                         "another folder by --out",
                         folder.string()));
-}
-
-RunRecord run_method(const std::string& method, const Scene& scene, const fs::path& out, const RunCommand& command,
-                     const Common& common) {
-    RunOptions options;
-    options.folder = out / method;
-    options.resume = command.resume && fs::exists(options.folder);
-    options.overwrite = command.overwrite;
-    options.threads = command.threads > 0 ? command.threads : scene.run.threads;
-    ProgressBar bar(method, common.quiet);
-    options.progress = [&bar](const Progress& p) { bar.show(p); };
-    options.stop_asked = stop_asked;
-    return method == "sph" ? run_sph(scene, options) : run_fvm(scene, options);
-}
-
-RunFacts facts_of(const std::string& method, const RunRecord& record, const fs::path& folder) {
-    RunFacts f{method, record.state, record.reason, (folder / "record.h5").string(), record.elements, record.steps, 0};
-    for (const Phase& phase : record.phases) f.wall += phase.wall;
-    return f;
-}
-
-std::string closing_line(const RunFacts& f) {
-    return fmt::format("{}: {}{}, {:.3g} {}, {:.3g} steps, {:.3g} s, {}\n", f.method, f.state,
-                       f.reason.empty() ? "" : ": " + f.reason, f.elements, f.method == "sph" ? "particles" : "cells",
-                       f.steps, f.wall, f.record);
 }
 
 }  // namespace
@@ -80,7 +52,9 @@ int run_run(const RunCommand& command, const Common& common) {
     std::vector<RunFacts> runs;
     for (const std::string method : {"sph", "fvm"}) {  // in this order, whatever the scene's
         if (std::find(scene.run.methods.begin(), scene.run.methods.end(), method) == scene.run.methods.end()) continue;
-        const RunRecord record = run_method(method, scene, out, command, common);
+        const bool resume = command.resume && fs::exists(out / method);
+        const RunRecord record =
+            run_method(method, scene, {out / method, resume, command.overwrite, command.threads}, common);
         runs.push_back(facts_of(method, record, out / method));
         say(common, closing_line(runs.back()));
         if (record.state != "finished" || stop_asked()) {

@@ -29,7 +29,7 @@ struct SolverSetup {
     StateEquation state_equation;
     double delta = 0.1;   ///< density diffusion
     double alpha = 0.01;  ///< artificial viscosity
-    double cfl = 0.9;     ///< dt = cfl h / (c0 + |u|); symplectic Euler is stable to about 1.2
+    double cfl = 0.7;     ///< dt = cfl h / (c0 + |u|); symplectic Euler is stable to about 1.2
     double shifting = 1;
     /// Kernel support sum_j V_j W_ij (walls and images counted; 1 in the interior, about 0.75 at a flat free surface)
     /// below which a particle counts as free surface: it bears no tension, and a wall that comes nearer does not

@@ -1,0 +1,122 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/errors.h"
+#include "compare/ladder/ladder.h"
+#include "compare/uncertainty/read_table.h"
+#include "tests/unit/compare/synthetic_pair.h"
+
+namespace tw {
+namespace {
+
+/// Runs of one method whose lift approaches `limit` with the given order: lift = limit + error (h/h_1)^order.
+void add_family(std::vector<RunRecord>& records, const std::string& method, double limit, double error, double order,
+                int levels = 4) {
+    for (int k = 0; k < levels; ++k) {
+        const double h = 0.04 * std::pow(std::sqrt(2.0), k);
+        SyntheticRun run;
+        run.method = method;
+        run.lift = limit + error * std::pow(h / 0.04, order);
+        run.noise = 2;
+        run.frames = false;
+        run.seed = static_cast<unsigned>(10 * k + (method == "sph" ? 1 : 2));
+        RunRecord record = synthetic_run(run);
+        record.numbers["near_hull"] = h;
+        record.phases = {{"solving", 100 / std::pow(h / 0.04, 4), 0}};
+        record.state = "finished";
+        records.push_back(std::move(record));
+    }
+}
+
+const LadderQuantity& lift_of(const Ladder& ladder) {
+    for (const LadderQuantity& q : ladder.quantities)
+        if (q.name == "lift") return q;
+    throw std::runtime_error("no lift");
+}
+
+TEST(Ladder, MethodsThatConvergeToOneValueAgreeThoughTheirFinestValuesDiffer) {
+    std::vector<RunRecord> records;
+    add_family(records, "fvm", 2800, 10, 2);  // coarsest and finest mixed up on purpose: any order is accepted
+    add_family(records, "sph", 2800, 40, 2);
+    const Ladder ladder = build_ladder(std::move(records));
+    ASSERT_EQ(ladder.sides.size(), 2u);
+    EXPECT_EQ(ladder.sides[0].method, "sph");
+    const LadderQuantity& lift = lift_of(ladder);
+    EXPECT_EQ(lift.values[0].levels.size(), 4u);
+    EXPECT_NEAR(lift.values[0].estimate.order, 2, 0.3);
+    EXPECT_NEAR(lift.difference, -30, 3);
+    EXPECT_LT(std::hypot(lift.values[0].statistical, lift.values[1].statistical), 10);  // by these alone they differ
+    EXPECT_GT(lift.interval, 40);
+    EXPECT_EQ(lift.verdict, LadderVerdict::agree) << lift.reason;
+}
+
+TEST(Ladder, MethodsThatConvergeToTwoValuesDiffer) {
+    std::vector<RunRecord> records;
+    add_family(records, "sph", 3200, 10, 2);
+    add_family(records, "fvm", 2800, 10, 2);
+    const LadderQuantity lift = lift_of(build_ladder(std::move(records)));
+    EXPECT_EQ(lift.verdict, LadderVerdict::differ);
+    EXPECT_NEAR(lift.difference, -400, 5);
+}
+
+TEST(Ladder, CoarseRunsAreUndecidedAndTheLargestTermIsNamed) {
+    std::vector<RunRecord> records;
+    add_family(records, "sph", 2800, 300, 1);
+    add_family(records, "fvm", 2800, 5, 2);
+    const LadderQuantity lift = lift_of(build_ladder(std::move(records)));
+    EXPECT_EQ(lift.verdict, LadderVerdict::undecided);
+    EXPECT_NE(lift.reason.find("sph's resolution"), std::string::npos) << lift.reason;
+}
+
+TEST(Ladder, OneSizeAloneIsNotConverged) {
+    std::vector<RunRecord> records;
+    add_family(records, "sph", 2800, 30, 2, 1);
+    add_family(records, "fvm", 2800, 30, 2);
+    EXPECT_EQ(lift_of(build_ladder(std::move(records))).verdict, LadderVerdict::not_converged);
+}
+
+TEST(Ladder, OneMethodAloneHasItsUncertaintyAndNoVerdict) {
+    std::vector<RunRecord> records;
+    add_family(records, "sph", 2800, 30, 2);
+    const LadderQuantity lift = lift_of(build_ladder(std::move(records)));
+    EXPECT_EQ(lift.verdict, LadderVerdict::not_comparable);
+    EXPECT_GT(lift.values[0].uncertainty, 0);
+}
+
+TEST(Ladder, ARunOfAnotherHullIsNoMemberOfTheFamily) {
+    std::vector<RunRecord> records;
+    add_family(records, "sph", 2800, 30, 2);
+    EXPECT_TRUE(build_ladder(records).sides[0].similar);
+    records[1].attributes["hull_hash"] = "hull-2";
+    const Ladder ladder = build_ladder(records);
+    EXPECT_FALSE(ladder.sides[0].similar);
+    EXPECT_NE(ladder_text(ladder).find("no family"), std::string::npos);
+}
+
+TEST(Ladder, RefusesWhatIsNoLadder) {
+    EXPECT_THROW(build_ladder({}), InputError);
+    std::vector<RunRecord> twice;
+    add_family(twice, "sph", 2800, 30, 2, 1);
+    add_family(twice, "sph", 2800, 30, 2, 1);
+    EXPECT_THROW(build_ladder(twice), InputError);
+    twice[0].numbers.erase("near_hull");
+    EXPECT_THROW(build_ladder(twice), InputError);
+}
+
+TEST(Ladder, ItsTableIsReadByTheUncertaintyCommandAndItsTextIsSafe) {
+    std::vector<RunRecord> records;
+    add_family(records, "sph", 2800, 30, 2);
+    for (RunRecord& r : records) r.attributes["title"] = "a\x1b[31mred";
+    const Ladder ladder = build_ladder(std::move(records));
+    const RefinementTable table = parse_refinement_table(ladder_csv(ladder, 0), "ladder.csv");
+    ASSERT_EQ(table.spacing.size(), 4u);
+    bool has_lift = false;
+    for (const auto& column : table.columns) has_lift |= column.name == "lift [N]";
+    EXPECT_TRUE(has_lift);
+    EXPECT_EQ(ladder_text(ladder).find('\x1b'), std::string::npos);
+    EXPECT_EQ(nlohmann::json::parse(ladder_json(ladder))["sides"][0]["method"], "sph");
+}
+
+}  // namespace
+}  // namespace tw
