@@ -63,6 +63,7 @@ struct LadderCommand {
     int levels = 4;
     double ratio = 1.4142135623730951;  ///< of neighbouring spacings
     std::string budget;                 ///< predicted time of all runs, a text with unit; empty: no limit
+    bool overwrite = false;             ///< begin anew what another scene left in the folder
     int threads = 0;
     double budget_seconds() const;  ///< throws InputError naming the option
 };

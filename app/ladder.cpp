@@ -55,7 +55,9 @@ bool finished(const fs::path& folder, const Scene& scene) {
     if (!fs::exists(file)) return false;
     const RunRecord record = read_record(file);
     const auto hash = record.attributes.find("scene_hash");
-    return record.state == "finished" && hash != record.attributes.end() && hash->second == scene.hash;
+    const auto duration = record.numbers.find("duration");  // not in the hash: a run may be made longer
+    return record.state == "finished" && hash != record.attributes.end() && hash->second == scene.hash &&
+           duration != record.numbers.end() && duration->second >= scene.run.duration;
 }
 
 }  // namespace
@@ -88,8 +90,9 @@ int run_ladder(const LadderCommand& command, const Common& common) {
             } else {
                 spent += cost;
                 say(common, fmt::format("{} at {:g} m: about {:.3g} s\n", method, size, cost));
+                const bool resume = fs::exists(folder) && !command.overwrite;
                 const RunRecord record =
-                    run_method(method, rung.scene, {folder, fs::exists(folder), false, command.threads}, common);
+                    run_method(method, rung.scene, {folder, resume, command.overwrite, command.threads}, common);
                 say(common, closing_line(facts_of(method, record, folder)));
                 if (record.state != "finished" || stop_asked()) {
                     std::fputs("ladder: stopped at the user's wish; the same command goes on from here\n", stderr);

@@ -98,8 +98,8 @@ void judge(LadderQuantity& q, const std::vector<LadderSide>& sides, double targe
     }
     q.verdict = q.interval <= target * S ? LadderVerdict::agree : LadderVerdict::undecided;
     if (q.verdict == LadderVerdict::agree) return;
-    const std::pair<double, std::string> terms[] = {{a.statistical, sides[0].method + "'s statistics"},
-                                                    {b.statistical, sides[1].method + "'s statistics"},
+    const std::pair<double, std::string> terms[] = {{a.statistical, sides[0].method + "'s mean"},
+                                                    {b.statistical, sides[1].method + "'s mean"},
                                                     {a.estimate.uncertainty, sides[0].method + "'s resolution"},
                                                     {b.estimate.uncertainty, sides[1].method + "'s resolution"}};
     const auto& largest = *std::max_element(std::begin(terms), std::end(terms));

@@ -46,7 +46,7 @@ std::string ladder_text(const Ladder& ladder) {
         if (std::all_of(q.values.begin(), q.values.end(), [](const LadderValue& v) { return v.levels.empty(); }))
             continue;
         out += fmt::format(
-            "\n## {} [{}]\n\n| method | values, finest first | statistics | order | class | U of the "
+            "\n## {} [{}]\n\n| method | values, finest first | half width of the mean | order | class | U of the "
             "resolution | U |\n|---|---|---|---|---|---|---|\n",
             q.label, q.unit);
         std::string notes;

@@ -52,6 +52,36 @@ TEST_F(Command, ARunLeavesItsRecordAndIsNotWrittenOver) {
     EXPECT_EQ(twinwake({"run", "my column.toml", "--resume"}).status, 0);  // nothing left to do is no error
 }
 
+TEST_F(Command, ALadderTakesWhatIsFinishedAndNamesWhatTheBudgetLeavesOut) {
+    write("my column.toml", column);
+    const Outcome small = twinwake({"ladder", "my column.toml", "--levels", "2", "--budget", "1 us"});
+    EXPECT_EQ(small.status, 2);
+    EXPECT_NE(small.err.find("--budget 1 us: no run fits; the cheapest needs about"), std::string::npos) << small.err;
+
+    const Outcome first = twinwake({"ladder", "my column.toml", "--levels", "2", "--json", "facts.json"});
+    ASSERT_EQ(first.status, 0) << first.err;
+    const fs::path out = folder_ / "runs/my column_ladder";
+    EXPECT_TRUE(fs::exists(out / "near_hull_20mm/sph/record.h5"));
+    EXPECT_TRUE(fs::exists(out / "near_hull_28.2843mm/sph/record.h5"));
+    for (const char* file : {"ladder.md", "ladder.json", "ladder_sph.csv"}) EXPECT_TRUE(fs::exists(out / file)) << file;
+    EXPECT_NE(content(folder_ / "facts.json").find("0.0282842712"), std::string::npos);
+    EXPECT_FALSE(files().contains("pwned"));
+
+    const std::string record = content(out / "near_hull_20mm/sph/record.h5");
+    const Outcome again = twinwake({"ladder", "my column.toml", "--levels", "2", "--budget", "1 us"});
+    EXPECT_EQ(again.status, 0) << again.err;  // what is there costs nothing
+    EXPECT_NE(again.out.find("finished before, taken from"), std::string::npos) << again.out;
+    EXPECT_TRUE(content(out / "near_hull_20mm/sph/record.h5") == record);
+
+    write("my column.toml", with(column, "max = [0.2, 0.2, 0.2]", "max = [0.2, 0.2, 0.1]"));
+    const Outcome refused = twinwake({"ladder", "my column.toml", "--levels", "2"});
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_NE(refused.err.find("belongs to another scene"), std::string::npos) << refused.err;
+    EXPECT_TRUE(content(out / "near_hull_20mm/sph/record.h5") == record);
+    EXPECT_EQ(twinwake({"ladder", "my column.toml", "--levels", "2", "--overwrite"}).status, 0);
+    EXPECT_FALSE(content(out / "near_hull_20mm/sph/record.h5") == record);
+}
+
 TEST_F(Command, AnInterruptedRunSavesItsStateAndGoesOn) {
     write("long.toml", longer("3"));
     const Started run = start({"run", "long.toml", "--out", "out"});
