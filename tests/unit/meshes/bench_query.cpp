@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "meshes/generate.h"
+#include "meshes/health.h"
 #include "meshes/query.h"
 
 int main(int argc, char** argv) {
@@ -42,6 +43,11 @@ int main(int argc, char** argv) {
         const double s = seconds();
         std::printf("signed distance, reach %-8.3g m: %6.2f s, %.2f us per query\n", reach, s, 1e6 * s / points.size());
     }
+    const Surface sphere = make_hull("sphere", {{"level", 7}});
+    seconds();
+    const std::size_t findings = check_surface(sphere).size();
+    std::printf("health check:                    %6.2f s for %zu triangles, %zu findings\n", seconds(),
+                sphere.triangles.size(), findings);
     std::size_t inside = 0;
 #pragma omp parallel for reduction(+ : inside)
     for (std::size_t i = 0; i < points.size(); ++i) inside += query.inside(points[i]);

@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -165,12 +164,11 @@ TEST(CheckSurface, CallsAFinThinButNotTheEdgesOfAWedge) {
     EXPECT_NE(findings[1].message.find("0.03 m"), std::string::npos) << findings[1].message;
 }
 
-TEST(CheckSurface, TakesUnderTenSecondsFor130000Triangles) {
+TEST(CheckSurface, FindsNothingOn130000SoundTriangles) {  // how long it takes: bench_query
+
     const Surface sphere = make_hull("sphere", {{"level", 7}});
     ASSERT_EQ(sphere.triangles.size(), 131072u);
-    const auto begin = std::chrono::steady_clock::now();
     expect_findings(sphere, "");
-    EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), 10);
 }
 
 TEST(RepairSurface, LeavesASoundHullAsItIs) {
