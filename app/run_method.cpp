@@ -9,12 +9,25 @@
 
 namespace tw::app {
 
+PlannedRun plan_run(const std::filesystem::path& file, const SceneOverrides& overrides, const std::string& method,
+                    int threads) {
+    Scene scene = read_scene(file, overrides);
+    if (method == "both")
+        scene.run.methods = {"sph", "fvm"};
+    else if (!method.empty())
+        scene.run.methods = {method};
+    if (threads > 0) scene.run.threads = threads;
+    const Prediction prediction = predict(scene);
+    refuse_oversize(scene, prediction);
+    return {std::move(scene), prediction};
+}
+
 RunRecord run_method(const std::string& method, const Scene& scene, const MethodRun& run, const Common& common) {
     RunOptions options;
     options.folder = run.folder;
     options.resume = run.resume;
     options.overwrite = run.overwrite;
-    options.threads = run.threads > 0 ? run.threads : scene.run.threads;
+    options.threads = scene.run.threads;
     ProgressBar bar(method, common.quiet);
     options.progress = [&bar](const Progress& p) { bar.show(p); };
     options.stop_asked = stop_asked;

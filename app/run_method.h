@@ -8,11 +8,20 @@
 
 namespace tw::app {
 
+/// A scene as it will be run, and what that is expected to cost.
+struct PlannedRun {
+    Scene scene;
+    Prediction prediction;
+};
+/// `method`: sph, fvm, both; empty: the scene's. `threads`: 0: the scene's. Throws InputError: the scene is wrong, or
+/// too large for this machine.
+PlannedRun plan_run(const std::filesystem::path& file, const SceneOverrides& overrides, const std::string& method,
+                    int threads);
+
 /// How one method of a scene is to be run.
 struct MethodRun {
     std::filesystem::path folder;  ///< of this method's run
     bool resume = false, overwrite = false;
-    int threads = 0;  ///< 0: the scene's
 };
 /// Runs it with a progress bar; stops at the user's wish after saving state.
 RunRecord run_method(const std::string& method, const Scene& scene, const MethodRun& run, const Common& common);

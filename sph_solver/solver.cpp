@@ -382,9 +382,9 @@ void Solver::gather_load() {
     }
 }
 
-/// The last resort at a wall: a particle so near that no pressure can stop it in time, or that would cross the wall in
-/// the next step, loses its velocity towards the wall (a plastic impact; the wall gets the impulse, which is returned
-/// [N s]). The distance carried along is checked against the surface first.
+/// The last resort at a wall: a particle so near that no pressure can stop it in time loses its velocity towards the
+/// wall (a plastic impact; the wall gets the impulse, which is returned [N s]), and is put back on the surface if this
+/// step took it through. The distance carried along is checked against the surface first.
 std::optional<Vec3> Solver::hold_at_wall(std::size_t i) {
     Particles& p = particles_;
     NormalRecord& r = normal_[i];

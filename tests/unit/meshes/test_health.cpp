@@ -165,7 +165,6 @@ TEST(CheckSurface, CallsAFinThinButNotTheEdgesOfAWedge) {
 }
 
 TEST(CheckSurface, FindsNothingOn130000SoundTriangles) {  // how long it takes: bench_query
-
     const Surface sphere = make_hull("sphere", {{"level", 7}});
     ASSERT_EQ(sphere.triangles.size(), 131072u);
     expect_findings(sphere, "");
