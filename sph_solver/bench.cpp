@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "sph_solver/core/simd.h"
 #include "sph_solver/solver.h"
 
 namespace tw {
@@ -26,8 +27,8 @@ double kernel_peak(const PassData& like, int threads) {
             std::vector<PlaceRecord> place(n);
             std::vector<MotionRecord> motion(n, MotionRecord{0, 0, 0, 0});
             std::vector<StressRecord> stress(n, StressRecord{0, 0, 0, 0});
-            std::vector<ShiftRecord> shift(16);
-            std::vector<RateRecord> rate(16);
+            std::vector<ShiftRecord> shift(simd::lanes);
+            std::vector<RateRecord> rate(simd::lanes);
             const std::vector<float> surface(n, 0.0f);
             std::vector<NeighbourBlock> list;
             for (int k = 0; k < n; ++k)
@@ -38,13 +39,13 @@ double kernel_peak(const PassData& like, int threads) {
             d.rate = rate.data();
             d.surface = surface.data();
             Group g;
-            g.size = 16, g.list = list.data(), g.list_size = static_cast<std::int32_t>(list.size());
+            g.size = simd::lanes, g.list = list.data(), g.list_size = static_cast<std::int32_t>(list.size());
             for (int r = 0; r < repeats; ++r) {
                 passes().continuity_and_gradient(d, &g, 1);
                 passes().forces(d, &g, 1);
             }
         }
-        best = std::max(best, double(threads) * repeats * n * 16 / (now() - start));
+        best = std::max(best, double(threads) * repeats * n * simd::lanes / (now() - start));
     }
     return best;
 }

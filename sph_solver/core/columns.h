@@ -23,7 +23,7 @@ struct ColumnGrid {
     std::int32_t x0 = 0, y0 = 0, width = 1;  ///< [quanta]
     int nx = 1, ny = 1;
 
-    /// `area`: the box to cover [m]. Columns are as wide as a cube of 16 particles (in 2-D: a square).
+    /// `area`: the box to cover [m]. Columns are as wide as a cube of simd::lanes particles (in 2-D: a square).
     ColumnGrid() = default;
     ColumnGrid(const Box& area, double dp, int dimensions, const Quanta& quanta);
     int count() const { return nx * ny; }
@@ -40,7 +40,7 @@ private:
 void sort_by_column(const ColumnGrid& grid, const std::vector<PlaceRecord>& places, std::size_t begin, std::size_t end,
                     std::vector<std::int32_t>& order, std::vector<std::int32_t>& start);
 
-/// Cuts each column of sorted places [first, first + n) into groups of up to 16.
+/// Cuts each column of sorted places [first, first + n) into groups of up to simd::lanes.
 void make_groups(const std::vector<PlaceRecord>& places, const std::vector<std::int32_t>& start, std::size_t first,
                  std::vector<Group>& groups);
 
@@ -54,7 +54,7 @@ struct Source {
 /// Storage of neighbour lists; groups point into it.
 class NeighbourLists {
 public:
-    /// For every group the indices of all source places within `reach` [m] of its bounding box. `wall`: fills
+    /// For every group the indices of all source places within `reach` [m] of one of its particles. `wall`: fills
     /// wall_list.
     void build(const ColumnGrid& grid, const Quanta& quanta, const PlaceRecord* targets, std::vector<Group>& groups,
                const std::vector<Source>& sources, double reach, bool wall);

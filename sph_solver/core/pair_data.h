@@ -29,7 +29,7 @@ struct NeighbourBlock {
     std::uint32_t mask;
 };
 
-/// A group of up to 16 particles that are neighbours in space and in memory.
+/// A group of up to simd::lanes particles that are neighbours in space and in memory.
 struct Group {
     std::int32_t first = 0, size = 0;           ///< particles [first, first + size)
     const NeighbourBlock* list = nullptr;       ///< its neighbours among particles and mirror images
@@ -37,6 +37,12 @@ struct Group {
     std::int32_t list_size = 0, wall_size = 0;  ///< blocks
     std::int32_t wall_load = -1;                ///< index of its WallLoad; -1: no wall near
     std::int32_t x = 0, y = 0, z = 0;           ///< centre, in quanta: pair coordinates are relative to it
+};
+
+/// The places of a group's particles relative to its centre [quanta], one per lane; lanes beyond its size repeat the
+/// last particle. Exact: a group and its support are far below 2^24 quanta across.
+struct alignas(64) GroupPlaces {
+    float x[8], y[8], z[8];
 };
 
 /// Per-particle result of the gradient pass.
@@ -116,6 +122,10 @@ struct Passes {
     void (*forces)(const PassData&, const Group*,
                    int count);  ///< fills rate; rate.drho = density diffusion; shift along surfaces
     void (*extrapolate)(const ExtrapolateData&, const Group*, int count);
+    /// Of the places first[k] for every set bit k of the mask, those within sqrt(reach2) [quanta] of a particle of
+    /// the group.
+    std::uint32_t (*reached)(const GroupPlaces&, const Group&, const PlaceRecord* first, std::uint32_t mask,
+                             float reach2);
 };
 /// The best this processor runs; TWINWAKE_ISA=baseline|avx2|avx512 chooses another. Throws InputError for one it cannot
 /// run.

@@ -292,10 +292,24 @@ void extrapolate(const ExtrapolateData& d, const Group* groups, int count) {
     }
 }
 
+std::uint32_t reached(const GroupPlaces& group, const Group& g, const PlaceRecord* first, std::uint32_t mask,
+                      float reach2) {
+    const F x = *reinterpret_cast<const F*>(group.x), y = *reinterpret_cast<const F*>(group.y),
+            z = *reinterpret_cast<const F*>(group.z);
+    std::uint32_t kept = 0;
+    for (std::uint32_t left = mask; left != 0; left &= left - 1) {
+        const PlaceRecord& p = first[__builtin_ctz(left)];
+        const V3<F> r{x - static_cast<float>(p.x - g.x), y - static_cast<float>(p.y - g.y),
+                      z - static_cast<float>(p.z - g.z)};
+        if (simd::any_below(dot(r, r), reach2)) kept |= left & (0u - left);
+    }
+    return kept;
+}
+
 }  // namespace
 
 extern const Passes table;
-const Passes table = {TW_ISA_NAME, continuity_and_gradient, forces, extrapolate};
+const Passes table = {TW_ISA_NAME, continuity_and_gradient, forces, extrapolate, reached};
 
 }  // namespace TW_ISA
 }  // namespace tw
