@@ -34,7 +34,9 @@ public:
           record_file_(options.folder / "record.h5"),
           plan_(plan_case(scene, Flavour::from_version(openfoam.vendor, openfoam.version))),
           openfoam_(openfoam),
-          record_(new_record(scene, "fvm")) {}
+          record_(new_record(scene, "fvm")) {
+        note_prediction(record_, options);
+    }
 
     RunRecord run() {
         prepare();

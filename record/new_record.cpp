@@ -4,6 +4,7 @@
 
 #include "record/code_version.h"
 #include "record/this_machine.h"
+#include "scene/hash.h"
 
 namespace tw {
 
@@ -11,6 +12,12 @@ Vec3 moment_reference(const Scene& scene) {
     if (!scene.hull) return Vec3::Zero();
     const Box b = scene.hull->surface.bounds();
     return {0.5 * (b.min.x() + b.max.x()), 0.5 * (b.min.y() + b.max.y()), 0};
+}
+
+void note_prediction(RunRecord& record, const RunOptions& options) {
+    if (!(options.predicted_seconds > 0)) return;
+    record.numbers["predicted_seconds"] = options.predicted_seconds;
+    record.numbers["predicted_elements"] = options.predicted_elements;
 }
 
 RunRecord new_record(const Scene& scene, const std::string& method) {
@@ -21,6 +28,7 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
         {"title", scene.title},
         {"scene_file", scene.file.filename().string()},
         {"scene_hash", scene.hash},
+        {"run_hash", run_hash(scene, method)},
         {"code_version", TWINWAKE_CODE_VERSION},
         {"compiler", TWINWAKE_COMPILER},
         {"machine", cpu_model()},
@@ -57,6 +65,7 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
         record.numbers["h_over_dp"] = scene.sph.h_over_dp;
         record.numbers["c0"] = scene.sph.c0;
         record.numbers["alpha"] = scene.sph.alpha;
+        record.numbers["cfl"] = scene.sph.cfl;
         record.numbers["delta"] = scene.sph.delta;
         record.numbers["shifting"] = scene.sph.shifting;
         record.attributes["equation_of_state"] = scene.sph.equation_of_state;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/run_options.h"
 #include "scene/scene.h"
 
 namespace tw {
@@ -80,6 +81,8 @@ struct RunRecord {
 Vec3 moment_reference(const Scene& scene);
 /// Fills what follows from the scene alone: attributes, numbers, scene text, hull, effects, raster, hull findings.
 RunRecord new_record(const Scene& scene, const std::string& method);
+/// Numbers predicted_seconds and predicted_elements, where the options say them.
+void note_prediction(RunRecord& record, const RunOptions& options);
 /// Writes one HDF5 file, atomically, followed by a line with the SHA-256 of its bytes (HDF5 readers ignore it;
 /// read_record knows damage by it). Throws RunError: disk full, no permission, or a column that is not as long as its
 /// table's time.

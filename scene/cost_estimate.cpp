@@ -22,6 +22,7 @@ constexpr double cell_steps_per_core_second = 235e3;  // interFoam, three pressu
 constexpr double bytes_per_cell = 2.5e3, bytes_of_interfoam = 115e6;
 constexpr double steps_per_cell_crossing = 0.63;  // at Courant number 4: 240 steps/s at 21 mm and 8 m/s
 constexpr double steps_per_frame = 4;             // interFoam hits every sampling time and then regains its step slowly
+constexpr double start_seconds = 5;               // self-test, and starting the programs of a case
 constexpr double mesh_seconds_per_cell = 20.0 / 74e3;  // blockMesh, features, snappyHexMesh, renumber
 constexpr double parallel_share = 0.8;                 // of each further core (1.58 times on two)
 constexpr double transition_cells = 1.05;              // layers between levels and hull edges, less the hull's inside
@@ -87,7 +88,7 @@ double machine_memory() {
 
 }  // namespace
 
-Prediction predict(const Scene& scene) {
+Prediction predict(const Scene& scene, const MachinePace& pace) {
     Prediction p;
     const double dp = scene.resolution.near_hull;
     const bool flat = scene.domain.dimensions == 2;
@@ -106,13 +107,14 @@ Prediction predict(const Scene& scene) {
     const double n = cores(scene);
     // Work grows with the number of neighbours: the throughput above is that of h/dp = 1.5.
     const double neighbours = std::pow(scene.sph.h_over_dp / 1.5, flat ? 2 : 3) * (flat ? 0.3 : 1);
-    p.sph_seconds = (p.particles + p.wall_particles) * p.sph_steps * neighbours / (particle_steps_per_core_second * n);
+    p.sph_seconds =
+        pace.sph * (p.particles + p.wall_particles) * p.sph_steps * neighbours / (particle_steps_per_core_second * n);
     p.sph_bytes = (p.particles + p.wall_particles) * bytes_per_particle;
 
     const double courant_rate = steps_per_cell_crossing * speed / dp * 4 / scene.fvm.max_courant;
     const double steps = scene.run.duration * std::max(courant_rate, steps_per_frame / scene.sampling.interval);
-    p.fvm_seconds = p.cells * mesh_seconds_per_cell +
-                    p.cells * steps / (cell_steps_per_core_second * (1 + (n - 1) * parallel_share));
+    p.fvm_seconds = pace.fvm * (start_seconds + p.cells * mesh_seconds_per_cell +
+                                p.cells * steps / (cell_steps_per_core_second * (1 + (n - 1) * parallel_share)));
     p.fvm_bytes = p.cells * bytes_per_cell + bytes_of_interfoam * n;
     return p;
 }

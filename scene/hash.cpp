@@ -66,4 +66,16 @@ std::string canonical_text(const Scene& scene) {
 
 std::string scene_hash(const Scene& scene) { return sha256_hex(canonical_text(scene)); }
 
+std::string run_hash(const Scene& scene, const std::string& method) {
+    Lines t;
+    if (method == "sph") {
+        const SphOptions& o = scene.sph;
+        t.add("sph", {o.h_over_dp, o.c0, o.delta, o.alpha, o.cfl, o.gamma, o.shifting}).add("eos", o.equation_of_state);
+    } else {
+        const FvmOptions& o = scene.fvm;
+        t.add("fvm", {o.max_courant, o.max_alpha_courant, o.interface_compression, static_cast<double>(o.correctors)});
+    }
+    return sha256_hex(canonical_text(scene) + t.text());
+}
+
 }  // namespace tw

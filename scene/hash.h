@@ -11,5 +11,8 @@ namespace tw {
 std::string canonical_text(const Scene& scene);
 /// SHA-256 of the canonical text.
 std::string scene_hash(const Scene& scene);
+/// SHA-256 of the scene and of one method's numerics: what a run goes on from, or is taken for, must have the same.
+/// `method`: sph, fvm.
+std::string run_hash(const Scene& scene, const std::string& method);
 
 }  // namespace tw

@@ -55,6 +55,7 @@ void apply(const SceneOverrides& o, SceneValue& document) {
     if (o.spacing) override_key(document, "resolution", "spacing", "--spacing", number_value(*o.spacing));
     if (o.near_hull) override_key(document, "resolution", "near_hull", "--near-hull", number_value(*o.near_hull));
     if (o.duration) override_key(document, "run", "duration", "--duration", number_value(*o.duration));
+    if (o.trim) override_key(document, "hull", "trim", "--trim", number_value(*o.trim));
 }
 
 /// Particle spacing and largest cell: as written, else from the hull; the ratio is always a power of two.
@@ -350,6 +351,10 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     for (double* courant : {&scene.fvm.max_courant, &scene.fvm.max_alpha_courant})
         if (*courant == 0) *courant = default_courant(scene);
     if (scene.sph.c0 == 0) scene.sph.c0 = default_sound_speed(scene);
+    scene.sph.c0 *= overrides.sound_speed_factor;
+    scene.sph.cfl *= overrides.time_step_factor;
+    scene.fvm.max_courant *= overrides.courant_factor;
+    scene.fvm.max_alpha_courant *= overrides.courant_factor;
     scene.refinement = default_refinement(scene);
     const double voxel = scene.domain.dimensions == 2 ? scene.resolution.near_hull : 2 * scene.resolution.near_hull;
     scene.sampling.raster = default_raster(scene, sampling.raster_spacing.value_or(voxel));

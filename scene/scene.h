@@ -169,20 +169,28 @@ struct Scene {
 /// What a command line may change before the scene is checked.
 struct SceneOverrides {
     std::optional<std::filesystem::path> hull_file;
-    std::optional<double> speed, spacing, near_hull, duration,
-        scale_resolution;  ///< scale_resolution multiplies both sizes, see Resolution
+    std::optional<double> speed, spacing, near_hull, duration;
+    std::optional<double> trim;                   ///< [rad]
+    std::optional<double> scale_resolution = {};  ///< multiplies both sizes, see Resolution
+    double sound_speed_factor = 1;                ///< multiplies c0
+    double time_step_factor = 1;                  ///< multiplies the acoustic Courant number of SPH
+    double courant_factor = 1;                    ///< multiplies both Courant numbers of the FVM
 };
 
 /// Reads, fills in and checks a scene file. Throws InputError `file:line:column: ...` for the first thing that is
 /// wrong.
 Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overrides = {});
 
+/// How long this machine takes for work that the table of `cost_estimate.cpp` calls one second.
+struct MachinePace {
+    double sph = 1, fvm = 1;
+};
 /// Predicted size of a run, from the geometry and a throughput table; no solving.
 struct Prediction {
     double particles = 0, wall_particles = 0, cells = 0;
     double sph_seconds = 0, fvm_seconds = 0, sph_bytes = 0, fvm_bytes = 0, sph_steps = 0;
 };
-Prediction predict(const Scene& scene);
+Prediction predict(const Scene& scene, const MachinePace& pace = {});
 /// Throws InputError when a run cannot fit: too many particles for the memory of this machine, with the numbers.
 /// Only the methods in `scene.run.methods` count.
 void refuse_oversize(const Scene& scene, const Prediction& prediction);

@@ -12,6 +12,7 @@
 #include "base/atomic_file.h"
 #include "base/errors.h"
 #include "record/snapshot.h"
+#include "scene/hash.h"
 #include "sph_solver/output/checkpoint.h"
 #include "sph_solver/output/recorder.h"
 #include "sph_solver/scene_setup.h"
@@ -114,6 +115,7 @@ void remove_old_run(const fs::path& folder) {
 
 RunRecord run_sph(const Scene& scene, const RunOptions& options) {
     const fs::path record_file = options.folder / "record.h5", checkpoint_file = options.folder / "checkpoint.h5";
+    const std::string hash = run_hash(scene, "sph");
     const FolderLock lock(options.folder);
     const bool holds_run = fs::exists(record_file) || fs::exists(checkpoint_file);
     if (holds_run && !options.resume && !options.overwrite)
@@ -122,17 +124,18 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
             ": holds a run already; go on with --resume, begin anew with --overwrite, or choose another --out");
     if (options.resume && fs::exists(record_file)) {
         RunRecord done = read_record(record_file);
-        if (done.state == "finished" && done.attributes["scene_hash"] == scene.hash &&
+        if (done.state == "finished" && done.attributes["run_hash"] == hash &&
             done.numbers["duration"] >= scene.run.duration)
             return done;
     }
     std::optional<Checkpoint> checkpoint;
-    if (options.resume && holds_run) checkpoint = read_checkpoint(checkpoint_file, scene.hash);
+    if (options.resume && holds_run) checkpoint = read_checkpoint(checkpoint_file, hash);
 
     const int threads = options.threads > 0     ? options.threads
                         : scene.run.threads > 0 ? scene.run.threads
                                                 : omp_get_num_procs();
     RunRecord fresh = new_record(scene, "sph");
+    note_prediction(fresh, options);
     std::optional<SphSetup> setup;
     std::optional<Solver> solver;
     {
@@ -217,7 +220,7 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
                 // at a frame, where the control volume's sums begin anew
                 if (frame && !last && solver->time() >= next_checkpoint) {
                     save("running", "");
-                    write_checkpoint(checkpoint_file, scene.hash, *solver, mass_at_start);
+                    write_checkpoint(checkpoint_file, hash, *solver, mass_at_start);
                     solver->mark_restart_point();
                     next_checkpoint = next_after(solver->time(), scene.run.checkpoint);
                 }
@@ -229,7 +232,7 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
                 return record;
             }
         }
-        write_checkpoint(checkpoint_file, scene.hash, *solver, mass_at_start);
+        write_checkpoint(checkpoint_file, hash, *solver, mass_at_start);
         save("finished", "");
         report();
     } catch (const RunError& e) {

@@ -18,13 +18,13 @@ void for_each_named(P& p, Function f) {
 }
 }  // namespace
 
-void write_checkpoint(const std::filesystem::path& path, const std::string& scene_hash, const Solver& solver,
+void write_checkpoint(const std::filesystem::path& path, const std::string& run_hash, const Solver& solver,
                       double mass_at_start) {
     try {
         const h5::Silence silence;
         const h5::Handle file = h5::create_in_memory();
         h5::write_attribute(file, "twinwake_checkpoint", version);
-        h5::write_attribute(file, "scene_hash", scene_hash);
+        h5::write_attribute(file, "run_hash", run_hash);
         const Solver::Restart r = solver.restart_state();
         const double state[] = {r.time,
                                 r.dt,
@@ -43,7 +43,7 @@ void write_checkpoint(const std::filesystem::path& path, const std::string& scen
     } catch (const h5::Failure& f) { throw RunError(path.string() + ": cannot be written: " + f.what); }
 }
 
-Checkpoint read_checkpoint(const std::filesystem::path& path, const std::string& scene_hash) {
+Checkpoint read_checkpoint(const std::filesystem::path& path, const std::string& run_hash) {
     if (!std::filesystem::exists(path))
         throw InputError(path.string() +
                          ": not there: the run has not reached its first checkpoint; start it anew with --overwrite");
@@ -52,7 +52,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path, const std::string&
         const h5::Handle file(
             h5::checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "not an HDF5 file, or cut off"), H5Fclose);
         if (!h5::has_attribute(file, "twinwake_checkpoint")) throw h5::Failure{"not a checkpoint"};
-        if (h5::read_text_attribute(file, "scene_hash") != scene_hash)
+        if (h5::read_text_attribute(file, "run_hash") != run_hash)
             throw InputError(path.string() +
                              ": belongs to another scene (or the scene file was changed); run in another folder or "
                              "with --overwrite");

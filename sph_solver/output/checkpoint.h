@@ -7,7 +7,7 @@ namespace tw {
 
 /// Everything a run needs to go on bitwise the same, in one HDF5 file, written atomically (raw, no compression).
 /// The caller marks the restart point in the running solver too, so that both build their lists anew at this step.
-void write_checkpoint(const std::filesystem::path& file, const std::string& scene_hash, const Solver& solver,
+void write_checkpoint(const std::filesystem::path& file, const std::string& run_hash, const Solver& solver,
                       double mass_at_start);
 
 struct Checkpoint {
@@ -15,7 +15,7 @@ struct Checkpoint {
     Particles particles;
     double mass_at_start = 0;
 };
-/// Throws InputError naming the file: not there, cut off, of another scene or resolution.
-Checkpoint read_checkpoint(const std::filesystem::path& file, const std::string& scene_hash);
+/// Throws InputError naming the file: not there, cut off, of another scene, resolution or other numerics.
+Checkpoint read_checkpoint(const std::filesystem::path& file, const std::string& run_hash);
 
 }  // namespace tw

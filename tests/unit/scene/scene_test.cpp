@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "meshes/surface.h"
+#include "scene/hash.h"
 #include "scene_text.h"
 
 namespace tw::test {
@@ -197,6 +198,16 @@ TEST(Scene, ATankHasItsOwnAxesAndNoStream) {
     EXPECT_NE(complaint(with(tank, "[[water_block]]\nmin = [0, 0, 0]\nmax = [0.146, 0.1, 0.292]\n", ""))
                   .find("there is no water"),
               std::string::npos);
+}
+
+TEST(Scene, ARunsHashAlsoHoldsItsMethodsNumericsAndNotTheOthers) {
+    const Scene s = scene_of(planing), sph = scene_of(with(planing, "[run]", "[sph]\nalpha = 0.02\n[run]"));
+    EXPECT_NE(run_hash(s, "sph"), run_hash(sph, "sph"));
+    EXPECT_EQ(run_hash(s, "fvm"), run_hash(sph, "fvm"));
+    const Scene fvm = scene_of(with(planing, "[run]", "[fvm]\nmax_courant = 2\n[run]"));
+    EXPECT_EQ(run_hash(s, "sph"), run_hash(fvm, "sph"));
+    EXPECT_NE(run_hash(s, "fvm"), run_hash(fvm, "fvm"));
+    EXPECT_NE(run_hash(s, "sph"), run_hash(scene_of(with(planing, "8 m/s", "7 m/s")), "sph"));
 }
 
 TEST(Scene, TwoDimensionsAreOneParticleThickRoundThePlane) {
