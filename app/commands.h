@@ -31,7 +31,7 @@ std::vector<std::string> template_names();
 struct SceneArguments {
     std::filesystem::path file;
     std::filesystem::path hull;
-    std::string speed, spacing, near_hull, duration, scale;
+    std::string speed, trim, spacing, near_hull, duration, scale;
     SceneOverrides overrides() const;  ///< throws InputError naming the option
 };
 
@@ -56,6 +56,13 @@ struct CompareCommand {
 };
 int run_compare(const CompareCommand& command, const Common& common);
 
+struct ImportCommand {
+    std::filesystem::path mapping;  ///< TOML file: what is where in the source, see import/README.md
+    std::filesystem::path out;      ///< folder of the record
+    bool overwrite = false;
+};
+int run_import(const ImportCommand& command, const Common& common);
+
 struct LadderCommand {
     SceneArguments scene;
     std::string method;         ///< sph, fvm, both; empty: what the scene says
@@ -63,11 +70,22 @@ struct LadderCommand {
     int levels = 4;
     double ratio = 1.4142135623730951;  ///< of neighbouring spacings
     std::string budget;                 ///< predicted time of all runs, a text with unit; empty: no limit
+    bool variations = true;             ///< also runs with another sound speed, time step and Courant number
     bool overwrite = false;             ///< begin anew what another scene left in the folder
     int threads = 0;
     double budget_seconds() const;  ///< throws InputError naming the option
 };
 int run_ladder(const LadderCommand& command, const Common& common);
+
+struct SweepCommand {
+    SceneArguments scene;
+    std::vector<std::filesystem::path> hulls;
+    std::vector<std::string> speeds, trims;  ///< texts with units
+    std::filesystem::path out;               ///< empty: runs/<name of the scene file>_sweep
+    bool overwrite = false;
+    int threads = 0;
+};
+int run_sweep(const SweepCommand& command, const Common& common);
 
 struct UncertaintyCommand {
     std::filesystem::path table;  ///< CSV: spacing, then one column per quantity

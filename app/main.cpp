@@ -41,12 +41,26 @@ constexpr const char* about_uncertainty =
     "U is meant as half the width of a 95 % interval about the finest value. That a table does not converge is\n"
     "a result, not an error: the exit status is 0.\n\n";
 
+constexpr const char* about_import =
+    "The mapping names the source, the scene it belongs to, and its columns:\n\n"
+    "  kind = \"csv\"                   # or dualsphysics (ComputeForces CSV), openfoam (a case folder)\n"
+    "  name = \"towing tank\"\n"
+    "  source = \"forces.csv\"          # relative to the mapping file\n"
+    "  scene = \"planing_prism.toml\"   # or the record.h5 of a run of it\n"
+    "  half_model = false             # true: loads of half a hull, to be doubled\n"
+    "  time = { column = \"t\", unit = \"ms\" }\n"
+    "  [forces]                       # fx fy fz my; further [height] [pressure] [samples]\n"
+    "  fx = { column = \"Drag\", unit = \"kN\" }\n"
+    "  fz = { column = 3, unit = \"N\", scale = -1 }\n\n"
+    "x runs with the stream to the stern, z up; forces are those of the water on the hull, my is bow up.\n\n";
+
 void add_scene(CLI::App* command, SceneArguments& scene) {
     command->add_option("scene", scene.file, "scene file (TOML)")->required();
     command->add_option("--hull", scene.hull,
                         "swap the hull: this surface file instead of the scene's, in the same attitude and unit");
     command->add_option("--speed", scene.speed,
                         "speed of the stream instead of the scene's, e.g. \"30 m/s\" or \"60 kn\"");
+    command->add_option("--trim", scene.trim, "bow up, instead of the scene's, e.g. \"5 deg\"");
     command->add_option("--near-hull", scene.near_hull, "finest size instead of the scene's, e.g. \"25 mm\"");
     command->add_option("--spacing", scene.spacing, "largest size instead of the scene's");
     command->add_option(
@@ -127,6 +141,15 @@ int dispatch(int argc, char** argv) {
     c->add_option("--require", require, "agree: exit status 4 unless every judged quantity agrees")
         ->check(CLI::IsMember({"agree"}));
 
+    ImportCommand imported;
+    c = subcommand(&app, "import",
+                   "a run record from CSV histories, DualSPHysics or another OpenFOAM case, for compare",
+                   [&] { return run_import(imported, common); });
+    c->add_option("mapping", imported.mapping, "TOML file that says which columns mean what")->required();
+    c->add_option("--out", imported.out, "folder for record.h5")->required();
+    c->add_flag("--overwrite", imported.overwrite, "replace the record if it is there");
+    c->footer(about_import + std::string(footer));
+
     LadderCommand ladder;
     c = subcommand(&app, "ladder",
                    "a scene at several sizes with both methods: verdicts that hold the error of the resolution",
@@ -137,12 +160,29 @@ int dispatch(int argc, char** argv) {
     c->add_option("--levels", ladder.levels, "number of sizes (4): the scene's own and coarser ones")
         ->check(CLI::Range(1, 8));
     c->add_option("--ratio", ladder.ratio, "of neighbouring spacings (1.4142)")->check(CLI::Range(1.05, 4.0));
+    c->add_flag("!--no-variations", ladder.variations,
+                "leave out the runs with sound speed x 1.5, half the time step and half the Courant number");
     c->add_option("--budget", ladder.budget,
                   "predicted time of all runs, e.g. 2h: what does not fit is left out, and said")
         ->type_name("TIME");
     c->add_flag("--overwrite", ladder.overwrite, "begin anew what is not a finished run of this very scene");
     c->add_option("--out", ladder.out, "folder of the results (runs/<name of the scene file>_ladder)");
     c->add_option("--threads", ladder.threads, "threads (particles) and ranks (mesh); all cores unless given")
+        ->check(CLI::Range(1, 4096));
+
+    SweepCommand sweep;
+    c = subcommand(&app, "sweep", "a scene with every hull, speed and trim of lists: bias and scatter of the methods",
+                   [&] { return run_sweep(sweep, common); });
+    c->add_option("scene", sweep.scene.file, "scene file (TOML)")->required();
+    c->add_option("--hulls", sweep.hulls, "surface files, in the attitude and unit of the scene's");
+    c->add_option("--speeds", sweep.speeds, "e.g. \"6 m/s\" \"8 m/s\"");
+    c->add_option("--trims", sweep.trims, "e.g. \"3 deg\" \"5 deg\"");
+    c->add_option("--near-hull", sweep.scene.near_hull, "finest size instead of the scene's, e.g. \"25 mm\"");
+    c->add_option("--scale", sweep.scene.scale, "all sizes times this number, levels kept");
+    c->add_option("--duration", sweep.scene.duration, "simulated time instead of the scene's, e.g. \"2 s\"");
+    c->add_flag("--overwrite", sweep.overwrite, "begin anew what is not a finished run of this very scene");
+    c->add_option("--out", sweep.out, "folder of the results (runs/<name of the scene file>_sweep)");
+    c->add_option("--threads", sweep.threads, "threads (particles) and ranks (mesh); all cores unless given")
         ->check(CLI::Range(1, 4096));
 
     UncertaintyCommand uncertainty;

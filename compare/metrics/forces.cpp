@@ -51,7 +51,9 @@ MeanValue mean_of(const RunRecord& record, const std::string& table, const std::
 
 namespace {
 
+/// Friction as a column of its own, or known to be in a measured drag (attribute friction).
 bool has_friction(const RunRecord& record) {
+    if (text_of(record, "friction") == "included") return true;
     const Column* c = record.series("forces", "fx_viscous");
     return c && std::ranges::any_of(c->values, [](double v) { return std::isfinite(v) && v != 0; });
 }
@@ -136,15 +138,22 @@ void add_sph_measures(Comparison& comparison, const CompareOptions& options) {
 void add_forces(Comparison& comparison, const CompareOptions& options) {
     const auto& sources = comparison.sources;
     if (std::ranges::none_of(sources, [](const RunRecord& r) { return r.tables.contains("forces"); })) return;
-    const auto with_friction = std::ranges::count_if(sources, has_friction);
-    const bool leave_friction_out = with_friction > 0 && with_friction < static_cast<std::ptrdiff_t>(sources.size()) &&
-                                    std::ranges::all_of(sources, [](const RunRecord& r) {
+    const auto has_drag = [](const RunRecord& r) { return r.series("forces", "fx") != nullptr; };
+    const auto with_drag = std::ranges::count_if(sources, has_drag);
+    const auto with_friction =
+        std::ranges::count_if(sources, [&](const RunRecord& r) { return has_drag(r) && has_friction(r); });
+    const bool some_with_friction = with_friction > 0 && with_friction < with_drag;
+    const bool leave_friction_out = some_with_friction && std::ranges::all_of(sources, [](const RunRecord& r) {
                                         return !has_friction(r) || r.series("forces", "fx_pressure");
                                     });
     if (leave_friction_out)
         comparison.banners.push_back(
             "Only one side solves friction: drag and lift are compared without it (pressure parts); friction stands "
             "beside.");
+    else if (some_with_friction)
+        comparison.banners.push_back(
+            "Only some sources hold friction in their drag, and not all of them tell its part: the drags compared here "
+            "differ by it.");
 
     double lift = 0;
     for (const Force& f :
@@ -158,7 +167,8 @@ void add_forces(Comparison& comparison, const CompareOptions& options) {
         for (const RunRecord& r : sources) length = std::max(length, number_of(r, "length", 0));
         const bool moment = !f.pressure;
         Quantity q = quantity(comparison, f.name, f.label, f.unit, f.definition, [&](const RunRecord& r) {
-            const bool pressure_only = leave_friction_out && !moment && has_friction(r);
+            const bool pressure_only =
+                leave_friction_out && !moment && has_friction(r) && r.series("forces", f.pressure);
             return mean_of(r, "forces", pressure_only ? f.pressure : f.column, options,
                            moment ? 1e-3 * lift * length : 0);
         });
@@ -183,9 +193,10 @@ void add_forces(Comparison& comparison, const CompareOptions& options) {
     for (const Beside& b :
          {Beside{"drag_pressure", "Pressure drag", "N", "forces", "fx_pressure", "pressure part of the drag"},
           Beside{"drag_friction", "Friction drag", "N", "forces", "fx_viscous",
-                 "viscous part of the drag, as if the wet faces touched water alone; zero where no physical viscosity is solved"},
-          Beside{"drag_friction_uncorrected", "Friction drag, not corrected for air", "N", "forces", "fx_viscous_uncorrected",
-                 "friction of the mixture of water and air at the wet faces"},
+                 "viscous part of the drag, as if the wet faces touched water alone; zero where no physical viscosity "
+                 "is solved"},
+          Beside{"drag_friction_uncorrected", "Friction drag, not corrected for air", "N", "forces",
+                 "fx_viscous_uncorrected", "friction of the mixture of water and air at the wet faces"},
           Beside{"drag_air", "Drag by air", "N", "forces", "fx_air",
                  "force on the dry faces, part of the total of a method that solves air; not compared"},
           Beside{"lift_air", "Lift by air", "N", "forces", "fz_air",

@@ -185,8 +185,10 @@ void add_splash(Comparison& comparison, const CompareOptions& options) {
 }
 
 void add_elevation(Comparison& comparison, const CompareOptions& options) {
-    if (comparison.analyses.empty()) return;
-    const auto& first = comparison.analyses.front().cuts;
+    // A source without raster frames (an experiment) has no cuts, wherever it stands in the list.
+    const auto with_cuts = std::ranges::find_if(comparison.analyses, [](const Analysis& a) { return !a.cuts.empty(); });
+    if (with_cuts == comparison.analyses.end()) return;
+    const auto& first = with_cuts->cuts;
     for (std::size_t k = 0; k < first.size(); ++k) {
         const std::string place = fmt::format("{} = {:.4g} m", first[k].along_x ? "y" : "x", first[k].place);
         for (const bool high : {true, false}) {
@@ -214,8 +216,9 @@ void add_elevation(Comparison& comparison, const CompareOptions& options) {
             }
             q.scale = comparison.sources.front().raster.spacing;  // an elevation near zero is no measure of itself
             judge(q, comparison.names, comparison.agree_within);
-            if (high && comparison.analyses.size() == 2 && k < comparison.analyses[1].cuts.size()) {
-                const double rms = rms_difference(first[k], comparison.analyses[1].cuts[k]);
+            if (high && comparison.analyses.size() == 2 && k < comparison.analyses[0].cuts.size() &&
+                k < comparison.analyses[1].cuts.size()) {
+                const double rms = rms_difference(comparison.analyses[0].cuts[k], comparison.analyses[1].cuts[k]);
                 if (std::isfinite(rms))
                     q.remark += fmt::format("{}whole cut: root mean square difference {:.2g} m",
                                             q.remark.empty() ? "" : "; ", rms);

@@ -3,44 +3,12 @@
 
 #include "foam_cases/read/frame_reader.h"
 #include "foam_cases/read/number_rows.h"
+#include "foam_cases/read/step_loads.h"
 
 namespace tw {
 namespace fs = std::filesystem;
 
 namespace {
-
-using Rows = std::vector<std::vector<double>>;
-
-/// Pressure and viscous parts (and their moments) from the `forces` function object, in the order force x y z, moment x
-/// y z.
-struct StepLoads {
-    std::vector<double> time;
-    std::vector<std::array<double, 6>> pressure, viscous;
-};
-
-/// openfoam.com: force.dat and moment.dat, each total, pressure, viscous. openfoam.org: forces.dat with ((pressure)
-/// (viscous))
-/// ((pressure) (viscous)), porous parts behind in some releases.
-StepLoads read_loads(const fs::path& folder) {
-    StepLoads out;
-    const Rows force = joined_rows(folder, "force.dat"), moment = joined_rows(folder, "moment.dat");
-    for (std::size_t i = 0; i < std::min(force.size(), moment.size()); ++i) {
-        const auto &f = force[i], &m = moment[i];
-        if (f.size() < 10 || m.size() < 10 || f[0] != m[0]) continue;
-        out.time.push_back(f[0]);
-        out.pressure.push_back({f[4], f[5], f[6], m[4], m[5], m[6]});
-        out.viscous.push_back({f[7], f[8], f[9], m[7], m[8], m[9]});
-    }
-    if (!out.time.empty()) return out;
-    for (const auto& r : joined_rows(folder, "forces.dat")) {
-        const std::size_t half = (r.size() - 1) / 2;
-        if (half < 6) continue;
-        out.time.push_back(r[0]);
-        out.pressure.push_back({r[1], r[2], r[3], r[1 + half], r[2 + half], r[3 + half]});
-        out.viscous.push_back({r[4], r[5], r[6], r[4 + half], r[5 + half], r[6 + half]});
-    }
-    return out;
-}
 
 void read_forces(const CasePlan& plan, const fs::path& case_folder, RunRecord& record) {
     const StepLoads loads = read_loads(case_folder / "postProcessing" / "forces");

@@ -1,0 +1,57 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tw {
+
+/// The columns of a text file with one header line, as measuring systems and solvers export it:
+///
+///   # anything
+///   t [s]; Lift [kN]; "Drag; mean"; remark
+///   0.00; 2.71; 0.41; start
+///   0.01; ; NaN; a cell without a number is NaN
+///
+/// The first line that is neither empty nor begins with # names the columns. Cells are separated by tabs, semicolons or
+/// commas: the first of these that the header line has outside quotes. Cells may stand in "quotes", "" is one quote.
+/// Decimal points, not commas. A byte order mark, CR LF line ends and a separator behind the last cell are accepted.
+class CsvColumns {
+public:
+    /// `file`: its name, for messages. Throws InputError `file:line: what was found; what is expected`: binary data, no
+    /// header line, one column only, a row of other length, no row.
+    CsvColumns(std::string_view text, std::string file);
+
+    const std::vector<std::string>& headers() const { return headers_; }
+    std::size_t rows() const { return line_.size(); }
+    int line(std::size_t row) const { return line_[row]; }  ///< of the file, from 1
+    const std::string& file() const { return file_; }
+    /// Values of a column, NaN where its cell is empty or NaN. Throws InputError `file:line:column: ...` for the first
+    /// cell that holds anything else.
+    const std::vector<double>& values(std::size_t column) const;
+    /// Columns whose header is exactly `header`.
+    std::vector<std::size_t> find(std::string_view header) const;
+    /// "t, Drag, Lift" for messages.
+    std::string header_list() const;
+
+private:
+    struct Fault {
+        int line = 0, column = 0;
+        std::string cell;
+    };
+    void read_header(std::string_view line, int number);
+    void read_row(std::string_view line, int number);
+
+    std::string file_;
+    char separator_ = ',';
+    std::vector<std::string> headers_;
+    std::vector<std::vector<double>> values_;        ///< by column
+    std::vector<std::optional<Fault>> first_fault_;  ///< by column
+    std::vector<int> line_;
+};
+
+/// Text of a file as it may stand in a message: in quotes, control characters replaced, long ones cut.
+std::string shown_cell(std::string_view cell);
+
+}  // namespace tw

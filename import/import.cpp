@@ -1,0 +1,55 @@
+#include "import/import.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/errors.h"
+#include "import/csv_columns.h"
+#include "import/readers.h"
+
+namespace tw {
+namespace {
+
+MomentPoint read_source(const Mapping& mapping, RunRecord& record) {
+    if (mapping.kind == "openfoam") return read_openfoam(mapping, record);
+    if (mapping.kind == "dualsphysics") return read_dualsphysics(mapping, record);
+    return read_csv(mapping, record);
+}
+
+/// A series without a single number is a wrong column more often than a result.
+void refuse_empty_series(const Mapping& mapping, const RunRecord& record) {
+    for (const auto& [table_name, table] : record.tables)
+        for (const Column& c : table.columns) {
+            if (std::ranges::any_of(c.values, [](double v) { return std::isfinite(v); })) continue;
+            const auto source = std::ranges::find_if(
+                mapping.columns, [&](const ColumnSource& s) { return s.table == table_name && s.name == c.name; });
+            throw InputError(fmt::format("{}: {} of {} has no number in any row; expected at least one",
+                                         source == mapping.columns.end() ? mapping.source.string() : source->place,
+                                         c.name, table_name));
+        }
+}
+
+/// Says whether the drag holds friction where no column tells it.
+void note_friction(const Mapping& mapping, RunRecord& record) {
+    if (!record.series("forces", "fx") || record.series("forces", "fx_viscous")) return;
+    const bool included = mapping.friction.value_or(mapping.kind == "csv");
+    record.attributes["friction"] = included ? "included" : "none";
+}
+
+}  // namespace
+
+RunRecord import_record(const std::filesystem::path& file) {
+    const Mapping mapping = read_mapping(file);
+    RunRecord record = blank_record(mapping);
+    const MomentPoint point = read_source(mapping, record);
+    refuse_empty_series(mapping, record);
+    refer_moment(mapping, point, record);
+    note_friction(mapping, record);
+    if (mapping.half_model) make_whole(record);
+    record.state = "finished";
+    return record;
+}
+
+}  // namespace tw

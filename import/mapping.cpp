@@ -1,0 +1,181 @@
+#include "import/mapping.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/atomic_file.h"
+#include "scene/section.h"
+#include "scene/units.h"
+
+namespace tw {
+namespace {
+
+/// The columns of the record that a table may give, with their SI units; pressure and height name the scene's probes.
+struct KnownTable {
+    std::string name;
+    std::vector<std::pair<std::string, std::string>> columns;
+    std::string probe_unit;
+};
+const std::vector<KnownTable>& known_tables() {
+    static const std::vector<KnownTable> tables{
+        {"forces",
+         {{"fx", "N"},
+          {"fy", "N"},
+          {"fz", "N"},
+          {"my", "N m"},
+          {"fx_pressure", "N"},
+          {"fz_pressure", "N"},
+          {"fx_viscous", "N"},
+          {"fz_viscous", "N"}},
+         ""},
+        {"height", {}, "m"},
+        {"pressure", {}, "Pa"},
+        {"samples", {{"wetted_length", "m"}, {"wetted_area", "m2"}}, ""},
+    };
+    return tables;
+}
+
+/// The name of a method stands in tables, file names and the report: plain characters only.
+void check_name(const Section& root, const std::string& name) {
+    const auto plain = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == ' ' || c == '.' ||
+               c == '_' || c == '-';
+    };
+    if (name.empty() || name.size() > 40 || !std::ranges::all_of(name, plain) || name.front() == ' ' ||
+        name.back() == ' ' || name.front() == '.' || name.front() == '-')
+        root.fail("name",
+                  "expected 1 to 40 of: letters, digits, blank, '.', '_', '-'; it begins with a letter or digit");
+    if (name == "sph" || name == "fvm") root.fail("name", "sph and fvm are twinwake's own runs; choose another name");
+}
+
+/// fz = "Lift", fz = 3 or fz = { column = "Lift" or 3, unit = "kN", scale = -1, offset = "0.2 N" }.
+ColumnSource read_column(const Section& parent, const std::string& key, const SceneValue& value, ColumnSource c) {
+    c.place = parent.where(key);
+    const auto take = [&](const Section& at, const std::string& where, const SceneValue& column) {
+        if (column.kind == SceneValue::Kind::text && !column.text.empty()) {
+            c.header = column.text;
+            return;
+        }
+        if (column.kind != SceneValue::Kind::number || column.number != std::floor(column.number) ||
+            column.number < 1 || column.number > 100000)
+            at.fail(where, "expected a column: its header text, or its number from 1, e.g. \"Lift\" or 3");
+        c.number = static_cast<int>(column.number);
+    };
+    if (value.kind != SceneValue::Kind::table) {
+        take(parent, key, value);
+        return c;
+    }
+    Section s(parent.file(), parent.name().empty() ? key : parent.name() + "." + key, &value);
+    s.know("column");
+    const SceneValue* column = value.find("column");
+    if (!column) s.fail("column", "missing; expected the header text of the column, or its number from 1");
+    take(s, "column", *column);
+    c.unit = s.text("unit", "");
+    if (!c.unit.empty()) {
+        try {
+            if (parse_unit(c.unit).dimension != parse_unit(c.si_unit).dimension)
+                s.fail("unit", "does not measure the right thing; expected a unit like " + units_like(c.si_unit));
+        } catch (const UnitError& e) { s.fail("unit", e.what()); }
+    }
+    c.scale = s.number("scale", 1.0, "-");
+    if (c.scale == 0) s.fail("scale", "expected a number that is not 0; -1 turns the sign");
+    c.offset = s.number("offset", 0.0, c.si_unit);
+    s.finish();
+    return c;
+}
+
+void read_columns(Section& root, const SceneValue& document, Mapping& m) {
+    for (const KnownTable& table : known_tables()) {
+        root.know(table.name);
+        const SceneValue* given = document.find(table.name);
+        if (!given) continue;
+        if (given->kind != SceneValue::Kind::table) root.fail(table.name, "expected a section [" + table.name + "]");
+        Section s(root.file(), table.name, given);
+        for (const auto& [name, unit] : table.columns) s.know(name);
+        for (const auto& [name, value] : given->members) {
+            const auto known = std::ranges::find(table.columns, name, &std::pair<std::string, std::string>::first);
+            const bool is_known = known != table.columns.end();
+            if (!is_known && table.probe_unit.empty()) continue;  // finish() names it
+            s.know(name);
+            ColumnSource c;
+            c.table = table.name;
+            c.name = name;
+            c.si_unit = is_known ? known->second : table.probe_unit;
+            m.columns.push_back(read_column(s, name, value, c));
+        }
+        s.finish();
+    }
+    root.know("time");
+    if (const SceneValue* time = document.find("time")) {
+        ColumnSource c;
+        c.name = "time";
+        c.si_unit = "s";
+        m.time = read_column(root, "time", *time, c);
+    }
+}
+
+/// Rows: the case's axis that becomes x, y, z, with its sign. Loads turn, they are not mirrored.
+Eigen::Matrix3d read_axes(Section& root) {
+    const std::string axes = root.text("axes", "xyz");
+    Eigen::Matrix3d turn = Eigen::Matrix3d::Zero();
+    int row = 0;
+    double sign = 1;
+    bool sound = true;
+    for (const char c : axes) {
+        if (c == '-' || c == '+') {
+            sign = c == '-' ? -1 : 1;
+        } else if (c >= 'x' && c <= 'z' && row < 3) {
+            turn(row++, c - 'x') = sign;
+            sign = 1;
+        } else {
+            sound = false;
+        }
+    }
+    if (!sound || row != 3 || std::abs(turn.determinant()) != 1)
+        root.fail("axes", "expected each of x, y and z once, with a sign, e.g. \"x-zy\" (case with y up) or \"-x-yz\"");
+    if (turn.determinant() < 0)
+        root.fail("axes", "mirrors the case; turn one more sign, e.g. \"-x-yz\" for a bow towards +x");
+    return turn;
+}
+
+}  // namespace
+
+Mapping read_mapping(const std::filesystem::path& file) {
+    const SceneValue document = parse_document(read_text(file), file);
+    Section root(file, "", &document);
+    const auto required = [&](const std::string& key, const std::string& example) {
+        const auto text = root.text(key);
+        if (!text || text->empty()) root.fail(key, "missing; expected e.g. " + key + " = \"" + example + "\"");
+        return *text;
+    };
+    Mapping m;
+    m.file = file;
+    required("kind", "csv");
+    m.kind = root.choice("kind", "", {"csv", "openfoam", "dualsphysics"});
+    m.name = required("name", "towing tank");
+    check_name(root, m.name);
+    m.source = file.parent_path() / required("source", m.kind == "openfoam" ? "my_case" : "forces.csv");
+    m.scene = file.parent_path() / required("scene", "scene.toml");
+    m.half_model = root.flag("half_model", m.half_model);
+    m.moment_point = root.vector("moment_point", "m");
+    if (m.kind == "openfoam") {
+        m.function_object = root.text("function_object", m.function_object);
+        m.axes = read_axes(root);
+    } else {
+        if (root.has("friction")) m.friction = root.flag("friction", false);
+        root.know("friction");
+        read_columns(root, document, m);
+    }
+    root.finish();
+    if (m.kind == "csv" && !m.time)
+        root.fail("time", "missing; expected e.g. time = \"t\", or a section [time] with column and unit");
+    if (m.kind == "csv" && m.columns.empty())
+        root.fail("forces",
+                  "no column is mapped; expected at least one in [forces], [height], [pressure] or [samples]");
+    for (const auto& [key, value] : document.members) m.place[key] = root.where(key);
+    return m;
+}
+
+}  // namespace tw
