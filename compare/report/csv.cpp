@@ -8,8 +8,11 @@ namespace tw {
 
 namespace {
 
-/// RFC 4180; a cell that a spreadsheet would take for a formula is kept as text.
-std::string cell(const std::string& text) {
+std::string number(double v) { return std::isfinite(v) ? fmt::format("{}", v) : ""; }
+
+}  // namespace
+
+std::string csv_cell(const std::string& text) {
     const bool formula = !text.empty() && (text[0] == '=' || text[0] == '+' || text[0] == '-' || text[0] == '@');
     const std::string safe = formula ? fmt::format("'{}", text) : text;
     if (safe.find_first_of(",\"\r\n") == std::string::npos) return safe;
@@ -21,20 +24,16 @@ std::string cell(const std::string& text) {
     return quoted + "\"";
 }
 
-std::string number(double v) { return std::isfinite(v) ? fmt::format("{}", v) : ""; }
-
-}  // namespace
-
 std::string quantities_csv(const Comparison& comparison) {
     std::string out = "name,unit";
-    for (const std::string& n : comparison.names) out += fmt::format(",{},{}", cell(n), cell(n + " interval"));
+    for (const std::string& n : comparison.names) out += fmt::format(",{},{}", csv_cell(n), csv_cell(n + " interval"));
     out += ",difference,interval,per_cent,verdict,judged,remark\n";
     for (const Quantity& q : comparison.quantities) {
-        out += cell(q.name) + "," + cell(q.unit);
+        out += csv_cell(q.name) + "," + csv_cell(q.unit);
         for (const MeanValue& m : q.values)
             out += m.known ? fmt::format(",{},{}", number(m.value), number(m.half_width)) : ",,";
         out += fmt::format(",{},{},{},{},{},{}\n", number(q.difference), number(q.interval), number(q.per_cent),
-                           to_string(q.verdict), q.judged ? "yes" : "no", cell(q.remark));
+                           to_string(q.verdict), q.judged ? "yes" : "no", csv_cell(q.remark));
     }
     return out;
 }
@@ -47,7 +46,7 @@ std::string series_csv(const Comparison& comparison) {
         const std::size_t stride = 1 + table.time.size() / most_rows;
         for (const Column& c : table.columns) {
             const std::string head =
-                cell(source) + "," + cell(table.name) + "," + cell(c.name) + "," + cell(c.unit) + ",";
+                csv_cell(source) + "," + csv_cell(table.name) + "," + csv_cell(c.name) + "," + csv_cell(c.unit) + ",";
             for (std::size_t i = 0; i < table.time.size(); i += stride)
                 fmt::format_to(std::back_inserter(out), "{}{},{}\n", head, table.time[i], number(c.values[i]));
         }

@@ -99,14 +99,14 @@ Figure series_figure(const Comparison& c, const std::string& table, const std::s
     return {file, svg(plot)};
 }
 
-Figure cut_figure(const Comparison& c, std::size_t k) {
-    const Cut& first = c.analyses.front().cuts[k];
+Figure cut_figure(const Comparison& c, const Analysis& like, std::size_t k) {
+    const Cut& first = like.cuts[k];
     Plot plot;
     const bool mean = is_stream(c.sources.front());
-    plot.title = fmt::format("{} along {} = {:.4g} m",
-                             mean ? std::string("Mean free surface")
-                                  : fmt::format("Free surface at {:.3g} s", c.analyses.front().surface_from),
-                             first.along_x ? "y" : "x", first.place);
+    plot.title = fmt::format(
+        "{} along {} = {:.4g} m",
+        mean ? std::string("Mean free surface") : fmt::format("Free surface at {:.3g} s", like.surface_from),
+        first.along_x ? "y" : "x", first.place);
     plot.x_label = first.along_x ? "x, to the stern [m]" : "y [m]";
     plot.y_label = "elevation [m]";
     plot.include_zero = true;
@@ -181,8 +181,9 @@ Figures draw_figures(const Comparison& c) {
     if (any("samples", "wetted_length"))
         f.wetting.push_back(series_figure(c, "samples", "wetted_length", "Wetted length", "length [m]", "wetted_length",
                                           "wetted_length"));
-    if (!c.analyses.empty())
-        for (std::size_t k = 0; k < c.analyses.front().cuts.size(); ++k) f.cuts.push_back(cut_figure(c, k));
+    const auto with_cuts = std::ranges::find_if(c.analyses, [](const Analysis& a) { return !a.cuts.empty(); });
+    for (std::size_t k = 0; with_cuts != c.analyses.end() && k < with_cuts->cuts.size(); ++k)
+        f.cuts.push_back(cut_figure(c, *with_cuts, k));
     int probe = 0;
     for (const std::string table : {"height", "pressure"}) {
         std::set<std::pair<std::string, std::string>> names;

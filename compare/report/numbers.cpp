@@ -47,7 +47,9 @@ std::string per_cent_text(double per_cent) {
 }
 
 std::string verdict_label(Verdict verdict) {
-    return verdict == Verdict::not_comparable ? "not comparable" : to_string(verdict);
+    std::string label = to_string(verdict);
+    std::ranges::replace(label, '_', ' ');
+    return label;
 }
 
 std::string verdict_sentence(const Comparison& comparison) {
@@ -74,6 +76,7 @@ std::string verdict_sentence(const Comparison& comparison) {
                              : fmt::format("by up to {:.1f} % (± {:.1f} %).", std::abs(q->per_cent), interval);
                 break;
             case Verdict::undecided: text += label + " is undecided."; break;
+            case Verdict::not_converged: text += label + " is not converged."; break;
             case Verdict::not_comparable: text += label + " cannot be compared."; break;
         }
     }

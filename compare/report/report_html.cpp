@@ -11,7 +11,8 @@
 #include "compare/report/base64.h"
 #include "compare/report/escape.h"
 #include "compare/report/numbers.h"
-#include "compare/report/style.h"
+#include "compare/report/page.h"
+#include "compare/report/view3d.h"
 
 namespace tw {
 
@@ -85,7 +86,7 @@ std::string picture_pair(const Comparison& c, const std::vector<std::string>& pn
     return out.empty() ? out : "<div class=\"pair\">" + out + "</div>";
 }
 
-std::string free_surfaces(const Comparison& c, const Figures& f) {
+std::string free_surfaces(const Comparison& c, const Figures& f, const std::string& view) {
     std::string out;
     const std::string pictures = picture_pair(c, f.pictures.free_surface, "free surface of the last frame");
     if (!pictures.empty() || !f.maps.empty()) {
@@ -101,6 +102,7 @@ std::string free_surfaces(const Comparison& c, const Figures& f) {
         }
         out += f.elevation_legend;
     }
+    out += view;
     const std::string pressures = picture_pair(c, f.pictures.hull_pressure, "pressure on the bottom, seen from below");
     if (!pressures.empty())
         out += "<h2>Pressure on the hull</h2>" + pressures + f.pressure_legend +
@@ -273,7 +275,7 @@ std::string settling_table(const Comparison& c) {
 
 }  // namespace
 
-std::string report_html(const Comparison& c, const Figures& f) {
+std::string report_html(const Comparison& c, const Figures& f, const std::string& above) {
     const RunRecord& first = c.sources.front();
     const std::string title = text_of(first, "title", "twinwake comparison");
     std::string sub;
@@ -288,14 +290,10 @@ std::string report_html(const Comparison& c, const Figures& f) {
     if (const double spacing = number_of(first, "near_hull", 0); spacing > 0)
         sub += fmt::format(" · spacing at the hull {:.3g} m", spacing);
 
+    const std::string view = view3d_section(c);
     std::string out =
-        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-        "content=\"width=device-width, initial-scale=1\">"
-        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src "
-        "'unsafe-inline'\">"
-        "<title>" +
-        escaped(title) + "</title><style>" + report_style + "</style></head><body><main>";
-    out += "<h1>" + escaped(title) + "</h1><p class=\"sub\">" + sub + "</p>";
+        view.empty() ? page_begin(title) : page_begin(title, view3d_style, "'" + view3d_script_hash() + "'");
+    out += "<h1>" + escaped(title) + "</h1><p class=\"sub\">" + sub + "</p>" + above;
     out += "<div class=\"verdict\">" + escaped(verdict_sentence(c)) + "</div>";
     for (const std::string& b : c.banners) out += "<div class=\"banner\">" + escaped(b) + "</div>";
 
@@ -309,7 +307,7 @@ std::string report_html(const Comparison& c, const Figures& f) {
         is_stream(first) ? "are settled means" : "of forces are settled means, of splash the largest of the run, each",
         100 * c.agree_within);
     out += settling_table(c);
-    out += free_surfaces(c, f);
+    out += free_surfaces(c, f, view);
     if (!f.forces.empty())
         out += "<h2>Forces over time</h2>" + figure_list(f.forces) +
                "<p class=\"note\">Pale: the raw trace, from which the means are taken. Bars: the settled mean with its "
@@ -322,7 +320,7 @@ std::string report_html(const Comparison& c, const Figures& f) {
         out += "<h2>Shown beside, not judged</h2>" + beside;
     out += gates_table(c) + effects_table(c) + hull_section(c) + cost_table(c) + provenance(c) +
            "<h2>Definitions</h2>" + definitions(c) + reproduce(c);
-    return out + "</main></body></html>\n";
+    return out + page_end;
 }
 
 }  // namespace tw

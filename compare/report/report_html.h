@@ -6,7 +6,9 @@
 
 namespace tw {
 
-/// The whole report as one self-contained HTML page without scripts; every text from a record is escaped.
-std::string report_html(const Comparison& comparison, const Figures& figures);
+/// The whole report as one self-contained HTML page; its only script, the 3-D view, is allowed by its hash. Every text
+/// from a record is escaped.
+/// `above`: markup that stands between the title and the comparison's own verdict, e.g. ladder_html.
+std::string report_html(const Comparison& comparison, const Figures& figures, const std::string& above = {});
 
 }  // namespace tw

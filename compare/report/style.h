@@ -21,7 +21,7 @@ th,td{text-align:left;padding:6px 10px;border-bottom:1px solid var(--line);verti
 td.num,th.num{text-align:right;white-space:nowrap;font-variant-numeric:tabular-nums}tr.ref td{color:var(--soft);font-style:italic}tr.remark td{color:var(--soft);font-size:13px;padding-top:0}
 tr.has-remark td{border-bottom:0;padding-bottom:2px}
 .badge{display:inline-block;padding:1px 9px;border-radius:10px;font-size:13px;font-weight:600;white-space:nowrap}
-.agree{color:var(--good);background:var(--goodbg)}.differ{color:var(--bad);background:var(--badbg)}.undecided{color:var(--open);background:var(--openbg)}.not_comparable{color:var(--none);background:var(--nonebg)}
+.agree{color:var(--good);background:var(--goodbg)}.differ{color:var(--bad);background:var(--badbg)}.undecided{color:var(--open);background:var(--openbg)}.not_converged{color:var(--open);background:var(--openbg)}.not_comparable{color:var(--none);background:var(--nonebg)}
 .key{display:inline-block;width:11px;height:11px;border-radius:2px;margin-right:5px;vertical-align:-1px}.k0{background:var(--s0)}.k1{background:var(--s1)}.k2{background:var(--s2)}.k3{background:var(--s3)}
 .pair{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(100%,440px),1fr));gap:18px;margin:10px 0}
 figure{margin:0}figcaption{font-size:13.5px;color:var(--soft);margin:4px 0}figure img{width:100%;height:auto;display:block;border:1px solid var(--line);border-radius:4px;background:#fff}

@@ -75,6 +75,7 @@ std::string summary_text(const Comparison& comparison) {
         double wall = 0, cpu = 0;
         for (const Phase& p : r.phases) wall += p.wall, cpu += p.cpu;
         if (i == 0) out += "\n";
+        if (r.phases.empty()) continue;  // an experiment
         out += fmt::format("{}: {:.4g} elements, {:.4g} steps, {:.3g} s wall, {:.3g} s cpu, {:.3g} MB\n",
                            for_terminal(comparison.names[i]), r.elements, r.steps, wall, cpu, r.peak_memory / 1e6);
     }

@@ -86,7 +86,29 @@ std::string path(const PlotLine& line, const auto& X, const auto& Y) {
     return d;
 }
 
-std::string tick_text(double v, double step) {
+/// The plot with the logarithms of what goes on logarithmic axes; values without one become NaN and are left out.
+Plot in_logarithms(const Plot& p) {
+    Plot q = p;
+    const auto logarithm = [](double v) { return v > 0 ? std::log10(v) : std::nan(""); };
+    for (PlotLine& l : q.lines) {
+        if (p.log_x) std::ranges::transform(l.x, l.x.begin(), logarithm);
+        if (p.log_y) std::ranges::transform(l.y, l.y.begin(), logarithm);
+    }
+    for (PlotLevel& l : q.levels)
+        if (p.log_y) l.value = logarithm(l.value);
+    std::erase_if(q.levels, [](const PlotLevel& l) { return !std::isfinite(l.value); });
+    return q;
+}
+
+std::vector<double> tick_places(double low, double high, int about, bool logarithmic) {
+    if (!logarithmic) return ticks(low, high, about);
+    std::vector<double> places = log_ticks(std::pow(10, low), std::pow(10, high));
+    std::ranges::transform(places, places.begin(), [](double v) { return std::log10(v); });
+    return places;
+}
+
+std::string tick_text(double v, double step, bool logarithmic) {
+    if (logarithmic) return fmt::format("{:.3g}", std::pow(10, v));
     if (std::abs(v) < 1e-9 * step) v = 0;
     const int places = std::clamp(static_cast<int>(-std::floor(std::log10(step) + 1e-9)), 0, 6);
     return std::abs(v) >= 1e6 ? fmt::format("{:.4g}", v) : fmt::format("{:.{}f}", v, places);
@@ -103,11 +125,24 @@ std::vector<double> ticks(double low, double high, int about) {
     return list;
 }
 
-std::string svg(const Plot& p) {
+std::vector<double> log_ticks(double low, double high) {
+    const std::vector<double> within =
+        std::log10(high / low) < 4 ? std::vector<double>{1, 2, 5} : std::vector<double>{1};
+    std::vector<double> list;
+    for (double power = std::floor(std::log10(low)); power <= std::log10(high); ++power)
+        for (const double digit : within)
+            if (const double v = digit * std::pow(10, power); v >= low * (1 - 1e-9) && v <= high * (1 + 1e-9))
+                list.push_back(v);
+    return list;
+}
+
+std::string svg(const Plot& plot) {
+    const Plot p = in_logarithms(plot);
     Range xr = x_range(p), yr = y_range(p);
     if (xr.empty() || yr.empty()) return fmt::format("<p class=\"note\">{}: no data.</p>", escaped(p.title));
     if (p.images.empty()) yr.widen(0.06);
     if (!(xr.high > xr.low)) xr.widen(0.05);
+    if (std::ranges::any_of(p.lines, &PlotLine::points)) xr.widen(0.04);
 
     constexpr int left = 66, right = 14, bottom = 44;
     int legend_rows = 0;
@@ -151,8 +186,8 @@ std::string svg(const Plot& p) {
             "<image href=\"data:image/png;base64,{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" "
             "preserveAspectRatio=\"none\"/>",
             i.png_base64, X(i.x_min), Y(i.y_max), X(i.x_max) - X(i.x_min), Y(i.y_min) - Y(i.y_max));
-    const auto x_ticks = ticks(xr.low, xr.high, 8),
-               y_ticks = ticks(yr.low, yr.high, std::max(2, static_cast<int>(plot_height / 45)));
+    const auto x_ticks = tick_places(xr.low, xr.high, 8, p.log_x),
+               y_ticks = tick_places(yr.low, yr.high, std::max(2, static_cast<int>(plot_height / 45)), p.log_y);
     if (p.images.empty()) {
         for (const double v : x_ticks)
             out += fmt::format("<line class=\"grid\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1}\" y2=\"{2:.1f}\"/>", X(v),
@@ -171,6 +206,11 @@ std::string svg(const Plot& p) {
     for (const PlotLine& l : p.lines)
         out += fmt::format("<path class=\"line s{}{}{}\" d=\"{}\"/>", l.source, l.faint ? " faint" : "",
                            l.dashed ? " dashed" : "", path(l, X, Y));
+    for (const PlotLine& l : p.lines)
+        for (std::size_t i = 0; l.points && i < std::min(l.x.size(), l.y.size()); ++i)
+            if (std::isfinite(l.x[i]) && std::isfinite(l.y[i]))
+                out += fmt::format("<circle class=\"f{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\"/>", l.source, X(l.x[i]),
+                                   Y(l.y[i]));
     for (const PlotLine& l : p.outlines) out += fmt::format("<path class=\"outline\" d=\"{}\"/>", path(l, X, Y));
     for (const PlotLevel& l : p.levels)
         out += fmt::format(
@@ -184,10 +224,10 @@ std::string svg(const Plot& p) {
     const auto step = [](const std::vector<double>& t) { return t.size() > 1 ? t[1] - t[0] : 1.0; };
     for (const double v : x_ticks)
         out += fmt::format("<text class=\"tick mid\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", X(v), top + plot_height + 15,
-                           tick_text(v, step(x_ticks)));
+                           tick_text(v, step(x_ticks), p.log_x));
     for (const double v : y_ticks)
         out += fmt::format("<text class=\"tick end\" x=\"{}\" y=\"{:.1f}\">{}</text>", left - 6, Y(v) + 4,
-                           tick_text(v, step(y_ticks)));
+                           tick_text(v, step(y_ticks), p.log_y));
     out += fmt::format("<text class=\"mid\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", left + 0.5 * plot_width,
                        top + plot_height + 34, escaped(p.x_label));
     out += fmt::format("<text class=\"mid\" transform=\"translate(14 {:.1f}) rotate(-90)\">{}</text>",

@@ -10,6 +10,7 @@ struct PlotLine {
     std::size_t source = 0;
     std::vector<double> x, y;  ///< NaN interrupts the line
     bool faint = false, dashed = false;
+    bool points = false;  ///< a dot at every value
 };
 /// A settled mean with its interval over the window it was taken from.
 struct PlotBand {
@@ -38,7 +39,8 @@ struct Plot {
     bool equal_scales = false;  ///< metres alike on both axes: the height follows from the width
     bool clip_spikes =
         false;  ///< the y axis covers the middle 98 % of the values, so that a start-up spike does not flatten the rest
-    int width = 640, height = 300;  ///< [px]
+    bool log_x = false, log_y = false;  ///< values of 0 and below are not drawn on such an axis
+    int width = 640, height = 300;      ///< [px]
 };
 
 /// The plot as one <svg> element without scripts; colours come from the page's style sheet. "no data" when it has none.
@@ -46,5 +48,7 @@ std::string svg(const Plot& plot);
 
 /// 1-2-5 ticks that cover [low, high].
 std::vector<double> ticks(double low, double high, int about);
+/// Decades within [low, high], and 2 and 5 of each where there are fewer than four; 0 < low.
+std::vector<double> log_ticks(double low, double high);
 
 }  // namespace tw

@@ -69,6 +69,20 @@ TEST(Escaping, LeavesNoMarkupAndNoBrokenBytes) {
     EXPECT_EQ(escaped("\xC0\xBC"), "\xEF\xBF\xBD\xEF\xBF\xBD");  // an overlong '<'
 }
 
+TEST(Svg, LogarithmicAxesHaveTheirTicksAndLeaveOutWhatHasNoLogarithm) {
+    EXPECT_EQ(log_ticks(0.9, 31), (std::vector<double>{1, 2, 5, 10, 20}));
+    EXPECT_EQ(log_ticks(1, 1e6).size(), 7u);
+    Plot p;
+    p.log_x = p.log_y = true;
+    p.lines = {{"cost", 0, {1, 100, 1000}, {10, 0, 1}, false, false, true}};
+    const std::string out = svg(p);
+    std::size_t dots = 0;
+    for (std::size_t at = out.find("<circle"); at != std::string::npos; at = out.find("<circle", at + 1)) ++dots;
+    EXPECT_EQ(dots, 2u);
+    EXPECT_EQ(out.find("nan"), std::string::npos);
+    EXPECT_NE(out.find(">100<"), std::string::npos);
+}
+
 TEST(Base64, KnownVectors) {  // RFC 4648, section 10
     EXPECT_EQ(base64(""), "");
     EXPECT_EQ(base64("f"), "Zg==");

@@ -1,0 +1,269 @@
+#include "compare/report/view3d.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "base/sha256.h"
+#include "compare/metrics/raster_columns.h"
+#include "compare/metrics/splash.h"
+#include "compare/read/record_numbers.h"
+#include "compare/report/base64.h"
+#include "compare/report/colours.h"
+#include "compare/report/escape.h"
+#include "compare/report/pictures.h"
+#include "compare/report/view3d_mesh.h"
+#include "compare/report/view3d_script.h"
+
+namespace tw {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::size_t most_steps = 60, fewest_steps = 24, most_hull_triangles = 16000, most_points = 65536;
+/// Script, markup, legend and times need less than this of the section.
+constexpr std::size_t markup_bytes = 100'000;
+
+/// The frames of a source that can be drawn, in order of time.
+std::vector<const RasterFrame*> drawable_frames(const RunRecord& record) {
+    const RasterGrid grid(record.raster);
+    std::vector<const RasterFrame*> frames;
+    if (grid.empty() || !record.raster.origin.allFinite() || !std::isfinite(record.raster.spacing)) return frames;
+    for (const RasterFrame& f : record.frames)
+        if (std::isfinite(f.time) && f.water.size() == grid.voxels()) frames.push_back(&f);
+    std::ranges::stable_sort(frames, {}, &RasterFrame::time);
+    return frames;
+}
+
+bool is_mirrored(const RunRecord& record) {
+    return number_of_text(record, "symmetry_factor", 1) > 1 && record.raster.count[1] > 1;
+}
+
+/// The raster's box; a half model's with its other side, a two-dimensional run's with the width of its slab.
+Box raster_box(const RunRecord& record) {
+    const auto& n = record.raster.count;
+    Box box{record.raster.origin, record.raster.origin};
+    box.max += record.raster.spacing * Vec3(n[0], n[1] == 1 ? 0.2 * n[0] + 1 : n[1], n[2]);
+    if (is_mirrored(record)) box.min.y() = -box.max.y();
+    return box;
+}
+
+struct StageHull {
+    Surface surface;
+    std::vector<std::size_t> sources;  ///< that have it
+};
+
+/// What is drawn, whichever frames are chosen.
+struct Stage {
+    std::vector<std::vector<const RasterFrame*>> frames;  ///< per source
+    std::vector<StageHull> hulls;  ///< one for sources of one scene; records compared by force may have different ones
+    Box box;                       ///< of everything drawn
+    double first = std::numeric_limits<double>::infinity(), last = -first;  ///< ends of the slider [s]
+    std::size_t most_frames = 0;                                            ///< of one source
+};
+
+Stage make_stage(const Comparison& c) {
+    Stage stage;
+    std::vector<Box> boxes;
+    std::vector<std::string> hashes;
+    for (std::size_t s = 0; s < c.sources.size(); ++s) {
+        const RunRecord& r = c.sources[s];
+        const auto& frames = stage.frames.emplace_back(drawable_frames(r));
+        if (!frames.empty()) {
+            stage.first = std::min(stage.first, frames.front()->time);
+            stage.last = std::max(stage.last, frames.back()->time);
+            stage.most_frames = std::max(stage.most_frames, frames.size());
+            boxes.push_back(raster_box(r));
+        }
+        if (r.hull.triangles.empty()) continue;
+        const std::string hash = text_of(r, "hull_hash");
+        if (const auto same = std::ranges::find(hashes, hash); same != hashes.end()) {
+            stage.hulls[static_cast<std::size_t>(same - hashes.begin())].sources.push_back(s);
+            continue;
+        }
+        Surface light = light_surface(r.hull, most_hull_triangles);
+        if (light.triangles.empty()) continue;
+        boxes.push_back(light.bounds());
+        hashes.push_back(hash);
+        stage.hulls.push_back({std::move(light), {s}});
+    }
+    if (boxes.empty()) return stage;
+    stage.box = boxes.front();
+    for (const Box& b : boxes) {
+        stage.box.min = stage.box.min.cwiseMin(b.min);
+        stage.box.max = stage.box.max.cwiseMax(b.max);
+    }
+    if (!stage.box.size().allFinite()) stage.most_frames = 0;  // senseless numbers: nothing is drawn
+    return stage;
+}
+
+std::size_t nearest(const std::vector<const RasterFrame*>& frames, double time) {
+    const auto after = std::ranges::lower_bound(frames, time, {}, &RasterFrame::time);
+    const auto k = static_cast<std::size_t>(after - frames.begin());
+    if (k == 0) return 0;
+    return k == frames.size() || time - frames[k - 1]->time < frames[k]->time - time ? k - 1 : k;
+}
+
+/// The surfaces of one source that are in the page, and which of them each step of the slider shows.
+struct Film {
+    std::vector<std::size_t> frame;  ///< number among the source's drawable frames, increasing
+    std::vector<std::size_t> step;   ///< per step, number in `frame`
+    std::vector<std::string> points, triangles;
+};
+struct View {
+    std::vector<double> times;  ///< of the steps [s]
+    std::vector<Film> films;    ///< one per source
+    int coarsening = 1;
+    std::size_t bytes = 0;
+    bool numbers_fit = true;  ///< 16 bits number the points of each surface
+};
+
+View make_view(const Comparison& c, const Stage& stage, std::size_t steps, int coarsening) {
+    View view;
+    view.coarsening = coarsening;
+    for (std::size_t k = 0; k < steps; ++k)
+        view.times.push_back(k + 1 == steps ? stage.last
+                                            : stage.first + (stage.last - stage.first) * static_cast<double>(k) /
+                                                                static_cast<double>(steps - 1));
+    for (std::size_t s = 0; s < c.sources.size(); ++s) {
+        Film& film = view.films.emplace_back();
+        const auto& frames = stage.frames[s];
+        if (frames.empty()) continue;
+        for (std::size_t k = 0; k < steps; ++k) {
+            const std::size_t frame = k + 1 == steps ? frames.size() - 1 : nearest(frames, view.times[k]);
+            if (film.frame.empty() || film.frame.back() != frame) {
+                const Surface water = water_surface(c.sources[s], *frames[frame], coarsening);
+                view.numbers_fit = view.numbers_fit && water.points.size() <= most_points;
+                if (!view.numbers_fit) return view;
+                film.frame.push_back(frame);
+                film.points.push_back(packed_points(water, stage.box));
+                film.triangles.push_back(packed_triangles(water));
+                view.bytes += film.points.back().size() + film.triangles.back().size() + 6;  // with quotes and commas
+            }
+            film.step.push_back(film.frame.size() - 1);
+        }
+    }
+    return view;
+}
+
+/// As many steps as fit into the budget; where these are too few the raster is coarsened. Ends, because a raster
+/// averaged into one voxel has no surface.
+View fitting_view(const Comparison& c, const Stage& stage, std::size_t budget) {
+    const std::size_t most = std::min(most_steps, stage.most_frames), fewest = std::min(fewest_steps, most);
+    for (int coarsening = 1;; ++coarsening) {
+        const std::size_t few = std::min<std::size_t>(most, 6);  // these say how large a step is
+        const View sample = make_view(c, stage, few, coarsening);
+        if (!sample.numbers_fit) continue;
+        const double affordable = 0.9 * static_cast<double>(budget * few) / static_cast<double>(sample.bytes + 1);
+        auto steps = static_cast<std::size_t>(std::min(static_cast<double>(most), affordable));
+        for (; steps >= fewest; steps -= std::max<std::size_t>(1, steps / 10)) {
+            View view = make_view(c, stage, steps, coarsening);
+            if (view.numbers_fit && view.bytes <= budget) return view;
+        }
+    }
+}
+
+Json point_json(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
+Json box_json(const Box& box) { return {point_json(box.min), point_json(box.max)}; }
+
+/// The block that the script reads. JSON within markup: no character of it can end the block or begin an element.
+std::string data_block(const Comparison& c, const Stage& stage, const View& view, const Json& hulls,
+                       const ColourScale& scale) {
+    Json sources = Json::array(), stops = Json::array();
+    for (std::size_t s = 0; s < c.sources.size(); ++s) {
+        Json times = Json::array();
+        for (const std::size_t frame : view.films[s].frame) times.push_back(stage.frames[s][frame]->time);
+        sources.push_back({{"name", c.names[s]},
+                           {"mirror", is_mirrored(c.sources[s])},
+                           {"time", times},
+                           {"step", view.films[s].step},
+                           {"points", view.films[s].points},
+                           {"triangles", view.films[s].triangles}});
+    }
+    constexpr int segments = 6;  // of the scale of elevations
+    for (int k = 0; k <= segments; ++k)
+        stops.push_back(scale(scale.low() + (scale.high() - scale.low()) * k / segments));
+    const Json data = {{"box", box_json(stage.box)},
+                       {"subject", box_json(stage.hulls.empty() ? stage.box : stage.hulls.front().surface.bounds())},
+                       {"scale", {{"low", scale.low()}, {"high", scale.high()}, {"stops", stops}}},
+                       {"time", view.times},
+                       {"sources", sources},
+                       {"hulls", hulls}};
+    std::string text;
+    for (const char ch : data.dump(-1, ' ', true, Json::error_handler_t::replace))
+        if (ch == '<' || ch == '>' || ch == '&')
+            text += fmt::format("\\u{:04x}", static_cast<int>(ch));
+        else
+            text += ch;
+    return "<script type=\"application/json\" id=\"view3d-data\">" + text + "</script>";
+}
+
+/// Which frames are shown, and how finely.
+std::string what_is_shown(const Comparison& c, const Stage& stage, const View& view) {
+    std::string counts;
+    bool all = true;
+    for (std::size_t s = 0; s < c.sources.size(); ++s) {
+        if (stage.frames[s].empty()) continue;
+        const std::size_t shown = view.films[s].frame.size(), has = stage.frames[s].size();
+        all = all && shown == has;
+        counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", escaped(c.names[s]),
+                              shown == has ? fmt::format("all {}", has) : fmt::format("{} of {}", shown, has));
+    }
+    std::string text = "Frames shown: " + counts + (all ? "." : ", evenly through the run, with the last one.");
+    if (view.coarsening > 1)
+        text += fmt::format(
+            " To keep this page small the surface is drawn from blocks of {} voxels per edge, coarser than the raster "
+            "that the numbers are taken from.",
+            view.coarsening);
+    return text;
+}
+
+constexpr const char* markup =
+    R"(<p class="note" id="view3d-fallback">Here stands a view to turn and to play, drawn by a script with WebGL. This reader does not run it; the pictures above show the last frame.</p>
+<div id="view3d-stage" hidden>
+<div class="view3d-box"><canvas id="view3d-canvas" tabindex="0" role="application" aria-label="Free surface and hull in three dimensions. Arrow keys turn, with shift they move, plus and minus zoom, 0 resets the view, space plays."></canvas><div id="view3d-labels"></div></div>
+<div class="view3d-bar"><button type="button" id="view3d-play">Play</button><input type="range" id="view3d-time" min="0" step="1" aria-label="time"><span class="view3d-clock" id="view3d-clock"></span></div>
+<div class="view3d-bar"><span class="view3d-bar" id="view3d-toggles"></span>
+<label>Colour <select id="view3d-colour"><option value="height">by height</option><option value="method">one per method</option></select></label>
+<label id="view3d-layout-label">Methods <select id="view3d-layout"><option value="beside">side by side</option><option value="over">in one picture</option></select></label>
+<button type="button" id="view3d-reset">Reset view</button></div>
+<p class="note">Turn: drag, or arrow keys. Move: drag with the right button, with shift or with two fingers, or shift and arrow keys. Zoom: wheel (after a click into the view), two fingers, or + and −. 0 resets the view, space plays.</p>
+<div id="view3d-legend">)";
+
+}  // namespace
+
+std::string view3d_section(const Comparison& c) {
+    const Stage stage = make_stage(c);
+    if (stage.most_frames == 0) return {};
+    Json hulls = Json::array();
+    std::size_t used = markup_bytes;
+    for (const StageHull& hull : stage.hulls) {
+        hulls.push_back({{"sources", hull.sources},
+                         {"points", packed_points(hull.surface, stage.box)},
+                         {"triangles", packed_triangles(hull.surface)}});
+        used += 8 * (hull.surface.points.size() + hull.surface.triangles.size());  // six bytes as base64
+    }
+    const View view = fitting_view(c, stage, view3d_most_bytes - std::min(used, view3d_most_bytes / 2));
+    const ColourScale scale = elevation_scale(elevation_half_range(c), c.analyses.front().still_level);
+    const bool mirrored = std::ranges::any_of(c.sources, is_mirrored);
+    return "<section class=\"view3d\"><h2>The water over time</h2><p class=\"note\">Surfaces where the water share of "
+           "the common raster is one half, to turn and to play. " +
+           what_is_shown(c, stage, view) + (mirrored ? " Half models are mirrored." : "") + "</p>\n" + markup +
+           scale.legend(is_stream(c.sources.front()) ? "height above still water [m]" : "height z [m]") +
+           "</div></div>\n" + data_block(c, stage, view, hulls, scale) + "\n<script>" + view3d_script +
+           "</script></section>";
+}
+
+std::string view3d_script_hash() {
+    const std::string hex = sha256_hex(view3d_script);
+    std::string digest;
+    for (std::size_t k = 0; k < hex.size(); k += 2)
+        digest += static_cast<char>(std::stoi(hex.substr(k, 2), nullptr, 16));
+    return "sha256-" + base64(digest);
+}
+
+}  // namespace tw

@@ -1,0 +1,33 @@
+#pragma once
+#include <cstddef>
+#include <string>
+
+#include "compare/compare.h"
+
+namespace tw {
+
+/// The water of all sources over time and their hull, to be turned, played and laid over each other in the page: one
+/// section of HTML with its data and its script (view3d.js), at most `view3d_most_bytes` long. Empty when no source
+/// has raster frames that can be drawn. Without scripts or WebGL one sentence stands in its place; print leaves it out.
+///
+/// Each source shows up to 60 of its frames, evenly through the run and the last one always; where these are too much
+/// for the page there are fewer, and below 24 the raster is averaged in blocks. The page says both. Names reach the
+/// page as JSON text without markup characters.
+std::string view3d_section(const Comparison& comparison);
+inline constexpr std::size_t view3d_most_bytes = 8'000'000;
+
+/// "sha256-..." of the section's script, for the page's Content-Security-Policy: no other script may run.
+std::string view3d_script_hash();
+
+/// Style of the section, beside report_style.
+inline constexpr const char* view3d_style = R"(
+.view3d-box{position:relative;border:1px solid var(--line);border-radius:4px;overflow:hidden;background:var(--panel)}
+.view3d-box canvas{display:block;width:100%;height:min(540px,75vh);touch-action:none;cursor:grab}
+.view3d-box canvas:active{cursor:grabbing}.view3d-box canvas:focus-visible{outline:2px solid var(--s0);outline-offset:-2px}
+.view3d-label{position:absolute;padding:6px 10px;font-size:13.5px;font-weight:600;pointer-events:none}
+.view3d-bar{display:flex;flex-wrap:wrap;align-items:center;gap:6px 14px;margin:8px 0;font-size:14px}.view3d-bar button,.view3d-bar select{font:inherit;padding:2px 10px}
+.view3d-bar input[type=range]{flex:1 1 200px}.view3d-clock{min-width:6.5em;font-variant-numeric:tabular-nums}
+@media print{.view3d{display:none}}
+)";
+
+}  // namespace tw

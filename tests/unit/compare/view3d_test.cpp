@@ -1,0 +1,298 @@
+#include "compare/report/view3d.h"
+
+#include <gtest/gtest.h>
+#include <openssl/evp.h>
+
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "base/atomic_file.h"
+#include "compare/report/view3d_mesh.h"
+#include "tests/unit/compare/synthetic_pair.h"
+#include "tests/unit/record/example_record.h"
+
+namespace tw {
+namespace {
+
+using Json = nlohmann::json;
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+std::size_t count_of(const std::string& text, const std::string& part) {
+    std::size_t n = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+    return n;
+}
+std::string between(const std::string& text, const std::string& begin, const std::string& end) {
+    const auto a = text.find(begin);
+    if (a == std::string::npos) return {};
+    const auto b = text.find(end, a + begin.size());
+    return b == std::string::npos ? std::string{} : text.substr(a + begin.size(), b - a - begin.size());
+}
+Json data_of(const std::string& html) {
+    return Json::parse(between(html, "<script type=\"application/json\" id=\"view3d-data\">", "</script>"));
+}
+
+/// What a browser reads: base64 to 16-bit numbers, low byte first.
+std::vector<unsigned> numbers(const std::string& base64) {
+    std::vector<unsigned char> bytes(base64.size() + 1);
+    const int n = EVP_DecodeBlock(bytes.data(), reinterpret_cast<const unsigned char*>(base64.data()),
+                                  static_cast<int>(base64.size()));
+    EXPECT_GE(n, 0);
+    const int padding = base64.ends_with("==") ? 2 : base64.ends_with("=") ? 1 : 0;
+    std::vector<unsigned> out;
+    for (std::size_t i = 0; i + 1 < static_cast<std::size_t>(n - padding); i += 2)
+        out.push_back(bytes[i] | static_cast<unsigned>(bytes[i + 1]) << 8);
+    return out;
+}
+std::vector<Vec3> points(const Json& data, const Json& packed) {
+    const Json& box = data["box"];
+    std::vector<Vec3> out;
+    const std::vector<unsigned> q = numbers(packed);
+    for (std::size_t i = 0; i + 2 < q.size(); i += 3) {
+        Vec3& p = out.emplace_back();
+        for (int axis = 0; axis < 3; ++axis) {
+            const double low = box[0][static_cast<std::size_t>(axis)], high = box[1][static_cast<std::size_t>(axis)];
+            p[axis] = low + q[i + static_cast<std::size_t>(axis)] / 65535.0 * (high - low);
+        }
+    }
+    return out;
+}
+/// Half a step of the packed positions, and the single precision of the surface filter [m].
+double tolerance(const Json& data, std::size_t axis) {
+    return (data["box"][1][axis].get<double>() - data["box"][0][axis].get<double>()) / 131070 + 1e-6;
+}
+Box bounds(const std::vector<Vec3>& all) { return Surface{all, {}}.bounds(); }
+
+/// Water filled up to voxel layer `full` everywhere, over `frames` frames; each next frame one layer higher when
+/// `rising`.
+RunRecord flat_water(std::array<int, 3> count, int full, int frames, bool rising = false) {
+    RunRecord r = synthetic_run({.duration = 0.2, .step = 4e-3, .frames = false});
+    r.raster = {{-1.4, 0, -0.6}, 0.1, count};
+    const std::size_t layer = static_cast<std::size_t>(count[0]) * static_cast<std::size_t>(count[1]);
+    for (int f = 0; f < frames; ++f) {
+        RasterFrame frame{0.1 + 0.01 * f, std::vector<std::uint8_t>(layer * static_cast<std::size_t>(count[2]))};
+        std::fill_n(frame.water.begin(), layer * static_cast<std::size_t>(full + (rising ? f : 0)), 255);
+        r.frames.push_back(std::move(frame));
+    }
+    return r;
+}
+
+TEST(View3d, FlatWaterLiesWhereTheRasterHasIt) {
+    const Comparison c = compare_records({flat_water({40, 12, 10}, 5, 3, true)});
+    const Json data = data_of(view3d_section(c));
+    ASSERT_EQ(data["sources"].size(), 1u);
+    const Json& source = data["sources"][0];
+    ASSERT_EQ(source["points"].size(), 3u);
+    for (std::size_t f = 0; f < 3; ++f) {
+        const std::vector<Vec3> all = points(data, source["points"][f]);
+        ASSERT_GE(all.size(), 40u * 12);
+        const double level = -0.6 + 0.1 * (5.0 + static_cast<double>(f));  // of the layers that are full
+        for (const Vec3& p : all) EXPECT_NEAR(p.z(), level, tolerance(data, 2));
+        // From the first to the last voxel centre; the half model begins on its plane of symmetry.
+        EXPECT_NEAR(bounds(all).min.x(), -1.35, tolerance(data, 0));
+        EXPECT_NEAR(bounds(all).max.x(), -1.4 + 3.95, tolerance(data, 0));
+        EXPECT_NEAR(bounds(all).min.y(), 0, tolerance(data, 1));
+        EXPECT_NEAR(bounds(all).max.y(), 1.15, tolerance(data, 1));
+        // The triangles cover exactly that rectangle.
+        const std::vector<unsigned> corners = numbers(source["triangles"][f]);
+        double area = 0;
+        for (std::size_t t = 0; t + 2 < corners.size(); t += 3) {
+            for (std::size_t k = 0; k < 3; ++k) ASSERT_LT(corners[t + k], all.size());
+            area += 0.5 * (all[corners[t + 1]] - all[corners[t]]).cross(all[corners[t + 2]] - all[corners[t]]).norm();
+        }
+        EXPECT_NEAR(area, 3.9 * 1.15, 1e-3);
+    }
+    EXPECT_TRUE(source["mirror"].get<bool>());
+}
+
+TEST(View3d, AWholeModelIsNotMirroredAndABlockOfWaterKeepsItsSides) {
+    RunRecord r = flat_water({20, 11, 10}, 0, 1);
+    r.attributes["symmetry_factor"] = "1";
+    r.raster.origin.y() = -0.3;
+    for (int k = 0; k < 10; ++k)  // a wall of water in the columns x > -0.4
+        for (int j = 0; j < 11; ++j)
+            for (int i = 10; i < 20; ++i) r.frames[0].water[static_cast<std::size_t>((k * 11 + j) * 20 + i)] = 255;
+    const Json data = data_of(view3d_section(compare_records({r})));
+    EXPECT_FALSE(data["sources"][0]["mirror"].get<bool>());
+    const std::vector<Vec3> all = points(data, data["sources"][0]["points"][0]);
+    ASSERT_FALSE(all.empty());
+    for (const Vec3& p : all) EXPECT_NEAR(p.x(), -0.4, tolerance(data, 0));
+    EXPECT_NEAR(bounds(all).min.y(), -0.25, tolerance(data, 1));
+}
+
+TEST(View3d, ATwoDimensionalRunIsASlab) {
+    RunRecord r = flat_water({40, 1, 10}, 5, 2);
+    r.hull = {};
+    r.hull_pressure.clear();
+    r.hull_wet.clear();
+    const Json data = data_of(view3d_section(compare_records({r})));
+    const std::vector<Vec3> all = points(data, data["sources"][0]["points"][0]);
+    ASSERT_FALSE(all.empty());
+    EXPECT_NEAR(bounds(all).size().y(), 0.2 * 40 * 0.1, 2 * tolerance(data, 1));
+    EXPECT_NEAR(bounds(all).max.z(), -0.1, tolerance(data, 2));
+    EXPECT_FALSE(data["sources"][0]["mirror"].get<bool>());
+    EXPECT_TRUE(data["hulls"].empty());
+}
+
+TEST(View3d, TheHullIsThereOnceForBothMethods) {
+    const Comparison c = compare_records({flat_water({40, 12, 10}, 5, 2), flat_water({40, 12, 10}, 5, 2)});
+    const Json data = data_of(view3d_section(c));
+    ASSERT_EQ(data["hulls"].size(), 1u);
+    EXPECT_EQ(data["hulls"][0]["sources"], Json({0, 1}));
+    const Surface& hull = c.sources[0].hull;
+    EXPECT_EQ(numbers(data["hulls"][0]["triangles"]).size(), 3 * hull.triangles.size());
+    const Box box = bounds(points(data, data["hulls"][0]["points"])), exact = hull.bounds();
+    for (int axis = 0; axis < 3; ++axis) {
+        EXPECT_NEAR(box.min[axis], exact.min[axis], tolerance(data, static_cast<std::size_t>(axis)));
+        EXPECT_NEAR(box.max[axis], exact.max[axis], tolerance(data, static_cast<std::size_t>(axis)));
+    }
+    RunRecord other = flat_water({40, 12, 10}, 5, 2);
+    other.attributes["hull_hash"] = "hull-2";
+    const Json forced =
+        data_of(view3d_section(compare_records({flat_water({40, 12, 10}, 5, 2), other}, {.force = true})));
+    EXPECT_EQ(forced["hulls"].size(), 2u);
+}
+
+TEST(View3d, AFineHullBecomesLighterAndKeepsItsShape) {
+    const Surface prism = synthetic_run({.duration = 0.1, .frames = false}).hull;
+    const Surface fine = refined(prism, 0.06);
+    ASSERT_GT(fine.triangles.size(), 10'000u);
+    const auto volume = [](const Surface& s) {
+        double six = 0;
+        for (int t = 0; t < static_cast<int>(s.triangles.size()); ++t)
+            six += s.corner(t, 0).dot(s.corner(t, 1).cross(s.corner(t, 2)));
+        return six / 6;
+    };
+    for (const std::size_t most : {4000u, 200u}) {
+        const Surface light = light_surface(fine, most);
+        EXPECT_LE(light.triangles.size(), most);
+        EXPECT_GT(light.triangles.size(), most / 4);
+        EXPECT_NEAR(volume(light) / volume(prism), 1, 0.01);
+    }
+    // Triangles that share no point become fewer all the same.
+    Surface loose;
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> anywhere;
+    for (int t = 0; t < 3000; ++t) {
+        for (int k = 0; k < 3; ++k) loose.points.emplace_back(anywhere(random), anywhere(random), anywhere(random));
+        loose.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+    }
+    EXPECT_LE(light_surface(loose, 1000).triangles.size(), 1000u);
+    loose.points[0].x() = std::nan("");
+    EXPECT_EQ(light_surface(loose, 5000).triangles.size(), 2999u);
+}
+
+TEST(View3d, FramesLieEvenlyAndTheLastIsShown) {
+    RunRecord a = flat_water({20, 6, 8}, 4, 200), b = flat_water({20, 6, 8}, 4, 80);
+    b.attributes["method"] = "fvm";
+    const std::string html = view3d_section(compare_records({a, b}));
+    const Json data = data_of(html);
+    const std::vector<double> time = data["time"];
+    ASSERT_EQ(time.size(), 60u);
+    EXPECT_DOUBLE_EQ(time.front(), 0.1);
+    EXPECT_DOUBLE_EQ(time.back(), a.frames.back().time);
+    for (std::size_t k = 1; k < 60; ++k) EXPECT_NEAR(time[k] - time[k - 1], (time.back() - time.front()) / 59, 1e-12);
+    for (std::size_t s = 0; s < 2; ++s) {
+        const RunRecord& r = s == 0 ? a : b;
+        const std::vector<double> has = data["sources"][s]["time"];
+        const std::vector<std::size_t> step = data["sources"][s]["step"];
+        ASSERT_EQ(step.size(), time.size());
+        EXPECT_EQ(data["sources"][s]["points"].size(), has.size());
+        EXPECT_DOUBLE_EQ(has.back(), r.frames.back().time);
+        EXPECT_EQ(step.back(), has.size() - 1);
+        for (std::size_t k = 0; k < step.size(); ++k)  // the nearest frame; after its end the last one stays
+            EXPECT_NEAR(has.at(step[k]), std::min(time[k], r.frames.back().time), 0.005 + 1e-9);
+    }
+    EXPECT_TRUE(has(html, "sph 60 of 200")) << between(html, "Frames shown", "</p>");
+    const Json few = data_of(view3d_section(compare_records({flat_water({20, 6, 8}, 4, 3)})));
+    EXPECT_EQ(few["time"].size(), 3u);
+}
+
+TEST(View3d, NamesStayText) {
+    const std::string hostile = "</script><script>alert('x')</script><!-- \" onload=\"x \x1b\xff &amp;";
+    RunRecord r = flat_water({20, 6, 8}, 4, 2);
+    for (auto& [name, text] : r.attributes)
+        if (name != "symmetry_factor" && name != "motion") text = hostile;
+    const std::string html = view3d_section(compare_records({r, r}));
+    EXPECT_EQ(count_of(html, "<script"), 2u);  // the data and view3d.js
+    EXPECT_EQ(count_of(html, "</script"), 2u);
+    EXPECT_FALSE(has(html, "alert('x')</"));
+    EXPECT_FALSE(has(html, "<!--"));
+    EXPECT_FALSE(has(html, "\" onload=\""));
+    EXPECT_FALSE(has(html, "\x1b"));
+    EXPECT_TRUE(has(html, "\\u003c/script\\u003e"));
+    const std::string name = data_of(html)["sources"][0]["name"];
+    EXPECT_TRUE(name.starts_with("</script><script>alert('x')</script><!-- \" onload=\"x \x1b")) << name;
+}
+
+TEST(View3d, StaysSmallHoweverLargeTheRaster) {
+    RunRecord a = flat_water({200, 100, 12}, 0, 26);
+    std::mt19937 random(3);
+    for (RasterFrame& f : a.frames)  // spray everywhere: nearly every voxel has a surface
+        for (std::uint8_t& share : f.water) share = static_cast<std::uint8_t>(random() % 4 == 0 ? 255 : 0);
+    RunRecord b = a;
+    b.attributes["method"] = "fvm";
+    const std::string html = view3d_section(compare_records({a, b}));
+    EXPECT_LE(html.size(), view3d_most_bytes);
+    EXPECT_GT(html.size(), view3d_most_bytes / 100);
+    EXPECT_TRUE(has(html, " voxels per edge")) << between(html, "Frames shown", "</p>");
+    const Json data = data_of(html);
+    EXPECT_GE(data["time"].size(), 24u);
+    for (const Json& source : data["sources"]) EXPECT_EQ(source["time"].back().get<double>(), a.frames.back().time);
+}
+
+TEST(View3d, ACoarsenedSurfaceKeepsTheLevel) {
+    RunRecord r = flat_water({1200, 120, 6}, 2, 1);  // more columns than 16 bits can number
+    r.hull = {};
+    r.hull_pressure.clear();
+    r.hull_wet.clear();
+    const std::string html = view3d_section(compare_records({r}));
+    EXPECT_TRUE(has(html, "blocks of 2 voxels per edge"));
+    const Json data = data_of(html);
+    const std::vector<Vec3> all = points(data, data["sources"][0]["points"][0]);
+    ASSERT_GT(all.size(), 30'000u);
+    for (const Vec3& p : all) ASSERT_NEAR(p.z(), -0.4, tolerance(data, 2));
+    EXPECT_NEAR(bounds(all).max.y(), 11.9, tolerance(data, 1));
+    EXPECT_NEAR(bounds(all).min.y(), 0, tolerance(data, 1));
+    EXPECT_EQ(view3d_section(compare_records({r})), html);  // the same bytes again
+}
+
+TEST(View3d, OnlyItsOwnScriptMayRun) {
+    const ScratchFolder folder;
+    const std::string page =
+        read_text(write_report(compare_records({flat_water({20, 6, 8}, 4, 2)}), folder.path()).html);
+    const std::string script = between(page, "<script>", "</script>");
+    EXPECT_EQ(script, read_text(std::filesystem::path(TWINWAKE_SOURCE) / "compare/report/view3d.js"));
+    unsigned char digest[EVP_MAX_MD_SIZE], text[2 * EVP_MAX_MD_SIZE];
+    unsigned length = 0;
+    ASSERT_EQ(EVP_Digest(script.data(), script.size(), digest, &length, EVP_sha256(), nullptr), 1);
+    EVP_EncodeBlock(text, digest, static_cast<int>(length));
+    const std::string policy = between(page, "Content-Security-Policy\" content=\"", "\">");
+    EXPECT_EQ(policy, "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'sha256-" +
+                          std::string(reinterpret_cast<const char*>(text)) + "'");
+    EXPECT_EQ(count_of(page, "<script"), 2u);
+    // A reader without scripts gets a sentence, and paper gets nothing.
+    EXPECT_TRUE(has(page, "<p class=\"note\" id=\"view3d-fallback\">"));
+    EXPECT_TRUE(has(page, "<div id=\"view3d-stage\" hidden>"));
+    EXPECT_TRUE(has(page, "@media print{.view3d{display:none}}"));
+}
+
+TEST(View3d, WithoutFramesThePageHasNoScript) {
+    const ScratchFolder folder;
+    const Comparison c = compare_records({synthetic_run({.duration = 0.2, .step = 4e-3, .frames = false})});
+    EXPECT_TRUE(view3d_section(c).empty());
+    const std::string page = read_text(write_report(c, folder.path()).html);
+    EXPECT_FALSE(has(page, "<script"));
+    EXPECT_FALSE(has(page, "script-src"));
+    EXPECT_TRUE(has(page, "default-src 'none'"));
+    Comparison senseless = compare_records({flat_water({20, 6, 8}, 4, 2)});
+    EXPECT_FALSE(view3d_section(senseless).empty());
+    senseless.sources[0].raster.spacing = 1e308;
+    EXPECT_TRUE(view3d_section(senseless).empty());
+    senseless.sources[0].raster.spacing = 0.1;
+    senseless.sources[0].raster.origin.x() = std::numeric_limits<double>::infinity();
+    EXPECT_TRUE(view3d_section(senseless).empty());
+}
+
+}  // namespace
+}  // namespace tw
