@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <map>
 
+#include "app/machine_pace.h"
 #include "app/output.h"
 #include "app/run_method.h"
 #include "app/stop_signal.h"
@@ -18,39 +19,129 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// One size of the scene.
-struct Rung : PlannedRun {
-    fs::path folder;
+/// A choice of a method that should not matter, made otherwise in one run.
+struct Choice {
+    const char *method, *name, *folder;
+    double SceneOverrides::*factor;
+    double value;
+    double share;  ///< of the error, see LadderVariation
+};
+constexpr Choice choices[] = {
+    // The error of weak compressibility falls with Ma^2, so with c0^-2: 1/(1 - 1/1.5^2).
+    {"sph", "sound speed x 1.5", "sound_speed_1.5", &SceneOverrides::sound_speed_factor, 1.5, 1.8},
+    // Errors of time stepping are taken as of first order: 1/(1 - 1/2).
+    {"sph", "half the time step", "time_step_0.5", &SceneOverrides::time_step_factor, 0.5, 2},
+    {"fvm", "half the Courant number", "courant_0.5", &SceneOverrides::courant_factor, 0.5, 2},
 };
 
-double predicted(const Rung& rung, const std::string& method) {
-    return method == "sph" ? rung.prediction.sph_seconds : rung.prediction.fvm_seconds;
-}
-
-/// The scene's own size and coarser ones, cheapest first.
-std::vector<Rung> rungs_of(const LadderCommand& command, const fs::path& out) {
-    std::vector<Rung> rungs;
-    for (int k = command.levels - 1; k >= 0; --k) {
-        const double scale = std::pow(command.ratio, k);
-        SceneOverrides overrides = command.scene.overrides();
-        overrides.scale_resolution = overrides.scale_resolution.value_or(1) * scale;
-        PlannedRun plan = plan_run(command.scene.file, overrides, command.method, command.threads);
-        const fs::path folder = out / fmt::format("near_hull_{:.6g}mm", 1000 * plan.scene.resolution.near_hull);
-        rungs.push_back({std::move(plan), folder});
+/// One run of the ladder.
+struct Job {
+    PlannedRun plan;
+    std::string method;
+    fs::path folder;                 ///< of this method's run
+    const Choice* choice = nullptr;  ///< none: a level
+    std::string what() const {
+        return fmt::format("{} at {:g} m{}", method, plan.scene.resolution.near_hull,
+                           choice ? fmt::format(", {}", choice->name) : "");
     }
-    return rungs;
+};
+
+/// The scene's own size and coarser ones in every method, and each choice at the second coarsest; cheapest first.
+std::vector<Job> jobs_of(const LadderCommand& command, const fs::path& out) {
+    std::vector<Job> jobs;
+    for (int k = command.levels - 1; k >= 0; --k) {
+        SceneOverrides overrides = command.scene.overrides();
+        overrides.scale_resolution = overrides.scale_resolution.value_or(1) * std::pow(command.ratio, k);
+        const PlannedRun plan = plan_run(command.scene.file, overrides, command.method, command.threads);
+        const fs::path folder = out / fmt::format("near_hull_{:.6g}mm", 1000 * plan.scene.resolution.near_hull);
+        for (const std::string& method : plan.scene.run.methods) {
+            jobs.push_back({plan, method, folder / method});
+            if (!command.variations || k != std::max(0, command.levels - 2)) continue;
+            for (const Choice& choice : choices) {
+                if (choice.method != method) continue;
+                SceneOverrides varied = overrides;
+                varied.*choice.factor = choice.value;
+                jobs.push_back({plan_run(command.scene.file, varied, command.method, command.threads), method,
+                                folder / choice.folder / method, &choice});
+            }
+        }
+    }
+    std::ranges::stable_sort(jobs, {}, [](const Job& j) { return j.plan.seconds(j.method); });
+    return jobs;
 }
 
-/// The record of an earlier run of the very same scene in this folder, if it is finished.
-std::optional<RunRecord> finished(const fs::path& folder, const Scene& scene) {
-    const fs::path file = folder / "record.h5";
-    if (!fs::exists(file)) return {};
-    RunRecord record = read_record(file);
-    const auto hash = record.attributes.find("scene_hash");
-    const auto duration = record.numbers.find("duration");  // not in the hash: a run may be made longer
-    const bool same = record.state == "finished" && hash != record.attributes.end() && hash->second == scene.hash &&
-                      duration != record.numbers.end() && duration->second >= scene.run.duration;
-    return same ? std::optional(std::move(record)) : std::nullopt;
+/// What the runs so far leave for the ladder; the records themselves are not kept.
+struct Harvest {
+    std::vector<LadderRun> runs;
+    std::vector<LadderVariation> variations;
+    std::map<std::string, std::pair<double, fs::path>> finest;  ///< spacing and record of each method
+
+    void take(const Job& job, RunRecord record) {
+        LadderRun run = ladder_run(std::move(record));
+        if (job.choice) {
+            variations.push_back({job.choice->name, job.choice->share, std::move(run)});
+            return;
+        }
+        auto& [spacing, file] = finest.try_emplace(job.method, run.spacing, fs::path()).first->second;
+        if (run.spacing <= spacing) spacing = run.spacing, file = job.folder / "record.h5";
+        runs.push_back(std::move(run));
+    }
+    /// A variation counts only beside the run that it varies; the budget may have left that out.
+    void drop_lone_variations() {
+        std::erase_if(variations, [&](const LadderVariation& v) {
+            return std::ranges::none_of(runs, [&](const LadderRun& r) {
+                return r.method == v.run.method && std::abs(r.spacing / v.run.spacing - 1) < 1e-6;
+            });
+        });
+    }
+};
+
+/// False: stopped at the user's wish.
+bool run_all(std::vector<Job>& jobs, const LadderCommand& command, const Common& common, Harvest& harvest) {
+    const double budget = command.budget_seconds();
+    double spent = 0;  // seconds of what is run now: what is there already costs nothing
+    for (Job& job : jobs) {
+        if (auto earlier = finished_run(job.folder, job.plan.scene, job.method)) {
+            say(common, fmt::format("{}: finished before, taken from {}\n", job.what(), job.folder.string()));
+            harvest.take(job, std::move(*earlier));
+            continue;
+        }
+        job.plan.prediction = predict(job.plan.scene, machine_pace());  // the runs before have taught the pace
+        const double cost = job.plan.seconds(job.method);
+        if (spent + cost > budget) {
+            say(common, fmt::format("{}: left out, about {:.3g} s more; the budget is {:.3g} s and {:.3g} s of it are "
+                                    "taken\n",
+                                    job.what(), cost, budget, spent));
+            continue;
+        }
+        say(common, fmt::format("{}: about {:.3g} s\n", job.what(), cost));
+        const bool resume = fs::exists(job.folder) && !command.overwrite;
+        const RunRecord record = run_method(job.method, job.plan, {job.folder, resume, command.overwrite}, common);
+        const RunFacts facts = facts_of(job.method, record, job.folder);
+        spent += facts.wall;
+        say(common, closing_line(facts));
+        if (record.state != "finished" || stop_asked()) return false;
+        harvest.take(job, read_record(job.folder / "record.h5"));
+    }
+    return true;
+}
+
+void write_ladder(const Ladder& ladder, const Harvest& harvest, const fs::path& out, const Common& common) {
+    const std::string text = ladder_text(ladder), json = ladder_json(ladder);
+    write_text_atomically(out / "ladder.md", text);
+    write_text_atomically(out / "ladder.json", json);
+    for (std::size_t k = 0; k < ladder.sides.size(); ++k)
+        write_text_atomically(out / ("ladder_" + ladder.sides[k].method + ".csv"), ladder_csv(ladder, k));
+    std::vector<RunRecord> finest;
+    for (const LadderSide& side : ladder.sides) finest.push_back(read_record(harvest.finest.at(side.method).second));
+    CompareOptions options;
+    options.force = true;  // the budget may have left the methods with different finest sizes
+    const ReportFiles files = write_report(compare_records(std::move(finest), options), out, ladder_html(ladder));
+    std::string verdicts;
+    for (const LadderQuantity& q : ladder.quantities) verdicts += ladder_sentence(q) + "\n";
+    say(common,
+        "\n" + verdicts + "\nwritten: " + (out / "ladder.md").string() + "\nreport: " + files.html.string() + "\n");
+    write_json(common, json);
 }
 
 }  // namespace
@@ -58,52 +149,21 @@ std::optional<RunRecord> finished(const fs::path& folder, const Scene& scene) {
 int run_ladder(const LadderCommand& command, const Common& common) {
     const fs::path out =
         command.out.empty() ? fs::path("runs") / (command.scene.file.stem().string() + "_ladder") : command.out;
-    const double budget = command.budget_seconds();
-    const std::vector<Rung> rungs = rungs_of(command, out);
-    const std::vector<std::string>& methods = rungs.front().scene.run.methods;
-    if (std::find(methods.begin(), methods.end(), "fvm") != methods.end())
-        say(common, "OpenFOAM: " + sound_openfoam(rungs.front().scene.fvm.openfoam).verdict + "\n");
+    std::vector<Job> jobs = jobs_of(command, out);
+    if (std::ranges::any_of(jobs, [](const Job& j) { return j.method == "fvm"; }))
+        say(common, "OpenFOAM: " + sound_openfoam(jobs.front().plan.scene.fvm.openfoam).verdict + "\n");
 
     catch_stop_signals();
-    std::vector<RunRecord> records;
-    double spent = 0;  // predicted seconds of what is run now: what is there already costs nothing
-    for (const Rung& rung : rungs)
-        for (const std::string& method : methods) {
-            const fs::path folder = rung.folder / method;
-            const double size = rung.scene.resolution.near_hull, cost = predicted(rung, method);
-            if (auto earlier = finished(folder, rung.scene)) {
-                records.push_back(std::move(*earlier));
-                say(common,
-                    fmt::format("{} at {:g} m: finished before, taken from {}\n", method, size, folder.string()));
-            } else if (spent + cost > budget) {
-                say(common,
-                    fmt::format("{} at {:g} m: left out, about {:.3g} s more; the budget is {:.3g} s and {:.3g} s "
-                                "of it are taken\n",
-                                method, size, cost, budget, spent));
-            } else {
-                spent += cost;
-                say(common, fmt::format("{} at {:g} m: about {:.3g} s\n", method, size, cost));
-                const bool resume = fs::exists(folder) && !command.overwrite;
-                const RunRecord record = run_method(method, rung.scene, {folder, resume, command.overwrite}, common);
-                say(common, closing_line(facts_of(method, record, folder)));
-                if (record.state != "finished" || stop_asked()) {
-                    std::fputs("ladder: stopped at the user's wish; the same command goes on from here\n", stderr);
-                    return run_failed;
-                }
-                records.push_back(read_record(folder / "record.h5"));
-            }
-        }
-    if (records.empty())
+    Harvest harvest;
+    if (!run_all(jobs, command, common, harvest)) {
+        std::fputs("ladder: stopped at the user's wish; the same command goes on from here\n", stderr);
+        return run_failed;
+    }
+    harvest.drop_lone_variations();
+    if (harvest.runs.empty())
         throw InputError(fmt::format("--budget {}: no run fits; the cheapest needs about {:.3g} s", command.budget,
-                                     predicted(rungs.front(), methods.front())));
-    const Ladder ladder = build_ladder(std::move(records));
-    const std::string text = ladder_text(ladder), json = ladder_json(ladder);
-    write_text_atomically(out / "ladder.md", text);
-    write_text_atomically(out / "ladder.json", json);
-    for (std::size_t k = 0; k < ladder.sides.size(); ++k)
-        write_text_atomically(out / ("ladder_" + ladder.sides[k].method + ".csv"), ladder_csv(ladder, k));
-    say(common, "\n" + text + "\nwritten: " + (out / "ladder.md").string() + "\n");
-    write_json(common, json);
+                                     jobs.front().plan.seconds(jobs.front().method)));
+    write_ladder(build_ladder(harvest.runs, harvest.variations), harvest, out, common);
     return done;
 }
 

@@ -28,8 +28,8 @@ void refuse_taken(const fs::path& folder, const RunCommand& command) {
 }  // namespace
 
 int run_run(const RunCommand& command, const Common& common) {
-    const auto [scene, prediction] =
-        plan_run(command.scene.file, command.scene.overrides(), command.method, command.threads);
+    const PlannedRun plan = plan_run(command.scene.file, command.scene.overrides(), command.method, command.threads);
+    const auto& [scene, prediction] = plan;
 
     const fs::path out = command.out.empty() ? fs::path("runs") / command.scene.file.stem() : command.out;
     bool with_fvm = false;
@@ -47,7 +47,7 @@ int run_run(const RunCommand& command, const Common& common) {
     for (const std::string method : {"sph", "fvm"}) {  // in this order, whatever the scene's
         if (std::find(scene.run.methods.begin(), scene.run.methods.end(), method) == scene.run.methods.end()) continue;
         const bool resume = command.resume && fs::exists(out / method);
-        const RunRecord record = run_method(method, scene, {out / method, resume, command.overwrite}, common);
+        const RunRecord record = run_method(method, plan, {out / method, resume, command.overwrite}, common);
         runs.push_back(facts_of(method, record, out / method));
         say(common, closing_line(runs.back()));
         if (record.state != "finished" || stop_asked()) {

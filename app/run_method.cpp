@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "app/machine_pace.h"
 #include "app/progress_bar.h"
 #include "app/stop_signal.h"
 #include "foam_cases/run_fvm.h"
+#include "scene/hash.h"
 #include "sph_solver/run_sph.h"
 
 namespace tw::app {
@@ -17,21 +19,43 @@ PlannedRun plan_run(const std::filesystem::path& file, const SceneOverrides& ove
     else if (!method.empty())
         scene.run.methods = {method};
     if (threads > 0) scene.run.threads = threads;
-    const Prediction prediction = predict(scene);
+    const Prediction prediction = predict(scene, machine_pace());
     refuse_oversize(scene, prediction);
     return {std::move(scene), prediction};
 }
 
-RunRecord run_method(const std::string& method, const Scene& scene, const MethodRun& run, const Common& common) {
+RunRecord run_method(const std::string& method, const PlannedRun& plan, const MethodRun& run, const Common& common) {
+    const Scene& scene = plan.scene;
     RunOptions options;
     options.folder = run.folder;
     options.resume = run.resume;
     options.overwrite = run.overwrite;
     options.threads = scene.run.threads;
+    options.predicted_seconds = plan.seconds(method);
+    options.predicted_elements =
+        method == "sph" ? plan.prediction.particles + plan.prediction.wall_particles : plan.prediction.cells;
     ProgressBar bar(method, common.quiet);
     options.progress = [&bar](const Progress& p) { bar.show(p); };
     options.stop_asked = stop_asked;
-    return method == "sph" ? run_sph(scene, options) : run_fvm(scene, options);
+    RunRecord record = method == "sph" ? run_sph(scene, options) : run_fvm(scene, options);
+    if (record.state == "finished" && !run.resume) {
+        const Prediction by_table = predict(scene);
+        double taken = 0;
+        for (const Phase& phase : record.phases) taken += phase.wall;
+        learn_pace(method, method == "sph" ? by_table.sph_seconds : by_table.fvm_seconds, taken);
+    }
+    return record;
+}
+
+std::optional<RunRecord> finished_run(const std::filesystem::path& folder, const Scene& scene,
+                                      const std::string& method) {
+    const std::filesystem::path file = folder / "record.h5";
+    if (!std::filesystem::exists(file)) return {};
+    RunRecord record = read_record(file);
+    // the duration is not in the hash: a run may be made longer
+    const bool same = record.state == "finished" && record.attributes["run_hash"] == run_hash(scene, method) &&
+                      record.numbers["duration"] >= scene.run.duration;
+    return same ? std::optional(std::move(record)) : std::nullopt;
 }
 
 RunFacts facts_of(const std::string& method, const RunRecord& record, const std::filesystem::path& folder) {

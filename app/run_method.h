@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "app/commands.h"
@@ -8,10 +9,13 @@
 
 namespace tw::app {
 
-/// A scene as it will be run, and what that is expected to cost.
+/// A scene as it will be run, and what that is expected to cost on this machine.
 struct PlannedRun {
     Scene scene;
     Prediction prediction;
+    double seconds(const std::string& method) const {
+        return method == "sph" ? prediction.sph_seconds : prediction.fvm_seconds;
+    }
 };
 /// `method`: sph, fvm, both; empty: the scene's. `threads`: 0: the scene's. Throws InputError: the scene is wrong, or
 /// too large for this machine.
@@ -23,8 +27,13 @@ struct MethodRun {
     std::filesystem::path folder;  ///< of this method's run
     bool resume = false, overwrite = false;
 };
-/// Runs it with a progress bar; stops at the user's wish after saving state.
-RunRecord run_method(const std::string& method, const Scene& scene, const MethodRun& run, const Common& common);
+/// Runs it with a progress bar; stops at the user's wish after saving state. What it took is remembered for the next
+/// prediction (machine_pace.h).
+RunRecord run_method(const std::string& method, const PlannedRun& plan, const MethodRun& run, const Common& common);
+
+/// The record of an earlier run of the very same scene and numerics in this folder, if it is finished.
+std::optional<RunRecord> finished_run(const std::filesystem::path& folder, const Scene& scene,
+                                      const std::string& method);
 
 RunFacts facts_of(const std::string& method, const RunRecord& record, const std::filesystem::path& folder);
 /// "sph: finished, 4.56e+04 particles, ..." with a line end.

@@ -31,6 +31,7 @@ SceneOverrides SceneArguments::overrides() const {
     SceneOverrides o;
     if (!hull.empty()) o.hull_file = hull;
     read("--speed", speed, "m/s", o.speed);
+    read("--trim", trim, "rad", o.trim);
     read("--spacing", spacing, "m", o.spacing);
     read("--near-hull", near_hull, "m", o.near_hull);
     read("--scale", scale, "", o.scale_resolution);

@@ -22,7 +22,7 @@ struct MeanValue {
     bool unreliable = false;  ///< the two estimates of the interval differ by more than 1.5; the wider one is used
 };
 
-enum class Verdict { agree, differ, undecided, not_comparable };
+enum class Verdict { agree, differ, undecided, not_converged, not_comparable };
 std::string to_string(Verdict verdict);
 
 /// One compared number. `name` is a stable key: drag, lift, trim_moment, splash_sheet_height, splash_p95, splash_p99,
@@ -106,7 +106,9 @@ Comparison compare_records(std::vector<RunRecord> sources, const CompareOptions&
 struct ReportFiles {
     std::filesystem::path html, json, csv;
 };
-ReportFiles write_report(const Comparison& comparison, const std::filesystem::path& folder);
+/// `above`: markup that stands before the comparison, e.g. ladder_html.
+ReportFiles write_report(const Comparison& comparison, const std::filesystem::path& folder,
+                         const std::string& above = {});
 std::string comparison_json(const Comparison& comparison);
 /// The table and verdict for the terminal.
 std::string summary_text(const Comparison& comparison);

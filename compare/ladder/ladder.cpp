@@ -7,69 +7,101 @@
 #include <map>
 
 #include "base/errors.h"
+#include "compare/verdict/decide.h"
 
 namespace tw {
-
-std::string to_string(LadderVerdict verdict) {
-    switch (verdict) {
-        case LadderVerdict::agree: return "agree";
-        case LadderVerdict::differ: return "differ";
-        case LadderVerdict::undecided: return "undecided";
-        case LadderVerdict::not_converged: return "not_converged";
-        case LadderVerdict::not_comparable: break;
-    }
-    return "not_comparable";
-}
 
 namespace {
 
 constexpr double scheme_order = 2;
 
-/// One run of the ladder and what it measured.
-struct Rung {
-    double spacing, seconds, elements;
-    std::string likeness;  ///< equal in runs that differ in resolution only
-    std::vector<Quantity> quantities;
-};
-
-Rung rung_of(RunRecord record, const CompareOptions& options) {
-    const auto spacing = record.numbers.find("near_hull");
-    if (spacing == record.numbers.end() || !(spacing->second > 0))
-        throw InputError(fmt::format("the {} record has no spacing at the hull (number near_hull); a ladder needs one",
-                                     record.attributes["method"]));
-    Rung rung{spacing->second, 0, record.elements, {}, {}};
-    for (const Phase& phase : record.phases) rung.seconds += phase.wall;
-    rung.likeness = record.attributes["hull_hash"];
-    for (const char* name : {"speed", "draft", "trim", "duration", "h_over_dp", "alpha"})
-        if (const auto n = record.numbers.find(name); n != record.numbers.end())
-            rung.likeness += fmt::format(" {}={:.9g}", name, n->second);
-    std::vector<RunRecord> one;
-    one.push_back(std::move(record));
-    rung.quantities = compare_records(std::move(one), options).quantities;
-    return rung;
+const Quantity* find(const LadderRun& run, const std::string& name) {
+    const auto q = std::ranges::find(run.quantities, name, &Quantity::name);
+    return q == run.quantities.end() || q->values.empty() ? nullptr : &*q;
 }
 
-LadderValue value_of(const std::vector<Rung>& rungs, const std::string& name) {
+Sensitivity sensitivity_of(const LadderSide& side, const LadderVariation& v, const std::string& name) {
+    const auto base = std::ranges::find_if(
+        side.runs, [&](const LadderRun& r) { return std::abs(r.spacing / v.run.spacing - 1) < 1e-6; });
+    const Quantity *a = find(*base, name), *b = find(v.run, name);
+    Sensitivity s{v.name, v.run.spacing, std::nan(""), std::nan(""), std::nan("")};
+    if (!a || !b || !a->values[0].known || !b->values[0].known) return s;
+    s.value = a->values[0].value, s.varied = b->values[0].value;
+    s.uncertainty = v.factor * std::abs(s.varied - s.value);
+    return s;
+}
+
+LadderValue value_of(const LadderSide& side, const std::string& name) {
     LadderValue v;
-    for (const Rung& rung : rungs) {
-        const auto q = std::find_if(rung.quantities.begin(), rung.quantities.end(),
-                                    [&](const Quantity& x) { return x.name == name; });
-        if (q == rung.quantities.end() || q->values.empty() || !q->values[0].known) {
-            const std::string why =
-                q == rung.quantities.end() || q->values.empty() ? "not measured" : q->values[0].why_not;
-            v.absent.push_back(fmt::format("{:g} m: {}", rung.spacing, why));
+    std::vector<const LadderRun*> known;
+    for (const LadderRun& run : side.runs) {
+        const Quantity* q = find(run, name);
+        if (!q || !q->values[0].known) {
+            v.absent.push_back(fmt::format("{:g} m: {}", run.spacing, q ? q->values[0].why_not : "not measured"));
             continue;
         }
-        if (v.levels.empty()) v.statistical = q->values[0].half_width;
-        v.levels.push_back({rung.spacing, q->values[0].value});
+        known.push_back(&run);
+        v.levels.push_back({run.spacing, q->values[0].value});
+        v.half_widths.push_back(q->values[0].half_width);
     }
     if (v.levels.empty()) return v;
+    v.statistical = v.half_widths.front();
     v.estimate = estimate(v.levels, scheme_order);
-    v.uncertainty = std::hypot(v.statistical, v.estimate.uncertainty);
+    double squares = v.statistical * v.statistical + v.estimate.uncertainty * v.estimate.uncertainty;
+    for (const LadderVariation& variation : side.variations) {
+        v.sensitivities.push_back(sensitivity_of(side, variation, name));
+        if (const double U = v.sensitivities.back().uncertainty; std::isfinite(U)) squares += U * U;
+    }
+    v.uncertainty = std::sqrt(squares);
+    std::vector<CostPoint> points;
+    for (std::size_t i = 0; i < v.estimate.uncertainties.size(); ++i)
+        points.push_back(
+            {known[i]->spacing, known[i]->seconds, std::hypot(v.estimate.uncertainties[i], v.half_widths[i])});
+    v.cost = cost_of_accuracy(std::move(points));
     return v;
 }
 
-void judge(LadderQuantity& q, const std::vector<LadderSide>& sides, double target) {
+/// One share of the joint interval, and what it is called.
+struct Term {
+    double U;
+    std::string name;
+    std::size_t side;
+    enum { statistics, resolution, choice } kind;
+};
+
+std::vector<Term> terms_of(const LadderQuantity& q, const std::vector<LadderSide>& sides) {
+    std::vector<Term> terms;
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+        const LadderValue& v = q.values[k];
+        terms.push_back({v.statistical, sides[k].method + "'s mean", k, Term::statistics});
+        terms.push_back({v.estimate.uncertainty, sides[k].method + "'s resolution", k, Term::resolution});
+        for (const Sensitivity& s : v.sensitivities)
+            if (std::isfinite(s.uncertainty))
+                terms.push_back({s.uncertainty, sides[k].method + "'s " + s.name, k, Term::choice});
+    }
+    return terms;
+}
+
+/// What would make the largest term small enough for the target, the others as they are.
+std::string remedy(const Term& term, const LadderQuantity& q, const LadderSide& side, double target_U) {
+    const double rest = q.interval * q.interval - term.U * term.U, room = target_U * target_U - rest;
+    if (!(room > 0)) return "the other terms alone are too large as well";
+    const double needed = std::sqrt(room);
+    if (term.kind == Term::statistics) {
+        const LadderRun& finest = side.runs.front();
+        return fmt::format("a record of about {:.2g} s instead of {:.2g} s would do",
+                           finest.duration * std::pow(term.U / needed, 2), finest.duration);
+    }
+    const CostOfAccuracy& cost = q.values[term.side].cost;
+    if (term.kind == Term::resolution && cost.known())
+        return fmt::format("a finer run of about {} would do, by the slope of this ladder",
+                           time_text(cost.seconds_for(needed)));
+    return {};
+}
+
+void judge(LadderQuantity& q, const std::vector<LadderSide>& sides, double target, double scale) {
+    for (const LadderValue& v : q.values)
+        if (!v.levels.empty()) q.size = std::max(q.size, std::abs(v.levels.front().value));
     if (sides.size() < 2) {
         q.reason = "one method only";
         return;
@@ -80,81 +112,106 @@ void judge(LadderQuantity& q, const std::vector<LadderSide>& sides, double targe
             q.reason = sides[k].method + ": no level has a mean";
             return;
         }
-    const double S0 = a.levels.front().value, S1 = b.levels.front().value, S = std::abs(S0 + S1) / 2;
+    const double S0 = a.levels.front().value, S1 = b.levels.front().value;
+    const double S = q.size = std::max(std::abs(S0 + S1) / 2, scale);
     q.difference = S1 - S0;
     if (S > 0) q.per_cent = 100 * q.difference / S;
     for (std::size_t k = 0; k < 2; ++k)
         if (!std::isfinite(q.values[k].uncertainty)) {
-            q.verdict = LadderVerdict::not_converged;
+            q.verdict = Verdict::not_converged;
             q.reason = fmt::format("{}: {}", sides[k].method, q.values[k].estimate.why_not);
             return;
         }
     q.interval = std::hypot(a.uncertainty, b.uncertainty);
-    if (std::abs(q.difference) > q.interval) {
-        q.verdict = LadderVerdict::differ;
-        if (std::abs(q.difference) <= target * S)
-            q.reason = fmt::format("a real difference, yet within the target of {:g} %", 100 * target);
-        return;
+    q.verdict = decide(q.difference, q.interval, target, S);
+    if (q.verdict == Verdict::differ && std::abs(q.difference) <= target * S)
+        q.reason = fmt::format("a real difference, yet within the target of {:g} %", 100 * target);
+    if (q.verdict != Verdict::undecided) return;
+    const std::vector<Term> terms = terms_of(q, sides);
+    const Term& largest = *std::ranges::max_element(terms, {}, &Term::U);
+    const std::string cure = remedy(largest, q, sides[largest.side], target * S);
+    q.reason = fmt::format("the interval is wider than the target of {:g} %; largest term: {} (+- {:.3g} {}){}",
+                           100 * target, largest.name, largest.U, q.unit, cure.empty() ? "" : "; " + cure);
+}
+
+/// The runs by method, SPH and FVM in this order and others behind them by name; finest first.
+std::vector<LadderSide> sides_of(std::vector<LadderRun> runs) {
+    const auto rank = [](const std::string& method) { return method == "sph" ? 0 : method == "fvm" ? 1 : 2; };
+    std::ranges::sort(runs, [&](const LadderRun& a, const LadderRun& b) {
+        return std::tuple(rank(a.method), a.method, a.spacing) < std::tuple(rank(b.method), b.method, b.spacing);
+    });
+    std::vector<LadderSide> sides;
+    for (LadderRun& run : runs) {
+        if (sides.empty() || sides.back().method != run.method) sides.push_back({run.method, {}, {}, true});
+        LadderSide& side = sides.back();
+        if (!side.runs.empty() && run.spacing <= side.runs.back().spacing * (1 + 1e-6))
+            throw InputError(fmt::format("two {} runs with the spacing {:g} m; expected one run of every size",
+                                         side.method, run.spacing));
+        side.similar = side.similar && (side.runs.empty() || run.likeness == side.runs.front().likeness);
+        side.runs.push_back(std::move(run));
     }
-    q.verdict = q.interval <= target * S ? LadderVerdict::agree : LadderVerdict::undecided;
-    if (q.verdict == LadderVerdict::agree) return;
-    const std::pair<double, std::string> terms[] = {{a.statistical, sides[0].method + "'s mean"},
-                                                    {b.statistical, sides[1].method + "'s mean"},
-                                                    {a.estimate.uncertainty, sides[0].method + "'s resolution"},
-                                                    {b.estimate.uncertainty, sides[1].method + "'s resolution"}};
-    const auto& largest = *std::max_element(std::begin(terms), std::end(terms));
-    q.reason = fmt::format("the interval is wider than the target of {:g} %; largest term: {} (+- {:.3g} {})",
-                           100 * target, largest.second, largest.first, q.unit);
+    if (sides.size() > 2) throw InputError(fmt::format("{} methods in one ladder; expected one or two", sides.size()));
+    return sides;
+}
+
+void add_variation(std::vector<LadderSide>& sides, LadderVariation v) {
+    for (LadderSide& side : sides)
+        if (side.method == v.run.method)
+            for (const LadderRun& run : side.runs)
+                if (std::abs(run.spacing / v.run.spacing - 1) < 1e-6) {
+                    side.variations.push_back(std::move(v));
+                    return;
+                }
+    throw InputError(fmt::format("{} with {}: the ladder has no {} run of {:g} m that it varies", v.run.method, v.name,
+                                 v.run.method, v.run.spacing));
 }
 
 }  // namespace
 
-Ladder build_ladder(std::vector<RunRecord> records, const CompareOptions& options) {
-    if (records.empty()) throw InputError("a ladder without a finished run; expected one or more");
+LadderRun ladder_run(RunRecord record, const CompareOptions& options) {
+    const auto spacing = record.numbers.find("near_hull");
+    if (spacing == record.numbers.end() || !(spacing->second > 0))
+        throw InputError(fmt::format("the {} record has no spacing at the hull (number near_hull); a ladder needs one",
+                                     record.attributes["method"]));
+    LadderRun run;
+    run.title = record.attributes["title"], run.method = record.attributes["method"];
+    run.spacing = spacing->second, run.elements = record.elements, run.memory = record.peak_memory;
+    run.predicted_seconds = record.numbers["predicted_seconds"], run.duration = record.numbers["duration"];
+    for (const Phase& phase : record.phases) run.seconds += phase.wall, run.core_seconds += phase.cpu;
+    run.likeness = record.attributes["hull_hash"];
+    for (const char* name : {"speed", "draft", "trim", "duration", "h_over_dp", "alpha", "c0", "cfl", "shifting",
+                             "max_courant_limit", "interface_compression"})
+        if (const auto n = record.numbers.find(name); n != record.numbers.end())
+            run.likeness += fmt::format(" {}={:.9g}", name, n->second);
+    std::vector<RunRecord> one;
+    one.push_back(std::move(record));
+    run.quantities = compare_records(std::move(one), options).quantities;
+    return run;
+}
+
+Ladder build_ladder(std::vector<LadderRun> runs, std::vector<LadderVariation> variations, double agree_within) {
+    if (runs.empty()) throw InputError("a ladder without a finished run; expected one or more");
     Ladder ladder;
-    ladder.title = records.front().attributes["title"];
-    ladder.agree_within = options.agree_within;
-    std::map<std::string, std::vector<Rung>> by_method;
-    for (RunRecord& record : records) {
-        const std::string method = record.attributes["method"];
-        by_method[method].push_back(rung_of(std::move(record), options));
-    }
-    if (by_method.size() > 2)
-        throw InputError(fmt::format("{} methods in one ladder; expected one or two", by_method.size()));
-    std::vector<std::vector<Rung>> rungs;
-    for (const char* method : {"sph", "fvm"})  // in this order; others behind them by name
-        if (auto node = by_method.extract(method)) {
-            ladder.sides.push_back({method, {}, {}, {}});
-            rungs.push_back(std::move(node.mapped()));
-        }
-    for (auto& [method, of_method] : by_method) {
-        ladder.sides.push_back({method, {}, {}, {}});
-        rungs.push_back(std::move(of_method));
-    }
-    std::vector<Quantity> known;  // the union of what the runs measured, in their order
-    for (std::size_t k = 0; k < rungs.size(); ++k) {
-        LadderSide& side = ladder.sides[k];
-        std::sort(rungs[k].begin(), rungs[k].end(), [](const Rung& x, const Rung& y) { return x.spacing < y.spacing; });
-        for (const Rung& rung : rungs[k]) {
-            if (!side.spacing.empty() && rung.spacing <= side.spacing.back() * (1 + 1e-6))
-                throw InputError(fmt::format("two {} runs with the spacing {:g} m; expected one run of every size",
-                                             side.method, rung.spacing));
-            side.spacing.push_back(rung.spacing);
-            side.seconds.push_back(rung.seconds);
-            side.elements.push_back(rung.elements);
-            side.similar = side.similar && rung.likeness == rungs[k].front().likeness;
-            for (const Quantity& q : rung.quantities)
-                if (q.judged &&
-                    std::none_of(known.begin(), known.end(), [&](const Quantity& x) { return x.name == q.name; }))
-                    known.push_back(q);
-        }
-    }
-    for (const Quantity& from : known) {
-        LadderQuantity q;
-        q.name = from.name, q.label = from.label, q.unit = from.unit;
-        for (const std::vector<Rung>& of_side : rungs) q.values.push_back(value_of(of_side, q.name));
-        judge(q, ladder.sides, ladder.agree_within);
-        ladder.quantities.push_back(std::move(q));
+    ladder.title = runs.front().title;
+    ladder.agree_within = agree_within;
+    ladder.sides = sides_of(std::move(runs));
+    for (LadderVariation& v : variations) add_variation(ladder.sides, std::move(v));
+    for (const LadderSide& side : ladder.sides)  // the union of what the runs measured, in their order
+        for (const LadderRun& run : side.runs)
+            for (const Quantity& from : run.quantities)
+                if (from.judged &&
+                    std::ranges::find(ladder.quantities, from.name, &LadderQuantity::name) == ladder.quantities.end()) {
+                    LadderQuantity q;
+                    q.name = from.name, q.label = from.label, q.unit = from.unit;
+                    ladder.quantities.push_back(std::move(q));
+                }
+    for (LadderQuantity& q : ladder.quantities) {
+        for (const LadderSide& side : ladder.sides) q.values.push_back(value_of(side, q.name));
+        double scale = 0;
+        for (const LadderSide& side : ladder.sides)
+            for (const LadderRun& run : side.runs)
+                if (const Quantity* of_run = find(run, q.name)) scale = std::max(scale, of_run->scale);
+        judge(q, ladder.sides, ladder.agree_within, scale);
     }
     return ladder;
 }

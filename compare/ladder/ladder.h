@@ -4,38 +4,72 @@
 #include <vector>
 
 #include "compare/compare.h"
+#include "compare/ladder/cost.h"
 #include "compare/uncertainty/convergence.h"
 
 namespace tw {
 
-/// One method's runs of a ladder.
+/// What a ladder keeps of one finished run.
+struct LadderRun {
+    std::string title, method;
+    double spacing = 0;                    ///< at the hull [m]
+    double elements = 0;                   ///< particles or cells
+    double seconds = 0, core_seconds = 0;  ///< everything counted: wall, processor time [s]
+    double memory = 0;                     ///< peak [bytes]
+    double predicted_seconds = 0;          ///< as said before the run [s]; 0: not said
+    double duration = 0;                   ///< simulated [s]
+    std::string likeness;                  ///< equal in runs that differ in resolution only
+    std::vector<Quantity> quantities;
+};
+/// Throws InputError: the record has no spacing at the hull.
+LadderRun ladder_run(RunRecord record, const CompareOptions& options = {});
+
+/// A run that differs from the ladder's own of the same method and size in one choice that should not matter. The share
+/// of the error that the choice leaves in the ladder's value is put at `factor` |value - varied value|: 1/(1 - 1/r^q)
+/// for a choice made finer by r whose error falls with order q.
+struct LadderVariation {
+    std::string name;  ///< "sound speed x 1.5"
+    double factor = 1;
+    LadderRun run;
+};
+
+/// One method's runs of a ladder, finest first.
 struct LadderSide {
     std::string method;
-    std::vector<double> spacing;   ///< finest first [m]
-    std::vector<double> seconds;   ///< wall time of each, everything counted [s]
-    std::vector<double> elements;  ///< particles or cells
-    bool similar = true;           ///< false: runs of other hulls, speeds or options are among them
+    std::vector<LadderRun> runs;
+    std::vector<LadderVariation> variations;
+    bool similar = true;  ///< false: runs of other hulls, speeds or options are among them
+};
+
+/// What one variation says of one quantity [its unit].
+struct Sensitivity {
+    std::string name;
+    double spacing = 0;  ///< of the two runs [m]
+    double value = 0, varied = 0, uncertainty = 0;
+    /// Every digit the same: what was varied does not bind in this run, so it says nothing.
+    bool idle() const { return value == varied; }
 };
 
 /// What a ladder says of one quantity and one method.
 struct LadderValue {
     std::vector<Level> levels;                                      ///< the levels whose mean is known, finest first
+    std::vector<double> half_widths;                                ///< of each level's 95 % interval
     std::vector<std::string> absent;                                ///< why a level is missing, with its spacing
     double statistical = std::numeric_limits<double>::quiet_NaN();  ///< half width of the finest level's 95 % interval
     Estimate estimate;                                              ///< of the resolution; no levels: nothing known
-    double uncertainty = std::numeric_limits<double>::quiet_NaN();  ///< of the finest value, statistics and resolution
+    std::vector<Sensitivity> sensitivities;
+    double uncertainty = std::numeric_limits<double>::quiet_NaN();  ///< of the finest value: all of the above
+    CostOfAccuracy cost;
 };
-
-enum class LadderVerdict { agree, differ, undecided, not_converged, not_comparable };
-std::string to_string(LadderVerdict verdict);
 
 struct LadderQuantity {
     std::string name, label, unit;
-    std::vector<LadderValue> values;                               ///< one per side
+    std::vector<LadderValue> values;  ///< one per side
+    double size = 0;  ///< what per cent and target refer to: mean of the finest values, or the quantity's own scale
     double difference = std::numeric_limits<double>::quiet_NaN();  ///< of the finest values, side 1 - side 0
     double interval = std::numeric_limits<double>::quiet_NaN();    ///< half width of its 95 % interval
-    double per_cent = std::numeric_limits<double>::quiet_NaN();    ///< difference over the mean of the two [%]
-    LadderVerdict verdict = LadderVerdict::not_comparable;
+    double per_cent = std::numeric_limits<double>::quiet_NaN();    ///< difference over the size [%]
+    Verdict verdict = Verdict::not_comparable;
     std::string reason;
 };
 
@@ -47,22 +81,28 @@ struct Ladder {
 };
 
 /// Finished runs of one scene at several sizes, one method or two, in any order. The size of a level is its spacing at
-/// the hull. For every judged quantity, with the finest values S, statistics u and resolution U_num of each method:
+/// the hull. For every judged quantity, with the finest values S, and of each method the statistics u, the resolution's
+/// U_num and the variations' U_var:
 ///
-///   E = S_1 - S_0     U^2 = sum over both methods of u^2 + U_num^2     S = |S_0 + S_1| / 2
-///   no U_num for a method                not converged
-///   |E| <= U  and  U <= target S         agree
-///   |E| <= U  and  U >  target S         undecided; the reason names the largest term
-///   |E| >  U                             differ
+///   E = S_1 - S_0     U^2 = sum over both methods of u^2 + U_num^2 + sum U_var^2
+///   S = |S_0 + S_1| / 2, at least the quantity's scale
 ///
-/// (E and U as in ASME V&V 20; here each method is the other's reference.) Throws InputError: no record, more than two
-/// methods, two runs of one method with one spacing.
-Ladder build_ladder(std::vector<RunRecord> records, const CompareOptions& options = {});
+/// A method without U_num is not converged; else decide.h. Where undecided, the reason names the largest term and what
+/// it would cost to make it small enough. Throws InputError: no run, more than two methods, two runs of one method with
+/// one spacing, a variation without the run that it varies.
+Ladder build_ladder(std::vector<LadderRun> runs, std::vector<LadderVariation> variations = {},
+                    double agree_within = 0.05);
 
+/// "Lift: the methods differ by +418 +- 120 N (+13 %)": one quantity's verdict in words, its reason behind it.
+std::string ladder_sentence(const LadderQuantity& quantity);
 /// Tables and verdicts for people, in markdown.
 std::string ladder_text(const Ladder& ladder);
 std::string ladder_json(const Ladder& ladder);
 /// Spacing and values of one side, as `twinwake uncertainty` reads it; levels that lack a quantity leave it out whole.
 std::string ladder_csv(const Ladder& ladder, std::size_t side);
+/// The part of report.html that shows the ladder: verdicts, convergence, what accuracy costs.
+std::string ladder_html(const Ladder& ladder);
+/// Seconds as people say them: "42 s", "13 min", "2.4 h", "9 days".
+std::string time_text(double seconds);
 
 }  // namespace tw

@@ -61,6 +61,16 @@ void from_many_levels(Estimate& e) {
     if (best.known) take(e, {"least squares (Eca & Hoekstra)", best.p, best.phi0, best.uncertainty});
 }
 
+std::vector<double> of_every_level(const Estimate& e) {
+    if (!std::isfinite(e.uncertainty)) return {};
+    if (e.levels.size() >= 4) return e.eca_hoekstra.uncertainties;
+    std::vector<double> U;
+    const double error = std::abs(e.levels[0].value - e.limit);
+    for (const Level& l : e.levels)
+        U.push_back(error > 0 ? e.uncertainty * std::abs(l.value - e.limit) / error : e.uncertainty);
+    return U;
+}
+
 double disagreement(const Estimate& e) {
     double low = std::numeric_limits<double>::infinity(), high = 0;
     int known = 0;
@@ -103,6 +113,7 @@ Estimate estimate(std::vector<Level> levels, double p_th) {
     }
     e.converged = e.convergence == Convergence::unchanged || e.convergence == Convergence::monotone ||
                   e.convergence == Convergence::oscillatory;
+    e.uncertainties = of_every_level(e);
     e.disagreement = disagreement(e);
     return e;
 }

@@ -30,6 +30,9 @@ struct Estimate {
     double limit = nan;        ///< value at zero spacing [unit of the value]
     double uncertainty = nan;  ///< U of the finest value, half width of a 95 % interval [unit of the value]; nan: none
     std::string why_not;       ///< why there is no uncertainty; empty where there is one
+    /// U of every level, finest first [unit of the value]: the least squares' own; with fewer than four levels
+    /// U_1 |phi_i - limit|/|phi_1 - limit|. Empty where there is no uncertainty.
+    std::vector<double> uncertainties;
     double disagreement =
         nan;  ///< largest over smallest of the three methods' U, where two or more have one above 0 [-]
     EcaHoekstra eca_hoekstra;

@@ -134,6 +134,7 @@ EcaHoekstra eca_hoekstra(std::span<const Level> levels) {
         e.phi0 = levels[0].value;
         e.sigma = 0;
         e.uncertainty = phi_max - phi_min;
+        e.uncertainties.assign(levels.size(), e.uncertainty);
         return e;
     }
 
@@ -176,14 +177,12 @@ EcaHoekstra eca_hoekstra(std::span<const Level> levels) {
         return e;
     }
     e.known = true;
-    const double eps = std::abs(plain.phi[0] - e.phi0), off_fit = std::abs(plain.phi[0] - best.fitted[0]);
-    if (scattered) {
-        e.Fs = 3 * e.sigma / e.data_range;
-        e.uncertainty = e.Fs * (eps + e.sigma + off_fit);
-    } else {
-        e.Fs = p_in_range ? 1.25 : 3;
-        e.uncertainty = e.Fs * eps + e.sigma + off_fit;
+    e.Fs = scattered ? 3 * e.sigma / e.data_range : p_in_range ? 1.25 : 3;
+    for (Eigen::Index i = 0; i < n_g; ++i) {
+        const double eps = std::abs(plain.phi[i] - e.phi0), rest = e.sigma + std::abs(plain.phi[i] - best.fitted[i]);
+        e.uncertainties.push_back(scattered ? e.Fs * (eps + rest) : e.Fs * eps + rest);
     }
+    e.uncertainty = e.uncertainties.front();
     return e;
 }
 

@@ -55,6 +55,7 @@ struct EcaHoekstra {
     double Fs = nan;                      ///< 1.25 or 3; 3 sigma/Dphi where scattered [-]
     double uncertainty = nan;             ///< U of the finest value [unit of the value]
     std::vector<double> fitted;           ///< the fit at every level, finest first [unit of the value]
+    std::vector<double> uncertainties;    ///< U of every level, finest first [unit of the value]
 };
 /// `levels`: as from finest_first. Fewer than four: not known (with three the free fit meets every value and its sigma
 /// says nothing; estimate() in convergence.h falls back to the three-level methods).

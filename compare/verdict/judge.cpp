@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/verdict/decide.h"
+
 namespace tw {
 
 std::string to_string(Verdict verdict) {
@@ -12,6 +14,7 @@ std::string to_string(Verdict verdict) {
         case Verdict::agree: return "agree";
         case Verdict::differ: return "differ";
         case Verdict::undecided: return "undecided";
+        case Verdict::not_converged: return "not_converged";
         case Verdict::not_comparable: break;
     }
     return "not_comparable";
@@ -68,14 +71,10 @@ void judge(Quantity& q, const std::vector<std::string>& names, double target, do
     const double mean = 0.5 * std::abs(A.value + B.value), scale = std::max(mean, q.scale);
     if (scale > 0) q.per_cent = 100 * q.difference / scale;
     if (q.values.size() > 2) add_remark(q, "farthest apart: " + names[a] + " and " + names[b]);
-    if (std::abs(q.difference) > q.interval) {
-        q.verdict = Verdict::differ;
-        if (std::abs(q.difference) <= target * scale)
-            add_remark(q, fmt::format("a real difference, yet within the target of {:g} %", 100 * target));
-    } else if (q.interval <= target * scale) {
-        q.verdict = Verdict::agree;
-    } else {
-        q.verdict = Verdict::undecided;
+    q.verdict = decide(q.difference, q.interval, target, scale);
+    if (q.verdict == Verdict::differ && std::abs(q.difference) <= target * scale)
+        add_remark(q, fmt::format("a real difference, yet within the target of {:g} %", 100 * target));
+    if (q.verdict == Verdict::undecided) {
         const MeanValue& wider = A.half_width >= B.half_width ? A : B;
         const std::string who = shared > wider.half_width   ? shared_name
                                 : !wider.limited_by.empty() ? wider.limited_by

@@ -6,9 +6,6 @@ namespace tw {
 /// Fills difference, interval, per_cent, verdict and remark of a quantity from its values:
 ///
 ///   E = S_B - S_A      U = sqrt(U_A^2 + U_B^2 + U_shared^2)      S = max(|mean of the two|, scale)
-///   |E| <= U  and U <= target S    agree (within the target)
-///   |E| <= U  and U >  target S    undecided: the intervals are too wide
-///   |E| >  U                       differ by E +- U
 ///   a record too short             undecided, with the time that is missing
 ///   a value missing                not comparable
 ///

@@ -1,3 +1,6 @@
+#include <nlohmann/json.hpp>
+#include <thread>
+
 #include "program.h"
 
 namespace tw::test {
@@ -29,6 +32,27 @@ TEST_F(Command, WrongUsageIsStatusTwoAndSaysWhatIsKnown) {
     EXPECT_EQ(twinwake({"run", "a.toml", "--resume", "--overwrite"}).status, 2);
     EXPECT_EQ(twinwake({"compare", "absent"}).status, 2);
     EXPECT_EQ(files(), std::set<std::string>{"a.toml"});
+}
+
+TEST_F(Command, WhatThisMachineWasFoundToTakeIsInThePrediction) {
+    write("a.toml", planing);
+    const auto seconds = [&] {
+        const Outcome o = twinwake({"check", "a.toml", "--json", "-"});
+        EXPECT_EQ(o.status, 0) << o.err;
+        return nlohmann::json::parse(o.out)["predicted"]["sph"]["seconds"].get<double>();
+    };
+    const double by_table = seconds();
+    std::string model = "unknown processor", line;  // as record/this_machine.cpp names it
+    for (std::ifstream info("/proc/cpuinfo"); std::getline(info, line);)
+        if (line.starts_with("model name")) {
+            model = line.substr(line.find(": ") + 2);
+            break;
+        }
+    model += ", " + std::to_string(std::thread::hardware_concurrency()) + " threads";
+    write("cache/twinwake/pace.json", nlohmann::json{{model, {{"sph", {2, 30, 3}}}}}.dump());
+    EXPECT_NEAR(seconds() / by_table, 3, 1e-3);  // the median
+    write("cache/twinwake/pace.json", "{\"not\": [json");
+    EXPECT_NEAR(seconds() / by_table, 1, 1e-3);
 }
 
 TEST_F(Command, EveryTemplateThatNeedsNoFilePassesItsOwnCheck) {

@@ -36,6 +36,7 @@ protected:
                   (std::string(info->test_suite_name()) + "." + info->name());
         fs::remove_all(folder_);
         fs::create_directories(folder_);
+        setenv("XDG_CACHE_HOME", (folder_ / "cache").c_str(), 1);  // what runs teach stays in the test
     }
     void TearDown() override {
         if (!HasFailure()) fs::remove_all(folder_);

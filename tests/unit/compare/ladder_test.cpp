@@ -29,6 +29,12 @@ void add_family(std::vector<RunRecord>& records, const std::string& method, doub
     }
 }
 
+Ladder ladder_of(const std::vector<RunRecord>& records) {
+    std::vector<LadderRun> runs;
+    for (const RunRecord& record : records) runs.push_back(ladder_run(record));
+    return build_ladder(std::move(runs));
+}
+
 const LadderQuantity& lift_of(const Ladder& ladder) {
     for (const LadderQuantity& q : ladder.quantities)
         if (q.name == "lift") return q;
@@ -39,7 +45,7 @@ TEST(Ladder, MethodsThatConvergeToOneValueAgreeThoughTheirFinestValuesDiffer) {
     std::vector<RunRecord> records;
     add_family(records, "fvm", 2800, 10, 2);  // coarsest and finest mixed up on purpose: any order is accepted
     add_family(records, "sph", 2800, 40, 2);
-    const Ladder ladder = build_ladder(std::move(records));
+    const Ladder ladder = ladder_of(records);
     ASSERT_EQ(ladder.sides.size(), 2u);
     EXPECT_EQ(ladder.sides[0].method, "sph");
     const LadderQuantity& lift = lift_of(ladder);
@@ -48,15 +54,15 @@ TEST(Ladder, MethodsThatConvergeToOneValueAgreeThoughTheirFinestValuesDiffer) {
     EXPECT_NEAR(lift.difference, -30, 3);
     EXPECT_LT(std::hypot(lift.values[0].statistical, lift.values[1].statistical), 10);  // by these alone they differ
     EXPECT_GT(lift.interval, 40);
-    EXPECT_EQ(lift.verdict, LadderVerdict::agree) << lift.reason;
+    EXPECT_EQ(lift.verdict, Verdict::agree) << lift.reason;
 }
 
 TEST(Ladder, MethodsThatConvergeToTwoValuesDiffer) {
     std::vector<RunRecord> records;
     add_family(records, "sph", 3200, 10, 2);
     add_family(records, "fvm", 2800, 10, 2);
-    const LadderQuantity lift = lift_of(build_ladder(std::move(records)));
-    EXPECT_EQ(lift.verdict, LadderVerdict::differ);
+    const LadderQuantity lift = lift_of(ladder_of(records));
+    EXPECT_EQ(lift.verdict, Verdict::differ);
     EXPECT_NEAR(lift.difference, -400, 5);
 }
 
@@ -64,57 +70,102 @@ TEST(Ladder, CoarseRunsAreUndecidedAndTheLargestTermIsNamed) {
     std::vector<RunRecord> records;
     add_family(records, "sph", 2800, 300, 1);
     add_family(records, "fvm", 2800, 5, 2);
-    const LadderQuantity lift = lift_of(build_ladder(std::move(records)));
-    EXPECT_EQ(lift.verdict, LadderVerdict::undecided);
+    const LadderQuantity lift = lift_of(ladder_of(records));
+    EXPECT_EQ(lift.verdict, Verdict::undecided);
     EXPECT_NE(lift.reason.find("sph's resolution"), std::string::npos) << lift.reason;
+}
+
+TEST(Ladder, AChoiceThatShouldNotMatterAddsToTheInterval) {
+    std::vector<RunRecord> records, varied;
+    add_family(records, "sph", 2800, 10, 2);
+    add_family(records, "fvm", 2800, 10, 2);
+    std::vector<LadderRun> runs;
+    for (const RunRecord& r : records) runs.push_back(ladder_run(r));
+    const double without = lift_of(build_ladder(runs)).values[0].uncertainty;
+    add_family(varied, "sph", 2900, 10, 2);
+    const LadderVariation faster{"sound speed x 1.5", 1.8, ladder_run(varied[2])};  // at 0.08 m: 100 N more
+    const Ladder ladder = build_ladder(runs, {faster});
+    const LadderValue& sph = lift_of(ladder).values[0];
+    ASSERT_EQ(sph.sensitivities.size(), 1u);
+    EXPECT_NEAR(sph.sensitivities[0].uncertainty, 180, 8);
+    EXPECT_NEAR(sph.uncertainty, std::hypot(without, sph.sensitivities[0].uncertainty), 1e-6);
+    EXPECT_EQ(lift_of(ladder).values[1].sensitivities.size(), 0u);
+    EXPECT_NE(ladder_text(ladder).find("sound speed x 1.5"), std::string::npos);
+
+    LadderVariation same = faster;
+    same.run = runs[2];
+    EXPECT_TRUE(lift_of(build_ladder(runs, {same})).values[0].sensitivities[0].idle());
+    LadderVariation lone = faster;
+    lone.run.spacing = 0.05;
+    EXPECT_THROW(build_ladder(runs, {lone}), InputError);
+}
+
+TEST(Ladder, ThePriceOfADigitFollowsFromOrderAndCost) {
+    std::vector<RunRecord> records;
+    add_family(records, "sph", 2800, 100, 2);  // error with h^2 at a cost with h^-4
+    const Ladder ladder = ladder_of(records);
+    const CostOfAccuracy& cost = lift_of(ladder).values[0].cost;
+    ASSERT_TRUE(cost.known()) << cost.why_not;
+    EXPECT_NEAR(cost.price_of_halving(), 4, 0.6);
+    const std::string page = ladder_html(ladder);
+    EXPECT_NE(page.find("The price of a digit"), std::string::npos);
+    EXPECT_NE(page.find("<svg"), std::string::npos);
+}
+
+TEST(Ladder, WhatIsUndecidedSaysWhatItWouldCostToDecide) {
+    std::vector<RunRecord> records;
+    add_family(records, "sph", 2800, 300, 1);
+    add_family(records, "fvm", 2800, 5, 2);
+    EXPECT_NE(lift_of(ladder_of(records)).reason.find("would do"), std::string::npos);
 }
 
 TEST(Ladder, OneSizeAloneIsNotConverged) {
     std::vector<RunRecord> records;
     add_family(records, "sph", 2800, 30, 2, 1);
     add_family(records, "fvm", 2800, 30, 2);
-    EXPECT_EQ(lift_of(build_ladder(std::move(records))).verdict, LadderVerdict::not_converged);
+    EXPECT_EQ(lift_of(ladder_of(records)).verdict, Verdict::not_converged);
 }
 
 TEST(Ladder, OneMethodAloneHasItsUncertaintyAndNoVerdict) {
     std::vector<RunRecord> records;
     add_family(records, "sph", 2800, 30, 2);
-    const LadderQuantity lift = lift_of(build_ladder(std::move(records)));
-    EXPECT_EQ(lift.verdict, LadderVerdict::not_comparable);
+    const LadderQuantity lift = lift_of(ladder_of(records));
+    EXPECT_EQ(lift.verdict, Verdict::not_comparable);
     EXPECT_GT(lift.values[0].uncertainty, 0);
 }
 
 TEST(Ladder, ARunOfAnotherHullIsNoMemberOfTheFamily) {
     std::vector<RunRecord> records;
     add_family(records, "sph", 2800, 30, 2);
-    EXPECT_TRUE(build_ladder(records).sides[0].similar);
+    EXPECT_TRUE(ladder_of(records).sides[0].similar);
     records[1].attributes["hull_hash"] = "hull-2";
-    const Ladder ladder = build_ladder(records);
+    const Ladder ladder = ladder_of(records);
     EXPECT_FALSE(ladder.sides[0].similar);
     EXPECT_NE(ladder_text(ladder).find("no family"), std::string::npos);
 }
 
 TEST(Ladder, RefusesWhatIsNoLadder) {
-    EXPECT_THROW(build_ladder({}), InputError);
+    EXPECT_THROW(ladder_of({}), InputError);
     std::vector<RunRecord> twice;
     add_family(twice, "sph", 2800, 30, 2, 1);
     add_family(twice, "sph", 2800, 30, 2, 1);
-    EXPECT_THROW(build_ladder(twice), InputError);
+    EXPECT_THROW(ladder_of(twice), InputError);
     twice[0].numbers.erase("near_hull");
-    EXPECT_THROW(build_ladder(twice), InputError);
+    EXPECT_THROW(ladder_of(twice), InputError);
 }
 
 TEST(Ladder, ItsTableIsReadByTheUncertaintyCommandAndItsTextIsSafe) {
     std::vector<RunRecord> records;
     add_family(records, "sph", 2800, 30, 2);
     for (RunRecord& r : records) r.attributes["title"] = "a\x1b[31mred";
-    const Ladder ladder = build_ladder(std::move(records));
+    const Ladder ladder = ladder_of(records);
     const RefinementTable table = parse_refinement_table(ladder_csv(ladder, 0), "ladder.csv");
     ASSERT_EQ(table.spacing.size(), 4u);
     bool has_lift = false;
     for (const auto& column : table.columns) has_lift |= column.name == "lift [N]";
     EXPECT_TRUE(has_lift);
     EXPECT_EQ(ladder_text(ladder).find('\x1b'), std::string::npos);
+    EXPECT_EQ(ladder_html(ladder).find('\x1b'), std::string::npos);
     EXPECT_EQ(nlohmann::json::parse(ladder_json(ladder))["sides"][0]["method"], "sph");
 }
 

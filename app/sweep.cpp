@@ -1,0 +1,115 @@
+#include "compare/sweep/sweep.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/output.h"
+#include "app/run_method.h"
+#include "app/stop_signal.h"
+#include "base/atomic_file.h"
+#include "base/errors.h"
+#include "foam_cases/doctor.h"
+
+namespace tw::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One scene of the set: the scene file with another hull, speed and trim.
+struct Variant {
+    std::string name, folder;
+    SceneOverrides overrides;
+};
+
+/// Letters, digits, points and dashes of a name; the rest becomes a dash.
+std::string plain(std::string name) {
+    for (char& c : name)
+        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '.') c = '-';
+    return name;
+}
+
+/// Every hull at every speed and trim; a list that is not given stands for the scene's own.
+std::vector<Variant> variants_of(const SweepCommand& command) {
+    const std::vector<fs::path> hulls = command.hulls.empty() ? std::vector<fs::path>{{}} : command.hulls;
+    const std::vector<std::string> speeds = command.speeds.empty() ? std::vector<std::string>{""} : command.speeds,
+                                   trims = command.trims.empty() ? std::vector<std::string>{""} : command.trims;
+    std::vector<Variant> variants;
+    for (const fs::path& hull : hulls)
+        for (const std::string& speed : speeds)
+            for (const std::string& trim : trims) {
+                SceneArguments scene = command.scene;
+                scene.hull = hull, scene.speed = speed, scene.trim = trim;
+                std::string name;
+                for (const std::string& part : {hull.stem().string(), speed, trim.empty() ? "" : "trim " + trim})
+                    if (!part.empty()) name += (name.empty() ? "" : ", ") + part;
+                if (name.empty()) name = command.scene.file.stem().string();
+                const std::string folder = fmt::format("{:02}_{}", variants.size() + 1, plain(name));
+                variants.push_back({name, folder, scene.overrides()});
+            }
+    return variants;
+}
+
+/// Both methods of one scene and their comparison. False: stopped at the user's wish. What is wrong with this scene
+/// goes into the member; the others are run all the same.
+bool run_member(const Variant& variant, const fs::path& folder, const SweepCommand& command, const Common& common,
+                SweepMember& member) {
+    try {
+        const PlannedRun plan = plan_run(command.scene.file, variant.overrides, "both", command.threads);
+        std::vector<RunRecord> records;
+        for (const std::string method : {"sph", "fvm"}) {
+            std::optional<RunRecord> record = finished_run(folder / method, plan.scene, method);
+            if (record) {
+                say(common, fmt::format("{}: {} finished before\n", variant.name, method));
+            } else {
+                say(common, fmt::format("{}: {} about {:.3g} s\n", variant.name, method, plan.seconds(method)));
+                const bool resume = fs::exists(folder / method) && !command.overwrite;
+                record = run_method(method, plan, {folder / method, resume, command.overwrite}, common);
+                say(common, closing_line(facts_of(method, *record, folder / method)));
+                if (record->state != "finished" || stop_asked()) return false;
+                record = read_record(folder / method / "record.h5");
+            }
+            records.push_back(std::move(*record));
+        }
+        const Comparison comparison = compare_records(std::move(records));
+        write_report(comparison, folder);
+        member.report = variant.folder + "/report.html";
+        member.methods = comparison.names;
+        member.quantities = comparison.quantities;
+    } catch (const InputError& e) { member.why_not = e.what(); } catch (const RunError& e) {
+        member.why_not = e.what();
+    }
+    if (!member.why_not.empty()) say(common, fmt::format("{}: {}\n", variant.name, member.why_not));
+    return true;
+}
+
+}  // namespace
+
+int run_sweep(const SweepCommand& command, const Common& common) {
+    const fs::path out =
+        command.out.empty() ? fs::path("runs") / (command.scene.file.stem().string() + "_sweep") : command.out;
+    const std::vector<Variant> variants = variants_of(command);
+    say(common, "OpenFOAM: " + sound_openfoam("").verdict + "\n");
+    catch_stop_signals();
+    std::vector<SweepMember> members;
+    for (const Variant& variant : variants) {
+        SweepMember& member = members.emplace_back();
+        member.name = variant.name;
+        if (!run_member(variant, out / variant.folder, command, common, member)) {
+            std::fputs("sweep: stopped at the user's wish; the same command goes on from here\n", stderr);
+            return run_failed;
+        }
+    }
+    const bool all_failed = std::ranges::none_of(members, [](const SweepMember& m) { return m.why_not.empty(); });
+    const Sweep sweep = build_sweep(command.scene.file.stem().string() + ": a set of scenes", std::move(members));
+    fs::create_directories(out);
+    write_text_atomically(out / "sweep.md", sweep_text(sweep));
+    write_text_atomically(out / "sweep.json", sweep_json(sweep));
+    write_text_atomically(out / "sweep.csv", sweep_csv(sweep));
+    write_text_atomically(out / "sweep.html", sweep_html(sweep));
+    say(common, "\n" + sweep_text(sweep) + "\nreport: " + (out / "sweep.html").string() + "\n");
+    write_json(common, sweep_json(sweep));
+    return all_failed ? run_failed : done;
+}
+
+}  // namespace tw::app

@@ -1,0 +1,85 @@
+#include <nlohmann/json.hpp>
+
+#include "compare/ladder/ladder.h"
+
+namespace tw {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const LadderRun& r) {
+    return {{"spacing", r.spacing},           {"elements", r.elements},
+            {"wall_seconds", r.seconds},      {"predicted_seconds", r.predicted_seconds},
+            {"core_seconds", r.core_seconds}, {"memory_bytes", r.memory}};
+}
+
+Json json_of(const CostOfAccuracy& c) {
+    Json points = Json::array();
+    for (const CostPoint& p : c.points)
+        points.push_back({{"spacing", p.spacing}, {"wall_seconds", p.seconds}, {"uncertainty", p.uncertainty}});
+    return {{"points", points},
+            {"slope", c.slope},
+            {"price_of_halving", c.known() ? c.price_of_halving() : CostOfAccuracy::nan},
+            {"why_not", c.why_not}};
+}
+
+Json json_of(const LadderValue& v, double size) {
+    Json levels = Json::array(), sensitivities = Json::array(), seconds_to = Json::object();
+    for (std::size_t i = 0; i < v.levels.size(); ++i)
+        levels.push_back(
+            {{"spacing", v.levels[i].spacing}, {"value", v.levels[i].value}, {"statistical", v.half_widths[i]}});
+    for (const Sensitivity& s : v.sensitivities)
+        sensitivities.push_back({{"name", s.name},
+                                 {"spacing", s.spacing},
+                                 {"value", s.value},
+                                 {"varied", s.varied},
+                                 {"uncertainty", s.uncertainty}});
+    if (v.cost.known() && !v.levels.empty())
+        for (const auto& [name, share] : {std::pair{"5%", 0.05}, {"2%", 0.02}, {"1%", 0.01}})
+            seconds_to[name] = v.cost.seconds_for(share * size);
+    Json cost = json_of(v.cost);
+    cost["seconds_to"] = seconds_to;
+    return {{"levels", levels},
+            {"absent", v.absent},
+            {"statistical", v.statistical},
+            {"order", v.estimate.order},
+            {"class", to_string(v.estimate.convergence)},
+            {"resolution", v.estimate.uncertainty},
+            {"limit", v.estimate.limit},
+            {"sensitivities", sensitivities},
+            {"uncertainty", v.uncertainty},
+            {"cost", cost}};
+}
+
+}  // namespace
+
+std::string ladder_json(const Ladder& ladder) {
+    Json sides = Json::array(), quantities = Json::array();
+    for (const LadderSide& s : ladder.sides) {
+        Json runs = Json::array(), variations = Json::array();
+        for (const LadderRun& r : s.runs) runs.push_back(json_of(r));
+        for (const LadderVariation& v : s.variations) {
+            variations.push_back(json_of(v.run));
+            variations.back()["name"] = v.name;
+        }
+        sides.push_back({{"method", s.method}, {"similar", s.similar}, {"runs", runs}, {"variations", variations}});
+    }
+    for (const LadderQuantity& q : ladder.quantities) {
+        Json values = Json::array();
+        for (const LadderValue& v : q.values) values.push_back(json_of(v, q.size));
+        quantities.push_back({{"name", q.name},
+                              {"unit", q.unit},
+                              {"values", values},
+                              {"difference", q.difference},
+                              {"interval", q.interval},
+                              {"per_cent", q.per_cent},
+                              {"verdict", to_string(q.verdict)},
+                              {"reason", q.reason}});
+    }
+    const Json all = {
+        {"title", ladder.title}, {"agree_within", ladder.agree_within}, {"sides", sides}, {"quantities", quantities}};
+    return all.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace tw

@@ -1,0 +1,55 @@
+#pragma once
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "compare/compare.h"
+
+namespace tw {
+
+/// One scene of a set: what was varied, and what both methods made of it.
+struct SweepMember {
+    std::string name;                  ///< "prismatic, 8 m/s, 5 deg"
+    std::string why_not;               ///< why there is no comparison; empty where there is one
+    std::string report;                ///< path of its own report, relative to the sweep's
+    std::vector<std::string> methods;  ///< names of the two sources
+    std::vector<Quantity> quantities;  ///< of its comparison
+};
+
+/// How two methods stand to each other over a set of scenes, for one quantity:
+///
+///   r_i = ln(B_i / A_i)     bias = mean r     scatter = standard deviation of r     interval = t_95(n-1)
+///   scatter/sqrt(n)
+///
+/// in logarithms, so that a factor of two up and one down cancel. Members where a value is missing or not above 0 are
+/// left out and counted.
+struct SweepSummary {
+    static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    std::string name, label, unit;
+    struct Point {
+        std::size_t member;
+        double a, b;    ///< values of the two methods [unit]
+        double Ua, Ub;  ///< half widths of their 95 % intervals [unit]
+        Verdict verdict;
+    };
+    std::vector<Point> points;
+    std::size_t left_out = 0;
+    double bias = nan, scatter = nan, interval = nan;  ///< logarithms [-]; scatter and interval need two points
+};
+
+struct Sweep {
+    std::string title;
+    std::vector<std::string> methods;  ///< A and B
+    std::vector<SweepMember> members;
+    std::vector<SweepSummary> summaries;  ///< of every judged quantity that some member has
+};
+/// Members in any order, failed ones among them; those whose methods are not two are treated as failed. Throws
+/// InputError: no member.
+Sweep build_sweep(std::string title, std::vector<SweepMember> members);
+
+std::string sweep_text(const Sweep& sweep);  ///< markdown
+std::string sweep_json(const Sweep& sweep);
+std::string sweep_csv(const Sweep& sweep);   ///< one row per member and quantity
+std::string sweep_html(const Sweep& sweep);  ///< a page of its own
+
+}  // namespace tw

@@ -1,0 +1,76 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/errors.h"
+#include "compare/sweep/sweep.h"
+
+namespace tw {
+namespace {
+
+MeanValue mean(double value, double half_width) {
+    MeanValue m;
+    m.known = true;
+    m.value = value, m.half_width = half_width;
+    return m;
+}
+
+SweepMember member(const std::string& name, double a, double b) {
+    Quantity q;
+    q.name = "lift", q.label = "Lift", q.unit = "N";
+    q.values = {mean(a, 1), mean(b, 2)};
+    q.verdict = Verdict::differ;
+    SweepMember m;
+    m.name = name, m.report = name + "/report.html";
+    m.methods = {"sph", "fvm"};
+    m.quantities = {q};
+    return m;
+}
+
+TEST(Sweep, BiasAndScatterAreThoseOfTheLogarithmOfTheRatio) {
+    const Sweep s = build_sweep("set", {member("one", 100, 110), member("two", 1000, 1210), member("three", 5, 5)});
+    ASSERT_EQ(s.summaries.size(), 1u);
+    const double l = std::log(1.1);
+    EXPECT_NEAR(s.summaries[0].bias, l, 1e-12);     // (l + 2 l + 0)/3
+    EXPECT_NEAR(s.summaries[0].scatter, l, 1e-12);  // of l, 2 l, 0
+    EXPECT_NEAR(s.summaries[0].interval, 4.3027 * l / std::sqrt(3), 1e-4 * l);
+}
+
+TEST(Sweep, TwiceAndHalfCancel) {
+    EXPECT_NEAR(build_sweep("set", {member("one", 1, 2), member("two", 2, 1)}).summaries[0].bias, 0, 1e-12);
+}
+
+TEST(Sweep, AFailedSceneIsReportedAndTheOthersCount) {
+    SweepMember failed;
+    failed.name = "holed <b>hull</b>", failed.why_not = "hull.stl: 12 open edges";
+    const Sweep s = build_sweep("set", {failed, member("good", 100, 104)});
+    EXPECT_EQ(s.summaries[0].points.size(), 1u);
+    EXPECT_TRUE(std::isnan(s.summaries[0].scatter));  // one scene has none
+    EXPECT_NE(sweep_text(s).find("12 open edges"), std::string::npos);
+    EXPECT_NE(sweep_html(s).find("12 open edges"), std::string::npos);
+    EXPECT_EQ(sweep_html(s).find("<b>hull"), std::string::npos);
+    EXPECT_EQ(nlohmann::json::parse(sweep_json(s))["scenes"][0]["why_not"], "hull.stl: 12 open edges");
+}
+
+TEST(Sweep, ValuesWithoutALogarithmAreLeftOutAndCounted) {
+    const Sweep s = build_sweep("set", {member("good", 100, 104), member("negative", -3, 5), member("zero", 0, 5)});
+    EXPECT_EQ(s.summaries[0].points.size(), 1u);
+    EXPECT_EQ(s.summaries[0].left_out, 2u);
+}
+
+TEST(Sweep, AllFailedIsStillAReport) {
+    SweepMember failed;
+    failed.name = "one", failed.why_not = "no";
+    EXPECT_NE(sweep_html(build_sweep("set", {failed})).find("no comparison"), std::string::npos);
+    EXPECT_THROW(build_sweep("set", {}), InputError);
+}
+
+TEST(Sweep, ItsTableHasARowForEachSceneAndQuantity) {
+    const std::string csv = sweep_csv(build_sweep("set", {member("a,b", 100, 110), member("=1+1", 3, 4)}));
+    EXPECT_NE(csv.find("\"a,b\",lift,N,100,110,1,2,differ\n"), std::string::npos) << csv;
+    EXPECT_EQ(csv.find("\n=1"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tw
