@@ -97,6 +97,7 @@ private:
         record_.tables = std::move(earlier.tables);
         record_.frames = std::move(earlier.frames);
         record_.phases = std::move(earlier.phases);
+        record_.certificate = std::move(earlier.certificate);
         record_.peak_memory = earlier.peak_memory;
         record_.elements = earlier.elements;
         for (const char* kept : {"started", "mesh_check", "restarts"})

@@ -18,6 +18,7 @@ void write_case(const CasePlan& plan, const fs::path& folder, int ranks) {
             fs::permissions(folder / f.path, fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec,
                             fs::perm_options::add);
     }
+    write_text_atomically(folder / "case.foam", "");  // what ParaView opens
     for (const Solid& s : plan.solids)
         write_stl(folder / "constant/triSurface" / (s.name + ".stl"), *s.surface, s.name);
 }

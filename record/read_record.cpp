@@ -130,6 +130,20 @@ void read_effects(hid_t file, RunRecord& record) {
         record.effects.push_back({name[i], on[i] != 0, forced[i] != 0, reason[i], influence[i], cost[i]});
 }
 
+void read_certificate(hid_t file, RunRecord& record) {
+    if (H5Lexists(file, layout::certificate, H5P_DEFAULT) <= 0) return;  // records had none at first
+    const h5::Handle group = h5::open_group(file, layout::certificate);
+    const auto name = h5::read_texts(group, "name"), unit = h5::read_texts(group, "unit");
+    const auto column = [&](const char* which) { return h5::read_vector<double>(group, which, H5T_NATIVE_DOUBLE); };
+    const auto value = column("value"), limit = column("limit"), time = column("time"), x = column("x"),
+               y = column("y"), z = column("z");
+    const std::size_t n = name.size();
+    for (const std::size_t size : {unit.size(), value.size(), limit.size(), time.size(), x.size(), y.size(), z.size()})
+        if (size != n) throw h5::Failure{"the certificate"};
+    for (std::size_t i = 0; i < n; ++i)
+        record.certificate.push_back({name[i], unit[i], value[i], limit[i], time[i], {x[i], y[i], z[i]}});
+}
+
 RunRecord read_contents(hid_t file) {
     RunRecord record;
     record.state = h5::read_text_attribute(file, "state");
@@ -146,6 +160,7 @@ RunRecord read_contents(hid_t file) {
     read_hull(file, record);
     read_cost(file, record);
     read_effects(file, record);
+    read_certificate(file, record);
     return record;
 }
 

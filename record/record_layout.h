@@ -15,6 +15,7 @@ inline constexpr const char* raster = "raster";
 inline constexpr const char* hull = "hull";
 inline constexpr const char* cost = "cost";
 inline constexpr const char* effects = "effects";
+inline constexpr const char* certificate = "certificate";
 
 /// Behind the HDF5 bytes: this label, 64 hexadecimal digits, a line end.
 inline const std::string checksum_label = "\ntwinwake sha256 ";

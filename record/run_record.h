@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -36,6 +37,16 @@ struct Phase {                 ///< where the time went
     double wall = 0, cpu = 0;  ///< [s]
 };
 
+/// One line of a run's stability certificate: the worst value of something that has to stay below a limit, when and
+/// where.
+struct CertificateLine {
+    std::string name, unit;
+    double value = 0, limit = 0;
+    double time = 0;                                                        ///< [s]
+    Vec3 place = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());  ///< [m]; NaN where it belongs to no place
+    bool met() const { return value <= limit; }
+};
+
 /// What one run leaves: the same layout for SPH, FVM and any other source. One HDF5 file, written atomically.
 ///
 /// Tables every source fills as far as it can (whole hull: symmetry already applied, see attribute symmetry_factor):
@@ -68,6 +79,7 @@ struct RunRecord {
     double peak_memory = 0;          ///< [bytes]
     double elements = 0, steps = 0;  ///< particles or cells; time steps
     std::vector<EffectChoice> effects;
+    std::vector<CertificateLine> certificate;  ///< of the whole run, begun and resumed; empty in older records
 
     std::string state = "running";  ///< "running", "finished", "stopped", "failed"
     std::string reason;             ///< why it stopped or failed

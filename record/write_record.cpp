@@ -127,6 +127,23 @@ void write_effects(hid_t file, const RunRecord& record) {
     h5::write_vector(group, "forced", H5T_NATIVE_INT, forced, false);
 }
 
+void write_certificate(hid_t file, const RunRecord& record) {
+    const h5::Handle group = h5::create_group(file, layout::certificate);
+    std::vector<std::string> name, unit;
+    std::vector<double> value, limit, time, x, y, z;
+    for (const CertificateLine& l : record.certificate) {
+        name.push_back(l.name), unit.push_back(l.unit);
+        value.push_back(l.value), limit.push_back(l.limit), time.push_back(l.time);
+        x.push_back(l.place.x()), y.push_back(l.place.y()), z.push_back(l.place.z());
+    }
+    h5::write_texts(group, "name", name);
+    h5::write_texts(group, "unit", unit);
+    for (const auto& [column, values] :
+         {std::pair{"value", &value}, std::pair{"limit", &limit}, std::pair{"time", &time}, std::pair{"x", &x},
+          std::pair{"y", &y}, std::pair{"z", &z}})
+        h5::write_vector(group, column, H5T_NATIVE_DOUBLE, *values, false);
+}
+
 std::string record_bytes(const RunRecord& record) {
     const h5::Handle file = h5::create_in_memory();
     h5::write_attribute(file, layout::kind_attribute, layout::kind);
@@ -147,6 +164,7 @@ std::string record_bytes(const RunRecord& record) {
     write_hull(file, record);
     write_cost(file, record);
     write_effects(file, record);
+    write_certificate(file, record);
     return h5::image(file);
 }
 

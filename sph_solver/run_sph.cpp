@@ -12,7 +12,9 @@
 #include "base/atomic_file.h"
 #include "base/errors.h"
 #include "record/snapshot.h"
+#include "record/water_surface.h"
 #include "scene/hash.h"
+#include "sph_solver/output/certificate.h"
 #include "sph_solver/output/checkpoint.h"
 #include "sph_solver/output/recorder.h"
 #include "sph_solver/scene_setup.h"
@@ -79,11 +81,24 @@ public:
         write_particles(folder_ / particles, solver.time(), places, {velocity, pressure, kind});
         particles_.emplace_back(particles, solver.time());
         write_series(folder_ / "particles.hdf.series", particles_);
+        write_water(record);
         if (record.hull_pressure.empty()) return;
         write_surface(folder_ / hull, record.hull,
                       {{"pressure", 1, record.hull_pressure}, {"wet", 1, record.hull_wet}});
         hulls_.emplace_back(hull, solver.time());
         write_series(folder_ / "hull.vtp.series", hulls_);
+    }
+    /// The free surface of the last raster frame, under its own time; a frame that is there already is left.
+    void write_water(const RunRecord& record) {
+        if (record.frames.empty()) return;
+        const RasterFrame& frame = record.frames.back();
+        const std::string name = fmt::format("free_surface_{:09.5f}.vtp", frame.time);
+        if (!waters_.empty() && waters_.back().first == name) return;
+        const Surface water = water_surface(record, frame);
+        if (water.triangles.empty()) return;
+        write_surface(folder_ / name, water, {});
+        waters_.emplace_back(name, frame.time);
+        write_series(folder_ / "free_surface.vtp.series", waters_);
     }
     /// After a restart: the files already there, up to `time`.
     void find_written(double time) {
@@ -91,7 +106,8 @@ public:
         for (const auto& entry : fs::directory_iterator(folder_)) {
             const std::string name = entry.path().filename().string();
             for (auto [prefix, suffix, list] :
-                 {std::tuple{"particles_", ".hdf", &particles_}, std::tuple{"hull_", ".vtp", &hulls_}})
+                 {std::tuple{"particles_", ".hdf", &particles_}, std::tuple{"hull_", ".vtp", &hulls_},
+                  std::tuple{"free_surface_", ".vtp", &waters_}})
                 if (name.starts_with(prefix) && name.ends_with(suffix)) {
                     const double at = std::stod(name.substr(std::string(prefix).size()));
                     if (at <= time) list->emplace_back(name, at);
@@ -100,11 +116,12 @@ public:
         const auto earlier = [](const auto& a, const auto& b) { return a.second < b.second; };
         std::sort(particles_.begin(), particles_.end(), earlier);
         std::sort(hulls_.begin(), hulls_.end(), earlier);
+        std::sort(waters_.begin(), waters_.end(), earlier);
     }
 
 private:
     fs::path folder_;
-    std::vector<std::pair<std::string, double>> particles_, hulls_;
+    std::vector<std::pair<std::string, double>> particles_, hulls_, waters_;
 };
 
 void remove_old_run(const fs::path& folder) {
@@ -149,6 +166,8 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
     }
     fresh.attributes["threads"] = std::to_string(threads);
     fresh.attributes["isa"] = passes().isa;
+    fresh.attributes["calibrated"] =
+        "support of 0.9 to 1 at which a wall begins to compress, on planing_prism at beam/12";
     fresh.numbers["spacing"] = scene.resolution.near_hull;
     fresh.numbers["wall_particles"] = double(solver->wall_particles());
     const double mass_at_start =
@@ -161,6 +180,7 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
         fresh.tables = std::move(before.tables);
         fresh.frames = std::move(before.frames);
         fresh.phases = std::move(before.phases);
+        fresh.certificate = std::move(before.certificate);
         fresh.attributes["resumed_at"] = fmt::format("{}", checkpoint->state.time);
     }
     Recorder recorder(scene, *solver, std::move(fresh));
@@ -236,6 +256,7 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
         save("finished", "");
         report();
     } catch (const RunError& e) {
+        watch_stability(*solver, record);  // what the run was stopped for
         try {
             save("failed", e.what());
         } catch (const RunError& nested) {

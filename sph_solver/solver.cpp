@@ -20,8 +20,6 @@ constexpr double skin_over_dp = 0.2;          ///< slack of the particle lists
 constexpr double wall_skin_over_dp = 0.6;     ///< slack of the lists between particles and walls
 constexpr double held_at_wall_over_dp = 0.1;  ///< nearer than this a particle is not let towards a wall
 constexpr NormalRecord no_wall{0, 0, 0, 1e30f};
-constexpr double largest_density_deviation = 0.3;
-constexpr double largest_mach = 1.0;
 constexpr double acceleration_limit = 0.45;  ///< dt < this times sqrt(h / a)
 
 class Stopwatch {
@@ -422,7 +420,7 @@ void Solver::integrate() {
 
     struct Part {
         double speed2 = 0, acceleration2 = 0, relative2 = 0, shift2 = 0, low = 0, high = 0;
-        std::size_t fastest = 0;
+        std::size_t fastest = 0, densest = 0, thinnest = 0;
         Vec3 crossed = Vec3::Zero();
         Vec3 impulse = Vec3::Zero(),
              turn = Vec3::Zero();  // given to the solids by particles held at a wall [N s, N m s]
@@ -474,8 +472,8 @@ void Solver::integrate() {
             const double u = p.u[i], v = p.v[i], w = p.w[i], speed2 = u * u + v * v + w * w;
             if (speed2 > part.speed2) part.speed2 = speed2, part.fastest = i;
             part.relative2 = std::max(part.relative2, (u - stream_after) * (u - stream_after) + v * v + w * w);
-            part.low = std::min(part.low, double(p.drho[i]));
-            part.high = std::max(part.high, double(p.drho[i]));
+            if (p.drho[i] < part.low) part.low = double(p.drho[i]), part.thinnest = i;
+            if (p.drho[i] > part.high) part.high = double(p.drho[i]), part.densest = i;
             if (!std::isfinite(speed2 + p.drho[i] + p.x[i] + p.y[i] + p.z[i])) part.broken = true, part.fastest = i;
             if (control_) {
                 // momentum of what crosses a face, with the velocity in the middle of the step
@@ -498,8 +496,11 @@ void Solver::integrate() {
         relative2 = std::max(relative2, part.relative2);
         shift2 = std::max(shift2, part.shift2);
         extremes_.acceleration = std::max(extremes_.acceleration, part.acceleration2);
-        extremes_.density_deviation_low = std::min(extremes_.density_deviation_low, part.low);
-        extremes_.density_deviation_high = std::max(extremes_.density_deviation_high, part.high);
+        const auto place = [&](std::size_t i) { return Vec3(p.x[i], p.y[i], p.z[i]); };
+        if (part.low < extremes_.density_deviation_low)
+            extremes_.density_deviation_low = part.low, extremes_.thinnest_place = place(part.thinnest);
+        if (part.high > extremes_.density_deviation_high)
+            extremes_.density_deviation_high = part.high, extremes_.densest_place = place(part.densest);
         crossed += part.crossed;
         ledger_.held += part.held;
         load_.force += part.impulse / dt;

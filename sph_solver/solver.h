@@ -59,10 +59,13 @@ struct Ledger {
 };
 
 /// Extremes of one step, for the gates and the time step.
+/// Beyond these a run is stopped: density deviation over rho0, and speed over c0 [-].
+inline constexpr double largest_density_deviation = 0.3, largest_mach = 1.0;
+
 struct Extremes {
     double speed = 0, acceleration = 0, density_deviation_low = 0, density_deviation_high = 0;
     std::int64_t fastest = -1;  ///< id of the fastest particle
-    Vec3 fastest_place = Vec3::Zero();
+    Vec3 fastest_place = Vec3::Zero(), densest_place = Vec3::Zero(), thinnest_place = Vec3::Zero();
 };
 
 struct Timers {

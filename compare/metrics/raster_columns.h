@@ -2,30 +2,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "record/raster_grid.h"
 #include "record/run_record.h"
 
 namespace tw {
-
-/// Index arithmetic of a raster, x fastest.
-struct RasterGrid {
-    explicit RasterGrid(const RasterSpec& s) : spec(s), nx(s.count[0]), ny(s.count[1]), nz(s.count[2]) {}
-    const RasterSpec& spec;
-    int nx, ny, nz;
-    std::size_t voxel(int i, int j, int k) const {
-        return (static_cast<std::size_t>(k) * static_cast<std::size_t>(ny) + static_cast<std::size_t>(j)) *
-                   static_cast<std::size_t>(nx) +
-               static_cast<std::size_t>(i);
-    }
-    std::size_t column(int i, int j) const {
-        return static_cast<std::size_t>(j) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(i);
-    }
-    std::size_t columns() const { return static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny); }
-    std::size_t voxels() const { return columns() * static_cast<std::size_t>(nz); }
-    double x(int i) const { return spec.origin.x() + (i + 0.5) * spec.spacing; }
-    double y(int j) const { return spec.origin.y() + (j + 0.5) * spec.spacing; }
-    double z_low(int k) const { return spec.origin.z() + k * spec.spacing; }
-    bool empty() const { return nx < 1 || ny < 1 || nz < 1 || !(spec.spacing > 0); }
-};
 
 /// 1 for each voxel of the main water body: water share >= 1/2, in the largest set connected through faces, edges or
 /// corners (26 neighbours).

@@ -126,6 +126,27 @@ std::string gates_table(const Comparison& c) {
     return out + "</tbody></table></div>";
 }
 
+std::string certificates(const Comparison& c) {
+    std::string rows;
+    for (std::size_t s = 0; s < c.sources.size(); ++s)
+        for (const CertificateLine& l : c.sources[s].certificate)
+            rows += fmt::format(
+                "<tr><td>{}{}</td><td>{}</td><td class=\"num\">{:.3g} {}</td><td class=\"num\">{:.3g}</td><td "
+                "class=\"num\">{:.4g} s</td><td>{}</td><td><span class=\"badge {}\">{}</span></td></tr>",
+                key(s), escaped(c.names[s]), escaped(l.name), l.value, l.unit == "-" ? "" : escaped(l.unit), l.limit,
+                l.time,
+                l.place.allFinite() ? fmt::format("({:.3g}, {:.3g}, {:.3g}) m", l.place.x(), l.place.y(), l.place.z())
+                                    : std::string("–"),
+                l.met() ? "agree" : "differ", l.met() ? "met" : "not met");
+    if (rows.empty()) return {};
+    return "<h2>Stability certificates</h2><div class=\"wide\"><table><thead><tr><th>run</th><th>what has to stay "
+           "bounded</th><th class=\"num\">worst</th><th class=\"num\">limit</th><th class=\"num\">when</th><th>where</"
+           "th><th></th></tr></thead><tbody>" +
+           rows +
+           "</tbody></table></div><p class=\"note\">Worst values of the whole run, start-up and resumed parts "
+           "included.</p>";
+}
+
 std::string effects_table(const Comparison& c) {
     const auto with = std::ranges::find_if(c.sources, [](const RunRecord& r) { return !r.effects.empty(); });
     if (with == c.sources.end()) return {};
@@ -318,7 +339,7 @@ std::string report_html(const Comparison& c, const Figures& f, const std::string
     if (!f.probes.empty()) out += "<h2>Probes</h2>" + figure_list(f.probes);
     if (const std::string beside = quantity_table(c, false); !beside.empty())
         out += "<h2>Shown beside, not judged</h2>" + beside;
-    out += gates_table(c) + effects_table(c) + hull_section(c) + cost_table(c) + provenance(c) +
+    out += gates_table(c) + certificates(c) + effects_table(c) + hull_section(c) + cost_table(c) + provenance(c) +
            "<h2>Definitions</h2>" + definitions(c) + reproduce(c);
     return out + page_end;
 }

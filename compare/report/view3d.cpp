@@ -17,6 +17,7 @@
 #include "compare/report/pictures.h"
 #include "compare/report/view3d_mesh.h"
 #include "compare/report/view3d_script.h"
+#include "record/water_surface.h"
 
 namespace tw {
 

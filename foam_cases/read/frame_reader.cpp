@@ -7,6 +7,7 @@
 
 #include "foam_cases/read/field_file.h"
 #include "foam_cases/read/hull_patch.h"
+#include "record/certificate.h"
 #include "record/raster.h"
 
 namespace tw {
@@ -108,6 +109,15 @@ void FrameReader::read_water(const TimeFolders::Moment& moment, const SolverLog&
             {"max_courant", "-", step != nullptr ? step->courant : unknown},
             {"max_speed", "m/s", std::sqrt(fastest)},
             {"cells", "-", static_cast<double>(cells())}});
+    // OpenFOAM's step follows its Courant number with a delay; a multiple of the limit is a fault. Places are not
+    // known.
+    const Vec3 nowhere = CertificateLine{}.place;
+    if (step != nullptr)
+        note_worst(record, {"Courant number", "-", step->courant, 2 * scene.fvm.max_courant, moment.time, nowhere});
+    if (scene.motion.speed > 0)
+        note_worst(record,
+                   {"water speed over stream", "-", std::sqrt(fastest) / scene.motion.speed, 3, moment.time, nowhere});
+    watch_energy(record);
 }
 
 void FrameReader::read_hull(const TimeFolders::Moment& moment, RunRecord& record) const {

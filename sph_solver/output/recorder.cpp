@@ -4,7 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "record/certificate.h"
 #include "record/raster.h"
+#include "sph_solver/output/certificate.h"
 
 namespace tw {
 
@@ -60,6 +62,8 @@ void Recorder::after_step(Solver& solver, bool frame) {
     }
     if (frame || solver.steps() % surface_every == 0) sample_surface(solver, row);
     if (frame) sample_frame(solver, row);
+    watch_stability(solver, record_);
+    if (frame) watch_energy(record_);
 }
 
 void Recorder::sample_surface(Solver& solver, std::size_t row) {

@@ -1,4 +1,5 @@
 #include <chrono>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "program.h"
@@ -50,6 +51,22 @@ TEST_F(Command, ARunLeavesItsRecordAndIsNotWrittenOver) {
     EXPECT_EQ(facts.status, 0);
     EXPECT_NE(facts.out.find("\"state\": \"finished\""), std::string::npos) << facts.out;
     EXPECT_EQ(twinwake({"run", "my column.toml", "--resume"}).status, 0);  // nothing left to do is no error
+}
+
+TEST_F(Command, SnapshotsHoldParticlesFreeSurfaceAndHullUnderTheirTimes) {
+    write("snap.toml", with(with(planing, "[run]", "[sampling]\nsnapshots = 0.01\ninterval = 0.01\n[run]\nthreads = 1"),
+                            "0.02 s", "0.03 s"));
+    const Outcome o = twinwake({"run", "snap.toml", "--method", "sph"});
+    ASSERT_EQ(o.status, 0) << o.err;
+    for (const std::string name : {"particles.hdf", "free_surface.vtp", "hull.vtp"}) {
+        const auto series =
+            nlohmann::json::parse(content(folder_ / "runs/snap/sph/snapshots" / (name + ".series")))["files"];
+        ASSERT_GE(series.size(), 2u) << name;
+        for (const auto& entry : series) {
+            EXPECT_TRUE(fs::exists(folder_ / "runs/snap/sph/snapshots" / entry["name"].get<std::string>()));
+            EXPECT_GT(entry["time"].get<double>(), 0);
+        }
+    }
 }
 
 TEST_F(Command, ALadderTakesWhatIsFinishedAndNamesWhatTheBudgetLeavesOut) {

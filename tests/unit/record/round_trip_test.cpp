@@ -56,6 +56,14 @@ TEST(RunRecordFile, GivesBackEveryFieldBitForBit) {
     EXPECT_EQ(in.peak_memory, out.peak_memory);
     EXPECT_EQ(in.elements, out.elements);
     EXPECT_EQ(in.steps, out.steps);
+    ASSERT_EQ(in.certificate.size(), 2u);
+    EXPECT_EQ(in.certificate[0].name, "Mach number");
+    EXPECT_EQ(in.certificate[0].value, 0.31);
+    EXPECT_EQ(in.certificate[0].limit, 1);
+    EXPECT_EQ(in.certificate[0].time, 0.25);
+    EXPECT_EQ(in.certificate[0].place, Vec3(1, 2, -0.5));
+    EXPECT_EQ(in.certificate[1].unit, "-");
+    EXPECT_TRUE(std::isnan(in.certificate[1].place.x()));
     ASSERT_EQ(in.effects.size(), 2u);
     EXPECT_EQ(in.effects[0].name, "air");
     EXPECT_FALSE(in.effects[0].on);

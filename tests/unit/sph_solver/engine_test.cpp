@@ -7,6 +7,7 @@
 
 #include "base/errors.h"
 #include "sph_solver/bench.h"
+#include "sph_solver/output/certificate.h"
 #include "sph_solver/output/checkpoint.h"
 #include "sph_solver/solver.h"
 
@@ -142,6 +143,29 @@ TEST(Engine, ASoundSpeedThatIsTooLowStopsTheRunWithPlaceAndReason) {
         EXPECT_NE(what.find(" at t = "), std::string::npos) << what;
         EXPECT_NE(what.find("near ("), std::string::npos) << what;
     }
+}
+
+TEST(Engine, TheCertificateNamesThePlaceOfTheWorst) {
+    const SolverSetup s = tank();
+    Solver solver(s, column(s));
+    RunRecord record;
+    while (solver.time() < 0.02) {
+        solver.step();
+        watch_stability(solver, record);
+    }
+    std::size_t densest = 0;
+    const auto compression = std::ranges::find(record.certificate, "compression", &CertificateLine::name);
+    ASSERT_NE(compression, record.certificate.end());
+    solver.particles().drho[29] = 50;  // 5 %: more than anything the falling column does
+    const Vec3 there(solver.particles().x[29], solver.particles().y[29], solver.particles().z[29]);
+    solver.step();
+    watch_stability(solver, record);
+    for (std::size_t i = 0; i < solver.particles().size(); ++i)
+        if (solver.particles().drho[i] > solver.particles().drho[densest]) densest = i;
+    EXPECT_NEAR(compression->value, solver.particles().drho[densest] / 10, 1e-6);
+    EXPECT_LT((compression->place - there).norm(), 2 * s.dp);
+    EXPECT_EQ(compression->time, solver.time());
+    for (const CertificateLine& line : record.certificate) EXPECT_TRUE(line.met()) << line.name;
 }
 
 TEST(Engine, NotANumberStopsTheRun) {

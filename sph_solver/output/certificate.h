@@ -1,0 +1,16 @@
+#pragma once
+#include "record/run_record.h"
+#include "sph_solver/solver.h"
+
+namespace tw {
+
+/// The run's stability certificate, kept up after each step: worst values against the limits at which a run is stopped,
+///
+///   Mach number            max |u| / c0                              1
+///   compression            max (rho - rho0) / rho0                   30 %
+///   rarefaction            max (rho0 - rho) / rho0                   30 %
+///   step held down         acoustic time step over the step taken    20 (told, not stopped)
+///   particles lost         through walls                             0 (told, not stopped)
+void watch_stability(const Solver& solver, RunRecord& record);
+
+}  // namespace tw
