@@ -69,6 +69,7 @@ struct LadderCommand {
     std::filesystem::path out;  ///< empty: runs/<name of the scene file>_ladder
     int levels = 4;
     double ratio = 1.4142135623730951;  ///< of neighbouring spacings
+    std::filesystem::path measured;     ///< an imported record, or its folder; empty: none
     std::string budget;                 ///< predicted time of all runs, a text with unit; empty: no limit
     bool variations = true;             ///< also runs with another sound speed, time step and Courant number
     bool overwrite = false;             ///< begin anew what another scene left in the folder

@@ -160,10 +160,14 @@ int run_ladder(const LadderCommand& command, const Common& common) {
         return run_failed;
     }
     harvest.drop_lone_variations();
+    std::optional<RunRecord> measured;
+    if (!command.measured.empty())
+        measured = read_record(fs::is_directory(command.measured) ? command.measured / "record.h5" : command.measured);
     if (harvest.runs.empty())
         throw InputError(fmt::format("--budget {}: no run fits; the cheapest needs about {:.3g} s", command.budget,
                                      jobs.front().plan.seconds(jobs.front().method)));
-    write_ladder(build_ladder(harvest.runs, harvest.variations), harvest, out, common);
+    write_ladder(build_ladder(harvest.runs, harvest.variations, 0.05, measured ? &*measured : nullptr), harvest, out,
+                 common);
     return done;
 }
 

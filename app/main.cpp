@@ -162,6 +162,8 @@ int dispatch(int argc, char** argv) {
     c->add_option("--ratio", ladder.ratio, "of neighbouring spacings (1.4142)")->check(CLI::Range(1.05, 4.0));
     c->add_flag("!--no-variations", ladder.variations,
                 "leave out the runs with sound speed x 1.5, half the time step and half the Courant number");
+    c->add_option("--measured", ladder.measured,
+                  "what was measured, as twinwake import left it: each method's finest value is held against it");
     c->add_option("--budget", ladder.budget,
                   "predicted time of all runs, e.g. 2h: what does not fit is left out, and said")
         ->type_name("TIME");

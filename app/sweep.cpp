@@ -44,7 +44,8 @@ std::vector<Variant> variants_of(const SweepCommand& command) {
                 for (const std::string& part : {hull.stem().string(), speed, trim.empty() ? "" : "trim " + trim})
                     if (!part.empty()) name += (name.empty() ? "" : ", ") + part;
                 if (name.empty()) name = command.scene.file.stem().string();
-                const std::string folder = fmt::format("{:02}_{}", variants.size() + 1, plain(name));
+                std::string folder = plain(name);  // a run that is there is found again when the lists grow
+                while (std::ranges::find(variants, folder, &Variant::folder) != variants.end()) folder += "_2";
                 variants.push_back({name, folder, scene.overrides()});
             }
     return variants;

@@ -166,6 +166,35 @@ void add_variation(std::vector<LadderSide>& sides, LadderVariation v) {
                                  v.run.method, v.run.spacing));
 }
 
+Validation validate(const LadderValue& v, const MeanValue& measured, double target) {
+    Validation out;
+    if (v.levels.empty() || !measured.known) return out;
+    out.E = v.levels.front().value - measured.value;
+    if (measured.value != 0) out.per_cent = 100 * out.E / std::abs(measured.value);
+    out.verdict = Verdict::not_converged;
+    if (!std::isfinite(v.uncertainty)) return out;
+    out.U_val = std::hypot(v.uncertainty, measured.half_width);
+    out.verdict = decide(out.E, out.U_val, target, std::abs(measured.value));
+    return out;
+}
+
+void add_measured(Ladder& ladder, const RunRecord& record) {
+    const auto text = [&](const std::string& name) {
+        const auto at = record.attributes.find(name);
+        return at == record.attributes.end() ? std::string() : at->second;
+    };
+    ladder.measured = text("method");
+    const std::string& hull = ladder.sides.front().runs.front().hull_hash;
+    if (!text("hull_hash").empty() && !hull.empty() && text("hull_hash") != hull)
+        throw InputError(ladder.measured + ": measured on another hull than the ladder's");
+    for (const Quantity& q : compare_records({record}).quantities) {
+        const auto at = std::ranges::find(ladder.quantities, q.name, &LadderQuantity::name);
+        if (at == ladder.quantities.end() || q.values.empty()) continue;
+        at->measured = q.values[0];
+        for (LadderValue& v : at->values) v.validation = validate(v, at->measured, ladder.agree_within);
+    }
+}
+
 }  // namespace
 
 LadderRun ladder_run(RunRecord record, const CompareOptions& options) {
@@ -178,7 +207,8 @@ LadderRun ladder_run(RunRecord record, const CompareOptions& options) {
     run.spacing = spacing->second, run.elements = record.elements, run.memory = record.peak_memory;
     run.predicted_seconds = record.numbers["predicted_seconds"], run.duration = record.numbers["duration"];
     for (const Phase& phase : record.phases) run.seconds += phase.wall, run.core_seconds += phase.cpu;
-    run.likeness = record.attributes["hull_hash"];
+    run.hull_hash = run.likeness = record.attributes["hull_hash"];
+    run.calibrated = record.attributes["calibrated"];
     for (const char* name : {"speed", "draft", "trim", "duration", "h_over_dp", "alpha", "c0", "cfl", "shifting",
                              "max_courant_limit", "interface_compression"})
         if (const auto n = record.numbers.find(name); n != record.numbers.end())
@@ -189,7 +219,8 @@ LadderRun ladder_run(RunRecord record, const CompareOptions& options) {
     return run;
 }
 
-Ladder build_ladder(std::vector<LadderRun> runs, std::vector<LadderVariation> variations, double agree_within) {
+Ladder build_ladder(std::vector<LadderRun> runs, std::vector<LadderVariation> variations, double agree_within,
+                    const RunRecord* measured) {
     if (runs.empty()) throw InputError("a ladder without a finished run; expected one or more");
     Ladder ladder;
     ladder.title = runs.front().title;
@@ -213,6 +244,12 @@ Ladder build_ladder(std::vector<LadderRun> runs, std::vector<LadderVariation> va
                 if (const Quantity* of_run = find(run, q.name)) scale = std::max(scale, of_run->scale);
         judge(q, ladder.sides, ladder.agree_within, scale);
     }
+    for (const LadderSide& side : ladder.sides)
+        for (const LadderRun& run : side.runs)
+            if (const std::string line = side.method + ": " + run.calibrated;
+                !run.calibrated.empty() && std::ranges::find(ladder.calibrated, line) == ladder.calibrated.end())
+                ladder.calibrated.push_back(line);
+    if (measured) add_measured(ladder, *measured);
     return ladder;
 }
 

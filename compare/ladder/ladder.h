@@ -18,7 +18,8 @@ struct LadderRun {
     double memory = 0;                     ///< peak [bytes]
     double predicted_seconds = 0;          ///< as said before the run [s]; 0: not said
     double duration = 0;                   ///< simulated [s]
-    std::string likeness;                  ///< equal in runs that differ in resolution only
+    std::string hull_hash, calibrated;
+    std::string likeness;  ///< equal in runs that differ in resolution only
     std::vector<Quantity> quantities;
 };
 /// Throws InputError: the record has no spacing at the hull.
@@ -50,6 +51,14 @@ struct Sensitivity {
     bool idle() const { return value == varied; }
 };
 
+/// One method's finest value S against a measured one D (ASME V&V 20): E = S - D, U_val^2 = U^2 + U_D^2. The verdict is
+/// decide.h's: agree and undecided hold the measurement within U_val, differ does not.
+struct Validation {
+    double E = std::numeric_limits<double>::quiet_NaN(), U_val = std::numeric_limits<double>::quiet_NaN();
+    double per_cent = std::numeric_limits<double>::quiet_NaN();  ///< E over |D| [%]
+    Verdict verdict = Verdict::not_comparable;
+};
+
 /// What a ladder says of one quantity and one method.
 struct LadderValue {
     std::vector<Level> levels;                                      ///< the levels whose mean is known, finest first
@@ -60,6 +69,7 @@ struct LadderValue {
     std::vector<Sensitivity> sensitivities;
     double uncertainty = std::numeric_limits<double>::quiet_NaN();  ///< of the finest value: all of the above
     CostOfAccuracy cost;
+    Validation validation;  ///< where there is a measured value
 };
 
 struct LadderQuantity {
@@ -71,10 +81,13 @@ struct LadderQuantity {
     double per_cent = std::numeric_limits<double>::quiet_NaN();    ///< difference over the size [%]
     Verdict verdict = Verdict::not_comparable;
     std::string reason;
+    MeanValue measured;  ///< of the measured source; not known where there is none
 };
 
 struct Ladder {
     std::string title;
+    std::string measured;                 ///< name of the measured source; empty: none
+    std::vector<std::string> calibrated;  ///< what was chosen by looking at results, as the records say
     std::vector<LadderSide> sides;
     std::vector<LadderQuantity> quantities;
     double agree_within = 0.05;
@@ -90,8 +103,11 @@ struct Ladder {
 /// A method without U_num is not converged; else decide.h. Where undecided, the reason names the largest term and what
 /// it would cost to make it small enough. Throws InputError: no run, more than two methods, two runs of one method with
 /// one spacing, a variation without the run that it varies.
+///
+/// `measured`: a record of what was measured (twinwake import); it takes no part in the verdict between the methods.
+/// Throws InputError where it belongs to another hull.
 Ladder build_ladder(std::vector<LadderRun> runs, std::vector<LadderVariation> variations = {},
-                    double agree_within = 0.05);
+                    double agree_within = 0.05, const RunRecord* measured = nullptr);
 
 /// "Lift: the methods differ by +418 +- 120 N (+13 %)": one quantity's verdict in words, its reason behind it.
 std::string ladder_sentence(const LadderQuantity& quantity);
@@ -102,6 +118,8 @@ std::string ladder_json(const Ladder& ladder);
 std::string ladder_csv(const Ladder& ladder, std::size_t side);
 /// The part of report.html that shows the ladder: verdicts, convergence, what accuracy costs.
 std::string ladder_html(const Ladder& ladder);
+/// Whether the interval holds the measured value: "yes", "yes, by a wide interval", "no", "not converged", "no value".
+std::string validation_label(const Validation& validation);
 /// Seconds as people say them: "42 s", "13 min", "2.4 h", "9 days".
 std::string time_text(double seconds);
 

@@ -199,6 +199,36 @@ std::string shares_table(const Ladder& ladder) {
            rows + "</tbody></table></div></details>";
 }
 
+/// Each method's finest values beside what was measured.
+std::string measured_table(const Ladder& ladder) {
+    std::string rows;
+    for (const LadderQuantity& q : ladder.quantities)
+        for (std::size_t k = 0; k < q.values.size() && q.measured.known; ++k) {
+            const Validation& v = q.values[k].validation;
+            rows += fmt::format(
+                "<tr><td>{}</td><td class=\"num\">{}</td><td>{}</td><td class=\"num\">{}</td><td "
+                "class=\"num\">{}</td><td "
+                "class=\"num\">{}</td><td><span class=\"badge {}\">{}</span></td></tr>",
+                k == 0 ? escaped(q.label + " [" + q.unit + "]") : "", k == 0 ? mean_text(q.measured) : "",
+                method_cell(ladder, k), signed_text(v.E, v.U_val), per_cent_text(v.per_cent),
+                std::isfinite(v.U_val) ? value_text(v.U_val, 0) : "–", to_string(v.verdict), validation_label(v));
+        }
+    std::string out;
+    if (!rows.empty())
+        out =
+            "<h2>Against what was measured</h2><div class=\"wide\"><table><thead><tr><th>Quantity</th><th "
+            "class=\"num\">" +
+            escaped(ladder.measured) +
+            "</th><th>method</th><th class=\"num\">value − measured</th><th class=\"num\">relative</th><th "
+            "class=\"num\">U</th><th>within</th></tr></thead><tbody>" +
+            rows +
+            "</tbody></table></div><p class=\"note\">U holds the interval of the finest value and that of the "
+            "measurement (ASME V&amp;V 20). The measurement takes no part in the verdict between the methods.</p>";
+    for (const std::string& line : ladder.calibrated)
+        out += "<p class=\"note\">Calibrated, not validated: " + escaped(line) + "</p>";
+    return out;
+}
+
 }  // namespace
 
 std::string ladder_html(const Ladder& ladder) {
@@ -219,7 +249,7 @@ std::string ladder_html(const Ladder& ladder) {
                "choices. Agree: the difference lies inside the joint interval, and that is at most {:g} % of the "
                "value.</p>",
                100 * ladder.agree_within) +
-           shares_table(ladder) + plots(ladder) + price_table(ladder) + runs_table(ladder);
+           measured_table(ladder) + shares_table(ladder) + plots(ladder) + price_table(ladder) + runs_table(ladder);
     return out + "<h2>The finest pair</h2>";
 }
 

@@ -49,6 +49,10 @@ Json json_of(const LadderValue& v, double size) {
             {"limit", v.estimate.limit},
             {"sensitivities", sensitivities},
             {"uncertainty", v.uncertainty},
+            {"validation",
+             {{"difference", v.validation.E},
+              {"interval", v.validation.U_val},
+              {"verdict", to_string(v.validation.verdict)}}},
             {"cost", cost}};
 }
 
@@ -71,14 +75,19 @@ std::string ladder_json(const Ladder& ladder) {
         quantities.push_back({{"name", q.name},
                               {"unit", q.unit},
                               {"values", values},
+                              {"measured", q.measured.value},
                               {"difference", q.difference},
                               {"interval", q.interval},
                               {"per_cent", q.per_cent},
                               {"verdict", to_string(q.verdict)},
                               {"reason", q.reason}});
     }
-    const Json all = {
-        {"title", ladder.title}, {"agree_within", ladder.agree_within}, {"sides", sides}, {"quantities", quantities}};
+    const Json all = {{"title", ladder.title},
+                      {"measured", ladder.measured},
+                      {"calibrated", ladder.calibrated},
+                      {"agree_within", ladder.agree_within},
+                      {"sides", sides},
+                      {"quantities", quantities}};
     return all.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -92,6 +92,17 @@ std::string quantity_text(const Ladder& ladder, const LadderQuantity& q) {
 
 }  // namespace
 
+std::string validation_label(const Validation& v) {
+    switch (v.verdict) {
+        case Verdict::agree: return "yes";
+        case Verdict::undecided: return "yes, by a wide interval";
+        case Verdict::differ: return "no";
+        case Verdict::not_converged: return "not converged";
+        case Verdict::not_comparable: break;
+    }
+    return "no value";
+}
+
 std::string time_text(double seconds) {
     if (!std::isfinite(seconds)) return "-";
     if (seconds < 120) return fmt::format("{:.2g} s", seconds);
@@ -121,6 +132,20 @@ std::string ladder_text(const Ladder& ladder) {
             out += quantity_text(ladder, q);
     out += "\n## Verdicts\n\n";
     for (const LadderQuantity& q : ladder.quantities) out += "- " + ladder_sentence(q) + "\n";
+    if (!ladder.measured.empty()) {
+        out += fmt::format(
+            "\n## Against {}\n\n| quantity | measured | method | value - measured | U | within |\n"
+            "|---|---|---|---|---|---|\n",
+            for_terminal(ladder.measured));
+        for (const LadderQuantity& q : ladder.quantities)
+            for (std::size_t k = 0; k < q.values.size() && q.measured.known; ++k) {
+                const Validation& v = q.values[k].validation;
+                out += fmt::format("| {} [{}] | {} | {} | {} ({}) | {} | {} |\n", q.label, q.unit,
+                                   mean_text(q.measured), for_terminal(ladder.sides[k].method), number(v.E, "{:+.4g}"),
+                                   per_cent_text(v.per_cent), number(v.U_val, "{:.3g}"), validation_label(v));
+            }
+    }
+    for (const std::string& line : ladder.calibrated) out += "\ncalibrated, " + for_terminal(line) + "\n";
     return out + "\n~: beyond the times of this ladder, by its slope. U: half width of the 95 % interval.\n";
 }
 

@@ -119,6 +119,28 @@ TEST(Ladder, WhatIsUndecidedSaysWhatItWouldCostToDecide) {
     EXPECT_NE(lift_of(ladder_of(records)).reason.find("would do"), std::string::npos);
 }
 
+TEST(Ladder, AMeasuredValueIsHeldAgainstEachMethodAndTakesNoPartInTheVerdictBetweenThem) {
+    std::vector<RunRecord> records;
+    add_family(records, "sph", 2800, 10, 2);
+    add_family(records, "fvm", 3000, 10, 2);
+    std::vector<LadderRun> runs;
+    for (const RunRecord& r : records) runs.push_back(ladder_run(r));
+    SyntheticRun tank;
+    tank.method = "towing tank", tank.lift = 2805, tank.noise = 2, tank.frames = false;
+    const RunRecord measured = synthetic_run(tank);
+    const Ladder ladder = build_ladder(runs, {}, 0.05, &measured);
+    const LadderQuantity& lift = lift_of(ladder);
+    EXPECT_EQ(lift.verdict, lift_of(build_ladder(runs)).verdict);
+    EXPECT_EQ(lift.values[0].validation.verdict, Verdict::agree);
+    EXPECT_NEAR(lift.values[0].validation.E, 5, 2);
+    EXPECT_EQ(lift.values[1].validation.verdict, Verdict::differ);
+    EXPECT_NE(ladder_text(ladder).find("Against towing tank"), std::string::npos);
+    EXPECT_NE(ladder_html(ladder).find("Against what was measured"), std::string::npos);
+    RunRecord other = measured;
+    other.attributes["hull_hash"] = "another";
+    EXPECT_THROW(build_ladder(runs, {}, 0.05, &other), InputError);
+}
+
 TEST(Ladder, OneSizeAloneIsNotConverged) {
     std::vector<RunRecord> records;
     add_family(records, "sph", 2800, 30, 2, 1);
