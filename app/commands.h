@@ -53,6 +53,8 @@ struct CompareCommand {
     std::vector<std::filesystem::path> sources;
     std::filesystem::path out;
     bool force = false, require_agree = false;
+    bool ladder = false;             ///< the records are sizes of one scene
+    std::filesystem::path measured;  ///< with ladder: an imported record, or its folder; empty: none
 };
 int run_compare(const CompareCommand& command, const Common& common);
 

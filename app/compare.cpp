@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/output.h"
+#include "app/write_ladder.h"
 #include "base/errors.h"
 
 namespace tw::app {
@@ -27,9 +28,20 @@ std::vector<fs::path> record_files(const fs::path& source) {
     return files;
 }
 
+int compare_ladder(const CompareCommand& command, const Common& common) {
+    if (command.out.empty())
+        throw InputError("compare --ladder: expected --out, a folder for the tables and the report");
+    LadderHarvest harvest;
+    for (const fs::path& source : command.sources)
+        for (const fs::path& file : record_files(source)) harvest.take(read_record(file), file);
+    write_ladder(harvest, command.measured, command.out, common);
+    return done;
+}
+
 }  // namespace
 
 int run_compare(const CompareCommand& command, const Common& common) {
+    if (command.ladder) return compare_ladder(command, common);
     std::vector<RunRecord> records;
     for (const fs::path& source : command.sources)
         for (const fs::path& file : record_files(source)) records.push_back(read_record(file));

@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "app/machine_pace.h"
 #include "app/output.h"
 #include "app/run_method.h"
 #include "app/stop_signal.h"
-#include "base/atomic_file.h"
+#include "app/write_ladder.h"
 #include "base/errors.h"
 #include "foam_cases/doctor.h"
 
@@ -70,40 +69,21 @@ std::vector<Job> jobs_of(const LadderCommand& command, const fs::path& out) {
     return jobs;
 }
 
-/// What the runs so far leave for the ladder; the records themselves are not kept.
-struct Harvest {
-    std::vector<LadderRun> runs;
-    std::vector<LadderVariation> variations;
-    std::map<std::string, std::pair<double, fs::path>> finest;  ///< spacing and record of each method
-
-    void take(const Job& job, RunRecord record) {
-        LadderRun run = ladder_run(std::move(record));
-        if (job.choice) {
-            variations.push_back({job.choice->name, job.choice->share, std::move(run)});
-            return;
-        }
-        auto& [spacing, file] = finest.try_emplace(job.method, run.spacing, fs::path()).first->second;
-        if (run.spacing <= spacing) spacing = run.spacing, file = job.folder / "record.h5";
-        runs.push_back(std::move(run));
-    }
-    /// A variation counts only beside the run that it varies; the budget may have left that out.
-    void drop_lone_variations() {
-        std::erase_if(variations, [&](const LadderVariation& v) {
-            return std::ranges::none_of(runs, [&](const LadderRun& r) {
-                return r.method == v.run.method && std::abs(r.spacing / v.run.spacing - 1) < 1e-6;
-            });
-        });
-    }
-};
+void take(LadderHarvest& harvest, const Job& job, RunRecord record) {
+    if (job.choice)
+        harvest.variations.push_back({job.choice->name, job.choice->share, ladder_run(std::move(record))});
+    else
+        harvest.take(std::move(record), job.folder / "record.h5");
+}
 
 /// False: stopped at the user's wish.
-bool run_all(std::vector<Job>& jobs, const LadderCommand& command, const Common& common, Harvest& harvest) {
+bool run_all(std::vector<Job>& jobs, const LadderCommand& command, const Common& common, LadderHarvest& harvest) {
     const double budget = command.budget_seconds();
     double spent = 0;  // seconds of what is run now: what is there already costs nothing
     for (Job& job : jobs) {
         if (auto earlier = finished_run(job.folder, job.plan.scene, job.method)) {
             say(common, fmt::format("{}: finished before, taken from {}\n", job.what(), job.folder.string()));
-            harvest.take(job, std::move(*earlier));
+            take(harvest, job, std::move(*earlier));
             continue;
         }
         job.plan.prediction = predict(job.plan.scene, machine_pace());  // the runs before have taught the pace
@@ -121,27 +101,9 @@ bool run_all(std::vector<Job>& jobs, const LadderCommand& command, const Common&
         spent += facts.wall;
         say(common, closing_line(facts));
         if (record.state != "finished" || stop_asked()) return false;
-        harvest.take(job, read_record(job.folder / "record.h5"));
+        take(harvest, job, read_record(job.folder / "record.h5"));
     }
     return true;
-}
-
-void write_ladder(const Ladder& ladder, const Harvest& harvest, const fs::path& out, const Common& common) {
-    const std::string text = ladder_text(ladder), json = ladder_json(ladder);
-    write_text_atomically(out / "ladder.md", text);
-    write_text_atomically(out / "ladder.json", json);
-    for (std::size_t k = 0; k < ladder.sides.size(); ++k)
-        write_text_atomically(out / ("ladder_" + ladder.sides[k].method + ".csv"), ladder_csv(ladder, k));
-    std::vector<RunRecord> finest;
-    for (const LadderSide& side : ladder.sides) finest.push_back(read_record(harvest.finest.at(side.method).second));
-    CompareOptions options;
-    options.force = true;  // the budget may have left the methods with different finest sizes
-    const ReportFiles files = write_report(compare_records(std::move(finest), options), out, ladder_html(ladder));
-    std::string verdicts;
-    for (const LadderQuantity& q : ladder.quantities) verdicts += ladder_sentence(q) + "\n";
-    say(common,
-        "\n" + verdicts + "\nwritten: " + (out / "ladder.md").string() + "\nreport: " + files.html.string() + "\n");
-    write_json(common, json);
 }
 
 }  // namespace
@@ -154,20 +116,16 @@ int run_ladder(const LadderCommand& command, const Common& common) {
         say(common, "OpenFOAM: " + sound_openfoam(jobs.front().plan.scene.fvm.openfoam).verdict + "\n");
 
     catch_stop_signals();
-    Harvest harvest;
+    LadderHarvest harvest;
     if (!run_all(jobs, command, common, harvest)) {
         std::fputs("ladder: stopped at the user's wish; the same command goes on from here\n", stderr);
         return run_failed;
     }
     harvest.drop_lone_variations();
-    std::optional<RunRecord> measured;
-    if (!command.measured.empty())
-        measured = read_record(fs::is_directory(command.measured) ? command.measured / "record.h5" : command.measured);
     if (harvest.runs.empty())
         throw InputError(fmt::format("--budget {}: no run fits; the cheapest needs about {:.3g} s", command.budget,
                                      jobs.front().plan.seconds(jobs.front().method)));
-    write_ladder(build_ladder(harvest.runs, harvest.variations, 0.05, measured ? &*measured : nullptr), harvest, out,
-                 common);
+    write_ladder(harvest, command.measured, out, common);
     return done;
 }
 

@@ -137,6 +137,10 @@ int dispatch(int argc, char** argv) {
     });
     c->add_option("sources", compare.sources, "run records, or folders of runs")->required()->expected(1, 64);
     c->add_option("--out", compare.out, "folder for report.html, report.json, CSV and figures");
+    c->add_flag(
+        "--ladder", compare.ladder,
+        "the records are sizes of one scene that were run before: verdicts that hold the error of the resolution");
+    c->add_option("--measured", compare.measured, "with --ladder: what was measured, as twinwake import left it");
     c->add_flag("--force", compare.force, "compare records of different scenes, with a banner");
     c->add_option("--require", require, "agree: exit status 4 unless every judged quantity agrees")
         ->check(CLI::IsMember({"agree"}));

@@ -1,25 +1,29 @@
 # Completion of the twinwake command for bash:  source app/completion/twinwake.bash
 _twinwake() {
     local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]}
-    local scene="--hull --speed --near-hull --spacing --duration"
+    local scene="--hull --speed --trim --near-hull --spacing --scale --duration"
     local words=""
     COMPREPLY=()
     if [ "$COMP_CWORD" -eq 1 ]; then
-        COMPREPLY=($(compgen -W "new check run compare hull case doctor bench --help --version" -- "$word"))
+        COMPREPLY=($(compgen -W "new check run compare ladder sweep import uncertainty hull case doctor bench --help --version" -- "$word"))
         return
     fi
     case $previous in
         --method) COMPREPLY=($(compgen -W "sph fvm both" -- "$word")); return ;;
         --require) COMPREPLY=($(compgen -W "agree" -- "$word")); return ;;
         --unit) COMPREPLY=($(compgen -W "m mm cm ft in" -- "$word")); return ;;
-        --hull | --json | --out | -o | --openfoam) COMPREPLY=($(compgen -f -- "$word")); return ;;
+        --hull | --hulls | --measured | --json | --out | -o | --openfoam) COMPREPLY=($(compgen -f -- "$word")); return ;;
     esac
     case $command in
         new) words="--overwrite --quiet --help"
              [ "$COMP_CWORD" -eq 2 ] && words="planing seaplane tank own" ;;
         check) words="$scene --json --quiet --help" ;;
         run) words="$scene --method --out --resume --overwrite --threads --json --quiet --help" ;;
-        compare) words="--out --force --require --json --quiet --help" ;;
+        compare) words="--out --ladder --measured --force --require --json --quiet --help" ;;
+        ladder) words="$scene --method --levels --ratio --no-variations --measured --budget --overwrite --out --threads --json --quiet --help" ;;
+        sweep) words="--hulls --speeds --trims --near-hull --scale --duration --overwrite --out --threads --json --quiet --help" ;;
+        import) words="--out --overwrite --json --quiet --help" ;;
+        uncertainty) words="--order --json --quiet --help" ;;
         hull) words="--unit --axes --particle-spacing --out --json --quiet --help"
               [ "$COMP_CWORD" -eq 2 ] && words="info repair make convert"
               [ "$COMP_CWORD" -eq 3 ] && [ "${COMP_WORDS[2]}" = make ] && words="prismatic seaplane wigley wedge plate box cylinder sphere torpedo" ;;

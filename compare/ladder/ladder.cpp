@@ -209,7 +209,7 @@ LadderRun ladder_run(RunRecord record, const CompareOptions& options) {
     for (const Phase& phase : record.phases) run.seconds += phase.wall, run.core_seconds += phase.cpu;
     run.hull_hash = run.likeness = record.attributes["hull_hash"];
     run.calibrated = record.attributes["calibrated"];
-    for (const char* name : {"speed", "draft", "trim", "duration", "h_over_dp", "alpha", "c0", "cfl", "shifting",
+    for (const char* name : {"speed", "draft", "trim", "h_over_dp", "alpha", "c0", "cfl", "shifting",
                              "max_courant_limit", "interface_compression"})
         if (const auto n = record.numbers.find(name); n != record.numbers.end())
             run.likeness += fmt::format(" {}={:.9g}", name, n->second);

@@ -45,7 +45,7 @@ Sweep build_sweep(std::string title, std::vector<SweepMember> members) {
                 s = std::prev(sweep.summaries.end());
             }
             const MeanValue &a = q.values[0], &b = q.values[1];
-            if (a.known && b.known && a.value > 0 && b.value > 0)
+            if (a.known && b.known && a.value * b.value > 0)
                 s->points.push_back({i, a.value, b.value, a.half_width, b.half_width, q.verdict});
             else
                 ++s->left_out;

@@ -21,8 +21,8 @@ struct SweepMember {
 ///   r_i = ln(B_i / A_i)     bias = mean r     scatter = standard deviation of r     interval = t_95(n-1)
 ///   scatter/sqrt(n)
 ///
-/// in logarithms, so that a factor of two up and one down cancel. Members where a value is missing or not above 0 are
-/// left out and counted.
+/// in logarithms, so that a factor of two up and one down cancel. Members where a value is missing or 0, or where the
+/// signs differ, are left out and counted.
 struct SweepSummary {
     static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     std::string name, label, unit;
@@ -47,6 +47,8 @@ struct Sweep {
 /// InputError: no member.
 Sweep build_sweep(std::string title, std::vector<SweepMember> members);
 
+/// A logarithm of a ratio as people say it: "−8.3 %"; beyond a factor of ten "× 23"; "–" when not finite.
+std::string ratio_text(double logarithm);
 std::string sweep_text(const Sweep& sweep);  ///< markdown
 std::string sweep_json(const Sweep& sweep);
 std::string sweep_csv(const Sweep& sweep);   ///< one row per member and quantity

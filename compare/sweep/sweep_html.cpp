@@ -12,18 +12,14 @@ namespace tw {
 
 namespace {
 
-double per_cent(double logarithm) { return 100 * std::expm1(logarithm); }
-
 std::string summary_table(const Sweep& sweep) {
     std::string rows;
     for (const SweepSummary& s : sweep.summaries) {
         rows += fmt::format(
             "<tr><td>{} <span class=\"note\">[{}]</span></td><td class=\"num\">{}</td><td class=\"num\">{}</td><td "
             "class=\"num\">{}</td><td class=\"num\">{}</td><td class=\"num\">{}</td></tr>",
-            escaped(s.label), escaped(s.unit), s.points.size(), per_cent_text(per_cent(s.bias)),
-            std::isfinite(s.interval)
-                ? per_cent_text(per_cent(s.bias - s.interval)) + " … " + per_cent_text(per_cent(s.bias + s.interval))
-                : "–",
+            escaped(s.label), escaped(s.unit), s.points.size(), ratio_text(s.bias),
+            std::isfinite(s.interval) ? ratio_text(s.bias - s.interval) + " … " + ratio_text(s.bias + s.interval) : "–",
             std::isfinite(s.scatter) ? fmt::format("× {:.3g}", std::exp(s.scatter)) : "–", s.left_out);
     }
     return fmt::format(
@@ -34,7 +30,7 @@ std::string summary_table(const Sweep& sweep) {
            rows +
            "</tbody></table></div><p class=\"note\">Bias: mean of the logarithm of the ratio, as a percentage. "
            "Scatter: "
-           "factor of its standard deviation. Left out: a value is missing or not above 0.</p>";
+           "factor of its standard deviation. Left out: a value is missing or 0, or the signs differ.</p>";
 }
 
 /// Values of the second method over those of the first, each with its intervals; the line of equal values.

@@ -14,9 +14,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double per_cent(double logarithm) { return 100 * std::expm1(logarithm); }
-
 }  // namespace
+
+std::string ratio_text(double logarithm) {
+    if (!std::isfinite(logarithm)) return "–";
+    if (std::abs(logarithm) > std::log(10)) return fmt::format("× {:.2g}", std::exp(logarithm));
+    return per_cent_text(100 * std::expm1(logarithm));
+}
 
 std::string sweep_text(const Sweep& sweep) {
     std::string out = fmt::format("# {}\n", for_terminal(sweep.title));
@@ -27,10 +31,10 @@ std::string sweep_text(const Sweep& sweep) {
             for_terminal(sweep.methods[0]), for_terminal(sweep.methods[1]));
         for (const SweepSummary& s : sweep.summaries)
             out += fmt::format(
-                "| {} | {} | {} | {} | {} | {} |\n", s.label, s.points.size(), per_cent_text(per_cent(s.bias)),
-                std::isfinite(s.interval) ? fmt::format("{} to {}", per_cent_text(per_cent(s.bias - s.interval)),
-                                                        per_cent_text(per_cent(s.bias + s.interval)))
-                                          : "-",
+                "| {} | {} | {} | {} | {} | {} |\n", s.label, s.points.size(), ratio_text(s.bias),
+                std::isfinite(s.interval)
+                    ? fmt::format("{} to {}", ratio_text(s.bias - s.interval), ratio_text(s.bias + s.interval))
+                    : "-",
                 std::isfinite(s.scatter) ? fmt::format("x {:.3g}", std::exp(s.scatter)) : "-", s.left_out);
     }
     for (const SweepSummary& s : sweep.summaries) {

@@ -89,6 +89,17 @@ TEST_F(Command, ALadderTakesWhatIsFinishedAndNamesWhatTheBudgetLeavesOut) {
     EXPECT_EQ(again.status, 0) << again.err;  // what is there costs nothing
     EXPECT_NE(again.out.find("finished before, taken from"), std::string::npos) << again.out;
     EXPECT_TRUE(content(out / "near_hull_20mm/sph/record.h5") == record);
+    EXPECT_TRUE(fs::exists(out / "near_hull_20mm/time_step_0.5/sph/record.h5"));  // the choices' runs
+    EXPECT_NE(content(out / "ladder.md").find("sound speed x 1.5"), std::string::npos);
+    EXPECT_NE(content(out / "report.html").find("The price of a digit"), std::string::npos);
+
+    // the same ladder from the records alone
+    const std::string ladder = "runs/my column_ladder/";
+    const Outcome compared = twinwake({"compare", "--ladder", ladder + "near_hull_20mm/sph",
+                                       ladder + "near_hull_28.2843mm/sph", "--out", "from_records"});
+    EXPECT_EQ(compared.status, 0) << compared.err;
+    EXPECT_EQ(content(folder_ / "from_records/ladder_sph.csv"), content(out / "ladder_sph.csv"));
+    EXPECT_EQ(twinwake({"compare", "--ladder", ladder + "near_hull_20mm/sph"}).status, 2);  // nowhere to write it
 
     write("my column.toml", with(column, "max = [0.2, 0.2, 0.2]", "max = [0.2, 0.2, 0.1]"));
     const Outcome refused = twinwake({"ladder", "my column.toml", "--levels", "2"});
@@ -97,6 +108,25 @@ TEST_F(Command, ALadderTakesWhatIsFinishedAndNamesWhatTheBudgetLeavesOut) {
     EXPECT_TRUE(content(out / "near_hull_20mm/sph/record.h5") == record);
     EXPECT_EQ(twinwake({"ladder", "my column.toml", "--levels", "2", "--overwrite"}).status, 0);
     EXPECT_FALSE(content(out / "near_hull_20mm/sph/record.h5") == record);
+}
+
+TEST_F(Command, AMeasuredHistoryBecomesARecordThatStandsBesideARun) {
+    write("column.toml", column);
+    ASSERT_EQ(twinwake({"run", "column.toml"}).status, 0);
+    write("gauge.csv", "t [ms],p [kPa]\n0,0\n50,1.5\n100,2.5\n");
+    write("gauge.toml",
+          "kind = \"csv\"\nname = \"gauge\"\nsource = \"gauge.csv\"\nscene = \"column.toml\"\ntime = \"t "
+          "[ms]\"\n[pressure]\n"
+          "P1 = \"p [kPa]\"\n");
+    const Outcome imported = twinwake({"import", "gauge.toml", "--out", "gauge"});
+    ASSERT_EQ(imported.status, 0) << imported.err;
+    EXPECT_EQ(twinwake({"import", "gauge.toml", "--out", "gauge"}).status, 2);  // a record is not written over
+    const Outcome compared = twinwake({"compare", "runs/column/sph", "gauge", "--out", "cmp"});
+    EXPECT_EQ(compared.status, 0) << compared.err;
+    EXPECT_NE(content(folder_ / "cmp/report.html").find("gauge"), std::string::npos);
+    const Outcome absent = twinwake({"import", "absent.toml", "--out", "x"});
+    EXPECT_EQ(absent.status, 2);
+    EXPECT_FALSE(fs::exists(folder_ / "x"));
 }
 
 TEST_F(Command, AnInterruptedRunSavesItsStateAndGoesOn) {

@@ -54,9 +54,10 @@ TEST(Sweep, AFailedSceneIsReportedAndTheOthersCount) {
 }
 
 TEST(Sweep, ValuesWithoutALogarithmAreLeftOutAndCounted) {
-    const Sweep s = build_sweep("set", {member("good", 100, 104), member("negative", -3, 5), member("zero", 0, 5)});
+    const Sweep s = build_sweep("set", {member("good", 100, 104), member("against", -3, 5), member("zero", 0, 5)});
     EXPECT_EQ(s.summaries[0].points.size(), 1u);
     EXPECT_EQ(s.summaries[0].left_out, 2u);
+    EXPECT_NEAR(build_sweep("set", {member("both", -3, -6)}).summaries[0].bias, std::log(2), 1e-12);
 }
 
 TEST(Sweep, AllFailedIsStillAReport) {

@@ -1,0 +1,29 @@
+#pragma once
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/commands.h"
+#include "compare/ladder/ladder.h"
+
+namespace tw::app {
+
+/// What finished runs leave for a ladder; their records are not kept.
+struct LadderHarvest {
+    std::vector<LadderRun> runs;
+    std::vector<LadderVariation> variations;
+    std::map<std::string, std::pair<double, std::filesystem::path>> finest;  ///< spacing and record of each method
+
+    /// A level; `file`: where its record lies.
+    void take(RunRecord record, const std::filesystem::path& file);
+    /// A variation counts only beside the run that it varies; a budget may have left that out.
+    void drop_lone_variations();
+};
+
+/// ladder.md, ladder.json, a CSV for each method and report.html with the finest pair; the verdicts for the terminal.
+/// `measured`: record, or its folder, of what was measured; empty: none.
+void write_ladder(const LadderHarvest& harvest, const std::filesystem::path& measured, const std::filesystem::path& out,
+                  const Common& common);
+
+}  // namespace tw::app
