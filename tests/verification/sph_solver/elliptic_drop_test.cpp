@@ -1,0 +1,65 @@
+// A drop of ideal water that starts as a circle with u = -A x, w = A z stays an ellipse: free surface, no walls, no
+// gravity (Monaghan 1994, doi:10.1006/jcph.1994.1034; tests/data/elliptical_drop_monaghan.csv).
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "sph_solver/solver.h"
+
+namespace tw {
+namespace {
+
+constexpr double A = 100, end = 0.0076;  // [1/s], [s]: the drop is nearly four times as high as wide then
+
+/// Semi-axes of the drop at `end` [m].
+struct Axes {
+    double x = 0, z = 0;
+};
+Axes exact_axes() {
+    std::ifstream table(TWINWAKE_TEST_DATA "/elliptical_drop_monaghan.csv");
+    std::string line;
+    while (std::getline(table, line)) {
+        double t = -1, rate = 0;
+        Axes a;
+        char comma = 0;
+        std::istringstream(line) >> t >> comma >> rate >> comma >> a.x >> comma >> a.z;
+        if (std::abs(t - end) < 1e-9) return a;
+    }
+    throw std::runtime_error("no row for the end of the run");
+}
+
+Axes drop_of(double dp) {
+    SolverSetup s;
+    s.dimensions = 2;
+    s.dp = dp;
+    s.state_equation.c0 = 1400;
+    s.gravity = Vec3::Zero();
+    s.domain = {Vec3(-4, -1, -4), Vec3(4, 1, 4)};
+    Fluid drop;
+    for (const Vec3& place : fill_with_fluid(s, {Box{Vec3(-1, 0, -1), Vec3(1, 0, 1)}}).places)
+        if (std::hypot(place.x(), place.z()) < 1) drop.places.push_back(place), drop.depth.push_back(0);
+    Solver solver(s, drop);
+    Particles& p = solver.particles();
+    for (std::size_t i = 0; i < p.size(); ++i)
+        p.u[i] = static_cast<float>(-A * p.x[i]), p.w[i] = static_cast<float>(A * p.z[i]);
+    while (solver.time() < end) solver.step();
+    double xx = 0, zz = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) xx += p.x[i] * p.x[i], zz += p.z[i] * p.z[i];
+    const double n = static_cast<double>(p.size());
+    return {2 * std::sqrt(xx / n), 2 * std::sqrt(zz / n)};  // a uniform ellipse: mean of x^2 is a^2/4
+}
+
+TEST(EllipticDrop, ItsAxesApproachTheExactOnesWithTheSpacing) {
+    const Axes exact = exact_axes(), coarse = drop_of(1.0 / 20), fine = drop_of(1.0 / 40);
+    const double coarse_x = std::abs(coarse.x / exact.x - 1), fine_x = std::abs(fine.x / exact.x - 1);
+    const double coarse_z = std::abs(coarse.z / exact.z - 1), fine_z = std::abs(fine.z / exact.z - 1);
+    EXPECT_LT(fine_x, 0.01);
+    EXPECT_LT(fine_z, 0.002);
+    EXPECT_GT(std::log2(coarse_x / fine_x), 0.7);  // order of convergence
+    EXPECT_GT(std::log2(coarse_z / fine_z), 1);
+}
+
+}  // namespace
+}  // namespace tw
