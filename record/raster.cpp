@@ -28,7 +28,17 @@ double share(double low, double high, long k) {
 
 void Raster::pour(const Vec3& centre, double edge, double water) {
     poured_ += water;
-    if (volume_.empty() || !centre.allFinite() || !(edge > 0)) return;
+    spread(volume_, centre, edge, water);
+}
+
+void Raster::pour_cell(const Vec3& centre, double volume, double water) {
+    pour(centre, std::cbrt(volume), water);
+    space_.resize(volume_.size());
+    spread(space_, centre, std::cbrt(volume), volume);
+}
+
+void Raster::spread(std::vector<float>& into, const Vec3& centre, double edge, double water) const {
+    if (into.empty() || !centre.allFinite() || !(edge > 0)) return;
     const Vec3 low = (centre - spec_.origin).array() / spec_.spacing - 0.5 * edge / spec_.spacing;
     const Vec3 high = low.array() + edge / spec_.spacing;
     // Far outside: also keeps the conversion to integers below in range.
@@ -40,7 +50,7 @@ void Raster::pour(const Vec3& centre, double edge, double water) {
         const double in_z = water * share(low.z(), high.z(), k);
         for (long j = y.first; j <= y.last; ++j) {
             const double in_yz = in_z * share(low.y(), high.y(), j);
-            float* row = &volume_[static_cast<std::size_t>((k * spec_.count[1] + j) * spec_.count[0])];
+            float* row = &into[static_cast<std::size_t>((k * spec_.count[1] + j) * spec_.count[0])];
             for (long i = x.first; i <= x.last; ++i) row[i] += static_cast<float>(in_yz * share(low.x(), high.x(), i));
         }
     }
@@ -51,8 +61,11 @@ RasterFrame Raster::frame(double time) const {
     f.time = time;
     f.water.resize(volume_.size());
     const double voxel = spec_.spacing * spec_.spacing * spec_.spacing;
-    for (std::size_t i = 0; i < volume_.size(); ++i)
-        f.water[i] = static_cast<std::uint8_t>(std::lround(255 * std::clamp(volume_[i] / voxel, 0.0, 1.0)));
+    for (std::size_t i = 0; i < volume_.size(); ++i) {
+        const bool filled = !space_.empty() && std::abs(space_[i] / voxel - 1) < 0.1;
+        const double share = volume_[i] / (filled ? double(space_[i]) : voxel);
+        f.water[i] = static_cast<std::uint8_t>(std::lround(255 * std::clamp(share, 0.0, 1.0)));
+    }
     return f;
 }
 

@@ -13,12 +13,19 @@ public:
     explicit Raster(const RasterSpec& spec);
     /// `water` [m3] spread evenly over the cube of edge `edge` [m] round `centre`.
     void pour(const Vec3& centre, double edge, double water);
+    /// The same of a mesh's cell: besides its water all of its volume [m3], wet and dry. Cells are no cubes, so the
+    /// cubes in their place overlap here and gape there (half a per cent of the water under a hull's mesh); a voxel
+    /// that they fill to within a tenth takes water over volume instead.
+    void pour_cell(const Vec3& centre, double volume, double water);
     RasterFrame frame(double time) const;      ///< fractions, clamped to 1
     double poured() const { return poured_; }  ///< all water poured, inside the raster or not [m3]
 
 private:
     RasterSpec spec_;
+    void spread(std::vector<float>& into, const Vec3& centre, double edge, double amount) const;
+
     std::vector<float> volume_;
+    std::vector<float> space_;  ///< volume of the cells poured, wet and dry; empty without pour_cell
     double poured_ = 0;
 };
 

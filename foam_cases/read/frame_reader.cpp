@@ -90,12 +90,12 @@ void FrameReader::read_water(const TimeFolders::Moment& moment, const SolverLog&
         for (std::size_t i = 0; i < part.volumes.size(); ++i) {
             const double share = alpha.scalar(i), water = share * part.volumes[i];
             volume += water;
+            if (to_raster) raster.pour_cell(part.centres[i], part.volumes[i], water);
             if (share <= 1e-6) continue;
             const double v2 = speed.vector(i).squaredNorm();
             kinetic += 0.5 * density * water * v2;
             potential += density * g * water * part.centres[i].z();
             if (share > 0.5) fastest = std::max(fastest, v2);
-            if (to_raster) raster.pour(part.centres[i], std::cbrt(part.volumes[i]), water);
         }
     }
     if (to_raster) record.frames.push_back(raster.frame(moment.time));

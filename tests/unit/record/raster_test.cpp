@@ -78,6 +78,24 @@ TEST(Raster, OffsetCubeIsSharedInProportionToTheOverlap) {
     EXPECT_EQ(f.water[static_cast<std::size_t>((3 * 6 + 2) * 10 + 5)], 64);   // 0.25 * 255 = 63.75
 }
 
+TEST(Raster, CellsThatAreNoCubesFillTheirVoxelsWhole) {
+    // Cells of 0.95 x 1/0.95 x 1 voxel edges, wet below the third layer: cubes in their place overlap and gape, and
+    // would leave some voxels 5 % dry.
+    Raster raster(spec);
+    const double cell = voxel * voxel * voxel;
+    for (int k = 0; k < spec.count[2]; ++k)
+        for (double y = -0.5 / 0.95; y < spec.count[1] + 1; y += 1 / 0.95)
+            for (double x = -0.475; x < spec.count[0] + 1; x += 0.95)
+                raster.pour_cell(spec.origin + voxel * Vec3(x, y, k + 0.5), cell, k < 3 ? cell : 0);
+    const RasterFrame f = raster.frame(0);
+    for (int k = 0; k < spec.count[2]; ++k)
+        for (int j = 1; j + 1 < spec.count[1]; ++j)
+            for (int i = 1; i + 1 < spec.count[0]; ++i)
+                EXPECT_EQ(f.water[static_cast<std::size_t>((k * spec.count[1] + j) * spec.count[0] + i)],
+                          k < 3 ? 255 : 0)
+                    << i << ' ' << j << ' ' << k;
+}
+
 TEST(Raster, WaterOutsideIsCountedButNotSeenAndOverfullVoxelsStopAtOne) {
     Raster raster(spec);
     raster.pour({1e12, 0, 0}, 0.1, 1);
