@@ -7,6 +7,7 @@
 #include <map>
 
 #include "base/errors.h"
+#include "compare/report/numbers.h"
 #include "compare/verdict/decide.h"
 
 namespace tw {
@@ -130,8 +131,9 @@ void judge(LadderQuantity& q, const std::vector<LadderSide>& sides, double targe
     const std::vector<Term> terms = terms_of(q, sides);
     const Term& largest = *std::ranges::max_element(terms, {}, &Term::U);
     const std::string cure = remedy(largest, q, sides[largest.side], target * S);
-    q.reason = fmt::format("the interval is wider than the target of {:g} %; largest term: {} (+- {:.3g} {}){}",
-                           100 * target, largest.name, largest.U, q.unit, cure.empty() ? "" : "; " + cure);
+    q.reason =
+        fmt::format("the interval is wider than the target of {:g} %; largest term: {} (± {} {}){}", 100 * target,
+                    largest.name, value_text(largest.U, 0), q.unit, cure.empty() ? "" : "; " + cure);
 }
 
 /// The runs by method, SPH and FVM in this order and others behind them by name; finest first.

@@ -109,7 +109,7 @@ struct Ladder {
 Ladder build_ladder(std::vector<LadderRun> runs, std::vector<LadderVariation> variations = {},
                     double agree_within = 0.05, const RunRecord* measured = nullptr);
 
-/// "Lift: the methods differ by +418 +- 120 N (+13 %)": one quantity's verdict in words, its reason behind it.
+/// "Lift: differ, +418 ± 120 N (+13 %)": one quantity's verdict in words, its reason behind it.
 std::string ladder_sentence(const LadderQuantity& quantity);
 /// Tables and verdicts for people, in markdown.
 std::string ladder_text(const Ladder& ladder);

@@ -115,9 +115,9 @@ std::string time_text(double seconds) {
 std::string ladder_sentence(const LadderQuantity& q) {
     std::string out = q.label + ": " + verdict_label(q.verdict);
     if (std::isfinite(q.interval))
-        out += fmt::format(", {:+.4g} +- {:.3g} {} ({:+.1f} %)", q.difference, q.interval, q.unit, q.per_cent);
+        out += fmt::format(", {} {} ({})", signed_text(q.difference, q.interval), q.unit, per_cent_text(q.per_cent));
     else if (std::isfinite(q.difference))
-        out += fmt::format("; the finest differ by {:+.4g} {} ({:+.1f} %)", q.difference, q.unit, q.per_cent);
+        out += fmt::format("; the finest differ by {:+.4g} {} ({})", q.difference, q.unit, per_cent_text(q.per_cent));
     return q.reason.empty() ? out : out + ": " + for_terminal(q.reason);
 }
 
