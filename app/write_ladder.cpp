@@ -1,7 +1,6 @@
 #include "app/write_ladder.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "app/output.h"
@@ -20,9 +19,7 @@ void LadderHarvest::take(RunRecord record, const fs::path& file) {
 
 void LadderHarvest::drop_lone_variations() {
     std::erase_if(variations, [&](const LadderVariation& v) {
-        return std::ranges::none_of(runs, [&](const LadderRun& r) {
-            return r.method == v.run.method && std::abs(r.spacing / v.run.spacing - 1) < 1e-6;
-        });
+        return std::ranges::none_of(runs, [&](const LadderRun& r) { return same_rung(r, v.run); });
     });
 }
 

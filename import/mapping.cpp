@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "base/atomic_file.h"
+#include "base/errors.h"
+#include "meshes/axis_turn.h"
 #include "scene/section.h"
 #include "scene/units.h"
 
@@ -116,25 +118,15 @@ void read_columns(Section& root, const SceneValue& document, Mapping& m) {
     }
 }
 
-/// Rows: the case's axis that becomes x, y, z, with its sign. Loads turn, they are not mirrored.
+/// Loads turn, they are not mirrored.
 Eigen::Matrix3d read_axes(Section& root) {
     const std::string axes = root.text("axes", "xyz");
-    Eigen::Matrix3d turn = Eigen::Matrix3d::Zero();
-    int row = 0;
-    double sign = 1;
-    bool sound = true;
-    for (const char c : axes) {
-        if (c == '-' || c == '+') {
-            sign = c == '-' ? -1 : 1;
-        } else if (c >= 'x' && c <= 'z' && row < 3) {
-            turn(row++, c - 'x') = sign;
-            sign = 1;
-        } else {
-            sound = false;
-        }
-    }
-    if (!sound || row != 3 || std::abs(turn.determinant()) != 1)
+    Eigen::Matrix3d turn;
+    try {
+        turn = axis_turn(axes);
+    } catch (const InputError&) {
         root.fail("axes", "expected each of x, y and z once, with a sign, e.g. \"x-zy\" (case with y up) or \"-x-yz\"");
+    }
     if (turn.determinant() < 0)
         root.fail("axes", "mirrors the case; turn one more sign, e.g. \"-x-yz\" for a bow towards +x");
     return turn;

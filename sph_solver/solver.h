@@ -58,10 +58,10 @@ struct Ledger {
     std::int64_t held = 0;  ///< times that a particle was stopped at a wall (see Solver::hold_at_wall), not particles
 };
 
-/// Extremes of one step, for the gates and the time step.
 /// Beyond these a run is stopped: density deviation over rho0, and speed over c0 [-].
 inline constexpr double largest_density_deviation = 0.3, largest_mach = 1.0;
 
+/// Extremes of one step, for the gates and the time step.
 struct Extremes {
     double speed = 0, acceleration = 0, density_deviation_low = 0, density_deviation_high = 0;
     std::int64_t fastest = -1;  ///< id of the fastest particle

@@ -22,8 +22,7 @@ const Quantity* find(const LadderRun& run, const std::string& name) {
 }
 
 Sensitivity sensitivity_of(const LadderSide& side, const LadderVariation& v, const std::string& name) {
-    const auto base = std::ranges::find_if(
-        side.runs, [&](const LadderRun& r) { return std::abs(r.spacing / v.run.spacing - 1) < 1e-6; });
+    const auto base = std::ranges::find_if(side.runs, [&](const LadderRun& r) { return same_rung(r, v.run); });
     const Quantity *a = find(*base, name), *b = find(v.run, name);
     Sensitivity s{v.name, v.run.spacing, std::nan(""), std::nan(""), std::nan("")};
     if (!a || !b || !a->values[0].known || !b->values[0].known) return s;
@@ -158,12 +157,10 @@ std::vector<LadderSide> sides_of(std::vector<LadderRun> runs) {
 
 void add_variation(std::vector<LadderSide>& sides, LadderVariation v) {
     for (LadderSide& side : sides)
-        if (side.method == v.run.method)
-            for (const LadderRun& run : side.runs)
-                if (std::abs(run.spacing / v.run.spacing - 1) < 1e-6) {
-                    side.variations.push_back(std::move(v));
-                    return;
-                }
+        if (std::ranges::any_of(side.runs, [&](const LadderRun& r) { return same_rung(r, v.run); })) {
+            side.variations.push_back(std::move(v));
+            return;
+        }
     throw InputError(fmt::format("{} with {}: the ladder has no {} run of {:g} m that it varies", v.run.method, v.name,
                                  v.run.method, v.run.spacing));
 }
@@ -198,6 +195,10 @@ void add_measured(Ladder& ladder, const RunRecord& record) {
 }
 
 }  // namespace
+
+bool same_rung(const LadderRun& a, const LadderRun& b) {
+    return a.method == b.method && std::abs(a.spacing / b.spacing - 1) < 1e-6;
+}
 
 LadderRun ladder_run(RunRecord record, const CompareOptions& options) {
     const auto spacing = record.numbers.find("near_hull");

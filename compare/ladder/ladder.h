@@ -22,6 +22,8 @@ struct LadderRun {
     std::string likeness;  ///< equal in runs that differ in resolution only
     std::vector<Quantity> quantities;
 };
+/// Runs of one method with one spacing.
+bool same_rung(const LadderRun& a, const LadderRun& b);
 /// Throws InputError: the record has no spacing at the hull.
 LadderRun ladder_run(RunRecord record, const CompareOptions& options = {});
 
@@ -111,6 +113,9 @@ Ladder build_ladder(std::vector<LadderRun> runs, std::vector<LadderVariation> va
 
 /// "Lift: differ, +418 ± 120 N (+13 %)": one quantity's verdict in words, its reason behind it.
 std::string ladder_sentence(const LadderQuantity& quantity);
+/// "Beyond 82 s, at U = 688 N, fvm is the cheaper one, before it sph."; empty where the lines do not cross within a
+/// year.
+std::string crossover_sentence(const Ladder& ladder, const LadderQuantity& quantity);
 /// Tables and verdicts for people, in markdown.
 std::string ladder_text(const Ladder& ladder);
 std::string ladder_json(const Ladder& ladder);

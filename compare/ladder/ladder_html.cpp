@@ -131,15 +131,8 @@ std::string price_table(const Ladder& ladder) {
             }
             rows += fmt::format("<td class=\"num\">× {:.3g}</td></tr>", v.cost.price_of_halving());
         }
-        if (q.values.size() == 2)
-            if (const double T = crossover_seconds(q.values[0].cost, q.values[1].cost); T > 1 && T < 3e7) {
-                const bool first = q.values[0].cost.slope > q.values[1].cost.slope;
-                rows += fmt::format(
-                    "<tr class=\"remark\"><td></td><td colspan=\"6\">beyond {} (U = {:.3g} {}) {} is the cheaper one, "
-                    "before it {}</td></tr>",
-                    time_text(T), q.values[0].cost.uncertainty_after(T), escaped(q.unit),
-                    escaped(ladder.sides[first ? 0 : 1].method), escaped(ladder.sides[first ? 1 : 0].method));
-            }
+        if (const std::string crossover = crossover_sentence(ladder, q); !crossover.empty())
+            rows += "<tr class=\"remark\"><td></td><td colspan=\"6\">" + escaped(crossover) + "</td></tr>";
     }
     return "<h2>The price of a digit</h2><div class=\"wide\"><table><thead><tr><th>Quantity</th><th>method</th><th "
            "class=\"num\">slope of U over time</th><th class=\"num\">time to 5 %</th><th class=\"num\">to 2 %</th><th "

@@ -44,17 +44,6 @@ std::string cost_row(const std::string& method, const LadderValue& v, double siz
     return out + fmt::format(" x {:.3g} |\n", v.cost.price_of_halving());
 }
 
-std::string crossover_sentence(const Ladder& ladder, const LadderQuantity& q) {
-    if (q.values.size() != 2) return {};
-    const double seconds = crossover_seconds(q.values[0].cost, q.values[1].cost);
-    if (!(seconds > 1) || !(seconds < 3e7)) return {};
-    const bool first_steeper = q.values[0].cost.slope > q.values[1].cost.slope;
-    return fmt::format("Beyond {}, at U = {:.3g} {}, {} is the cheaper one, before it {}.\n", time_text(seconds),
-                       q.values[0].cost.uncertainty_after(seconds), q.unit,
-                       for_terminal(ladder.sides[first_steeper ? 0 : 1].method),
-                       for_terminal(ladder.sides[first_steeper ? 1 : 0].method));
-}
-
 std::string quantity_text(const Ladder& ladder, const LadderQuantity& q) {
     std::string out = fmt::format(
         "\n## {} [{}]\n\n| method | values, finest first | half width of the mean | order | class | U of the "
@@ -86,11 +75,23 @@ std::string quantity_text(const Ladder& ladder, const LadderQuantity& q) {
         out +=
             "\n| method | slope of U over time | time to 5 % | to 2 % | to 1 % | halving U costs |\n"
             "|---|---|---|---|---|---|\n" +
-            costs + crossover_sentence(ladder, q);
+            costs;
+    if (const std::string crossover = crossover_sentence(ladder, q); !crossover.empty()) out += crossover + "\n";
     return out;
 }
 
 }  // namespace
+
+std::string crossover_sentence(const Ladder& ladder, const LadderQuantity& q) {
+    if (q.values.size() != 2) return {};
+    const double seconds = crossover_seconds(q.values[0].cost, q.values[1].cost);
+    if (!(seconds > 1) || !(seconds < 3e7)) return {};
+    const bool first_steeper = q.values[0].cost.slope > q.values[1].cost.slope;
+    return fmt::format("Beyond {}, at U = {:.3g} {}, {} is the cheaper one, before it {}.", time_text(seconds),
+                       q.values[0].cost.uncertainty_after(seconds), q.unit,
+                       for_terminal(ladder.sides[first_steeper ? 0 : 1].method),
+                       for_terminal(ladder.sides[first_steeper ? 1 : 0].method));
+}
 
 std::string validation_label(const Validation& v) {
     switch (v.verdict) {

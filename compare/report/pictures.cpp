@@ -26,26 +26,13 @@
 #include "compare/metrics/raster_columns.h"
 #include "compare/read/record_numbers.h"
 #include "compare/report/egl_window.h"
+#include "record/vtk_surface.h"
 
 namespace tw {
 
 namespace {
 
 constexpr int width = 900, height = 560;
-
-vtkSmartPointer<vtkPolyData> poly_data(const Surface& surface) {
-    vtkNew<vtkPoints> points;
-    for (const Vec3& p : surface.points) points->InsertNextPoint(p.data());
-    vtkNew<vtkCellArray> cells;
-    for (const auto& t : surface.triangles) {
-        const vtkIdType corners[3] = {t[0], t[1], t[2]};
-        cells->InsertNextCell(3, corners);
-    }
-    auto data = vtkSmartPointer<vtkPolyData>::New();
-    data->SetPoints(points);
-    data->SetPolys(cells);
-    return data;
-}
 
 void paint_by_height(vtkPolyData* surface, const ColourScale& scale) {
     vtkNew<vtkUnsignedCharArray> colours;
@@ -145,7 +132,7 @@ std::string surface_picture(EglWindow& window, const RunRecord& record, const Bo
     water_actor->GetProperty()->SetSpecularPower(30);
     renderer->AddActor(water_actor);
     if (!record.hull.triangles.empty()) {
-        const auto hull = actor(poly_data(record.hull));
+        const auto hull = actor(poly_data_of(record.hull));
         hull->GetProperty()->SetColor(0.62, 0.63, 0.65);
         renderer->AddActor(hull);
     }
@@ -167,7 +154,7 @@ std::string surface_picture(EglWindow& window, const RunRecord& record, const Bo
 std::string pressure_picture(EglWindow& window, const RunRecord& record, const ColourScale& scale) {
     vtkNew<vtkRenderer> renderer;
     renderer->SetBackground(1, 1, 1);
-    const auto data = poly_data(record.hull);
+    const auto data = poly_data_of(record.hull);
     vtkNew<vtkUnsignedCharArray> colours;
     colours->SetNumberOfComponents(3);
     for (std::size_t t = 0; t < record.hull.triangles.size(); ++t) {

@@ -18,20 +18,6 @@ namespace tw {
 
 namespace {
 
-vtkSmartPointer<vtkPolyData> poly_data_of(const Surface& surface) {
-    vtkNew<vtkPoints> points;
-    for (const Vec3& p : surface.points) points->InsertNextPoint(p.data());
-    vtkNew<vtkCellArray> cells;
-    for (const auto& t : surface.triangles) {
-        const vtkIdType corners[3] = {t[0], t[1], t[2]};
-        cells->InsertNextCell(3, corners);
-    }
-    auto data = vtkSmartPointer<vtkPolyData>::New();
-    data->SetPoints(points);
-    data->SetPolys(cells);
-    return data;
-}
-
 void append16(std::string& bytes, unsigned value) {
     bytes += static_cast<char>(value & 255);
     bytes += static_cast<char>(value >> 8 & 255);

@@ -21,6 +21,7 @@
 
 #include "base/atomic_file.h"
 #include "base/errors.h"
+#include "meshes/axis_turn.h"
 #include "meshes/read/precheck.h"
 #include "meshes/surface.h"
 
@@ -197,31 +198,6 @@ Surface read_by_type(const fs::path& file) {
         throw InputError(file.string() + ": " + std::to_string(surface.triangles.size()) + " triangles read of " +
                          std::to_string(facets) + " in the file; export the hull again");
     return surface;
-}
-
-/// Rows: the file's axis that becomes x, y, z, with its sign.
-Eigen::Matrix3d axis_turn(std::string_view axes) {
-    Eigen::Matrix3d turn = Eigen::Matrix3d::Zero();
-    int row = 0;
-    double sign = 1;
-    bool sound = true;
-    for (const char c : axes) {
-        if (c == '-' || c == '+') {
-            sound = sound && row < 3;
-            sign = c == '-' ? -1 : 1;
-        } else if (c >= 'x' && c <= 'z' && row < 3) {
-            turn(row++, c - 'x') = sign;
-            sign = 1;
-        } else {
-            sound = false;
-        }
-    }
-    if (!sound || row != 3 || std::abs(turn.determinant()) != 1)
-        throw InputError(
-            "axes \"" + std::string(axes) +
-            "\": expected each of x, y and z once, with a sign, e.g. \"xyz\", \"x-zy\" (file with y up) or "
-            "\"-x-yz\" (bow towards +x in the file)");
-    return turn;
 }
 
 }  // namespace
