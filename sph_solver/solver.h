@@ -136,9 +136,13 @@ public:
     void restore(const Restart& state, Particles particles);
 
 private:
+    static constexpr double skin_over_dp = 0.2;       ///< slack of the particle lists
+    static constexpr double wall_skin_over_dp = 0.6;  ///< slack of the lists between particles and walls
+
     void evaluate();
     ExtrapolateData extrapolation() const;  ///< from the present records; the caller says where to
     void rebuild();
+    std::vector<char> cross_open_boundaries();
     void build_wall();
     void update_records();
     void update_mirror_images(bool stress);

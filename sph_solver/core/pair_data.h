@@ -65,6 +65,7 @@ struct WallLoad {
 struct alignas(16) NormalRecord {
     float x, y, z, distance;
 };
+inline constexpr NormalRecord no_wall{0, 0, 0, 1e30f};
 
 /// How much of the pressure the pair forces carry along each axis: m_aa of m = sum_j r_ji (x) grad_i W_ij V_j. In the
 /// continuum it is 1; among particles the momentum flux is p m_aa, not p.

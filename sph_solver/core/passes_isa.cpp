@@ -1,90 +1,10 @@
 // The neighbour loops, compiled once per instruction set (TW_ISA names it). Nothing here may call inline functions of
 // the standard library: the linker would be free to keep this file's AVX-512 copy for the whole program.
-#include "sph_solver/core/pair_data.h"
-#include "sph_solver/core/simd.h"
-#include "sph_solver/physics/terms.h"
+#include "sph_solver/core/pair_loop.h"
 
 namespace tw {
 namespace TW_ISA {
 namespace {
-
-using simd::F;
-using simd::lanes;
-
-/// Coordinates of a chunk of neighbours relative to the group's centre [m], so that the pair loop loads broadcast
-/// floats.
-struct alignas(64) Chunk {
-    static constexpr int capacity = 256;
-    float xyz[capacity][4];  // the fourth is the volume
-    std::int32_t index[capacity + 16];
-};
-
-typedef std::int32_t I4 __attribute__((vector_size(16), may_alias));
-typedef float F4 __attribute__((vector_size(16), may_alias));
-
-inline void load_chunk(Chunk& chunk, const PlaceRecord* place, int n, const Group& g, float quantum) {
-    const I4 centre{g.x, g.y, g.z, 0};
-    for (int k = 0; k < n; ++k) {
-        const PlaceRecord& r = place[chunk.index[k]];
-        const I4 raw = *reinterpret_cast<const I4*>(&r);
-        F4 relative = __builtin_convertvector(raw - centre, F4) * quantum;
-        relative[3] = r.volume;
-        *reinterpret_cast<F4*>(chunk.xyz[k]) = relative;
-    }
-}
-
-/// The group's own particles, one per lane; lanes beyond its size repeat the last particle.
-struct Lanes {
-    F x{}, y{}, z{};
-};
-inline Lanes load_places(const PlaceRecord* place, const Group& g, float quantum) {
-    Lanes r;
-    for (int l = 0; l < lanes; ++l) {
-        const PlaceRecord& a = place[g.first + (l < g.size ? l : g.size - 1)];
-        r.x[l] = static_cast<float>(a.x - g.x) * quantum;
-        r.y[l] = static_cast<float>(a.y - g.y) * quantum;
-        r.z[l] = static_cast<float>(a.z - g.z) * quantum;
-    }
-    return r;
-}
-
-/// (1 - q/2) cut off at the support, and q.
-struct KernelShape {
-    F t, q, r2;
-};
-inline KernelShape shape(const V3<F>& r_ji, float inv_h) {
-    KernelShape s;
-    s.r2 = dot(r_ji, r_ji);
-    s.q = simd::sqrt(s.r2) * inv_h;
-    s.t = simd::positive_part(1.0f - 0.5f * s.q);
-    return s;
-}
-
-/// Calls `body(j, xyz)` for every neighbour j of a list of `blocks` blocks.
-template <class Body>
-inline void for_each_neighbour(const PlaceRecord* place, const NeighbourBlock* list, int blocks, const Group& g,
-                               float quantum, Body body) {
-    Chunk chunk;
-    for (int k = 0; k < blocks;) {
-        int n = 0;
-        for (; k < blocks && n <= Chunk::capacity - 32; ++k)
-            n = simd::append_set_bits(list[k].first, list[k].mask, chunk.index, n);
-        load_chunk(chunk, place, n, g, quantum);
-        for (int m = 0; m < n; ++m) body(chunk.index[m], chunk.xyz[m]);
-    }
-}
-
-/// Inverse of a symmetric 3x3 matrix applied to a vector; where it is nearly singular (spray) the result is zero.
-inline V3<F> solve_symmetric(const F (&m)[6], const V3<F>& b) {
-    const F xx = m[0], xy = m[1], xz = m[2], yy = m[3], yz = m[4], zz = m[5];
-    const F cxx = yy * zz - yz * yz, cxy = xz * yz - xy * zz, cxz = xy * yz - xz * yy;
-    const F cyy = xx * zz - xz * xz, cyz = xy * xz - xx * yz, czz = xx * yy - xy * xy;
-    const F det = xx * cxx + xy * cxy + xz * cxz;
-    // det = 1 inside the fluid, about 1/2 at a plane surface
-    const F inv = det > 0.02f ? 1.0f / det : F{};
-    return {(cxx * b.x + cxy * b.y + cxz * b.z) * inv, (cxy * b.x + cyy * b.y + cyz * b.z) * inv,
-            (cxz * b.x + cyz * b.y + czz * b.z) * inv};
-}
 
 /// First sweep of a step: velocity divergence (continuity), and with it what the second sweep needs of the
 /// neighbourhood: renormalised density gradient (Randles & Libersky 1996), kernel support and the shifting sum (Sun et

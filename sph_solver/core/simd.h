@@ -2,9 +2,9 @@
 // Eight floats at a time. The vector type is GCC's: with AVX one register, on baseline x86-64 two, on other machines
 // whatever the compiler makes of it. The pair terms are written against `Real` and never see this.
 //
-// Why eight where AVX-512 has sixteen: a group is visited by every neighbour of any of its particles, and a larger group
-// has more of those in vain (108 useful pairs a particle of 297 visited at h/dp = 1.5, of 367 with sixteen). Processors
-// that make a 512-bit operation of two halves lose by it; see README, "Speed".
+// Why eight where AVX-512 has sixteen: a group is visited by every neighbour of any of its particles, and a larger
+// group has more of those in vain (108 useful pairs a particle of 297 visited at h/dp = 1.5, of 367 with sixteen).
+// Processors that make a 512-bit operation of two halves lose by it; see README, "Speed".
 #include <cmath>
 #include <cstdint>
 #if defined(__x86_64__)

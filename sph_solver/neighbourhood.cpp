@@ -1,0 +1,225 @@
+// Which particles are there and who is whose neighbour: open boundaries, sorting, mirror images, groups, lists, wall
+// particles and normals; and the records that the pair passes read.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "sph_solver/boundaries/slip_normal.h"
+#include "sph_solver/boundaries/wall_dummies.h"
+#include "sph_solver/core/stopwatch.h"
+#include "sph_solver/solver.h"
+
+namespace tw {
+
+void Solver::build_wall() {
+    WallDummies all;
+    Box region = setup_.domain;
+    region.min.array() -= kernel_.support();
+    region.max.array() += kernel_.support();
+    for (const Surface& surface : setup_.solids) {
+        queries_.emplace_back(surface);
+        const WallDummies d = make_wall_dummies(queries_.back(), surface.bounds(), setup_.dp,
+                                                kernel_.support() + setup_.dp, region, setup_.dimensions);
+        all.places.insert(all.places.end(), d.places.begin(), d.places.end());
+        all.volumes.insert(all.volumes.end(), d.volumes.begin(), d.volumes.end());
+    }
+    std::vector<PlaceRecord> raw(all.places.size());
+    for (std::size_t k = 0; k < raw.size(); ++k)
+        raw[k] = {quanta_.of(all.places[k].x(), 0), quanta_.of(all.places[k].y(), 1), quanta_.of(all.places[k].z(), 2),
+                  static_cast<float>(all.volumes[k])};
+    std::vector<std::int32_t> order;
+    sort_by_column(grid_, raw, 0, raw.size(), order, wall_start_);
+    wall_place_.resize(raw.size());
+    for (std::size_t k = 0; k < raw.size(); ++k) wall_place_[k] = raw[static_cast<std::size_t>(order[k])];
+    wall_p_.assign(raw.size(), 0);
+    make_groups(wall_place_, wall_start_, 0, wall_groups_);
+}
+
+/// Who has crossed a plane, who has left (marked), who is new (appended).
+std::vector<char> Solver::cross_open_boundaries() {
+    const SolverSetup& s = setup_;
+    Particles& p = particles_;
+    std::vector<char> gone(p.size(), 0);
+    if (s.stream) {
+        const Stream& stream = *s.stream;
+        const std::size_t n = p.size();
+        for (std::size_t i = 0; i < n; ++i) {
+            switch (p.kind[i]) {
+                case Kind::inlet:
+                    if (p.x[i] < s.domain.min.x()) break;
+                    p.kind[i] = Kind::fluid;
+                    p.add(p.x[i] - stream.buffer, p.y[i], p.z[i], p.u[i],
+                          s.state_equation.deviation(s.rho0, s.rho0 * std::max(0.0, s.gravity.z() * p.z[i])),
+                          next_id_++, Kind::inlet);
+                    ++ledger_.in;
+                    break;
+                case Kind::fluid:
+                    if (p.x[i] > s.domain.max.x())
+                        p.kind[i] = Kind::outlet;
+                    else if (p.x[i] < s.domain.min.x() - 0.5 * s.dp)
+                        gone[i] = 1;  // washed back into the inlet
+                    break;
+                case Kind::outlet:
+                    if (p.x[i] > s.domain.max.x() + stream.buffer) gone[i] = 1;
+                    break;
+            }
+        }
+        gone.resize(p.size(), 0);
+    }
+    return_from_mirrors(s.mirrors, s.domain, p);
+    for (std::size_t i = 0; i < p.size(); ++i)
+        if (p.z[i] > s.domain.max.z() && !s.mirrors.on[2][1]) gone[i] = 1;  // through the open top
+    return gone;
+}
+
+void Solver::rebuild() {
+    const Stopwatch watch(timers_.lists);
+    ++timers_.rebuilds;
+    const SolverSetup& s = setup_;
+    Particles& p = particles_;
+
+    const std::vector<char> gone = cross_open_boundaries();
+    place_.resize(p.size());
+    std::vector<PlaceRecord> kept;
+    std::vector<std::int32_t> index;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        if (gone[i]) {
+            ++ledger_.out;
+            continue;
+        }
+        kept.push_back({quanta_.of(p.x[i], 0), quanta_.of(p.y[i], 1), quanta_.of(p.z[i], 2), 0});
+        index.push_back(static_cast<std::int32_t>(i));
+    }
+    std::vector<std::int32_t> order;
+    sort_by_column(grid_, kept, 0, kept.size(), order, start_);
+    for (auto& k : order) k = index[static_cast<std::size_t>(k)];
+    p.reorder(order);
+    const std::size_t n = p.size();
+
+    // mirror images, sorted the same way
+    const double reach = kernel_.support() + skin_over_dp * s.dp,
+                 wall_reach = kernel_.support() + wall_skin_over_dp * s.dp;
+    images_ = make_mirror_images(s.mirrors, s.domain, p, std::max(reach, wall_reach));
+    const MirrorPlanes planes(s.domain, quanta_);
+    std::vector<PlaceRecord> image_places(images_.size());
+    for (std::size_t k = 0; k < images_.size(); ++k) {
+        const auto i = static_cast<std::size_t>(images_[k].source);
+        image_places[k] =
+            planes.place({quanta_.of(p.x[i], 0), quanta_.of(p.y[i], 1), quanta_.of(p.z[i], 2), 0}, images_[k]);
+    }
+    sort_by_column(grid_, image_places, 0, images_.size(), order, image_start_);
+    {
+        std::vector<MirrorImage> sorted(images_.size());
+        for (std::size_t k = 0; k < images_.size(); ++k) sorted[k] = images_[static_cast<std::size_t>(order[k])];
+        images_ = std::move(sorted);
+    }
+    place_.resize(n + images_.size());
+    motion_.resize(n + images_.size());
+    stress_.resize(n + images_.size());
+    shift_.resize(n);
+    rate_.resize(n);
+    surface_.resize(n + images_.size());
+    if (!wall_place_.empty()) normal_.resize(n);
+    if (control_) carried_.resize(n + images_.size());
+    update_records();
+
+    make_groups(place_, start_, 0, groups_);
+    const std::vector<Source> sources = {{place_.data(), &start_, 0},
+                                         {place_.data() + n, &image_start_, static_cast<std::int32_t>(n)}};
+    lists_.build(grid_, quanta_, place_.data(), groups_, sources, reach, false);
+    if (!wall_place_.empty()) {
+        wall_lists_.build(grid_, quanta_, place_.data(), groups_, {{wall_place_.data(), &wall_start_, 0}}, wall_reach,
+                          true);
+        live_wall_groups_ = wall_groups_;
+        wall_source_lists_.build(grid_, quanta_, wall_place_.data(), live_wall_groups_, sources, wall_reach, false);
+        std::fill(wall_p_.begin(), wall_p_.end(), 0.0f);
+        std::erase_if(live_wall_groups_, [](const Group& g) { return g.list_size == 0; });
+        std::int32_t near_wall = 0;
+        for (Group& g : groups_)
+            if (g.wall_size > 0) g.wall_load = near_wall++;
+        wall_load_.resize(static_cast<std::size_t>(near_wall));
+        find_normals();
+    }
+    travel_ = travel_in_stream_ = 0;
+    rebuild_due_ = false;
+}
+
+NormalRecord Solver::nearest_wall(std::size_t i, double reach) const {
+    NormalRecord r = no_wall;
+    const Vec3 x(particles_.x[i], particles_.y[i], particles_.z[i]);
+    const Vec3 u(particles_.u[i], particles_.v[i], particles_.w[i]);
+    for (const SurfaceQuery& query : queries_) {
+        const SurfaceQuery::Nearest nearest = query.nearest(x, reach);
+        if (nearest.triangle < 0 || nearest.distance >= r.distance) continue;
+        const Vec3 n = slip_normal(query, nearest, u);
+        r = {static_cast<float>(n.x()), static_cast<float>(n.y()), static_cast<float>(n.z()),
+             static_cast<float>(nearest.distance)};
+    }
+    return r;
+}
+
+void Solver::find_normals() {
+    const double reach = 2 * kernel_.support() + setup_.dp;
+    std::int64_t through = -1;
+#pragma omp parallel for schedule(dynamic, 16)
+    for (std::size_t k = 0; k < groups_.size(); ++k) {
+        const Group& g = groups_[k];
+        for (int l = 0; l < g.size; ++l) {
+            const auto i = static_cast<std::size_t>(g.first + l);
+            normal_[i] = g.wall_size > 0 ? nearest_wall(i, reach) : no_wall;
+            if (normal_[i].distance < -setup_.dp) {
+#pragma omp critical
+                through = std::max(through, static_cast<std::int64_t>(i));
+            }
+        }
+    }
+    if (through >= 0) {
+        ++ledger_.lost;
+        fail_at(static_cast<std::size_t>(through),
+                "has gone through the hull; often a wall thinner than the kernel's support 2 h, or a spacing too "
+                "coarse for a sharp edge");
+    }
+}
+
+void Solver::update_records() {
+    const Particles& p = particles_;
+    const float m = static_cast<float>(mass_), rho0 = static_cast<float>(setup_.rho0);
+#pragma omp parallel for schedule(static)
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        place_[i] = {quanta_.of(p.x[i], 0), quanta_.of(p.y[i], 1), quanta_.of(p.z[i], 2), m / (rho0 + p.drho[i])};
+        motion_[i] = {p.u[i], p.v[i], p.w[i], p.drho[i]};
+    }
+    update_mirror_images(false);
+}
+
+void Solver::update_mirror_images(bool stress) {
+    const MirrorPlanes planes(setup_.domain, quanta_);
+    const Hydrostatic still{setup_.gravity, setup_.rho0, setup_.state_equation.c0};
+    const Vec3 gradient = still.gradient();
+    const std::size_t n = particles_.size();
+#pragma omp parallel for schedule(static)
+    for (std::size_t k = 0; k < images_.size(); ++k) {
+        const auto i = static_cast<std::size_t>(images_[k].source);
+        if (!stress) {
+            place_[n + k] = planes.place(place_[i], images_[k]);
+            motion_[n + k] = mirrored(motion_[i], images_[k]);
+        }
+        const PlaceRecord &from = place_[i], &to = place_[n + k];
+        const Vec3 step = quanta_.size * Vec3(double(to.x) - from.x, double(to.y) - from.y, double(to.z) - from.z);
+        motion_[n + k].drho = motion_[i].drho + static_cast<float>(still.deviation(step));
+        if (!stress) continue;
+        StressRecord s = stress_[i];
+        s.gx -= static_cast<float>(gradient.x()), s.gy -= static_cast<float>(gradient.y()),
+            s.gz -= static_cast<float>(gradient.z());
+        s = mirrored(s, images_[k]);
+        s.gx += static_cast<float>(gradient.x()), s.gy += static_cast<float>(gradient.y()),
+            s.gz += static_cast<float>(gradient.z());
+        s.p += static_cast<float>(still.pressure(step));
+        stress_[n + k] = s;
+        surface_[n + k] = surface_[i];
+        if (!carried_.empty()) carried_[n + k] = carried_[i];
+    }
+}
+
+}  // namespace tw
