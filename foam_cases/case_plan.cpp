@@ -180,9 +180,8 @@ CasePlan plan_case(const Scene& scene, const Flavour& flavour) {
     plan.flavour = flavour;
     plan.stream = scene.motion.kind == Motion::Kind::stream;
     plan.viscous = scene.effect_on("viscosity");
-    plan.turbulent =
-        plan.viscous && std::none_of(scene.effects.begin(), scene.effects.end(),
-                                     [](const EffectChoice& e) { return e.name == "turbulence" && !e.on; });
+    plan.no_slip = scene.effect_on("no_slip");
+    plan.turbulent = scene.effect_on("turbulence");
     plan.sides = patches_of(scene.domain);
     const Box& box = scene.domain.box;
     if (!box.min.allFinite() || !box.max.allFinite() || !(box.size().minCoeff() > 0) ||

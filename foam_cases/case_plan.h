@@ -51,7 +51,7 @@ struct CasePlan {
     bool half_space = true;  ///< water: all below z = 0 (else the scene's water blocks)
 
     // physics
-    bool stream = false, viscous = false, turbulent = false;
+    bool stream = false, viscous = false, no_slip = false, turbulent = false;
     double inlet_k = 0, inlet_omega = 0;  ///< [m2/s2], [1/s]
 
     // time

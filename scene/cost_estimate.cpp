@@ -109,6 +109,8 @@ Prediction predict(const Scene& scene, const MachinePace& pace) {
     const double neighbours = std::pow(scene.sph.h_over_dp / 1.5, flat ? 2 : 3) * (flat ? 0.3 : 1);
     p.sph_seconds =
         pace.sph * (p.particles + p.wall_particles) * p.sph_steps * neighbours / (particle_steps_per_core_second * n);
+    for (const EffectChoice& e : scene.effects)
+        if (e.on && e.name != "shifting") p.sph_seconds *= 1 + e.cost;  // the table's throughput has shifting in it
     p.sph_bytes = (p.particles + p.wall_particles) * bytes_per_particle;
 
     const double courant_rate = steps_per_cell_crossing * speed / dp * 4 / scene.fvm.max_courant;

@@ -46,11 +46,204 @@ Scales scales_of(const Scene& scene) {
     return {std::max(scene.hull->still.wet_bounds.size().x(), 1e-9), speed, friction_area(scene.hull->surface)};
 }
 
-void refuse(Section& s, const std::string& name, const std::string& why) {
-    if (s.on_off(name).value_or(false)) s.fail(name, why + "; expected \"off\" or \"auto\"");
+/// What the decisions are made from.
+struct Numbers {
+    double length = 0, speed = 0, wetted_area = 0;  ///< [m], [m/s], [m2]
+    double head = 0;                                ///< rho U^2/2 [Pa]
+    double reynolds = INFINITY, weber = INFINITY, weber_dp = INFINITY, froude = 0, mach = 0, bond = INFINITY;
+    double cavitation = INFINITY;  ///< (p_atm + rho g d - p_v) / head at the deepest place
+};
+
+Numbers numbers_of(const Scene& scene) {
+    const Scales scales = scales_of(scene);
+    const Water& w = scene.water;
+    Numbers n{scales.length, scales.speed, scales.wetted_area, 0.5 * w.density * scales.speed * scales.speed};
+    const double inertia = w.density * n.speed * n.speed;
+    if (w.kinematic_viscosity > 0) n.reynolds = n.speed * n.length / w.kinematic_viscosity;
+    if (w.surface_tension > 0) {
+        n.weber = inertia * n.length / w.surface_tension;
+        n.weber_dp = inertia * scene.resolution.near_hull / w.surface_tension;
+        n.bond = w.density * w.gravity * n.length * n.length / w.surface_tension;
+    }
+    n.froude = n.speed / std::sqrt(w.gravity * n.length);
+    n.mach = n.speed / scene.sph.c0;
+    const double depth = scene.hull ? scene.hull->draft : water_height(scene);
+    n.cavitation = (w.atmospheric_pressure + w.density * w.gravity * std::max(0.0, depth) - w.vapour_pressure) / n.head;
+    return n;
 }
 
-bool said(Section& s, const std::string& name) { return s.on_off(name).has_value(); }
+std::string per_cent(double share) { return fmt::format("{:.2g} %", 100 * share); }
+
+/// In the words that every effect uses.
+std::string influence(const std::string& drag, const std::string& lift, const std::string& splash,
+                      const std::string& remark = "") {
+    return fmt::format("drag: {}; lift: {}; splash: {}{}", drag, lift, splash, remark.empty() ? "" : "; " + remark);
+}
+
+/// One effect's part of the plan: `asked` is what the scene says, nothing for "auto".
+using Asked = std::optional<bool>;
+EffectChoice choice(const std::string& name, const Asked& asked, bool automatic) {
+    EffectChoice c;
+    c.name = name;
+    c.forced = asked.has_value();
+    c.on = asked.value_or(automatic);
+    return c;
+}
+
+/// Friction counts for drag; the question is whether the particles can resolve the layer that makes it: laminar
+/// boundary layer 5 L / sqrt(Re) at the end of the hull (Blasius 1908) in at least five spacings.
+EffectChoice plan_viscosity(const Scene& scene, const Asked& asked, const Numbers& n) {
+    const double dp = scene.resolution.near_hull;
+    const double layer = std::isfinite(n.reynolds) ? 5 * n.length / std::sqrt(n.reynolds) : 0;
+    EffectChoice c = choice("viscosity", asked, layer > 5 * dp);
+    const int dimensions = scene.domain.dimensions;
+    const double numerical = scene.sph.alpha * scene.sph.h_over_dp * dp * scene.sph.c0 / (2 * (dimensions + 2));
+    const double ratio = scene.water.kinematic_viscosity > 0 ? numerical / scene.water.kinematic_viscosity : INFINITY;
+    c.reason = fmt::format(
+        "Re = {:.3g}: a laminar layer is {:.2g} spacings thick ({}); the particles' numerical viscosity "
+        "is {:.2g} times the water's",
+        n.reynolds, layer / dp, layer > 5 * dp ? "resolved" : "five would resolve it", ratio);
+    if (c.on && ratio > 10) c.reason += ": the friction of the particle side is no prediction";
+    if (n.wetted_area > 0) {
+        const double cf = std::isfinite(n.reynolds) ? ittc57(n.reynolds) : 0;
+        c.influence = influence(
+            fmt::format("about {:.3g} N of friction (ITTC 1957, Cf = {:.3g}, {:.3g} m2 wet){}",
+                        cf * n.head * n.wetted_area, cf, n.wetted_area, c.on ? "" : ", left out on both sides"),
+            "below 1 %", "below 1 %");
+    } else {
+        c.influence = influence("wall friction", "none", "fronts on dry floors run ahead without it (measured: 14 %)");
+    }
+    c.cost = 0.22;
+    return c;
+}
+
+EffectChoice plan_no_slip(const Asked& asked, const EffectChoice& viscosity) {
+    EffectChoice c = choice("no_slip", asked, viscosity.on);
+    c.reason = viscosity.on ? "follows viscosity: walls hold the water" : "without viscosity walls cannot rub";
+    c.influence = influence("all of the friction", "below 1 %", "below 1 %");
+    return c;
+}
+
+EffectChoice plan_turbulence(const Asked& asked, const EffectChoice& viscosity, const Numbers& n) {
+    EffectChoice c = choice("turbulence", asked, viscosity.on && n.reynolds > 5e5);
+    c.reason = fmt::format("{} (Re = {:.3g}, 5e5 and above is turbulent){}",
+                           viscosity.on ? "follows viscosity" : "follows viscosity, which is off", n.reynolds,
+                           c.on ? "; Smagorinsky among particles, k-omega SST in the mesh: the closures differ" : "");
+    c.influence = influence("4 % of the pressure drag (measured on a planing hull, air at the transom)",
+                            "0.7 % (the same)", "not measured");
+    c.cost = 0.36;
+    return c;
+}
+
+EffectChoice plan_surface_tension(const Scene& scene, const Asked& asked, const Numbers& n) {
+    EffectChoice c = choice("surface_tension", asked, n.weber < 100);
+    c.reason = fmt::format("We = {:.3g}, Bo = {:.3g}; at the finest size of {:.3g} m We = {:.3g}: {}", n.weber, n.bond,
+                           scene.resolution.near_hull, n.weber_dp,
+                           n.weber < 100      ? "it acts on the whole flow"
+                           : n.weber_dp > 100 ? "inertia rules every resolved scale"
+                                              : "it acts on the finest resolved sheets and drops only");
+    const std::string share = per_cent(std::min(1.0, 1 / n.weber));
+    c.influence = influence(
+        share, share,
+        fmt::format("drops below {:.2g} m would be held together", 12 * scene.water.surface_tension / (2 * n.head)));
+    c.cost = 0.2;
+    return c;
+}
+
+/// The cushion of air under a flat plate matters below about 3 degrees of deadrise (Verhagen 1967).
+EffectChoice plan_air(const Scene& scene, const Numbers& n) {
+    EffectChoice c = choice("air", {}, false);
+    c.reason = fmt::format(
+        "density ratio {:.2g}: the particle side has no air; the mesh side carries it, and only the "
+        "water's force is compared; an air cushion matters below 3 deg of deadrise at impact "
+        "(rho_a/rho U^2 = {:.2g} Pa here)",
+        scene.water.air_density / scene.water.density, scene.water.air_density * n.speed * n.speed);
+    c.influence = scene.hull ? influence("10 % (measured on dry topsides, shown beside the compared force)",
+                                         "3 to 5 % (the same)", "drops are slowed; sheets thinner than a cell hang on")
+                             : influence("none", "trapped pockets collapse on the particle side", "not measured");
+    return c;
+}
+
+EffectChoice plan_compressibility(const Scene& scene, const Numbers& n) {
+    EffectChoice c = choice("compressibility", {}, false);
+    c.reason = fmt::format(
+        "Ma = {:.2g} in real water (1480 m/s); the particle side's artificial Ma is {:.2g} ({} state "
+        "equation); structures are rigid, so nothing gives way but the water",
+        n.speed / 1480, n.mach, scene.sph.equation_of_state);
+    const std::string share = per_cent(n.mach * n.mach);
+    c.influence = influence(share, share, share,
+                            n.mach > 0.11 ? "density error of the particle side above 1 %: raise [sph] c0"
+                                          : "impact peaks shorter than h/c0 are not resolved");
+    return c;
+}
+
+EffectChoice plan_gravity(const Asked& asked, const Numbers& n) {
+    EffectChoice c = choice("gravity", asked, true);
+    c.reason = fmt::format("Fr = {:.3g} on the wetted length", n.froude);
+    const std::string share = per_cent(1 / (n.froude * n.froude));
+    c.influence = influence(share, share, "how far it falls back");
+    return c;
+}
+
+EffectChoice plan_shifting(const Scene& scene, const Asked& asked) {
+    EffectChoice c = choice("shifting", asked, scene.sph.shifting > 0);
+    c.reason = c.on
+                   ? "keeps particles from lining up along the stream and opening gaps under the hull (numerics of the "
+                     "particle side; along a free surface only, not towards it)"
+                   : "switched off in the scene";
+    c.influence = influence("not measured", "-10 % (measured on a planing hull: without it +10 %)", "not measured");
+    c.cost = 0.05;
+    return c;
+}
+
+EffectChoice plan_tension_control(const Asked& asked) {
+    EffectChoice c = choice("tension_control", asked, false);
+    c.reason =
+        "p_j - p_i in place of p_j + p_i where water inside is under tension (numerics of the particle side): "
+        "pairs no longer cancel there, so only on demand";
+    c.influence = influence("not measured", "not measured", "none: not near free surfaces");
+    return c;
+}
+
+EffectChoice plan_acoustic_damping(const Scene& scene, const Asked& asked) {
+    EffectChoice c = choice("acoustic_damping", asked, false);
+    c.reason = fmt::format(
+        "damps sound by a bulk viscosity of {:g} c0 h (particle side only): peaks of impacts fall, so only "
+        "on demand",
+        scene.sph.acoustic_damper);
+    c.influence = influence("none in the mean", "none in the mean", "none", "peak pressures fall, impulses stay");
+    c.cost = 0.03;
+    return c;
+}
+
+EffectChoice plan_cavitation(const Asked& asked, const Numbers& n) {
+    EffectChoice c = choice("cavitation", asked, false);
+    c.reason = fmt::format("cavitation number {:.3g}: suction stronger than Cp = {:.3g} would cavitate; {}",
+                           n.cavitation, -n.cavitation,
+                           n.cavitation > 2 ? "none is expected"
+                                            : "the mesh side has no cut-off, so neither side has one unless asked for");
+    c.influence = n.cavitation > 2
+                      ? influence("none", "none", "none")
+                      : influence("limits suction behind steps and edges", "the same", "none",
+                                  c.on ? "only the particle side solves it" : "see the record's lowest pressure");
+    c.cost = 0.03;
+    return c;
+}
+
+EffectChoice plan_damping_layers(const Scene& scene, const Asked& asked, const Numbers& n) {
+    EffectChoice c = choice("damping_layers", asked, false);
+    const bool stream = scene.motion.kind == Motion::Kind::stream;
+    c.reason = stream
+                   ? fmt::format("Fr = {:.3g}: {}", n.froude,
+                                 n.froude > 1 ? "waves are swept out before the sides give them back"
+                                              : "waves may come back from the sides; the mesh side has no layers, so "
+                                                "the domain is widened instead")
+                   : "a tank's walls are meant to give waves back";
+    c.influence =
+        influence("below 1 %", "below 1 %", "waves near the sides", c.on ? "only the particle side solves it" : "");
+    c.cost = 0.01;
+    return c;
+}
 
 }  // namespace
 
@@ -61,75 +254,51 @@ double ittc57(double reynolds) {
 }
 
 std::vector<EffectChoice> plan_effects(Scene& scene, Section& s) {
-    const Scales scales = scales_of(scene);
-    const Water& w = scene.water;
-    const double dp = scene.resolution.near_hull;
-    const double head = 0.5 * w.density * scales.speed * scales.speed;
+    const Numbers n = numbers_of(scene);
+    const auto refuse = [&](const std::string& name, const std::string& why) {
+        const Asked asked = s.on_off(name);
+        if (asked.value_or(false)) s.fail(name, why + "; expected \"off\" or \"auto\"");
+        return asked.has_value();
+    };
+    const auto needs_viscosity = [&](const EffectChoice& c, const EffectChoice& viscosity) {
+        if (c.on && !viscosity.on) s.fail(c.name, "needs viscosity = \"on\" beside it");
+    };
+
     std::vector<EffectChoice> plan;
-
-    refuse(s, "viscosity", "this version's particle side has no physical viscosity, so only one method could solve it");
-    const double reynolds = w.kinematic_viscosity > 0 ? scales.speed * scales.length / w.kinematic_viscosity : INFINITY;
-    const double cf = std::isfinite(reynolds) ? ittc57(reynolds) : 0;
-    EffectChoice viscosity{"viscosity", false, said(s, "viscosity"), "", "", 0};
-    viscosity.reason = fmt::format(
-        "Re = {:.3g}: the particle side solves no physical viscosity, so both sides are inviscid with slip walls",
-        reynolds);
-    viscosity.influence =
-        scales.wetted_area > 0
-            ? fmt::format(
-                  "friction left out on both sides: about {:.3g} N of drag (ITTC 1957, Cf = {:.3g}, {:.3g} m2 wet)",
-                  cf * head * scales.wetted_area, cf, scales.wetted_area)
-            : std::string("wall friction left out on both sides; thin films near the front run slightly ahead");
+    const EffectChoice viscosity = plan_viscosity(scene, s.on_off("viscosity"), n);
+    if (viscosity.on && scene.water.kinematic_viscosity == 0)
+        s.fail("viscosity", "the water's viscosity is zero: give [water] viscosity");
     plan.push_back(viscosity);
-
-    refuse(s, "turbulence", "turbulence follows viscosity, which this version leaves out on both sides");
-    plan.push_back({"turbulence", false, said(s, "turbulence"),
-                    fmt::format("follows viscosity, which is off (Re = {:.3g})", reynolds),
-                    "measured on a planing hull: lift 0.7 %, pressure drag 4 % (air at the transom)", 0});
-
-    refuse(s, "surface_tension",
-           "this version's particle side has no surface tension, so only one method could solve it");
-    const double weber =
-        w.surface_tension > 0 ? w.density * scales.speed * scales.speed * dp / w.surface_tension : INFINITY;
-    plan.push_back(
-        {"surface_tension", false, said(s, "surface_tension"),
-         fmt::format("We = {:.3g} at the finest size of {:.3g} m: {}", weber, dp,
-                     weber > 100 ? "inertia rules every resolved scale"
-                                 : "it would act on the finest resolved scales, and the particle side cannot solve it"),
-         "drag and lift: none; droplets smaller than the resolution are not described either way", 0});
-
-    refuse(s, "air",
-           "the particle side solves no air; the mesh side always carries it and reports its share of the force apart");
-    plan.push_back({"air", false, said(s, "air"),
-                    fmt::format("density ratio {:.2g}: the particle side has no air; the mesh side carries it, and "
-                                "only the water's force is compared",
-                                w.air_density / w.density),
-                    scene.hull ? "measured on a planing hull: dry topsides feel 3-5 % of lift and 10 % of drag, shown "
-                                 "beside the compared force"
-                               : "trapped air pockets collapse on the particle side",
-                    0});
-
-    refuse(s, "compressibility", "water is solved as (nearly) incompressible by both methods");
-    plan.push_back(
-        {"compressibility", false, said(s, "compressibility"),
-         fmt::format("Ma = {:.2g} in real water (1480 m/s); the particle side's artificial Ma is {:.2g}",
-                     scales.speed / 1480, scales.speed / scene.sph.c0),
-         scales.speed / scene.sph.c0 > 0.11
-             ? "density error of the particle side above 1 %: raise [sph] c0"
-             : "density error of the particle side about 1 % or less; impact peaks shorter than h/c0 are not resolved",
-         0});
-
-    const auto shifting = s.on_off("shifting");
+    plan.push_back(plan_no_slip(s.on_off("no_slip"), viscosity));
+    needs_viscosity(plan.back(), viscosity);
+    plan.push_back(plan_turbulence(s.on_off("turbulence"), viscosity, n));
+    needs_viscosity(plan.back(), viscosity);
+    plan.push_back(plan_surface_tension(scene, s.on_off("surface_tension"), n));
+    if (plan.back().on && scene.water.surface_tension == 0)
+        s.fail("surface_tension", "the water's surface tension is zero: give [water] surface_tension");
+    const bool air_said = refuse(
+        "air",
+        "the particle side solves no air; the mesh side always carries it and reports its share of the force apart");
+    plan.push_back(plan_air(scene, n));
+    plan.back().forced = air_said;
+    const bool compressible_said =
+        refuse("compressibility", "water is solved as (nearly) incompressible by both methods");
+    plan.push_back(plan_compressibility(scene, n));
+    plan.back().forced = compressible_said;
+    plan.push_back(plan_gravity(s.on_off("gravity"), n));
+    plan.push_back(plan_cavitation(s.on_off("cavitation"), n));
+    plan.push_back(plan_damping_layers(scene, s.on_off("damping_layers"), n));
+    plan.push_back(plan_acoustic_damping(scene, s.on_off("acoustic_damping")));
+    const Asked shifting = s.on_off("shifting");
     if (shifting == false) scene.sph.shifting = 0;
     if (shifting == true && scene.sph.shifting == 0) scene.sph.shifting = SphOptions{}.shifting;
-    const bool on = scene.sph.shifting > 0;
-    plan.push_back({"shifting", on, shifting.has_value(),
-                    on ? "keeps particles from lining up along the stream and opening gaps under the hull (numerics of "
-                         "the particle side)"
-                       : "switched off in the scene",
-                    "measured on a planing hull without it: lift +10 %, pressure at the hull 1.8 times the pair force",
-                    on ? 0.05 : 0});
+    plan.push_back(plan_shifting(scene, shifting));
+    plan.push_back(plan_tension_control(s.on_off("tension_control")));
     s.finish();
+
+    for (EffectChoice& c : plan) {
+        if (c.name == "gravity" && !c.on) scene.water.gravity = 0;
+    }
     return plan;
 }
 

@@ -6,9 +6,11 @@
 
 namespace tw {
 
-/// Which physical effects both methods solve, decided from dimensionless numbers unless the section says "on" or "off":
-/// viscosity, turbulence, surface_tension, air, compressibility, shifting. Throws InputError for an effect that is
-/// asked for and that this version cannot solve on both sides. Sets scene.sph.shifting = 0 when shifting is off.
+/// Which physical effects are solved, decided from dimensionless numbers (Re, We, Bo, Fr, Ma, cavitation number) unless
+/// the section says "on" or "off"; the names are in scene/README.md. What "auto" chooses, both methods solve; what only
+/// the particle side can (cavitation, damping layers, acoustic damping) is on only when asked for, and says so. Throws
+/// InputError for an effect that this version cannot solve. Sets scene.sph.shifting = 0 when shifting is off and
+/// scene.water.gravity = 0 when gravity is; defaults of domain and times are those of the scene with gravity.
 std::vector<EffectChoice> plan_effects(Scene& scene, Section& section);
 
 /// Skin friction coefficient of a flat plate, ITTC 1957: 0.075 / (log10 Re - 2)^2; for Re > 1e4, else 0.

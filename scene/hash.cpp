@@ -61,6 +61,7 @@ std::string canonical_text(const Scene& scene) {
     for (const double x : s.cuts_x) t.add("cut_x", {x});
     for (const double y : s.cuts_y) t.add("cut_y", {y});
     for (const EffectChoice& e : scene.effects) t.add("effect." + e.name, {e.on ? 1.0 : 0.0});
+    if (scene.effect_on("cavitation")) t.add("vapour", {w.atmospheric_pressure, w.vapour_pressure});
     return t.text();
 }
 
@@ -71,6 +72,8 @@ std::string run_hash(const Scene& scene, const std::string& method) {
     if (method == "sph") {
         const SphOptions& o = scene.sph;
         t.add("sph", {o.h_over_dp, o.c0, o.delta, o.alpha, o.cfl, o.gamma, o.shifting}).add("eos", o.equation_of_state);
+        if (scene.effect_on("turbulence")) t.add("smagorinsky", {o.smagorinsky});
+        if (scene.effect_on("acoustic_damping")) t.add("acoustic_damper", {o.acoustic_damper});
     } else {
         const FvmOptions& o = scene.fvm;
         t.add("fvm", {o.max_courant, o.max_alpha_courant, o.interface_compression, static_cast<double>(o.correctors)});

@@ -14,6 +14,8 @@ WaterOptions read_water(Section& s) {
     w.gravity = s.number("gravity", w.gravity, "m/s2", {0, 1000, true});
     w.air_density = s.number("air_density", w.air_density, "kg/m3", {0, 100, true});
     w.air_kinematic_viscosity = s.number("air_viscosity", w.air_kinematic_viscosity, "m2/s", {0, 1});
+    w.atmospheric_pressure = s.number("atmospheric_pressure", w.atmospheric_pressure, "Pa", {0, 1e9});
+    w.vapour_pressure = s.number("vapour_pressure", w.vapour_pressure, "Pa", {0, 1e9});
     s.finish();
     return o;
 }
@@ -137,9 +139,11 @@ SphOptions read_sph(Section& s) {
     o.delta = s.number("delta", o.delta, "-", {0, 1});
     o.alpha = s.number("alpha", o.alpha, "-", {0, 1});
     o.cfl = s.number("cfl", o.cfl, "-", {0, 1, true});
-    o.equation_of_state = s.choice("equation_of_state", o.equation_of_state, {"linear", "tait"});
+    o.equation_of_state = s.choice("equation_of_state", o.equation_of_state, {"linear", "tait", "mie_grueneisen"});
     o.gamma = s.number("gamma", o.gamma, "-", {1, 20});
     o.shifting = s.number("shifting", o.shifting, "-", {0, 3});
+    o.smagorinsky = s.number("smagorinsky", o.smagorinsky, "-", {0, 1});
+    o.acoustic_damper = s.number("acoustic_damper", o.acoustic_damper, "-", {0, 2, true});
     s.finish();
     return o;
 }

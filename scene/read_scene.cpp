@@ -56,6 +56,12 @@ void apply(const SceneOverrides& o, SceneValue& document) {
     if (o.near_hull) override_key(document, "resolution", "near_hull", "--near-hull", number_value(*o.near_hull));
     if (o.duration) override_key(document, "run", "duration", "--duration", number_value(*o.duration));
     if (o.trim) override_key(document, "hull", "trim", "--trim", number_value(*o.trim));
+    for (const auto& [name, on] : o.effects) {
+        SceneValue value;
+        value.kind = SceneValue::Kind::text;
+        value.text = on ? "on" : "off";
+        override_key(document, "effects", name, "--effect " + name, value);
+    }
 }
 
 /// Particle spacing and largest cell: as written, else from the hull; the ratio is always a power of two.

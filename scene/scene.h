@@ -24,6 +24,7 @@ struct Water {
     double depth = 0;                   ///< [m], of the solved water (domain floor at z = -depth)
     double air_density = 1.2;           ///< [kg/m3]
     double air_kinematic_viscosity = 1.5e-5;
+    double atmospheric_pressure = 101325, vapour_pressure = 2340;  ///< [Pa], for cavitation
 };
 
 struct Hull {
@@ -117,9 +118,11 @@ struct SphOptions {
     double delta = 0.1;                        ///< density diffusion
     double alpha = 0.01;                       ///< artificial viscosity
     double cfl = 0.7;                          ///< acoustic Courant number on h; stable to about 1.2
-    std::string equation_of_state = "linear";  ///< linear, tait
+    std::string equation_of_state = "linear";  ///< linear, tait, mie_grueneisen
     double gamma = 7;                          ///< Tait exponent
     double shifting = 1;                       ///< coefficient; 0: off
+    double smagorinsky = 0.12;                 ///< Cs of the effect "turbulence"
+    double acoustic_damper = 0.3;              ///< alpha2 of the effect "acoustic_damping"
 };
 
 struct FvmOptions {
@@ -139,7 +142,7 @@ struct EffectChoice {
     bool forced = false;    ///< the user said so
     std::string reason;     ///< one sentence with the numbers
     std::string influence;  ///< estimated influence on drag, lift, splash
-    double cost = 0;        ///< extra cost as a fraction of the run without it
+    double cost = 0;        ///< what it costs, or would cost, as a fraction of a particle run without it
 };
 
 struct Scene {
@@ -175,6 +178,7 @@ struct SceneOverrides {
     double sound_speed_factor = 1;                ///< multiplies c0
     double time_step_factor = 1;                  ///< multiplies the acoustic Courant number of SPH
     double courant_factor = 1;                    ///< multiplies both Courant numbers of the FVM
+    std::map<std::string, bool> effects = {};     ///< effects forced on or off
 };
 
 /// Reads, fills in and checks a scene file. Throws InputError `file:line:column: ...` for the first thing that is

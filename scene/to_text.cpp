@@ -80,8 +80,11 @@ std::string to_text(const Scene& scene, const Prediction& p) {
         out += "  note      the run ends before means begin: no settled mean can be given\n";
     out += "\neffects\n";
     for (const EffectChoice& e : scene.effects)
-        out += fmt::format("  {:16} {:3} {}: {}\n{:24}influence: {}\n", e.name, e.on ? "on" : "off",
-                           e.forced ? "(as asked)" : "(auto)", e.reason, "", e.influence);
+        out += fmt::format(
+            "  {:16} {:3} {}: {}\n{:24}influence: {}{}\n", e.name, e.on ? "on" : "off",
+            e.forced ? "(as asked)" : "(auto)", e.reason, "", e.influence,
+            e.cost > 0 ? fmt::format("; cost {} {:.0f} % of a particle run", e.on ? "is" : "would be", 100 * e.cost)
+                       : "");
     out += "\npredicted (two significant digits at best)\n";
     out += fmt::format("  sph  {:.3g} particles + {:.3g} in walls, {:.3g} steps, {:.2g} GB, {}\n", p.particles,
                        p.wall_particles, p.sph_steps, p.sph_bytes / 1e9, duration_text(p.sph_seconds));

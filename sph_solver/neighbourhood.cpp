@@ -69,7 +69,8 @@ std::vector<char> Solver::cross_open_boundaries() {
     }
     return_from_mirrors(s.mirrors, s.domain, p);
     for (std::size_t i = 0; i < p.size(); ++i)
-        if (p.z[i] > s.domain.max.z() && !s.mirrors.on[2][1]) gone[i] = 1;  // through the open top
+        if (p.z[i] > s.domain.max.z() && !s.mirrors.on[2][1] && !s.mirrors.periodic[2])
+            gone[i] = 1;  // through the open top
     return gone;
 }
 
@@ -206,7 +207,9 @@ void Solver::update_mirror_images(bool stress) {
             motion_[n + k] = mirrored(motion_[i], images_[k]);
         }
         const PlaceRecord &from = place_[i], &to = place_[n + k];
-        const Vec3 step = quanta_.size * Vec3(double(to.x) - from.x, double(to.y) - from.y, double(to.z) - from.z);
+        Vec3 step = quanta_.size * Vec3(double(to.x) - from.x, double(to.y) - from.y, double(to.z) - from.z);
+        for (int a = 0; a < 3; ++a)
+            if (images_[k].moved(a)) step[a] = 0;  // a periodic flow has the same pressure one length on
         motion_[n + k].drho = motion_[i].drho + static_cast<float>(still.deviation(step));
         if (!stress) continue;
         StressRecord s = stress_[i];

@@ -34,6 +34,38 @@ Box control_box(const Scene& scene, const SolverSetup& s) {
     return box;
 }
 
+/// Along every outer face but inlet, symmetry, floor and top, an eighth of the domain wide; strong enough to leave e^-5
+/// of the motion of what crosses them at the scene's speed.
+DampingLayers damping_layers(const Scene& scene, const SolverSetup& s) {
+    DampingLayers d;
+    const Domain& domain = scene.domain;
+    const auto layer = [&](int axis, bool high, Side side) {
+        if (side == Side::symmetry || side == Side::inlet || (axis == 1 && s.dimensions == 2)) return;
+        d.layers.push_back({axis, high, s.domain.size()[axis] / 8});
+    };
+    layer(0, false, domain.x_min), layer(0, true, domain.x_max);
+    layer(1, false, domain.y_min), layer(1, true, domain.y_max);
+    double widest = s.dp;
+    for (const DampingLayers::Layer& l : d.layers) widest = std::max(widest, l.width);
+    const double speed = s.stream ? s.stream->speed : std::sqrt(scene.water.gravity * scene.water.depth);
+    d.strength = 3 * 5 * speed / widest;  // the mean of s^2 is a third
+    return d;
+}
+
+EffectOptions effect_options(const Scene& scene, const SolverSetup& s) {
+    EffectOptions on;
+    if (scene.effect_on("viscosity")) {
+        on.viscosity = Viscosity{scene.water.kinematic_viscosity, scene.effect_on("no_slip"), {}};
+        if (scene.effect_on("turbulence")) on.viscosity->turbulence = EddyViscosity{scene.sph.smagorinsky};
+    }
+    if (scene.effect_on("surface_tension")) on.surface_tension = SurfaceTension{scene.water.surface_tension};
+    if (scene.effect_on("acoustic_damping")) on.acoustic_damper = AcousticDamper{scene.sph.acoustic_damper};
+    if (scene.effect_on("cavitation"))
+        on.cavitation = Cavitation{scene.water.vapour_pressure - scene.water.atmospheric_pressure};
+    if (scene.effect_on("damping_layers")) on.damping_layers = damping_layers(scene, s);
+    return on;
+}
+
 }  // namespace
 
 SphSetup sph_setup(const Scene& scene, int threads) {
@@ -44,8 +76,9 @@ SphSetup sph_setup(const Scene& scene, int threads) {
     s.h_over_dp = scene.sph.h_over_dp;
     s.rho0 = scene.water.density;
     s.gravity = Vec3(0, 0, -scene.water.gravity);
-    s.state_equation.form =
-        scene.sph.equation_of_state == "tait" ? StateEquation::Form::tait : StateEquation::Form::linear;
+    s.state_equation.form = scene.sph.equation_of_state == "tait"             ? StateEquation::Form::tait
+                            : scene.sph.equation_of_state == "mie_grueneisen" ? StateEquation::Form::mie_grueneisen
+                                                                              : StateEquation::Form::linear;
     s.state_equation.c0 = scene.sph.c0;
     s.state_equation.gamma = scene.sph.gamma;
     s.delta = scene.sph.delta;
@@ -73,6 +106,8 @@ SphSetup sph_setup(const Scene& scene, int threads) {
         s.moment_reference = moment_reference(scene);
         setup.control_volume = control_box(scene, s);
     }
+    s.effects = effect_options(scene, s);
+    s.tension_control = scene.effect_on("tension_control");
     for (const Obstacle& o : scene.obstacles) s.solids.push_back(o.surface);
 
     std::vector<Box> blocks = scene.water_blocks;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
+#include "sph_solver/core/run_pass.h"
 #include "sph_solver/core/stopwatch.h"
 
 namespace tw {
@@ -17,24 +18,14 @@ namespace {
 constexpr double held_at_wall_over_dp = 0.1;  ///< nearer than this a particle is not let towards a wall
 constexpr double acceleration_limit = 0.45;   ///< dt < this times sqrt(h / a)
 
-/// Runs a pass over all groups, in parallel; what a group writes is its own, so any number of threads gives the same
-/// bits.
-template <class Data>
-void run_pass(void (*pass)(const Data&, const Group*, int), const Data& data, const std::vector<Group>& groups) {
-    constexpr std::size_t block = 16;
-    const std::size_t blocks = (groups.size() + block - 1) / block;
-#pragma omp parallel for schedule(dynamic, 4)
-    for (std::size_t b = 0; b < blocks; ++b)
-        pass(data, groups.data() + b * block, static_cast<int>(std::min(block, groups.size() - b * block)));
-}
-
 /// Particle ranges of fixed length: partial sums over them, added in order, do not depend on the number of threads.
 constexpr std::size_t chunk = 4096;
 std::size_t chunks(std::size_t n) { return (n + chunk - 1) / chunk; }
 
 }  // namespace
 
-Solver::Solver(SolverSetup setup, const Fluid& fluid) : setup_(std::move(setup)), passes_(&passes()) {
+Solver::Solver(SolverSetup setup, const Fluid& fluid)
+    : setup_(std::move(setup)), passes_(&passes()), effects_(make_effects(setup_.effects)) {
     const SolverSetup& s = setup_;
     if (s.threads > 0) omp_set_num_threads(s.threads);
     h_ = s.h_over_dp * s.dp;
@@ -115,10 +106,14 @@ void Solver::evaluate() {
     d.gz = static_cast<float>(s.gravity.z());
     d.inv_void = static_cast<float>(1 / (1 - s.surface_support));
     d.two_dimensional = s.dimensions == 2;
+    if (s.tension_control) d.tension_control_from = static_cast<float>(s.shifting_support);
     {
         const Stopwatch watch(timers_.gradient);
         run_pass(passes_->continuity_and_gradient, d, groups_);
     }
+    const StepView view{
+        setup_, particles_, d,    *passes_, groups_, live_wall_groups_, images_, wall_place_.size(), wall_load_.size(),
+        h_,     mass_,      time_};
     {
         const Stopwatch watch(timers_.update);
 #pragma omp parallel for schedule(static)
@@ -131,6 +126,7 @@ void Solver::evaluate() {
             motion_[i].drho = drho;
             stress_[i].p = s.state_equation.pressure(s.rho0, drho);
         }
+        for (const auto& effect : effects_) effect->change_pressure(view);
         update_mirror_images(true);
     }
     if (!live_wall_groups_.empty()) {
@@ -144,6 +140,10 @@ void Solver::evaluate() {
         const Stopwatch watch(timers_.forces);
         run_pass(passes_->forces, d, groups_);
     }
+    {
+        const Stopwatch watch(timers_.effects);
+        for (const auto& effect : effects_) effect->add_rates(view);
+    }
     timers_.evaluations += static_cast<std::int64_t>(particles_.size());
     timers_.pair_candidates += lists_.candidates() + wall_lists_.candidates();
 }
@@ -151,14 +151,22 @@ void Solver::evaluate() {
 void Solver::gather_load() {
     // force on the solids = minus what they exert on the water, group by group in a fixed order
     load_ = {};
-    for (const Group& g : groups_) {
-        if (g.wall_load < 0) continue;
-        const WallLoad& w = wall_load_[static_cast<std::size_t>(g.wall_load)];
-        const Vec3 force = -mass_ * Vec3(w.ax, w.ay, w.az);
-        const Vec3 centre = quanta_.origin + quanta_.size * Vec3(g.x, g.y, g.z);
-        load_.force += force;
-        load_.moment += (centre - setup_.moment_reference).cross(force) - mass_ * Vec3(w.mx, w.my, w.mz);
-    }
+    const auto gather = [&](const std::vector<WallLoad>& loads) {
+        Vec3 sum = Vec3::Zero();
+        for (const Group& g : groups_) {
+            if (g.wall_load < 0) continue;
+            const WallLoad& w = loads[static_cast<std::size_t>(g.wall_load)];
+            const Vec3 force = -mass_ * Vec3(w.ax, w.ay, w.az);
+            const Vec3 centre = quanta_.origin + quanta_.size * Vec3(g.x, g.y, g.z);
+            sum += force;
+            load_.moment += (centre - setup_.moment_reference).cross(force) - mass_ * Vec3(w.mx, w.my, w.mz);
+        }
+        return sum;
+    };
+    load_.force = gather(wall_load_);
+    for (const auto& effect : effects_)
+        if (!effect->wall_loads().empty()) load_.friction += gather(effect->wall_loads());
+    load_.force += load_.friction;
 }
 
 /// The last resort at a wall: a particle so near that no pressure can stop it in time loses its velocity towards the
@@ -195,6 +203,7 @@ void Solver::integrate() {
     dt_ = s.cfl * h_ / (c0 + speed);
     if (extremes_.acceleration > 0) dt_ = std::min(dt_, acceleration_limit * std::sqrt(h_ / extremes_.acceleration));
     if (s.alpha > 0) dt_ = std::min(dt_, 0.25 * h_ * h_ / (s.alpha * h_ * c0));
+    for (const auto& effect : effects_) dt_ = std::min(dt_, effect->largest_step(s, h_));
     const double dt = dt_, stream_before = s.stream ? s.stream->velocity(time_) : 0,
                  stream_after = s.stream ? s.stream->velocity(time_ + dt) : 0;
     const double shift_scale = -s.shifting * dt * std::max(speed, 1e-30) * h_, shift_cap = 0.05 * s.dp;
@@ -378,6 +387,7 @@ double Solver::bytes() const {
     add(images_), add(place_), add(motion_), add(stress_), add(shift_), add(rate_), add(normal_), add(carried_),
         add(surface_), add(groups_), add(wall_load_);
     add(wall_place_), add(wall_p_), add(wall_groups_), add(live_wall_groups_);
+    for (const auto& effect : effects_) sum += double(effect->bytes());
     return sum;
 }
 

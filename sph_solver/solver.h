@@ -15,6 +15,7 @@
 #include "sph_solver/core/columns.h"
 #include "sph_solver/core/pair_data.h"
 #include "sph_solver/core/particles.h"
+#include "sph_solver/effects/effects.h"
 #include "sph_solver/physics/state_equation.h"
 
 namespace tw {
@@ -37,19 +38,24 @@ struct SolverSetup {
     double surface_support = 0.9;
     /// Shifting acts from this support on; near the free surface only along it.
     double shifting_support = 0.95;
+    /// Inside the water (kernel support above `shifting_support`, no wall within reach) p_j - p_i in place of p_j + p_i
+    /// where p_i < 0: no clumping under tension, but pairs no longer cancel there.
+    bool tension_control = false;
     /// Particles move freely inside; mirror planes lie on its faces.
     Box domain;
     Mirrors mirrors;
     std::optional<Stream> stream;
     std::vector<Surface> solids;  ///< closed, fixed; loads are those on all of them together
     Vec3 moment_reference = Vec3::Zero();
+    EffectOptions effects;
     int threads = 0;
 };
 
 /// Force and moment of the water on the solids, as solved (a half model's half).
 struct Load {
-    Vec3 force = Vec3::Zero();   ///< [N] (per metre of width in two dimensions)
-    Vec3 moment = Vec3::Zero();  ///< about the setup's reference [N m]
+    Vec3 force = Vec3::Zero();     ///< [N] (per metre of width in two dimensions)
+    Vec3 friction = Vec3::Zero();  ///< the part of it that is viscous [N]
+    Vec3 moment = Vec3::Zero();    ///< about the setup's reference [N m]
 };
 
 /// What left and entered since the start, in particles.
@@ -69,7 +75,7 @@ struct Extremes {
 };
 
 struct Timers {
-    double lists = 0, gradient = 0, walls = 0, forces = 0, update = 0;  ///< [s] wall
+    double lists = 0, gradient = 0, walls = 0, forces = 0, effects = 0, update = 0;  ///< [s] wall
     std::int64_t pair_candidates = 0, evaluations = 0, rebuilds = 0;
 };
 
@@ -161,6 +167,7 @@ private:
     ColumnGrid grid_;
     Kernel kernel_;
     const Passes* passes_;
+    std::vector<std::unique_ptr<Effect>> effects_;
 
     Particles particles_;
     std::vector<MirrorImage> images_;

@@ -55,7 +55,7 @@ std::string velocity_field(const CasePlan& plan) {
         return {{"type", Word("pressureInletOutletVelocity")}, {"tangentialVelocity", stream}, {"value", stream}};
     };
     return field(plan, "volVectorField", "U", velocity, stream, open,
-                 {{"type", Word(plan.viscous ? "noSlip" : "slip")}});
+                 {{"type", Word(plan.no_slip ? "noSlip" : "slip")}});
 }
 
 /// 0/p_rgh: pressure less the hydrostatic part rho g z.

@@ -12,14 +12,21 @@ std::vector<MirrorImage> make_mirror_images(const Mirrors& mirrors, const Box& d
             const double x = (*coordinate[a])[i];
             choices[a][0] = 0;
             count[a] = 1;
-            if (mirrors.on[static_cast<std::size_t>(a)][0] && x - domain.min[a] < reach) choices[a][count[a]++] = 1;
-            if (mirrors.on[static_cast<std::size_t>(a)][1] && domain.max[a] - x < reach) choices[a][count[a]++] = 2;
+            const auto axis = static_cast<std::size_t>(a);
+            const bool near_low = x - domain.min[a] < reach, near_high = domain.max[a] - x < reach;
+            if (mirrors.periodic[axis]) {
+                if (near_high) choices[a][count[a]++] = 1 | 4;
+                if (near_low) choices[a][count[a]++] = 2 | 4;
+                continue;
+            }
+            if (mirrors.on[axis][0] && near_low) choices[a][count[a]++] = 1;
+            if (mirrors.on[axis][1] && near_high) choices[a][count[a]++] = 2;
         }
         for (int c = 0; c < count[2]; ++c)
             for (int b = 0; b < count[1]; ++b)
                 for (int a = 0; a < count[0]; ++a) {
-                    const int planes = choices[0][a] | choices[1][b] << 2 | choices[2][c] << 4;
-                    if (planes) images.push_back({static_cast<std::int32_t>(i), static_cast<std::uint8_t>(planes)});
+                    const int planes = choices[0][a] | choices[1][b] << 3 | choices[2][c] << 6;
+                    if (planes) images.push_back({static_cast<std::int32_t>(i), static_cast<std::uint16_t>(planes)});
                 }
     }
     return images;
@@ -35,21 +42,26 @@ MirrorPlanes::MirrorPlanes(const Box& domain, const Quanta& quanta) {
 PlaceRecord MirrorPlanes::place(PlaceRecord p, const MirrorImage& image) const {
     std::int32_t* xyz[3] = {&p.x, &p.y, &p.z};
     for (int a = 0; a < 3; ++a)
-        if (const int plane = image.plane(a)) *xyz[a] = static_cast<std::int32_t>(twice[a][plane - 1] - *xyz[a]);
+        if (image.moved(a)) {
+            const std::int64_t length = (twice[a][1] - twice[a][0]) / 2;
+            *xyz[a] = static_cast<std::int32_t>(*xyz[a] + (image.plane(a) == 1 ? -length : length));
+        } else if (const int plane = image.plane(a)) {
+            *xyz[a] = static_cast<std::int32_t>(twice[a][plane - 1] - *xyz[a]);
+        }
     return p;
 }
 
 MotionRecord mirrored(MotionRecord m, const MirrorImage& image) {
-    if (image.plane(0)) m.u = -m.u;
-    if (image.plane(1)) m.v = -m.v;
-    if (image.plane(2)) m.w = -m.w;
+    if (image.reflected(0)) m.u = -m.u;
+    if (image.reflected(1)) m.v = -m.v;
+    if (image.reflected(2)) m.w = -m.w;
     return m;
 }
 
 StressRecord mirrored(StressRecord s, const MirrorImage& image) {
-    if (image.plane(0)) s.gx = -s.gx;
-    if (image.plane(1)) s.gy = -s.gy;
-    if (image.plane(2)) s.gz = -s.gz;
+    if (image.reflected(0)) s.gx = -s.gx;
+    if (image.reflected(1)) s.gy = -s.gy;
+    if (image.reflected(2)) s.gz = -s.gz;
     return s;
 }
 
@@ -57,7 +69,14 @@ std::int64_t return_from_mirrors(const Mirrors& mirrors, const Box& domain, Part
     std::vector<double>* coordinate[3] = {&p.x, &p.y, &p.z};
     std::vector<float>* velocity[3] = {&p.u, &p.v, &p.w};
     std::int64_t returned = 0;
-    for (int a = 0; a < 3; ++a)
+    for (int a = 0; a < 3; ++a) {
+        if (mirrors.periodic[static_cast<std::size_t>(a)])
+            for (double& x : *coordinate[a]) {
+                const double length = domain.max[a] - domain.min[a];
+                const double back = x < domain.min[a] ? length : x >= domain.max[a] ? -length : 0;
+                x += back;
+                returned += back != 0;
+            }
         for (int side = 0; side < 2; ++side) {
             if (!mirrors.on[static_cast<std::size_t>(a)][static_cast<std::size_t>(side)]) continue;
             const double plane = side == 0 ? domain.min[a] : domain.max[a];
@@ -69,6 +88,7 @@ std::int64_t return_from_mirrors(const Mirrors& mirrors, const Box& domain, Part
                 ++returned;
             }
         }
+    }
     return returned;
 }
 

@@ -10,23 +10,28 @@
 
 namespace tw {
 
-/// Slip walls and symmetry planes on faces of the domain box, by exact mirror images: [axis][0 low, 1 high].
+/// Slip walls and symmetry planes on faces of the domain box, by exact mirror images: [axis][0 low, 1 high]. A periodic
+/// axis has no planes: what leaves at one face comes in at the other, and sees the other side's particles as images.
 struct Mirrors {
     std::array<std::array<bool, 2>, 3> on{};
+    std::array<bool, 3> periodic{};
 };
 
-/// One image of a particle: reflected at the low (1) or high (2) plane of each axis, two bits an axis.
+/// One image of a particle, three bits an axis: beyond the low (1) or high (2) face, reflected there, or (with 4) moved
+/// by the domain's length.
 struct MirrorImage {
     std::int32_t source = 0;
-    std::uint8_t planes = 0;
-    int plane(int axis) const { return (planes >> (2 * axis)) & 3; }
+    std::uint16_t planes = 0;
+    int plane(int axis) const { return (planes >> (3 * axis)) & 3; }
+    bool moved(int axis) const { return ((planes >> (3 * axis)) & 4) != 0; }
+    bool reflected(int axis) const { return plane(axis) != 0 && !moved(axis); }
 };
 
-/// All images of particles within `reach` of a plane, corners included.
+/// All images of particles within `reach` of a plane or periodic face, corners included.
 std::vector<MirrorImage> make_mirror_images(const Mirrors& mirrors, const Box& domain, const Particles& particles,
                                             double reach);
 
-/// Planes as twice their place in quanta, so that an image is 2 plane - x exactly.
+/// Planes as twice their place in quanta, so that an image is 2 plane - x (or x -+ the length) exactly.
 struct MirrorPlanes {
     std::int64_t twice[3][2];
     MirrorPlanes(const Box& domain, const Quanta& quanta);
@@ -47,7 +52,8 @@ struct Hydrostatic {
     Vec3 gradient() const { return rho0 / (c0 * c0) * gravity; }  ///< of the density [kg/m4]
 };
 
-/// A particle that has crossed a plane has changed places with its own image: puts it back. Returns how many.
+/// A particle that has crossed a plane or periodic face has changed places with its own image: puts it back. Returns
+/// how many.
 std::int64_t return_from_mirrors(const Mirrors& mirrors, const Box& domain, Particles& particles);
 
 }  // namespace tw

@@ -98,6 +98,7 @@ struct PassData {
     float eta2 = 0;                ///< 0.01 h^2 [m2]
     float gx = 0, gy = 0, gz = 0;  ///< body force [m/s2]
     bool two_dimensional = false;
+    float tension_control_from = 2;  ///< kernel support from which tension is controlled; above 1.5: nowhere
 };
 
 /// Points at which fields are extrapolated from the fluid: wall dummies, surface samples, probes.
@@ -115,6 +116,11 @@ struct ExtrapolateData {
     float gx = 0, gy = 0, gz = 0;
 };
 
+struct VelocityData;
+struct ViscousData;
+struct StrainData;
+struct ColourData;
+
 /// The pair passes of one instruction set.
 struct Passes {
     const char* isa;
@@ -127,6 +133,12 @@ struct Passes {
     /// the group.
     std::uint32_t (*reached)(const GroupPlaces&, const Group&, const PlaceRecord* first, std::uint32_t mask,
                              float reach2);
+    // of the effects, see effects/passes.h
+    void (*water_velocity)(const VelocityData&, const Group*, int count);
+    void (*viscous_forces)(const ViscousData&, const Group*, int count);
+    void (*strain_rate)(const StrainData&, const Group*, int count);
+    void (*colour_gradient)(const ColourData&, const Group*, int count);
+    void (*surface_curvature)(const ColourData&, const Group*, int count);
 };
 /// The best this processor runs; TWINWAKE_ISA=baseline|avx2|avx512 chooses another. Throws InputError for one it cannot
 /// run.

@@ -88,6 +88,17 @@ inline V3<F> solve_symmetric(const F (&m)[6], const V3<F>& b) {
             (cxz * b.x + cyz * b.y + czz * b.z) * inv};
 }
 
+/// Sum of the accelerations w of a group's particles by walls, and of their moments about its centre.
+inline WallLoad load_of(const Lanes& a, const V3<F>& w, int size) {
+    const V3<F> m{a.y * w.z - a.z * w.y, a.z * w.x - a.x * w.z, a.x * w.y - a.y * w.x};
+    WallLoad sum;
+    for (int l = 0; l < size; ++l) {
+        sum.ax += w.x[l], sum.ay += w.y[l], sum.az += w.z[l];
+        sum.mx += m.x[l], sum.my += m.y[l], sum.mz += m.z[l];
+    }
+    return sum;
+}
+
 }  // namespace
 }  // namespace TW_ISA
 }  // namespace tw

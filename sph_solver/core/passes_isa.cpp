@@ -115,6 +115,13 @@ void forces(const PassData& d, const Group* groups, int count) {
             p_i[l] = d.stress[i].p;
             V_i[l] = d.place[i].volume;
         }
+        // Tension control (Sun et al. 2018, doi:10.1016/j.cpc.2017.11.016): inside the water p_j - p_i in place of p_j
+        // + p_i where p_i < 0, so that stretched water does not clump. Not beside walls, where the pair forces are the
+        // load.
+        if (d.tension_control_from < 1.5f && g.wall_size == 0)
+            for (int l = 0; l < lanes; ++l)
+                if (d.shift[g.first + (l < g.size ? l : g.size - 1)].support > d.tension_control_from && p_i[l] < 0)
+                    p_i[l] = -p_i[l];
         F diffusion{};
         V3<F> towards_surface{F{}, F{}, F{}};
         V3<F> pressure{F{}, F{}, F{}}, viscous{F{}, F{}, F{}}, wall{F{}, F{}, F{}};
@@ -162,15 +169,7 @@ void forces(const PassData& d, const Group* groups, int count) {
                 s.x -= share * x, s.y -= share * y, s.z -= share * z;
             }
         }
-        if (g.wall_load >= 0) {
-            const V3<F> m{a.y * w.z - a.z * w.y, a.z * w.x - a.x * w.z, a.x * w.y - a.y * w.x};
-            WallLoad sum;
-            for (int l = 0; l < g.size; ++l) {
-                sum.ax += w.x[l], sum.ay += w.y[l], sum.az += w.z[l];
-                sum.mx += m.x[l], sum.my += m.y[l], sum.mz += m.z[l];
-            }
-            d.wall_load[g.wall_load] = sum;
-        }
+        if (g.wall_load >= 0) d.wall_load[g.wall_load] = load_of(a, w, g.size);
     }
 }
 
@@ -228,8 +227,21 @@ std::uint32_t reached(const GroupPlaces& group, const Group& g, const PlaceRecor
 
 }  // namespace
 
+#ifndef TW_WITHOUT_EFFECTS
+void water_velocity(const VelocityData&, const Group*, int);
+void viscous_forces(const ViscousData&, const Group*, int);
+void strain_rate(const StrainData&, const Group*, int);
+void colour_gradient(const ColourData&, const Group*, int);
+void surface_curvature(const ColourData&, const Group*, int);
+#endif
+
 extern const Passes table;
-const Passes table = {TW_ISA_NAME, continuity_and_gradient, forces, extrapolate, reached};
+const Passes table = {
+    TW_ISA_NAME,    continuity_and_gradient, forces,      extrapolate,     reached,
+#ifndef TW_WITHOUT_EFFECTS
+    water_velocity, viscous_forces,          strain_rate, colour_gradient, surface_curvature,
+#endif
+};
 
 }  // namespace TW_ISA
 }  // namespace tw

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
+
 #include "record/certificate.h"
 #include "record/raster.h"
 #include "sph_solver/output/certificate.h"
@@ -21,7 +23,7 @@ std::size_t append_row(Table& table, double time) {
     for (Column& c : table.columns) c.values.resize(table.time.size(), nan);
     return table.time.size() - 1;
 }
-void set(Table& table, std::size_t row, const char* name, const char* unit, double value) {
+void set(Table& table, std::size_t row, const std::string& name, const char* unit, double value) {
     Column& c = table.column(name, unit);
     c.values.resize(table.time.size(), nan);
     c.values[row] = value;
@@ -52,12 +54,14 @@ void Recorder::after_step(Solver& solver, bool frame) {
     if (!solver.setup().solids.empty()) {
         const Load& load = solver.load();
         Table& t = forces();
-        // a slip wall does not rub: all of the force is pressure
-        const double fx = factor_ * load.force.x(), fy = factor_ == 2 ? 0 : load.force.y(),
-                     fz = factor_ * load.force.z();
-        set(t, row, "fx", "N", fx), set(t, row, "fy", "N", fy), set(t, row, "fz", "N", fz);
-        set(t, row, "fx_pressure", "N", fx), set(t, row, "fy_pressure", "N", fy), set(t, row, "fz_pressure", "N", fz);
-        set(t, row, "fx_viscous", "N", 0), set(t, row, "fy_viscous", "N", 0), set(t, row, "fz_viscous", "N", 0);
+        const Vec3 whole(factor_, factor_ == 2 ? 0 : 1, factor_);  // a half model's sideways forces cancel
+        const auto put = [&](const char* part, const Vec3& f) {
+            const Vec3 force = f.cwiseProduct(whole);
+            for (int a = 0; a < 3; ++a) set(t, row, fmt::format("f{}{}", "xyz"[a], part), "N", force[a] + 0.0);
+        };
+        put("", load.force);
+        put("_pressure", load.force - load.friction);
+        put("_viscous", load.friction);
         set(t, row, "my", "N m", factor_ * load.moment.y());
     }
     if (frame || solver.steps() % surface_every == 0) sample_surface(solver, row);

@@ -3,21 +3,53 @@
 
 namespace tw {
 
-/// Pressure from density. Linear: p = c0^2 (rho - rho0). Tait: p = c0^2 rho0 / gamma ((rho / rho0)^gamma - 1)
-/// (Monaghan 1994). Negative pressures are allowed; see `surface_support` of SolverSetup for the free surface.
+/// Pressure from density, gauge (p = 0 at rho0). Negative pressures are allowed; see `surface_support` of SolverSetup
+/// for the free surface, effects/cavitation.h for a limit.
+///
+/// linear:   p = c0^2 (rho - rho0)
+/// tait:     p = c0^2 rho0 / gamma ((rho / rho0)^gamma - 1)   (Monaghan 1994, doi:10.1006/jcph.1994.1034)
+/// mie_grueneisen, with k = rho/rho0 - 1 (cubic shock velocity; Steinberg 1987), without the heat term (gamma0 + a k)
+/// E, which is of third order in k for water that starts cold:
+///   p = rho0 c0^2 k (1 + (1 - gamma0/2) k - a/2 k^2) / (1 - (S1 - 1) k - S2 k^2/(k + 1) - S3 k^3/(k + 1)^2)^2,  k > 0
+///   p = rho0 c0^2 k,                                                                                          k <= 0
+/// The landing-gear study prints the denominator without its square and S1 = 2.16; Steinberg's form has the square and
+/// S1 = 2.56. c0 = 1480 m/s is real water's; a smaller c0 softens it as with the other forms.
 struct StateEquation {
-    enum class Form { linear, tait } form = Form::linear;
+    enum class Form { linear, tait, mie_grueneisen } form = Form::linear;
     double c0 = 0;  ///< [m/s]
     double gamma = 7;
+    double S1 = 2.56, S2 = -1.985, S3 = 0.2268, gamma0 = 0.5, a = 2.67;  ///< Mie-Grueneisen, water [-]
 
     float pressure(double rho0, float drho) const {
-        if (form == Form::linear) return static_cast<float>(c0 * c0) * drho;
-        return static_cast<float>(c0 * c0 * rho0 / gamma * std::expm1(gamma * std::log1p(double(drho) / rho0)));
+        switch (form) {
+            case Form::linear: return static_cast<float>(c0 * c0) * drho;
+            case Form::tait:
+                return static_cast<float>(c0 * c0 * rho0 / gamma * std::expm1(gamma * std::log1p(double(drho) / rho0)));
+            case Form::mie_grueneisen: return static_cast<float>(grueneisen(rho0, double(drho) / rho0));
+        }
+        return 0;
     }
     /// Density deviation of water at rest under pressure p.
     float deviation(double rho0, double p) const {
-        if (form == Form::linear) return static_cast<float>(p / (c0 * c0));
-        return static_cast<float>(rho0 * std::expm1(std::log1p(gamma * p / (c0 * c0 * rho0)) / gamma));
+        switch (form) {
+            case Form::linear: return static_cast<float>(p / (c0 * c0));
+            case Form::tait:
+                return static_cast<float>(rho0 * std::expm1(std::log1p(gamma * p / (c0 * c0 * rho0)) / gamma));
+            case Form::mie_grueneisen: {
+                double k = p / (c0 * c0 * rho0);  // Newton with the linear slope: converges for water's small k
+                for (int i = 0; i < 50; ++i) k -= (grueneisen(rho0, k) - p) / (c0 * c0 * rho0);
+                return static_cast<float>(rho0 * k);
+            }
+        }
+        return 0;
+    }
+
+private:
+    double grueneisen(double rho0, double k) const {
+        const double linear = rho0 * c0 * c0 * k;
+        if (k <= 0) return linear;
+        const double below = 1 - (S1 - 1) * k - S2 * k * k / (k + 1) - S3 * k * k * k / ((k + 1) * (k + 1));
+        return linear * (1 + (1 - gamma0 / 2) * k - a / 2 * k * k) / (below * below);
     }
 };
 

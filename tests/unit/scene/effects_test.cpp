@@ -14,7 +14,8 @@ TEST(Effects, Ittc57IsTheLineOf1957) {
 
 TEST(Effects, EveryChoiceSaysWhy) {
     const Scene s = scene_of(planing);
-    for (const char* name : {"viscosity", "turbulence", "surface_tension", "air", "compressibility", "shifting"}) {
+    for (const char* name : {"viscosity", "no_slip", "turbulence", "surface_tension", "air", "compressibility", "gravity",
+                             "cavitation", "damping_layers", "acoustic_damping", "shifting", "tension_control"}) {
         bool found = false;
         for (const EffectChoice& e : s.effects) {
             if (e.name != name) continue;
@@ -28,12 +29,52 @@ TEST(Effects, EveryChoiceSaysWhy) {
     EXPECT_TRUE(s.effect_on("shifting"));
 }
 
-TEST(Effects, WhatOnlyOneMethodCouldSolveIsRefusedAndOffIsAccepted) {
-    for (const char* name : {"viscosity", "turbulence", "surface_tension", "air", "compressibility"}) {
+TEST(Effects, WhatThisVersionCannotSolveIsRefusedAndOffIsAccepted) {
+    for (const char* name : {"air", "compressibility"}) {
         const std::string message = complaint(planing + "[effects]\n" + name + " = \"on\"\n");
         EXPECT_NE(message.find(std::string("[effects] ") + name + " = \"on\": "), std::string::npos) << message;
         EXPECT_EQ(complaint(planing + "[effects]\n" + name + " = \"off\"\n"), "") << name;
     }
+}
+
+TEST(Effects, FrictionNeedsViscosity) {
+    EXPECT_NE(complaint(planing + "[effects]\nturbulence = \"on\"\n").find("needs viscosity"), std::string::npos);
+    EXPECT_NE(complaint(planing + "[effects]\nno_slip = \"on\"\n").find("needs viscosity"), std::string::npos);
+    const Scene s = scene_of(planing + "[effects]\nviscosity = \"on\"\n");
+    EXPECT_TRUE(s.effect_on("viscosity"));
+    EXPECT_TRUE(s.effect_on("no_slip"));
+    EXPECT_TRUE(s.effect_on("turbulence"));  // Re = 2e7
+    EXPECT_FALSE(scene_of(planing + "[effects]\nviscosity = \"on\"\nno_slip = \"off\"\n").effect_on("no_slip"));
+    EXPECT_NE(complaint(planing + "[water]\nviscosity = 0\n[effects]\nviscosity = \"on\"\n").find("[water] viscosity"),
+              std::string::npos);
+}
+
+TEST(Effects, ThickSlowWaterIsViscousAndSmallThingsFeelTheSurface) {
+    // a laminar layer of 5 L/sqrt(Re) thicker than five spacings
+    EXPECT_TRUE(scene_of(planing + "[water]\nviscosity = 0.1\n").effect_on("viscosity"));
+    EXPECT_FALSE(scene_of(planing).effect_on("viscosity"));
+    // We < 100 on the wetted length
+    EXPECT_TRUE(scene_of(planing + "[water]\nsurface_tension = 2000\n").effect_on("surface_tension"));
+    EXPECT_FALSE(scene_of(planing).effect_on("surface_tension"));
+}
+
+TEST(Effects, ARunWithAnEffectIsAnotherRun) {
+    const Scene plain = scene_of(planing);
+    for (const char* name : {"viscosity", "surface_tension", "cavitation", "damping_layers", "acoustic_damping",
+                             "tension_control"}) {
+        const Scene s = scene_of(planing + "[effects]\n" + name + " = \"on\"\n");
+        EXPECT_NE(s.hash, plain.hash) << name;
+        EXPECT_TRUE(s.effect_on(name));
+    }
+    const Scene still = scene_of(planing + "[effects]\ngravity = \"off\"\n");
+    EXPECT_EQ(still.water.gravity, 0);
+    EXPECT_NE(still.hash, plain.hash);
+}
+
+TEST(Effects, ACommandLineForcesThemLikeTheScene) {
+    const Scene s = scene_of(planing, {.effects = {{"surface_tension", true}, {"shifting", false}}});
+    EXPECT_TRUE(s.effect_on("surface_tension"));
+    EXPECT_EQ(s.sph.shifting, 0);
 }
 
 TEST(Effects, ShiftingOffReachesTheSolver) {

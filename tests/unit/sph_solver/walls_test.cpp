@@ -68,7 +68,7 @@ TEST(Mirrors, AnImageIsAsFarBehindThePlaneAndMovesAgainstIt) {
     Quanta quanta;
     quanta.size = 1e-6;
     const MirrorPlanes planes(domain, quanta);
-    const MirrorImage low_y{0, 1 << 2};
+    const MirrorImage low_y{0, 1 << 3};
     const PlaceRecord image = planes.place({100000, 250000, -3, 1}, low_y);
     EXPECT_EQ(image.x, 100000);
     EXPECT_EQ(image.y, -250000);

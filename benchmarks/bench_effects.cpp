@@ -1,0 +1,79 @@
+// What each effect costs: a dam of water over a solid block, every effect alone against none, seconds a step and
+// smallest step. Prints a table; the plan's cost column (scene/effects_plan.cpp) is taken from it.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "sph_solver/solver.h"
+
+using namespace tw;
+
+namespace {
+
+Surface block(const Box& b) {
+    Surface s;
+    for (double z : {b.min.z(), b.max.z()})
+        for (double y : {b.min.y(), b.max.y()})
+            for (double x : {b.min.x(), b.max.x()}) s.points.emplace_back(x, y, z);
+    s.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                   {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    return s;
+}
+
+struct Cost {
+    double seconds = 0, dt = 0, bytes = 0;  // per step; of the last step; per particle
+};
+Cost cost_of(const EffectOptions& effects, bool tension_control, double dp, double seconds) {
+    SolverSetup s;
+    s.dp = dp;
+    s.state_equation.c0 = 40;
+    s.domain = {Vec3(0, 0, 0), Vec3(2, 0.6, 1.2)};
+    s.mirrors.on = {{{true, true}, {true, true}, {true, false}}};
+    s.solids = {block({Vec3(1.2, 0.2, -0.1), Vec3(1.5, 0.4, 0.3)})};
+    s.threads = 1;
+    s.effects = effects;
+    s.tension_control = tension_control;
+    const Fluid water = fill_with_fluid(s, {Box{Vec3(0, 0, 0), Vec3(2, 0.6, 0.6)}});
+    Solver solver(s, water);
+    solver.step();
+    Cost best{1e9, 0, 0};
+    using clock = std::chrono::steady_clock;
+    const auto begin = clock::now();
+    do {  // the quietest of several groups of steps
+        const auto start = clock::now();
+        for (int k = 0; k < 6; ++k) solver.step();
+        best.seconds = std::min(best.seconds, std::chrono::duration<double>(clock::now() - start).count() / 6);
+    } while (std::chrono::duration<double>(clock::now() - begin).count() < seconds);
+    best.dt = solver.dt();
+    best.bytes = solver.bytes() / double(solver.particles().size());
+    return best;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const double seconds = argc > 1 ? std::atof(argv[1]) : 5, dp = argc > 2 ? std::atof(argv[2]) : 0.025;
+    struct Row {
+        std::string name;
+        EffectOptions effects;
+        bool tension_control = false;
+    };
+    std::vector<Row> rows(8);
+    rows[0].name = "none";
+    rows[1].name = "viscosity, slip", rows[1].effects.viscosity = Viscosity{1e-6, false, {}};
+    rows[2].name = "viscosity, no slip", rows[2].effects.viscosity = Viscosity{1e-6, true, {}};
+    rows[3].name = "viscosity, no slip, turbulence", rows[3].effects.viscosity = Viscosity{1e-6, true, EddyViscosity{}};
+    rows[4].name = "surface tension", rows[4].effects.surface_tension = SurfaceTension{};
+    rows[5].name = "acoustic damping", rows[5].effects.acoustic_damper = AcousticDamper{};
+    rows[6].name = "cavitation", rows[6].effects.cavitation = Cavitation{};
+    rows[7].name = "tension control", rows[7].tension_control = true;
+    const Cost none = cost_of(rows[0].effects, false, dp, seconds);
+    std::printf("%-32s %12s %10s %12s %10s\n", "effect", "ms a step", "cost", "step", "bytes");
+    for (const Row& row : rows) {
+        const Cost c = cost_of(row.effects, row.tension_control, dp, seconds);
+        std::printf("%-32s %12.2f %+9.1f%% %12.3g %10.0f\n", row.name.c_str(), 1e3 * c.seconds,
+                    100 * (c.seconds / none.seconds - 1), c.dt, c.bytes);
+    }
+}

@@ -1,0 +1,59 @@
+#pragma once
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "sph_solver/boundaries/mirrors.h"
+#include "sph_solver/core/pair_data.h"
+#include "sph_solver/core/particles.h"
+
+namespace tw {
+
+struct SolverSetup;
+
+/// What an effect sees of one step, and what it may change: the pressure before the forces, and the rates after them.
+/// Indices run over the particles, then over their mirror images; wall dummies have their own.
+struct StepView {
+    const SolverSetup& setup;
+    const Particles& particles;
+    const PassData& pass;  ///< the records; `stress` and `rate` may be changed
+    const Passes& passes;
+    const std::vector<Group>& groups;
+    const std::vector<Group>& wall_groups;  ///< wall dummies that have water near
+    const std::vector<MirrorImage>& images;
+    std::size_t walls = 0;                 ///< number of wall dummies
+    std::size_t wall_groups_of_water = 0;  ///< number of WallLoads
+    double h = 0, mass = 0, time = 0;
+
+    std::size_t count() const { return particles.size(); }
+    /// Gives the images their sources' values of a scalar.
+    void carry_to_images(std::vector<float>& field) const {
+        field.resize(count() + images.size());
+        for (std::size_t k = 0; k < images.size(); ++k)
+            field[count() + k] = field[static_cast<std::size_t>(images[k].source)];
+    }
+};
+
+/// One physical effect that a scene may do without. It is built only when it is on: off, it costs no array, no byte of
+/// a restart file and no instruction of the passes, because it sweeps the neighbours in a pass of its own. Effects hold
+/// no state between steps, so restarts do not know of them.
+class Effect {
+public:
+    virtual ~Effect() = default;
+    /// Density and pressure are those of this step; `stress[i].p` of the particles may be changed.
+    virtual void change_pressure(const StepView&) {}
+    /// All forces of the engine itself are in `rate`; adds to it.
+    virtual void add_rates(const StepView&) {}
+    /// Largest stable step of this effect alone [s].
+    virtual double largest_step(const SolverSetup&, double /*h*/) const {
+        return std::numeric_limits<double>::infinity();
+    }
+    /// What the walls did to the water in `add_rates`, group by group as in PassData; empty: nothing.
+    virtual const std::vector<WallLoad>& wall_loads() const {
+        static const std::vector<WallLoad> none;
+        return none;
+    }
+    virtual std::size_t bytes() const { return 0; }
+};
+
+}  // namespace tw

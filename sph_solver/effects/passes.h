@@ -1,0 +1,34 @@
+#pragma once
+#include "sph_solver/core/pair_data.h"
+
+namespace tw {
+
+// The pair sweeps of the effects: what they read and write. They are compiled once per instruction set.
+
+/// Velocity of the water round points (wall dummies): sum_f u_f V W / sum_f V W; drho takes sum_f V W.
+struct VelocityData {
+    const PlaceRecord* at = nullptr;
+    const PassData* water = nullptr;
+    MotionRecord* velocity = nullptr;
+};
+/// See effects/viscosity.h; adds to `water->rate`.
+struct ViscousData {
+    const PassData* water = nullptr;
+    const float* mu = nullptr;                    ///< of particles and images [Pa s]
+    const MotionRecord* wall_velocity = nullptr;  ///< of the dummies; null: slip
+    WallLoad* wall_load = nullptr;
+};
+/// |S| of each particle [1/s], see effects/eddy_viscosity.h.
+struct StrainData {
+    const PassData* water = nullptr;
+    float* strain = nullptr;
+};
+/// See effects/surface_tension.h.
+struct ColourData {
+    const PassData* water = nullptr;
+    MotionRecord* normal = nullptr;  ///< `colour_gradient` writes grad C [1/m]; `surface_curvature` reads the unit
+                                     ///< normal, of images too, with drho = 1 where it counts and 0 elsewhere
+    float* curvature = nullptr;  ///< -div n [1/m]
+};
+
+}  // namespace tw

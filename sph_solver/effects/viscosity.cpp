@@ -1,0 +1,95 @@
+#include "sph_solver/effects/viscosity.h"
+
+#include <algorithm>
+
+#include "sph_solver/core/run_pass.h"
+#include "sph_solver/effects/passes.h"
+#include "sph_solver/solver.h"
+
+namespace tw {
+namespace {
+
+constexpr double kappa = 0.41;
+
+class PhysicalViscosity : public Effect {
+public:
+    explicit PhysicalViscosity(const Viscosity& options) : o_(options) {}
+
+    void add_rates(const StepView& step) override {
+        const double rho0 = step.setup.rho0;
+        mu_.assign(step.count(), static_cast<float>(rho0 * o_.kinematic));
+        largest_ = o_.kinematic;
+        if (o_.turbulence) add_eddies(step);
+        step.carry_to_images(mu_);
+
+        ViscousData v;
+        v.water = &step.pass;
+        v.mu = mu_.data();
+        if (o_.no_slip && step.walls > 0) {
+            find_wall_velocity(step);
+            v.wall_velocity = wall_velocity_.data();
+            wall_load_.resize(step.wall_groups_of_water);
+            v.wall_load = wall_load_.data();
+        }
+        run_pass(step.passes.viscous_forces, v, step.groups);
+    }
+
+    /// Explicit diffusion: dt < 0.125 h^2 / nu (Morris et al. 1997).
+    double largest_step(const SolverSetup&, double h) const override {
+        return 0.125 * h * h / std::max(largest_, o_.kinematic);
+    }
+    const std::vector<WallLoad>& wall_loads() const override { return wall_load_; }
+    std::size_t bytes() const override {
+        return (mu_.capacity() + strain_.capacity()) * sizeof(float) +
+               wall_velocity_.capacity() * sizeof(MotionRecord) + wall_load_.capacity() * sizeof(WallLoad);
+    }
+
+private:
+    void add_eddies(const StepView& step) {
+        strain_.resize(step.count());
+        StrainData s;
+        s.water = &step.pass;
+        s.strain = strain_.data();
+        run_pass(step.passes.strain_rate, s, step.groups);
+        const double filter = o_.turbulence->cs * step.setup.dp;
+        double largest = 0;
+#pragma omp parallel for schedule(static) reduction(max : largest)
+        for (std::size_t i = 0; i < step.count(); ++i) {
+            double length = filter;
+            if (o_.no_slip && step.walls > 0)
+                length = std::min(length, kappa * std::max(0.0, double(step.pass.normal[i].distance)));
+            const double nu = length * length * double(strain_[i]);
+            mu_[i] += static_cast<float>(step.setup.rho0 * nu);
+            largest = std::max(largest, nu);
+        }
+        largest_ += largest;
+    }
+
+    void find_wall_velocity(const StepView& step) {
+        wall_velocity_.assign(step.walls, MotionRecord{0, 0, 0, 0});
+        VelocityData w;
+        w.at = step.pass.wall_place;
+        w.water = &step.pass;
+        w.velocity = wall_velocity_.data();
+        run_pass(step.passes.water_velocity, w, step.wall_groups);
+#pragma omp parallel for schedule(static)
+        for (std::size_t k = 0; k < wall_velocity_.size(); ++k) {
+            MotionRecord& m = wall_velocity_[k];
+            m = {-m.u, -m.v, -m.w, m.drho};
+        }
+    }
+
+    Viscosity o_;
+    double largest_ = 0;  ///< largest kinematic viscosity of the last step [m2/s]
+    std::vector<float> mu_, strain_;
+    std::vector<MotionRecord> wall_velocity_;
+    std::vector<WallLoad> wall_load_;
+};
+
+}  // namespace
+
+std::unique_ptr<Effect> make_viscosity(const Viscosity& options) {
+    return std::make_unique<PhysicalViscosity>(options);
+}
+
+}  // namespace tw

@@ -1,0 +1,104 @@
+// The sweeps of viscosity and subgrid turbulence, once per instruction set; equations in viscosity.h, eddy_viscosity.h.
+#include "sph_solver/core/pair_loop.h"
+#include "sph_solver/effects/passes.h"
+
+namespace tw {
+namespace TW_ISA {
+
+void water_velocity(const VelocityData& v, const Group* groups, int count) {
+    const PassData& d = *v.water;
+    for (int n = 0; n < count; ++n) {
+        const Group& g = groups[n];
+        const Lanes a = load_places(v.at, g, d.quantum);
+        V3<F> u{F{}, F{}, F{}};
+        F support{};
+        for_each_neighbour(d.place, g.list, g.list_size, g, d.quantum, [&](std::int32_t j, const float* xyz) {
+            const KernelShape k = shape(V3<F>{xyz[0] - a.x, xyz[1] - a.y, xyz[2] - a.z}, d.kernel.inv_h);
+            const F t2 = k.t * k.t, WV = (d.kernel.sigma * xyz[3]) * (t2 * t2) * (k.q + k.q + 1.0f);
+            const MotionRecord& m = d.motion[j];
+            support += WV;
+            u.x += WV * m.u, u.y += WV * m.v, u.z += WV * m.w;
+        });
+        const F inv = support > 0.005f ? 1.0f / support : F{};
+        for (int l = 0; l < g.size; ++l)
+            v.velocity[g.first + l] = {u.x[l] * inv[l], u.y[l] * inv[l], u.z[l] * inv[l], support[l]};
+    }
+}
+
+void viscous_forces(const ViscousData& v, const Group* groups, int count) {
+    const PassData& d = *v.water;
+    for (int n = 0; n < count; ++n) {
+        const Group& g = groups[n];
+        const Lanes a = load_places(d.place, g, d.quantum);
+        V3<F> u{};
+        F mu_i{}, V_i{};
+        for (int l = 0; l < lanes; ++l) {
+            const int i = g.first + (l < g.size ? l : g.size - 1);
+            u.x[l] = d.motion[i].u, u.y[l] = d.motion[i].v, u.z[l] = d.motion[i].w;
+            mu_i[l] = v.mu[i];
+            V_i[l] = d.place[i].volume;
+        }
+        V3<F> inner{F{}, F{}, F{}}, wall{F{}, F{}, F{}};
+        const auto add = [&](const float* xyz, const F& mu_sum, const MotionRecord& m, V3<F>& force) {
+            const KernelShape k = shape(V3<F>{xyz[0] - a.x, xyz[1] - a.y, xyz[2] - a.z}, d.kernel.inv_h);
+            const F f = (d.kernel.five_sigma * xyz[3]) * (k.t * k.t) * k.t * mu_sum;
+            force.x += f * (m.u - u.x);
+            force.y += f * (m.v - u.y);
+            force.z += f * (m.w - u.z);
+        };
+        for_each_neighbour(d.place, g.list, g.list_size, g, d.quantum,
+                           [&](std::int32_t j, const float* xyz) { add(xyz, mu_i + v.mu[j], d.motion[j], inner); });
+        if (v.wall_velocity)
+            for_each_neighbour(d.wall_place, g.wall_list, g.wall_size, g, d.quantum,
+                               [&](std::int32_t j, const float* xyz) {
+                                   if (v.wall_velocity[j].drho > 0.005f)
+                                       add(xyz, 2.0f * mu_i, v.wall_velocity[j], wall);
+                               });
+        const F inv_rho = V_i * d.inv_mass;
+        const V3<F> w{wall.x * inv_rho, wall.y * inv_rho, wall.z * inv_rho};
+        for (int l = 0; l < g.size; ++l) {
+            RateRecord& r = d.rate[g.first + l];
+            r.ax += inner.x[l] * inv_rho[l] + w.x[l];
+            r.ay += inner.y[l] * inv_rho[l] + w.y[l];
+            r.az += inner.z[l] * inv_rho[l] + w.z[l];
+        }
+        if (v.wall_velocity && g.wall_load >= 0) v.wall_load[g.wall_load] = load_of(a, w, g.size);
+    }
+}
+
+void strain_rate(const StrainData& s, const Group* groups, int count) {
+    const PassData& d = *s.water;
+    for (int n = 0; n < count; ++n) {
+        const Group& g = groups[n];
+        const Lanes a = load_places(d.place, g, d.quantum);
+        V3<F> u{};
+        for (int l = 0; l < lanes; ++l) {
+            const MotionRecord& r = d.motion[g.first + (l < g.size ? l : g.size - 1)];
+            u.x[l] = r.u, u.y[l] = r.v, u.z[l] = r.w;
+        }
+        F m[6] = {};
+        V3<F> gu{F{}, F{}, F{}}, gv = gu, gw = gu;
+        const auto add = [](V3<F>& b, const F& jump, const V3<F>& f) {
+            b.x += jump * f.x, b.y += jump * f.y, b.z += jump * f.z;
+        };
+        for_each_neighbour(d.place, g.list, g.list_size, g, d.quantum, [&](std::int32_t j, const float* xyz) {
+            const V3<F> r{xyz[0] - a.x, xyz[1] - a.y, xyz[2] - a.z};
+            const KernelShape k = shape(r, d.kernel.inv_h);
+            const F FV = (d.kernel.five_sigma * xyz[3]) * (k.t * k.t) * k.t;
+            const V3<F> f{FV * r.x, FV * r.y, FV * r.z};
+            m[0] += f.x * r.x, m[1] += f.x * r.y, m[2] += f.x * r.z;
+            m[3] += f.y * r.y, m[4] += f.y * r.z, m[5] += f.z * r.z;
+            const MotionRecord& mj = d.motion[j];
+            add(gu, mj.u - u.x, f), add(gv, mj.v - u.y, f), add(gw, mj.w - u.z, f);
+        });
+        if (d.two_dimensional) m[3] += 1.0f;
+        gu = solve_symmetric(m, gu), gv = solve_symmetric(m, gv), gw = solve_symmetric(m, gw);
+        const F xy = gu.y + gv.x, xz = gu.z + gw.x, yz = gv.z + gw.y;
+        const F S2 = 2.0f * (gu.x * gu.x + gv.y * gv.y + gw.z * gw.z) + xy * xy + xz * xz + yz * yz;
+        const F S = simd::sqrt(S2);
+        for (int l = 0; l < g.size; ++l) s.strain[g.first + l] = S[l];
+    }
+}
+
+}  // namespace TW_ISA
+}  // namespace tw

@@ -1,0 +1,29 @@
+// A dam of water over a block, thirty steps: what off_is_free_test.cpp counts the instructions of. Prints a sum over
+// the state, so that both programs are seen to do the same.
+#include <cstdio>
+
+#include "sph_solver/solver.h"
+
+using namespace tw;
+
+int main() {
+    SolverSetup s;
+    s.dp = 0.05;
+    s.state_equation.c0 = 30;
+    s.domain = {Vec3(0, 0, 0), Vec3(1, 0.3, 1)};
+    s.mirrors.on = {{{true, true}, {true, true}, {true, false}}};
+    s.threads = 1;
+    Surface box;
+    for (double z : {-0.1, 0.2})
+        for (double y : {0.1, 0.2})
+            for (double x : {0.6, 0.8}) box.points.emplace_back(x, y, z);
+    box.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                     {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    s.solids = {box};
+    Solver solver(s, fill_with_fluid(s, {Box{Vec3(0, 0, 0), Vec3(0.5, 0.3, 0.6)}}));
+    for (int k = 0; k < 30; ++k) solver.step();
+    double sum = 0;
+    for (std::size_t i = 0; i < solver.particles().size(); ++i)
+        sum += solver.particles().x[i] * solver.particles().u[i];
+    std::printf("%zu particles, %.17g\n", solver.particles().size(), sum);
+}
