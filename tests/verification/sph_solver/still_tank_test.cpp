@@ -4,8 +4,8 @@
 // doi:10.1016/j.cpc.2009.11.002, show how diffusion without the gradient's correction loses the surface in that time):
 // the surface within half a spacing, and a kinetic energy below 1e-6 of rho g H V.
 //
-// The engine meets both at 40 s. On the way the lattice of the start gives way (it is not stable at h / dp = 1.5, see
-// standing_wave_test.cpp) and sets free up to 8e-6 for a second or two, at 5 to 8 s.
+// The engine meets both at 40 s. On the way, between 4 and 8 s, the lattice of the start gives way (at h / dp = 1.5 it
+// is not stable, see standing_wave_test.cpp) and sets free up to 8e-6 for a second or two. With h / dp = 2 it does not.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,10 +23,11 @@ struct Rest {
     double pressure = 0;      ///< root mean square of p + rho g z over rho g H, at the end
 };
 
-Rest rest_of(double dp, double length, double until) {
+Rest rest_of(double dp, double h_over_dp, double length, double until) {
     SolverSetup s;
     s.dimensions = 2;
     s.dp = dp;
+    s.h_over_dp = h_over_dp;
     s.state_equation.c0 = 10 * std::sqrt(9.81 * 1.0);
     s.domain = {Vec3(0, -1, -1), Vec3(length, 1, 1)};
     s.mirrors.on = {{{true, true}, {false, false}, {true, false}}};
@@ -61,15 +62,15 @@ Rest rest_of(double dp, double length, double until) {
 
 TEST(StillTank, StaysAtRestForFortySeconds) {
     std::printf("still tank 2 x 1 m, 40 s; energies over rho g H V\n");
-    std::printf("  H/dp | surface  kinetic: last 5 s  largest after 1 s | pressure, rms of rho g H\n");
-    for (const double dp : {0.1, 0.05}) {
-        const Rest r = rest_of(dp, 2, 40);
-        std::printf("  %4.0f | %.3f dp  %.1e           %.1e          | %.2f %%\n", 1 / dp, r.surface, r.kinetic,
-                    r.most_kinetic, 100 * r.pressure);
+    std::printf("  H/dp  h/dp | surface  kinetic: last 5 s  largest after 1 s | pressure, rms of rho g H\n");
+    for (const auto& [dp, h_over_dp] : {std::pair{0.1, 1.5}, std::pair{0.05, 1.5}, std::pair{0.1, 2.0}}) {
+        const Rest r = rest_of(dp, h_over_dp, 2, 40);
+        std::printf("  %4.0f  %4.1f | %.3f dp  %.1e           %.1e          | %.2f %%\n", 1 / dp, h_over_dp, r.surface,
+                    r.kinetic, r.most_kinetic, 100 * r.pressure);
         EXPECT_LT(r.surface, 0.5) << dp;
-        EXPECT_LT(r.kinetic, 1e-6) << dp;
-        EXPECT_LT(r.most_kinetic, 3e-5) << dp;  // found 8e-6: more than is asked of the end
-        EXPECT_LT(r.pressure, 0.02) << dp;      // found 1.0 %
+        EXPECT_LT(r.kinetic, 1e-6) << dp;                              // found 3e-8
+        EXPECT_LT(r.most_kinetic, h_over_dp < 2 ? 3e-5 : 1e-6) << dp;  // found 8e-6: more than is asked of the end
+        EXPECT_LT(r.pressure, 0.02) << dp;                             // found 0.9 to 1.4 %
     }
 }
 
