@@ -134,23 +134,21 @@ Found enter(const Entry& entry, const Exact& exact) {
 
 void print_head() {
     std::printf("wedges entering water; F over rho V^3 t, places over V t, root in spacings at the end\n");
-    std::printf(
-        "  deg  root c0/root h/dp | F exact    found         | c_p max exact  found  at y exact  found | apex c_p "
-        "exact  "
-        "found | rms c_p | root x exact  found      off | held  s\n");
+    std::printf("  deg  root c0/root h/dp | F exact    found         | c_p max exact  found  at y exact  found |");
+    std::printf(" apex c_p exact  found | rms c_p | root x exact  found      off | held  s\n");
 }
 Found print(const Entry& e) {
     const Exact x = exact_of(e.deadrise_deg);
     const auto start = std::chrono::steady_clock::now();
     const Found f = enter(e, x);
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-    std::printf(
-        "  %3.0f  %3.0f  %5.4g   %4.2g | %7.3f  %7.3f (%+5.1f %%) | %6.2f %6.2f (%+5.1f %%) %6.3f %6.3f | %6.2f %6.2f "
-        "| "
-        "%5.1f %% | %6.3f %6.3f  %+4.1f dp | %ld  %.1f\n",
-        e.deadrise_deg, e.fineness, e.sound, e.h_over_dp, x.force, f.force, 100 * (f.force / x.force - 1), x.cp_max,
-        f.cp_max, 100 * (f.cp_max / x.cp_max - 1), x.y_cp_max, f.y_cp_max, x.cp_apex, f.cp_apex, 100 * f.cp_error,
-        x.x_root, f.x_root, (f.x_root / x.x_root - 1) * e.fineness, f.held, taken.count());
+    std::printf("  %3.0f  %3.0f  %5.4g   %4.2g | %7.3f  %7.3f (%+5.1f %%) |", e.deadrise_deg, e.fineness, e.sound,
+                e.h_over_dp, x.force, f.force, 100 * (f.force / x.force - 1));
+    std::printf(" %6.2f %6.2f (%+5.1f %%) %6.3f %6.3f |", x.cp_max, f.cp_max, 100 * (f.cp_max / x.cp_max - 1),
+                x.y_cp_max, f.y_cp_max);
+    std::printf(" %6.2f %6.2f | %5.1f %% | %6.3f %6.3f  %+4.1f dp | %ld  %.1f\n", x.cp_apex, f.cp_apex,
+                100 * f.cp_error, x.x_root, f.x_root, (f.x_root / x.x_root - 1) * e.fineness, static_cast<long>(f.held),
+                taken.count());
     std::fflush(stdout);
     return f;
 }
