@@ -4,67 +4,12 @@
 #include <cmath>
 
 #include "meshes/generate.h"
-#include "meshes/mass_properties.h"
+#include "prism.h"
 #include "sph_solver/bodies/samples.h"
 #include "sph_solver/solver.h"
 
 namespace tw {
 namespace {
-
-Surface prism_along_y(const std::vector<std::pair<double, double>>& section, double half_width) {
-    // section counter-clockwise seen from -y, convex
-    Surface s;
-    const int n = static_cast<int>(section.size());
-    for (double y : {-half_width, half_width})
-        for (const auto& [x, z] : section) s.points.emplace_back(x, y, z);
-    for (int k = 0; k < n; ++k) {
-        const int next = (k + 1) % n;
-        s.triangles.push_back({k, next, n + k});
-        s.triangles.push_back({next, n + next, n + k});
-    }
-    for (int k = 1; k + 1 < n; ++k) {
-        s.triangles.push_back({0, k + 1, k});
-        s.triangles.push_back({n, n + k, n + k + 1});
-    }
-    if (mass_properties(s).volume < 0)
-        for (auto& t : s.triangles) std::swap(t[1], t[2]);
-    return s;
-}
-
-/// Water thrown upwards at a fixed wedge, no gravity: the wedge's entry into still water at constant speed, seen from
-/// the wedge. Exact force: similarity solution of Dobrovol'skaya's problem (tests/data/wedge_similarity_exact.csv).
-double wedge_force_coefficient(double deadrise_deg, double dp, double until) {
-    SolverSetup s;
-    s.dimensions = 2;
-    s.dp = dp;
-    s.state_equation.c0 = 20;
-    s.gravity = Vec3::Zero();
-    const double half = 2, height = 1.2, slope = std::tan(deadrise_deg * 3.14159265358979 / 180);
-    s.domain = {Vec3(-half - 1, -1, -half - 1), Vec3(half + 1, 1, 3)};
-    s.solids = {prism_along_y({{0, 0}, {height / slope, height}, {-height / slope, height}}, 3)};
-    Fluid water = fill_with_fluid(s, {Box{Vec3(-half, 0, -half), Vec3(half, 0, 0)}});
-    for (double& depth : water.depth) depth = 0;
-    Solver solver(s, water);
-    for (float& w : solver.particles().w) w = 1;  // V = 1 m/s
-    double impulse = 0, before = 0, t1 = 0.4 * until, impulse1 = 0;
-    while (solver.time() < until) {
-        solver.step();
-        impulse += solver.load().force.z() * (solver.time() - before);
-        before = solver.time();
-        if (solver.time() <= t1) impulse1 = impulse;
-    }
-    // F = C rho V^3 t, so the impulse between t1 and t is C rho V^3 (t^2 - t1^2) / 2
-    return (impulse - impulse1) / (s.rho0 / 2 * (before * before - t1 * t1));
-}
-
-TEST(WedgeEntry, ForceIsThatOfTheSimilaritySolution) {
-    // 30 degrees: 14.02. The wetted half width grows to 0.33 m, a sixth of the water's; wider, and the finite water
-    // tells (17 % too little at half the width).
-    const double c = wedge_force_coefficient(30, 1.0 / 80, 0.12);
-    RecordProperty("coefficient", std::to_string(c));
-    std::cout << "F / (rho V^3 t) = " << c << ", exact 14.02\n";
-    EXPECT_NEAR(c / 14.0201, 1, 0.10);
-}
 
 /// A closed tank of still water with a submerged box on lattice planes.
 TEST(StillWater, PressesOnASubmergedBoxWithItsWeight) {
