@@ -148,8 +148,7 @@ double HardCase::duration() const {
     switch (kind) {
         case HardCaseKind::impact: return 1 / speed;                     // the block's height
         case HardCaseKind::stream: return 2 * (ahead + behind) / speed;  // twice through
-        case HardCaseKind::tank:
-            return 500 * depth / (20 * reference_speed());  // the same time for every c0: sound crosses 500 times at 20
+        case HardCaseKind::tank: return 40 * std::sqrt(depth / g);
     }
     return 0;
 }

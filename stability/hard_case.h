@@ -13,7 +13,7 @@ namespace tw {
 ///           sharp edges, the cavity above the chines; gravity is on
 ///   stream  a flat plate, 1 m long, planes at a trim of `deadrise` on a stream between inlet and outlet: what has to
 ///           leave leaves
-///   tank    water at rest, 1 m deep and 3 m long, for 5.6 s (125 to 500 crossings of sound): nothing may begin to move
+///   tank    water at rest, 1 m deep and 3 m long, for 40 sqrt(depth / g) = 12.8 s: nothing may move at the end
 enum class HardCaseKind { impact, stream, tank };
 const char* to_string(HardCaseKind kind);
 

@@ -39,7 +39,7 @@ const std::vector<StabilityGate>& stability_gates() {
         {"particles missing", "-", 0, 0, "it breaks a law", "mass is kept"},
         {"energy made", "%", 0.1, 1, "it breaks a law", "nothing at rest gives energy; what is usual is below 0.01 %"},
         {"motion of still water", "-", 1e-6, 1e-4, "still water is not still",
-         "kinetic energy over rho g H V: 1e-6 is asked of a long still tank"},
+         "kinetic energy over rho g H V after 40 sqrt(H / g): 1e-6 is asked of a still tank"},
         {"pressure error", "%", 2, 5, "still water is not still",
          "root mean square over rho g H of water that stands still"},
         {"Mach number", "-", 0.15, largest_mach, slow_sound,

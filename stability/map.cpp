@@ -40,7 +40,7 @@ std::vector<StabilityMap> stability_maps(bool quick) {
     tank.kind = HardCaseKind::tank;
     tank.speed = tank.deadrise_deg = 0;
     tank.c0_over_speed = 10;
-    tank.spacings_per_m = 20 * fineness;
+    tank.spacings_per_m = quick ? 14 : 20;
 
     const MapAxis speed{"speed U [m/s]", &HardCase::speed, speeds},
         deadrise{"deadrise [deg]", &HardCase::deadrise_deg, {0, 2, 10, 20, 30, 45}},

@@ -28,7 +28,7 @@ struct StabilityMap {
     const MapCell& at(std::size_t ix, std::size_t iy) const { return cells[iy * x.values.size() + ix]; }
 };
 
-/// The maps to run, cells not yet run. `quick`: half as fine.
+/// The maps to run, cells not yet run. `quick`: half as fine (the tank 0.7 times).
 std::vector<StabilityMap> stability_maps(bool quick);
 
 struct MapProgress {

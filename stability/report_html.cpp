@@ -70,7 +70,7 @@ std::string stability_html(const std::vector<StabilityMap>& maps, bool quick) {
         "until it has moved by its height.</li>"
         "<li><strong>Stream</strong>: a plate 1 m long planes on a stream between inlet and outlet, lower edge 0.1 m "
         "deep, bow face upright; until the water has gone through twice.</li>"
-        "<li><strong>Still tank</strong>: 3 m long, 1 m deep, 5.6 s.</li></ul>";
+        "<li><strong>Still tank</strong>: 3 m long, 1 m deep, for 40 sqrt(depth / g) = 12.8 s.</li></ul>";
     for (const StabilityMap& map : maps) {
         const bool tank = map.base.kind == HardCaseKind::tank;
         out += "<figure>" + heat_map(map).svg + "<figcaption>" +

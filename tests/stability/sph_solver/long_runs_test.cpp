@@ -37,7 +37,7 @@ TEST(LongStillTank, StaysStill) {
               << " dp off, pressure error " << pressure_error(solver, depth) << "\n";
     EXPECT_LT(motion, 1e-6);
     EXPECT_NEAR(top, -s.dp / 2, 0.5 * s.dp);
-    EXPECT_LT(pressure_error(solver, depth), 0.015);
+    EXPECT_LT(pressure_error(solver, depth), 0.01);
 }
 
 /// A cube of still water in a closed tank, in three dimensions.
@@ -87,7 +87,7 @@ TEST(Outlet, LetsTheVorticesOfAnUprightPlateOut) {
         run_on(solver, solver.time() + 0.1, 0.1, 0.03);
         if (HasFatalFailure()) return;
         fewest = std::min(fewest, double(p.size())), most = std::max(most, double(p.size()));
-        for (std::size_t i = 0; i < p.size(); ++i)
+        for (std::size_t i = 0; i < p.size() && solver.time() > 4.8; ++i)
             if (p.kind[i] == Kind::outlet && p.x[i] < s.domain.max.x() + s.dp)
                 across = std::max(across, std::abs(double(p.w[i]))), slowest = std::min(slowest, double(p.u[i]));
     }
@@ -96,7 +96,7 @@ TEST(Outlet, LetsTheVorticesOfAnUprightPlateOut) {
     std::cout << "through the outlet: across up to " << across << " U, along down to " << slowest << " U; particles "
               << fewest / n << " to " << most / n << " of the start; in " << double(l.in) / entered << " of U A t\n";
     EXPECT_GT(across, 0.2);  // vortices did leave
-    EXPECT_LT(slowest, 0.7);
+    EXPECT_LT(slowest, 0.8);
     EXPECT_EQ(static_cast<double>(l.in - l.out), double(p.size()) - n);
     EXPECT_NEAR(double(l.in) / entered, 1, 0.02);
     EXPECT_GT(fewest, 0.96 * n);
