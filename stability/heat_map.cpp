@@ -35,7 +35,7 @@ HeatMap heat_map(const StabilityMap& map) {
     std::string& s = out.svg;
     s = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
-        "role=\"img\" aria-label=\"{2}\" style=\"max-width:100%;height:auto\">"
+        "role=\"img\" aria-label=\"{2}\">"
         "<rect width=\"{0}\" height=\"{1}\" style=\"fill:#ffffff\"/>",
         out.width, out.height, escaped(map.title));
     s += text(left, 20, map.title, "font-size:13.5px;font-weight:600");

@@ -13,14 +13,18 @@ namespace {
 
 constexpr const char* slow_sound = "c0 too low";
 
+std::string percent(double value) {
+    return value < 100 ? fmt::format("{:.2g} %", value) : fmt::format("{:.0f} %", value);
+}
+
 /// A value with its unit in the few letters of a map's cell.
 std::string label_of(const std::string& line, double value) {
     if (line == "Mach number") return fmt::format("Ma {:.2g}", value);
-    if (line == "compression") return fmt::format("rho +{:.2g} %", value);
-    if (line == "rarefaction") return fmt::format("rho -{:.2g} %", value);
-    if (line == "energy made") return fmt::format("E +{:.2g} %", value);
+    if (line == "compression") return "rho +" + percent(value);
+    if (line == "rarefaction") return "rho -" + percent(value);
+    if (line == "energy made") return "E +" + percent(value);
     if (line == "motion of still water") return fmt::format("KE {:.0e}", value);
-    if (line == "pressure error") return fmt::format("p {:.2g} %", value);
+    if (line == "pressure error") return "p " + percent(value);
     if (line == "step held down") return fmt::format("dt / {:.2g}", value);
     return fmt::format("{:g} gone", value);
 }

@@ -46,7 +46,9 @@ std::string reason_table(const std::vector<StabilityMap>& maps) {
 }  // namespace
 
 std::string stability_html(const std::vector<StabilityMap>& maps, bool quick) {
-    std::string style = ".cell{padding:1px 9px;border-radius:10px;font-size:13px;color:#1b1f24}figure{margin:14px 0}";
+    std::string style =
+        ".cell{padding:1px 9px;border-radius:10px;font-size:13px;color:#1b1f24}figure{margin:14px 0}figure "
+        "svg{max-width:100%;height:auto}";
     for (const Stability s : {Stability::stable, Stability::warned, Stability::failed})
         style += fmt::format(".{}{{background:{}}}", to_string(s), colour_of(s));
     const StabilityCounts n = count(maps);
@@ -83,17 +85,22 @@ std::string stability_html(const std::vector<StabilityMap>& maps, bool quick) {
 }
 
 std::string stability_svg(const std::vector<StabilityMap>& maps) {
-    int width = 0, height = 0;
+    // two to a row
+    constexpr int gap = 12;
+    int width = 0, y = 0, row_width = 0, row_height = 0;
     std::string drawn;
-    for (const StabilityMap& map : maps) {
-        const HeatMap one = heat_map(map);
-        drawn += fmt::format("<g transform=\"translate(0 {})\">{}</g>", height, one.svg);
-        width = std::max(width, one.width), height += one.height + 8;
+    for (std::size_t k = 0; k < maps.size(); ++k) {
+        if (k % 2 == 0) y += row_height > 0 ? row_height + gap : 0, row_width = row_height = 0;
+        const HeatMap one = heat_map(maps[k]);
+        const int x = k % 2 == 0 ? 0 : row_width + gap;
+        drawn += fmt::format("<g transform=\"translate({} {})\">{}</g>", x, y, one.svg);
+        row_width = x + one.width, row_height = std::max(row_height, one.height);
+        width = std::max(width, row_width);
     }
     return fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
         "height=\"{1}\"><rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>{2}</svg>\n",
-        width, height, drawn);
+        width, y + row_height, drawn);
 }
 
 }  // namespace tw
