@@ -13,10 +13,10 @@ namespace tw::app {
 int run_stability(const StabilityCommand& command, const Common& common) {
     namespace fs = std::filesystem;
     const fs::path out = command.out.empty() ? fs::path("runs/stability") : command.out;
+    catch_stop_signals();
     std::error_code wrong;  // an impossible folder is refused before the work
     if (fs::create_directories(out, wrong); wrong)
         throw InputError("--out " + out.string() + ": no folder can be made there: " + wrong.message());
-    catch_stop_signals();
     std::vector<StabilityMap> maps = stability_maps(command.quick);
     {
         ProgressBar bar("stability", common.quiet);
