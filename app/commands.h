@@ -116,6 +116,13 @@ struct DoctorCommand {
 };
 int run_doctor(const DoctorCommand& command, const Common& common);
 
+struct StabilityCommand {
+    bool quick = false;
+    std::filesystem::path out;  ///< empty: runs/stability
+    int threads = 0;            ///< cases at a time; 0: all cores
+};
+int run_stability(const StabilityCommand& command, const Common& common);
+
 struct BenchCommand {
     long particles = 100000;
     double h_over_dp = 1.5, seconds = 5;

@@ -243,6 +243,15 @@ int dispatch(int argc, char** argv) {
                    [&] { return run_doctor(doctor, common); });
     c->add_option("--openfoam", doctor.openfoam, "folder of an OpenFOAM installation to examine first");
 
+    StabilityCommand stability;
+    c = subcommand(&app, "stability",
+                   "where the particle solver is stable: maps over speed, deadrise, h/dp, time step and sound speed",
+                   [&] { return run_stability(stability, common); });
+    c->add_flag("--quick", stability.quick, "half as fine: about a minute instead of several");
+    c->add_option("--out", stability.out, "folder for stability.html, .svg, .json and .txt (runs/stability)");
+    c->add_option("--threads", stability.threads, "cases at a time; all cores unless given")
+        ->check(CLI::Range(1, 4096));
+
     BenchCommand bench;
     c = subcommand(&app, "bench", "throughput of the particle solver on this machine",
                    [&] { return run_bench_command(bench, common); });

@@ -15,6 +15,8 @@ std::string clock_text(double seconds) {
                     : fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
 }
 
+std::string left_text(double seconds) { return seconds > 0 ? fmt::format("{} left  ", clock_text(seconds)) : ""; }
+
 }  // namespace
 
 ProgressBar::ProgressBar(std::string label, bool quiet)
@@ -25,18 +27,30 @@ ProgressBar::~ProgressBar() {
 }
 
 void ProgressBar::show(const Progress& p) {
-    if (quiet_) return;
-    const auto now = std::chrono::steady_clock::now();
     const double share = p.duration > 0 ? std::clamp(p.time / p.duration, 0.0, 1.0) : 0;
-    const double since = shown_ ? std::chrono::duration<double>(now - last_).count() : 1e9;
     // Phases before the time loop have no share: their note is news.
-    const bool phase = p.time == 0 && p.note != last_note_;
-    const bool due = terminal_ ? since > 0.2 : since > 30 && (share >= last_share_ + 0.1 || since > 120);
-    if (!due && !phase && !(share >= 1 && last_share_ < 1)) return;
+    if (!due(share, p.time == 0 && p.note != last_note_)) return;
     const std::string steps = p.steps > 0 ? fmt::format("step {}  ", p.steps) : "";
-    const std::string left = p.eta > 0 ? fmt::format("{} left  ", clock_text(p.eta)) : "";
-    const std::string facts = fmt::format("{:3.0f} %  t = {:.4g} of {:.4g} s  {}{} gone  {}{}", 100 * share, p.time,
-                                          p.duration, steps, clock_text(p.wall), left, p.note);
+    draw(share, fmt::format("{:3.0f} %  t = {:.4g} of {:.4g} s  {}{} gone  {}{}", 100 * share, p.time, p.duration,
+                            steps, clock_text(p.wall), left_text(p.eta), p.note));
+    last_note_ = p.note;
+}
+
+void ProgressBar::show(double share, double wall, double left, const std::string& done, const std::string& note) {
+    share = std::clamp(share, 0.0, 1.0);
+    if (!due(share, false)) return;
+    draw(share,
+         fmt::format("{:3.0f} %  {}  {} gone  {}{}", 100 * share, done, clock_text(wall), left_text(left), note));
+}
+
+bool ProgressBar::due(double share, bool phase) const {
+    if (quiet_) return false;
+    const double since = shown_ ? std::chrono::duration<double>(std::chrono::steady_clock::now() - last_).count() : 1e9;
+    const bool now = terminal_ ? since > 0.2 : since > 30 && (share >= last_share_ + 0.1 || since > 120);
+    return now || phase || (share >= 1 && last_share_ < 1);
+}
+
+void ProgressBar::draw(double share, const std::string& facts) {
     if (terminal_) {
         constexpr std::size_t width = 24;
         const auto full = static_cast<std::size_t>(share * width);
@@ -49,9 +63,8 @@ void ProgressBar::show(const Progress& p) {
     }
     std::fflush(stderr);
     shown_ = true;
-    last_ = now;
+    last_ = std::chrono::steady_clock::now();
     last_share_ = share;
-    last_note_ = p.note;
 }
 
 }  // namespace tw::app

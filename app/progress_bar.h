@@ -13,8 +13,13 @@ public:
     ProgressBar(std::string label, bool quiet);
     ~ProgressBar();
     void show(const Progress& progress);
+    /// Work that is no simulated time: its share done, wall time gone and left [s] (0: not known), what was done.
+    void show(double share, double wall, double left, const std::string& done, const std::string& note);
 
 private:
+    bool due(double share, bool phase) const;
+    void draw(double share, const std::string& facts);
+
     std::string label_;
     bool quiet_, terminal_, shown_ = false;
     std::chrono::steady_clock::time_point last_;

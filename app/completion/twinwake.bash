@@ -5,7 +5,7 @@ _twinwake() {
     local words=""
     COMPREPLY=()
     if [ "$COMP_CWORD" -eq 1 ]; then
-        COMPREPLY=($(compgen -W "new check run compare ladder sweep import uncertainty hull case doctor bench --help --version" -- "$word"))
+        COMPREPLY=($(compgen -W "new check run compare ladder sweep import uncertainty hull case doctor stability bench --help --version" -- "$word"))
         return
     fi
     case $previous in
@@ -29,6 +29,7 @@ _twinwake() {
               [ "$COMP_CWORD" -eq 3 ] && [ "${COMP_WORDS[2]}" = make ] && words="prismatic seaplane wigley wedge plate box cylinder sphere torpedo" ;;
         case) words="$scene --quiet --help" ;;
         doctor) words="--openfoam --json --quiet --help" ;;
+        stability) words="--quick --out --threads --json --quiet --help" ;;
         bench) words="--particles --h-over-dp --threads --seconds --json --quiet --help" ;;
     esac
     local IFS=$'\n'

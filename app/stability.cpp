@@ -1,0 +1,41 @@
+#include "stability/report.h"
+
+#include <fmt/format.h>
+
+#include "app/output.h"
+#include "app/progress_bar.h"
+#include "app/stop_signal.h"
+#include "base/atomic_file.h"
+#include "base/errors.h"
+
+namespace tw::app {
+
+int run_stability(const StabilityCommand& command, const Common& common) {
+    namespace fs = std::filesystem;
+    const fs::path out = command.out.empty() ? fs::path("runs/stability") : command.out;
+    catch_stop_signals();
+    std::error_code wrong;  // an impossible folder is refused before the work
+    if (fs::create_directories(out, wrong); wrong)
+        throw InputError("--out " + out.string() + ": no folder can be made there: " + wrong.message());
+    std::vector<StabilityMap> maps = stability_maps(command.quick);
+    {
+        ProgressBar bar("stability", common.quiet);
+        const auto show = [&bar](const MapProgress& p) {
+            bar.show(p.share, p.seconds, p.left, fmt::format("{} of {} cases", p.done, p.all), p.now);
+        };
+        if (!run_stability_maps(maps, command.threads, show, stop_asked)) {
+            std::fputs("stability: stopped at the user's wish; nothing was written\n", stderr);
+            return run_failed;
+        }
+    }
+    const std::string json = stability_json(maps, command.quick);
+    write_text_atomically(out / "stability.html", stability_html(maps, command.quick));
+    write_text_atomically(out / "stability.svg", stability_svg(maps));
+    write_text_atomically(out / "stability.json", json + "\n");
+    write_text_atomically(out / "stability.txt", stability_text(maps));
+    say(common, stability_text(maps) + "map: " + (out / "stability.html").string() + "\n");
+    write_json(common, json);
+    return done;
+}
+
+}  // namespace tw::app

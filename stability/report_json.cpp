@@ -1,0 +1,74 @@
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "record/code_version.h"
+#include "stability/report.h"
+
+namespace tw {
+
+namespace {
+using Json = nlohmann::ordered_json;
+
+Json number(double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); }
+
+Json cell_json(const MapCell& cell) {
+    const HardCase& c = cell.c;
+    Json certificate = Json::array();
+    for (const CertificateLine& line : cell.run.lines)
+        certificate.push_back({{"name", line.name},
+                               {"unit", line.unit},
+                               {"value", number(line.value)},
+                               {"time", number(line.time)},
+                               {"place", {number(line.place.x()), number(line.place.y()), number(line.place.z())}}});
+    return {{"case", to_string(c.kind)},
+            {"speed", c.speed},
+            {"deadrise_deg", c.deadrise_deg},
+            {"h_over_dp", c.h_over_dp},
+            {"cfl", c.cfl},
+            {"c0_over_speed", c.c0_over_speed},
+            {"spacing", 1 / c.spacings_per_m},
+            {"stability", to_string(cell.judgement.stability)},
+            {"reason", cell.judgement.reason},
+            {"label", cell.judgement.label},
+            {"steps", cell.run.steps},
+            {"particles", cell.run.particles},
+            {"time", cell.run.time},
+            {"duration", c.duration()},
+            {"seconds", cell.run.seconds},
+            {"certificate", certificate}};
+}
+
+}  // namespace
+
+std::string stability_json(const std::vector<StabilityMap>& maps, bool quick) {
+    Json gates = Json::array();
+    for (const StabilityGate& gate : stability_gates())
+        gates.push_back({{"name", gate.line},
+                         {"unit", gate.unit},
+                         {"warned", number(gate.warned)},
+                         {"failed", number(gate.failed)},
+                         {"meaning", gate.meaning},
+                         {"why", gate.why}});
+    Json list = Json::array();
+    for (const StabilityMap& map : maps) {
+        Json cells = Json::array();
+        for (const MapCell& cell : map.cells) cells.push_back(cell_json(cell));
+        list.push_back({{"title", map.title},
+                        {"x", {{"name", map.x.name}, {"values", map.x.values}}},
+                        {"y", {{"name", map.y.name}, {"values", map.y.values}}},
+                        {"cells", cells}});
+    }
+    const StabilityCounts n = count(maps);
+    const Json all = {{"code_version", TWINWAKE_CODE_VERSION},
+                      {"quick", quick},
+                      {"stable", n.stable},
+                      {"warned", n.warned},
+                      {"failed", n.failed},
+                      {"stated_courant_limit", stated_courant_limit},
+                      {"gates", gates},
+                      {"maps", list}};
+    return all.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace tw
