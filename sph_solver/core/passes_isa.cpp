@@ -227,21 +227,19 @@ std::uint32_t reached(const GroupPlaces& group, const Group& g, const PlaceRecor
 
 }  // namespace
 
-#ifndef TW_WITHOUT_EFFECTS
 void water_velocity(const VelocityData&, const Group*, int);
 void viscous_forces(const ViscousData&, const Group*, int);
 void strain_rate(const StrainData&, const Group*, int);
 void colour_gradient(const ColourData&, const Group*, int);
 void surface_curvature(const ColourData&, const Group*, int);
-#endif
 
 extern const Passes table;
-const Passes table = {
-    TW_ISA_NAME,    continuity_and_gradient, forces,      extrapolate,     reached,
-#ifndef TW_WITHOUT_EFFECTS
-    water_velocity, viscous_forces,          strain_rate, colour_gradient, surface_curvature,
+#ifdef TW_WITHOUT_EFFECTS
+const Passes table = {TW_ISA_NAME, continuity_and_gradient, forces, extrapolate, reached, {}, {}, {}, {}, {}};
+#else
+const Passes table = {TW_ISA_NAME,    continuity_and_gradient, forces,      extrapolate,     reached,
+                      water_velocity, viscous_forces,          strain_rate, colour_gradient, surface_curvature};
 #endif
-};
 
 }  // namespace TW_ISA
 }  // namespace tw

@@ -91,6 +91,12 @@ TEST(CaseFiles, TheInviscidTwinSlipsAndTheViscousOneHasWallFunctions) {
     EXPECT_TRUE(turbulence_fields(slippery).empty());
 
     set_effect(scene, "viscosity", true);
+    set_effect(scene, "no_slip", true);
+    const CasePlan laminar = plan_case(scene, v1912);
+    EXPECT_SAYS(turbulence_file(laminar), "simulationType laminar;");
+    EXPECT_SAYS(velocity_field(laminar), "hull { type noSlip; }");
+
+    set_effect(scene, "turbulence", true);
     const CasePlan viscous = plan_case(scene, v1912);
     EXPECT_SAYS(turbulence_file(viscous), "RASModel kOmegaSST;");
     EXPECT_SAYS(velocity_field(viscous), "hull { type noSlip; }");
@@ -98,9 +104,6 @@ TEST(CaseFiles, TheInviscidTwinSlipsAndTheViscousOneHasWallFunctions) {
     EXPECT_SAYS(turbulence_fields(viscous)[2].text, "nutUSpaldingWallFunction");
     EXPECT_SAYS(control_dict(viscous), "wallShearStress");
 
-    set_effect(scene, "turbulence", false);
-    EXPECT_SAYS(turbulence_file(plan_case(scene, v1912)), "simulationType laminar;");
-    EXPECT_SAYS(velocity_field(plan_case(scene, v1912)), "hull { type noSlip; }");
 }
 
 TEST(CaseFiles, TheOutletsSpeedStandsUnderBothOfItsNames) {

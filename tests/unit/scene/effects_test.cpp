@@ -14,8 +14,9 @@ TEST(Effects, Ittc57IsTheLineOf1957) {
 
 TEST(Effects, EveryChoiceSaysWhy) {
     const Scene s = scene_of(planing);
-    for (const char* name : {"viscosity", "no_slip", "turbulence", "surface_tension", "air", "compressibility", "gravity",
-                             "cavitation", "damping_layers", "acoustic_damping", "shifting", "tension_control"}) {
+    for (const char* name :
+         {"viscosity", "no_slip", "turbulence", "surface_tension", "air", "compressibility", "gravity", "cavitation",
+          "damping_layers", "acoustic_damping", "shifting", "tension_control"}) {
         bool found = false;
         for (const EffectChoice& e : s.effects) {
             if (e.name != name) continue;
@@ -53,15 +54,17 @@ TEST(Effects, ThickSlowWaterIsViscousAndSmallThingsFeelTheSurface) {
     // a laminar layer of 5 L/sqrt(Re) thicker than five spacings
     EXPECT_TRUE(scene_of(planing + "[water]\nviscosity = 0.1\n").effect_on("viscosity"));
     EXPECT_FALSE(scene_of(planing).effect_on("viscosity"));
-    // We < 100 on the wetted length
-    EXPECT_TRUE(scene_of(planing + "[water]\nsurface_tension = 2000\n").effect_on("surface_tension"));
+    // We < 100: a cup of water, 1 cm deep
+    EXPECT_TRUE(scene_of("[tank]\nmin = [0, 0, -0.01]\nmax = [0.02, 0.02, 0.01]\n[motion]\nkind = \"none\"\n"
+                         "[resolution]\nnear_hull = \"1 mm\"\n[run]\nduration = \"0.1 s\"\n")
+                    .effect_on("surface_tension"));
     EXPECT_FALSE(scene_of(planing).effect_on("surface_tension"));
 }
 
 TEST(Effects, ARunWithAnEffectIsAnotherRun) {
     const Scene plain = scene_of(planing);
-    for (const char* name : {"viscosity", "surface_tension", "cavitation", "damping_layers", "acoustic_damping",
-                             "tension_control"}) {
+    for (const char* name :
+         {"viscosity", "surface_tension", "cavitation", "damping_layers", "acoustic_damping", "tension_control"}) {
         const Scene s = scene_of(planing + "[effects]\n" + name + " = \"on\"\n");
         EXPECT_NE(s.hash, plain.hash) << name;
         EXPECT_TRUE(s.effect_on(name));
@@ -72,7 +75,9 @@ TEST(Effects, ARunWithAnEffectIsAnotherRun) {
 }
 
 TEST(Effects, ACommandLineForcesThemLikeTheScene) {
-    const Scene s = scene_of(planing, {.effects = {{"surface_tension", true}, {"shifting", false}}});
+    SceneOverrides overrides;
+    overrides.effects = {{"surface_tension", true}, {"shifting", false}};
+    const Scene s = scene_of(planing, overrides);
     EXPECT_TRUE(s.effect_on("surface_tension"));
     EXPECT_EQ(s.sph.shifting, 0);
 }
