@@ -66,6 +66,9 @@ struct Ledger {
 
 /// Beyond these a run is stopped: density deviation over rho0, and speed over c0 [-].
 inline constexpr double largest_density_deviation = 0.3, largest_mach = 1.0;
+/// Beyond these the run goes on and its certificate says that the sound speed is too low: speed over c0 (the density's
+/// error grows with its square) and compression [-].
+inline constexpr double trusted_mach = 0.15, trusted_compression = 0.05;
 
 /// Extremes of one step, for the gates and the time step.
 struct Extremes {

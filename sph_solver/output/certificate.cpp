@@ -10,8 +10,9 @@ void watch_stability(const Solver& solver, RunRecord& record) {
     const double t = solver.time(), c0 = s.state_equation.c0, percent = 100 / s.rho0;
     const Vec3 nowhere = CertificateLine{}.place;
     const double acoustic = s.cfl * solver.h() / (c0 + e.speed), deviation = 100 * largest_density_deviation;
-    note_worst(record, {"Mach number", "-", e.speed / c0, largest_mach, t, e.fastest_place});
-    note_worst(record, {"compression", "%", percent * e.density_deviation_high, deviation, t, e.densest_place});
+    note_worst(record, {"Mach number", "-", e.speed / c0, trusted_mach, t, e.fastest_place});
+    note_worst(record,
+               {"compression", "%", percent * e.density_deviation_high, 100 * trusted_compression, t, e.densest_place});
     note_worst(record, {"rarefaction", "%", -percent * e.density_deviation_low, deviation, t, e.thinnest_place});
     note_worst(record, {"step held down", "-", solver.dt() > 0 ? acoustic / solver.dt() : 0, 20, t, nowhere});
     note_worst(record, {"particles lost", "-", static_cast<double>(solver.ledger().lost), 0, t, nowhere});

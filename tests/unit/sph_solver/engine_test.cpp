@@ -156,7 +156,7 @@ TEST(Engine, TheCertificateNamesThePlaceOfTheWorst) {
     std::size_t densest = 0;
     const auto compression = std::ranges::find(record.certificate, "compression", &CertificateLine::name);
     ASSERT_NE(compression, record.certificate.end());
-    solver.particles().drho[29] = 50;  // 5 %: more than anything the falling column does
+    solver.particles().drho[29] = 150;  // 15 %: more than is trusted, and than anything the falling column does
     const Vec3 there(solver.particles().x[29], solver.particles().y[29], solver.particles().z[29]);
     solver.step();
     watch_stability(solver, record);
@@ -165,7 +165,8 @@ TEST(Engine, TheCertificateNamesThePlaceOfTheWorst) {
     EXPECT_NEAR(compression->value, solver.particles().drho[densest] / 10, 1e-6);
     EXPECT_LT((compression->place - there).norm(), 2 * s.dp);
     EXPECT_EQ(compression->time, solver.time());
-    for (const CertificateLine& line : record.certificate) EXPECT_TRUE(line.met()) << line.name;
+    for (const CertificateLine& line : record.certificate)
+        EXPECT_EQ(line.met(), line.name != "compression") << line.name;
 }
 
 TEST(Engine, NotANumberStopsTheRun) {
