@@ -142,6 +142,7 @@ SphOptions read_sph(Section& s) {
     o.equation_of_state = s.choice("equation_of_state", o.equation_of_state, {"linear", "tait", "mie_grueneisen"});
     o.gamma = s.number("gamma", o.gamma, "-", {1, 20});
     o.shifting = s.number("shifting", o.shifting, "-", {0, 3});
+    o.touch_support = s.number("touch_support", o.touch_support, "-", {0.5, 0.999});
     o.smagorinsky = s.number("smagorinsky", o.smagorinsky, "-", {0, 1});
     o.acoustic_damper = s.number("acoustic_damper", o.acoustic_damper, "-", {0, 2, true});
     s.finish();

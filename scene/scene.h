@@ -121,6 +121,7 @@ struct SphOptions {
     std::string equation_of_state = "linear";  ///< linear, tait, mie_grueneisen
     double gamma = 7;                          ///< Tait exponent
     double shifting = 1;                       ///< coefficient; 0: off
+    double touch_support = 0.9;                ///< kernel support from which a wall compresses the water
     double smagorinsky = 0.12;                 ///< Cs of the effect "turbulence"
     double acoustic_damper = 0.3;              ///< alpha2 of the effect "acoustic_damping"
 };

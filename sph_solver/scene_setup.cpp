@@ -85,6 +85,7 @@ SphSetup sph_setup(const Scene& scene, int threads) {
     s.alpha = scene.sph.alpha;
     s.cfl = scene.sph.cfl;
     s.shifting = scene.sph.shifting;
+    s.touch_support = scene.sph.touch_support;
     s.domain = scene.domain.box;
     s.threads = threads;
     const Domain& d = scene.domain;

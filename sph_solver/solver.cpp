@@ -104,7 +104,7 @@ void Solver::evaluate() {
     d.gx = static_cast<float>(s.gravity.x() + stream_acceleration);
     d.gy = static_cast<float>(s.gravity.y());
     d.gz = static_cast<float>(s.gravity.z());
-    d.inv_void = static_cast<float>(1 / (1 - s.surface_support));
+    d.inv_void = static_cast<float>(1 / (1 - s.touch_support));
     d.two_dimensional = s.dimensions == 2;
     if (s.tension_control) d.tension_control_from = static_cast<float>(s.shifting_support);
     {

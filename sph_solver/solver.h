@@ -33,9 +33,10 @@ struct SolverSetup {
     double cfl = 0.7;     ///< dt = cfl h / (c0 + |u|); symplectic Euler is stable to about 1.2
     double shifting = 1;
     /// Kernel support sum_j V_j W_ij (walls and images counted; 1 in the interior, about 0.75 at a flat free surface)
-    /// below which a particle counts as free surface: it bears no tension, and a wall that comes nearer does not
-    /// compress it; between this and 1 the wall's compression sets in.
+    /// below which a particle counts as free surface and bears no tension.
     double surface_support = 0.9;
+    /// From this support on a wall that comes nearer compresses the water, in full at 1.
+    double touch_support = 0.9;
     /// Shifting acts from this support on; near the free surface only along it.
     double shifting_support = 0.95;
     /// Inside the water (kernel support above `shifting_support`, no wall within reach) p_j - p_i in place of p_j + p_i

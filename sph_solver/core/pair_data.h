@@ -94,7 +94,7 @@ struct PassData {
     float inv_W_dp = 0;            ///< 1 / W(dp)
     float diffusion = 0;           ///< delta h c0 [m2/s]
     float viscosity = 0;           ///< alpha h c0 rho0 [kg/m/s]
-    float inv_void = 10;           ///< 1 / (1 - surface_support), see SolverSetup
+    float inv_void = 10;           ///< 1 / (1 - touch_support), see SolverSetup
     float eta2 = 0;                ///< 0.01 h^2 [m2]
     float gx = 0, gy = 0, gz = 0;  ///< body force [m/s2]
     bool two_dimensional = false;
