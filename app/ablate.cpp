@@ -188,7 +188,7 @@ int run_ablate(const AblateCommand& command, const Common& common) {
     write_text_atomically(out / "ablation.json", ablation_json(ablation));
     write_text_atomically(out / "ablation.csv", ablation_csv(ablation));
     write_text_atomically(out / "ablation.html", ablation_html(ablation));
-    say(common, "\n" + ablation_text(ablation) + "\nreport: " + (out / "ablation.html").string() + "\n");
+    say(common, "\n" + ablation_summary(ablation) + "\nreport: " + (out / "ablation.html").string() + "\n");
     write_json(common, ablation_json(ablation));
     return all_failed ? run_failed : done;
 }

@@ -89,7 +89,8 @@ double predicted_cost_change(const std::vector<EffectChoice>& before, const std:
 std::vector<std::string> headline_of(const AblationMethod& method);
 /// "+3.1 ± 0.5 %"; "+12 %" without an interval, "unchanged", "–".
 std::string change_text(const AblationChange& change);
-std::string ablation_text(const Ablation& ablation);  ///< markdown
+std::string ablation_summary(const Ablation& ablation);  ///< markdown: every effect against the main quantities
+std::string ablation_text(const Ablation& ablation);     ///< the same, then effect by effect with every quantity
 std::string ablation_json(const Ablation& ablation);
 std::string ablation_csv(const Ablation& ablation);   ///< one row per effect, method and quantity; cost is one of them
 std::string ablation_html(const Ablation& ablation);  ///< a page of its own

@@ -81,7 +81,7 @@ std::string bars_svg(const std::string& title, const std::vector<Bar>& bars) {
         "<figure><svg class=\"plot\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\"><text class=\"plot-title\" x=\"4\" "
         "y=\"15\">{}</text>",
         width, bottom + 24, escaped(title));
-    for (const double t : ticks(low, high, 5))
+    for (const double t : ticks(low, high, 4))
         if (t >= low && t <= high)
             out += fmt::format(
                 "<line class=\"grid\" x1=\"{0:.1f}\" y1=\"{1:.0f}\" x2=\"{0:.1f}\" y2=\"{2:.1f}\"/><text class=\"tick "
@@ -104,18 +104,23 @@ std::string bars_svg(const std::string& title, const std::vector<Bar>& bars) {
     return out + "</svg></figure>";
 }
 
+/// "viscosity on" of "viscosity on (with no_slip)": what fits beside a chart.
+std::string brief(const std::string& name) { return name.substr(0, name.find(" (")); }
+
 std::string charts(const Ablation& ablation, const AblationMethod& method) {
     std::string out;
     for (const std::string& name : headline_of(method)) {
         std::vector<Bar> bars;
         for (const AblationRow& row : method.rows)
             if (const AblationChange* c = find(row, name); c && std::isfinite(c->per_cent))
-                bars.push_back({ablation.runs[row.run].name, c->per_cent, c->per_cent_interval, c->seen == Seen::seen});
+                bars.push_back(
+                    {brief(ablation.runs[row.run].name), c->per_cent, c->per_cent_interval, c->seen == Seen::seen});
         if (!bars.empty()) out += bars_svg(any(method, name)->label, bars);
     }
     std::vector<Bar> costs;
     for (const AblationRow& row : method.rows)
-        if (std::isfinite(row.cost)) costs.push_back({ablation.runs[row.run].name, row.cost, std::nan(""), false});
+        if (std::isfinite(row.cost))
+            costs.push_back({brief(ablation.runs[row.run].name), row.cost, std::nan(""), false});
     if (!costs.empty()) out += bars_svg("Processor time", costs);
     return "<div class=\"pair\">" + out + "</div>";
 }

@@ -57,10 +57,10 @@ std::string overview(const Ablation& ablation, const AblationMethod& method) {
     return out;
 }
 
-std::string details(const Ablation& ablation, const AblationRow& row) {
+std::string details(const Ablation& ablation, const AblationRow& row, const std::string& method) {
     const AblationRun& run = ablation.runs[row.run];
-    std::string out =
-        fmt::format("\n### {}, against {}\n\n", for_terminal(run.name), for_terminal(ablation.runs[run.against].name));
+    std::string out = fmt::format("\n### {}: {}, against {}\n\n", for_terminal(method), for_terminal(run.name),
+                                  for_terminal(ablation.runs[run.against].name));
     if (!row.influence.empty()) out += "The plan: " + for_terminal(row.influence) + "\n\n";
     out += "| quantity | before | after | change | | the plan's estimate |\n|---|---|---|---|---|---|\n";
     for (const AblationChange& c : row.changes)
@@ -82,7 +82,7 @@ std::string change_text(const AblationChange& c) {
     return signed_text(c.per_cent, c.per_cent_interval) + " %";
 }
 
-std::string ablation_text(const Ablation& ablation) {
+std::string ablation_summary(const Ablation& ablation) {
     std::string out = fmt::format("# {}: one effect switched at a time\n", for_terminal(ablation.title));
     for (const AblationMethod& method : ablation.methods) {
         if (method.rows.empty()) continue;
@@ -94,8 +94,13 @@ std::string ablation_text(const Ablation& ablation) {
     for (const AblationRun& run : ablation.runs)
         if (!run.why_not.empty())
             out += fmt::format("\n! {}: no result: {}\n", for_terminal(run.name), for_terminal(run.why_not));
+    return out;
+}
+
+std::string ablation_text(const Ablation& ablation) {
+    std::string out = ablation_summary(ablation);
     for (const AblationMethod& method : ablation.methods)
-        for (const AblationRow& row : method.rows) out += details(ablation, row);
+        for (const AblationRow& row : method.rows) out += details(ablation, row, method.method);
     return out;
 }
 
