@@ -32,8 +32,12 @@ struct SceneArguments {
     std::filesystem::path file;
     std::filesystem::path hull;
     std::string speed, trim, spacing, near_hull, duration, scale;
+    std::vector<std::string> effects;  ///< "NAME=on" or "NAME=off"
     SceneOverrides overrides() const;  ///< throws InputError naming the option
 };
+
+/// Throws InputError that begins with `option` and names the known effects.
+void refuse_unknown_effect(const std::string& option, const std::string& name);
 
 struct CheckCommand {
     SceneArguments scene;
@@ -89,6 +93,16 @@ struct SweepCommand {
     int threads = 0;
 };
 int run_sweep(const SweepCommand& command, const Common& common);
+
+struct AblateCommand {
+    SceneArguments scene;
+    std::vector<std::string> effects;  ///< names; empty: every effect that can be switched
+    std::string method;                ///< sph, fvm, both; empty: what the scene says
+    std::filesystem::path out;         ///< empty: runs/<name of the scene file>_ablation
+    bool overwrite = false;
+    int threads = 0;
+};
+int run_ablate(const AblateCommand& command, const Common& common);
 
 struct UncertaintyCommand {
     std::filesystem::path table;  ///< CSV: spacing, then one column per quantity

@@ -54,6 +54,32 @@ constexpr const char* about_import =
     "  fz = { column = 3, unit = \"N\", scale = -1 }\n\n"
     "x runs with the stream to the stern, z up; forces are those of the water on the hull, my is bow up.\n\n";
 
+constexpr const char* about_ablate =
+    "Runs the scene as it is, then once for each effect with that one effect switched: what is on goes off, what is\n"
+    "off goes on. The table holds, for each, the change of every measured quantity in per cent with its 95 % "
+    "interval,\n"
+    "beside what the effect plan had estimated, and the change of the processor time.\n\n"
+    "  twinwake ablate my.toml                                      every effect that can be switched\n"
+    "  twinwake ablate my.toml --effects surface_tension shifting --method sph\n"
+    "  twinwake ablate my.toml --effect viscosity=on --effects no_slip turbulence\n\n"
+    "The effects: viscosity, no_slip, turbulence, surface_tension, gravity (both methods); cavitation, "
+    "damping_layers,\n"
+    "acoustic_damping, shifting, tension_control (particles alone: no mesh run is spent on them). air and\n"
+    "compressibility cannot be switched in this version, and the table says so. no_slip and turbulence need "
+    "viscosity:\n"
+    "where the scene has none, they are switched in the run that has it on, and held against that run.\n\n"
+    "A run that is finished is taken as it is; stopped (Ctrl-C), the same command goes on from there. A run that "
+    "fails\n"
+    "stands in the table with its reason and does not stop the others.\n\n";
+
+void add_effect(CLI::App* command, SceneArguments& scene) {
+    command
+        ->add_option("--effect", scene.effects,
+                     "an effect on or off whatever the scene says, e.g. viscosity=on; can be given again")
+        ->type_name("NAME=on|off")
+        ->allow_extra_args(false);
+}
+
 void add_scene(CLI::App* command, SceneArguments& scene) {
     command->add_option("scene", scene.file, "scene file (TOML)")->required();
     command->add_option("--hull", scene.hull,
@@ -67,6 +93,7 @@ void add_scene(CLI::App* command, SceneArguments& scene) {
         "--scale", scene.scale,
         "all sizes times this number, levels kept: 2, 1.4142 and 1 make similar meshes, for convergence");
     command->add_option("--duration", scene.duration, "simulated time instead of the scene's, e.g. \"2 s\"");
+    add_effect(command, scene);
 }
 
 /// A misspelt subcommand, with the nearest known one.
@@ -186,10 +213,24 @@ int dispatch(int argc, char** argv) {
     c->add_option("--near-hull", sweep.scene.near_hull, "finest size instead of the scene's, e.g. \"25 mm\"");
     c->add_option("--scale", sweep.scene.scale, "all sizes times this number, levels kept");
     c->add_option("--duration", sweep.scene.duration, "simulated time instead of the scene's, e.g. \"2 s\"");
+    add_effect(c, sweep.scene);
     c->add_flag("--overwrite", sweep.overwrite, "begin anew what is not a finished run of this very scene");
     c->add_option("--out", sweep.out, "folder of the results (runs/<name of the scene file>_sweep)");
     c->add_option("--threads", sweep.threads, "threads (particles) and ranks (mesh); all cores unless given")
         ->check(CLI::Range(1, 4096));
+
+    AblateCommand ablate;
+    c = subcommand(&app, "ablate", "effects switched one at a time: what each changes, and what it costs",
+                   [&] { return run_ablate(ablate, common); });
+    add_scene(c, ablate.scene);
+    c->add_option("--effects", ablate.effects, "the effects to switch (every one that can be)")->type_name("NAME");
+    c->add_option("--method", ablate.method, "sph, fvm or both instead of the scene's")
+        ->check(CLI::IsMember({"sph", "fvm", "both"}));
+    c->add_flag("--overwrite", ablate.overwrite, "begin anew what is not a finished run of this very scene");
+    c->add_option("--out", ablate.out, "folder of the results (runs/<name of the scene file>_ablation)");
+    c->add_option("--threads", ablate.threads, "threads (particles) and ranks (mesh); all cores unless given")
+        ->check(CLI::Range(1, 4096));
+    c->footer(about_ablate + std::string(footer));
 
     UncertaintyCommand uncertainty;
     c = subcommand(&app, "uncertainty",

@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "app/commands.h"
 #include "base/errors.h"
+#include "scene/effects_plan.h"
+#include "scene/section.h"
 #include "scene/units.h"
 
 namespace tw::app {
@@ -17,7 +20,24 @@ void read(const std::string& option, const std::string& text, const char* unit, 
     } catch (const UnitError& e) { throw InputError(fmt::format("{} {}: {}", option, text, e.what())); }
 }
 
+/// "NAME=on" or "NAME=off".
+void read_effect(const std::string& text, std::map<std::string, bool>& effects) {
+    const auto equals = text.find('=');
+    const std::string name = text.substr(0, equals), value = equals == text.npos ? "" : text.substr(equals + 1);
+    refuse_unknown_effect("--effect " + text, name);
+    if (value != "on" && value != "off")
+        throw InputError(fmt::format("--effect {}: expected {}=on or {}=off", text, name, name));
+    effects[name] = value == "on";
+}
+
 }  // namespace
+
+void refuse_unknown_effect(const std::string& option, const std::string& name) {
+    const std::vector<std::string>& known = effect_names();
+    if (std::ranges::find(known, name) != known.end()) return;
+    throw InputError(fmt::format("{}: there is no effect '{}'; expected one of: {}{}", option, name,
+                                 fmt::join(known, ", "), did_you_mean(name, known)));
+}
 
 double LadderCommand::budget_seconds() const {
     std::optional<double> seconds;
@@ -39,6 +59,7 @@ SceneOverrides SceneArguments::overrides() const {
         throw InputError(
             fmt::format("--scale {}: expected a number above 0, e.g. 1.4142 for coarser, 0.7071 for finer", scale));
     read("--duration", duration, "s", o.duration);
+    for (const std::string& effect : effects) read_effect(effect, o.effects);
     return o;
 }
 

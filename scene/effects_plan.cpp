@@ -247,6 +247,23 @@ EffectChoice plan_damping_layers(const Scene& scene, const Asked& asked, const N
 
 }  // namespace
 
+const std::vector<std::string>& effect_names() {
+    static const std::vector<std::string> names{
+        "viscosity", "no_slip",    "turbulence",     "surface_tension",  "air",      "compressibility",
+        "gravity",   "cavitation", "damping_layers", "acoustic_damping", "shifting", "tension_control"};
+    return names;
+}
+
+std::string effect_needed_by(const std::string& name) {
+    return name == "no_slip" || name == "turbulence" ? "viscosity" : "";
+}
+
+bool acts_among_particles_only(const std::string& name) {
+    static const std::vector<std::string> names{"cavitation", "damping_layers", "acoustic_damping", "shifting",
+                                                "tension_control"};
+    return std::ranges::find(names, name) != names.end();
+}
+
 double ittc57(double reynolds) {
     if (reynolds <= 1e4) return 0;
     const double l = std::log10(reynolds) - 2;

@@ -1,4 +1,5 @@
 #pragma once
+#include <string>
 #include <vector>
 
 #include "scene/scene.h"
@@ -12,6 +13,13 @@ namespace tw {
 /// InputError for an effect that this version cannot solve. Sets scene.sph.shifting = 0 when shifting is off and
 /// scene.water.gravity = 0 when gravity is; defaults of domain and times are those of the scene with gravity.
 std::vector<EffectChoice> plan_effects(Scene& scene, Section& section);
+
+/// Every effect of the plan, in its order.
+const std::vector<std::string>& effect_names();
+/// The effect without which this one cannot be on (no_slip and turbulence need viscosity); empty: none.
+std::string effect_needed_by(const std::string& name);
+/// True for effects that the mesh side does not know: there, switching them changes nothing.
+bool acts_among_particles_only(const std::string& name);
 
 /// Skin friction coefficient of a flat plate, ITTC 1957: 0.075 / (log10 Re - 2)^2; for Re > 1e4, else 0.
 double ittc57(double reynolds);

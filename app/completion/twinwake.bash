@@ -1,16 +1,19 @@
 # Completion of the twinwake command for bash:  source app/completion/twinwake.bash
 _twinwake() {
     local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]}
-    local scene="--hull --speed --trim --near-hull --spacing --scale --duration"
+    local scene="--hull --speed --trim --near-hull --spacing --scale --duration --effect"
+    local effects="viscosity no_slip turbulence surface_tension air compressibility gravity cavitation damping_layers acoustic_damping shifting tension_control"
     local words=""
     COMPREPLY=()
     if [ "$COMP_CWORD" -eq 1 ]; then
-        COMPREPLY=($(compgen -W "new check run compare ladder sweep import uncertainty hull case doctor stability bench --help --version" -- "$word"))
+        COMPREPLY=($(compgen -W "new check run compare ladder sweep ablate import uncertainty hull case doctor stability bench --help --version" -- "$word"))
         return
     fi
     case $previous in
         --method) COMPREPLY=($(compgen -W "sph fvm both" -- "$word")); return ;;
         --require) COMPREPLY=($(compgen -W "agree" -- "$word")); return ;;
+        --effects) COMPREPLY=($(compgen -W "$effects" -- "$word")); return ;;
+        --effect) COMPREPLY=($(compgen -W "$(printf '%s=on ' $effects; printf '%s=off ' $effects)" -- "$word")); return ;;
         --unit) COMPREPLY=($(compgen -W "m mm cm ft in" -- "$word")); return ;;
         --hull | --hulls | --measured | --json | --out | -o | --openfoam) COMPREPLY=($(compgen -f -- "$word")); return ;;
     esac
@@ -21,7 +24,8 @@ _twinwake() {
         run) words="$scene --method --out --resume --overwrite --threads --json --quiet --help" ;;
         compare) words="--out --ladder --measured --force --require --json --quiet --help" ;;
         ladder) words="$scene --method --levels --ratio --no-variations --measured --budget --overwrite --out --threads --json --quiet --help" ;;
-        sweep) words="--hulls --speeds --trims --near-hull --scale --duration --overwrite --out --threads --json --quiet --help" ;;
+        sweep) words="--hulls --speeds --trims --near-hull --scale --duration --effect --overwrite --out --threads --json --quiet --help" ;;
+        ablate) words="$scene --effects --method --overwrite --out --threads --json --quiet --help" ;;
         import) words="--out --overwrite --json --quiet --help" ;;
         uncertainty) words="--order --json --quiet --help" ;;
         hull) words="--unit --axes --particle-spacing --out --json --quiet --help"

@@ -30,6 +30,18 @@ TEST(Effects, EveryChoiceSaysWhy) {
     EXPECT_TRUE(s.effect_on("shifting"));
 }
 
+TEST(Effects, TheListOfNamesIsThePlans) {
+    std::vector<std::string> planned;
+    for (const EffectChoice& e : scene_of(planing).effects) planned.push_back(e.name);
+    EXPECT_EQ(effect_names(), planned);
+    for (const std::string& name : effect_names()) {
+        const std::string needed = effect_needed_by(name);
+        const bool refused =
+            complaint(planing + "[effects]\n" + name + " = \"on\"\n").find("needs ") != std::string::npos;
+        EXPECT_EQ(needed.empty(), !refused) << name;
+    }
+}
+
 TEST(Effects, WhatThisVersionCannotSolveIsRefusedAndOffIsAccepted) {
     for (const char* name : {"air", "compressibility"}) {
         const std::string message = complaint(planing + "[effects]\n" + name + " = \"on\"\n");

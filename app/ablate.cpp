@@ -1,0 +1,196 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/output.h"
+#include "app/run_method.h"
+#include "app/stop_signal.h"
+#include "base/atomic_file.h"
+#include "base/errors.h"
+#include "compare/ablate/ablation.h"
+#include "foam_cases/doctor.h"
+#include "scene/effects_plan.h"
+
+namespace tw::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The scene as it is, or with one effect switched.
+struct Variant {
+    std::string name = "base", folder = "base", effect = {};
+    std::size_t against = 0;  ///< the variant it differs from by this one effect
+    SceneOverrides overrides = {};
+    std::optional<PlannedRun> plan = {};
+    std::vector<std::string> methods = {};
+    std::string why_not = {};  ///< why it cannot be switched
+};
+
+/// The variants of a command; those that others are held against come first.
+class Variants {
+public:
+    explicit Variants(const AblateCommand& command) : command_(command) {
+        Variant base;
+        base.overrides = command.scene.overrides();
+        base.plan = plan(base.overrides);
+        all_.push_back(std::move(base));
+    }
+
+    /// Switches an effect in the base; one that needs another in the variant that has this other one on. Returns its
+    /// place.
+    std::size_t add(const std::string& effect) {
+        const auto there = std::ranges::find(all_, effect, &Variant::effect);
+        if (there != all_.end()) return static_cast<std::size_t>(there - all_.begin());
+        Variant v;
+        v.effect = effect;
+        const std::string needed = effect_needed_by(effect);
+        if (!needed.empty() && !all_.front().plan->scene.effect_on(needed)) v.against = add(needed);
+        if (const Variant& reference = all_[v.against]; reference.plan) {
+            switch_effect(v, reference);
+        } else {
+            v.name = v.folder = effect;
+            v.why_not = fmt::format("needs {}, which cannot be switched: {}", needed, reference.why_not);
+        }
+        all_.push_back(std::move(v));
+        return all_.size() - 1;
+    }
+
+    /// Methods of the base: every one that some variant needs. Throws InputError: nothing can be switched.
+    std::vector<Variant> take() {
+        for (const std::string method : {"sph", "fvm"})
+            if (std::ranges::any_of(
+                    all_, [&](const Variant& v) { return std::ranges::find(v.methods, method) != v.methods.end(); }))
+                all_.front().methods.push_back(method);
+        if (all_.front().methods.empty())
+            throw InputError(
+                fmt::format("none of these effects can be switched; {}: {}", all_.back().effect, all_.back().why_not));
+        return std::move(all_);
+    }
+
+private:
+    PlannedRun plan(const SceneOverrides& overrides) const {
+        return plan_run(command_.scene.file, overrides, command_.method, command_.threads);
+    }
+
+    void switch_effect(Variant& v, const Variant& reference) const {
+        const Scene& before = reference.plan->scene;
+        const bool on = !before.effect_on(v.effect);
+        v.name = fmt::format("{} {}", v.effect, on ? "on" : "off");
+        v.folder = fmt::format("{}_{}", v.effect, on ? "on" : "off");
+        v.overrides = reference.overrides;
+        v.overrides.effects[v.effect] = on;
+        std::vector<std::string> follow;  // what the plan switches with it
+        try {
+            for (const std::string& other : effect_names())
+                if (!on && effect_needed_by(other) == v.effect) v.overrides.effects[other] = false;
+            v.plan = plan(v.overrides);
+            for (const std::string& other : effect_names())
+                if (other != v.effect && v.plan->scene.effect_on(other) != before.effect_on(other))
+                    follow.push_back(other);
+            if (!follow.empty()) v.name += fmt::format(" (with {})", fmt::join(follow, ", "));
+        } catch (const InputError& e) {
+            v.why_not = std::string("cannot be switched: ") + e.what();
+            return;
+        }
+        for (const std::string method : {"sph", "fvm"}) {
+            const auto& asked = v.plan->scene.run.methods;
+            if (std::ranges::find(asked, method) == asked.end()) continue;
+            if (method == "sph" || !acts_among_particles_only(v.effect)) v.methods.push_back(method);
+        }
+        if (v.methods.empty())
+            v.why_not = "cannot be switched: it acts among the particles alone, and these do not run";
+    }
+
+    const AblateCommand& command_;
+    std::vector<Variant> all_;
+};
+
+std::vector<Variant> variants_of(const AblateCommand& command) {
+    for (const std::string& name : command.effects) refuse_unknown_effect("--effects " + name, name);
+    Variants variants(command);
+    for (const std::string& name : effect_names())
+        if (command.effects.empty() || std::ranges::find(command.effects, name) != command.effects.end())
+            variants.add(name);
+    return variants.take();
+}
+
+/// One method of one variant. Nothing: stopped at the user's wish. Throws what is wrong with this run.
+std::optional<AblationSide> run_side(const Variant& variant, const std::string& method, const fs::path& folder,
+                                     const AblateCommand& command, const Common& common) {
+    if (std::optional<RunRecord> earlier = finished_run(folder, variant.plan->scene, method)) {
+        say(common, fmt::format("{}: {} finished before, taken from {}\n", variant.name, method, folder.string()));
+        return ablation_side(std::move(*earlier));
+    }
+    say(common, fmt::format("{}: {} about {:.3g} s\n", variant.name, method, variant.plan->seconds(method)));
+    const bool resume = fs::exists(folder) && !command.overwrite;
+    const RunRecord record = run_method(method, *variant.plan, {folder, resume, command.overwrite}, common);
+    say(common, closing_line(facts_of(method, record, folder)));
+    if (record.state != "finished" || stop_asked()) return {};
+    return ablation_side(read_record(folder / "record.h5"));
+}
+
+/// All methods of one variant. False: stopped at the user's wish. What is wrong with a variant goes into its row; the
+/// base must be sound.
+bool run_variant(const Variant& variant, const fs::path& out, const AblateCommand& command, const Common& common,
+                 AblationRun& run) {
+    const auto fails = [&](const std::exception& e) {
+        run.why_not = e.what();
+        say(common, fmt::format("{}: {}\n", variant.name, run.why_not));
+    };
+    for (const std::string& method : variant.methods) {
+        try {
+            auto side = run_side(variant, method, out / variant.folder / method, command, common);
+            if (!side) return false;
+            run.sides.push_back(std::move(*side));
+        } catch (const InputError& e) {
+            if (variant.effect.empty()) throw;
+            fails(e);
+        } catch (const RunError& e) {
+            if (variant.effect.empty()) throw;
+            fails(e);
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+int run_ablate(const AblateCommand& command, const Common& common) {
+    const fs::path out =
+        command.out.empty() ? fs::path("runs") / (command.scene.file.stem().string() + "_ablation") : command.out;
+    const std::vector<Variant> variants = variants_of(command);
+    const Scene& scene = variants.front().plan->scene;
+    const auto& methods = variants.front().methods;
+    if (std::ranges::find(methods, "fvm") != methods.end())
+        say(common, "OpenFOAM: " + sound_openfoam(scene.fvm.openfoam).verdict + "\n");
+    double seconds = 0;
+    int count = 0;
+    for (const Variant& v : variants) {
+        for (const std::string& method : v.methods) seconds += v.plan->seconds(method), ++count;
+        if (!v.why_not.empty()) say(common, fmt::format("{}: {}\n", v.name, v.why_not));
+    }
+    say(common, fmt::format("{} runs, about {:.3g} s in all; results in {}\n", count, seconds, out.string()));
+
+    catch_stop_signals();
+    std::vector<AblationRun> runs;
+    for (const Variant& v : variants) {
+        AblationRun& run = runs.emplace_back(AblationRun{v.name, v.effect, v.against, v.why_not});
+        if (!run_variant(v, out, command, common, run)) {
+            std::fputs("ablate: stopped at the user's wish; the same command goes on from here\n", stderr);
+            return run_failed;
+        }
+    }
+    const bool all_failed = std::ranges::none_of(
+        runs, [](const AblationRun& r) { return !r.effect.empty() && r.why_not.empty() && !r.sides.empty(); });
+    const Ablation ablation = build_ablation(scene.title, std::move(runs));
+    fs::create_directories(out);
+    write_text_atomically(out / "ablation.md", ablation_text(ablation));
+    write_text_atomically(out / "ablation.json", ablation_json(ablation));
+    write_text_atomically(out / "ablation.csv", ablation_csv(ablation));
+    write_text_atomically(out / "ablation.html", ablation_html(ablation));
+    say(common, "\n" + ablation_summary(ablation) + "\nreport: " + (out / "ablation.html").string() + "\n");
+    write_json(common, ablation_json(ablation));
+    return all_failed ? run_failed : done;
+}
+
+}  // namespace tw::app
