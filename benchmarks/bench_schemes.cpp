@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "base/errors.h"
+#include "meshes/mass_properties.h"
 #include "sph_solver/solver.h"
 
 using namespace tw;
@@ -59,12 +60,15 @@ SolverSetup setup_of(const How& how, double dp) {
     return s;
 }
 
-/// Steps until `end`, with a look after each.
+/// Steps until `end`, with a look after each. A run whose step falls to a twentieth of the acoustic one is not waited
+/// for: these cases have no such accelerations, it has lost its stability.
 template <class Look>
 void run(Solver& solver, double end, Look look) {
     const std::clock_t start = std::clock();
     while (solver.time() < end) {
         solver.step();
+        const double acoustic = solver.setup().cfl * solver.h() / solver.setup().state_equation.c0;
+        if (solver.dt() < acoustic / 20) throw RunError("unstable");
         look();
     }
     total.seconds += double(std::clock() - start) / CLOCKS_PER_SEC;
@@ -106,7 +110,7 @@ double sound_frequency(const How& how) {
 
 /// Energy of a vortex cell after 0.3 m of its fastest water's way, over the start's.
 double vortex_energy(const How& how, bool dissipation) {
-    SolverSetup s = closed_box(how, 1.0 / 24, 1, 1, 15);
+    SolverSetup s = closed_box(how, 1.0 / 32, 1, 1, 15);
     if (!dissipation) s.alpha = s.delta = s.shifting = 0;
     Solver solver(s, still(s, s.domain));
     Particles& p = solver.particles();
@@ -118,20 +122,23 @@ double vortex_energy(const How& how, bool dissipation) {
         p.drho[i] = s.state_equation.deviation(s.rho0, pressure);
     }
     const double c0 = s.state_equation.c0;
-    const auto energy = [&] {
-        double sum = 0;
-        for (std::size_t i = 0; i < p.size(); ++i) {
-            const double r = double(p.drho[i]) / s.rho0;
-            sum += (double(p.u[i]) * p.u[i] + double(p.w[i]) * p.w[i]) / 2 + c0 * c0 * (std::log1p(r) - r / (1 + r));
-        }
-        return sum;
-    };
-    // velocities and densities are not always those of one moment: means over a twentieth of the time
-    double first = 0, last = 0, firsts = 0, lasts = 0;
+    // With one evaluation a step densities are known half a step before velocities: the kinetic energy of the step
+    // before belongs to the mean of its elastic energy and this one's.
+    const bool staggered = how.scheme == Scheme::symplectic_euler || how.scheme == Scheme::kick_drift_kick;
+    double first = 0, last = 0, firsts = 0, lasts = 0, kinetic_before = 0, elastic_before = 0;
     const double end = 0.3;
     run(solver, end, [&] {
-        if (solver.time() < 0.05 * end) first += energy(), firsts += 1;
-        if (solver.time() > 0.95 * end) last += energy(), lasts += 1;
+        double kinetic = 0, elastic = 0;
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            const double r = double(p.drho[i]) / s.rho0;
+            kinetic += (double(p.u[i]) * p.u[i] + double(p.w[i]) * p.w[i]) / 2;
+            elastic += c0 * c0 * (std::log1p(r) - r / (1 + r));
+        }
+        const double energy = staggered ? kinetic_before + (elastic_before + elastic) / 2 : kinetic + elastic;
+        kinetic_before = kinetic, elastic_before = elastic;
+        if (solver.steps() == 1) return;
+        if (solver.time() < 0.05 * end) first += energy, firsts += 1;
+        if (solver.time() > 0.95 * end) last += energy, lasts += 1;
     });
     return last / lasts / (first / firsts);
 }
@@ -139,7 +146,7 @@ double vortex_energy(const How& how, bool dissipation) {
 /// Larger one of the relative errors of the semi-axes.
 double drop_error(const How& how) {
     constexpr double A = 100, end = 0.0076, exact_x = 0.5142664744, exact_z = 1.944517191;
-    SolverSetup s = setup_of(how, 1.0 / 20);
+    SolverSetup s = setup_of(how, 1.0 / 30);
     s.state_equation.c0 = 1400;
     s.gravity = Vec3::Zero();
     s.domain = {Vec3(-4, -1, -4), Vec3(4, 1, 4)};
@@ -168,7 +175,7 @@ struct Rest {
 };
 Rest tank(const How& how, double end) {
     constexpr double g = 9.81;
-    SolverSetup s = setup_of(how, 0.1);
+    SolverSetup s = setup_of(how, 0.05);
     s.state_equation.c0 = 10 * std::sqrt(g);
     s.domain = {Vec3(0, -1, -1), Vec3(2, 1, 1)};
     s.mirrors.on = {{{true, true}, {false, false}, {true, false}}};
@@ -196,12 +203,14 @@ Surface wedge_of(double half_width, double height) {
         for (const auto& [x, z] : {std::pair{0.0, 0.0}, {half_width, height}, {-half_width, height}})
             s.points.emplace_back(x, y, z);
     s.triangles = {{0, 1, 3}, {1, 4, 3}, {1, 2, 4}, {2, 5, 4}, {2, 0, 5}, {0, 3, 5}, {0, 2, 1}, {3, 4, 5}};
+    if (mass_properties(s).volume < 0)
+        for (auto& t : s.triangles) std::swap(t[1], t[2]);
     return s;
 }
 
 /// Force over rho V^3 t, by the impulse between 0.4 and 1 of the time. The wedge is fixed, the water comes.
 double wedge_force(const How& how) {
-    constexpr double V = 1, x_root = 2.722973, y_tip = 1.83295, root = 1.0 / 3, fineness = 13, sound = 15;
+    constexpr double V = 1, x_root = 2.722973, y_tip = 1.83295, root = 1.0 / 3, fineness = 18, sound = 15;
     const double until = root / (x_root * V), slope = std::tan(pi / 6);
     SolverSetup s = setup_of(how, root / fineness);
     s.state_equation.c0 = sound * x_root * V;
@@ -250,17 +259,17 @@ int main() {
         std::vector<double> courants;
     } plan[] = {{Scheme::symplectic_euler, {0.35, 0.7, 0.9, 1.2}},
                 {Scheme::kick_drift_kick, {0.35, 0.7, 0.9, 1.2}},
-                {Scheme::predictor_corrector, {0.35, 0.7, 1.0, 1.4}},
+                {Scheme::predictor_corrector, {0.2, 0.35, 0.7}},
                 {Scheme::rk4_frozen_diffusion, {0.7, 1.4, 2.0}}};
     const How smallest{Scheme::rk4_frozen_diffusion, 0.2};
     const double sound = sound_frequency(smallest), dissipated = 1 - vortex_energy(smallest, true);
     std::printf("sound in the box of particles: %.4f of c0; the vortex dissipates %.2f %% of its energy\n",
                 sound / (20 * pi), 100 * dissipated);
-    std::printf("%-22s %5s %8s | %9s %9s %7s %9s %7s %7s | %11s %7s %9s\n", "scheme", "C", "stable", "sound", "vortex",
-                "drop", "tank E", "tank p", "wedge", "evaluations", "CPU s", "us/eval");
+    std::printf("%-22s %5s %8s | %9s %9s %7s %9s %7s %7s | %11s %7s\n", "scheme", "C", "stable", "sound", "vortex",
+                "drop", "tank E", "tank p", "wedge", "evaluations", "CPU s");
     double unit = 0;
     for (const auto& [scheme, courants] : plan) {
-        const double stable = largest_stable(scheme, 0.6);
+        const double stable = largest_stable(scheme, 0.3);
         for (const double cfl : courants) {
             const How how{scheme, cfl};
             total = {};

@@ -72,6 +72,7 @@ std::string run_hash(const Scene& scene, const std::string& method) {
     if (method == "sph") {
         const SphOptions& o = scene.sph;
         t.add("sph", {o.h_over_dp, o.c0, o.delta, o.alpha, o.cfl, o.gamma, o.shifting}).add("eos", o.equation_of_state);
+        if (o.scheme != SphOptions().scheme) t.add("scheme", o.scheme);
         if (scene.effect_on("turbulence")) t.add("smagorinsky", {o.smagorinsky});
         if (scene.effect_on("acoustic_damping")) t.add("acoustic_damper", {o.acoustic_damper});
     } else {
