@@ -210,7 +210,7 @@ Surface wedge_of(double half_width, double height) {
 
 /// Force over rho V^3 t, by the impulse between 0.4 and 1 of the time. The wedge is fixed, the water comes.
 double wedge_force(const How& how) {
-    constexpr double V = 1, x_root = 2.722973, y_tip = 1.83295, root = 1.0 / 3, fineness = 18, sound = 15;
+    constexpr double V = 1, x_root = 2.722973, y_tip = 1.83295, root = 1.0 / 3, fineness = 26, sound = 15;
     const double until = root / (x_root * V), slope = std::tan(pi / 6);
     SolverSetup s = setup_of(how, root / fineness);
     s.state_equation.c0 = sound * x_root * V;
