@@ -69,6 +69,7 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
         record.numbers["delta"] = scene.sph.delta;
         record.numbers["shifting"] = scene.sph.shifting;
         record.attributes["equation_of_state"] = scene.sph.equation_of_state;
+        record.attributes["time_scheme"] = scene.sph.scheme;
     }
     if (method == "fvm") {
         record.numbers["max_courant_limit"] = scene.fvm.max_courant;

@@ -73,6 +73,7 @@ std::string run_hash(const Scene& scene, const std::string& method) {
         const SphOptions& o = scene.sph;
         t.add("sph", {o.h_over_dp, o.c0, o.delta, o.alpha, o.cfl, o.gamma, o.shifting}).add("eos", o.equation_of_state);
         if (o.touch_support != SphOptions{}.touch_support) t.add("touch_support", {o.touch_support});
+        if (o.scheme != SphOptions().scheme) t.add("scheme", o.scheme);
         if (scene.effect_on("turbulence")) t.add("smagorinsky", {o.smagorinsky});
         if (scene.effect_on("acoustic_damping")) t.add("acoustic_damper", {o.acoustic_damper});
     } else {

@@ -138,6 +138,8 @@ SphOptions read_sph(Section& s) {
     o.c0 = s.number("c0", o.c0, "m/s", positive);
     o.delta = s.number("delta", o.delta, "-", {0, 1});
     o.alpha = s.number("alpha", o.alpha, "-", {0, 1});
+    o.scheme = s.choice("scheme", o.scheme,
+                        {"symplectic_euler", "kick_drift_kick", "predictor_corrector", "rk4_frozen_diffusion"});
     o.cfl = s.number("cfl", o.cfl, "-", {0, 1, true});
     o.equation_of_state = s.choice("equation_of_state", o.equation_of_state, {"linear", "tait", "mie_grueneisen"});
     o.gamma = s.number("gamma", o.gamma, "-", {1, 20});

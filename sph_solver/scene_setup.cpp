@@ -52,6 +52,13 @@ DampingLayers damping_layers(const Scene& scene, const SolverSetup& s) {
     return d;
 }
 
+Scheme scheme_of(const std::string& name) {
+    return name == "kick_drift_kick"        ? Scheme::kick_drift_kick
+           : name == "predictor_corrector"  ? Scheme::predictor_corrector
+           : name == "rk4_frozen_diffusion" ? Scheme::rk4_frozen_diffusion
+                                            : Scheme::symplectic_euler;
+}
+
 EffectOptions effect_options(const Scene& scene, const SolverSetup& s) {
     EffectOptions on;
     if (scene.effect_on("viscosity")) {
@@ -83,6 +90,7 @@ SphSetup sph_setup(const Scene& scene, int threads) {
     s.state_equation.gamma = scene.sph.gamma;
     s.delta = scene.sph.delta;
     s.alpha = scene.sph.alpha;
+    s.scheme = scheme_of(scene.sph.scheme);
     s.cfl = scene.sph.cfl;
     s.shifting = scene.sph.shifting;
     s.touch_support = scene.sph.touch_support;

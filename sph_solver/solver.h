@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,14 @@
 
 namespace tw {
 
+/// How a step is made: time_step.cpp, README.md ("The time step"), table in docs/validation.md ("Schemes").
+enum class Scheme {
+    symplectic_euler,      ///< one evaluation
+    kick_drift_kick,       ///< one evaluation, its first sweep in the middle of the drift
+    predictor_corrector,   ///< two: the explicit midpoint rule
+    rk4_frozen_diffusion,  ///< four: Runge-Kutta, with the density diffusion of its first stage throughout
+};
+
 /// Everything the engine needs to know, in SI units.
 struct SolverSetup {
     int dimensions = 3;
@@ -30,7 +39,8 @@ struct SolverSetup {
     StateEquation state_equation;
     double delta = 0.1;   ///< density diffusion
     double alpha = 0.01;  ///< artificial viscosity
-    double cfl = 0.7;     ///< dt = cfl h / (c0 + |u|); symplectic Euler is stable to about 1.2
+    Scheme scheme = Scheme::symplectic_euler;
+    double cfl = 0.7;  ///< dt = cfl h / (c0 + |u|); symplectic Euler is stable to about 1.2
     double shifting = 1;
     /// Kernel support sum_j V_j W_ij (walls and images counted; 1 in the interior, about 0.75 at a flat free surface)
     /// below which a particle counts as free surface and bears no tension.
@@ -91,7 +101,7 @@ struct Fluid {
 /// The lattice of spacing dp in each block, outside the solids.
 Fluid fill_with_fluid(const SolverSetup& setup, const std::vector<Box>& blocks);
 
-/// Delta-SPH of one level of particles, symplectic Euler in time, two sweeps over the pairs a step:
+/// Delta-SPH of one level of particles, two sweeps over the pairs an evaluation. In time by default symplectic Euler:
 ///
 ///   sweep 1 at (x, u):  div u, density gradient, kernel support;   rho -= dt rho div u
 ///   p = p(rho); wall pressure
@@ -149,7 +159,9 @@ private:
     static constexpr double skin_over_dp = 0.2;       ///< slack of the particle lists
     static constexpr double wall_skin_over_dp = 0.6;  ///< slack of the lists between particles and walls
 
-    void evaluate();
+    /// Both sweeps at the present state, as of the time `t`. Between them the density changes for the time `compress`
+    /// by the continuity equation, and the places for `drift` [s].
+    void evaluate(double t, double compress, double drift = 0);
     ExtrapolateData extrapolation() const;  ///< from the present records; the caller says where to
     void rebuild();
     std::vector<char> cross_open_boundaries();
@@ -157,9 +169,22 @@ private:
     void update_records();
     void update_mirror_images(bool stress);
     void find_normals();
-    void integrate();
     void gather_load();
     NormalRecord nearest_wall(std::size_t i, double reach) const;
+
+    // the time step, time_step.cpp
+    /// One stage of an explicit Runge-Kutta step: at t + c dt, reached with the rates of the stage before; its weight.
+    struct Stage {
+        double c, weight;
+    };
+    void step_symplectic_euler();
+    void step_kick_drift_kick();
+    void step_in_stages(std::span<const Stage> stages, bool freeze_diffusion);
+    double reference_speed() const;
+    void choose_time_step();
+    void drift_freely(double dt);
+    void go_to_stage(double since);
+    void move(double dt, double drifted, double drift);
     std::optional<Vec3> hold_at_wall(std::size_t i);
     [[noreturn]] void fail_at(std::size_t i, const std::string& what) const;
     void check_bounds();
@@ -196,7 +221,22 @@ private:
     std::vector<Group> wall_groups_, live_wall_groups_;
     NeighbourLists wall_source_lists_;
 
+    /// Of steps in stages only, else empty.
+    struct {
+        struct Start {
+            double x, y, z;
+            float u, v, w, drho;
+        };
+        struct Mean {
+            double u, v, w, ax, ay, az, drho;  ///< velocity and rates, weighted over the stages
+        };
+        std::vector<Start> start;
+        std::vector<Mean> mean;
+        std::vector<float> compression, diffusion;  ///< -rho div u of this stage, D of the first [kg/m3/s]
+    } stages_;
+
     double travel_ = 0, travel_in_stream_ = 0;  ///< upper bounds since the last rebuild [m]
+    double relative_speed_ = 0;                 ///< largest one relative to the stream after the last step [m/s]
     bool rebuild_due_ = true;
     std::optional<ControlVolume> control_;
     Load load_;

@@ -210,6 +210,20 @@ TEST(Scene, ARunsHashAlsoHoldsItsMethodsNumericsAndNotTheOthers) {
     EXPECT_NE(run_hash(s, "sph"), run_hash(scene_of(with(planing, "8 m/s", "7 m/s")), "sph"));
 }
 
+TEST(Scene, AnotherTimeSteppingSchemeIsAnotherRun) {
+    const auto with_scheme = [](const std::string& name) {
+        return scene_of(with(planing, "[run]", "[sph]\nscheme = \"" + name + "\"\n[run]"));
+    };
+    const Scene usual = scene_of(planing), named = with_scheme("symplectic_euler"),
+                other = with_scheme("kick_drift_kick");
+    EXPECT_EQ(usual.sph.scheme, "symplectic_euler");
+    EXPECT_EQ(other.sph.scheme, "kick_drift_kick");
+    EXPECT_EQ(run_hash(usual, "sph"), run_hash(named, "sph"));  // the default is what it is when named
+    EXPECT_NE(run_hash(usual, "sph"), run_hash(other, "sph"));
+    EXPECT_EQ(run_hash(usual, "fvm"), run_hash(other, "fvm"));
+    EXPECT_THROW(with_scheme("leapfrog"), InputError);
+}
+
 TEST(Scene, TwoDimensionsAreOneParticleThickRoundThePlane) {
     const Scene s = scene_of(
         "[tank]\nsize = [0.584, 0.1, 0.4]\n[domain]\ndimensions = 2\n[[water_block]]\nmin = [0, 0, 0]\nmax = [0.146, "

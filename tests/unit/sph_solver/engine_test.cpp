@@ -9,6 +9,7 @@
 #include "sph_solver/bench.h"
 #include "sph_solver/output/certificate.h"
 #include "sph_solver/output/checkpoint.h"
+#include "sph_solver/scene_setup.h"
 #include "sph_solver/solver.h"
 
 namespace tw {
@@ -50,6 +51,22 @@ Fluid stream_water(const SolverSetup& s) {
     return fill_with_fluid(s, {water});
 }
 
+/// The schemes of a step, with a Courant number at which each is stable, and their evaluations a step.
+struct SchemeCase {
+    Scheme scheme;
+    double cfl;
+    int evaluations;
+};
+constexpr SchemeCase every_scheme[] = {{Scheme::symplectic_euler, 0.7, 1},
+                                       {Scheme::kick_drift_kick, 0.7, 1},
+                                       {Scheme::predictor_corrector, 0.3, 2},
+                                       {Scheme::rk4_frozen_diffusion, 1.4, 4}};
+SolverSetup with(SolverSetup s, const SchemeCase& c) {
+    s.scheme = c.scheme;
+    s.cfl = c.cfl;
+    return s;
+}
+
 ::testing::AssertionResult same_bits(const Particles& a, const Particles& b) {
     if (a.size() != b.size()) return ::testing::AssertionFailure() << a.size() << " particles against " << b.size();
     for (std::size_t i = 0; i < a.size(); ++i)
@@ -60,32 +77,39 @@ Fluid stream_water(const SolverSetup& s) {
 }
 
 TEST(Engine, AnyNumberOfThreadsGivesTheSameBits) {
-    const auto run = [](int threads) {
-        Solver solver(stream(threads), stream_water(stream(threads)));
-        for (int k = 0; k < 60; ++k) solver.step();
-        return solver;
-    };
-    const Solver one = run(1), three = run(3);
-    EXPECT_TRUE(same_bits(one.particles(), three.particles()));
-    EXPECT_EQ(one.load().force.z(), three.load().force.z());
-    EXPECT_NE(one.load().force.z(), 0);
+    for (const SchemeCase& c : every_scheme) {
+        const auto run = [&](int threads) {
+            Solver solver(with(stream(threads), c), stream_water(stream(threads)));
+            for (int k = 0; k < 60; ++k) solver.step();
+            return solver;
+        };
+        const Solver one = run(1), three = run(3);
+        EXPECT_TRUE(same_bits(one.particles(), three.particles())) << c.evaluations;
+        EXPECT_EQ(one.load().force.z(), three.load().force.z());
+        EXPECT_NE(one.load().force.z(), 0);
+    }
 }
 
 TEST(Engine, ARestartGoesOnWithTheSameBitsInletAndOutletIncluded) {
-    const SolverSetup s = stream();
     const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "restart_test.h5";
-    Solver whole(s, stream_water(s));
-    for (int k = 0; k < 80; ++k) whole.step();
-    write_checkpoint(file, "a scene", whole, 1);
-    whole.mark_restart_point();
-    Solver resumed(s, stream_water(s));
-    Checkpoint c = read_checkpoint(file, "a scene");
-    resumed.restore(c.state, std::move(c.particles));
-    for (int k = 0; k < 80; ++k) whole.step(), resumed.step();
-    EXPECT_TRUE(same_bits(whole.particles(), resumed.particles()));
-    EXPECT_EQ(whole.time(), resumed.time());
-    EXPECT_GT(whole.ledger().in, 0);  // particles did come and go
-    EXPECT_EQ(whole.ledger().in, resumed.ledger().in);
+    for (const SchemeCase& c : every_scheme) {
+        SCOPED_TRACE(c.evaluations);
+        SolverSetup s = with(stream(), c);
+        s.effects.viscosity = Viscosity{1e-3, true, EddyViscosity{}};  // its step limit hangs on the last evaluation
+        Solver whole(s, stream_water(s));
+        for (int k = 0; k < 50; ++k) whole.step();
+        write_checkpoint(file, "a scene", whole, 1);
+        whole.mark_restart_point();
+        Solver resumed(s, stream_water(s));
+        Checkpoint saved = read_checkpoint(file, "a scene");
+        resumed.restore(saved.state, std::move(saved.particles));
+        for (int k = 0; k < 50; ++k) whole.step(), resumed.step();
+        EXPECT_TRUE(same_bits(whole.particles(), resumed.particles()));
+        EXPECT_EQ(whole.time(), resumed.time());
+        EXPECT_GT(whole.ledger().in, 0);  // particles did come and go
+        EXPECT_EQ(whole.ledger().in, resumed.ledger().in);
+        EXPECT_EQ(whole.load().force, resumed.load().force);
+    }
     EXPECT_THROW(read_checkpoint(file, "another scene"), InputError);
     std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
     EXPECT_THROW(read_checkpoint(file, "a scene"), InputError);
@@ -189,15 +213,69 @@ TEST(Bench, MeasuresEveryFigureItPrints) {
 }
 
 TEST(Engine, NoParticleLeavesAClosedTank) {
-    const SolverSetup s = tank();
-    Solver solver(s, column(s));
-    const std::size_t n = solver.particles().size();
-    while (solver.time() < 0.4) solver.step();
-    EXPECT_EQ(solver.particles().size(), n);
-    for (std::size_t i = 0; i < n; ++i) {
-        const Particles& p = solver.particles();
-        EXPECT_TRUE(s.domain.contains(Vec3(p.x[i], p.y[i], p.z[i])) || p.x[i] > -s.dp) << i;
+    for (const SchemeCase& c : every_scheme) {
+        SCOPED_TRACE(c.evaluations);
+        const SolverSetup s = with(tank(), c);
+        Solver solver(s, column(s));
+        const std::size_t n = solver.particles().size();
+        while (solver.time() < 0.4) solver.step();
+        EXPECT_EQ(solver.particles().size(), n);
+        for (std::size_t i = 0; i < n; ++i) {
+            const Particles& p = solver.particles();
+            EXPECT_TRUE(s.domain.contains(Vec3(p.x[i], p.y[i], p.z[i])) || p.x[i] > -s.dp) << i;
+        }
     }
+}
+
+TEST(Schemes, OfADamBreakAgreeAndEvaluateAsOftenAsTheySay) {
+    const auto front = [](const Solver& solver) {
+        double x = 0;
+        for (const double at : solver.particles().x) x = std::max(x, at);
+        return x;
+    };
+    std::vector<double> fronts;
+    for (const SchemeCase& c : every_scheme) {
+        const SolverSetup s = with(tank(), c);
+        Solver solver(s, column(s));
+        const auto n = static_cast<std::int64_t>(solver.particles().size());
+        while (solver.time() < 0.15) solver.step();
+        EXPECT_EQ(solver.timers().evaluations, n * solver.steps() * c.evaluations);
+        fronts.push_back(front(solver));
+    }
+    EXPECT_GT(fronts.front(), 0.55);  // it has run a spacing and more
+    EXPECT_LT(fronts.front(), 0.95);  // and not met the wall
+    for (const double x : fronts) EXPECT_NEAR(x, fronts.front(), 0.2 * tank().dp);
+}
+
+TEST(Schemes, AreChosenByTheScene) {
+    Scene scene;
+    scene.domain.dimensions = 3;
+    scene.domain.box = {Vec3(0, 0, 0), Vec3(1, 0.3, 1)};
+    scene.resolution.near_hull = 0.1;
+    scene.water_blocks = {Box{Vec3(0, 0, 0), Vec3(0.5, 0.3, 0.6)}};
+    scene.sph.c0 = 30;
+    EXPECT_EQ(sph_setup(scene, 1).solver.scheme, SolverSetup().scheme);
+    const std::pair<const char*, Scheme> named[] = {{"symplectic_euler", Scheme::symplectic_euler},
+                                                    {"kick_drift_kick", Scheme::kick_drift_kick},
+                                                    {"predictor_corrector", Scheme::predictor_corrector},
+                                                    {"rk4_frozen_diffusion", Scheme::rk4_frozen_diffusion}};
+    for (const auto& [name, scheme] : named) {
+        scene.sph.scheme = name;
+        EXPECT_EQ(sph_setup(scene, 1).solver.scheme, scheme) << name;
+    }
+}
+
+TEST(Schemes, WithOneEvaluationNeedNoMemoryOfStages) {
+    std::vector<double> bytes;
+    for (const SchemeCase& c : every_scheme) {
+        const SolverSetup s = with(tank(), c);
+        Solver solver(s, column(s));
+        solver.step();
+        bytes.push_back(solver.bytes());
+    }
+    EXPECT_EQ(bytes[0], bytes[1]);
+    EXPECT_GT(bytes[2], bytes[0]);
+    EXPECT_GT(bytes[3], bytes[2]);
 }
 
 /// Water in free flight towards the top of the box of `stream()`, without gravity: `count` particles in a row, dp
@@ -207,8 +285,8 @@ struct Impact {
     double momentum = 0, impulse = 0;  ///< lost by the water, got by the wall [N s]
     std::int64_t held = 0;
 };
-Impact throw_at_wall(int count, double speed) {
-    SolverSetup s = stream();
+Impact throw_at_wall(int count, double speed, const SchemeCase& c) {
+    SolverSetup s = with(stream(), c);
     s.stream.reset();
     s.gravity = Vec3::Zero();
     Fluid drops;
@@ -239,13 +317,15 @@ Impact throw_at_wall(int count, double speed) {
 
 TEST(Walls, StopADropAndGetItsMomentum) {
     // A single particle never fills its support, so no pressure stops it: the last resort at the wall has to.
-    for (const int count : {1, 4, 32}) {
-        const Impact r = throw_at_wall(count, 6);  // Mach 0.15
-        EXPECT_GT(r.deepest, -0.01) << count << " particles";
-        EXPECT_GT(r.momentum, 0) << count << " particles";
-        EXPECT_NEAR(r.impulse, r.momentum, 1e-5 * r.momentum) << count << " particles";
-        if (count == 1) { EXPECT_GT(r.held, 0); }
-    }
+    for (const SchemeCase& c : every_scheme)
+        for (const int count : {1, 4, 32}) {
+            SCOPED_TRACE(::testing::Message() << c.evaluations << " evaluations, " << count << " particles");
+            const Impact r = throw_at_wall(count, 6, c);  // Mach 0.15
+            EXPECT_GT(r.deepest, -0.01);
+            EXPECT_GT(r.momentum, 0);
+            EXPECT_NEAR(r.impulse, r.momentum, 1e-5 * r.momentum);
+            if (count == 1) { EXPECT_GT(r.held, 0); }
+        }
 }
 
 }  // namespace
