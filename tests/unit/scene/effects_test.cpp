@@ -84,7 +84,9 @@ TEST(Effects, ARunWithAnEffectIsAnotherRun) {
 }
 
 TEST(Effects, ACommandLineForcesThemLikeTheScene) {
-    const Scene s = scene_of(planing, {.effects = {{"surface_tension", true}, {"shifting", false}}});
+    SceneOverrides overrides;
+    overrides.effects = {{"surface_tension", true}, {"shifting", false}};
+    const Scene s = scene_of(planing, overrides);
     EXPECT_TRUE(s.effect_on("surface_tension"));
     EXPECT_EQ(s.sph.shifting, 0);
 }
