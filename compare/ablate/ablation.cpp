@@ -38,7 +38,8 @@ AblationChange change_of(const Quantity& before, const Quantity& after) {
     }
     c.difference = c.after.value - c.before.value;
     const double size = std::max(std::abs(c.before.value), before.scale);
-    if (size > 0) c.per_cent = 100 * c.difference / size;
+    const double sign = c.before.value < 0 && size == -c.before.value ? -1 : 1;
+    if (size > 0) c.per_cent = 100 * c.difference / (sign * size);
     const bool intervals = c.before.half_width > 0 && c.after.half_width > 0;
     if (intervals) {
         c.interval = std::hypot(c.before.half_width, c.after.half_width);

@@ -32,6 +32,8 @@ struct AblationRun {
 ///
 ///   E = after - before      U = sqrt(U_before^2 + U_after^2)      S = max(|before|, scale of the quantity)
 ///
+/// In per cent E counts as above 0 where the value grows away from 0: a moment of -300 after -200 N m is +50 %.
+///
 /// seen: |E| > U. Two runs that differ by rounding alone give |E| > U in one of twenty quantities, as U is that of 95
 /// %.
 struct AblationChange {

@@ -86,7 +86,7 @@ std::string bars_svg(const std::string& title, const std::vector<Bar>& bars) {
             out += fmt::format(
                 "<line class=\"grid\" x1=\"{0:.1f}\" y1=\"{1:.0f}\" x2=\"{0:.1f}\" y2=\"{2:.1f}\"/><text class=\"tick "
                 "mid\" x=\"{0:.1f}\" y=\"{3:.1f}\">{4:g} %</text>",
-                x(t), top, bottom, bottom + 16, t);
+                x(t), top, bottom, bottom + 16, t == 0 ? 0.0 : t);
     out +=
         fmt::format("<line x1=\"{0:.1f}\" y1=\"{1:.0f}\" x2=\"{0:.1f}\" y2=\"{2:.1f}\" style=\"stroke:var(--soft)\"/>",
                     x(0), top, bottom);

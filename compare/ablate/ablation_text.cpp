@@ -89,7 +89,8 @@ std::string ablation_summary(const Ablation& ablation) {
         out += fmt::format("\n## {}\n\n{}", for_terminal(method.method), overview(ablation, method));
     }
     out +=
-        "\nChanges with their 95 % intervals; ** beyond the interval, which chance alone does once in twenty times. "
+        "\nChanges in per cent of the value before, with their 95 % intervals; ** beyond the interval, which chance "
+        "alone does once in twenty times. "
         "Processor time of one run each: a busy machine changes it by several per cent.\n";
     for (const AblationRun& run : ablation.runs)
         if (!run.why_not.empty())

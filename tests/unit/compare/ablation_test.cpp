@@ -68,7 +68,8 @@ TEST(Ablation, WithinTheIntervalsNothingIsSeenWhateverTheSign) {
     EXPECT_EQ(only(ablation_of(200, 3, 204.9, 4)).seen, Seen::nothing);
     EXPECT_EQ(only(ablation_of(200, 3, 195.1, 4)).seen, Seen::nothing);
     EXPECT_EQ(only(ablation_of(200, 3, 194.9, 4)).seen, Seen::seen);
-    EXPECT_EQ(only(ablation_of(-200, 3, -210, 4)).per_cent, -5);  // more of a negative value
+    EXPECT_EQ(only(ablation_of(-200, 3, -210, 4)).per_cent, 5);  // more of a negative value
+    EXPECT_EQ(only(ablation_of(-200, 3, -210, 4)).difference, -10);
 }
 
 TEST(Ablation, WithoutAnIntervalNothingIsClaimed) {
