@@ -153,11 +153,11 @@ std::string effects_table(const Comparison& c) {
     std::string out =
         "<h2>Effects solved and left out</h2><div "
         "class=\"wide\"><table><thead><tr><th>Effect</th><th>solved</th><th>why</th><th>thought to "
-        "change</th></tr></thead><tbody>";
+        "change</th><th>costs, or would cost</th></tr></thead><tbody>";
     for (const EffectChoice& e : with->effects)
-        out +=
-            fmt::format("<tr><td>{}</td><td>{}{}</td><td>{}</td><td>{}</td></tr>", escaped(e.name), e.on ? "yes" : "no",
-                        e.forced ? " (asked for)" : "", escaped(e.reason), escaped(e.influence));
+        out += fmt::format("<tr><td>{}</td><td>{}{}</td><td>{}</td><td>{}</td><td>{}</td></tr>", escaped(e.name),
+                           e.on ? "yes" : "no", e.forced ? " (asked for)" : "", escaped(e.reason), escaped(e.influence),
+                           e.cost > 0 ? fmt::format("{:.0f} % of a particle run", 100 * e.cost) : "");
     return out + "</tbody></table></div>";
 }
 
