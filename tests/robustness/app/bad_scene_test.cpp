@@ -51,8 +51,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"kind  = \"stream\"", "kind  = \"prescribed\"",
                  "bad.toml:8:9: [motion] kind = \"prescribed\": this version solves a fixed hull only"},
         BadScene{
-            "[run]", "[effects]\nviscosity = \"on\"\n[run]",
-            "bad.toml:13:13: [effects] viscosity = \"on\": this version's particle side has no physical viscosity"},
+            "[run]", "[effects]\nair = \"on\"\n[run]",
+            "bad.toml:13:13: [effects] air = \"on\": the particle side solves no air"},
         BadScene{"title = \"planing\"", "title = \"planing", "bad.toml:1:17: not valid TOML: "}),
     case_name);
 
