@@ -90,7 +90,7 @@ TEST(Ablation, AValueNearZeroIsMeasuredByItsScale) {
 }
 
 TEST(Ablation, CostStandsBesideWhatThePlanSaid) {
-    const AblationRow& row = ablation_of(200, 3, 210, 4).methods[0].rows[0];
+    const AblationRow row = ablation_of(200, 3, 210, 4).methods[0].rows[0];
     EXPECT_NEAR(row.cost, 10, 1e-9);  // 50 to 55
     EXPECT_NEAR(row.predicted_cost, 20, 1e-9);
     EXPECT_NEAR(row.steps, 0, 1e-9);
