@@ -52,7 +52,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "bad.toml:8:9: [motion] kind = \"prescribed\": this version solves a fixed hull only"},
         BadScene{
             "[run]", "[effects]\nair = \"on\"\n[run]",
-            "bad.toml:13:13: [effects] air = \"on\": the particle side solves no air"},
+            "bad.toml:13:7: [effects] air = \"on\": the particle side solves no air"},
         BadScene{"title = \"planing\"", "title = \"planing", "bad.toml:1:17: not valid TOML: "}),
     case_name);
 
