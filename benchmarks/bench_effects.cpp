@@ -6,21 +6,12 @@
 #include <cstdlib>
 #include <string>
 
+#include "meshes/generate.h"
 #include "sph_solver/solver.h"
 
 using namespace tw;
 
 namespace {
-
-Surface block(const Box& b) {
-    Surface s;
-    for (double z : {b.min.z(), b.max.z()})
-        for (double y : {b.min.y(), b.max.y()})
-            for (double x : {b.min.x(), b.max.x()}) s.points.emplace_back(x, y, z);
-    s.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                   {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-    return s;
-}
 
 struct Cost {
     double seconds = 0, dt = 0, bytes = 0;  // per step; of the last step; per particle
@@ -31,7 +22,7 @@ Cost cost_of(const EffectOptions& effects, bool tension_control, double dp, doub
     s.state_equation.c0 = 40;
     s.domain = {Vec3(0, 0, 0), Vec3(2, 0.6, 1.2)};
     s.mirrors.on = {{{true, true}, {true, true}, {true, false}}};
-    s.solids = {block({Vec3(1.2, 0.2, -0.1), Vec3(1.5, 0.4, 0.3)})};
+    s.solids = {box_surface({Vec3(1.2, 0.2, -0.1), Vec3(1.5, 0.4, 0.3)})};
     s.threads = 1;
     s.effects = effects;
     s.tension_control = tension_control;

@@ -23,5 +23,7 @@ struct HullShape {
 const std::vector<HullShape>& hull_shapes();
 /// Throws InputError for an unknown shape or parameter (naming the known ones) or a value out of range.
 Surface make_hull(const std::string& shape, const std::map<std::string, double>& values);
+/// A block as a closed surface, outward normals, where it stands.
+Surface box_surface(const Box& box);
 
 }  // namespace tw

@@ -88,6 +88,33 @@ inline V3<F> solve_symmetric(const F (&m)[6], const V3<F>& b) {
             (cxz * b.x + cyz * b.y + czz * b.z) * inv};
 }
 
+/// grad_i W_ij V_j = F V_j r_ji for the neighbour at xyz.
+inline V3<F> kernel_gradient(const Kernel& kernel, const V3<F>& r_ji, float volume) {
+    const KernelShape k = shape(r_ji, kernel.inv_h);
+    const F FV = (kernel.five_sigma * volume) * (k.t * k.t) * k.t;
+    return {FV * r_ji.x, FV * r_ji.y, FV * r_ji.z};
+}
+
+/// Renormalised gradient of a vector field, exact for linear ones (Randles & Libersky 1996):
+///   <grad u>_i = L_i sum_j (u_j - u_i) (x) grad W_ij V_j,   L_i^-1 = sum_j r_ji (x) grad W_ij V_j
+struct VectorGradient {
+    F m[6] = {};
+    V3<F> u{F{}, F{}, F{}}, v{F{}, F{}, F{}}, w{F{}, F{}, F{}};  ///< sums; the gradients of the components once solved
+
+    /// `jump` is u_j - u_i, `f` is grad W_ij V_j.
+    void add(const V3<F>& r, const V3<F>& f, const V3<F>& jump) {
+        m[0] += f.x * r.x, m[1] += f.x * r.y, m[2] += f.x * r.z;
+        m[3] += f.y * r.y, m[4] += f.y * r.z, m[5] += f.z * r.z;
+        u.x += jump.x * f.x, u.y += jump.x * f.y, u.z += jump.x * f.z;
+        v.x += jump.y * f.x, v.y += jump.y * f.y, v.z += jump.y * f.z;
+        w.x += jump.z * f.x, w.y += jump.z * f.y, w.z += jump.z * f.z;
+    }
+    void solve(bool two_dimensional) {
+        if (two_dimensional) m[3] += 1.0f;
+        u = solve_symmetric(m, u), v = solve_symmetric(m, v), w = solve_symmetric(m, w);
+    }
+};
+
 /// Sum of the accelerations w of a group's particles by walls, and of their moments about its centre.
 inline WallLoad load_of(const Lanes& a, const V3<F>& w, int size) {
     const V3<F> m{a.y * w.z - a.z * w.y, a.z * w.x - a.x * w.z, a.x * w.y - a.y * w.x};

@@ -76,23 +76,14 @@ void strain_rate(const StrainData& s, const Group* groups, int count) {
             const MotionRecord& r = d.motion[g.first + (l < g.size ? l : g.size - 1)];
             u.x[l] = r.u, u.y[l] = r.v, u.z[l] = r.w;
         }
-        F m[6] = {};
-        V3<F> gu{F{}, F{}, F{}}, gv = gu, gw = gu;
-        const auto add = [](V3<F>& b, const F& jump, const V3<F>& f) {
-            b.x += jump * f.x, b.y += jump * f.y, b.z += jump * f.z;
-        };
+        VectorGradient gradient;
         for_each_neighbour(d.place, g.list, g.list_size, g, d.quantum, [&](std::int32_t j, const float* xyz) {
             const V3<F> r{xyz[0] - a.x, xyz[1] - a.y, xyz[2] - a.z};
-            const KernelShape k = shape(r, d.kernel.inv_h);
-            const F FV = (d.kernel.five_sigma * xyz[3]) * (k.t * k.t) * k.t;
-            const V3<F> f{FV * r.x, FV * r.y, FV * r.z};
-            m[0] += f.x * r.x, m[1] += f.x * r.y, m[2] += f.x * r.z;
-            m[3] += f.y * r.y, m[4] += f.y * r.z, m[5] += f.z * r.z;
             const MotionRecord& mj = d.motion[j];
-            add(gu, mj.u - u.x, f), add(gv, mj.v - u.y, f), add(gw, mj.w - u.z, f);
+            gradient.add(r, kernel_gradient(d.kernel, r, xyz[3]), V3<F>{mj.u - u.x, mj.v - u.y, mj.w - u.z});
         });
-        if (d.two_dimensional) m[3] += 1.0f;
-        gu = solve_symmetric(m, gu), gv = solve_symmetric(m, gv), gw = solve_symmetric(m, gw);
+        gradient.solve(d.two_dimensional);
+        const V3<F>&gu = gradient.u, &gv = gradient.v, &gw = gradient.w;
         const F xy = gu.y + gv.x, xz = gu.z + gw.x, yz = gv.z + gw.y;
         const F S2 = 2.0f * (gu.x * gu.x + gv.y * gv.y + gw.z * gw.z) + xy * xy + xz * xz + yz * yz;
         const F S = simd::sqrt(S2);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "meshes/generate.h"
 #include "watched_run.h"
 
 namespace tw {
@@ -59,13 +60,7 @@ TEST_P(DividingPlate, NoParticlePasses) {
     s.gravity = Vec3(0, 0, -9.81);
     s.mirrors.on = {{{true, true}, {false, false}, {true, false}}};
     const double thickness = GetParam() * s.dp;
-    Surface plate;
-    for (const double z : {-1.2, 0.9})
-        for (const double y : {-3.0, 3.0})
-            for (const double x : {0.0, thickness}) plate.points.emplace_back(x, y, z);
-    plate.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                       {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-    s.solids = {plate};
+    s.solids = {box_surface({Vec3(0, -3, -1.2), Vec3(thickness, 3, 0.9)})};
     Solver solver(s, fill_with_fluid(s, {Box{Vec3(-1, 0, -1), Vec3(0, 0, 0.5)}}));
     const std::size_t n = solver.particles().size();
     run_on(solver, 1, 0.1, 0.05);

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "base/errors.h"
+#include "meshes/generate.h"
 #include "sph_solver/bench.h"
 #include "sph_solver/output/certificate.h"
 #include "sph_solver/output/checkpoint.h"
@@ -35,13 +36,7 @@ SolverSetup stream(int threads = 1) {
     s.domain = {Vec3(-1, 0, -1), Vec3(1.5, 0.8, 2)};
     s.mirrors.on = {{{false, false}, {true, true}, {true, false}}};
     s.stream = Stream{4, 0.02, 0.5};
-    Surface box;
-    for (double z : {-0.2, 0.4})
-        for (double y : {-0.3, 0.3})
-            for (double x : {-0.3, 0.3}) box.points.emplace_back(x, y, z);
-    box.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                     {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-    s.solids = {box};
+    s.solids = {box_surface({Vec3(-0.3, -0.3, -0.2), Vec3(0.3, 0.3, 0.4)})};
     s.threads = threads;
     return s;
 }

@@ -2,6 +2,7 @@
 // the state, so that both programs are seen to do the same.
 #include <cstdio>
 
+#include "meshes/generate.h"
 #include "sph_solver/solver.h"
 
 using namespace tw;
@@ -13,13 +14,7 @@ int main() {
     s.domain = {Vec3(0, 0, 0), Vec3(1, 0.3, 1)};
     s.mirrors.on = {{{true, true}, {true, true}, {true, false}}};
     s.threads = 1;
-    Surface box;
-    for (double z : {-0.1, 0.2})
-        for (double y : {0.1, 0.2})
-            for (double x : {0.6, 0.8}) box.points.emplace_back(x, y, z);
-    box.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                     {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-    s.solids = {box};
+    s.solids = {box_surface({Vec3(0.6, 0.1, -0.1), Vec3(0.8, 0.2, 0.2)})};
     Solver solver(s, fill_with_fluid(s, {Box{Vec3(0, 0, 0), Vec3(0.5, 0.3, 0.6)}}));
     for (int k = 0; k < 30; ++k) solver.step();
     double sum = 0;

@@ -34,6 +34,7 @@
 #include <numbers>
 #include <vector>
 
+#include "elliptic_drop.h"
 #include "prism.h"
 #include "sph_solver/boundaries/wall_dummies.h"
 #include "sph_solver/solver.h"
@@ -295,27 +296,6 @@ Account account_of(Solver& solver, double until, const char* name) {
     return a;
 }
 
-/// A drop in two dimensions, no gravity: u = -A x + spin z, w = A z - spin x.
-Solver drop_of(double dp, double A, double spin, double shifting) {
-    SolverSetup s;
-    s.dimensions = 2;
-    s.dp = dp;
-    s.state_equation.c0 = 1400;
-    s.gravity = Vec3::Zero();
-    s.shifting = shifting;
-    s.domain = {Vec3(-4, -1, -4), Vec3(4, 1, 4)};
-    Fluid drop;
-    for (const Vec3& place : fill_with_fluid(s, {Box{Vec3(-1, 0, -1), Vec3(1, 0, 1)}}).places)
-        if (std::hypot(place.x(), place.z()) < 1) drop.places.push_back(place), drop.depth.push_back(0);
-    Solver solver(s, drop);
-    Particles& p = solver.particles();
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        p.u[i] = static_cast<float>(-A * p.x[i] + spin * p.z[i]);
-        p.w[i] = static_cast<float>(A * p.z[i] - spin * p.x[i]);
-    }
-    return solver;
-}
-
 /// A column of water that collapses in a tank between mirror planes.
 Solver column_of(double dp, double shifting, double cfl) {
     SolverSetup s;
@@ -331,7 +311,7 @@ Solver column_of(double dp, double shifting, double cfl) {
 
 TEST(Conservation, AFreeDropKeepsMassAndMomenta) {
     for (const double shifting : {0.0, 1.0}) {
-        Solver solver = drop_of(1.0 / 16, 100, 50, shifting);
+        Solver solver = elliptic_drop(1.0 / 16, 100, 50, shifting);
         const std::size_t n = solver.particles().size();
         const double mass = solver.mass();
         const Sums start = sums_of(solver, solver.particles());
@@ -371,7 +351,7 @@ void expect_closed(const Account& a) {
 
 TEST(EnergyBudget, OfAnEllipticDropCloses) {
     for (const double shifting : {1.0, 0.0}) {
-        Solver solver = drop_of(1.0 / 20, 100, 0, shifting);
+        Solver solver = elliptic_drop(1.0 / 20, 100, 0, shifting);
         const Account a = account_of(solver, 0.0076, shifting > 0 ? "elliptic drop" : "elliptic drop, no shifting");
         expect_closed(a);
         EXPECT_LT(a.budget.dissipated(), 0.025 * a.start.energy());                         // found 1.5 %

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "meshes/generate.h"
 #include "sph_solver/solver.h"
 
 namespace tw {
@@ -30,14 +31,9 @@ Fluid weightless(const SolverSetup& s, const Box& block) {
 }
 Box square(double side) { return {Vec3(0, -1, 0), Vec3(side, 1, side)}; }
 
+/// Across the whole width of a two-dimensional flow.
 Surface slab(double x_min, double x_max, double z_min, double z_max) {
-    Surface box;
-    for (double z : {z_min, z_max})
-        for (double y : {-1.0, 1.0})
-            for (double x : {x_min, x_max}) box.points.emplace_back(x, y, z);
-    box.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                     {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-    return box;
+    return box_surface({Vec3(x_min, -1, z_min), Vec3(x_max, 1, z_max)});
 }
 
 /// Order of convergence between two errors.

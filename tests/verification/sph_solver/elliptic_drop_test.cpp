@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "sph_solver/solver.h"
+#include "elliptic_drop.h"
 
 namespace tw {
 namespace {
@@ -31,19 +31,8 @@ Axes exact_axes() {
 }
 
 Axes drop_of(double dp) {
-    SolverSetup s;
-    s.dimensions = 2;
-    s.dp = dp;
-    s.state_equation.c0 = 1400;
-    s.gravity = Vec3::Zero();
-    s.domain = {Vec3(-4, -1, -4), Vec3(4, 1, 4)};
-    Fluid drop;
-    for (const Vec3& place : fill_with_fluid(s, {Box{Vec3(-1, 0, -1), Vec3(1, 0, 1)}}).places)
-        if (std::hypot(place.x(), place.z()) < 1) drop.places.push_back(place), drop.depth.push_back(0);
-    Solver solver(s, drop);
-    Particles& p = solver.particles();
-    for (std::size_t i = 0; i < p.size(); ++i)
-        p.u[i] = static_cast<float>(-A * p.x[i]), p.w[i] = static_cast<float>(A * p.z[i]);
+    Solver solver = elliptic_drop(dp, A);
+    const Particles& p = solver.particles();
     while (solver.time() < end) solver.step();
     double xx = 0, zz = 0;
     for (std::size_t i = 0; i < p.size(); ++i) xx += p.x[i] * p.x[i], zz += p.z[i] * p.z[i];
