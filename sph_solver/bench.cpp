@@ -33,7 +33,7 @@ double kernel_peak(const PassData& like, int threads) {
             std::vector<NeighbourBlock> list;
             for (int k = 0; k < n; ++k)
                 place[static_cast<std::size_t>(k)] = {(k % 8) << 18, (k / 8 % 8) << 18, (k / 64) << 18, 1e-6f};
-            for (int k = 0; k < n; k += 16) list.push_back({k, 0xffffu});  // as full as lists are on average
+            for (int k = 0; k < n; k += 16) list.push_back({k, 0xffffu, 0});  // as full as lists are on average
             PassData d = like;
             d.place = place.data(), d.motion = motion.data(), d.stress = stress.data(), d.shift = shift.data(),
             d.rate = rate.data();

@@ -99,8 +99,9 @@ void Solver::rebuild() {
     const std::size_t n = p.size();
 
     // mirror images, sorted the same way
-    const double reach = kernel_.support() + skin_over_dp * s.dp,
-                 wall_reach = kernel_.support() + wall_skin_over_dp * s.dp;
+    const double reach = kernel_.support() + skin_over_dp * s.dp, sure = kernel_.support() - skin_over_dp * s.dp;
+    const double wall_reach = kernel_.support() + wall_skin_over_dp * s.dp,
+                 wall_sure = kernel_.support() - wall_skin_over_dp * s.dp;
     images_ = make_mirror_images(s.mirrors, s.domain, p, std::max(reach, wall_reach));
     const MirrorPlanes planes(s.domain, quanta_);
     std::vector<PlaceRecord> image_places(images_.size());
@@ -128,12 +129,13 @@ void Solver::rebuild() {
     make_groups(place_, start_, 0, groups_);
     const std::vector<Source> sources = {{place_.data(), &start_, 0},
                                          {place_.data() + n, &image_start_, static_cast<std::int32_t>(n)}};
-    lists_.build(grid_, quanta_, place_.data(), groups_, sources, reach, false);
+    lists_.build(grid_, quanta_, place_.data(), groups_, sources, reach, sure, false);
     if (!wall_place_.empty()) {
         wall_lists_.build(grid_, quanta_, place_.data(), groups_, {{wall_place_.data(), &wall_start_, 0}}, wall_reach,
-                          true);
+                          wall_sure, true);
         live_wall_groups_ = wall_groups_;
-        wall_source_lists_.build(grid_, quanta_, wall_place_.data(), live_wall_groups_, sources, wall_reach, false);
+        wall_source_lists_.build(grid_, quanta_, wall_place_.data(), live_wall_groups_, sources, wall_reach, wall_sure,
+                                 false);
         std::fill(wall_p_.begin(), wall_p_.end(), 0.0f);
         std::erase_if(live_wall_groups_, [](const Group& g) { return g.list_size == 0; });
         std::int32_t near_wall = 0;

@@ -62,6 +62,24 @@ ExtrapolateData Solver::extrapolation() const {
     return e;
 }
 
+void Solver::prune(double drift) {
+    const Stopwatch watch(timers_.lists);
+    PruneData d;
+    d.of = place_.data();
+    d.place = place_;
+    d.reach = static_cast<float>((kernel_.support() + 2 * drift * relative_speed_) / quanta_.size);
+    run_pass(passes_->prune, d, groups_);
+    if (live_wall_groups_.empty()) return;
+    // walls stand still
+    d.reach = static_cast<float>((kernel_.support() + drift * extremes_.speed) / quanta_.size);
+    d.of = wall_place_.data();
+    run_pass(passes_->prune, d, live_wall_groups_);
+    d.of = place_.data();
+    d.place = wall_place_;
+    d.list = &Group::wall_list, d.size = &Group::wall_size;
+    run_pass(passes_->prune, d, groups_);
+}
+
 void Solver::evaluate(double t, double compress, double drift) {
     if (rebuild_due_) rebuild();
     const SolverSetup& s = setup_;
@@ -69,6 +87,7 @@ void Solver::evaluate(double t, double compress, double drift) {
         const Stopwatch watch(timers_.update);
         update_records();
     }
+    prune(drift);
     PassData d;
     d.place = place_.data();
     d.motion = motion_.data();
@@ -86,9 +105,8 @@ void Solver::evaluate(double t, double compress, double drift) {
     d.rho0 = static_cast<float>(s.rho0);
     d.inv_mass = static_cast<float>(1 / mass_);
     d.inv_W_dp = static_cast<float>(1 / kernel_.W(s.dp));
-    d.diffusion = static_cast<float>(s.delta * h_ * s.state_equation.c0);
-    d.viscosity = static_cast<float>(s.alpha * h_ * s.state_equation.c0 * s.rho0);
-    d.eta2 = static_cast<float>(0.01 * h_ * h_);
+    d.diffusion = static_cast<float>(s.delta * s.state_equation.c0);
+    d.viscosity = static_cast<float>(s.alpha * s.state_equation.c0 * s.rho0 / 2);
     const double stream_acceleration = s.stream ? s.stream->acceleration(t) : 0;
     d.gx = static_cast<float>(s.gravity.x() + stream_acceleration);
     d.gy = static_cast<float>(s.gravity.y());
@@ -184,7 +202,7 @@ void Solver::sample(PointSamples& points) {
     lists.build(
         grid_, quanta_, sorted.data(), groups,
         {{place_.data(), &start_, 0}, {place_.data() + particles, &image_start_, static_cast<std::int32_t>(particles)}},
-        reach, false);
+        reach, reach, false);
     std::vector<float> p(n), support(n), flux(points.want_flux ? 3 * n : 0);
     ExtrapolateData e = extrapolation();
     e.at = sorted.data();
@@ -227,6 +245,11 @@ void Solver::restore(const Restart& r, Particles particles) {
     ledger_ = r.ledger, extremes_ = r.extremes, next_id_ = r.next_id;
     if (control_) control_->set_state(r.control);
     particles_ = std::move(particles);
+    const double stream = setup_.stream ? setup_.stream->velocity(time_) : 0;
+    relative_speed_ = 0;
+    for (std::size_t i = 0; i < particles_.size(); ++i)
+        relative_speed_ = std::max(
+            relative_speed_, Vec3(particles_.u[i] - stream, double(particles_.v[i]), double(particles_.w[i])).norm());
     rebuild_due_ = true;
 }
 

@@ -164,6 +164,8 @@ private:
     void evaluate(double t, double compress, double drift = 0);
     ExtrapolateData extrapolation() const;  ///< from the present records; the caller says where to
     void rebuild();
+    /// Leaves in the lists who is within reach now, or may be after `drift` [s] with the present velocities.
+    void prune(double drift);
     std::vector<char> cross_open_boundaries();
     void build_wall();
     void update_records();

@@ -70,80 +70,55 @@ void make_groups(const std::vector<PlaceRecord>& places, const std::vector<std::
 
 namespace {
 
-/// Half extents of a group about its centre [quanta].
-struct Extent {
-    float x = 0, y = 0, z = 0;
+/// A box round a group and all within its reach [quanta].
+struct Neighbourhood {
+    std::int64_t lo[3] = {INT64_MAX, INT64_MAX, INT64_MAX}, hi[3] = {INT64_MIN, INT64_MIN, INT64_MIN};
 };
-Extent extent(const GroupPlaces& g) {
-    Extent e;
-    for (int l = 0; l < simd::lanes; ++l) {
-        e.x = std::max(e.x, std::fabs(g.x[l]));
-        e.y = std::max(e.y, std::fabs(g.y[l]));
-        e.z = std::max(e.z, std::fabs(g.z[l]));
-    }
-    return e;
-}
-
-GroupPlaces places_of(const PlaceRecord* places, const Group& g) {
-    GroupPlaces r;
-    for (int l = 0; l < simd::lanes; ++l) {
-        const PlaceRecord& p = places[g.first + std::min(l, g.size - 1)];
-        r.x[l] = static_cast<float>(p.x - g.x);
-        r.y[l] = static_cast<float>(p.y - g.y);
-        r.z[l] = static_cast<float>(p.z - g.z);
+Neighbourhood neighbourhood(const PlaceRecord* places, const Group& g, std::int64_t reach) {
+    Neighbourhood r;
+    for (std::int32_t k = 0; k < g.size; ++k) {
+        const PlaceRecord& p = places[g.first + k];
+        const std::int64_t xyz[3] = {p.x, p.y, p.z};
+        for (int a = 0; a < 3; ++a) {
+            r.lo[a] = std::min(r.lo[a], xyz[a] - reach);
+            r.hi[a] = std::max(r.hi[a], xyz[a] + reach);
+        }
     }
     return r;
 }
 
-/// Adds to `out` the places of a source within reach of the group's particles: first by its bounding box, then, a block
-/// at a time, by the particles themselves, which leaves out another fifth.
-void collect(const ColumnGrid& grid, const Group& g, const GroupPlaces& lanes, const Source& source, std::int64_t reach,
+/// Adds to `out` the places of a source within reach of the group's particles.
+void collect(const ColumnGrid& grid, const Neighbourhood& box, const GroupReach& group, const Source& source,
              const Passes& pass, std::vector<NeighbourBlock>& out, std::int64_t& found) {
-    const Extent e = extent(lanes);
-    const auto ex = static_cast<std::int64_t>(e.x) + reach, ey = static_cast<std::int64_t>(e.y) + reach,
-               ez = static_cast<std::int64_t>(e.z) + reach;
-    const float reach2 = static_cast<float>(reach) * static_cast<float>(reach);
-    const PlaceRecord* first = nullptr;  // of the present block
-    std::uint32_t mask = 0;
-    const auto flush = [&] {
-        if (mask != 0) mask = pass.reached(lanes, g, first, mask, reach2);
-        if (mask == 0) return;
-        found += __builtin_popcount(mask);
-        out.push_back({source.offset + static_cast<std::int32_t>(first - source.places), mask});
-        mask = 0;
-    };
-    const int x1 = grid.column_x(g.x + ex), y1 = grid.column_y(g.y + ey);
-    for (int cy = grid.column_y(g.y - ey); cy <= y1; ++cy)
-        for (int cx = grid.column_x(g.x - ex); cx <= x1; ++cx) {
+    const int x1 = grid.column_x(box.hi[0]), y1 = grid.column_y(box.hi[1]);
+    for (int cy = grid.column_y(box.lo[1]); cy <= y1; ++cy)
+        for (int cx = grid.column_x(box.lo[0]); cx <= x1; ++cx) {
             const auto c = static_cast<std::size_t>(cy * grid.nx + cx);
             const PlaceRecord* end = source.places + (*source.start)[c + 1];
-            const PlaceRecord* p = std::lower_bound(source.places + (*source.start)[c], end, g.z - ez,
+            const PlaceRecord* p = std::lower_bound(source.places + (*source.start)[c], end, box.lo[2],
                                                     [](const PlaceRecord& a, std::int64_t z) { return a.z < z; });
-            for (; p < end && p->z <= g.z + ez; ++p) {
-                const float dx = std::max(0.0f, std::fabs(static_cast<float>(p->x - g.x)) - e.x);
-                const float dy = std::max(0.0f, std::fabs(static_cast<float>(p->y - g.y)) - e.y);
-                const float dz = std::max(0.0f, std::fabs(static_cast<float>(p->z - g.z)) - e.z);
-                if (dx * dx + dy * dy + dz * dz > reach2) continue;
-                if (mask == 0 || p - first >= 32) {
-                    flush();
-                    first = p;
-                }
-                mask |= 1u << (p - first);
+            for (; p < end && p->z <= box.hi[2]; p += 32) {
+                const std::uint32_t there = end - p < 32 ? (1u << (end - p)) - 1 : ~0u;
+                const Reached near = pass.reached(group, p, end, there);
+                if (near.within == 0) continue;
+                found += __builtin_popcount(near.within);
+                out.push_back({source.offset + static_cast<std::int32_t>(p - source.places), near.within,
+                               near.within & ~near.surely});
             }
-            flush();
         }
 }
 
 }  // namespace
 
 void NeighbourLists::build(const ColumnGrid& grid, const Quanta& quanta, const PlaceRecord* targets,
-                           std::vector<Group>& groups, const std::vector<Source>& sources, double reach, bool wall) {
+                           std::vector<Group>& groups, const std::vector<Source>& sources, double reach, double sure,
+                           bool wall) {
     constexpr std::size_t per_chunk = 32;
     const std::size_t chunks = (groups.size() + per_chunk - 1) / per_chunk;
     chunks_.resize(chunks);
     candidates_ = 0;
     const Passes& pass = passes();
-    const auto reach_q = static_cast<std::int64_t>(std::ceil(reach / quanta.size));
+    const double reach_q = reach / quanta.size, sure_q = sure / quanta.size;
 #pragma omp parallel
     {
         std::vector<NeighbourBlock> scratch;
@@ -155,14 +130,17 @@ void NeighbourLists::build(const ColumnGrid& grid, const Quanta& quanta, const P
             const std::size_t first = k * per_chunk, last = std::min(groups.size(), first + per_chunk);
             for (std::size_t n = first; n < last; ++n) {
                 const std::size_t before = scratch.size();
-                const GroupPlaces lanes = places_of(targets, groups[n]);
+                const Neighbourhood box =
+                    neighbourhood(targets, groups[n], static_cast<std::int64_t>(std::ceil(reach_q)));
+                const GroupReach group =
+                    pass.reach_of(targets, groups[n], static_cast<float>(reach_q), static_cast<float>(sure_q));
                 std::int64_t found = 0;
-                for (const Source& s : sources) collect(grid, groups[n], lanes, s, reach_q, pass, scratch, found);
+                for (const Source& s : sources) collect(grid, box, group, s, pass, scratch, found);
                 pairs += found * groups[n].size;
                 sizes[n - first] = static_cast<std::int32_t>(scratch.size() - before);
             }
             chunks_[k].assign(scratch.begin(), scratch.end());
-            const NeighbourBlock* at = chunks_[k].data();
+            NeighbourBlock* at = chunks_[k].data();
             for (std::size_t n = first; n < last; ++n) {
                 (wall ? groups[n].wall_list : groups[n].list) = at;
                 (wall ? groups[n].wall_size : groups[n].list_size) = sizes[n - first];

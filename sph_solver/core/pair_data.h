@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <span>
 
 #include "sph_solver/core/kernel.h"
 
@@ -26,23 +27,32 @@ struct alignas(16) StressRecord {
 /// costs two bytes instead of an index's four and a list is a quarter as long.
 struct NeighbourBlock {
     std::int32_t first;
-    std::uint32_t mask;
+    std::uint32_t live;   ///< what the sweeps visit: who is within reach now or might be
+    std::uint32_t maybe;  ///< who may come and go before the lists are made anew; asked by the `prune` pass
 };
 
 /// A group of up to simd::lanes particles that are neighbours in space and in memory.
 struct Group {
     std::int32_t first = 0, size = 0;           ///< particles [first, first + size)
-    const NeighbourBlock* list = nullptr;       ///< its neighbours among particles and mirror images
-    const NeighbourBlock* wall_list = nullptr;  ///< its neighbours among the wall's dummy particles
+    NeighbourBlock* list = nullptr;             ///< its neighbours among particles and mirror images
+    NeighbourBlock* wall_list = nullptr;        ///< its neighbours among the wall's dummy particles
     std::int32_t list_size = 0, wall_size = 0;  ///< blocks
     std::int32_t wall_load = -1;                ///< index of its WallLoad; -1: no wall near
     std::int32_t x = 0, y = 0, z = 0;           ///< centre, in quanta: pair coordinates are relative to it
 };
 
-/// The places of a group's particles relative to its centre [quanta], one per lane; lanes beyond its size repeat the
-/// last particle. Exact: a group and its support are far below 2^24 quanta across.
-struct alignas(64) GroupPlaces {
-    float x[8], y[8], z[8];
+/// What tells whether a place x is within reach of a group's particles x_l, all relative to its centre [quanta]:
+/// |x - x_l|^2 = |x|^2 + (n_l + a_l x + b_l y + c_l z), n = |x_l|^2, (a, b, c) = -2 x_l. Lanes beyond its size repeat
+/// the last particle. A group and its support are far below 2^22 quanta across: good to a millionth of the reach.
+struct alignas(64) GroupReach {
+    float n[8], a[8], b[8], c[8];
+    std::int32_t x, y, z;  ///< the group's centre
+    float reach2;          ///< [quanta^2]
+    float sure2;           ///< of a shorter reach, of those who cannot leave soon [quanta^2]
+};
+
+struct Reached {
+    std::uint32_t within, surely;
 };
 
 /// Per-particle result of the gradient pass.
@@ -92,10 +102,9 @@ struct PassData {
     float rho0 = 1000;
     float inv_mass = 1;            ///< of a particle [1/kg]
     float inv_W_dp = 0;            ///< 1 / W(dp)
-    float diffusion = 0;           ///< delta h c0 [m2/s]
-    float viscosity = 0;           ///< alpha h c0 rho0 [kg/m/s]
+    float diffusion = 0;           ///< delta c0 [m/s], see DensityDiffusion
+    float viscosity = 0;           ///< alpha c0 rho0 / 2 [kg/m2/s], see ArtificialViscosity
     float inv_void = 10;           ///< 1 / (1 - touch_support), see SolverSetup
-    float eta2 = 0;                ///< 0.01 h^2 [m2]
     float gx = 0, gy = 0, gz = 0;  ///< body force [m/s2]
     bool two_dimensional = false;
     float tension_control_from = 2;  ///< kernel support from which tension is controlled; above 1.5: nowhere
@@ -116,6 +125,15 @@ struct ExtrapolateData {
     float gx = 0, gy = 0, gz = 0;
 };
 
+/// Which neighbours of the groups' lists are within reach.
+struct PruneData {
+    const PlaceRecord* of = nullptr;     ///< the groups' places
+    std::span<const PlaceRecord> place;  ///< those that the lists refer to
+    NeighbourBlock* Group::*list = &Group::list;
+    std::int32_t Group::*size = &Group::list_size;
+    float reach = 0;  ///< [quanta]
+};
+
 struct VelocityData;
 struct ViscousData;
 struct StrainData;
@@ -124,15 +142,15 @@ struct ColourData;
 /// The pair passes of one instruction set.
 struct Passes {
     const char* isa;
+    void (*prune)(const PruneData&, const Group*, int count);
     void (*continuity_and_gradient)(const PassData&, const Group*,
                                     int count);  ///< fills shift, stress.g and rate.drho = -rho div u
     void (*forces)(const PassData&, const Group*,
                    int count);  ///< fills rate; rate.drho = density diffusion; shift along surfaces
     void (*extrapolate)(const ExtrapolateData&, const Group*, int count);
-    /// Of the places first[k] for every set bit k of the mask, those within sqrt(reach2) [quanta] of a particle of
-    /// the group.
-    std::uint32_t (*reached)(const GroupPlaces&, const Group&, const PlaceRecord* first, std::uint32_t mask,
-                             float reach2);
+    GroupReach (*reach_of)(const PlaceRecord* places, const Group&, float reach, float sure);
+    /// For every bit k of `wanted`: first[k] is within reach of a particle of the group. Reads no place from `end` on.
+    Reached (*reached)(const GroupReach&, const PlaceRecord* first, const PlaceRecord* end, std::uint32_t wanted);
     // of the effects, see effects/passes.h
     void (*water_velocity)(const VelocityData&, const Group*, int count);
     void (*viscous_forces)(const ViscousData&, const Group*, int count);

@@ -13,67 +13,86 @@ namespace {
 using simd::F;
 using simd::lanes;
 
-/// Coordinates of a chunk of neighbours relative to the group's centre [m], so that the pair loop loads broadcast
-/// floats.
+/// Lengths in 2h, and volumes as G V, see Kernel.
+struct Frame {
+    float length;  ///< per quantum
+    float volume;  ///< per m3
+};
+inline Frame frame_of(const Kernel& kernel, float quantum) { return {quantum * kernel.inv_support, kernel.gradient}; }
+
+/// A chunk of neighbours as the pair loop loads them, broadcast.
 struct alignas(64) Chunk {
     static constexpr int capacity = 256;
-    float xyz[capacity][4];  // the fourth is the volume
+    float xyz[capacity][4];  // relative to the group's centre [2h]; the fourth is G V
     std::int32_t index[capacity + 16];
 };
 
 typedef std::int32_t I4 __attribute__((vector_size(16), may_alias));
 typedef float F4 __attribute__((vector_size(16), may_alias));
 
-inline void load_chunk(Chunk& chunk, const PlaceRecord* place, int n, const Group& g, float quantum) {
+inline void load_chunk(Chunk& chunk, const PlaceRecord* place, int n, const Group& g, const Frame& frame) {
     const I4 centre{g.x, g.y, g.z, 0};
     for (int k = 0; k < n; ++k) {
         const PlaceRecord& r = place[chunk.index[k]];
         const I4 raw = *reinterpret_cast<const I4*>(&r);
-        F4 relative = __builtin_convertvector(raw - centre, F4) * quantum;
-        relative[3] = r.volume;
+        F4 relative = __builtin_convertvector(raw - centre, F4) * frame.length;
+        relative[3] = r.volume * frame.volume;
         *reinterpret_cast<F4*>(chunk.xyz[k]) = relative;
     }
 }
 
-/// The group's own particles, one per lane; lanes beyond its size repeat the last particle.
+/// The group's own particles, one per lane [2h]; lanes beyond its size repeat the last particle.
 struct Lanes {
     F x{}, y{}, z{};
 };
-inline Lanes load_places(const PlaceRecord* place, const Group& g, float quantum) {
+inline Lanes load_places(const PlaceRecord* place, const Group& g, const Frame& frame) {
     Lanes r;
     for (int l = 0; l < lanes; ++l) {
         const PlaceRecord& a = place[g.first + (l < g.size ? l : g.size - 1)];
-        r.x[l] = static_cast<float>(a.x - g.x) * quantum;
-        r.y[l] = static_cast<float>(a.y - g.y) * quantum;
-        r.z[l] = static_cast<float>(a.z - g.z) * quantum;
+        r.x[l] = static_cast<float>(a.x - g.x) * frame.length;
+        r.y[l] = static_cast<float>(a.y - g.y) * frame.length;
+        r.z[l] = static_cast<float>(a.z - g.z) * frame.length;
     }
     return r;
 }
 
-/// (1 - q/2) cut off at the support, and q.
-struct KernelShape {
-    F t, q, r2;
+/// A pair with what of its kernel the terms share: s = |r_ji| / 2h, t = 1 - s cut off at the support.
+struct Met : Pair<F> {
+    F s, t, t3;
+    V3<F> gradient() const { return {FV * r_ji.x, FV * r_ji.y, FV * r_ji.z}; }  ///< grad_i W_ij V_j [1/m]
+    F shape() const { return t * (4.0f * s + 1.0f); }                           ///< W_ij V_j = h/10 FV shape
 };
-inline KernelShape shape(const V3<F>& r_ji, float inv_h) {
-    KernelShape s;
-    s.r2 = dot(r_ji, r_ji);
-    s.q = simd::sqrt(s.r2) * inv_h;
-    s.t = simd::positive_part(1.0f - 0.5f * s.q);
-    return s;
+inline Met meet(const Lanes& a, const float* xyz) {
+    Met k;
+    k.r_ji = {xyz[0] - a.x, xyz[1] - a.y, xyz[2] - a.z};
+    k.r2 = dot(k.r_ji, k.r_ji);
+    k.s = simd::sqrt(k.r2);
+    k.t = simd::positive_part(1.0f - k.s);
+    k.t3 = (k.t * k.t) * k.t;
+    k.FV = k.t3 * xyz[3];
+    return k;
 }
 
-/// Calls `body(j, xyz)` for every neighbour j of a list of `blocks` blocks.
+/// Calls `body(chunk, n)` for the live neighbours of a list of `blocks` blocks, n of them at a time.
 template <class Body>
-inline void for_each_neighbour(const PlaceRecord* place, const NeighbourBlock* list, int blocks, const Group& g,
-                               float quantum, Body body) {
+inline void for_each_chunk(const PlaceRecord* place, const NeighbourBlock* list, int blocks, const Group& g,
+                           const Frame& frame, Body body) {
     Chunk chunk;
     for (int k = 0; k < blocks;) {
         int n = 0;
         for (; k < blocks && n <= Chunk::capacity - 32; ++k)
-            n = simd::append_set_bits(list[k].first, list[k].mask, chunk.index, n);
-        load_chunk(chunk, place, n, g, quantum);
-        for (int m = 0; m < n; ++m) body(chunk.index[m], chunk.xyz[m]);
+            n = simd::append_set_bits(list[k].first, list[k].live, chunk.index, n);
+        load_chunk(chunk, place, n, g, frame);
+        body(chunk, n);
     }
+}
+/// Calls `body(j, xyz)` for every one of them.
+template <class Body>
+inline void for_each_neighbour(const PlaceRecord* place, const NeighbourBlock* list, int blocks, const Group& g,
+                               const Frame& frame, Body body) {
+    for_each_chunk(place, list, blocks, g, frame, [&](const Chunk& chunk, int n) {
+        for (int m = 0; m < n; ++m) body(chunk.index[m], chunk.xyz[m]);
+    });
 }
 
 /// Inverse of a symmetric 3x3 matrix applied to a vector; where it is nearly singular (spray) the result is zero.
@@ -88,36 +107,33 @@ inline V3<F> solve_symmetric(const F (&m)[6], const V3<F>& b) {
             (cxz * b.x + cyz * b.y + czz * b.z) * inv};
 }
 
-/// grad_i W_ij V_j = F V_j r_ji for the neighbour at xyz.
-inline V3<F> kernel_gradient(const Kernel& kernel, const V3<F>& r_ji, float volume) {
-    const KernelShape k = shape(r_ji, kernel.inv_h);
-    const F FV = (kernel.five_sigma * volume) * (k.t * k.t) * k.t;
-    return {FV * r_ji.x, FV * r_ji.y, FV * r_ji.z};
-}
-
 /// Renormalised gradient of a vector field, exact for linear ones (Randles & Libersky 1996):
 ///   <grad u>_i = L_i sum_j (u_j - u_i) (x) grad W_ij V_j,   L_i^-1 = sum_j r_ji (x) grad W_ij V_j
 struct VectorGradient {
     F m[6] = {};
     V3<F> u{F{}, F{}, F{}}, v{F{}, F{}, F{}}, w{F{}, F{}, F{}};  ///< sums; the gradients of the components once solved
 
-    /// `jump` is u_j - u_i, `f` is grad W_ij V_j.
-    void add(const V3<F>& r, const V3<F>& f, const V3<F>& jump) {
+    /// `jump` is u_j - u_i.
+    void add(const Met& ij, const V3<F>& jump) {
+        const V3<F>& r = ij.r_ji;
+        const V3<F> f = ij.gradient();
         m[0] += f.x * r.x, m[1] += f.x * r.y, m[2] += f.x * r.z;
         m[3] += f.y * r.y, m[4] += f.y * r.z, m[5] += f.z * r.z;
         u.x += jump.x * f.x, u.y += jump.x * f.y, u.z += jump.x * f.z;
         v.x += jump.y * f.x, v.y += jump.y * f.y, v.z += jump.y * f.z;
         w.x += jump.z * f.x, w.y += jump.z * f.y, w.z += jump.z * f.z;
     }
-    void solve(bool two_dimensional) {
+    void solve(float support_length, bool two_dimensional) {
+        for (F& entry : m) entry *= support_length;
         if (two_dimensional) m[3] += 1.0f;
         u = solve_symmetric(m, u), v = solve_symmetric(m, v), w = solve_symmetric(m, w);
     }
 };
 
 /// Sum of the accelerations w of a group's particles by walls, and of their moments about its centre.
-inline WallLoad load_of(const Lanes& a, const V3<F>& w, int size) {
-    const V3<F> m{a.y * w.z - a.z * w.y, a.z * w.x - a.x * w.z, a.x * w.y - a.y * w.x};
+inline WallLoad load_of(const Lanes& a, float support_length, const V3<F>& w, int size) {
+    const F x = a.x * support_length, y = a.y * support_length, z = a.z * support_length;
+    const V3<F> m{y * w.z - z * w.y, z * w.x - x * w.z, x * w.y - y * w.x};
     WallLoad sum;
     for (int l = 0; l < size; ++l) {
         sum.ax += w.x[l], sum.ay += w.y[l], sum.az += w.z[l];

@@ -13,9 +13,12 @@ namespace {
 /// Slip wall: the wall's velocity in the continuity sum is u_i - (u_i . n_i) n_i with the exterior normal n_i at the
 /// fluid particle, so u_i - u_wall = (u_i . n_i) n_i.
 void continuity_and_gradient(const PassData& d, const Group* groups, int count) {
+    const Frame frame = frame_of(d.kernel, d.quantum);
+    const float W_over_W_dp = d.kernel.tenth_h * d.kernel.gradient * d.inv_W_dp;  // of t3 shape
+    const float ratio2 = W_over_W_dp * W_over_W_dp, clumping = 0.2f * ratio2 * ratio2;
     for (int n = 0; n < count; ++n) {
         const Group& g = groups[n];
-        const Lanes a = load_places(d.place, g, d.quantum);
+        const Lanes a = load_places(d.place, g, frame);
         V3<F> u{}, n_i{};
         F drho_i{};
         for (int l = 0; l < lanes; ++l) {
@@ -30,36 +33,32 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
         F support{};
 
         // what water and wall neighbours have in common: support and shifting sum
-        const auto meet = [&](const float* xyz) {
-            const V3<F> r{xyz[0] - a.x, xyz[1] - a.y, xyz[2] - a.z};
-            const KernelShape k = shape(r, d.kernel.inv_h);
-            const F t2 = k.t * k.t;
-            const F FV = (d.kernel.five_sigma * xyz[3]) * t2 * k.t;
-            const F W = d.kernel.sigma * (t2 * t2) * (k.q + k.q + 1.0f);
-            support += W * xyz[3];
-            const F ratio = W * d.inv_W_dp, ratio2 = ratio * ratio;
-            const F fs = FV + 0.2f * FV * ratio2 * ratio2;
-            s.x += fs * r.x;
-            s.y += fs * r.y;
-            s.z += fs * r.z;
-            return Pair<F>{r, k.r2, FV};
+        const auto count_in = [&](const Met& ij) {
+            const F shape = ij.shape();
+            support += ij.FV * shape;
+            const F W = ij.t3 * shape, W2 = W * W;
+            const F fs = ij.FV * (clumping * (W2 * W2) + 1.0f);
+            s.x += fs * ij.r_ji.x;
+            s.y += fs * ij.r_ji.y;
+            s.z += fs * ij.r_ji.z;
         };
-        for_each_neighbour(d.place, g.list, g.list_size, g, d.quantum, [&](std::int32_t j, const float* xyz) {
-            const Pair<F> ij = meet(xyz);
+        for_each_neighbour(d.place, g.list, g.list_size, g, frame, [&](std::int32_t j, const float* xyz) {
+            const Met ij = meet(a, xyz);
+            count_in(ij);
             const V3<F>& r = ij.r_ji;
-            const F fx = ij.FV * r.x, fy = ij.FV * r.y, fz = ij.FV * r.z;
-            m[0] += fx * r.x;
-            m[1] += fx * r.y;
-            m[2] += fx * r.z;
-            m[3] += fy * r.y;
-            m[4] += fy * r.z;
-            m[5] += fz * r.z;
+            const V3<F> f = ij.gradient();
+            m[0] += f.x * r.x;
+            m[1] += f.x * r.y;
+            m[2] += f.x * r.z;
+            m[3] += f.y * r.y;
+            m[4] += f.y * r.z;
+            m[5] += f.z * r.z;
             const MotionRecord& mj = d.motion[j];
-            Continuity::add(ij, V3<F>{u.x - mj.u, u.y - mj.v, u.z - mj.w}, divergence);
+            Continuity::add(f, V3<F>{u.x - mj.u, u.y - mj.v, u.z - mj.w}, divergence);
             const F jump = mj.drho - drho_i;
-            b.x += jump * fx;
-            b.y += jump * fy;
-            b.z += jump * fz;
+            b.x += jump * f.x;
+            b.y += jump * f.y;
+            b.z += jump * f.z;
         });
         for (int l = 0; l < lanes && g.wall_size > 0; ++l) {
             const NormalRecord& r = d.normal[g.first + (l < g.size ? l : g.size - 1)];
@@ -69,8 +68,13 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
         }
         const F u_n = dot(u, n_i);
         const V3<F> u_iw{u_n * n_i.x, u_n * n_i.y, u_n * n_i.z};
-        for_each_neighbour(d.wall_place, g.wall_list, g.wall_size, g, d.quantum,
-                           [&](std::int32_t, const float* xyz) { Continuity::add(meet(xyz), u_iw, wall_divergence); });
+        for_each_neighbour(d.wall_place, g.wall_list, g.wall_size, g, frame, [&](std::int32_t, const float* xyz) {
+            const Met ij = meet(a, xyz);
+            count_in(ij);
+            Continuity::add(ij.gradient(), u_iw, wall_divergence);
+        });
+        support *= d.kernel.tenth_h;
+        for (F& entry : m) entry *= d.kernel.support_length;
         if (g.wall_size > 0) {
             // A wall compresses only the water that it touches: while the support is incomplete there is a void between
             // them, and the void closes first. Receding walls pull at once.
@@ -97,10 +101,12 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
 
 /// Second sweep: pressure, artificial viscosity and density diffusion. Walls press, and do not rub (slip).
 void forces(const PassData& d, const Group* groups, int count) {
-    const ArtificialViscosity artificial_viscosity{d.viscosity, d.eta2};
+    const Frame frame = frame_of(d.kernel, d.quantum);
+    const ArtificialViscosity artificial_viscosity{d.viscosity};
+    const DensityDiffusion density_diffusion{0.5f * d.kernel.support_length};
     for (int n = 0; n < count; ++n) {
         const Group& g = groups[n];
-        const Lanes a = load_places(d.place, g, d.quantum);
+        const Lanes a = load_places(d.place, g, frame);
         V3<F> u{}, grad{};
         F drho_i{}, p_i{}, V_i{};
         for (int l = 0; l < lanes; ++l) {
@@ -124,39 +130,42 @@ void forces(const PassData& d, const Group* groups, int count) {
                     p_i[l] = -p_i[l];
         F diffusion{};
         V3<F> towards_surface{F{}, F{}, F{}};
-        V3<F> pressure{F{}, F{}, F{}}, viscous{F{}, F{}, F{}}, wall{F{}, F{}, F{}};
+        V3<F> water{F{}, F{}, F{}}, wall{F{}, F{}, F{}};
 
-        const auto meet = [&](const float* xyz) {
-            const V3<F> r{xyz[0] - a.x, xyz[1] - a.y, xyz[2] - a.z};
-            const KernelShape k = shape(r, d.kernel.inv_h);
-            return Pair<F>{r, k.r2, (d.kernel.five_sigma * xyz[3]) * (k.t * k.t) * k.t};
-        };
-        for_each_neighbour(d.place, g.list, g.list_size, g, d.quantum, [&](std::int32_t j, const float* xyz) {
+        const auto add = [&](std::int32_t j, const float* xyz) {
             const MotionRecord& mj = d.motion[j];
             const StressRecord& sj = d.stress[j];
-            const Pair<F> ij = meet(xyz);
+            const Met ij = meet(a, xyz);
             const V3<F> u_ij{u.x - mj.u, u.y - mj.v, u.z - mj.w};
-            DensityDiffusion::add(ij, mj.drho - drho_i, V3<F>{grad.x + sj.gx, grad.y + sj.gy, grad.z + sj.gz},
+            density_diffusion.add(ij, mj.drho - drho_i, V3<F>{grad.x + sj.gx, grad.y + sj.gy, grad.z + sj.gz},
                                   diffusion);
-            PressureGradient::add(ij, p_i + sj.p, pressure);
-            artificial_viscosity.add(ij, u_ij, viscous);
-            const F s = ij.FV * d.surface[j];
-            towards_surface.x += s * ij.r_ji.x;
-            towards_surface.y += s * ij.r_ji.y;
-            towards_surface.z += s * ij.r_ji.z;
+            PressureGradient::add(ij, p_i + sj.p + artificial_viscosity.pressure(ij, u_ij), water);
+            return ij;
+        };
+        for_each_chunk(d.place, g.list, g.list_size, g, frame, [&](const Chunk& chunk, int n_chunk) {
+            float surface = 0;
+            for (int k = 0; k < n_chunk; ++k) surface += d.surface[chunk.index[k]];
+            if (surface == 0) {
+                for (int k = 0; k < n_chunk; ++k) add(chunk.index[k], chunk.xyz[k]);
+                return;
+            }
+            for (int k = 0; k < n_chunk; ++k) {
+                const std::int32_t j = chunk.index[k];
+                const Met ij = add(j, chunk.xyz[k]);
+                const F f = ij.FV * d.surface[j];
+                towards_surface.x += f * ij.r_ji.x;
+                towards_surface.y += f * ij.r_ji.y;
+                towards_surface.z += f * ij.r_ji.z;
+            }
         });
-
-        for_each_neighbour(d.wall_place, g.wall_list, g.wall_size, g, d.quantum, [&](std::int32_t j, const float* xyz) {
-            const Pair<F> ij = meet(xyz);
-            PressureGradient::add(ij, p_i + d.wall_p[j], wall);
+        for_each_neighbour(d.wall_place, g.wall_list, g.wall_size, g, frame, [&](std::int32_t j, const float* xyz) {
+            PressureGradient::add(meet(a, xyz), p_i + d.wall_p[j], wall);
         });
         // The volume that the neighbours see, not this density's: so the forces of a pair cancel to rounding.
         const F inv_rho = V_i * d.inv_mass;
         const F drho = d.diffusion * diffusion;
         const V3<F> w{wall.x * inv_rho, wall.y * inv_rho, wall.z * inv_rho};
-        const V3<F> acc{(pressure.x + viscous.x) * inv_rho + w.x + d.gx,
-                        (pressure.y + viscous.y) * inv_rho + w.y + d.gy,
-                        (pressure.z + viscous.z) * inv_rho + w.z + d.gz};
+        const V3<F> acc{water.x * inv_rho + w.x + d.gx, water.y * inv_rho + w.y + d.gy, water.z * inv_rho + w.z + d.gz};
         const F normal2 = dot(towards_surface, towards_surface);
         for (int l = 0; l < g.size; ++l) {
             const int i = g.first + l;
@@ -169,26 +178,27 @@ void forces(const PassData& d, const Group* groups, int count) {
                 s.x -= share * x, s.y -= share * y, s.z -= share * z;
             }
         }
-        if (g.wall_load >= 0) d.wall_load[g.wall_load] = load_of(a, w, g.size);
+        if (g.wall_load >= 0) d.wall_load[g.wall_load] = load_of(a, d.kernel.support_length, w, g.size);
     }
 }
 
 /// Fields at points from the fluid round them (Adami, Hu & Adams 2012, doi:10.1016/j.jcp.2012.05.005):
 ///   p_b = sum_f (p_f + rho_f g . (x_b - x_f)) V_f W_bf / sum_f V_f W_bf
 void extrapolate(const ExtrapolateData& d, const Group* groups, int count) {
+    const Frame frame = frame_of(d.kernel, d.quantum);
+    const float to_m = d.kernel.support_length;
+    const V3<float> g_2h{d.gx * to_m, d.gy * to_m, d.gz * to_m};
     for (int n = 0; n < count; ++n) {
         const Group& g = groups[n];
-        const Lanes a = load_places(d.at, g, d.quantum);
+        const Lanes a = load_places(d.at, g, frame);
         F support{}, p{};
         V3<F> flux{F{}, F{}, F{}};
-        for_each_neighbour(d.place, g.list, g.list_size, g, d.quantum, [&](std::int32_t j, const float* xyz) {
-            const V3<F> r{xyz[0] - a.x, xyz[1] - a.y, xyz[2] - a.z};
-            const KernelShape k = shape(r, d.kernel.inv_h);
-            const F t2 = k.t * k.t;
-            const F WV = (d.kernel.sigma * xyz[3]) * (t2 * t2) * (k.q + k.q + 1.0f);
+        for_each_neighbour(d.place, g.list, g.list_size, g, frame, [&](std::int32_t j, const float* xyz) {
+            const Met ij = meet(a, xyz);
+            const F WV = ij.FV * ij.shape();
             support += WV;
             const float rho = d.rho0 + d.motion[j].drho;
-            const F p_there = WV * (d.stress[j].p - rho * (d.gx * r.x + d.gy * r.y + d.gz * r.z));
+            const F p_there = WV * (d.stress[j].p - rho * dot(g_2h, ij.r_ji));
             p += p_there;
             if (d.flux) {
                 flux.x += p_there * d.carried[j].x;
@@ -196,6 +206,8 @@ void extrapolate(const ExtrapolateData& d, const Group* groups, int count) {
                 flux.z += p_there * d.carried[j].z;
             }
         });
+        support *= d.kernel.tenth_h;
+        p *= d.kernel.tenth_h;
         // below this the point has lost the water: a hundredth of the support at a plane wall
         const F inv = support > 0.005f ? 1.0f / support : F{};
         for (int l = 0; l < g.size; ++l) {
@@ -203,26 +215,81 @@ void extrapolate(const ExtrapolateData& d, const Group* groups, int count) {
             d.p[i] = p[l] * inv[l];
             if (d.support) d.support[i] = support[l];
             if (d.flux) {
-                d.flux[3 * i] = flux.x[l] * inv[l];
-                d.flux[3 * i + 1] = flux.y[l] * inv[l];
-                d.flux[3 * i + 2] = flux.z[l] * inv[l];
+                d.flux[3 * i] = flux.x[l] * d.kernel.tenth_h * inv[l];
+                d.flux[3 * i + 1] = flux.y[l] * d.kernel.tenth_h * inv[l];
+                d.flux[3 * i + 2] = flux.z[l] * d.kernel.tenth_h * inv[l];
             }
         }
     }
 }
 
-std::uint32_t reached(const GroupPlaces& group, const Group& g, const PlaceRecord* first, std::uint32_t mask,
-                      float reach2) {
-    const F x = *reinterpret_cast<const F*>(group.x), y = *reinterpret_cast<const F*>(group.y),
-            z = *reinterpret_cast<const F*>(group.z);
-    std::uint32_t kept = 0;
-    for (std::uint32_t left = mask; left != 0; left &= left - 1) {
-        const PlaceRecord& p = first[__builtin_ctz(left)];
-        const V3<F> r{x - static_cast<float>(p.x - g.x), y - static_cast<float>(p.y - g.y),
-                      z - static_cast<float>(p.z - g.z)};
-        if (simd::any_below(dot(r, r), reach2)) kept |= left & (0u - left);
+GroupReach reach_of(const PlaceRecord* places, const Group& g, float reach, float sure) {
+    GroupReach r;
+    for (int l = 0; l < lanes; ++l) {
+        const PlaceRecord& p = places[g.first + (l < g.size ? l : g.size - 1)];
+        const float x = static_cast<float>(p.x - g.x), y = static_cast<float>(p.y - g.y),
+                    z = static_cast<float>(p.z - g.z);
+        r.n[l] = x * x + y * y + z * z;
+        r.a[l] = -2 * x, r.b[l] = -2 * y, r.c[l] = -2 * z;
     }
-    return kept;
+    r.x = g.x, r.y = g.y, r.z = g.z;
+    r.reach2 = reach * reach * 1.000002f;
+    r.sure2 = sure > 0 ? sure * sure : 0;
+    return r;
+}
+
+/// Eight records as three vectors.
+typedef std::int32_t I8 __attribute__((vector_size(32)));
+struct Places8 {
+    I8 x, y, z;
+};
+inline Places8 transposed(const PlaceRecord* p) {
+    const I4* r = reinterpret_cast<const I4*>(p);
+    const I8 a = __builtin_shufflevector(r[0], r[4], 0, 1, 2, 3, 4, 5, 6, 7),
+             b = __builtin_shufflevector(r[1], r[5], 0, 1, 2, 3, 4, 5, 6, 7),
+             c = __builtin_shufflevector(r[2], r[6], 0, 1, 2, 3, 4, 5, 6, 7),
+             d = __builtin_shufflevector(r[3], r[7], 0, 1, 2, 3, 4, 5, 6, 7);
+    const I8 ab = __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13),
+             cd = __builtin_shufflevector(c, d, 0, 8, 1, 9, 4, 12, 5, 13),
+             ab_z = __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15),
+             cd_z = __builtin_shufflevector(c, d, 2, 10, 3, 11, 6, 14, 7, 15);
+    return {__builtin_shufflevector(ab, cd, 0, 1, 8, 9, 4, 5, 12, 13),
+            __builtin_shufflevector(ab, cd, 2, 3, 10, 11, 6, 7, 14, 15),
+            __builtin_shufflevector(ab_z, cd_z, 0, 1, 8, 9, 4, 5, 12, 13)};
+}
+
+Reached reached(const GroupReach& g, const PlaceRecord* first, const PlaceRecord* end, std::uint32_t wanted) {
+    Reached r{0, 0};
+    for (int k = 0; k < 32 && wanted >> k != 0; k += 8) {
+        if ((wanted >> k & 0xffu) == 0) continue;
+        PlaceRecord last[8];
+        const PlaceRecord* p = first + k;
+        if (end - p < 8) {
+            for (int m = 0; m < 8; ++m) last[m] = p + m < end ? p[m] : p[0];
+            p = last;
+        }
+        const Places8 q = transposed(p);
+        const F x = __builtin_convertvector(q.x - g.x, F), y = __builtin_convertvector(q.y - g.y, F),
+                z = __builtin_convertvector(q.z - g.z, F);
+        F least = g.n[0] + g.a[0] * x + g.b[0] * y + g.c[0] * z;
+        for (int l = 1; l < lanes; ++l) least = simd::min(least, g.n[l] + g.a[l] * x + g.b[l] * y + g.c[l] * z);
+        const F distance2 = least + (x * x + y * y + z * z);
+        r.within |= simd::bits_below(distance2, g.reach2) << k;
+        r.surely |= simd::bits_below(distance2, g.sure2) << k;
+    }
+    return {r.within & wanted, r.surely & wanted};
+}
+
+void prune(const PruneData& d, const Group* groups, int count) {
+    const PlaceRecord* end = d.place.data() + d.place.size();
+    for (int n = 0; n < count; ++n) {
+        const Group& g = groups[n];
+        if (g.*d.size == 0) continue;
+        const GroupReach own = reach_of(d.of, g, d.reach, 0);
+        for (NeighbourBlock* b = g.*d.list; b != g.*d.list + g.*d.size; ++b)
+            if (b->maybe != 0)
+                b->live = (b->live & ~b->maybe) | reached(own, d.place.data() + b->first, end, b->maybe).within;
+    }
 }
 
 }  // namespace
@@ -235,10 +302,12 @@ void surface_curvature(const ColourData&, const Group*, int);
 
 extern const Passes table;
 #ifdef TW_WITHOUT_EFFECTS
-const Passes table = {TW_ISA_NAME, continuity_and_gradient, forces, extrapolate, reached, {}, {}, {}, {}, {}};
+const Passes table = {TW_ISA_NAME, prune, continuity_and_gradient, forces, extrapolate, reach_of, reached, {}, {}, {},
+                      {},          {}};
 #else
-const Passes table = {TW_ISA_NAME,    continuity_and_gradient, forces,      extrapolate,     reached,
-                      water_velocity, viscous_forces,          strain_rate, colour_gradient, surface_curvature};
+const Passes table = {
+    TW_ISA_NAME, prune,          continuity_and_gradient, forces,      extrapolate,     reach_of,
+    reached,     water_velocity, viscous_forces,          strain_rate, colour_gradient, surface_curvature};
 #endif
 
 }  // namespace TW_ISA

@@ -19,8 +19,9 @@ typedef float F __attribute__((vector_size(4 * lanes)));
 #if defined(__AVX__)
 inline F sqrt(F x) { return (F)_mm256_sqrt_ps((__m256)x); }
 inline F positive_part(F x) { return (F)_mm256_max_ps((__m256)x, _mm256_setzero_ps()); }
-inline bool any_below(F x, float limit) {
-    return _mm256_movemask_ps(_mm256_cmp_ps((__m256)x, _mm256_set1_ps(limit), _CMP_LT_OQ)) != 0;
+inline F min(F x, F y) { return (F)_mm256_min_ps((__m256)x, (__m256)y); }
+inline std::uint32_t bits_below(F x, float limit) {
+    return static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps((__m256)x, _mm256_set1_ps(limit), _CMP_LT_OQ)));
 }
 #elif defined(__SSE__)
 typedef __m128 Register;
@@ -41,11 +42,18 @@ inline F positive_part(F x) {
     for (auto& p : u.part) p = positive_part(p);
     return u.whole;
 }
-inline bool any_below(F x, float limit) {
+inline F min(F x, F y) {
+    Parts u{x};
+    const Parts v{y};
+    for (unsigned k = 0; k < sizeof(F) / sizeof(Register); ++k) u.part[k] = _mm_min_ps(u.part[k], v.part[k]);
+    return u.whole;
+}
+inline std::uint32_t bits_below(F x, float limit) {
     const Parts u{x};
-    int any = 0;
-    for (const auto& p : u.part) any |= below(p, limit);
-    return any != 0;
+    std::uint32_t bits = 0;
+    for (unsigned k = 0; k < sizeof(F) / sizeof(Register); ++k)
+        bits |= static_cast<std::uint32_t>(below(u.part[k], limit)) << (4 * k);
+    return bits;
 }
 #else
 inline F sqrt(F x) {
@@ -56,13 +64,17 @@ inline F positive_part(F x) {
     for (int l = 0; l < lanes; ++l) x[l] = x[l] > 0 ? x[l] : 0;
     return x;
 }
-inline bool any_below(F x, float limit) {
-    bool any = false;
-    for (int l = 0; l < lanes; ++l) any |= x[l] < limit;
-    return any;
+inline F min(F x, F y) {
+    for (int l = 0; l < lanes; ++l) x[l] = x[l] < y[l] ? x[l] : y[l];
+    return x;
+}
+inline std::uint32_t bits_below(F x, float limit) {
+    std::uint32_t bits = 0;
+    for (int l = 0; l < lanes; ++l) bits |= (x[l] < limit ? 1u : 0u) << l;
+    return bits;
 }
 #endif
-/// any_below: whether some lane is below the limit.
+/// bits_below: bit l is set where lane l is below the limit.
 /// append_set_bits: writes first + k for every set bit k of the mask to out[n...], ascending; returns the new n. May
 /// write (and leave rubbish in) up to 16 entries beyond.
 inline int append_set_bits(std::int32_t first, std::uint32_t mask, std::int32_t* out, int n) {

@@ -7,23 +7,24 @@ namespace TW_ISA {
 
 void colour_gradient(const ColourData& c, const Group* groups, int count) {
     const PassData& d = *c.water;
+    const Frame frame = frame_of(d.kernel, d.quantum);
     for (int n = 0; n < count; ++n) {
         const Group& g = groups[n];
-        const Lanes a = load_places(d.place, g, d.quantum);
+        const Lanes a = load_places(d.place, g, frame);
         V3<F> sum{F{}, F{}, F{}};
         const auto add = [&](std::int32_t, const float* xyz) {
-            const V3<F> r{xyz[0] - a.x, xyz[1] - a.y, xyz[2] - a.z};
-            const V3<F> f = kernel_gradient(d.kernel, r, xyz[3]);
+            const V3<F> f = meet(a, xyz).gradient();
             sum.x += f.x, sum.y += f.y, sum.z += f.z;
         };
-        for_each_neighbour(d.place, g.list, g.list_size, g, d.quantum, add);
-        for_each_neighbour(d.wall_place, g.wall_list, g.wall_size, g, d.quantum, add);
+        for_each_neighbour(d.place, g.list, g.list_size, g, frame, add);
+        for_each_neighbour(d.wall_place, g.wall_list, g.wall_size, g, frame, add);
         for (int l = 0; l < g.size; ++l) c.normal[g.first + l] = {sum.x[l], sum.y[l], sum.z[l], 0};
     }
 }
 
 void surface_curvature(const ColourData& c, const Group* groups, int count) {
     const PassData& d = *c.water;
+    const Frame frame = frame_of(d.kernel, d.quantum);
     for (int n = 0; n < count; ++n) {
         const Group& g = groups[n];
         bool any = false;
@@ -32,20 +33,19 @@ void surface_curvature(const ColourData& c, const Group* groups, int count) {
             for (int l = 0; l < g.size; ++l) c.curvature[g.first + l] = 0;
             continue;
         }
-        const Lanes a = load_places(d.place, g, d.quantum);
+        const Lanes a = load_places(d.place, g, frame);
         V3<F> ni{};
         for (int l = 0; l < lanes; ++l) {
             const MotionRecord& r = c.normal[g.first + (l < g.size ? l : g.size - 1)];
             ni.x[l] = r.u, ni.y[l] = r.v, ni.z[l] = r.w;
         }
         VectorGradient gradient;
-        for_each_neighbour(d.place, g.list, g.list_size, g, d.quantum, [&](std::int32_t j, const float* xyz) {
+        for_each_neighbour(d.place, g.list, g.list_size, g, frame, [&](std::int32_t j, const float* xyz) {
             const MotionRecord& nj = c.normal[j];
             if (nj.drho == 0) return;
-            const V3<F> r{xyz[0] - a.x, xyz[1] - a.y, xyz[2] - a.z};
-            gradient.add(r, kernel_gradient(d.kernel, r, xyz[3]), V3<F>{nj.u - ni.x, nj.v - ni.y, nj.w - ni.z});
+            gradient.add(meet(a, xyz), V3<F>{nj.u - ni.x, nj.v - ni.y, nj.w - ni.z});
         });
-        gradient.solve(d.two_dimensional);
+        gradient.solve(d.kernel.support_length, d.two_dimensional);
         const F div = gradient.u.x + gradient.v.y + gradient.w.z;
         for (int l = 0; l < g.size; ++l) c.curvature[g.first + l] = c.normal[g.first + l].drho > 0 ? -div[l] : 0.0f;
     }

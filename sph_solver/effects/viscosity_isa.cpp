@@ -7,19 +7,21 @@ namespace TW_ISA {
 
 void water_velocity(const VelocityData& v, const Group* groups, int count) {
     const PassData& d = *v.water;
+    const Frame frame = frame_of(d.kernel, d.quantum);
     for (int n = 0; n < count; ++n) {
         const Group& g = groups[n];
-        const Lanes a = load_places(v.at, g, d.quantum);
+        const Lanes a = load_places(v.at, g, frame);
         V3<F> u{F{}, F{}, F{}};
         F support{};
-        for_each_neighbour(d.place, g.list, g.list_size, g, d.quantum, [&](std::int32_t j, const float* xyz) {
-            const KernelShape k = shape(V3<F>{xyz[0] - a.x, xyz[1] - a.y, xyz[2] - a.z}, d.kernel.inv_h);
-            const F t2 = k.t * k.t, WV = (d.kernel.sigma * xyz[3]) * (t2 * t2) * (k.q + k.q + 1.0f);
+        for_each_neighbour(d.place, g.list, g.list_size, g, frame, [&](std::int32_t j, const float* xyz) {
+            const Met ij = meet(a, xyz);
+            const F WV = ij.FV * ij.shape();
             const MotionRecord& m = d.motion[j];
             support += WV;
             u.x += WV * m.u, u.y += WV * m.v, u.z += WV * m.w;
         });
-        const F inv = support > 0.005f ? 1.0f / support : F{};
+        support *= d.kernel.tenth_h;
+        const F inv = support > 0.005f ? d.kernel.tenth_h / support : F{};
         for (int l = 0; l < g.size; ++l)
             v.velocity[g.first + l] = {u.x[l] * inv[l], u.y[l] * inv[l], u.z[l] * inv[l], support[l]};
     }
@@ -27,9 +29,10 @@ void water_velocity(const VelocityData& v, const Group* groups, int count) {
 
 void viscous_forces(const ViscousData& v, const Group* groups, int count) {
     const PassData& d = *v.water;
+    const Frame frame = frame_of(d.kernel, d.quantum);
     for (int n = 0; n < count; ++n) {
         const Group& g = groups[n];
-        const Lanes a = load_places(d.place, g, d.quantum);
+        const Lanes a = load_places(d.place, g, frame);
         V3<F> u{};
         F mu_i{}, V_i{};
         for (int l = 0; l < lanes; ++l) {
@@ -40,21 +43,18 @@ void viscous_forces(const ViscousData& v, const Group* groups, int count) {
         }
         V3<F> inner{F{}, F{}, F{}}, wall{F{}, F{}, F{}};
         const auto add = [&](const float* xyz, const F& mu_sum, const MotionRecord& m, V3<F>& force) {
-            const KernelShape k = shape(V3<F>{xyz[0] - a.x, xyz[1] - a.y, xyz[2] - a.z}, d.kernel.inv_h);
-            const F f = (d.kernel.five_sigma * xyz[3]) * (k.t * k.t) * k.t * mu_sum;
+            const F f = meet(a, xyz).FV * mu_sum;
             force.x += f * (m.u - u.x);
             force.y += f * (m.v - u.y);
             force.z += f * (m.w - u.z);
         };
-        for_each_neighbour(d.place, g.list, g.list_size, g, d.quantum,
+        for_each_neighbour(d.place, g.list, g.list_size, g, frame,
                            [&](std::int32_t j, const float* xyz) { add(xyz, mu_i + v.mu[j], d.motion[j], inner); });
         if (v.wall_velocity)
-            for_each_neighbour(d.wall_place, g.wall_list, g.wall_size, g, d.quantum,
-                               [&](std::int32_t j, const float* xyz) {
-                                   if (v.wall_velocity[j].drho > 0.005f)
-                                       add(xyz, 2.0f * mu_i, v.wall_velocity[j], wall);
-                               });
-        const F inv_rho = V_i * d.inv_mass;
+            for_each_neighbour(d.wall_place, g.wall_list, g.wall_size, g, frame, [&](std::int32_t j, const float* xyz) {
+                if (v.wall_velocity[j].drho > 0.005f) add(xyz, 2.0f * mu_i, v.wall_velocity[j], wall);
+            });
+        const F inv_rho = V_i * (d.inv_mass * d.kernel.inv_support);  // F V = FV / 2h
         const V3<F> w{wall.x * inv_rho, wall.y * inv_rho, wall.z * inv_rho};
         for (int l = 0; l < g.size; ++l) {
             RateRecord& r = d.rate[g.first + l];
@@ -62,27 +62,28 @@ void viscous_forces(const ViscousData& v, const Group* groups, int count) {
             r.ay += inner.y[l] * inv_rho[l] + w.y[l];
             r.az += inner.z[l] * inv_rho[l] + w.z[l];
         }
-        if (v.wall_velocity && g.wall_load >= 0) v.wall_load[g.wall_load] = load_of(a, w, g.size);
+        if (v.wall_velocity && g.wall_load >= 0)
+            v.wall_load[g.wall_load] = load_of(a, d.kernel.support_length, w, g.size);
     }
 }
 
 void strain_rate(const StrainData& s, const Group* groups, int count) {
     const PassData& d = *s.water;
+    const Frame frame = frame_of(d.kernel, d.quantum);
     for (int n = 0; n < count; ++n) {
         const Group& g = groups[n];
-        const Lanes a = load_places(d.place, g, d.quantum);
+        const Lanes a = load_places(d.place, g, frame);
         V3<F> u{};
         for (int l = 0; l < lanes; ++l) {
             const MotionRecord& r = d.motion[g.first + (l < g.size ? l : g.size - 1)];
             u.x[l] = r.u, u.y[l] = r.v, u.z[l] = r.w;
         }
         VectorGradient gradient;
-        for_each_neighbour(d.place, g.list, g.list_size, g, d.quantum, [&](std::int32_t j, const float* xyz) {
-            const V3<F> r{xyz[0] - a.x, xyz[1] - a.y, xyz[2] - a.z};
+        for_each_neighbour(d.place, g.list, g.list_size, g, frame, [&](std::int32_t j, const float* xyz) {
             const MotionRecord& mj = d.motion[j];
-            gradient.add(r, kernel_gradient(d.kernel, r, xyz[3]), V3<F>{mj.u - u.x, mj.v - u.y, mj.w - u.z});
+            gradient.add(meet(a, xyz), V3<F>{mj.u - u.x, mj.v - u.y, mj.w - u.z});
         });
-        gradient.solve(d.two_dimensional);
+        gradient.solve(d.kernel.support_length, d.two_dimensional);
         const V3<F>&gu = gradient.u, &gv = gradient.v, &gw = gradient.w;
         const F xy = gu.y + gv.x, xz = gu.z + gw.x, yz = gv.z + gw.y;
         const F S2 = 2.0f * (gu.x * gu.x + gv.y * gv.y + gw.z * gw.z) + xy * xy + xz * xz + yz * yz;

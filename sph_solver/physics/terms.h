@@ -22,20 +22,23 @@ inline auto operator+(const V3<A>& a, const V3<B>& b) {
     return V3<decltype(a.x + b.x)>{a.x + b.x, a.y + b.y, a.z + b.z};
 }
 
-/// One pair as the terms see it. What belongs to j alone is a scalar, the same for all lanes.
+/// One pair as the terms see it, lengths in 2h. What belongs to j alone is a scalar, the same for all lanes.
 template <class Real>
 struct Pair {
-    V3<Real> r_ji;
-    Real r2;  ///< |r_ji|^2
-    Real FV;  ///< F V_j: grad_i W_ij V_j = FV r_ji
+    V3<Real> r_ji;  ///< [2h]
+    Real r2;        ///< |r_ji|^2 [4h^2]
+    Real FV;        ///< grad_i W_ij V_j = FV r_ji [1/m]
 };
 
 /// Mass conservation:  drho_i/dt = rho_i sum_j (u_i - u_j) . grad_i W_ij V_j
 /// (Monaghan 1994, doi:10.1006/jcph.1994.1034). The factor rho_i is applied once after the sum.
 struct Continuity {
+    /// `gradient` is grad_i W_ij V_j.
     template <class Real>
-    static void add(const Pair<Real>& ij, const V3<Real>& u_ij, Real& divergence) {
-        divergence += ij.FV * dot(u_ij, ij.r_ji);
+    static void add(const V3<Real>& gradient, const V3<Real>& u_ij, Real& divergence) {
+        divergence += u_ij.x * gradient.x;
+        divergence += u_ij.y * gradient.y;
+        divergence += u_ij.z * gradient.z;
     }
 };
 
@@ -45,11 +48,13 @@ struct Continuity {
 ///   psi_ij     = 2 (rho_j - rho_i) r_ji / |r_ji|^2 - (<grad rho>_i + <grad rho>_j)
 ///
 /// The gradient part (Antuono et al. 2010, doi:10.1016/j.cpc.2009.11.002) keeps still water at rest; without it
-/// (Molteni & Colagrossi 2009, doi:10.1016/j.cpc.2008.12.004) the surface creeps.
+/// (Molteni & Colagrossi 2009, doi:10.1016/j.cpc.2008.12.004) the surface creeps. With r_ji in 2h the summand is
+/// (1/h) FV (rho_j - rho_i - h (<grad rho>_i + <grad rho>_j) . r_ji): the sum wants the factor delta c0.
 struct DensityDiffusion {
+    float h;
     template <class Real>
-    static void add(const Pair<Real>& ij, const Real& drho_ji, const V3<Real>& grad_sum, Real& sum) {
-        sum += ij.FV * (drho_ji + drho_ji - dot(grad_sum, ij.r_ji));
+    void add(const Pair<Real>& ij, const Real& drho_ji, const V3<Real>& grad_sum, Real& sum) const {
+        sum += ij.FV * (drho_ji - h * dot(grad_sum, ij.r_ji));
     }
 };
 
@@ -67,16 +72,14 @@ struct PressureGradient {
 
 /// Artificial viscosity:  du_i/dt += alpha h c0 rho0 / rho_i sum_j pi_ij grad_i W_ij V_j,
 ///   pi_ij = (u_j - u_i) . r_ji / (|r_ji|^2 + 0.01 h^2)
-/// (Monaghan & Gingold 1983, in the form of Antuono et al. 2010, acting on approaching and receding pairs alike).
+/// (Monaghan & Gingold 1983, in the form of Antuono et al. 2010, acting on approaching and receding pairs alike). Along
+/// the same direction as the pressure gradient, so it enters as a pressure beside p_i + p_j. With r_ji in 2h, 0.01 h^2
+/// is 0.0025 and pi_ij has the factor 1/2h.
 struct ArtificialViscosity {
-    float viscosity;  ///< alpha h c0 rho0
-    float eta2;       ///< 0.01 h^2
+    float viscosity;  ///< alpha c0 rho0 / 2
     template <class Real>
-    void add(const Pair<Real>& ij, const V3<Real>& u_ij, V3<Real>& force) const {
-        const Real f = -viscosity * ij.FV * dot(u_ij, ij.r_ji) / (ij.r2 + eta2);
-        force.x += f * ij.r_ji.x;
-        force.y += f * ij.r_ji.y;
-        force.z += f * ij.r_ji.z;
+    Real pressure(const Pair<Real>& ij, const V3<Real>& u_ij) const {
+        return viscosity * dot(u_ij, ij.r_ji) / (ij.r2 + 0.0025f);
     }
 };
 
