@@ -77,6 +77,7 @@ struct LadderCommand {
     double ratio = 1.4142135623730951;  ///< of neighbouring spacings
     std::filesystem::path measured;     ///< an imported record, or its folder; empty: none
     std::string budget;                 ///< predicted time of all runs, a text with unit; empty: no limit
+    bool plan = false;                  ///< say what would be run and what it takes, and run nothing
     bool variations = true;             ///< also runs with another sound speed, time step and Courant number
     bool overwrite = false;             ///< begin anew what another scene left in the folder
     int threads = 0;

@@ -69,6 +69,24 @@ std::vector<Job> jobs_of(const LadderCommand& command, const fs::path& out) {
     return jobs;
 }
 
+/// What will be run, in this order, and what it is expected to take.
+std::string plan_text(const std::vector<Job>& jobs, double budget) {
+    std::string text = fmt::format("{:<48} {:>9} {:>10} {:>10}\n", "run", "elements", "seconds", "together");
+    double together = 0;
+    for (const Job& job : jobs) {
+        const double cost = job.plan.seconds(job.method);
+        const double elements = job.method == "sph" ? job.plan.prediction.particles : job.plan.prediction.cells;
+        text += fmt::format("{:<48} {:>9.3g} {:>10.3g} ", job.what(), elements, cost);
+        if (finished_run(job.folder, job.plan.scene, job.method))
+            text += "  finished before\n";
+        else if (together + cost > budget)
+            text += "  beyond the budget\n";
+        else
+            text += fmt::format("{:>10.3g}\n", together += cost);
+    }
+    return text;
+}
+
 void take(LadderHarvest& harvest, const Job& job, RunRecord record) {
     if (job.choice)
         harvest.variations.push_back({job.choice->name, job.choice->share, ladder_run(std::move(record))});
@@ -112,6 +130,8 @@ int run_ladder(const LadderCommand& command, const Common& common) {
     const fs::path out =
         command.out.empty() ? fs::path("runs") / (command.scene.file.stem().string() + "_ladder") : command.out;
     std::vector<Job> jobs = jobs_of(command, out);
+    say(common, plan_text(jobs, command.budget_seconds()));
+    if (command.plan) return done;
     if (std::ranges::any_of(jobs, [](const Job& j) { return j.method == "fvm"; }))
         say(common, "OpenFOAM: " + sound_openfoam(jobs.front().plan.scene.fvm.openfoam).verdict + "\n");
 

@@ -198,6 +198,7 @@ int dispatch(int argc, char** argv) {
     c->add_option("--budget", ladder.budget,
                   "predicted time of all runs, e.g. 2h: what does not fit is left out, and said")
         ->type_name("TIME");
+    c->add_flag("--plan", ladder.plan, "say what would be run and how long it takes, and run nothing");
     c->add_flag("--overwrite", ladder.overwrite, "begin anew what is not a finished run of this very scene");
     c->add_option("--out", ladder.out, "folder of the results (runs/<name of the scene file>_ladder)");
     c->add_option("--threads", ladder.threads, "threads (particles) and ranks (mesh); all cores unless given")

@@ -133,7 +133,7 @@ Comparison compare_records(std::vector<RunRecord> sources, const CompareOptions&
     add_wetted_length(comparison, options);
     add_splash(comparison, options);
     add_elevation(comparison, options);
-    add_probes(comparison);
+    add_probes(comparison, options);
     add_savitsky(comparison);
     for (std::size_t i = 0; i < comparison.sources.size(); ++i)
         for (Gate& gate : check_gates(comparison.sources[i], comparison.names[i]))

@@ -89,8 +89,9 @@ BenchResult run_bench(std::int64_t particles, double h_over_dp, int threads, dou
     PassData like;
     like.kernel = Kernel(solver.h(), 3);
     like.quantum = static_cast<float>(s.dp / (1 << 18));
+    r.visited_per_particle = solver.visited_per_particle();
     r.share_of_kernel_peak =
-        double(t.pair_candidates - before.pair_candidates) / in_pairs / kernel_peak(like, s.threads);
+        r.visited_per_particle * double(t.evaluations - before.evaluations) / in_pairs / kernel_peak(like, s.threads);
     return r;
 }
 

@@ -14,9 +14,10 @@ struct BenchResult {
     double evaluations_per_second = 0;  ///< particle evaluations of the whole right-hand side, everything included
     double pairs_per_second = 0;        ///< directed pairs within the support, both passes counted as one
     double bytes_per_particle = 0;
-    double share_of_kernel_peak = 0;  ///< candidate pairs per second in the pair passes over those of the same passes
-                                      ///< on data that never leaves the first cache
-    double share_outside_pairs = 0;  ///< of a step: lists, sorting, updates
+    double visited_per_particle = 0;  ///< pairs that a pass works through, useful or not
+    double share_of_kernel_peak = 0;  ///< those per second in the pair passes over those of the same passes on data
+                                      ///< that never leaves the first cache
+    double share_outside_pairs = 0;   ///< of a step: lists, sorting, updates
 };
 BenchResult run_bench(std::int64_t particles, double h_over_dp, int threads, double seconds);
 

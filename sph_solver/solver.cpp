@@ -3,6 +3,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -154,7 +155,6 @@ void Solver::evaluate(double t, double compress, double drift) {
         for (const auto& effect : effects_) effect->add_rates(view);
     }
     timers_.evaluations += static_cast<std::int64_t>(particles_.size());
-    timers_.pair_candidates += lists_.candidates() + wall_lists_.candidates();
 }
 
 void Solver::gather_load() {
@@ -219,6 +219,17 @@ void Solver::sample(PointSamples& points) {
         points.support[i] = support[k];
         for (std::size_t a = 0; a < 3 && points.want_flux; ++a) points.flux[3 * i + a] = flux[3 * k + a];
     }
+}
+
+double Solver::visited_per_particle() const {
+    double pairs = 0;
+    for (const Group& g : groups_) {
+        std::int64_t live = 0;
+        for (std::int32_t k = 0; k < g.list_size; ++k) live += std::popcount(g.list[k].live);
+        for (std::int32_t k = 0; k < g.wall_size; ++k) live += std::popcount(g.wall_list[k].live);
+        pairs += double(live * g.size);
+    }
+    return pairs / double(particles_.size());
 }
 
 double Solver::bytes() const {

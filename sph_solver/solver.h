@@ -90,7 +90,7 @@ struct Extremes {
 
 struct Timers {
     double lists = 0, gradient = 0, walls = 0, forces = 0, effects = 0, update = 0;  ///< [s] wall
-    std::int64_t pair_candidates = 0, evaluations = 0, rebuilds = 0;
+    std::int64_t evaluations = 0, rebuilds = 0;
 };
 
 /// Initial particles: places and depth below the surface of their block [m].
@@ -129,6 +129,7 @@ public:
     const Ledger& ledger() const { return ledger_; }
     const Extremes& extremes() const { return extremes_; }
     const Timers& timers() const { return timers_; }
+    double visited_per_particle() const;  ///< pairs that a sweep works through, useful or not
     std::size_t wall_particles() const { return wall_place_.size(); }
     double bytes() const;  ///< memory of state, lists and walls
 

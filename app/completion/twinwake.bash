@@ -23,7 +23,7 @@ _twinwake() {
         check) words="$scene --json --quiet --help" ;;
         run) words="$scene --method --out --resume --overwrite --threads --json --quiet --help" ;;
         compare) words="--out --ladder --measured --force --require --json --quiet --help" ;;
-        ladder) words="$scene --method --levels --ratio --no-variations --measured --budget --overwrite --out --threads --json --quiet --help" ;;
+        ladder) words="$scene --method --levels --ratio --no-variations --plan --measured --budget --overwrite --out --threads --json --quiet --help" ;;
         sweep) words="--hulls --speeds --trims --near-hull --scale --duration --effect --overwrite --out --threads --json --quiet --help" ;;
         ablate) words="$scene --effects --method --overwrite --out --threads --json --quiet --help" ;;
         import) words="--out --overwrite --json --quiet --help" ;;

@@ -21,8 +21,8 @@ void add_forces(Comparison& comparison, const CompareOptions& options);
 /// Wetted length [m].
 void add_wetted_length(Comparison& comparison, const CompareOptions& options);
 
-/// One quantity per pressure and height probe that at least two sources share: peaks, and the root mean square
-/// difference in the remark. Shown, not judged.
-void add_probes(Comparison& comparison);
+/// Two quantities per pressure and height probe of any source: the peak, with the root mean square difference of the
+/// histories in the remark, shown, not judged; and the time mean over the run, judged.
+void add_probes(Comparison& comparison, const CompareOptions& options);
 
 }  // namespace tw

@@ -7,6 +7,7 @@
 #include "compare/align/time_bins.h"
 #include "compare/metrics/forces.h"
 #include "compare/metrics/quantity.h"
+#include "compare/read/record_numbers.h"
 #include "compare/verdict/judge.h"
 
 namespace tw {
@@ -49,9 +50,37 @@ double rms_per_cent(const RunRecord& a, const RunRecord& b, const std::string& t
                                    : std::numeric_limits<double>::quiet_NaN();
 }
 
+/// Time mean over the scene's whole duration, from mean_from on, by trapezia: a history that the scene determines, so
+/// without a statistical interval.
+MeanValue mean_over_run(const RunRecord& record, const std::string& table, const std::string& column) {
+    MeanValue m;
+    m.why_not = "no such probe";
+    const Column* c = record.series(table, column);
+    if (!c) return m;
+    const auto& t = record.tables.at(table).time;
+    m.from = number_of(record, "mean_from", 0), m.to = number_of(record, "duration", 0);
+    const double slack = t.size() < 2 ? 0 : 2 * (t.back() - t.front()) / double(t.size() - 1);
+    if (t.size() < 2 || t.front() > m.from + slack || t.back() < m.to - slack) {
+        m.why_not = fmt::format("the record does not cover {:g} to {:g} s", m.from, m.to);
+        return m;
+    }
+    double sum = 0, width = 0;
+    for (std::size_t i = 1; i < t.size(); ++i) {
+        const double a = std::max(t[i - 1], m.from), b = std::min(t[i], m.to);
+        if (!(b > a)) continue;
+        sum += (b - a) * (value_at(t, c->values, a) + value_at(t, c->values, b)) / 2;
+        width += b - a;
+    }
+    m.value = sum / width;
+    m.known = std::isfinite(m.value);
+    m.half_width = 0;
+    m.why_not = m.known ? "" : "the record has gaps";
+    return m;
+}
+
 }  // namespace
 
-void add_probes(Comparison& comparison) {
+void add_probes(Comparison& comparison, const CompareOptions& options) {
     for (const std::string table : {"pressure", "height"}) {
         std::set<std::pair<std::string, std::string>> probes;  // name, unit
         for (const RunRecord& r : comparison.sources)
@@ -68,6 +97,15 @@ void add_probes(Comparison& comparison) {
                     q.remark = fmt::format("histories differ by {:.2g} % of the range (root mean square)", rms);
             }
             comparison.quantities.push_back(std::move(q));
+
+            Quantity mean =
+                new_quantity(fmt::format("{}_mean:{}", table, name), fmt::format("Mean {} at {}", table, name), unit,
+                             "time mean over the run; in a stream of its settled part");
+            for (const RunRecord& r : comparison.sources)
+                mean.values.push_back(flow_through_time(r) > 0 ? mean_of(r, table, name, options)
+                                                               : mean_over_run(r, table, name));
+            judge(mean, comparison.names, options.agree_within);
+            comparison.quantities.push_back(std::move(mean));
         }
     }
 }

@@ -89,7 +89,7 @@ Neighbourhood neighbourhood(const PlaceRecord* places, const Group& g, std::int6
 
 /// Adds to `out` the places of a source within reach of the group's particles.
 void collect(const ColumnGrid& grid, const Neighbourhood& box, const GroupReach& group, const Source& source,
-             const Passes& pass, std::vector<NeighbourBlock>& out, std::int64_t& found) {
+             const Passes& pass, std::vector<NeighbourBlock>& out) {
     const int x1 = grid.column_x(box.hi[0]), y1 = grid.column_y(box.hi[1]);
     for (int cy = grid.column_y(box.lo[1]); cy <= y1; ++cy)
         for (int cx = grid.column_x(box.lo[0]); cx <= x1; ++cx) {
@@ -101,7 +101,6 @@ void collect(const ColumnGrid& grid, const Neighbourhood& box, const GroupReach&
                 const std::uint32_t there = end - p < 32 ? (1u << (end - p)) - 1 : ~0u;
                 const Reached near = pass.reached(group, p, end, there);
                 if (near.within == 0) continue;
-                found += __builtin_popcount(near.within);
                 out.push_back({source.offset + static_cast<std::int32_t>(p - source.places), near.within,
                                near.within & ~near.surely});
             }
@@ -116,14 +115,12 @@ void NeighbourLists::build(const ColumnGrid& grid, const Quanta& quanta, const P
     constexpr std::size_t per_chunk = 32;
     const std::size_t chunks = (groups.size() + per_chunk - 1) / per_chunk;
     chunks_.resize(chunks);
-    candidates_ = 0;
     const Passes& pass = passes();
     const double reach_q = reach / quanta.size, sure_q = sure / quanta.size;
 #pragma omp parallel
     {
         std::vector<NeighbourBlock> scratch;
         std::int32_t sizes[per_chunk];
-        std::int64_t pairs = 0;
 #pragma omp for schedule(dynamic, 4)
         for (std::size_t k = 0; k < chunks; ++k) {
             scratch.clear();
@@ -134,9 +131,7 @@ void NeighbourLists::build(const ColumnGrid& grid, const Quanta& quanta, const P
                     neighbourhood(targets, groups[n], static_cast<std::int64_t>(std::ceil(reach_q)));
                 const GroupReach group =
                     pass.reach_of(targets, groups[n], static_cast<float>(reach_q), static_cast<float>(sure_q));
-                std::int64_t found = 0;
-                for (const Source& s : sources) collect(grid, box, group, s, pass, scratch, found);
-                pairs += found * groups[n].size;
+                for (const Source& s : sources) collect(grid, box, group, s, pass, scratch);
                 sizes[n - first] = static_cast<std::int32_t>(scratch.size() - before);
             }
             chunks_[k].assign(scratch.begin(), scratch.end());
@@ -147,8 +142,6 @@ void NeighbourLists::build(const ColumnGrid& grid, const Quanta& quanta, const P
                 at += sizes[n - first];
             }
         }
-#pragma omp atomic
-        candidates_ += pairs;
     }
 }
 

@@ -59,10 +59,8 @@ public:
     void build(const ColumnGrid& grid, const Quanta& quanta, const PlaceRecord* targets, std::vector<Group>& groups,
                const std::vector<Source>& sources, double reach, double sure, bool wall);
     std::size_t bytes() const;
-    std::int64_t candidates() const { return candidates_; }  ///< pairs in the lists
 
 private:
-    std::int64_t candidates_ = 0;
     std::vector<std::vector<NeighbourBlock>> chunks_;
 };
 

@@ -86,13 +86,16 @@ inline void for_each_chunk(const PlaceRecord* place, const NeighbourBlock* list,
         body(chunk, n);
     }
 }
-/// Calls `body(j, xyz)` for every one of them.
+/// Calls `body(j, ij)` for n neighbours of a chunk.
+template <class Body>
+inline void for_each_pair(const Chunk& chunk, int n, const Lanes& a, Body body) {
+    for (int m = 0; m < n; ++m) body(chunk.index[m], meet(a, chunk.xyz[m]));
+}
+/// Calls `body(j, ij)` for every live neighbour of a list.
 template <class Body>
 inline void for_each_neighbour(const PlaceRecord* place, const NeighbourBlock* list, int blocks, const Group& g,
-                               const Frame& frame, Body body) {
-    for_each_chunk(place, list, blocks, g, frame, [&](const Chunk& chunk, int n) {
-        for (int m = 0; m < n; ++m) body(chunk.index[m], chunk.xyz[m]);
-    });
+                               const Frame& frame, const Lanes& a, Body body) {
+    for_each_chunk(place, list, blocks, g, frame, [&](const Chunk& chunk, int n) { for_each_pair(chunk, n, a, body); });
 }
 
 /// Inverse of a symmetric 3x3 matrix applied to a vector; where it is nearly singular (spray) the result is zero.

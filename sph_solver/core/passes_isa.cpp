@@ -42,8 +42,7 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
             s.y += fs * ij.r_ji.y;
             s.z += fs * ij.r_ji.z;
         };
-        for_each_neighbour(d.place, g.list, g.list_size, g, frame, [&](std::int32_t j, const float* xyz) {
-            const Met ij = meet(a, xyz);
+        for_each_neighbour(d.place, g.list, g.list_size, g, frame, a, [&](std::int32_t j, const Met& ij) {
             count_in(ij);
             const V3<F>& r = ij.r_ji;
             const V3<F> f = ij.gradient();
@@ -68,8 +67,7 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
         }
         const F u_n = dot(u, n_i);
         const V3<F> u_iw{u_n * n_i.x, u_n * n_i.y, u_n * n_i.z};
-        for_each_neighbour(d.wall_place, g.wall_list, g.wall_size, g, frame, [&](std::int32_t, const float* xyz) {
-            const Met ij = meet(a, xyz);
+        for_each_neighbour(d.wall_place, g.wall_list, g.wall_size, g, frame, a, [&](std::int32_t, const Met& ij) {
             count_in(ij);
             Continuity::add(ij.gradient(), u_iw, wall_divergence);
         });
@@ -132,35 +130,28 @@ void forces(const PassData& d, const Group* groups, int count) {
         V3<F> towards_surface{F{}, F{}, F{}};
         V3<F> water{F{}, F{}, F{}}, wall{F{}, F{}, F{}};
 
-        const auto add = [&](std::int32_t j, const float* xyz) {
+        const auto add = [&](std::int32_t j, const Met& ij) {
             const MotionRecord& mj = d.motion[j];
             const StressRecord& sj = d.stress[j];
-            const Met ij = meet(a, xyz);
             const V3<F> u_ij{u.x - mj.u, u.y - mj.v, u.z - mj.w};
             density_diffusion.add(ij, mj.drho - drho_i, V3<F>{grad.x + sj.gx, grad.y + sj.gy, grad.z + sj.gz},
                                   diffusion);
             PressureGradient::add(ij, p_i + sj.p + artificial_viscosity.pressure(ij, u_ij), water);
-            return ij;
         };
         for_each_chunk(d.place, g.list, g.list_size, g, frame, [&](const Chunk& chunk, int n_chunk) {
             float surface = 0;
             for (int k = 0; k < n_chunk; ++k) surface += d.surface[chunk.index[k]];
-            if (surface == 0) {
-                for (int k = 0; k < n_chunk; ++k) add(chunk.index[k], chunk.xyz[k]);
-                return;
-            }
-            for (int k = 0; k < n_chunk; ++k) {
-                const std::int32_t j = chunk.index[k];
-                const Met ij = add(j, chunk.xyz[k]);
+            if (surface == 0) return for_each_pair(chunk, n_chunk, a, add);
+            for_each_pair(chunk, n_chunk, a, [&](std::int32_t j, const Met& ij) {
+                add(j, ij);
                 const F f = ij.FV * d.surface[j];
                 towards_surface.x += f * ij.r_ji.x;
                 towards_surface.y += f * ij.r_ji.y;
                 towards_surface.z += f * ij.r_ji.z;
-            }
+            });
         });
-        for_each_neighbour(d.wall_place, g.wall_list, g.wall_size, g, frame, [&](std::int32_t j, const float* xyz) {
-            PressureGradient::add(meet(a, xyz), p_i + d.wall_p[j], wall);
-        });
+        for_each_neighbour(d.wall_place, g.wall_list, g.wall_size, g, frame, a,
+                           [&](std::int32_t j, const Met& ij) { PressureGradient::add(ij, p_i + d.wall_p[j], wall); });
         // The volume that the neighbours see, not this density's: so the forces of a pair cancel to rounding.
         const F inv_rho = V_i * d.inv_mass;
         const F drho = d.diffusion * diffusion;
@@ -193,8 +184,7 @@ void extrapolate(const ExtrapolateData& d, const Group* groups, int count) {
         const Lanes a = load_places(d.at, g, frame);
         F support{}, p{};
         V3<F> flux{F{}, F{}, F{}};
-        for_each_neighbour(d.place, g.list, g.list_size, g, frame, [&](std::int32_t j, const float* xyz) {
-            const Met ij = meet(a, xyz);
+        for_each_neighbour(d.place, g.list, g.list_size, g, frame, a, [&](std::int32_t j, const Met& ij) {
             const F WV = ij.FV * ij.shape();
             support += WV;
             const float rho = d.rho0 + d.motion[j].drho;

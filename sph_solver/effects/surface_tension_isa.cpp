@@ -12,12 +12,12 @@ void colour_gradient(const ColourData& c, const Group* groups, int count) {
         const Group& g = groups[n];
         const Lanes a = load_places(d.place, g, frame);
         V3<F> sum{F{}, F{}, F{}};
-        const auto add = [&](std::int32_t, const float* xyz) {
-            const V3<F> f = meet(a, xyz).gradient();
+        const auto add = [&](std::int32_t, const Met& ij) {
+            const V3<F> f = ij.gradient();
             sum.x += f.x, sum.y += f.y, sum.z += f.z;
         };
-        for_each_neighbour(d.place, g.list, g.list_size, g, frame, add);
-        for_each_neighbour(d.wall_place, g.wall_list, g.wall_size, g, frame, add);
+        for_each_neighbour(d.place, g.list, g.list_size, g, frame, a, add);
+        for_each_neighbour(d.wall_place, g.wall_list, g.wall_size, g, frame, a, add);
         for (int l = 0; l < g.size; ++l) c.normal[g.first + l] = {sum.x[l], sum.y[l], sum.z[l], 0};
     }
 }
@@ -40,10 +40,10 @@ void surface_curvature(const ColourData& c, const Group* groups, int count) {
             ni.x[l] = r.u, ni.y[l] = r.v, ni.z[l] = r.w;
         }
         VectorGradient gradient;
-        for_each_neighbour(d.place, g.list, g.list_size, g, frame, [&](std::int32_t j, const float* xyz) {
+        for_each_neighbour(d.place, g.list, g.list_size, g, frame, a, [&](std::int32_t j, const Met& ij) {
             const MotionRecord& nj = c.normal[j];
             if (nj.drho == 0) return;
-            gradient.add(meet(a, xyz), V3<F>{nj.u - ni.x, nj.v - ni.y, nj.w - ni.z});
+            gradient.add(ij, V3<F>{nj.u - ni.x, nj.v - ni.y, nj.w - ni.z});
         });
         gradient.solve(d.kernel.support_length, d.two_dimensional);
         const F div = gradient.u.x + gradient.v.y + gradient.w.z;

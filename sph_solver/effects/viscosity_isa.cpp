@@ -13,8 +13,7 @@ void water_velocity(const VelocityData& v, const Group* groups, int count) {
         const Lanes a = load_places(v.at, g, frame);
         V3<F> u{F{}, F{}, F{}};
         F support{};
-        for_each_neighbour(d.place, g.list, g.list_size, g, frame, [&](std::int32_t j, const float* xyz) {
-            const Met ij = meet(a, xyz);
+        for_each_neighbour(d.place, g.list, g.list_size, g, frame, a, [&](std::int32_t j, const Met& ij) {
             const F WV = ij.FV * ij.shape();
             const MotionRecord& m = d.motion[j];
             support += WV;
@@ -42,17 +41,17 @@ void viscous_forces(const ViscousData& v, const Group* groups, int count) {
             V_i[l] = d.place[i].volume;
         }
         V3<F> inner{F{}, F{}, F{}}, wall{F{}, F{}, F{}};
-        const auto add = [&](const float* xyz, const F& mu_sum, const MotionRecord& m, V3<F>& force) {
-            const F f = meet(a, xyz).FV * mu_sum;
+        const auto add = [&](const Met& ij, const F& mu_sum, const MotionRecord& m, V3<F>& force) {
+            const F f = ij.FV * mu_sum;
             force.x += f * (m.u - u.x);
             force.y += f * (m.v - u.y);
             force.z += f * (m.w - u.z);
         };
-        for_each_neighbour(d.place, g.list, g.list_size, g, frame,
-                           [&](std::int32_t j, const float* xyz) { add(xyz, mu_i + v.mu[j], d.motion[j], inner); });
+        for_each_neighbour(d.place, g.list, g.list_size, g, frame, a,
+                           [&](std::int32_t j, const Met& ij) { add(ij, mu_i + v.mu[j], d.motion[j], inner); });
         if (v.wall_velocity)
-            for_each_neighbour(d.wall_place, g.wall_list, g.wall_size, g, frame, [&](std::int32_t j, const float* xyz) {
-                if (v.wall_velocity[j].drho > 0.005f) add(xyz, 2.0f * mu_i, v.wall_velocity[j], wall);
+            for_each_neighbour(d.wall_place, g.wall_list, g.wall_size, g, frame, a, [&](std::int32_t j, const Met& ij) {
+                if (v.wall_velocity[j].drho > 0.005f) add(ij, 2.0f * mu_i, v.wall_velocity[j], wall);
             });
         const F inv_rho = V_i * (d.inv_mass * d.kernel.inv_support);  // F V = FV / 2h
         const V3<F> w{wall.x * inv_rho, wall.y * inv_rho, wall.z * inv_rho};
@@ -79,9 +78,9 @@ void strain_rate(const StrainData& s, const Group* groups, int count) {
             u.x[l] = r.u, u.y[l] = r.v, u.z[l] = r.w;
         }
         VectorGradient gradient;
-        for_each_neighbour(d.place, g.list, g.list_size, g, frame, [&](std::int32_t j, const float* xyz) {
+        for_each_neighbour(d.place, g.list, g.list_size, g, frame, a, [&](std::int32_t j, const Met& ij) {
             const MotionRecord& mj = d.motion[j];
-            gradient.add(meet(a, xyz), V3<F>{mj.u - u.x, mj.v - u.y, mj.w - u.z});
+            gradient.add(ij, V3<F>{mj.u - u.x, mj.v - u.y, mj.w - u.z});
         });
         gradient.solve(d.kernel.support_length, d.two_dimensional);
         const V3<F>&gu = gradient.u, &gv = gradient.v, &gw = gradient.w;

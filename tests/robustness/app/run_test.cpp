@@ -75,6 +75,12 @@ TEST_F(Command, ALadderTakesWhatIsFinishedAndNamesWhatTheBudgetLeavesOut) {
     EXPECT_EQ(small.status, 2);
     EXPECT_NE(small.err.find("--budget 1 us: no run fits; the cheapest needs about"), std::string::npos) << small.err;
 
+    const Outcome plan = twinwake({"ladder", "my column.toml", "--levels", "2", "--plan", "--budget", "1 us"});
+    EXPECT_EQ(plan.status, 0) << plan.err;
+    EXPECT_NE(plan.out.find("sph at 0.02 m"), std::string::npos) << plan.out;
+    EXPECT_NE(plan.out.find("beyond the budget"), std::string::npos) << plan.out;
+    EXPECT_FALSE(fs::exists(folder_ / "runs"));
+
     const Outcome first = twinwake({"ladder", "my column.toml", "--levels", "2", "--json", "facts.json"});
     ASSERT_EQ(first.status, 0) << first.err;
     const fs::path out = folder_ / "runs/my column_ladder";

@@ -57,6 +57,32 @@ TEST(Compare, DifferentScenesAreRefusedUnlessForced) {
     EXPECT_THROW(compare_records({synthetic_run(sph)}, {.agree_within = 0}), InputError);
 }
 
+TEST(Compare, AProbesMeanIsThatOfTheScenesTimeWhateverTheRecordsStepsAndEnd) {
+    // p = 100 t: over 0 to 2 s the mean is 100 Pa, in steps that crowd at the end and beyond it too
+    const auto tank = [](const std::string& method, double end, double power) {
+        RunRecord r = synthetic_run({.method = method, .frames = false});
+        r.attributes["motion"] = "none";
+        r.numbers["speed"] = 0, r.numbers["mean_from"] = 0, r.numbers["duration"] = 2;
+        Table& t = r.tables["pressure"];
+        t.columns = {{"P1", "Pa", {}}};
+        for (int k = 0; k <= 50; ++k) {
+            t.time.push_back(end * (1 - std::pow(1 - k / 50., power)));
+            t.columns[0].values.push_back(100 * t.time.back());
+        }
+        return r;
+    };
+    const Comparison c = compare_records({tank("sph", 2, 1), tank("fvm", 3.7, 2)});
+    const Quantity* mean = c.find("pressure_mean:P1");
+    ASSERT_NE(mean, nullptr);
+    EXPECT_NEAR(mean->values[0].value, 100, 1e-9);
+    EXPECT_NEAR(mean->values[1].value, 100, 1e-9);
+    EXPECT_TRUE(mean->judged);
+    EXPECT_EQ(mean->verdict, Verdict::agree);
+    EXPECT_FALSE(c.find("pressure:P1")->judged);  // a peak is not
+    const Comparison cut = compare_records({tank("sph", 2, 1), tank("fvm", 1.5, 1)});
+    EXPECT_FALSE(cut.find("pressure_mean:P1")->values[1].known);
+}
+
 TEST(Compare, HalfModelsSayTheirFactor) {
     const Comparison c = compare_records({synthetic_run(sph), synthetic_run(fvm)});
     ASSERT_FALSE(c.banners.empty());
