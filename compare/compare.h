@@ -38,7 +38,9 @@ struct Quantity {
     Verdict verdict = Verdict::not_comparable;
     std::string remark;
     bool judged = true;  ///< raw maxima are shown, not judged
-    double scale = 0;    ///< |values| the target refers to are at least this [unit]
+    /// Judged by a ladder all the same: a history's mean has no interval of its own, but its resolution gives it one.
+    bool judged_in_ladder = false;
+    double scale = 0;  ///< |values| the target refers to are at least this [unit]
 };
 
 /// What an empirical formula or another reference says of a quantity; shown beside, never part of a verdict.

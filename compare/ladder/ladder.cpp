@@ -233,7 +233,7 @@ Ladder build_ladder(std::vector<LadderRun> runs, std::vector<LadderVariation> va
     for (const LadderSide& side : ladder.sides)  // the union of what the runs measured, in their order
         for (const LadderRun& run : side.runs)
             for (const Quantity& from : run.quantities)
-                if (from.judged &&
+                if ((from.judged || from.judged_in_ladder) &&
                     std::ranges::find(ladder.quantities, from.name, &LadderQuantity::name) == ladder.quantities.end()) {
                     LadderQuantity q;
                     q.name = from.name, q.label = from.label, q.unit = from.unit;

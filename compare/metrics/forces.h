@@ -22,7 +22,8 @@ void add_forces(Comparison& comparison, const CompareOptions& options);
 void add_wetted_length(Comparison& comparison, const CompareOptions& options);
 
 /// Two quantities per pressure and height probe of any source: the peak, with the root mean square difference of the
-/// histories in the remark, shown, not judged; and the time mean over the run, judged.
+/// histories in the remark, shown, not judged; and the time mean over the run, judged by
+/// a ladder.
 void add_probes(Comparison& comparison, const CompareOptions& options);
 
 }  // namespace tw

@@ -104,7 +104,8 @@ void add_probes(Comparison& comparison, const CompareOptions& options) {
             for (const RunRecord& r : comparison.sources)
                 mean.values.push_back(flow_through_time(r) > 0 ? mean_of(r, table, name, options)
                                                                : mean_over_run(r, table, name));
-            judge(mean, comparison.names, options.agree_within);
+            beside(mean);
+            mean.judged_in_ladder = true;
             comparison.quantities.push_back(std::move(mean));
         }
     }
