@@ -39,8 +39,8 @@ struct SolverSetup {
     StateEquation state_equation;
     double delta = 0.1;   ///< density diffusion
     double alpha = 0.01;  ///< artificial viscosity
-    Scheme scheme = Scheme::symplectic_euler;
-    double cfl = 0.7;  ///< dt = cfl h / (c0 + |u|); symplectic Euler is stable to about 1.2
+    Scheme scheme = Scheme::kick_drift_kick;
+    double cfl = 0.7;  ///< dt = cfl h / (c0 + |u|); kick-drift-kick is stable to about 1.5
     double shifting = 1;
     /// Kernel support sum_j V_j W_ij (walls and images counted; 1 in the interior, about 0.75 at a flat free surface)
     /// below which a particle counts as free surface and bears no tension.
@@ -101,11 +101,12 @@ struct Fluid {
 /// The lattice of spacing dp in each block, outside the solids.
 Fluid fill_with_fluid(const SolverSetup& setup, const std::vector<Box>& blocks);
 
-/// Delta-SPH of one level of particles, two sweeps over the pairs an evaluation. In time by default symplectic Euler:
+/// Delta-SPH of one level of particles, two sweeps over the pairs an evaluation. In time by default kick-drift-kick, where
+/// the first sweep lies in the middle of the drift:
 ///
-///   sweep 1 at (x, u):  div u, density gradient, kernel support;   rho -= dt rho div u
-///   p = p(rho); wall pressure
-///   sweep 2 at (x, rho): acceleration a, density diffusion D;      u += dt a;  rho += dt D;  x += dt u + shift
+///   x += dt/2 u;   sweep 1 at (x, u):  div u, density gradient, kernel support;   rho -= dt rho div u
+///   x += dt/2 u;   p = p(rho); wall pressure
+///   sweep 2 at (x, rho): acceleration a, density diffusion D;      u += dt a;  rho += dt D;  x += shift
 ///
 /// So the velocity that compresses is the one the pressure has just made (sound is carried without growth), and the
 /// density gradient of the diffusion is one compression older than the density, which leaves water at rest alone all

@@ -31,7 +31,17 @@ struct ColumnGrid {
     int column_y(std::int64_t y) const { return clamp((y - y0) / width, ny); }
     int of(const PlaceRecord& p) const { return column_y(p.y) * nx + column_x(p.x); }
 
+    /// Distance between a column, or a row of columns, and an interval [quanta]; those at the rim reach to infinity.
+    double gap_x(int cx, std::int64_t lo, std::int64_t hi) const { return gap(cx, nx, lo - x0, hi - x0); }
+    double gap_y(int cy, std::int64_t lo, std::int64_t hi) const { return gap(cy, ny, lo - y0, hi - y0); }
+
 private:
+    double gap(int c, int n, std::int64_t lo, std::int64_t hi) const {
+        const std::int64_t begin = std::int64_t{c} * width, end = begin + width;
+        if (c > 0 && hi < begin) return double(begin - hi);
+        if (c < n - 1 && lo > end) return double(lo - end);
+        return 0;
+    }
     static int clamp(std::int64_t i, int n) { return i < 0 ? 0 : i >= n ? n - 1 : static_cast<int>(i); }
 };
 

@@ -214,10 +214,10 @@ TEST(Scene, AnotherTimeSteppingSchemeIsAnotherRun) {
     const auto with_scheme = [](const std::string& name) {
         return scene_of(with(planing, "[run]", "[sph]\nscheme = \"" + name + "\"\n[run]"));
     };
-    const Scene usual = scene_of(planing), named = with_scheme("symplectic_euler"),
-                other = with_scheme("kick_drift_kick");
-    EXPECT_EQ(usual.sph.scheme, "symplectic_euler");
-    EXPECT_EQ(other.sph.scheme, "kick_drift_kick");
+    const Scene usual = scene_of(planing), named = with_scheme("kick_drift_kick"),
+                other = with_scheme("symplectic_euler");
+    EXPECT_EQ(usual.sph.scheme, "kick_drift_kick");
+    EXPECT_EQ(other.sph.scheme, "symplectic_euler");
     EXPECT_EQ(run_hash(usual, "sph"), run_hash(named, "sph"));  // the default is what it is when named
     EXPECT_NE(run_hash(usual, "sph"), run_hash(other, "sph"));
     EXPECT_EQ(run_hash(usual, "fvm"), run_hash(other, "fvm"));

@@ -6,8 +6,10 @@
 namespace tw {
 
 /// A round drop of radius 1 m in two dimensions, no gravity: u = -A x + spin z, w = A z - spin x.
-inline Solver elliptic_drop(double dp, double A, double spin = 0, double shifting = SolverSetup{}.shifting) {
+inline Solver elliptic_drop(double dp, double A, double spin = 0, double shifting = SolverSetup{}.shifting,
+                            Scheme scheme = SolverSetup{}.scheme) {
     SolverSetup s;
+    s.scheme = scheme;
     s.dimensions = 2;
     s.dp = dp;
     s.state_equation.c0 = 1400;
