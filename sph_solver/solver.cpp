@@ -67,7 +67,7 @@ void Solver::prune(double drift) {
     const Stopwatch watch(timers_.lists);
     PruneData d;
     d.of = place_.data();
-    d.place = place_;
+    d.place = place_.data(), d.place_end = d.place + place_.size();
     d.reach = static_cast<float>((kernel_.support() + 2 * drift * relative_speed_) / quanta_.size);
     run_pass(passes_->prune, d, groups_);
     if (live_wall_groups_.empty()) return;
@@ -76,7 +76,7 @@ void Solver::prune(double drift) {
     d.of = wall_place_.data();
     run_pass(passes_->prune, d, live_wall_groups_);
     d.of = place_.data();
-    d.place = wall_place_;
+    d.place = wall_place_.data(), d.place_end = d.place + wall_place_.size();
     d.list = &Group::wall_list, d.size = &Group::wall_size;
     run_pass(passes_->prune, d, groups_);
 }

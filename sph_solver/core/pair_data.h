@@ -1,6 +1,5 @@
 #pragma once
 #include <cstdint>
-#include <span>
 
 #include "sph_solver/core/kernel.h"
 
@@ -127,8 +126,8 @@ struct ExtrapolateData {
 
 /// Which neighbours of the groups' lists are within reach.
 struct PruneData {
-    const PlaceRecord* of = nullptr;     ///< the groups' places
-    std::span<const PlaceRecord> place;  ///< those that the lists refer to
+    const PlaceRecord* of = nullptr;                           ///< the groups' places
+    const PlaceRecord *place = nullptr, *place_end = nullptr;  ///< those that the lists refer to
     NeighbourBlock* Group::*list = &Group::list;
     std::int32_t Group::*size = &Group::list_size;
     float reach = 0;  ///< [quanta]

@@ -271,14 +271,13 @@ Reached reached(const GroupReach& g, const PlaceRecord* first, const PlaceRecord
 }
 
 void prune(const PruneData& d, const Group* groups, int count) {
-    const PlaceRecord* end = d.place.data() + d.place.size();
     for (int n = 0; n < count; ++n) {
         const Group& g = groups[n];
         if (g.*d.size == 0) continue;
         const GroupReach own = reach_of(d.of, g, d.reach, 0);
         for (NeighbourBlock* b = g.*d.list; b != g.*d.list + g.*d.size; ++b)
             if (b->maybe != 0)
-                b->live = (b->live & ~b->maybe) | reached(own, d.place.data() + b->first, end, b->maybe).within;
+                b->live = (b->live & ~b->maybe) | reached(own, d.place + b->first, d.place_end, b->maybe).within;
     }
 }
 
