@@ -117,7 +117,7 @@ struct SphOptions {
     double c0 = 0;                             ///< numerical sound speed [m/s]; default 10 max(U, sqrt(p_max/rho0))
     double delta = 0.1;                        ///< density diffusion
     double alpha = 0.01;                       ///< artificial viscosity
-    std::string scheme = "kick_drift_kick";   ///< of the time step; the names of Scheme, sph_solver/solver.h
+    std::string scheme = "kick_drift_kick";    ///< of the time step; the names of Scheme, sph_solver/solver.h
     double cfl = 0.7;                          ///< acoustic Courant number on h; stable to about 1.2
     std::string equation_of_state = "linear";  ///< linear, tait, mie_grueneisen
     double gamma = 7;                          ///< Tait exponent

@@ -101,8 +101,8 @@ struct Fluid {
 /// The lattice of spacing dp in each block, outside the solids.
 Fluid fill_with_fluid(const SolverSetup& setup, const std::vector<Box>& blocks);
 
-/// Delta-SPH of one level of particles, two sweeps over the pairs an evaluation. In time by default kick-drift-kick, where
-/// the first sweep lies in the middle of the drift:
+/// Delta-SPH of one level of particles, two sweeps over the pairs an evaluation. In time by default kick-drift-kick,
+/// where the first sweep lies in the middle of the drift:
 ///
 ///   x += dt/2 u;   sweep 1 at (x, u):  div u, density gradient, kernel support;   rho -= dt rho div u
 ///   x += dt/2 u;   p = p(rho); wall pressure
