@@ -4,33 +4,71 @@
 #include "sph_solver/solver.h"
 
 namespace tw {
+namespace {
 
-Fluid fill_with_fluid(const SolverSetup& s, const std::vector<Box>& blocks) {
+/// Places of spacing dp in a block, half a spacing off its faces.
+std::vector<Vec3> lattice(const SolverSetup& s, const Box& block) {
     const double dp = s.dp;
+    const auto count = [&](int a) { return static_cast<long>(std::llround(block.size()[a] / dp)); };
+    const long nx = count(0), ny = s.dimensions == 3 ? count(1) : 1, nz = count(2);
+    std::vector<Vec3> places;
+    for (long k = 0; k < nz; ++k)
+        for (long j = 0; j < ny; ++j)
+            for (long i = 0; i < nx; ++i)
+                places.emplace_back(block.min.x() + (double(i) + 0.5) * dp,
+                                    s.dimensions == 3 ? block.min.y() + (double(j) + 0.5) * dp : 0.0,
+                                    block.min.z() + (double(k) + 0.5) * dp);
+    return places;
+}
+
+/// Keeps what is outside the solids.
+void add_outside(const std::vector<Vec3>& places, const std::vector<SurfaceQuery>& solids, double dp, double surface,
+                 Fluid& out) {
+    std::vector<double> distance(places.size(), 1e30), d(places.size());
+    for (const SurfaceQuery& q : solids) {
+        q.signed_distances(places, d, 2 * dp);
+        for (std::size_t k = 0; k < d.size(); ++k) distance[k] = std::min(distance[k], d[k]);
+    }
+    for (std::size_t k = 0; k < places.size(); ++k)
+        if (distance[k] > 0) {
+            out.places.push_back(places[k]);
+            out.depth.push_back(surface - places[k].z());
+        }
+}
+
+std::vector<SurfaceQuery> queries_of(const SolverSetup& s) {
     std::vector<SurfaceQuery> queries;
     for (const Surface& surface : s.solids) queries.emplace_back(surface);
+    return queries;
+}
+
+}  // namespace
+
+Fluid fill_with_fluid(const SolverSetup& s, const std::vector<Box>& blocks) {
+    const std::vector<SurfaceQuery> solids = queries_of(s);
     Fluid out;
-    for (const Box& block : blocks) {
-        const auto count = [&](int a) { return static_cast<long>(std::llround(block.size()[a] / dp)); };
-        const long nx = count(0), ny = s.dimensions == 3 ? count(1) : 1, nz = count(2);
-        std::vector<Vec3> lattice;
-        for (long k = 0; k < nz; ++k)
-            for (long j = 0; j < ny; ++j)
-                for (long i = 0; i < nx; ++i)
-                    lattice.emplace_back(block.min.x() + (double(i) + 0.5) * dp,
-                                         s.dimensions == 3 ? block.min.y() + (double(j) + 0.5) * dp : 0.0,
-                                         block.min.z() + (double(k) + 0.5) * dp);
-        std::vector<double> distance(lattice.size(), 1e30), d(lattice.size());
-        for (const SurfaceQuery& q : queries) {
-            q.signed_distances(lattice, d, 2 * dp);
-            for (std::size_t k = 0; k < d.size(); ++k) distance[k] = std::min(distance[k], d[k]);
-        }
-        for (std::size_t k = 0; k < lattice.size(); ++k)
-            if (distance[k] > 0) {
-                out.places.push_back(lattice[k]);
-                out.depth.push_back(block.max.z() - lattice[k].z());
-            }
+    for (const Box& block : blocks) add_outside(lattice(s, block), solids, s.dp, block.max.z(), out);
+    return out;
+}
+
+Fluid fill_with_air(const SolverSetup& s, const std::vector<Box>& water) {
+    Box all = s.domain;
+    if (s.stream) {
+        all.min.x() -= s.stream->buffer;
+        all.max.x() += s.stream->buffer;
     }
+    std::vector<Vec3> places = lattice(s, all);
+    const double clear = 0.25 * s.dp;  // a block's own places are half a spacing inside
+    std::erase_if(places, [&](const Vec3& x) {
+        return std::ranges::any_of(water, [&](const Box& block) {
+            const Vec3 from_middle = (x - (block.min + block.max) / 2).cwiseAbs();
+            for (int a = 0; a < 3; ++a)
+                if ((a != 1 || s.dimensions == 3) && from_middle[a] > block.size()[a] / 2 + clear) return false;
+            return true;
+        });
+    });
+    Fluid out;
+    add_outside(places, queries_of(s), s.dp, all.max.z(), out);
     return out;
 }
 

@@ -49,6 +49,15 @@ Solver::Solver(SolverSetup setup, const Fluid& fluid)
     build_wall();
 }
 
+void Solver::add_air(const AirOptions& air, const Fluid& fluid) {
+    if (setup_.scheme != Scheme::kick_drift_kick && setup_.scheme != Scheme::symplectic_euler)
+        throw InputError(
+            "air needs a time step of one evaluation: [sph] scheme \"kick_drift_kick\" or "
+            "\"symplectic_euler\"");
+    setup_.surface_support = 0;  // nothing is a free surface
+    air_ = std::make_unique<Solver>(air_setup(setup_, air), fluid);
+}
+
 ExtrapolateData Solver::extrapolation() const {
     ExtrapolateData e;
     e.place = place_.data();
@@ -81,14 +90,8 @@ void Solver::prune(double drift) {
     run_pass(passes_->prune, d, groups_);
 }
 
-void Solver::evaluate(double t, double compress, double drift) {
-    if (rebuild_due_) rebuild();
+PassData Solver::pass_data(double t) {
     const SolverSetup& s = setup_;
-    {
-        const Stopwatch watch(timers_.update);
-        update_records();
-    }
-    prune(drift);
     PassData d;
     d.place = place_.data();
     d.motion = motion_.data();
@@ -115,30 +118,75 @@ void Solver::evaluate(double t, double compress, double drift) {
     d.inv_void = static_cast<float>(1 / (1 - s.touch_support));
     d.two_dimensional = s.dimensions == 2;
     if (s.tension_control) d.tension_control_from = static_cast<float>(s.shifting_support);
+    return d;
+}
+
+void Solver::evaluate(double t, double compress, double drift) {
+    if (!air_) {
+        prepare(drift);
+        first_sweep(t, compress, drift);
+        second_sweep(t);
+        return;
+    }
+    const bool lists_due = rebuild_due_ || air_->rebuild_due_;
+    rebuild_due_ = air_->rebuild_due_ = lists_due;
+    prepare(drift);
+    air_->prepare(drift);
+    if (lists_due) {
+        const PassData water = pass_data(t), air = air_->pass_data(t);
+        const PhaseView of_water{water, groups_, particles_.size(), start_, image_start_},
+            of_air{air, air_->groups_, air_->particles_.size(), air_->start_, air_->image_start_};
+        const double reach = kernel_.support() + wall_skin_over_dp * setup_.dp;
+        of_water_.find_neighbours(grid_, quanta_, of_water, of_air, reach);
+        of_air_.find_neighbours(grid_, quanta_, of_air, of_water, reach);
+    }
+    of_water_.meet(*passes_, pass_data(t), air_->pass_data(t));
+    of_air_.meet(*passes_, air_->pass_data(t), pass_data(t));
+    other_ = of_water_.sums(), air_->other_ = of_air_.sums();
+    first_sweep(t, compress, drift);
+    air_->first_sweep(t, compress, drift);
+    second_sweep(t);
+    air_->second_sweep(t);
+    of_water_.press(*passes_, pass_data(t), air_->pass_data(t));
+    of_air_.press(*passes_, air_->pass_data(t), pass_data(t));
+}
+
+void Solver::prepare(double drift) {
+    if (rebuild_due_) rebuild();
+    {
+        const Stopwatch watch(timers_.update);
+        update_records();
+    }
+    prune(drift);
+}
+
+void Solver::first_sweep(double t, double compress, double drift) {
+    const SolverSetup& s = setup_;
+    PassData d = pass_data(t);
+    d.other = other_;
     {
         const Stopwatch watch(timers_.gradient);
         run_pass(passes_->continuity_and_gradient, d, groups_);
     }
-    const StepView view{
-        setup_, particles_, d, *passes_, groups_, live_wall_groups_, images_, wall_place_.size(), wall_load_.size(),
-        h_,     mass_,      t};
-    {
-        const Stopwatch watch(timers_.update);
-        for (std::size_t i = 0; i < stages_.compression.size(); ++i) stages_.compression[i] = rate_[i].drho;
+    const Stopwatch watch(timers_.update);
+    for (std::size_t i = 0; i < stages_.compression.size(); ++i) stages_.compression[i] = rate_[i].drho;
 #pragma omp parallel for schedule(static)
-        for (std::size_t i = 0; i < particles_.size(); ++i) {
-            float& drho = particles_.drho[i];
-            if (particles_.kind[i] == Kind::fluid) drho += static_cast<float>(compress * rate_[i].drho);
-            surface_[i] = shift_[i].support < s.surface_support ? 1.0f : 0.0f;
-            // the free surface bears no tension (its density is not let below rho0)
-            if (particles_.kind[i] == Kind::fluid && surface_[i] > 0 && drho < 0) drho = 0;
-            motion_[i].drho = drho;
-            stress_[i].p = s.state_equation.pressure(s.rho0, drho);
-        }
-        if (drift > 0) drift_freely(drift);
-        for (const auto& effect : effects_) effect->change_pressure(view);
-        update_mirror_images(true);
+    for (std::size_t i = 0; i < particles_.size(); ++i) {
+        float& drho = particles_.drho[i];
+        if (particles_.kind[i] == Kind::fluid) drho += static_cast<float>(compress * rate_[i].drho);
+        surface_[i] = shift_[i].support < s.surface_support ? 1.0f : 0.0f;
+        // the free surface bears no tension (its density is not let below rho0)
+        if (particles_.kind[i] == Kind::fluid && surface_[i] > 0 && drho < 0) drho = 0;
+        motion_[i].drho = drho;
+        stress_[i].p = s.state_equation.pressure(s.rho0, drho);
     }
+    if (drift > 0) drift_freely(drift);
+    const StepView view = step_view(d, t);
+    for (const auto& effect : effects_) effect->change_pressure(view);
+    update_mirror_images(true);
+}
+
+void Solver::second_sweep(double t) {
     if (!live_wall_groups_.empty()) {
         const Stopwatch watch(timers_.walls);
         ExtrapolateData e = extrapolation();
@@ -146,15 +194,22 @@ void Solver::evaluate(double t, double compress, double drift) {
         e.p = wall_p_.data();
         run_pass(passes_->extrapolate, e, live_wall_groups_);
     }
+    const PassData d = pass_data(t);
     {
         const Stopwatch watch(timers_.forces);
         run_pass(passes_->forces, d, groups_);
     }
     {
         const Stopwatch watch(timers_.effects);
+        const StepView view = step_view(d, t);
         for (const auto& effect : effects_) effect->add_rates(view);
     }
     timers_.evaluations += static_cast<std::int64_t>(particles_.size());
+}
+
+StepView Solver::step_view(const PassData& d, double t) const {
+    return {setup_, particles_, d, *passes_, groups_, live_wall_groups_, images_, wall_place_.size(), wall_load_.size(),
+            h_,     mass_,      t};
 }
 
 void Solver::gather_load() {
@@ -176,6 +231,7 @@ void Solver::gather_load() {
     for (const auto& effect : effects_)
         if (!effect->wall_loads().empty()) load_.friction += gather(effect->wall_loads());
     load_.force += load_.friction;
+    if (air_) air_->gather_load();
 }
 
 void Solver::sample(PointSamples& points) {
@@ -194,6 +250,25 @@ void Solver::sample(PointSamples& points) {
     for (std::size_t k = 0; k < n; ++k) sorted[k] = raw[static_cast<std::size_t>(order[k])];
     std::vector<Group> groups;
     make_groups(sorted, start, 0, groups);
+    std::vector<float> p(n), support(n), flux(points.want_flux ? 3 * n : 0);
+    extrapolate_to(sorted, groups, p, support, points.want_flux ? flux.data() : nullptr);
+    if (air_) {
+        std::vector<float> p_air(n), support_air(n);
+        air_->extrapolate_to(sorted, groups, p_air, support_air, nullptr);
+        for (std::size_t k = 0; k < n; ++k)
+            if (const float both = support[k] + support_air[k]; both > 0)
+                p[k] = (p[k] * support[k] + p_air[k] * support_air[k]) / both;
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+        const auto i = static_cast<std::size_t>(order[k]);
+        points.p[i] = p[k];
+        points.support[i] = support[k];
+        for (std::size_t a = 0; a < 3 && points.want_flux; ++a) points.flux[3 * i + a] = flux[3 * k + a];
+    }
+}
+
+void Solver::extrapolate_to(const std::vector<PlaceRecord>& sorted, std::vector<Group>& groups, std::vector<float>& p,
+                            std::vector<float>& support, float* flux) const {
     NeighbourLists lists;
     const std::size_t particles = particles_.size();
     // the particles were sorted a few steps ago and have moved by up to the skin since: twice that keeps the search
@@ -203,22 +278,15 @@ void Solver::sample(PointSamples& points) {
         grid_, quanta_, sorted.data(), groups,
         {{place_.data(), &start_, 0}, {place_.data() + particles, &image_start_, static_cast<std::int32_t>(particles)}},
         reach, reach, false);
-    std::vector<float> p(n), support(n), flux(points.want_flux ? 3 * n : 0);
     ExtrapolateData e = extrapolation();
     e.at = sorted.data();
     e.p = p.data();
     e.support = support.data();
-    if (points.want_flux) {
+    if (flux) {
         e.carried = carried_.data();
-        e.flux = flux.data();
+        e.flux = flux;
     }
     run_pass(passes_->extrapolate, e, groups);
-    for (std::size_t k = 0; k < n; ++k) {
-        const auto i = static_cast<std::size_t>(order[k]);
-        points.p[i] = p[k];
-        points.support[i] = support[k];
-        for (std::size_t a = 0; a < 3 && points.want_flux; ++a) points.flux[3 * i + a] = flux[3 * k + a];
-    }
 }
 
 double Solver::visited_per_particle() const {
@@ -242,6 +310,7 @@ double Solver::bytes() const {
     add(stages_.start), add(stages_.mean), add(stages_.compression), add(stages_.diffusion);
     add(wall_place_), add(wall_p_), add(wall_groups_), add(live_wall_groups_);
     for (const auto& effect : effects_) sum += double(effect->bytes());
+    if (air_) sum += air_->bytes() + double(of_water_.bytes() + of_air_.bytes());
     return sum;
 }
 

@@ -16,6 +16,7 @@
 #include "sph_solver/core/columns.h"
 #include "sph_solver/core/pair_data.h"
 #include "sph_solver/core/particles.h"
+#include "sph_solver/effects/air.h"
 #include "sph_solver/effects/effects.h"
 #include "sph_solver/physics/state_equation.h"
 
@@ -28,6 +29,9 @@ enum class Scheme {
     predictor_corrector,   ///< two: the explicit midpoint rule
     rk4_frozen_diffusion,  ///< four: Runge-Kutta, with the density diffusion of its first stage throughout
 };
+
+/// Beyond these a run is stopped: density deviation over rho0, and speed over c0 [-].
+inline constexpr double largest_density_deviation = 0.3, largest_mach = 1.0;
 
 /// Everything the engine needs to know, in SI units.
 struct SolverSetup {
@@ -59,6 +63,8 @@ struct SolverSetup {
     std::vector<Surface> solids;  ///< closed, fixed; loads are those on all of them together
     Vec3 moment_reference = Vec3::Zero();
     EffectOptions effects;
+    /// A run whose density leaves rho0 by more than these shares of it is stopped.
+    double largest_compression = largest_density_deviation, largest_rarefaction = largest_density_deviation;
     int threads = 0;
 };
 
@@ -75,8 +81,6 @@ struct Ledger {
     std::int64_t held = 0;  ///< times that a particle was stopped at a wall (see Solver::hold_at_wall), not particles
 };
 
-/// Beyond these a run is stopped: density deviation over rho0, and speed over c0 [-].
-inline constexpr double largest_density_deviation = 0.3, largest_mach = 1.0;
 /// Beyond these the run goes on and its certificate says that the sound speed is too low: speed over c0 (the density's
 /// error grows with its square) and compression [-].
 inline constexpr double trusted_mach = 0.15, trusted_compression = 0.05;
@@ -100,6 +104,9 @@ struct Fluid {
 };
 /// The lattice of spacing dp in each block, outside the solids.
 Fluid fill_with_fluid(const SolverSetup& setup, const std::vector<Box>& blocks);
+/// The same lattice in what the blocks of water leave of the domain. Its depth counts from the domain's top, so that the
+/// gas at rest bears no tension.
+Fluid fill_with_air(const SolverSetup& setup, const std::vector<Box>& water);
 
 /// Delta-SPH of one level of particles, two sweeps over the pairs an evaluation. In time by default kick-drift-kick,
 /// where the first sweep lies in the middle of the drift:
@@ -115,6 +122,13 @@ class Solver {
 public:
     /// The particles start at the stream's velocity at t = 0 (at rest when it is ramped), under hydrostatic pressure.
     Solver(SolverSetup setup, const Fluid& fluid);
+
+    /// Fills what the water leaves free of `domain` with a gas (effects/air.h); before the first step. Throws
+    /// InputError for a scheme in stages.
+    void add_air(const AirOptions& air, const Fluid& fluid);
+    /// The gas as a solver of its own, stepped by this one; null when there is none.
+    const Solver* air() const { return air_.get(); }
+    Particles& air_particles() { return air_->particles_; }
 
     void step();  ///< throws RunError: NaN, density or Mach number out of bounds, particle through a wall
     double time() const { return time_; }
@@ -134,7 +148,8 @@ public:
     std::size_t wall_particles() const { return wall_place_.size(); }
     double bytes() const;  ///< memory of state, lists and walls
 
-    /// Fields at points from the present particles; valid until the next step. Not part of the time integration.
+    /// Fields at points from the present particles; valid until the next step. Not part of the time integration. The
+    /// pressure is that of both phases, the support the water's.
     /// `want_flux` needs a control volume.
     void sample(PointSamples& points);
     void set_control_volume(const Box& box) {
@@ -156,6 +171,7 @@ public:
     Restart restart_state() const;
     void mark_restart_point() { rebuild_due_ = true; }
     void restore(const Restart& state, Particles particles);
+    void restore_air(const Restart& state, Particles particles) { air_->restore(state, std::move(particles)); }
 
 private:
     static constexpr double skin_over_dp = 0.2;       ///< slack of the particle lists
@@ -164,7 +180,16 @@ private:
     /// Both sweeps at the present state, as of the time `t`. Between them the density changes for the time `compress`
     /// by the continuity equation, and the places for `drift` [s].
     void evaluate(double t, double compress, double drift = 0);
+    /// Its parts: lists and records; first sweep and pressure; second sweep.
+    void prepare(double drift);
+    void first_sweep(double t, double compress, double drift);
+    void second_sweep(double t);
+    PassData pass_data(double t);
+    StepView step_view(const PassData& d, double t) const;
     ExtrapolateData extrapolation() const;  ///< from the present records; the caller says where to
+    /// Pressure of this phase, its support and (null: not) flux at places sorted by column.
+    void extrapolate_to(const std::vector<PlaceRecord>& sorted, std::vector<Group>& groups, std::vector<float>& p,
+                        std::vector<float>& support, float* flux) const;
     void rebuild();
     /// Leaves in the lists who is within reach now, or may be after `drift` [s] with the present velocities.
     void prune(double drift);
@@ -186,9 +211,13 @@ private:
     void step_in_stages(std::span<const Stage> stages, bool freeze_diffusion);
     double reference_speed() const;
     void choose_time_step();
+    /// How far a particle may have come since the lists were made, up to where the next evaluation sees it [m].
+    double travel_ahead() const;
+    bool lists_outlived() const;
     void drift_freely(double dt);
     void go_to_stage(double since);
     void move(double dt, double drifted, double drift);
+    void move_all(double dt, double drifted, double drift);
     std::optional<Vec3> hold_at_wall(std::size_t i);
     [[noreturn]] void fail_at(std::size_t i, const std::string& what) const;
     void check_bounds();
@@ -238,6 +267,10 @@ private:
         std::vector<Mean> mean;
         std::vector<float> compression, diffusion;  ///< -rho div u of this stage, D of the first [kg/m3/s]
     } stages_;
+
+    std::unique_ptr<Solver> air_;
+    Interface of_water_, of_air_;       // only with air
+    const OtherSums* other_ = nullptr;  // what the other phase does to this one
 
     double travel_ = 0, travel_in_stream_ = 0;  ///< upper bounds since the last rebuild [m]
     double relative_speed_ = 0;                 ///< largest one relative to the stream after the last step [m/s]

@@ -60,6 +60,10 @@ struct alignas(16) ShiftRecord {
                     ///< component towards a free surface
     float support;  ///< sum_j V_j W_ij, walls and the particle itself counted [-]
 };
+/// What the other phase adds to the first sweep's sums, see effects/air.h: of shifting [1/m], support [-], div u [1/s].
+struct OtherSums {
+    float x, y, z, support, divergence;
+};
 /// Per-particle rates [m/s2], [kg/m3/s].
 struct alignas(16) RateRecord {
     float ax, ay, az, drho;
@@ -94,7 +98,8 @@ struct PassData {
     ShiftRecord* shift = nullptr;
     RateRecord* rate = nullptr;
     WallLoad* wall_load = nullptr;
-    CarriedShare* carried = nullptr;  ///< may be null
+    CarriedShare* carried = nullptr;   ///< may be null
+    const OtherSums* other = nullptr;  ///< null: there is one phase
 
     Kernel kernel;
     float quantum = 1;  ///< [m]
@@ -137,6 +142,7 @@ struct VelocityData;
 struct ViscousData;
 struct StrainData;
 struct ColourData;
+struct InterfaceData;
 
 /// The pair passes of one instruction set.
 struct Passes {
@@ -156,6 +162,8 @@ struct Passes {
     void (*strain_rate)(const StrainData&, const Group*, int count);
     void (*colour_gradient)(const ColourData&, const Group*, int count);
     void (*surface_curvature)(const ColourData&, const Group*, int count);
+    void (*meet_other_phase)(const InterfaceData&, const Group*, int count);
+    void (*press_other_phase)(const InterfaceData&, const Group*, int count);
 };
 /// The best this processor runs; TWINWAKE_ISA=baseline|avx2|avx512 chooses another. Throws InputError for one it cannot
 /// run.

@@ -133,6 +133,35 @@ struct VectorGradient {
     }
 };
 
+/// What every neighbour adds, water, wall or air: kernel support (without the factor tenth_h) and the shifting sum (Sun
+/// et al. 2017).
+struct ShiftWeight {
+    float clumping;
+    explicit ShiftWeight(const PassData& d) {
+        const float W_over_W_dp = d.kernel.tenth_h * d.kernel.gradient * d.inv_W_dp;  // of t3 shape
+        const float ratio2 = W_over_W_dp * W_over_W_dp;
+        clumping = 0.2f * ratio2 * ratio2;
+    }
+    void count_in(const Met& ij, F& support, V3<F>& s) const {
+        const F shape = ij.shape();
+        support += ij.FV * shape;
+        const F W = ij.t3 * shape, W2 = W * W;
+        const F fs = ij.FV * (clumping * (W2 * W2) + 1.0f);
+        s.x += fs * ij.r_ji.x;
+        s.y += fs * ij.r_ji.y;
+        s.z += fs * ij.r_ji.z;
+    }
+};
+
+/// Tension control (Sun et al. 2018, doi:10.1016/j.cpc.2017.11.016): inside the fluid p_j - p_i in place of p_j + p_i
+/// where p_i < 0, so that what is stretched does not clump. Not beside walls, where the pair forces are the load.
+inline void control_tension(const PassData& d, const Group& g, F& p_i) {
+    if (d.tension_control_from > 1.5f || g.wall_size > 0) return;
+    for (int l = 0; l < lanes; ++l)
+        if (d.shift[g.first + (l < g.size ? l : g.size - 1)].support > d.tension_control_from && p_i[l] < 0)
+            p_i[l] = -p_i[l];
+}
+
 /// Sum of the accelerations w of a group's particles by walls, and of their moments about its centre.
 inline WallLoad load_of(const Lanes& a, float support_length, const V3<F>& w, int size) {
     const F x = a.x * support_length, y = a.y * support_length, z = a.z * support_length;

@@ -14,8 +14,7 @@ namespace {
 /// fluid particle, so u_i - u_wall = (u_i . n_i) n_i.
 void continuity_and_gradient(const PassData& d, const Group* groups, int count) {
     const Frame frame = frame_of(d.kernel, d.quantum);
-    const float W_over_W_dp = d.kernel.tenth_h * d.kernel.gradient * d.inv_W_dp;  // of t3 shape
-    const float ratio2 = W_over_W_dp * W_over_W_dp, clumping = 0.2f * ratio2 * ratio2;
+    const ShiftWeight weight(d);
     for (int n = 0; n < count; ++n) {
         const Group& g = groups[n];
         const Lanes a = load_places(d.place, g, frame);
@@ -32,18 +31,8 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
         V3<F> b{F{}, F{}, F{}}, s{F{}, F{}, F{}};
         F support{};
 
-        // what water and wall neighbours have in common: support and shifting sum
-        const auto count_in = [&](const Met& ij) {
-            const F shape = ij.shape();
-            support += ij.FV * shape;
-            const F W = ij.t3 * shape, W2 = W * W;
-            const F fs = ij.FV * (clumping * (W2 * W2) + 1.0f);
-            s.x += fs * ij.r_ji.x;
-            s.y += fs * ij.r_ji.y;
-            s.z += fs * ij.r_ji.z;
-        };
         for_each_neighbour(d.place, g.list, g.list_size, g, frame, a, [&](std::int32_t j, const Met& ij) {
-            count_in(ij);
+            weight.count_in(ij, support, s);
             const V3<F>& r = ij.r_ji;
             const V3<F> f = ij.gradient();
             m[0] += f.x * r.x;
@@ -68,10 +57,16 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
         const F u_n = dot(u, n_i);
         const V3<F> u_iw{u_n * n_i.x, u_n * n_i.y, u_n * n_i.z};
         for_each_neighbour(d.wall_place, g.wall_list, g.wall_size, g, frame, a, [&](std::int32_t, const Met& ij) {
-            count_in(ij);
+            weight.count_in(ij, support, s);
             Continuity::add(ij.gradient(), u_iw, wall_divergence);
         });
         support *= d.kernel.tenth_h;
+        if (d.other)
+            for (int l = 0; l < g.size; ++l) {
+                const OtherSums& other = d.other[g.first + l];
+                support[l] += other.support, divergence[l] += other.divergence;
+                s.x[l] += other.x, s.y[l] += other.y, s.z[l] += other.z;
+            }
         for (F& entry : m) entry *= d.kernel.support_length;
         if (g.wall_size > 0) {
             // A wall compresses only the water that it touches: while the support is incomplete there is a void between
@@ -119,13 +114,7 @@ void forces(const PassData& d, const Group* groups, int count) {
             p_i[l] = d.stress[i].p;
             V_i[l] = d.place[i].volume;
         }
-        // Tension control (Sun et al. 2018, doi:10.1016/j.cpc.2017.11.016): inside the water p_j - p_i in place of p_j
-        // + p_i where p_i < 0, so that stretched water does not clump. Not beside walls, where the pair forces are the
-        // load.
-        if (d.tension_control_from < 1.5f && g.wall_size == 0)
-            for (int l = 0; l < lanes; ++l)
-                if (d.shift[g.first + (l < g.size ? l : g.size - 1)].support > d.tension_control_from && p_i[l] < 0)
-                    p_i[l] = -p_i[l];
+        control_tension(d, g, p_i);
         F diffusion{};
         V3<F> towards_surface{F{}, F{}, F{}};
         V3<F> water{F{}, F{}, F{}}, wall{F{}, F{}, F{}};
@@ -288,15 +277,28 @@ void viscous_forces(const ViscousData&, const Group*, int);
 void strain_rate(const StrainData&, const Group*, int);
 void colour_gradient(const ColourData&, const Group*, int);
 void surface_curvature(const ColourData&, const Group*, int);
+void meet_other_phase(const InterfaceData&, const Group*, int);
+void press_other_phase(const InterfaceData&, const Group*, int);
 
 extern const Passes table;
 #ifdef TW_WITHOUT_EFFECTS
-const Passes table = {TW_ISA_NAME, prune, continuity_and_gradient, forces, extrapolate, reach_of, reached, {}, {}, {},
-                      {},          {}};
-#else
 const Passes table = {
-    TW_ISA_NAME, prune,          continuity_and_gradient, forces,      extrapolate,     reach_of,
-    reached,     water_velocity, viscous_forces,          strain_rate, colour_gradient, surface_curvature};
+    TW_ISA_NAME, prune, continuity_and_gradient, forces, extrapolate, reach_of, reached, {}, {}, {}, {}, {}, {}, {}};
+#else
+const Passes table = {TW_ISA_NAME,
+                      prune,
+                      continuity_and_gradient,
+                      forces,
+                      extrapolate,
+                      reach_of,
+                      reached,
+                      water_velocity,
+                      viscous_forces,
+                      strain_rate,
+                      colour_gradient,
+                      surface_curvature,
+                      meet_other_phase,
+                      press_other_phase};
 #endif
 
 }  // namespace TW_ISA

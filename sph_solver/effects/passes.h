@@ -28,7 +28,13 @@ struct ColourData {
     const PassData* water = nullptr;
     MotionRecord* normal = nullptr;  ///< `colour_gradient` writes grad C [1/m]; `surface_curvature` reads the unit
                                      ///< normal, of images too, with drho = 1 where it counts and 0 elsewhere
-    float* curvature = nullptr;  ///< -div n [1/m]
+    float* curvature = nullptr;      ///< -div n [1/m]
+};
+
+/// See effects/air.h: `meet_other_phase` fills sums, `press_other_phase` adds to `own->rate`.
+struct InterfaceData {
+    const PassData *own = nullptr, *other = nullptr;
+    OtherSums* sums = nullptr;
 };
 
 }  // namespace tw

@@ -1,0 +1,44 @@
+#include "sph_solver/effects/air.h"
+
+#include "sph_solver/core/run_pass.h"
+#include "sph_solver/effects/passes.h"
+#include "sph_solver/solver.h"
+
+namespace tw {
+
+SolverSetup air_setup(SolverSetup s, const AirOptions& air) {
+    s.rho0 = air.density;
+    s.state_equation = {};
+    s.state_equation.form = StateEquation::Form::tait;
+    s.state_equation.c0 = air.sound_speed;
+    s.state_equation.gamma = air.heat_capacities;
+    s.largest_compression = 10, s.largest_rarefaction = 0.95;  // a gas may be
+    s.tension_control = true;
+    s.effects = {};
+    return s;
+}
+
+void Interface::find_neighbours(const ColumnGrid& grid, const Quanta& quanta, const PhaseView& own,
+                                const PhaseView& other, double reach) {
+    groups_ = own.groups;
+    const PlaceRecord* place = other.pass.place;
+    lists_.build(grid, quanta, own.pass.place, groups_,
+                 {{place, &other.start, 0}, {place + other.count, &other.image_start, static_cast<int>(other.count)}},
+                 reach, reach, false);
+    std::erase_if(groups_, [](const Group& g) { return g.list_size == 0; });
+    sums_.assign(own.count, {});
+}
+
+void Interface::meet(const Passes& passes, const PassData& own, const PassData& other) {
+    run_pass(passes.meet_other_phase, InterfaceData{&own, &other, sums_.data()}, groups_);
+}
+
+void Interface::press(const Passes& passes, const PassData& own, const PassData& other) const {
+    run_pass(passes.press_other_phase, InterfaceData{&own, &other, nullptr}, groups_);
+}
+
+std::size_t Interface::bytes() const {
+    return lists_.bytes() + groups_.capacity() * sizeof(Group) + sums_.capacity() * sizeof(OtherSums);
+}
+
+}  // namespace tw
