@@ -64,7 +64,7 @@ constexpr const char* about_ablate =
     "  twinwake ablate my.toml --effect viscosity=on --effects no_slip turbulence\n\n"
     "The effects: viscosity, no_slip, turbulence, surface_tension, gravity (both methods); cavitation, "
     "damping_layers,\n"
-    "acoustic_damping, shifting, tension_control (particles alone: no mesh run is spent on them). air and\n"
+    "acoustic_damping, shifting, tension_control, air (particles alone: no mesh run is spent on them).\n"
     "compressibility cannot be switched in this version, and the table says so. no_slip and turbulence need "
     "viscosity:\n"
     "where the scene has none, they are switched in the run that has it on, and held against that run.\n\n"

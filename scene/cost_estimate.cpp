@@ -65,18 +65,6 @@ double count_cells(const Scene& scene) {
     return cells * (scene.refinement.empty() ? 1 : transition_cells);
 }
 
-/// Water at the start [m3], of what is solved (half a half model).
-double water_volume(const Scene& scene) {
-    if (!scene.water_blocks.empty()) {
-        double volume = 0;
-        for (const Box& block : scene.water_blocks) volume += block.volume();
-        return volume;
-    }
-    const Vec3 size = scene.domain.box.size();
-    const double hull = scene.hull ? scene.hull->still.volume / scene.symmetry_factor() : 0;
-    return size.x() * size.y() * -scene.domain.box.min.z() - hull;
-}
-
 /// Memory this process may use [bytes]: the machine's, or less where a control group says so.
 double machine_memory() {
     double bytes = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));

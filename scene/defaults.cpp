@@ -153,4 +153,15 @@ RasterSpec default_raster(const Scene& scene, double spacing) {
     return raster;
 }
 
+double water_volume(const Scene& scene) {
+    if (!scene.water_blocks.empty()) {
+        double volume = 0;
+        for (const Box& block : scene.water_blocks) volume += block.volume();
+        return volume;
+    }
+    const Vec3 size = scene.domain.box.size();
+    const double hull = scene.hull ? scene.hull->still.volume / scene.symmetry_factor() : 0;
+    return size.x() * size.y() * -scene.domain.box.min.z() - hull;
+}
+
 }  // namespace tw

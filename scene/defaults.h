@@ -41,5 +41,7 @@ double default_sound_speed(const Scene& scene);
 
 /// Bounds of the water at rest [m]: depth below the surface of the deepest place.
 double water_height(const Scene& scene);
+/// Water at the start [m3], of what is solved (half a half model).
+double water_volume(const Scene& scene);
 
 }  // namespace tw

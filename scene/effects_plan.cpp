@@ -150,17 +150,28 @@ EffectChoice plan_surface_tension(const Scene& scene, const Asked& asked, const 
     return c;
 }
 
-/// The cushion of air under a flat plate matters below about 3 degrees of deadrise (Verhagen 1967).
-EffectChoice plan_air(const Scene& scene, const Numbers& n) {
-    EffectChoice c = choice("air", {}, false);
+/// The cushion of air under a flat plate matters below about 3 degrees of deadrise (Verhagen 1967). Among the particles
+/// the gas costs its own particles, and its sound sets the time step.
+EffectChoice plan_air(const Scene& scene, const Asked& asked, const Numbers& n) {
+    EffectChoice c = choice("air", asked, false);
+    const Vec3 size = scene.domain.box.size();
+    const double gas = size.x() * size.y() * size.z() / water_volume(scene) - 1,
+                 steps = std::max(1.0, (scene.sph.air_c0 + n.speed) / (scene.sph.c0 + n.speed));
     c.reason = fmt::format(
-        "density ratio {:.2g}: the particle side has no air; the mesh side carries it, and only the "
-        "water's force is compared; an air cushion matters below 3 deg of deadrise at impact "
-        "(rho_a/rho U^2 = {:.2g} Pa here)",
-        scene.water.air_density / scene.water.density, scene.water.air_density * n.speed * n.speed);
+        "density ratio {:.2g}: {}; an air cushion matters below 3 deg of deadrise at impact (rho_a/rho U^2 = {:.2g} Pa "
+        "here)",
+        scene.water.air_density / scene.water.density,
+        c.on
+            ? fmt::format("among the particles a gas of sound speed {:g} m/s under a lid, in the mesh incompressible "
+                          "air; only the water's force is compared",
+                          scene.sph.air_c0)
+            : "among the particles only on demand, for its cost; the mesh side always carries it, and only the water's "
+              "force is compared",
+        scene.water.air_density * n.speed * n.speed);
     c.influence = scene.hull ? influence("10 % (measured on dry topsides, shown beside the compared force)",
                                          "3 to 5 % (the same)", "drops are slowed; sheets thinner than a cell hang on")
-                             : influence("none", "trapped pockets collapse on the particle side", "not measured");
+                             : influence("none", "trapped pockets collapse without it", "not measured");
+    c.cost = (1 + gas) * steps - 1;
     return c;
 }
 
@@ -259,8 +270,8 @@ std::string effect_needed_by(const std::string& name) {
 }
 
 bool acts_among_particles_only(const std::string& name) {
-    static const std::vector<std::string> names{"cavitation", "damping_layers", "acoustic_damping", "shifting",
-                                                "tension_control"};
+    static const std::vector<std::string> names{"air",      "cavitation",     "damping_layers", "acoustic_damping",
+                                                "shifting", "tension_control"};
     return std::ranges::find(names, name) != names.end();
 }
 
@@ -293,11 +304,10 @@ std::vector<EffectChoice> plan_effects(Scene& scene, Section& s) {
     plan.push_back(plan_surface_tension(scene, s.on_off("surface_tension"), n));
     if (plan.back().on && scene.water.surface_tension == 0)
         s.fail("surface_tension", "the water's surface tension is zero: give [water] surface_tension");
-    const bool air_said = refuse(
-        "air",
-        "the particle side solves no air; the mesh side always carries it and reports its share of the force apart");
-    plan.push_back(plan_air(scene, n));
-    plan.back().forced = air_said;
+    plan.push_back(plan_air(scene, s.on_off("air"), n));
+    if (plan.back().on && scene.sph.scheme != "kick_drift_kick" && scene.sph.scheme != "symplectic_euler")
+        s.fail("air",
+               "needs a time step of one evaluation: [sph] scheme = \"kick_drift_kick\" or \"symplectic_euler\"");
     const bool compressible_said =
         refuse("compressibility", "water is solved as (nearly) incompressible by both methods");
     plan.push_back(plan_compressibility(scene, n));

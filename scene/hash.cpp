@@ -76,6 +76,7 @@ std::string run_hash(const Scene& scene, const std::string& method) {
         if (o.scheme != SphOptions().scheme) t.add("scheme", o.scheme);
         if (scene.effect_on("turbulence")) t.add("smagorinsky", {o.smagorinsky});
         if (scene.effect_on("acoustic_damping")) t.add("acoustic_damper", {o.acoustic_damper});
+        if (scene.effect_on("air")) t.add("air_c0", {o.air_c0});
     } else {
         const FvmOptions& o = scene.fvm;
         t.add("fvm", {o.max_courant, o.max_alpha_courant, o.interface_compression, static_cast<double>(o.correctors)});

@@ -147,6 +147,7 @@ SphOptions read_sph(Section& s) {
     o.touch_support = s.number("touch_support", o.touch_support, "-", {0.5, 0.999});
     o.smagorinsky = s.number("smagorinsky", o.smagorinsky, "-", {0, 1});
     o.acoustic_damper = s.number("acoustic_damper", o.acoustic_damper, "-", {0, 2, true});
+    o.air_c0 = s.number("air_c0", o.air_c0, "m/s", positive);
     s.finish();
     return o;
 }

@@ -125,6 +125,7 @@ struct SphOptions {
     double touch_support = 0.9;                ///< kernel support from which a wall compresses the water
     double smagorinsky = 0.12;                 ///< Cs of the effect "turbulence"
     double acoustic_damper = 0.3;              ///< alpha2 of the effect "acoustic_damping"
+    double air_c0 = 343;                       ///< sound speed of the effect "air" [m/s]
 };
 
 struct FvmOptions {

@@ -67,22 +67,12 @@ public:
     explicit Snapshots(const fs::path& folder) : folder_(folder / "snapshots") {}
     void write(const Solver& solver, const RunRecord& record) {
         fs::create_directories(folder_);
-        const Particles& p = solver.particles();
-        std::vector<Vec3> places(p.size());
-        Field velocity{"velocity", 3, {}}, pressure{"pressure", 1, {}}, kind{"kind", 1, {}};
-        for (std::size_t i = 0; i < p.size(); ++i) {
-            places[i] = Vec3(p.x[i], p.y[i], p.z[i]);
-            velocity.values.insert(velocity.values.end(), {p.u[i], p.v[i], p.w[i]});
-            pressure.values.push_back(static_cast<float>(solver.pressure(i)));
-            kind.values.push_back(static_cast<float>(p.kind[i]));
-        }
         const std::string stamp = fmt::format("{:09.5f}", solver.time());
-        const std::string particles = "particles_" + stamp + ".hdf", hull = "hull_" + stamp + ".vtp";
-        write_particles(folder_ / particles, solver.time(), places, {velocity, pressure, kind});
-        particles_.emplace_back(particles, solver.time());
-        write_series(folder_ / "particles.hdf.series", particles_);
+        write_phase(solver, "particles", particles_, stamp);
+        if (solver.air()) write_phase(*solver.air(), "air", air_, stamp);
         write_water(record);
         if (record.hull_pressure.empty()) return;
+        const std::string hull = "hull_" + stamp + ".vtp";
         write_surface(folder_ / hull, record.hull,
                       {{"pressure", 1, record.hull_pressure}, {"wet", 1, record.hull_wet}});
         hulls_.emplace_back(hull, solver.time());
@@ -106,8 +96,8 @@ public:
         for (const auto& entry : fs::directory_iterator(folder_)) {
             const std::string name = entry.path().filename().string();
             for (auto [prefix, suffix, list] :
-                 {std::tuple{"particles_", ".hdf", &particles_}, std::tuple{"hull_", ".vtp", &hulls_},
-                  std::tuple{"free_surface_", ".vtp", &waters_}})
+                 {std::tuple{"particles_", ".hdf", &particles_}, std::tuple{"air_", ".hdf", &air_},
+                  std::tuple{"hull_", ".vtp", &hulls_}, std::tuple{"free_surface_", ".vtp", &waters_}})
                 if (name.starts_with(prefix) && name.ends_with(suffix)) {
                     const double at = std::stod(name.substr(std::string(prefix).size()));
                     if (at <= time) list->emplace_back(name, at);
@@ -115,13 +105,32 @@ public:
         }
         const auto earlier = [](const auto& a, const auto& b) { return a.second < b.second; };
         std::sort(particles_.begin(), particles_.end(), earlier);
+        std::sort(air_.begin(), air_.end(), earlier);
         std::sort(hulls_.begin(), hulls_.end(), earlier);
         std::sort(waters_.begin(), waters_.end(), earlier);
     }
 
 private:
+    using Series = std::vector<std::pair<std::string, double>>;
+
+    void write_phase(const Solver& solver, const std::string& name, Series& series, const std::string& stamp) {
+        const Particles& p = solver.particles();
+        std::vector<Vec3> places(p.size());
+        Field velocity{"velocity", 3, {}}, pressure{"pressure", 1, {}}, kind{"kind", 1, {}};
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            places[i] = Vec3(p.x[i], p.y[i], p.z[i]);
+            velocity.values.insert(velocity.values.end(), {p.u[i], p.v[i], p.w[i]});
+            pressure.values.push_back(static_cast<float>(solver.pressure(i)));
+            kind.values.push_back(static_cast<float>(p.kind[i]));
+        }
+        const std::string file = name + "_" + stamp + ".hdf";
+        write_particles(folder_ / file, solver.time(), places, {velocity, pressure, kind});
+        series.emplace_back(file, solver.time());
+        write_series(folder_ / (name + ".hdf.series"), series);
+    }
+
     fs::path folder_;
-    std::vector<std::pair<std::string, double>> particles_, hulls_, waters_;
+    Series particles_, air_, hulls_, waters_;
 };
 
 void remove_old_run(const fs::path& folder) {
@@ -159,6 +168,7 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
         const PhaseTimer timer(fresh, "particles");
         setup = sph_setup(scene, threads);
         solver.emplace(setup->solver, setup->fluid);
+        if (setup->air) solver->add_air(setup->air->options, setup->air->fluid);
     }
     if (setup->control_volume) {
         solver->set_control_volume(*setup->control_volume);
@@ -172,7 +182,7 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
     fresh.numbers["wall_particles"] = double(solver->wall_particles());
     const double mass_at_start =
         checkpoint ? checkpoint->mass_at_start : solver->mass() * double(solver->particles().size());
-    setup->fluid = {};
+    setup->fluid = {}, setup->air = {};
 
     if (!checkpoint) remove_old_run(options.folder);
     if (checkpoint && fs::exists(record_file)) {
@@ -188,6 +198,7 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
     Snapshots snapshots(options.folder);
     if (checkpoint) {
         solver->restore(checkpoint->state, std::move(checkpoint->particles));
+        if (solver->air()) solver->restore_air(checkpoint->air_state, std::move(checkpoint->air));
         recorder.rewind(*solver);
         snapshots.find_written(solver->time());
     }
@@ -205,6 +216,7 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
         record.state = state;
         record.reason = reason;
         record.elements = double(solver->particles().size());
+        if (solver->air()) record.numbers["air_particles"] = double(solver->air()->particles().size());
         record.steps = double(solver->steps());
         record.peak_memory = std::max(record.peak_memory, peak_memory());
         record.numbers["bytes_per_particle"] = solver->bytes() / double(solver->particles().size());
@@ -216,7 +228,9 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
         Progress p;
         p.time = solver->time(), p.duration = duration, p.wall = wall, p.steps = solver->steps();
         p.eta = rate > 0 ? (duration - solver->time()) / rate : 0;
-        p.note = fmt::format("sph {} particles, dt {:.3g} s", solver->particles().size(), solver->dt());
+        p.note = fmt::format("sph {} particles{}, dt {:.3g} s", solver->particles().size(),
+                             solver->air() ? fmt::format(" and {} of air", solver->air()->particles().size()) : "",
+                             solver->dt());
         options.progress(p);
         last_report = wall_now();
     };

@@ -130,6 +130,13 @@ SphSetup sph_setup(const Scene& scene, int threads) {
         blocks.push_back(water);
     }
     setup.fluid = fill_with_fluid(s, blocks);
+    if (scene.effect_on("air")) {
+        AirOptions air;
+        air.density = scene.water.air_density;
+        air.sound_speed = scene.sph.air_c0;
+        setup.air = {air, fill_with_air(s, blocks)};
+        s.mirrors.on[2][1] = true;  // a lid: what flies up bounces, the gas stays
+    }
     if (setup.fluid.places.empty())
         throw InputError(scene.file.string() + ": no water particle fits: the spacing " + std::to_string(s.dp) +
                          " m is too coarse for the water");

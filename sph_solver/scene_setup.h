@@ -10,6 +10,11 @@ namespace tw {
 struct SphSetup {
     SolverSetup solver;
     Fluid fluid;
+    struct Gas {
+        AirOptions options;
+        Fluid fluid;
+    };
+    std::optional<Gas> air;             ///< when the effect is on
     std::optional<Box> control_volume;  ///< round the hull, clear of it and inside the water's sides
 };
 

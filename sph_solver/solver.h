@@ -84,6 +84,8 @@ struct Ledger {
 /// Beyond these the run goes on and its certificate says that the sound speed is too low: speed over c0 (the density's
 /// error grows with its square) and compression [-].
 inline constexpr double trusted_mach = 0.15, trusted_compression = 0.05;
+/// The same of a gas, which may be compressed: speed over its sound speed [-].
+inline constexpr double trusted_air_mach = 0.5;
 
 /// Extremes of one step, for the gates and the time step.
 struct Extremes {
@@ -104,8 +106,8 @@ struct Fluid {
 };
 /// The lattice of spacing dp in each block, outside the solids.
 Fluid fill_with_fluid(const SolverSetup& setup, const std::vector<Box>& blocks);
-/// The same lattice in what the blocks of water leave of the domain. Its depth counts from the domain's top, so that the
-/// gas at rest bears no tension.
+/// The same lattice in what the blocks of water leave of the domain. Its depth counts from the domain's top, so that
+/// the gas at rest bears no tension.
 Fluid fill_with_air(const SolverSetup& setup, const std::vector<Box>& water);
 
 /// Delta-SPH of one level of particles, two sweeps over the pairs an evaluation. In time by default kick-drift-kick,

@@ -15,7 +15,12 @@ void watch_stability(const Solver& solver, RunRecord& record) {
                {"compression", "%", percent * e.density_deviation_high, 100 * trusted_compression, t, e.densest_place});
     note_worst(record, {"rarefaction", "%", -percent * e.density_deviation_low, deviation, t, e.thinnest_place});
     note_worst(record, {"step held down", "-", solver.dt() > 0 ? acoustic / solver.dt() : 0, 20, t, nowhere});
-    note_worst(record, {"particles lost", "-", static_cast<double>(solver.ledger().lost), 0, t, nowhere});
+    if (const Solver* air = solver.air())
+        note_worst(record, {"Mach number of the air", "-", air->extremes().speed / air->setup().state_equation.c0,
+                            trusted_air_mach, t, air->extremes().fastest_place});
+    note_worst(record, {"particles lost", "-",
+                        static_cast<double>(solver.ledger().lost + (solver.air() ? solver.air()->ledger().lost : 0)), 0,
+                        t, nowhere});
 }
 
 }  // namespace tw

@@ -14,6 +14,8 @@ struct Checkpoint {
     Solver::Restart state;
     Particles particles;
     double mass_at_start = 0;
+    Solver::Restart air_state;
+    Particles air;  ///< empty without the effect
 };
 /// Throws InputError naming the file: not there, cut off, of another scene, resolution or other numerics.
 Checkpoint read_checkpoint(const std::filesystem::path& file, const std::string& run_hash);

@@ -63,6 +63,11 @@ void Recorder::after_step(Solver& solver, bool frame) {
         put("_pressure", load.force - load.friction);
         put("_viscous", load.friction);
         set(t, row, "my", "N m", factor_ * load.moment.y());
+        if (solver.air()) {
+            const Vec3 air = solver.air()->load().force.cwiseProduct(whole);
+            set(t, row, "fx_air", "N", air.x());
+            set(t, row, "fz_air", "N", air.z());
+        }
     }
     if (frame || solver.steps() % surface_every == 0) sample_surface(solver, row);
     if (frame) sample_frame(solver, row);
@@ -136,6 +141,11 @@ void Recorder::sample_frame(Solver& solver, std::size_t row) {
     set(t, k, "particles_out", "-", double(solver.ledger().out));
     set(t, k, "particles_lost", "-", double(solver.ledger().lost));
     set(t, k, "held_at_wall", "-", double(solver.ledger().held));
+    if (const Solver* air = solver.air()) {
+        set(t, k, "air_max_speed", "m/s", air->extremes().speed);
+        set(t, k, "air_density_deviation_low", "kg/m3", air->extremes().density_deviation_low);
+        set(t, k, "air_density_deviation_high", "kg/m3", air->extremes().density_deviation_high);
+    }
     if (hull_) {
         set(t, k, "wetted_area", "m2", factor_ * hull_->wetted_area());
         set(t, k, "wetted_length", "m", hull_->wetted_length(0.1 * scene_.hull->beam));
@@ -150,7 +160,8 @@ void Recorder::probe(Solver& solver) {
         solver.sample(pressure_points_);
         for (std::size_t n = 0; n < pressure_points_.places.size(); ++n)
             set(t, k, scene_.sampling.pressure[n].name.c_str(), "Pa",
-                pressure_points_.support[n] >= SurfaceSamples::wet ? double(pressure_points_.p[n]) : 0.0);
+                pressure_points_.support[n] >= SurfaceSamples::wet || solver.air() ? double(pressure_points_.p[n])
+                                                                                   : 0.0);
     }
     if (!height_points_.places.empty()) {
         // elevation of the water column over the floor: the integral of its share of each height

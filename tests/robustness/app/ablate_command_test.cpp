@@ -38,8 +38,8 @@ json run_named(const json& facts, const std::string& name) {
 
 TEST_F(AblateCommand, EffectsAreSwitchedAndTabulatedAndTakenUpAgain) {
     write("column.toml", column);
-    const std::vector<std::string> command{"ablate",  "column.toml", "--json",  "facts.json", "--effects",
-                                           "gravity", "shifting",    "no_slip", "air"};
+    const std::vector<std::string> command{"ablate",  "column.toml", "--json",  "facts.json",     "--effects",
+                                           "gravity", "shifting",    "no_slip", "compressibility"};
     const Outcome o = twinwake(command);
     ASSERT_EQ(o.status, 0) << o.err << o.out;
     const fs::path out = folder_ / "runs/column_ablation";
@@ -53,9 +53,10 @@ TEST_F(AblateCommand, EffectsAreSwitchedAndTabulatedAndTakenUpAgain) {
     const json no_slip = run_named(facts, "no_slip off");  // on with viscosity, off without
     EXPECT_EQ(no_slip["against"], facts["runs"][1]["name"]);
     EXPECT_EQ(no_slip["why_not"], "");
-    EXPECT_NE(run_named(facts, "air")["why_not"].get<std::string>().find("the particle side solves no air"),
-              std::string::npos);
-    EXPECT_FALSE(fs::exists(out / "air_on"));
+    EXPECT_NE(
+        run_named(facts, "compressibility")["why_not"].get<std::string>().find("solved as (nearly) incompressible"),
+        std::string::npos);
+    EXPECT_FALSE(fs::exists(out / "compressibility_on"));
     // Weightless water does not fall: the pressure on the floor is gone.
     const auto& changes = facts["changes"];
     const auto floor = std::ranges::find_if(
@@ -126,7 +127,8 @@ TEST_F(AblateCommand, WrongArgumentsAreRefusedBeforeTheWorkAndLeaveNothing) {
               "--effects surface_tensoin: there is no effect 'surface_tensoin'; expected one of: viscosity, no_slip, "
               "turbulence, surface_tension, air, compressibility, gravity, cavitation, damping_layers, "
               "acoustic_damping, shifting, tension_control; did you mean 'surface_tension'?\n");
-    EXPECT_NE(refused({"--effects", "air"}).find("none of these effects can be switched; air: cannot be switched: "),
+    EXPECT_NE(refused({"--effects", "compressibility"})
+                  .find("none of these effects can be switched; compressibility: cannot be switched: "),
               std::string::npos);
     EXPECT_NE(refused({"--effects", "shifting", "--method", "fvm"}).find("it acts among the particles alone"),
               std::string::npos);

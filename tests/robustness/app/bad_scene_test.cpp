@@ -50,8 +50,8 @@ INSTANTIATE_TEST_SUITE_P(
                  "bad.toml:8:8: [domain] side = 0.3: the hull is larger than the domain: in y it spans -0.5 to 0.5 m"},
         BadScene{"kind  = \"stream\"", "kind  = \"prescribed\"",
                  "bad.toml:8:9: [motion] kind = \"prescribed\": this version solves a fixed hull only"},
-        BadScene{"[run]", "[effects]\nair = \"on\"\n[run]",
-                 "bad.toml:13:7: [effects] air = \"on\": the particle side solves no air"},
+        BadScene{"[run]", "[effects]\ncompressibility = \"on\"\n[run]",
+                 "bad.toml:13:19: [effects] compressibility = \"on\": water is solved as (nearly) incompressible"},
         BadScene{"title = \"planing\"", "title = \"planing", "bad.toml:1:17: not valid TOML: "}),
     case_name);
 

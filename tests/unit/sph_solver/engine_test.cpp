@@ -110,6 +110,36 @@ TEST(Engine, ARestartGoesOnWithTheSameBitsInletAndOutletIncluded) {
     EXPECT_THROW(read_checkpoint(file, "a scene"), InputError);
 }
 
+TEST(Engine, ARestartWithAirGoesOnWithTheSameBitsAndAnyNumberOfThreads) {
+    const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "restart_air_test.h5";
+    SolverSetup s;
+    s.dp = 0.05;
+    s.state_equation.c0 = 20;
+    s.domain = {Vec3(0, 0, 0), Vec3(0.8, 0.4, 0.8)};
+    s.mirrors.on = {{{true, true}, {true, true}, {true, true}}};
+    s.threads = 1;
+    const std::vector<Box> column{{s.domain.min, Vec3(0.4, 0.4, 0.4)}};  // falls
+    const auto make = [&](int threads) {
+        s.threads = threads;
+        Solver solver(s, fill_with_fluid(s, column));
+        solver.add_air({}, fill_with_air(s, column));
+        return solver;
+    };
+    Solver whole = make(1);
+    for (int k = 0; k < 60; ++k) whole.step();
+    write_checkpoint(file, "a scene", whole, 1);
+    whole.mark_restart_point();
+    Solver resumed = make(2);
+    Checkpoint saved = read_checkpoint(file, "a scene");
+    resumed.restore(saved.state, std::move(saved.particles));
+    resumed.restore_air(saved.air_state, std::move(saved.air));
+    for (int k = 0; k < 60; ++k) whole.step(), resumed.step();
+    EXPECT_TRUE(same_bits(whole.particles(), resumed.particles()));
+    EXPECT_TRUE(same_bits(whole.air()->particles(), resumed.air()->particles()));
+    EXPECT_EQ(whole.dt(), resumed.dt());
+    EXPECT_GT(whole.air()->extremes().speed, 0);
+}
+
 TEST(Engine, AFreeBlobKeepsItsMomentumWhateverItsParticlesDo) {
     SolverSetup s;
     s.dp = 0.05;
