@@ -18,10 +18,11 @@ void watch_energy(RunRecord& record) {
     if (motion == record.attributes.end() || motion->second != "none") return;
     const Column *kinetic = record.series("samples", "kinetic_energy"),
                  *potential = record.series("samples", "potential_energy"),
-                 *elastic = record.series("samples", "elastic_energy");
+                 *elastic = record.series("samples", "elastic_energy"), *air = record.series("samples", "air_energy");
     if (!kinetic || !potential || kinetic->values.empty()) return;
     const auto energy = [&](std::size_t i) {
-        return kinetic->values[i] + potential->values[i] + (elastic ? elastic->values[i] : 0);
+        return kinetic->values[i] + potential->values[i] + (elastic ? elastic->values[i] : 0) +
+               (air ? air->values[i] : 0);
     };
     const double scale = std::abs(potential->values.front());
     if (!(scale > 0)) return;

@@ -99,7 +99,12 @@ Prediction predict(const Scene& scene, const MachinePace& pace) {
         pace.sph * (p.particles + p.wall_particles) * p.sph_steps * neighbours / (particle_steps_per_core_second * n);
     for (const EffectChoice& e : scene.effects)
         if (e.on && e.name != "shifting") p.sph_seconds *= 1 + e.cost;  // the table's throughput has shifting in it
-    p.sph_bytes = (p.particles + p.wall_particles) * bytes_per_particle;
+    if (scene.effect_on("air")) {
+        p.air_particles = air_volume(scene) / particle;
+        p.sph_steps *= std::max(1.0, (scene.sph.air_c0 + speed) / (scene.sph.c0 + speed));
+    }
+    p.sph_bytes =
+        (p.particles + p.air_particles + p.wall_particles * (p.air_particles > 0 ? 2 : 1)) * bytes_per_particle;
 
     const double courant_rate = steps_per_cell_crossing * speed / dp * 4 / scene.fvm.max_courant;
     const double steps = scene.run.duration * std::max(courant_rate, steps_per_frame / scene.sampling.interval);

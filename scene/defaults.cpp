@@ -164,4 +164,11 @@ double water_volume(const Scene& scene) {
     return size.x() * size.y() * -scene.domain.box.min.z() - hull;
 }
 
+double air_volume(const Scene& scene) {
+    double taken = water_volume(scene);
+    if (scene.hull) taken += scene.hull->mass.volume / scene.symmetry_factor();
+    for (const Obstacle& o : scene.obstacles) taken += mass_properties(o.surface).volume;
+    return std::max(0.0, scene.domain.box.volume() - taken);
+}
+
 }  // namespace tw

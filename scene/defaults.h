@@ -43,5 +43,7 @@ double default_sound_speed(const Scene& scene);
 double water_height(const Scene& scene);
 /// Water at the start [m3], of what is solved (half a half model).
 double water_volume(const Scene& scene);
+/// What water, hull and obstacles leave of the domain [m3].
+double air_volume(const Scene& scene);
 
 }  // namespace tw

@@ -154,8 +154,7 @@ EffectChoice plan_surface_tension(const Scene& scene, const Asked& asked, const 
 /// the gas costs its own particles, and its sound sets the time step.
 EffectChoice plan_air(const Scene& scene, const Asked& asked, const Numbers& n) {
     EffectChoice c = choice("air", asked, false);
-    const Vec3 size = scene.domain.box.size();
-    const double gas = size.x() * size.y() * size.z() / water_volume(scene) - 1,
+    const double gas = air_volume(scene) / water_volume(scene),
                  steps = std::max(1.0, (scene.sph.air_c0 + n.speed) / (scene.sph.c0 + n.speed));
     c.reason = fmt::format(
         "density ratio {:.2g}: {}; an air cushion matters below 3 deg of deadrise at impact (rho_a/rho U^2 = {:.2g} Pa "

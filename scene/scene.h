@@ -52,7 +52,8 @@ struct Motion {
 /// What each side of the domain is. Both methods use the same list.
 enum class Side { slip_wall, symmetry, inlet, outlet, atmosphere };
 struct Domain {
-    Box box;  ///< z from the floor to the top of the air region (the SPH side kills nothing above it: it fails)
+    Box box;  ///< z from the floor to the top of the air (particles that fly out through it are gone; with air a lid is
+              ///< there)
     int dimensions = 3;  ///< 2: the x-z plane, one particle / cell thick in y
     Side x_min = Side::slip_wall, x_max = Side::slip_wall, y_min = Side::slip_wall, y_max = Side::slip_wall,
          z_min = Side::slip_wall, z_max = Side::atmosphere;
@@ -194,7 +195,7 @@ struct MachinePace {
 };
 /// Predicted size of a run, from the geometry and a throughput table; no solving.
 struct Prediction {
-    double particles = 0, wall_particles = 0, cells = 0;
+    double particles = 0, wall_particles = 0, air_particles = 0, cells = 0;
     double sph_seconds = 0, fvm_seconds = 0, sph_bytes = 0, fvm_bytes = 0, sph_steps = 0;
 };
 Prediction predict(const Scene& scene, const MachinePace& pace = {});

@@ -57,18 +57,26 @@ Fluid fill_with_air(const SolverSetup& s, const std::vector<Box>& water) {
         all.min.x() -= s.stream->buffer;
         all.max.x() += s.stream->buffer;
     }
+    double surface = -1e30;
+    std::vector<Box> taken;  // as far as the blocks' own lattices go
+    for (const Box& block : water) {
+        surface = std::max(surface, block.max.z());
+        Box& box = taken.emplace_back(block);
+        for (int a = 0; a < 3; ++a) box.max[a] = box.min[a] + s.dp * double(std::llround(block.size()[a] / s.dp));
+    }
     std::vector<Vec3> places = lattice(s, all);
-    const double clear = 0.25 * s.dp;  // a block's own places are half a spacing inside
+    const double clear = 0.25 * s.dp;  // places are half a spacing inside their box
     std::erase_if(places, [&](const Vec3& x) {
-        return std::ranges::any_of(water, [&](const Box& block) {
-            const Vec3 from_middle = (x - (block.min + block.max) / 2).cwiseAbs();
+        const auto inside = [&](const Box& box, double margin) {
             for (int a = 0; a < 3; ++a)
-                if ((a != 1 || s.dimensions == 3) && from_middle[a] > block.size()[a] / 2 + clear) return false;
+                if ((a != 1 || s.dimensions == 3) && (x[a] < box.min[a] - margin || x[a] > box.max[a] + margin))
+                    return false;
             return true;
-        });
+        };
+        return !inside(all, -clear) || std::ranges::any_of(taken, [&](const Box& box) { return inside(box, clear); });
     });
     Fluid out;
-    add_outside(places, queries_of(s), s.dp, all.max.z(), out);
+    add_outside(places, queries_of(s), s.dp, surface, out);
     return out;
 }
 

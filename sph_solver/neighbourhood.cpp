@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/errors.h"
 #include "sph_solver/boundaries/slip_normal.h"
 #include "sph_solver/boundaries/wall_dummies.h"
 #include "sph_solver/core/stopwatch.h"
@@ -13,7 +14,11 @@
 namespace tw {
 
 void Solver::build_wall() {
+    if (!setup_.sliding.empty() && setup_.sliding.size() != setup_.solids.size())
+        throw InputError(fmt::format("{} sliding velocities for {} solids; expected one for each, or none",
+                                     setup_.sliding.size(), setup_.solids.size()));
     WallDummies all;
+    std::vector<MotionRecord> motion;
     Box region = setup_.domain;
     region.min.array() -= kernel_.support();
     region.max.array() += kernel_.support();
@@ -23,6 +28,9 @@ void Solver::build_wall() {
                                                 kernel_.support() + setup_.dp, region, setup_.dimensions);
         all.places.insert(all.places.end(), d.places.begin(), d.places.end());
         all.volumes.insert(all.volumes.end(), d.volumes.begin(), d.volumes.end());
+        if (setup_.sliding.empty()) continue;
+        const Eigen::Vector3f u = setup_.sliding[queries_.size() - 1].cast<float>();
+        motion.resize(all.places.size(), {u.x(), u.y(), u.z(), 0});
     }
     std::vector<PlaceRecord> raw(all.places.size());
     for (std::size_t k = 0; k < raw.size(); ++k)
@@ -31,7 +39,9 @@ void Solver::build_wall() {
     std::vector<std::int32_t> order;
     sort_by_column(grid_, raw, 0, raw.size(), order, wall_start_);
     wall_place_.resize(raw.size());
+    wall_motion_.resize(motion.size());
     for (std::size_t k = 0; k < raw.size(); ++k) wall_place_[k] = raw[static_cast<std::size_t>(order[k])];
+    for (std::size_t k = 0; k < motion.size(); ++k) wall_motion_[k] = motion[static_cast<std::size_t>(order[k])];
     wall_p_.assign(raw.size(), 0);
     make_groups(wall_place_, wall_start_, 0, wall_groups_);
 }
@@ -49,9 +59,7 @@ std::vector<char> Solver::cross_open_boundaries() {
                 case Kind::inlet:
                     if (p.x[i] < s.domain.min.x()) break;
                     p.kind[i] = Kind::fluid;
-                    p.add(p.x[i] - stream.buffer, p.y[i], p.z[i], p.u[i],
-                          s.state_equation.deviation(s.rho0, s.rho0 * std::max(0.0, s.gravity.z() * p.z[i])),
-                          next_id_++, Kind::inlet);
+                    p.add(p.x[i] - stream.buffer, p.y[i], p.z[i], p.u[i], p.drho[i], next_id_++, Kind::inlet);
                     ++ledger_.in;
                     break;
                 case Kind::fluid:

@@ -198,6 +198,8 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
     Snapshots snapshots(options.folder);
     if (checkpoint) {
         solver->restore(checkpoint->state, std::move(checkpoint->particles));
+        if (solver->air() && checkpoint->air.x.empty())
+            throw InputError(checkpoint_file.string() + ": holds no air; start anew with --overwrite");
         if (solver->air()) solver->restore_air(checkpoint->air_state, std::move(checkpoint->air));
         recorder.rewind(*solver);
         snapshots.find_written(solver->time());
@@ -215,11 +217,12 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
     const auto save = [&](const std::string& state, const std::string& reason) {
         record.state = state;
         record.reason = reason;
-        record.elements = double(solver->particles().size());
-        if (solver->air()) record.numbers["air_particles"] = double(solver->air()->particles().size());
+        const std::size_t gas = solver->air() ? solver->air()->particles().size() : 0;
+        record.elements = double(solver->particles().size() + gas);
+        if (gas > 0) record.numbers["air_particles"] = double(gas);
         record.steps = double(solver->steps());
         record.peak_memory = std::max(record.peak_memory, peak_memory());
-        record.numbers["bytes_per_particle"] = solver->bytes() / double(solver->particles().size());
+        record.numbers["bytes_per_particle"] = solver->bytes() / record.elements;
         write_record(record_file, record);
     };
     const auto report = [&] {

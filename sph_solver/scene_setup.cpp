@@ -135,7 +135,7 @@ SphSetup sph_setup(const Scene& scene, int threads) {
         air.density = scene.water.air_density;
         air.sound_speed = scene.sph.air_c0;
         setup.air = {air, fill_with_air(s, blocks)};
-        s.mirrors.on[2][1] = true;  // a lid: what flies up bounces, the gas stays
+        setup.control_volume.reset();  // it balances the water alone
     }
     if (setup.fluid.places.empty())
         throw InputError(scene.file.string() + ": no water particle fits: the spacing " + std::to_string(s.dp) +

@@ -54,7 +54,9 @@ void Solver::add_air(const AirOptions& air, const Fluid& fluid) {
         throw InputError(
             "air needs a time step of one evaluation: [sph] scheme \"kick_drift_kick\" or "
             "\"symplectic_euler\"");
-    setup_.surface_support = 0;  // nothing is a free surface
+    if (fluid.places.empty()) throw InputError("air: the water leaves no room for it in the domain");
+    if (!setup_.mirrors.periodic[2]) setup_.mirrors.on[2][1] = true;
+    setup_.surface_support = 0.6;  // of both phases: a void, not the water's surface
     air_ = std::make_unique<Solver>(air_setup(setup_, air), fluid);
 }
 
@@ -208,8 +210,19 @@ void Solver::second_sweep(double t) {
 }
 
 StepView Solver::step_view(const PassData& d, double t) const {
-    return {setup_, particles_, d, *passes_, groups_, live_wall_groups_, images_, wall_place_.size(), wall_load_.size(),
-            h_,     mass_,      t};
+    return {setup_,
+            particles_,
+            d,
+            *passes_,
+            groups_,
+            live_wall_groups_,
+            images_,
+            wall_motion_,
+            wall_place_.size(),
+            wall_load_.size(),
+            h_,
+            mass_,
+            t};
 }
 
 void Solver::gather_load() {
@@ -335,10 +348,10 @@ void Solver::restore(const Restart& r, Particles particles) {
 
 void Solver::fail_at(std::size_t i, const std::string& what) const {
     const Particles& p = particles_;
-    throw RunError(
-        fmt::format("particle {} at t = {:.6g} s (step {}) near ({:.4g}, {:.4g}, {:.4g}) m, |u| = {:.4g} m/s, {}",
-                    p.id[i], time_, steps_, p.x[i], p.y[i], p.z[i],
-                    std::sqrt(double(p.u[i]) * p.u[i] + double(p.v[i]) * p.v[i] + double(p.w[i]) * p.w[i]), what));
+    throw RunError(fmt::format("{} {} at t = {:.6g} s (step {}) near ({:.4g}, {:.4g}, {:.4g}) m, |u| = {:.4g} m/s, {}",
+                               setup_.name, p.id[i], time_, steps_, p.x[i], p.y[i], p.z[i],
+                               std::sqrt(double(p.u[i]) * p.u[i] + double(p.v[i]) * p.v[i] + double(p.w[i]) * p.w[i]),
+                               what));
 }
 
 }  // namespace tw

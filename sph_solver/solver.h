@@ -35,6 +35,7 @@ inline constexpr double largest_density_deviation = 0.3, largest_mach = 1.0;
 
 /// Everything the engine needs to know, in SI units.
 struct SolverSetup {
+    const char* name = "particle";  ///< in messages
     int dimensions = 3;
     double dp = 0;  ///< particle spacing [m]
     double h_over_dp = 1.5;
@@ -61,6 +62,9 @@ struct SolverSetup {
     Mirrors mirrors;
     std::optional<Stream> stream;
     std::vector<Surface> solids;  ///< closed, fixed; loads are those on all of them together
+    /// Velocity of each solid's surface along itself, as of a belt [m/s]; empty: at rest. Felt by water that walls hold
+    /// (effect viscosity, no slip).
+    std::vector<Vec3> sliding;
     Vec3 moment_reference = Vec3::Zero();
     EffectOptions effects;
     /// A run whose density leaves rho0 by more than these shares of it is stopped.
@@ -106,8 +110,7 @@ struct Fluid {
 };
 /// The lattice of spacing dp in each block, outside the solids.
 Fluid fill_with_fluid(const SolverSetup& setup, const std::vector<Box>& blocks);
-/// The same lattice in what the blocks of water leave of the domain. Its depth counts from the domain's top, so that
-/// the gas at rest bears no tension.
+/// The same lattice in what the blocks of water leave of the domain; depth from the highest block's top.
 Fluid fill_with_air(const SolverSetup& setup, const std::vector<Box>& water);
 
 /// Delta-SPH of one level of particles, two sweeps over the pairs an evaluation. In time by default kick-drift-kick,
@@ -125,8 +128,8 @@ public:
     /// The particles start at the stream's velocity at t = 0 (at rest when it is ramped), under hydrostatic pressure.
     Solver(SolverSetup setup, const Fluid& fluid);
 
-    /// Fills what the water leaves free of `domain` with a gas (effects/air.h); before the first step. Throws
-    /// InputError for a scheme in stages.
+    /// Puts a gas (effects/air.h) beside the water; before the first step. A lid closes the domain: what flies up
+    /// bounces, the gas stays. Throws InputError for a scheme in stages, or where there is no room for gas.
     void add_air(const AirOptions& air, const Fluid& fluid);
     /// The gas as a solver of its own, stepped by this one; null when there is none.
     const Solver* air() const { return air_.get(); }
@@ -252,6 +255,7 @@ private:
     std::vector<SurfaceQuery> queries_;
     std::vector<PlaceRecord> wall_place_;
     std::vector<float> wall_p_;
+    std::vector<MotionRecord> wall_motion_;  // only when solids slide
     std::vector<std::int32_t> wall_start_;
     std::vector<Group> wall_groups_, live_wall_groups_;
     NeighbourLists wall_source_lists_;

@@ -56,6 +56,7 @@ bool Solver::lists_outlived() const {
     const double skin = skin_over_dp * setup_.dp, wall_skin = wall_skin_over_dp * setup_.dp;
     // two particles may both have moved towards each other; walls stand still
     if (2 * relative > skin || travel_ahead() > wall_skin) return true;
+    // across the interface both move
     return air_ && (air_->lists_outlived() || travel_ahead() + air_->travel_ahead() > wall_skin);
 }
 

@@ -7,12 +7,14 @@
 namespace tw {
 
 SolverSetup air_setup(SolverSetup s, const AirOptions& air) {
+    s.name = "particle of air";
     s.rho0 = air.density;
     s.state_equation = {};
     s.state_equation.form = StateEquation::Form::tait;
     s.state_equation.c0 = air.sound_speed;
     s.state_equation.gamma = air.heat_capacities;
-    s.largest_compression = 10, s.largest_rarefaction = 0.95;  // a gas may be
+    s.largest_compression = 10,
+    s.largest_rarefaction = 0.95;  // 33 and 0.015 atmospheres: beyond any scene, short of nonsense
     s.tension_control = true;
     s.effects = {};
     return s;

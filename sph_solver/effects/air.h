@@ -13,26 +13,26 @@ struct SolverSetup;
 ///   p = rho_a c_a^2 / gamma ((rho / rho_a)^gamma - 1),   rho_a c_a^2 = gamma p_atm with the real 343 m/s.
 ///
 /// Each phase is a delta-SPH fluid of its own (Solver): its density gradient, its diffusion and its walls know nothing
-/// of the other. What crosses the interface are the sums that both share, with a pressure and a velocity of the pair that
-/// are those of a contact between a heavy and a light fluid (Hu & Adams 2006, doi:10.1016/j.jcp.2005.09.001; Rezavand,
-/// Zhang & Hu 2020, doi:10.1016/j.jcp.2019.109092), j in the other phase:
+/// of the other. What crosses the interface are the sums that both share, with a pressure and a velocity of the pair
+/// that are those of a contact between a heavy and a light fluid (Hu & Adams 2006, doi:10.1016/j.jcp.2005.09.001;
+/// Rezavand, Zhang & Hu 2020, doi:10.1016/j.jcp.2019.109092), j in the other phase:
 ///
 ///   drho_i/dt += rho_i sum_j 2 (u_i - u*) . grad_i W_ij V_j,     u* = (rho_i u_i + rho_j u_j) / (rho_i + rho_j)
 ///   du_i/dt   -= 1/rho_i sum_j (2 p* + pi_ij) grad_i W_ij V_j,   p* = (rho_j p_i + rho_i p_j) / (rho_i + rho_j)
 ///
-/// So to the air the water is a wall that moves, and to the water the air is a surface under pressure. The two sums are
-/// dual (the work of the one is the energy of the other), and pairs keep momentum. With plain means the air, 816 times
-/// lighter, takes the kink of the hydrostatic pressure for a force of hundreds of g: layers at rest boil at 2 m/s.
-/// The kernel support and the shifting sum count both phases: there is no free surface where there is air. pi_ij is the
-/// artificial viscosity with the harmonic mean of the phases' alpha c rho. Stretched air is kept from clumping (tension
-/// control).
+/// with the phases' reference densities. So to the air the water is a wall that moves, and to the water the air is a
+/// surface under pressure. The two sums are dual (the work of the one is the energy of the other), and pairs keep
+/// momentum but where tension control acts, which keeps stretched air (p < 0) from clumping. With plain means the air
+/// takes the kink of the hydrostatic pressure for a force of hundreds of g: layers at rest boil at 2 m/s.
+/// The kernel support and the shifting sum count both phases: where there is air there is no free surface. pi_ij is the
+/// artificial viscosity with the harmonic mean of the phases' alpha c rho. Other effects act on the water alone.
 /// The gas sets the time step: its sound is four times faster than a typical numerical sound of water.
 struct AirOptions {
     double density = 1.2;          ///< rho_a [kg/m3]
     double sound_speed = 343;      ///< c_a [m/s]
     double heat_capacities = 1.4;  ///< gamma
 };
-/// The gas on its own in the water's domain. A lid closes the domain: air does not leave through the top.
+/// The gas on its own in the water's domain.
 SolverSetup air_setup(SolverSetup water, const AirOptions& air);
 
 /// One phase as the interface sees it. Indices of `pass` run over its particles, then its mirror images.

@@ -21,8 +21,9 @@ struct StepView {
     const std::vector<Group>& groups;
     const std::vector<Group>& wall_groups;  ///< wall dummies that have water near
     const std::vector<MirrorImage>& images;
-    std::size_t walls = 0;                 ///< number of wall dummies
-    std::size_t wall_groups_of_water = 0;  ///< number of WallLoads
+    const std::vector<MotionRecord>& wall_motion;  ///< of the dummies' surface; empty: at rest
+    std::size_t walls = 0;                         ///< number of wall dummies
+    std::size_t wall_groups_of_water = 0;          ///< number of WallLoads
     double h = 0, mass = 0, time = 0;
 
     std::size_t count() const { return particles.size(); }

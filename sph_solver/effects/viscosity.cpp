@@ -75,7 +75,8 @@ private:
 #pragma omp parallel for schedule(static)
         for (std::size_t k = 0; k < wall_velocity_.size(); ++k) {
             MotionRecord& m = wall_velocity_[k];
-            m = {-m.u, -m.v, -m.w, m.drho};
+            const MotionRecord wall = step.wall_motion.empty() ? MotionRecord{0, 0, 0, 0} : step.wall_motion[k];
+            m = {2 * wall.u - m.u, 2 * wall.v - m.v, 2 * wall.w - m.w, m.drho};
         }
     }
 

@@ -12,8 +12,9 @@ namespace tw {
 ///   du_i/dt += 1/rho_i sum_j (mu_i + mu_j) F_ij (u_j - u_i) V_j
 ///
 /// The solids do not rub (slip) or hold the water (no slip): then a wall's dummy moves against the water round it,
-/// u_d = -sum_f u_f V W / sum_f V W (Adami, Hu & Adams 2012, doi:10.1016/j.jcp.2012.05.005), so that the velocity is
-/// zero on the surface between. Slip walls and symmetry planes on the domain's faces stay what they are.
+/// u_d = 2 u_w - sum_f u_f V W / sum_f V W (Adami, Hu & Adams 2012, doi:10.1016/j.jcp.2012.05.005), so that the
+/// velocity is the wall's u_w on the surface between (zero unless it slides). Slip walls and symmetry planes on the
+/// domain's faces stay what they are.
 struct Viscosity {
     double kinematic = 1e-6;  ///< nu [m2/s]
     bool no_slip = true;

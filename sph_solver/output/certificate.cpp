@@ -1,5 +1,7 @@
 #include "sph_solver/output/certificate.h"
 
+#include <algorithm>
+
 #include "record/certificate.h"
 
 namespace tw {
@@ -9,7 +11,10 @@ void watch_stability(const Solver& solver, RunRecord& record) {
     const Extremes& e = solver.extremes();
     const double t = solver.time(), c0 = s.state_equation.c0, percent = 100 / s.rho0;
     const Vec3 nowhere = CertificateLine{}.place;
-    const double acoustic = s.cfl * solver.h() / (c0 + e.speed), deviation = 100 * largest_density_deviation;
+    double acoustic = s.cfl * solver.h() / (c0 + e.speed);
+    if (const Solver* air = solver.air())
+        acoustic = std::min(acoustic, s.cfl * air->h() / (air->setup().state_equation.c0 + air->extremes().speed));
+    const double deviation = 100 * largest_density_deviation;
     note_worst(record, {"Mach number", "-", e.speed / c0, trusted_mach, t, e.fastest_place});
     note_worst(record,
                {"compression", "%", percent * e.density_deviation_high, 100 * trusted_compression, t, e.densest_place});

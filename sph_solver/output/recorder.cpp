@@ -29,6 +29,22 @@ void set(Table& table, std::size_t row, const std::string& name, const char* uni
     c.values[row] = value;
 }
 
+/// Kinetic, potential and elastic energy of the gas, p = B (x^gamma - 1), x = rho/rho0:
+///   e = int p / rho^2 drho = B/rho0 (x^(gamma-1)/(gamma-1) + 1/x - gamma/(gamma-1))  per mass
+double gas_energy(const Solver& gas) {
+    const SolverSetup& s = gas.setup();
+    const Particles& p = gas.particles();
+    const double gamma = s.state_equation.gamma, c2 = s.state_equation.c0 * s.state_equation.c0;
+    double sum = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        const double x = 1 + double(p.drho[i]) / s.rho0;
+        sum += 0.5 * (double(p.u[i]) * p.u[i] + double(p.v[i]) * p.v[i] + double(p.w[i]) * p.w[i]) -
+               s.gravity.z() * p.z[i] +
+               c2 / gamma * (std::pow(x, gamma - 1) / (gamma - 1) + 1 / x - gamma / (gamma - 1));
+    }
+    return gas.mass() * sum;
+}
+
 }  // namespace
 
 Recorder::Recorder(const Scene& scene, const Solver& solver, RunRecord record)
@@ -142,6 +158,8 @@ void Recorder::sample_frame(Solver& solver, std::size_t row) {
     set(t, k, "particles_lost", "-", double(solver.ledger().lost));
     set(t, k, "held_at_wall", "-", double(solver.ledger().held));
     if (const Solver* air = solver.air()) {
+        set(t, k, "air_particles", "-", double(air->particles().size()));
+        set(t, k, "air_energy", "J", factor_ * gas_energy(*air));
         set(t, k, "air_max_speed", "m/s", air->extremes().speed);
         set(t, k, "air_density_deviation_low", "kg/m3", air->extremes().density_deviation_low);
         set(t, k, "air_density_deviation_high", "kg/m3", air->extremes().density_deviation_high);

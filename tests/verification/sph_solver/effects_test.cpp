@@ -135,6 +135,56 @@ TEST(Poiseuille, StartsAndSettlesBetweenPlatesThatHoldTheWater) {
 }
 TEST(Poiseuille, SlidesFreelyBetweenPlatesThatSlip) { EXPECT_LT(channel(10, false).error_early, 1e-3); }
 
+/// Start-up of plane Couette flow, the plate at z = H slides with U, the one at z = 0 rests (Morris et al. 1997, eq.
+/// 25):
+///   u(z,t) = U z/H + sum_n 2 U/(n pi) (-1)^n sin(n pi z/H) e^(-n^2 pi^2 nu t/H^2)
+double couette(double z, double t, double H, double U, double nu) {
+    double u = U * z / H;
+    for (int n = 1; n < 80; ++n)
+        u += 2 * U / (n * pi) * (n % 2 ? -1 : 1) * std::sin(n * pi * z / H) *
+             std::exp(-n * n * pi * pi * nu * t / (H * H));
+    return u;
+}
+/// The same measures as of `channel`; `friction` is the error of both plates together over the steady friction of one.
+Channel belt(int n) {
+    const double H = 1, nu = 0.1, U = 1, dp = H / n, length = 0.4;
+    SolverSetup s = plane(dp, 20 * U, {Vec3(0, -1, -0.3), Vec3(length, 1, 1.3)});
+    s.mirrors.periodic = {true, false, false};
+    s.solids = {slab(-1, 2, -0.5, 0), slab(-1, 2, H, 1.5)};
+    s.sliding = {Vec3::Zero(), Vec3(U, 0, 0)};
+    s.effects.viscosity = Viscosity{nu, true, {}};
+    Solver solver(s, weightless(s, {Vec3(0, -1, 0), Vec3(length, 1, H)}));
+    const auto worst = [&] {
+        double error = 0;
+        const Particles& p = solver.particles();
+        for (std::size_t i = 0; i < p.size(); ++i)
+            error = std::max(error, std::abs(double(p.u[i]) - couette(p.z[i], solver.time(), H, U, nu)));
+        return error / U;
+    };
+    Channel c;
+    while (solver.time() < 0.2) solver.step();
+    c.error_early = worst();
+    while (solver.time() < 3) solver.step();
+    c.error_late = worst();
+    // what one plate gives and the other does not take yet sets the water in motion
+    const double missing = 4 * std::exp(-pi * pi * nu * solver.time() / (H * H));
+    c.friction = solver.load().friction.x() / (s.rho0 * nu * U / H * length) + missing;
+    return c;
+}
+
+TEST(Couette, StartsAndSettlesUnderAPlateThatSlides) {
+    const Channel c10 = belt(10), c20 = belt(20), c40 = belt(40);
+    std::printf(
+        "Couette, H/dp = 10, 20, 40: worst velocity at nu t/H^2 = 0.02 %.2f, %.2f, %.2f %%, at 0.3 %.2f, %.2f, %.2f %% "
+        "of "
+        "the plate's; friction %+.2f, %+.2f, %+.2f %%\n",
+        100 * c10.error_early, 100 * c20.error_early, 100 * c40.error_early, 100 * c10.error_late, 100 * c20.error_late,
+        100 * c40.error_late, 100 * c10.friction, 100 * c20.friction, 100 * c40.friction);
+    EXPECT_LT(c40.error_early, c10.error_early);
+    EXPECT_LT(c40.error_late, 0.01);
+    EXPECT_LT(std::abs(c40.friction), 0.03);
+}
+
 /// u = A z^2/2: |S| = A |z|, nu_t = l^2 A |z|, so du/dt = d/dz(nu_t du/dz) = 2 l^2 A^2 |z|, from the first step's
 /// change.
 TEST(EddyViscosity, IsTheMixingLengthSquaredTimesTheShear) {
