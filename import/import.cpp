@@ -31,6 +31,14 @@ void refuse_empty_series(const Mapping& mapping, const RunRecord& record) {
         }
 }
 
+/// What the measurement itself is worth, for the verdict against it. A half model's loads are doubled.
+void note_uncertainties(const Mapping& mapping, RunRecord& record) {
+    for (const ColumnSource& c : mapping.columns)
+        if (c.uncertainty > 0)
+            record.numbers["uncertainty:" + c.table + ":" + c.name] =
+                c.uncertainty * (mapping.half_model && c.table == "forces" ? 2 : 1);
+}
+
 /// Says whether the drag holds friction where no column tells it.
 void note_friction(const Mapping& mapping, RunRecord& record) {
     if (!record.series("forces", "fx") || record.series("forces", "fx_viscous")) return;
@@ -47,6 +55,7 @@ RunRecord import_record(const std::filesystem::path& file) {
     refuse_empty_series(mapping, record);
     refer_moment(mapping, point, record);
     note_friction(mapping, record);
+    note_uncertainties(mapping, record);
     if (mapping.half_model) make_whole(record);
     record.state = "finished";
     return record;

@@ -84,6 +84,7 @@ ColumnSource read_column(const Section& parent, const std::string& key, const Sc
     c.scale = s.number("scale", 1.0, "-");
     if (c.scale == 0) s.fail("scale", "expected a number that is not 0; -1 turns the sign");
     c.offset = s.number("offset", 0.0, c.si_unit);
+    c.uncertainty = s.number("uncertainty", 0.0, c.si_unit, {0, 1e30});
     s.finish();
     return c;
 }

@@ -18,6 +18,7 @@ struct ColumnSource {
     std::string unit;                  ///< of the file; empty: the one its header gives, as in "Lift [kN]"
     double scale = 1;                  ///< [-], not 0
     double offset = 0;                 ///< [SI unit]
+    double uncertainty = 0;            ///< half width of the measurement's 95 % interval [SI unit]; 0: not known
     std::string place;                 ///< `mapping.toml:8:6: [forces] fz = ...`, for messages
 };
 

@@ -178,7 +178,10 @@ RunRecord read_record(const fs::path& file) {
             h5::read_text_attribute(h, layout::kind_attribute) != layout::kind)
             throw InputError(file.string() + ": an HDF5 file, but not a run record of twinwake");
         const double version = number(h, layout::version_attribute);
-        if (!(version <= RunRecord::format_version))
+        if (!(version >= 1))
+            throw InputError(
+                fmt::format("{}: damaged: it says format {}, and the first was 1", file.string(), version));
+        if (version > RunRecord::format_version)
             throw InputError(
                 fmt::format("{}: run record of format {}; this twinwake reads up to format {}: use a newer twinwake",
                             file.string(), version, RunRecord::format_version));

@@ -54,7 +54,7 @@ struct CertificateLine {
 ///            fx_pressure.. fz_pressure, fx_viscous.. fz_viscous [N]
 ///            my [N m]             moment about the pose's reference point (attribute moment_reference "x y z"), bow up
 ///            positive SPH: fx_surface, fz_surface (surface-pressure integral), fx_volume, fz_volume (control volume)
-///            FVM: fx_total, fz_total (air included), fx_air, fz_air
+///            FVM: fx_total, fz_total (air included); fx_air, fz_air, also SPH with air
 ///   samples: mass, kinetic_energy, potential_energy, dt, max_mach | max_courant, max_speed, particles | cells,
 ///            particles_in, particles_out, particles_lost, wetted_length [m], ventilation [-], wetted_area [m2]
 ///   pressure, height: one column per probe of the scene
@@ -93,7 +93,7 @@ struct RunRecord {
 Vec3 moment_reference(const Scene& scene);
 /// Fills what follows from the scene alone: attributes, numbers, scene text, hull, effects, raster, hull findings.
 RunRecord new_record(const Scene& scene, const std::string& method);
-/// Numbers predicted_seconds and predicted_elements, where the options say them.
+/// Numbers predicted_seconds, predicted_elements, predicted_memory and the command, where the options say them.
 void note_prediction(RunRecord& record, const RunOptions& options);
 /// Writes one HDF5 file, atomically, followed by a line with the SHA-256 of its bytes (HDF5 readers ignore it;
 /// read_record knows damage by it). Throws RunError: disk full, no permission, or a column that is not as long as its

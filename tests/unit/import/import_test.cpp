@@ -22,7 +22,7 @@ column = "t"
 unit = "ms"
 offset = "0.1 s"
 [forces]
-fx = { column = "Drag", unit = "kN", scale = -2 }
+fx = { column = "Drag", unit = "kN", scale = -2, uncertainty = "15 N" }
 fz = "Lift [kN]"
 [height]
 gauge = { column = 4, unit = "mm", offset = "0.5 m" }
@@ -40,6 +40,8 @@ wetted_length = { column = "Lw", unit = "cm" }
     EXPECT_DOUBLE_EQ(series(r, "height", "gauge")[1], 0.497);
     EXPECT_EQ(series(r, "pressure", "keel")[1], 1600);
     EXPECT_DOUBLE_EQ(series(r, "samples", "wetted_length")[1], 2.31);
+    EXPECT_EQ(r.numbers.at("uncertainty:forces:fx"), 15);
+    EXPECT_FALSE(r.numbers.contains("uncertainty:forces:fz"));
     EXPECT_EQ(r.series("forces", "fx")->unit, "N");
     EXPECT_EQ(r.series("height", "gauge")->unit, "m");
     EXPECT_EQ(r.attributes.at("friction"), "included");  // a measured drag

@@ -34,20 +34,43 @@ TEST(BadRecords, EachFaultIsNamedWithTheFile) {
     EXPECT_TRUE(says(refusal(folder / "other.h5"), "not a run record of twinwake"));
 }
 
+/// The record as another version would leave it: changed, and without the checksum line that would contradict that.
+template <class Change>
+std::filesystem::path otherwise(const ScratchFolder& folder, Change change) {
+    write_record(folder / "record.h5", example_record());
+    const std::string bytes = read_text(folder / "record.h5");
+    const std::filesystem::path path = folder / "other.h5";
+    write_text_atomically(path, bytes.substr(0, bytes.rfind("\ntwinwake sha256 ")));
+    const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+    change(file);
+    H5Fclose(file);
+    return path;
+}
+void set_version(hid_t file, double version) {
+    const hid_t attribute = H5Aopen(file, "format_version", H5P_DEFAULT);
+    ASSERT_GE(H5Awrite(attribute, H5T_NATIVE_DOUBLE, &version), 0);
+    H5Aclose(attribute);
+}
+
 TEST(BadRecords, ANewerFormatAsksForANewerTwinwake) {
     const ScratchFolder folder;
-    write_record(folder / "record.h5", example_record());
-    // As a later version would write it: other version number, no checksum line of ours to contradict it.
-    std::string bytes = read_text(folder / "record.h5");
-    write_text_atomically(folder / "new.h5", bytes.substr(0, bytes.rfind("\ntwinwake sha256 ")));
-    const hid_t file = H5Fopen((folder / "new.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
-    const hid_t version = H5Aopen(file, "format_version", H5P_DEFAULT);
-    const double two = 2;
-    ASSERT_GE(H5Awrite(version, H5T_NATIVE_DOUBLE, &two), 0);
-    H5Aclose(version);
-    H5Fclose(file);
-    EXPECT_TRUE(says(refusal(folder / "new.h5"), "format 2"));
-    EXPECT_TRUE(says(refusal(folder / "new.h5"), "newer twinwake"));
+    const auto path = otherwise(folder, [](hid_t file) { set_version(file, 2); });
+    EXPECT_TRUE(says(refusal(path), "format 2"));
+    EXPECT_TRUE(says(refusal(path), "newer twinwake"));
+}
+
+TEST(BadRecords, AFormatThatNeverWasIsDamage) {
+    const ScratchFolder folder;
+    EXPECT_TRUE(says(refusal(otherwise(folder, [](hid_t file) { set_version(file, 0); })), "the first was 1"));
+}
+
+TEST(BadRecords, ARecordFromBeforeTheCertificateIsRead) {
+    const ScratchFolder folder;
+    ASSERT_FALSE(example_record().certificate.empty());
+    const auto path = otherwise(folder, [](hid_t file) { ASSERT_GE(H5Ldelete(file, "certificate", H5P_DEFAULT), 0); });
+    const RunRecord old = read_record(path);
+    EXPECT_TRUE(old.certificate.empty());
+    EXPECT_EQ(old.tables.size(), example_record().tables.size());
 }
 
 TEST(BadRecords, CutOffAnywhereIsRefused) {
