@@ -15,8 +15,9 @@ enum ExitStatus { done = 0, bad_input = 2, run_failed = 3, not_agreed = 4 };
 
 /// What every subcommand takes.
 struct Common {
-    bool quiet = false;  ///< only results and errors
-    std::string json;    ///< file for the same facts for programs; "-": standard output instead of text; empty: none
+    bool quiet = false;   ///< only results and errors
+    std::string json;     ///< file for the same facts for programs; "-": standard output instead of text; empty: none
+    std::string command;  ///< what was called, for the records: without folders, output, threads
 };
 
 struct NewCommand {
@@ -57,8 +58,8 @@ struct CompareCommand {
     std::vector<std::filesystem::path> sources;
     std::filesystem::path out;
     bool force = false, require_agree = false;
-    bool ladder = false;             ///< the records are sizes of one scene
-    std::filesystem::path measured;  ///< with ladder: an imported record, or its folder; empty: none
+    bool ladder = false;                          ///< the records are sizes of one scene
+    std::vector<std::filesystem::path> measured;  ///< with ladder: imported records, or their folders
 };
 int run_compare(const CompareCommand& command, const Common& common);
 
@@ -74,12 +75,12 @@ struct LadderCommand {
     std::string method;         ///< sph, fvm, both; empty: what the scene says
     std::filesystem::path out;  ///< empty: runs/<name of the scene file>_ladder
     int levels = 4;
-    double ratio = 1.4142135623730951;  ///< of neighbouring spacings
-    std::filesystem::path measured;     ///< an imported record, or its folder; empty: none
-    std::string budget;                 ///< predicted time of all runs, a text with unit; empty: no limit
-    bool plan = false;                  ///< say what would be run and what it takes, and run nothing
-    bool variations = true;             ///< also runs with another sound speed, time step and Courant number
-    bool overwrite = false;             ///< begin anew what another scene left in the folder
+    double ratio = 1.4142135623730951;            ///< of neighbouring spacings
+    std::vector<std::filesystem::path> measured;  ///< imported records, or their folders
+    std::string budget;                           ///< predicted time of all runs, a text with unit; empty: no limit
+    bool plan = false;                            ///< say what would be run and what it takes, and run nothing
+    bool variations = true;                       ///< also runs with another sound speed, time step and Courant number
+    bool overwrite = false;                       ///< begin anew what another scene left in the folder
     int threads = 0;
     double budget_seconds() const;  ///< throws InputError naming the option
 };

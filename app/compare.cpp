@@ -45,9 +45,6 @@ int run_compare(const CompareCommand& command, const Common& common) {
     std::vector<RunRecord> records;
     for (const fs::path& source : command.sources)
         for (const fs::path& file : record_files(source)) records.push_back(read_record(file));
-    if (records.size() < 2)
-        throw InputError(
-            "one run record only; expected two or more to compare, e.g. twinwake compare runs/a/sph runs/a/fvm");
     CompareOptions options;
     options.force = command.force;
     const Comparison comparison = compare_records(std::move(records), options);

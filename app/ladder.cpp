@@ -94,33 +94,38 @@ void take(LadderHarvest& harvest, const Job& job, RunRecord record) {
         harvest.take(std::move(record), job.folder / "record.h5");
 }
 
-/// False: stopped at the user's wish.
-bool run_all(std::vector<Job>& jobs, const LadderCommand& command, const Common& common, LadderHarvest& harvest) {
+/// Says that a run is missing, here and in the report.
+void leave_out(LadderHarvest& harvest, const Common& common, const std::string& line) {
+    say(common, line + "\n");
+    harvest.left_out.push_back(line);
+}
+
+/// One run, unless it is there. False: stopped at the user's wish. One that fails is left out; the others go on.
+bool run_one(Job& job, const LadderCommand& command, const Common& common, double& spent, LadderHarvest& harvest) {
+    if (auto earlier = finished_run(job.folder, job.plan.scene, job.method)) {
+        say(common, fmt::format("{}: finished before, taken from {}\n", job.what(), job.folder.string()));
+        take(harvest, job, std::move(*earlier));
+        return true;
+    }
     const double budget = command.budget_seconds();
-    double spent = 0;  // seconds of what is run now: what is there already costs nothing
-    for (Job& job : jobs) {
-        if (auto earlier = finished_run(job.folder, job.plan.scene, job.method)) {
-            say(common, fmt::format("{}: finished before, taken from {}\n", job.what(), job.folder.string()));
-            take(harvest, job, std::move(*earlier));
-            continue;
-        }
-        job.plan.prediction = predict(job.plan.scene, machine_pace());  // the runs before have taught the pace
-        const double cost = job.plan.seconds(job.method);
-        if (spent + cost > budget) {
-            say(common, fmt::format("{}: left out, about {:.3g} s more; the budget is {:.3g} s and {:.3g} s of it are "
-                                    "taken\n",
-                                    job.what(), cost, budget, spent));
-            continue;
-        }
-        say(common, fmt::format("{}: about {:.3g} s\n", job.what(), cost));
-        const bool resume = fs::exists(job.folder) && !command.overwrite;
+    job.plan.prediction = predict(job.plan.scene, machine_pace());  // the runs before have taught the pace
+    const double cost = job.plan.seconds(job.method);
+    if (spent + cost > budget) {
+        leave_out(harvest, common,
+                  fmt::format("{}: left out, about {:.3g} s more; the budget is {:.3g} s and {:.3g} s of it are taken",
+                              job.what(), cost, budget, spent));
+        return true;
+    }
+    say(common, fmt::format("{}: about {:.3g} s\n", job.what(), cost));
+    const bool resume = fs::exists(job.folder) && !command.overwrite;
+    try {
         const RunRecord record = run_method(job.method, job.plan, {job.folder, resume, command.overwrite}, common);
         const RunFacts facts = facts_of(job.method, record, job.folder);
         spent += facts.wall;
         say(common, closing_line(facts));
         if (record.state != "finished" || stop_asked()) return false;
         take(harvest, job, read_record(job.folder / "record.h5"));
-    }
+    } catch (const RunError& e) { leave_out(harvest, common, fmt::format("{}: failed: {}", job.what(), e.what())); }
     return true;
 }
 
@@ -137,16 +142,22 @@ int run_ladder(const LadderCommand& command, const Common& common) {
 
     catch_stop_signals();
     LadderHarvest harvest;
-    if (!run_all(jobs, command, common, harvest)) {
-        std::fputs("ladder: stopped at the user's wish; the same command goes on from here\n", stderr);
-        return run_failed;
-    }
+    double spent = 0;  // seconds of what is run now: what is there already costs nothing
+    for (Job& job : jobs)
+        if (!run_one(job, command, common, spent, harvest)) {
+            std::fputs("ladder: stopped at the user's wish; the same command goes on from here\n", stderr);
+            return run_failed;
+        }
     harvest.drop_lone_variations();
+    const auto failed = [](const std::string& line) { return line.find(": failed: ") != std::string::npos; };
+    const bool any_failed = std::ranges::any_of(harvest.left_out, failed);
+    if (harvest.runs.empty() && any_failed)
+        throw RunError("every run of the ladder failed: " + harvest.left_out.front());
     if (harvest.runs.empty())
         throw InputError(fmt::format("--budget {}: no run fits; the cheapest needs about {:.3g} s", command.budget,
                                      jobs.front().plan.seconds(jobs.front().method)));
     write_ladder(harvest, command.measured, out, common);
-    return done;
+    return any_failed ? run_failed : done;
 }
 
 }  // namespace tw::app

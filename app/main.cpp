@@ -2,10 +2,12 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 
 #include "app/commands.h"
 #include "app/quiet_waits.h"
 #include "base/errors.h"
+#include "compare/report/escape.h"
 #include "record/code_version.h"
 #include "scene/section.h"
 
@@ -109,6 +111,27 @@ void refuse_unknown(const CLI::App& app, const std::string& word) {
                          did_you_mean(word, names));
 }
 
+/// What was called, for the records: files by their names, without where results went and how many cores made them.
+std::string command_text(int argc, char** argv) {
+    std::string text = "twinwake";
+    for (int k = 1; k < argc; ++k) {
+        const std::string word = argv[k];
+        if (word == "--out" || word == "--json" || word == "--threads") {
+            ++k;
+            continue;
+        }
+        if (word == "--resume" || word == "--overwrite" || word == "-q" || word == "--quiet" ||
+            word.starts_with("--out=") || word.starts_with("--json=") || word.starts_with("--threads="))
+            continue;
+        const bool option = word.starts_with("-");
+        std::error_code no_matter;
+        const bool file = !option && std::filesystem::exists(word, no_matter);
+        text += " " + (option ? for_terminal(word)
+                              : shell_word(file ? std::filesystem::path(word).filename().string() : word));
+    }
+    return text;
+}
+
 int dispatch(int argc, char** argv) {
     CLI::App app(about, "twinwake");
     app.set_version_flag("--version", std::string("twinwake ") + TWINWAKE_CODE_VERSION);
@@ -117,6 +140,7 @@ int dispatch(int argc, char** argv) {
     app.get_formatter()->column_width(34);
 
     Common common;
+    common.command = command_text(argc, argv);
     std::function<int()> chosen;
     const auto subcommand = [&](CLI::App* parent, const std::string& name, const std::string& description,
                                 std::function<int()> run, bool json = true) {
@@ -167,7 +191,8 @@ int dispatch(int argc, char** argv) {
     c->add_flag(
         "--ladder", compare.ladder,
         "the records are sizes of one scene that were run before: verdicts that hold the error of the resolution");
-    c->add_option("--measured", compare.measured, "with --ladder: what was measured, as twinwake import left it");
+    c->add_option("--measured", compare.measured,
+                  "with --ladder: what was measured, as twinwake import left it; can be given again");
     c->add_flag("--force", compare.force, "compare records of different scenes, with a banner");
     c->add_option("--require", require, "agree: exit status 4 unless every judged quantity agrees")
         ->check(CLI::IsMember({"agree"}));
@@ -193,8 +218,10 @@ int dispatch(int argc, char** argv) {
     c->add_option("--ratio", ladder.ratio, "of neighbouring spacings (1.4142)")->check(CLI::Range(1.05, 4.0));
     c->add_flag("!--no-variations", ladder.variations,
                 "leave out the runs with sound speed x 1.5, half the time step and half the Courant number");
-    c->add_option("--measured", ladder.measured,
-                  "what was measured, as twinwake import left it: each method's finest value is held against it");
+    c->add_option(
+        "--measured", ladder.measured,
+        "what was measured, as twinwake import left it: each method's finest value is held against it; can be given "
+        "again");
     c->add_option("--budget", ladder.budget,
                   "predicted time of all runs, e.g. 2h: what does not fit is left out, and said")
         ->type_name("TIME");

@@ -44,10 +44,18 @@ int run_run(const RunCommand& command, const Common& common) {
 
     catch_stop_signals();
     std::vector<RunFacts> runs;
+    bool failed = false;
     for (const std::string method : {"sph", "fvm"}) {  // in this order, whatever the scene's
         if (std::find(scene.run.methods.begin(), scene.run.methods.end(), method) == scene.run.methods.end()) continue;
         const bool resume = command.resume && fs::exists(out / method);
-        const RunRecord record = run_method(method, plan, {out / method, resume, command.overwrite}, common);
+        RunRecord record;
+        try {
+            record = run_method(method, plan, {out / method, resume, command.overwrite}, common);
+        } catch (const RunError& e) {  // the other method goes on, and what there is is reported
+            std::fputs(fmt::format("{}: {}\n", method, e.what()).c_str(), stderr);
+            failed = true;
+            continue;
+        }
         runs.push_back(facts_of(method, record, out / method));
         say(common, closing_line(runs.back()));
         if (record.state != "finished" || stop_asked()) {
@@ -62,9 +70,9 @@ int run_run(const RunCommand& command, const Common& common) {
     std::vector<RunRecord> records;
     for (const char* method : {"sph", "fvm"})
         if (fs::exists(out / method / "record.h5")) records.push_back(read_record(out / method / "record.h5"));
-    if (records.size() < 2) {
+    if (records.empty() || (records.size() < 2 && !failed)) {
         write_json(common, runs_json(runs));
-        return done;
+        return failed ? run_failed : done;
     }
     const bool both_now = scene.run.methods.size() == 2;
     try {
@@ -78,7 +86,7 @@ int run_run(const RunCommand& command, const Common& common) {
         say(common, std::string("not compared: ") + e.what() + "\n");
         write_json(common, runs_json(runs));
     }
-    return done;
+    return failed ? run_failed : done;
 }
 
 }  // namespace tw::app

@@ -33,12 +33,16 @@ RunRecord run_method(const std::string& method, const PlannedRun& plan, const Me
     options.threads = scene.run.threads;
     options.predicted_seconds = plan.seconds(method);
     options.predicted_elements =
-        method == "sph" ? plan.prediction.particles + plan.prediction.wall_particles : plan.prediction.cells;
+        method == "sph" ? plan.prediction.particles + plan.prediction.wall_particles + plan.prediction.air_particles
+                        : plan.prediction.cells;
+    options.predicted_bytes = method == "sph" ? plan.prediction.sph_bytes : plan.prediction.fvm_bytes;
+    options.command = common.command;
     ProgressBar bar(method, common.quiet);
     options.progress = [&bar](const Progress& p) { bar.show(p); };
     options.stop_asked = stop_asked;
     RunRecord record = method == "sph" ? run_sph(scene, options) : run_fvm(scene, options);
-    if (record.state == "finished" && !run.resume) {
+    // what an effect costs is an estimate of its own, and air's is the roughest
+    if (record.state == "finished" && !run.resume && !scene.effect_on("air")) {
         const Prediction by_table = predict(scene);
         double taken = 0;
         for (const Phase& phase : record.phases) taken += phase.wall;

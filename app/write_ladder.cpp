@@ -23,14 +23,14 @@ void LadderHarvest::drop_lone_variations() {
     });
 }
 
-void write_ladder(const LadderHarvest& harvest, const fs::path& measured_source, const fs::path& out,
+void write_ladder(const LadderHarvest& harvest, const std::vector<fs::path>& measured_sources, const fs::path& out,
                   const Common& common) {
-    std::optional<RunRecord> measured;
-    if (!measured_source.empty())
-        measured = read_record(fs::is_directory(measured_source) ? measured_source / "record.h5" : measured_source);
+    std::vector<RunRecord> measured;
+    for (const fs::path& source : measured_sources)
+        measured.push_back(read_record(fs::is_directory(source) ? source / "record.h5" : source));
     CompareOptions options;
-    const Ladder ladder =
-        build_ladder(harvest.runs, harvest.variations, options.agree_within, measured ? &*measured : nullptr);
+    Ladder ladder = build_ladder(harvest.runs, harvest.variations, options.agree_within, measured);
+    ladder.left_out = harvest.left_out;
     const std::string json = ladder_json(ladder);
     fs::create_directories(out);
     write_text_atomically(out / "ladder.md", ladder_text(ladder));

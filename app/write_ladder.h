@@ -13,6 +13,7 @@ namespace tw::app {
 struct LadderHarvest {
     std::vector<LadderRun> runs;
     std::vector<LadderVariation> variations;
+    std::vector<std::string> left_out;                                       ///< runs that are missing, and why
     std::map<std::string, std::pair<double, std::filesystem::path>> finest;  ///< spacing and record of each method
 
     /// A level; `file`: where its record lies.
@@ -22,8 +23,8 @@ struct LadderHarvest {
 };
 
 /// ladder.md, ladder.json, a CSV for each method and report.html with the finest pair; the verdicts for the terminal.
-/// `measured`: record, or its folder, of what was measured; empty: none.
-void write_ladder(const LadderHarvest& harvest, const std::filesystem::path& measured, const std::filesystem::path& out,
-                  const Common& common);
+/// `measured`: records, or their folders, of what was measured.
+void write_ladder(const LadderHarvest& harvest, const std::vector<std::filesystem::path>& measured,
+                  const std::filesystem::path& out, const Common& common);
 
 }  // namespace tw::app

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "base/errors.h"
 #include "compare/gates.h"
@@ -55,7 +56,24 @@ void check_same(Comparison& comparison, const std::string& attribute, const std:
     }
 }
 
+/// A column of one name has one unit in all sources.
+void check_units(const Comparison& comparison) {
+    std::map<std::pair<std::string, std::string>, std::pair<std::string, std::string>> first;  // -> unit, source
+    for (std::size_t i = 0; i < comparison.sources.size(); ++i)
+        for (const auto& [table, content] : comparison.sources[i].tables)
+            for (const Column& c : content.columns) {
+                const auto at = first.try_emplace({table, c.name}, c.unit, comparison.names[i]).first;
+                if (at->second.first != c.unit)
+                    throw InputError(
+                        fmt::format("{} of table {} is in {} in {} and in {} in {}; expected one unit: import "
+                                    "with a unit, or convert the record",
+                                    c.name, table, at->second.first, at->second.second, c.unit, comparison.names[i]));
+            }
+}
+
 void add_state_banners(Comparison& comparison) {
+    if (comparison.sources.size() == 1)
+        comparison.banners.push_back("One run only, " + comparison.names[0] + ": its values stand without a verdict.");
     for (std::size_t i = 0; i < comparison.sources.size(); ++i) {
         const RunRecord& r = comparison.sources[i];
         if (r.state == "finished") continue;
@@ -113,6 +131,7 @@ Comparison compare_records(std::vector<RunRecord> sources, const CompareOptions&
     comparison.sources = std::move(sources);
     check_same(comparison, "scene_hash", "scene", options.force);
     check_same(comparison, "hull_hash", "hull", options.force);
+    check_units(comparison);
     add_state_banners(comparison);
     const Vec3 reference = moment_reference_of(comparison.sources.front());
     for (RunRecord& record : comparison.sources) {

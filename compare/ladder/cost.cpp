@@ -33,6 +33,11 @@ CostOfAccuracy cost_of_accuracy(std::vector<CostPoint> points) {
     return c;
 }
 
+CostOfAccuracy cost_of_accuracy(std::vector<CostPoint> points, double CostPoint::*price) {
+    for (CostPoint& p : points) p.seconds = p.*price;
+    return cost_of_accuracy(std::move(points));
+}
+
 double CostOfAccuracy::uncertainty_after(double seconds) const { return U_fit * std::pow(seconds / T_fit, -slope); }
 
 double CostOfAccuracy::seconds_for(double uncertainty) const {

@@ -7,9 +7,10 @@ namespace tw {
 
 /// What one run of a ladder cost, and how far its value may be off.
 struct CostPoint {
-    double spacing = 0;      ///< [m]
-    double seconds = 0;      ///< wall time, meshing and particle generation counted [s]
-    double uncertainty = 0;  ///< of the level's value: resolution and statistics [unit of the value]
+    double spacing = 0;                   ///< [m]
+    double seconds = 0;                   ///< wall time, meshing and particle generation counted [s]
+    double uncertainty = 0;               ///< of the level's value: resolution and statistics [unit of the value]
+    double core_seconds = 0, memory = 0;  ///< processor time [s], peak [bytes]
 };
 
 /// How the error of one quantity falls with the time that is spent on it: a straight line through the levels in
@@ -33,6 +34,8 @@ struct CostOfAccuracy {
     double price_of_halving() const;                 ///< factor in time that halves U: 2^(1/slope); nan without line
 };
 CostOfAccuracy cost_of_accuracy(std::vector<CostPoint> points);
+/// The same with another price in place of wall time: `seconds` of its points, and of what it answers, is that price.
+CostOfAccuracy cost_of_accuracy(std::vector<CostPoint> points, double CostPoint::*price);
 
 /// Where two lines cross [s], U the same: beyond it the steeper one is the cheaper; nan: no line, or parallel.
 double crossover_seconds(const CostOfAccuracy& a, const CostOfAccuracy& b);

@@ -55,8 +55,11 @@ LadderValue value_of(const LadderSide& side, const std::string& name) {
     v.uncertainty = std::sqrt(squares);
     std::vector<CostPoint> points;
     for (std::size_t i = 0; i < v.estimate.uncertainties.size(); ++i)
-        points.push_back(
-            {known[i]->spacing, known[i]->seconds, std::hypot(v.estimate.uncertainties[i], v.half_widths[i])});
+        points.push_back({known[i]->spacing, known[i]->seconds,
+                          std::hypot(v.estimate.uncertainties[i], v.half_widths[i]), known[i]->core_seconds,
+                          known[i]->memory});
+    v.cost_in_cores = cost_of_accuracy(points, &CostPoint::core_seconds);
+    v.cost_in_memory = cost_of_accuracy(points, &CostPoint::memory);
     v.cost = cost_of_accuracy(std::move(points));
     return v;
 }
@@ -89,9 +92,18 @@ std::string remedy(const Term& term, const LadderQuantity& q, const LadderSide& 
     const double needed = std::sqrt(room);
     if (term.kind == Term::statistics) {
         const LadderRun& finest = side.runs.front();
-        return fmt::format("a record of about {:.2g} s instead of {:.2g} s would do",
-                           finest.duration * std::pow(term.U / needed, 2), finest.duration);
+        const double longer = std::pow(term.U / needed, 2);
+        return fmt::format("a record of about {:.2g} s instead of {:.2g} s would do, about {} of wall time",
+                           finest.duration * longer, finest.duration, time_text(finest.seconds * longer));
     }
+    if (term.kind == Term::choice)
+        for (const LadderVariation& v : side.variations) {
+            const auto base = std::ranges::find_if(side.runs, [&](const LadderRun& r) { return same_rung(r, v.run); });
+            if (!term.name.ends_with(v.name) || !(base->seconds > 0)) continue;
+            return fmt::format(
+                "taking that choice in every run costs {:.2g} times the time and leaves about {:.0f} % of it",
+                v.run.seconds / base->seconds, 100 * (1 - 1 / v.factor));
+        }
     const CostOfAccuracy& cost = q.values[term.side].cost;
     if (term.kind == Term::resolution && cost.known())
         return fmt::format("a finer run of about {} would do, by the slope of this ladder",
@@ -124,6 +136,15 @@ void judge(LadderQuantity& q, const std::vector<LadderSide>& sides, double targe
         }
     q.interval = std::hypot(a.uncertainty, b.uncertainty);
     q.verdict = decide(q.difference, q.interval, target, S);
+    for (std::size_t k = 0; k < 2; ++k) {
+        const Estimate& e = q.values[k].estimate;
+        if (e.convergence != Convergence::scattered || e.uncertainty <= target * S) continue;
+        q.reason =
+            fmt::format("{}: the values scatter by more than they change from level to level; by their bound: {}",
+                        sides[k].method, verdict_label(q.verdict));
+        q.verdict = Verdict::not_converged;
+        return;
+    }
     if (q.verdict == Verdict::differ && std::abs(q.difference) <= target * S)
         q.reason = fmt::format("a real difference, yet within the target of {:g} %", 100 * target);
     if (q.verdict != Verdict::undecided) return;
@@ -177,21 +198,69 @@ Validation validate(const LadderValue& v, const MeanValue& measured, double targ
     return out;
 }
 
+void hold_against(Ladder& ladder, const std::string& source, const std::string& quantity, const MeanValue& value) {
+    const auto at = std::ranges::find(ladder.quantities, quantity, &LadderQuantity::name);
+    if (at == ladder.quantities.end()) return;
+    Held held{source, value, {}};
+    for (const LadderValue& v : at->values) held.validations.push_back(validate(v, value, ladder.agree_within));
+    at->held.push_back(std::move(held));
+}
+
+/// The half width of a measured quantity's 95 % interval, as the mapping of its column says.
+double measured_half_width(const RunRecord& record, const std::string& quantity) {
+    static const std::map<std::string, std::string> columns{{"lift", "forces:fz"},
+                                                            {"drag", "forces:fx"},
+                                                            {"trim_moment", "forces:my"},
+                                                            {"wetted_length", "samples:wetted_length"}};
+    std::string column;
+    if (const auto known = columns.find(quantity); known != columns.end()) column = known->second;
+    for (const char* table : {"pressure", "height"})  // "pressure:P1" and "pressure_mean:P1"
+        if (const std::size_t colon = quantity.find(':'); colon != std::string::npos && quantity.starts_with(table))
+            column = table + quantity.substr(colon);
+    const auto at = record.numbers.find("uncertainty:" + column);
+    return at == record.numbers.end() ? 0 : at->second;
+}
+
+std::string domain_of(const RunRecord& record) {
+    std::string text;
+    for (const char* name :
+         {"domain_x_min", "domain_x_max", "domain_y_min", "domain_y_max", "domain_z_min", "domain_z_max"})
+        if (const auto n = record.numbers.find(name); n != record.numbers.end())
+            text += fmt::format("{}{:.6g}", text.empty() ? "" : " ", n->second);
+    return text;
+}
+
 void add_measured(Ladder& ladder, const RunRecord& record) {
     const auto text = [&](const std::string& name) {
         const auto at = record.attributes.find(name);
         return at == record.attributes.end() ? std::string() : at->second;
     };
-    ladder.measured = text("method");
-    const std::string& hull = ladder.sides.front().runs.front().hull_hash;
-    if (!text("hull_hash").empty() && !hull.empty() && text("hull_hash") != hull)
-        throw InputError(ladder.measured + ": measured on another hull than the ladder's");
+    const std::string source = text("method");
+    const LadderRun& run = ladder.sides.front().runs.front();
+    if (text("hull_hash") != run.hull_hash) throw InputError(source + ": measured on another hull than the ladder's");
+    if (run.hull_hash.empty() && domain_of(record) != run.domain)
+        throw InputError(fmt::format("{}: measured in another tank than the ladder's; it spans {}, the ladder's {} m",
+                                     source, domain_of(record), run.domain));
     for (const Quantity& q : compare_records({record}).quantities) {
-        const auto at = std::ranges::find(ladder.quantities, q.name, &LadderQuantity::name);
-        if (at == ladder.quantities.end() || q.values.empty()) continue;
-        at->measured = q.values[0];
-        for (LadderValue& v : at->values) v.validation = validate(v, at->measured, ladder.agree_within);
+        if (q.values.empty() || !q.values[0].known) continue;
+        MeanValue value = q.values[0];
+        value.half_width = std::hypot(value.half_width, measured_half_width(record, q.name));
+        hold_against(ladder, source, q.name, value);
     }
+}
+
+/// Of the finest run that has them: the same formula says the same of every size.
+void add_references(Ladder& ladder) {
+    for (const LadderSide& side : ladder.sides)
+        for (const LadderRun& run : side.runs) {
+            if (run.references.empty()) continue;
+            for (const Reference& r : run.references) {
+                MeanValue value;
+                value.known = true, value.value = r.value, value.half_width = r.half_width;
+                hold_against(ladder, r.source, r.quantity, value);
+            }
+            return;
+        }
 }
 
 }  // namespace
@@ -216,19 +285,27 @@ LadderRun ladder_run(RunRecord record, const CompareOptions& options) {
                              "max_courant_limit", "interface_compression"})
         if (const auto n = record.numbers.find(name); n != record.numbers.end())
             run.likeness += fmt::format(" {}={:.9g}", name, n->second);
+    run.domain = domain_of(record);
     std::vector<RunRecord> one;
     one.push_back(std::move(record));
-    run.quantities = compare_records(std::move(one), options).quantities;
+    Comparison comparison = compare_records(std::move(one), options);
+    run.quantities = std::move(comparison.quantities);
+    run.references = std::move(comparison.references);
     return run;
 }
 
 Ladder build_ladder(std::vector<LadderRun> runs, std::vector<LadderVariation> variations, double agree_within,
-                    const RunRecord* measured) {
+                    const std::vector<RunRecord>& measured) {
     if (runs.empty()) throw InputError("a ladder without a finished run; expected one or more");
     Ladder ladder;
     ladder.title = runs.front().title;
     ladder.agree_within = agree_within;
     ladder.sides = sides_of(std::move(runs));
+    if (ladder.sides.size() > 1 && ladder.sides[0].runs.front().hull_hash != ladder.sides[1].runs.front().hull_hash)
+        throw InputError(
+            fmt::format("{} and {} were not run with the same hull: their difference would not be one of "
+                        "method; expected records of one scene",
+                        ladder.sides[0].method, ladder.sides[1].method));
     for (LadderVariation& v : variations) add_variation(ladder.sides, std::move(v));
     for (const LadderSide& side : ladder.sides)  // the union of what the runs measured, in their order
         for (const LadderRun& run : side.runs)
@@ -252,7 +329,8 @@ Ladder build_ladder(std::vector<LadderRun> runs, std::vector<LadderVariation> va
             if (const std::string line = side.method + ": " + run.calibrated;
                 !run.calibrated.empty() && std::ranges::find(ladder.calibrated, line) == ladder.calibrated.end())
                 ladder.calibrated.push_back(line);
-    if (measured) add_measured(ladder, *measured);
+    add_references(ladder);
+    for (const RunRecord& record : measured) add_measured(ladder, record);
     return ladder;
 }
 

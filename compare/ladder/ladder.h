@@ -20,7 +20,9 @@ struct LadderRun {
     double duration = 0;                   ///< simulated [s]
     std::string hull_hash, calibrated;
     std::string likeness;  ///< equal in runs that differ in resolution only
+    std::string domain;    ///< its box, as text
     std::vector<Quantity> quantities;
+    std::vector<Reference> references;  ///< what formulas say of them
 };
 /// Runs of one method with one spacing.
 bool same_rung(const LadderRun& a, const LadderRun& b);
@@ -53,12 +55,19 @@ struct Sensitivity {
     bool idle() const { return value == varied; }
 };
 
-/// One method's finest value S against a measured one D (ASME V&V 20): E = S - D, U_val^2 = U^2 + U_D^2. The verdict is
-/// decide.h's: agree and undecided hold the measurement within U_val, differ does not.
+/// One method's finest value S against one from elsewhere D (ASME V&V 20): E = S - D, U_val^2 = U^2 + U_D^2. The
+/// verdict is decide.h's: agree and undecided hold the measurement within U_val, differ does not.
 struct Validation {
     double E = std::numeric_limits<double>::quiet_NaN(), U_val = std::numeric_limits<double>::quiet_NaN();
     double per_cent = std::numeric_limits<double>::quiet_NaN();  ///< E over |D| [%]
     Verdict verdict = Verdict::not_comparable;
+};
+
+/// A value that the methods are held against: measured, or by a formula. It takes no part in the verdict between them.
+struct Held {
+    std::string source;  ///< "Kleefsman 2005", "Savitsky 1964"
+    MeanValue value;
+    std::vector<Validation> validations;  ///< one per side
 };
 
 /// What a ladder says of one quantity and one method.
@@ -70,8 +79,7 @@ struct LadderValue {
     Estimate estimate;                                              ///< of the resolution; no levels: nothing known
     std::vector<Sensitivity> sensitivities;
     double uncertainty = std::numeric_limits<double>::quiet_NaN();  ///< of the finest value: all of the above
-    CostOfAccuracy cost;
-    Validation validation;  ///< where there is a measured value
+    CostOfAccuracy cost, cost_in_cores, cost_in_memory;             ///< against wall time, processor time, memory
 };
 
 struct LadderQuantity {
@@ -83,12 +91,12 @@ struct LadderQuantity {
     double per_cent = std::numeric_limits<double>::quiet_NaN();    ///< difference over the size [%]
     Verdict verdict = Verdict::not_comparable;
     std::string reason;
-    MeanValue measured;  ///< of the measured source; not known where there is none
+    std::vector<Held> held;
 };
 
 struct Ladder {
     std::string title;
-    std::string measured;                 ///< name of the measured source; empty: none
+    std::vector<std::string> left_out;    ///< runs that are missing and why: beyond the budget, failed
     std::vector<std::string> calibrated;  ///< what was chosen by looking at results, as the records say
     std::vector<LadderSide> sides;
     std::vector<LadderQuantity> quantities;
@@ -102,14 +110,15 @@ struct Ladder {
 ///   E = S_1 - S_0     U^2 = sum over both methods of u^2 + U_num^2 + sum U_var^2
 ///   S = |S_0 + S_1| / 2, at least the quantity's scale
 ///
-/// A method without U_num is not converged; else decide.h. Where undecided, the reason names the largest term and what
-/// it would cost to make it small enough. Throws InputError: no run, more than two methods, two runs of one method with
-/// one spacing, a variation without the run that it varies.
+/// A method without U_num is not converged, nor is one whose values scatter by more than the target; else decide.h.
+/// Where undecided, the reason names the largest term and what it would cost to make it small enough. Throws
+/// InputError: no run, more than two methods, two runs of one method with one spacing, methods with other hulls, a
+/// variation without the run that it varies.
 ///
-/// `measured`: a record of what was measured (twinwake import); it takes no part in the verdict between the methods.
-/// Throws InputError where it belongs to another hull.
+/// `measured`: records of what was measured (twinwake import), with "uncertainty:TABLE:COLUMN" among their numbers
+/// where the measurement has one. Throws InputError where one belongs to another hull or another tank.
 Ladder build_ladder(std::vector<LadderRun> runs, std::vector<LadderVariation> variations = {},
-                    double agree_within = 0.05, const RunRecord* measured = nullptr);
+                    double agree_within = 0.05, const std::vector<RunRecord>& measured = {});
 
 /// "Lift: differ, +418 ± 120 N (+13 %)": one quantity's verdict in words, its reason behind it.
 std::string ladder_sentence(const LadderQuantity& quantity);
@@ -125,6 +134,9 @@ std::string ladder_csv(const Ladder& ladder, std::size_t side);
 std::string ladder_html(const Ladder& ladder);
 /// Whether the interval holds the measured value: "yes", "yes, by a wide interval", "no", "not converged", "no value".
 std::string validation_label(const Validation& validation);
+/// Core hours, or memory, to an uncertainty; "~" where beyond the levels.
+std::string cores_text(const CostOfAccuracy& cost, double uncertainty);
+std::string memory_text(const CostOfAccuracy& cost, double uncertainty);
 /// Seconds as people say them: "42 s", "13 min", "2.4 h", "9 days".
 std::string time_text(double seconds);
 

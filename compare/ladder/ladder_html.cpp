@@ -120,7 +120,7 @@ std::string price_table(const Ladder& ladder) {
             rows += "<tr><td>" + (k == 0 ? escaped(q.label) : std::string()) + "</td><td>" + method_cell(ladder, k) +
                     "</td>";
             if (!v.cost.known() || v.levels.empty()) {
-                rows += "<td colspan=\"5\" class=\"note\">" + escaped(v.cost.why_not) + "</td></tr>";
+                rows += "<td colspan=\"7\" class=\"note\">" + escaped(v.cost.why_not) + "</td></tr>";
                 continue;
             }
             rows += fmt::format("<td class=\"num\">{:.2f}</td>", v.cost.slope);
@@ -129,14 +129,18 @@ std::string price_table(const Ladder& ladder) {
                 rows += fmt::format("<td class=\"num\">{}{}</td>", v.cost.measured(seconds) ? "" : "~ ",
                                     time_text(seconds));
             }
-            rows += fmt::format("<td class=\"num\">× {:.3g}</td></tr>", v.cost.price_of_halving());
+            rows +=
+                fmt::format("<td class=\"num\">× {:.3g}</td><td class=\"num\">{}</td><td class=\"num\">{}</td></tr>",
+                            v.cost.price_of_halving(), cores_text(v.cost_in_cores, 0.02 * q.size),
+                            memory_text(v.cost_in_memory, 0.02 * q.size));
         }
         if (const std::string crossover = crossover_sentence(ladder, q); !crossover.empty())
-            rows += "<tr class=\"remark\"><td></td><td colspan=\"6\">" + escaped(crossover) + "</td></tr>";
+            rows += "<tr class=\"remark\"><td></td><td colspan=\"8\">" + escaped(crossover) + "</td></tr>";
     }
     return "<h2>The price of a digit</h2><div class=\"wide\"><table><thead><tr><th>Quantity</th><th>method</th><th "
            "class=\"num\">slope of U over time</th><th class=\"num\">time to 5 %</th><th class=\"num\">to 2 %</th><th "
-           "class=\"num\">to 1 %</th><th class=\"num\">halving U costs</th></tr></thead><tbody>" +
+           "class=\"num\">to 1 %</th><th class=\"num\">halving U costs</th><th class=\"num\">core hours to 2 %</th><th "
+           "class=\"num\">memory to 2 %</th></tr></thead><tbody>" +
            rows + "</tbody></table></div><p class=\"note\">~: beyond the times of this ladder, by its slope.</p>";
 }
 
@@ -177,46 +181,45 @@ std::string shares_table(const Ladder& ladder) {
                 choices +=
                     (choices.empty() ? "" : "; ") + s.name + ": " + (s.idle() ? "no change" : share(s.uncertainty));
             rows += fmt::format(
-                "<tr><td>{}</td><td>{}</td><td class=\"num\">{}</td><td "
-                "class=\"num\">{}</td><td>{}</td><td>{}</td></tr>",
+                "<tr><td>{}</td><td>{}</td><td class=\"num\">{}</td><td class=\"num\">{}</td><td "
+                "class=\"num\">{}</td><td class=\"num\">{}</td><td>{}</td><td>{}</td></tr>",
                 k == 0 ? escaped(q.label) : "", method_cell(ladder, k), share(v.statistical),
-                share(v.estimate.uncertainty),
-                std::isfinite(v.estimate.order)
-                    ? fmt::format("{}, order {:.2f}", to_string(v.estimate.convergence), v.estimate.order)
-                    : to_string(v.estimate.convergence),
-                escaped(choices));
+                share(v.estimate.uncertainty), share(v.estimate.celik_gci.uncertainty),
+                share(v.estimate.xing_stern.uncertainty), escaped(verdict_sentence(v.estimate)), escaped(choices));
         }
     return "<details open><summary>What the intervals are made of</summary><div class=\"wide\"><table><thead><tr><th>"
-           "Quantity</th><th>method</th><th class=\"num\">mean</th><th class=\"num\">resolution</th><th>class</th><th>"
-           "choices</th></tr></thead><tbody>" +
+           "Quantity</th><th>method</th><th class=\"num\">mean</th><th class=\"num\">resolution</th><th "
+           "class=\"num\">GCI</th><th "
+           "class=\"num\">factor of safety</th><th>what the resolution says</th><th>choices</th></tr></thead><tbody>" +
            rows + "</tbody></table></div></details>";
 }
 
-/// Each method's finest values beside what was measured.
-std::string measured_table(const Ladder& ladder) {
+/// Each method's finest values beside what was measured, or a formula says.
+std::string held_table(const Ladder& ladder) {
     std::string rows;
     for (const LadderQuantity& q : ladder.quantities)
-        for (std::size_t k = 0; k < q.values.size() && q.measured.known; ++k) {
-            const Validation& v = q.values[k].validation;
-            rows += fmt::format(
-                "<tr><td>{}</td><td class=\"num\">{}</td><td>{}</td><td class=\"num\">{}</td><td "
-                "class=\"num\">{}</td><td "
-                "class=\"num\">{}</td><td><span class=\"badge {}\">{}</span></td></tr>",
-                k == 0 ? escaped(q.label + " [" + q.unit + "]") : "", k == 0 ? mean_text(q.measured) : "",
-                method_cell(ladder, k), signed_text(v.E, v.U_val), per_cent_text(v.per_cent),
-                std::isfinite(v.U_val) ? value_text(v.U_val, 0) : "–", to_string(v.verdict), validation_label(v));
-        }
+        for (const Held& h : q.held)
+            for (std::size_t k = 0; k < h.validations.size(); ++k) {
+                const Validation& v = h.validations[k];
+                rows += fmt::format(
+                    "<tr><td>{}</td><td>{}</td><td class=\"num\">{}</td><td>{}</td><td class=\"num\">{}</td><td "
+                    "class=\"num\">{}</td><td class=\"num\">{}</td><td><span class=\"badge {}\">{}</span></td></tr>",
+                    k == 0 ? escaped(q.label + " [" + q.unit + "]") : "", k == 0 ? escaped(h.source) : "",
+                    k == 0 ? mean_text(h.value) : "", method_cell(ladder, k), signed_text(v.E, v.U_val),
+                    per_cent_text(v.per_cent), std::isfinite(v.U_val) ? value_text(v.U_val, 0) : "–",
+                    to_string(v.verdict), validation_label(v));
+            }
     std::string out;
     if (!rows.empty())
         out =
-            "<h2>Against what was measured</h2><div class=\"wide\"><table><thead><tr><th>Quantity</th><th "
-            "class=\"num\">" +
-            escaped(ladder.measured) +
-            "</th><th>method</th><th class=\"num\">value − measured</th><th class=\"num\">relative</th><th "
-            "class=\"num\">U</th><th>within</th></tr></thead><tbody>" +
+            "<h2>Against what was measured, or a formula says</h2><div "
+            "class=\"wide\"><table><thead><tr><th>Quantity</th>"
+            "<th>source</th><th class=\"num\">its value</th><th>method</th><th class=\"num\">value − its</th><th "
+            "class=\"num\">relative</th><th class=\"num\">U</th><th>within</th></tr></thead><tbody>" +
             rows +
-            "</tbody></table></div><p class=\"note\">U holds the interval of the finest value and that of the "
-            "measurement (ASME V&amp;V 20). The measurement takes no part in the verdict between the methods.</p>";
+            "</tbody></table></div><p class=\"note\">U holds the interval of the finest value and, where one is known, "
+            "that of the other value (ASME V&amp;V 20). These values take no part in the verdict between the "
+            "methods.</p>";
     for (const std::string& line : ladder.calibrated)
         out += "<p class=\"note\">Calibrated, not validated: " + escaped(line) + "</p>";
     return out;
@@ -235,6 +238,7 @@ std::string ladder_html(const Ladder& ladder) {
         if (!side.similar)
             out += "<div class=\"banner\">The " + escaped(side.method) +
                    " runs differ in more than their resolution: they are no family.</div>";
+    for (const std::string& line : ladder.left_out) out += "<div class=\"banner\">" + escaped(line) + "</div>";
     out += "<h2>Verdict of the ladder</h2>" + verdict_table(ladder) +
            fmt::format(
                "<p class=\"note\">Finest values with 95 % intervals that hold the statistics of the mean, the error of "
@@ -242,7 +246,7 @@ std::string ladder_html(const Ladder& ladder) {
                "choices. Agree: the difference lies inside the joint interval, and that is at most {:g} % of the "
                "value.</p>",
                100 * ladder.agree_within) +
-           measured_table(ladder) + shares_table(ladder) + plots(ladder) + price_table(ladder) + runs_table(ladder);
+           held_table(ladder) + shares_table(ladder) + plots(ladder) + price_table(ladder) + runs_table(ladder);
     return out + "<h2>The finest pair</h2>";
 }
 

@@ -17,7 +17,11 @@ Json json_of(const LadderRun& r) {
 Json json_of(const CostOfAccuracy& c) {
     Json points = Json::array();
     for (const CostPoint& p : c.points)
-        points.push_back({{"spacing", p.spacing}, {"wall_seconds", p.seconds}, {"uncertainty", p.uncertainty}});
+        points.push_back({{"spacing", p.spacing},
+                          {"wall_seconds", p.seconds},
+                          {"core_seconds", p.core_seconds},
+                          {"memory_bytes", p.memory},
+                          {"uncertainty", p.uncertainty}});
     return {{"points", points},
             {"slope", c.slope},
             {"price_of_halving", c.known() ? c.price_of_halving() : CostOfAccuracy::nan},
@@ -46,13 +50,13 @@ Json json_of(const LadderValue& v, double size) {
             {"order", v.estimate.order},
             {"class", to_string(v.estimate.convergence)},
             {"resolution", v.estimate.uncertainty},
+            {"method", v.estimate.method},
+            {"gci", v.estimate.celik_gci.uncertainty},
+            {"factor_of_safety", v.estimate.xing_stern.uncertainty},
+            {"disagreement", v.estimate.disagreement},
             {"limit", v.estimate.limit},
             {"sensitivities", sensitivities},
             {"uncertainty", v.uncertainty},
-            {"validation",
-             {{"difference", v.validation.E},
-              {"interval", v.validation.U_val},
-              {"verdict", to_string(v.validation.verdict)}}},
             {"cost", cost}};
 }
 
@@ -72,10 +76,20 @@ std::string ladder_json(const Ladder& ladder) {
     for (const LadderQuantity& q : ladder.quantities) {
         Json values = Json::array();
         for (const LadderValue& v : q.values) values.push_back(json_of(v, q.size));
+        Json held = Json::array();
+        for (const Held& h : q.held) {
+            Json validations = Json::array();
+            for (const Validation& v : h.validations)
+                validations.push_back({{"difference", v.E}, {"interval", v.U_val}, {"verdict", to_string(v.verdict)}});
+            held.push_back({{"source", h.source},
+                            {"value", h.value.value},
+                            {"interval", h.value.half_width},
+                            {"validations", validations}});
+        }
         quantities.push_back({{"name", q.name},
                               {"unit", q.unit},
                               {"values", values},
-                              {"measured", q.measured.value},
+                              {"held_against", held},
                               {"difference", q.difference},
                               {"interval", q.interval},
                               {"per_cent", q.per_cent},
@@ -83,7 +97,7 @@ std::string ladder_json(const Ladder& ladder) {
                               {"reason", q.reason}});
     }
     const Json all = {{"title", ladder.title},
-                      {"measured", ladder.measured},
+                      {"left_out", ladder.left_out},
                       {"calibrated", ladder.calibrated},
                       {"agree_within", ladder.agree_within},
                       {"sides", sides},

@@ -35,19 +35,21 @@ std::string runs_table(const Ladder& ladder) {
 /// Times to 5, 2 and 1 % of the size; "~" where outside the times of the levels.
 std::string cost_row(const std::string& method, const LadderValue& v, double size) {
     if (v.levels.empty()) return {};
-    if (!v.cost.known()) return fmt::format("| {} | - | - | - | - | {} |\n", for_terminal(method), v.cost.why_not);
+    if (!v.cost.known())
+        return fmt::format("| {} | - | - | - | - | {} | - | - |\n", for_terminal(method), v.cost.why_not);
     std::string out = fmt::format("| {} | {:.2f} |", for_terminal(method), v.cost.slope);
     for (const double share : {0.05, 0.02, 0.01}) {
         const double seconds = v.cost.seconds_for(share * size);
         out += fmt::format(" {}{} |", v.cost.measured(seconds) ? "" : "~", time_text(seconds));
     }
-    return out + fmt::format(" x {:.3g} |\n", v.cost.price_of_halving());
+    return out + fmt::format(" x {:.3g} | {} | {} |\n", v.cost.price_of_halving(),
+                             cores_text(v.cost_in_cores, 0.02 * size), memory_text(v.cost_in_memory, 0.02 * size));
 }
 
 std::string quantity_text(const Ladder& ladder, const LadderQuantity& q) {
     std::string out = fmt::format(
         "\n## {} [{}]\n\n| method | values, finest first | half width of the mean | order | class | U of the "
-        "resolution | U |\n|---|---|---|---|---|---|---|\n",
+        "resolution | GCI | factor of safety | U |\n|---|---|---|---|---|---|---|---|---|\n",
         q.label, q.unit);
     std::string notes, costs;
     for (std::size_t k = 0; k < q.values.size(); ++k) {
@@ -55,12 +57,15 @@ std::string quantity_text(const Ladder& ladder, const LadderQuantity& q) {
         const std::string method = for_terminal(ladder.sides[k].method);
         std::string values;
         for (const Level& l : v.levels) values += (values.empty() ? "" : ", ") + number(l.value);
-        out += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", method, values, number(v.statistical, "{:.3g}"),
-                           number(v.estimate.order, "{:.2f}"), to_string(v.estimate.convergence),
-                           number(v.estimate.uncertainty, "{:.3g}"),
+        const Estimate& e = v.estimate;
+        out += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", method, values,
+                           number(v.statistical, "{:.3g}"), number(e.order, "{:.2f}"), to_string(e.convergence),
+                           number(e.uncertainty, "{:.3g}"), number(e.celik_gci.uncertainty, "{:.3g}"),
+                           number(e.xing_stern.uncertainty, "{:.3g}"),
                            std::isfinite(v.uncertainty) && q.size > 0
                                ? fmt::format("{:.3g} ({:.2g} %)", v.uncertainty, 100 * v.uncertainty / q.size)
                                : "-");
+        if (!v.levels.empty()) notes += fmt::format("- {}: {}\n", method, verdict_sentence(e));
         for (const Sensitivity& s : v.sensitivities)
             if (s.idle())
                 notes += fmt::format("- {}, {} at {:g} m: the same to the last digit\n", method, s.name, s.spacing);
@@ -73,8 +78,9 @@ std::string quantity_text(const Ladder& ladder, const LadderQuantity& q) {
     if (!notes.empty()) out += "\n" + notes;
     if (!costs.empty())
         out +=
-            "\n| method | slope of U over time | time to 5 % | to 2 % | to 1 % | halving U costs |\n"
-            "|---|---|---|---|---|---|\n" +
+            "\n| method | slope of U over time | time to 5 % | to 2 % | to 1 % | halving U costs | core hours to 2 % | "
+            "memory "
+            "to 2 % |\n|---|---|---|---|---|---|---|---|\n" +
             costs;
     if (const std::string crossover = crossover_sentence(ladder, q); !crossover.empty()) out += crossover + "\n";
     return out;
@@ -102,6 +108,21 @@ std::string validation_label(const Validation& v) {
         case Verdict::not_comparable: break;
     }
     return "no value";
+}
+
+std::string cores_text(const CostOfAccuracy& cost, double uncertainty) {
+    if (!cost.known()) return "-";
+    const double core_seconds = cost.seconds_for(uncertainty);
+    return fmt::format("{}{:.2g}", cost.measured(core_seconds) ? "" : "~", core_seconds / 3600);
+}
+
+std::string memory_text(const CostOfAccuracy& cost, double uncertainty) {
+    if (!cost.known()) return "-";
+    const double bytes = cost.seconds_for(uncertainty);
+    return fmt::format("{}{}", cost.measured(bytes) ? "" : "~",
+                       bytes < 1e9    ? fmt::format("{:.2g} MB", bytes / 1e6)
+                       : bytes < 1e13 ? fmt::format("{:.2g} GB", bytes / 1e9)
+                                      : std::string("over 10 TB"));
 }
 
 std::string time_text(double seconds) {
@@ -133,19 +154,23 @@ std::string ladder_text(const Ladder& ladder) {
             out += quantity_text(ladder, q);
     out += "\n## Verdicts\n\n";
     for (const LadderQuantity& q : ladder.quantities) out += "- " + ladder_sentence(q) + "\n";
-    if (!ladder.measured.empty()) {
-        out += fmt::format(
-            "\n## Against {}\n\n| quantity | measured | method | value - measured | U | within |\n"
-            "|---|---|---|---|---|---|\n",
-            for_terminal(ladder.measured));
-        for (const LadderQuantity& q : ladder.quantities)
-            for (std::size_t k = 0; k < q.values.size() && q.measured.known; ++k) {
-                const Validation& v = q.values[k].validation;
-                out += fmt::format("| {} [{}] | {} | {} | {} ({}) | {} | {} |\n", q.label, q.unit,
-                                   mean_text(q.measured), for_terminal(ladder.sides[k].method), number(v.E, "{:+.4g}"),
-                                   per_cent_text(v.per_cent), number(v.U_val, "{:.3g}"), validation_label(v));
+    std::string held;
+    for (const LadderQuantity& q : ladder.quantities)
+        for (const Held& h : q.held)
+            for (std::size_t k = 0; k < h.validations.size(); ++k) {
+                const Validation& v = h.validations[k];
+                held += fmt::format("| {} [{}] | {} | {} | {} | {} ({}) | {} | {} |\n", q.label, q.unit,
+                                    for_terminal(h.source), mean_text(h.value), for_terminal(ladder.sides[k].method),
+                                    number(v.E, "{:+.4g}"), per_cent_text(v.per_cent), number(v.U_val, "{:.3g}"),
+                                    validation_label(v));
             }
-    }
+    if (!held.empty())
+        out +=
+            "\n## Against what was measured, or a formula says\n\n| quantity | source | its value | method | value - "
+            "its | "
+            "U | within |\n|---|---|---|---|---|---|---|\n" +
+            held;
+    for (const std::string& line : ladder.left_out) out += "\n! " + for_terminal(line) + "\n";
     for (const std::string& line : ladder.calibrated) out += "\ncalibrated, " + for_terminal(line) + "\n";
     return out + "\n~: beyond the times of this ladder, by its slope. U: half width of the 95 % interval.\n";
 }

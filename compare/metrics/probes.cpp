@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -91,6 +92,8 @@ void add_probes(Comparison& comparison, const CompareOptions& options) {
                                       unit, "highest value of the record; depends on its length and sampling");
             for (const RunRecord& r : comparison.sources) q.values.push_back(peak(r, table, name));
             beside(q);
+            q.judged_in_ladder =
+                std::ranges::none_of(comparison.sources, [](const RunRecord& r) { return flow_through_time(r) > 0; });
             if (q.values.size() >= 2) {
                 const double rms = rms_per_cent(comparison.sources[0], comparison.sources[1], table, name);
                 if (std::isfinite(rms))

@@ -56,4 +56,15 @@ std::string for_terminal(std::string text) {
     return text;
 }
 
+std::string shell_word(const std::string& name) {
+    const bool plain = !name.empty() && name[0] != '-' &&
+                       name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-/=") ==
+                           std::string::npos;
+    if (plain) return name;
+    std::string quoted = "'";
+    for (const char ch : name) quoted += ch == '\'' ? std::string("'\\''") : std::string(1, ch);
+    quoted += "'";
+    return name.starts_with('-') ? "./" + quoted : quoted;
+}
+
 }  // namespace tw

@@ -195,6 +195,15 @@ std::string cost_table(const Comparison& c) {
     row("time steps", [](const RunRecord& r) { return fmt::format("{:.0f}", r.steps); });
     row("wall time", [&](const RunRecord& r) { return fmt::format("{:.4g} s", total(r, &Phase::wall)); });
     row("processor time", [&](const RunRecord& r) { return fmt::format("{:.4g} s", total(r, &Phase::cpu)); });
+    const auto predicted = [](const char* name, const char* format, double factor) {
+        return [=](const RunRecord& r) {
+            const double v = number_of(r, name, 0);
+            return v > 0 ? fmt::format(fmt::runtime(format), v * factor) : std::string("–");
+        };
+    };
+    row("predicted: particles with walls, or cells", predicted("predicted_elements", "{:.3g}", 1));
+    row("predicted: wall time", predicted("predicted_seconds", "{:.3g} s", 1));
+    row("predicted: memory", predicted("predicted_memory", "{:.3g} MB", 1e-6));
     row("peak memory", [](const RunRecord& r) { return fmt::format("{:.4g} MB", r.peak_memory / 1e6); });
     row("element steps per processor second", [&](const RunRecord& r) {
         const double cpu = total(r, &Phase::cpu);
@@ -246,25 +255,18 @@ std::string definitions(const Comparison& c) {
     return out + "</dl></details>";
 }
 
-/// A file name as one word of a POSIX shell: readers paste the command.
-std::string shell_word(const std::string& name) {
-    const bool plain = !name.empty() && name[0] != '-' &&
-                       name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-/") ==
-                           std::string::npos;
-    if (plain) return name;
-    std::string quoted = "'";
-    for (const char ch : name) quoted += ch == '\'' ? std::string("'\\''") : std::string(1, ch);
-    quoted += "'";
-    return name.starts_with('-') ? fmt::format("./{}", quoted) : quoted;
-}
-
 std::string reproduce(const Comparison& c) {
     const RunRecord& r = c.sources.front();
     const std::string file = text_of(r, "scene_file", "scene.toml");
+    std::string commands;  // each once
+    for (const RunRecord& source : c.sources) {
+        const std::string command = text_of(source, "command", "");
+        if (!command.empty() && commands.find(command + "\n") == std::string::npos) commands += command + "\n";
+    }
+    if (commands.empty()) commands = "twinwake run " + shell_word(file) + "\n";
     std::string out = "<h2>How to do it again</h2><p>Save the scene below as <code>" + escaped(file) +
-                      "</code> beside its hull file, with the code version named above:</p>"
-                      "<pre>twinwake run " +
-                      escaped(shell_word(file)) + "</pre>";
+                      "</code> beside its hull file, with the code version named above:</p><pre>" + escaped(commands) +
+                      "</pre>";
     if (!r.scene_text.empty())
         out += "<details><summary>The scene</summary><pre>" + escaped(r.scene_text) + "</pre></details>";
     return out;

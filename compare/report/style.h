@@ -34,7 +34,7 @@ svg .s0{stroke:var(--s0)}svg .s1{stroke:var(--s1)}svg .s2{stroke:var(--s2)}svg .
 details{margin:8px 0}summary{cursor:pointer;color:var(--soft)}pre{background:var(--panel);padding:12px;border-radius:4px;overflow-x:auto;font-size:13px;line-height:1.4}code{font-family:ui-monospace,"DejaVu Sans Mono",monospace;font-size:.93em}
 dl{display:grid;grid-template-columns:max-content 1fr;gap:2px 16px;font-size:14px}dt{color:var(--soft)}dd{margin:0;overflow-wrap:anywhere}
 @media print{:root{color-scheme:light;--bg:#fff;--text:#000;--soft:#444;--line:#bbb;--panel:#f3f3f3;--s0:#1f62b5;--s1:#c8501c;--s2:#2a8a4a;--s3:#8447b5;--good:#1d7a3a;--goodbg:#e2f4e7;--bad:#b02a1b;--badbg:#fbe7e3;--open:#8a5a00;--openbg:#fdf1d6;--none:#444;--nonebg:#eee}
-body{font-size:12px;-webkit-print-color-adjust:exact;print-color-adjust:exact}main{max-width:none;padding:0}h2{break-after:avoid}figure,tr,svg{break-inside:avoid}.pair{grid-template-columns:1fr 1fr}}
+body{font-size:12px;-webkit-print-color-adjust:exact;print-color-adjust:exact}main{max-width:none;padding:0}h2{break-after:avoid}figure,tr,svg{break-inside:avoid}.pair{grid-template-columns:1fr 1fr}.wide{overflow:visible}details:not([open])>*{display:block}details::details-content{content-visibility:visible;height:auto}}
 )";
 
 }  // namespace tw

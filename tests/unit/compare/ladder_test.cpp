@@ -128,17 +128,59 @@ TEST(Ladder, AMeasuredValueIsHeldAgainstEachMethodAndTakesNoPartInTheVerdictBetw
     SyntheticRun tank;
     tank.method = "towing tank", tank.lift = 2805, tank.noise = 2, tank.frames = false;
     const RunRecord measured = synthetic_run(tank);
-    const Ladder ladder = build_ladder(runs, {}, 0.05, &measured);
+    const Ladder ladder = build_ladder(runs, {}, 0.05, {measured});
     const LadderQuantity& lift = lift_of(ladder);
     EXPECT_EQ(lift.verdict, lift_of(build_ladder(runs)).verdict);
-    EXPECT_EQ(lift.values[0].validation.verdict, Verdict::agree);
-    EXPECT_NEAR(lift.values[0].validation.E, 5, 2);
-    EXPECT_EQ(lift.values[1].validation.verdict, Verdict::differ);
-    EXPECT_NE(ladder_text(ladder).find("Against towing tank"), std::string::npos);
+    const Held& tank_says = lift.held.back();
+    EXPECT_EQ(tank_says.source, "towing tank");
+    EXPECT_EQ(tank_says.validations[0].verdict, Verdict::agree);
+    EXPECT_NEAR(tank_says.validations[0].E, 5, 2);
+    EXPECT_EQ(tank_says.validations[1].verdict, Verdict::differ);
+    EXPECT_EQ(lift.held.front().source, "Savitsky 1964");  // the hull is a prism
+    EXPECT_NEAR(lift.held.front().value.half_width, 0.1 * lift.held.front().value.value, 1e-9);
+    EXPECT_NE(ladder_text(ladder).find("| towing tank |"), std::string::npos);
     EXPECT_NE(ladder_html(ladder).find("Against what was measured"), std::string::npos);
     RunRecord other = measured;
     other.attributes["hull_hash"] = "another";
-    EXPECT_THROW(build_ladder(runs, {}, 0.05, &other), InputError);
+    EXPECT_THROW(build_ladder(runs, {}, 0.05, {other}), InputError);
+}
+
+TEST(Ladder, AScatterWiderThanTheTargetIsNotConvergedAndItsBoundIsSaid) {
+    std::vector<RunRecord> records;
+    add_family(records, "sph", 2800, 10, 2);
+    add_family(records, "fvm", 2800, 10, 2);
+    std::vector<LadderRun> runs;
+    for (const RunRecord& r : records) runs.push_back(ladder_run(r));
+    double sign = 1;
+    for (LadderRun& run : runs)
+        if (run.method == "sph")
+            for (Quantity& q : run.quantities)
+                if (q.name == "lift") q.values[0].value += 300 * (sign = -sign);
+    const LadderQuantity lift = lift_of(build_ladder(runs));
+    EXPECT_EQ(lift.values[0].estimate.convergence, Convergence::scattered);
+    EXPECT_EQ(lift.verdict, Verdict::not_converged);
+    EXPECT_NE(lift.reason.find("sph: the values scatter"), std::string::npos) << lift.reason;
+    EXPECT_NE(lift.reason.find("by their bound"), std::string::npos) << lift.reason;
+    EXPECT_TRUE(std::isfinite(lift.interval));
+}
+
+TEST(Ladder, TheReportNamesTheMethodOfEachUncertaintyAndTheOthersBesideIt) {
+    std::vector<RunRecord> records;
+    add_family(records, "sph", 2800, 100, 2);
+    add_family(records, "fvm", 2800, 10, 2, 2);
+    Ladder ladder = ladder_of(records);
+    ladder.left_out = {"sph at 0.02 m: beyond the budget"};
+    const std::string text = ladder_text(ladder), page = ladder_html(ladder);
+    for (const std::string& out : {text, page}) {
+        EXPECT_NE(out.find("by least squares (Eca &"), std::string::npos);
+        EXPECT_NE(out.find("two levels cannot show whether it converges"), std::string::npos);
+        EXPECT_NE(out.find("with Fs = 3"), std::string::npos);
+        EXPECT_NE(out.find("GCI"), std::string::npos);
+        EXPECT_NE(out.find("factor of safety"), std::string::npos);
+        EXPECT_NE(out.find("core hours to 2 %"), std::string::npos);
+        EXPECT_NE(out.find("beyond the budget"), std::string::npos);
+    }
+    EXPECT_GT(lift_of(ladder).values[0].estimate.celik_gci.uncertainty, 0);
 }
 
 TEST(Ladder, OneSizeAloneIsNotConverged) {
@@ -164,6 +206,41 @@ TEST(Ladder, ARunOfAnotherHullIsNoMemberOfTheFamily) {
     const Ladder ladder = ladder_of(records);
     EXPECT_FALSE(ladder.sides[0].similar);
     EXPECT_NE(ladder_text(ladder).find("no family"), std::string::npos);
+}
+
+TEST(Ladder, MethodsWithOtherHullsAreRefused) {
+    std::vector<RunRecord> records;
+    add_family(records, "sph", 2800, 30, 2);
+    add_family(records, "fvm", 2800, 30, 2);
+    for (RunRecord& r : records)
+        if (r.attributes["method"] == "fvm") r.attributes["hull_hash"] = "hull-2";
+    EXPECT_THROW(ladder_of(records), InputError);
+}
+
+TEST(Ladder, TheUncertaintyOfAMeasurementWidensItsInterval) {
+    std::vector<RunRecord> records;
+    add_family(records, "sph", 2800, 10, 2);
+    RunRecord measured = synthetic_run({.method = "basin", .frames = false});
+    const auto add_probe = [](RunRecord& r, double value) {
+        r.attributes["motion"] = "none", r.numbers["speed"] = 0;
+        Table& t = r.table("pressure");
+        for (double time = 0; time <= r.numbers["duration"]; time += 0.1) {
+            t.time.push_back(time);
+            t.column("P1", "Pa").values.push_back(value);
+        }
+    };
+    for (RunRecord& r : records) add_probe(r, 1000);
+    add_probe(measured, 1020);
+    std::vector<LadderRun> runs;
+    for (const RunRecord& r : records) runs.push_back(ladder_run(r));
+    const auto width = [&] {
+        for (const LadderQuantity& q : build_ladder(runs, {}, 0.05, {measured}).quantities)
+            if (q.name == "pressure_mean:P1") return q.held.at(0).value.half_width;
+        return -1.0;
+    };
+    EXPECT_EQ(width(), 0);
+    measured.numbers["uncertainty:pressure:P1"] = 30;
+    EXPECT_EQ(width(), 30);
 }
 
 TEST(Ladder, RefusesWhatIsNoLadder) {
