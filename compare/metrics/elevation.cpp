@@ -103,7 +103,10 @@ std::vector<Cut> elevation_cuts(const RunRecord& record, const ElevationMap& map
     auto along_y = places(record, "cut_x"), along_x = places(record, "cut_y");
     if (along_x.empty() && along_y.empty()) {
         if (record.hull.points.empty()) {
-            along_x.push_back(grid.spec.origin.y() + 0.5 * grid.ny * grid.spec.spacing);
+            // the middle of the tank, the same at every size; the raster's voxels end elsewhere at each
+            const double raster_end = grid.spec.origin.y() + grid.ny * grid.spec.spacing;
+            along_x.push_back(0.5 * (number_of(record, "domain_y_min", grid.spec.origin.y()) +
+                                     number_of(record, "domain_y_max", raster_end)));
         } else {
             double stern = -std::numeric_limits<double>::infinity(), bow = -stern;
             for (const Vec3& p : record.hull.points) stern = std::max(stern, p.x()), bow = std::min(bow, p.x());

@@ -174,5 +174,35 @@ TEST_F(Command, AFullDiskIsAFailedRunWithTheSystemsReason) {
     EXPECT_FALSE(fs::exists(folder_ / "runs/column/sph/record.h5"));
 }
 
+TEST_F(Command, ARunThatFailsLeavesAReportOfWhatThereIs) {
+    write("column.toml", column + "[sph]\nc0 = 1\n");  // far too low
+    const Outcome o = twinwake({"run", "column.toml"});
+    EXPECT_EQ(o.status, 3) << o.out;
+    EXPECT_NE(o.err.find("often a sound speed that is too low"), std::string::npos) << o.err;
+    const std::string page = content(folder_ / "runs/column/report.html");
+    EXPECT_NE(page.find("One run only, sph"), std::string::npos);
+    EXPECT_NE(page.find("did not finish (state: failed"), std::string::npos);
+    EXPECT_NE(page.find("<pre>twinwake run column.toml"), std::string::npos);
+}
+
+TEST_F(Command, ALadderOfRunsThatAllFailSaysWhy) {
+    write("column.toml", column + "[sph]\nc0 = 1\n");
+    const Outcome o = twinwake({"ladder", "column.toml", "--levels", "2"});
+    EXPECT_EQ(o.status, 3) << o.out;
+    EXPECT_NE(o.err.find("every run of the ladder failed: "), std::string::npos) << o.err;
+}
+
+TEST_F(Command, ALadderSaysInItsReportWhatTheBudgetLeftOutAndHowToMakeItAgain) {
+    write("column.toml", column);
+    // 3.4 and 10 times the time of the coarsest: by the cost model, without what this machine has taught
+    const Outcome o = twinwake({"ladder", "column.toml", "--levels", "3", "--no-variations", "--budget", "0.1 s"});
+    ASSERT_EQ(o.status, 0) << o.err << o.out;
+    const std::string page = content(folder_ / "runs/column_ladder/report.html");
+    EXPECT_NE(page.find("sph at 0.02 m: left out"), std::string::npos);
+    EXPECT_NE(page.find("twinwake ladder column.toml --levels 3 --no-variations --budget &#39;0.1 s&#39;"),
+              std::string::npos);
+    EXPECT_NE(content(folder_ / "runs/column_ladder/ladder.md").find("! sph at 0.02 m: left out"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace tw::test

@@ -258,5 +258,29 @@ TEST(Compare, SplashOfBothSidesOnTheCommonRaster) {
     EXPECT_TRUE(c.find("wake_width")->values[0].known);
 }
 
+TEST(Compare, AColumnInTwoUnitsIsRefused) {
+    RunRecord a = synthetic_run({}), b = synthetic_run({.method = "fvm"});
+    for (RunRecord* r : {&a, &b}) {
+        Table& t = r->table("pressure");
+        t.time = {0, 1, 2};
+        t.column("P1", r == &a ? "Pa" : "kPa").values = {1, 2, 3};
+    }
+    try {
+        compare_records({a, b});
+        FAIL() << "compared";
+    } catch (const InputError& e) {
+        EXPECT_NE(std::string(e.what()).find("P1 of table pressure is in Pa in sph and in kPa in fvm"),
+                  std::string::npos)
+            << e.what();
+    }
+    EXPECT_NO_THROW(compare_records({a, a}, {.force = true}));
+}
+
+TEST(Compare, OneRunAloneSaysSo) {
+    const Comparison c = compare_records({synthetic_run({})});
+    ASSERT_FALSE(c.banners.empty());
+    EXPECT_NE(c.banners.front().find("One run only, sph"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace tw
