@@ -102,13 +102,13 @@ std::string plots(const Ladder& ladder) {
             out += "<figure>" + convergence_plot(ladder, q) + "</figure>";
             if (const std::string cost = cost_plot(ladder, q); !cost.empty()) out += "<figure>" + cost + "</figure>";
         }
-    return out.empty()
-               ? out
-               : "<h2>Convergence, and what accuracy costs</h2><div class=\"pair\">" + out +
-                     "</div><p class=\"note\">Left: bars are the 95 % interval of the finest value, broken lines "
-                     "lead to the estimate for spacing 0. Right: the interval of every level (resolution and "
-                     "statistics) over the time its run took, everything counted; broken: the fitted "
-                     "line.</p>";
+    return out.empty() ? out
+                       : "<h2>Convergence, and what accuracy costs</h2><div class=\"pair\">" + out +
+                             "</div><p class=\"note\">Over the spacing: bars are the 95 % interval of the finest "
+                             "value, broken lines lead "
+                             "to the estimate for spacing 0. Over the wall time its run took, everything counted: the "
+                             "interval of "
+                             "every level (resolution and statistics); broken: the fitted line.</p>";
 }
 
 std::string price_table(const Ladder& ladder) {

@@ -1,0 +1,48 @@
+// The report in a real browser (Chromium, where it is installed): its one script is allowed to run, draws the view and
+// complains of nothing.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+
+#include "base/atomic_file.h"
+#include "compare/compare.h"
+#include "tests/unit/compare/synthetic_pair.h"
+#include "tests/unit/record/example_record.h"
+
+namespace tw {
+namespace {
+
+bool installed() { return std::system("command -v chromium > /dev/null 2>&1") == 0; }
+
+/// The page after its script has run, as markup, and what the browser logged of it. `page`: a path without quotes.
+std::pair<std::string, std::string> opened(const std::filesystem::path& page, const std::filesystem::path& profile) {
+    const std::filesystem::path log = profile.string() + ".log";
+    const std::string command =
+        "timeout 100 chromium --headless=new --no-sandbox --user-data-dir='" + profile.string() +
+        "' --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --enable-logging=stderr "
+        "--virtual-time-budget=8000 --dump-dom 'file://" +
+        page.string() + "' 2> '" + log.string() + "'";
+    std::string markup;
+    std::array<char, 65536> part;
+    FILE* pipe = popen(command.c_str(), "r");
+    if (!pipe) return {};
+    while (const std::size_t n = std::fread(part.data(), 1, part.size(), pipe)) markup.append(part.data(), n);
+    pclose(pipe);
+    return {markup, read_text(log)};
+}
+
+TEST(Browser, TheReportsViewRunsOfflineUnderItsOwnPolicy) {
+    if (!installed()) GTEST_SKIP() << "no chromium here";
+    const ScratchFolder folder;
+    const Comparison c = compare_records({synthetic_run({}), synthetic_run({.method = "fvm", .lift = 2600})});
+    const auto [markup, log] = opened(write_report(c, folder.path()).html, folder / "profile");
+    EXPECT_NE(markup.find("<div id=\"view3d-stage\">"), std::string::npos) << log;  // no longer hidden
+    EXPECT_NE(markup.find("id=\"view3d-fallback\" hidden"), std::string::npos);
+    EXPECT_EQ(log.find("Uncaught"), std::string::npos) << log;
+    EXPECT_EQ(log.find("Content Security Policy"), std::string::npos) << log;
+}
+
+}  // namespace
+}  // namespace tw
