@@ -1,5 +1,6 @@
 // What each effect costs: a dam of water over a solid block, every effect alone against none, seconds a step and
-// smallest step. Prints a table; the plan's cost column (scene/effects_plan.cpp) is taken from it.
+// smallest step. Prints a table; the plan's cost column (scene/effects_plan.cpp) is taken from it. Air fills as much
+// room as the water, and shortens the step as well.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -16,7 +17,7 @@ namespace {
 struct Cost {
     double seconds = 0, dt = 0, bytes = 0;  // per step; of the last step; per particle
 };
-Cost cost_of(const EffectOptions& effects, bool tension_control, double dp, double seconds) {
+Cost cost_of(const EffectOptions& effects, bool tension_control, double air_c0, double dp, double seconds) {
     SolverSetup s;
     s.dp = dp;
     s.state_equation.c0 = 40;
@@ -26,8 +27,13 @@ Cost cost_of(const EffectOptions& effects, bool tension_control, double dp, doub
     s.threads = 1;
     s.effects = effects;
     s.tension_control = tension_control;
-    const Fluid water = fill_with_fluid(s, {Box{Vec3(0, 0, 0), Vec3(2, 0.6, 0.6)}});
-    Solver solver(s, water);
+    const std::vector<Box> block{{Vec3(0, 0, 0), Vec3(2, 0.6, 0.6)}};
+    Solver solver(s, fill_with_fluid(s, block));
+    if (air_c0 > 0) {
+        AirOptions air;
+        air.sound_speed = air_c0;
+        solver.add_air(air, fill_with_air(s, block));
+    }
     solver.step();
     Cost best{1e9, 0, 0};
     using clock = std::chrono::steady_clock;
@@ -50,8 +56,9 @@ int main(int argc, char** argv) {
         std::string name;
         EffectOptions effects;
         bool tension_control = false;
+        double air_c0 = 0;  ///< 0: no air
     };
-    std::vector<Row> rows(8);
+    std::vector<Row> rows(10);
     rows[0].name = "none";
     rows[1].name = "viscosity, slip", rows[1].effects.viscosity = Viscosity{1e-6, false, {}};
     rows[2].name = "viscosity, no slip", rows[2].effects.viscosity = Viscosity{1e-6, true, {}};
@@ -60,10 +67,12 @@ int main(int argc, char** argv) {
     rows[5].name = "acoustic damping", rows[5].effects.acoustic_damper = AcousticDamper{};
     rows[6].name = "cavitation", rows[6].effects.cavitation = Cavitation{};
     rows[7].name = "tension control", rows[7].tension_control = true;
-    const Cost none = cost_of(rows[0].effects, false, dp, seconds);
+    rows[8].name = "air of the water's sound speed", rows[8].air_c0 = 40;
+    rows[9].name = "air of 343 m/s", rows[9].air_c0 = 343;
+    const Cost none = cost_of(rows[0].effects, false, 0, dp, seconds);
     std::printf("%-32s %12s %10s %12s %10s\n", "effect", "ms a step", "cost", "step", "bytes");
     for (const Row& row : rows) {
-        const Cost c = cost_of(row.effects, row.tension_control, dp, seconds);
+        const Cost c = cost_of(row.effects, row.tension_control, row.air_c0, dp, seconds);
         std::printf("%-32s %12.2f %+9.1f%% %12.3g %10.0f\n", row.name.c_str(), 1e3 * c.seconds,
                     100 * (c.seconds / none.seconds - 1), c.dt, c.bytes);
     }

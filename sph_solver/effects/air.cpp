@@ -1,5 +1,7 @@
 #include "sph_solver/effects/air.h"
 
+#include <cmath>
+
 #include "sph_solver/core/run_pass.h"
 #include "sph_solver/effects/passes.h"
 #include "sph_solver/solver.h"
@@ -18,6 +20,20 @@ SolverSetup air_setup(SolverSetup s, const AirOptions& air) {
     s.tension_control = true;
     s.effects = {};
     return s;
+}
+
+double gas_energy(const Solver& gas) {
+    const SolverSetup& s = gas.setup();
+    const Particles& p = gas.particles();
+    const double gamma = s.state_equation.gamma, c2 = s.state_equation.c0 * s.state_equation.c0;
+    double sum = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        const double x = 1 + double(p.drho[i]) / s.rho0;
+        sum += 0.5 * (double(p.u[i]) * p.u[i] + double(p.v[i]) * p.v[i] + double(p.w[i]) * p.w[i]) -
+               s.gravity.z() * p.z[i] +
+               c2 / gamma * (std::pow(x, gamma - 1) / (gamma - 1) + 1 / x - gamma / (gamma - 1));
+    }
+    return gas.mass() * sum;
 }
 
 void Interface::find_neighbours(const ColumnGrid& grid, const Quanta& quanta, const PhaseView& own,

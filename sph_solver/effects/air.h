@@ -6,6 +6,7 @@
 
 namespace tw {
 
+class Solver;
 struct SolverSetup;
 
 /// Air as a second phase: a gas of its own density and sound speed, on particles of the water's spacing,
@@ -34,6 +35,10 @@ struct AirOptions {
 };
 /// The gas on its own in the water's domain.
 SolverSetup air_setup(SolverSetup water, const AirOptions& air);
+
+/// Kinetic, potential and elastic energy [J], with x = rho/rho_a per mass
+///   int p / rho^2 drho = c_a^2/gamma (x^(gamma-1)/(gamma-1) + 1/x - gamma/(gamma-1)).
+double gas_energy(const Solver& gas);
 
 /// One phase as the interface sees it. Indices of `pass` run over its particles, then its mirror images.
 struct PhaseView {

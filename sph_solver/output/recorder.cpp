@@ -8,6 +8,7 @@
 
 #include "record/certificate.h"
 #include "record/raster.h"
+#include "sph_solver/effects/air.h"
 #include "sph_solver/output/certificate.h"
 
 namespace tw {
@@ -27,22 +28,6 @@ void set(Table& table, std::size_t row, const std::string& name, const char* uni
     Column& c = table.column(name, unit);
     c.values.resize(table.time.size(), nan);
     c.values[row] = value;
-}
-
-/// Kinetic, potential and elastic energy of the gas, p = B (x^gamma - 1), x = rho/rho0:
-///   e = int p / rho^2 drho = B/rho0 (x^(gamma-1)/(gamma-1) + 1/x - gamma/(gamma-1))  per mass
-double gas_energy(const Solver& gas) {
-    const SolverSetup& s = gas.setup();
-    const Particles& p = gas.particles();
-    const double gamma = s.state_equation.gamma, c2 = s.state_equation.c0 * s.state_equation.c0;
-    double sum = 0;
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        const double x = 1 + double(p.drho[i]) / s.rho0;
-        sum += 0.5 * (double(p.u[i]) * p.u[i] + double(p.v[i]) * p.v[i] + double(p.w[i]) * p.w[i]) -
-               s.gravity.z() * p.z[i] +
-               c2 / gamma * (std::pow(x, gamma - 1) / (gamma - 1) + 1 / x - gamma / (gamma - 1));
-    }
-    return gas.mass() * sum;
 }
 
 }  // namespace
