@@ -268,9 +268,10 @@ void Solver::sample(PointSamples& points) {
     if (air_) {
         std::vector<float> p_air(n), support_air(n);
         air_->extrapolate_to(sorted, groups, p_air, support_air, nullptr);
+        const float lid = static_cast<float>(air_->lid_pressure());
         for (std::size_t k = 0; k < n; ++k)
             if (const float both = support[k] + support_air[k]; both > 0)
-                p[k] = (p[k] * support[k] + p_air[k] * support_air[k]) / both;
+                p[k] = (p[k] * support[k] + p_air[k] * support_air[k]) / both - lid;
     }
     for (std::size_t k = 0; k < n; ++k) {
         const auto i = static_cast<std::size_t>(order[k]);
@@ -278,6 +279,14 @@ void Solver::sample(PointSamples& points) {
         points.support[i] = support[k];
         for (std::size_t a = 0; a < 3 && points.want_flux; ++a) points.flux[3 * i + a] = flux[3 * k + a];
     }
+}
+
+double Solver::lid_pressure() const {
+    double sum = 0;
+    std::int64_t count = 0;
+    for (std::size_t i = 0; i < particles_.size(); ++i)
+        if (particles_.z[i] > setup_.domain.max.z() - kernel_.support()) sum += pressure(i), ++count;
+    return count > 0 ? sum / double(count) : 0;
 }
 
 void Solver::extrapolate_to(const std::vector<PlaceRecord>& sorted, std::vector<Group>& groups, std::vector<float>& p,

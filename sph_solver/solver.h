@@ -143,6 +143,8 @@ public:
     const Particles& particles() const { return particles_; }
     Particles& particles() { return particles_; }
     double pressure(std::size_t i) const { return setup_.state_equation.pressure(setup_.rho0, particles_.drho[i]); }
+    /// Mean pressure of a gas in the uppermost 2h of the domain [Pa].
+    double lid_pressure() const;
     double mass() const { return mass_; }  ///< of one particle [kg]
     double h() const { return h_; }
     const Load& load() const { return load_; }
@@ -154,7 +156,7 @@ public:
     double bytes() const;  ///< memory of state, lists and walls
 
     /// Fields at points from the present particles; valid until the next step. Not part of the time integration. The
-    /// pressure is that of both phases, the support the water's.
+    /// pressure is that of both phases, relative to that under the lid where there is air; the support the water's.
     /// `want_flux` needs a control volume.
     void sample(PointSamples& points);
     void set_control_volume(const Box& box) {

@@ -27,6 +27,8 @@ struct SolverSetup;
 /// takes the kink of the hydrostatic pressure for a force of hundreds of g: layers at rest boil at 2 m/s.
 /// The kernel support and the shifting sum count both phases: where there is air there is no free surface. pi_ij is the
 /// artificial viscosity with the harmonic mean of the phases' alpha c rho. Other effects act on the water alone.
+/// The gas is shut in: what breaking water's particles lose in order they gain in volume, and the gas bears it (2 % of
+/// the gas are 3 kPa). So sampled pressures are relative to the lid's, as if the top were open.
 /// The gas sets the time step: its sound is four times faster than a typical numerical sound of water.
 struct AirOptions {
     double density = 1.2;          ///< rho_a [kg/m3]
