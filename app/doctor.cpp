@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "app/facts_json.h"
+#include "app/machine_pace.h"
 #include "app/output.h"
 #include "record/code_version.h"
 #include "record/this_machine.h"
@@ -74,6 +75,9 @@ int run_doctor(const DoctorCommand& command, const Common& common) {
            "\n";
     for (const OpenFoam& o : f.openfoam)
         out += fmt::format("openfoam    {}: {}: {}\n", o.solver.string(), o.sound ? "sound" : "NOT SOUND", o.verdict);
+    out += fmt::format(
+        "pace        {:.2g} times what the cost table says, by the particle engine on one core; runs teach more\n",
+        calibrate_pace());
     if (f.openfoam.empty())
         out +=
             "openfoam    none found: ./bootstrap.sh build installs it (or apt-get install openfoam and run the script "

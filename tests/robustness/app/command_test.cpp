@@ -49,6 +49,10 @@ TEST_F(Command, WhatThisMachineWasFoundToTakeIsInThePrediction) {
             break;
         }
     model += ", " + std::to_string(std::thread::hardware_concurrency()) + " threads";
+    // doctor calibrates by a second of the particle engine
+    EXPECT_NE(twinwake({"doctor"}).out.find("\npace "), std::string::npos);
+    const double bench = nlohmann::json::parse(content(folder_ / "cache/twinwake/pace.json"))[model]["bench"];
+    EXPECT_NEAR(seconds() / by_table, bench, 1e-3 * bench);
     write("cache/twinwake/pace.json", nlohmann::json{{model, {{"sph", {2, 30, 3}}}}}.dump());
     EXPECT_NEAR(seconds() / by_table, 3, 1e-3);  // the median
     write("cache/twinwake/pace.json", "{\"not\": [json");
