@@ -304,6 +304,10 @@ std::vector<EffectChoice> plan_effects(Scene& scene, Section& s) {
     if (plan.back().on && scene.water.surface_tension == 0)
         s.fail("surface_tension", "the water's surface tension is zero: give [water] surface_tension");
     plan.push_back(plan_air(scene, s.on_off("air"), n));
+    if (plan.back().on && scene.motion.kind == Motion::Kind::stream)
+        s.fail("air",
+               "the particle side solves it in tanks alone: in a stream the gas is shut in, and its pressure loads the "
+               "hull (measured: a sixth of the lift); expected \"off\" or \"auto\"");
     if (plan.back().on && scene.sph.scheme != "kick_drift_kick" && scene.sph.scheme != "symplectic_euler")
         s.fail("air",
                "needs a time step of one evaluation: [sph] scheme = \"kick_drift_kick\" or \"symplectic_euler\"");

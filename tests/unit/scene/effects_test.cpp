@@ -48,20 +48,27 @@ TEST(Effects, WhatThisVersionCannotSolveIsRefusedAndOffIsAccepted) {
     EXPECT_EQ(complaint(planing + "[effects]\ncompressibility = \"off\"\n"), "");
 }
 
-TEST(Effects, AirIsOnOnDemandAndSaysWhatItCosts) {
-    const Scene without = scene_of(planing), with = scene_of(planing + "[effects]\nair = \"on\"\n");
+TEST(Effects, AirIsOnOnDemandInTanksAndSaysWhatItCosts) {
+    const std::string tank =
+        "[tank]\nsize = [1, 0.5, 0.8]\n[[water_block]]\nmin = [0, 0, 0]\nmax = [0.5, 0.5, 0.4]\n"
+        "[resolution]\nnear_hull = 0.05\n[run]\nduration = 1\n[sph]\nc0 = 40\n";
+    const Scene without = scene_of(tank), with = scene_of(tank + "[effects]\nair = \"on\"\n");
     EXPECT_FALSE(without.effect_on("air"));
     EXPECT_TRUE(with.effect_on("air"));
     for (const Scene* s : {&without, &with})
         for (const EffectChoice& e : s->effects)
             if (e.name == "air") {
-                // the gas needs particles of its own, and its sound is faster than the water's 80 m/s
-                EXPECT_GT(e.cost, 343.0 / 88 - 1);
+                // three times the water's volume besides it, and sound faster than the water's
+                EXPECT_GT(e.cost, 4 * (343.0 + 3) / (40 + 3) - 1.5);
+                EXPECT_LT(e.cost, 4 * 343.0 / 40);
                 EXPECT_NE(e.reason.find("density ratio 0.0012"), std::string::npos) << e.reason;
             }
-    EXPECT_NE(complaint(planing + "[effects]\nair = \"on\"\n[sph]\nscheme = \"rk4_frozen_diffusion\"\n")
+    EXPECT_NEAR(predict(with).air_particles, 3 * predict(with).particles, 1);
+    EXPECT_GT(predict(with).sph_bytes, 3.9 * predict(without).sph_bytes);
+    EXPECT_NE(complaint(tank + "scheme = \"rk4_frozen_diffusion\"\n[effects]\nair = \"on\"\n")
                   .find("needs a time step of one evaluation"),
               std::string::npos);
+    EXPECT_NE(complaint(planing + "[effects]\nair = \"on\"\n").find("in tanks alone"), std::string::npos);
 }
 
 TEST(Effects, FrictionNeedsViscosity) {
