@@ -38,7 +38,10 @@ void write_ladder(const LadderHarvest& harvest, const std::vector<fs::path>& mea
     for (std::size_t k = 0; k < ladder.sides.size(); ++k)
         write_text_atomically(out / ("ladder_" + ladder.sides[k].method + ".csv"), ladder_csv(ladder, k));
     std::vector<RunRecord> finest;
-    for (const LadderSide& side : ladder.sides) finest.push_back(read_record(harvest.finest.at(side.method).second));
+    for (const LadderSide& side : ladder.sides) {
+        finest.push_back(read_record(harvest.finest.at(side.method).second));
+        finest.back().attributes["command"] = common.command;  // makes this page again, not only the finest pair
+    }
     options.force = true;  // the methods may have different finest sizes
     const ReportFiles files = write_report(compare_records(std::move(finest), options), out, ladder_html(ladder));
     std::string verdicts;
