@@ -17,7 +17,7 @@ enum ExitStatus { done = 0, bad_input = 2, run_failed = 3, not_agreed = 4 };
 struct Common {
     bool quiet = false;   ///< only results and errors
     std::string json;     ///< file for the same facts for programs; "-": standard output instead of text; empty: none
-    std::string command;  ///< what was called, for the records: without folders, output, threads
+    std::string command;  ///< what was called, a word a line, for the records
 };
 
 struct NewCommand {

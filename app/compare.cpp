@@ -34,7 +34,7 @@ int compare_ladder(const CompareCommand& command, const Common& common) {
     LadderHarvest harvest;
     for (const fs::path& source : command.sources)
         for (const fs::path& file : record_files(source)) harvest.take(read_record(file), file);
-    write_ladder(harvest, command.measured, command.out, common);
+    write_ladder(harvest, measured_records(command.measured), command.out, common);
     return done;
 }
 
@@ -54,7 +54,7 @@ int run_compare(const CompareCommand& command, const Common& common) {
     write_json(common, comparison_json(comparison));
     const bool agree = std::all_of(comparison.quantities.begin(), comparison.quantities.end(),
                                    [](const Quantity& q) { return !q.judged || q.verdict == Verdict::agree; });
-    return command.require_agree && !agree ? not_agreed : done;
+    return command.require_agree && !(agree && comparison.sources.size() > 1) ? not_agreed : done;
 }
 
 }  // namespace tw::app

@@ -52,6 +52,7 @@ MachineFacts examine(const std::string& preferred) {
     f.memory = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
     f.mpirun = on_path("mpirun");
     f.gpu = graphics_card();
+    f.pace = calibrate_pace();
     f.openfoam = find_openfoam(preferred);
     for (OpenFoam& candidate : f.openfoam) {
         self_test(candidate);
@@ -73,11 +74,12 @@ int run_doctor(const DoctorCommand& command, const Common& common) {
            (f.gpu.empty() ? std::string("no NVIDIA card; this version does not use one")
                           : f.gpu + "; this version does not use it") +
            "\n";
+    out += fmt::format(
+        "pace        {:.2g} times what the cost table says, by the particle engine on one core; runs teach "
+        "more\n",
+        f.pace);
     for (const OpenFoam& o : f.openfoam)
         out += fmt::format("openfoam    {}: {}: {}\n", o.solver.string(), o.sound ? "sound" : "NOT SOUND", o.verdict);
-    out += fmt::format(
-        "pace        {:.2g} times what the cost table says, by the particle engine on one core; runs teach more\n",
-        calibrate_pace());
     if (f.openfoam.empty())
         out +=
             "openfoam    none found: ./bootstrap.sh build installs it (or apt-get install openfoam and run the script "

@@ -55,6 +55,7 @@ std::string check_json(const Scene& scene, const Prediction& p) {
                     {"scene_hash", scene.hash},
                     {"particles", std::round(p.particles)},
                     {"wall_particles", std::round(p.wall_particles)},
+                    {"air_particles", std::round(p.air_particles)},
                     {"cells", std::round(p.cells)},
                     {"hull", hull},
                     {"domain", box(scene.domain.box)},
@@ -104,6 +105,7 @@ std::string doctor_json(const MachineFacts& f) {
                     {"memory", f.memory},
                     {"gpu", f.gpu},
                     {"mpirun", f.mpirun},
+                    {"pace", f.pace},
                     {"openfoam", openfoam},
                     {"sound", f.sound}});
 }

@@ -30,6 +30,7 @@ struct MachineFacts {
     std::vector<std::string> compilers;
     unsigned cores = 0;
     double memory = 0;  ///< [bytes]
+    double pace = 1;    ///< of the particle engine, see MachinePace
     std::vector<OpenFoam> openfoam;
     bool sound = false;
 };

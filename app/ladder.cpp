@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "app/machine_pace.h"
@@ -75,7 +76,8 @@ std::string plan_text(const std::vector<Job>& jobs, double budget) {
     double together = 0;
     for (const Job& job : jobs) {
         const double cost = job.plan.seconds(job.method);
-        const double elements = job.method == "sph" ? job.plan.prediction.particles : job.plan.prediction.cells;
+        const Prediction& p = job.plan.prediction;
+        const double elements = job.method == "sph" ? p.particles + p.air_particles : p.cells;
         text += fmt::format("{:<48} {:>9.3g} {:>10.3g} ", job.what(), elements, cost);
         if (finished_run(job.folder, job.plan.scene, job.method))
             text += "  finished before\n";
@@ -94,13 +96,8 @@ void take(LadderHarvest& harvest, const Job& job, RunRecord record) {
         harvest.take(std::move(record), job.folder / "record.h5");
 }
 
-/// Says that a run is missing, here and in the report.
-void leave_out(LadderHarvest& harvest, const Common& common, const std::string& line) {
-    say(common, line + "\n");
-    harvest.left_out.push_back(line);
-}
-
-/// One run, unless it is there. False: stopped at the user's wish. One that fails is left out; the others go on.
+/// One run, unless it is there. False: stopped at the user's wish. One that fails, or does not fit, is left out and
+/// named in the report; the others go on.
 bool run_one(Job& job, const LadderCommand& command, const Common& common, double& spent, LadderHarvest& harvest) {
     if (auto earlier = finished_run(job.folder, job.plan.scene, job.method)) {
         say(common, fmt::format("{}: finished before, taken from {}\n", job.what(), job.folder.string()));
@@ -111,22 +108,30 @@ bool run_one(Job& job, const LadderCommand& command, const Common& common, doubl
     job.plan.prediction = predict(job.plan.scene, machine_pace());  // the runs before have taught the pace
     const double cost = job.plan.seconds(job.method);
     if (spent + cost > budget) {
-        leave_out(harvest, common,
-                  fmt::format("{}: left out, about {:.3g} s more; the budget is {:.3g} s and {:.3g} s of it are taken",
-                              job.what(), cost, budget, spent));
+        harvest.left_out.push_back(
+            fmt::format("{}: left out, about {:.3g} s more; the budget is {:.3g} s and {:.3g} s of it are taken",
+                        job.what(), cost, budget, spent));
+        say(common, harvest.left_out.back() + "\n");
         return true;
     }
     say(common, fmt::format("{}: about {:.3g} s\n", job.what(), cost));
-    const bool resume = fs::exists(job.folder) && !command.overwrite;
+    const bool anew = command.overwrite || failed_before_it_saved(job.folder, job.plan.scene, job.method);
+    const bool resume = fs::exists(job.folder) && !anew;
+    const auto start = std::chrono::steady_clock::now();
+    const auto fail = [&](const std::string& why) {
+        harvest.left_out.push_back(fmt::format("{}: failed: {}", job.what(), why));
+        harvest.any_failed = true;
+        std::fputs((harvest.left_out.back() + "\n").c_str(), stderr);
+    };
+    bool go_on = true;
     try {
-        const RunRecord record = run_method(job.method, job.plan, {job.folder, resume, command.overwrite}, common);
-        const RunFacts facts = facts_of(job.method, record, job.folder);
-        spent += facts.wall;
-        say(common, closing_line(facts));
-        if (record.state != "finished" || stop_asked()) return false;
-        take(harvest, job, read_record(job.folder / "record.h5"));
-    } catch (const RunError& e) { leave_out(harvest, common, fmt::format("{}: failed: {}", job.what(), e.what())); }
-    return true;
+        const RunRecord record = run_method(job.method, job.plan, {job.folder, resume, anew}, common);
+        say(common, closing_line(facts_of(job.method, record, job.folder)));
+        go_on = record.state == "finished" && !stop_asked();
+        if (go_on) take(harvest, job, read_record(job.folder / "record.h5"));
+    } catch (const RunError& e) { fail(e.what()); }
+    spent += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return go_on;
 }
 
 }  // namespace
@@ -137,6 +142,7 @@ int run_ladder(const LadderCommand& command, const Common& common) {
     std::vector<Job> jobs = jobs_of(command, out);
     say(common, plan_text(jobs, command.budget_seconds()));
     if (command.plan) return done;
+    const std::vector<RunRecord> measured = measured_records(command.measured);  // before hours are spent
     if (std::ranges::any_of(jobs, [](const Job& j) { return j.method == "fvm"; }))
         say(common, "OpenFOAM: " + sound_openfoam(jobs.front().plan.scene.fvm.openfoam).verdict + "\n");
 
@@ -149,15 +155,13 @@ int run_ladder(const LadderCommand& command, const Common& common) {
             return run_failed;
         }
     harvest.drop_lone_variations();
-    const auto failed = [](const std::string& line) { return line.find(": failed: ") != std::string::npos; };
-    const bool any_failed = std::ranges::any_of(harvest.left_out, failed);
-    if (harvest.runs.empty() && any_failed)
-        throw RunError("every run of the ladder failed: " + harvest.left_out.front());
+    if (harvest.runs.empty() && harvest.any_failed)
+        throw RunError("no run of the ladder is left: " + harvest.left_out.front());
     if (harvest.runs.empty())
         throw InputError(fmt::format("--budget {}: no run fits; the cheapest needs about {:.3g} s", command.budget,
                                      jobs.front().plan.seconds(jobs.front().method)));
-    write_ladder(harvest, command.measured, out, common);
-    return any_failed ? run_failed : done;
+    write_ladder(harvest, measured, out, common);
+    return harvest.any_failed ? run_failed : done;
 }
 
 }  // namespace tw::app

@@ -7,7 +7,6 @@
 #include "app/commands.h"
 #include "app/quiet_waits.h"
 #include "base/errors.h"
-#include "compare/report/escape.h"
 #include "record/code_version.h"
 #include "scene/section.h"
 
@@ -111,23 +110,19 @@ void refuse_unknown(const CLI::App& app, const std::string& word) {
                          did_you_mean(word, names));
 }
 
-/// What was called, for the records: files by their names, without where results went and how many cores made them.
-std::string command_text(int argc, char** argv) {
-    std::string text = "twinwake";
+/// What was called, for the records: a word a line, without where results went and how many cores made them. Of a path
+/// from the root the name is left.
+std::string command_words(int argc, char** argv) {
+    std::string text;
     for (int k = 1; k < argc; ++k) {
         const std::string word = argv[k];
-        if (word == "--out" || word == "--json" || word == "--threads") {
-            ++k;
+        const std::string option = word.substr(0, word.find('='));
+        if (option == "--out" || option == "--json" || option == "--threads") {
+            if (option == word) ++k;
             continue;
         }
-        if (word == "--resume" || word == "--overwrite" || word == "-q" || word == "--quiet" ||
-            word.starts_with("--out=") || word.starts_with("--json=") || word.starts_with("--threads="))
-            continue;
-        const bool option = word.starts_with("-");
-        std::error_code no_matter;
-        const bool file = !option && std::filesystem::exists(word, no_matter);
-        text += " " + (option ? for_terminal(word)
-                              : shell_word(file ? std::filesystem::path(word).filename().string() : word));
+        if (word == "--resume" || word == "--overwrite" || word == "-q" || word == "--quiet") continue;
+        text += (word.starts_with('/') ? std::filesystem::path(word).filename().string() : word) + "\n";
     }
     return text;
 }
@@ -140,7 +135,7 @@ int dispatch(int argc, char** argv) {
     app.get_formatter()->column_width(34);
 
     Common common;
-    common.command = command_text(argc, argv);
+    common.command = command_words(argc, argv);
     std::function<int()> chosen;
     const auto subcommand = [&](CLI::App* parent, const std::string& name, const std::string& description,
                                 std::function<int()> run, bool json = true) {
@@ -192,7 +187,8 @@ int dispatch(int argc, char** argv) {
         "--ladder", compare.ladder,
         "the records are sizes of one scene that were run before: verdicts that hold the error of the resolution");
     c->add_option("--measured", compare.measured,
-                  "with --ladder: what was measured, as twinwake import left it; can be given again");
+                  "with --ladder: what was measured, as twinwake import left it; can be given again")
+        ->allow_extra_args(false);
     c->add_flag("--force", compare.force, "compare records of different scenes, with a banner");
     c->add_option("--require", require, "agree: exit status 4 unless every judged quantity agrees")
         ->check(CLI::IsMember({"agree"}));
@@ -219,9 +215,10 @@ int dispatch(int argc, char** argv) {
     c->add_flag("!--no-variations", ladder.variations,
                 "leave out the runs with sound speed x 1.5, half the time step and half the Courant number");
     c->add_option(
-        "--measured", ladder.measured,
-        "what was measured, as twinwake import left it: each method's finest value is held against it; can be given "
-        "again");
+         "--measured", ladder.measured,
+         "what was measured, as twinwake import left it: each method's finest value is held against it; can be "
+         "given again")
+        ->allow_extra_args(false);
     c->add_option("--budget", ladder.budget,
                   "predicted time of all runs, e.g. 2h: what does not fit is left out, and said")
         ->type_name("TIME");

@@ -9,6 +9,7 @@
 #include "base/errors.h"
 #include "compare/compare.h"
 #include "foam_cases/doctor.h"
+#include "scene/hash.h"
 
 namespace tw::app {
 namespace {
@@ -69,7 +70,12 @@ int run_run(const RunCommand& command, const Common& common) {
 
     std::vector<RunRecord> records;
     for (const char* method : {"sph", "fvm"})
-        if (fs::exists(out / method / "record.h5")) records.push_back(read_record(out / method / "record.h5"));
+        if (fs::exists(out / method / "record.h5")) {
+            RunRecord record = read_record(out / method / "record.h5");
+            // beside a failed run only what is of this scene: a report of another one's would mislead
+            if (!failed || record.attributes["run_hash"] == run_hash(scene, method))
+                records.push_back(std::move(record));
+        }
     if (records.empty() || (records.size() < 2 && !failed)) {
         write_json(common, runs_json(runs));
         return failed ? run_failed : done;
@@ -81,7 +87,7 @@ int run_run(const RunCommand& command, const Common& common) {
         say(common, summary_text(comparison) + "\nreport: " + files.html.string() + "\n");
         write_json(common, comparison_json(comparison));
     } catch (const InputError& e) {
-        if (both_now) throw;
+        if (both_now && !failed) throw;
         // The other method's record is from an earlier scene: that takes nothing from this run.
         say(common, std::string("not compared: ") + e.what() + "\n");
         write_json(common, runs_json(runs));

@@ -62,6 +62,13 @@ std::optional<RunRecord> finished_run(const std::filesystem::path& folder, const
     return same ? std::optional(std::move(record)) : std::nullopt;
 }
 
+bool failed_before_it_saved(const std::filesystem::path& folder, const Scene& scene, const std::string& method) {
+    if (method != "sph" || std::filesystem::exists(folder / "checkpoint.h5")) return false;
+    if (!std::filesystem::exists(folder / "record.h5")) return false;
+    RunRecord record = read_record(folder / "record.h5");
+    return record.state == "failed" && record.attributes["run_hash"] == run_hash(scene, method);
+}
+
 RunFacts facts_of(const std::string& method, const RunRecord& record, const std::filesystem::path& folder) {
     RunFacts f{method, record.state, record.reason, (folder / "record.h5").string(), record.elements, record.steps, 0};
     for (const Phase& phase : record.phases) f.wall += phase.wall;

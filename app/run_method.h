@@ -35,6 +35,9 @@ RunRecord run_method(const std::string& method, const PlannedRun& plan, const Me
 std::optional<RunRecord> finished_run(const std::filesystem::path& folder, const Scene& scene,
                                       const std::string& method);
 
+/// A particle run of the very same scene and numerics that failed before its first checkpoint: nothing to go on from.
+bool failed_before_it_saved(const std::filesystem::path& folder, const Scene& scene, const std::string& method);
+
 RunFacts facts_of(const std::string& method, const RunRecord& record, const std::filesystem::path& folder);
 /// "sph: finished, 4.56e+04 particles, ..." with a line end.
 std::string closing_line(const RunFacts& facts);

@@ -1,7 +1,6 @@
 #include "app/write_ladder.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "app/output.h"
 #include "base/atomic_file.h"
@@ -23,11 +22,15 @@ void LadderHarvest::drop_lone_variations() {
     });
 }
 
-void write_ladder(const LadderHarvest& harvest, const std::vector<fs::path>& measured_sources, const fs::path& out,
+std::vector<RunRecord> measured_records(const std::vector<fs::path>& sources) {
+    std::vector<RunRecord> records;
+    for (const fs::path& source : sources)
+        records.push_back(read_record(fs::is_directory(source) ? source / "record.h5" : source));
+    return records;
+}
+
+void write_ladder(const LadderHarvest& harvest, const std::vector<RunRecord>& measured, const fs::path& out,
                   const Common& common) {
-    std::vector<RunRecord> measured;
-    for (const fs::path& source : measured_sources)
-        measured.push_back(read_record(fs::is_directory(source) ? source / "record.h5" : source));
     CompareOptions options;
     Ladder ladder = build_ladder(harvest.runs, harvest.variations, options.agree_within, measured);
     ladder.left_out = harvest.left_out;

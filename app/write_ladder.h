@@ -14,6 +14,7 @@ struct LadderHarvest {
     std::vector<LadderRun> runs;
     std::vector<LadderVariation> variations;
     std::vector<std::string> left_out;                                       ///< runs that are missing, and why
+    bool any_failed = false;                                                 ///< among those
     std::map<std::string, std::pair<double, std::filesystem::path>> finest;  ///< spacing and record of each method
 
     /// A level; `file`: where its record lies.
@@ -23,8 +24,9 @@ struct LadderHarvest {
 };
 
 /// ladder.md, ladder.json, a CSV for each method and report.html with the finest pair; the verdicts for the terminal.
-/// `measured`: records, or their folders, of what was measured.
-void write_ladder(const LadderHarvest& harvest, const std::vector<std::filesystem::path>& measured,
+void write_ladder(const LadderHarvest& harvest, const std::vector<RunRecord>& measured,
                   const std::filesystem::path& out, const Common& common);
+/// What was measured, from records or their folders.
+std::vector<RunRecord> measured_records(const std::vector<std::filesystem::path>& sources);
 
 }  // namespace tw::app

@@ -49,6 +49,7 @@ struct Reference {
     std::string source;          ///< "Savitsky 1964"
     double value = 0, half_width = 0;
     std::string remark;
+    bool in_range = true;  ///< of the formula; outside it is a hint at most
 };
 
 /// One soundness check of one run: value against limit.

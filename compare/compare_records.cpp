@@ -103,7 +103,7 @@ void add_savitsky(Comparison& comparison) {
     const std::string range = s.in_range ? "empirical, about ±10 %" : "outside the formula's range: a hint at most";
     const std::string source = "Savitsky 1964";
     const auto add = [&](const char* quantity, double value, const std::string& remark) {
-        comparison.references.push_back({quantity, "N", source, value, 0.1 * std::abs(value), remark});
+        comparison.references.push_back({quantity, "N", source, value, 0.1 * std::abs(value), remark, s.in_range});
     };
     add("lift", s.lift, range);
     const bool friction = std::ranges::any_of(comparison.sources, [](const RunRecord& r) {
@@ -115,7 +115,7 @@ void add_savitsky(Comparison& comparison) {
     else
         add("drag", s.pressure_drag, range + "; pressure part only, as the runs have no friction");
     comparison.references.push_back({"wetted_length", "m", source, s.keel_wetted_length, 0.1 * s.keel_wetted_length,
-                                     "of the keel, from the draft alone"});
+                                     "of the keel, from the draft alone", true});
 }
 
 }  // namespace

@@ -86,8 +86,9 @@ std::string to_text(const Scene& scene, const Prediction& p) {
             e.cost > 0 ? fmt::format("; cost {} {:.0f} % of a particle run", e.on ? "is" : "would be", 100 * e.cost)
                        : "");
     out += "\npredicted (two significant digits at best)\n";
-    out += fmt::format("  sph  {:.3g} particles + {:.3g} in walls, {:.3g} steps, {:.2g} GB, {}\n", p.particles,
-                       p.wall_particles, p.sph_steps, p.sph_bytes / 1e9, duration_text(p.sph_seconds));
+    out += fmt::format("  sph  {:.3g} particles{} + {:.3g} in walls, {:.3g} steps, {:.2g} GB, {}\n", p.particles,
+                       p.air_particles > 0 ? fmt::format(" + {:.3g} of air", p.air_particles) : "", p.wall_particles,
+                       p.sph_steps, p.sph_bytes / 1e9, duration_text(p.sph_seconds));
     out +=
         fmt::format("  fvm  {:.3g} cells, {:.2g} GB, {}\n", p.cells, p.fvm_bytes / 1e9, duration_text(p.fvm_seconds));
     out += "\nscene hash  " + scene.hash + "\n";

@@ -1,6 +1,7 @@
 #include "compare/ladder/ladder.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -111,6 +112,11 @@ std::string remedy(const Term& term, const LadderQuantity& q, const LadderSide& 
     return {};
 }
 
+/// Values that scatter by more than the target are not converged; their uncertainty is a bound.
+bool scatters(const Estimate& e, double limit) {
+    return e.convergence == Convergence::scattered && e.uncertainty > limit;
+}
+
 void judge(LadderQuantity& q, const std::vector<LadderSide>& sides, double target, double scale) {
     for (const LadderValue& v : q.values)
         if (!v.levels.empty()) q.size = std::max(q.size, std::abs(v.levels.front().value));
@@ -137,8 +143,7 @@ void judge(LadderQuantity& q, const std::vector<LadderSide>& sides, double targe
     q.interval = std::hypot(a.uncertainty, b.uncertainty);
     q.verdict = decide(q.difference, q.interval, target, S);
     for (std::size_t k = 0; k < 2; ++k) {
-        const Estimate& e = q.values[k].estimate;
-        if (e.convergence != Convergence::scattered || e.uncertainty <= target * S) continue;
+        if (!scatters(q.values[k].estimate, target * S)) continue;
         q.reason =
             fmt::format("{}: the values scatter by more than they change from level to level; by their bound: {}",
                         sides[k].method, verdict_label(q.verdict));
@@ -194,13 +199,21 @@ Validation validate(const LadderValue& v, const MeanValue& measured, double targ
     out.verdict = Verdict::not_converged;
     if (!std::isfinite(v.uncertainty)) return out;
     out.U_val = std::hypot(v.uncertainty, measured.half_width);
+    if (scatters(v.estimate, target * std::abs(measured.value))) return out;
     out.verdict = decide(out.E, out.U_val, target, std::abs(measured.value));
     return out;
 }
 
-void hold_against(Ladder& ladder, const std::string& source, const std::string& quantity, const MeanValue& value) {
+/// Throws InputError for a value in another unit.
+void hold_against(Ladder& ladder, const std::string& source, const std::string& quantity, const std::string& unit,
+                  const MeanValue& value) {
     const auto at = std::ranges::find(ladder.quantities, quantity, &LadderQuantity::name);
     if (at == ladder.quantities.end()) return;
+    if (at->unit != unit)
+        throw InputError(
+            fmt::format("{}: {} is in {}, and in the ladder's runs in {}; expected one unit: convert it with "
+                        "twinwake import",
+                        source, at->label, unit, at->unit));
     Held held{source, value, {}};
     for (const LadderValue& v : at->values) held.validations.push_back(validate(v, value, ladder.agree_within));
     at->held.push_back(std::move(held));
@@ -221,13 +234,21 @@ double measured_half_width(const RunRecord& record, const std::string& quantity)
     return at == record.numbers.end() ? 0 : at->second;
 }
 
-std::string domain_of(const RunRecord& record) {
-    std::string text;
-    for (const char* name :
-         {"domain_x_min", "domain_x_max", "domain_y_min", "domain_y_max", "domain_z_min", "domain_z_max"})
-        if (const auto n = record.numbers.find(name); n != record.numbers.end())
-            text += fmt::format("{}{:.6g}", text.empty() ? "" : " ", n->second);
-    return text;
+std::vector<double> domain_of(const RunRecord& record) {
+    std::vector<double> box;
+    const auto number = [&](const std::string& name, double otherwise) {
+        const auto n = record.numbers.find(name);
+        return n == record.numbers.end() ? otherwise : n->second;
+    };
+    for (const char* axis : {"x", "y", "z"})
+        if (axis[0] != 'y' || number("dimensions", 3) == 3)
+            for (const char* end : {"min", "max"}) box.push_back(number(fmt::format("domain_{}_{}", axis, end), 0));
+    return box;
+}
+
+/// The same tank, but for faces that a spacing has moved.
+bool same_domain(const std::vector<double>& a, const std::vector<double>& b, double spacing) {
+    return std::ranges::equal(a, b, [&](double x, double y) { return std::abs(x - y) <= spacing; });
 }
 
 void add_measured(Ladder& ladder, const RunRecord& record) {
@@ -237,15 +258,19 @@ void add_measured(Ladder& ladder, const RunRecord& record) {
     };
     const std::string source = text("method");
     const LadderRun& run = ladder.sides.front().runs.front();
-    if (text("hull_hash") != run.hull_hash) throw InputError(source + ": measured on another hull than the ladder's");
-    if (run.hull_hash.empty() && domain_of(record) != run.domain)
-        throw InputError(fmt::format("{}: measured in another tank than the ladder's; it spans {}, the ladder's {} m",
-                                     source, domain_of(record), run.domain));
+    if (text("hull_hash") != run.hull_hash)
+        throw InputError(
+            source + ": measured on another hull than the ladder's; expected a mapping whose scene is the ladder's");
+    if (run.hull_hash.empty() && !same_domain(domain_of(record), run.domain, run.spacing))
+        throw InputError(
+            fmt::format("{}: measured in another tank than the ladder's: it spans {:.4g} m, the ladder's "
+                        "{:.4g} m; expected a mapping whose scene is the ladder's",
+                        source, fmt::join(domain_of(record), " "), fmt::join(run.domain, " ")));
     for (const Quantity& q : compare_records({record}).quantities) {
         if (q.values.empty() || !q.values[0].known) continue;
         MeanValue value = q.values[0];
         value.half_width = std::hypot(value.half_width, measured_half_width(record, q.name));
-        hold_against(ladder, source, q.name, value);
+        hold_against(ladder, source, q.name, q.unit, value);
     }
 }
 
@@ -257,7 +282,9 @@ void add_references(Ladder& ladder) {
             for (const Reference& r : run.references) {
                 MeanValue value;
                 value.known = true, value.value = r.value, value.half_width = r.half_width;
-                hold_against(ladder, r.source, r.quantity, value);
+                if (r.in_range)
+                    hold_against(ladder, r.remark.empty() ? r.source : r.source + " (" + r.remark + ")", r.quantity,
+                                 r.unit, value);
             }
             return;
         }
@@ -310,8 +337,14 @@ Ladder build_ladder(std::vector<LadderRun> runs, std::vector<LadderVariation> va
     for (const LadderSide& side : ladder.sides)  // the union of what the runs measured, in their order
         for (const LadderRun& run : side.runs)
             for (const Quantity& from : run.quantities)
-                if ((from.judged || from.judged_in_ladder) &&
-                    std::ranges::find(ladder.quantities, from.name, &LadderQuantity::name) == ladder.quantities.end()) {
+                if (from.judged || from.judged_in_ladder) {
+                    const auto at = std::ranges::find(ladder.quantities, from.name, &LadderQuantity::name);
+                    if (at != ladder.quantities.end() && at->unit != from.unit)
+                        throw InputError(
+                            fmt::format("{} at {:g} m: {} is in {}, elsewhere in {}; expected one unit in "
+                                        "all records",
+                                        side.method, run.spacing, from.label, from.unit, at->unit));
+                    if (at != ladder.quantities.end()) continue;
                     LadderQuantity q;
                     q.name = from.name, q.label = from.label, q.unit = from.unit;
                     ladder.quantities.push_back(std::move(q));

@@ -19,8 +19,8 @@ struct LadderRun {
     double predicted_seconds = 0;          ///< as said before the run [s]; 0: not said
     double duration = 0;                   ///< simulated [s]
     std::string hull_hash, calibrated;
-    std::string likeness;  ///< equal in runs that differ in resolution only
-    std::string domain;    ///< its box, as text
+    std::string likeness;        ///< equal in runs that differ in resolution only
+    std::vector<double> domain;  ///< low and high of x, y, z; of x, z in two dimensions [m]
     std::vector<Quantity> quantities;
     std::vector<Reference> references;  ///< what formulas say of them
 };
@@ -65,7 +65,7 @@ struct Validation {
 
 /// A value that the methods are held against: measured, or by a formula. It takes no part in the verdict between them.
 struct Held {
-    std::string source;  ///< "Kleefsman 2005", "Savitsky 1964"
+    std::string source;  ///< "Kleefsman 2005", "Savitsky 1964 (empirical, about ±10 %)"
     MeanValue value;
     std::vector<Validation> validations;  ///< one per side
 };

@@ -79,8 +79,11 @@ std::string ladder_json(const Ladder& ladder) {
         Json held = Json::array();
         for (const Held& h : q.held) {
             Json validations = Json::array();
-            for (const Validation& v : h.validations)
-                validations.push_back({{"difference", v.E}, {"interval", v.U_val}, {"verdict", to_string(v.verdict)}});
+            for (std::size_t k = 0; k < h.validations.size(); ++k)
+                validations.push_back({{"method", ladder.sides[k].method},
+                                       {"difference", h.validations[k].E},
+                                       {"interval", h.validations[k].U_val},
+                                       {"verdict", to_string(h.validations[k].verdict)}});
             held.push_back({{"source", h.source},
                             {"value", h.value.value},
                             {"interval", h.value.half_width},

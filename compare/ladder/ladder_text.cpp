@@ -111,13 +111,13 @@ std::string validation_label(const Validation& v) {
 }
 
 std::string cores_text(const CostOfAccuracy& cost, double uncertainty) {
-    if (!cost.known()) return "-";
+    if (!cost.known() || !(uncertainty > 0)) return "-";
     const double core_seconds = cost.seconds_for(uncertainty);
     return fmt::format("{}{:.2g}", cost.measured(core_seconds) ? "" : "~", core_seconds / 3600);
 }
 
 std::string memory_text(const CostOfAccuracy& cost, double uncertainty) {
-    if (!cost.known()) return "-";
+    if (!cost.known() || !(uncertainty > 0)) return "-";
     const double bytes = cost.seconds_for(uncertainty);
     return fmt::format("{}{}", cost.measured(bytes) ? "" : "~",
                        bytes < 1e9    ? fmt::format("{:.2g} MB", bytes / 1e6)

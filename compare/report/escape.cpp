@@ -56,15 +56,16 @@ std::string for_terminal(std::string text) {
     return text;
 }
 
-std::string shell_word(const std::string& name) {
-    const bool plain = !name.empty() && name[0] != '-' &&
-                       name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-/=") ==
+std::string shell_word(const std::string& word) {
+    const bool plain = !word.empty() &&
+                       word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-/=") ==
                            std::string::npos;
-    if (plain) return name;
+    if (plain) return word;
     std::string quoted = "'";
-    for (const char ch : name) quoted += ch == '\'' ? std::string("'\\''") : std::string(1, ch);
-    quoted += "'";
-    return name.starts_with('-') ? "./" + quoted : quoted;
+    for (const char ch : word) quoted += ch == '\'' ? std::string("'\\''") : std::string(1, ch);
+    return quoted + "'";
 }
+
+std::string shell_file(const std::string& name) { return (name.starts_with('-') ? "./" : "") + shell_word(name); }
 
 }  // namespace tw

@@ -8,8 +8,10 @@ namespace tw {
 /// become U+FFFD.
 std::string escaped(std::string_view text);
 
-/// A file name as one word of a POSIX shell: readers paste the command.
-std::string shell_word(const std::string& name);
+/// One word of a POSIX shell, quoted where it needs to be: readers paste the command.
+std::string shell_word(const std::string& word);
+/// A file name as such a word: one that begins with a dash is no option.
+std::string shell_file(const std::string& name);
 
 /// Text for a terminal: control characters but the line feed become ?, so that no record or table steers it.
 std::string for_terminal(std::string text);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <sstream>
 
 #include "compare/metrics/splash.h"
 #include "compare/read/record_numbers.h"
@@ -258,12 +259,15 @@ std::string definitions(const Comparison& c) {
 std::string reproduce(const Comparison& c) {
     const RunRecord& r = c.sources.front();
     const std::string file = text_of(r, "scene_file", "scene.toml");
-    std::string commands;  // each once
+    std::string commands;  // each once; a record's words are quoted one by one, whatever it says
     for (const RunRecord& source : c.sources) {
-        const std::string command = text_of(source, "command", "");
-        if (!command.empty() && commands.find(command + "\n") == std::string::npos) commands += command + "\n";
+        std::istringstream words(text_of(source, "command", ""));
+        std::string command;
+        for (std::string word; std::getline(words, word);) command += " " + shell_word(word);
+        if (!command.empty() && commands.find("twinwake" + command + "\n") == std::string::npos)
+            commands += "twinwake" + command + "\n";
     }
-    if (commands.empty()) commands = "twinwake run " + shell_word(file) + "\n";
+    if (commands.empty()) commands = "twinwake run " + shell_file(file) + "\n";
     std::string out = "<h2>How to do it again</h2><p>Save the scene below as <code>" + escaped(file) +
                       "</code> beside its hull file, with the code version named above:</p><pre>" + escaped(commands) +
                       "</pre>";

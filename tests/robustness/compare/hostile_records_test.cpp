@@ -56,6 +56,16 @@ TEST(HostileRecords, TheCommandToPasteIsOneWordPerArgument) {
     EXPECT_NE(page.find("twinwake run &#39;a b&#39;\\&#39;&#39;$(id).toml&#39;"), std::string::npos);
 }
 
+TEST(HostileRecords, ACommandOfAForeignRecordIsQuotedWordByWord) {
+    const ScratchFolder folder;
+    RunRecord r = synthetic_run({.duration = 0.2, .frames = false});
+    r.attributes["command"] = "run\n--trim\n-2 deg\nscene.toml; touch pwned\n$(id)";
+    const std::string page = read_text(write_report(compare_records({r}), folder.path()).html);
+    EXPECT_NE(
+        page.find("<pre>twinwake run --trim &#39;-2 deg&#39; &#39;scene.toml; touch pwned&#39; &#39;$(id)&#39;\n"),
+        std::string::npos);
+}
+
 TEST(HostileRecords, SenselessNumbersDoNotStopTheReport) {
     const ScratchFolder folder;
     RunRecord a = synthetic_run({.duration = 0.3, .step = 4e-3}), b = a;

@@ -273,7 +273,7 @@ TEST(Compare, AColumnInTwoUnitsIsRefused) {
                   std::string::npos)
             << e.what();
     }
-    EXPECT_NO_THROW(compare_records({a, a}, {.force = true}));
+    EXPECT_THROW(compare_records({a, b}, {.force = true}), InputError);  // no banner mends a unit
 }
 
 TEST(Compare, OneRunAloneSaysSo) {

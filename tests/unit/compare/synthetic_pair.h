@@ -128,7 +128,7 @@ inline RunRecord synthetic_run(const SyntheticRun& o) {
     r.elements = o.method == "sph" ? 163000 : 74000;
     r.steps = o.method == "sph" ? 2086 : 480;
     r.effects = {{"viscosity", false, false, "Reynolds number 1.8e7: friction is a separate 150 N", "drag 35 %", 0.3},
-                 {"air", false, true, "the particle side solves no air", "lift 3 %, drag 10 %", 0}};
+                 {"air", false, true, "among the particles only on demand", "lift 3 %, drag 10 %", 0}};
     r.state = "finished";
     return r;
 }
