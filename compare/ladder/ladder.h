@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -51,8 +52,8 @@ struct Sensitivity {
     std::string name;
     double spacing = 0;  ///< of the two runs [m]
     double value = 0, varied = 0, uncertainty = 0;
-    /// Every digit the same: what was varied does not bind in this run, so it says nothing.
-    bool idle() const { return value == varied; }
+    /// The same but for rounding: what was varied does not bind in this run, so it says nothing.
+    bool idle() const { return std::abs(varied - value) <= 1e-9 * std::abs(value); }
 };
 
 /// One method's finest value S against one from elsewhere D (ASME V&V 20): E = S - D, U_val^2 = U^2 + U_D^2. The

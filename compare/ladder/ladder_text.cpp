@@ -113,6 +113,7 @@ std::string validation_label(const Validation& v) {
 std::string cores_text(const CostOfAccuracy& cost, double uncertainty) {
     if (!cost.known() || !(uncertainty > 0)) return "-";
     const double core_seconds = cost.seconds_for(uncertainty);
+    if (core_seconds > 3.6e9) return "over a million";
     return fmt::format("{}{:.2g}", cost.measured(core_seconds) ? "" : "~", core_seconds / 3600);
 }
 
