@@ -133,6 +133,16 @@ struct VectorGradient {
     }
 };
 
+/// Velocities of the group's own particles [m/s].
+inline V3<F> velocities(const PassData& d, const Group& g) {
+    V3<F> u{};
+    for (int l = 0; l < lanes; ++l) {
+        const MotionRecord& r = d.motion[g.first + (l < g.size ? l : g.size - 1)];
+        u.x[l] = r.u, u.y[l] = r.v, u.z[l] = r.w;
+    }
+    return u;
+}
+
 /// What every neighbour adds, water, wall or air: kernel support (without the factor tenth_h) and the shifting sum (Sun
 /// et al. 2017).
 struct ShiftWeight {

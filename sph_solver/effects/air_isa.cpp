@@ -8,15 +8,6 @@ namespace TW_ISA {
 namespace {
 /// rho_other / (rho_own + rho_other): how much of a pair's compression is taken by `own`.
 float share(const PassData& own, const PassData& other) { return other.rho0 / (own.rho0 + other.rho0); }
-
-V3<F> velocities(const PassData& d, const Group& g) {
-    V3<F> u{};
-    for (int l = 0; l < lanes; ++l) {
-        const MotionRecord& r = d.motion[g.first + (l < g.size ? l : g.size - 1)];
-        u.x[l] = r.u, u.y[l] = r.v, u.z[l] = r.w;
-    }
-    return u;
-}
 }  // namespace
 
 void meet_other_phase(const InterfaceData& c, const Group* groups, int count) {

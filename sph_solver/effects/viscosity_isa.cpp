@@ -72,11 +72,7 @@ void strain_rate(const StrainData& s, const Group* groups, int count) {
     for (int n = 0; n < count; ++n) {
         const Group& g = groups[n];
         const Lanes a = load_places(d.place, g, frame);
-        V3<F> u{};
-        for (int l = 0; l < lanes; ++l) {
-            const MotionRecord& r = d.motion[g.first + (l < g.size ? l : g.size - 1)];
-            u.x[l] = r.u, u.y[l] = r.v, u.z[l] = r.w;
-        }
+        const V3<F> u = velocities(d, g);
         VectorGradient gradient;
         for_each_neighbour(d.place, g.list, g.list_size, g, frame, a, [&](std::int32_t j, const Met& ij) {
             const MotionRecord& mj = d.motion[j];

@@ -11,9 +11,11 @@ void watch_stability(const Solver& solver, RunRecord& record) {
     const Extremes& e = solver.extremes();
     const double t = solver.time(), c0 = s.state_equation.c0, percent = 100 / s.rho0;
     const Vec3 nowhere = CertificateLine{}.place;
-    double acoustic = s.cfl * solver.h() / (c0 + e.speed);
-    if (const Solver* air = solver.air())
-        acoustic = std::min(acoustic, s.cfl * air->h() / (air->setup().state_equation.c0 + air->extremes().speed));
+    const auto acoustic_step = [&](const Solver& phase) {
+        return s.cfl * phase.h() / (phase.setup().state_equation.c0 + phase.extremes().speed);
+    };
+    const double acoustic =
+        solver.air() ? std::min(acoustic_step(solver), acoustic_step(*solver.air())) : acoustic_step(solver);
     const double deviation = 100 * largest_density_deviation;
     note_worst(record, {"Mach number", "-", e.speed / c0, trusted_mach, t, e.fastest_place});
     note_worst(record,
