@@ -29,7 +29,7 @@ double kernel_peak(const PassData& like, int threads) {
             std::vector<StressRecord> stress(n, StressRecord{0, 0, 0, 0});
             std::vector<ShiftRecord> shift(simd::lanes);
             std::vector<RateRecord> rate(simd::lanes);
-            const std::vector<float> surface(n, 0.0f);
+            const std::vector<std::uint32_t> surface(n / 32 + 2, 0);
             std::vector<NeighbourBlock> list;
             for (int k = 0; k < n; ++k)
                 place[static_cast<std::size_t>(k)] = {(k % 8) << 18, (k / 8 % 8) << 18, (k / 64) << 18, 1e-6f};

@@ -111,12 +111,11 @@ void Solver::rebuild() {
     const double wall_reach = kernel_.support() + wall_skin_over_dp * s.dp,
                  wall_sure = kernel_.support() - wall_skin_over_dp * s.dp;
     images_ = make_mirror_images(s.mirrors, s.domain, p, std::max(reach, wall_reach));
-    const MirrorPlanes planes(s.domain, quanta_);
     std::vector<PlaceRecord> image_places(images_.size());
     for (std::size_t k = 0; k < images_.size(); ++k) {
         const auto i = static_cast<std::size_t>(images_[k].source);
         image_places[k] =
-            planes.place({quanta_.of(p.x[i], 0), quanta_.of(p.y[i], 1), quanta_.of(p.z[i], 2), 0}, images_[k]);
+            mirror_planes_->place({quanta_.of(p.x[i], 0), quanta_.of(p.y[i], 1), quanta_.of(p.z[i], 2), 0}, images_[k]);
     }
     sort_by_column(grid_, image_places, 0, images_.size(), order, image_start_);
     {
@@ -129,7 +128,7 @@ void Solver::rebuild() {
     stress_.resize(n + images_.size());
     shift_.resize(n);
     rate_.resize(n);
-    surface_.resize(n + images_.size());
+    surface_.assign((n + images_.size()) / 32 + 2, 0);
     if (!wall_place_.empty()) normal_.resize(n);
     if (control_) carried_.resize(n + images_.size());
     update_records();
@@ -195,42 +194,35 @@ void Solver::find_normals() {
 
 void Solver::update_records() {
     const Particles& p = particles_;
-    const float m = static_cast<float>(mass_), rho0 = static_cast<float>(setup_.rho0);
 #pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < p.size(); ++i) {
-        place_[i] = {quanta_.of(p.x[i], 0), quanta_.of(p.y[i], 1), quanta_.of(p.z[i], 2), m / (rho0 + p.drho[i])};
+        place_[i] = place_record(i);
         motion_[i] = {p.u[i], p.v[i], p.w[i], p.drho[i]};
     }
     update_mirror_images(false);
 }
 
 void Solver::update_mirror_images(bool stress) {
-    const MirrorPlanes planes(setup_.domain, quanta_);
     const Hydrostatic still{setup_.gravity, setup_.rho0, setup_.state_equation.c0};
-    const Vec3 gradient = still.gradient();
+    const Eigen::Vector3f gradient = still.gradient().cast<float>();
     const std::size_t n = particles_.size();
 #pragma omp parallel for schedule(static)
     for (std::size_t k = 0; k < images_.size(); ++k) {
-        const auto i = static_cast<std::size_t>(images_[k].source);
-        if (!stress) {
-            place_[n + k] = planes.place(place_[i], images_[k]);
-            motion_[n + k] = mirrored(motion_[i], images_[k]);
-        }
-        const PlaceRecord &from = place_[i], &to = place_[n + k];
+        const MirrorImage& image = images_[k];
+        const auto i = static_cast<std::size_t>(image.source);
+        const PlaceRecord &from = place_[i], &to = place_[n + k] = mirror_planes_->place(from, image);
         Vec3 step = quanta_.size * Vec3(double(to.x) - from.x, double(to.y) - from.y, double(to.z) - from.z);
         for (int a = 0; a < 3; ++a)
-            if (images_[k].moved(a)) step[a] = 0;  // a periodic flow has the same pressure one length on
-        motion_[n + k].drho = motion_[i].drho + static_cast<float>(still.deviation(step));
+            if (image.moved(a)) step[a] = 0;  // a periodic flow has the same pressure one length on
+        motion_[n + k] = mirrored(motion_[i], image);
+        motion_[n + k].drho += static_cast<float>(still.deviation(step));
         if (!stress) continue;
         StressRecord s = stress_[i];
-        s.gx -= static_cast<float>(gradient.x()), s.gy -= static_cast<float>(gradient.y()),
-            s.gz -= static_cast<float>(gradient.z());
-        s = mirrored(s, images_[k]);
-        s.gx += static_cast<float>(gradient.x()), s.gy += static_cast<float>(gradient.y()),
-            s.gz += static_cast<float>(gradient.z());
+        s.gx -= gradient.x(), s.gy -= gradient.y(), s.gz -= gradient.z();
+        s = mirrored(s, image);
+        s.gx += gradient.x(), s.gy += gradient.y(), s.gz += gradient.z();
         s.p += static_cast<float>(still.pressure(step));
         stress_[n + k] = s;
-        surface_[n + k] = surface_[i];
         if (!carried_.empty()) carried_[n + k] = carried_[i];
     }
 }

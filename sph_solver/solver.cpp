@@ -35,6 +35,7 @@ Solver::Solver(SolverSetup setup, const Fluid& fluid)
         area.min.x() -= s.stream->buffer;
         area.max.x() += s.stream->buffer;
     }
+    mirror_planes_.emplace(s.domain, quanta_);
     grid_ = ColumnGrid(area, s.dp, s.dimensions, quanta_);
 
     for (std::size_t k = 0; k < fluid.places.size(); ++k) {
@@ -78,7 +79,7 @@ void Solver::prune(double drift) {
     const Stopwatch watch(timers_.lists);
     PruneData d;
     d.of = place_.data();
-    d.place = place_.data(), d.place_end = d.place + place_.size();
+    d.place = place_.data();
     d.reach = static_cast<float>((kernel_.support() + 2 * drift * relative_speed_) / quanta_.size);
     run_pass(passes_->prune, d, groups_);
     if (live_wall_groups_.empty()) return;
@@ -87,7 +88,7 @@ void Solver::prune(double drift) {
     d.of = wall_place_.data();
     run_pass(passes_->prune, d, live_wall_groups_);
     d.of = place_.data();
-    d.place = wall_place_.data(), d.place_end = d.place + wall_place_.size();
+    d.place = wall_place_.data();
     d.list = &Group::wall_list, d.size = &Group::wall_size;
     run_pass(passes_->prune, d, groups_);
 }
@@ -171,21 +172,43 @@ void Solver::first_sweep(double t, double compress, double drift) {
         run_pass(passes_->continuity_and_gradient, d, groups_);
     }
     const Stopwatch watch(timers_.update);
+    mark_surface();
     for (std::size_t i = 0; i < stages_.compression.size(); ++i) stages_.compression[i] = rate_[i].drho;
+    Particles& p = particles_;
+    // walls are looked after at the end of the step
+    const auto drift_freely = [&](std::size_t i) {
+        p.x[i] += drift * double(p.u[i]);
+        p.y[i] += drift * double(p.v[i]);
+        p.z[i] += drift * double(p.w[i]);
+        place_[i] = place_record(i);
+        if (normal_.empty()) return;
+        NormalRecord& r = normal_[i];
+        r.distance += static_cast<float>(drift * (double(p.u[i]) * r.x + double(p.v[i]) * r.y + double(p.w[i]) * r.z));
+    };
 #pragma omp parallel for schedule(static)
-    for (std::size_t i = 0; i < particles_.size(); ++i) {
-        float& drho = particles_.drho[i];
-        if (particles_.kind[i] == Kind::fluid) drho += static_cast<float>(compress * rate_[i].drho);
-        surface_[i] = shift_[i].support < s.surface_support ? 1.0f : 0.0f;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        float& drho = p.drho[i];
+        if (p.kind[i] == Kind::fluid) drho += static_cast<float>(compress * rate_[i].drho);
         // the free surface bears no tension (its density is not let below rho0)
-        if (particles_.kind[i] == Kind::fluid && surface_[i] > 0 && drho < 0) drho = 0;
+        if (p.kind[i] == Kind::fluid && drho < 0 && at_surface(i)) drho = 0;
         motion_[i].drho = drho;
         stress_[i].p = s.state_equation.pressure(s.rho0, drho);
+        if (drift > 0) drift_freely(i);
     }
-    if (drift > 0) drift_freely(drift);
     const StepView view = step_view(d, t);
     for (const auto& effect : effects_) effect->change_pressure(view);
     update_mirror_images(true);
+}
+
+void Solver::mark_surface() {
+    const std::size_t n = particles_.size(), all = place_.size();
+#pragma omp parallel for schedule(static)
+    for (std::size_t word = 0; word < surface_.size(); ++word) {
+        std::uint32_t bits = 0;
+        for (std::size_t i = 32 * word; i < std::min(all, 32 * word + 32); ++i)
+            bits |= std::uint32_t{at_surface(i < n ? i : static_cast<std::size_t>(images_[i - n].source))} << (i % 32);
+        surface_[word] = bits;
+    }
 }
 
 void Solver::second_sweep(double t) {

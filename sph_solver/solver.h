@@ -202,7 +202,15 @@ private:
     void prune(double drift);
     std::vector<char> cross_open_boundaries();
     void build_wall();
+    PlaceRecord place_record(std::size_t i) const {
+        const Particles& p = particles_;
+        return {quanta_.of(p.x[i], 0), quanta_.of(p.y[i], 1), quanta_.of(p.z[i], 2),
+                static_cast<float>(mass_) / (static_cast<float>(setup_.rho0) + p.drho[i])};
+    }
+    bool at_surface(std::size_t i) const { return shift_[i].support < setup_.surface_support; }
+    void mark_surface();
     void update_records();
+    /// Images of places and motions; `stress`: of all that the first sweep found, too.
     void update_mirror_images(bool stress);
     void find_normals();
     void gather_load();
@@ -221,7 +229,6 @@ private:
     /// How far a particle may have come since the lists were made, up to where the next evaluation sees it [m].
     double travel_ahead() const;
     bool lists_outlived() const;
-    void drift_freely(double dt);
     void go_to_stage(double since);
     void move(double dt, double drifted, double drift);
     void move_all(double dt, double drifted, double drift);
@@ -239,6 +246,7 @@ private:
     std::vector<std::unique_ptr<Effect>> effects_;
 
     Particles particles_;
+    std::optional<MirrorPlanes> mirror_planes_;
     std::vector<MirrorImage> images_;
     std::vector<PlaceRecord> place_;  // particles, then mirror images
     std::vector<MotionRecord> motion_;
@@ -246,8 +254,8 @@ private:
     std::vector<ShiftRecord> shift_;
     std::vector<RateRecord> rate_;
     std::vector<NormalRecord> normal_;
-    std::vector<CarriedShare> carried_;  // only with a control volume
-    std::vector<float> surface_;
+    std::vector<CarriedShare> carried_;   // only with a control volume
+    std::vector<std::uint32_t> surface_;  // see PassData
     std::vector<std::int32_t> start_, image_start_;
     std::vector<Group> groups_;
     NeighbourLists lists_, wall_lists_;

@@ -158,21 +158,6 @@ void Solver::go_to_stage(double since) {
     }
 }
 
-/// Places move with their velocities, and the records with them; walls are looked after at the end of the step.
-void Solver::drift_freely(double dt) {
-    Particles& p = particles_;
-#pragma omp parallel for schedule(static)
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        p.x[i] += dt * double(p.u[i]);
-        p.y[i] += dt * double(p.v[i]);
-        p.z[i] += dt * double(p.w[i]);
-        if (normal_.empty()) continue;
-        NormalRecord& r = normal_[i];
-        r.distance += static_cast<float>(dt * (double(p.u[i]) * r.x + double(p.v[i]) * r.y + double(p.w[i]) * r.z));
-    }
-    update_records();
-}
-
 double Solver::reference_speed() const {
     return std::max(extremes_.speed, setup_.stream ? setup_.stream->velocity(time_) : 0.0);
 }

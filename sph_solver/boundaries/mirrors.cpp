@@ -33,36 +33,21 @@ std::vector<MirrorImage> make_mirror_images(const Mirrors& mirrors, const Box& d
 }
 
 MirrorPlanes::MirrorPlanes(const Box& domain, const Quanta& quanta) {
-    for (int a = 0; a < 3; ++a) {
-        twice[a][0] = 2 * std::int64_t{quanta.of(domain.min[a], a)};
-        twice[a][1] = 2 * std::int64_t{quanta.of(domain.max[a], a)};
-    }
-}
-
-PlaceRecord MirrorPlanes::place(PlaceRecord p, const MirrorImage& image) const {
-    std::int32_t* xyz[3] = {&p.x, &p.y, &p.z};
-    for (int a = 0; a < 3; ++a)
-        if (image.moved(a)) {
-            const std::int64_t length = (twice[a][1] - twice[a][0]) / 2;
-            *xyz[a] = static_cast<std::int32_t>(*xyz[a] + (image.plane(a) == 1 ? -length : length));
-        } else if (const int plane = image.plane(a)) {
-            *xyz[a] = static_cast<std::int32_t>(twice[a][plane - 1] - *xyz[a]);
+    for (std::size_t planes = 0; planes < maps_.size(); ++planes) {
+        const MirrorImage image{0, static_cast<std::uint16_t>(planes)};
+        Map& m = maps_[planes];
+        for (int a = 0; a < 3; ++a) {
+            if (image.plane(a) == 0) continue;
+            const std::int64_t low = quanta.of(domain.min[a], a), high = quanta.of(domain.max[a], a);
+            const bool at_low = image.plane(a) == 1;
+            if (image.moved(a)) {
+                m.offset[a] = static_cast<std::uint32_t>(at_low ? low - high : high - low);
+            } else {
+                m.offset[a] = static_cast<std::uint32_t>(2 * (at_low ? low : high));
+                m.turn[a] = ~0u;
+            }
         }
-    return p;
-}
-
-MotionRecord mirrored(MotionRecord m, const MirrorImage& image) {
-    if (image.reflected(0)) m.u = -m.u;
-    if (image.reflected(1)) m.v = -m.v;
-    if (image.reflected(2)) m.w = -m.w;
-    return m;
-}
-
-StressRecord mirrored(StressRecord s, const MirrorImage& image) {
-    if (image.reflected(0)) s.gx = -s.gx;
-    if (image.reflected(1)) s.gy = -s.gy;
-    if (image.reflected(2)) s.gz = -s.gz;
-    return s;
+    }
 }
 
 std::int64_t return_from_mirrors(const Mirrors& mirrors, const Box& domain, Particles& p) {

@@ -25,20 +25,38 @@ struct MirrorImage {
     int plane(int axis) const { return (planes >> (3 * axis)) & 3; }
     bool moved(int axis) const { return ((planes >> (3 * axis)) & 4) != 0; }
     bool reflected(int axis) const { return plane(axis) != 0 && !moved(axis); }
+    float sign(int axis) const { return reflected(axis) ? -1.0f : 1.0f; }  ///< of vectors
 };
 
 /// All images of particles within `reach` of a plane or periodic face, corners included.
 std::vector<MirrorImage> make_mirror_images(const Mirrors& mirrors, const Box& domain, const Particles& particles,
                                             double reach);
 
-/// Planes as twice their place in quanta, so that an image is 2 plane - x (or x -+ the length) exactly.
-struct MirrorPlanes {
-    std::int64_t twice[3][2];
+/// Makes the places of a domain's images, by one entry for each combination of planes: x' = offset + x, or offset - x
+/// where `turn` is -1 (else 0), in quanta (modulo 2^32, so that twice a far plane's place may wrap).
+class MirrorPlanes {
+public:
     MirrorPlanes(const Box& domain, const Quanta& quanta);
-    PlaceRecord place(PlaceRecord p, const MirrorImage& image) const;
+    PlaceRecord place(const PlaceRecord& p, const MirrorImage& image) const {
+        const Map& m = maps_[image.planes];
+        return {coordinate(p.x, m, 0), coordinate(p.y, m, 1), coordinate(p.z, m, 2), p.volume};
+    }
+
+private:
+    struct Map {
+        std::uint32_t offset[3] = {}, turn[3] = {};
+    };
+    static std::int32_t coordinate(std::int32_t x, const Map& m, int a) {
+        return static_cast<std::int32_t>(m.offset[a] + ((static_cast<std::uint32_t>(x) ^ m.turn[a]) - m.turn[a]));
+    }
+    std::array<Map, 512> maps_;
 };
-MotionRecord mirrored(MotionRecord m, const MirrorImage& image);
-StressRecord mirrored(StressRecord s, const MirrorImage& image);
+inline MotionRecord mirrored(const MotionRecord& m, const MirrorImage& image) {
+    return {image.sign(0) * m.u, image.sign(1) * m.v, image.sign(2) * m.w, m.drho};
+}
+inline StressRecord mirrored(const StressRecord& s, const MirrorImage& image) {
+    return {image.sign(0) * s.gx, image.sign(1) * s.gy, image.sign(2) * s.gz, s.p};
+}
 
 /// Water presses on a wall with dp/dn = rho g . n, not with dp/dn = 0: the mirrored field is the pressure less the
 /// hydrostatic one. So an image carries on the source's hydrostatic line over `step` = image - source; without it the

@@ -94,7 +94,8 @@ struct PassData {
     const PlaceRecord* wall_place = nullptr;
     const float* wall_p = nullptr;
     const NormalRecord* normal = nullptr;
-    const float* surface = nullptr;  ///< 1 for particles (and images) at the free surface, else 0
+    const std::uint32_t* surface =
+        nullptr;  ///< bit i % 32 of word i / 32: place i is at the free surface; one word more
     ShiftRecord* shift = nullptr;
     RateRecord* rate = nullptr;
     WallLoad* wall_load = nullptr;
@@ -131,8 +132,8 @@ struct ExtrapolateData {
 
 /// Which neighbours of the groups' lists are within reach.
 struct PruneData {
-    const PlaceRecord* of = nullptr;                           ///< the groups' places
-    const PlaceRecord *place = nullptr, *place_end = nullptr;  ///< those that the lists refer to
+    const PlaceRecord* of = nullptr;     ///< the groups' places
+    const PlaceRecord* place = nullptr;  ///< those that the lists refer to
     NeighbourBlock* Group::*list = &Group::list;
     std::int32_t Group::*size = &Group::list_size;
     float reach = 0;  ///< [quanta]

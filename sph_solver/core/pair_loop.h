@@ -23,14 +23,18 @@ inline Frame frame_of(const Kernel& kernel, float quantum) { return {quantum * k
 /// A chunk of neighbours as the pair loop loads them, broadcast.
 struct alignas(64) Chunk {
     static constexpr int capacity = 256;
-    float xyz[capacity][4];  // relative to the group's centre [2h]; the fourth is G V
+    static constexpr int ahead = 3;  // by so many pairs the distances run ahead
+    float xyz[capacity + ahead][4];  // relative to the group's centre [2h]; the fourth is G V
+    F t[capacity + ahead];           // closeness of each lane
     std::int32_t index[capacity + 16];
 };
 
 typedef std::int32_t I4 __attribute__((vector_size(16), may_alias));
 typedef float F4 __attribute__((vector_size(16), may_alias));
 
+/// Also those that the distances meet beyond the end.
 inline void load_chunk(Chunk& chunk, const PlaceRecord* place, int n, const Group& g, const Frame& frame) {
+    for (int k = n; k < n + Chunk::ahead; ++k) *reinterpret_cast<F4*>(chunk.xyz[k]) = F4{};
     const I4 centre{g.x, g.y, g.z, 0};
     for (int k = 0; k < n; ++k) {
         const PlaceRecord& r = place[chunk.index[k]];
@@ -56,46 +60,65 @@ inline Lanes load_places(const PlaceRecord* place, const Group& g, const Frame& 
     return r;
 }
 
-/// A pair with what of its kernel the terms share: s = |r_ji| / 2h, t = 1 - s cut off at the support.
+inline V3<F> separation(const Lanes& a, const float* xyz) { return {xyz[0] - a.x, xyz[1] - a.y, xyz[2] - a.z}; }
+
+/// 1 - |r_ji| / 2h, cut off at the support.
+inline F closeness(const Lanes& a, const float* xyz) {
+    const V3<F> r = separation(a, xyz);
+    return simd::positive_part(1.0f - simd::sqrt(dot(r, r)));
+}
+
+/// A pair with what of its kernel the terms share, t its closeness.
 struct Met : Pair<F> {
-    F s, t, t3;
+    F t, t3;
     V3<F> gradient() const { return {FV * r_ji.x, FV * r_ji.y, FV * r_ji.z}; }  ///< grad_i W_ij V_j [1/m]
-    F shape() const { return t * (4.0f * s + 1.0f); }                           ///< W_ij V_j = h/10 FV shape
+    F shape() const { return t * (5.0f - 4.0f * t); }                           ///< W_ij V_j = h/10 FV shape
 };
-inline Met meet(const Lanes& a, const float* xyz) {
+inline Met meet(const Lanes& a, const float* xyz, const F& t) {
     Met k;
-    k.r_ji = {xyz[0] - a.x, xyz[1] - a.y, xyz[2] - a.z};
-    k.r2 = dot(k.r_ji, k.r_ji);
-    k.s = simd::sqrt(k.r2);
-    k.t = simd::positive_part(1.0f - k.s);
-    k.t3 = (k.t * k.t) * k.t;
+    k.r_ji = separation(a, xyz);
+    k.t = t;
+    k.distance = 1.0f - t;
+    k.t3 = (t * t) * t;
     k.FV = k.t3 * xyz[3];
     return k;
 }
 
-/// Calls `body(chunk, n)` for the live neighbours of a list of `blocks` blocks, n of them at a time.
-template <class Body>
-inline void for_each_chunk(const PlaceRecord* place, const NeighbourBlock* list, int blocks, const Group& g,
-                           const Frame& frame, Body body) {
+/// Which places of a block a loop visits: all live ones, or of these those at the free surface.
+struct Live {
+    std::uint32_t operator()(const NeighbourBlock& b) const { return b.live; }
+};
+struct AtSurface {
+    const std::uint32_t* surface;
+    std::uint32_t operator()(const NeighbourBlock& b) const {
+        const std::uint32_t* word = surface + b.first / 32;
+        const std::uint64_t both = word[0] | std::uint64_t{word[1]} << 32;
+        return static_cast<std::uint32_t>(both >> (b.first % 32)) & b.live;
+    }
+};
+
+/// Calls `body(j, ij)` for the neighbours of a list of `blocks` blocks that `which` names. The distances run ahead: a
+/// root takes as long as ten other operations, and the processor itself looks ahead by two or three pairs only.
+///
+/// Inlined whatever the compiler thinks: GCC 12 with AVX drops a call, and so the sums, of a function that gets a
+/// closure by value and changes things only through the references in it.
+template <class Body, class Which = Live>
+[[gnu::always_inline]] inline void for_each_neighbour(const PlaceRecord* place, const NeighbourBlock* list, int blocks,
+                                                      const Group& g, const Frame& frame, const Lanes& a, Body&& body,
+                                                      Which which = {}) {
     Chunk chunk;
     for (int k = 0; k < blocks;) {
         int n = 0;
         for (; k < blocks && n <= Chunk::capacity - 32; ++k)
-            n = simd::append_set_bits(list[k].first, list[k].live, chunk.index, n);
+            n = simd::append_set_bits(list[k].first, which(list[k]), chunk.index, n);
+        if (n == 0) continue;
         load_chunk(chunk, place, n, g, frame);
-        body(chunk, n);
+        for (int m = 0; m < Chunk::ahead; ++m) chunk.t[m] = closeness(a, chunk.xyz[m]);
+        for (int m = 0; m < n; ++m) {
+            chunk.t[m + Chunk::ahead] = closeness(a, chunk.xyz[m + Chunk::ahead]);
+            body(chunk.index[m], meet(a, chunk.xyz[m], chunk.t[m]));
+        }
     }
-}
-/// Calls `body(j, ij)` for n neighbours of a chunk.
-template <class Body>
-inline void for_each_pair(const Chunk& chunk, int n, const Lanes& a, Body body) {
-    for (int m = 0; m < n; ++m) body(chunk.index[m], meet(a, chunk.xyz[m]));
-}
-/// Calls `body(j, ij)` for every live neighbour of a list.
-template <class Body>
-inline void for_each_neighbour(const PlaceRecord* place, const NeighbourBlock* list, int blocks, const Group& g,
-                               const Frame& frame, const Lanes& a, Body body) {
-    for_each_chunk(place, list, blocks, g, frame, [&](const Chunk& chunk, int n) { for_each_pair(chunk, n, a, body); });
 }
 
 /// Inverse of a symmetric 3x3 matrix applied to a vector; where it is nearly singular (spray) the result is zero.
@@ -156,10 +179,11 @@ struct ShiftWeight {
         const F shape = ij.shape();
         support += ij.FV * shape;
         const F W = ij.t3 * shape, W2 = W * W;
-        const F fs = ij.FV * (clumping * (W2 * W2) + 1.0f);
-        s.x += fs * ij.r_ji.x;
-        s.y += fs * ij.r_ji.y;
-        s.z += fs * ij.r_ji.z;
+        const F share = clumping * (W2 * W2) + 1.0f;
+        const V3<F> f = ij.gradient();
+        s.x += share * f.x;
+        s.y += share * f.y;
+        s.z += share * f.z;
     }
 };
 

@@ -12,13 +12,39 @@ namespace {
 ///   <grad rho>_i = L_i sum_j (rho_j - rho_i) grad W_ij V_j,   L_i^-1 = sum_j r_ji (x) grad W_ij V_j
 /// Slip wall: the wall's velocity in the continuity sum is u_i - (u_i . n_i) n_i with the exterior normal n_i at the
 /// fluid particle, so u_i - u_wall = (u_i . n_i) n_i.
+struct GradientSums {
+    const MotionRecord* motion;
+    ShiftWeight weight;
+    V3<F> u;
+    F drho_i;
+    F m[6] = {}, divergence{}, support{};
+    V3<F> b{F{}, F{}, F{}}, s{F{}, F{}, F{}};
+
+    void operator()(std::int32_t j, const Met& ij) {
+        weight.count_in(ij, support, s);
+        const V3<F>& r = ij.r_ji;
+        const V3<F> f = ij.gradient();
+        m[0] += f.x * r.x;
+        m[1] += f.x * r.y;
+        m[2] += f.x * r.z;
+        m[3] += f.y * r.y;
+        m[4] += f.y * r.z;
+        m[5] += f.z * r.z;
+        const MotionRecord& mj = motion[j];
+        Continuity::add(f, V3<F>{u.x - mj.u, u.y - mj.v, u.z - mj.w}, divergence);
+        const F jump = mj.drho - drho_i;
+        b.x += jump * f.x;
+        b.y += jump * f.y;
+        b.z += jump * f.z;
+    }
+};
 void continuity_and_gradient(const PassData& d, const Group* groups, int count) {
     const Frame frame = frame_of(d.kernel, d.quantum);
     const ShiftWeight weight(d);
     for (int n = 0; n < count; ++n) {
         const Group& g = groups[n];
         const Lanes a = load_places(d.place, g, frame);
-        V3<F> u{}, n_i{};
+        V3<F> u{}, n_i{F{}, F{}, F{}};
         F drho_i{};
         for (int l = 0; l < lanes; ++l) {
             const MotionRecord& r = d.motion[g.first + (l < g.size ? l : g.size - 1)];
@@ -27,27 +53,12 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
             u.z[l] = r.w;
             drho_i[l] = r.drho;
         }
-        F m[6] = {}, divergence{}, wall_divergence{};
-        V3<F> b{F{}, F{}, F{}}, s{F{}, F{}, F{}};
-        F support{};
-
-        for_each_neighbour(d.place, g.list, g.list_size, g, frame, a, [&](std::int32_t j, const Met& ij) {
-            weight.count_in(ij, support, s);
-            const V3<F>& r = ij.r_ji;
-            const V3<F> f = ij.gradient();
-            m[0] += f.x * r.x;
-            m[1] += f.x * r.y;
-            m[2] += f.x * r.z;
-            m[3] += f.y * r.y;
-            m[4] += f.y * r.z;
-            m[5] += f.z * r.z;
-            const MotionRecord& mj = d.motion[j];
-            Continuity::add(f, V3<F>{u.x - mj.u, u.y - mj.v, u.z - mj.w}, divergence);
-            const F jump = mj.drho - drho_i;
-            b.x += jump * f.x;
-            b.y += jump * f.y;
-            b.z += jump * f.z;
-        });
+        GradientSums sums{d.motion, weight, u, drho_i};
+        F wall_divergence{};
+        for_each_neighbour(d.place, g.list, g.list_size, g, frame, a, sums);
+        F &support = sums.support, &divergence = sums.divergence;
+        F(&m)[6] = sums.m;
+        V3<F>& s = sums.s;
         for (int l = 0; l < lanes && g.wall_size > 0; ++l) {
             const NormalRecord& r = d.normal[g.first + (l < g.size ? l : g.size - 1)];
             n_i.x[l] = r.x;
@@ -80,7 +91,7 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
             for (int l = 0; l < g.size; ++l)
                 d.carried[g.first + l] = {m[0][l] * support[l], m[3][l] * support[l], m[5][l] * support[l]};
         if (d.two_dimensional) m[3] += 1.0f;
-        const V3<F> grad = solve_symmetric(m, b);
+        const V3<F> grad = solve_symmetric(m, sums.b);
         for (int l = 0; l < g.size; ++l) {
             StressRecord& out = d.stress[g.first + l];
             out.gx = grad.x[l];
@@ -93,6 +104,24 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
 }
 
 /// Second sweep: pressure, artificial viscosity and density diffusion. Walls press, and do not rub (slip).
+struct ForceSums {
+    const MotionRecord* motion;
+    const StressRecord* stress;
+    ArtificialViscosity artificial_viscosity;
+    DensityDiffusion density_diffusion;
+    V3<F> u, grad;
+    F drho_i, p_i;
+    F diffusion{};
+    V3<F> pressure{F{}, F{}, F{}};
+
+    void operator()(std::int32_t j, const Met& ij) {
+        const MotionRecord& mj = motion[j];
+        const StressRecord& sj = stress[j];
+        const V3<F> u_ij{u.x - mj.u, u.y - mj.v, u.z - mj.w};
+        density_diffusion.add(ij, mj.drho - drho_i, V3<F>{grad.x + sj.gx, grad.y + sj.gy, grad.z + sj.gz}, diffusion);
+        PressureGradient::add(ij, p_i + sj.p + artificial_viscosity.pressure(ij, u_ij), pressure);
+    }
+};
 void forces(const PassData& d, const Group* groups, int count) {
     const Frame frame = frame_of(d.kernel, d.quantum);
     const ArtificialViscosity artificial_viscosity{d.viscosity};
@@ -115,30 +144,19 @@ void forces(const PassData& d, const Group* groups, int count) {
             V_i[l] = d.place[i].volume;
         }
         control_tension(d, g, p_i);
-        F diffusion{};
-        V3<F> towards_surface{F{}, F{}, F{}};
-        V3<F> water{F{}, F{}, F{}}, wall{F{}, F{}, F{}};
+        V3<F> towards_surface{F{}, F{}, F{}}, wall{F{}, F{}, F{}};
 
-        const auto add = [&](std::int32_t j, const Met& ij) {
-            const MotionRecord& mj = d.motion[j];
-            const StressRecord& sj = d.stress[j];
-            const V3<F> u_ij{u.x - mj.u, u.y - mj.v, u.z - mj.w};
-            density_diffusion.add(ij, mj.drho - drho_i, V3<F>{grad.x + sj.gx, grad.y + sj.gy, grad.z + sj.gz},
-                                  diffusion);
-            PressureGradient::add(ij, p_i + sj.p + artificial_viscosity.pressure(ij, u_ij), water);
-        };
-        for_each_chunk(d.place, g.list, g.list_size, g, frame, [&](const Chunk& chunk, int n_chunk) {
-            float surface = 0;
-            for (int k = 0; k < n_chunk; ++k) surface += d.surface[chunk.index[k]];
-            if (surface == 0) return for_each_pair(chunk, n_chunk, a, add);
-            for_each_pair(chunk, n_chunk, a, [&](std::int32_t j, const Met& ij) {
-                add(j, ij);
-                const F f = ij.FV * d.surface[j];
-                towards_surface.x += f * ij.r_ji.x;
-                towards_surface.y += f * ij.r_ji.y;
-                towards_surface.z += f * ij.r_ji.z;
-            });
-        });
+        ForceSums sums{d.motion, d.stress, artificial_viscosity, density_diffusion, u, grad, drho_i, p_i};
+        for_each_neighbour(d.place, g.list, g.list_size, g, frame, a, sums);
+        for_each_neighbour(
+            d.place, g.list, g.list_size, g, frame, a,
+            [&](std::int32_t, const Met& ij) {
+                const V3<F> f = ij.gradient();
+                towards_surface.x += f.x, towards_surface.y += f.y, towards_surface.z += f.z;
+            },
+            AtSurface{d.surface});
+        const F& diffusion = sums.diffusion;
+        const V3<F>& water = sums.pressure;
         for_each_neighbour(d.wall_place, g.wall_list, g.wall_size, g, frame, a,
                            [&](std::int32_t j, const Met& ij) { PressureGradient::add(ij, p_i + d.wall_p[j], wall); });
         // The volume that the neighbours see, not this density's: so the forces of a pair cancel to rounding.
@@ -222,12 +240,11 @@ typedef std::int32_t I8 __attribute__((vector_size(32)));
 struct Places8 {
     I8 x, y, z;
 };
-inline Places8 transposed(const PlaceRecord* p) {
-    const I4* r = reinterpret_cast<const I4*>(p);
-    const I8 a = __builtin_shufflevector(r[0], r[4], 0, 1, 2, 3, 4, 5, 6, 7),
-             b = __builtin_shufflevector(r[1], r[5], 0, 1, 2, 3, 4, 5, 6, 7),
-             c = __builtin_shufflevector(r[2], r[6], 0, 1, 2, 3, 4, 5, 6, 7),
-             d = __builtin_shufflevector(r[3], r[7], 0, 1, 2, 3, 4, 5, 6, 7);
+inline Places8 transposed(I4 r0, I4 r1, I4 r2, I4 r3, I4 r4, I4 r5, I4 r6, I4 r7) {
+    const I8 a = __builtin_shufflevector(r0, r4, 0, 1, 2, 3, 4, 5, 6, 7),
+             b = __builtin_shufflevector(r1, r5, 0, 1, 2, 3, 4, 5, 6, 7),
+             c = __builtin_shufflevector(r2, r6, 0, 1, 2, 3, 4, 5, 6, 7),
+             d = __builtin_shufflevector(r3, r7, 0, 1, 2, 3, 4, 5, 6, 7);
     const I8 ab = __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13),
              cd = __builtin_shufflevector(c, d, 0, 8, 1, 9, 4, 12, 5, 13),
              ab_z = __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15),
@@ -235,6 +252,15 @@ inline Places8 transposed(const PlaceRecord* p) {
     return {__builtin_shufflevector(ab, cd, 0, 1, 8, 9, 4, 5, 12, 13),
             __builtin_shufflevector(ab, cd, 2, 3, 10, 11, 6, 7, 14, 15),
             __builtin_shufflevector(ab_z, cd_z, 0, 1, 8, 9, 4, 5, 12, 13)};
+}
+
+/// Squared distance of eight places from the nearest of the group's particles [quanta^2].
+inline F distance2(const GroupReach& g, const Places8& q) {
+    const F x = __builtin_convertvector(q.x - g.x, F), y = __builtin_convertvector(q.y - g.y, F),
+            z = __builtin_convertvector(q.z - g.z, F);
+    F least = g.n[0] + g.a[0] * x + g.b[0] * y + g.c[0] * z;
+    for (int l = 1; l < lanes; ++l) least = simd::min(least, g.n[l] + g.a[l] * x + g.b[l] * y + g.c[l] * z);
+    return least + (x * x + y * y + z * z);
 }
 
 Reached reached(const GroupReach& g, const PlaceRecord* first, const PlaceRecord* end, std::uint32_t wanted) {
@@ -247,26 +273,45 @@ Reached reached(const GroupReach& g, const PlaceRecord* first, const PlaceRecord
             for (int m = 0; m < 8; ++m) last[m] = p + m < end ? p[m] : p[0];
             p = last;
         }
-        const Places8 q = transposed(p);
-        const F x = __builtin_convertvector(q.x - g.x, F), y = __builtin_convertvector(q.y - g.y, F),
-                z = __builtin_convertvector(q.z - g.z, F);
-        F least = g.n[0] + g.a[0] * x + g.b[0] * y + g.c[0] * z;
-        for (int l = 1; l < lanes; ++l) least = simd::min(least, g.n[l] + g.a[l] * x + g.b[l] * y + g.c[l] * z);
-        const F distance2 = least + (x * x + y * y + z * z);
-        r.within |= simd::bits_below(distance2, g.reach2) << k;
-        r.surely |= simd::bits_below(distance2, g.sure2) << k;
+        const I4* v = reinterpret_cast<const I4*>(p);
+        const F d2 = distance2(g, transposed(v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7]));
+        r.within |= simd::bits_below(d2, g.reach2) << k;
+        r.surely |= simd::bits_below(d2, g.sure2) << k;
     }
     return {r.within & wanted, r.surely & wanted};
 }
 
+/// Asks the doubtful places only, gathered from their blocks, and hands the answers back to the blocks' bits.
 void prune(const PruneData& d, const Group* groups, int count) {
+    constexpr int capacity = 256;
+    std::int32_t index[capacity + 16];
+    unsigned char within[capacity / 8 + 8];
     for (int n = 0; n < count; ++n) {
         const Group& g = groups[n];
         if (g.*d.size == 0) continue;
         const GroupReach own = reach_of(d.of, g, d.reach, 0);
-        for (NeighbourBlock* b = g.*d.list; b != g.*d.list + g.*d.size; ++b)
-            if (b->maybe != 0)
-                b->live = (b->live & ~b->maybe) | reached(own, d.place + b->first, d.place_end, b->maybe).within;
+        const auto record = [&](int k) { return *reinterpret_cast<const I4*>(d.place + index[k]); };
+        NeighbourBlock* const end = g.*d.list + g.*d.size;
+        for (NeighbourBlock* block = g.*d.list; block != end;) {
+            NeighbourBlock* const first = block;
+            int doubtful = 0;
+            for (; block != end && doubtful <= capacity - 32; ++block)
+                doubtful = simd::append_set_bits(block->first, block->maybe, index, doubtful);
+            for (int k = 0; k < 7; ++k) index[doubtful + k] = index[0];
+            for (int k = 0; k < doubtful; k += 8)
+                within[k / 8] = static_cast<unsigned char>(simd::bits_below(
+                    distance2(own, transposed(record(k), record(k + 1), record(k + 2), record(k + 3), record(k + 4),
+                                              record(k + 5), record(k + 6), record(k + 7))),
+                    own.reach2));
+            int at = 0;
+            for (NeighbourBlock* b = first; b != block; ++b) {
+                std::uint64_t answers;
+                __builtin_memcpy(&answers, within + at / 8, 8);
+                b->live = (b->live & ~b->maybe) |
+                          simd::deposit_bits(static_cast<std::uint32_t>(answers >> (at % 8)), b->maybe);
+                at += __builtin_popcount(b->maybe);
+            }
+        }
     }
 }
 

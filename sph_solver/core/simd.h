@@ -92,6 +92,18 @@ inline int append_set_bits(std::int32_t first, std::uint32_t mask, std::int32_t*
     return n;
 }
 
+/// The lowest bits of `bits` at the places of the mask's set bits.
+inline std::uint32_t deposit_bits(std::uint32_t bits, std::uint32_t mask) {
+#if defined(__BMI2__)
+    return _pdep_u32(bits, mask);
+#else
+    std::uint32_t r = 0;
+    for (; mask != 0; mask &= mask - 1, bits >>= 1)
+        if (bits & 1u) r |= mask & -mask;
+    return r;
+#endif
+}
+
 inline float sqrt(float x) { return std::sqrt(x); }
 inline float positive_part(float x) { return x > 0 ? x : 0; }
 

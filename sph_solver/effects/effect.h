@@ -27,6 +27,7 @@ struct StepView {
     double h = 0, mass = 0, time = 0;
 
     std::size_t count() const { return particles.size(); }
+    bool at_surface(std::size_t i) const { return (pass.surface[i / 32] >> (i % 32) & 1u) != 0; }
     /// Gives the images their sources' values of a scalar.
     void carry_to_images(std::vector<float>& field) const {
         field.resize(count() + images.size());

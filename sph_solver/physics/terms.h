@@ -26,7 +26,7 @@ inline auto operator+(const V3<A>& a, const V3<B>& b) {
 template <class Real>
 struct Pair {
     V3<Real> r_ji;  ///< [2h]
-    Real r2;        ///< |r_ji|^2 [4h^2]
+    Real distance;  ///< |r_ji| [2h]; 1 beyond the support, where FV is 0
     Real FV;        ///< grad_i W_ij V_j = FV r_ji [1/m]
 };
 
@@ -79,7 +79,7 @@ struct ArtificialViscosity {
     float viscosity;  ///< alpha c0 rho0 / 2
     template <class Real>
     Real pressure(const Pair<Real>& ij, const V3<Real>& u_ij) const {
-        return viscosity * dot(u_ij, ij.r_ji) / (ij.r2 + 0.0025f);
+        return viscosity * dot(u_ij, ij.r_ji) / (ij.distance * ij.distance + 0.0025f);
     }
 };
 
