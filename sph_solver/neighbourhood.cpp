@@ -82,7 +82,7 @@ std::vector<char> Solver::cross_open_boundaries() {
     return gone;
 }
 
-void Solver::rebuild() {
+void Solver::rebuild(double drift) {
     const Stopwatch watch(timers_.lists);
     ++timers_.rebuilds;
     const SolverSetup& s = setup_;
@@ -107,10 +107,10 @@ void Solver::rebuild() {
     const std::size_t n = p.size();
 
     // mirror images, sorted the same way
-    const double reach = kernel_.support() + skin_over_dp * s.dp, sure = kernel_.support() - skin_over_dp * s.dp;
-    const double wall_reach = kernel_.support() + wall_skin_over_dp * s.dp,
-                 wall_sure = kernel_.support() - wall_skin_over_dp * s.dp;
-    images_ = make_mirror_images(s.mirrors, s.domain, p, std::max(reach, wall_reach));
+    const double support = kernel_.support(), skin = skin_over_dp * s.dp, wall_skin = wall_skin_over_dp * s.dp;
+    const Reaches among{support + skin, reach_among(drift), support - skin},
+        to_walls{support + wall_skin, reach_to_walls(drift), support - wall_skin};
+    images_ = make_mirror_images(s.mirrors, s.domain, p, std::max(among.far, to_walls.far));
     std::vector<PlaceRecord> image_places(images_.size());
     for (std::size_t k = 0; k < images_.size(); ++k) {
         const auto i = static_cast<std::size_t>(images_[k].source);
@@ -136,13 +136,12 @@ void Solver::rebuild() {
     make_groups(place_, start_, 0, groups_);
     const std::vector<Source> sources = {{place_.data(), &start_, 0},
                                          {place_.data() + n, &image_start_, static_cast<std::int32_t>(n)}};
-    lists_.build(grid_, quanta_, place_.data(), groups_, sources, reach, sure, false);
+    lists_.build(grid_, quanta_, place_.data(), groups_, sources, among, false);
     if (!wall_place_.empty()) {
-        wall_lists_.build(grid_, quanta_, place_.data(), groups_, {{wall_place_.data(), &wall_start_, 0}}, wall_reach,
-                          wall_sure, true);
+        wall_lists_.build(grid_, quanta_, place_.data(), groups_, {{wall_place_.data(), &wall_start_, 0}}, to_walls,
+                          true);
         live_wall_groups_ = wall_groups_;
-        wall_source_lists_.build(grid_, quanta_, wall_place_.data(), live_wall_groups_, sources, wall_reach, wall_sure,
-                                 false);
+        wall_source_lists_.build(grid_, quanta_, wall_place_.data(), live_wall_groups_, sources, to_walls, false);
         std::fill(wall_p_.begin(), wall_p_.end(), 0.0f);
         std::erase_if(live_wall_groups_, [](const Group& g) { return g.list_size == 0; });
         std::int32_t near_wall = 0;

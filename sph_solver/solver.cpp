@@ -80,11 +80,10 @@ void Solver::prune(double drift) {
     PruneData d;
     d.of = place_.data();
     d.place = place_.data();
-    d.reach = static_cast<float>((kernel_.support() + 2 * drift * relative_speed_) / quanta_.size);
+    d.reach = reach_among(drift) / quanta_.size;
     run_pass(passes_->prune, d, groups_);
     if (live_wall_groups_.empty()) return;
-    // walls stand still
-    d.reach = static_cast<float>((kernel_.support() + drift * extremes_.speed) / quanta_.size);
+    d.reach = reach_to_walls(drift) / quanta_.size;
     d.of = wall_place_.data();
     run_pass(passes_->prune, d, live_wall_groups_);
     d.of = place_.data();
@@ -155,7 +154,7 @@ void Solver::evaluate(double t, double compress, double drift) {
 }
 
 void Solver::prepare(double drift) {
-    if (rebuild_due_) rebuild();
+    if (rebuild_due_) return rebuild(drift);
     {
         const Stopwatch watch(timers_.update);
         update_records();
@@ -322,7 +321,7 @@ void Solver::extrapolate_to(const std::vector<PlaceRecord>& sorted, std::vector<
     lists.build(
         grid_, quanta_, sorted.data(), groups,
         {{place_.data(), &start_, 0}, {place_.data() + particles, &image_start_, static_cast<std::int32_t>(particles)}},
-        reach, reach, false);
+        {reach, reach, reach}, false);
     ExtrapolateData e = extrapolation();
     e.at = sorted.data();
     e.p = p.data();

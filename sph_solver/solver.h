@@ -181,7 +181,7 @@ public:
     void restore_air(const Restart& state, Particles particles) { air_->restore(state, std::move(particles)); }
 
 private:
-    static constexpr double skin_over_dp = 0.2;       ///< slack of the particle lists
+    static constexpr double skin_over_dp = 0.3;       ///< slack of the particle lists
     static constexpr double wall_skin_over_dp = 0.6;  ///< slack of the lists between particles and walls
 
     /// Both sweeps at the present state, as of the time `t`. Between them the density changes for the time `compress`
@@ -197,7 +197,13 @@ private:
     /// Pressure of this phase, its support and (null: not) flux at places sorted by column.
     void extrapolate_to(const std::vector<PlaceRecord>& sorted, std::vector<Group>& groups, std::vector<float>& p,
                         std::vector<float>& support, float* flux) const;
-    void rebuild();
+    /// Makes the lists anew, live as `prune` leaves them.
+    void rebuild(double drift);
+    /// So far a neighbour may be now to be within the support after `drift` [s] with the present velocities [m].
+    double reach_among(double drift) const { return kernel_.support() + 2 * drift * relative_speed_; }
+    double reach_to_walls(double drift) const {
+        return kernel_.support() + drift * extremes_.speed;
+    }  ///< they stand still
     /// Leaves in the lists who is within reach now, or may be after `drift` [s] with the present velocities.
     void prune(double drift);
     std::vector<char> cross_open_boundaries();

@@ -86,58 +86,101 @@ void make_groups(const std::vector<PlaceRecord>& places, const std::vector<std::
 
 namespace {
 
-/// Adds to `out` the places of a source within reach [quanta] of the group's particles.
-void collect(const ColumnGrid& grid, const Bounds& box, const GroupReach& group, double reach, const Source& source,
-             const Passes& pass, std::vector<NeighbourBlock>& out) {
-    const auto r = static_cast<std::int64_t>(std::ceil(reach));
-    const int x1 = grid.column_x(box.hi[0] + r), y1 = grid.column_y(box.hi[1] + r);
-    const PlaceRecord* all_end = source.places + source.start->back();
-    for (int cy = grid.column_y(box.lo[1] - r); cy <= y1; ++cy) {
-        const double gap_y = grid.gap_y(cy, box.lo[1], box.hi[1]);
-        for (int cx = grid.column_x(box.lo[0] - r); cx <= x1; ++cx) {
-            const double gap_x = grid.gap_x(cx, box.lo[0], box.hi[0]);
-            const double left2 = reach * reach - gap_x * gap_x - gap_y * gap_y;
-            if (left2 < 0) continue;
-            const auto up = static_cast<std::int64_t>(std::ceil(std::sqrt(left2)));
-            const auto c = static_cast<std::size_t>(cy * grid.nx + cx);
-            const PlaceRecord* end = source.places + (*source.start)[c + 1];
-            const PlaceRecord* p = std::lower_bound(source.places + (*source.start)[c], end, box.lo[2] - up,
-                                                    [](const PlaceRecord& a, std::int64_t z) { return a.z < z; });
-            for (; p < end && p->z <= box.hi[2] + up; p += 32) {
-                const std::uint32_t there = end - p < 32 ? (1u << (end - p)) - 1 : ~0u;
-                const Reached near = pass.reached(group, p, all_end, there);
-                if (near.within == 0) continue;
-                out.push_back({source.offset + static_cast<std::int32_t>(p - source.places), near.within,
-                               near.within & ~near.surely});
+/// Looks for a group's neighbours column by column, for one group after another up a column: then what was too low for
+/// one group is too low for the next, and no column is searched from its ends again.
+class Search {
+public:
+    Search(const ColumnGrid& grid, double reach, const Source& source)
+        : grid_(grid), source_(source), reach_(reach), cursors_(static_cast<std::size_t>(grid.count())) {}
+
+    /// What comes next is not above what came last.
+    void start_anew() { ++run_; }
+
+    /// Adds to `out` the places within reach of the group's particles.
+    void collect(const Bounds& box, const GroupReach& group, const Passes& pass, std::vector<NeighbourBlock>& out) {
+        const auto r = static_cast<std::int64_t>(std::ceil(reach_));
+        const int x0 = grid_.column_x(box.lo[0] - r), x1 = grid_.column_x(box.hi[0] + r),
+                  y1 = grid_.column_y(box.hi[1] + r);
+        const PlaceRecord* all_end = source_.places + source_.start->back();
+        for (int cy = grid_.column_y(box.lo[1] - r); cy <= y1; ++cy) {
+            const double gap_y = grid_.gap_y(cy, box.lo[1], box.hi[1]);
+            for (int cx = x0; cx <= x1; ++cx) {
+                const double gap_x = grid_.gap_x(cx, box.lo[0], box.hi[0]);
+                const double left2 = reach_ * reach_ - gap_x * gap_x - gap_y * gap_y;
+                if (left2 < 0) continue;
+                const auto up = static_cast<std::int64_t>(std::ceil(std::sqrt(left2)));
+                const auto c = static_cast<std::size_t>(cy * grid_.nx + cx);
+                const PlaceRecord* end = source_.places + (*source_.start)[c + 1];
+                const PlaceRecord* p = lowest(c, end, box.lo[2] - r);
+                while (p < end && p->z < box.lo[2] - up) ++p;
+                const std::int64_t top = box.hi[2] + up;
+                for (; p < end && p->z <= top; p += 32) {
+                    const int count = end - p < 32 ? static_cast<int>(end - p) : 32;
+                    const Reached near = pass.reached(group, p, all_end, count, top);
+                    if (near.far == 0) continue;
+                    out.push_back({source_.offset + static_cast<std::int32_t>(p - source_.places), near.now,
+                                   near.far & ~near.sure});
+                }
             }
         }
     }
-}
+
+private:
+    /// The column's first place not below z.
+    const PlaceRecord* lowest(std::size_t column, const PlaceRecord* end, std::int64_t z) {
+        Cursor& cursor = cursors_[column];
+        const PlaceRecord* p;
+        if (cursor.run == run_) {
+            p = source_.places + cursor.at;
+            while (p < end && p->z < z) ++p;
+        } else {
+            p = std::lower_bound(source_.places + (*source_.start)[column], end, z,
+                                 [](const PlaceRecord& a, std::int64_t b) { return a.z < b; });
+        }
+        cursor = {run_, static_cast<std::int32_t>(p - source_.places)};
+        return p;
+    }
+
+    struct Cursor {
+        std::int32_t run = 0, at = 0;
+    };
+    const ColumnGrid& grid_;
+    const Source& source_;
+    double reach_;
+    std::int32_t run_ = 0;
+    std::vector<Cursor> cursors_;
+};
 
 }  // namespace
 
 void NeighbourLists::build(const ColumnGrid& grid, const Quanta& quanta, const PlaceRecord* targets,
-                           std::vector<Group>& groups, const std::vector<Source>& sources, double reach, double sure,
+                           std::vector<Group>& groups, const std::vector<Source>& sources, const Reaches& reaches,
                            bool wall) {
     constexpr std::size_t per_chunk = 32;
     const std::size_t chunks = (groups.size() + per_chunk - 1) / per_chunk;
     chunks_.resize(chunks);
     const Passes& pass = passes();
-    const double reach_q = reach / quanta.size, sure_q = sure / quanta.size;
+    const Reaches in_quanta = reaches / quanta.size;
 #pragma omp parallel
     {
         std::vector<NeighbourBlock> scratch;
+        std::vector<Search> searches;
+        for (const Source& s : sources) searches.emplace_back(grid, in_quanta.far, s);
         std::int32_t sizes[per_chunk];
 #pragma omp for schedule(dynamic, 4)
         for (std::size_t k = 0; k < chunks; ++k) {
             scratch.clear();
             const std::size_t first = k * per_chunk, last = std::min(groups.size(), first + per_chunk);
+            int column = -1;
             for (std::size_t n = first; n < last; ++n) {
                 const std::size_t before = scratch.size();
+                if (const int own = grid.of(targets[groups[n].first]); own != column) {
+                    column = own;
+                    for (Search& s : searches) s.start_anew();
+                }
                 const Bounds box = bounds(targets, groups[n]);
-                const GroupReach group =
-                    pass.reach_of(targets, groups[n], static_cast<float>(reach_q), static_cast<float>(sure_q));
-                for (const Source& s : sources) collect(grid, box, group, reach_q, s, pass, scratch);
+                const GroupReach group = pass.reach_of(targets, groups[n], in_quanta);
+                for (Search& s : searches) s.collect(box, group, pass, scratch);
                 sizes[n - first] = static_cast<std::int32_t>(scratch.size() - before);
             }
             chunks_[k].assign(scratch.begin(), scratch.end());

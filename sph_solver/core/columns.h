@@ -64,10 +64,9 @@ struct Source {
 /// Storage of neighbour lists; groups point into it.
 class NeighbourLists {
 public:
-    /// For every group the indices of all source places within `reach` [m] of one of its particles; those within `sure`
-    /// [m] are not asked again when the lists are pruned. `wall`: fills wall_list.
+    /// For every group the indices of all source places within `reaches` [m]. `wall`: fills wall_list.
     void build(const ColumnGrid& grid, const Quanta& quanta, const PlaceRecord* targets, std::vector<Group>& groups,
-               const std::vector<Source>& sources, double reach, double sure, bool wall);
+               const std::vector<Source>& sources, const Reaches& reaches, bool wall);
     std::size_t bytes() const;
 
 private:

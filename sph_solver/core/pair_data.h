@@ -45,13 +45,18 @@ struct Group {
 /// the last particle. A group and its support are far below 2^22 quanta across: good to a millionth of the reach.
 struct alignas(64) GroupReach {
     float n[8], a[8], b[8], c[8];
-    std::int32_t x, y, z;  ///< the group's centre
-    float reach2;          ///< [quanta^2]
-    float sure2;           ///< of a shorter reach, of those who cannot leave soon [quanta^2]
+    std::int32_t x, y, z;       ///< the group's centre
+    float reach2, now2, sure2;  ///< of the reaches [quanta^2]
 };
 
+/// Who is on a list: within `far`, so that the list lasts a while; live at first: within `now`; never asked again:
+/// within `sure`, whence nobody leaves before the list is made anew. Lengths in whatever unit their user says.
+struct Reaches {
+    double far, now, sure;
+    Reaches operator/(double unit) const { return {far / unit, now / unit, sure / unit}; }
+};
 struct Reached {
-    std::uint32_t within, surely;
+    std::uint32_t far, now, sure;
 };
 
 /// Per-particle result of the gradient pass.
@@ -136,7 +141,7 @@ struct PruneData {
     const PlaceRecord* place = nullptr;  ///< those that the lists refer to
     NeighbourBlock* Group::*list = &Group::list;
     std::int32_t Group::*size = &Group::list_size;
-    float reach = 0;  ///< [quanta]
+    double reach = 0;  ///< [quanta]
 };
 
 struct VelocityData;
@@ -154,9 +159,11 @@ struct Passes {
     void (*forces)(const PassData&, const Group*,
                    int count);  ///< fills rate; rate.drho = density diffusion; shift along surfaces
     void (*extrapolate)(const ExtrapolateData&, const Group*, int count);
-    GroupReach (*reach_of)(const PlaceRecord* places, const Group&, float reach, float sure);
-    /// For every bit k of `wanted`: first[k] is within reach of a particle of the group. Reads no place from `end` on.
-    Reached (*reached)(const GroupReach&, const PlaceRecord* first, const PlaceRecord* end, std::uint32_t wanted);
+    GroupReach (*reach_of)(const PlaceRecord* places, const Group&, const Reaches& quanta);
+    /// Which of `count` <= 32 places sorted by z, those not above `top`, are within the reaches of a particle of the
+    /// group. Reads no place from `end` on.
+    Reached (*reached)(const GroupReach&, const PlaceRecord* first, const PlaceRecord* end, int count,
+                       std::int64_t top);
     // of the effects, see effects/passes.h
     void (*water_velocity)(const VelocityData&, const Group*, int count);
     void (*viscous_forces)(const ViscousData&, const Group*, int count);

@@ -220,7 +220,7 @@ void extrapolate(const ExtrapolateData& d, const Group* groups, int count) {
     }
 }
 
-GroupReach reach_of(const PlaceRecord* places, const Group& g, float reach, float sure) {
+GroupReach reach_of(const PlaceRecord* places, const Group& g, const Reaches& reaches) {
     GroupReach r;
     for (int l = 0; l < lanes; ++l) {
         const PlaceRecord& p = places[g.first + (l < g.size ? l : g.size - 1)];
@@ -230,8 +230,9 @@ GroupReach reach_of(const PlaceRecord* places, const Group& g, float reach, floa
         r.a[l] = -2 * x, r.b[l] = -2 * y, r.c[l] = -2 * z;
     }
     r.x = g.x, r.y = g.y, r.z = g.z;
-    r.reach2 = reach * reach * 1.000002f;
-    r.sure2 = sure > 0 ? sure * sure : 0;
+    r.reach2 = static_cast<float>(reaches.far * reaches.far) * 1.000002f;
+    r.now2 = static_cast<float>(reaches.now * reaches.now) * 1.000002f;
+    r.sure2 = static_cast<float>(reaches.sure > 0 ? reaches.sure * reaches.sure : 0);
     return r;
 }
 
@@ -263,10 +264,9 @@ inline F distance2(const GroupReach& g, const Places8& q) {
     return least + (x * x + y * y + z * z);
 }
 
-Reached reached(const GroupReach& g, const PlaceRecord* first, const PlaceRecord* end, std::uint32_t wanted) {
-    Reached r{0, 0};
-    for (int k = 0; k < 32 && wanted >> k != 0; k += 8) {
-        if ((wanted >> k & 0xffu) == 0) continue;
+Reached reached(const GroupReach& g, const PlaceRecord* first, const PlaceRecord* end, int count, std::int64_t top) {
+    Reached r{0, 0, 0};
+    for (int k = 0; k < count && first[k].z <= top; k += 8) {
         PlaceRecord last[8];
         const PlaceRecord* p = first + k;
         if (end - p < 8) {
@@ -275,10 +275,12 @@ Reached reached(const GroupReach& g, const PlaceRecord* first, const PlaceRecord
         }
         const I4* v = reinterpret_cast<const I4*>(p);
         const F d2 = distance2(g, transposed(v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7]));
-        r.within |= simd::bits_below(d2, g.reach2) << k;
-        r.surely |= simd::bits_below(d2, g.sure2) << k;
+        r.far |= simd::bits_below(d2, g.reach2) << k;
+        r.now |= simd::bits_below(d2, g.now2) << k;
+        r.sure |= simd::bits_below(d2, g.sure2) << k;
     }
-    return {r.within & wanted, r.surely & wanted};
+    const std::uint32_t there = count < 32 ? (1u << count) - 1 : ~0u;
+    return {r.far & there, r.now & there, r.sure & there};
 }
 
 /// Asks the doubtful places only, gathered from their blocks, and hands the answers back to the blocks' bits.
@@ -289,7 +291,7 @@ void prune(const PruneData& d, const Group* groups, int count) {
     for (int n = 0; n < count; ++n) {
         const Group& g = groups[n];
         if (g.*d.size == 0) continue;
-        const GroupReach own = reach_of(d.of, g, d.reach, 0);
+        const GroupReach own = reach_of(d.of, g, Reaches{0, d.reach, 0});
         const auto record = [&](int k) { return *reinterpret_cast<const I4*>(d.place + index[k]); };
         NeighbourBlock* const end = g.*d.list + g.*d.size;
         for (NeighbourBlock* block = g.*d.list; block != end;) {
@@ -302,7 +304,7 @@ void prune(const PruneData& d, const Group* groups, int count) {
                 within[k / 8] = static_cast<unsigned char>(simd::bits_below(
                     distance2(own, transposed(record(k), record(k + 1), record(k + 2), record(k + 3), record(k + 4),
                                               record(k + 5), record(k + 6), record(k + 7))),
-                    own.reach2));
+                    own.now2));
             int at = 0;
             for (NeighbourBlock* b = first; b != block; ++b) {
                 std::uint64_t answers;

@@ -42,7 +42,7 @@ void Interface::find_neighbours(const ColumnGrid& grid, const Quanta& quanta, co
     const PlaceRecord* place = other.pass.place;
     lists_.build(grid, quanta, own.pass.place, groups_,
                  {{place, &other.start, 0}, {place + other.count, &other.image_start, static_cast<int>(other.count)}},
-                 reach, reach, false);
+                 {reach, reach, reach}, false);
     std::erase_if(groups_, [](const Group& g) { return g.list_size == 0; });
     sums_.assign(own.count, {});
 }

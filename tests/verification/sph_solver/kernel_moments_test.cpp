@@ -75,7 +75,7 @@ Sweep sweep(const std::vector<Vec3>& unsorted, double h_over_dp, Field f) {
     std::vector<Group> groups;
     make_groups(sorted, start, 0, groups);
     NeighbourLists lists;
-    lists.build(grid, quanta, sorted.data(), groups, {{sorted.data(), &start, 0}}, 2 * h, 2 * h, false);
+    lists.build(grid, quanta, sorted.data(), groups, {{sorted.data(), &start, 0}}, {2 * h, 2 * h, 2 * h}, false);
     r.stress.resize(sorted.size());
     r.shift.resize(sorted.size());
     std::vector<RateRecord> rate(sorted.size());
