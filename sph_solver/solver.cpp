@@ -21,9 +21,9 @@ Solver::Solver(SolverSetup setup, const Fluid& fluid)
     h_ = s.h_over_dp * s.dp;
     kernel_ = Kernel(h_, s.dimensions);
     mass_ = s.rho0 * std::pow(s.dp, s.dimensions);
-    quanta_.size = s.dp / (1 << 18);
-    quanta_.origin = (s.domain.min + s.domain.max) / 2;
-    if (s.dimensions == 2) quanta_.origin.y() = 0;
+    Vec3 middle = (s.domain.min + s.domain.max) / 2;
+    if (s.dimensions == 2) middle.y() = 0;
+    quanta_ = Quanta(middle, s.dp / (1 << 18));
     if (s.domain.size().maxCoeff() > quanta_.reach())
         throw InputError(fmt::format("the domain is {:.3g} spacings long; at most 8000 are possible in one run",
                                      s.domain.size().maxCoeff() / s.dp));

@@ -248,9 +248,9 @@ void Solver::move(double dt, double drifted, double drift) {
                     p.drho[i] = static_cast<float>(p.drho[i] + dt * r.drho);
                     if (s.shifting > 0 && shift_[i].support > s.shifting_support) {
                         shift = shift_scale * Vec3(shift_[i].x, shift_[i].y, shift_[i].z);
-                        const double length = shift.norm();
-                        if (length > shift_cap) shift *= shift_cap / length;
-                        part.shift2 = std::max(part.shift2, shift.squaredNorm());
+                        const double length2 = shift.squaredNorm();
+                        if (length2 > shift_cap * shift_cap) shift *= shift_cap / std::sqrt(length2);
+                        part.shift2 = std::max(part.shift2, std::min(length2, shift_cap * shift_cap));
                     }
                     break;
                 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -7,12 +8,15 @@
 
 namespace tw {
 
-/// Positions as integers: quanta of dp / 2^18 from `origin`, so that differences are exact in every pair.
+/// Positions as integers: quanta from `origin`, dp / 2^18 in the solver, so that differences are exact in every pair.
 struct Quanta {
     Vec3 origin = Vec3::Zero();
-    double size = 1;  ///< [m]
+    double size = 1;       ///< [m]
+    double per_metre = 1;  ///< 1 / size
+    Quanta() = default;
+    Quanta(const Vec3& at, double metres) : origin(at), size(metres), per_metre(1 / metres) {}
     std::int32_t of(double x, int axis) const {
-        return static_cast<std::int32_t>(std::llround((x - origin[axis]) / size));
+        return static_cast<std::int32_t>(std::lrint((x - origin[axis]) * per_metre));
     }
     /// Half of the range that 32 bits hold [m].
     double reach() const { return size * 2147483000.0; }

@@ -65,8 +65,7 @@ TEST(Mirrors, ACornerParticleHasSevenImages) {
 
 TEST(Mirrors, AnImageIsAsFarBehindThePlaneAndMovesAgainstIt) {
     const Box domain{Vec3(-1, 0, -1), Vec3(1, 1, 1)};
-    Quanta quanta;
-    quanta.size = 1e-6;
+    const Quanta quanta(Vec3::Zero(), 1e-6);
     const MirrorPlanes planes(domain, quanta);
     const MirrorImage low_y{0, 1 << 3};
     const PlaceRecord image = planes.place({100000, 250000, -3, 1}, low_y);

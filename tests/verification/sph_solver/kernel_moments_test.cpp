@@ -54,8 +54,7 @@ struct Sweep {
 template <class Field>
 Sweep sweep(const std::vector<Vec3>& unsorted, double h_over_dp, Field f) {
     const double h = h_over_dp * dp;
-    Quanta quanta;
-    quanta.size = dp / (1 << 18);
+    const Quanta quanta(Vec3::Zero(), dp / (1 << 18));
     const Box area{Vec3(-dp, -dp, -dp), Vec3::Constant(n * dp + dp)};
     const ColumnGrid grid(area, dp, 2, quanta);
     const Kernel kernel(h, 2);
