@@ -38,6 +38,7 @@ Solver::Solver(SolverSetup setup, const Fluid& fluid)
     mirror_planes_.emplace(s.domain, quanta_);
     grid_ = ColumnGrid(area, s.dp, s.dimensions, quanta_);
 
+    particles_.for_each_array([&](auto& array) { array.reserve(fluid.places.size()); });
     for (std::size_t k = 0; k < fluid.places.size(); ++k) {
         const Vec3& p = fluid.places[k];
         const double depth_pressure = s.rho0 * s.gravity.norm() * fluid.depth[k];
