@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <random>
 
 #include "base/errors.h"
@@ -165,18 +166,73 @@ TEST(Engine, AFreeBlobKeepsItsMomentumWhateverItsParticlesDo) {
     EXPECT_LT((momentum() - before).norm(), 2e-6 * before.norm() * 100);  // rounding of single precision, step by step
 }
 
-TEST(Engine, EveryInstructionSetGivesTheSameForces) {
-    if (!__builtin_cpu_supports("x86-64-v3")) GTEST_SKIP() << "this processor has only the baseline";
-    std::vector<double> lifts;
+/// Calls `run` once for each instruction set that this processor has.
+void with_every_instruction_set(const std::function<void()>& run) {
     for (const char* isa : {"baseline", "avx2", "avx512"}) {
+        if (std::string(isa) == "avx2" && !__builtin_cpu_supports("x86-64-v3")) continue;
         if (std::string(isa) == "avx512" && !__builtin_cpu_supports("x86-64-v4")) continue;
         setenv("TWINWAKE_ISA", isa, 1);
-        Solver solver(stream(), stream_water(stream()));
+        run();
         unsetenv("TWINWAKE_ISA");
+    }
+}
+
+TEST(Engine, EveryInstructionSetGivesTheSameForces) {
+    std::vector<double> lifts;
+    with_every_instruction_set([&] {
+        Solver solver(stream(), stream_water(stream()));
         for (int k = 0; k < 5; ++k) solver.step();
         lifts.push_back(solver.load().force.z());
-    }
+    });
     for (double lift : lifts) EXPECT_NEAR(lift, lifts.front(), 1e-4 * std::abs(lifts.front()));
+}
+
+TEST(Engine, EveryInstructionSetGivesTheSameEffects) {
+    struct Case {
+        const char* name;
+        SolverSetup setup;
+        Fluid water;
+        EffectOptions effects;
+    };
+    Case cases[] = {{"viscosity", stream(), stream_water(stream()), {}},
+                    {"turbulence", stream(), stream_water(stream()), {}},
+                    {"surface tension", tank(), column(tank()), {}}};
+    cases[0].effects.viscosity = Viscosity{0.5, true, {}};
+    cases[1].effects.viscosity = Viscosity{1e-3, true, EddyViscosity{5}};
+    cases[2].effects.surface_tension = SurfaceTension{500};
+    for (const Case& c : cases) {
+        std::vector<double> changes;  // of the velocities, by the effect, summed without regard to sign
+        with_every_instruction_set([&] {
+            SolverSetup s = c.setup;
+            Solver without(s, c.water);
+            s.effects = c.effects;
+            Solver with(s, c.water);
+            for (int k = 0; k < 5; ++k) without.step(), with.step();
+            const Particles &a = without.particles(), &b = with.particles();
+            changes.push_back(0);
+            for (std::size_t i = 0; i < a.size(); ++i)
+                changes.back() +=
+                    double(std::abs(b.u[i] - a.u[i]) + std::abs(b.v[i] - a.v[i]) + std::abs(b.w[i] - a.w[i]));
+        });
+        EXPECT_GT(changes.front(), 0.1) << c.name;
+        for (const double change : changes) EXPECT_NEAR(change, changes.front(), 0.01 * changes.front()) << c.name;
+    }
+}
+
+TEST(Engine, EveryInstructionSetGivesTheSameAir) {
+    SolverSetup s = tank();
+    s.mirrors.on[2][1] = true;
+    const std::vector<Box> falling{{Vec3(0, 0, 0), Vec3(0.5, 0.3, 0.6)}};
+    std::vector<double> speeds;  // of the air that the column drives, summed
+    with_every_instruction_set([&] {
+        Solver solver(s, fill_with_fluid(s, falling));
+        solver.add_air({}, fill_with_air(s, falling));
+        while (solver.time() < 0.05) solver.step();
+        speeds.push_back(0);
+        for (const float u : solver.air()->particles().u) speeds.back() += double(std::abs(u));
+    });
+    EXPECT_GT(speeds.front(), 1);
+    for (const double speed : speeds) EXPECT_NEAR(speed, speeds.front(), 0.01 * speeds.front());
 }
 
 TEST(Engine, ASoundSpeedThatIsTooLowStopsTheRunWithPlaceAndReason) {

@@ -1,0 +1,109 @@
+// Neighbour lists against distances found one by one.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "sph_solver/core/columns.h"
+
+namespace tw {
+namespace {
+
+/// A cloud without any order, sorted and grouped as the solver does: some columns tall, some empty.
+struct Cloud {
+    double dp = 0.1;
+    Quanta quanta{Vec3(0.3, 0.2, 0.5), 0.1 / (1 << 18)};
+    ColumnGrid grid{Box{Vec3(0.2, 0.2, 0), Vec3(1.1, 0.8, 1.5)}, 0.1, 3, quanta};  // smaller than the cloud
+    std::vector<PlaceRecord> places;
+    std::vector<std::int32_t> start;
+    std::vector<Group> groups;
+
+    Cloud() {
+        std::mt19937 random(5);
+        std::uniform_real_distribution<double> along(0, 1.2), height(0, 1);
+        std::vector<PlaceRecord> raw;
+        for (int k = 0; k < 1500; ++k) {
+            const double x = along(random), y = along(random), top = x < 0.5 ? 2 : 0.4;
+            raw.push_back({quanta.of(x, 0), quanta.of(y, 1), quanta.of(top * height(random), 2), 1});
+        }
+        std::vector<std::int32_t> order;
+        sort_by_column(grid, raw, 0, raw.size(), order, start);
+        for (const std::int32_t k : order) places.push_back(raw[static_cast<std::size_t>(k)]);
+        make_groups(places, start, 0, groups);
+    }
+    /// Of place k from the nearest particle of the group [m].
+    double distance(const Group& g, std::size_t k) const {
+        double least = 1e30;
+        for (std::int32_t i = g.first; i < g.first + g.size; ++i) {
+            const PlaceRecord &a = places[static_cast<std::size_t>(i)], &b = places[k];
+            least = std::min(least, std::hypot(double(a.x) - b.x, double(a.y) - b.y, double(a.z) - b.z));
+        }
+        return least * quanta.size;
+    }
+};
+
+/// What a list says of every place: 0 not on it or not asked, 1 live, 2 doubtful, 3 both.
+std::vector<int> said_of_places(const Group& g, std::size_t places) {
+    std::vector<int> said(places, 0);
+    for (const NeighbourBlock* b = g.list; b != g.list + g.list_size; ++b)
+        for (std::size_t bit = 0; bit < 32; ++bit)
+            if (const std::size_t k = static_cast<std::size_t>(b->first) + bit; (b->live | b->maybe) >> bit & 1u) {
+                EXPECT_LT(k, places);
+                EXPECT_EQ(said[k], 0) << "twice on the list";
+                said[k] = static_cast<int>(b->live >> bit & 1u) + 2 * static_cast<int>(b->maybe >> bit & 1u);
+            }
+    return said;
+}
+
+TEST(NeighbourLists, HoldWhoeverIsWithinReachAndNobodyElse) {
+    Cloud cloud;
+    const Reaches reaches{0.36, 0.31, 0.24};
+    NeighbourLists lists;
+    lists.build(cloud.grid, cloud.quanta, cloud.places.data(), cloud.groups, {{cloud.places.data(), &cloud.start, 0}},
+                reaches, false);
+    const double rounding = 1e-5;
+    int seen = 0;
+    for (const Group& g : cloud.groups) {
+        const std::vector<int> said = said_of_places(g, cloud.places.size());
+        for (std::size_t k = 0; k < said.size(); ++k) {
+            const double d = cloud.distance(g, k);
+            const bool at_a_limit = std::abs(d / reaches.far - 1) < rounding ||
+                                    std::abs(d / reaches.now - 1) < rounding ||
+                                    std::abs(d / reaches.sure - 1) < rounding;
+            if (at_a_limit) continue;
+            EXPECT_EQ(said[k] & 1, d < reaches.now) << d;
+            EXPECT_EQ(said[k] >> 1, d < reaches.far && d > reaches.sure) << d;
+            seen += said[k] != 0;
+        }
+    }
+    EXPECT_GT(seen, 10000);
+}
+
+TEST(NeighbourLists, PrunedAfterAMoveHoldWhoeverIsWithinReachThen) {
+    Cloud cloud;
+    const double support = 0.3, skin = 0.06;
+    NeighbourLists lists;
+    lists.build(cloud.grid, cloud.quanta, cloud.places.data(), cloud.groups, {{cloud.places.data(), &cloud.start, 0}},
+                {support + skin, support, support - skin}, false);
+    std::mt19937 random(6);
+    std::uniform_real_distribution<double> move(-0.017, 0.017);  // a distance changes by less than the skin
+    for (PlaceRecord& p : cloud.places)
+        for (std::int32_t* x : {&p.x, &p.y, &p.z}) *x += static_cast<std::int32_t>(move(random) / cloud.quanta.size);
+    PruneData d;
+    d.of = d.place = cloud.places.data();
+    d.reach = support / cloud.quanta.size;
+    passes().prune(d, cloud.groups.data(), static_cast<int>(cloud.groups.size()));
+    int came_or_went = 0;
+    for (const Group& g : cloud.groups) {
+        const std::vector<int> said = said_of_places(g, cloud.places.size());
+        for (std::size_t k = 0; k < said.size(); ++k)
+            if (const double distance = cloud.distance(g, k); std::abs(distance / support - 1) > 1e-5) {
+                EXPECT_EQ(said[k] & 1, distance < support) << distance;
+                came_or_went += said[k] == 2 || said[k] == 3;
+            }
+    }
+    EXPECT_GT(came_or_went, 1000);
+}
+
+}  // namespace
+}  // namespace tw
