@@ -108,8 +108,10 @@ void Solver::rebuild(double drift) {
 
     // mirror images, sorted the same way
     const double support = kernel_.support(), skin = skin_over_dp * s.dp, wall_skin = wall_skin_over_dp * s.dp;
-    const Reaches among{support + skin, reach_among(drift), support - skin},
-        to_walls{support + wall_skin, reach_to_walls(drift), support - wall_skin};
+    const auto reaches = [&](double now, double slack) {
+        return Reaches{std::max(support + slack, now), now, support - slack};
+    };
+    const Reaches among = reaches(reach_among(drift), skin), to_walls = reaches(reach_to_walls(drift), wall_skin);
     images_ = make_mirror_images(s.mirrors, s.domain, p, std::max(among.far, to_walls.far));
     std::vector<PlaceRecord> image_places(images_.size());
     for (std::size_t k = 0; k < images_.size(); ++k) {

@@ -190,7 +190,7 @@ void Solver::first_sweep(double t, double compress, double drift) {
         float& drho = p.drho[i];
         if (p.kind[i] == Kind::fluid) drho += static_cast<float>(compress * rate_[i].drho);
         // the free surface bears no tension (its density is not let below rho0)
-        if (p.kind[i] == Kind::fluid && drho < 0 && at_surface(i)) drho = 0;
+        if (p.kind[i] == Kind::fluid && drho < 0 && lacks_support(i)) drho = 0;
         motion_[i].drho = drho;
         stress_[i].p = s.state_equation.pressure(s.rho0, drho);
         if (drift > 0) drift_freely(i);
@@ -206,7 +206,8 @@ void Solver::mark_surface() {
     for (std::size_t word = 0; word < surface_.size(); ++word) {
         std::uint32_t bits = 0;
         for (std::size_t i = 32 * word; i < std::min(all, 32 * word + 32); ++i)
-            bits |= std::uint32_t{at_surface(i < n ? i : static_cast<std::size_t>(images_[i - n].source))} << (i % 32);
+            bits |= std::uint32_t{lacks_support(i < n ? i : static_cast<std::size_t>(images_[i - n].source))}
+                    << (i % 32);
         surface_[word] = bits;
     }
 }

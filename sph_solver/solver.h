@@ -199,11 +199,9 @@ private:
                         std::vector<float>& support, float* flux) const;
     /// Makes the lists anew, live as `prune` leaves them.
     void rebuild(double drift);
-    /// So far a neighbour may be now to be within the support after `drift` [s] with the present velocities [m].
+    /// Distance from which a neighbour may come within the support during `drift` [s] [m]; walls stand still.
     double reach_among(double drift) const { return kernel_.support() + 2 * drift * relative_speed_; }
-    double reach_to_walls(double drift) const {
-        return kernel_.support() + drift * extremes_.speed;
-    }  ///< they stand still
+    double reach_to_walls(double drift) const { return kernel_.support() + drift * extremes_.speed; }
     /// Leaves in the lists who is within reach now, or may be after `drift` [s] with the present velocities.
     void prune(double drift);
     std::vector<char> cross_open_boundaries();
@@ -213,7 +211,7 @@ private:
         return {quanta_.of(p.x[i], 0), quanta_.of(p.y[i], 1), quanta_.of(p.z[i], 2),
                 static_cast<float>(mass_) / (static_cast<float>(setup_.rho0) + p.drho[i])};
     }
-    bool at_surface(std::size_t i) const { return shift_[i].support < setup_.surface_support; }
+    bool lacks_support(std::size_t i) const { return shift_[i].support < setup_.surface_support; }
     void mark_surface();
     void update_records();
     /// Images of places and motions; `stress`: of all that the first sweep found, too.

@@ -87,7 +87,7 @@ void Solver::step_kick_drift_kick() {
 /// Explicit Runge-Kutta: every stage starts anew from the step's begin with the rates of the stage before, and the step
 /// is made with the weighted mean of all. The load is that mean too.
 void Solver::step_in_stages(std::span<const Stage> stages, bool freeze_diffusion) {
-    if (rebuild_due_) rebuild(0);
+    if (rebuild_due_) rebuild(dt_);
     Particles& p = particles_;
     const std::size_t n = p.size();
     stages_.compression.resize(n);

@@ -164,12 +164,13 @@ void NeighbourLists::build(const ColumnGrid& grid, const Quanta& quanta, const P
 #pragma omp parallel
     {
         std::vector<NeighbourBlock> scratch;
-        std::vector<Search> searches;
-        for (const Source& s : sources) searches.emplace_back(grid, in_quanta.far, s);
+        std::vector<Search> searches;  // made by threads that get something to do
         std::int32_t sizes[per_chunk];
 #pragma omp for schedule(dynamic, 4)
         for (std::size_t k = 0; k < chunks; ++k) {
             scratch.clear();
+            if (searches.empty())
+                for (const Source& s : sources) searches.emplace_back(grid, in_quanta.far, s);
             const std::size_t first = k * per_chunk, last = std::min(groups.size(), first + per_chunk);
             int column = -1;
             for (std::size_t n = first; n < last; ++n) {

@@ -42,15 +42,16 @@ struct Group {
 
 /// What tells whether a place x is within reach of a group's particles x_l, all relative to its centre [quanta]:
 /// |x - x_l|^2 = |x|^2 + (n_l + a_l x + b_l y + c_l z), n = |x_l|^2, (a, b, c) = -2 x_l. Lanes beyond its size repeat
-/// the last particle. A group and its support are far below 2^22 quanta across: good to a millionth of the reach.
+/// the last particle. Good to a millionth of the reach for a group of water; spray may stand hundreds of spacings apart
+/// in one group, and then who is at the reach's rim, where the kernel vanishes, is known to 1e-4 of it only.
 struct alignas(64) GroupReach {
     float n[8], a[8], b[8], c[8];
-    std::int32_t x, y, z;       ///< the group's centre
-    float reach2, now2, sure2;  ///< of the reaches [quanta^2]
+    std::int32_t x, y, z;     ///< the group's centre
+    float far2, now2, sure2;  ///< squared reaches [quanta^2]
 };
 
 /// Who is on a list: within `far`, so that the list lasts a while; live at first: within `now`; never asked again:
-/// within `sure`, whence nobody leaves before the list is made anew. Lengths in whatever unit their user says.
+/// within `sure`, because nobody goes so far before the list is made anew. Lengths in whatever unit their user says.
 struct Reaches {
     double far, now, sure;
     Reaches operator/(double unit) const { return {far / unit, now / unit, sure / unit}; }

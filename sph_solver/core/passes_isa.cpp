@@ -230,7 +230,7 @@ GroupReach reach_of(const PlaceRecord* places, const Group& g, const Reaches& re
         r.a[l] = -2 * x, r.b[l] = -2 * y, r.c[l] = -2 * z;
     }
     r.x = g.x, r.y = g.y, r.z = g.z;
-    r.reach2 = static_cast<float>(reaches.far * reaches.far) * 1.000002f;
+    r.far2 = static_cast<float>(reaches.far * reaches.far) * 1.000002f;
     r.now2 = static_cast<float>(reaches.now * reaches.now) * 1.000002f;
     r.sure2 = static_cast<float>(reaches.sure > 0 ? reaches.sure * reaches.sure : 0);
     return r;
@@ -275,7 +275,7 @@ Reached reached(const GroupReach& g, const PlaceRecord* first, const PlaceRecord
         }
         const I4* v = reinterpret_cast<const I4*>(p);
         const F d2 = distance2(g, transposed(v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7]));
-        r.far |= simd::bits_below(d2, g.reach2) << k;
+        r.far |= simd::bits_below(d2, g.far2) << k;
         r.now |= simd::bits_below(d2, g.now2) << k;
         r.sure |= simd::bits_below(d2, g.sure2) << k;
     }
@@ -299,6 +299,7 @@ void prune(const PruneData& d, const Group* groups, int count) {
             int doubtful = 0;
             for (; block != end && doubtful <= capacity - 32; ++block)
                 doubtful = simd::append_set_bits(block->first, block->maybe, index, doubtful);
+            if (doubtful == 0) continue;
             for (int k = 0; k < 7; ++k) index[doubtful + k] = index[0];
             for (int k = 0; k < doubtful; k += 8)
                 within[k / 8] = static_cast<unsigned char>(simd::bits_below(

@@ -3,8 +3,11 @@
 // whatever the compiler makes of it. The pair terms are written against `Real` and never see this.
 //
 // Why eight where AVX-512 has sixteen: a group is visited by every neighbour of any of its particles, and a larger
-// group has more of those in vain (108 useful pairs a particle of 297 visited at h/dp = 1.5, of 367 with sixteen).
-// Processors that make a 512-bit operation of two halves lose by it; see README, "Speed".
+// group has more of those in vain (113 useful pairs a particle; lists with a slack of 0.2 dp hold 297 at h/dp = 1.5,
+// and 367 with sixteen). Processors that make a 512-bit operation of two halves lose by it; see README, "Memory and
+// speed".
+//
+// Static: what is compiled for one instruction set must not serve another.
 #include <cmath>
 #include <cstdint>
 #if defined(__x86_64__)
@@ -17,38 +20,38 @@ inline constexpr int lanes = 8;
 typedef float F __attribute__((vector_size(4 * lanes)));
 
 #if defined(__AVX__)
-inline F sqrt(F x) { return (F)_mm256_sqrt_ps((__m256)x); }
-inline F positive_part(F x) { return (F)_mm256_max_ps((__m256)x, _mm256_setzero_ps()); }
-inline F min(F x, F y) { return (F)_mm256_min_ps((__m256)x, (__m256)y); }
-inline std::uint32_t bits_below(F x, float limit) {
+static inline F sqrt(F x) { return (F)_mm256_sqrt_ps((__m256)x); }
+static inline F positive_part(F x) { return (F)_mm256_max_ps((__m256)x, _mm256_setzero_ps()); }
+static inline F min(F x, F y) { return (F)_mm256_min_ps((__m256)x, (__m256)y); }
+static inline std::uint32_t bits_below(F x, float limit) {
     return static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps((__m256)x, _mm256_set1_ps(limit), _CMP_LT_OQ)));
 }
 #elif defined(__SSE__)
 typedef __m128 Register;
-inline Register sqrt(Register x) { return _mm_sqrt_ps(x); }
-inline Register positive_part(Register x) { return _mm_max_ps(x, _mm_setzero_ps()); }
-inline int below(Register x, float limit) { return _mm_movemask_ps(_mm_cmplt_ps(x, _mm_set1_ps(limit))); }
+static inline Register sqrt(Register x) { return _mm_sqrt_ps(x); }
+static inline Register positive_part(Register x) { return _mm_max_ps(x, _mm_setzero_ps()); }
+static inline int below(Register x, float limit) { return _mm_movemask_ps(_mm_cmplt_ps(x, _mm_set1_ps(limit))); }
 union Parts {
     F whole;
     Register part[sizeof(F) / sizeof(Register)];
 };
-inline F sqrt(F x) {
+static inline F sqrt(F x) {
     Parts u{x};
     for (auto& p : u.part) p = sqrt(p);
     return u.whole;
 }
-inline F positive_part(F x) {
+static inline F positive_part(F x) {
     Parts u{x};
     for (auto& p : u.part) p = positive_part(p);
     return u.whole;
 }
-inline F min(F x, F y) {
+static inline F min(F x, F y) {
     Parts u{x};
     const Parts v{y};
     for (unsigned k = 0; k < sizeof(F) / sizeof(Register); ++k) u.part[k] = _mm_min_ps(u.part[k], v.part[k]);
     return u.whole;
 }
-inline std::uint32_t bits_below(F x, float limit) {
+static inline std::uint32_t bits_below(F x, float limit) {
     const Parts u{x};
     std::uint32_t bits = 0;
     for (unsigned k = 0; k < sizeof(F) / sizeof(Register); ++k)
@@ -56,19 +59,19 @@ inline std::uint32_t bits_below(F x, float limit) {
     return bits;
 }
 #else
-inline F sqrt(F x) {
+static inline F sqrt(F x) {
     for (int l = 0; l < lanes; ++l) x[l] = std::sqrt(x[l]);
     return x;
 }
-inline F positive_part(F x) {
+static inline F positive_part(F x) {
     for (int l = 0; l < lanes; ++l) x[l] = x[l] > 0 ? x[l] : 0;
     return x;
 }
-inline F min(F x, F y) {
+static inline F min(F x, F y) {
     for (int l = 0; l < lanes; ++l) x[l] = x[l] < y[l] ? x[l] : y[l];
     return x;
 }
-inline std::uint32_t bits_below(F x, float limit) {
+static inline std::uint32_t bits_below(F x, float limit) {
     std::uint32_t bits = 0;
     for (int l = 0; l < lanes; ++l) bits |= (x[l] < limit ? 1u : 0u) << l;
     return bits;
@@ -77,7 +80,7 @@ inline std::uint32_t bits_below(F x, float limit) {
 /// bits_below: bit l is set where lane l is below the limit.
 /// append_set_bits: writes first + k for every set bit k of the mask to out[n...], ascending; returns the new n. May
 /// write (and leave rubbish in) up to 16 entries beyond.
-inline int append_set_bits(std::int32_t first, std::uint32_t mask, std::int32_t* out, int n) {
+static inline int append_set_bits(std::int32_t first, std::uint32_t mask, std::int32_t* out, int n) {
 #if defined(__AVX512F__)
     const __m512i step = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
     for (int half = 0; half < 2; ++half) {
@@ -93,7 +96,7 @@ inline int append_set_bits(std::int32_t first, std::uint32_t mask, std::int32_t*
 }
 
 /// The lowest bits of `bits` at the places of the mask's set bits.
-inline std::uint32_t deposit_bits(std::uint32_t bits, std::uint32_t mask) {
+static inline std::uint32_t deposit_bits(std::uint32_t bits, std::uint32_t mask) {
 #if defined(__BMI2__)
     return _pdep_u32(bits, mask);
 #else
@@ -104,7 +107,7 @@ inline std::uint32_t deposit_bits(std::uint32_t bits, std::uint32_t mask) {
 #endif
 }
 
-inline float sqrt(float x) { return std::sqrt(x); }
-inline float positive_part(float x) { return x > 0 ? x : 0; }
+static inline float sqrt(float x) { return std::sqrt(x); }
+static inline float positive_part(float x) { return x > 0 ? x : 0; }
 
 }  // namespace tw::simd

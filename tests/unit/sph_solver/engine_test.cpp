@@ -166,6 +166,7 @@ TEST(Engine, AFreeBlobKeepsItsMomentumWhateverItsParticlesDo) {
     EXPECT_LT((momentum() - before).norm(), 2e-6 * before.norm() * 100);  // rounding of single precision, step by step
 }
 
+bool has_only_the_baseline() { return !__builtin_cpu_supports("x86-64-v3"); }
 /// Calls `run` once for each instruction set that this processor has.
 void with_every_instruction_set(const std::function<void()>& run) {
     for (const char* isa : {"baseline", "avx2", "avx512"}) {
@@ -178,6 +179,7 @@ void with_every_instruction_set(const std::function<void()>& run) {
 }
 
 TEST(Engine, EveryInstructionSetGivesTheSameForces) {
+    if (has_only_the_baseline()) GTEST_SKIP() << "this processor has only the baseline";
     std::vector<double> lifts;
     with_every_instruction_set([&] {
         Solver solver(stream(), stream_water(stream()));
@@ -188,6 +190,7 @@ TEST(Engine, EveryInstructionSetGivesTheSameForces) {
 }
 
 TEST(Engine, EveryInstructionSetGivesTheSameEffects) {
+    if (has_only_the_baseline()) GTEST_SKIP() << "this processor has only the baseline";
     struct Case {
         const char* name;
         SolverSetup setup;
@@ -220,6 +223,7 @@ TEST(Engine, EveryInstructionSetGivesTheSameEffects) {
 }
 
 TEST(Engine, EveryInstructionSetGivesTheSameAir) {
+    if (has_only_the_baseline()) GTEST_SKIP() << "this processor has only the baseline";
     SolverSetup s = tank();
     s.mirrors.on[2][1] = true;
     const std::vector<Box> falling{{Vec3(0, 0, 0), Vec3(0.5, 0.3, 0.6)}};

@@ -48,7 +48,10 @@ std::vector<int> said_of_places(const Group& g, std::size_t places) {
     for (const NeighbourBlock* b = g.list; b != g.list + g.list_size; ++b)
         for (std::size_t bit = 0; bit < 32; ++bit)
             if (const std::size_t k = static_cast<std::size_t>(b->first) + bit; (b->live | b->maybe) >> bit & 1u) {
-                EXPECT_LT(k, places);
+                if (k >= places) {
+                    ADD_FAILURE() << "no such place";
+                    continue;
+                }
                 EXPECT_EQ(said[k], 0) << "twice on the list";
                 said[k] = static_cast<int>(b->live >> bit & 1u) + 2 * static_cast<int>(b->maybe >> bit & 1u);
             }
