@@ -113,7 +113,7 @@ EffectChoice plan_viscosity(const Scene& scene, const Asked& asked, const Number
     } else {
         c.influence = influence("wall friction", "none", "fronts on dry floors run ahead without it (measured: 14 %)");
     }
-    c.cost = 0.22;
+    c.cost = 0.20;
     return c;
 }
 
@@ -131,7 +131,7 @@ EffectChoice plan_turbulence(const Asked& asked, const EffectChoice& viscosity, 
                            c.on ? "; Smagorinsky among particles, k-omega SST in the mesh: the closures differ" : "");
     c.influence = influence("4 % of the pressure drag (measured on a planing hull, air at the transom)",
                             "0.7 % (the same)", "not measured");
-    c.cost = 0.36;
+    c.cost = 0.37;
     return c;
 }
 
@@ -146,7 +146,7 @@ EffectChoice plan_surface_tension(const Scene& scene, const Asked& asked, const 
     c.influence = influence(
         share, share,
         fmt::format("drops below {:.2g} m would be held together", 12 * scene.water.surface_tension / (2 * n.head)));
-    c.cost = 0.2;
+    c.cost = 0.23;
     return c;
 }
 
@@ -222,7 +222,7 @@ EffectChoice plan_acoustic_damping(const Scene& scene, const Asked& asked) {
         "on demand",
         scene.sph.acoustic_damper);
     c.influence = influence("none in the mean", "none in the mean", "none", "peak pressures fall, impulses stay");
-    c.cost = 0.03;
+    c.cost = 0.01;
     return c;
 }
 
@@ -236,7 +236,7 @@ EffectChoice plan_cavitation(const Asked& asked, const Numbers& n) {
                       ? influence("none", "none", "none")
                       : influence("limits suction behind steps and edges", "the same", "none",
                                   c.on ? "only the particle side solves it" : "see the record's lowest pressure");
-    c.cost = 0.03;
+    c.cost = 0.01;
     return c;
 }
 
