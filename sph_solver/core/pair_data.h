@@ -100,8 +100,8 @@ struct PassData {
     const PlaceRecord* wall_place = nullptr;
     const float* wall_p = nullptr;
     const NormalRecord* normal = nullptr;
-    const std::uint32_t* surface =
-        nullptr;  ///< bit i % 32 of word i / 32: place i is at the free surface; one word more
+    /// Bit i % 32 of word i / 32: place i is at the free surface. One word more than that at the end.
+    const std::uint32_t* surface = nullptr;
     ShiftRecord* shift = nullptr;
     RateRecord* rate = nullptr;
     WallLoad* wall_load = nullptr;
