@@ -12,53 +12,35 @@ namespace {
 ///   <grad rho>_i = L_i sum_j (rho_j - rho_i) grad W_ij V_j,   L_i^-1 = sum_j r_ji (x) grad W_ij V_j
 /// Slip wall: the wall's velocity in the continuity sum is u_i - (u_i . n_i) n_i with the exterior normal n_i at the
 /// fluid particle, so u_i - u_wall = (u_i . n_i) n_i.
-struct GradientSums {
-    const MotionRecord* motion;
-    ShiftWeight weight;
-    V3<F> u;
-    F drho_i;
-    F m[6] = {}, divergence{}, support{};
-    V3<F> b{F{}, F{}, F{}}, s{F{}, F{}, F{}};
-
-    void operator()(std::int32_t j, const Met& ij) {
-        weight.count_in(ij, support, s);
-        const V3<F>& r = ij.r_ji;
-        const V3<F> f = ij.gradient();
-        m[0] += f.x * r.x;
-        m[1] += f.x * r.y;
-        m[2] += f.x * r.z;
-        m[3] += f.y * r.y;
-        m[4] += f.y * r.z;
-        m[5] += f.z * r.z;
-        const MotionRecord& mj = motion[j];
-        Continuity::add(f, V3<F>{u.x - mj.u, u.y - mj.v, u.z - mj.w}, divergence);
-        const F jump = mj.drho - drho_i;
-        b.x += jump * f.x;
-        b.y += jump * f.y;
-        b.z += jump * f.z;
-    }
-};
 void continuity_and_gradient(const PassData& d, const Group* groups, int count) {
     const Frame frame = frame_of(d.kernel, d.quantum);
     const ShiftWeight weight(d);
     for (int n = 0; n < count; ++n) {
         const Group& g = groups[n];
         const Lanes a = load_places(d.place, g, frame);
-        V3<F> u{}, n_i{F{}, F{}, F{}};
+        const V3<F> u = velocities(d, g);
+        V3<F> n_i{F{}, F{}, F{}};
         F drho_i{};
-        for (int l = 0; l < lanes; ++l) {
-            const MotionRecord& r = d.motion[g.first + (l < g.size ? l : g.size - 1)];
-            u.x[l] = r.u;
-            u.y[l] = r.v;
-            u.z[l] = r.w;
-            drho_i[l] = r.drho;
-        }
-        GradientSums sums{d.motion, weight, u, drho_i};
-        F wall_divergence{};
-        for_each_neighbour(d.place, g.list, g.list_size, g, frame, a, sums);
-        F &support = sums.support, &divergence = sums.divergence;
-        F(&m)[6] = sums.m;
-        V3<F>& s = sums.s;
+        for (int l = 0; l < lanes; ++l) drho_i[l] = d.motion[g.first + (l < g.size ? l : g.size - 1)].drho;
+        F m[6] = {}, divergence{}, wall_divergence{}, support{};
+        V3<F> b{F{}, F{}, F{}}, s{F{}, F{}, F{}};
+        for_each_neighbour(d.place, g.list, g.list_size, g, frame, a, [&](std::int32_t j, const Met& ij) {
+            weight.count_in(ij, support, s);
+            const V3<F>& r = ij.r_ji;
+            const V3<F> f = ij.gradient();
+            m[0] += f.x * r.x;
+            m[1] += f.x * r.y;
+            m[2] += f.x * r.z;
+            m[3] += f.y * r.y;
+            m[4] += f.y * r.z;
+            m[5] += f.z * r.z;
+            const MotionRecord& mj = d.motion[j];
+            Continuity::add(f, V3<F>{u.x - mj.u, u.y - mj.v, u.z - mj.w}, divergence);
+            const F jump = mj.drho - drho_i;
+            b.x += jump * f.x;
+            b.y += jump * f.y;
+            b.z += jump * f.z;
+        });
         for (int l = 0; l < lanes && g.wall_size > 0; ++l) {
             const NormalRecord& r = d.normal[g.first + (l < g.size ? l : g.size - 1)];
             n_i.x[l] = r.x;
@@ -91,7 +73,7 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
             for (int l = 0; l < g.size; ++l)
                 d.carried[g.first + l] = {m[0][l] * support[l], m[3][l] * support[l], m[5][l] * support[l]};
         if (d.two_dimensional) m[3] += 1.0f;
-        const V3<F> grad = solve_symmetric(m, sums.b);
+        const V3<F> grad = solve_symmetric(m, b);
         for (int l = 0; l < g.size; ++l) {
             StressRecord& out = d.stress[g.first + l];
             out.gx = grad.x[l];
@@ -104,24 +86,6 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
 }
 
 /// Second sweep: pressure, artificial viscosity and density diffusion. Walls press, and do not rub (slip).
-struct ForceSums {
-    const MotionRecord* motion;
-    const StressRecord* stress;
-    ArtificialViscosity artificial_viscosity;
-    DensityDiffusion density_diffusion;
-    V3<F> u, grad;
-    F drho_i, p_i;
-    F diffusion{};
-    V3<F> pressure{F{}, F{}, F{}};
-
-    void operator()(std::int32_t j, const Met& ij) {
-        const MotionRecord& mj = motion[j];
-        const StressRecord& sj = stress[j];
-        const V3<F> u_ij{u.x - mj.u, u.y - mj.v, u.z - mj.w};
-        density_diffusion.add(ij, mj.drho - drho_i, V3<F>{grad.x + sj.gx, grad.y + sj.gy, grad.z + sj.gz}, diffusion);
-        PressureGradient::add(ij, p_i + sj.p + artificial_viscosity.pressure(ij, u_ij), pressure);
-    }
-};
 void forces(const PassData& d, const Group* groups, int count) {
     const Frame frame = frame_of(d.kernel, d.quantum);
     const ArtificialViscosity artificial_viscosity{d.viscosity};
@@ -129,13 +93,11 @@ void forces(const PassData& d, const Group* groups, int count) {
     for (int n = 0; n < count; ++n) {
         const Group& g = groups[n];
         const Lanes a = load_places(d.place, g, frame);
-        V3<F> u{}, grad{};
+        const V3<F> u = velocities(d, g);
+        V3<F> grad{};
         F drho_i{}, p_i{}, V_i{};
         for (int l = 0; l < lanes; ++l) {
             const int i = g.first + (l < g.size ? l : g.size - 1);
-            u.x[l] = d.motion[i].u;
-            u.y[l] = d.motion[i].v;
-            u.z[l] = d.motion[i].w;
             drho_i[l] = d.motion[i].drho;
             grad.x[l] = d.stress[i].gx;
             grad.y[l] = d.stress[i].gy;
@@ -144,10 +106,16 @@ void forces(const PassData& d, const Group* groups, int count) {
             V_i[l] = d.place[i].volume;
         }
         control_tension(d, g, p_i);
-        V3<F> towards_surface{F{}, F{}, F{}}, wall{F{}, F{}, F{}};
-
-        ForceSums sums{d.motion, d.stress, artificial_viscosity, density_diffusion, u, grad, drho_i, p_i};
-        for_each_neighbour(d.place, g.list, g.list_size, g, frame, a, sums);
+        F diffusion{};
+        V3<F> water{F{}, F{}, F{}}, wall{F{}, F{}, F{}}, towards_surface{F{}, F{}, F{}};
+        for_each_neighbour(d.place, g.list, g.list_size, g, frame, a, [&](std::int32_t j, const Met& ij) {
+            const MotionRecord& mj = d.motion[j];
+            const StressRecord& sj = d.stress[j];
+            const V3<F> u_ij{u.x - mj.u, u.y - mj.v, u.z - mj.w};
+            density_diffusion.add(ij, mj.drho - drho_i, V3<F>{grad.x + sj.gx, grad.y + sj.gy, grad.z + sj.gz},
+                                  diffusion);
+            PressureGradient::add(ij, p_i + sj.p + artificial_viscosity.pressure(ij, u_ij), water);
+        });
         for_each_neighbour(
             d.place, g.list, g.list_size, g, frame, a,
             [&](std::int32_t, const Met& ij) {
@@ -155,8 +123,6 @@ void forces(const PassData& d, const Group* groups, int count) {
                 towards_surface.x += f.x, towards_surface.y += f.y, towards_surface.z += f.z;
             },
             AtSurface{d.surface});
-        const F& diffusion = sums.diffusion;
-        const V3<F>& water = sums.pressure;
         for_each_neighbour(d.wall_place, g.wall_list, g.wall_size, g, frame, a,
                            [&](std::int32_t j, const Met& ij) { PressureGradient::add(ij, p_i + d.wall_p[j], wall); });
         // The volume that the neighbours see, not this density's: so the forces of a pair cancel to rounding.
