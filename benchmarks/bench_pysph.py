@@ -27,6 +27,8 @@ DP, C0, RHO0 = 0.01, 20.0, 1000.0
 
 
 class Pressure(Equation):
+    """Half of MomentumEquationDeltaSPH's documentation; its code has the viscous half only."""
+
     def loop(self, d_idx, s_idx, s_m, d_rho, s_rho, d_p, s_p, d_au, d_av, d_aw, DWIJ):
         f = -(d_p[d_idx] + s_p[s_idx]) * s_m[s_idx] / (s_rho[s_idx] * d_rho[d_idx])
         d_au[d_idx] += f * DWIJ[0]

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
-"""Writes pysph_rates.csv: the rates that PySPH (Debian: python3-pysph) finds for a free block of jittered water.
+"""Writes tests/data/pysph_rates.csv: the rates that PySPH (Debian: python3-pysph) finds for a free block of jittered water.
 
 Its own kernel, neighbours, gradient correction, renormalised density gradient and artificial viscosity (delta-SPH of
 Marrone et al. 2011). The diffusion sum is that of its ContinuityEquationDeltaSPH without the 0.01 h^2 that it adds to r^2
-there; the pressure sum is written here.
+there; the pressure sum is that of bench_pysph.py.
 
-usage: /usr/bin/python3 pysph_rates.py > pysph_rates.csv
+usage: /usr/bin/python3 benchmarks/pysph_rates.py > tests/data/pysph_rates.csv
 """
 import numpy as np
 from pysph.base.kernels import WendlandQuintic
@@ -14,6 +14,8 @@ from pysph.sph.equation import Equation, Group
 from pysph.sph.wc.basic import ContinuityEquationDeltaSPHPreStep, MomentumEquationDeltaSPH
 from pysph.sph.wc.kernel_correction import GradientCorrection, GradientCorrectionPreStep
 from pysph.tools.sph_evaluator import SPHEvaluator
+
+from bench_pysph import Pressure
 
 DP, H, C0, RHO0, ALPHA, DELTA = 0.01, 0.015, 20.0, 1000.0, 0.02, 0.1
 
@@ -33,16 +35,6 @@ class Diffusion(Equation):
             y = twice * XIJ[1] - d_gradrho[3 * d_idx + 1] - s_gradrho[3 * s_idx + 1]
             z = twice * XIJ[2] - d_gradrho[3 * d_idx + 2] - s_gradrho[3 * s_idx + 2]
             d_arho[d_idx] += self.factor * (x * DWIJ[0] + y * DWIJ[1] + z * DWIJ[2]) * s_m[s_idx] / s_rho[s_idx]
-
-
-class Pressure(Equation):
-    """Half of MomentumEquationDeltaSPH's documentation; its code has the viscous half only."""
-
-    def loop(self, d_idx, s_idx, s_m, d_rho, s_rho, d_p, s_p, d_au, d_av, d_aw, DWIJ):
-        f = -(d_p[d_idx] + s_p[s_idx]) * s_m[s_idx] / (s_rho[s_idx] * d_rho[d_idx])
-        d_au[d_idx] += f * DWIJ[0]
-        d_av[d_idx] += f * DWIJ[1]
-        d_aw[d_idx] += f * DWIJ[2]
 
 
 random = np.random.default_rng(7)

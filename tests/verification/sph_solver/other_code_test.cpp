@@ -1,5 +1,5 @@
 // The right-hand side against another code's: PySPH's rates for a free block of jittered water
-// (tests/data/pysph_rates.py).
+// (benchmarks/pysph_rates.py).
 #include <gtest/gtest.h>
 
 #include <array>
