@@ -64,7 +64,7 @@ int main(int argc, char** argv) {
     rows[2].name = "viscosity, no slip", rows[2].effects.viscosity = Viscosity{1e-6, true, {}};
     rows[3].name = "viscosity, no slip, turbulence", rows[3].effects.viscosity = Viscosity{1e-6, true, EddyViscosity{}};
     rows[4].name = "surface tension", rows[4].effects.surface_tension = SurfaceTension{};
-    rows[5].name = "acoustic damping", rows[5].effects.acoustic_damper = AcousticDamper{};
+    rows[5].name = "acoustic damping", rows[5].effects.acoustic_damping = AcousticDamping{};
     rows[6].name = "cavitation", rows[6].effects.cavitation = Cavitation{};
     rows[7].name = "tension control", rows[7].tension_control = true;
     rows[8].name = "air of the water's sound speed", rows[8].air_c0 = 40;

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "sph_solver/core/simd.h"
+#include "sph_solver/backend/simd.h"
 #include "sph_solver/solver.h"
 
 namespace tw {
@@ -25,9 +25,9 @@ double kernel_peak(const PassData& like, int threads) {
 #pragma omp parallel num_threads(threads)
         {
             std::vector<PlaceRecord> place(n);
-            std::vector<MotionRecord> motion(n, MotionRecord{0, 0, 0, 0});
-            std::vector<StressRecord> stress(n, StressRecord{0, 0, 0, 0});
-            std::vector<ShiftRecord> shift(simd::lanes);
+            std::vector<VelocityDensityRecord> motion(n, VelocityDensityRecord{0, 0, 0, 0});
+            std::vector<GradientPressureRecord> stress(n, GradientPressureRecord{0, 0, 0, 0});
+            std::vector<ShiftSupportRecord> shift(simd::lanes);
             std::vector<RateRecord> rate(simd::lanes);
             const std::vector<std::uint32_t> surface(n / 32 + 2, 0);
             std::vector<NeighbourBlock> list;

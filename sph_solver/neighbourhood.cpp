@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
-#include "sph_solver/boundaries/slip_normal.h"
-#include "sph_solver/boundaries/wall_dummies.h"
-#include "sph_solver/core/stopwatch.h"
+#include "sph_solver/bodies/slip_normal.h"
+#include "sph_solver/bodies/dummies.h"
+#include "sph_solver/backend/stopwatch.h"
 #include "sph_solver/solver.h"
 
 namespace tw {
@@ -18,7 +18,7 @@ void Solver::build_wall() {
         throw InputError(fmt::format("{} sliding velocities for {} solids; expected one for each, or none",
                                      setup_.sliding.size(), setup_.solids.size()));
     WallDummies all;
-    std::vector<MotionRecord> motion;
+    std::vector<VelocityDensityRecord> motion;
     Box region = setup_.domain;
     region.min.array() -= kernel_.support();
     region.max.array() += kernel_.support();
@@ -156,8 +156,8 @@ void Solver::rebuild(double drift) {
     rebuild_due_ = false;
 }
 
-NormalRecord Solver::nearest_wall(std::size_t i, double reach) const {
-    NormalRecord r = no_wall;
+WallNormalRecord Solver::nearest_wall(std::size_t i, double reach) const {
+    WallNormalRecord r = no_wall;
     const Vec3 x(particles_.x[i], particles_.y[i], particles_.z[i]);
     const Vec3 u(particles_.u[i], particles_.v[i], particles_.w[i]);
     for (const SurfaceQuery& query : queries_) {
@@ -218,7 +218,7 @@ void Solver::update_mirror_images(bool stress) {
         motion_[n + k] = mirrored(motion_[i], image);
         motion_[n + k].drho += static_cast<float>(still.deviation(step));
         if (!stress) continue;
-        StressRecord s = stress_[i];
+        GradientPressureRecord s = stress_[i];
         s.gx -= gradient.x(), s.gy -= gradient.y(), s.gz -= gradient.z();
         s = mirrored(s, image);
         s.gx += gradient.x(), s.gy += gradient.y(), s.gz += gradient.z();

@@ -14,9 +14,9 @@
 #include "record/snapshot.h"
 #include "record/water_surface.h"
 #include "scene/hash.h"
-#include "sph_solver/output/certificate.h"
-#include "sph_solver/output/checkpoint.h"
-#include "sph_solver/output/recorder.h"
+#include "sph_solver/measure/certificate.h"
+#include "sph_solver/state/checkpoint.h"
+#include "sph_solver/measure/recorder.h"
 #include "sph_solver/scene_setup.h"
 
 namespace tw {

@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
-#include "sph_solver/core/run_pass.h"
-#include "sph_solver/core/stopwatch.h"
+#include "sph_solver/backend/run_pass.h"
+#include "sph_solver/backend/stopwatch.h"
 
 namespace tw {
 
@@ -182,7 +182,7 @@ void Solver::first_sweep(double t, double compress, double drift) {
         p.z[i] += drift * double(p.w[i]);
         place_[i] = place_record(i);
         if (normal_.empty()) return;
-        NormalRecord& r = normal_[i];
+        WallNormalRecord& r = normal_[i];
         r.distance += static_cast<float>(drift * (double(p.u[i]) * r.x + double(p.v[i]) * r.y + double(p.w[i]) * r.z));
     };
 #pragma omp parallel for schedule(static)

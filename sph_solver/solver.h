@@ -9,16 +9,16 @@
 
 #include "meshes/query.h"
 #include "meshes/surface.h"
-#include "sph_solver/bodies/control_volume.h"
+#include "sph_solver/measure/control_volume.h"
 #include "sph_solver/bodies/samples.h"
-#include "sph_solver/boundaries/mirrors.h"
-#include "sph_solver/boundaries/stream.h"
-#include "sph_solver/core/columns.h"
-#include "sph_solver/core/pair_data.h"
-#include "sph_solver/core/particles.h"
+#include "sph_solver/ghosts/mirrors.h"
+#include "sph_solver/ghosts/stream.h"
+#include "sph_solver/neighbours/columns.h"
+#include "sph_solver/backend/pass_data.h"
+#include "sph_solver/particles/particles.h"
 #include "sph_solver/effects/air.h"
 #include "sph_solver/effects/effects.h"
-#include "sph_solver/physics/state_equation.h"
+#include "sph_solver/equations/state_equation.h"
 
 namespace tw {
 
@@ -218,7 +218,7 @@ private:
     void update_mirror_images(bool stress);
     void find_normals();
     void gather_load();
-    NormalRecord nearest_wall(std::size_t i, double reach) const;
+    WallNormalRecord nearest_wall(std::size_t i, double reach) const;
 
     // the time step, time_step.cpp
     /// One stage of an explicit Runge-Kutta step: at t + c dt, reached with the rates of the stage before; its weight.
@@ -253,11 +253,11 @@ private:
     std::optional<MirrorPlanes> mirror_planes_;
     std::vector<MirrorImage> images_;
     std::vector<PlaceRecord> place_;  // particles, then mirror images
-    std::vector<MotionRecord> motion_;
-    std::vector<StressRecord> stress_;
-    std::vector<ShiftRecord> shift_;
+    std::vector<VelocityDensityRecord> motion_;
+    std::vector<GradientPressureRecord> stress_;
+    std::vector<ShiftSupportRecord> shift_;
     std::vector<RateRecord> rate_;
-    std::vector<NormalRecord> normal_;
+    std::vector<WallNormalRecord> normal_;
     std::vector<CarriedShare> carried_;   // only with a control volume
     std::vector<std::uint32_t> surface_;  // see PassData
     std::vector<std::int32_t> start_, image_start_;
@@ -269,7 +269,7 @@ private:
     std::vector<SurfaceQuery> queries_;
     std::vector<PlaceRecord> wall_place_;
     std::vector<float> wall_p_;
-    std::vector<MotionRecord> wall_motion_;  // only when solids slide
+    std::vector<VelocityDensityRecord> wall_motion_;  // only when solids slide
     std::vector<std::int32_t> wall_start_;
     std::vector<Group> wall_groups_, live_wall_groups_;
     NeighbourLists wall_source_lists_;

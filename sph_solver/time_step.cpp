@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "sph_solver/core/stopwatch.h"
+#include "sph_solver/backend/stopwatch.h"
 #include "sph_solver/solver.h"
 
 namespace tw {
@@ -184,8 +184,8 @@ void Solver::move_all(double dt, double drifted, double drift) {
 /// step took it through. The distance carried along is checked against the surface first.
 std::optional<Vec3> Solver::hold_at_wall(std::size_t i) {
     Particles& p = particles_;
-    NormalRecord& r = normal_[i];
-    if (const NormalRecord found = nearest_wall(i, setup_.dp); found.distance < no_wall.distance)
+    WallNormalRecord& r = normal_[i];
+    if (const WallNormalRecord found = nearest_wall(i, setup_.dp); found.distance < no_wall.distance)
         r = found;
     else
         r.distance = static_cast<float>(setup_.dp);
@@ -263,7 +263,7 @@ void Solver::move(double dt, double drifted, double drift) {
             p.y[i] += drift * along.y() + shift.y();
             p.z[i] += drift * along.z() + shift.z();
             if (!normal_.empty() && p.kind[i] == Kind::fluid) {
-                NormalRecord& r = normal_[i];
+                WallNormalRecord& r = normal_[i];
                 const double approach = along.x() * r.x + along.y() * r.y + along.z() * r.z;
                 r.distance +=
                     static_cast<float>(drift * approach + shift.x() * r.x + shift.y() * r.y + shift.z() * r.z);

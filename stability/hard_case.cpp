@@ -8,7 +8,7 @@
 #include "base/errors.h"
 #include "meshes/generate.h"
 #include "record/certificate.h"
-#include "sph_solver/output/certificate.h"
+#include "sph_solver/measure/certificate.h"
 #include "sph_solver/solver.h"
 
 namespace tw {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "sph_solver/core/run_pass.h"
+#include "sph_solver/backend/run_pass.h"
 #include "sph_solver/effects/passes.h"
 #include "sph_solver/solver.h"
 

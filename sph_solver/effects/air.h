@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "sph_solver/core/columns.h"
-#include "sph_solver/core/pair_data.h"
+#include "sph_solver/neighbours/columns.h"
+#include "sph_solver/backend/pass_data.h"
 
 namespace tw {
 

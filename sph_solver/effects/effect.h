@@ -3,9 +3,9 @@
 #include <limits>
 #include <vector>
 
-#include "sph_solver/boundaries/mirrors.h"
-#include "sph_solver/core/pair_data.h"
-#include "sph_solver/core/particles.h"
+#include "sph_solver/ghosts/mirrors.h"
+#include "sph_solver/backend/pass_data.h"
+#include "sph_solver/particles/particles.h"
 
 namespace tw {
 
@@ -21,7 +21,7 @@ struct StepView {
     const std::vector<Group>& groups;
     const std::vector<Group>& wall_groups;  ///< wall dummies that have water near
     const std::vector<MirrorImage>& images;
-    const std::vector<MotionRecord>& wall_motion;  ///< of the dummies' surface; empty: at rest
+    const std::vector<VelocityDensityRecord>& wall_motion;  ///< of the dummies' surface; empty: at rest
     std::size_t walls = 0;                         ///< number of wall dummies
     std::size_t wall_groups_of_water = 0;          ///< number of WallLoads
     double h = 0, mass = 0, time = 0;

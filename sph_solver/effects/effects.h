@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "sph_solver/effects/acoustic_damper.h"
+#include "sph_solver/effects/acoustic_damping.h"
 #include "sph_solver/effects/cavitation.h"
 #include "sph_solver/effects/damping_layers.h"
 #include "sph_solver/effects/effect.h"
@@ -16,7 +16,7 @@ namespace tw {
 struct EffectOptions {
     std::optional<Viscosity> viscosity;
     std::optional<SurfaceTension> surface_tension;
-    std::optional<AcousticDamper> acoustic_damper;
+    std::optional<AcousticDamping> acoustic_damping;
     std::optional<Cavitation> cavitation;
     std::optional<DampingLayers> damping_layers;
 };
@@ -26,7 +26,7 @@ struct EffectOptions {
 inline std::vector<std::unique_ptr<Effect>> make_effects([[maybe_unused]] const EffectOptions& on) {
     std::vector<std::unique_ptr<Effect>> effects;
 #ifndef TW_WITHOUT_EFFECTS
-    if (on.acoustic_damper) effects.push_back(make_acoustic_damper(*on.acoustic_damper));
+    if (on.acoustic_damping) effects.push_back(make_acoustic_damping(*on.acoustic_damping));
     if (on.cavitation) effects.push_back(make_cavitation(*on.cavitation));
     if (on.viscosity) effects.push_back(make_viscosity(*on.viscosity));
     if (on.surface_tension) effects.push_back(make_surface_tension(*on.surface_tension));

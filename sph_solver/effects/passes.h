@@ -1,5 +1,5 @@
 #pragma once
-#include "sph_solver/core/pair_data.h"
+#include "sph_solver/backend/pass_data.h"
 
 namespace tw {
 
@@ -9,13 +9,13 @@ namespace tw {
 struct VelocityData {
     const PlaceRecord* at = nullptr;
     const PassData* water = nullptr;
-    MotionRecord* velocity = nullptr;
+    VelocityDensityRecord* velocity = nullptr;
 };
 /// See effects/viscosity.h; adds to `water->rate`.
 struct ViscousData {
     const PassData* water = nullptr;
     const float* mu = nullptr;                    ///< of particles and images [Pa s]
-    const MotionRecord* wall_velocity = nullptr;  ///< of the dummies; null: slip
+    const VelocityDensityRecord* wall_velocity = nullptr;  ///< of the dummies; null: slip
     WallLoad* wall_load = nullptr;
 };
 /// |S| of each particle [1/s], see effects/eddy_viscosity.h.
@@ -26,7 +26,7 @@ struct StrainData {
 /// See effects/surface_tension.h.
 struct ColourData {
     const PassData* water = nullptr;
-    MotionRecord* normal = nullptr;  ///< `colour_gradient` writes grad C [1/m]; `surface_curvature` reads the unit
+    VelocityDensityRecord* normal = nullptr;  ///< `colour_gradient` writes grad C [1/m]; `surface_curvature` reads the unit
                                      ///< normal, of images too, with drho = 1 where it counts and 0 elsewhere
     float* curvature = nullptr;      ///< -div n [1/m]
 };

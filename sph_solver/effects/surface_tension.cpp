@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "sph_solver/core/run_pass.h"
+#include "sph_solver/backend/run_pass.h"
 #include "sph_solver/effects/passes.h"
 #include "sph_solver/solver.h"
 
@@ -28,7 +28,7 @@ public:
         run_pass(step.passes.colour_gradient, c, step.groups);
 #pragma omp parallel for schedule(static)
         for (std::size_t i = 0; i < n; ++i) {
-            MotionRecord& r = normal_[i];
+            VelocityDensityRecord& r = normal_[i];
             length_[i] = std::sqrt(r.u * r.u + r.v * r.v + r.w * r.w);
             const bool counts = double(length_[i]) * step.h > smallest_normal;
             const float inv = counts ? 1 / length_[i] : 0;
@@ -52,12 +52,12 @@ public:
         return 0.25 * std::sqrt(setup.rho0 * h * h * h / (2 * std::numbers::pi * sigma_));
     }
     std::size_t bytes() const override {
-        return normal_.capacity() * sizeof(MotionRecord) + (curvature_.capacity() + length_.capacity()) * sizeof(float);
+        return normal_.capacity() * sizeof(VelocityDensityRecord) + (curvature_.capacity() + length_.capacity()) * sizeof(float);
     }
 
 private:
     double sigma_;
-    std::vector<MotionRecord> normal_;
+    std::vector<VelocityDensityRecord> normal_;
     std::vector<float> curvature_, length_;
 };
 

@@ -1,5 +1,5 @@
 // The sweeps of surface tension, once per instruction set; equations in surface_tension.h.
-#include "sph_solver/core/pair_loop.h"
+#include "sph_solver/backend/pair_loop.h"
 #include "sph_solver/effects/passes.h"
 
 namespace tw {
@@ -36,12 +36,12 @@ void surface_curvature(const ColourData& c, const Group* groups, int count) {
         const Lanes a = load_places(d.place, g, frame);
         V3<F> ni{};
         for (int l = 0; l < lanes; ++l) {
-            const MotionRecord& r = c.normal[g.first + (l < g.size ? l : g.size - 1)];
+            const VelocityDensityRecord& r = c.normal[g.first + (l < g.size ? l : g.size - 1)];
             ni.x[l] = r.u, ni.y[l] = r.v, ni.z[l] = r.w;
         }
         VectorGradient gradient;
         for_each_neighbour(d.place, g.list, g.list_size, g, frame, a, [&](std::int32_t j, const Met& ij) {
-            const MotionRecord& nj = c.normal[j];
+            const VelocityDensityRecord& nj = c.normal[j];
             if (nj.drho == 0) return;
             gradient.add(ij, V3<F>{nj.u - ni.x, nj.v - ni.y, nj.w - ni.z});
         });

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sph_solver/core/run_pass.h"
+#include "sph_solver/backend/run_pass.h"
 #include "sph_solver/effects/passes.h"
 #include "sph_solver/solver.h"
 
@@ -41,7 +41,7 @@ public:
     const std::vector<WallLoad>& wall_loads() const override { return wall_load_; }
     std::size_t bytes() const override {
         return (mu_.capacity() + strain_.capacity()) * sizeof(float) +
-               wall_velocity_.capacity() * sizeof(MotionRecord) + wall_load_.capacity() * sizeof(WallLoad);
+               wall_velocity_.capacity() * sizeof(VelocityDensityRecord) + wall_load_.capacity() * sizeof(WallLoad);
     }
 
 private:
@@ -66,7 +66,7 @@ private:
     }
 
     void find_wall_velocity(const StepView& step) {
-        wall_velocity_.assign(step.walls, MotionRecord{0, 0, 0, 0});
+        wall_velocity_.assign(step.walls, VelocityDensityRecord{0, 0, 0, 0});
         VelocityData w;
         w.at = step.pass.wall_place;
         w.water = &step.pass;
@@ -74,8 +74,8 @@ private:
         run_pass(step.passes.water_velocity, w, step.wall_groups);
 #pragma omp parallel for schedule(static)
         for (std::size_t k = 0; k < wall_velocity_.size(); ++k) {
-            MotionRecord& m = wall_velocity_[k];
-            const MotionRecord wall = step.wall_motion.empty() ? MotionRecord{0, 0, 0, 0} : step.wall_motion[k];
+            VelocityDensityRecord& m = wall_velocity_[k];
+            const VelocityDensityRecord wall = step.wall_motion.empty() ? VelocityDensityRecord{0, 0, 0, 0} : step.wall_motion[k];
             m = {2 * wall.u - m.u, 2 * wall.v - m.v, 2 * wall.w - m.w, m.drho};
         }
     }
@@ -83,7 +83,7 @@ private:
     Viscosity o_;
     double largest_ = 0;  ///< largest kinematic viscosity of the last step [m2/s]
     std::vector<float> mu_, strain_;
-    std::vector<MotionRecord> wall_velocity_;
+    std::vector<VelocityDensityRecord> wall_velocity_;
     std::vector<WallLoad> wall_load_;
 };
 

@@ -1,5 +1,5 @@
 // The sweeps of viscosity and subgrid turbulence, once per instruction set; equations in viscosity.h, eddy_viscosity.h.
-#include "sph_solver/core/pair_loop.h"
+#include "sph_solver/backend/pair_loop.h"
 #include "sph_solver/effects/passes.h"
 
 namespace tw {
@@ -15,7 +15,7 @@ void water_velocity(const VelocityData& v, const Group* groups, int count) {
         F support{};
         for_each_neighbour(d.place, g.list, g.list_size, g, frame, a, [&](std::int32_t j, const Met& ij) {
             const F WV = ij.FV * ij.shape();
-            const MotionRecord& m = d.motion[j];
+            const VelocityDensityRecord& m = d.motion[j];
             support += WV;
             u.x += WV * m.u, u.y += WV * m.v, u.z += WV * m.w;
         });
@@ -41,7 +41,7 @@ void viscous_forces(const ViscousData& v, const Group* groups, int count) {
             V_i[l] = d.place[i].volume;
         }
         V3<F> inner{F{}, F{}, F{}}, wall{F{}, F{}, F{}};
-        const auto add = [&](const Met& ij, const F& mu_sum, const MotionRecord& m, V3<F>& force) {
+        const auto add = [&](const Met& ij, const F& mu_sum, const VelocityDensityRecord& m, V3<F>& force) {
             const F f = ij.FV * mu_sum;
             force.x += f * (m.u - u.x);
             force.y += f * (m.v - u.y);
@@ -75,7 +75,7 @@ void strain_rate(const StrainData& s, const Group* groups, int count) {
         const V3<F> u = velocities(d, g);
         VectorGradient gradient;
         for_each_neighbour(d.place, g.list, g.list_size, g, frame, a, [&](std::int32_t j, const Met& ij) {
-            const MotionRecord& mj = d.motion[j];
+            const VelocityDensityRecord& mj = d.motion[j];
             gradient.add(ij, V3<F>{mj.u - u.x, mj.v - u.y, mj.w - u.z});
         });
         gradient.solve(d.kernel.support_length, d.two_dimensional);

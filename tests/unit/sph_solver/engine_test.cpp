@@ -9,8 +9,8 @@
 #include "base/errors.h"
 #include "meshes/generate.h"
 #include "sph_solver/bench.h"
-#include "sph_solver/output/certificate.h"
-#include "sph_solver/output/checkpoint.h"
+#include "sph_solver/measure/certificate.h"
+#include "sph_solver/state/checkpoint.h"
 #include "sph_solver/scene_setup.h"
 #include "sph_solver/solver.h"
 

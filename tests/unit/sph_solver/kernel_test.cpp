@@ -1,4 +1,4 @@
-#include "sph_solver/core/kernel.h"
+#include "sph_solver/equations/kernel.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "sph_solver/core/columns.h"
+#include "sph_solver/neighbours/columns.h"
 
 namespace tw {
 namespace {

@@ -6,8 +6,8 @@
 #include "meshes/generate.h"
 #include "meshes/mass_properties.h"
 #include "sph_solver/bodies/samples.h"
-#include "sph_solver/boundaries/mirrors.h"
-#include "sph_solver/boundaries/wall_dummies.h"
+#include "sph_solver/ghosts/mirrors.h"
+#include "sph_solver/bodies/dummies.h"
 
 namespace tw {
 namespace {
@@ -71,7 +71,7 @@ TEST(Mirrors, AnImageIsAsFarBehindThePlaneAndMovesAgainstIt) {
     const PlaceRecord image = planes.place({100000, 250000, -3, 1}, low_y);
     EXPECT_EQ(image.x, 100000);
     EXPECT_EQ(image.y, -250000);
-    const MotionRecord m = mirrored(MotionRecord{1, 2, 3, 4}, low_y);
+    const VelocityDensityRecord m = mirrored(VelocityDensityRecord{1, 2, 3, 4}, low_y);
     EXPECT_EQ(m.u, 1);
     EXPECT_EQ(m.v, -2);
     EXPECT_EQ(m.w, 3);

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string>
 
-#include "sph_solver/output/checkpoint.h"
+#include "sph_solver/state/checkpoint.h"
 #include "sph_solver/solver.h"
 
 namespace tw {
@@ -63,7 +63,7 @@ TEST(OffIsFree, ACheckpointDoesNotGrow) {
         if (on) {
             s.effects.viscosity = Viscosity{1e-3, true, EddyViscosity{}};
             s.effects.surface_tension = SurfaceTension{};
-            s.effects.acoustic_damper = AcousticDamper{};
+            s.effects.acoustic_damping = AcousticDamping{};
             s.effects.cavitation = Cavitation{};
             s.effects.damping_layers = DampingLayers{{{0, true, 0.2}}, 1, Vec3::Zero()};
         }

@@ -38,7 +38,7 @@
 
 #include "elliptic_drop.h"
 #include "prism.h"
-#include "sph_solver/boundaries/wall_dummies.h"
+#include "sph_solver/bodies/dummies.h"
 #include "sph_solver/solver.h"
 
 namespace tw {

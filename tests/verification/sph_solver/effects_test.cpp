@@ -223,7 +223,7 @@ double sound_left(double alpha2, int n, double periods) {
     s.delta = 0;
     s.shifting = 0;
     s.cfl = 0.2;
-    if (alpha2 > 0) s.effects.acoustic_damper = AcousticDamper{alpha2};
+    if (alpha2 > 0) s.effects.acoustic_damping = AcousticDamping{alpha2};
     Solver solver(s, weightless(s, s.domain));
     Particles& p = solver.particles();
     std::vector<double> start(p.size());
@@ -239,7 +239,7 @@ double sound_left(double alpha2, int n, double periods) {
     }
     return largest / A;
 }
-TEST(AcousticDamper, DampsASoundWaveAtItsRate) {
+TEST(AcousticDamping, DampsASoundWaveAtItsRate) {
     const int n = 50;
     const double periods = 3, alpha2 = 0.3, free = sound_left(0, n, periods), damped = sound_left(alpha2, n, periods);
     const double L = 1, c0 = 10, h = 1.5 * L / n, k = pi / L, T = 2 * L / c0;

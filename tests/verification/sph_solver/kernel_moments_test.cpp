@@ -20,9 +20,9 @@
 #include <vector>
 
 #include "base/vec3.h"
-#include "sph_solver/core/columns.h"
-#include "sph_solver/core/kernel.h"
-#include "sph_solver/core/pair_data.h"
+#include "sph_solver/neighbours/columns.h"
+#include "sph_solver/equations/kernel.h"
+#include "sph_solver/backend/pass_data.h"
 
 namespace tw {
 namespace {
@@ -48,8 +48,8 @@ bool interior(const Vec3& x, double h) {
 /// What the engine's first sweep makes of particles with the density deviation f, in the order of `places`.
 struct Sweep {
     std::vector<Vec3> places;
-    std::vector<StressRecord> stress;
-    std::vector<ShiftRecord> shift;
+    std::vector<GradientPressureRecord> stress;
+    std::vector<ShiftSupportRecord> shift;
 };
 template <class Field>
 Sweep sweep(const std::vector<Vec3>& unsorted, double h_over_dp, Field f) {
@@ -64,7 +64,7 @@ Sweep sweep(const std::vector<Vec3>& unsorted, double h_over_dp, Field f) {
     std::vector<std::int32_t> order, start;
     sort_by_column(grid, raw, 0, raw.size(), order, start);
     Sweep r;
-    std::vector<MotionRecord> motion;
+    std::vector<VelocityDensityRecord> motion;
     for (const std::int32_t k : order) {
         const Vec3& x = unsorted[static_cast<std::size_t>(k)];
         sorted.push_back(raw[static_cast<std::size_t>(k)]);
@@ -158,7 +158,7 @@ TEST(RenormalisedGradient, IsExactForLinearFieldsOnJitteredParticlesUpToTheFreeS
         for (const double jitter : {0.0, 0.2, 0.4}) {
             const Sweep s = sweep(patch(jitter), ratio, linear);
             double error = 0;
-            for (const StressRecord& g : s.stress) error = std::max(error, std::hypot(g.gx - 3.0, g.gz + 2.0));
+            for (const GradientPressureRecord& g : s.stress) error = std::max(error, std::hypot(g.gx - 3.0, g.gz + 2.0));
             std::printf("  %.1f   %.1f     %.1e\n", ratio, jitter, error / std::sqrt(13.0));
             EXPECT_LT(error, 2e-5) << ratio << " " << jitter;
         }

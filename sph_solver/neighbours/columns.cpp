@@ -1,10 +1,10 @@
-#include "sph_solver/core/columns.h"
+#include "sph_solver/neighbours/columns.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include "sph_solver/core/simd.h"
+#include "sph_solver/backend/simd.h"
 
 namespace tw {
 

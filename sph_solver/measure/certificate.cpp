@@ -1,4 +1,4 @@
-#include "sph_solver/output/certificate.h"
+#include "sph_solver/measure/certificate.h"
 
 #include <algorithm>
 

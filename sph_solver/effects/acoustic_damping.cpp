@@ -1,4 +1,4 @@
-#include "sph_solver/effects/acoustic_damper.h"
+#include "sph_solver/effects/acoustic_damping.h"
 
 #include "sph_solver/solver.h"
 
@@ -7,7 +7,7 @@ namespace {
 
 class Damper : public Effect {
 public:
-    explicit Damper(const AcousticDamper& options) : alpha2_(options.alpha2) {}
+    explicit Damper(const AcousticDamping& options) : alpha2_(options.alpha2) {}
 
     void change_pressure(const StepView& step) override {
         const float factor = static_cast<float>(alpha2_ * step.setup.state_equation.c0 * step.h);
@@ -27,7 +27,7 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Effect> make_acoustic_damper(const AcousticDamper& options) {
+std::unique_ptr<Effect> make_acoustic_damping(const AcousticDamping& options) {
     return std::make_unique<Damper>(options);
 }
 

@@ -1,4 +1,4 @@
-#include "sph_solver/output/recorder.h"
+#include "sph_solver/measure/recorder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "record/certificate.h"
 #include "record/raster.h"
 #include "sph_solver/effects/air.h"
-#include "sph_solver/output/certificate.h"
+#include "sph_solver/measure/certificate.h"
 
 namespace tw {
 

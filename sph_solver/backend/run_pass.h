@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "sph_solver/core/pair_data.h"
+#include "sph_solver/backend/pass_data.h"
 
 namespace tw {
 

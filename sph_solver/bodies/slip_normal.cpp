@@ -1,4 +1,4 @@
-#include "sph_solver/boundaries/slip_normal.h"
+#include "sph_solver/bodies/slip_normal.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "sph_solver/output/checkpoint.h"
+#include "sph_solver/state/checkpoint.h"
 
 #include "base/atomic_file.h"
 #include "base/errors.h"

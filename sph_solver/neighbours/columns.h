@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/vec3.h"
-#include "sph_solver/core/pair_data.h"
+#include "sph_solver/backend/pass_data.h"
 
 namespace tw {
 

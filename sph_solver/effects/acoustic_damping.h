@@ -12,9 +12,9 @@ namespace tw {
 ///
 /// which is the pressure p_v = -alpha2 rho0 c0 h div u = alpha2 c0 h drho/dt beside the state equation's. The rate of
 /// the density is known before the forces are, so it costs no sweep. Impulses stay, peaks of impact pressure fall.
-struct AcousticDamper {
+struct AcousticDamping {
     double alpha2 = 0.3;  ///< [-]
 };
-std::unique_ptr<Effect> make_acoustic_damper(const AcousticDamper& options);
+std::unique_ptr<Effect> make_acoustic_damping(const AcousticDamping& options);
 
 }  // namespace tw

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "base/vec3.h"
-#include "sph_solver/core/columns.h"
-#include "sph_solver/core/pair_data.h"
-#include "sph_solver/core/particles.h"
+#include "sph_solver/neighbours/columns.h"
+#include "sph_solver/backend/pass_data.h"
+#include "sph_solver/particles/particles.h"
 
 namespace tw {
 
@@ -51,10 +51,10 @@ private:
     }
     std::array<Map, 512> maps_;
 };
-inline MotionRecord mirrored(const MotionRecord& m, const MirrorImage& image) {
+inline VelocityDensityRecord mirrored(const VelocityDensityRecord& m, const MirrorImage& image) {
     return {image.sign(0) * m.u, image.sign(1) * m.v, image.sign(2) * m.w, m.drho};
 }
-inline StressRecord mirrored(const StressRecord& s, const MirrorImage& image) {
+inline GradientPressureRecord mirrored(const GradientPressureRecord& s, const MirrorImage& image) {
     return {image.sign(0) * s.gx, image.sign(1) * s.gy, image.sign(2) * s.gz, s.p};
 }
 

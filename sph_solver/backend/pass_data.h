@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-#include "sph_solver/core/kernel.h"
+#include "sph_solver/equations/kernel.h"
 
 namespace tw {
 
@@ -14,11 +14,11 @@ struct alignas(16) PlaceRecord {
     float volume;
 };
 /// Velocity [m/s] and density deviation rho - rho0 [kg/m3].
-struct alignas(16) MotionRecord {
+struct alignas(16) VelocityDensityRecord {
     float u, v, w, drho;
 };
 /// Renormalised density gradient [kg/m4] and pressure [Pa].
-struct alignas(16) StressRecord {
+struct alignas(16) GradientPressureRecord {
     float gx, gy, gz, p;
 };
 
@@ -61,7 +61,7 @@ struct Reached {
 };
 
 /// Per-particle result of the gradient pass.
-struct alignas(16) ShiftRecord {
+struct alignas(16) ShiftSupportRecord {
     float x, y, z;  ///< sum_j (1 + 0.2 (W_ij/W(dp))^4) grad_i W_ij V_j [1/m]; after the second sweep without its
                     ///< component towards a free surface
     float support;  ///< sum_j V_j W_ij, walls and the particle itself counted [-]
@@ -81,10 +81,10 @@ struct WallLoad {
 };
 /// Exterior unit normal of the nearest wall at a fluid particle (zero when none is near) and the distance from it [m]
 /// (far when none is near), carried along between two searches by the particle's motion along the normal.
-struct alignas(16) NormalRecord {
+struct alignas(16) WallNormalRecord {
     float x, y, z, distance;
 };
-inline constexpr NormalRecord no_wall{0, 0, 0, 1e30f};
+inline constexpr WallNormalRecord no_wall{0, 0, 0, 1e30f};
 
 /// How much of the pressure the pair forces carry along each axis: m_aa of m = sum_j r_ji (x) grad_i W_ij V_j. In the
 /// continuum it is 1; among particles the momentum flux is p m_aa, not p.
@@ -95,14 +95,14 @@ struct CarriedShare {
 struct PassData {
     // the particles and their mirror images, in one index space; then the wall's dummy particles in their own
     const PlaceRecord* place = nullptr;
-    const MotionRecord* motion = nullptr;
-    StressRecord* stress = nullptr;
+    const VelocityDensityRecord* motion = nullptr;
+    GradientPressureRecord* stress = nullptr;
     const PlaceRecord* wall_place = nullptr;
     const float* wall_p = nullptr;
-    const NormalRecord* normal = nullptr;
+    const WallNormalRecord* normal = nullptr;
     /// Bit i % 32 of word i / 32: place i is at the free surface. One word more than that at the end.
     const std::uint32_t* surface = nullptr;
-    ShiftRecord* shift = nullptr;
+    ShiftSupportRecord* shift = nullptr;
     RateRecord* rate = nullptr;
     WallLoad* wall_load = nullptr;
     CarriedShare* carried = nullptr;   ///< may be null
@@ -125,8 +125,8 @@ struct PassData {
 struct ExtrapolateData {
     const PlaceRecord* at = nullptr;  ///< the points, in groups as particles are
     const PlaceRecord* place = nullptr;
-    const MotionRecord* motion = nullptr;
-    const StressRecord* stress = nullptr;
+    const VelocityDensityRecord* motion = nullptr;
+    const GradientPressureRecord* stress = nullptr;
     float* p = nullptr;                     ///< [Pa]
     float* support = nullptr;               ///< sum_j V_j W_ij; may be null
     const CarriedShare* carried = nullptr;  ///< of the particles; may be null

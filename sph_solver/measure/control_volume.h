@@ -1,7 +1,7 @@
 #pragma once
 #include "base/vec3.h"
 #include "sph_solver/bodies/samples.h"
-#include "sph_solver/core/particles.h"
+#include "sph_solver/particles/particles.h"
 
 namespace tw {
 

@@ -1,5 +1,5 @@
 // The sweeps across the interface of water and air, once per instruction set; equations in air.h.
-#include "sph_solver/core/pair_loop.h"
+#include "sph_solver/backend/pair_loop.h"
 #include "sph_solver/effects/passes.h"
 
 namespace tw {
@@ -22,7 +22,7 @@ void meet_other_phase(const InterfaceData& c, const Group* groups, int count) {
         V3<F> s{F{}, F{}, F{}};
         for_each_neighbour(other.place, g.list, g.list_size, g, frame, a, [&](std::int32_t j, const Met& ij) {
             weight.count_in(ij, support, s);
-            const MotionRecord& mj = other.motion[j];
+            const VelocityDensityRecord& mj = other.motion[j];
             Continuity::add(ij.gradient(), V3<F>{u.x - mj.u, u.y - mj.v, u.z - mj.w}, divergence);
         });
         support *= d.kernel.tenth_h;
@@ -52,7 +52,7 @@ void press_other_phase(const InterfaceData& c, const Group* groups, int count) {
         const F p_own = of_own * p_i + (controlled - p_i);
         V3<F> force{F{}, F{}, F{}};
         for_each_neighbour(other.place, g.list, g.list_size, g, frame, a, [&](std::int32_t j, const Met& ij) {
-            const MotionRecord& mj = other.motion[j];
+            const VelocityDensityRecord& mj = other.motion[j];
             const V3<F> u_ij{u.x - mj.u, u.y - mj.v, u.z - mj.w};
             PressureGradient::add(ij, p_own + of_other * other.stress[j].p + artificial_viscosity.pressure(ij, u_ij),
                                   force);

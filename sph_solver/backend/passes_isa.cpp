@@ -1,6 +1,6 @@
 // The neighbour loops, compiled once per instruction set (TW_ISA names it). Nothing here may call inline functions of
 // the standard library: the linker would be free to keep this file's AVX-512 copy for the whole program.
-#include "sph_solver/core/pair_loop.h"
+#include "sph_solver/backend/pair_loop.h"
 
 namespace tw {
 namespace TW_ISA {
@@ -34,7 +34,7 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
             m[3] += f.y * r.y;
             m[4] += f.y * r.z;
             m[5] += f.z * r.z;
-            const MotionRecord& mj = d.motion[j];
+            const VelocityDensityRecord& mj = d.motion[j];
             Continuity::add(f, V3<F>{u.x - mj.u, u.y - mj.v, u.z - mj.w}, divergence);
             const F jump = mj.drho - drho_i;
             b.x += jump * f.x;
@@ -42,7 +42,7 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
             b.z += jump * f.z;
         });
         for (int l = 0; l < lanes && g.wall_size > 0; ++l) {
-            const NormalRecord& r = d.normal[g.first + (l < g.size ? l : g.size - 1)];
+            const WallNormalRecord& r = d.normal[g.first + (l < g.size ? l : g.size - 1)];
             n_i.x[l] = r.x;
             n_i.y[l] = r.y;
             n_i.z[l] = r.z;
@@ -75,7 +75,7 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
         if (d.two_dimensional) m[3] += 1.0f;
         const V3<F> grad = solve_symmetric(m, b);
         for (int l = 0; l < g.size; ++l) {
-            StressRecord& out = d.stress[g.first + l];
+            GradientPressureRecord& out = d.stress[g.first + l];
             out.gx = grad.x[l];
             out.gy = grad.y[l];
             out.gz = grad.z[l];
@@ -109,8 +109,8 @@ void forces(const PassData& d, const Group* groups, int count) {
         F diffusion{};
         V3<F> water{F{}, F{}, F{}}, wall{F{}, F{}, F{}}, towards_surface{F{}, F{}, F{}};
         for_each_neighbour(d.place, g.list, g.list_size, g, frame, a, [&](std::int32_t j, const Met& ij) {
-            const MotionRecord& mj = d.motion[j];
-            const StressRecord& sj = d.stress[j];
+            const VelocityDensityRecord& mj = d.motion[j];
+            const GradientPressureRecord& sj = d.stress[j];
             const V3<F> u_ij{u.x - mj.u, u.y - mj.v, u.z - mj.w};
             density_diffusion.add(ij, mj.drho - drho_i, V3<F>{grad.x + sj.gx, grad.y + sj.gy, grad.z + sj.gz},
                                   diffusion);
@@ -136,7 +136,7 @@ void forces(const PassData& d, const Group* groups, int count) {
             d.rate[i] = {acc.x[l], acc.y[l], acc.z[l], drho[l]};
             // shifting goes along the surface only: towards it, it would pump water up for ever
             if (normal2[l] > 0) {
-                ShiftRecord& s = d.shift[i];
+                ShiftSupportRecord& s = d.shift[i];
                 const float x = towards_surface.x[l], y = towards_surface.y[l], z = towards_surface.z[l];
                 const float share = (s.x * x + s.y * y + s.z * z) / normal2[l];
                 s.x -= share * x, s.y -= share * y, s.z -= share * z;

@@ -1,4 +1,4 @@
-#include "sph_solver/boundaries/wall_dummies.h"
+#include "sph_solver/bodies/dummies.h"
 
 #include <algorithm>
 #include <cmath>

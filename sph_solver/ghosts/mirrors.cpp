@@ -1,4 +1,4 @@
-#include "sph_solver/boundaries/mirrors.h"
+#include "sph_solver/ghosts/mirrors.h"
 
 namespace tw {
 

@@ -2,9 +2,9 @@
 // The loop over the neighbours of a group, for files that are compiled once per instruction set (TW_ISA names it).
 // Everything here has internal linkage and calls no inline function of the standard library: the linker would be free
 // to keep one file's AVX-512 copy for the whole program.
-#include "sph_solver/core/pair_data.h"
-#include "sph_solver/core/simd.h"
-#include "sph_solver/physics/terms.h"
+#include "sph_solver/backend/pass_data.h"
+#include "sph_solver/backend/simd.h"
+#include "sph_solver/equations/terms.h"
 
 namespace tw {
 namespace TW_ISA {
@@ -160,7 +160,7 @@ struct VectorGradient {
 inline V3<F> velocities(const PassData& d, const Group& g) {
     V3<F> u{};
     for (int l = 0; l < lanes; ++l) {
-        const MotionRecord& r = d.motion[g.first + (l < g.size ? l : g.size - 1)];
+        const VelocityDensityRecord& r = d.motion[g.first + (l < g.size ? l : g.size - 1)];
         u.x[l] = r.u, u.y[l] = r.v, u.z[l] = r.w;
     }
     return u;
