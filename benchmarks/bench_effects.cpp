@@ -8,7 +8,8 @@
 #include <string>
 
 #include "meshes/generate.h"
-#include "sph_solver/solver.h"
+#include "sph_solver/effects/air.h"
+#include "sph_solver/simulation.h"
 
 using namespace tw;
 
@@ -18,33 +19,33 @@ struct Cost {
     double seconds = 0, dt = 0, bytes = 0;  // per step; of the last step; per particle
 };
 Cost cost_of(const EffectOptions& effects, bool tension_control, double air_c0, double dp, double seconds) {
-    SolverSetup s;
+    SimulationSetup s;
     s.dp = dp;
     s.state_equation.c0 = 40;
     s.domain = {Vec3(0, 0, 0), Vec3(2, 0.6, 1.2)};
     s.mirrors.on = {{{true, true}, {true, true}, {true, false}}};
-    s.solids = {box_surface({Vec3(1.2, 0.2, -0.1), Vec3(1.5, 0.4, 0.3)})};
+    s.bodies = {box_surface({Vec3(1.2, 0.2, -0.1), Vec3(1.5, 0.4, 0.3)})};
     s.threads = 1;
     s.effects = effects;
     s.tension_control = tension_control;
     const std::vector<Box> block{{Vec3(0, 0, 0), Vec3(2, 0.6, 0.6)}};
-    Solver solver(s, fill_with_fluid(s, block));
+    Simulation simulation(s, fill_with_fluid(s, block));
     if (air_c0 > 0) {
         AirOptions air;
         air.sound_speed = air_c0;
-        solver.add_air(air, fill_with_air(s, block));
+        add_air(simulation, air, fill_with_air(s, block));
     }
-    solver.step();
+    simulation.step();
     Cost best{1e9, 0, 0};
     using clock = std::chrono::steady_clock;
     const auto begin = clock::now();
     do {  // the quietest of several groups of steps
         const auto start = clock::now();
-        for (int k = 0; k < 6; ++k) solver.step();
+        for (int k = 0; k < 6; ++k) simulation.step();
         best.seconds = std::min(best.seconds, std::chrono::duration<double>(clock::now() - start).count() / 6);
     } while (std::chrono::duration<double>(clock::now() - begin).count() < seconds);
-    best.dt = solver.dt();
-    best.bytes = solver.bytes() / double(solver.particles().size());
+    best.dt = simulation.dt();
+    best.bytes = simulation.bytes() / double(simulation.particles().size());
     return best;
 }
 

@@ -21,7 +21,7 @@
 
 #include "base/errors.h"
 #include "meshes/mass_properties.h"
-#include "sph_solver/solver.h"
+#include "sph_solver/simulation.h"
 
 using namespace tw;
 
@@ -50,8 +50,8 @@ struct Cost {
 };
 Cost total;  // of the row being made
 
-SolverSetup setup_of(const How& how, double dp) {
-    SolverSetup s;
+SimulationSetup setup_of(const How& how, double dp) {
+    SimulationSetup s;
     s.dimensions = 2;
     s.dp = dp;
     s.scheme = how.scheme;
@@ -63,28 +63,28 @@ SolverSetup setup_of(const How& how, double dp) {
 /// Steps until `end`, with a look after each. A run whose step falls to a twentieth of the acoustic one is not waited
 /// for: these cases have no such accelerations, it has lost its stability.
 template <class Look>
-void run(Solver& solver, double end, Look look) {
+void run(Simulation& simulation, double end, Look look) {
     const std::clock_t start = std::clock();
-    while (solver.time() < end) {
-        solver.step();
-        const double acoustic = solver.setup().cfl * solver.h() / solver.setup().state_equation.c0;
-        if (solver.dt() < acoustic / 20) throw RunError("unstable");
+    while (simulation.time() < end) {
+        simulation.step();
+        const double acoustic = simulation.setup().cfl * simulation.h() / simulation.setup().state_equation.c0;
+        if (simulation.dt() < acoustic / 20) throw RunError("unstable");
         look();
     }
     total.seconds += double(std::clock() - start) / CLOCKS_PER_SEC;
-    total.evaluations += double(solver.timers().evaluations) / double(solver.particles().size());
+    total.evaluations += double(simulation.timers().evaluations) / double(simulation.particles().size());
 }
 
 /// A box full of water between mirrors, no gravity.
-SolverSetup closed_box(const How& how, double dp, double length, double height, double c0) {
-    SolverSetup s = setup_of(how, dp);
+SimulationSetup closed_box(const How& how, double dp, double length, double height, double c0) {
+    SimulationSetup s = setup_of(how, dp);
     s.state_equation.c0 = c0;
     s.gravity = Vec3::Zero();
     s.domain = {Vec3(0, -1, 0), Vec3(length, 1, height)};
     s.mirrors.on = {{{true, true}, {false, false}, {true, true}}};
     return s;
 }
-Fluid still(const SolverSetup& s, const Box& block) {
+Fluid still(const SimulationSetup& s, const Box& block) {
     Fluid water = fill_with_fluid(s, {block});
     for (double& depth : water.depth) depth = 0;
     return water;
@@ -92,28 +92,28 @@ Fluid still(const SolverSetup& s, const Box& block) {
 
 /// Angular frequency of the first mode of sound in a box of length 1 [rad/s], c0 = 20 m/s.
 double sound_frequency(const How& how) {
-    SolverSetup s = closed_box(how, 1.0 / 20, 1, 0.5, 20);
+    SimulationSetup s = closed_box(how, 1.0 / 20, 1, 0.5, 20);
     s.alpha = s.delta = s.shifting = 0;
-    Solver solver(s, still(s, s.domain));
-    Particles& p = solver.particles();
+    Simulation simulation(s, still(s, s.domain));
+    Particles& p = simulation.particles();
     for (std::size_t i = 0; i < p.size(); ++i) p.u[i] = static_cast<float>(1e-3 * std::sin(pi * p.x[i]));
     std::vector<double> zeros;
     double before = 0, then = 0;
-    run(solver, 20 * 2 / 20.0, [&] {
+    run(simulation, 20 * 2 / 20.0, [&] {
         double now = 0;
         for (std::size_t i = 0; i < p.size(); ++i) now += double(p.u[i]) * std::sin(pi * p.x[i]);
-        if (before * now < 0) zeros.push_back(then + (solver.time() - then) * before / (before - now));
-        before = now, then = solver.time();
+        if (before * now < 0) zeros.push_back(then + (simulation.time() - then) * before / (before - now));
+        before = now, then = simulation.time();
     });
     return pi * double(zeros.size() - 1) / (zeros.back() - zeros.front());
 }
 
 /// Energy of a vortex cell after 0.3 m of its fastest water's way, over the start's.
 double vortex_energy(const How& how, bool dissipation) {
-    SolverSetup s = closed_box(how, 1.0 / 32, 1, 1, 15);
+    SimulationSetup s = closed_box(how, 1.0 / 32, 1, 1, 15);
     if (!dissipation) s.alpha = s.delta = s.shifting = 0;
-    Solver solver(s, still(s, s.domain));
-    Particles& p = solver.particles();
+    Simulation simulation(s, still(s, s.domain));
+    Particles& p = simulation.particles();
     for (std::size_t i = 0; i < p.size(); ++i) {
         p.u[i] = static_cast<float>(std::sin(pi * p.x[i]) * std::cos(pi * p.z[i]));
         p.w[i] = static_cast<float>(-std::cos(pi * p.x[i]) * std::sin(pi * p.z[i]));
@@ -127,7 +127,7 @@ double vortex_energy(const How& how, bool dissipation) {
     const bool staggered = how.scheme == Scheme::symplectic_euler || how.scheme == Scheme::kick_drift_kick;
     double first = 0, last = 0, firsts = 0, lasts = 0, kinetic_before = 0, elastic_before = 0;
     const double end = 0.3;
-    run(solver, end, [&] {
+    run(simulation, end, [&] {
         double kinetic = 0, elastic = 0;
         for (std::size_t i = 0; i < p.size(); ++i) {
             const double r = double(p.drho[i]) / s.rho0;
@@ -136,9 +136,9 @@ double vortex_energy(const How& how, bool dissipation) {
         }
         const double energy = staggered ? kinetic_before + (elastic_before + elastic) / 2 : kinetic + elastic;
         kinetic_before = kinetic, elastic_before = elastic;
-        if (solver.steps() == 1) return;
-        if (solver.time() < 0.05 * end) first += energy, firsts += 1;
-        if (solver.time() > 0.95 * end) last += energy, lasts += 1;
+        if (simulation.steps() == 1) return;
+        if (simulation.time() < 0.05 * end) first += energy, firsts += 1;
+        if (simulation.time() > 0.95 * end) last += energy, lasts += 1;
     });
     return last / lasts / (first / firsts);
 }
@@ -146,27 +146,27 @@ double vortex_energy(const How& how, bool dissipation) {
 /// Larger one of the relative errors of the semi-axes.
 double drop_error(const How& how) {
     constexpr double A = 100, end = 0.0076, exact_x = 0.5142664744, exact_z = 1.944517191;
-    SolverSetup s = setup_of(how, 1.0 / 30);
+    SimulationSetup s = setup_of(how, 1.0 / 30);
     s.state_equation.c0 = 1400;
     s.gravity = Vec3::Zero();
     s.domain = {Vec3(-4, -1, -4), Vec3(4, 1, 4)};
     Fluid drop;
     for (const Vec3& place : fill_with_fluid(s, {Box{Vec3(-1, 0, -1), Vec3(1, 0, 1)}}).places)
         if (std::hypot(place.x(), place.z()) < 1) drop.places.push_back(place), drop.depth.push_back(0);
-    Solver solver(s, drop);
-    Particles& p = solver.particles();
+    Simulation simulation(s, drop);
+    Particles& p = simulation.particles();
     for (std::size_t i = 0; i < p.size(); ++i)
         p.u[i] = static_cast<float>(-A * p.x[i]), p.w[i] = static_cast<float>(A * p.z[i]);
     // the axes at `end` itself, between two steps
     double a = 0, b = 0, a0 = 0, b0 = 0, t0 = 0;
-    run(solver, end, [&] {
+    run(simulation, end, [&] {
         double xx = 0, zz = 0;
         for (std::size_t i = 0; i < p.size(); ++i) xx += p.x[i] * p.x[i], zz += p.z[i] * p.z[i];
         const double n = static_cast<double>(p.size());
-        if (solver.time() < end) a0 = 2 * std::sqrt(xx / n), b0 = 2 * std::sqrt(zz / n), t0 = solver.time();
+        if (simulation.time() < end) a0 = 2 * std::sqrt(xx / n), b0 = 2 * std::sqrt(zz / n), t0 = simulation.time();
         a = 2 * std::sqrt(xx / n), b = 2 * std::sqrt(zz / n);
     });
-    const double share = (end - t0) / (solver.time() - t0);
+    const double share = (end - t0) / (simulation.time() - t0);
     return std::max(std::abs((a0 + share * (a - a0)) / exact_x - 1), std::abs((b0 + share * (b - b0)) / exact_z - 1));
 }
 
@@ -175,21 +175,21 @@ struct Rest {
 };
 Rest tank(const How& how, double end) {
     constexpr double g = 9.81;
-    SolverSetup s = setup_of(how, 0.05);
+    SimulationSetup s = setup_of(how, 0.05);
     s.state_equation.c0 = 10 * std::sqrt(g);
     s.domain = {Vec3(0, -1, -1), Vec3(2, 1, 1)};
     s.mirrors.on = {{{true, true}, {false, false}, {true, false}}};
-    Solver solver(s, fill_with_fluid(s, {Box{s.domain.min, Vec3(2, 1, 0)}}));
-    const Particles& p = solver.particles();
+    Simulation simulation(s, fill_with_fluid(s, {Box{s.domain.min, Vec3(2, 1, 0)}}));
+    const Particles& p = simulation.particles();
     const double n = static_cast<double>(p.size());
     Rest r;
     double samples = 0;
-    run(solver, end, [&] {
-        if (solver.time() < end / 2 || solver.steps() % 10 != 0) return;
+    run(simulation, end, [&] {
+        if (simulation.time() < end / 2 || simulation.steps() % 10 != 0) return;
         samples += 1;
         for (std::size_t i = 0; i < p.size(); ++i) {
             r.kinetic += (double(p.u[i]) * p.u[i] + double(p.w[i]) * p.w[i]) / 2 / (g * n);
-            r.pressure += std::pow((solver.pressure(i) + s.rho0 * g * p.z[i]) / (s.rho0 * g), 2) / n;
+            r.pressure += std::pow((simulation.pressure(i) + s.rho0 * g * p.z[i]) / (s.rho0 * g), 2) / n;
         }
     });
     r.kinetic /= samples, r.pressure = std::sqrt(r.pressure / samples);
@@ -212,20 +212,20 @@ Surface wedge_of(double half_width, double height) {
 double wedge_force(const How& how) {
     constexpr double V = 1, x_root = 2.722973, y_tip = 1.83295, root = 1.0 / 3, fineness = 26, sound = 15;
     const double until = root / (x_root * V), slope = std::tan(pi / 6);
-    SolverSetup s = setup_of(how, root / fineness);
+    SimulationSetup s = setup_of(how, root / fineness);
     s.state_equation.c0 = sound * x_root * V;
     s.gravity = Vec3::Zero();
     const double half = std::round(0.53 * sound * fineness) * s.dp;
     const double height = std::min(1.3 * (1 + y_tip) * V * until, 1.5 * half * slope);
     s.domain = {Vec3(0, -1, -1.5 * half), Vec3(2 * half, 1, half)};
     s.mirrors.on[0][0] = true;
-    s.solids = {wedge_of(height / slope, height)};
-    Solver solver(s, still(s, Box{Vec3(0, 0, -half), Vec3(half, 0, 0)}));
-    for (float& w : solver.particles().w) w = static_cast<float>(V);
+    s.bodies = {wedge_of(height / slope, height)};
+    Simulation simulation(s, still(s, Box{Vec3(0, 0, -half), Vec3(half, 0, 0)}));
+    for (float& w : simulation.particles().w) w = static_cast<float>(V);
     double impulse = 0, before = 0, t1 = 0, impulse1 = 0;
-    run(solver, until, [&] {
-        impulse += solver.load().force.z() * (solver.time() - before);
-        before = solver.time();
+    run(simulation, until, [&] {
+        impulse += simulation.load().force.z() * (simulation.time() - before);
+        before = simulation.time();
         if (before <= 0.4 * until) t1 = before, impulse1 = impulse;
     });
     return 2 * (impulse - impulse1) / (s.rho0 * V * V * V / 2 * (before * before - t1 * t1));

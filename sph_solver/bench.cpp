@@ -7,7 +7,7 @@
 #include <random>
 
 #include "sph_solver/backend/simd.h"
-#include "sph_solver/solver.h"
+#include "sph_solver/simulation.h"
 
 namespace tw {
 
@@ -54,7 +54,7 @@ double kernel_peak(const PassData& like, int threads) {
 
 BenchResult run_bench(std::int64_t particles, double h_over_dp, int threads, double seconds) {
     const int n = std::max(8, static_cast<int>(std::lround(std::cbrt(double(particles)))));
-    SolverSetup s;
+    SimulationSetup s;
     s.dp = 0.01;
     s.h_over_dp = h_over_dp;
     s.state_equation.c0 = 20;
@@ -65,15 +65,15 @@ BenchResult run_bench(std::int64_t particles, double h_over_dp, int threads, dou
     std::mt19937 random(1);
     std::uniform_real_distribution<double> jitter(-0.1 * s.dp, 0.1 * s.dp);
     for (Vec3& p : fluid.places) p += Vec3(jitter(random), jitter(random), jitter(random));
-    Solver solver(s, fluid);
-    solver.step();
+    Simulation simulation(s, fluid);
+    simulation.step();
 
-    const Timers before = solver.timers();
-    const std::int64_t first = solver.steps();
+    const Timers before = simulation.timers();
+    const std::int64_t first = simulation.steps();
     const double start = now();
-    while (now() - start < seconds || solver.steps() - first < 4) solver.step();
+    while (now() - start < seconds || simulation.steps() - first < 4) simulation.step();
     const double wall = now() - start;
-    const Timers& t = solver.timers();
+    const Timers& t = simulation.timers();
 
     BenchResult r;
     r.particles = static_cast<std::int64_t>(fluid.places.size());
@@ -83,13 +83,13 @@ BenchResult run_bench(std::int64_t particles, double h_over_dp, int threads, dou
     const double support = 2 * h_over_dp;
     r.neighbours_per_particle = 4.0 / 3 * 3.14159265358979 * support * support * support;
     r.pairs_per_second = r.evaluations_per_second * r.neighbours_per_particle;
-    r.bytes_per_particle = solver.bytes() / double(r.particles);
+    r.bytes_per_particle = simulation.bytes() / double(r.particles);
     const double in_pairs = t.gradient + t.forces - before.gradient - before.forces;
     r.share_outside_pairs = 1 - in_pairs / wall;
     PassData like;
-    like.kernel = Kernel(solver.h(), 3);
+    like.kernel = Kernel(simulation.h(), 3);
     like.quantum = static_cast<float>(s.dp / (1 << 18));
-    r.visited_per_particle = solver.visited_per_particle();
+    r.visited_per_particle = simulation.level(0).visited_per_particle();
     r.share_of_kernel_peak =
         r.visited_per_particle * double(t.evaluations - before.evaluations) / in_pairs / kernel_peak(like, s.threads);
     return r;

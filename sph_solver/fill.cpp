@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sph_solver/solver.h"
+#include "sph_solver/simulation.h"
 
 namespace tw {
 namespace {
 
 /// Places of spacing dp in a block, half a spacing off its faces.
-std::vector<Vec3> lattice(const SolverSetup& s, const Box& block) {
+std::vector<Vec3> lattice(const SimulationSetup& s, const Box& block) {
     const double dp = s.dp;
     const auto count = [&](int a) { return static_cast<long>(std::llround(block.size()[a] / dp)); };
     const long nx = count(0), ny = s.dimensions == 3 ? count(1) : 1, nz = count(2);
@@ -36,22 +36,22 @@ void add_outside(const std::vector<Vec3>& places, const std::vector<SurfaceQuery
         }
 }
 
-std::vector<SurfaceQuery> queries_of(const SolverSetup& s) {
+std::vector<SurfaceQuery> queries_of(const SimulationSetup& s) {
     std::vector<SurfaceQuery> queries;
-    for (const Surface& surface : s.solids) queries.emplace_back(surface);
+    for (const BodySetup& body : s.bodies) queries.emplace_back(body.surface);
     return queries;
 }
 
 }  // namespace
 
-Fluid fill_with_fluid(const SolverSetup& s, const std::vector<Box>& blocks) {
+Fluid fill_with_fluid(const SimulationSetup& s, const std::vector<Box>& blocks) {
     const std::vector<SurfaceQuery> solids = queries_of(s);
     Fluid out;
     for (const Box& block : blocks) add_outside(lattice(s, block), solids, s.dp, block.max.z(), out);
     return out;
 }
 
-Fluid fill_with_air(const SolverSetup& s, const std::vector<Box>& water) {
+Fluid fill_with_air(const SimulationSetup& s, const std::vector<Box>& water) {
     Box all = s.domain;
     if (s.stream) {
         all.min.x() -= s.stream->buffer;

@@ -15,9 +15,9 @@
 #include "record/water_surface.h"
 #include "scene/hash.h"
 #include "sph_solver/measure/certificate.h"
-#include "sph_solver/state/checkpoint.h"
 #include "sph_solver/measure/recorder.h"
 #include "sph_solver/scene_setup.h"
+#include "sph_solver/state/checkpoint.h"
 
 namespace tw {
 namespace fs = std::filesystem;
@@ -65,17 +65,17 @@ double next_after(double time, double interval) { return (std::floor(time / inte
 class Snapshots {
 public:
     explicit Snapshots(const fs::path& folder) : folder_(folder / "snapshots") {}
-    void write(const Solver& solver, const RunRecord& record) {
+    void write(const Simulation& simulation, const RunRecord& record) {
         fs::create_directories(folder_);
-        const std::string stamp = fmt::format("{:09.5f}", solver.time());
-        write_phase(solver, "particles", particles_, stamp);
-        if (solver.air()) write_phase(*solver.air(), "air", air_, stamp);
+        const std::string stamp = fmt::format("{:09.5f}", simulation.time());
+        write_level(simulation.level(0), "particles", particles_, stamp);
+        if (const Level* air = air_of(simulation)) write_level(*air, "air", air_, stamp);
         write_water(record);
         if (record.hull_pressure.empty()) return;
         const std::string hull = "hull_" + stamp + ".vtp";
         write_surface(folder_ / hull, record.hull,
                       {{"pressure", 1, record.hull_pressure}, {"wet", 1, record.hull_wet}});
-        hulls_.emplace_back(hull, solver.time());
+        hulls_.emplace_back(hull, simulation.time());
         write_series(folder_ / "hull.vtp.series", hulls_);
     }
     /// The free surface of the last raster frame, under its own time; a frame that is there already is left.
@@ -113,19 +113,19 @@ public:
 private:
     using Series = std::vector<std::pair<std::string, double>>;
 
-    void write_phase(const Solver& solver, const std::string& name, Series& series, const std::string& stamp) {
-        const Particles& p = solver.particles();
+    void write_level(const Level& level, const std::string& name, Series& series, const std::string& stamp) {
+        const Particles& p = level.particles();
         std::vector<Vec3> places(p.size());
         Field velocity{"velocity", 3, {}}, pressure{"pressure", 1, {}}, kind{"kind", 1, {}};
         for (std::size_t i = 0; i < p.size(); ++i) {
             places[i] = Vec3(p.x[i], p.y[i], p.z[i]);
             velocity.values.insert(velocity.values.end(), {p.u[i], p.v[i], p.w[i]});
-            pressure.values.push_back(static_cast<float>(solver.pressure(i)));
+            pressure.values.push_back(static_cast<float>(level.pressure(i)));
             kind.values.push_back(static_cast<float>(p.kind[i]));
         }
         const std::string file = name + "_" + stamp + ".hdf";
-        write_particles(folder_ / file, solver.time(), places, {velocity, pressure, kind});
-        series.emplace_back(file, solver.time());
+        write_particles(folder_ / file, level.time(), places, {velocity, pressure, kind});
+        series.emplace_back(file, level.time());
         write_series(folder_ / (name + ".hdf.series"), series);
     }
 
@@ -163,25 +163,26 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
     RunRecord fresh = new_record(scene, "sph");
     note_prediction(fresh, options);
     std::optional<SphSetup> setup;
-    std::optional<Solver> solver;
+    std::optional<Simulation> simulation;
     {
         const PhaseTimer timer(fresh, "particles");
         setup = sph_setup(scene, threads);
-        solver.emplace(setup->solver, setup->fluid);
-        if (setup->air) solver->add_air(setup->air->options, setup->air->fluid);
+        // the same pair loops as before: others may give other last digits
+        simulation.emplace(setup->simulation, setup->fluid, checkpoint ? passes(checkpoint->isa.c_str()) : passes());
+        if (setup->air) add_air(*simulation, setup->air->options, setup->air->fluid);
     }
     if (setup->control_volume) {
-        solver->set_control_volume(*setup->control_volume);
-        solver->control_volume()->make_faces(scene.resolution.near_hull);
+        simulation->set_control_volume(*setup->control_volume);
+        simulation->control_volume()->make_faces(scene.resolution.near_hull);
     }
     fresh.attributes["threads"] = std::to_string(threads);
-    fresh.attributes["isa"] = passes().isa;
+    fresh.attributes["isa"] = simulation->passes().isa;
     fresh.attributes["calibrated"] =
         "support of 0.9 to 1 at which a wall begins to compress, on planing_prism at beam/12";
     fresh.numbers["spacing"] = scene.resolution.near_hull;
-    fresh.numbers["wall_particles"] = double(solver->wall_particles());
+    fresh.numbers["wall_particles"] = double(simulation->level(0).walls().size());
     const double mass_at_start =
-        checkpoint ? checkpoint->mass_at_start : solver->mass() * double(solver->particles().size());
+        checkpoint ? checkpoint->mass_at_start : simulation->mass() * double(simulation->particles().size());
     setup->fluid = {}, setup->air = {};
 
     if (!checkpoint) remove_old_run(options.folder);
@@ -191,89 +192,87 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
         fresh.frames = std::move(before.frames);
         fresh.phases = std::move(before.phases);
         fresh.certificate = std::move(before.certificate);
-        fresh.attributes["resumed_at"] = fmt::format("{}", checkpoint->state.time);
+        fresh.attributes["resumed_at"] = fmt::format("{}", checkpoint->levels.front().state.time);
     }
-    Recorder recorder(scene, *solver, std::move(fresh));
+    Recorder recorder(scene, *simulation, std::move(fresh));
     RunRecord& record = recorder.record();
     Snapshots snapshots(options.folder);
     if (checkpoint) {
-        solver->restore(checkpoint->state, std::move(checkpoint->particles));
-        if (solver->air() && checkpoint->air.x.empty())
-            throw InputError(checkpoint_file.string() + ": holds no air; start anew with --overwrite");
-        if (solver->air()) solver->restore_air(checkpoint->air_state, std::move(checkpoint->air));
-        recorder.rewind(*solver);
-        snapshots.find_written(solver->time());
+        restore(*simulation, std::move(*checkpoint));
+        recorder.rewind(*simulation);
+        snapshots.find_written(simulation->time());
     }
 
     const double duration = scene.run.duration, interval = scene.sampling.interval;
-    double next_frame = next_after(solver->time(), interval);
-    double next_checkpoint = next_after(solver->time(), scene.run.checkpoint > 0 ? scene.run.checkpoint : duration);
+    double next_frame = next_after(simulation->time(), interval);
+    double next_checkpoint = next_after(simulation->time(), scene.run.checkpoint > 0 ? scene.run.checkpoint : duration);
     double next_snapshot = scene.sampling.snapshot_interval > 0
-                               ? next_after(solver->time(), scene.sampling.snapshot_interval)
+                               ? next_after(simulation->time(), scene.sampling.snapshot_interval)
                                : 2 * duration;
-    const double started = wall_now(), time_at_start = solver->time();
+    const double started = wall_now(), time_at_start = simulation->time();
     double last_report = 0;
 
     const auto save = [&](const std::string& state, const std::string& reason) {
         record.state = state;
         record.reason = reason;
-        const std::size_t gas = solver->air() ? solver->air()->particles().size() : 0;
-        record.elements = double(solver->particles().size() + gas);
+        const Level* air = air_of(*simulation);
+        const std::size_t gas = air ? air->particles().size() : 0;
+        record.elements = double(simulation->particles().size() + gas);
         if (gas > 0) record.numbers["air_particles"] = double(gas);
-        record.steps = double(solver->steps());
+        record.steps = double(simulation->steps());
         record.peak_memory = std::max(record.peak_memory, peak_memory());
-        record.numbers["bytes_per_particle"] = solver->bytes() / record.elements;
+        record.numbers["bytes_per_particle"] = simulation->bytes() / record.elements;
         write_record(record_file, record);
     };
     const auto report = [&] {
         if (!options.progress) return;
-        const double wall = wall_now() - started, rate = (solver->time() - time_at_start) / std::max(wall, 1e-9);
+        const double wall = wall_now() - started, rate = (simulation->time() - time_at_start) / std::max(wall, 1e-9);
         Progress p;
-        p.time = solver->time(), p.duration = duration, p.wall = wall, p.steps = solver->steps();
-        p.eta = rate > 0 ? (duration - solver->time()) / rate : 0;
-        p.note = fmt::format("sph {} particles{}, dt {:.3g} s", solver->particles().size(),
-                             solver->air() ? fmt::format(" and {} of air", solver->air()->particles().size()) : "",
-                             solver->dt());
+        p.time = simulation->time(), p.duration = duration, p.wall = wall, p.steps = simulation->steps();
+        p.eta = rate > 0 ? (duration - simulation->time()) / rate : 0;
+        const Level* air = air_of(*simulation);
+        p.note = fmt::format("sph {} particles{}, dt {:.3g} s", simulation->particles().size(),
+                             air ? fmt::format(" and {} of air", air->particles().size()) : "", simulation->dt());
         options.progress(p);
         last_report = wall_now();
     };
 
     try {
-        while (solver->time() < duration) {
+        while (simulation->time() < duration) {
             {
                 const PhaseTimer timer(record, "solving");
-                solver->step();
+                simulation->step();
             }
-            const bool last = solver->time() >= duration, frame = last || solver->time() >= next_frame;
+            const bool last = simulation->time() >= duration, frame = last || simulation->time() >= next_frame;
             {
                 const PhaseTimer timer(record, "output");
-                recorder.after_step(*solver, frame);
-                if (frame) next_frame = next_after(solver->time(), interval);
-                if (last || solver->time() >= next_snapshot) {
-                    recorder.fill_hull_pressure(*solver);
-                    if (scene.sampling.snapshot_interval > 0) snapshots.write(*solver, record);
-                    next_snapshot = next_after(solver->time(), std::max(scene.sampling.snapshot_interval, 1e-300));
+                recorder.after_step(*simulation, frame);
+                if (frame) next_frame = next_after(simulation->time(), interval);
+                if (last || simulation->time() >= next_snapshot) {
+                    recorder.fill_hull_pressure(*simulation);
+                    if (scene.sampling.snapshot_interval > 0) snapshots.write(*simulation, record);
+                    next_snapshot = next_after(simulation->time(), std::max(scene.sampling.snapshot_interval, 1e-300));
                 }
                 // at a frame, where the control volume's sums begin anew
-                if (frame && !last && solver->time() >= next_checkpoint) {
+                if (frame && !last && simulation->time() >= next_checkpoint) {
                     save("running", "");
-                    write_checkpoint(checkpoint_file, hash, *solver, mass_at_start);
-                    solver->mark_restart_point();
-                    next_checkpoint = next_after(solver->time(), scene.run.checkpoint);
+                    write_checkpoint(checkpoint_file, hash, *simulation, mass_at_start);
+                    simulation->mark_restart_point();
+                    next_checkpoint = next_after(simulation->time(), scene.run.checkpoint);
                 }
             }
             if (wall_now() - last_report > 0.5) report();
             if (options.stop_asked && options.stop_asked()) {
                 save("stopped", fmt::format("asked to stop at t = {:.6g} s; --resume goes on from the last checkpoint",
-                                            solver->time()));
+                                            simulation->time()));
                 return record;
             }
         }
-        write_checkpoint(checkpoint_file, hash, *solver, mass_at_start);
+        write_checkpoint(checkpoint_file, hash, *simulation, mass_at_start);
         save("finished", "");
         report();
     } catch (const RunError& e) {
-        watch_stability(*solver, record);  // what the run was stopped for
+        watch_stability(*simulation, record);  // what the run was stopped for
         try {
             save("failed", e.what());
         } catch (const RunError& nested) {

@@ -14,7 +14,7 @@ bool is_mirror(Side side) { return side == Side::slip_wall || side == Side::symm
 
 /// Clear of the wet hull by half a beam below and beside it (at least six spacings), a quarter of its length ahead and
 /// as far behind as half of that, and open above.
-Box control_box(const Scene& scene, const SolverSetup& s) {
+Box control_box(const Scene& scene, const SimulationSetup& s) {
     const Hull& hull = *scene.hull;
     const double near = std::max(6 * s.dp, 0.5 * hull.beam);
     const auto on_lattice = [&](double x) { return std::round(x / s.dp) * s.dp; };
@@ -36,7 +36,7 @@ Box control_box(const Scene& scene, const SolverSetup& s) {
 
 /// Along every outer face but inlet, symmetry, floor and top, an eighth of the domain wide; strong enough to leave e^-5
 /// of the motion of what crosses them at the scene's speed.
-DampingLayers damping_layers(const Scene& scene, const SolverSetup& s) {
+DampingLayers damping_layers(const Scene& scene, const SimulationSetup& s) {
     DampingLayers d;
     const Domain& domain = scene.domain;
     const auto layer = [&](int axis, bool high, Side side) {
@@ -52,14 +52,7 @@ DampingLayers damping_layers(const Scene& scene, const SolverSetup& s) {
     return d;
 }
 
-Scheme scheme_of(const std::string& name) {
-    return name == "kick_drift_kick"        ? Scheme::kick_drift_kick
-           : name == "predictor_corrector"  ? Scheme::predictor_corrector
-           : name == "rk4_frozen_diffusion" ? Scheme::rk4_frozen_diffusion
-                                            : Scheme::symplectic_euler;
-}
-
-EffectOptions effect_options(const Scene& scene, const SolverSetup& s) {
+EffectOptions effect_options(const Scene& scene, const SimulationSetup& s) {
     EffectOptions on;
     if (scene.effect_on("viscosity")) {
         on.viscosity = Viscosity{scene.water.kinematic_viscosity, scene.effect_on("no_slip"), {}};
@@ -77,7 +70,7 @@ EffectOptions effect_options(const Scene& scene, const SolverSetup& s) {
 
 SphSetup sph_setup(const Scene& scene, int threads) {
     SphSetup setup;
-    SolverSetup& s = setup.solver;
+    SimulationSetup& s = setup.simulation;
     s.dimensions = scene.domain.dimensions;
     s.dp = scene.resolution.near_hull;
     s.h_over_dp = scene.sph.h_over_dp;
@@ -111,13 +104,13 @@ SphSetup sph_setup(const Scene& scene, int threads) {
         s.stream = stream;
     }
     if (scene.hull) {
-        s.solids.push_back(scene.hull->surface);
+        s.bodies.emplace_back(scene.hull->surface);
         s.moment_reference = moment_reference(scene);
         setup.control_volume = control_box(scene, s);
     }
     s.effects = effect_options(scene, s);
     s.tension_control = scene.effect_on("tension_control");
-    for (const Obstacle& o : scene.obstacles) s.solids.push_back(o.surface);
+    for (const Obstacle& o : scene.obstacles) s.bodies.emplace_back(o.surface);
 
     std::vector<Box> blocks = scene.water_blocks;
     if (blocks.empty()) {

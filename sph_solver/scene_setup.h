@@ -2,13 +2,14 @@
 #include <optional>
 
 #include "scene/scene.h"
-#include "sph_solver/solver.h"
+#include "sph_solver/effects/air.h"
+#include "sph_solver/simulation.h"
 
 namespace tw {
 
 /// The scene as the engine needs it.
 struct SphSetup {
-    SolverSetup solver;
+    SimulationSetup simulation;
     Fluid fluid;
     struct Gas {
         AirOptions options;

@@ -9,7 +9,7 @@
 #include "meshes/generate.h"
 #include "record/certificate.h"
 #include "sph_solver/measure/certificate.h"
-#include "sph_solver/solver.h"
+#include "sph_solver/simulation.h"
 
 namespace tw {
 
@@ -51,14 +51,14 @@ Surface plate(double trim_deg) {
 }
 
 struct Start {
-    SolverSetup setup;
+    SimulationSetup setup;
     Fluid fluid;
     bool upwards = false;  ///< the water starts with the speed along +z
 };
 
 Start start_of(const HardCase& c) {
     Start start;
-    SolverSetup& s = start.setup;
+    SimulationSetup& s = start.setup;
     s.dimensions = 2;
     s.dp = 1 / c.spacings_per_m;
     s.h_over_dp = c.h_over_dp;
@@ -70,7 +70,7 @@ Start start_of(const HardCase& c) {
     switch (c.kind) {
         case HardCaseKind::impact:
             s.domain = {Vec3(-8, -1, -4), Vec3(8, 1, 8)};
-            s.solids = {section(c.deadrise_deg)};
+            s.bodies = {section(c.deadrise_deg)};
             water = {Vec3(-on_lattice(block_width / 2), 0, -on_lattice(block_height)),
                      Vec3(on_lattice(block_width / 2), 0, 0)};
             start.upwards = true;
@@ -83,7 +83,7 @@ Start start_of(const HardCase& c) {
             s.stream = stream;
             s.domain = {Vec3(-on_lattice(ahead), -1, -on_lattice(stream_depth)), Vec3(on_lattice(behind), 1, 2)};
             s.mirrors.on = {{{false, false}, {false, false}, {true, false}}};
-            s.solids = {plate(c.deadrise_deg)};
+            s.bodies = {plate(c.deadrise_deg)};
             water = s.domain;
             water.min.x() -= stream.buffer, water.max.x() += stream.buffer, water.max.z() = 0;
             break;
@@ -108,31 +108,31 @@ Start start_of(const HardCase& c) {
 ///   e = int p drho / rho^2 = c0^2 (ln(1 + d) - d / (1 + d)),   d = rho / rho0 - 1
 ///
 /// d^2 / 2 alone is a tenth too much at a compression of 7 %: more than what these cases are allowed to make.
-double energy_of(const Solver& solver) {
-    const Particles& p = solver.particles();
-    const double c0 = solver.setup().state_equation.c0, rho0 = solver.setup().rho0;
+double energy_of(const Simulation& simulation) {
+    const Particles& p = simulation.particles();
+    const double c0 = simulation.setup().state_equation.c0, rho0 = simulation.setup().rho0;
     double sum = 0;
     for (std::size_t i = 0; i < p.size(); ++i) {
         const double u = p.u[i], w = p.w[i], d = double(p.drho[i]) / rho0;
         sum += 0.5 * (u * u + w * w) + c0 * c0 * (std::log1p(d) - d / (1 + d)) + g * p.z[i];
     }
-    return solver.mass() * sum;
+    return simulation.mass() * sum;
 }
 
 /// Kinetic energy over rho g H V.
-double motion(const Solver& solver) {
-    const Particles& p = solver.particles();
+double motion(const Simulation& simulation) {
+    const Particles& p = simulation.particles();
     double sum = 0;
     for (std::size_t i = 0; i < p.size(); ++i) sum += 0.5 * (double(p.u[i]) * p.u[i] + double(p.w[i]) * p.w[i]);
     return sum / (g * depth * static_cast<double>(p.size()));
 }
 
-double pressure_error(const Solver& solver) {
-    const Particles& p = solver.particles();
+double pressure_error(const Simulation& simulation) {
+    const Particles& p = simulation.particles();
     double squares = 0;
     for (std::size_t i = 0; i < p.size(); ++i)
-        squares += std::pow(solver.pressure(i) + solver.setup().rho0 * g * p.z[i], 2);
-    return std::sqrt(squares / static_cast<double>(p.size())) / (solver.setup().rho0 * g * depth);
+        squares += std::pow(simulation.pressure(i) + simulation.setup().rho0 * g * p.z[i], 2);
+    return std::sqrt(squares / static_cast<double>(p.size())) / (simulation.setup().rho0 * g * depth);
 }
 
 }  // namespace
@@ -168,30 +168,31 @@ HardCaseRun run_hard_case(const HardCase& c, const std::function<bool(double)>& 
     const bool closed = c.kind != HardCaseKind::stream;
     try {
         Start start = start_of(c);
-        Solver solver(std::move(start.setup), start.fluid);
-        if (start.upwards) std::ranges::fill(solver.particles().w, static_cast<float>(c.speed));
-        run.particles = static_cast<double>(solver.particles().size());
-        const double energy = energy_of(solver), kinetic = 0.5 * solver.mass() * run.particles * c.speed * c.speed;
+        Simulation simulation(std::move(start.setup), start.fluid);
+        if (start.upwards) std::ranges::fill(simulation.particles().w, static_cast<float>(c.speed));
+        run.particles = static_cast<double>(simulation.particles().size());
+        const double energy = energy_of(simulation),
+                     kinetic = 0.5 * simulation.mass() * run.particles * c.speed * c.speed;
         const double scale = c.kind == HardCaseKind::tank ? std::abs(energy) : kinetic;
-        while (solver.time() < c.duration()) {
-            if (go_on && solver.steps() % 20 == 0 && !go_on(solver.time())) {
+        while (simulation.time() < c.duration()) {
+            if (go_on && simulation.steps() % 20 == 0 && !go_on(simulation.time())) {
                 run.stopped = true;
                 break;
             }
-            solver.step();
-            run.time = solver.time(), run.steps = static_cast<double>(solver.steps());
-            watch_stability(solver, record);
-            const Ledger& l = solver.ledger();
+            simulation.step();
+            run.time = simulation.time(), run.steps = static_cast<double>(simulation.steps());
+            watch_stability(simulation, record);
+            const Ledger& l = simulation.ledger();
             const double missing =
-                run.particles + static_cast<double>(l.in - l.out) - static_cast<double>(solver.particles().size());
+                run.particles + static_cast<double>(l.in - l.out) - static_cast<double>(simulation.particles().size());
             note_worst(record,
                        {"particles missing", "-", std::abs(missing) + (closed ? double(l.out) : 0), 0, run.time});
             if (closed)
-                note_worst(record, {"energy made", "%", 100 * (energy_of(solver) - energy) / scale, 1, run.time});
+                note_worst(record, {"energy made", "%", 100 * (energy_of(simulation) - energy) / scale, 1, run.time});
         }
         if (c.kind == HardCaseKind::tank && !run.stopped) {
-            note_worst(record, {"motion of still water", "-", motion(solver), 1e-6, run.time});
-            note_worst(record, {"pressure error", "%", 100 * pressure_error(solver), 5, run.time});
+            note_worst(record, {"motion of still water", "-", motion(simulation), 1e-6, run.time});
+            note_worst(record, {"pressure error", "%", 100 * pressure_error(simulation), 5, run.time});
         }
     } catch (const RunError& e) { run.failure = e.what(); }
     run.lines = std::move(record.certificate);

@@ -7,7 +7,7 @@
 
 namespace tw {
 
-/// The small two-dimensional runs of the stability map; each strains another part of the particle solver.
+/// The small two-dimensional runs of the stability map; each strains another part of the particle simulation.
 ///
 ///   impact  a block of water thrown up at a fixed hull section with hard chines, 1 m wide: the blow, the jets, the
 ///           sharp edges, the cavity above the chines; gravity is on

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sph_solver/solver.h"
+#include "sph_solver/simulation.h"
 
 namespace tw {
 

@@ -20,7 +20,7 @@ struct StabilityGate {
 };
 const std::vector<StabilityGate>& stability_gates();
 
-/// Up to this Courant number the solver is said to be stable (`SolverSetup::cfl`, sph_solver/README.md).
+/// Up to this Courant number the solver is said to be stable (`SimulationSetup::cfl`, sph_solver/README.md).
 inline constexpr double stated_courant_limit = 1.2;
 
 struct StabilityJudgement {

@@ -30,8 +30,8 @@ void cut_cell(const SurfaceQuery& query, const Vec3& centre, double dp, int dime
 }
 }  // namespace
 
-WallDummies make_wall_dummies(const SurfaceQuery& query, const Box& bounds, double dp, double depth, const Box& region,
-                              int dimensions) {
+Dummies make_dummies(const SurfaceQuery& query, const Box& bounds, double dp, double depth, const Box& region,
+                     int dimensions) {
     Box box;
     box.min = bounds.min.cwiseMax(region.min).array() - dp;
     box.max = bounds.max.cwiseMin(region.max).array() + dp;
@@ -44,10 +44,10 @@ WallDummies make_wall_dummies(const SurfaceQuery& query, const Box& bounds, doub
     if (nx <= 0 || ny <= 0 || nz <= 0) return {};
 
     const double half_diagonal = dp * std::sqrt(double(dimensions)) / 2;
-    std::vector<WallDummies> layers(static_cast<std::size_t>(nz));
+    std::vector<Dummies> layers(static_cast<std::size_t>(nz));
 #pragma omp parallel for schedule(dynamic, 1)
     for (long k = 0; k < nz; ++k) {
-        WallDummies& out = layers[static_cast<std::size_t>(k)];
+        Dummies& out = layers[static_cast<std::size_t>(k)];
         for (long j = 0; j < ny; ++j)
             for (long i = 0; i < nx;) {
                 const Vec3 p((double(x0 + i) + 0.5) * dp, dimensions == 3 ? (double(y0 + j) + 0.5) * dp : 0.0,
@@ -70,8 +70,8 @@ WallDummies make_wall_dummies(const SurfaceQuery& query, const Box& bounds, doub
                 i += std::max(1L, static_cast<long>(clear / dp));
             }
     }
-    WallDummies all;
-    for (const WallDummies& layer : layers) {
+    Dummies all;
+    for (const Dummies& layer : layers) {
         all.places.insert(all.places.end(), layer.places.begin(), layer.places.end());
         all.volumes.insert(all.volumes.end(), layer.volumes.begin(), layer.volumes.end());
     }

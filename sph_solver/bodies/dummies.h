@@ -11,12 +11,12 @@ namespace tw {
 /// Cells of the particle lattice that lie wholly inside the surface, to a depth of `depth`, carry the cell's volume;
 /// cells that the surface cuts carry the volume of their inner part at its centroid (measured by 6^3 samples). So the
 /// volume of any closed surface, sharp keels and chines included, is met without fitting layers to its faces.
-struct WallDummies {
+struct Dummies {
     std::vector<Vec3> places;     ///< [m]
     std::vector<double> volumes;  ///< [m3]; [m2] in two dimensions
 };
 /// `region`: dummies outside it are left out. In two dimensions the lattice is the plane y = 0.
-WallDummies make_wall_dummies(const SurfaceQuery& query, const Box& bounds, double dp, double depth, const Box& region,
-                              int dimensions);
+Dummies make_dummies(const SurfaceQuery& query, const Box& bounds, double dp, double depth, const Box& region,
+                     int dimensions);
 
 }  // namespace tw

@@ -1,6 +1,6 @@
 #include "sph_solver/effects/acoustic_damping.h"
 
-#include "sph_solver/solver.h"
+#include "sph_solver/particles/level_setup.h"
 
 namespace tw {
 namespace {
@@ -10,14 +10,14 @@ public:
     explicit Damper(const AcousticDamping& options) : alpha2_(options.alpha2) {}
 
     void change_pressure(const StepView& step) override {
-        const float factor = static_cast<float>(alpha2_ * step.setup.state_equation.c0 * step.h);
+        const float factor = static_cast<float>(alpha2_ * step.level.state_equation.c0 * step.h);
 #pragma omp parallel for schedule(static)
         for (std::size_t i = 0; i < step.count(); ++i)
             if (step.particles.kind[i] == Kind::fluid && !step.at_surface(i))
                 step.pass.stress[i].p += factor * step.pass.rate[i].drho;
     }
     /// Explicit diffusion of div u with the diffusivity alpha2 c0 h.
-    double largest_step(const SolverSetup& setup, double h) const override {
+    double largest_step(const LevelSetup& setup, double h) const override {
         return 0.25 * h / (alpha2_ * setup.state_equation.c0);
     }
 

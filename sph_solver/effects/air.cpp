@@ -1,15 +1,19 @@
 #include "sph_solver/effects/air.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "sph_solver/backend/run_pass.h"
-#include "sph_solver/effects/passes.h"
-#include "sph_solver/solver.h"
+#include "base/errors.h"
 
 namespace tw {
 
-SolverSetup air_setup(SolverSetup s, const AirOptions& air) {
-    s.name = "particle of air";
+namespace {
+
+const std::string material = "air";
+
+LevelSetup air_setup(LevelSetup s, const AirOptions& air) {
+    s.material = material;
     s.rho0 = air.density;
     s.state_equation = {};
     s.state_equation.form = StateEquation::Form::tait;
@@ -18,45 +22,39 @@ SolverSetup air_setup(SolverSetup s, const AirOptions& air) {
     s.largest_compression = 10,
     s.largest_rarefaction = 0.95;  // 33 and 0.015 atmospheres: beyond any scene, short of nonsense
     s.tension_control = true;
+    s.shut_in = true;
     s.effects = {};
     return s;
 }
 
-double gas_energy(const Solver& gas) {
-    const SolverSetup& s = gas.setup();
+}  // namespace
+
+void add_air(Simulation& simulation, const AirOptions& air, const Fluid& fluid) {
+    if (fluid.places.empty()) throw InputError("air: the water leaves no room for it in the domain");
+    Mirrors& mirrors = simulation.surroundings().mirrors;
+    if (!mirrors.periodic[2]) mirrors.on[2][1] = true;
+    simulation.level(0).set_surface_support(0.6);  // of both materials: a void, not the water's surface
+    simulation.add_level(air_setup(simulation.level(0).setup(), air), fluid);
+}
+
+const Level* air_of(const Simulation& simulation) {
+    for (const auto& level : simulation.levels())
+        if (level->setup().material == material) return level.get();
+    return nullptr;
+}
+Level* air_of(Simulation& simulation) { return const_cast<Level*>(air_of(std::as_const(simulation))); }
+
+double gas_energy(const Level& gas, const Vec3& gravity) {
+    const LevelSetup& s = gas.setup();
     const Particles& p = gas.particles();
     const double gamma = s.state_equation.gamma, c2 = s.state_equation.c0 * s.state_equation.c0;
     double sum = 0;
     for (std::size_t i = 0; i < p.size(); ++i) {
         const double x = 1 + double(p.drho[i]) / s.rho0;
         sum += 0.5 * (double(p.u[i]) * p.u[i] + double(p.v[i]) * p.v[i] + double(p.w[i]) * p.w[i]) -
-               s.gravity.z() * p.z[i] +
-               c2 / gamma * (std::pow(x, gamma - 1) / (gamma - 1) + 1 / x - gamma / (gamma - 1));
+               gravity.z() * p.z[i] + c2 / gamma * (std::pow(x, gamma - 1) / (gamma - 1) + 1 / x - gamma / (gamma - 1));
     }
     return gas.mass() * sum;
-}
-
-void Interface::find_neighbours(const ColumnGrid& grid, const Quanta& quanta, const PhaseView& own,
-                                const PhaseView& other, double reach) {
-    groups_ = own.groups;
-    const PlaceRecord* place = other.pass.place;
-    lists_.build(grid, quanta, own.pass.place, groups_,
-                 {{place, &other.start, 0}, {place + other.count, &other.image_start, static_cast<int>(other.count)}},
-                 {reach, reach, reach}, false);
-    std::erase_if(groups_, [](const Group& g) { return g.list_size == 0; });
-    sums_.assign(own.count, {});
-}
-
-void Interface::meet(const Passes& passes, const PassData& own, const PassData& other) {
-    run_pass(passes.meet_other_phase, InterfaceData{&own, &other, sums_.data()}, groups_);
-}
-
-void Interface::press(const Passes& passes, const PassData& own, const PassData& other) const {
-    run_pass(passes.press_other_phase, InterfaceData{&own, &other, nullptr}, groups_);
-}
-
-std::size_t Interface::bytes() const {
-    return lists_.bytes() + groups_.capacity() * sizeof(Group) + sums_.capacity() * sizeof(OtherSums);
 }
 
 }  // namespace tw

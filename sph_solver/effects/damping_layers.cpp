@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sph_solver/solver.h"
+#include "sph_solver/particles/level_setup.h"
 
 namespace tw {
 namespace {
@@ -13,8 +13,8 @@ public:
 
     void add_rates(const StepView& step) override {
         const Particles& p = step.particles;
-        const Box& domain = step.setup.domain;
-        const double stream = step.setup.stream ? step.setup.stream->velocity(step.time) : 0;
+        const Box& domain = step.around.domain;
+        const double stream = step.around.stream ? step.around.stream->velocity(step.time) : 0;
         const Vec3 moved = step.time * o_.velocity;
 #pragma omp parallel for schedule(static)
         for (std::size_t i = 0; i < p.size(); ++i) {
@@ -34,7 +34,7 @@ public:
             r.az -= static_cast<float>(rate * double(p.w[i]));
         }
     }
-    double largest_step(const SolverSetup&, double) const override { return 0.5 / o_.strength; }
+    double largest_step(const LevelSetup&, double) const override { return 0.5 / o_.strength; }
 
 private:
     DampingLayers o_;

@@ -3,28 +3,28 @@
 #include <limits>
 #include <vector>
 
-#include "sph_solver/ghosts/mirrors.h"
 #include "sph_solver/backend/pass_data.h"
+#include "sph_solver/ghosts/mirrors.h"
 #include "sph_solver/particles/particles.h"
 
 namespace tw {
 
-struct SolverSetup;
+struct LevelSetup;
+struct Surroundings;
+class Walls;
 
 /// What an effect sees of one step, and what it may change: the pressure before the forces, and the rates after them.
 /// Indices run over the particles, then over their mirror images; wall dummies have their own.
 struct StepView {
-    const SolverSetup& setup;
+    const Surroundings& around;
+    const LevelSetup& level;
     const Particles& particles;
     const PassData& pass;  ///< the records; `stress` and `rate` may be changed
     const Passes& passes;
     const std::vector<Group>& groups;
-    const std::vector<Group>& wall_groups;  ///< wall dummies that have water near
+    const Walls& walls;
     const std::vector<MirrorImage>& images;
-    const std::vector<VelocityDensityRecord>& wall_motion;  ///< of the dummies' surface; empty: at rest
-    std::size_t walls = 0;                         ///< number of wall dummies
-    std::size_t wall_groups_of_water = 0;          ///< number of WallLoads
-    double h = 0, mass = 0, time = 0;
+    double h, mass, time;
 
     std::size_t count() const { return particles.size(); }
     bool at_surface(std::size_t i) const { return (pass.surface[i / 32] >> (i % 32) & 1u) != 0; }
@@ -47,7 +47,7 @@ public:
     /// All forces of the engine itself are in `rate`; adds to it.
     virtual void add_rates(const StepView&) {}
     /// Largest stable step of this effect alone [s].
-    virtual double largest_step(const SolverSetup&, double /*h*/) const {
+    virtual double largest_step(const LevelSetup&, double /*h*/) const {
         return std::numeric_limits<double>::infinity();
     }
     /// What the walls did to the water in `add_rates`, group by group as in PassData; empty: nothing.

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "sph_solver/backend/run_pass.h"
+#include "sph_solver/backend/for_particles.h"
 #include "sph_solver/effects/passes.h"
-#include "sph_solver/solver.h"
+#include "sph_solver/particles/level_setup.h"
 
 namespace tw {
 namespace {
@@ -25,7 +25,7 @@ public:
         c.water = &step.pass;
         c.normal = normal_.data();
         c.curvature = curvature_.data();
-        run_pass(step.passes.colour_gradient, c, step.groups);
+        for_pairs(step.passes.colour_gradient, c, step.groups);
 #pragma omp parallel for schedule(static)
         for (std::size_t i = 0; i < n; ++i) {
             VelocityDensityRecord& r = normal_[i];
@@ -36,7 +36,7 @@ public:
         }
         for (std::size_t k = 0; k < step.images.size(); ++k)
             normal_[n + k] = mirrored(normal_[static_cast<std::size_t>(step.images[k].source)], step.images[k]);
-        run_pass(step.passes.surface_curvature, c, step.groups);
+        for_pairs(step.passes.surface_curvature, c, step.groups);
 #pragma omp parallel for schedule(static)
         for (std::size_t i = 0; i < n; ++i) {
             const float f =
@@ -48,11 +48,12 @@ public:
         }
     }
     /// Capillary waves of the kernel's length (Brackbill et al. 1992): dt < 0.25 sqrt(rho h^3 / (2 pi sigma)).
-    double largest_step(const SolverSetup& setup, double h) const override {
+    double largest_step(const LevelSetup& setup, double h) const override {
         return 0.25 * std::sqrt(setup.rho0 * h * h * h / (2 * std::numbers::pi * sigma_));
     }
     std::size_t bytes() const override {
-        return normal_.capacity() * sizeof(VelocityDensityRecord) + (curvature_.capacity() + length_.capacity()) * sizeof(float);
+        return normal_.capacity() * sizeof(VelocityDensityRecord) +
+               (curvature_.capacity() + length_.capacity()) * sizeof(float);
     }
 
 private:

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "sph_solver/backend/run_pass.h"
+#include "sph_solver/backend/for_particles.h"
+#include "sph_solver/bodies/walls.h"
 #include "sph_solver/effects/passes.h"
-#include "sph_solver/solver.h"
 
 namespace tw {
 namespace {
@@ -16,7 +16,7 @@ public:
     explicit PhysicalViscosity(const Viscosity& options) : o_(options) {}
 
     void add_rates(const StepView& step) override {
-        const double rho0 = step.setup.rho0;
+        const double rho0 = step.level.rho0;
         mu_.assign(step.count(), static_cast<float>(rho0 * o_.kinematic));
         largest_ = o_.kinematic;
         if (o_.turbulence) add_eddies(step);
@@ -25,17 +25,17 @@ public:
         ViscousData v;
         v.water = &step.pass;
         v.mu = mu_.data();
-        if (o_.no_slip && step.walls > 0) {
+        if (o_.no_slip && !step.walls.empty()) {
             find_wall_velocity(step);
             v.wall_velocity = wall_velocity_.data();
-            wall_load_.resize(step.wall_groups_of_water);
+            wall_load_.resize(step.walls.group_load_count());
             v.wall_load = wall_load_.data();
         }
-        run_pass(step.passes.viscous_forces, v, step.groups);
+        for_pairs(step.passes.viscous_forces, v, step.groups);
     }
 
     /// Explicit diffusion: dt < 0.125 h^2 / nu (Morris et al. 1997).
-    double largest_step(const SolverSetup&, double h) const override {
+    double largest_step(const LevelSetup&, double h) const override {
         return 0.125 * h * h / std::max(largest_, o_.kinematic);
     }
     const std::vector<WallLoad>& wall_loads() const override { return wall_load_; }
@@ -50,32 +50,33 @@ private:
         StrainData s;
         s.water = &step.pass;
         s.strain = strain_.data();
-        run_pass(step.passes.strain_rate, s, step.groups);
-        const double filter = o_.turbulence->cs * step.setup.dp;
+        for_pairs(step.passes.strain_rate, s, step.groups);
+        const double filter = o_.turbulence->cs * step.level.dp;
         double largest = 0;
 #pragma omp parallel for schedule(static) reduction(max : largest)
         for (std::size_t i = 0; i < step.count(); ++i) {
             double length = filter;
-            if (o_.no_slip && step.walls > 0)
+            if (o_.no_slip && !step.walls.empty())
                 length = std::min(length, kappa * std::max(0.0, double(step.pass.normal[i].distance)));
             const double nu = length * length * double(strain_[i]);
-            mu_[i] += static_cast<float>(step.setup.rho0 * nu);
+            mu_[i] += static_cast<float>(step.level.rho0 * nu);
             largest = std::max(largest, nu);
         }
         largest_ += largest;
     }
 
     void find_wall_velocity(const StepView& step) {
-        wall_velocity_.assign(step.walls, VelocityDensityRecord{0, 0, 0, 0});
+        wall_velocity_.assign(step.walls.size(), VelocityDensityRecord{0, 0, 0, 0});
         VelocityData w;
         w.at = step.pass.wall_place;
         w.water = &step.pass;
         w.velocity = wall_velocity_.data();
-        run_pass(step.passes.water_velocity, w, step.wall_groups);
+        for_pairs(step.passes.water_velocity, w, step.walls.live_groups());
 #pragma omp parallel for schedule(static)
         for (std::size_t k = 0; k < wall_velocity_.size(); ++k) {
             VelocityDensityRecord& m = wall_velocity_[k];
-            const VelocityDensityRecord wall = step.wall_motion.empty() ? VelocityDensityRecord{0, 0, 0, 0} : step.wall_motion[k];
+            const VelocityDensityRecord wall =
+                step.walls.sliding().empty() ? VelocityDensityRecord{0, 0, 0, 0} : step.walls.sliding()[k];
             m = {2 * wall.u - m.u, 2 * wall.v - m.v, 2 * wall.w - m.w, m.drho};
         }
     }

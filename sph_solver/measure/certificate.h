@@ -1,6 +1,6 @@
 #pragma once
 #include "record/run_record.h"
-#include "sph_solver/solver.h"
+#include "sph_solver/simulation.h"
 
 namespace tw {
 
@@ -11,6 +11,6 @@ namespace tw {
 ///   rarefaction            max (rho0 - rho) / rho0                   30 %
 ///   step held down         acoustic time step over the step taken    20 (told, not stopped)
 ///   particles lost         through walls                             0 (told, not stopped)
-void watch_stability(const Solver& solver, RunRecord& record);
+void watch_stability(const Simulation& simulation, RunRecord& record);
 
 }  // namespace tw

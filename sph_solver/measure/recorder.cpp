@@ -32,9 +32,9 @@ void set(Table& table, std::size_t row, const std::string& name, const char* uni
 
 }  // namespace
 
-Recorder::Recorder(const Scene& scene, const Solver& solver, RunRecord record)
+Recorder::Recorder(const Scene& scene, const Simulation& simulation, RunRecord record)
     : scene_(scene), record_(std::move(record)), factor_(scene.symmetry_factor()) {
-    const SolverSetup& s = solver.setup();
+    const SimulationSetup& s = simulation.setup();
     if (scene.hull) {
         Box region = scene.hull->surface.bounds();
         region.min.array() -= s.dp;
@@ -50,10 +50,10 @@ Recorder::Recorder(const Scene& scene, const Solver& solver, RunRecord record)
             height_points_.places.emplace_back(g.x, g.y, s.domain.min.z() + (k + 0.5) * height_step_);
 }
 
-void Recorder::after_step(Solver& solver, bool frame) {
-    const std::size_t row = append_row(forces(), solver.time());
-    if (!solver.setup().solids.empty()) {
-        const Load& load = solver.load();
+void Recorder::after_step(Simulation& simulation, bool frame) {
+    const std::size_t row = append_row(forces(), simulation.time());
+    if (!simulation.setup().bodies.empty()) {
+        const Load load = simulation.load();
         Table& t = forces();
         const Vec3 whole(factor_, factor_ == 2 ? 0 : 1, factor_);  // a half model's sideways forces cancel
         const auto put = [&](const char* part, const Vec3& f) {
@@ -64,43 +64,43 @@ void Recorder::after_step(Solver& solver, bool frame) {
         put("_pressure", load.force - load.friction);
         put("_viscous", load.friction);
         set(t, row, "my", "N m", factor_ * load.moment.y());
-        if (solver.air()) {
-            const Vec3 air = solver.air()->load().force.cwiseProduct(whole);
+        if (air_of(simulation)) {
+            const Vec3 air = simulation.load_of_level(1).force.cwiseProduct(whole);
             set(t, row, "fx_air", "N", air.x());
             set(t, row, "fz_air", "N", air.z());
         }
     }
-    if (frame || solver.steps() % surface_every == 0) sample_surface(solver, row);
-    if (frame) sample_frame(solver, row);
-    watch_stability(solver, record_);
+    if (frame || simulation.steps() % surface_every == 0) sample_surface(simulation, row);
+    if (frame) sample_frame(simulation, row);
+    watch_stability(simulation, record_);
     if (frame) watch_energy(record_);
 }
 
-void Recorder::sample_surface(Solver& solver, std::size_t row) {
+void Recorder::sample_surface(Simulation& simulation, std::size_t row) {
     if (hull_) {
-        solver.sample(hull_->points);
+        simulation.sample(hull_->points);
         Vec3 moment;
-        const Vec3 force = factor_ * hull_->pressure_force(solver.setup().moment_reference, moment);
+        const Vec3 force = factor_ * hull_->pressure_force(simulation.setup().moment_reference, moment);
         set(forces(), row, "fx_surface", "N", force.x());
         set(forces(), row, "fz_surface", "N", force.z());
     }
-    if (ControlVolume* cv = solver.control_volume()) {
-        solver.sample(cv->faces());
+    if (ControlVolume* cv = simulation.control_volume()) {
+        simulation.sample(cv->faces());
         double mass_inside = 0;
-        ControlVolume::momentum_inside(*cv, solver.particles(), solver.mass(), mass_inside);
-        Vec3 body_force = solver.setup().gravity;
-        if (solver.setup().stream) body_force.x() += solver.setup().stream->acceleration(solver.time());
-        cv->add_impulse(mass_inside, body_force, solver.time() - last_face_sample_);
-        last_face_sample_ = solver.time();
+        ControlVolume::momentum_inside(*cv, simulation.particles(), simulation.mass(), mass_inside);
+        Vec3 body_force = simulation.setup().gravity;
+        if (simulation.setup().stream) body_force.x() += simulation.setup().stream->acceleration(simulation.time());
+        cv->add_impulse(mass_inside, body_force, simulation.time() - last_face_sample_);
+        last_face_sample_ = simulation.time();
     }
 }
 
-void Recorder::sample_frame(Solver& solver, std::size_t row) {
-    const SolverSetup& s = solver.setup();
-    const Particles& p = solver.particles();
-    if (ControlVolume* cv = solver.control_volume()) {
+void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
+    const SimulationSetup& s = simulation.setup();
+    const Particles& p = simulation.particles();
+    if (ControlVolume* cv = simulation.control_volume()) {
         double mass_inside = 0;
-        const Vec3 momentum = ControlVolume::momentum_inside(*cv, p, solver.mass(), mass_inside);
+        const Vec3 momentum = ControlVolume::momentum_inside(*cv, p, simulation.mass(), mass_inside);
         const ControlVolume::State& sums = cv->state();
         if (momentum_known_ && sums.since > 0) {
             const Vec3 force = factor_ * (sums.crossed + sums.impulse - (momentum - momentum_)) / sums.since;
@@ -113,12 +113,12 @@ void Recorder::sample_frame(Solver& solver, std::size_t row) {
     }
 
     Table& t = record_.table("samples");
-    const std::size_t k = append_row(t, solver.time());
+    const std::size_t k = append_row(t, simulation.time());
     double kinetic = 0, potential = 0, elastic = 0;
     std::int64_t count = 0;
     Raster raster(scene_.sampling.raster);
     const bool pour = scene_.sampling.raster.spacing > 0;
-    const double c0 = s.state_equation.c0, m = solver.mass();
+    const double c0 = s.state_equation.c0, m = simulation.mass();
     for (std::size_t i = 0; i < p.size(); ++i) {
         if (pour) raster.pour(Vec3(p.x[i], p.y[i], p.z[i]), s.dp, m / (s.rho0 + double(p.drho[i])));
         if (p.kind[i] != Kind::fluid) continue;
@@ -127,24 +127,24 @@ void Recorder::sample_frame(Solver& solver, std::size_t row) {
         potential -= m * s.gravity.z() * p.z[i];
         elastic += 0.5 * m * c0 * c0 * double(p.drho[i]) * p.drho[i] / (s.rho0 * s.rho0);
     }
-    if (pour) record_.frames.push_back(raster.frame(solver.time()));
+    if (pour) record_.frames.push_back(raster.frame(simulation.time()));
     set(t, k, "mass", "kg", factor_ * m * double(count));
     set(t, k, "kinetic_energy", "J", factor_ * kinetic);
     set(t, k, "potential_energy", "J", factor_ * potential);
     set(t, k, "elastic_energy", "J", factor_ * elastic);
-    set(t, k, "dt", "s", solver.dt());
-    set(t, k, "max_speed", "m/s", solver.extremes().speed);
-    set(t, k, "max_mach", "-", solver.extremes().speed / c0);
-    set(t, k, "density_deviation_low", "kg/m3", solver.extremes().density_deviation_low);
-    set(t, k, "density_deviation_high", "kg/m3", solver.extremes().density_deviation_high);
+    set(t, k, "dt", "s", simulation.dt());
+    set(t, k, "max_speed", "m/s", simulation.extremes().speed);
+    set(t, k, "max_mach", "-", simulation.extremes().speed / c0);
+    set(t, k, "density_deviation_low", "kg/m3", simulation.extremes().density_deviation_low);
+    set(t, k, "density_deviation_high", "kg/m3", simulation.extremes().density_deviation_high);
     set(t, k, "particles", "-", double(p.size()));
-    set(t, k, "particles_in", "-", double(solver.ledger().in));
-    set(t, k, "particles_out", "-", double(solver.ledger().out));
-    set(t, k, "particles_lost", "-", double(solver.ledger().lost));
-    set(t, k, "held_at_wall", "-", double(solver.ledger().held));
-    if (const Solver* air = solver.air()) {
+    set(t, k, "particles_in", "-", double(simulation.ledger().in));
+    set(t, k, "particles_out", "-", double(simulation.ledger().out));
+    set(t, k, "particles_lost", "-", double(simulation.ledger().lost));
+    set(t, k, "held_at_wall", "-", double(simulation.ledger().held));
+    if (const Level* air = air_of(simulation)) {
         set(t, k, "air_particles", "-", double(air->particles().size()));
-        set(t, k, "air_energy", "J", factor_ * gas_energy(*air));
+        set(t, k, "air_energy", "J", factor_ * gas_energy(*air, s.gravity));
         set(t, k, "air_max_speed", "m/s", air->extremes().speed);
         set(t, k, "air_density_deviation_low", "kg/m3", air->extremes().density_deviation_low);
         set(t, k, "air_density_deviation_high", "kg/m3", air->extremes().density_deviation_high);
@@ -153,55 +153,55 @@ void Recorder::sample_frame(Solver& solver, std::size_t row) {
         set(t, k, "wetted_area", "m2", factor_ * hull_->wetted_area());
         set(t, k, "wetted_length", "m", hull_->wetted_length(0.1 * scene_.hull->beam));
     }
-    probe(solver);
+    probe(simulation);
 }
 
-void Recorder::probe(Solver& solver) {
+void Recorder::probe(Simulation& simulation) {
     if (!pressure_points_.places.empty()) {
         Table& t = record_.table("pressure");
-        const std::size_t k = append_row(t, solver.time());
-        solver.sample(pressure_points_);
+        const std::size_t k = append_row(t, simulation.time());
+        simulation.sample(pressure_points_);
         for (std::size_t n = 0; n < pressure_points_.places.size(); ++n)
             set(t, k, scene_.sampling.pressure[n].name.c_str(), "Pa",
-                pressure_points_.support[n] >= SurfaceSamples::wet || solver.air() ? double(pressure_points_.p[n])
-                                                                                   : 0.0);
+                pressure_points_.support[n] >= SurfaceSamples::wet || air_of(simulation) ? double(pressure_points_.p[n])
+                                                                                         : 0.0);
     }
     if (!height_points_.places.empty()) {
         // elevation of the water column over the floor: the integral of its share of each height
         Table& t = record_.table("height");
-        const std::size_t k = append_row(t, solver.time());
-        solver.sample(height_points_);
+        const std::size_t k = append_row(t, simulation.time());
+        simulation.sample(height_points_);
         for (std::size_t n = 0; n < scene_.sampling.height.size(); ++n) {
             double column = 0;
             for (int j = 0; j < heights_per_gauge_; ++j)
                 column += height_step_ *
                           std::min(1.0, double(height_points_.support[n * static_cast<std::size_t>(heights_per_gauge_) +
                                                                       static_cast<std::size_t>(j)]));
-            set(t, k, scene_.sampling.height[n].name.c_str(), "m", solver.setup().domain.min.z() + column);
+            set(t, k, scene_.sampling.height[n].name.c_str(), "m", simulation.setup().domain.min.z() + column);
         }
     }
 }
 
-void Recorder::rewind(Solver& solver) {
+void Recorder::rewind(Simulation& simulation) {
     for (auto& [name, table] : record_.tables) {
         const auto keep = static_cast<std::size_t>(
-            std::upper_bound(table.time.begin(), table.time.end(), solver.time()) - table.time.begin());
+            std::upper_bound(table.time.begin(), table.time.end(), simulation.time()) - table.time.begin());
         table.time.resize(keep);
         for (Column& c : table.columns) c.values.resize(keep);
     }
-    std::erase_if(record_.frames, [&](const RasterFrame& f) { return f.time > solver.time(); });
+    std::erase_if(record_.frames, [&](const RasterFrame& f) { return f.time > simulation.time(); });
     // checkpoints are made at frames, where the control volume's sums begin anew
-    if (ControlVolume* cv = solver.control_volume()) {
+    if (ControlVolume* cv = simulation.control_volume()) {
         double mass_inside = 0;
-        momentum_ = ControlVolume::momentum_inside(*cv, solver.particles(), solver.mass(), mass_inside);
+        momentum_ = ControlVolume::momentum_inside(*cv, simulation.particles(), simulation.mass(), mass_inside);
         momentum_known_ = true;
     }
-    last_face_sample_ = solver.time();
+    last_face_sample_ = simulation.time();
 }
 
-void Recorder::fill_hull_pressure(Solver& solver) {
+void Recorder::fill_hull_pressure(Simulation& simulation) {
     if (!hull_) return;
-    solver.sample(hull_->points);
+    simulation.sample(hull_->points);
     record_.hull = hull_->patches();
     record_.hull_pressure.clear();
     record_.hull_wet.clear();

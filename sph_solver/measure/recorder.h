@@ -4,28 +4,28 @@
 #include "record/run_record.h"
 #include "scene/scene.h"
 #include "sph_solver/bodies/samples.h"
-#include "sph_solver/solver.h"
+#include "sph_solver/simulation.h"
 
 namespace tw {
 
-/// Turns the running solver into the run record: forces at every step, surface pressure every few steps, and at every
+/// Turns the running simulation into the run record: forces at every step, surface pressure every few steps, and at every
 /// frame the raster, the control volume's balance, probes and the ledger. Half-model loads become the whole hull's
 /// here, once.
 class Recorder {
 public:
-    Recorder(const Scene& scene, const Solver& solver, RunRecord record);
+    Recorder(const Scene& scene, const Simulation& simulation, RunRecord record);
 
     /// After each step. `frame`: also everything that is sampled at frame times.
-    void after_step(Solver& solver, bool frame);
-    /// After a restart: drops what the record holds beyond the solver's time.
-    void rewind(Solver& solver);
+    void after_step(Simulation& simulation, bool frame);
+    /// After a restart: drops what the record holds beyond the simulation's time.
+    void rewind(Simulation& simulation);
     RunRecord& record() { return record_; }
-    void fill_hull_pressure(Solver& solver);
+    void fill_hull_pressure(Simulation& simulation);
 
 private:
-    void sample_surface(Solver& solver, std::size_t row);
-    void sample_frame(Solver& solver, std::size_t row);
-    void probe(Solver& solver);
+    void sample_surface(Simulation& simulation, std::size_t row);
+    void sample_frame(Simulation& simulation, std::size_t row);
+    void probe(Simulation& simulation);
     Table& forces() { return record_.table("forces"); }
 
     const Scene& scene_;

@@ -1,4 +1,4 @@
-// The sweeps across the interface of water and air, once per instruction set; equations in air.h.
+// The sweeps across the contact of two levels, once per instruction set; equations in level_pair.h.
 #include "sph_solver/backend/pair_loop.h"
 #include "sph_solver/effects/passes.h"
 

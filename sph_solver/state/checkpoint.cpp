@@ -1,5 +1,7 @@
 #include "sph_solver/state/checkpoint.h"
 
+#include <fmt/format.h>
+
 #include "base/atomic_file.h"
 #include "base/errors.h"
 #include "record/hdf5_file.h"
@@ -7,7 +9,8 @@
 namespace tw {
 
 namespace {
-constexpr double version = 1;
+
+constexpr double version = 2;
 
 /// The arrays of the particles under their names, the same list for writing and reading.
 template <class P, class Function>
@@ -17,49 +20,73 @@ void for_each_named(P& p, Function f) {
     f("drho", H5T_NATIVE_FLOAT, p.drho), f("id", H5T_NATIVE_INT64, p.id), f("kind", H5T_NATIVE_UINT8, p.kind);
 }
 
-void write_state(hid_t at, const Solver& solver, double mass_at_start) {
-    const Solver::Restart r = solver.restart_state();
-    const double state[] = {r.time,
-                            r.dt,
-                            r.extremes.speed,
-                            r.extremes.acceleration,
-                            r.extremes.density_deviation_low,
-                            r.extremes.density_deviation_high,
-                            mass_at_start};
-    const long long counts[] = {r.steps, r.next_id, r.ledger.in, r.ledger.out, r.ledger.lost, r.ledger.held};
+void write_level(hid_t at, const Level& level) {
+    const Level::State s = level.state();
+    const double state[] = {s.time,
+                            s.dt,
+                            s.extremes.speed,
+                            s.extremes.acceleration,
+                            s.extremes.density_deviation_low,
+                            s.extremes.density_deviation_high};
+    const long long counts[] = {s.steps, s.ledger.in, s.ledger.out, s.ledger.lost, s.ledger.held, s.ledger.next_id};
+    h5::write_attribute(at, "material", level.setup().material);
     h5::write_attribute(at, "state", std::span<const double>(state));
     h5::write_attribute(at, "counts", std::span<const long long>(counts));
-    for_each_named(solver.particles(), [&](const char* name, hid_t type, const auto& values) {
+    for_each_named(level.particles(), [&](const char* name, hid_t type, const auto& values) {
         h5::write_vector(at, name, type, values, false);
     });
 }
 
-void read_state(hid_t at, Solver::Restart& r, Particles& particles, double& mass_at_start) {
+Checkpoint::OfLevel read_level(hid_t at) {
+    Checkpoint::OfLevel level;
+    level.material = h5::read_text_attribute(at, "material");
+    Level::State& s = level.state;
     const auto state = h5::read_numbers_attribute(at, "state"), counts = h5::read_numbers_attribute(at, "counts");
-    if (state.size() != 7 || counts.size() != 6) throw h5::Failure{"its state is not whole"};
-    r.time = state[0], r.dt = state[1];
-    r.extremes.speed = state[2], r.extremes.acceleration = state[3], r.extremes.density_deviation_low = state[4],
-    r.extremes.density_deviation_high = state[5];
-    mass_at_start = state[6];
+    if (state.size() != 6 || counts.size() != 6) throw h5::Failure{"its state is not whole"};
+    s.time = state[0], s.dt = state[1];
+    s.extremes.speed = state[2], s.extremes.acceleration = state[3], s.extremes.density_deviation_low = state[4],
+    s.extremes.density_deviation_high = state[5];
     const auto whole = [&](std::size_t k) { return static_cast<std::int64_t>(counts[k]); };
-    r.steps = whole(0), r.next_id = whole(1), r.ledger = {whole(2), whole(3), whole(4), whole(5)};
-    for_each_named(particles, [&](const char* name, hid_t type, auto& values) {
+    s.steps = whole(0), s.ledger = {whole(1), whole(2), whole(3), whole(4), whole(5)};
+    for_each_named(level.particles, [&](const char* name, hid_t type, auto& values) {
         values = h5::read_vector<typename std::remove_reference_t<decltype(values)>::value_type>(at, name, type);
-        if (values.size() != particles.x.size()) throw h5::Failure{std::string(name) + " has another length than x"};
+        if (values.size() != level.particles.x.size())
+            throw h5::Failure{std::string(name) + " has another length than x"};
     });
+    return level;
+}
+
+void write_control_volume(hid_t at, const ControlVolume::State& s) {
+    const double sums[] = {s.crossed.x(), s.crossed.y(), s.crossed.z(), s.impulse.x(),
+                           s.impulse.y(), s.impulse.z(), s.since};
+    h5::write_attribute(at, "sums", std::span<const double>(sums));
+}
+
+ControlVolume::State read_control_volume(hid_t at) {
+    const auto sums = h5::read_numbers_attribute(at, "sums");
+    if (sums.size() != 7) throw h5::Failure{"the control volume's sums are not whole"};
+    return {Vec3(sums[0], sums[1], sums[2]), Vec3(sums[3], sums[4], sums[5]), sums[6]};
 }
 
 }  // namespace
 
-void write_checkpoint(const std::filesystem::path& path, const std::string& run_hash, const Solver& solver,
+void write_checkpoint(const std::filesystem::path& path, const std::string& run_hash, const Simulation& simulation,
                       double mass_at_start) {
     try {
         const h5::Silence silence;
         const h5::Handle file = h5::create_in_memory();
         h5::write_attribute(file, "twinwake_checkpoint", version);
-        h5::write_attribute(file, "run_hash", run_hash);
-        write_state(file, solver, mass_at_start);
-        if (solver.air()) write_state(h5::create_group(file, "air"), *solver.air(), 0);
+        {
+            const h5::Handle own = h5::create_group(file, "simulation");
+            h5::write_attribute(own, "run_hash", run_hash);
+            h5::write_attribute(own, "isa", std::string(simulation.passes().isa));
+            h5::write_attribute(own, "mass_at_start", mass_at_start);
+        }
+        const h5::Handle levels = h5::create_group(file, "levels");
+        for (std::size_t k = 0; k < simulation.levels().size(); ++k)
+            write_level(h5::create_group(levels, std::to_string(k).c_str()), simulation.level(k));
+        if (const ControlVolume* control = simulation.level(0).control_volume())
+            write_control_volume(h5::create_group(file, "control_volume"), control->state());
         write_text_atomically(path, h5::image(file));
     } catch (const h5::Failure& f) { throw RunError(path.string() + ": cannot be written: " + f.what); }
 }
@@ -73,18 +100,44 @@ Checkpoint read_checkpoint(const std::filesystem::path& path, const std::string&
         const h5::Handle file(
             h5::checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "not an HDF5 file, or cut off"), H5Fclose);
         if (!h5::has_attribute(file, "twinwake_checkpoint")) throw h5::Failure{"not a checkpoint"};
-        if (h5::read_text_attribute(file, "run_hash") != run_hash)
+        if (!h5::has(file, "simulation")) throw h5::Failure{"written by an earlier version of twinwake"};
+        Checkpoint c;
+        const h5::Handle own = h5::open_group(file, "simulation");
+        if (h5::read_text_attribute(own, "run_hash") != run_hash)
             throw InputError(path.string() +
                              ": belongs to another scene (or the scene file was changed); run in another folder or "
                              "with --overwrite");
-        Checkpoint c;
-        read_state(file, c.state, c.particles, c.mass_at_start);
-        double no_mass = 0;
-        if (h5::has(file, "air")) read_state(h5::open_group(file, "air"), c.air_state, c.air, no_mass);
+        c.isa = h5::read_text_attribute(own, "isa");
+        const auto mass = h5::read_numbers_attribute(own, "mass_at_start");
+        if (mass.size() != 1) throw h5::Failure{"its mass at the start is missing"};
+        c.mass_at_start = mass[0];
+        const h5::Handle levels = h5::open_group(file, "levels");
+        for (std::size_t k = 0; h5::has(levels, std::to_string(k).c_str()); ++k)
+            c.levels.push_back(read_level(h5::open_group(levels, std::to_string(k).c_str())));
+        if (c.levels.empty()) throw h5::Failure{"it holds no level of particles"};
+        if (h5::has(file, "control_volume"))
+            c.levels.front().state.control = read_control_volume(h5::open_group(file, "control_volume"));
         return c;
     } catch (const h5::Failure& f) {
         throw InputError(path.string() + ": cannot be resumed from: " + f.what + "; start anew with --overwrite");
     }
+}
+
+void restore(Simulation& simulation, Checkpoint checkpoint) {
+    const std::size_t levels = simulation.levels().size();
+    if (checkpoint.levels.size() != levels)
+        throw InputError(
+            fmt::format("the checkpoint holds {} levels of particles, the scene makes {}; start anew with "
+                        "--overwrite",
+                        checkpoint.levels.size(), levels));
+    for (std::size_t k = 0; k < levels; ++k)
+        if (checkpoint.levels[k].material != simulation.level(k).setup().material)
+            throw InputError(
+                fmt::format("level {} of the checkpoint is {}, the scene's is {}; start anew with "
+                            "--overwrite",
+                            k, checkpoint.levels[k].material, simulation.level(k).setup().material));
+    for (std::size_t k = 0; k < levels; ++k)
+        simulation.level(k).restore(checkpoint.levels[k].state, std::move(checkpoint.levels[k].particles));
 }
 
 }  // namespace tw

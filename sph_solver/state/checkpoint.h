@@ -1,23 +1,37 @@
 #pragma once
 #include <filesystem>
+#include <string>
+#include <vector>
 
-#include "sph_solver/solver.h"
+#include "sph_solver/simulation.h"
 
 namespace tw {
 
-/// Everything a run needs to go on bitwise the same, in one HDF5 file, written atomically (raw, no compression).
-/// The caller marks the restart point in the running solver too, so that both build their lists anew at this step.
-void write_checkpoint(const std::filesystem::path& file, const std::string& run_hash, const Solver& solver,
+/// Everything a run needs to continue bitwise the same, as one HDF5 file with a group for each owner:
+///
+///   /simulation        run hash, instruction set, mass at the start
+///   /levels/0, 1, ...  time, step, ledger, extremes and the particles of each level
+///   /control_volume    its running sums, where there is one
+struct Checkpoint {
+    std::string isa;           ///< of the pair loops: another one may give other last digits
+    double mass_at_start = 0;  ///< of the water [kg]
+    struct OfLevel {
+        std::string material;
+        Level::State state;
+        Particles particles;
+    };
+    std::vector<OfLevel> levels;
+};
+
+/// Written atomically (raw, no compression). The caller marks the restart point in the running simulation too, so that
+/// both build their lists anew at this step.
+void write_checkpoint(const std::filesystem::path& file, const std::string& run_hash, const Simulation& simulation,
                       double mass_at_start);
 
-struct Checkpoint {
-    Solver::Restart state;
-    Particles particles;
-    double mass_at_start = 0;
-    Solver::Restart air_state;
-    Particles air;  ///< empty without the effect
-};
-/// Throws InputError naming the file: not there, cut off, of another scene, resolution or other numerics.
+/// Throws InputError naming the file: not there, cut off, damaged, of another scene, resolution or other numerics.
 Checkpoint read_checkpoint(const std::filesystem::path& file, const std::string& run_hash);
+
+/// Gives the simulation the checkpoint's state. Throws InputError when its levels are not the checkpoint's.
+void restore(Simulation& simulation, Checkpoint checkpoint);
 
 }  // namespace tw

@@ -3,12 +3,13 @@
 
 #include <cstdio>
 
+#include "sph_solver/effects/air.h"
 #include "watched_run.h"
 
 namespace tw {
 namespace {
 
-double water_energy(const Solver& s) {
+double water_energy(const Simulation& s) {
     double potential = 0;
     for (const double z : s.particles().z) potential -= s.mass() * s.setup().gravity.z() * z;
     return sums_of(s).energy + elastic_of(s) + potential;
@@ -17,34 +18,34 @@ double water_energy(const Solver& s) {
 /// A column collapses in a closed tank full of air, strikes the far wall, and closes over pockets: no particle is lost,
 /// no energy made, and the air is all there.
 TEST(AirStability, AColumnCollapsesUnderALid) {
-    SolverSetup s;
+    SimulationSetup s;
     s.dimensions = 2;
     s.dp = 0.025;
     s.state_equation.c0 = 30;
     s.domain = {Vec3(0, -1, 0), Vec3(1.2, 1, 0.8)};
     s.mirrors.on = {{{true, true}, {false, false}, {true, true}}};
     const std::vector<Box> column{{Vec3(0, -1, 0), Vec3(0.4, 1, 0.5)}};
-    Solver solver(s, fill_with_fluid(s, column));
+    Simulation simulation(s, fill_with_fluid(s, column));
     AirOptions air;
     air.sound_speed = 120;
-    solver.add_air(air, fill_with_air(s, column));
-    const std::size_t water = solver.particles().size(), gas = solver.air()->particles().size();
-    const double before = water_energy(solver) + gas_energy(*solver.air());
+    add_air(simulation, air, fill_with_air(s, column));
+    const std::size_t water = simulation.particles().size(), gas = air_of(simulation)->particles().size();
+    const double before = water_energy(simulation) + gas_energy(*air_of(simulation), simulation.setup().gravity);
     double most = before, fastest_air = 0, highest = 0;
-    while (solver.time() < 1.2) {
-        run_on(solver, solver.time() + 0.02, 0.5, 0.2);
+    while (simulation.time() < 1.2) {
+        run_on(simulation, simulation.time() + 0.02, 0.5, 0.2);
         if (testing::Test::HasFatalFailure()) return;
-        most = std::max(most, water_energy(solver) + gas_energy(*solver.air()));
-        fastest_air = std::max(fastest_air, solver.air()->extremes().speed);
-        for (const double z : solver.particles().z) highest = std::max(highest, z);
+        most = std::max(most, water_energy(simulation) + gas_energy(*air_of(simulation), simulation.setup().gravity));
+        fastest_air = std::max(fastest_air, air_of(simulation)->extremes().speed);
+        for (const double z : simulation.particles().z) highest = std::max(highest, z);
     }
-    const double after = water_energy(solver) + gas_energy(*solver.air());
+    const double after = water_energy(simulation) + gas_energy(*air_of(simulation), simulation.setup().gravity);
     std::printf(
         "collapse under a lid: energy %.1f, at most %.1f, at the end %.1f J; air at most %.1f m/s; splash to %.2f m\n",
         before, most, after, fastest_air, highest);
-    EXPECT_EQ(solver.particles().size(), water);
-    EXPECT_EQ(solver.air()->particles().size(), gas);
-    EXPECT_EQ(solver.air()->ledger().lost, 0);
+    EXPECT_EQ(simulation.particles().size(), water);
+    EXPECT_EQ(air_of(simulation)->particles().size(), gas);
+    EXPECT_EQ(air_of(simulation)->ledger().lost, 0);
     EXPECT_LT(most, before * 1.001);
     EXPECT_LT(after, before);
     EXPECT_LT(fastest_air, 0.5 * air.sound_speed);
@@ -53,7 +54,7 @@ TEST(AirStability, AColumnCollapsesUnderALid) {
 
 /// A square of water flies through compressed air without bounds: momentum goes from the one to the other and is kept.
 TEST(AirStability, MomentumIsKept) {
-    SolverSetup s;
+    SimulationSetup s;
     s.dimensions = 2;
     s.dp = 0.05;
     s.state_equation.c0 = 60;
@@ -61,18 +62,18 @@ TEST(AirStability, MomentumIsKept) {
     s.domain = {Vec3(0, -1, 0), Vec3(2, 1, 2)};
     s.mirrors.periodic = {true, false, true};
     const std::vector<Box> block{{Vec3(0.6, -1, 0.6), Vec3(1.4, 1, 1.4)}};
-    Solver solver(s, weightless(s, block[0]));
-    solver.add_air({}, fill_with_air(s, block));
+    Simulation simulation(s, weightless(s, block[0]));
+    add_air(simulation, {}, fill_with_air(s, block));
     // 20 kPa everywhere: no tension anywhere
-    const auto press = [](Particles& p, const SolverSetup& of) {
+    const auto press = [](Particles& p, const LevelSetup& of) {
         for (float& drho : p.drho) drho = of.state_equation.deviation(of.rho0, 2e4);
     };
-    press(solver.particles(), solver.setup());
-    press(solver.air_particles(), solver.air()->setup());
-    for (float& u : solver.particles().u) u = 3;
-    const double before = sums_of(solver).x;
-    while (solver.time() < 0.05) solver.step();
-    const double gained = sums_of(*solver.air()).x, after = sums_of(solver).x + gained;
+    press(simulation.particles(), simulation.setup());
+    press(air_of(simulation)->particles(), air_of(simulation)->setup());
+    for (float& u : simulation.particles().u) u = 3;
+    const double before = sums_of(simulation).x;
+    while (simulation.time() < 0.05) simulation.step();
+    const double gained = sums_of(*air_of(simulation)).x, after = sums_of(simulation).x + gained;
     std::printf("momentum %.6f of %.6f N s; the air has %.2g of it\n", after, before, gained / before);
     EXPECT_NEAR(after, before, 2e-6 * before);
     EXPECT_GT(gained, 1e-5 * before);

@@ -13,15 +13,15 @@ namespace {
 TEST(RotatingSquarePatch, KeepsItsMomentaAndOnlyLosesEnergy) {
     // Tension in its middle tears methods without shifting apart; its corners become arms (Le Touze et al. 2013,
     // doi:10.1002/fld.3805). Turned by 4 rad; arms of an ideal fluid reach 2.8 half widths and more.
-    const SolverSetup s = plane(0.02, 40, 3);
-    Solver solver(s, weightless(s, {Vec3(-0.5, 0, -0.5), Vec3(0.5, 0, 0.5)}));
-    Particles& p = solver.particles();
+    const SimulationSetup s = plane(0.02, 40, 3);
+    Simulation simulation(s, weightless(s, {Vec3(-0.5, 0, -0.5), Vec3(0.5, 0, 0.5)}));
+    Particles& p = simulation.particles();
     const std::size_t n = p.size();
     for (std::size_t i = 0; i < n; ++i)
         p.u[i] = static_cast<float>(4 * p.z[i]), p.w[i] = static_cast<float>(-4 * p.x[i]);
-    const Sums start = sums_of(solver);
-    run_on(solver, 1, 0.1, 0.02);
-    const Sums end = sums_of(solver);
+    const Sums start = sums_of(simulation);
+    run_on(simulation, 1, 0.1, 0.02);
+    const Sums end = sums_of(simulation);
     EXPECT_EQ(p.size(), n);
     EXPECT_LT(std::hypot(end.x, end.z), 1e-6 * start.turn);
     EXPECT_NEAR(end.turn / start.turn, 1, 0.005);
@@ -34,58 +34,59 @@ TEST(RotatingSquarePatch, KeepsItsMomentaAndOnlyLosesEnergy) {
 
 TEST(ImpingingJets, MakeNoEnergyAndTheStagnationPressure) {
     // Two equal jets meet head on: a blow of sound first, then Bernoulli's rho U^2 / 2 in the middle.
-    const SolverSetup s = plane(0.05, 20, 15);  // what the blow throws out does not reach the edges
-    Solver solver(s, weightless(s, {Vec3(-3, 0, -0.5), Vec3(3, 0, 0.5)}));
-    Particles& p = solver.particles();
+    const SimulationSetup s = plane(0.05, 20, 15);  // what the blow throws out does not reach the edges
+    Simulation simulation(s, weightless(s, {Vec3(-3, 0, -0.5), Vec3(3, 0, 0.5)}));
+    Particles& p = simulation.particles();
     for (std::size_t i = 0; i < p.size(); ++i) p.u[i] = p.x[i] < 0 ? 1 : -1;
-    const double start = sums_of(solver).energy;
-    run_on(solver, 1, 0.15, 0.1);
+    const double start = sums_of(simulation).energy;
+    run_on(simulation, 1, 0.15, 0.1);
     double pressure = 0, samples = 0, most = 0;
-    while (solver.time() < 2.5) {
-        solver.step();
-        most = std::max(most, sums_of(solver).energy + elastic_of(solver));
+    while (simulation.time() < 2.5) {
+        simulation.step();
+        most = std::max(most, sums_of(simulation).energy + elastic_of(simulation));
         for (std::size_t i = 0; i < p.size(); ++i)
-            if (std::hypot(p.x[i], p.z[i]) < 2 * s.dp) pressure += solver.pressure(i), ++samples;
+            if (std::hypot(p.x[i], p.z[i]) < 2 * s.dp) pressure += simulation.pressure(i), ++samples;
     }
-    EXPECT_EQ(solver.ledger().lost, 0);
+    EXPECT_EQ(simulation.ledger().lost, 0);
     EXPECT_LT(most, start);
-    EXPECT_LT(std::hypot(sums_of(solver).x, sums_of(solver).z), 1e-5 * solver.mass() * static_cast<double>(p.size()));
+    EXPECT_LT(std::hypot(sums_of(simulation).x, sums_of(simulation).z),
+              1e-5 * simulation.mass() * static_cast<double>(p.size()));
     EXPECT_NEAR(pressure / samples, 500, 50);
 }
 
 /// An upright plate of `layers` spacings between a tank's wet and dry half.
 class DividingPlate : public testing::TestWithParam<int> {};
 TEST_P(DividingPlate, NoParticlePasses) {
-    SolverSetup s = plane(0.025, 30, 1);
+    SimulationSetup s = plane(0.025, 30, 1);
     s.gravity = Vec3(0, 0, -9.81);
     s.mirrors.on = {{{true, true}, {false, false}, {true, false}}};
     const double thickness = GetParam() * s.dp;
-    s.solids = {box_surface({Vec3(0, -3, -1.2), Vec3(thickness, 3, 0.9)})};
-    Solver solver(s, fill_with_fluid(s, {Box{Vec3(-1, 0, -1), Vec3(0, 0, 0.5)}}));
-    const std::size_t n = solver.particles().size();
-    run_on(solver, 1, 0.1, 0.05);
-    ASSERT_EQ(solver.particles().size(), n);
-    for (std::size_t i = 0; i < n; ++i) ASSERT_LT(solver.particles().x[i], 0.1 * s.dp);
+    s.bodies = {box_surface({Vec3(0, -3, -1.2), Vec3(thickness, 3, 0.9)})};
+    Simulation simulation(s, fill_with_fluid(s, {Box{Vec3(-1, 0, -1), Vec3(0, 0, 0.5)}}));
+    const std::size_t n = simulation.particles().size();
+    run_on(simulation, 1, 0.1, 0.05);
+    ASSERT_EQ(simulation.particles().size(), n);
+    for (std::size_t i = 0; i < n; ++i) ASSERT_LT(simulation.particles().x[i], 0.1 * s.dp);
     // rho g H^2 / 2 on it; a plate thinner than the kernel's reach lacks wall particles and bears too little
     const double exact = 1000 * 9.81 * 1.5 * 1.5 / 2;
-    EXPECT_NEAR(solver.load().force.x() / exact, 1, GetParam() >= 2 ? 0.05 : 0.4);
+    EXPECT_NEAR(simulation.load().force.x() / exact, 1, GetParam() >= 2 ? 0.05 : 0.4);
 }
 INSTANTIATE_TEST_SUITE_P(Layers, DividingPlate, testing::Values(1, 2, 3));
 
 TEST(JitteredWater, ComesToRestSlowly) {
-    SolverSetup s = plane(0.05, 20, 1);
+    SimulationSetup s = plane(0.05, 20, 1);
     s.gravity = Vec3(0, 0, -9.81);
     s.mirrors.on = {{{true, true}, {false, false}, {true, false}}};
     Fluid water = fill_with_fluid(s, {Box{Vec3(-1, 0, -1), Vec3(1, 0, 0)}});
     double push = 0.1;  // each place moved by a tenth of the spacing, back and forth
     for (Vec3& place : water.places) place += (push = -push) * s.dp * Vec3(1, 0, 0.5);
-    Solver solver(s, water);
-    const double potential = solver.mass() * static_cast<double>(solver.particles().size()) * 9.81;
-    run_on(solver, 2, 0.05, 0.05);
-    const double early = sums_of(solver).energy;
-    run_on(solver, 6, 0.05, 0.05);
-    EXPECT_LT(sums_of(solver).energy, 1e-4 * potential);
-    EXPECT_LT(sums_of(solver).energy, 0.7 * early);
+    Simulation simulation(s, water);
+    const double potential = simulation.mass() * static_cast<double>(simulation.particles().size()) * 9.81;
+    run_on(simulation, 2, 0.05, 0.05);
+    const double early = sums_of(simulation).energy;
+    run_on(simulation, 6, 0.05, 0.05);
+    EXPECT_LT(sums_of(simulation).energy, 1e-4 * potential);
+    EXPECT_LT(sums_of(simulation).energy, 0.7 * early);
 }
 
 }  // namespace

@@ -30,9 +30,9 @@ Surface section(double deadrise_deg) {
 }
 
 /// Weightless water that fills `block`, thrown upwards at 1 m/s. `turned_deg`: its lattice is turned by that.
-Solver thrown_at(const Surface& solid, const Box& block, double dp, double c0, double turned_deg = 0) {
-    SolverSetup s = plane(dp, c0, 6);
-    s.solids = {solid};
+Simulation thrown_at(const Surface& solid, const Box& block, double dp, double c0, double turned_deg = 0) {
+    SimulationSetup s = plane(dp, c0, 6);
+    s.bodies = {solid};
     Fluid water = weightless(s, block);
     if (turned_deg != 0) {
         const double c = std::cos(turned_deg * pi / 180), n = std::sin(turned_deg * pi / 180);
@@ -50,9 +50,9 @@ Solver thrown_at(const Surface& solid, const Box& block, double dp, double c0, d
                 water.places.push_back(x), water.depth.push_back(0);
             }
     }
-    Solver solver(s, water);
-    for (float& w : solver.particles().w) w = 1;
-    return solver;
+    Simulation simulation(s, water);
+    for (float& w : simulation.particles().w) w = 1;
+    return simulation;
 }
 
 struct Blow {
@@ -61,21 +61,21 @@ struct Blow {
     double peak = 0;     ///< largest force [N/m]
     double aside = 0;    ///< impulse along x
 };
-Blow blow_of(Solver& solver, double until) {
+Blow blow_of(Simulation& simulation, double until) {
     Blow b;
-    const double start = sums_of(solver).z;
+    const double start = sums_of(simulation).z;
     double before = 0;
-    while (solver.time() < until) {
-        solver.step();
-        const Vec3 force = solver.load().force;
+    while (simulation.time() < until) {
+        simulation.step();
+        const Vec3 force = simulation.load().force;
         EXPECT_TRUE(force.allFinite());
-        b.impulse += force.z() * (solver.time() - before);
-        b.aside += force.x() * (solver.time() - before);
+        b.impulse += force.z() * (simulation.time() - before);
+        b.aside += force.x() * (simulation.time() - before);
         b.peak = std::max(b.peak, force.z());
-        before = solver.time();
+        before = simulation.time();
     }
-    EXPECT_EQ(solver.ledger().lost + solver.ledger().out, 0);
-    b.lost = start - sums_of(solver).z;
+    EXPECT_EQ(simulation.ledger().lost + simulation.ledger().out, 0);
+    b.lost = start - sums_of(simulation).z;
     return b;
 }
 
@@ -87,9 +87,9 @@ Blow blow_of(Solver& solver, double until) {
 /// and rho U pi a^2 / 2, half the added mass, is what it goes to. The peak goes with c0 and is no result.
 TEST(FlatPlate, GetsTheImpulseOfTheWaterHammerAndItsRelief) {
     const double c0 = 160, a = 0.5;  // so fast that the water stays where it is
-    Solver solver = thrown_at(section(0), {Vec3(-1.5, 0, -0.8), Vec3(1.5, 0, 0)}, a / 20, c0);
-    const Blow b = blow_of(solver, a / c0);
-    const double t = solver.time(), exact = 1000 * c0 * 2 * a * t * (1 - c0 * t / (4 * a));
+    Simulation simulation = thrown_at(section(0), {Vec3(-1.5, 0, -0.8), Vec3(1.5, 0, 0)}, a / 20, c0);
+    const Blow b = blow_of(simulation, a / c0);
+    const double t = simulation.time(), exact = 1000 * c0 * 2 * a * t * (1 - c0 * t / (4 * a));
     std::cout << "flat: impulse over exact " << b.impulse / exact << ", momentum lost over it " << b.lost / b.impulse
               << ", peak over rho c0 U 2a " << b.peak / (1000 * c0 * 2 * a) << "\n";
     EXPECT_NEAR(b.impulse / exact, 1, 0.06);
@@ -100,7 +100,8 @@ TEST(FlatPlate, GetsTheImpulseOfTheWaterHammerAndItsRelief) {
 TEST(FlatPlate, WithTwoDegreesGetsTheSameImpulseWithoutThePeak) {
     // Wagner: two degrees are wet to the chines after U t = 0.011 m, and the impulse is then that of the flat plate.
     const Box block{Vec3(-2.5, 0, -2), Vec3(2.5, 0, 0)};
-    Solver flat_water = thrown_at(section(0), block, 1.0 / 32, 40), water = thrown_at(section(2), block, 1.0 / 32, 40);
+    Simulation flat_water = thrown_at(section(0), block, 1.0 / 32, 40),
+               water = thrown_at(section(2), block, 1.0 / 32, 40);
     const Blow flat = blow_of(flat_water, 0.1), b = blow_of(water, 0.1);
     std::cout << "2 degrees over flat: impulse " << b.impulse / flat.impulse << ", peak " << b.peak / flat.peak
               << "; impulse over rho U pi a^2 / 2 " << b.impulse / (1000 * pi / 8) << "\n";
@@ -114,11 +115,11 @@ TEST(SharpKeel, CutsTheWaterAndNoneIsInside) {
     const Surface blade =
         make_hull("wedge", {{"width", 0.4}, {"span", 6}, {"deadrise", 80 * pi / 180}, {"side_height", 0}});
     const double dp = 1.0 / 40;
-    Solver solver = thrown_at(blade, {Vec3(-0.5, 0, -0.8), Vec3(0.5, 0, 0)}, dp, 20);
-    const std::size_t n = solver.particles().size();
-    const double energy = sums_of(solver).energy;
-    const Blow b = blow_of(solver, 0.8);
-    const Particles& p = solver.particles();
+    Simulation simulation = thrown_at(blade, {Vec3(-0.5, 0, -0.8), Vec3(0.5, 0, 0)}, dp, 20);
+    const std::size_t n = simulation.particles().size();
+    const double energy = sums_of(simulation).energy;
+    const Blow b = blow_of(simulation, 0.8);
+    const Particles& p = simulation.particles();
     ASSERT_EQ(p.size(), n);
     const SurfaceQuery query(blade);
     double deepest = 0, highest = 0;
@@ -127,21 +128,21 @@ TEST(SharpKeel, CutsTheWaterAndNoneIsInside) {
         highest = std::max(highest, p.z[i]);
     }
     std::cout << "deepest inside " << deepest / dp << " dp, impulse over the water's momentum "
-              << b.impulse / (solver.mass() * double(n)) << ", aside over up " << b.aside / b.impulse
-              << ", energy kept " << sums_of(solver).energy / energy << "\n";
+              << b.impulse / (simulation.mass() * double(n)) << ", aside over up " << b.aside / b.impulse
+              << ", energy kept " << sums_of(simulation).energy / energy << "\n";
     EXPECT_GT(deepest, -0.1 * dp);
     EXPECT_GT(highest, 0.6);  // it is cut, not held up
     EXPECT_NEAR(b.lost / b.impulse, 1, 1e-4);
     EXPECT_LT(std::abs(b.aside), 0.05 * b.impulse);
-    EXPECT_LT(sums_of(solver).energy + elastic_of(solver), energy);
+    EXPECT_LT(sums_of(simulation).energy + elastic_of(simulation), energy);
 }
 
 TEST(RotatedLattice, StrikesAsTheStraightOneDoes) {
     // The same water on a section of 30 degrees, its lattice turned by 30 degrees: the sides of the block are ragged,
     // and nothing lies along the walls.
     const Box block{Vec3(-1.5, 0, -1.2), Vec3(1.5, 0, 0)};
-    Solver straight = thrown_at(section(30), block, 1.0 / 40, 20),
-           turned = thrown_at(section(30), block, 1.0 / 40, 20, 30);
+    Simulation straight = thrown_at(section(30), block, 1.0 / 40, 20),
+               turned = thrown_at(section(30), block, 1.0 / 40, 20, 30);
     const double mass = double(turned.particles().size()) / double(straight.particles().size());
     const double a = blow_of(straight, 0.25).impulse, b = blow_of(turned, 0.25).impulse;
     std::cout << "particles " << mass << ", impulse " << b / a << " of the straight lattice's\n";
@@ -162,8 +163,8 @@ struct Watched {
 Watched impact_with_certificate(double c0) {
     Watched w;
     try {
-        Solver solver = thrown_at(section(10), {Vec3(-1, 0, -1), Vec3(1, 0, 0)}, 1.0 / 25, c0);
-        while (solver.time() < 0.3) solver.step(), watch_stability(solver, w.record);
+        Simulation simulation = thrown_at(section(10), {Vec3(-1, 0, -1), Vec3(1, 0, 0)}, 1.0 / 25, c0);
+        while (simulation.time() < 0.3) simulation.step(), watch_stability(simulation, w.record);
     } catch (const RunError& e) { w.stopped = e.what(); }
     return w;
 }

@@ -12,47 +12,47 @@ namespace tw {
 namespace {
 
 /// Root mean square of p + rho g z over rho g H.
-double pressure_error(const Solver& solver, double depth) {
-    const Particles& p = solver.particles();
+double pressure_error(const Simulation& simulation, double depth) {
+    const Particles& p = simulation.particles();
     double squares = 0;
-    for (std::size_t i = 0; i < p.size(); ++i) squares += std::pow(solver.pressure(i) + 9810 * p.z[i], 2);
+    for (std::size_t i = 0; i < p.size(); ++i) squares += std::pow(simulation.pressure(i) + 9810 * p.z[i], 2);
     return std::sqrt(squares / double(p.size())) / (9810 * depth);
 }
 
 TEST(LongStillTank, StaysStill) {
     // Ten times as long as deep, for 40 sqrt(H / g).
     const double depth = 0.1;
-    SolverSetup s = plane(depth / 12, 10 * std::sqrt(2 * 9.81 * depth), 1);
+    SimulationSetup s = plane(depth / 12, 10 * std::sqrt(2 * 9.81 * depth), 1);
     s.gravity = Vec3(0, 0, -9.81);
     s.domain = {Vec3(-5 * depth, -1, -depth), Vec3(5 * depth, 1, depth)};
     s.mirrors.on = {{{true, true}, {false, false}, {true, false}}};
-    Solver solver(s, fill_with_fluid(s, {Box{s.domain.min, Vec3(5 * depth, 1, 0)}}));
-    const std::size_t n = solver.particles().size();
-    run_on(solver, 40 * std::sqrt(depth / 9.81), 0.01, 0.01);
-    ASSERT_EQ(solver.particles().size(), n);
+    Simulation simulation(s, fill_with_fluid(s, {Box{s.domain.min, Vec3(5 * depth, 1, 0)}}));
+    const std::size_t n = simulation.particles().size();
+    run_on(simulation, 40 * std::sqrt(depth / 9.81), 0.01, 0.01);
+    ASSERT_EQ(simulation.particles().size(), n);
     double top = -1;
-    for (const double z : solver.particles().z) top = std::max(top, z);
-    const double motion = sums_of(solver).energy / (solver.mass() * double(n) * 9.81 * depth);
+    for (const double z : simulation.particles().z) top = std::max(top, z);
+    const double motion = sums_of(simulation).energy / (simulation.mass() * double(n) * 9.81 * depth);
     std::cout << "kinetic energy over rho g H V " << motion << ", highest particle " << top / s.dp + 0.5
-              << " dp off, pressure error " << pressure_error(solver, depth) << "\n";
+              << " dp off, pressure error " << pressure_error(simulation, depth) << "\n";
     EXPECT_LT(motion, 1e-6);
     EXPECT_NEAR(top, -s.dp / 2, 0.5 * s.dp);
-    EXPECT_LT(pressure_error(solver, depth), 0.01);
+    EXPECT_LT(pressure_error(simulation, depth), 0.01);
 }
 
 /// A cube of still water in a closed tank, in three dimensions.
 double tank_error(double cfl) {
-    SolverSetup s;
+    SimulationSetup s;
     s.dp = 0.1;
     s.cfl = cfl;
     s.state_equation.c0 = 10 * std::sqrt(9.81);
     s.domain = {Vec3(-0.5, -0.5, -1), Vec3(0.5, 0.5, 0.5)};
     s.mirrors.on = {{{true, true}, {true, true}, {true, false}}};
-    Solver solver(s, fill_with_fluid(s, {Box{s.domain.min, Vec3(0.5, 0.5, 0)}}));
+    Simulation simulation(s, fill_with_fluid(s, {Box{s.domain.min, Vec3(0.5, 0.5, 0)}}));
     try {
-        while (solver.time() < 1) solver.step();
+        while (simulation.time() < 1) simulation.step();
     } catch (const RunError&) { return 1; }
-    return pressure_error(solver, 1);
+    return pressure_error(simulation, 1);
 }
 
 TEST(TimeStep, IsStableUpToTheStatedCourantNumberOnly) {
@@ -66,7 +66,7 @@ TEST(TimeStep, IsStableUpToTheStatedCourantNumberOnly) {
 
 TEST(Outlet, LetsTheVorticesOfAnUprightPlateOut) {
     // Deep enough (rho g z at g = 2, 3 m and more) that no vortex core cavitates; slip walls above and below.
-    SolverSetup s = plane(0.08, 40, 1);
+    SimulationSetup s = plane(0.08, 40, 1);
     s.gravity = Vec3(0, 0, -2);
     s.domain = {Vec3(-1.6, -1, -5.6), Vec3(3.2, 1, -3.2)};
     s.mirrors.on = {{{false, false}, {false, false}, {true, true}}};
@@ -74,24 +74,24 @@ TEST(Outlet, LetsTheVorticesOfAnUprightPlateOut) {
     Surface plate = make_hull("box", {{"length", 0.32}, {"beam", 6}, {"height", 0.48}});
     const Box at = plate.bounds();
     for (Vec3& p : plate.points) p += Vec3(-(at.min.x() + at.max.x()) / 2, 0, -4.72 - at.min.z());
-    s.solids = {plate};
+    s.bodies = {plate};
     Box water = s.domain;
     water.min.x() -= s.stream->buffer, water.max.x() += s.stream->buffer;
     Fluid fluid = fill_with_fluid(s, {water});
     for (std::size_t k = 0; k < fluid.depth.size(); ++k) fluid.depth[k] = -fluid.places[k].z();
-    Solver solver(s, fluid);
-    const Particles& p = solver.particles();
+    Simulation simulation(s, fluid);
+    const Particles& p = simulation.particles();
     const double n = double(p.size());
     double across = 0, slowest = 1, fewest = n, most = n;
-    while (solver.time() < 14.4) {  // three times through
-        run_on(solver, solver.time() + 0.1, 0.1, 0.03);
+    while (simulation.time() < 14.4) {  // three times through
+        run_on(simulation, simulation.time() + 0.1, 0.1, 0.03);
         if (HasFatalFailure()) return;
         fewest = std::min(fewest, double(p.size())), most = std::max(most, double(p.size()));
-        for (std::size_t i = 0; i < p.size() && solver.time() > 4.8; ++i)
+        for (std::size_t i = 0; i < p.size() && simulation.time() > 4.8; ++i)
             if (p.kind[i] == Kind::outlet && p.x[i] < s.domain.max.x() + s.dp)
                 across = std::max(across, std::abs(double(p.w[i]))), slowest = std::min(slowest, double(p.u[i]));
     }
-    const Ledger& l = solver.ledger();
+    const Ledger& l = simulation.ledger();
     const double entered = 2.4 * (14.4 - 0.15) / (s.dp * s.dp);  // U A t less the ramp, in particles
     std::cout << "through the outlet: across up to " << across << " U, along down to " << slowest << " U; particles "
               << fewest / n << " to " << most / n << " of the start; in " << double(l.in) / entered << " of U A t\n";
@@ -106,31 +106,31 @@ TEST(Outlet, LetsTheVorticesOfAnUprightPlateOut) {
 TEST(FreeJet, IsDrawnIntoDropsAndNothingIsLost) {
     // A sheet four spacings thick whose ends fly apart: u = 3 x. In one second it is four times as long, one spacing
     // thick and torn; in two there are drops.
-    SolverSetup s = plane(0.02, 40, 8);
-    Solver solver(s, weightless(s, {Vec3(-0.5, 0, -0.04), Vec3(0.5, 0, 0.04)}));
-    Particles& p = solver.particles();
+    SimulationSetup s = plane(0.02, 40, 8);
+    Simulation simulation(s, weightless(s, {Vec3(-0.5, 0, -0.04), Vec3(0.5, 0, 0.04)}));
+    Particles& p = simulation.particles();
     const std::size_t n = p.size();
     for (std::size_t i = 0; i < n; ++i) p.u[i] = static_cast<float>(3 * p.x[i]);
-    const Sums start = sums_of(solver);
+    const Sums start = sums_of(simulation);
     double most = 0;
-    while (solver.time() < 2) {
-        run_on(solver, solver.time() + 0.02, 0.06, 0.02);
+    while (simulation.time() < 2) {
+        run_on(simulation, simulation.time() + 0.02, 0.06, 0.02);
         if (HasFatalFailure()) return;
-        most = std::max(most, sums_of(solver).energy + elastic_of(solver));
+        most = std::max(most, sums_of(simulation).energy + elastic_of(simulation));
     }
     ASSERT_EQ(p.size(), n);
-    const Sums end = sums_of(solver);
+    const Sums end = sums_of(simulation);
     double volume = 0, gap = 0;
     std::vector<double> places = p.x;
     std::sort(places.begin(), places.end());
     for (std::size_t i = 0; i < n; ++i) volume += s.rho0 / (s.rho0 + double(p.drho[i])) / double(n);
     for (std::size_t i = 1; i < n; ++i) gap = std::max(gap, places[i] - places[i - 1]);
-    std::cout << "widest gap " << gap / (2 * solver.h()) << " kernel radii, volume " << volume << ", energy kept "
+    std::cout << "widest gap " << gap / (2 * simulation.h()) << " kernel radii, volume " << volume << ", energy kept "
               << end.energy / start.energy << ", largest " << most / start.energy << "\n";
-    EXPECT_GT(gap, 2 * solver.h());  // it did tear
+    EXPECT_GT(gap, 2 * simulation.h());  // it did tear
     EXPECT_NEAR(volume, 1, 0.001);
     EXPECT_LT(most, start.energy * (1 + 1e-6));
-    EXPECT_LT(std::hypot(end.x, end.z), 1e-6 * solver.mass() * double(n) * 1.5);
+    EXPECT_LT(std::hypot(end.x, end.z), 1e-6 * simulation.mass() * double(n) * 1.5);
 }
 
 }  // namespace

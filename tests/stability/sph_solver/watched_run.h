@@ -4,13 +4,13 @@
 
 #include <cmath>
 
-#include "sph_solver/solver.h"
+#include "sph_solver/simulation.h"
 
 namespace tw {
 
 /// Two dimensions (x, z), no gravity, free surface all round.
-inline SolverSetup plane(double dp, double c0, double half_width) {
-    SolverSetup s;
+inline SimulationSetup plane(double dp, double c0, double half_width) {
+    SimulationSetup s;
     s.dimensions = 2;
     s.dp = dp;
     s.state_equation.c0 = c0;
@@ -19,7 +19,7 @@ inline SolverSetup plane(double dp, double c0, double half_width) {
     return s;
 }
 
-inline Fluid weightless(const SolverSetup& s, const Box& block) {
+inline Fluid weightless(const SimulationSetup& s, const Box& block) {
     Fluid water = fill_with_fluid(s, {block});
     for (double& depth : water.depth) depth = 0;
     return water;
@@ -29,38 +29,39 @@ inline Fluid weightless(const SolverSetup& s, const Box& block) {
 struct Sums {
     double energy = 0, x = 0, z = 0, turn = 0;
 };
-inline Sums sums_of(const Solver& solver) {
+inline Sums sums_of(const Level& level) {
     Sums s;
-    const Particles& p = solver.particles();
+    const Particles& p = level.particles();
     for (std::size_t i = 0; i < p.size(); ++i) {
-        const double m = solver.mass(), u = p.u[i], w = p.w[i];
+        const double m = level.mass(), u = p.u[i], w = p.w[i];
         s.energy += 0.5 * m * (u * u + w * w);
         s.x += m * u, s.z += m * w;
         s.turn += m * (p.z[i] * u - p.x[i] * w);
     }
     return s;
 }
+inline Sums sums_of(const Simulation& simulation) { return sums_of(simulation.level(0)); }
 
 /// Energy of the compressed water [J]: part of what the start may turn into motion.
-inline double elastic_of(const Solver& solver) {
-    const double c0 = solver.setup().state_equation.c0, rho0 = solver.setup().rho0;
+inline double elastic_of(const Simulation& simulation) {
+    const double c0 = simulation.setup().state_equation.c0, rho0 = simulation.setup().rho0;
     double energy = 0;
-    for (const float drho : solver.particles().drho)
-        energy += 0.5 * solver.mass() * c0 * c0 * double(drho) * drho / (rho0 * rho0);
+    for (const float drho : simulation.particles().drho)
+        energy += 0.5 * simulation.mass() * c0 * c0 * double(drho) * drho / (rho0 * rho0);
     return energy;
 }
 
 /// Steps on and watches what has to stay bounded all the while.
-inline void run_on(Solver& solver, double until, double largest_mach_number, double largest_deviation) {
-    const double c0 = solver.setup().state_equation.c0, rho0 = solver.setup().rho0;
-    while (solver.time() < until) {
-        solver.step();
-        const Extremes& e = solver.extremes();
-        ASSERT_LT(e.speed, largest_mach_number * c0) << solver.time();
-        ASSERT_LT(e.density_deviation_high, largest_deviation * rho0) << solver.time();
-        ASSERT_GT(e.density_deviation_low, -largest_deviation * rho0) << solver.time();
+inline void run_on(Simulation& simulation, double until, double largest_mach_number, double largest_deviation) {
+    const double c0 = simulation.setup().state_equation.c0, rho0 = simulation.setup().rho0;
+    while (simulation.time() < until) {
+        simulation.step();
+        const Extremes& e = simulation.extremes();
+        ASSERT_LT(e.speed, largest_mach_number * c0) << simulation.time();
+        ASSERT_LT(e.density_deviation_high, largest_deviation * rho0) << simulation.time();
+        ASSERT_GT(e.density_deviation_low, -largest_deviation * rho0) << simulation.time();
     }
-    EXPECT_EQ(solver.ledger().lost, 0);
+    EXPECT_EQ(simulation.ledger().lost, 0);
 }
 
 }  // namespace tw

@@ -9,17 +9,18 @@
 #include "base/errors.h"
 #include "meshes/generate.h"
 #include "sph_solver/bench.h"
+#include "sph_solver/effects/air.h"
 #include "sph_solver/measure/certificate.h"
-#include "sph_solver/state/checkpoint.h"
 #include "sph_solver/scene_setup.h"
-#include "sph_solver/solver.h"
+#include "sph_solver/simulation.h"
+#include "sph_solver/state/checkpoint.h"
 
 namespace tw {
 namespace {
 
 /// A closed tank with a column of water against one side.
-SolverSetup tank(int threads = 1) {
-    SolverSetup s;
+SimulationSetup tank(int threads = 1) {
+    SimulationSetup s;
     s.dp = 0.05;
     s.state_equation.c0 = 30;
     s.domain = {Vec3(0, 0, 0), Vec3(1, 0.3, 1)};
@@ -27,21 +28,21 @@ SolverSetup tank(int threads = 1) {
     s.threads = threads;
     return s;
 }
-Fluid column(const SolverSetup& s) { return fill_with_fluid(s, {Box{Vec3(0, 0, 0), Vec3(0.5, 0.3, 0.6)}}); }
+Fluid column(const SimulationSetup& s) { return fill_with_fluid(s, {Box{Vec3(0, 0, 0), Vec3(0.5, 0.3, 0.6)}}); }
 
 /// A stream past a box, with everything that can disturb a restart: inlet, outlet, mirrors, wall.
-SolverSetup stream(int threads = 1) {
-    SolverSetup s;
+SimulationSetup stream(int threads = 1) {
+    SimulationSetup s;
     s.dp = 0.1;
     s.state_equation.c0 = 40;
     s.domain = {Vec3(-1, 0, -1), Vec3(1.5, 0.8, 2)};
     s.mirrors.on = {{{false, false}, {true, true}, {true, false}}};
     s.stream = Stream{4, 0.02, 0.5};
-    s.solids = {box_surface({Vec3(-0.3, -0.3, -0.2), Vec3(0.3, 0.3, 0.4)})};
+    s.bodies = {box_surface({Vec3(-0.3, -0.3, -0.2), Vec3(0.3, 0.3, 0.4)})};
     s.threads = threads;
     return s;
 }
-Fluid stream_water(const SolverSetup& s) {
+Fluid stream_water(const SimulationSetup& s) {
     Box water = s.domain;
     water.min.x() -= s.stream->buffer, water.max.x() += s.stream->buffer, water.max.z() = 0;
     return fill_with_fluid(s, {water});
@@ -57,7 +58,7 @@ constexpr SchemeCase every_scheme[] = {{Scheme::symplectic_euler, 0.7, 1},
                                        {Scheme::kick_drift_kick, 0.7, 1},
                                        {Scheme::predictor_corrector, 0.3, 2},
                                        {Scheme::rk4_frozen_diffusion, 1.4, 4}};
-SolverSetup with(SolverSetup s, const SchemeCase& c) {
+SimulationSetup with(SimulationSetup s, const SchemeCase& c) {
     s.scheme = c.scheme;
     s.cfl = c.cfl;
     return s;
@@ -75,11 +76,11 @@ SolverSetup with(SolverSetup s, const SchemeCase& c) {
 TEST(Engine, AnyNumberOfThreadsGivesTheSameBits) {
     for (const SchemeCase& c : every_scheme) {
         const auto run = [&](int threads) {
-            Solver solver(with(stream(threads), c), stream_water(stream(threads)));
-            for (int k = 0; k < 60; ++k) solver.step();
-            return solver;
+            Simulation simulation(with(stream(threads), c), stream_water(stream(threads)));
+            for (int k = 0; k < 60; ++k) simulation.step();
+            return simulation;
         };
-        const Solver one = run(1), three = run(3);
+        const Simulation one = run(1), three = run(3);
         EXPECT_TRUE(same_bits(one.particles(), three.particles())) << c.evaluations;
         EXPECT_EQ(one.load().force.z(), three.load().force.z());
         EXPECT_NE(one.load().force.z(), 0);
@@ -90,15 +91,15 @@ TEST(Engine, ARestartGoesOnWithTheSameBitsInletAndOutletIncluded) {
     const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "restart_test.h5";
     for (const SchemeCase& c : every_scheme) {
         SCOPED_TRACE(c.evaluations);
-        SolverSetup s = with(stream(), c);
+        SimulationSetup s = with(stream(), c);
         s.effects.viscosity = Viscosity{1e-3, true, EddyViscosity{}};  // its step limit hangs on the last evaluation
-        Solver whole(s, stream_water(s));
+        Simulation whole(s, stream_water(s));
         for (int k = 0; k < 50; ++k) whole.step();
         write_checkpoint(file, "a scene", whole, 1);
         whole.mark_restart_point();
-        Solver resumed(s, stream_water(s));
+        Simulation resumed(s, stream_water(s));
         Checkpoint saved = read_checkpoint(file, "a scene");
-        resumed.restore(saved.state, std::move(saved.particles));
+        restore(resumed, saved);
         for (int k = 0; k < 50; ++k) whole.step(), resumed.step();
         EXPECT_TRUE(same_bits(whole.particles(), resumed.particles()));
         EXPECT_EQ(whole.time(), resumed.time());
@@ -113,7 +114,7 @@ TEST(Engine, ARestartGoesOnWithTheSameBitsInletAndOutletIncluded) {
 
 TEST(Engine, ARestartWithAirGoesOnWithTheSameBitsAndAnyNumberOfThreads) {
     const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "restart_air_test.h5";
-    SolverSetup s;
+    SimulationSetup s;
     s.dp = 0.05;
     s.state_equation.c0 = 20;
     s.domain = {Vec3(0, 0, 0), Vec3(0.8, 0.4, 0.8)};
@@ -122,27 +123,26 @@ TEST(Engine, ARestartWithAirGoesOnWithTheSameBitsAndAnyNumberOfThreads) {
     const std::vector<Box> column{{s.domain.min, Vec3(0.4, 0.4, 0.4)}};  // falls
     const auto make = [&](int threads) {
         s.threads = threads;
-        Solver solver(s, fill_with_fluid(s, column));
-        solver.add_air({}, fill_with_air(s, column));
-        return solver;
+        Simulation simulation(s, fill_with_fluid(s, column));
+        add_air(simulation, {}, fill_with_air(s, column));
+        return simulation;
     };
-    Solver whole = make(1);
+    Simulation whole = make(1);
     for (int k = 0; k < 60; ++k) whole.step();
     write_checkpoint(file, "a scene", whole, 1);
     whole.mark_restart_point();
-    Solver resumed = make(2);
+    Simulation resumed = make(2);
     Checkpoint saved = read_checkpoint(file, "a scene");
-    resumed.restore(saved.state, std::move(saved.particles));
-    resumed.restore_air(saved.air_state, std::move(saved.air));
+    restore(resumed, saved);
     for (int k = 0; k < 60; ++k) whole.step(), resumed.step();
     EXPECT_TRUE(same_bits(whole.particles(), resumed.particles()));
-    EXPECT_TRUE(same_bits(whole.air()->particles(), resumed.air()->particles()));
+    EXPECT_TRUE(same_bits(air_of(whole)->particles(), air_of(resumed)->particles()));
     EXPECT_EQ(whole.dt(), resumed.dt());
-    EXPECT_GT(whole.air()->extremes().speed, 0);
+    EXPECT_GT(air_of(whole)->extremes().speed, 0);
 }
 
 TEST(Engine, AFreeBlobKeepsItsMomentumWhateverItsParticlesDo) {
-    SolverSetup s;
+    SimulationSetup s;
     s.dp = 0.05;
     s.state_equation.c0 = 20;
     s.gravity = Vec3::Zero();
@@ -150,19 +150,19 @@ TEST(Engine, AFreeBlobKeepsItsMomentumWhateverItsParticlesDo) {
     s.threads = 1;
     Fluid blob = fill_with_fluid(s, {Box{Vec3::Constant(-0.3), Vec3::Constant(0.3)}});
     for (double& d : blob.depth) d = 0;
-    Solver solver(s, blob);
+    Simulation simulation(s, blob);
     std::mt19937 random(3);
     std::normal_distribution<float> noise(0, 0.3f);
-    Particles& p = solver.particles();
+    Particles& p = simulation.particles();
     for (std::size_t i = 0; i < p.size(); ++i)
         p.u[i] = 1 + noise(random), p.v[i] = noise(random), p.w[i] = noise(random);
     const auto momentum = [&] {
         Vec3 sum = Vec3::Zero();
-        for (std::size_t i = 0; i < p.size(); ++i) sum += solver.mass() * Vec3(p.u[i], p.v[i], p.w[i]);
+        for (std::size_t i = 0; i < p.size(); ++i) sum += simulation.mass() * Vec3(p.u[i], p.v[i], p.w[i]);
         return sum;
     };
     const Vec3 before = momentum();
-    for (int k = 0; k < 100; ++k) solver.step();
+    for (int k = 0; k < 100; ++k) simulation.step();
     EXPECT_LT((momentum() - before).norm(), 2e-6 * before.norm() * 100);  // rounding of single precision, step by step
 }
 
@@ -182,9 +182,9 @@ TEST(Engine, EveryInstructionSetGivesTheSameForces) {
     if (has_only_the_baseline()) GTEST_SKIP() << "this processor has only the baseline";
     std::vector<double> lifts;
     with_every_instruction_set([&] {
-        Solver solver(stream(), stream_water(stream()));
-        for (int k = 0; k < 5; ++k) solver.step();
-        lifts.push_back(solver.load().force.z());
+        Simulation simulation(stream(), stream_water(stream()));
+        for (int k = 0; k < 5; ++k) simulation.step();
+        lifts.push_back(simulation.load().force.z());
     });
     for (double lift : lifts) EXPECT_NEAR(lift, lifts.front(), 1e-4 * std::abs(lifts.front()));
 }
@@ -193,7 +193,7 @@ TEST(Engine, EveryInstructionSetGivesTheSameEffects) {
     if (has_only_the_baseline()) GTEST_SKIP() << "this processor has only the baseline";
     struct Case {
         const char* name;
-        SolverSetup setup;
+        SimulationSetup setup;
         Fluid water;
         EffectOptions effects;
     };
@@ -206,10 +206,10 @@ TEST(Engine, EveryInstructionSetGivesTheSameEffects) {
     for (const Case& c : cases) {
         std::vector<double> changes;  // of the velocities, by the effect, summed without regard to sign
         with_every_instruction_set([&] {
-            SolverSetup s = c.setup;
-            Solver without(s, c.water);
+            SimulationSetup s = c.setup;
+            Simulation without(s, c.water);
             s.effects = c.effects;
-            Solver with(s, c.water);
+            Simulation with(s, c.water);
             for (int k = 0; k < 5; ++k) without.step(), with.step();
             const Particles &a = without.particles(), &b = with.particles();
             changes.push_back(0);
@@ -224,28 +224,28 @@ TEST(Engine, EveryInstructionSetGivesTheSameEffects) {
 
 TEST(Engine, EveryInstructionSetGivesTheSameAir) {
     if (has_only_the_baseline()) GTEST_SKIP() << "this processor has only the baseline";
-    SolverSetup s = tank();
+    SimulationSetup s = tank();
     s.mirrors.on[2][1] = true;
     const std::vector<Box> falling{{Vec3(0, 0, 0), Vec3(0.5, 0.3, 0.6)}};
     std::vector<double> speeds;  // of the air that the column drives, summed
     with_every_instruction_set([&] {
-        Solver solver(s, fill_with_fluid(s, falling));
-        solver.add_air({}, fill_with_air(s, falling));
-        while (solver.time() < 0.05) solver.step();
+        Simulation simulation(s, fill_with_fluid(s, falling));
+        add_air(simulation, {}, fill_with_air(s, falling));
+        while (simulation.time() < 0.05) simulation.step();
         speeds.push_back(0);
-        for (const float u : solver.air()->particles().u) speeds.back() += double(std::abs(u));
+        for (const float u : air_of(simulation)->particles().u) speeds.back() += double(std::abs(u));
     });
     EXPECT_GT(speeds.front(), 1);
     for (const double speed : speeds) EXPECT_NEAR(speed, speeds.front(), 0.01 * speeds.front());
 }
 
 TEST(Engine, ASoundSpeedThatIsTooLowStopsTheRunWithPlaceAndReason) {
-    SolverSetup s = tank();
+    SimulationSetup s = tank();
     s.state_equation.c0 = 0.5;  // the column falls at up to 3 m/s
-    Solver solver(s, column(s));
+    Simulation simulation(s, column(s));
     try {
-        for (int k = 0; k < 2000; ++k) solver.step();
-        FAIL() << "went on to t = " << solver.time();
+        for (int k = 0; k < 2000; ++k) simulation.step();
+        FAIL() << "went on to t = " << simulation.time();
     } catch (const RunError& e) {
         const std::string what = e.what();
         EXPECT_NE(what.find("sound speed"), std::string::npos) << what;
@@ -255,35 +255,35 @@ TEST(Engine, ASoundSpeedThatIsTooLowStopsTheRunWithPlaceAndReason) {
 }
 
 TEST(Engine, TheCertificateNamesThePlaceOfTheWorst) {
-    const SolverSetup s = tank();
-    Solver solver(s, column(s));
+    const SimulationSetup s = tank();
+    Simulation simulation(s, column(s));
     RunRecord record;
-    while (solver.time() < 0.02) {
-        solver.step();
-        watch_stability(solver, record);
+    while (simulation.time() < 0.02) {
+        simulation.step();
+        watch_stability(simulation, record);
     }
     std::size_t densest = 0;
     const auto compression = std::ranges::find(record.certificate, "compression", &CertificateLine::name);
     ASSERT_NE(compression, record.certificate.end());
-    solver.particles().drho[29] = 150;  // 15 %: more than is trusted, and than anything the falling column does
-    const Vec3 there(solver.particles().x[29], solver.particles().y[29], solver.particles().z[29]);
-    solver.step();
-    watch_stability(solver, record);
-    for (std::size_t i = 0; i < solver.particles().size(); ++i)
-        if (solver.particles().drho[i] > solver.particles().drho[densest]) densest = i;
-    EXPECT_NEAR(compression->value, solver.particles().drho[densest] / 10, 1e-6);
+    simulation.particles().drho[29] = 150;  // 15 %: more than is trusted, and than anything the falling column does
+    const Vec3 there(simulation.particles().x[29], simulation.particles().y[29], simulation.particles().z[29]);
+    simulation.step();
+    watch_stability(simulation, record);
+    for (std::size_t i = 0; i < simulation.particles().size(); ++i)
+        if (simulation.particles().drho[i] > simulation.particles().drho[densest]) densest = i;
+    EXPECT_NEAR(compression->value, simulation.particles().drho[densest] / 10, 1e-6);
     EXPECT_LT((compression->place - there).norm(), 2 * s.dp);
-    EXPECT_EQ(compression->time, solver.time());
+    EXPECT_EQ(compression->time, simulation.time());
     for (const CertificateLine& line : record.certificate)
         EXPECT_EQ(line.met(), line.name != "compression") << line.name;
 }
 
 TEST(Engine, NotANumberStopsTheRun) {
-    const SolverSetup s = tank();
-    Solver solver(s, column(s));
-    solver.step();
-    solver.particles().u[17] = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_THROW(solver.step(), RunError);
+    const SimulationSetup s = tank();
+    Simulation simulation(s, column(s));
+    simulation.step();
+    simulation.particles().u[17] = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_THROW(simulation.step(), RunError);
 }
 
 TEST(Bench, MeasuresEveryFigureItPrints) {
@@ -300,32 +300,32 @@ TEST(Bench, MeasuresEveryFigureItPrints) {
 TEST(Engine, NoParticleLeavesAClosedTank) {
     for (const SchemeCase& c : every_scheme) {
         SCOPED_TRACE(c.evaluations);
-        const SolverSetup s = with(tank(), c);
-        Solver solver(s, column(s));
-        const std::size_t n = solver.particles().size();
-        while (solver.time() < 0.4) solver.step();
-        EXPECT_EQ(solver.particles().size(), n);
+        const SimulationSetup s = with(tank(), c);
+        Simulation simulation(s, column(s));
+        const std::size_t n = simulation.particles().size();
+        while (simulation.time() < 0.4) simulation.step();
+        EXPECT_EQ(simulation.particles().size(), n);
         for (std::size_t i = 0; i < n; ++i) {
-            const Particles& p = solver.particles();
+            const Particles& p = simulation.particles();
             EXPECT_TRUE(s.domain.contains(Vec3(p.x[i], p.y[i], p.z[i])) || p.x[i] > -s.dp) << i;
         }
     }
 }
 
 TEST(Schemes, OfADamBreakAgreeAndEvaluateAsOftenAsTheySay) {
-    const auto front = [](const Solver& solver) {
+    const auto front = [](const Simulation& simulation) {
         double x = 0;
-        for (const double at : solver.particles().x) x = std::max(x, at);
+        for (const double at : simulation.particles().x) x = std::max(x, at);
         return x;
     };
     std::vector<double> fronts;
     for (const SchemeCase& c : every_scheme) {
-        const SolverSetup s = with(tank(), c);
-        Solver solver(s, column(s));
-        const auto n = static_cast<std::int64_t>(solver.particles().size());
-        while (solver.time() < 0.15) solver.step();
-        EXPECT_EQ(solver.timers().evaluations, n * solver.steps() * c.evaluations);
-        fronts.push_back(front(solver));
+        const SimulationSetup s = with(tank(), c);
+        Simulation simulation(s, column(s));
+        const auto n = static_cast<std::int64_t>(simulation.particles().size());
+        while (simulation.time() < 0.15) simulation.step();
+        EXPECT_EQ(simulation.timers().evaluations, n * simulation.steps() * c.evaluations);
+        fronts.push_back(front(simulation));
     }
     EXPECT_GT(fronts.front(), 0.55);  // it has run a spacing and more
     EXPECT_LT(fronts.front(), 0.95);  // and not met the wall
@@ -339,24 +339,24 @@ TEST(Schemes, AreChosenByTheScene) {
     scene.resolution.near_hull = 0.1;
     scene.water_blocks = {Box{Vec3(0, 0, 0), Vec3(0.5, 0.3, 0.6)}};
     scene.sph.c0 = 30;
-    EXPECT_EQ(sph_setup(scene, 1).solver.scheme, SolverSetup().scheme);
+    EXPECT_EQ(sph_setup(scene, 1).simulation.scheme, SimulationSetup().scheme);
     const std::pair<const char*, Scheme> named[] = {{"symplectic_euler", Scheme::symplectic_euler},
                                                     {"kick_drift_kick", Scheme::kick_drift_kick},
                                                     {"predictor_corrector", Scheme::predictor_corrector},
                                                     {"rk4_frozen_diffusion", Scheme::rk4_frozen_diffusion}};
     for (const auto& [name, scheme] : named) {
         scene.sph.scheme = name;
-        EXPECT_EQ(sph_setup(scene, 1).solver.scheme, scheme) << name;
+        EXPECT_EQ(sph_setup(scene, 1).simulation.scheme, scheme) << name;
     }
 }
 
 TEST(Schemes, WithOneEvaluationNeedNoMemoryOfStages) {
     std::vector<double> bytes;
     for (const SchemeCase& c : every_scheme) {
-        const SolverSetup s = with(tank(), c);
-        Solver solver(s, column(s));
-        solver.step();
-        bytes.push_back(solver.bytes());
+        const SimulationSetup s = with(tank(), c);
+        Simulation simulation(s, column(s));
+        simulation.step();
+        bytes.push_back(simulation.bytes());
     }
     EXPECT_EQ(bytes[0], bytes[1]);
     EXPECT_GT(bytes[2], bytes[0]);
@@ -371,7 +371,7 @@ struct Impact {
     std::int64_t held = 0;
 };
 Impact throw_at_wall(int count, double speed, const SchemeCase& c) {
-    SolverSetup s = with(stream(), c);
+    SimulationSetup s = with(stream(), c);
     s.stream.reset();
     s.gravity = Vec3::Zero();
     Fluid drops;
@@ -379,24 +379,24 @@ Impact throw_at_wall(int count, double speed, const SchemeCase& c) {
         drops.places.emplace_back((k % 2) * s.dp - 0.05, ((k / 2) % 2) * s.dp + 0.01, 0.65 + (k / 4) * s.dp);
         drops.depth.push_back(0);
     }
-    Solver solver(s, drops);
-    for (float& w : solver.particles().w) w = static_cast<float>(-speed);
+    Simulation simulation(s, drops);
+    for (float& w : simulation.particles().w) w = static_cast<float>(-speed);
     Impact r;
     r.deepest = 1e30;
     const auto momentum = [&] {
         double sum = 0;
-        for (float w : solver.particles().w) sum += solver.mass() * double(w);
+        for (float w : simulation.particles().w) sum += simulation.mass() * double(w);
         return sum;
     };
     const double before = momentum();
-    while (solver.time() < 0.6 / speed) {
-        const double since = solver.time();
-        solver.step();
-        r.impulse -= solver.load().force.z() * (solver.time() - since);
-        for (double z : solver.particles().z) r.deepest = std::min(r.deepest, (z - 0.4) / s.dp);
+    while (simulation.time() < 0.6 / speed) {
+        const double since = simulation.time();
+        simulation.step();
+        r.impulse -= simulation.load().force.z() * (simulation.time() - since);
+        for (double z : simulation.particles().z) r.deepest = std::min(r.deepest, (z - 0.4) / s.dp);
     }
     r.momentum = momentum() - before;
-    r.held = solver.ledger().held;
+    r.held = simulation.ledger().held;
     return r;
 }
 

@@ -5,19 +5,19 @@
 
 #include "meshes/generate.h"
 #include "meshes/mass_properties.h"
+#include "sph_solver/bodies/dummies.h"
 #include "sph_solver/bodies/samples.h"
 #include "sph_solver/ghosts/mirrors.h"
-#include "sph_solver/bodies/dummies.h"
 
 namespace tw {
 namespace {
 
 const Box everywhere{Vec3::Constant(-100), Vec3::Constant(100)};
 
-TEST(WallDummies, CarryTheVolumeOfASharpEdgedHull) {
+TEST(Dummies, CarryTheVolumeOfASharpEdgedHull) {
     const Surface hull =
         posed(make_hull("prismatic", {{"length", 4}, {"beam", 1}, {"deadrise", 0.35}}), {.trim = 0.087, .draft = 0.2});
-    const WallDummies d = make_wall_dummies(SurfaceQuery(hull), hull.bounds(), 0.1, 10, everywhere, 3);
+    const Dummies d = make_dummies(SurfaceQuery(hull), hull.bounds(), 0.1, 10, everywhere, 3);
     const double volume = std::accumulate(d.volumes.begin(), d.volumes.end(), 0.0);
     EXPECT_NEAR(volume / mass_properties(hull).volume, 1, 0.005);  // lattice cells alone would be off by the staircase
     Vec3 centroid = Vec3::Zero();
@@ -25,12 +25,12 @@ TEST(WallDummies, CarryTheVolumeOfASharpEdgedHull) {
     EXPECT_LT((centroid - mass_properties(hull).centroid).norm(), 0.005);
 }
 
-TEST(WallDummies, FillOnlyTheDepthThatKernelsReach) {
+TEST(Dummies, FillOnlyTheDepthThatKernelsReach) {
     const Surface box = make_hull("box", {});
     const Box b = box.bounds();
     const double dp = b.size().minCoeff() / 20, depth = 4 * dp;
     const SurfaceQuery query(box);
-    for (const Vec3& p : make_wall_dummies(query, b, dp, depth, everywhere, 3).places) {
+    for (const Vec3& p : make_dummies(query, b, dp, depth, everywhere, 3).places) {
         EXPECT_LE(query.nearest(p).distance, 1e-9);
         EXPECT_GE(query.nearest(p).distance, -depth - 1e-9);
     }

@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <string>
 
+#include "sph_solver/simulation.h"
 #include "sph_solver/state/checkpoint.h"
-#include "sph_solver/solver.h"
 
 namespace tw {
 namespace {
@@ -53,7 +53,7 @@ TEST(OffIsFree, ARunWithoutEffectsCountsTheInstructionsOfABuildThatLacksThem) {
 /// Effects hold no state between steps, so that a checkpoint is as long with them as without.
 TEST(OffIsFree, ACheckpointDoesNotGrow) {
     const auto length = [](bool on) {
-        SolverSetup s;
+        SimulationSetup s;
         s.dimensions = 2;
         s.dp = 0.05;
         s.state_equation.c0 = 20;
@@ -67,10 +67,10 @@ TEST(OffIsFree, ACheckpointDoesNotGrow) {
             s.effects.cavitation = Cavitation{};
             s.effects.damping_layers = DampingLayers{{{0, true, 0.2}}, 1, Vec3::Zero()};
         }
-        Solver solver(s, fill_with_fluid(s, {Box{Vec3(0, -1, 0), Vec3(0.5, 1, 0.5)}}));
-        for (int k = 0; k < 5; ++k) solver.step();
+        Simulation simulation(s, fill_with_fluid(s, {Box{Vec3(0, -1, 0), Vec3(0.5, 1, 0.5)}}));
+        for (int k = 0; k < 5; ++k) simulation.step();
         const auto file = std::filesystem::temp_directory_path() / (on ? "tw_effects_on.h5" : "tw_effects_off.h5");
-        write_checkpoint(file, "same", solver, 1);
+        write_checkpoint(file, "same", simulation, 1);
         const auto size = std::filesystem::file_size(file);
         std::filesystem::remove(file);
         return size;

@@ -14,7 +14,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "sph_solver/solver.h"
+#include "sph_solver/simulation.h"
 
 namespace tw {
 namespace {
@@ -38,7 +38,7 @@ double lattice_moment(double h_over_dp) {
 
 /// From x = 0.3 over the wall at x = 1 back to x = 0.6; the box is 1 long and `12 dp` high.
 Pulse pulse_of(double dp) {
-    SolverSetup s;
+    SimulationSetup s;
     s.dimensions = 2;
     s.dp = dp;
     s.state_equation.c0 = c0;
@@ -47,8 +47,8 @@ Pulse pulse_of(double dp) {
     s.mirrors.on = {{{true, true}, {false, false}, {true, true}}};
     Fluid water = fill_with_fluid(s, {s.domain});
     for (double& depth : water.depth) depth = 0;
-    Solver solver(s, water);
-    Particles& p = solver.particles();
+    Simulation simulation(s, water);
+    Particles& p = simulation.particles();
     for (std::size_t i = 0; i < p.size(); ++i) {
         const double f = strength * std::exp(-0.5 * std::pow((p.x[i] - 0.3) / width, 2));
         p.drho[i] = static_cast<float>(s.rho0 * f), p.u[i] = static_cast<float>(c0 * f);
@@ -62,22 +62,22 @@ Pulse pulse_of(double dp) {
         for (std::size_t i = 0; i < p.size(); ++i) {
             const double d = p.drho[i], kinetic = 0.5 * (double(p.u[i]) * p.u[i] + double(p.w[i]) * p.w[i]);
             weight += d * d, r.centre += d * d * p.x[i], r.crest = std::max(r.crest, d);
-            r.energy += solver.mass() * (kinetic + 0.5 * std::pow(c0 * d / s.rho0, 2));
+            r.energy += simulation.mass() * (kinetic + 0.5 * std::pow(c0 * d / s.rho0, 2));
         }
         r.centre /= weight;
         return r;
     };
     const auto run_to = [&](double path, Pulse& r, const State& start) {
-        while (c0 * solver.time() < path) {
-            solver.step();
+        while (c0 * simulation.time() < path) {
+            simulation.step();
             const State now = state();
             // at the wall the crest is twice as high, and velocity and density, known half a step apart, do not add up
-            const double gone = 0.3 + c0 * solver.time();
+            const double gone = 0.3 + c0 * simulation.time();
             if (gone > 0.75 && gone < 1.25) continue;
             r.highest = std::max(r.highest, now.crest / start.crest);
             r.most_energy = std::max(r.most_energy, now.energy / start.energy);
         }
-        return std::pair{state(), solver.time()};
+        return std::pair{state(), simulation.time()};
     };
     Pulse r;
     r.dp = dp;

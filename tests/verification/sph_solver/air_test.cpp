@@ -1,4 +1,4 @@
-// Air as a second phase (effects/air.h) against formulas.
+// Air as a second phase (effects/air.h, pairs/level_pair.h) against formulas.
 //
 // A water column between two cushions of air in a closed tube (Bagnold 1939, J. Inst. Civ. Eng. 12, in its linear
 // form). Sound of the same frequency in both phases, p = A sin(k_w z) in the water |z| < L/2 and B cos(k_a (z_wall -
@@ -20,7 +20,8 @@
 #include <vector>
 
 #include "base/errors.h"
-#include "sph_solver/solver.h"
+#include "sph_solver/effects/air.h"
+#include "sph_solver/simulation.h"
 
 namespace tw {
 namespace {
@@ -43,8 +44,8 @@ double frequency(const std::vector<double>& time, const std::vector<double>& val
     return pi * double(zeros.size() - 1) / (zeros.back() - zeros.front());
 }
 
-SolverSetup box(double dp, const Vec3& min, const Vec3& max) {
-    SolverSetup s;
+SimulationSetup box(double dp, const Vec3& min, const Vec3& max) {
+    SimulationSetup s;
     s.dimensions = 2;
     s.dp = dp;
     s.domain = {min, max};
@@ -65,20 +66,20 @@ struct Cushions {
     }
     /// Of the water's momentum.
     double found(double dp) const {
-        SolverSetup s = box(dp, Vec3(0, -1, -L / 2 - l), Vec3(12 * dp, 1, L / 2 + l));
+        SimulationSetup s = box(dp, Vec3(0, -1, -L / 2 - l), Vec3(12 * dp, 1, L / 2 + l));
         s.gravity = Vec3::Zero();
         s.state_equation.c0 = c_w;
         const std::vector<Box> water{{Vec3(0, -1, -L / 2), Vec3(12 * dp, 1, L / 2)}};
-        Solver solver(s, fill_with_fluid(s, water));
-        solver.add_air(air, fill_with_air(s, water));
-        EXPECT_EQ(solver.air()->particles().size(), solver.particles().size());
-        for (float& w : solver.particles().w) w = 0.05f;  // of the cushion's height: 0.4 %
+        Simulation simulation(s, fill_with_fluid(s, water));
+        add_air(simulation, air, fill_with_air(s, water));
+        EXPECT_EQ(air_of(simulation)->particles().size(), simulation.particles().size());
+        for (float& w : simulation.particles().w) w = 0.05f;  // of the cushion's height: 0.4 %
         std::vector<double> time, momentum;
-        while (solver.time() < 2.5 * 2 * pi / exact()) {
-            solver.step();
+        while (simulation.time() < 2.5 * 2 * pi / exact()) {
+            simulation.step();
             double sum = 0;
-            for (const float w : solver.particles().w) sum += double(w);
-            time.push_back(solver.time()), momentum.push_back(sum);
+            for (const float w : simulation.particles().w) sum += double(w);
+            time.push_back(simulation.time()), momentum.push_back(sum);
         }
         return frequency(time, momentum);
     }
@@ -100,16 +101,16 @@ struct Layers {
     double density, c0, c_air;
 
     double exact() const { return std::sqrt(g * k * (1000 - density) * std::tanh(k * H) / (1000 + density)); }
-    Solver solver(double dp) const {
-        SolverSetup s = box(dp, Vec3(0, -1, -H), Vec3(length, 1, H));
+    Simulation simulation(double dp) const {
+        SimulationSetup s = box(dp, Vec3(0, -1, -H), Vec3(length, 1, H));
         s.h_over_dp = 2;
         s.state_equation.c0 = c0;
         const std::vector<Box> water{{s.domain.min, Vec3(length, 1, 0)}};
-        Solver solver(s, fill_with_fluid(s, water));
+        Simulation simulation(s, fill_with_fluid(s, water));
         AirOptions air;
         air.density = density, air.sound_speed = c_air;
-        solver.add_air(air, fill_with_air(s, water));
-        return solver;
+        add_air(simulation, air, fill_with_air(s, water));
+        return simulation;
     }
 };
 
@@ -117,7 +118,7 @@ TEST(Air, WavesAtTheInterfaceOfTwoLayers) {
     for (const double density : {500.0, 1.2}) {
         const Layers layers{density, 22, density > 100 ? 22.0 : 100.0};
         const double omega = layers.exact(), dp = Layers::H / 20;
-        Solver solver = layers.solver(dp);
+        Simulation simulation = layers.simulation(dp);
         // velocity of the linear wave: potential A cosh k(H -+ z) cos kx in each layer, opposite signs along x
         const auto start = [&](Particles& p, double side) {
             for (std::size_t i = 0; i < p.size(); ++i) {
@@ -127,16 +128,16 @@ TEST(Air, WavesAtTheInterfaceOfTwoLayers) {
                 p.u[i] = static_cast<float>(side * a * std::cosh(up) * std::sin(Layers::k * p.x[i]));
             }
         };
-        start(solver.particles(), -1);
-        start(solver.air_particles(), 1);
+        start(simulation.particles(), -1);
+        start(air_of(simulation)->particles(), 1);
         std::vector<double> time, share;
-        while (solver.time() < 1.75 * 2 * pi / omega) {
-            solver.step();
+        while (simulation.time() < 1.75 * 2 * pi / omega) {
+            simulation.step();
             double sum = 0;
-            const Particles& p = solver.particles();
+            const Particles& p = simulation.particles();
             for (std::size_t i = 0; i < p.size(); ++i)
                 sum += double(p.w[i]) * std::sinh(Layers::k * (Layers::H + p.z[i])) * std::cos(Layers::k * p.x[i]);
-            time.push_back(solver.time()), share.push_back(sum);
+            time.push_back(simulation.time()), share.push_back(sum);
         }
         const double found = frequency(time, share);
         std::printf("layers of 1000 and %g kg/m3: %.4f rad/s, exact %.4f (%+.2f %%)\n", density, found, omega,
@@ -148,17 +149,17 @@ TEST(Air, WavesAtTheInterfaceOfTwoLayers) {
 TEST(Air, StaysAboveWaterAtRest) {
     const Layers layers{1.2, 22, 100};
     const double dp = Layers::H / 20;
-    Solver solver = layers.solver(dp);
-    while (solver.time() < 2) solver.step();
+    Simulation simulation = layers.simulation(dp);
+    while (simulation.time() < 2) simulation.step();
     double kinetic = 0, pressure2 = 0, highest = -1, lowest = 1, air2 = 0;
-    const Particles& p = solver.particles();
+    const Particles& p = simulation.particles();
     for (std::size_t i = 0; i < p.size(); ++i) {
-        kinetic += 0.5 * solver.mass() * (double(p.u[i]) * p.u[i] + double(p.w[i]) * p.w[i]);
+        kinetic += 0.5 * simulation.mass() * (double(p.u[i]) * p.u[i] + double(p.w[i]) * p.w[i]);
         highest = std::max(highest, p.z[i]);
         const double exact = -1000 * 9.81 * p.z[i];
-        pressure2 += std::pow(solver.pressure(i) - exact, 2) / double(p.size());
+        pressure2 += std::pow(simulation.pressure(i) - exact, 2) / double(p.size());
     }
-    const Solver& air = *solver.air();
+    const Level& air = *air_of(simulation);
     for (std::size_t i = 0; i < air.particles().size(); ++i) {
         lowest = std::min(lowest, air.particles().z[i]);
         air2 += std::pow(double(air.particles().u[i]), 2) + std::pow(double(air.particles().w[i]), 2);
@@ -175,12 +176,12 @@ TEST(Air, StaysAboveWaterAtRest) {
 }
 
 TEST(Air, WantsASchemeOfOneEvaluation) {
-    SolverSetup s = box(0.1, Vec3(0, -1, 0), Vec3(1, 1, 1));
+    SimulationSetup s = box(0.1, Vec3(0, -1, 0), Vec3(1, 1, 1));
     s.state_equation.c0 = 20;
     s.scheme = Scheme::predictor_corrector;
     const std::vector<Box> water{{s.domain.min, Vec3(1, 1, 0.5)}};
-    Solver solver(s, fill_with_fluid(s, water));
-    EXPECT_THROW(solver.add_air({}, fill_with_air(s, water)), InputError);
+    Simulation simulation(s, fill_with_fluid(s, water));
+    EXPECT_THROW(add_air(simulation, {}, fill_with_air(s, water)), InputError);
 }
 
 }  // namespace

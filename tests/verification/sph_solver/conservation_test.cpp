@@ -39,7 +39,7 @@
 #include "elliptic_drop.h"
 #include "prism.h"
 #include "sph_solver/bodies/dummies.h"
-#include "sph_solver/solver.h"
+#include "sph_solver/simulation.h"
 
 namespace tw {
 namespace {
@@ -50,19 +50,19 @@ struct Sums {
     double energy() const { return kinetic + potential + elastic; }
 };
 
-double elastic_energy(const SolverSetup& s, double drho) {
+double elastic_energy(const SimulationSetup& s, double drho) {
     const double c0 = s.state_equation.c0, r = drho / s.rho0;
     return c0 * c0 * (std::log1p(r) - r / (1 + r));
 }
 
-Sums sums_of(const Solver& solver, const Particles& p) {
+Sums sums_of(const Simulation& simulation, const Particles& p) {
     Sums s;
-    const double m = solver.mass(), g = solver.setup().gravity.z();
+    const double m = simulation.mass(), g = simulation.setup().gravity.z();
     for (std::size_t i = 0; i < p.size(); ++i) {
         const double u = p.u[i], w = p.w[i];
         s.kinetic += m / 2 * (u * u + w * w);
         s.potential -= m * g * p.z[i];
-        s.elastic += m * elastic_energy(solver.setup(), p.drho[i]);
+        s.elastic += m * elastic_energy(simulation.setup(), p.drho[i]);
         s.x += m * u, s.z += m * w;
         s.turn += m * (p.z[i] * u - p.x[i] * w);
     }
@@ -92,8 +92,9 @@ struct WallNeighbour {
     std::size_t d;
     double x, z, F, W, volume;
 };
-std::vector<std::vector<WallNeighbour>> wall_of(const Solver& solver, const Particles& p, const WallDummies& floor) {
-    const double h = solver.h(), sigma = 7 / (4 * std::numbers::pi * h * h);
+std::vector<std::vector<WallNeighbour>> wall_of(const Simulation& simulation, const Particles& p,
+                                                const Dummies& floor) {
+    const double h = simulation.h(), sigma = 7 / (4 * std::numbers::pi * h * h);
     std::vector<std::vector<WallNeighbour>> all(p.size());
     for (std::size_t i = 0; i < p.size(); ++i)
         for (std::size_t d = 0; d < floor.places.size(); ++d) {
@@ -107,9 +108,9 @@ std::vector<std::vector<WallNeighbour>> wall_of(const Solver& solver, const Part
 }
 
 /// All pairs within 2h, by comparing every two places.
-std::vector<std::vector<Neighbour>> neighbours_of(const Solver& solver, const Particles& p) {
-    const SolverSetup& s = solver.setup();
-    const double h = solver.h(), sigma = 7 / (4 * std::numbers::pi * h * h);
+std::vector<std::vector<Neighbour>> neighbours_of(const Simulation& simulation, const Particles& p) {
+    const SimulationSetup& s = simulation.setup();
+    const double h = simulation.h(), sigma = 7 / (4 * std::numbers::pi * h * h);
     struct Place {
         std::size_t j;
         double x, z, mirror_x, mirror_z;
@@ -142,41 +143,43 @@ std::vector<std::vector<Neighbour>> neighbours_of(const Solver& solver, const Pa
 }
 
 /// The dummy particles of the solids, made as the engine makes them.
-WallDummies floor_of(const SolverSetup& s) {
-    WallDummies all;
+Dummies floor_of(const SimulationSetup& s) {
+    Dummies all;
     const double support = 2 * s.h_over_dp * s.dp;
     Box region = s.domain;
     region.min.array() -= support;
     region.max.array() += support;
-    for (const Surface& surface : s.solids)
-        all = make_wall_dummies(SurfaceQuery(surface), surface.bounds(), s.dp, support + s.dp, region, s.dimensions);
+    for (const BodySetup& body : s.bodies)
+        all =
+            make_dummies(SurfaceQuery(body.surface), body.surface.bounds(), s.dp, support + s.dp, region, s.dimensions);
     return all;
 }
 
 /// Takes one step of the engine, by symplectic Euler or kick-drift-kick, and adds to the budget what the equations at
 /// the head say it does. Returns the largest difference of the engine's new velocity from theirs, over the largest
 /// change of velocity.
-double step_and_account(Solver& solver, Budget& budget, const WallDummies& floor = {}) {
-    const SolverSetup& s = solver.setup();
-    const double m = solver.mass(), h = solver.h(), c0 = s.state_equation.c0, rho0 = s.rho0, dt_before = solver.dt();
-    Particles p = solver.particles();
-    const auto rebuilds = solver.timers().rebuilds, stops = solver.ledger().held;
-    solver.step();
-    const Particles& next = solver.particles();
-    if (solver.timers().rebuilds > rebuilds) {
-        const double before = sums_of(solver, p).potential;
+double step_and_account(Simulation& simulation, Budget& budget, const Dummies& floor = {}) {
+    const SimulationSetup& s = simulation.setup();
+    const double m = simulation.mass(), h = simulation.h(), c0 = s.state_equation.c0, rho0 = s.rho0,
+                 dt_before = simulation.dt();
+    Particles p = simulation.particles();
+    const auto rebuilds = simulation.timers().rebuilds, stops = simulation.ledger().held;
+    simulation.step();
+    const Particles& next = simulation.particles();
+    if (simulation.timers().rebuilds > rebuilds) {
+        const double before = sums_of(simulation, p).potential;
         return_from_mirrors(s.mirrors, s.domain, p);
-        budget.planes += sums_of(solver, p).potential - before;
+        budget.planes += sums_of(simulation, p).potential - before;
     }
     const bool kick_drift_kick = s.scheme == Scheme::kick_drift_kick;
-    const double dt = solver.dt(), drift = kick_drift_kick ? dt_before / 2 : 0,
+    const double dt = simulation.dt(), drift = kick_drift_kick ? dt_before / 2 : 0,
                  kick = kick_drift_kick ? (dt_before + dt) / 2 : dt, last_drift = kick_drift_kick ? dt / 2 : dt;
     const std::size_t n = p.size();
     if (next.size() != n) throw std::runtime_error("water left the tank");
     std::vector<std::size_t> place_of_id(n);
     for (std::size_t k = 0; k < n; ++k) place_of_id[static_cast<std::size_t>(next.id[k])] = k;
-    auto neighbours = neighbours_of(solver, p);
-    auto wall = wall_of(solver, p, floor);
+    auto neighbours = neighbours_of(simulation, p);
+    auto wall = wall_of(simulation, p, floor);
 
     std::vector<double> V(n), drho(n), gx(n), gz(n);
     for (std::size_t i = 0; i < n; ++i) V[i] = m / (rho0 + p.drho[i]);
@@ -214,8 +217,8 @@ double step_and_account(Solver& solver, Budget& budget, const WallDummies& floor
             p.x[i] += drift * p.u[i], p.z[i] += drift * p.w[i];
             V[i] = m / (rho0 + drho[i]);
         }
-        neighbours = neighbours_of(solver, p);
-        wall = wall_of(solver, p, floor);
+        neighbours = neighbours_of(simulation, p);
+        wall = wall_of(simulation, p, floor);
     }
     std::vector<double> wall_pressure(floor.places.size()), wall_support(floor.places.size());
     for (std::size_t i = 0; i < n; ++i)
@@ -265,7 +268,7 @@ double step_and_account(Solver& solver, Budget& budget, const WallDummies& floor
         // gravity works on the mean velocity of the kick, and the water moves with the old one and the new one
         budget.integrator += m * (s.gravity.x() * (kick * u - drift * p.u[i] - last_drift * un) +
                                   s.gravity.z() * (kick * w - drift * p.w[i] - last_drift * wn));
-        if (solver.ledger().held > stops && next.z[k] < 0.11 * s.dp) {
+        if (simulation.ledger().held > stops && next.z[k] < 0.11 * s.dp) {
             const double u_free = p.u[i] + kick * ax, w_free = p.w[i] + kick * az;
             budget.held += m / 2 * (un * un + wn * wn - u_free * u_free - w_free * w_free);
             continue;
@@ -288,18 +291,18 @@ struct Account {
     double closure() const { return end.energy() - start.energy() - budget.sum(); }
 };
 
-Account account_of(Solver& solver, double until, const char* name) {
-    const WallDummies floor = floor_of(solver.setup());
+Account account_of(Simulation& simulation, double until, const char* name) {
+    const Dummies floor = floor_of(simulation.setup());
     Account a;
-    a.start = sums_of(solver, solver.particles());
+    a.start = sums_of(simulation, simulation.particles());
     long steps = 0;
-    for (; solver.time() < until; ++steps)
-        a.largest_difference = std::max(a.largest_difference, step_and_account(solver, a.budget, floor));
-    a.end = sums_of(solver, solver.particles());
+    for (; simulation.time() < until; ++steps)
+        a.largest_difference = std::max(a.largest_difference, step_and_account(simulation, a.budget, floor));
+    a.end = sums_of(simulation, simulation.particles());
     const Budget& b = a.budget;
     const double lost = b.dissipated();
-    std::printf("%s, %s: %zu particles, %ld steps\n", name, name_of(solver.setup().scheme), solver.particles().size(),
-                steps);
+    std::printf("%s, %s: %zu particles, %ld steps\n", name, name_of(simulation.setup().scheme),
+                simulation.particles().size(), steps);
     std::printf("  energy [J/m]   kinetic %.4g -> %.4g, potential %.4g -> %.4g, elastic %.3g -> %.3g; change %.5g\n",
                 a.start.kinetic, a.end.kinetic, a.start.potential, a.end.potential, a.start.elastic, a.end.elastic,
                 a.end.energy() - a.start.energy());
@@ -317,8 +320,8 @@ Account account_of(Solver& solver, double until, const char* name) {
 }
 
 /// A column of water that collapses in a tank between mirror planes.
-Solver column_of(Scheme scheme, double dp, double shifting, double cfl) {
-    SolverSetup s;
+Simulation column_of(Scheme scheme, double dp, double shifting, double cfl) {
+    SimulationSetup s;
     s.scheme = scheme;
     s.dimensions = 2;
     s.dp = dp;
@@ -327,17 +330,17 @@ Solver column_of(Scheme scheme, double dp, double shifting, double cfl) {
     s.cfl = cfl;
     s.domain = {Vec3(0, -1, 0), Vec3(1, 1, 3)};
     s.mirrors.on = {{{true, true}, {false, false}, {true, false}}};
-    return Solver(s, fill_with_fluid(s, {Box{Vec3(0, 0, 0), Vec3(0.5, 0, 0.5)}}));
+    return Simulation(s, fill_with_fluid(s, {Box{Vec3(0, 0, 0), Vec3(0.5, 0, 0.5)}}));
 }
 
 void expect_momenta_kept(Scheme scheme, double shifting) {
-    Solver solver = elliptic_drop(1.0 / 16, 100, 50, shifting, scheme);
-    const std::size_t n = solver.particles().size();
-    const double mass = solver.mass();
-    const Sums start = sums_of(solver, solver.particles());
+    Simulation simulation = elliptic_drop(1.0 / 16, 100, 50, shifting, scheme);
+    const std::size_t n = simulation.particles().size();
+    const double mass = simulation.mass();
+    const Sums start = sums_of(simulation, simulation.particles());
     Budget budget;
-    while (solver.time() < 0.0076) step_and_account(solver, budget);
-    const Sums end = sums_of(solver, solver.particles());
+    while (simulation.time() < 0.0076) step_and_account(simulation, budget);
+    const Sums end = sums_of(simulation, simulation.particles());
     const double momentum =
         std::hypot(end.x - start.x, end.z - start.z) / std::sqrt(2 * start.kinetic * mass * static_cast<double>(n));
     const double turn = end.turn / start.turn - 1, by_shifting = budget.shifting_turn / start.turn;
@@ -345,8 +348,8 @@ void expect_momenta_kept(Scheme scheme, double shifting) {
         "spinning drop, %s, shifting %g: momentum gained %.1e of its scale; angular momentum %+.2e, by shifting "
         "%+.2e\n",
         name_of(scheme), shifting, momentum, turn, by_shifting);
-    EXPECT_EQ(solver.particles().size(), n);
-    EXPECT_EQ(solver.mass(), mass);
+    EXPECT_EQ(simulation.particles().size(), n);
+    EXPECT_EQ(simulation.mass(), mass);
     EXPECT_LT(momentum, 1e-6);
     EXPECT_LT(std::abs(turn - by_shifting), 1e-6);  // forces of a pair are equal, opposite and along the pair
     if (shifting > 0)
@@ -383,8 +386,9 @@ void expect_closed(const Account& a, Scheme scheme) {
 TEST(EnergyBudget, OfAnEllipticDropCloses) {
     for (const Scheme scheme : both)
         for (const double shifting : {1.0, 0.0}) {
-            Solver solver = elliptic_drop(1.0 / 20, 100, 0, shifting, scheme);
-            const Account a = account_of(solver, 0.0076, shifting > 0 ? "elliptic drop" : "elliptic drop, no shifting");
+            Simulation simulation = elliptic_drop(1.0 / 20, 100, 0, shifting, scheme);
+            const Account a =
+                account_of(simulation, 0.0076, shifting > 0 ? "elliptic drop" : "elliptic drop, no shifting");
             expect_closed(a, scheme);
             EXPECT_LT(a.budget.dissipated(), 0.025 * a.start.energy());                         // found 1.5 %
             EXPECT_LT(std::abs(a.budget.shifting + a.budget.planes), 1e-9 * a.start.energy());  // no gravity, no walls
@@ -393,8 +397,8 @@ TEST(EnergyBudget, OfAnEllipticDropCloses) {
 
 TEST(EnergyBudget, OfACollapsingColumnClosesAndEulersPartFallsWithTheTimeStep) {
     const auto account = [](Scheme scheme, double shifting, double cfl, const char* name) {
-        Solver solver = column_of(scheme, 1.0 / 40, shifting, cfl);
-        const Account a = account_of(solver, 1, name);
+        Simulation simulation = column_of(scheme, 1.0 / 40, shifting, cfl);
+        const Account a = account_of(simulation, 1, name);
         expect_closed(a, scheme);
         return a;
     };
@@ -413,17 +417,17 @@ TEST(EnergyBudget, OfACollapsingColumnClosesAndEulersPartFallsWithTheTimeStep) {
 TEST(EnergyBudget, OfAColumnThatCollapsesOnASolidFloorCloses) {
     for (const Scheme scheme : both)
         for (const double shifting : {1.0, 0.0}) {
-            SolverSetup s;
+            SimulationSetup s;
             s.scheme = scheme;
             s.dimensions = 2;
             s.dp = 1.0 / 40;
             s.state_equation.c0 = 30;
             s.shifting = shifting;
             s.domain = {Vec3(-2, -1, -0.4), Vec3(2, 1, 1)};
-            s.solids = {prism_along_y({{-3, -0.4}, {3, -0.4}, {3, 0}, {-3, 0}}, 3)};
-            Solver solver(s, fill_with_fluid(s, {Box{Vec3(-0.25, 0, 0), Vec3(0.25, 0, 0.5)}}));
+            s.bodies = {prism_along_y({{-3, -0.4}, {3, -0.4}, {3, 0}, {-3, 0}}, 3)};
+            Simulation simulation(s, fill_with_fluid(s, {Box{Vec3(-0.25, 0, 0), Vec3(0.25, 0, 0.5)}}));
             const Account a =
-                account_of(solver, 0.5, shifting > 0 ? "on a solid floor" : "on a solid floor, no shifting");
+                account_of(simulation, 0.5, shifting > 0 ? "on a solid floor" : "on a solid floor, no shifting");
             expect_closed(a, scheme);
             EXPECT_LE(a.budget.held, 0);
             // The floor stands still and yet takes energy: in the continuity its dummy particles stand still, in the

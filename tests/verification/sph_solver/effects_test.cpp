@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "meshes/generate.h"
-#include "sph_solver/solver.h"
+#include "sph_solver/simulation.h"
 
 namespace tw {
 namespace {
@@ -14,8 +14,8 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 /// Two dimensions (x, z), no gravity, no artificial viscosity.
-SolverSetup plane(double dp, double c0, const Box& domain) {
-    SolverSetup s;
+SimulationSetup plane(double dp, double c0, const Box& domain) {
+    SimulationSetup s;
     s.dimensions = 2;
     s.dp = dp;
     s.state_equation.c0 = c0;
@@ -24,7 +24,7 @@ SolverSetup plane(double dp, double c0, const Box& domain) {
     s.domain = domain;
     return s;
 }
-Fluid weightless(const SolverSetup& s, const Box& block) {
+Fluid weightless(const SimulationSetup& s, const Box& block) {
     Fluid water = fill_with_fluid(s, {block});
     for (double& depth : water.depth) depth = 0;
     return water;
@@ -45,12 +45,12 @@ double order(double coarse, double fine, double ratio) { return std::log(coarse 
 /// Relative error of the kinetic energy's decay rate, fitted between t1 and t2.
 double taylor_green_error(int n, double reynolds) {
     const double L = 1, U = 1, k = pi / L, nu = U * L / reynolds;
-    SolverSetup s = plane(L / n, 10 * U, square(L));
+    SimulationSetup s = plane(L / n, 10 * U, square(L));
     s.tension_control = true;
     s.mirrors.on = {{{true, true}, {false, false}, {true, true}}};
     s.effects.viscosity = Viscosity{nu, true, {}};
-    Solver solver(s, weightless(s, s.domain));
-    Particles& p = solver.particles();
+    Simulation simulation(s, weightless(s, s.domain));
+    Particles& p = simulation.particles();
     for (std::size_t i = 0; i < p.size(); ++i) {
         p.u[i] = static_cast<float>(U * std::sin(k * p.x[i]) * std::cos(k * p.z[i]));
         p.w[i] = static_cast<float>(-U * std::cos(k * p.x[i]) * std::sin(k * p.z[i]));
@@ -64,10 +64,10 @@ double taylor_green_error(int n, double reynolds) {
         return sum;
     };
     const double t1 = 0.1 * L / U, t2 = 1.1 * L / U;
-    while (solver.time() < t1) solver.step();
-    const double e1 = energy(), from = solver.time();
-    while (solver.time() < t2) solver.step();
-    const double rate = std::log(e1 / energy()) / (solver.time() - from);
+    while (simulation.time() < t1) simulation.step();
+    const double e1 = energy(), from = simulation.time();
+    while (simulation.time() < t2) simulation.step();
+    const double rate = std::log(e1 / energy()) / (simulation.time() - from);
     return rate / (4 * nu * k * k) - 1;
 }
 
@@ -95,29 +95,29 @@ struct Channel {
 };
 Channel channel(int n, bool no_slip) {
     const double H = 1, nu = 0.1, g = 0.8, top = g * H * H / (8 * nu), dp = H / n, length = 0.4;
-    SolverSetup s = plane(dp, 20 * top, {Vec3(0, -1, -0.3), Vec3(length, 1, 1.3)});
+    SimulationSetup s = plane(dp, 20 * top, {Vec3(0, -1, -0.3), Vec3(length, 1, 1.3)});
     s.gravity = Vec3(g, 0, 0);
     s.mirrors.periodic = {true, false, false};
-    s.solids = {slab(-1, 2, -0.5, 0), slab(-1, 2, H, 1.5)};
+    s.bodies = {slab(-1, 2, -0.5, 0), slab(-1, 2, H, 1.5)};
     s.effects.viscosity = Viscosity{nu, no_slip, {}};
-    Solver solver(s, weightless(s, {Vec3(0, -1, 0), Vec3(length, 1, H)}));
+    Simulation simulation(s, weightless(s, {Vec3(0, -1, 0), Vec3(length, 1, H)}));
     const auto worst = [&] {
         double error = 0;
-        const Particles& p = solver.particles();
+        const Particles& p = simulation.particles();
         for (std::size_t i = 0; i < p.size(); ++i) {
-            const double exact = no_slip ? poiseuille(p.z[i], solver.time(), H, g, nu) : g * solver.time();
+            const double exact = no_slip ? poiseuille(p.z[i], simulation.time(), H, g, nu) : g * simulation.time();
             error = std::max(error, std::abs(double(p.u[i]) - exact));
         }
         return error / top;
     };
     Channel c;
-    while (solver.time() < 0.2) solver.step();
+    while (simulation.time() < 0.2) simulation.step();
     c.error_early = worst();
-    while (solver.time() < 3) solver.step();
+    while (simulation.time() < 3) simulation.step();
     c.error_late = worst();
     // what the body force does not put into motion any more, the plates carry
-    const double settled = 1 - 8 / (pi * pi) * std::exp(-pi * pi * nu * solver.time() / (H * H));
-    c.friction = solver.load().friction.x() / (s.rho0 * g * H * length) / settled - 1;
+    const double settled = 1 - 8 / (pi * pi) * std::exp(-pi * pi * nu * simulation.time() / (H * H));
+    c.friction = simulation.load().friction.x() / (s.rho0 * g * H * length) / settled - 1;
     return c;
 }
 
@@ -148,27 +148,26 @@ double couette(double z, double t, double H, double U, double nu) {
 /// The same measures as of `channel`; `friction` is the error of both plates together over the steady friction of one.
 Channel belt(int n) {
     const double H = 1, nu = 0.1, U = 1, dp = H / n, length = 0.4;
-    SolverSetup s = plane(dp, 20 * U, {Vec3(0, -1, -0.3), Vec3(length, 1, 1.3)});
+    SimulationSetup s = plane(dp, 20 * U, {Vec3(0, -1, -0.3), Vec3(length, 1, 1.3)});
     s.mirrors.periodic = {true, false, false};
-    s.solids = {slab(-1, 2, -0.5, 0), slab(-1, 2, H, 1.5)};
-    s.sliding = {Vec3::Zero(), Vec3(U, 0, 0)};
+    s.bodies = {slab(-1, 2, -0.5, 0), {slab(-1, 2, H, 1.5), Vec3(U, 0, 0)}};
     s.effects.viscosity = Viscosity{nu, true, {}};
-    Solver solver(s, weightless(s, {Vec3(0, -1, 0), Vec3(length, 1, H)}));
+    Simulation simulation(s, weightless(s, {Vec3(0, -1, 0), Vec3(length, 1, H)}));
     const auto worst = [&] {
         double error = 0;
-        const Particles& p = solver.particles();
+        const Particles& p = simulation.particles();
         for (std::size_t i = 0; i < p.size(); ++i)
-            error = std::max(error, std::abs(double(p.u[i]) - couette(p.z[i], solver.time(), H, U, nu)));
+            error = std::max(error, std::abs(double(p.u[i]) - couette(p.z[i], simulation.time(), H, U, nu)));
         return error / U;
     };
     Channel c;
-    while (solver.time() < 0.2) solver.step();
+    while (simulation.time() < 0.2) simulation.step();
     c.error_early = worst();
-    while (solver.time() < 3) solver.step();
+    while (simulation.time() < 3) simulation.step();
     c.error_late = worst();
     // what one plate gives and the other does not take yet sets the water in motion
-    const double missing = 4 * std::exp(-pi * pi * nu * solver.time() / (H * H));
-    c.friction = solver.load().friction.x() / (s.rho0 * nu * U / H * length) + missing;
+    const double missing = 4 * std::exp(-pi * pi * nu * simulation.time() / (H * H));
+    c.friction = simulation.load().friction.x() / (s.rho0 * nu * U / H * length) + missing;
     return c;
 }
 
@@ -189,17 +188,17 @@ TEST(Couette, StartsAndSettlesUnderAPlateThatSlides) {
 /// change.
 TEST(EddyViscosity, IsTheMixingLengthSquaredTimesTheShear) {
     const double A = 40, dp = 1.0 / 40, cs = 0.5;
-    SolverSetup s = plane(dp, 100, {Vec3(0, -1, 0), Vec3(0.5, 1, 1)});
+    SimulationSetup s = plane(dp, 100, {Vec3(0, -1, 0), Vec3(0.5, 1, 1)});
     s.mirrors.periodic = {true, false, false};
     s.mirrors.on[2] = {true, true};
     s.shifting = 0;
     s.effects.viscosity = Viscosity{0, false, EddyViscosity{cs}};
     s.scheme = Scheme::symplectic_euler;  // its first kick lasts the whole step
-    Solver solver(s, weightless(s, s.domain));
-    Particles& p = solver.particles();
+    Simulation simulation(s, weightless(s, s.domain));
+    Particles& p = simulation.particles();
     for (std::size_t i = 0; i < p.size(); ++i) p.u[i] = static_cast<float>(A * p.z[i] * p.z[i] / 2);
-    solver.step();
-    const double l = cs * dp, dt = solver.dt();
+    simulation.step();
+    const double l = cs * dp, dt = simulation.dt();
     double worst = 0;
     int seen = 0;
     for (std::size_t i = 0; i < p.size(); ++i) {
@@ -218,21 +217,21 @@ TEST(EddyViscosity, IsTheMixingLengthSquaredTimesTheShear) {
 /// periods over that at the start.
 double sound_left(double alpha2, int n, double periods) {
     const double L = 1, c0 = 10, k = pi / L, A = 1e-3 * c0;
-    SolverSetup s = plane(L / n, c0, {Vec3(0, -1, 0), Vec3(L, 1, 0.3)});
+    SimulationSetup s = plane(L / n, c0, {Vec3(0, -1, 0), Vec3(L, 1, 0.3)});
     s.mirrors.on = {{{true, true}, {false, false}, {true, true}}};
     s.delta = 0;
     s.shifting = 0;
     s.cfl = 0.2;
     if (alpha2 > 0) s.effects.acoustic_damping = AcousticDamping{alpha2};
-    Solver solver(s, weightless(s, s.domain));
-    Particles& p = solver.particles();
+    Simulation simulation(s, weightless(s, s.domain));
+    Particles& p = simulation.particles();
     std::vector<double> start(p.size());
     for (std::size_t i = 0; i < p.size(); ++i) p.u[i] = static_cast<float>(A * std::sin(k * p.x[i]));
     const double end = periods * 2 * L / c0;
     double largest = 0;  // over the last period, of the wave's part
-    while (solver.time() < end) {
-        solver.step();
-        if (solver.time() < end - 2 * L / c0) continue;
+    while (simulation.time() < end) {
+        simulation.step();
+        if (simulation.time() < end - 2 * L / c0) continue;
         double sum = 0;
         for (std::size_t i = 0; i < p.size(); ++i) sum += double(p.u[i]) * std::sin(k * p.x[i]);
         largest = std::max(largest, 2 * sum / double(p.size()));
@@ -255,18 +254,18 @@ TEST(AcousticDamping, DampsASoundWaveAtItsRate) {
 TEST(Cavitation, NoPressureFallsBelowTheCutOff) {
     // a sound wave with an amplitude of rho c0 u = 20 kPa and a cut-off at -5 kPa
     const auto lowest = [](bool on) {
-        SolverSetup s = plane(0.02, 20, {Vec3(0, -1, 0), Vec3(1, 1, 0.2)});
+        SimulationSetup s = plane(0.02, 20, {Vec3(0, -1, 0), Vec3(1, 1, 0.2)});
         s.mirrors.on = {{{true, true}, {false, false}, {true, true}}};
         if (on) s.effects.cavitation = Cavitation{-5000};
-        Solver solver(s, weightless(s, s.domain));
-        Particles& p = solver.particles();
+        Simulation simulation(s, weightless(s, s.domain));
+        Particles& p = simulation.particles();
         for (std::size_t i = 0; i < p.size(); ++i) p.u[i] = static_cast<float>(std::sin(pi * p.x[i]));
         PointSamples middle;
         middle.places = {Vec3(0.1, 0, 0.1), Vec3(0.5, 0, 0.1), Vec3(0.9, 0, 0.1)};
         double low = 0;
-        while (solver.time() < 0.1) {
-            solver.step();
-            solver.sample(middle);
+        while (simulation.time() < 0.1) {
+            simulation.step();
+            simulation.sample(middle);
             for (const float v : middle.p) low = std::min(low, double(v));
         }
         return low;
@@ -280,22 +279,22 @@ TEST(SurfaceTension, ARoundDropHasTheLaplacePressure) {
     const double R = 0.5, sigma = 20;
     for (const int n : {10, 20}) {
         const double dp = R / n;
-        SolverSetup s = plane(dp, 10, {Vec3(-1, -1, -1), Vec3(1, 1, 1)});
+        SimulationSetup s = plane(dp, 10, {Vec3(-1, -1, -1), Vec3(1, 1, 1)});
         s.alpha = 0.2;
         s.effects.surface_tension = SurfaceTension{sigma};
         Fluid drop;
         for (const Vec3& x : weightless(s, s.domain).places)
             if (x.norm() < R) drop.places.push_back(x), drop.depth.push_back(0);
         const double radius = std::sqrt(double(drop.places.size()) * dp * dp / pi);
-        Solver solver(s, drop);
+        Simulation simulation(s, drop);
         double sum = 0;
         int steps = 0;
         PointSamples centre;
         centre.places = {Vec3(0, 0, 0), Vec3(0.1, 0, 0.1), Vec3(-0.15, 0, 0.1)};
-        while (solver.time() < 3) {
-            solver.step();
-            if (solver.time() < 2 || solver.steps() % 20) continue;
-            solver.sample(centre);
+        while (simulation.time() < 3) {
+            simulation.step();
+            if (simulation.time() < 2 || simulation.steps() % 20) continue;
+            simulation.sample(centre);
             for (const float p : centre.p) sum += double(p), ++steps;
         }
         const double found = sum / steps, exact = sigma / radius;
@@ -309,15 +308,15 @@ TEST(SurfaceTension, ARoundDropHasTheLaplacePressure) {
 ///   omega^2 = n (n^2 - 1) sigma/(rho R^3) = 6 sigma/(rho R^3)
 double drop_period(int n, double h_over_dp) {
     const double R = 0.5, sigma = 20, dp = R / n;
-    SolverSetup s = plane(dp, 10, {Vec3(-1, -1, -1), Vec3(1, 1, 1)});
+    SimulationSetup s = plane(dp, 10, {Vec3(-1, -1, -1), Vec3(1, 1, 1)});
     s.alpha = 0.1;
     s.h_over_dp = h_over_dp;
     s.effects.surface_tension = SurfaceTension{sigma};
     Fluid drop;
     for (const Vec3& x : weightless(s, s.domain).places)
         if (x.norm() < R) drop.places.push_back(x), drop.depth.push_back(0);
-    Solver solver(s, drop);
-    Particles& p = solver.particles();
+    Simulation simulation(s, drop);
+    Particles& p = simulation.particles();
     const double A = 0.1;  // velocity gradient [1/s]: swings by a tenth of the radius
     for (std::size_t i = 0; i < p.size(); ++i) {
         p.u[i] = static_cast<float>(A * p.x[i]);
@@ -326,12 +325,12 @@ double drop_period(int n, double h_over_dp) {
     // the drop's extension, sum (x^2 - z^2), crosses zero every half period
     double last = 0;
     std::vector<double> crossings;
-    while (crossings.size() < 3 && solver.time() < 15) {
-        solver.step();
+    while (crossings.size() < 3 && simulation.time() < 15) {
+        simulation.step();
         double now = 0;
         for (std::size_t i = 0; i < p.size(); ++i) now += p.x[i] * p.x[i] - p.z[i] * p.z[i];
-        const double since = crossings.empty() ? solver.time() : solver.time() - crossings.back();
-        if (last * now < 0 && since > 1) crossings.push_back(solver.time());
+        const double since = crossings.empty() ? simulation.time() : simulation.time() - crossings.back();
+        if (last * now < 0 && since > 1) crossings.push_back(simulation.time());
         last = now;
     }
     return crossings.size() < 3 ? 0 : crossings[2] - crossings[0];
@@ -350,7 +349,7 @@ TEST(SurfaceTension, ADropOscillatesWithRayleighsPeriod) {
 /// A hump of water spreads in a tank; half of its waves run to the right, where a layer takes them.
 TEST(DampingLayers, TakeTheWavesThatReachThem) {
     const auto energy_left = [](bool on) {
-        SolverSetup s;
+        SimulationSetup s;
         s.dimensions = 2;
         s.dp = 0.025;
         s.state_equation.c0 = 20;
@@ -359,13 +358,13 @@ TEST(DampingLayers, TakeTheWavesThatReachThem) {
         if (on) s.effects.damping_layers = DampingLayers{{{0, false, 1.0}, {0, true, 1.0}}, 20, Vec3::Zero()};
         Fluid water =
             fill_with_fluid(s, {{Vec3(-2, -1, -0.4), Vec3(2, 1, 0)}, {Vec3(-0.2, -1, 0), Vec3(0.2, 1, 0.05)}});
-        Solver solver(s, water);
+        Simulation simulation(s, water);
         double energy = 0;
         int samples = 0;
-        while (solver.time() < 5) {
-            solver.step();
-            if (solver.time() < 4) continue;
-            const Particles& p = solver.particles();
+        while (simulation.time() < 5) {
+            simulation.step();
+            if (simulation.time() < 4) continue;
+            const Particles& p = simulation.particles();
             for (std::size_t i = 0; i < p.size(); ++i) energy += double(p.u[i]) * p.u[i] + double(p.w[i]) * p.w[i];
             ++samples;
         }

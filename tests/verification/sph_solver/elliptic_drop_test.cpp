@@ -31,9 +31,9 @@ Axes exact_axes() {
 }
 
 Axes drop_of(double dp) {
-    Solver solver = elliptic_drop(dp, A);
-    const Particles& p = solver.particles();
-    while (solver.time() < end) solver.step();
+    Simulation simulation = elliptic_drop(dp, A);
+    const Particles& p = simulation.particles();
+    while (simulation.time() < end) simulation.step();
     double xx = 0, zz = 0;
     for (std::size_t i = 0; i < p.size(); ++i) xx += p.x[i] * p.x[i], zz += p.z[i] * p.z[i];
     const double n = static_cast<double>(p.size());

@@ -6,14 +6,14 @@
 #include "meshes/generate.h"
 #include "prism.h"
 #include "sph_solver/bodies/samples.h"
-#include "sph_solver/solver.h"
+#include "sph_solver/simulation.h"
 
 namespace tw {
 namespace {
 
 /// A closed tank of still water with a submerged box on lattice planes.
 TEST(StillWater, PressesOnASubmergedBoxWithItsWeight) {
-    SolverSetup s;
+    SimulationSetup s;
     s.dp = 0.05;
     s.state_equation.c0 = 10 * std::sqrt(9.81 * 1.0);
     s.domain = {Vec3(-0.6, -0.6, -1), Vec3(0.6, 0.6, 0.5)};
@@ -21,19 +21,19 @@ TEST(StillWater, PressesOnASubmergedBoxWithItsWeight) {
     Surface box = make_hull("box", {{"length", 0.4}, {"beam", 0.4}, {"height", 0.4}});
     const Box at = box.bounds();
     for (Vec3& p : box.points) p += Vec3(0, 0, -0.7 - at.min.z()) - Vec3((at.min.x() + at.max.x()) / 2, 0, 0);
-    s.solids = {box};
-    Solver solver(s, fill_with_fluid(s, {Box{s.domain.min, Vec3(0.6, 0.6, 0)}}));
+    s.bodies = {box};
+    Simulation simulation(s, fill_with_fluid(s, {Box{s.domain.min, Vec3(0.6, 0.6, 0)}}));
     double sum = 0, pressure_error = 0, top = -1;
     long n = 0;
-    while (solver.time() < 1.0) {
-        solver.step();
-        if (solver.time() < 0.5) continue;
-        sum += solver.load().force.z(), ++n;
+    while (simulation.time() < 1.0) {
+        simulation.step();
+        if (simulation.time() < 0.5) continue;
+        sum += simulation.load().force.z(), ++n;
     }
     double squares = 0;
-    const Particles& p = solver.particles();
+    const Particles& p = simulation.particles();
     for (std::size_t i = 0; i < p.size(); ++i) {
-        squares += std::pow(solver.pressure(i) + 9810 * p.z[i], 2);
+        squares += std::pow(simulation.pressure(i) + 9810 * p.z[i], 2);
         top = std::max(top, p.z[i]);
     }
     pressure_error = std::sqrt(squares / double(p.size())) / 9810;
@@ -48,23 +48,23 @@ TEST(StillWater, PressesOnASubmergedBoxWithItsWeight) {
 /// friction, and nothing pulls it round the edge. What force there is, over the time that the block takes to pass,
 /// relative to rho U^2 times the block's thickness.
 TEST(SharpEdge, WaterLeavesItWithoutSuction) {
-    SolverSetup s;
+    SimulationSetup s;
     s.dimensions = 2;
     s.dp = 0.02;
     s.state_equation.c0 = 20;
     s.gravity = Vec3::Zero();
     s.domain = {Vec3(-2, -1, -1), Vec3(2, 1, 1)};
-    s.solids = {prism_along_y({{-1.5, 0}, {0, 0}, {0, 0.4}, {-1.5, 0.4}}, 3)};
+    s.bodies = {prism_along_y({{-1.5, 0}, {0, 0}, {0, 0.4}, {-1.5, 0.4}}, 3)};
     const double length = 0.8, thickness = 0.3;
     Fluid block = fill_with_fluid(s, {Box{Vec3(-1, 0, -thickness), Vec3(-1 + length, 0, 0)}});
     for (double& depth : block.depth) depth = 0;
-    Solver solver(s, block);
-    for (float& u : solver.particles().u) u = 1;
+    Simulation simulation(s, block);
+    for (float& u : simulation.particles().u) u = 1;
     Vec3 impulse = Vec3::Zero();
-    while (solver.time() < 1.2) {
-        const double before = solver.time();
-        solver.step();
-        impulse += solver.load().force * (solver.time() - before);
+    while (simulation.time() < 1.2) {
+        const double before = simulation.time();
+        simulation.step();
+        impulse += simulation.load().force * (simulation.time() - before);
     }
     const Vec3 c = impulse / (s.rho0 * thickness * length);  // of the block's own momentum
     std::cout << "lift and drag of an edge that water leaves: " << c.z() << ", " << c.x() << " of the momentum\n";
@@ -74,7 +74,7 @@ TEST(SharpEdge, WaterLeavesItWithoutSuction) {
 
 /// Drag and lift coefficients (on the thickness) of a slender ellipse, 2.4 x 0.6, in a stream between walls.
 std::pair<double, double> ellipse_in_stream(double dp) {
-    SolverSetup s;
+    SimulationSetup s;
     s.dimensions = 2;
     s.dp = dp;
     s.state_equation.c0 = 25;
@@ -85,18 +85,18 @@ std::pair<double, double> ellipse_in_stream(double dp) {
     std::vector<std::pair<double, double>> section;
     for (int k = 0; k < 120; ++k)
         section.emplace_back(1.2 * std::cos(k * 0.0523598776), 0.3 * std::sin(k * 0.0523598776) - 4);
-    s.solids = {prism_along_y(section, 3)};
+    s.bodies = {prism_along_y(section, 3)};
     Box water = s.domain;
     water.min.x() -= s.stream->buffer, water.max.x() += s.stream->buffer;
     Fluid fluid = fill_with_fluid(s, {water});
     for (std::size_t k = 0; k < fluid.depth.size(); ++k) fluid.depth[k] = -fluid.places[k].z();
-    Solver solver(s, fluid);
+    Simulation simulation(s, fluid);
     double drag = 0, lift = 0;
     long n = 0;
-    while (solver.time() < 4) {
-        solver.step();
-        if (solver.time() < 2) continue;
-        drag += solver.load().force.x(), lift += solver.load().force.z(), ++n;
+    while (simulation.time() < 4) {
+        simulation.step();
+        if (simulation.time() < 2) continue;
+        drag += simulation.load().force.x(), lift += simulation.load().force.z(), ++n;
     }
     const double reference = 0.5 * s.rho0 * 0.6 * double(n);  // 1/2 rho U^2 times the thickness
     std::cout << "dp " << dp << ": drag coefficient on the thickness " << drag / reference << ", lift "

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "sph_solver/solver.h"
+#include "sph_solver/simulation.h"
 
 namespace tw {
 namespace {
@@ -35,7 +35,7 @@ std::vector<Row> rows_of_the_other_code() {
 TEST(OtherCode, FindsTheSameAccelerationsAndDensityDiffusion) {
     const std::vector<Row> rows = rows_of_the_other_code();
     ASSERT_EQ(rows.size(), 8u * 7 * 6);
-    SolverSetup s;
+    SimulationSetup s;
     s.dp = 0.01;
     s.state_equation.c0 = 20;
     s.gravity = Vec3::Zero();
@@ -48,14 +48,14 @@ TEST(OtherCode, FindsTheSameAccelerationsAndDensityDiffusion) {
     s.domain = {Vec3::Constant(-1), Vec3::Constant(1)};
     Fluid block;
     for (const Row& row : rows) block.places.emplace_back(row[0], row[1], row[2]), block.depth.push_back(0);
-    Solver solver(s, block);
-    Particles& p = solver.particles();
+    Simulation simulation(s, block);
+    Particles& p = simulation.particles();
     for (std::size_t i = 0; i < rows.size(); ++i) {
         p.u[i] = static_cast<float>(rows[i][3]), p.v[i] = static_cast<float>(rows[i][4]);
         p.w[i] = static_cast<float>(rows[i][5]), p.drho[i] = static_cast<float>(rows[i][6]);
     }
-    solver.step();  // its first sweep changes no density yet, and its second makes the velocities
-    const double dt = solver.time();
+    simulation.step();  // its first sweep changes no density yet, and its second makes the velocities
+    const double dt = simulation.time();
     const auto near_a_corner = [](const Row& row) {
         const auto off = [&](std::size_t a, double length) { return std::min(row[a], length - row[a]); };
         return Vec3(off(0, 0.08), off(1, 0.07), off(2, 0.06)).norm() < 0.04;

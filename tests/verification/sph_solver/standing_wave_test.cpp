@@ -33,7 +33,7 @@
 #include <numbers>
 #include <vector>
 
-#include "sph_solver/solver.h"
+#include "sph_solver/simulation.h"
 #include "table_of.h"
 
 namespace tw {
@@ -102,15 +102,15 @@ struct Wave {
 };
 
 Wave wave_of(double dp, double h_over_dp) {
-    SolverSetup s;
+    SimulationSetup s;
     s.dimensions = 2;
     s.dp = dp;
     s.h_over_dp = h_over_dp;
     s.state_equation.c0 = c0;
     s.domain = {Vec3(0, -1, -depth), Vec3(length, 1, depth)};
     s.mirrors.on = {{{true, true}, {false, false}, {true, false}}};
-    Solver solver(s, fill_with_fluid(s, {Box{s.domain.min, Vec3(length, 1, 0)}}));
-    Particles& p = solver.particles();
+    Simulation simulation(s, fill_with_fluid(s, {Box{s.domain.min, Vec3(length, 1, 0)}}));
+    Particles& p = simulation.particles();
     const double omega = linear_frequency(), potential = amplitude * g / omega;  // A of phi
     for (std::size_t i = 0; i < p.size(); ++i) {
         const Vec3 u = potential * mode(p.x[i], p.z[i]);
@@ -128,18 +128,18 @@ Wave wave_of(double dp, double h_over_dp) {
     const double start_energy = share_and_energy().second;
     std::vector<double> crossings, peak_times, peaks;
     double before = potential, before_time = 0, peak = 0, peak_time = 0, energy_peak = 0, last_energy_peak = 0;
-    while (solver.time() < (periods + 0.3) * 2 * std::numbers::pi / omega) {
-        solver.step();
+    while (simulation.time() < (periods + 0.3) * 2 * std::numbers::pi / omega) {
+        simulation.step();
         const auto [now, energy] = share_and_energy();
         if (before * now < 0) {
-            crossings.push_back(before_time + (solver.time() - before_time) * before / (before - now));
+            crossings.push_back(before_time + (simulation.time() - before_time) * before / (before - now));
             if (crossings.size() > 1) peak_times.push_back(peak_time), peaks.push_back(peak);
             last_energy_peak = energy_peak;
             peak = energy_peak = 0;
         }
-        if (std::abs(now) > peak) peak = std::abs(now), peak_time = solver.time();
+        if (std::abs(now) > peak) peak = std::abs(now), peak_time = simulation.time();
         energy_peak = std::max(energy_peak, energy);
-        before = now, before_time = solver.time();
+        before = now, before_time = simulation.time();
     }
     Wave w{dp, std::numbers::pi * double(crossings.size() - 1) / (crossings.back() - crossings.front())};
     double n = 0, t = 0, y = 0, tt = 0, ty = 0;  // line through the logarithms of the peaks
@@ -148,7 +148,7 @@ Wave wave_of(double dp, double h_over_dp) {
         n += 1, t += peak_times[m], y += log_peak, tt += peak_times[m] * peak_times[m], ty += peak_times[m] * log_peak;
     }
     w.decay = -(n * ty - t * y) / (n * tt - t * t);
-    w.artificial = 2 * s.alpha * solver.h() * c0 / 8 * k * k;
+    w.artificial = 2 * s.alpha * simulation.h() * c0 / 8 * k * k;
     w.kinetic_left = last_energy_peak / start_energy;
     return w;
 }

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "sph_solver/solver.h"
+#include "sph_solver/simulation.h"
 
 namespace tw {
 namespace {
@@ -24,27 +24,27 @@ struct Rest {
 };
 
 Rest rest_of(double dp, double h_over_dp, double length, double until) {
-    SolverSetup s;
+    SimulationSetup s;
     s.dimensions = 2;
     s.dp = dp;
     s.h_over_dp = h_over_dp;
     s.state_equation.c0 = 10 * std::sqrt(9.81 * 1.0);
     s.domain = {Vec3(0, -1, -1), Vec3(length, 1, 1)};
     s.mirrors.on = {{{true, true}, {false, false}, {true, false}}};
-    Solver solver(s, fill_with_fluid(s, {Box{s.domain.min, Vec3(length, 1, 0)}}));
-    const Particles& p = solver.particles();
+    Simulation simulation(s, fill_with_fluid(s, {Box{s.domain.min, Vec3(length, 1, 0)}}));
+    const Particles& p = simulation.particles();
     const auto n = static_cast<double>(p.size());
     const double scale = s.rho0 * 9.81 * 1 * (length * 1);  // rho g H V, V = length H per metre of width
     Rest r;
     double sum = 0, samples = 0;
-    while (solver.time() < until) {
-        solver.step();
-        if (solver.steps() % 20 != 0) continue;
+    while (simulation.time() < until) {
+        simulation.step();
+        if (simulation.steps() % 20 != 0) continue;
         double kinetic = 0;
         for (std::size_t i = 0; i < p.size(); ++i)
-            kinetic += solver.mass() / 2 * (double(p.u[i]) * p.u[i] + double(p.w[i]) * p.w[i]) / scale;
-        if (solver.time() > 1) r.most_kinetic = std::max(r.most_kinetic, kinetic);
-        if (solver.time() > until - 5) sum += kinetic, ++samples;
+            kinetic += simulation.mass() / 2 * (double(p.u[i]) * p.u[i] + double(p.w[i]) * p.w[i]) / scale;
+        if (simulation.time() > 1) r.most_kinetic = std::max(r.most_kinetic, kinetic);
+        if (simulation.time() > until - 5) sum += kinetic, ++samples;
         std::vector<double> highest(static_cast<std::size_t>(length / dp / 2), -1.0);
         for (std::size_t i = 0; i < p.size(); ++i) {
             const auto column = static_cast<std::size_t>(std::max(0.0, p.x[i]) / (2 * dp));
@@ -55,7 +55,7 @@ Rest rest_of(double dp, double h_over_dp, double length, double until) {
     }
     r.kinetic = sum / samples;
     for (std::size_t i = 0; i < p.size(); ++i)
-        r.pressure += std::pow((solver.pressure(i) + s.rho0 * 9.81 * p.z[i]) / (s.rho0 * 9.81), 2) / n;
+        r.pressure += std::pow((simulation.pressure(i) + s.rho0 * 9.81 * p.z[i]) / (s.rho0 * 9.81), 2) / n;
     r.pressure = std::sqrt(r.pressure);
     return r;
 }

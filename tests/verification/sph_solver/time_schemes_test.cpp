@@ -1,4 +1,4 @@
-// Order in time of the schemes (SolverSetup::scheme), on a standing wave of sound in a closed box of water without
+// Order in time of the schemes (SimulationSetup::scheme), on a standing wave of sound in a closed box of water without
 // dissipation: u = U sin(pi x) cos(omega t). The box of particles is a linear system with an omega of its own, 1 %
 // below pi c0 (see acoustic_pulse_test.cpp), which Runge-Kutta with a tenth of the step finds first; against that wave
 // all error is that of the scheme.
@@ -16,7 +16,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "sph_solver/solver.h"
+#include "sph_solver/simulation.h"
 
 namespace tw {
 namespace {
@@ -26,7 +26,7 @@ constexpr double c0 = 20, pi = std::numbers::pi;
 /// Calls look(t, a) after every step, a the velocity's share in the mode over the start's.
 template <class Look>
 void swing(Scheme scheme, double cfl, double until, Look look) {
-    SolverSetup s;
+    SimulationSetup s;
     s.dimensions = 2;
     s.dp = 1.0 / 20;
     s.scheme = scheme;
@@ -38,15 +38,15 @@ void swing(Scheme scheme, double cfl, double until, Look look) {
     s.mirrors.on = {{{true, true}, {false, false}, {true, true}}};
     Fluid water = fill_with_fluid(s, {s.domain});
     for (double& depth : water.depth) depth = 0;
-    Solver solver(s, water);
-    Particles& p = solver.particles();
+    Simulation simulation(s, water);
+    Particles& p = simulation.particles();
     constexpr double U = 1e-3;
     for (std::size_t i = 0; i < p.size(); ++i) p.u[i] = static_cast<float>(U * std::sin(pi * p.x[i]));
-    while (solver.time() < until) {
-        solver.step();
+    while (simulation.time() < until) {
+        simulation.step();
         double a = 0;
         for (std::size_t i = 0; i < p.size(); ++i) a += double(p.u[i]) * std::sin(pi * p.x[i]);
-        look(solver.time(), a / (U * double(p.size()) / 2));
+        look(simulation.time(), a / (U * double(p.size()) / 2));
     }
 }
 
@@ -97,7 +97,7 @@ TEST(TimeSchemes, ConvergeInTimeWithTheirOrder) {
 
 /// Change of energy from the first to the last twentieth of 0.3 s, over the energy.
 double energy_gained(Scheme scheme, double cfl) {
-    SolverSetup s;
+    SimulationSetup s;
     s.dimensions = 2;
     s.dp = 1.0 / 24;
     s.scheme = scheme;
@@ -109,8 +109,8 @@ double energy_gained(Scheme scheme, double cfl) {
     s.mirrors.on = {{{true, true}, {false, false}, {true, true}}};
     Fluid water = fill_with_fluid(s, {s.domain});
     for (double& depth : water.depth) depth = 0;
-    Solver solver(s, water);
-    Particles& p = solver.particles();
+    Simulation simulation(s, water);
+    Particles& p = simulation.particles();
     for (std::size_t i = 0; i < p.size(); ++i) {
         p.u[i] = static_cast<float>(std::sin(pi * p.x[i]) * std::cos(pi * p.z[i]));
         p.w[i] = static_cast<float>(-std::cos(pi * p.x[i]) * std::sin(pi * p.z[i]));
@@ -123,8 +123,8 @@ double energy_gained(Scheme scheme, double cfl) {
     const bool staggered = scheme == Scheme::symplectic_euler || scheme == Scheme::kick_drift_kick;
     double first = 0, last = 0, firsts = 0, lasts = 0, kinetic_before = 0, elastic_before = 0;
     const double end = 0.3;
-    while (solver.time() < end) {
-        solver.step();
+    while (simulation.time() < end) {
+        simulation.step();
         double kinetic = 0, elastic = 0;
         for (std::size_t i = 0; i < p.size(); ++i) {
             const double r = double(p.drho[i]) / s.rho0;
@@ -133,8 +133,8 @@ double energy_gained(Scheme scheme, double cfl) {
         }
         const double energy = staggered ? kinetic_before + (elastic_before + elastic) / 2 : kinetic + elastic;
         kinetic_before = kinetic, elastic_before = elastic;
-        if (solver.steps() > 1 && solver.time() < 0.05 * end) first += energy, firsts += 1;
-        if (solver.time() > 0.95 * end) last += energy, lasts += 1;
+        if (simulation.steps() > 1 && simulation.time() < 0.05 * end) first += energy, firsts += 1;
+        if (simulation.time() > 0.95 * end) last += energy, lasts += 1;
     }
     return last / lasts / (first / firsts) - 1;
 }

@@ -18,7 +18,7 @@
 
 #include "prism.h"
 #include "sph_solver/bodies/samples.h"
-#include "sph_solver/solver.h"
+#include "sph_solver/simulation.h"
 #include "table_of.h"
 
 namespace tw {
@@ -62,7 +62,7 @@ struct Found {
 Found enter(const Entry& entry, const Exact& exact) {
     const double root = 1.0 / 3;  // wetted half width at the end [m]
     const double until = root / (exact.x_root * V), slope = std::tan(entry.deadrise_deg * std::numbers::pi / 180);
-    SolverSetup s;
+    SimulationSetup s;
     s.dimensions = 2;
     s.dp = root / entry.fineness;
     s.h_over_dp = entry.h_over_dp;
@@ -73,11 +73,11 @@ Found enter(const Entry& entry, const Exact& exact) {
     const double height = std::min(1.3 * (1 + exact.y_tip) * V * until, 1.5 * half * slope);
     s.domain = {Vec3(0, -1, -1.5 * half), Vec3(2 * half, 1, half)};
     s.mirrors.on[0][0] = true;
-    s.solids = {prism_along_y({{0, 0}, {height / slope, height}, {-height / slope, height}}, 3)};
+    s.bodies = {prism_along_y({{0, 0}, {height / slope, height}, {-height / slope, height}}, 3)};
     Fluid water = fill_with_fluid(s, {Box{Vec3(0, 0, -half), Vec3(half, 0, 0)}});
     for (double& depth : water.depth) depth = 0;
-    Solver solver(s, water);
-    for (float& w : solver.particles().w) w = static_cast<float>(V);
+    Simulation simulation(s, water);
+    for (float& w : simulation.particles().w) w = static_cast<float>(V);
 
     // c_p at points along the flank, averaged in boxes of the similarity coordinate y over the second half of the entry
     PointSamples flank;
@@ -87,13 +87,13 @@ Found enter(const Entry& entry, const Exact& exact) {
     const double box = (1 + exact.y_tip) / boxes;
     std::array<double, boxes> cp{}, samples{};
     double impulse = 0, before = 0, t1 = 0, impulse1 = 0;
-    while (solver.time() < until) {
-        solver.step();
-        impulse += solver.load().force.z() * (solver.time() - before);
-        before = solver.time();
+    while (simulation.time() < until) {
+        simulation.step();
+        impulse += simulation.load().force.z() * (simulation.time() - before);
+        before = simulation.time();
         if (before <= 0.4 * until) t1 = before, impulse1 = impulse;
-        if (before < 0.5 * until || solver.steps() % 4 != 0) continue;
-        solver.sample(flank);
+        if (before < 0.5 * until || simulation.steps() % 4 != 0) continue;
+        simulation.sample(flank);
         for (std::size_t k = 0; k < flank.places.size(); ++k) {
             const auto b = static_cast<std::size_t>(flank.places[k].z() / (V * before) / box);
             if (b >= boxes) break;
@@ -102,7 +102,7 @@ Found enter(const Entry& entry, const Exact& exact) {
         }
     }
     Found f;
-    f.held = solver.ledger().held;
+    f.held = simulation.ledger().held;
     // F = C rho V^3 t, so the impulse between t1 and t is C rho V^3 (t^2 - t1^2) / 2
     f.force = 2 * (impulse - impulse1) / (s.rho0 * V * V * V / 2 * (before * before - t1 * t1));
     double squares = 0, exact_squares = 0;
@@ -125,7 +125,7 @@ Found enter(const Entry& entry, const Exact& exact) {
     const double step = s.dp / 4;
     for (double z = 0; z < (1 + exact.y_tip) * V * until; z += step)
         for (double x = z / slope + step; x < 1.5 * root; x += step) round.places.emplace_back(x, 0, z);
-    solver.sample(round);
+    simulation.sample(round);
     f.x_root = 1e9;
     for (std::size_t k = 0; k < round.places.size(); ++k)
         if (round.support[k] < SurfaceSamples::wet) f.x_root = std::min(f.x_root, round.places[k].x() / (V * before));

@@ -1,0 +1,21 @@
+#pragma once
+#include "base/vec3.h"
+
+namespace tw {
+
+/// Force and moment of the water on a body, as solved (a half model's half).
+struct Load {
+    Vec3 force = Vec3::Zero();     ///< [N] (per metre of width in two dimensions)
+    Vec3 friction = Vec3::Zero();  ///< the part of it that is viscous [N]
+    Vec3 moment = Vec3::Zero();    ///< about the run's moment reference [N m]
+
+    Load& operator+=(const Load& other) {
+        force += other.force, friction += other.friction, moment += other.moment;
+        return *this;
+    }
+};
+inline Load operator*(double factor, const Load& load) {
+    return {factor * load.force, factor * load.friction, factor * load.moment};
+}
+
+}  // namespace tw

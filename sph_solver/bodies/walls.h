@@ -1,0 +1,67 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "sph_solver/backend/pass_data.h"
+#include "sph_solver/bodies/body.h"
+#include "sph_solver/bodies/load.h"
+#include "sph_solver/neighbours/columns.h"
+#include "sph_solver/particles/level_setup.h"
+#include "sph_solver/particles/particles.h"
+
+namespace tw {
+
+/// The bodies as one level of particles sees them: their dummies, which of them have water near, the normals along
+/// which they act, and what the level does to each of them.
+class Walls {
+public:
+    /// `bodies` must outlive this. `kernel_support`: 2h of the level [m].
+    Walls(const std::vector<Body>& bodies, const Surroundings& around, const LevelSetup& level, double kernel_support,
+          const ColumnGrid& grid, const Quanta& quanta);
+
+    bool empty() const { return place_.empty(); }
+    std::size_t size() const { return place_.size(); }
+    const std::vector<PlaceRecord>& places() const { return place_; }
+    std::vector<float>& pressures() { return p_; }
+    const std::vector<float>& pressures() const { return p_; }
+    /// Velocity of the dummies' surface along itself; empty: no body slides.
+    const std::vector<VelocityDensityRecord>& sliding() const { return sliding_; }
+    /// The dummies of body b are those from body_end()[b - 1] (0) up to body_end()[b].
+    const std::vector<std::int32_t>& body_end() const { return body_end_; }
+    /// Dummies that have water near.
+    const std::vector<Group>& live_groups() const { return live_groups_; }
+
+    /// Lists anew: of the level's groups among the dummies (in `groups`), and of the dummies among the `sources`.
+    void find_neighbours(const ColumnGrid& grid, const Quanta& quanta, const PlaceRecord* particles,
+                         std::vector<Group>& groups, const std::vector<Source>& sources, const Reaches& reaches);
+    /// Leaves in those lists who is within `reach` [quanta] now.
+    void prune(const Passes& passes, const PlaceRecord* particles, const std::vector<Group>& groups, double reach);
+
+    struct Nearest {
+        WallNormalRecord normal;
+        std::size_t body = 0;  ///< meaningful where `normal` is not `no_wall`
+    };
+    /// The wall nearest to a place `x` within `reach` [m], as it acts on water of velocity `u`.
+    Nearest nearest(const Vec3& x, const Vec3& u, double reach) const;
+
+    /// What the sweeps have left of each group's load: one WallLoad a group and body.
+    std::vector<WallLoad>& group_loads() { return group_loads_; }
+    std::size_t group_load_count() const { return group_loads_.size(); }
+    std::size_t bytes() const;
+
+    std::vector<Load> loads;  ///< on each body, of the last step
+
+private:
+    const std::vector<Body>& bodies_;
+    std::vector<PlaceRecord> place_;  // body after body, each sorted by column
+    std::vector<float> p_;
+    std::vector<VelocityDensityRecord> sliding_;
+    std::vector<std::vector<std::int32_t>> starts_;  // of each body: first of its dummies in each column
+    std::vector<std::int32_t> body_end_;
+    std::vector<Group> groups_, live_groups_;
+    NeighbourLists lists_, source_lists_;
+    std::vector<WallLoad> group_loads_;
+};
+
+}  // namespace tw

@@ -1,0 +1,46 @@
+#include "sph_solver/ghosts/ghosts.h"
+
+#include "sph_solver/backend/for_particles.h"
+
+namespace tw {
+
+Ghosts::Ghosts(const Surroundings& around, const LevelSetup& level, const Quanta& quanta)
+    : still_{around.gravity, level.rho0, level.state_equation.c0}, planes_(around.domain, quanta) {}
+
+void Ghosts::find(const Surroundings& around, const Particles& p, const ColumnGrid& grid, const Quanta& quanta,
+                  double reach) {
+    const std::vector<MirrorImage> found = make_mirror_images(around.mirrors, around.domain, p, reach);
+    std::vector<PlaceRecord> places(found.size());
+    for (std::size_t k = 0; k < found.size(); ++k) {
+        const auto i = static_cast<std::size_t>(found[k].source);
+        places[k] = planes_.place({quanta.of(p.x[i], 0), quanta.of(p.y[i], 1), quanta.of(p.z[i], 2), 0}, found[k]);
+    }
+    std::vector<std::int32_t> order;
+    sort_by_column(grid, places, 0, places.size(), order, start_);
+    images_.resize(found.size());
+    for (std::size_t k = 0; k < found.size(); ++k) images_[k] = found[static_cast<std::size_t>(order[k])];
+}
+
+void Ghosts::refresh(Records& r, std::size_t n, const Quanta& quanta, What what) const {
+    const Eigen::Vector3f gradient = still_.gradient().cast<float>();
+    for_particles(images_.size(), [&](std::size_t k) {
+        const MirrorImage& image = images_[k];
+        const auto i = static_cast<std::size_t>(image.source);
+        const PlaceRecord &from = r.place[i], &to = r.place[n + k] = planes_.place(from, image);
+        Vec3 step = quanta.size * Vec3(double(to.x) - from.x, double(to.y) - from.y, double(to.z) - from.z);
+        for (int a = 0; a < 3; ++a)
+            if (image.moved(a)) step[a] = 0;  // a periodic flow has the same pressure one length on
+        r.velocity_density[n + k] = mirrored(r.velocity_density[i], image);
+        r.velocity_density[n + k].drho += static_cast<float>(still_.deviation(step));
+        if (what != What::all) return;
+        GradientPressureRecord s = r.gradient_pressure[i];
+        s.gx -= gradient.x(), s.gy -= gradient.y(), s.gz -= gradient.z();
+        s = mirrored(s, image);
+        s.gx += gradient.x(), s.gy += gradient.y(), s.gz += gradient.z();
+        s.p += static_cast<float>(still_.pressure(step));
+        r.gradient_pressure[n + k] = s;
+        if (!r.carried.empty()) r.carried[n + k] = r.carried[i];
+    });
+}
+
+}  // namespace tw

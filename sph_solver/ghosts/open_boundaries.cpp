@@ -1,0 +1,39 @@
+#include "sph_solver/ghosts/open_boundaries.h"
+
+namespace tw {
+
+std::vector<char> cross_open_boundaries(const Surroundings& around, double dp, Particles& p, Ledger& ledger) {
+    const Box& domain = around.domain;
+    std::vector<char> gone(p.size(), 0);
+    if (around.stream) {
+        const double buffer = around.stream->buffer;
+        const std::size_t n = p.size();
+        for (std::size_t i = 0; i < n; ++i) {
+            switch (p.kind[i]) {
+                case Kind::inlet:
+                    if (p.x[i] < domain.min.x()) break;
+                    p.kind[i] = Kind::fluid;
+                    p.add(p.x[i] - buffer, p.y[i], p.z[i], p.u[i], p.drho[i], ledger.next_id++, Kind::inlet);
+                    ++ledger.in;
+                    break;
+                case Kind::fluid:
+                    if (p.x[i] > domain.max.x())
+                        p.kind[i] = Kind::outlet;
+                    else if (p.x[i] < domain.min.x() - 0.5 * dp)
+                        gone[i] = 1;  // washed back into the inlet
+                    break;
+                case Kind::outlet:
+                    if (p.x[i] > domain.max.x() + buffer) gone[i] = 1;
+                    break;
+            }
+        }
+        gone.resize(p.size(), 0);
+    }
+    return_from_mirrors(around.mirrors, domain, p);
+    for (std::size_t i = 0; i < p.size(); ++i)
+        if (p.z[i] > domain.max.z() && !around.mirrors.on[2][1] && !around.mirrors.periodic[2])
+            gone[i] = 1;  // through the open top
+    return gone;
+}
+
+}  // namespace tw

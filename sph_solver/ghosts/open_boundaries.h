@@ -1,0 +1,23 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "sph_solver/particles/level_setup.h"
+#include "sph_solver/particles/particles.h"
+
+namespace tw {
+
+/// What left and entered since the start, in particles.
+struct Ledger {
+    std::int64_t in = 0, out = 0, lost = 0;
+    std::int64_t held = 0;     ///< times that a particle was stopped at a wall (Level::hold_at_wall), not particles
+    std::int64_t next_id = 0;  ///< of the next particle that enters
+};
+
+/// Particles that have crossed a face of the domain: at the inlet they become water and a new one is appended behind
+/// them, at the outlet they are carried on; those beyond a mirror plane or a periodic face return. Counts what enters.
+/// Returns a mark for each particle that has left (through the outlet's far end, back into the inlet, or the open
+/// top).
+std::vector<char> cross_open_boundaries(const Surroundings& around, double dp, Particles& particles, Ledger& ledger);
+
+}  // namespace tw

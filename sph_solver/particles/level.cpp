@@ -1,0 +1,307 @@
+#include "sph_solver/particles/level.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/errors.h"
+#include "sph_solver/backend/for_particles.h"
+#include "sph_solver/backend/stopwatch.h"
+
+namespace tw {
+
+namespace {
+
+Quanta quanta_of(const Surroundings& around, double dp) {
+    Vec3 middle = (around.domain.min + around.domain.max) / 2;
+    if (around.dimensions == 2) middle.y() = 0;
+    const Quanta quanta(middle, dp / (1 << 18));
+    if (around.domain.size().maxCoeff() > quanta.reach())
+        throw InputError(fmt::format("the domain is {:.3g} spacings long; at most 8000 are possible in one run",
+                                     around.domain.size().maxCoeff() / dp));
+    return quanta;
+}
+
+/// The columns cover the domain, its mirror images and the buffers of the stream.
+Box column_area(const Surroundings& around, double support, double dp) {
+    Box area = around.domain;
+    area.min.array() -= support + dp;
+    area.max.array() += support + dp;
+    if (around.stream) {
+        area.min.x() -= around.stream->buffer;
+        area.max.x() += around.stream->buffer;
+    }
+    return area;
+}
+
+}  // namespace
+
+Level::Level(const Surroundings& around, LevelSetup setup, const Schedule& schedule, const std::vector<Body>& bodies,
+             const Passes& passes, const Fluid& fluid)
+    : around_(around),
+      setup_(std::move(setup)),
+      schedule_(schedule),
+      passes_(passes),
+      effects_(make_effects(setup_.effects)),
+      h_(setup_.h_over_dp * setup_.dp),
+      mass_(setup_.rho0 * std::pow(setup_.dp, around.dimensions)),
+      kernel_(h_, around.dimensions),
+      quanta_(quanta_of(around, setup_.dp)),
+      grid_(column_area(around, kernel_.support(), setup_.dp), setup_.dp, around.dimensions, quanta_),
+      ghosts_(around, setup_, quanta_),
+      walls_(bodies, around, setup_, kernel_.support(), grid_, quanta_) {
+    particles_.for_each_array([&](auto& array) { array.reserve(fluid.places.size()); });
+    for (std::size_t k = 0; k < fluid.places.size(); ++k) {
+        const Vec3& p = fluid.places[k];
+        const double depth_pressure = setup_.rho0 * around.gravity.norm() * fluid.depth[k];
+        const Kind kind = around.stream && p.x() < around.domain.min.x()   ? Kind::inlet
+                          : around.stream && p.x() > around.domain.max.x() ? Kind::outlet
+                                                                           : Kind::fluid;
+        particles_.add(p.x(), p.y(), p.z(), static_cast<float>(stream_velocity(0)),
+                       setup_.state_equation.deviation(setup_.rho0, depth_pressure), ledger_.next_id++, kind);
+    }
+}
+
+double Level::reference_speed() const { return std::max(extremes_.speed, stream_velocity(time_)); }
+
+double Level::lid_pressure() const {
+    double sum = 0;
+    std::int64_t count = 0;
+    for (std::size_t i = 0; i < particles_.size(); ++i)
+        if (particles_.z[i] > around_.domain.max.z() - kernel_.support()) sum += pressure(i), ++count;
+    return count > 0 ? sum / double(count) : 0;
+}
+
+// --- the two sweeps -------------------------------------------------------------------------------------------------
+
+PassData Level::pass_data(double t) {
+    const LevelSetup& s = setup_;
+    Records& r = records_;
+    PassData d;
+    d.place = r.place.data();
+    d.motion = r.velocity_density.data();
+    d.stress = r.gradient_pressure.data();
+    d.normal = r.wall_normal.data();
+    d.shift = r.shift_support.data();
+    d.rate = r.rate.data();
+    d.surface = r.surface.data();
+    d.carried = r.carried.empty() ? nullptr : r.carried.data();
+    d.wall_place = walls_.places().data();
+    d.wall_p = walls_.pressures().data();
+    d.wall_load = walls_.group_loads().data();
+    d.kernel = kernel_;
+    d.quantum = static_cast<float>(quanta_.size);
+    d.rho0 = static_cast<float>(s.rho0);
+    d.inv_mass = static_cast<float>(1 / mass_);
+    d.inv_W_dp = static_cast<float>(1 / kernel_.W(s.dp));
+    d.diffusion = static_cast<float>(s.delta * s.state_equation.c0);
+    d.viscosity = static_cast<float>(s.alpha * s.state_equation.c0 * s.rho0 / 2);
+    const double stream_acceleration = around_.stream ? around_.stream->acceleration(t) : 0;
+    d.gx = static_cast<float>(around_.gravity.x() + stream_acceleration);
+    d.gy = static_cast<float>(around_.gravity.y());
+    d.gz = static_cast<float>(around_.gravity.z());
+    d.inv_void = static_cast<float>(1 / (1 - s.touch_support));
+    d.two_dimensional = around_.dimensions == 2;
+    if (s.tension_control) d.tension_control_from = static_cast<float>(s.shifting_support);
+    return d;
+}
+
+void Level::first_sweep(double t, double compress, double drift, const OtherSums* other) {
+    PassData d = pass_data(t);
+    d.other = other;
+    {
+        const Stopwatch watch(timers_.gradient);
+        for_pairs(passes_.continuity_and_gradient, d, groups_);
+    }
+    const Stopwatch watch(timers_.update);
+    mark_surface();
+    Particles& p = particles_;
+    Records& r = records_;
+    for (std::size_t i = 0; i < stages_.compression.size(); ++i) stages_.compression[i] = r.rate[i].drho;
+    // walls are looked after at the end of the step
+    const auto drift_freely = [&](std::size_t i) {
+        p.x[i] += drift * double(p.u[i]);
+        p.y[i] += drift * double(p.v[i]);
+        p.z[i] += drift * double(p.w[i]);
+        r.place[i] = place_record(i);
+        if (r.wall_normal.empty()) return;
+        WallNormalRecord& n = r.wall_normal[i];
+        n.distance += static_cast<float>(drift * (double(p.u[i]) * n.x + double(p.v[i]) * n.y + double(p.w[i]) * n.z));
+    };
+    for_particles(p.size(), [&](std::size_t i) {
+        float& drho = p.drho[i];
+        if (p.kind[i] == Kind::fluid) drho += static_cast<float>(compress * r.rate[i].drho);
+        // the free surface bears no tension (its density is not let below rho0)
+        if (p.kind[i] == Kind::fluid && drho < 0 && lacks_support(i)) drho = 0;
+        r.velocity_density[i].drho = drho;
+        r.gradient_pressure[i].p = setup_.state_equation.pressure(setup_.rho0, drho);
+        if (drift > 0) drift_freely(i);
+    });
+    const StepView view = step_view(d, t);
+    for (const auto& effect : effects_) effect->change_pressure(view);
+    ghosts_.refresh(r, p.size(), quanta_, Ghosts::What::all);
+}
+
+void Level::mark_surface() {
+    const std::size_t n = particles_.size(), all = records_.place.size();
+    for_particles(records_.surface.size(), [&](std::size_t word) {
+        std::uint32_t bits = 0;
+        for (std::size_t i = 32 * word; i < std::min(all, 32 * word + 32); ++i)
+            bits |= std::uint32_t{lacks_support(i < n ? i : static_cast<std::size_t>(ghosts_.images()[i - n].source))}
+                    << (i % 32);
+        records_.surface[word] = bits;
+    });
+}
+
+void Level::second_sweep(double t) {
+    if (!walls_.live_groups().empty()) {
+        const Stopwatch watch(timers_.walls);
+        ExtrapolateData e = extrapolation();
+        e.at = walls_.places().data();
+        e.p = walls_.pressures().data();
+        for_pairs(passes_.extrapolate, e, walls_.live_groups());
+    }
+    const PassData d = pass_data(t);
+    {
+        const Stopwatch watch(timers_.forces);
+        for_pairs(passes_.forces, d, groups_);
+    }
+    {
+        const Stopwatch watch(timers_.effects);
+        const StepView view = step_view(d, t);
+        for (const auto& effect : effects_) effect->add_rates(view);
+    }
+    timers_.evaluations += static_cast<std::int64_t>(particles_.size());
+}
+
+StepView Level::step_view(const PassData& d, double t) const {
+    return {around_, setup_, particles_, d, passes_, groups_, walls_, ghosts_.images(), h_, mass_, t};
+}
+
+void Level::gather_loads(const Vec3& moment_reference) {
+    // force on the bodies = minus what they exert on the water, group by group in a fixed order
+    for (Load& load : walls_.loads) load = {};
+    const auto gather = [&](const std::vector<WallLoad>& of_groups, Vec3 Load::*force_of) {
+        for (const Group& g : groups_) {
+            if (g.wall_load < 0) continue;
+            const WallLoad& w = of_groups[static_cast<std::size_t>(g.wall_load)];
+            const Vec3 force = -mass_ * Vec3(w.ax, w.ay, w.az);
+            const Vec3 centre = quanta_.origin + quanta_.size * Vec3(g.x, g.y, g.z);
+            Load& load = walls_.loads.front();
+            load.*force_of += force;
+            load.moment += (centre - moment_reference).cross(force) - mass_ * Vec3(w.mx, w.my, w.mz);
+        }
+    };
+    gather(walls_.group_loads(), &Load::force);
+    for (const auto& effect : effects_)
+        if (!effect->wall_loads().empty()) gather(effect->wall_loads(), &Load::friction);
+    for (Load& load : walls_.loads) load.force += load.friction;
+}
+
+// --- fields at points -----------------------------------------------------------------------------------------------
+
+ExtrapolateData Level::extrapolation() const {
+    ExtrapolateData e;
+    e.place = records_.place.data();
+    e.motion = records_.velocity_density.data();
+    e.stress = records_.gradient_pressure.data();
+    e.kernel = kernel_;
+    e.quantum = static_cast<float>(quanta_.size);
+    e.rho0 = static_cast<float>(setup_.rho0);
+    e.gx = static_cast<float>(around_.gravity.x());
+    e.gy = static_cast<float>(around_.gravity.y());
+    e.gz = static_cast<float>(around_.gravity.z());
+    return e;
+}
+
+void Level::sample(PointSamples& points) const {
+    const std::size_t n = points.places.size();
+    points.p.assign(n, 0);
+    points.support.assign(n, 0);
+    if (points.want_flux) points.flux.assign(3 * n, 0);
+    if (n == 0) return;
+    std::vector<PlaceRecord> raw(n), sorted(n);
+    for (std::size_t k = 0; k < n; ++k)
+        raw[k] = {quanta_.of(points.places[k].x(), 0), quanta_.of(points.places[k].y(), 1),
+                  quanta_.of(points.places[k].z(), 2), 0};
+    std::vector<std::int32_t> order, start;
+    sort_by_column(grid_, raw, 0, n, order, start);
+    for (std::size_t k = 0; k < n; ++k) sorted[k] = raw[static_cast<std::size_t>(order[k])];
+    std::vector<Group> groups;
+    make_groups(sorted, start, 0, groups);
+    NeighbourLists lists;
+    // the particles were sorted a few steps ago and have moved by up to the skin since: twice that keeps the search
+    // complete
+    const double reach = kernel_.support() + 2 * ListLife::wall_skin_over_dp * setup_.dp;
+    lists.build(grid_, quanta_, sorted.data(), groups, sources(), {reach, reach, reach}, false);
+    std::vector<float> p(n), support(n), flux(points.want_flux ? 3 * n : 0);
+    ExtrapolateData e = extrapolation();
+    e.at = sorted.data();
+    e.p = p.data();
+    e.support = support.data();
+    if (points.want_flux) {
+        e.carried = records_.carried.data();
+        e.flux = flux.data();
+    }
+    for_pairs(passes_.extrapolate, e, groups);
+    for (std::size_t k = 0; k < n; ++k) {
+        const auto i = static_cast<std::size_t>(order[k]);
+        points.p[i] = p[k];
+        points.support[i] = support[k];
+        for (std::size_t a = 0; a < 3 && points.want_flux; ++a) points.flux[3 * i + a] = flux[3 * k + a];
+    }
+}
+
+// --- state ----------------------------------------------------------------------------------------------------------
+
+double Level::visited_per_particle() const {
+    double pairs = 0;
+    for (const Group& g : groups_) {
+        std::int64_t live = 0;
+        for (std::int32_t k = 0; k < g.list_size; ++k) live += std::popcount(g.list[k].live);
+        for (std::int32_t k = 0; k < g.wall_size; ++k) live += std::popcount(g.wall_list[k].live);
+        pairs += double(live * g.size);
+    }
+    return pairs / double(particles_.size());
+}
+
+double Level::bytes() const {
+    double sum = double(lists_.bytes() + walls_.bytes() + ghosts_.bytes() + records_.bytes());
+    const auto add = [&](const auto& v) { sum += double(v.capacity() * sizeof(v[0])); };
+    const_cast<Particles&>(particles_).for_each_array(add);
+    add(groups_);
+    add(stages_.start), add(stages_.mean), add(stages_.compression), add(stages_.diffusion);
+    for (const auto& effect : effects_) sum += double(effect->bytes());
+    return sum;
+}
+
+Level::State Level::state() const {
+    return {time_, dt_, steps_, ledger_, extremes_, control_ ? control_->state() : ControlVolume::State{}};
+}
+
+void Level::restore(const State& s, Particles particles) {
+    time_ = s.time, dt_ = s.dt, steps_ = s.steps;
+    ledger_ = s.ledger, extremes_ = s.extremes;
+    if (control_) control_->set_state(s.control);
+    particles_ = std::move(particles);
+    const double stream = stream_velocity(time_);
+    life_.relative_speed = 0;
+    for (std::size_t i = 0; i < particles_.size(); ++i)
+        life_.relative_speed =
+            std::max(life_.relative_speed,
+                     Vec3(particles_.u[i] - stream, double(particles_.v[i]), double(particles_.w[i])).norm());
+    make_lists_due();
+}
+
+void Level::fail_at(std::size_t i, const std::string& what) const {
+    const Particles& p = particles_;
+    throw RunError(
+        fmt::format("{} particle {} at t = {:.6g} s (step {}) near ({:.4g}, {:.4g}, {:.4g}) m, |u| = {:.4g} "
+                    "m/s, {}",
+                    setup_.material, p.id[i], time_, steps_, p.x[i], p.y[i], p.z[i],
+                    std::sqrt(double(p.u[i]) * p.u[i] + double(p.v[i]) * p.v[i] + double(p.w[i]) * p.w[i]), what));
+}
+
+}  // namespace tw

@@ -1,0 +1,192 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "sph_solver/bodies/samples.h"
+#include "sph_solver/bodies/walls.h"
+#include "sph_solver/effects/effect.h"
+#include "sph_solver/ghosts/ghosts.h"
+#include "sph_solver/ghosts/open_boundaries.h"
+#include "sph_solver/measure/control_volume.h"
+#include "sph_solver/neighbours/list_life.h"
+#include "sph_solver/particles/level_setup.h"
+#include "sph_solver/particles/particles.h"
+#include "sph_solver/particles/records.h"
+#include "sph_solver/time/extremes.h"
+#include "sph_solver/time/schedule.h"
+
+namespace tw {
+
+struct Timers {
+    double lists = 0, gradient = 0, walls = 0, forces = 0, effects = 0, update = 0;  ///< [s] wall
+    std::int64_t evaluations = 0, rebuilds = 0;
+};
+
+/// One material on particles of one size: its particles, records, neighbour lists, walls, ghosts, effects and time
+/// step. A level knows no other level; what another level does to it comes as sums (pairs/level_pair.h).
+///
+/// An evaluation of the rates takes two sweeps over the pairs, in this order (schedule.h says for how long what moves):
+///
+///   refresh           records of the particles and their images; lists, where they are due
+///   first_sweep       at (x, u): div u, density gradient, kernel support;   rho -= compress rho div u;   x += drift u
+///                     p = p(rho); effects change it
+///   second_sweep      wall pressure; acceleration a, density diffusion D; effects add to them
+///   advance           u += kick a;   rho += kick D;   x += drift u + shift;   walls, limits
+///
+/// So the velocity that compresses is the one that the pressure has just made (sound is carried without growth), and
+/// the density gradient of the diffusion is one compression older than the density, which leaves water at rest alone
+/// all the same.
+class Level {
+public:
+    /// The particles start at the stream's velocity at t = 0 (at rest when it is ramped), under hydrostatic pressure.
+    /// `around` and `bodies` must outlive the level.
+    Level(const Surroundings& around, LevelSetup setup, const Schedule& schedule, const std::vector<Body>& bodies,
+          const Passes& passes, const Fluid& fluid);
+
+    const LevelSetup& setup() const { return setup_; }
+    double mass() const { return mass_; }  ///< of one particle [kg]
+    double h() const { return h_; }
+    double time() const { return time_; }
+    double dt() const { return dt_; }
+    std::int64_t steps() const { return steps_; }
+    const Particles& particles() const { return particles_; }
+    Particles& particles() { return particles_; }
+    double pressure(std::size_t i) const { return setup_.state_equation.pressure(setup_.rho0, particles_.drho[i]); }
+    const Ledger& ledger() const { return ledger_; }
+    const Extremes& extremes() const { return extremes_; }
+    const Timers& timers() const { return timers_; }
+    const Walls& walls() const { return walls_; }
+    const Passes& passes() const { return passes_; }
+    std::span<const std::unique_ptr<Effect>> effects() const { return effects_; }
+    double visited_per_particle() const;  ///< pairs that a sweep works through, useful or not
+    double bytes() const;                 ///< memory of state, lists and walls
+    /// The larger of the fastest particle's speed and the stream's [m/s].
+    double reference_speed() const;
+    /// Mean pressure of the particles in the uppermost 2h of the domain [Pa]; 0 where there are none.
+    double lid_pressure() const;
+
+    // --- a step, called by Simulation in this order
+    bool lists_outlived() const;
+    /// How far a particle may have come since the lists were made, up to where the next evaluation sees it [m].
+    double travel_ahead() const;
+    bool lists_due() const { return life_.over; }
+    void make_lists_due() { life_.over = true; }
+    void refresh(double drift);
+    /// `other`: sums over another level's particles, one entry a particle; null: there is none.
+    void first_sweep(double t, double compress, double drift, const OtherSums* other);
+    void second_sweep(double t);
+    void gather_loads(const Vec3& moment_reference);
+    void set_step(double dt) { dt_ = dt; }
+    /// Throws RunError: not a number, density or Mach number out of bounds.
+    void advance(const Schedule::Move& move, const Vec3& moment_reference);
+
+    // --- steps in stages (explicit Runge-Kutta) instead of one evaluation
+    void begin_stages(bool freeze_diffusion);
+    void go_to_stage(double since);
+    void add_stage(double weight, bool first, bool freeze_diffusion);
+    /// Back to the step's begin, with the mean rates and loads of all stages.
+    void end_stages(std::vector<Load> mean);
+
+    // --- what the sweeps of level pairs and effects read
+    PassData pass_data(double t);
+    const std::vector<Group>& groups() const { return groups_; }
+    const ColumnGrid& grid() const { return grid_; }
+    const Quanta& quanta() const { return quanta_; }
+    const Kernel& kernel() const { return kernel_; }
+    /// Where neighbours among this level's particles and images are looked for.
+    std::vector<Source> sources() const;
+
+    /// Pressure, kernel support and (where the points want it) carried pressure at points, from the present records.
+    void sample(PointSamples& points) const;
+    /// Kernel support below which a particle counts as free surface.
+    void set_surface_support(double support) { setup_.surface_support = support; }
+    bool has_records() const { return !records_.gradient_pressure.empty(); }
+
+    void set_control_volume(const Box& box) {
+        control_ = ControlVolume(box);
+        make_lists_due();
+    }
+    ControlVolume* control_volume() { return control_ ? &*control_ : nullptr; }
+    const ControlVolume* control_volume() const { return control_ ? &*control_ : nullptr; }
+
+    /// What a restart needs beside the particles.
+    struct State {
+        double time = 0, dt = 0;
+        std::int64_t steps = 0;
+        Ledger ledger;
+        Extremes extremes;
+        ControlVolume::State control;
+    };
+    State state() const;
+    void restore(const State& state, Particles particles);
+
+private:
+    void rebuild(double drift);
+    void prune(double drift);
+    void find_normals();
+    void update_records();
+    void mark_surface();
+    /// Distance from which a neighbour may come within the support during `drift` [s] [m].
+    double reach_among(double drift) const { return kernel_.support() + 2 * drift * life_.relative_speed; }
+    double reach_to_walls(double drift) const { return kernel_.support() + drift * extremes_.speed; }
+    PlaceRecord place_record(std::size_t i) const {
+        const Particles& p = particles_;
+        return {quanta_.of(p.x[i], 0), quanta_.of(p.y[i], 1), quanta_.of(p.z[i], 2),
+                static_cast<float>(mass_) / (static_cast<float>(setup_.rho0) + p.drho[i])};
+    }
+    bool lacks_support(std::size_t i) const { return records_.shift_support[i].support < setup_.surface_support; }
+    StepView step_view(const PassData& d, double t) const;
+    ExtrapolateData extrapolation() const;  ///< from the present records; the caller says where to
+    double stream_velocity(double t) const { return around_.stream ? around_.stream->velocity(t) : 0; }
+
+    struct Held {
+        Vec3 impulse;
+        std::size_t body;
+    };
+    std::optional<Held> hold_at_wall(std::size_t i);
+    [[noreturn]] void fail_at(std::size_t i, const std::string& what) const;
+    void check_density() const;
+
+    const Surroundings& around_;
+    LevelSetup setup_;
+    Schedule schedule_;
+    const Passes& passes_;
+    std::vector<std::unique_ptr<Effect>> effects_;
+
+    double h_, mass_, time_ = 0, dt_ = 0;
+    std::int64_t steps_ = 0;
+    Kernel kernel_;
+    Quanta quanta_;
+    ColumnGrid grid_;
+    Particles particles_;
+    Records records_;
+    Ghosts ghosts_;
+    Walls walls_;
+    std::vector<std::int32_t> start_;  ///< first particle of each column
+    std::vector<Group> groups_;
+    NeighbourLists lists_;
+    ListLife life_;
+    std::optional<ControlVolume> control_;
+    Ledger ledger_;
+    Extremes extremes_;
+    Timers timers_;
+
+    /// Of steps in stages only, else empty.
+    struct {
+        struct Start {
+            double x, y, z;
+            float u, v, w, drho;
+        };
+        struct Mean {
+            double u, v, w, ax, ay, az, drho;  ///< velocity and rates, weighted over the stages
+        };
+        std::vector<Start> start;
+        std::vector<Mean> mean;
+        std::vector<float> compression, diffusion;  ///< -rho div u of this stage, D of the first [kg/m3/s]
+    } stages_;
+};
+
+}  // namespace tw

@@ -1,0 +1,257 @@
+// The last act of a step of one level: velocities, densities and places change; walls, limits and the clock. And the
+// stages of explicit Runge-Kutta schemes.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/errors.h"
+#include "sph_solver/backend/for_particles.h"
+#include "sph_solver/backend/stopwatch.h"
+#include "sph_solver/particles/level.h"
+
+namespace tw {
+
+namespace {
+
+constexpr double held_at_wall_over_dp = 0.1;  ///< nearer than this a particle is not let towards a wall
+
+/// What a range of particles adds to the step's extremes and sums.
+struct Part {
+    double speed2 = 0, acceleration2 = 0, relative2 = 0, relative2_before = 0, shift2 = 0, low = 0, high = 0;
+    std::size_t fastest = 0, densest = 0, thinnest = 0;
+    Vec3 crossed = Vec3::Zero();  ///< momentum into the control volume [N s]
+    struct Blow {
+        Vec3 impulse = Vec3::Zero(), turn = Vec3::Zero();  ///< [N s], [N m s]
+    };
+    std::vector<Blow> blows;  ///< given to each body by particles held at its wall; empty: none
+    std::int64_t held = 0;
+    bool broken = false;
+};
+
+}  // namespace
+
+/// The last resort at a wall: a particle so near that no pressure can stop it in time loses its velocity towards the
+/// wall (a plastic impact; the body gets the impulse, which is returned [N s]), and is put back on the surface if this
+/// step took it through. The distance carried along is checked against the surface first.
+std::optional<Level::Held> Level::hold_at_wall(std::size_t i) {
+    Particles& p = particles_;
+    WallNormalRecord& r = records_.wall_normal[i];
+    const Walls::Nearest found = walls_.nearest(Vec3(p.x[i], p.y[i], p.z[i]), Vec3(p.u[i], p.v[i], p.w[i]), setup_.dp);
+    if (found.normal.distance < no_wall.distance)
+        r = found.normal;
+    else
+        r.distance = static_cast<float>(setup_.dp);
+    const double approach = double(p.u[i]) * r.x + double(p.v[i]) * r.y + double(p.w[i]) * r.z;
+    if (r.distance >= held_at_wall_over_dp * setup_.dp || approach >= 0) return {};
+    if (r.distance < 0) {
+        p.x[i] -= double(r.distance) * r.x;
+        p.y[i] -= double(r.distance) * r.y;
+        p.z[i] -= double(r.distance) * r.z;
+        r.distance = 0;
+    }
+    const Vec3 before(p.u[i], p.v[i], p.w[i]);
+    p.u[i] -= static_cast<float>(approach * r.x);
+    p.v[i] -= static_cast<float>(approach * r.y);
+    p.w[i] -= static_cast<float>(approach * r.z);
+    return Held{mass_ * (before - Vec3(p.u[i], p.v[i], p.w[i])), found.body};
+}
+
+void Level::advance(const Schedule::Move& move, const Vec3& moment_reference) {
+    const Stopwatch watch(timers_.update);
+    const auto [dt, drifted, drift] = move;
+    const LevelSetup& s = setup_;
+    Particles& p = particles_;
+    Records& records = records_;
+    const double c0 = s.state_equation.c0, speed_before = extremes_.speed;
+    const double stream_before = stream_velocity(time_), stream_after = stream_velocity(time_ + dt);
+    const double shift_scale = -s.shifting * dt * std::max(reference_speed(), 1e-30) * h_, shift_cap = 0.05 * s.dp;
+
+    const auto move_range = [&](Part& part, std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const double u0 = p.u[i], v0 = p.v[i], w0 = p.w[i];
+            const bool was_inside =
+                control_ && control_->inside(p.x[i] - drifted * u0, p.y[i] - drifted * v0, p.z[i] - drifted * w0);
+            if (drifted > 0)
+                part.relative2_before =
+                    std::max(part.relative2_before, (u0 - stream_before) * (u0 - stream_before) + v0 * v0 + w0 * w0);
+            Vec3 shift = Vec3::Zero();
+            switch (p.kind[i]) {
+                case Kind::fluid: {
+                    const RateRecord& r = records.rate[i];
+                    part.acceleration2 =
+                        std::max(part.acceleration2, double(r.ax) * r.ax + double(r.ay) * r.ay + double(r.az) * r.az);
+                    p.u[i] = static_cast<float>(u0 + dt * r.ax);
+                    p.v[i] = static_cast<float>(v0 + dt * r.ay);
+                    p.w[i] = static_cast<float>(w0 + dt * r.az);
+                    p.drho[i] = static_cast<float>(p.drho[i] + dt * r.drho);
+                    if (const ShiftSupportRecord& sum = records.shift_support[i];
+                        s.shifting > 0 && sum.support > s.shifting_support) {
+                        shift = shift_scale * Vec3(sum.x, sum.y, sum.z);
+                        const double length2 = shift.squaredNorm();
+                        if (length2 > shift_cap * shift_cap) shift *= shift_cap / std::sqrt(length2);
+                        part.shift2 = std::max(part.shift2, std::min(length2, shift_cap * shift_cap));
+                    }
+                    break;
+                }
+                case Kind::inlet: p.u[i] = static_cast<float>(stream_after); break;
+                case Kind::outlet: p.u[i] = static_cast<float>(u0 + (stream_after - stream_before)); break;
+            }
+            const Vec3 along = stages_.mean.empty() ? Vec3(p.u[i], p.v[i], p.w[i])
+                                                    : Vec3(stages_.mean[i].u, stages_.mean[i].v, stages_.mean[i].w);
+            p.x[i] += drift * along.x() + shift.x();
+            p.y[i] += drift * along.y() + shift.y();
+            p.z[i] += drift * along.z() + shift.z();
+            if (!records.wall_normal.empty() && p.kind[i] == Kind::fluid) {
+                WallNormalRecord& r = records.wall_normal[i];
+                const double approach = along.x() * r.x + along.y() * r.y + along.z() * r.z;
+                r.distance +=
+                    static_cast<float>(drift * approach + shift.x() * r.x + shift.y() * r.y + shift.z() * r.z);
+                const bool too_near = r.distance < held_at_wall_over_dp * s.dp;
+                if (const auto held = too_near ? hold_at_wall(i) : std::nullopt) {
+                    ++part.held;
+                    part.blows.resize(walls_.loads.size());
+                    Part::Blow& blow = part.blows[held->body];
+                    blow.impulse += held->impulse;
+                    blow.turn += (Vec3(p.x[i], p.y[i], p.z[i]) - moment_reference).cross(held->impulse);
+                }
+            }
+            const double u = p.u[i], v = p.v[i], w = p.w[i], speed2 = u * u + v * v + w * w;
+            if (speed2 > part.speed2) part.speed2 = speed2, part.fastest = i;
+            part.relative2 = std::max(part.relative2, (u - stream_after) * (u - stream_after) + v * v + w * w);
+            if (p.drho[i] < part.low) part.low = double(p.drho[i]), part.thinnest = i;
+            if (p.drho[i] > part.high) part.high = double(p.drho[i]), part.densest = i;
+            if (!std::isfinite(speed2 + p.drho[i] + p.x[i] + p.y[i] + p.z[i])) part.broken = true, part.fastest = i;
+            if (control_) {
+                // momentum of what crosses a face, with the velocity in the middle of the step
+                const int crossing = int(control_->inside(p.x[i], p.y[i], p.z[i])) - int(was_inside);
+                if (crossing) part.crossed += crossing * mass_ * Vec3((u0 + u) / 2, (v0 + v) / 2, (w0 + w) / 2);
+            }
+            if (part.broken) break;
+        }
+    };
+    const std::vector<Part> parts = in_fixed_ranges<Part>(p.size(), move_range);
+
+    extremes_ = {};
+    double relative2 = 0, relative2_before = 0, speed2 = 0, shift2 = 0;
+    std::size_t fastest = 0;
+    Vec3 crossed = Vec3::Zero();
+    for (const Part& part : parts) {
+        if (part.broken)
+            fail_at(part.fastest,
+                    "has a velocity, density or place that is not a number; often a time step or sound speed that does "
+                    "not fit the flow");
+        if (part.speed2 > speed2) speed2 = part.speed2, fastest = part.fastest;
+        relative2 = std::max(relative2, part.relative2);
+        relative2_before = std::max(relative2_before, part.relative2_before);
+        shift2 = std::max(shift2, part.shift2);
+        extremes_.acceleration = std::max(extremes_.acceleration, part.acceleration2);
+        const auto place = [&](std::size_t i) { return Vec3(p.x[i], p.y[i], p.z[i]); };
+        if (part.low < extremes_.density_deviation_low)
+            extremes_.density_deviation_low = part.low, extremes_.thinnest_place = place(part.thinnest);
+        if (part.high > extremes_.density_deviation_high)
+            extremes_.density_deviation_high = part.high, extremes_.densest_place = place(part.densest);
+        crossed += part.crossed;
+        ledger_.held += part.held;
+        for (std::size_t b = 0; b < part.blows.size(); ++b) {
+            walls_.loads[b].force += part.blows[b].impulse / dt;
+            walls_.loads[b].moment += part.blows[b].turn / dt;
+        }
+    }
+    extremes_.speed = std::sqrt(speed2);
+    extremes_.acceleration = std::sqrt(extremes_.acceleration);
+    if (fastest < p.size()) {
+        extremes_.fastest = p.id[fastest];
+        extremes_.fastest_place = Vec3(p.x[fastest], p.y[fastest], p.z[fastest]);
+    }
+    if (control_) control_->add_crossed(crossed);
+    const double shift_travel = std::sqrt(shift2);
+    life_.relative_speed = std::sqrt(relative2);
+    life_.travel_in_stream += drifted * std::sqrt(relative2_before) + drift * life_.relative_speed + shift_travel;
+    life_.travel += drifted * speed_before + drift * extremes_.speed + shift_travel;
+    time_ += dt;
+    ++steps_;
+    if (extremes_.speed > largest_mach * c0)
+        fail_at(fastest, fmt::format("moves at {:.3g} m/s = {:.3g} c0; the sound speed is too low for this flow, or a "
+                                     "wall was struck too hard",
+                                     extremes_.speed, extremes_.speed / c0));
+    check_density();
+}
+
+void Level::check_density() const {
+    const double rho0 = setup_.rho0, most = setup_.largest_compression, least = -setup_.largest_rarefaction;
+    const auto beyond = [&](double drho) { return drho > most * rho0 || drho < least * rho0; };
+    if (!beyond(extremes_.density_deviation_high) && !beyond(extremes_.density_deviation_low)) return;
+    for (std::size_t i = 0; i < particles_.size(); ++i)
+        if (beyond(double(particles_.drho[i])))
+            fail_at(i, fmt::format("has the density {:.4g} kg/m3, not {:.0f} to {:.0f} % of {:.4g}; often a sound "
+                                   "speed that is too low or water caught between walls",
+                                   rho0 + double(particles_.drho[i]), 100 + 100 * least, 100 + 100 * most, rho0));
+}
+
+// --- stages ---------------------------------------------------------------------------------------------------------
+
+void Level::begin_stages(bool freeze_diffusion) {
+    if (life_.over) rebuild(dt_);
+    const std::size_t n = particles_.size();
+    stages_.compression.resize(n);
+    stages_.start.resize(n);
+    stages_.mean.assign(n, {});
+    if (freeze_diffusion) stages_.diffusion.resize(n);
+}
+
+/// From the step's begin for the time `since`, with the velocities and rates found last.
+void Level::go_to_stage(double since) {
+    const Stopwatch watch(timers_.update);
+    Particles& p = particles_;
+    const double stream = stream_velocity(time_ + since), stream_before = stream_velocity(time_);
+    for_particles(p.size(), [&](std::size_t i) {
+        const auto from = stages_.start[i];
+        const RateRecord& r = records_.rate[i];
+        p.x[i] = from.x + since * double(p.u[i]);
+        p.y[i] = from.y + since * double(p.v[i]);
+        p.z[i] = from.z + since * double(p.w[i]);
+        switch (p.kind[i]) {
+            case Kind::fluid:
+                p.u[i] = static_cast<float>(from.u + since * r.ax);
+                p.v[i] = static_cast<float>(from.v + since * r.ay);
+                p.w[i] = static_cast<float>(from.w + since * r.az);
+                p.drho[i] = static_cast<float>(from.drho + since * r.drho);
+                break;
+            case Kind::inlet: p.u[i] = static_cast<float>(stream); break;
+            case Kind::outlet: p.u[i] = static_cast<float>(from.u + (stream - stream_before)); break;
+        }
+    });
+}
+
+void Level::add_stage(double weight, bool first, bool freeze_diffusion) {
+    const Stopwatch watch(timers_.update);
+    const Particles& p = particles_;
+    for_particles(p.size(), [&](std::size_t i) {
+        if (first) {
+            stages_.start[i] = {p.x[i], p.y[i], p.z[i], p.u[i], p.v[i], p.w[i], p.drho[i]};
+            if (freeze_diffusion) stages_.diffusion[i] = records_.rate[i].drho;
+        }
+        RateRecord& r = records_.rate[i];
+        r.drho = stages_.compression[i] + (freeze_diffusion ? stages_.diffusion[i] : r.drho);
+        auto& m = stages_.mean[i];
+        m.u += weight * p.u[i], m.v += weight * p.v[i], m.w += weight * p.w[i];
+        m.ax += weight * r.ax, m.ay += weight * r.ay, m.az += weight * r.az;
+        m.drho += weight * r.drho;
+    });
+}
+
+void Level::end_stages(std::vector<Load> mean) {
+    walls_.loads = std::move(mean);
+    Particles& p = particles_;
+    for_particles(p.size(), [&](std::size_t i) {
+        const auto& from = stages_.start[i];
+        const auto& m = stages_.mean[i];
+        p.x[i] = from.x, p.y[i] = from.y, p.z[i] = from.z;
+        p.u[i] = from.u, p.v[i] = from.v, p.w[i] = from.w, p.drho[i] = from.drho;
+        records_.rate[i] = {static_cast<float>(m.ax), static_cast<float>(m.ay), static_cast<float>(m.az),
+                            static_cast<float>(m.drho)};
+    });
+}
+
+}  // namespace tw

@@ -1,0 +1,123 @@
+// Who is whose neighbour in a level: sorting, ghosts, groups, lists and wall normals; and the records that the sweeps
+// read.
+#include <algorithm>
+
+#include "sph_solver/backend/for_particles.h"
+#include "sph_solver/backend/stopwatch.h"
+#include "sph_solver/particles/level.h"
+
+namespace tw {
+
+double Level::travel_ahead() const { return life_.travel + schedule_.looks_ahead() * dt_ * extremes_.speed; }
+
+bool Level::lists_outlived() const {
+    const double relative = life_.travel_in_stream + schedule_.looks_ahead() * dt_ * life_.relative_speed;
+    const double skin = ListLife::skin_over_dp * setup_.dp, wall_skin = ListLife::wall_skin_over_dp * setup_.dp;
+    // two particles may both have moved towards each other; walls stand still
+    return 2 * relative > skin || travel_ahead() > wall_skin;
+}
+
+void Level::refresh(double drift) {
+    if (life_.over) return rebuild(drift);
+    {
+        const Stopwatch watch(timers_.update);
+        update_records();
+    }
+    prune(drift);
+}
+
+void Level::update_records() {
+    const Particles& p = particles_;
+    for_particles(p.size(), [&](std::size_t i) {
+        records_.place[i] = place_record(i);
+        records_.velocity_density[i] = {p.u[i], p.v[i], p.w[i], p.drho[i]};
+    });
+    ghosts_.refresh(records_, p.size(), quanta_, Ghosts::What::places_and_velocities);
+}
+
+/// Leaves in the lists who is within reach now, or may be after `drift` [s] with the present velocities.
+void Level::prune(double drift) {
+    const Stopwatch watch(timers_.lists);
+    PruneData d;
+    d.of = records_.place.data();
+    d.place = records_.place.data();
+    d.reach = reach_among(drift) / quanta_.size;
+    for_pairs(passes_.prune, d, groups_);
+    walls_.prune(passes_, records_.place.data(), groups_, reach_to_walls(drift) / quanta_.size);
+}
+
+std::vector<Source> Level::sources() const {
+    const std::size_t n = particles_.size();
+    return {{records_.place.data(), &start_, 0},
+            {records_.place.data() + n, &ghosts_.start(), static_cast<std::int32_t>(n)}};
+}
+
+/// Makes the lists anew, live as `prune` leaves them.
+void Level::rebuild(double drift) {
+    const Stopwatch watch(timers_.lists);
+    ++timers_.rebuilds;
+    const LevelSetup& s = setup_;
+    Particles& p = particles_;
+
+    const std::vector<char> gone = cross_open_boundaries(around_, s.dp, p, ledger_);
+    std::vector<PlaceRecord> kept;
+    std::vector<std::int32_t> index;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        if (gone[i]) {
+            ++ledger_.out;
+            continue;
+        }
+        kept.push_back({quanta_.of(p.x[i], 0), quanta_.of(p.y[i], 1), quanta_.of(p.z[i], 2), 0});
+        index.push_back(static_cast<std::int32_t>(i));
+    }
+    std::vector<std::int32_t> order;
+    sort_by_column(grid_, kept, 0, kept.size(), order, start_);
+    for (auto& k : order) k = index[static_cast<std::size_t>(k)];
+    p.reorder(order);
+
+    const double support = kernel_.support();
+    const auto reaches = [&](double now, double slack) {
+        return Reaches{std::max(support + slack, now), now, support - slack};
+    };
+    const Reaches among = reaches(reach_among(drift), ListLife::skin_over_dp * s.dp),
+                  to_walls = reaches(reach_to_walls(drift), ListLife::wall_skin_over_dp * s.dp);
+    ghosts_.find(around_, p, grid_, quanta_, std::max(among.far, to_walls.far));
+    records_.resize(p.size(), ghosts_.images().size(), !walls_.empty(), control_.has_value());
+    update_records();
+
+    make_groups(records_.place, start_, 0, groups_);
+    lists_.build(grid_, quanta_, records_.place.data(), groups_, sources(), among, false);
+    if (!walls_.empty()) {
+        walls_.find_neighbours(grid_, quanta_, records_.place.data(), groups_, sources(), to_walls);
+        find_normals();
+    }
+    life_.travel = life_.travel_in_stream = 0;
+    life_.over = false;
+}
+
+void Level::find_normals() {
+    const double reach = 2 * kernel_.support() + setup_.dp;
+    std::int64_t through = -1;
+    for_groups(groups_, [&](const Group& g) {
+        for (int l = 0; l < g.size; ++l) {
+            const auto i = static_cast<std::size_t>(g.first + l);
+            const Particles& p = particles_;
+            WallNormalRecord& r = records_.wall_normal[i];
+            r = no_wall;
+            if (g.wall_size > 0)
+                r = walls_.nearest(Vec3(p.x[i], p.y[i], p.z[i]), Vec3(p.u[i], p.v[i], p.w[i]), reach).normal;
+            if (r.distance < -setup_.dp) {
+#pragma omp critical
+                through = std::max(through, static_cast<std::int64_t>(i));
+            }
+        }
+    });
+    if (through >= 0) {
+        ++ledger_.lost;
+        fail_at(static_cast<std::size_t>(through),
+                "has gone through the hull; often a wall thinner than the kernel's support 2 h, or a spacing too "
+                "coarse for a sharp edge");
+    }
+}
+
+}  // namespace tw

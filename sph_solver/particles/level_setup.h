@@ -1,0 +1,58 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+#include "sph_solver/effects/effects.h"
+#include "sph_solver/equations/state_equation.h"
+#include "sph_solver/ghosts/mirrors.h"
+#include "sph_solver/ghosts/stream.h"
+#include "sph_solver/time/extremes.h"
+
+namespace tw {
+
+/// What all levels of a run share. SI units.
+struct Surroundings {
+    int dimensions = 3;
+    Vec3 gravity{0, 0, -Water{}.gravity};
+    /// Particles move freely inside; mirror planes lie on its faces.
+    Box domain;
+    Mirrors mirrors;
+    std::optional<Stream> stream;
+};
+
+/// One material on particles of one size. SI units.
+struct LevelSetup {
+    std::string material = "water";  ///< in messages and files
+    double dp = 0;                   ///< particle spacing [m]
+    double h_over_dp = SphOptions{}.h_over_dp;
+    double rho0 = Water{}.density;
+    StateEquation state_equation;
+    double delta = SphOptions{}.delta;  ///< density diffusion
+    double alpha = SphOptions{}.alpha;  ///< artificial viscosity
+    double shifting = SphOptions{}.shifting;
+    /// Kernel support sum_j V_j W_ij (walls and images counted; 1 in the interior, about 0.75 at a flat free surface)
+    /// below which a particle counts as free surface and bears no tension.
+    double surface_support = 0.9;
+    /// From this support on a wall that comes nearer compresses the water, in full at 1.
+    double touch_support = SphOptions{}.touch_support;
+    /// Shifting acts from this support on; near the free surface only along it.
+    double shifting_support = 0.95;
+    /// Inside the water (kernel support above `shifting_support`, no wall within reach) p_j - p_i in place of p_j + p_i
+    /// where p_i < 0: no clumping under tension, but pairs no longer cancel there.
+    bool tension_control = false;
+    /// Fills what the other levels leave of the domain, under a lid: sampled pressures are relative to the lid's.
+    bool shut_in = false;
+    EffectOptions effects;
+    /// A run whose density leaves rho0 by more than these shares of it is stopped.
+    double largest_compression = largest_density_deviation, largest_rarefaction = largest_density_deviation;
+};
+
+/// Initial particles: places and depth below the surface of their block [m].
+struct Fluid {
+    std::vector<Vec3> places;
+    std::vector<double> depth;
+};
+
+}  // namespace tw

@@ -1,0 +1,139 @@
+#include "sph_solver/simulation.h"
+
+#include <omp.h>
+
+#include <algorithm>
+
+#include "base/errors.h"
+#include "sph_solver/time/limits.h"
+
+namespace tw {
+
+Simulation::Simulation(const SimulationSetup& setup, const Fluid& fluid, const Passes& passes)
+    : setup_(setup),
+      passes_(&passes),
+      schedule_(setup.scheme),
+      around_(std::make_unique<Surroundings>(static_cast<const Surroundings&>(setup))),
+      bodies_(std::make_unique<std::vector<Body>>()) {
+    if (setup.threads > 0) omp_set_num_threads(setup.threads);
+    for (const BodySetup& body : setup.bodies) bodies_->emplace_back(body);
+    levels_.push_back(std::make_unique<Level>(*around_, setup, schedule_, *bodies_, *passes_, fluid));
+}
+
+Level& Simulation::add_level(LevelSetup setup, const Fluid& fluid) {
+    if (!schedule_.stages().empty())
+        throw InputError(setup.material +
+                         " beside the water needs a time step of one evaluation: [sph] scheme \"kick_drift_kick\" or "
+                         "\"symplectic_euler\"");
+    levels_.push_back(std::make_unique<Level>(*around_, std::move(setup), schedule_, *bodies_, *passes_, fluid));
+    for (std::size_t k = 0; k + 1 < levels_.size(); ++k) pairs_.emplace_back(*levels_[k], *levels_.back());
+    return *levels_.back();
+}
+
+void Simulation::step() {
+    if (lists_outlived()) make_lists_due();
+    if (!schedule_.stages().empty()) return step_in_stages();
+    const double before = dt();
+    const auto [after, compress, drift] = schedule_.evaluation(before);
+    evaluate(time() + after, compress, drift);
+    gather_loads();
+    choose_time_step();
+    for (const auto& level : schedule_.due(levels_))
+        level->advance(schedule_.move(before, level->dt()), setup_.moment_reference);
+}
+
+void Simulation::evaluate(double t, double compress, double drift) {
+    const auto due = schedule_.due(levels_);
+    const bool lists_due = std::ranges::any_of(due, [](const auto& level) { return level->lists_due(); });
+    if (lists_due) make_lists_due();
+    for (const auto& level : due) level->refresh(drift);
+    for (LevelPair& pair : pairs_) {
+        if (lists_due) pair.find_neighbours(t);
+        pair.meet(t);
+    }
+    for (const auto& level : due) {
+        const OtherSums* other = nullptr;
+        for (const LevelPair& pair : pairs_)
+            if (const OtherSums* sums = pair.sums_for(*level)) other = sums;
+        level->first_sweep(t, compress, drift, other);
+    }
+    for (const auto& level : due) level->second_sweep(t);
+    for (LevelPair& pair : pairs_) pair.press(t);
+}
+
+/// Explicit Runge-Kutta: every stage starts anew from the step's begin with the rates of the stage before, and the step
+/// is made with the weighted mean of all. The load is that mean too.
+void Simulation::step_in_stages() {
+    Level& level = *levels_.front();
+    const bool freeze = schedule_.freezes_diffusion();
+    level.begin_stages(freeze);
+    std::vector<Load> mean(bodies_->size());
+    for (const Stage& stage : schedule_.stages()) {
+        const bool first = &stage == &schedule_.stages().front();
+        if (!first) level.go_to_stage(stage.c * dt());
+        evaluate(time() + (first ? 0 : stage.c * dt()), 0, 0);
+        gather_loads();
+        for (std::size_t b = 0; b < mean.size(); ++b) mean[b] += stage.weight * load(b);
+        if (first) choose_time_step();
+        level.add_stage(stage.weight, first, freeze);
+    }
+    level.end_stages(mean);
+    level.advance({dt(), 0, dt()}, setup_.moment_reference);
+}
+
+void Simulation::gather_loads() {
+    for (const auto& level : levels_) level->gather_loads(setup_.moment_reference);
+}
+
+/// All levels take the smallest of their steps.
+void Simulation::choose_time_step() {
+    double dt = stable_step(*levels_.front(), setup_.cfl);
+    for (const auto& level : levels_) dt = std::min(dt, stable_step(*level, setup_.cfl));
+    for (const auto& level : levels_) level->set_step(dt);
+}
+
+bool Simulation::lists_outlived() const {
+    return std::ranges::any_of(levels_, [](const auto& level) { return level->lists_outlived(); }) ||
+           std::ranges::any_of(pairs_, [](const LevelPair& pair) { return pair.lists_outlived(); });
+}
+
+void Simulation::make_lists_due() {
+    for (const auto& level : levels_) level->make_lists_due();
+}
+
+void Simulation::mark_restart_point() { make_lists_due(); }
+
+Load Simulation::load_of_level(std::size_t k) const {
+    Load sum;
+    for (const Load& load : level(k).walls().loads) sum += load;
+    return sum;
+}
+
+void Simulation::sample(PointSamples& points) {
+    if (!level(0).has_records()) evaluate(time(), 0, 0);
+    level(0).sample(points);
+    if (levels_.size() == 1) return;
+    const std::size_t n = points.places.size();
+    std::vector<float> sum(n, 0), weight(n, 0);
+    double lid = 0;
+    for (const auto& level : levels_) {
+        PointSamples of_level{points.places, false, {}, {}, {}};
+        level->sample(of_level);
+        for (std::size_t k = 0; k < n; ++k) {
+            sum[k] += of_level.p[k] * of_level.support[k];
+            weight[k] += of_level.support[k];
+        }
+        if (level->setup().shut_in) lid = level->lid_pressure();
+    }
+    for (std::size_t k = 0; k < n; ++k)
+        if (weight[k] > 0) points.p[k] = sum[k] / weight[k] - static_cast<float>(lid);
+}
+
+double Simulation::bytes() const {
+    double sum = 0;
+    for (const auto& level : levels_) sum += level->bytes();
+    for (const LevelPair& pair : pairs_) sum += double(pair.bytes());
+    return sum;
+}
+
+}  // namespace tw

@@ -1,0 +1,96 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "sph_solver/bodies/body.h"
+#include "sph_solver/pairs/level_pair.h"
+#include "sph_solver/particles/level.h"
+#include "sph_solver/time/schedule.h"
+
+namespace tw {
+
+/// Everything a run of the engine starts from: the surroundings, the first level (the water), the bodies and the time
+/// stepping. SI units.
+struct SimulationSetup : Surroundings, LevelSetup, TimeOptions {
+    std::vector<BodySetup> bodies;
+    Vec3 moment_reference = Vec3::Zero();
+    int threads = 0;  ///< 0: as OpenMP chooses
+};
+
+/// The lattice of spacing dp in each block, outside the bodies.
+Fluid fill_with_fluid(const SimulationSetup& setup, const std::vector<Box>& blocks);
+/// The same lattice in what the blocks of water leave of the domain; depth from the highest block's top.
+Fluid fill_with_air(const SimulationSetup& setup, const std::vector<Box>& water);
+
+/// A run of the engine: owns levels of particles, the pairs of levels that meet, bodies and the schedule, and steps
+/// them. Any number of threads gives the same bits.
+class Simulation {
+public:
+    /// One level of particles of the setup's material. `passes`: the instruction set.
+    Simulation(const SimulationSetup& setup, const Fluid& fluid, const Passes& passes = tw::passes());
+
+    /// Puts another material beside the levels that are there, on particles of the same size; before the first step.
+    /// Throws InputError for a scheme in stages.
+    Level& add_level(LevelSetup setup, const Fluid& fluid);
+
+    void step();  ///< throws RunError, see Level::advance
+
+    const SimulationSetup& setup() const { return setup_; }
+    const Passes& passes() const { return *passes_; }
+    Surroundings& surroundings() { return *around_; }
+    std::span<const std::unique_ptr<Level>> levels() const { return levels_; }
+    Level& level(std::size_t k) { return *levels_[k]; }
+    const Level& level(std::size_t k) const { return *levels_[k]; }
+    const std::vector<Body>& bodies() const { return *bodies_; }
+
+    double time() const { return level(0).time(); }
+    double dt() const { return level(0).dt(); }
+    std::int64_t steps() const { return level(0).steps(); }
+    /// What level k does to a body, and to all of them together.
+    const Load& load(std::size_t body, std::size_t k = 0) const { return level(k).walls().loads[body]; }
+    Load load() const { return load_of_level(0); }
+    Load load_of_level(std::size_t k) const;
+    double bytes() const;
+
+    // of the first level, the water
+    const Particles& particles() const { return level(0).particles(); }
+    Particles& particles() { return level(0).particles(); }
+    double pressure(std::size_t i) const { return level(0).pressure(i); }
+    double mass() const { return level(0).mass(); }
+    double h() const { return level(0).h(); }
+    const Ledger& ledger() const { return level(0).ledger(); }
+    const Extremes& extremes() const { return level(0).extremes(); }
+    const Timers& timers() const { return level(0).timers(); }
+    void set_control_volume(const Box& box) { level(0).set_control_volume(box); }
+    ControlVolume* control_volume() { return level(0).control_volume(); }
+
+    /// Fields at points from the present particles; valid until the next step. Not part of the time integration. The
+    /// pressure is that of all levels, relative to that under the lid where a level is shut in; the support is the
+    /// first level's. `want_flux` needs a control volume.
+    void sample(PointSamples& points);
+
+    /// A restart goes on bitwise the same when this was called at that moment in both.
+    void mark_restart_point();
+
+private:
+    /// Both sweeps at the present state of all levels, as of the time `t`. On the way the density changes for the time
+    /// `compress` by the continuity equation, and the places for `drift` [s].
+    void evaluate(double t, double compress, double drift);
+    void step_in_stages();
+    void gather_loads();
+    void choose_time_step();
+    bool lists_outlived() const;
+    void make_lists_due();
+
+    SimulationSetup setup_;
+    const Passes* passes_;
+    Schedule schedule_;
+    std::unique_ptr<Surroundings> around_;  // levels refer to these two
+    std::unique_ptr<std::vector<Body>> bodies_;
+    std::vector<std::unique_ptr<Level>> levels_;  // the first is the water
+    std::vector<LevelPair> pairs_;
+};
+
+}  // namespace tw

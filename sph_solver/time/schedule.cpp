@@ -1,0 +1,45 @@
+#include "sph_solver/time/schedule.h"
+
+#include "base/errors.h"
+
+namespace tw {
+
+Scheme scheme_of(const std::string& name) {
+    if (name == "symplectic_euler") return Scheme::symplectic_euler;
+    if (name == "kick_drift_kick") return Scheme::kick_drift_kick;
+    if (name == "predictor_corrector") return Scheme::predictor_corrector;
+    if (name == "rk4_frozen_diffusion") return Scheme::rk4_frozen_diffusion;
+    throw InputError("time-stepping scheme '" + name +
+                     "': unknown; expected kick_drift_kick, symplectic_euler, predictor_corrector or "
+                     "rk4_frozen_diffusion");
+}
+
+Schedule::Evaluation Schedule::evaluation(double previous_dt) const {
+    if (scheme_ == Scheme::kick_drift_kick) return {previous_dt / 2, previous_dt, previous_dt / 2};
+    return {0, previous_dt, 0};
+}
+
+Schedule::Move Schedule::move(double previous_dt, double dt) const {
+    if (scheme_ == Scheme::kick_drift_kick) return {(previous_dt + dt) / 2, previous_dt / 2, dt / 2};
+    return {dt, 0, dt};
+}
+
+std::span<const Stage> Schedule::stages() const {
+    static constexpr Stage midpoint[] = {{0, 0}, {1. / 2, 1}};
+    static constexpr Stage classical[] = {{0, 1. / 6}, {1. / 2, 1. / 3}, {1. / 2, 1. / 3}, {1, 1. / 6}};
+    if (scheme_ == Scheme::predictor_corrector) return midpoint;
+    if (scheme_ == Scheme::rk4_frozen_diffusion) return classical;
+    return {};
+}
+
+double Schedule::looks_ahead() const {
+    switch (scheme_) {
+        case Scheme::symplectic_euler: return 0;
+        case Scheme::kick_drift_kick:
+        case Scheme::predictor_corrector: return 0.5;
+        case Scheme::rk4_frozen_diffusion: return 1;
+    }
+    return 1;
+}
+
+}  // namespace tw
