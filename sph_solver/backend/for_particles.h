@@ -1,0 +1,50 @@
+#pragma once
+// The seam between what the engine does and where it runs: every loop over particles, groups or pairs goes through one
+// of these. Here the threads of one machine; another back end offers the same names.
+//
+// A body writes only what belongs to its own index, and sums are made range by range in a fixed order: so any number of
+// threads gives the same bits.
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "sph_solver/backend/pass_data.h"
+
+namespace tw {
+
+/// Calls `body(i)` for every i < n.
+template <class Body>
+void for_particles(std::size_t n, const Body& body) {
+#pragma omp parallel for schedule(static)
+    for (std::size_t i = 0; i < n; ++i) body(i);
+}
+
+/// Calls `body(group)` for every group; for work that is uneven from group to group.
+template <class Body>
+void for_groups(const std::vector<Group>& groups, const Body& body) {
+#pragma omp parallel for schedule(dynamic, 16)
+    for (std::size_t k = 0; k < groups.size(); ++k) body(groups[k]);
+}
+
+/// Runs a pass over the neighbours of all groups.
+template <class Data>
+void for_pairs(void (*pass)(const Data&, const Group*, int), const Data& data, const std::vector<Group>& groups) {
+    constexpr std::size_t block = 16;
+    const std::size_t blocks = (groups.size() + block - 1) / block;
+#pragma omp parallel for schedule(dynamic, 4)
+    for (std::size_t b = 0; b < blocks; ++b)
+        pass(data, groups.data() + b * block, static_cast<int>(std::min(block, groups.size() - b * block)));
+}
+
+/// Cuts [0, n) into ranges of fixed length and calls `body(part, begin, end)` for each, with a Part of its own. Gives
+/// the parts in order: what is summed over them does not depend on the number of threads.
+template <class Part, class Body>
+std::vector<Part> in_fixed_ranges(std::size_t n, const Body& body) {
+    constexpr std::size_t range = 4096;
+    std::vector<Part> parts((n + range - 1) / range);
+#pragma omp parallel for schedule(static)
+    for (std::size_t c = 0; c < parts.size(); ++c) body(parts[c], c * range, std::min(n, (c + 1) * range));
+    return parts;
+}
+
+}  // namespace tw
