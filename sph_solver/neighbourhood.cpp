@@ -138,17 +138,17 @@ void Solver::rebuild(double drift) {
     make_groups(place_, start_, 0, groups_);
     const std::vector<Source> sources = {{place_.data(), &start_, 0},
                                          {place_.data() + n, &image_start_, static_cast<std::int32_t>(n)}};
-    lists_.build(grid_, quanta_, place_.data(), groups_, sources, among, false);
+    lists_.build(grid_, quanta_, place_.data(), groups_, sources, among);
     if (!wall_place_.empty()) {
         wall_lists_.build(grid_, quanta_, place_.data(), groups_, {{wall_place_.data(), &wall_start_, 0}}, to_walls,
-                          true);
+                          &Group::wall_list);
         live_wall_groups_ = wall_groups_;
-        wall_source_lists_.build(grid_, quanta_, wall_place_.data(), live_wall_groups_, sources, to_walls, false);
+        wall_source_lists_.build(grid_, quanta_, wall_place_.data(), live_wall_groups_, sources, to_walls);
         std::fill(wall_p_.begin(), wall_p_.end(), 0.0f);
-        std::erase_if(live_wall_groups_, [](const Group& g) { return g.list_size == 0; });
+        std::erase_if(live_wall_groups_, [](const Group& g) { return g.list.size == 0; });
         std::int32_t near_wall = 0;
         for (Group& g : groups_)
-            if (g.wall_size > 0) g.wall_load = near_wall++;
+            if (g.wall_list.size > 0) g.wall_load = near_wall++;
         wall_load_.resize(static_cast<std::size_t>(near_wall));
         find_normals();
     }
@@ -178,7 +178,7 @@ void Solver::find_normals() {
         const Group& g = groups_[k];
         for (int l = 0; l < g.size; ++l) {
             const auto i = static_cast<std::size_t>(g.first + l);
-            normal_[i] = g.wall_size > 0 ? nearest_wall(i, reach) : no_wall;
+            normal_[i] = g.wall_list.size > 0 ? nearest_wall(i, reach) : no_wall;
             if (normal_[i].distance < -setup_.dp) {
 #pragma omp critical
                 through = std::max(through, static_cast<std::int64_t>(i));

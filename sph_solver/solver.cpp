@@ -79,23 +79,28 @@ ExtrapolateData Solver::extrapolation() const {
 void Solver::prune(double drift) {
     const Stopwatch watch(timers_.lists);
     PruneData d;
+    d.lists = lists_.view();
     d.of = place_.data();
     d.place = place_.data();
     d.reach = reach_among(drift) / quanta_.size;
     run_pass(passes_->prune, d, groups_);
     if (live_wall_groups_.empty()) return;
     d.reach = reach_to_walls(drift) / quanta_.size;
+    d.lists = wall_source_lists_.view();
     d.of = wall_place_.data();
     run_pass(passes_->prune, d, live_wall_groups_);
     d.of = place_.data();
     d.place = wall_place_.data();
-    d.list = &Group::wall_list, d.size = &Group::wall_size;
+    d.lists = wall_lists_.view();
+    d.list = &Group::wall_list;
     run_pass(passes_->prune, d, groups_);
 }
 
 PassData Solver::pass_data(double t) {
     const SolverSetup& s = setup_;
     PassData d;
+    d.list = lists_.view();
+    d.wall_list = wall_lists_.view();
     d.place = place_.data();
     d.motion = motion_.data();
     d.stress = stress_.data();
@@ -216,6 +221,7 @@ void Solver::second_sweep(double t) {
     if (!live_wall_groups_.empty()) {
         const Stopwatch watch(timers_.walls);
         ExtrapolateData e = extrapolation();
+        e.list = wall_source_lists_.view();
         e.at = wall_place_.data();
         e.p = wall_p_.data();
         run_pass(passes_->extrapolate, e, live_wall_groups_);
@@ -240,6 +246,7 @@ StepView Solver::step_view(const PassData& d, double t) const {
             *passes_,
             groups_,
             live_wall_groups_,
+            wall_source_lists_.view(),
             images_,
             wall_motion_,
             wall_place_.size(),
@@ -323,8 +330,9 @@ void Solver::extrapolate_to(const std::vector<PlaceRecord>& sorted, std::vector<
     lists.build(
         grid_, quanta_, sorted.data(), groups,
         {{place_.data(), &start_, 0}, {place_.data() + particles, &image_start_, static_cast<std::int32_t>(particles)}},
-        {reach, reach, reach}, false);
+        {reach, reach, reach});
     ExtrapolateData e = extrapolation();
+    e.list = lists.view();
     e.at = sorted.data();
     e.p = p.data();
     e.support = support.data();
@@ -339,8 +347,9 @@ double Solver::visited_per_particle() const {
     double pairs = 0;
     for (const Group& g : groups_) {
         std::int64_t live = 0;
-        for (std::int32_t k = 0; k < g.list_size; ++k) live += std::popcount(g.list[k].live);
-        for (std::int32_t k = 0; k < g.wall_size; ++k) live += std::popcount(g.wall_list[k].live);
+        for (std::int32_t k = 0; k < g.list.size; ++k) live += std::popcount(lists_.view().blocks(g.list)[k].live);
+        for (std::int32_t k = 0; k < g.wall_list.size; ++k)
+            live += std::popcount(wall_lists_.view().blocks(g.wall_list)[k].live);
         pairs += double(live * g.size);
     }
     return pairs / double(particles_.size());

@@ -42,17 +42,17 @@ void Interface::find_neighbours(const ColumnGrid& grid, const Quanta& quanta, co
     const PlaceRecord* place = other.pass.place;
     lists_.build(grid, quanta, own.pass.place, groups_,
                  {{place, &other.start, 0}, {place + other.count, &other.image_start, static_cast<int>(other.count)}},
-                 {reach, reach, reach}, false);
-    std::erase_if(groups_, [](const Group& g) { return g.list_size == 0; });
+                 {reach, reach, reach});
+    std::erase_if(groups_, [](const Group& g) { return g.list.size == 0; });
     sums_.assign(own.count, {});
 }
 
 void Interface::meet(const Passes& passes, const PassData& own, const PassData& other) {
-    run_pass(passes.meet_other_phase, InterfaceData{&own, &other, sums_.data()}, groups_);
+    run_pass(passes.meet_other_phase, LevelPairData{lists_.view(), &own, &other, sums_.data()}, groups_);
 }
 
 void Interface::press(const Passes& passes, const PassData& own, const PassData& other) const {
-    run_pass(passes.press_other_phase, InterfaceData{&own, &other, nullptr}, groups_);
+    run_pass(passes.press_other_phase, LevelPairData{lists_.view(), &own, &other, nullptr}, groups_);
 }
 
 std::size_t Interface::bytes() const {

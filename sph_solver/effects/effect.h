@@ -20,6 +20,7 @@ struct StepView {
     const Passes& passes;
     const std::vector<Group>& groups;
     const std::vector<Group>& wall_groups;  ///< wall dummies that have water near
+    Lists of_wall_groups;                   ///< their lists
     const std::vector<MirrorImage>& images;
     const std::vector<VelocityDensityRecord>& wall_motion;  ///< of the dummies' surface; empty: at rest
     std::size_t walls = 0;                         ///< number of wall dummies
