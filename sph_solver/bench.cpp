@@ -39,7 +39,9 @@ double kernel_peak(const PassData& like, int threads) {
             d.rate = rate.data();
             d.surface = surface.data();
             Group g;
-            g.size = simd::lanes, g.list = list.data(), g.list_size = static_cast<std::int32_t>(list.size());
+            g.size = simd::lanes, g.list = {0, 0, static_cast<std::int32_t>(list.size())};
+            NeighbourBlock* const chunk = list.data();
+            d.list = {&chunk};
             for (int r = 0; r < repeats; ++r) {
                 passes().continuity_and_gradient(d, &g, 1);
                 passes().forces(d, &g, 1);

@@ -97,19 +97,20 @@ struct AtSurface {
     }
 };
 
-/// Calls `body(j, ij)` for the neighbours of a list of `blocks` blocks that `which` names. The distances run ahead: a
+/// Calls `body(j, ij)` for the neighbours on a list that `which` names. The distances run ahead: a
 /// root takes as long as ten other operations, and the processor itself looks ahead by two or three pairs only.
 ///
 /// Inlined whatever the compiler thinks: GCC 12.2 at -O2 with AVX drops a call, and so the sums, of a function that
 /// gets a closure by value and changes things only through the references in it (seen here, and in 25 lines).
 template <class Body, class Which = Live>
-[[gnu::always_inline]] inline void for_each_neighbour(const PlaceRecord* place, const NeighbourBlock* list, int blocks,
+[[gnu::always_inline]] inline void for_each_neighbour(const PlaceRecord* place, const Lists& lists, const ListRef& ref,
                                                       const Group& g, const Frame& frame, const Lanes& a, Body&& body,
                                                       Which which = {}) {
+    const NeighbourBlock* const list = lists.blocks(ref);
     Chunk chunk;
-    for (int k = 0; k < blocks;) {
+    for (int k = 0; k < ref.size;) {
         int n = 0;
-        for (; k < blocks && n <= Chunk::capacity - 32; ++k)
+        for (; k < ref.size && n <= Chunk::capacity - 32; ++k)
             n = simd::append_set_bits(list[k].first, which(list[k]), chunk.index, n);
         if (n == 0) continue;
         load_chunk(chunk, place, n, g, frame);
@@ -190,7 +191,7 @@ struct ShiftWeight {
 /// Tension control (Sun et al. 2018, doi:10.1016/j.cpc.2017.11.016): inside the fluid p_j - p_i in place of p_j + p_i
 /// where p_i < 0, so that what is stretched does not clump. Not beside walls, where the pair forces are the load.
 inline void control_tension(const PassData& d, const Group& g, F& p_i) {
-    if (d.tension_control_from > 1.5f || g.wall_size > 0) return;
+    if (d.tension_control_from > 1.5f || g.wall_list.size > 0) return;
     for (int l = 0; l < lanes; ++l)
         if (d.shift[g.first + (l < g.size ? l : g.size - 1)].support > d.tension_control_from && p_i[l] < 0)
             p_i[l] = -p_i[l];

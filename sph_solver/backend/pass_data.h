@@ -30,15 +30,26 @@ struct NeighbourBlock {
     std::uint32_t maybe;  ///< who may come and go before the lists are made anew; asked by the `prune` pass
 };
 
+/// Where a group's blocks are: `size` of them from `first` on in one chunk of Lists. No pointers, so that a group may be
+/// copied, stored, or sent to another device.
+struct ListRef {
+    std::int32_t chunk = 0, first = 0, size = 0;
+};
+/// The storage that ListRefs refer to.
+struct Lists {
+    NeighbourBlock* const* chunks = nullptr;
+    NeighbourBlock* blocks(const ListRef& r) const { return r.size > 0 ? chunks[r.chunk] + r.first : nullptr; }
+};
+
 /// A group of up to simd::lanes particles that are neighbours in space and in memory.
 struct Group {
-    std::int32_t first = 0, size = 0;           ///< particles [first, first + size)
-    NeighbourBlock* list = nullptr;             ///< its neighbours among particles and mirror images
-    NeighbourBlock* wall_list = nullptr;        ///< its neighbours among the wall's dummy particles
-    std::int32_t list_size = 0, wall_size = 0;  ///< blocks
-    std::int32_t wall_load = -1;                ///< index of its WallLoad; -1: no wall near
-    std::int32_t x = 0, y = 0, z = 0;           ///< centre, in quanta: pair coordinates are relative to it
+    std::int32_t first = 0, size = 0;  ///< particles [first, first + size)
+    ListRef list;                      ///< its neighbours among particles and mirror images
+    ListRef wall_list;                 ///< its neighbours among the wall's dummy particles
+    std::int32_t wall_load = -1;       ///< index of its WallLoad; -1: no wall near
+    std::int32_t x = 0, y = 0, z = 0;  ///< centre, in quanta: pair coordinates are relative to it
 };
+static_assert(sizeof(Group) == 48);
 
 /// What tells whether a place x is within reach of a group's particles x_l, all relative to its centre [quanta]:
 /// |x - x_l|^2 = |x|^2 + (n_l + a_l x + b_l y + c_l z), n = |x_l|^2, (a, b, c) = -2 x_l. Lanes beyond its size repeat
@@ -93,6 +104,7 @@ struct CarriedShare {
 };
 
 struct PassData {
+    Lists list, wall_list;  ///< of the groups
     // the particles and their mirror images, in one index space; then the wall's dummy particles in their own
     const PlaceRecord* place = nullptr;
     const VelocityDensityRecord* motion = nullptr;
@@ -123,6 +135,7 @@ struct PassData {
 
 /// Points at which fields are extrapolated from the fluid: wall dummies, surface samples, probes.
 struct ExtrapolateData {
+    Lists list;
     const PlaceRecord* at = nullptr;  ///< the points, in groups as particles are
     const PlaceRecord* place = nullptr;
     const VelocityDensityRecord* motion = nullptr;
@@ -138,18 +151,18 @@ struct ExtrapolateData {
 
 /// Which neighbours of the groups' lists are within reach.
 struct PruneData {
+    Lists lists;
+    ListRef Group::*list = &Group::list;
     const PlaceRecord* of = nullptr;     ///< the groups' places
     const PlaceRecord* place = nullptr;  ///< those that the lists refer to
-    NeighbourBlock* Group::*list = &Group::list;
-    std::int32_t Group::*size = &Group::list_size;
-    double reach = 0;  ///< [quanta]
+    double reach = 0;                    ///< [quanta]
 };
 
 struct VelocityData;
 struct ViscousData;
 struct StrainData;
 struct ColourData;
-struct InterfaceData;
+struct LevelPairData;
 
 /// The pair passes of one instruction set.
 struct Passes {
@@ -171,8 +184,8 @@ struct Passes {
     void (*strain_rate)(const StrainData&, const Group*, int count);
     void (*colour_gradient)(const ColourData&, const Group*, int count);
     void (*surface_curvature)(const ColourData&, const Group*, int count);
-    void (*meet_other_phase)(const InterfaceData&, const Group*, int count);
-    void (*press_other_phase)(const InterfaceData&, const Group*, int count);
+    void (*meet_other_phase)(const LevelPairData&, const Group*, int count);
+    void (*press_other_phase)(const LevelPairData&, const Group*, int count);
 };
 /// The best this processor runs; TWINWAKE_ISA=baseline|avx2|avx512 chooses another. Throws InputError for one it cannot
 /// run.

@@ -24,7 +24,7 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
         for (int l = 0; l < lanes; ++l) drho_i[l] = d.motion[g.first + (l < g.size ? l : g.size - 1)].drho;
         F m[6] = {}, divergence{}, wall_divergence{}, support{};
         V3<F> b{F{}, F{}, F{}}, s{F{}, F{}, F{}};
-        for_each_neighbour(d.place, g.list, g.list_size, g, frame, a, [&](std::int32_t j, const Met& ij) {
+        for_each_neighbour(d.place, d.list, g.list, g, frame, a, [&](std::int32_t j, const Met& ij) {
             weight.count_in(ij, support, s);
             const V3<F>& r = ij.r_ji;
             const V3<F> f = ij.gradient();
@@ -41,7 +41,7 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
             b.y += jump * f.y;
             b.z += jump * f.z;
         });
-        for (int l = 0; l < lanes && g.wall_size > 0; ++l) {
+        for (int l = 0; l < lanes && g.wall_list.size > 0; ++l) {
             const WallNormalRecord& r = d.normal[g.first + (l < g.size ? l : g.size - 1)];
             n_i.x[l] = r.x;
             n_i.y[l] = r.y;
@@ -49,7 +49,7 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
         }
         const F u_n = dot(u, n_i);
         const V3<F> u_iw{u_n * n_i.x, u_n * n_i.y, u_n * n_i.z};
-        for_each_neighbour(d.wall_place, g.wall_list, g.wall_size, g, frame, a, [&](std::int32_t, const Met& ij) {
+        for_each_neighbour(d.wall_place, d.wall_list, g.wall_list, g, frame, a, [&](std::int32_t, const Met& ij) {
             weight.count_in(ij, support, s);
             Continuity::add(ij.gradient(), u_iw, wall_divergence);
         });
@@ -61,7 +61,7 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
                 s.x[l] += other.x, s.y[l] += other.y, s.z[l] += other.z;
             }
         for (F& entry : m) entry *= d.kernel.support_length;
-        if (g.wall_size > 0) {
+        if (g.wall_list.size > 0) {
             // A wall compresses only the water that it touches: while the support is incomplete there is a void between
             // them, and the void closes first. Receding walls pull at once.
             const F void_share = simd::positive_part(1.0f - support) * d.inv_void;
@@ -82,6 +82,20 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
             d.rate[g.first + l].drho = (d.rho0 + drho_i[l]) * divergence[l];
             d.shift[g.first + l] = {s.x[l], s.y[l], s.z[l], support[l]};
         }
+    }
+}
+
+/// Shifting goes along the surface only: towards it, it would pump water up for ever.
+///
+/// Never inlined: which sums are fused with their products would depend on what stands before.
+[[gnu::noinline]] void shift_along_surface(const V3<F>& towards_surface, ShiftSupportRecord* shift, int size) {
+    const F normal2 = dot(towards_surface, towards_surface);
+    for (int l = 0; l < size; ++l) {
+        if (!(normal2[l] > 0)) continue;
+        ShiftSupportRecord& s = shift[l];
+        const float x = towards_surface.x[l], y = towards_surface.y[l], z = towards_surface.z[l];
+        const float share = (s.x * x + s.y * y + s.z * z) / normal2[l];
+        s.x -= share * x, s.y -= share * y, s.z -= share * z;
     }
 }
 
@@ -108,7 +122,7 @@ void forces(const PassData& d, const Group* groups, int count) {
         control_tension(d, g, p_i);
         F diffusion{};
         V3<F> water{F{}, F{}, F{}}, wall{F{}, F{}, F{}}, towards_surface{F{}, F{}, F{}};
-        for_each_neighbour(d.place, g.list, g.list_size, g, frame, a, [&](std::int32_t j, const Met& ij) {
+        for_each_neighbour(d.place, d.list, g.list, g, frame, a, [&](std::int32_t j, const Met& ij) {
             const VelocityDensityRecord& mj = d.motion[j];
             const GradientPressureRecord& sj = d.stress[j];
             const V3<F> u_ij{u.x - mj.u, u.y - mj.v, u.z - mj.w};
@@ -117,31 +131,21 @@ void forces(const PassData& d, const Group* groups, int count) {
             PressureGradient::add(ij, p_i + sj.p + artificial_viscosity.pressure(ij, u_ij), water);
         });
         for_each_neighbour(
-            d.place, g.list, g.list_size, g, frame, a,
+            d.place, d.list, g.list, g, frame, a,
             [&](std::int32_t, const Met& ij) {
                 const V3<F> f = ij.gradient();
                 towards_surface.x += f.x, towards_surface.y += f.y, towards_surface.z += f.z;
             },
             AtSurface{d.surface});
-        for_each_neighbour(d.wall_place, g.wall_list, g.wall_size, g, frame, a,
+        for_each_neighbour(d.wall_place, d.wall_list, g.wall_list, g, frame, a,
                            [&](std::int32_t j, const Met& ij) { PressureGradient::add(ij, p_i + d.wall_p[j], wall); });
         // The volume that the neighbours see, not this density's: so the forces of a pair cancel to rounding.
         const F inv_rho = V_i * d.inv_mass;
         const F drho = d.diffusion * diffusion;
         const V3<F> w{wall.x * inv_rho, wall.y * inv_rho, wall.z * inv_rho};
         const V3<F> acc{water.x * inv_rho + w.x + d.gx, water.y * inv_rho + w.y + d.gy, water.z * inv_rho + w.z + d.gz};
-        const F normal2 = dot(towards_surface, towards_surface);
-        for (int l = 0; l < g.size; ++l) {
-            const int i = g.first + l;
-            d.rate[i] = {acc.x[l], acc.y[l], acc.z[l], drho[l]};
-            // shifting goes along the surface only: towards it, it would pump water up for ever
-            if (normal2[l] > 0) {
-                ShiftSupportRecord& s = d.shift[i];
-                const float x = towards_surface.x[l], y = towards_surface.y[l], z = towards_surface.z[l];
-                const float share = (s.x * x + s.y * y + s.z * z) / normal2[l];
-                s.x -= share * x, s.y -= share * y, s.z -= share * z;
-            }
-        }
+        for (int l = 0; l < g.size; ++l) d.rate[g.first + l] = {acc.x[l], acc.y[l], acc.z[l], drho[l]};
+        shift_along_surface(towards_surface, d.shift + g.first, g.size);
         if (g.wall_load >= 0) d.wall_load[g.wall_load] = load_of(a, d.kernel.support_length, w, g.size);
     }
 }
@@ -157,7 +161,7 @@ void extrapolate(const ExtrapolateData& d, const Group* groups, int count) {
         const Lanes a = load_places(d.at, g, frame);
         F support{}, p{};
         V3<F> flux{F{}, F{}, F{}};
-        for_each_neighbour(d.place, g.list, g.list_size, g, frame, a, [&](std::int32_t j, const Met& ij) {
+        for_each_neighbour(d.place, d.list, g.list, g, frame, a, [&](std::int32_t j, const Met& ij) {
             const F WV = ij.FV * ij.shape();
             support += WV;
             const float rho = d.rho0 + d.motion[j].drho;
@@ -256,11 +260,12 @@ void prune(const PruneData& d, const Group* groups, int count) {
     unsigned char within[capacity / 8 + 8];
     for (int n = 0; n < count; ++n) {
         const Group& g = groups[n];
-        if (g.*d.size == 0) continue;
+        const ListRef& list = g.*d.list;
+        if (list.size == 0) continue;
         const GroupReach own = reach_of(d.of, g, Reaches{0, d.reach, 0});
         const auto record = [&](int k) { return *reinterpret_cast<const I4*>(d.place + index[k]); };
-        NeighbourBlock* const end = g.*d.list + g.*d.size;
-        for (NeighbourBlock* block = g.*d.list; block != end;) {
+        NeighbourBlock *block = d.lists.blocks(list), *const end = block + list.size;
+        while (block != end) {
             NeighbourBlock* const first = block;
             int doubtful = 0;
             for (; block != end && doubtful <= capacity - 32; ++block)
@@ -291,8 +296,8 @@ void viscous_forces(const ViscousData&, const Group*, int);
 void strain_rate(const StrainData&, const Group*, int);
 void colour_gradient(const ColourData&, const Group*, int);
 void surface_curvature(const ColourData&, const Group*, int);
-void meet_other_phase(const InterfaceData&, const Group*, int);
-void press_other_phase(const InterfaceData&, const Group*, int);
+void meet_other_phase(const LevelPairData&, const Group*, int);
+void press_other_phase(const LevelPairData&, const Group*, int);
 
 extern const Passes table;
 #ifdef TW_WITHOUT_EFFECTS

@@ -45,14 +45,14 @@ void Walls::find_neighbours(const ColumnGrid& grid, const Quanta& quanta, const 
         const std::int32_t first = b == 0 ? 0 : body_end_[b - 1];
         dummies.push_back({place_.data() + first, &starts_[b], first});
     }
-    lists_.build(grid, quanta, particles, groups, dummies, reaches, true);
+    lists_.build(grid, quanta, particles, groups, dummies, reaches, &Group::wall_list);
     live_groups_ = groups_;
-    source_lists_.build(grid, quanta, place_.data(), live_groups_, sources, reaches, false);
+    source_lists_.build(grid, quanta, place_.data(), live_groups_, sources, reaches);
     std::fill(p_.begin(), p_.end(), 0.0f);
-    std::erase_if(live_groups_, [](const Group& g) { return g.list_size == 0; });
+    std::erase_if(live_groups_, [](const Group& g) { return g.list.size == 0; });
     std::int32_t near_wall = 0;
     for (Group& g : groups)
-        if (g.wall_size > 0) g.wall_load = near_wall++;
+        if (g.wall_list.size > 0) g.wall_load = near_wall++;
     group_loads_.resize(static_cast<std::size_t>(near_wall));
 }
 
@@ -60,12 +60,14 @@ void Walls::prune(const Passes& passes, const PlaceRecord* particles, const std:
     if (live_groups_.empty()) return;
     PruneData d;
     d.reach = reach;
+    d.lists = source_lists_.view();
     d.of = place_.data();
     d.place = particles;
     for_pairs(passes.prune, d, live_groups_);
     d.of = particles;
     d.place = place_.data();
-    d.list = &Group::wall_list, d.size = &Group::wall_size;
+    d.lists = lists_.view();
+    d.list = &Group::wall_list;
     for_pairs(passes.prune, d, groups);
 }
 

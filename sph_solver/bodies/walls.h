@@ -31,6 +31,8 @@ public:
     const std::vector<std::int32_t>& body_end() const { return body_end_; }
     /// Dummies that have water near.
     const std::vector<Group>& live_groups() const { return live_groups_; }
+    Lists live_lists() const { return source_lists_.view(); }  ///< their neighbours among the particles
+    Lists lists() const { return lists_.view(); }              ///< of the level's groups among the dummies
 
     /// Lists anew: of the level's groups among the dummies (in `groups`), and of the dummies among the `sources`.
     void find_neighbours(const ColumnGrid& grid, const Quanta& quanta, const PlaceRecord* particles,

@@ -7,6 +7,7 @@ namespace tw {
 
 /// Velocity of the water round points (wall dummies): sum_f u_f V W / sum_f V W; drho takes sum_f V W.
 struct VelocityData {
+    Lists list;  ///< of the points
     const PlaceRecord* at = nullptr;
     const PassData* water = nullptr;
     VelocityDensityRecord* velocity = nullptr;
@@ -14,7 +15,7 @@ struct VelocityData {
 /// See effects/viscosity.h; adds to `water->rate`.
 struct ViscousData {
     const PassData* water = nullptr;
-    const float* mu = nullptr;                    ///< of particles and images [Pa s]
+    const float* mu = nullptr;                             ///< of particles and images [Pa s]
     const VelocityDensityRecord* wall_velocity = nullptr;  ///< of the dummies; null: slip
     WallLoad* wall_load = nullptr;
 };
@@ -26,13 +27,15 @@ struct StrainData {
 /// See effects/surface_tension.h.
 struct ColourData {
     const PassData* water = nullptr;
-    VelocityDensityRecord* normal = nullptr;  ///< `colour_gradient` writes grad C [1/m]; `surface_curvature` reads the unit
-                                     ///< normal, of images too, with drho = 1 where it counts and 0 elsewhere
-    float* curvature = nullptr;      ///< -div n [1/m]
+    VelocityDensityRecord* normal =
+        nullptr;                 ///< `colour_gradient` writes grad C [1/m]; `surface_curvature` reads the unit
+                                 ///< normal, of images too, with drho = 1 where it counts and 0 elsewhere
+    float* curvature = nullptr;  ///< -div n [1/m]
 };
 
 /// See effects/air.h: `meet_other_phase` fills sums, `press_other_phase` adds to `own->rate`.
-struct InterfaceData {
+struct LevelPairData {
+    Lists list;  ///< neighbours of `own` in `other`
     const PassData *own = nullptr, *other = nullptr;
     OtherSums* sums = nullptr;
 };

@@ -16,8 +16,8 @@ void colour_gradient(const ColourData& c, const Group* groups, int count) {
             const V3<F> f = ij.gradient();
             sum.x += f.x, sum.y += f.y, sum.z += f.z;
         };
-        for_each_neighbour(d.place, g.list, g.list_size, g, frame, a, add);
-        for_each_neighbour(d.wall_place, g.wall_list, g.wall_size, g, frame, a, add);
+        for_each_neighbour(d.place, d.list, g.list, g, frame, a, add);
+        for_each_neighbour(d.wall_place, d.wall_list, g.wall_list, g, frame, a, add);
         for (int l = 0; l < g.size; ++l) c.normal[g.first + l] = {sum.x[l], sum.y[l], sum.z[l], 0};
     }
 }
@@ -40,7 +40,7 @@ void surface_curvature(const ColourData& c, const Group* groups, int count) {
             ni.x[l] = r.u, ni.y[l] = r.v, ni.z[l] = r.w;
         }
         VectorGradient gradient;
-        for_each_neighbour(d.place, g.list, g.list_size, g, frame, a, [&](std::int32_t j, const Met& ij) {
+        for_each_neighbour(d.place, d.list, g.list, g, frame, a, [&](std::int32_t j, const Met& ij) {
             const VelocityDensityRecord& nj = c.normal[j];
             if (nj.drho == 0) return;
             gradient.add(ij, V3<F>{nj.u - ni.x, nj.v - ni.y, nj.w - ni.z});

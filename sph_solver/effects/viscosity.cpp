@@ -68,6 +68,7 @@ private:
     void find_wall_velocity(const StepView& step) {
         wall_velocity_.assign(step.walls.size(), VelocityDensityRecord{0, 0, 0, 0});
         VelocityData w;
+        w.list = step.walls.live_lists();
         w.at = step.pass.wall_place;
         w.water = &step.pass;
         w.velocity = wall_velocity_.data();

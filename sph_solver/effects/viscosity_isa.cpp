@@ -13,7 +13,7 @@ void water_velocity(const VelocityData& v, const Group* groups, int count) {
         const Lanes a = load_places(v.at, g, frame);
         V3<F> u{F{}, F{}, F{}};
         F support{};
-        for_each_neighbour(d.place, g.list, g.list_size, g, frame, a, [&](std::int32_t j, const Met& ij) {
+        for_each_neighbour(d.place, v.list, g.list, g, frame, a, [&](std::int32_t j, const Met& ij) {
             const F WV = ij.FV * ij.shape();
             const VelocityDensityRecord& m = d.motion[j];
             support += WV;
@@ -47,10 +47,10 @@ void viscous_forces(const ViscousData& v, const Group* groups, int count) {
             force.y += f * (m.v - u.y);
             force.z += f * (m.w - u.z);
         };
-        for_each_neighbour(d.place, g.list, g.list_size, g, frame, a,
+        for_each_neighbour(d.place, d.list, g.list, g, frame, a,
                            [&](std::int32_t j, const Met& ij) { add(ij, mu_i + v.mu[j], d.motion[j], inner); });
         if (v.wall_velocity)
-            for_each_neighbour(d.wall_place, g.wall_list, g.wall_size, g, frame, a, [&](std::int32_t j, const Met& ij) {
+            for_each_neighbour(d.wall_place, d.wall_list, g.wall_list, g, frame, a, [&](std::int32_t j, const Met& ij) {
                 if (v.wall_velocity[j].drho > 0.005f) add(ij, 2.0f * mu_i, v.wall_velocity[j], wall);
             });
         const F inv_rho = V_i * (d.inv_mass * d.kernel.inv_support);  // F V = FV / 2h
@@ -74,7 +74,7 @@ void strain_rate(const StrainData& s, const Group* groups, int count) {
         const Lanes a = load_places(d.place, g, frame);
         const V3<F> u = velocities(d, g);
         VectorGradient gradient;
-        for_each_neighbour(d.place, g.list, g.list_size, g, frame, a, [&](std::int32_t j, const Met& ij) {
+        for_each_neighbour(d.place, d.list, g.list, g, frame, a, [&](std::int32_t j, const Met& ij) {
             const VelocityDensityRecord& mj = d.motion[j];
             gradient.add(ij, V3<F>{mj.u - u.x, mj.v - u.y, mj.w - u.z});
         });

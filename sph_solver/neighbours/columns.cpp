@@ -155,10 +155,11 @@ private:
 
 void NeighbourLists::build(const ColumnGrid& grid, const Quanta& quanta, const PlaceRecord* targets,
                            std::vector<Group>& groups, const std::vector<Source>& sources, const Reaches& reaches,
-                           bool wall) {
+                           ListRef Group::*list) {
     constexpr std::size_t per_chunk = 32;
     const std::size_t chunks = (groups.size() + per_chunk - 1) / per_chunk;
     chunks_.resize(chunks);
+    starts_.resize(chunks);
     const Passes& pass = passes();
     const Reaches in_quanta = reaches / quanta.size;
 #pragma omp parallel
@@ -185,10 +186,10 @@ void NeighbourLists::build(const ColumnGrid& grid, const Quanta& quanta, const P
                 sizes[n - first] = static_cast<std::int32_t>(scratch.size() - before);
             }
             chunks_[k].assign(scratch.begin(), scratch.end());
-            NeighbourBlock* at = chunks_[k].data();
+            starts_[k] = chunks_[k].data();
+            std::int32_t at = 0;
             for (std::size_t n = first; n < last; ++n) {
-                (wall ? groups[n].wall_list : groups[n].list) = at;
-                (wall ? groups[n].wall_size : groups[n].list_size) = sizes[n - first];
+                groups[n].*list = {static_cast<std::int32_t>(k), at, sizes[n - first]};
                 at += sizes[n - first];
             }
         }
@@ -196,7 +197,7 @@ void NeighbourLists::build(const ColumnGrid& grid, const Quanta& quanta, const P
 }
 
 std::size_t NeighbourLists::bytes() const {
-    std::size_t n = 0;
+    std::size_t n = starts_.capacity() * sizeof(NeighbourBlock*) + chunks_.capacity() * sizeof(chunks_[0]);
     for (const auto& c : chunks_) n += c.capacity() * sizeof(NeighbourBlock);
     return n;
 }

@@ -65,16 +65,19 @@ struct Source {
     std::int32_t offset;  ///< index of the first place in the pass's index space
 };
 
-/// Storage of neighbour lists; groups point into it.
+/// Storage of neighbour lists; groups refer to it.
 class NeighbourLists {
 public:
-    /// For every group the indices of all source places within `reaches` [m]. `wall`: fills wall_list.
+    /// For every group, as its `list`, the indices of all source places within `reaches` [m].
     void build(const ColumnGrid& grid, const Quanta& quanta, const PlaceRecord* targets, std::vector<Group>& groups,
-               const std::vector<Source>& sources, const Reaches& reaches, bool wall);
+               const std::vector<Source>& sources, const Reaches& reaches, ListRef Group::*list = &Group::list);
+    /// Good until the lists are built anew or moved.
+    Lists view() const { return {starts_.data()}; }
     std::size_t bytes() const;
 
 private:
     std::vector<std::vector<NeighbourBlock>> chunks_;
+    std::vector<NeighbourBlock*> starts_;
 };
 
 }  // namespace tw

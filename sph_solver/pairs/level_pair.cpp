@@ -17,8 +17,8 @@ void LevelPair::find_neighbours(double t) {
         const double reach = level.kernel().support() + ListLife::wall_skin_over_dp * level.setup().dp;
         own.groups = level.groups();
         own.lists.build(level.grid(), level.quanta(), own.level->pass_data(t).place, own.groups, other.level->sources(),
-                        {reach, reach, reach}, false);
-        std::erase_if(own.groups, [](const Group& g) { return g.list_size == 0; });
+                        {reach, reach, reach});
+        std::erase_if(own.groups, [](const Group& g) { return g.list.size == 0; });
         own.sums.assign(level.particles().size(), {});
     };
     find(a_, b_);
@@ -28,15 +28,15 @@ void LevelPair::find_neighbours(double t) {
 void LevelPair::meet(double t) {
     const PassData a = a_.level->pass_data(t), b = b_.level->pass_data(t);
     const Passes& passes = a_.level->passes();
-    for_pairs(passes.meet_other_phase, InterfaceData{&a, &b, a_.sums.data()}, a_.groups);
-    for_pairs(passes.meet_other_phase, InterfaceData{&b, &a, b_.sums.data()}, b_.groups);
+    for_pairs(passes.meet_other_phase, LevelPairData{a_.lists.view(), &a, &b, a_.sums.data()}, a_.groups);
+    for_pairs(passes.meet_other_phase, LevelPairData{b_.lists.view(), &b, &a, b_.sums.data()}, b_.groups);
 }
 
 void LevelPair::press(double t) {
     const PassData a = a_.level->pass_data(t), b = b_.level->pass_data(t);
     const Passes& passes = a_.level->passes();
-    for_pairs(passes.press_other_phase, InterfaceData{&a, &b, nullptr}, a_.groups);
-    for_pairs(passes.press_other_phase, InterfaceData{&b, &a, nullptr}, b_.groups);
+    for_pairs(passes.press_other_phase, LevelPairData{a_.lists.view(), &a, &b, nullptr}, a_.groups);
+    for_pairs(passes.press_other_phase, LevelPairData{b_.lists.view(), &b, &a, nullptr}, b_.groups);
 }
 
 const OtherSums* LevelPair::sums_for(const Level& level) const {

@@ -10,7 +10,7 @@ namespace {
 float share(const PassData& own, const PassData& other) { return other.rho0 / (own.rho0 + other.rho0); }
 }  // namespace
 
-void meet_other_phase(const InterfaceData& c, const Group* groups, int count) {
+void meet_other_phase(const LevelPairData& c, const Group* groups, int count) {
     const PassData &d = *c.own, &other = *c.other;
     const Frame frame = frame_of(d.kernel, d.quantum);
     const ShiftWeight weight(d);
@@ -20,7 +20,7 @@ void meet_other_phase(const InterfaceData& c, const Group* groups, int count) {
         const V3<F> u = velocities(d, g);
         F divergence{}, support{};
         V3<F> s{F{}, F{}, F{}};
-        for_each_neighbour(other.place, g.list, g.list_size, g, frame, a, [&](std::int32_t j, const Met& ij) {
+        for_each_neighbour(other.place, c.list, g.list, g, frame, a, [&](std::int32_t j, const Met& ij) {
             weight.count_in(ij, support, s);
             const VelocityDensityRecord& mj = other.motion[j];
             Continuity::add(ij.gradient(), V3<F>{u.x - mj.u, u.y - mj.v, u.z - mj.w}, divergence);
@@ -31,7 +31,7 @@ void meet_other_phase(const InterfaceData& c, const Group* groups, int count) {
     }
 }
 
-void press_other_phase(const InterfaceData& c, const Group* groups, int count) {
+void press_other_phase(const LevelPairData& c, const Group* groups, int count) {
     const PassData &d = *c.own, &other = *c.other;
     const Frame frame = frame_of(d.kernel, d.quantum);
     const float of_own = 2 * share(d, other), of_other = 2 * share(other, d);
@@ -51,7 +51,7 @@ void press_other_phase(const InterfaceData& c, const Group* groups, int count) {
         control_tension(d, g, controlled);
         const F p_own = of_own * p_i + (controlled - p_i);
         V3<F> force{F{}, F{}, F{}};
-        for_each_neighbour(other.place, g.list, g.list_size, g, frame, a, [&](std::int32_t j, const Met& ij) {
+        for_each_neighbour(other.place, c.list, g.list, g, frame, a, [&](std::int32_t j, const Met& ij) {
             const VelocityDensityRecord& mj = other.motion[j];
             const V3<F> u_ij{u.x - mj.u, u.y - mj.v, u.z - mj.w};
             PressureGradient::add(ij, p_own + of_other * other.stress[j].p + artificial_viscosity.pressure(ij, u_ij),

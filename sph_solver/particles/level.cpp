@@ -80,6 +80,8 @@ PassData Level::pass_data(double t) {
     const LevelSetup& s = setup_;
     Records& r = records_;
     PassData d;
+    d.list = lists_.view();
+    d.wall_list = walls_.lists();
     d.place = r.place.data();
     d.motion = r.velocity_density.data();
     d.stress = r.gradient_pressure.data();
@@ -159,6 +161,7 @@ void Level::second_sweep(double t) {
     if (!walls_.live_groups().empty()) {
         const Stopwatch watch(timers_.walls);
         ExtrapolateData e = extrapolation();
+        e.list = walls_.live_lists();
         e.at = walls_.places().data();
         e.p = walls_.pressures().data();
         for_pairs(passes_.extrapolate, e, walls_.live_groups());
@@ -235,9 +238,10 @@ void Level::sample(PointSamples& points) const {
     // the particles were sorted a few steps ago and have moved by up to the skin since: twice that keeps the search
     // complete
     const double reach = kernel_.support() + 2 * ListLife::wall_skin_over_dp * setup_.dp;
-    lists.build(grid_, quanta_, sorted.data(), groups, sources(), {reach, reach, reach}, false);
+    lists.build(grid_, quanta_, sorted.data(), groups, sources(), {reach, reach, reach});
     std::vector<float> p(n), support(n), flux(points.want_flux ? 3 * n : 0);
     ExtrapolateData e = extrapolation();
+    e.list = lists.view();
     e.at = sorted.data();
     e.p = p.data();
     e.support = support.data();
@@ -260,8 +264,12 @@ double Level::visited_per_particle() const {
     double pairs = 0;
     for (const Group& g : groups_) {
         std::int64_t live = 0;
-        for (std::int32_t k = 0; k < g.list_size; ++k) live += std::popcount(g.list[k].live);
-        for (std::int32_t k = 0; k < g.wall_size; ++k) live += std::popcount(g.wall_list[k].live);
+        const auto count = [&](const Lists& lists, const ListRef& list) {
+            const NeighbourBlock* blocks = lists.blocks(list);
+            for (std::int32_t k = 0; k < list.size; ++k) live += std::popcount(blocks[k].live);
+        };
+        count(lists_.view(), g.list);
+        count(walls_.lists(), g.wall_list);
         pairs += double(live * g.size);
     }
     return pairs / double(particles_.size());

@@ -39,6 +39,7 @@ void Level::update_records() {
 void Level::prune(double drift) {
     const Stopwatch watch(timers_.lists);
     PruneData d;
+    d.lists = lists_.view();
     d.of = records_.place.data();
     d.place = records_.place.data();
     d.reach = reach_among(drift) / quanta_.size;
@@ -86,7 +87,7 @@ void Level::rebuild(double drift) {
     update_records();
 
     make_groups(records_.place, start_, 0, groups_);
-    lists_.build(grid_, quanta_, records_.place.data(), groups_, sources(), among, false);
+    lists_.build(grid_, quanta_, records_.place.data(), groups_, sources(), among);
     if (!walls_.empty()) {
         walls_.find_neighbours(grid_, quanta_, records_.place.data(), groups_, sources(), to_walls);
         find_normals();
@@ -104,7 +105,7 @@ void Level::find_normals() {
             const Particles& p = particles_;
             WallNormalRecord& r = records_.wall_normal[i];
             r = no_wall;
-            if (g.wall_size > 0)
+            if (g.wall_list.size > 0)
                 r = walls_.nearest(Vec3(p.x[i], p.y[i], p.z[i]), Vec3(p.u[i], p.v[i], p.w[i]), reach).normal;
             if (r.distance < -setup_.dp) {
 #pragma omp critical

@@ -43,9 +43,10 @@ struct Cloud {
 };
 
 /// What a list says of every place: 0 not on it or not asked, 1 live, 2 doubtful, 3 both.
-std::vector<int> said_of_places(const Group& g, std::size_t places) {
+std::vector<int> said_of_places(const Lists& lists, const Group& g, std::size_t places) {
     std::vector<int> said(places, 0);
-    for (const NeighbourBlock* b = g.list; b != g.list + g.list_size; ++b)
+    const NeighbourBlock* const first = lists.blocks(g.list);
+    for (const NeighbourBlock* b = first; b != first + g.list.size; ++b)
         for (std::size_t bit = 0; bit < 32; ++bit)
             if (const std::size_t k = static_cast<std::size_t>(b->first) + bit; (b->live | b->maybe) >> bit & 1u) {
                 if (k >= places) {
@@ -63,11 +64,11 @@ TEST(NeighbourLists, HoldWhoeverIsWithinReachAndNobodyElse) {
     const Reaches reaches{0.36, 0.31, 0.24};
     NeighbourLists lists;
     lists.build(cloud.grid, cloud.quanta, cloud.places.data(), cloud.groups, {{cloud.places.data(), &cloud.start, 0}},
-                reaches, false);
+                reaches);
     const double rounding = 1e-5;
     int seen = 0;
     for (const Group& g : cloud.groups) {
-        const std::vector<int> said = said_of_places(g, cloud.places.size());
+        const std::vector<int> said = said_of_places(lists.view(), g, cloud.places.size());
         for (std::size_t k = 0; k < said.size(); ++k) {
             const double d = cloud.distance(g, k);
             const bool at_a_limit = std::abs(d / reaches.far - 1) < rounding ||
@@ -87,18 +88,19 @@ TEST(NeighbourLists, PrunedAfterAMoveHoldWhoeverIsWithinReachThen) {
     const double support = 0.3, skin = 0.06;
     NeighbourLists lists;
     lists.build(cloud.grid, cloud.quanta, cloud.places.data(), cloud.groups, {{cloud.places.data(), &cloud.start, 0}},
-                {support + skin, support, support - skin}, false);
+                {support + skin, support, support - skin});
     std::mt19937 random(6);
     std::uniform_real_distribution<double> move(-0.017, 0.017);  // a distance changes by less than the skin
     for (PlaceRecord& p : cloud.places)
         for (std::int32_t* x : {&p.x, &p.y, &p.z}) *x += static_cast<std::int32_t>(move(random) / cloud.quanta.size);
     PruneData d;
+    d.lists = lists.view();
     d.of = d.place = cloud.places.data();
     d.reach = support / cloud.quanta.size;
     passes().prune(d, cloud.groups.data(), static_cast<int>(cloud.groups.size()));
     int came_or_went = 0;
     for (const Group& g : cloud.groups) {
-        const std::vector<int> said = said_of_places(g, cloud.places.size());
+        const std::vector<int> said = said_of_places(lists.view(), g, cloud.places.size());
         for (std::size_t k = 0; k < said.size(); ++k)
             if (const double distance = cloud.distance(g, k); std::abs(distance / support - 1) > 1e-5) {
                 EXPECT_EQ(said[k] & 1, distance < support) << distance;

@@ -20,9 +20,9 @@
 #include <vector>
 
 #include "base/vec3.h"
-#include "sph_solver/neighbours/columns.h"
-#include "sph_solver/equations/kernel.h"
 #include "sph_solver/backend/pass_data.h"
+#include "sph_solver/equations/kernel.h"
+#include "sph_solver/neighbours/columns.h"
 
 namespace tw {
 namespace {
@@ -74,11 +74,12 @@ Sweep sweep(const std::vector<Vec3>& unsorted, double h_over_dp, Field f) {
     std::vector<Group> groups;
     make_groups(sorted, start, 0, groups);
     NeighbourLists lists;
-    lists.build(grid, quanta, sorted.data(), groups, {{sorted.data(), &start, 0}}, {2 * h, 2 * h, 2 * h}, false);
+    lists.build(grid, quanta, sorted.data(), groups, {{sorted.data(), &start, 0}}, {2 * h, 2 * h, 2 * h});
     r.stress.resize(sorted.size());
     r.shift.resize(sorted.size());
     std::vector<RateRecord> rate(sorted.size());
     PassData d;
+    d.list = lists.view();
     d.place = sorted.data();
     d.motion = motion.data();
     d.stress = r.stress.data();
@@ -158,7 +159,8 @@ TEST(RenormalisedGradient, IsExactForLinearFieldsOnJitteredParticlesUpToTheFreeS
         for (const double jitter : {0.0, 0.2, 0.4}) {
             const Sweep s = sweep(patch(jitter), ratio, linear);
             double error = 0;
-            for (const GradientPressureRecord& g : s.stress) error = std::max(error, std::hypot(g.gx - 3.0, g.gz + 2.0));
+            for (const GradientPressureRecord& g : s.stress)
+                error = std::max(error, std::hypot(g.gx - 3.0, g.gz + 2.0));
             std::printf("  %.1f   %.1f     %.1e\n", ratio, jitter, error / std::sqrt(13.0));
             EXPECT_LT(error, 2e-5) << ratio << " " << jitter;
         }
