@@ -85,7 +85,8 @@ private:
                     (case_ / file).string() +
                     ": the scene (or this file) was changed since the run began, it cannot be gone on with; "
                     "put it back, or begin anew with --overwrite");
-            // interFoam adds digits to its time names as it needs them; begun with fewer it does not find its last folder
+            // interFoam adds digits to its time names as it needs them; begun with fewer it does not find its last
+            // folder
             for (const TimeFolders::Moment& m : TimeFolders(case_).moments())
                 plan_.time_precision = std::max(plan_.time_precision, static_cast<int>(m.name.size()));
             write_text_atomically(case_ / "system/controlDict", control_dict(plan_));  // the duration may have grown
@@ -212,15 +213,16 @@ private:
         if (!outcome.failure.empty()) throw RunError(outcome.failure);
         if (outcome.stopped) return end("stopped", "stopped as asked; --resume goes on from the last write time");
         if (const auto gap = first_gap(plan_, log_, record_, duration))
-            throw RunError(fmt::format(
-                "{}: the solver's tables are not whole: {}; often the disk was full for a while; --resume computes anew "
-                "from the last saved state before that",
-                (case_ / "postProcessing").string(), gap->what));
+            throw RunError(
+                fmt::format("{}: the solver's tables are not whole: {}; often the disk was full for a while; --resume "
+                            "computes anew "
+                            "from the last saved state before that",
+                            (case_ / "postProcessing").string(), gap->what));
         return end("finished", "");
     }
 
-    /// Removes the time folders from the first gap on: a kill or a full disk can take rows and leave fields, and what is
-    /// gone on from has to have its rows up to there.
+    /// Removes the time folders from the first gap on: a kill or a full disk can take rows and leave fields, and what
+    /// is gone on from has to have its rows up to there.
     void drop_behind_gaps(const TimeFolders& folders, const fs::path& log_file) const {
         const auto moments = folders.moments();
         if (moments.empty()) return;

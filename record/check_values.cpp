@@ -36,15 +36,17 @@ public:
             const double time = time_of(list[i]);
             finite(fmt::format("{}[{}]", key, i), time);
             if (i > 0 && time < time_of(list[i - 1]))
-                refuse(fmt::format("{}[{}]", key, i), time, fmt::format("no less than {} before it", time_of(list[i - 1])));
+                refuse(fmt::format("{}[{}]", key, i), time,
+                       fmt::format("no less than {} before it", time_of(list[i - 1])));
         }
     }
 
 private:
     [[noreturn]] void refuse(const std::string& key, double value, const std::string& expected) const {
-        throw InputError(fmt::format("{}: {} = {}; expected {}: the record is damaged, or a program made it that is at "
-                                     "fault; run it again",
-                                     file_, key, value, expected));
+        throw InputError(
+            fmt::format("{}: {} = {}; expected {}: the record is damaged, or a program made it that is at "
+                        "fault; run it again",
+                        file_, key, value, expected));
     }
     const std::string& file_;
 };

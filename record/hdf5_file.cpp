@@ -24,8 +24,8 @@ void Handle::reset() {
 }
 
 Silence::Silence() {
-    // At the end of the program HDF5 would complain about what damaged files have left open inside it. Nothing of ours is
-    // lost: whole files are written at once, see create_in_memory.
+    // At the end of the program HDF5 would complain about what damaged files have left open inside it. Nothing of ours
+    // is lost: whole files are written at once, see create_in_memory.
     static const herr_t no_clean_up = H5dont_atexit();
     static_cast<void>(no_clean_up);
     H5Eget_auto2(H5E_DEFAULT, &function_, &data_);

@@ -117,7 +117,8 @@ void read_cost(hid_t file, RunRecord& record) {
     const auto names = h5::read_texts(group, "phase");
     const auto wall = h5::read_vector<double>(group, "wall", H5T_NATIVE_DOUBLE),
                cpu = h5::read_vector<double>(group, "cpu", H5T_NATIVE_DOUBLE);
-    if (wall.size() != names.size() || cpu.size() != names.size()) throw h5::Failure{"the columns of cost differ in length"};
+    if (wall.size() != names.size() || cpu.size() != names.size())
+        throw h5::Failure{"the columns of cost differ in length"};
     for (std::size_t i = 0; i < names.size(); ++i) record.phases.push_back({names[i], wall[i], cpu[i]});
     record.peak_memory = number(group, "peak_memory");
     record.elements = number(group, "elements");

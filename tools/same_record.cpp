@@ -3,8 +3,8 @@
 //   same_record OLD.h5 NEW.h5
 //
 // Prints one line, what was compared or the first difference, and ends with 0 (same), 1 (different) or 2 (a record that
-// cannot be read). Numbers are the same when their bits are: NaN equals the same NaN, 0 differs from -0. What depends on the
-// machine's load (wall time, memory) and what is text (provenance, reasons) is left out.
+// cannot be read). Numbers are the same when their bits are: NaN equals the same NaN, 0 differs from -0. What depends
+// on the machine's load (wall time, memory) and what is text (provenance, reasons) is left out.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -44,8 +44,7 @@ std::vector<Part> parts_of(const RunRecord& r) {
     parts.push_back({"hull", {column_of("pressure", r.hull_pressure), column_of("wet", r.hull_wet)}});
     Part certificate{"certificate", {}};
     for (const CertificateLine& l : r.certificate)
-        certificate.columns.push_back(
-            {l.name, "", {l.value, l.limit, l.time, l.place.x(), l.place.y(), l.place.z()}});
+        certificate.columns.push_back({l.name, "", {l.value, l.limit, l.time, l.place.x(), l.place.y(), l.place.z()}});
     parts.push_back(std::move(certificate));
     parts.push_back({"size", {column_of("elements, steps", std::vector{r.elements, r.steps})}});
     return parts;
@@ -76,8 +75,7 @@ std::optional<std::string> difference(const Part& a, const Part& b) {
         const Column& y = *named(b.columns, x.name);
         const std::size_t rows = std::min(x.values.size(), y.values.size());
         std::size_t row = 0;
-        while (row < rows &&
-               std::bit_cast<std::uint64_t>(x.values[row]) == std::bit_cast<std::uint64_t>(y.values[row]))
+        while (row < rows && std::bit_cast<std::uint64_t>(x.values[row]) == std::bit_cast<std::uint64_t>(y.values[row]))
             ++row;
         if (row >= earliest || (row == rows && x.values.size() == y.values.size())) continue;
         earliest = row;

@@ -11,7 +11,8 @@
 namespace tw {
 namespace {
 
-/// A time at which a row has to stand, and how far from it the row may be: the log and the tables round differently [s].
+/// A time at which a row has to stand, and how far from it the row may be: the log and the tables round differently
+/// [s].
 struct Due {
     double time, tolerance;
 };

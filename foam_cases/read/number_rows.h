@@ -26,9 +26,9 @@ struct Segment {
 /// begins "force_0.dat" beside "0/force.dat" when it starts from 0 once more.
 std::vector<Segment> segments(const std::filesystem::path& function_object, const std::string& file);
 
-/// Rows of all segments, joined: each start replaces what the starts before it have computed beyond its start time. Each
-/// row begins with its time, and times increase. Rows that a killed solver or a full disk left unfinished (not as long as
-/// most) are dropped.
+/// Rows of all segments, joined: each start replaces what the starts before it have computed beyond its start time.
+/// Each row begins with its time, and times increase. Rows that a killed solver or a full disk left unfinished (not as
+/// long as most) are dropped.
 std::vector<std::vector<double>> joined_rows(const std::filesystem::path& function_object, const std::string& file);
 
 }  // namespace tw

@@ -5,8 +5,8 @@
 
 namespace tw {
 
-/// What interFoam's log says, fed in pieces as it grows. One entry per time step; a restart in the same log replaces all
-/// entries beyond the time it starts from.
+/// What interFoam's log says, fed in pieces as it grows. One entry per time step; a restart in the same log replaces
+/// all entries beyond the time it starts from.
 class SolverLog {
 public:
     struct Step {

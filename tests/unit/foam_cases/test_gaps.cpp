@@ -45,8 +45,7 @@ TEST_F(GapsTest, AWholeRunHasNone) { EXPECT_EQ(gap(), "none"); }
 
 TEST_F(GapsTest, OneRowOfTwentyIsNamedWithItsTable) {
     lose("forces_total", 0, 19);
-    EXPECT_EQ(gap(),
-              "0.01: forces_total has rows for 1 of 20 time steps, the first is missing at t = 0.01 s");
+    EXPECT_EQ(gap(), "0.01: forces_total has rows for 1 of 20 time steps, the first is missing at t = 0.01 s");
     record.tables.erase("forces_total");
     EXPECT_EQ(gap(), "0.01: forces_total has rows for 0 of 20 time steps, the first is missing at t = 0.01 s");
 }

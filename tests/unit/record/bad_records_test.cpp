@@ -131,7 +131,8 @@ TEST(BadRecords, ScalarsThatCannotBeAreRefusedByTheirKey) {
         EXPECT_TRUE(says(message, "record.h5: " + key)) << key << ": " << message;
     };
     ASSERT_EQ(refusal_of([](RunRecord&) {}), "");
-    expect(refusal_of([&](RunRecord& r) { r.numbers["third"] = nan; }), "numbers/third = nan; expected a finite number");
+    expect(refusal_of([&](RunRecord& r) { r.numbers["third"] = nan; }),
+           "numbers/third = nan; expected a finite number");
     expect(refusal_of([&](RunRecord& r) { r.numbers["speed"] = -8; }), "numbers/speed = -8; expected");
     expect(refusal_of([&](RunRecord& r) { r.numbers["duration"] = 0; }), "numbers/duration = 0; expected");
     expect(refusal_of([&](RunRecord& r) { r.elements = -1; }), "cost/elements = -1; expected");
