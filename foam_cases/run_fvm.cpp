@@ -13,6 +13,9 @@
 #include "foam_cases/files/case_files.h"
 #include "foam_cases/mesh/make_mesh.h"
 #include "foam_cases/read/frame_reader.h"
+#include "foam_cases/read/gaps.h"
+#include "foam_cases/read/hull_patch.h"
+#include "foam_cases/read/number_rows.h"
 #include "foam_cases/run/solve.h"
 #include "foam_cases/run/watchdog.h"
 #include "foam_cases/write_case.h"
@@ -39,6 +42,7 @@ public:
     }
 
     RunRecord run() {
+        if (std::optional<RunRecord> done = finished_already()) return std::move(*done);
         prepare();
         const CasePrograms programs(openfoam_, case_);
         try {
@@ -50,6 +54,20 @@ public:
 
 private:
     fs::path meshed_mark() const { return case_ / "meshed"; }
+
+    /// The record of a run that is to be gone on with and has nothing left to do.
+    std::optional<RunRecord> finished_already() const {
+        if (!options_.resume || !fs::exists(record_file_)) return {};
+        RunRecord earlier = read_record(record_file_);
+        const double duration = plan_.scene->run.duration;
+        if (earlier.state != "finished" || earlier.attributes["run_hash"] != record_.attributes.at("run_hash") ||
+            earlier.numbers["duration"] < duration || !(earlier.numbers["write_interval"] > 0))
+            return {};
+        SolverLog log;
+        follow(CasePrograms(openfoam_, case_).log("solver"), 0, log);
+        if (first_gap(plan_, log, earlier, duration)) return {};
+        return earlier;
+    }
 
     void prepare() {
         const bool holds_run = fs::exists(case_) || fs::exists(record_file_);
@@ -67,7 +85,8 @@ private:
                     (case_ / file).string() +
                     ": the scene (or this file) was changed since the run began, it cannot be gone on with; "
                     "put it back, or begin anew with --overwrite");
-            // interFoam adds digits to its time names as it needs them; begun with fewer it does not find its last folder
+            // interFoam adds digits to its time names as it needs them; begun with fewer it does not find its last
+            // folder
             for (const TimeFolders::Moment& m : TimeFolders(case_).moments())
                 plan_.time_precision = std::max(plan_.time_precision, static_cast<int>(m.name.size()));
             write_text_atomically(case_ / "system/controlDict", control_dict(plan_));  // the duration may have grown
@@ -143,9 +162,11 @@ private:
         const int ranks = static_cast<int>(folders.roots().size());
         record_.attributes["ranks"] = record_.attributes["threads"] = std::to_string(ranks);
         folders.prune(plan_.write_interval);
+        drop_behind_gaps(folders, programs.log("solver"));
         const auto moments = folders.moments();
         const double restart = moments.empty() ? 0 : moments.back().time;
         forget_after(record_, restart);
+        folders.forget_output_after(restart);
         FrameReader reader(plan_, case_);
         record_.elements = static_cast<double>(reader.cells());
 
@@ -191,7 +212,38 @@ private:
         save(folders);
         if (!outcome.failure.empty()) throw RunError(outcome.failure);
         if (outcome.stopped) return end("stopped", "stopped as asked; --resume goes on from the last write time");
+        if (const auto gap = first_gap(plan_, log_, record_, duration))
+            throw RunError(
+                fmt::format("{}: the solver's tables are not whole: {}; often the disk was full for a while; --resume "
+                            "computes anew "
+                            "from the last saved state before that",
+                            (case_ / "postProcessing").string(), gap->what));
         return end("finished", "");
+    }
+
+    /// Removes the time folders from the first gap on: a kill or a full disk can take rows and leave fields, and what
+    /// is gone on from has to have its rows up to there.
+    void drop_behind_gaps(const TimeFolders& folders, const fs::path& log_file) const {
+        const auto moments = folders.moments();
+        if (moments.empty()) return;
+        SolverLog log;
+        follow(log_file, 0, log);
+        RunRecord left;
+        left.numbers = record_.numbers;
+        left.tables = record_.tables;
+        read_step_tables(plan_, case_, left);
+        std::vector<double>&samples = left.table("samples").time, &forces = left.table("forces").time;
+        const double read_to = samples.empty() ? 0 : samples.back() * (1 + 1e-9);
+        for (const TimeFolders::Moment& m : moments) {
+            if (m.time <= read_to) continue;
+            samples.push_back(m.time);
+            if (plan_.scene->hull && read_hull_patch(case_ / "postProcessing/hullSurface" / m.name))
+                forces.push_back(m.time);
+        }
+        const auto gap = first_gap(plan_, log, left, moments.back().time);
+        if (!gap) return;
+        for (const TimeFolders::Moment& m : moments)
+            if (m.time > gap->time * (1 - time_name_precision)) folders.remove(m);
     }
 
     /// Reads the write times that are not in the record yet and lie before `limit`.

@@ -53,12 +53,8 @@ Head head_of(const fs::path& file) {
 std::optional<Vec3> check_files(const fs::path& folder, const std::string& place) {
     std::optional<Vec3> centre;
     bool any = false;
-    std::error_code none;
-    for (const auto& start : fs::directory_iterator(folder, none)) {
-        if (!time_of(start.path().filename().string())) continue;
-        for (const char* name : file_names) {
-            const fs::path file = start.path() / name;
-            if (!fs::exists(file)) continue;
+    for (const char* name : file_names) {
+        for (const auto& [start, file] : segments(folder, name)) {
             any = true;
             const Head head = head_of(file);
             if (!head.comment)

@@ -6,7 +6,14 @@
 #include <string>
 #include <vector>
 
+/// Our HDF5 files check themselves. All metadata (superblock, object headers with their attributes, links, chunk
+/// indices) are written in the format of HDF5 1.10, in which each block carries a checksum, and every array is stored
+/// in chunks with a Fletcher-32 checksum (https://docs.hdfgroup.org/hdf5/v1_14/_f_m_t3.html). HDF5 refuses to read what
+/// does not fit. Files of the older format, without checksums, are read as well.
 namespace tw::h5 {
+
+/// Version of the superblock (the byte behind the signature) from which on metadata carry checksums.
+inline constexpr char first_checked_format = 2;
 
 /// Owns one HDF5 identifier and closes it with the function of its kind.
 class Handle {
@@ -40,7 +47,8 @@ private:
     void* data_ = nullptr;
 };
 
-/// An HDF5 call failed; the caller turns this into a message that names the file.
+/// An HDF5 call failed; the caller turns this into a message that names the file. `what` names the dataset, attribute
+/// or group: "dataset tables/forces/fx: checksum does not match: the file is damaged".
 struct Failure {
     std::string what;
 };
@@ -56,15 +64,15 @@ void write_attribute(hid_t object, const char* name, std::span<const double> val
 void write_attribute(hid_t object, const char* name, std::span<const long long> values);
 std::string read_text_attribute(hid_t object, const char* name);
 std::vector<double> read_numbers_attribute(hid_t object, const char* name);
-bool has_attribute(hid_t object, const char* name);
-bool has(hid_t parent, const char* name);
+bool has_attribute(hid_t object, const char* name);  ///< throws Failure where damage hides the answer
+bool has(hid_t parent, const char* name);            ///< likewise
 /// Names of an object's attributes in the order of their names.
 std::vector<std::string> attribute_names(hid_t object);
 /// Names of a group's members in the order in which they were made.
 std::vector<std::string> member_names(hid_t group);
 
-/// Writes an array of any rank; `packed`: chunks of at most 64k values (one first-dimension row when it is larger),
-/// shuffle and gzip 1. `memory_type` is also the file's type.
+/// Writes an array of any rank in checksummed chunks of at most 64k values (one first-dimension row when it is larger);
+/// `packed`: shuffle and gzip 1. `memory_type` is also the file's type.
 void write_array(hid_t parent, const char* name, hid_t memory_type, const void* data, std::span<const hsize_t> dims,
                  bool packed);
 template <class T>
@@ -74,6 +82,7 @@ void write_vector(hid_t parent, const char* name, hid_t memory_type, const std::
 }
 void write_texts(hid_t parent, const char* name, const std::vector<std::string>& texts);
 
+Handle open_dataset(hid_t parent, const char* name);
 std::vector<hsize_t> dimensions(hid_t parent, const char* name);
 /// Reads a whole array whose number of values must be `expected`.
 void read_array(hid_t parent, const char* name, hid_t memory_type, void* data, std::size_t expected);

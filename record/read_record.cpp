@@ -9,6 +9,7 @@
 #include "base/atomic_file.h"
 #include "base/errors.h"
 #include "base/sha256.h"
+#include "record/check_values.h"
 #include "record/hdf5_file.h"
 #include "record/record_layout.h"
 #include "record/run_record.h"
@@ -18,8 +19,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Refuses what is no HDF5 file or whose bytes are not those that were written.
-void check_bytes(const fs::path& file) {
+[[noreturn]] void refuse_changed(const fs::path& file) {
+    throw InputError(file.string() + ": damaged: its bytes do not fit their checksum; copy or run it again");
+}
+
+/// What the line behind the HDF5 bytes says of them.
+enum class Bytes { whole, not_signed, changed };
+
+/// Refuses what is no HDF5 file, or is of the older format, which HDF5 does not check, and not as it was written.
+Bytes check_bytes(const fs::path& file) {
     if (!fs::exists(file))
         throw InputError(file.string() + ": there is no such run record; a run leaves it as record.h5 in its folder");
     if (fs::is_directory(file)) throw InputError(file.string() + ": is a folder; give the record.h5 in it");
@@ -27,12 +35,13 @@ void check_bytes(const fs::path& file) {
     static constexpr std::string_view signature("\x89HDF\r\n\x1a\n", 8);
     if (!bytes.starts_with(signature))
         throw InputError(fmt::format("{}: not a run record: not an HDF5 file ({} bytes)", file.string(), bytes.size()));
-    if (bytes.size() < layout::checksum_line) return;
+    if (bytes.size() < layout::checksum_line) return Bytes::not_signed;
     const std::string_view line = std::string_view(bytes).substr(bytes.size() - layout::checksum_line);
-    if (!line.starts_with(layout::checksum_label)) return;  // cut off, or made by another program: HDF5 will tell
+    if (!line.starts_with(layout::checksum_label)) return Bytes::not_signed;  // cut off, or another program's
     const std::string_view body = std::string_view(bytes).substr(0, bytes.size() - layout::checksum_line);
-    if (sha256_hex(body) != line.substr(layout::checksum_label.size(), 64))
-        throw InputError(file.string() + ": damaged: its bytes do not fit their checksum; copy or run it again");
+    if (sha256_hex(body) == line.substr(layout::checksum_label.size(), 64)) return Bytes::whole;
+    if (bytes[signature.size()] < h5::first_checked_format) refuse_changed(file);
+    return Bytes::changed;
 }
 
 double number(hid_t object, const char* name) { return h5::read_numbers_attribute(object, name).at(0); }
@@ -45,8 +54,7 @@ void read_tables(hid_t file, RunRecord& record) {
         table.time = h5::read_vector<double>(group, "time", H5T_NATIVE_DOUBLE);
         for (const std::string& column_link : h5::member_names(group)) {
             if (column_link == "time") continue;
-            const h5::Handle set(h5::checked(H5Dopen2(group, column_link.c_str(), H5P_DEFAULT), column_link.c_str()),
-                                 H5Dclose);
+            const h5::Handle set = h5::open_dataset(group, column_link.c_str());
             Column& column =
                 table.column(h5::has_attribute(set, "name") ? h5::read_text_attribute(set, "name") : column_link,
                              h5::has_attribute(set, "unit") ? h5::read_text_attribute(set, "unit") : "");
@@ -60,19 +68,19 @@ void read_tables(hid_t file, RunRecord& record) {
 void read_raster(hid_t file, RunRecord& record) {
     const h5::Handle group = h5::open_group(file, layout::raster);
     const auto origin = h5::read_numbers_attribute(group, "origin"), count = h5::read_numbers_attribute(group, "count");
-    if (origin.size() != 3 || count.size() != 3) throw h5::Failure{"the raster's origin or count"};
+    if (origin.size() != 3 || count.size() != 3) throw h5::Failure{"the raster's origin or count is not three numbers"};
     RasterSpec& spec = record.raster;
     spec.origin = {origin[0], origin[1], origin[2]};
     spec.spacing = number(group, "spacing");
     for (std::size_t k = 0; k < 3; ++k) {
-        if (!(count[k] >= 0 && count[k] < 1e6)) throw h5::Failure{"the raster's count"};
+        if (!(count[k] >= 0 && count[k] < 1e6)) throw h5::Failure{"the raster's count is senseless"};
         spec.count[k] = static_cast<int>(count[k]);
     }
     const auto times = h5::read_vector<double>(group, "time", H5T_NATIVE_DOUBLE);
     const auto dims = h5::dimensions(group, "water");
     if (dims.size() != 4 || dims[0] != times.size() || dims[1] != static_cast<hsize_t>(spec.count[2]) ||
         dims[2] != static_cast<hsize_t>(spec.count[1]) || dims[3] != static_cast<hsize_t>(spec.count[0]))
-        throw h5::Failure{"the raster's size"};
+        throw h5::Failure{"raster/water does not have the raster's size"};
     const std::size_t voxels = dims[1] * dims[2] * dims[3];
     std::vector<std::uint8_t> water(voxels * times.size());
     h5::read_array(group, "water", H5T_NATIVE_UINT8, water.data(), water.size());
@@ -86,7 +94,7 @@ void read_hull(hid_t file, RunRecord& record) {
     const h5::Handle group = h5::open_group(file, layout::hull);
     const auto point_dims = h5::dimensions(group, "points"), triangle_dims = h5::dimensions(group, "triangles");
     if (point_dims.size() != 2 || point_dims[1] != 3 || triangle_dims.size() != 2 || triangle_dims[1] != 3)
-        throw h5::Failure{"the hull's size"};
+        throw h5::Failure{"the hull's points or triangles are not threes"};
     std::vector<double> points(point_dims[0] * 3);
     h5::read_array(group, "points", H5T_NATIVE_DOUBLE, points.data(), points.size());
     for (std::size_t i = 0; i < points.size(); i += 3)
@@ -109,7 +117,8 @@ void read_cost(hid_t file, RunRecord& record) {
     const auto names = h5::read_texts(group, "phase");
     const auto wall = h5::read_vector<double>(group, "wall", H5T_NATIVE_DOUBLE),
                cpu = h5::read_vector<double>(group, "cpu", H5T_NATIVE_DOUBLE);
-    if (wall.size() != names.size() || cpu.size() != names.size()) throw h5::Failure{"the phases"};
+    if (wall.size() != names.size() || cpu.size() != names.size())
+        throw h5::Failure{"the columns of cost differ in length"};
     for (std::size_t i = 0; i < names.size(); ++i) record.phases.push_back({names[i], wall[i], cpu[i]});
     record.peak_memory = number(group, "peak_memory");
     record.elements = number(group, "elements");
@@ -125,13 +134,13 @@ void read_effects(hid_t file, RunRecord& record) {
                forced = h5::read_vector<int>(group, "forced", H5T_NATIVE_INT);
     const std::size_t n = name.size();
     if (reason.size() != n || influence.size() != n || cost.size() != n || on.size() != n || forced.size() != n)
-        throw h5::Failure{"the effects"};
+        throw h5::Failure{"the columns of effects differ in length"};
     for (std::size_t i = 0; i < n; ++i)
         record.effects.push_back({name[i], on[i] != 0, forced[i] != 0, reason[i], influence[i], cost[i]});
 }
 
 void read_certificate(hid_t file, RunRecord& record) {
-    if (H5Lexists(file, layout::certificate, H5P_DEFAULT) <= 0) return;  // records had none at first
+    if (!h5::has(file, layout::certificate)) return;  // records had none at first
     const h5::Handle group = h5::open_group(file, layout::certificate);
     const auto name = h5::read_texts(group, "name"), unit = h5::read_texts(group, "unit");
     const auto column = [&](const char* which) { return h5::read_vector<double>(group, which, H5T_NATIVE_DOUBLE); };
@@ -139,7 +148,7 @@ void read_certificate(hid_t file, RunRecord& record) {
                y = column("y"), z = column("z");
     const std::size_t n = name.size();
     for (const std::size_t size : {unit.size(), value.size(), limit.size(), time.size(), x.size(), y.size(), z.size()})
-        if (size != n) throw h5::Failure{"the certificate"};
+        if (size != n) throw h5::Failure{"the columns of certificate differ in length"};
     for (std::size_t i = 0; i < n; ++i)
         record.certificate.push_back({name[i], unit[i], value[i], limit[i], time[i], {x[i], y[i], z[i]}});
 }
@@ -167,7 +176,7 @@ RunRecord read_contents(hid_t file) {
 }  // namespace
 
 RunRecord read_record(const fs::path& file) {
-    check_bytes(file);
+    const Bytes bytes = check_bytes(file);
     const h5::Silence silence;
     const h5::Handle h(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
     if (!h.open())
@@ -185,9 +194,12 @@ RunRecord read_record(const fs::path& file) {
             throw InputError(
                 fmt::format("{}: run record of format {}; this twinwake reads up to format {}: use a newer twinwake",
                             file.string(), version, RunRecord::format_version));
-        return read_contents(h);
+        RunRecord record = read_contents(h);
+        if (bytes == Bytes::changed) refuse_changed(file);  // though no dataset shows it
+        check_values(file.string(), record);
+        return record;
     } catch (const h5::Failure& f) {
-        throw InputError(file.string() + ": cut off or damaged: cannot read " + f.what);
+        throw InputError(file.string() + ": cut off or damaged: " + f.what);
     } catch (const std::bad_alloc&) {
         throw InputError(file.string() + ": damaged: an array in it claims more than the memory holds");
     } catch (const std::length_error&) {

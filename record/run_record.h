@@ -99,7 +99,8 @@ void note_prediction(RunRecord& record, const RunOptions& options);
 /// read_record knows damage by it). Throws RunError: disk full, no permission, or a column that is not as long as its
 /// table's time.
 void write_record(const std::filesystem::path& file, const RunRecord& record);
-/// Throws InputError: not there, not HDF5, not a run record, newer format, cut off.
+/// Throws InputError: not there, not HDF5, not a run record, newer format, cut off, damaged (the dataset is named), or
+/// with scalars that cannot be (check_values.h).
 RunRecord read_record(const std::filesystem::path& file);
 
 }  // namespace tw

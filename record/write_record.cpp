@@ -30,7 +30,7 @@ std::string link_name(const std::string& name, std::set<std::string>& taken) {
 
 void write_column(hid_t group, const std::string& link, const Column& column) {
     h5::write_vector(group, link.c_str(), H5T_NATIVE_DOUBLE, column.values);
-    const h5::Handle set(h5::checked(H5Dopen2(group, link.c_str(), H5P_DEFAULT), "column"), H5Dclose);
+    const h5::Handle set = h5::open_dataset(group, link.c_str());
     h5::write_attribute(set, "name", column.name);
     h5::write_attribute(set, "unit", column.unit);
 }

@@ -35,23 +35,59 @@ std::optional<double> time_of(std::string_view name) {
     return value;
 }
 
-std::vector<std::vector<double>> joined_rows(const fs::path& function_object, const std::string& file) {
-    std::map<double, fs::path> starts;
-    std::error_code none;
-    for (const auto& e : fs::directory_iterator(function_object, none))
-        if (const auto t = time_of(e.path().filename().string()); t && fs::exists(e.path() / file))
-            starts[*t] = e.path() / file;
+namespace {
+
+/// The time in "force_0.25.dat" for the table "force.dat"; nothing for other names.
+std::optional<double> time_behind(const std::string& name, const fs::path& table) {
+    const std::string before = table.stem().string() + "_", after = table.extension().string();
+    if (name.size() <= before.size() + after.size() || !name.starts_with(before) || !name.ends_with(after)) return {};
+    return time_of(std::string_view(name).substr(before.size(), name.size() - before.size() - after.size()));
+}
+
+std::vector<std::vector<double>> rows_of(const fs::path& file) {
     std::vector<std::vector<double>> rows;
-    std::size_t width = 0;
-    for (const auto& [start, path] : starts) {
-        std::ifstream in(path, std::ios::binary);
-        std::string line;
-        while (std::getline(in, line)) {
-            if (line.empty() || line[0] == '#' || in.eof()) continue;  // a last line without its end was being written
-            std::vector<double> row = numbers_in(line);
-            if (row.empty()) continue;
-            width = std::max(width, row.size());
-            if (row.size() != width) continue;
+    std::ifstream in(file, std::ios::binary);
+    std::string line;
+    while (std::getline(in, line)) {
+        if (line.empty() || line[0] == '#' || in.eof()) continue;  // a last line without its end was being written
+        if (std::vector<double> row = numbers_in(line); !row.empty()) rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+}  // namespace
+
+std::vector<Segment> segments(const fs::path& function_object, const std::string& file) {
+    std::map<std::pair<double, double>, Segment> in_order;  // by the folder's time and the one behind the name
+    std::error_code none;
+    for (const auto& folder : fs::directory_iterator(function_object, none)) {
+        const auto start = time_of(folder.path().filename().string());
+        if (!start) continue;
+        for (const auto& entry : fs::directory_iterator(folder.path(), none)) {
+            const std::string name = entry.path().filename().string();
+            const std::optional<double> again = name == file ? std::optional(-1.0) : time_behind(name, file);
+            if (again) in_order[{*start, *again}] = {*start, entry.path()};
+        }
+    }
+    std::vector<Segment> out;
+    for (auto& [order, segment] : in_order) out.push_back(std::move(segment));
+    return out;
+}
+
+std::vector<std::vector<double>> joined_rows(const fs::path& function_object, const std::string& file) {
+    std::vector<std::vector<double>> rows;
+    std::map<std::size_t, std::size_t> widths;
+    std::vector<std::pair<double, std::vector<std::vector<double>>>> starts;
+    for (const Segment& segment : segments(function_object, file)) {
+        starts.emplace_back(segment.start, rows_of(segment.file));
+        for (const auto& row : starts.back().second) ++widths[row.size()];
+    }
+    const auto usual = std::ranges::max_element(widths, {}, [](const auto& w) { return w.second; });
+    for (auto& [start, of_start] : starts) {
+        const double gone_on_from = start * (1 + time_name_precision);
+        std::erase_if(rows, [&](const auto& row) { return row[0] > gone_on_from; });
+        for (auto& row : of_start) {
+            if (row.size() != usual->first) continue;
             while (!rows.empty() && rows.back()[0] >= row[0]) rows.pop_back();
             rows.push_back(std::move(row));
         }

@@ -10,8 +10,10 @@ StepLoads read_loads(const std::filesystem::path& folder) {
     using Rows = std::vector<std::vector<double>>;
     StepLoads out;
     const Rows force = joined_rows(folder, "force.dat"), moment = joined_rows(folder, "moment.dat");
-    for (std::size_t i = 0; i < std::min(force.size(), moment.size()); ++i) {
-        const auto &f = force[i], &m = moment[i];
+    for (auto at = moment.begin(); const auto& f : force) {
+        at = std::find_if(at, moment.end(), [&](const auto& row) { return row[0] >= f[0]; });
+        if (at == moment.end()) break;
+        const auto& m = *at;
         if (f.size() < 10 || m.size() < 10 || f[0] != m[0]) continue;
         out.time.push_back(f[0]);
         out.pressure.push_back({f[4], f[5], f[6], m[4], m[5], m[6]});

@@ -12,8 +12,8 @@ struct StepLoads {
     std::vector<std::array<double, 6>> pressure, viscous;
 };
 
-/// Reads the loads of one function object (`folder`: postProcessing/<its name>), its start-time folders joined. Empty
-/// where there is nothing to read.
+/// Reads the loads of one function object (`folder`: postProcessing/<its name>), the solver's starts joined; times that
+/// have a force and no moment, or the reverse, are left out. Empty where there is nothing to read.
 /// openfoam.com: force.dat and moment.dat, each total, pressure, viscous. openfoam.org: forces.dat with ((pressure)
 /// (viscous)) ((pressure) (viscous)), porous parts behind in some releases.
 StepLoads read_loads(const std::filesystem::path& folder);

@@ -80,8 +80,9 @@ SolverOutcome solve(const CasePlan& plan, const CasePrograms& programs, int rank
         }
         if (wall_clock() - last_look > 1) {
             last_look = wall_clock();
+            const double time = now.steps().empty() ? 0 : now.steps().back().time;
             std::optional<std::string> wrong =
-                trouble(now, latest_fastest(programs.case_folder() / "postProcessing"), limits);
+                trouble(now, latest_fastest(programs.case_folder() / "postProcessing", time), limits);
             // Two more write times and the record have to fit.
             if (!wrong) wrong = disk_trouble(programs.case_folder(), 50e6);
             if (wrong) {

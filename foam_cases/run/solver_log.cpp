@@ -6,6 +6,8 @@
 #include <limits>
 #include <optional>
 
+#include "foam_cases/read/number_rows.h"
+
 namespace tw {
 namespace {
 
@@ -50,6 +52,9 @@ void SolverLog::line(std::string_view text) {
     if (text.find("--> FOAM FATAL") != std::string_view::npos && fatal_.empty()) {
         fatal_ = text;
         fatal_lines_ = fatal_block;
+    } else if (const auto start = number_after(text, "Create mesh for time = ")) {
+        const double gone_on_from = *start * (1 + time_name_precision);
+        std::erase_if(steps_, [&](const Step& s) { return s.time > gone_on_from; });
     } else if (text.rfind("Time = ", 0) == 0) {  // not the header's "Time   : 12:00:00"; openfoam.org writes "0.1s"
         const auto time = number_after(text, "Time = ");
         if (!time) return;

@@ -5,8 +5,8 @@
 
 namespace tw {
 
-/// What interFoam's log says, fed in pieces as it grows. One entry per time step; after a restart in the same log the
-/// entries that are computed again are replaced.
+/// What interFoam's log says, fed in pieces as it grows. One entry per time step; a restart in the same log replaces
+/// all entries beyond the time it starts from.
 class SolverLog {
 public:
     struct Step {

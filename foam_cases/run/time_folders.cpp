@@ -75,4 +75,14 @@ std::vector<std::string> TimeFolders::prune(double interval) const {
     return dropped;
 }
 
+void TimeFolders::forget_output_after(double restart) const {
+    std::vector<fs::path> stale;
+    std::error_code none;
+    for (const auto& object : fs::directory_iterator(case_ / "postProcessing", none))
+        for (const auto& e : fs::directory_iterator(object.path(), none))
+            if (const auto t = time_of(e.path().filename().string()); t && *t > restart * (1 + time_name_precision))
+                stale.push_back(e.path());
+    for (const fs::path& folder : stale) fs::remove_all(folder, none);
+}
+
 }  // namespace tw

@@ -31,6 +31,10 @@ public:
     /// the names that were dropped.
     std::vector<std::string> prune(double interval) const;
 
+    /// Removes what function objects have left for times later than `restart` [s]: surfaces, and tables of starts of
+    /// the solver whose state is no longer there. They would be taken for the new start's.
+    void forget_output_after(double restart) const;
+
 private:
     std::filesystem::path case_;
     std::vector<std::filesystem::path> roots_;

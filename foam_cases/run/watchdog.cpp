@@ -47,17 +47,11 @@ std::optional<std::string> trouble(const SolverLog& log, double largest_speed, c
     return std::nullopt;
 }
 
-double latest_fastest(const fs::path& post_processing) {
-    double newest = -1;
-    fs::path file;
-    std::error_code none;
-    for (const auto& start : fs::directory_iterator(post_processing / "fastest", none)) {
-        const double time = time_of(start.path().filename().string()).value_or(-1);
-        if (time > newest && fs::exists(start.path() / "fieldMinMax.dat"))
-            newest = time, file = start.path() / "fieldMinMax.dat";
-    }
-    std::ifstream in(file, std::ios::binary);
-    if (file.empty() || !in) return std::numeric_limits<double>::quiet_NaN();
+double latest_fastest(const fs::path& post_processing, double now) {
+    const std::vector<Segment> starts = segments(post_processing / "fastest", "fieldMinMax.dat");
+    if (starts.empty()) return std::numeric_limits<double>::quiet_NaN();
+    std::ifstream in(starts.back().file, std::ios::binary);
+    if (!in) return std::numeric_limits<double>::quiet_NaN();
     in.seekg(0, std::ios::end);
     const auto size = static_cast<long long>(in.tellg());
     in.seekg(std::max(0LL, size - 2000));
@@ -67,6 +61,7 @@ double latest_fastest(const fs::path& post_processing) {
     // time, mag(U), min, (x y z), [processor,] max, (x y z) [, processor]: the largest stands before the last place
     const std::size_t place = last.rfind('('), earlier = place == std::string::npos ? place : last.rfind(')', place);
     if (earlier == std::string::npos || last[0] == '#') return std::numeric_limits<double>::quiet_NaN();
+    if (numbers_in(last).front() > now * (1 + time_name_precision)) return std::numeric_limits<double>::quiet_NaN();
     const std::vector<double> between = numbers_in(std::string_view(last).substr(earlier, place - earlier));
     return between.empty() ? std::numeric_limits<double>::quiet_NaN() : between.back();
 }

@@ -18,8 +18,9 @@ struct Limits {
 /// unknown.
 std::optional<std::string> trouble(const SolverLog& log, double largest_speed, const Limits& limits);
 
-/// Largest velocity that the `fastest` function object has written last [m/s]; NaN while there is none.
-double latest_fastest(const std::filesystem::path& post_processing);
+/// Largest velocity that the `fastest` function object has written last [m/s]; NaN while there is none. What is later
+/// than `now` [s], the step under way, is of an earlier start of the solver and does not count.
+double latest_fastest(const std::filesystem::path& post_processing, double now);
 
 /// Says so when fewer than `needed` bytes are free where `folder` lies.
 std::optional<std::string> disk_trouble(const std::filesystem::path& folder, double needed);

@@ -9,6 +9,8 @@
 
 #include "base/atomic_file.h"
 #include "base/errors.h"
+#include "foam_cases/read/number_rows.h"
+#include "foam_cases/run/watchdog.h"
 #include "foam_test.h"
 
 namespace tw {
@@ -99,6 +101,80 @@ TEST_F(FoamFailure, TwoRunsInOneFolderAreRefused) {
     fs::create_directories(options().folder);
     const FolderLock other(options().folder);
     EXPECT_THROW(run_fvm(scene(dam_break("0.02 s")), options()), InputError);
+}
+
+/// A box under water in a small tank: a hull whose mesh takes a second.
+std::string drowned_box(const std::string& duration, const std::string& interval) {
+    return R"(
+title = "drowned box"
+[hull]
+shape  = "box"
+length = 0.4
+beam   = 0.4
+height = 0.4
+draft  = 0.7
+[tank]
+min = [-0.8, -0.8, -1.2]
+max = [0.8, 0.8, 0.6]
+[motion]
+kind = "none"
+[resolution]
+near_hull = 0.1
+[[probe]]
+name = "floor"
+pressure = [0.6, 0.6, -0.95]
+[sampling]
+interval = )" +
+           interval + "\n[run]\nduration = " + duration + "\n";
+}
+
+// The solver starts from 0 again then, and openfoam.com begins force_0.dat beside force.dat.
+TEST_F(FoamFailure, AKillBeforeTheFirstWriteTimeLosesNoRow) {
+    const Scene s = scene(drowned_box("0.2", "0.1"));
+    const fs::path tables = options().folder / "case/postProcessing";
+    const pid_t child = ::fork();
+    if (child == 0) {
+        run_fvm(s, options());
+        ::_exit(0);
+    }
+    const auto rows = [&] { return joined_rows(tables / "forces", "force.dat").size(); };
+    for (int i = 0; i < 6000 && rows() < 2; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    ::kill(child, SIGKILL);
+    ::waitpid(child, nullptr, 0);
+    ASSERT_GE(rows(), 2u);
+    ASSERT_FALSE(fs::exists(options().folder / "case/0.1")) << "killed too late for this test to see anything";
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));  // the solver goes with its parent
+
+    RunOptions resume = options();
+    resume.resume = true;
+    const RunRecord record = run_fvm(s, resume);
+    EXPECT_EQ(record.state, "finished");
+    EXPECT_EQ(segments(tables / "forces", "force.dat").size(), 2u);
+    for (const char* table : {"forces_total", "pressure"})
+        EXPECT_EQ(record.tables.at(table).time.size(), static_cast<std::size_t>(record.steps)) << table;
+    EXPECT_NEAR(record.tables.at("forces_total").time.back(), 0.2, 1e-6);
+    EXPECT_FALSE(std::isnan(latest_fastest(tables, 0.2)));
+}
+
+TEST_F(FoamFailure, ATableThatLostRowsIsNoFinishedRunAndResumeComputesThemAnew) {
+    use_solver("\"$REAL\" \"$@\"; rc=$?\n[ -f mended ] || sed -i 12,15d postProcessing/pressureProbes/0/p\nexit $rc\n");
+    const Scene s = scene(dam_break("0.1 s"));
+    const std::string text = failure_of(s);
+    EXPECT_NE(text.find("tables are not whole: pressure has rows for "), std::string::npos) << text;
+    EXPECT_NE(text.find("--resume"), std::string::npos) << text;
+    EXPECT_EQ(read_record(options().folder / "record.h5").state, "failed");
+
+    std::ofstream(options().folder / "case/mended") << "the disk has room again";
+    RunOptions resume = options();
+    resume.resume = true;
+    const RunRecord record = run_fvm(s, resume);
+    EXPECT_EQ(record.state, "finished");
+    EXPECT_EQ(record.tables.at("pressure").time.size(), static_cast<std::size_t>(record.steps));
+    EXPECT_EQ(record.tables.at("samples").time.size(), 5u);
+    // Nothing is left to do: the record is handed back as it is.
+    const auto written = fs::last_write_time(options().folder / "record.h5");
+    EXPECT_EQ(run_fvm(s, resume).state, "finished");
+    EXPECT_EQ(fs::last_write_time(options().folder / "record.h5"), written);
 }
 
 TEST_F(FoamFailure, AfterAKillTheRunIsTakenUpAndEndsAsIfNothingHadBeen) {

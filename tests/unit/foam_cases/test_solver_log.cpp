@@ -55,6 +55,14 @@ TEST(SolverLog, AfterARestartTheLaterStartWins) {
     EXPECT_EQ(log.at(0.05), nullptr);
 }
 
+TEST(SolverLog, AStartReplacesAllBeyondTheTimeItStartsFrom) {
+    SolverLog log;
+    log.feed(header + step(0.1, 0.1) + step(0.13, 0.03) + step(0.16, 0.03));  // killed here
+    log.feed(std::string(header) + "Create mesh for time = 0.1\n\n" + step(0.15, 0.05));
+    ASSERT_EQ(log.steps().size(), 2u) << "0.13 is no step of this run";
+    EXPECT_DOUBLE_EQ(log.steps()[1].time, 0.15);
+}
+
 TEST(SolverLog, KeepsOpenFoamsOwnErrorMessage) {
     SolverLog log;
     log.feed(header + step(0.1, 0.1) +

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "foam_cases/read/number_rows.h"
+#include "foam_cases/read/step_loads.h"
 #include "foam_cases/run/time_folders.h"
 #include "foam_cases/run/watchdog.h"
 
@@ -88,16 +89,64 @@ TEST_F(TimeFoldersTest, ForceFilesOfLaterStartsWin) {
     EXPECT_TRUE(joined_rows(folder / "nothing", "force.dat").empty());
 }
 
+std::string row(double time, double fx) {
+    const auto n = [](double v) { return std::to_string(v); };
+    return n(time) + " (" + n(fx) + " 2 3) (4 5 6) (7 8 9)\n";
+}
+/// Time and fx of every row.
+std::vector<std::pair<double, double>> times_and_fx(const std::vector<std::vector<double>>& rows) {
+    std::vector<std::pair<double, double>> out;
+    for (const auto& r : rows) out.emplace_back(r.at(0), r.at(1));
+    return out;
+}
+using Pairs = std::vector<std::pair<double, double>>;
+
+TEST_F(TimeFoldersTest, AStartFromATimeOnceMoreIsReadFromTheFileBesideTheFirst) {
+    // Killed before its first write time: the solver starts from 0 again and leaves the first file alone.
+    write("forces/0/force.dat", "# Force\n" + row(0.1, 1) + row(0.2, 1) + row(0.9, 1));
+    write("forces/0/force_0.dat", "# Force\n" + row(0.15, 2) + row(0.3, 2) + row(0.5, 2));
+    write("forces/0/force_bin.dat", "# Force\n" + row(0.7, 9));  // of another kind
+    EXPECT_EQ(times_and_fx(joined_rows(folder / "forces", "force.dat")), (Pairs{{0.15, 2}, {0.3, 2}, {0.5, 2}}));
+    write("forces/0.4/force.dat", "# Force\n" + row(0.45, 3) + row(0.6, 3));
+    write("forces/0.4/force_0.4.dat", "# Force\n" + row(0.48, 4));
+    EXPECT_EQ(times_and_fx(joined_rows(folder / "forces", "force.dat")), (Pairs{{0.15, 2}, {0.3, 2}, {0.48, 4}}))
+        << "what a start has computed beyond the time that the next one starts from is no part of the run";
+}
+
+TEST_F(TimeFoldersTest, RowsThatAFullDiskHasCutOrGluedAreLeftOutAndNoOthers) {
+    write("forces/0/force.dat", "# Force\n0.05 (1 2\n" + row(0.1, 1) + "0.2 (1 2 3) (4 5" + row(0.25, 1) + row(0.3, 1));
+    EXPECT_EQ(times_and_fx(joined_rows(folder / "forces", "force.dat")), (Pairs{{0.1, 1}, {0.3, 1}}));
+    // A force without its moment takes no others with it.
+    write("forces/0/moment.dat", "# Moment\n" + row(0.2, 7) + row(0.3, 7));
+    EXPECT_EQ(read_loads(folder / "forces").time, std::vector<double>{0.3});
+}
+
+TEST_F(TimeFoldersTest, OutputLaterThanTheRestartIsForgotten) {
+    write("postProcessing/forces/0/force.dat", "x");
+    write("postProcessing/forces/0.2/force.dat", "x");
+    write("postProcessing/forces/0.4/force.dat", "x");  // its state was half-written and is gone
+    write("postProcessing/hullSurface/0.4/hull.vtp", "x");
+    TimeFolders(folder).forget_output_after(0.2);
+    EXPECT_TRUE(fs::exists(folder / "postProcessing/forces/0"));
+    EXPECT_TRUE(fs::exists(folder / "postProcessing/forces/0.2"));
+    EXPECT_FALSE(fs::exists(folder / "postProcessing/forces/0.4"));
+    EXPECT_FALSE(fs::exists(folder / "postProcessing/hullSurface/0.4"));
+}
+
 TEST_F(TimeFoldersTest, TheLargestVelocityIsTheLastOnesMaximum) {
     write("pp/fastest/0/fieldMinMax.dat",
           "# Field minima and maxima\n# Time field min position(min) max position(max)\n"
           "0.1\tmag(U)\t1.5e-01\t(1.9 2.6e-02 -1.7e-01)\t1.30e+01\t(2.0 4.1e-01 2.6e-03)\n"
           "0.2\tmag(U)\t1.2e-01\t(-1.1 6.5e-02 8.3e-01)\t1.55e+01\t(2.0 4.1e-01 2.6e-03)\n");
-    EXPECT_DOUBLE_EQ(latest_fastest(folder / "pp"), 15.5);
+    EXPECT_DOUBLE_EQ(latest_fastest(folder / "pp", 1), 15.5);
     // In parallel the processor's number stands between place and maximum.
     write("pp/fastest/0.2/fieldMinMax.dat", "# Time\n0.3 mag(U) 0.1 (1 2 3) 0 17.5 (2 0.4 0) 1\n");
-    EXPECT_DOUBLE_EQ(latest_fastest(folder / "pp"), 17.5);
-    EXPECT_TRUE(std::isnan(latest_fastest(folder / "none")));
+    EXPECT_DOUBLE_EQ(latest_fastest(folder / "pp", 1), 17.5);
+    EXPECT_TRUE(std::isnan(latest_fastest(folder / "none", 1)));
+    // Started from 0.2 once more: the file beside the first is the one that grows.
+    write("pp/fastest/0.2/fieldMinMax_0.2.dat", "# Time\n0.25 mag(U) 0.1 (1 2 3) 99 (2 0.4 0)\n");
+    EXPECT_DOUBLE_EQ(latest_fastest(folder / "pp", 0.25), 99);
+    EXPECT_TRUE(std::isnan(latest_fastest(folder / "pp", 0.22))) << "the new start has not come so far";
 }
 
 }  // namespace

@@ -102,6 +102,56 @@ TEST(BadRecords, AnyFlippedByteIsRefused) {
     }
 }
 
+TEST(BadRecords, ADamagedArrayIsNamed) {
+    const ScratchFolder folder;
+    write_record(folder / "record.h5", example_record());
+    const std::string bytes = read_text(folder / "record.h5");
+    // The scene's text is stored as it is: a byte in its middle is a byte of that array.
+    std::string bad = bytes;
+    ++bad[bytes.find("########") + 50000];
+    write_text_atomically(folder / "bad.h5", bad);
+    EXPECT_TRUE(says(refusal(folder / "bad.h5"),
+                     "bad.h5: cut off or damaged: dataset scene_text: checksum does not match: the file is damaged"))
+        << refusal(folder / "bad.h5");
+}
+
+/// What reading says of the example with one thing changed.
+template <class Change>
+std::string refusal_of(Change change) {
+    const ScratchFolder folder;
+    RunRecord record = example_record();
+    change(record);
+    write_record(folder / "record.h5", record);
+    return refusal(folder / "record.h5");
+}
+
+TEST(BadRecords, ScalarsThatCannotBeAreRefusedByTheirKey) {
+    const double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+    const auto expect = [](const std::string& message, const std::string& key) {
+        EXPECT_TRUE(says(message, "record.h5: " + key)) << key << ": " << message;
+    };
+    ASSERT_EQ(refusal_of([](RunRecord&) {}), "");
+    expect(refusal_of([&](RunRecord& r) { r.numbers["third"] = nan; }),
+           "numbers/third = nan; expected a finite number");
+    expect(refusal_of([&](RunRecord& r) { r.numbers["speed"] = -8; }), "numbers/speed = -8; expected");
+    expect(refusal_of([&](RunRecord& r) { r.numbers["duration"] = 0; }), "numbers/duration = 0; expected");
+    expect(refusal_of([&](RunRecord& r) { r.elements = -1; }), "cost/elements = -1; expected");
+    expect(refusal_of([&](RunRecord& r) { r.steps = inf; }), "cost/steps = inf; expected");
+    expect(refusal_of([&](RunRecord& r) { r.peak_memory = nan; }), "cost/peak_memory = nan; expected");
+    expect(refusal_of([&](RunRecord& r) { r.phases[1].wall = -2; }), "cost/solving/wall = -2; expected");
+    expect(refusal_of([&](RunRecord& r) { r.table("forces").time[3] = inf; }), "tables/forces/time[3] = inf; expected");
+    expect(refusal_of([&](RunRecord& r) { r.table("forces").time[3] = -1; }), "tables/forces/time[3] = -1; expected");
+    expect(refusal_of([&](RunRecord& r) { r.frames[2].time = 0.1; }), "raster/time[2] = 0.1; expected");
+    expect(refusal_of([&](RunRecord& r) { r.raster.spacing = nan; }), "raster/spacing = nan; expected");
+    expect(refusal_of([&](RunRecord& r) { r.hull.points[1].y() = inf; }), "hull/points = inf; expected");
+    expect(refusal_of([&](RunRecord& r) { r.effects[0].cost = nan; }), "effects/air/cost = nan; expected");
+    expect(refusal_of([&](RunRecord& r) { r.certificate[0].limit = nan; }), "certificate/Mach number/limit = nan");
+    expect(refusal_of([&](RunRecord& r) { r.certificate[0].time = inf; }), "certificate/Mach number/time = inf");
+    expect(refusal_of([&](RunRecord& r) { r.certificate[0].value = nan; }), "certificate/Mach number/value = nan");
+    EXPECT_EQ(refusal_of([&](RunRecord& r) { r.certificate[0].value = nan, r.state = "failed"; }), "")
+        << "what a run failed of may be no number";
+}
+
 TEST(BadRecords, AFullDiskLeavesTheOldFile) {
     const ScratchFolder folder;
     RunRecord first = example_record();

@@ -11,7 +11,7 @@ namespace tw {
 inline RunRecord example_record() {
     RunRecord r;
     r.attributes = {{"method", "sph"}, {"title", "a \"title\" with <script>, é and /"}, {"empty", ""}};
-    r.numbers = {{"speed", 8.0}, {"third", 1.0 / 3.0}, {"unknown", std::numeric_limits<double>::quiet_NaN()}};
+    r.numbers = {{"speed", 8.0}, {"third", 1.0 / 3.0}, {"tiny", 4.9e-324}};
     r.scene_text = std::string("title = \"x\"\n") + std::string(100000, '#');
     Table& forces = r.table("forces");
     for (int i = 0; i < 1000; ++i) forces.time.push_back(1e-3 * i + 1e-17);

@@ -1,0 +1,77 @@
+#include "foam_cases/read/gaps.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "foam_cases/read/number_rows.h"
+
+namespace tw {
+namespace {
+
+/// A time at which a row has to stand, and how far from it the row may be: the log and the tables round differently
+/// [s].
+struct Due {
+    double time, tolerance;
+};
+
+std::vector<Due> steps_of(const SolverLog& log, double until) {
+    std::vector<Due> due;
+    double before = 0;
+    for (const SolverLog::Step& step : log.steps()) {
+        if (step.time > until * (1 + time_name_precision)) break;
+        due.push_back({step.time, 0.3 * (step.time - before)});
+        before = step.time;
+    }
+    return due;
+}
+
+std::vector<Due> write_times(double interval, double until) {
+    std::vector<Due> due;
+    for (int k = 1; k <= until / interval + 1e-4; ++k) due.push_back({k * interval, 1e-3 * interval});
+    return due;
+}
+
+std::optional<Gap> gap_in(const RunRecord& record, const std::string& table, const std::vector<Due>& due,
+                          const char* kind) {
+    static const std::vector<double> none;
+    const auto found = record.tables.find(table);
+    const std::vector<double>& rows = found == record.tables.end() ? none : found->second.time;
+    std::size_t met = 0;
+    double first = 0;
+    auto row = rows.begin();
+    for (const Due& d : due) {
+        row = std::lower_bound(row, rows.end(), d.time - d.tolerance);
+        if (row != rows.end() && *row <= d.time + d.tolerance)
+            ++met;
+        else if (first == 0)
+            first = d.time;
+    }
+    if (met == due.size()) return {};
+    return Gap{first, fmt::format("{} has rows for {} of {} {}, the first is missing at t = {:.6g} s", table, met,
+                                  due.size(), kind, first)};
+}
+
+}  // namespace
+
+std::optional<Gap> first_gap(const CasePlan& plan, const SolverLog& log, const RunRecord& record, double until) {
+    const Scene& scene = *plan.scene;
+    const std::vector<Due> steps = steps_of(log, until),
+                           writes = write_times(record.numbers.at("write_interval"), until);
+    std::optional<Gap> earliest;
+    const auto look = [&](bool wanted, const char* table, const std::vector<Due>& due, const char* kind) {
+        if (!wanted) return;
+        if (auto gap = gap_in(record, table, due, kind); gap && (!earliest || gap->time < earliest->time))
+            earliest = std::move(gap);
+    };
+    look(scene.hull.has_value(), "forces_total", steps, "time steps");
+    look(!scene.sampling.pressure.empty(), "pressure", steps, "time steps");
+    look(!scene.sampling.height.empty(), "height", steps, "time steps");
+    look(true, "samples", writes, "write times");
+    look(scene.hull.has_value(), "forces", writes, "write times");
+    return earliest;
+}
+
+}  // namespace tw

@@ -1,0 +1,22 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "foam_cases/case_plan.h"
+#include "foam_cases/run/solver_log.h"
+#include "record/run_record.h"
+
+namespace tw {
+
+/// Rows that a run should have left and that are not there.
+struct Gap {
+    double time = 0;   ///< of the first of them [s]
+    std::string what;  ///< e.g. "forces_total has rows for 1 of 50 time steps"
+};
+
+/// The earliest gap up to the time `until` [s], measured against the solver's log and the write interval
+/// (numbers["write_interval"] of the record): every step has a row in forces_total, pressure and height, every write
+/// time one in samples and forces, as far as the scene asks for these tables.
+std::optional<Gap> first_gap(const CasePlan& plan, const SolverLog& log, const RunRecord& record, double until);
+
+}  // namespace tw
