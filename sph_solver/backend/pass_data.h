@@ -30,8 +30,8 @@ struct NeighbourBlock {
     std::uint32_t maybe;  ///< who may come and go before the lists are made anew; asked by the `prune` pass
 };
 
-/// Where a group's blocks are: `size` of them from `first` on in one chunk of Lists. No pointers, so that a group may be
-/// copied, stored, or sent to another device.
+/// Where a group's blocks are: `size` of them from `first` on in one chunk of Lists. Not a pointer, so that groups may be
+/// copied and sent to another device.
 struct ListRef {
     std::int32_t chunk = 0, first = 0, size = 0;
 };
@@ -77,7 +77,8 @@ struct alignas(16) ShiftSupportRecord {
                     ///< component towards a free surface
     float support;  ///< sum_j V_j W_ij, walls and the particle itself counted [-]
 };
-/// What the other phase adds to the first sweep's sums, see effects/air.h: of shifting [1/m], support [-], div u [1/s].
+/// What the other phase adds to the first sweep's sums, see equations/level_pair.h: of shifting [1/m], support [-],
+/// div u [1/s].
 struct OtherSums {
     float x, y, z, support, divergence;
 };

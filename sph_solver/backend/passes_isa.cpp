@@ -1,101 +1,80 @@
 // The neighbour loops, compiled once per instruction set (TW_ISA names it). Nothing here may call inline functions of
 // the standard library: the linker would be free to keep this file's AVX-512 copy for the whole program.
 #include "sph_solver/backend/pair_loop.h"
+#include "sph_solver/equations/artificial_viscosity.h"
+#include "sph_solver/equations/continuity.h"
+#include "sph_solver/equations/density_diffusion.h"
+#include "sph_solver/equations/pressure_gradient.h"
+#include "sph_solver/equations/renormalisation.h"
+#include "sph_solver/equations/shifting.h"
+#include "sph_solver/equations/wall_pressure.h"
 
 namespace tw {
 namespace TW_ISA {
 namespace {
 
 /// First sweep of a step: velocity divergence (continuity), and with it what the second sweep needs of the
-/// neighbourhood: renormalised density gradient (Randles & Libersky 1996), kernel support and the shifting sum (Sun et
-/// al. 2017):
-///   <grad rho>_i = L_i sum_j (rho_j - rho_i) grad W_ij V_j,   L_i^-1 = sum_j r_ji (x) grad W_ij V_j
-/// Slip wall: the wall's velocity in the continuity sum is u_i - (u_i . n_i) n_i with the exterior normal n_i at the
-/// fluid particle, so u_i - u_wall = (u_i . n_i) n_i.
+/// neighbourhood: renormalised density gradient, kernel support and the shifting sum.
 void continuity_and_gradient(const PassData& d, const Group* groups, int count) {
     const Frame frame = frame_of(d.kernel, d.quantum);
-    const ShiftWeight weight(d);
+    const Shifting shifting(d.kernel, d.inv_W_dp);
     for (int n = 0; n < count; ++n) {
         const Group& g = groups[n];
-        const Lanes a = load_places(d.place, g, frame);
-        const V3<F> u = velocities(d, g);
-        V3<F> n_i{F{}, F{}, F{}};
-        F drho_i{};
-        for (int l = 0; l < lanes; ++l) drho_i[l] = d.motion[g.first + (l < g.size ? l : g.size - 1)].drho;
-        F m[6] = {}, divergence{}, wall_divergence{}, support{};
-        V3<F> b{F{}, F{}, F{}}, s{F{}, F{}, F{}};
-        for_each_neighbour(d.place, d.list, g.list, g, frame, a, [&](std::int32_t j, const Met& ij) {
-            weight.count_in(ij, support, s);
-            const V3<F>& r = ij.r_ji;
-            const V3<F> f = ij.gradient();
-            m[0] += f.x * r.x;
-            m[1] += f.x * r.y;
-            m[2] += f.x * r.z;
-            m[3] += f.y * r.y;
-            m[4] += f.y * r.z;
-            m[5] += f.z * r.z;
-            const VelocityDensityRecord& mj = d.motion[j];
-            Continuity::add(f, V3<F>{u.x - mj.u, u.y - mj.v, u.z - mj.w}, divergence);
-            const F jump = mj.drho - drho_i;
-            b.x += jump * f.x;
-            b.y += jump * f.y;
-            b.z += jump * f.z;
+        const V3<Real> x_i = own_places(d.place, g, frame), u_i = own_velocities(d.motion, g);
+        const Real drho_i = own(g, [&](int i) { return d.motion[i].drho; });
+        Real divergence{}, wall_divergence{}, support{};
+        V3<Real> shift{};
+        ScalarGradient<Real> grad_rho;
+        for_each_neighbour(d.place, d.list, g.list, g, frame, x_i, [&](std::int32_t j, const Met& ij) {
+            const VelocityDensityRecord& r_j = d.motion[j];
+            support += ij.V_W();
+            shifting.add(ij, shift);
+            Continuity::add(ij, u_i - velocity(r_j), divergence);
+            grad_rho.add(ij, r_j.drho - drho_i);
         });
+        V3<Real> n_i{};
         for (int l = 0; l < lanes && g.wall_list.size > 0; ++l) {
-            const WallNormalRecord& r = d.normal[g.first + (l < g.size ? l : g.size - 1)];
-            n_i.x[l] = r.x;
-            n_i.y[l] = r.y;
-            n_i.z[l] = r.z;
+            const WallNormalRecord& r = d.normal[in_lane(g, l)];
+            n_i.x[l] = r.x, n_i.y[l] = r.y, n_i.z[l] = r.z;
         }
-        const F u_n = dot(u, n_i);
-        const V3<F> u_iw{u_n * n_i.x, u_n * n_i.y, u_n * n_i.z};
-        for_each_neighbour(d.wall_place, d.wall_list, g.wall_list, g, frame, a, [&](std::int32_t, const Met& ij) {
-            weight.count_in(ij, support, s);
-            Continuity::add(ij.gradient(), u_iw, wall_divergence);
+        const V3<Real> u_slip = slip_velocity(dot(u_i, n_i), n_i);
+        for_each_neighbour(d.wall_place, d.wall_list, g.wall_list, g, frame, x_i, [&](std::int32_t, const Met& ij) {
+            support += ij.V_W();
+            shifting.add(ij, shift);
+            Continuity::add(ij, u_slip, wall_divergence);
         });
-        support *= d.kernel.tenth_h;
+        support *= d.kernel.W_over_G;
         if (d.other)
             for (int l = 0; l < g.size; ++l) {
                 const OtherSums& other = d.other[g.first + l];
                 support[l] += other.support, divergence[l] += other.divergence;
-                s.x[l] += other.x, s.y[l] += other.y, s.z[l] += other.z;
+                shift.x[l] += other.x, shift.y[l] += other.y, shift.z[l] += other.z;
             }
-        for (F& entry : m) entry *= d.kernel.support_length;
-        if (g.wall_list.size > 0) {
-            // A wall compresses only the water that it touches: while the support is incomplete there is a void between
-            // them, and the void closes first. Receding walls pull at once.
-            const F void_share = simd::positive_part(1.0f - support) * d.inv_void;
-            const F touch = simd::positive_part(1.0f - void_share);
-            const F compression = simd::positive_part(wall_divergence);
-            divergence += wall_divergence + compression * (touch - 1.0f);
-        }
+        if (g.wall_list.size > 0) divergence += compression_by_walls(wall_divergence, support, d.inv_void);
+        FirstMoment<Real>& moment = grad_rho.moment;
+        moment.scale(d.kernel.support_length);
         if (d.carried)
             for (int l = 0; l < g.size; ++l)
-                d.carried[g.first + l] = {m[0][l] * support[l], m[3][l] * support[l], m[5][l] * support[l]};
-        if (d.two_dimensional) m[3] += 1.0f;
-        const V3<F> grad = solve_symmetric(m, b);
+                d.carried[g.first + l] = {moment.xx[l] * support[l], moment.yy[l] * support[l],
+                                          moment.zz[l] * support[l]};
+        if (d.two_dimensional) moment.fill_second_axis();
+        const V3<Real> grad = moment.solve(grad_rho.sum);
         for (int l = 0; l < g.size; ++l) {
             GradientPressureRecord& out = d.stress[g.first + l];
-            out.gx = grad.x[l];
-            out.gy = grad.y[l];
-            out.gz = grad.z[l];
+            out.gx = grad.x[l], out.gy = grad.y[l], out.gz = grad.z[l];
             d.rate[g.first + l].drho = (d.rho0 + drho_i[l]) * divergence[l];
-            d.shift[g.first + l] = {s.x[l], s.y[l], s.z[l], support[l]};
+            d.shift[g.first + l] = {shift.x[l], shift.y[l], shift.z[l], support[l]};
         }
     }
 }
 
-/// Shifting goes along the surface only: towards it, it would pump water up for ever.
-///
 /// Never inlined: which sums are fused with their products would depend on what stands before.
-[[gnu::noinline]] void shift_along_surface(const V3<F>& towards_surface, ShiftSupportRecord* shift, int size) {
-    const F normal2 = dot(towards_surface, towards_surface);
+[[gnu::noinline]] void shift_along_surface(const V3<Real>& towards_surface, ShiftSupportRecord* shift, int size) {
+    const Real N2 = dot(towards_surface, towards_surface);
     for (int l = 0; l < size; ++l) {
-        if (!(normal2[l] > 0)) continue;
-        ShiftSupportRecord& s = shift[l];
-        const float x = towards_surface.x[l], y = towards_surface.y[l], z = towards_surface.z[l];
-        const float share = (s.x * x + s.y * y + s.z * z) / normal2[l];
-        s.x -= share * x, s.y -= share * y, s.z -= share * z;
+        V3<float> s{shift[l].x, shift[l].y, shift[l].z};
+        keep_along_surface(in_lane(towards_surface, l), N2[l], s);
+        shift[l].x = s.x, shift[l].y = s.y, shift[l].z = s.z;
     }
 }
 
@@ -106,85 +85,69 @@ void forces(const PassData& d, const Group* groups, int count) {
     const DensityDiffusion density_diffusion{0.5f * d.kernel.support_length};
     for (int n = 0; n < count; ++n) {
         const Group& g = groups[n];
-        const Lanes a = load_places(d.place, g, frame);
-        const V3<F> u = velocities(d, g);
-        V3<F> grad{};
-        F drho_i{}, p_i{}, V_i{};
+        const V3<Real> x_i = own_places(d.place, g, frame), u_i = own_velocities(d.motion, g);
+        V3<Real> grad_i{};
+        Real drho_i{}, p_i{}, V_i{};
         for (int l = 0; l < lanes; ++l) {
-            const int i = g.first + (l < g.size ? l : g.size - 1);
+            const int i = in_lane(g, l);
             drho_i[l] = d.motion[i].drho;
-            grad.x[l] = d.stress[i].gx;
-            grad.y[l] = d.stress[i].gy;
-            grad.z[l] = d.stress[i].gz;
+            grad_i.x[l] = d.stress[i].gx, grad_i.y[l] = d.stress[i].gy, grad_i.z[l] = d.stress[i].gz;
             p_i[l] = d.stress[i].p;
             V_i[l] = d.place[i].volume;
         }
         control_tension(d, g, p_i);
-        F diffusion{};
-        V3<F> water{F{}, F{}, F{}}, wall{F{}, F{}, F{}}, towards_surface{F{}, F{}, F{}};
-        for_each_neighbour(d.place, d.list, g.list, g, frame, a, [&](std::int32_t j, const Met& ij) {
-            const VelocityDensityRecord& mj = d.motion[j];
-            const GradientPressureRecord& sj = d.stress[j];
-            const V3<F> u_ij{u.x - mj.u, u.y - mj.v, u.z - mj.w};
-            density_diffusion.add(ij, mj.drho - drho_i, V3<F>{grad.x + sj.gx, grad.y + sj.gy, grad.z + sj.gz},
-                                  diffusion);
-            PressureGradient::add(ij, p_i + sj.p + artificial_viscosity.pressure(ij, u_ij), water);
+        Real diffusion{};
+        V3<Real> water{}, wall{}, towards_surface{};
+        for_each_neighbour(d.place, d.list, g.list, g, frame, x_i, [&](std::int32_t j, const Met& ij) {
+            const VelocityDensityRecord& r_j = d.motion[j];
+            const GradientPressureRecord& s_j = d.stress[j];
+            density_diffusion.add(ij, r_j.drho - drho_i, grad_i + V3<float>{s_j.gx, s_j.gy, s_j.gz}, diffusion);
+            PressureGradient::add(ij, p_i + s_j.p + artificial_viscosity.pressure(ij, u_i - velocity(r_j)), water);
         });
         for_each_neighbour(
-            d.place, d.list, g.list, g, frame, a,
-            [&](std::int32_t, const Met& ij) {
-                const V3<F> f = ij.gradient();
-                towards_surface.x += f.x, towards_surface.y += f.y, towards_surface.z += f.z;
-            },
-            AtSurface{d.surface});
-        for_each_neighbour(d.wall_place, d.wall_list, g.wall_list, g, frame, a,
+            d.place, d.list, g.list, g, frame, x_i,
+            [&](std::int32_t, const Met& ij) { towards_surface += ij.V_gradW(); }, AtSurface{d.surface});
+        for_each_neighbour(d.wall_place, d.wall_list, g.wall_list, g, frame, x_i,
                            [&](std::int32_t j, const Met& ij) { PressureGradient::add(ij, p_i + d.wall_p[j], wall); });
         // The volume that the neighbours see, not this density's: so the forces of a pair cancel to rounding.
-        const F inv_rho = V_i * d.inv_mass;
-        const F drho = d.diffusion * diffusion;
-        const V3<F> w{wall.x * inv_rho, wall.y * inv_rho, wall.z * inv_rho};
-        const V3<F> acc{water.x * inv_rho + w.x + d.gx, water.y * inv_rho + w.y + d.gy, water.z * inv_rho + w.z + d.gz};
-        for (int l = 0; l < g.size; ++l) d.rate[g.first + l] = {acc.x[l], acc.y[l], acc.z[l], drho[l]};
+        const Real inv_rho = V_i * d.inv_mass;
+        const Real drho = d.diffusion * diffusion;
+        const V3<Real> a_wall = inv_rho * wall;
+        const V3<Real> a{water.x * inv_rho + a_wall.x + d.gx, water.y * inv_rho + a_wall.y + d.gy,
+                         water.z * inv_rho + a_wall.z + d.gz};
+        for (int l = 0; l < g.size; ++l) d.rate[g.first + l] = {a.x[l], a.y[l], a.z[l], drho[l]};
         shift_along_surface(towards_surface, d.shift + g.first, g.size);
-        if (g.wall_load >= 0) d.wall_load[g.wall_load] = load_of(a, d.kernel.support_length, w, g.size);
+        if (g.wall_load >= 0) d.wall_load[g.wall_load] = load_of(x_i, d.kernel.support_length, a_wall, g.size);
     }
 }
 
-/// Fields at points from the fluid round them (Adami, Hu & Adams 2012, doi:10.1016/j.jcp.2012.05.005):
-///   p_b = sum_f (p_f + rho_f g . (x_b - x_f)) V_f W_bf / sum_f V_f W_bf
+/// Pressure at points from the fluid round them, see wall_pressure.h.
 void extrapolate(const ExtrapolateData& d, const Group* groups, int count) {
     const Frame frame = frame_of(d.kernel, d.quantum);
-    const float to_m = d.kernel.support_length;
-    const V3<float> g_2h{d.gx * to_m, d.gy * to_m, d.gz * to_m};
+    const V3<float> g_2h = d.kernel.support_length * V3<float>{d.gx, d.gy, d.gz};
     for (int n = 0; n < count; ++n) {
         const Group& g = groups[n];
-        const Lanes a = load_places(d.at, g, frame);
-        F support{}, p{};
-        V3<F> flux{F{}, F{}, F{}};
-        for_each_neighbour(d.place, d.list, g.list, g, frame, a, [&](std::int32_t j, const Met& ij) {
-            const F WV = ij.FV * ij.shape();
-            support += WV;
-            const float rho = d.rho0 + d.motion[j].drho;
-            const F p_there = WV * (d.stress[j].p - rho * dot(g_2h, ij.r_ji));
-            p += p_there;
-            if (d.flux) {
-                flux.x += p_there * d.carried[j].x;
-                flux.y += p_there * d.carried[j].y;
-                flux.z += p_there * d.carried[j].z;
-            }
+        const V3<Real> x_d = own_places(d.at, g, frame);
+        Real support{}, p{};
+        V3<Real> flux{};
+        for_each_neighbour(d.place, d.list, g.list, g, frame, x_d, [&](std::int32_t f, const Met& ij) {
+            const Real V_W = ij.V_W();
+            support += V_W;
+            const Real share = V_W * WallPressure::carried(ij, d.stress[f].p, d.rho0 + d.motion[f].drho, g_2h);
+            p += share;
+            if (d.flux) flux += share * V3<float>{d.carried[f].x, d.carried[f].y, d.carried[f].z};
         });
-        support *= d.kernel.tenth_h;
-        p *= d.kernel.tenth_h;
-        // below this the point has lost the water: a hundredth of the support at a plane wall
-        const F inv = support > 0.005f ? 1.0f / support : F{};
+        support *= d.kernel.W_over_G;
+        p *= d.kernel.W_over_G;
+        const Real inv = support > WallPressure::least_support ? 1.0f / support : Real{};
         for (int l = 0; l < g.size; ++l) {
             const int i = g.first + l;
             d.p[i] = p[l] * inv[l];
             if (d.support) d.support[i] = support[l];
             if (d.flux) {
-                d.flux[3 * i] = flux.x[l] * d.kernel.tenth_h * inv[l];
-                d.flux[3 * i + 1] = flux.y[l] * d.kernel.tenth_h * inv[l];
-                d.flux[3 * i + 2] = flux.z[l] * d.kernel.tenth_h * inv[l];
+                d.flux[3 * i] = flux.x[l] * d.kernel.W_over_G * inv[l];
+                d.flux[3 * i + 1] = flux.y[l] * d.kernel.W_over_G * inv[l];
+                d.flux[3 * i + 2] = flux.z[l] * d.kernel.W_over_G * inv[l];
             }
         }
     }
@@ -193,7 +156,7 @@ void extrapolate(const ExtrapolateData& d, const Group* groups, int count) {
 GroupReach reach_of(const PlaceRecord* places, const Group& g, const Reaches& reaches) {
     GroupReach r;
     for (int l = 0; l < lanes; ++l) {
-        const PlaceRecord& p = places[g.first + (l < g.size ? l : g.size - 1)];
+        const PlaceRecord& p = places[in_lane(g, l)];
         const float x = static_cast<float>(p.x - g.x), y = static_cast<float>(p.y - g.y),
                     z = static_cast<float>(p.z - g.z);
         r.n[l] = x * x + y * y + z * z;
@@ -226,10 +189,10 @@ inline Places8 transposed(I4 r0, I4 r1, I4 r2, I4 r3, I4 r4, I4 r5, I4 r6, I4 r7
 }
 
 /// Squared distance of eight places from the nearest of the group's particles [quanta^2].
-inline F distance2(const GroupReach& g, const Places8& q) {
-    const F x = __builtin_convertvector(q.x - g.x, F), y = __builtin_convertvector(q.y - g.y, F),
-            z = __builtin_convertvector(q.z - g.z, F);
-    F least = g.n[0] + g.a[0] * x + g.b[0] * y + g.c[0] * z;
+inline Real distance2(const GroupReach& g, const Places8& q) {
+    const Real x = __builtin_convertvector(q.x - g.x, Real), y = __builtin_convertvector(q.y - g.y, Real),
+               z = __builtin_convertvector(q.z - g.z, Real);
+    Real least = g.n[0] + g.a[0] * x + g.b[0] * y + g.c[0] * z;
     for (int l = 1; l < lanes; ++l) least = simd::min(least, g.n[l] + g.a[l] * x + g.b[l] * y + g.c[l] * z);
     return least + (x * x + y * y + z * z);
 }
@@ -244,7 +207,7 @@ Reached reached(const GroupReach& g, const PlaceRecord* first, const PlaceRecord
             p = last;
         }
         const I4* v = reinterpret_cast<const I4*>(p);
-        const F d2 = distance2(g, transposed(v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7]));
+        const Real d2 = distance2(g, transposed(v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7]));
         r.far |= simd::bits_below(d2, g.far2) << k;
         r.now |= simd::bits_below(d2, g.now2) << k;
         r.sure |= simd::bits_below(d2, g.sure2) << k;

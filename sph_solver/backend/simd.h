@@ -17,13 +17,13 @@
 namespace tw::simd {
 
 inline constexpr int lanes = 8;
-typedef float F __attribute__((vector_size(4 * lanes)));
+typedef float Real __attribute__((vector_size(4 * lanes)));
 
 #if defined(__AVX__)
-static inline F sqrt(F x) { return (F)_mm256_sqrt_ps((__m256)x); }
-static inline F positive_part(F x) { return (F)_mm256_max_ps((__m256)x, _mm256_setzero_ps()); }
-static inline F min(F x, F y) { return (F)_mm256_min_ps((__m256)x, (__m256)y); }
-static inline std::uint32_t bits_below(F x, float limit) {
+static inline Real sqrt(Real x) { return (Real)_mm256_sqrt_ps((__m256)x); }
+static inline Real positive_part(Real x) { return (Real)_mm256_max_ps((__m256)x, _mm256_setzero_ps()); }
+static inline Real min(Real x, Real y) { return (Real)_mm256_min_ps((__m256)x, (__m256)y); }
+static inline std::uint32_t bits_below(Real x, float limit) {
     return static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps((__m256)x, _mm256_set1_ps(limit), _CMP_LT_OQ)));
 }
 #elif defined(__SSE__)
@@ -32,46 +32,46 @@ static inline Register sqrt(Register x) { return _mm_sqrt_ps(x); }
 static inline Register positive_part(Register x) { return _mm_max_ps(x, _mm_setzero_ps()); }
 static inline int below(Register x, float limit) { return _mm_movemask_ps(_mm_cmplt_ps(x, _mm_set1_ps(limit))); }
 union Parts {
-    F whole;
-    Register part[sizeof(F) / sizeof(Register)];
+    Real whole;
+    Register part[sizeof(Real) / sizeof(Register)];
 };
-static inline F sqrt(F x) {
+static inline Real sqrt(Real x) {
     Parts u{x};
     for (auto& p : u.part) p = sqrt(p);
     return u.whole;
 }
-static inline F positive_part(F x) {
+static inline Real positive_part(Real x) {
     Parts u{x};
     for (auto& p : u.part) p = positive_part(p);
     return u.whole;
 }
-static inline F min(F x, F y) {
+static inline Real min(Real x, Real y) {
     Parts u{x};
     const Parts v{y};
-    for (unsigned k = 0; k < sizeof(F) / sizeof(Register); ++k) u.part[k] = _mm_min_ps(u.part[k], v.part[k]);
+    for (unsigned k = 0; k < sizeof(Real) / sizeof(Register); ++k) u.part[k] = _mm_min_ps(u.part[k], v.part[k]);
     return u.whole;
 }
-static inline std::uint32_t bits_below(F x, float limit) {
+static inline std::uint32_t bits_below(Real x, float limit) {
     const Parts u{x};
     std::uint32_t bits = 0;
-    for (unsigned k = 0; k < sizeof(F) / sizeof(Register); ++k)
+    for (unsigned k = 0; k < sizeof(Real) / sizeof(Register); ++k)
         bits |= static_cast<std::uint32_t>(below(u.part[k], limit)) << (4 * k);
     return bits;
 }
 #else
-static inline F sqrt(F x) {
+static inline Real sqrt(Real x) {
     for (int l = 0; l < lanes; ++l) x[l] = std::sqrt(x[l]);
     return x;
 }
-static inline F positive_part(F x) {
+static inline Real positive_part(Real x) {
     for (int l = 0; l < lanes; ++l) x[l] = x[l] > 0 ? x[l] : 0;
     return x;
 }
-static inline F min(F x, F y) {
+static inline Real min(Real x, Real y) {
     for (int l = 0; l < lanes; ++l) x[l] = x[l] < y[l] ? x[l] : y[l];
     return x;
 }
-static inline std::uint32_t bits_below(F x, float limit) {
+static inline std::uint32_t bits_below(Real x, float limit) {
     std::uint32_t bits = 0;
     for (int l = 0; l < lanes; ++l) bits |= (x[l] < limit ? 1u : 0u) << l;
     return bits;

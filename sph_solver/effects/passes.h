@@ -12,19 +12,19 @@ struct VelocityData {
     const PassData* water = nullptr;
     VelocityDensityRecord* velocity = nullptr;
 };
-/// See effects/viscosity.h; adds to `water->rate`.
+/// See equations/viscosity.h; adds to `water->rate`.
 struct ViscousData {
     const PassData* water = nullptr;
     const float* mu = nullptr;                             ///< of particles and images [Pa s]
     const VelocityDensityRecord* wall_velocity = nullptr;  ///< of the dummies; null: slip
     WallLoad* wall_load = nullptr;
 };
-/// |S| of each particle [1/s], see effects/eddy_viscosity.h.
+/// |S| of each particle [1/s], see equations/smagorinsky.h.
 struct StrainData {
     const PassData* water = nullptr;
     float* strain = nullptr;
 };
-/// See effects/surface_tension.h.
+/// See equations/surface_tension.h.
 struct ColourData {
     const PassData* water = nullptr;
     VelocityDensityRecord* normal =
@@ -33,7 +33,7 @@ struct ColourData {
     float* curvature = nullptr;  ///< -div n [1/m]
 };
 
-/// See effects/air.h: `meet_other_phase` fills sums, `press_other_phase` adds to `own->rate`.
+/// See equations/level_pair.h: `meet_other_phase` fills sums, `press_other_phase` adds to `own->rate`.
 struct LevelPairData {
     Lists list;  ///< neighbours of `own` in `other`
     const PassData *own = nullptr, *other = nullptr;

@@ -1,63 +1,58 @@
-// The sweeps across the contact of two levels, once per instruction set; equations in level_pair.h.
+// The sweeps across the contact of two fluids, once per instruction set; equations in equations/level_pair.h.
+#include "sph_solver/equations/level_pair.h"
+
 #include "sph_solver/backend/pair_loop.h"
 #include "sph_solver/effects/passes.h"
+#include "sph_solver/equations/artificial_viscosity.h"
+#include "sph_solver/equations/continuity.h"
+#include "sph_solver/equations/pressure_gradient.h"
+#include "sph_solver/equations/shifting.h"
 
 namespace tw {
 namespace TW_ISA {
 
-namespace {
-/// rho_other / (rho_own + rho_other): how much of a pair's compression is taken by `own`.
-float share(const PassData& own, const PassData& other) { return other.rho0 / (own.rho0 + other.rho0); }
-}  // namespace
-
 void meet_other_phase(const LevelPairData& c, const Group* groups, int count) {
     const PassData &d = *c.own, &other = *c.other;
     const Frame frame = frame_of(d.kernel, d.quantum);
-    const ShiftWeight weight(d);
+    const Shifting shifting(d.kernel, d.inv_W_dp);
+    const Contact contact(d.rho0, other.rho0);
     for (int n = 0; n < count; ++n) {
         const Group& g = groups[n];
-        const Lanes a = load_places(d.place, g, frame);
-        const V3<F> u = velocities(d, g);
-        F divergence{}, support{};
-        V3<F> s{F{}, F{}, F{}};
-        for_each_neighbour(other.place, c.list, g.list, g, frame, a, [&](std::int32_t j, const Met& ij) {
-            weight.count_in(ij, support, s);
-            const VelocityDensityRecord& mj = other.motion[j];
-            Continuity::add(ij.gradient(), V3<F>{u.x - mj.u, u.y - mj.v, u.z - mj.w}, divergence);
+        const V3<Real> x_i = own_places(d.place, g, frame), u_i = own_velocities(d.motion, g);
+        Real divergence{}, support{};
+        V3<Real> shift{};
+        for_each_neighbour(other.place, c.list, g.list, g, frame, x_i, [&](std::int32_t j, const Met& ij) {
+            support += ij.V_W();
+            shifting.add(ij, shift);
+            Continuity::add(ij, u_i - velocity(other.motion[j]), divergence);
         });
-        support *= d.kernel.tenth_h;
-        divergence *= 2 * share(d, other);
-        for (int l = 0; l < g.size; ++l) c.sums[g.first + l] = {s.x[l], s.y[l], s.z[l], support[l], divergence[l]};
+        support *= d.kernel.W_over_G;
+        divergence *= contact.of_own;
+        for (int l = 0; l < g.size; ++l)
+            c.sums[g.first + l] = {shift.x[l], shift.y[l], shift.z[l], support[l], divergence[l]};
     }
 }
 
 void press_other_phase(const LevelPairData& c, const Group* groups, int count) {
     const PassData &d = *c.own, &other = *c.other;
     const Frame frame = frame_of(d.kernel, d.quantum);
-    const float of_own = 2 * share(d, other), of_other = 2 * share(other, d);
-    const float both = d.viscosity + other.viscosity;
-    const ArtificialViscosity artificial_viscosity{both > 0 ? 2 * d.viscosity * other.viscosity / both : 0};
+    const Contact contact(d.rho0, other.rho0);
+    const ArtificialViscosity artificial_viscosity{harmonic_mean(d.viscosity, other.viscosity)};
     for (int n = 0; n < count; ++n) {
         const Group& g = groups[n];
-        const Lanes a = load_places(d.place, g, frame);
-        const V3<F> u = velocities(d, g);
-        F p_i{}, V_i{};
-        for (int l = 0; l < lanes; ++l) {
-            const int i = g.first + (l < g.size ? l : g.size - 1);
-            p_i[l] = d.stress[i].p;
-            V_i[l] = d.place[i].volume;
-        }
-        F controlled = p_i;
+        const V3<Real> x_i = own_places(d.place, g, frame), u_i = own_velocities(d.motion, g);
+        const Real p_i = own(g, [&](int i) { return d.stress[i].p; });
+        const Real V_i = own(g, [&](int i) { return d.place[i].volume; });
+        Real controlled = p_i;
         control_tension(d, g, controlled);
-        const F p_own = of_own * p_i + (controlled - p_i);
-        V3<F> force{F{}, F{}, F{}};
-        for_each_neighbour(other.place, c.list, g.list, g, frame, a, [&](std::int32_t j, const Met& ij) {
-            const VelocityDensityRecord& mj = other.motion[j];
-            const V3<F> u_ij{u.x - mj.u, u.y - mj.v, u.z - mj.w};
-            PressureGradient::add(ij, p_own + of_other * other.stress[j].p + artificial_viscosity.pressure(ij, u_ij),
-                                  force);
+        const Real p_own = contact.of_own * p_i + (controlled - p_i);
+        V3<Real> force{};
+        for_each_neighbour(other.place, c.list, g.list, g, frame, x_i, [&](std::int32_t j, const Met& ij) {
+            const V3<Real> u_ij = u_i - velocity(other.motion[j]);
+            PressureGradient::add(
+                ij, p_own + contact.of_other * other.stress[j].p + artificial_viscosity.pressure(ij, u_ij), force);
         });
-        const F inv_rho = V_i * d.inv_mass;
+        const Real inv_rho = V_i * d.inv_mass;
         for (int l = 0; l < g.size; ++l) {
             RateRecord& rate = d.rate[g.first + l];
             rate.ax += force.x[l] * inv_rho[l];

@@ -8,6 +8,7 @@
 #include "base/errors.h"
 #include "sph_solver/backend/for_particles.h"
 #include "sph_solver/backend/stopwatch.h"
+#include "sph_solver/equations/shifting.h"
 #include "sph_solver/particles/level.h"
 
 namespace tw {
@@ -65,7 +66,7 @@ void Level::advance(const Schedule::Move& move, const Vec3& moment_reference) {
     Records& records = records_;
     const double c0 = s.state_equation.c0, speed_before = extremes_.speed;
     const double stream_before = stream_velocity(time_), stream_after = stream_velocity(time_ + dt);
-    const double shift_scale = -s.shifting * dt * std::max(reference_speed(), 1e-30) * h_, shift_cap = 0.05 * s.dp;
+    const ShiftStep shift_step(s.shifting, dt, reference_speed(), h_, s.dp);
 
     const auto move_range = [&](Part& part, std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
@@ -87,10 +88,9 @@ void Level::advance(const Schedule::Move& move, const Vec3& moment_reference) {
                     p.drho[i] = static_cast<float>(p.drho[i] + dt * r.drho);
                     if (const ShiftSupportRecord& sum = records.shift_support[i];
                         s.shifting > 0 && sum.support > s.shifting_support) {
-                        shift = shift_scale * Vec3(sum.x, sum.y, sum.z);
-                        const double length2 = shift.squaredNorm();
-                        if (length2 > shift_cap * shift_cap) shift *= shift_cap / std::sqrt(length2);
-                        part.shift2 = std::max(part.shift2, std::min(length2, shift_cap * shift_cap));
+                        const auto [by, length2] = shift_step.of(sum.x, sum.y, sum.z);
+                        shift = Vec3(by.x, by.y, by.z);
+                        part.shift2 = std::max(part.shift2, length2);
                     }
                     break;
                 }

@@ -1,0 +1,102 @@
+// The terms with Real = float, for one pair, and the plain functions that the host calls.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sph_solver/equations/level_pair.h"
+#include "sph_solver/equations/renormalisation.h"
+#include "sph_solver/equations/shifting.h"
+#include "sph_solver/equations/smagorinsky.h"
+#include "sph_solver/equations/tension_control.h"
+#include "sph_solver/equations/viscosity.h"
+#include "sph_solver/equations/wall_pressure.h"
+
+namespace tw {
+namespace {
+
+TEST(ShiftStep, GoesFromTheCrowdAndNoFurtherThanATwentiethOfTheSpacing) {
+    const double dt = 1e-3, speed = 2, h = 0.15, dp = 0.1;
+    const ShiftStep step(1, dt, speed, h, dp);
+    const auto small = step.of(0.3f, 0, -0.1f);  // neighbours, weighted, lie towards +x and -z
+    EXPECT_DOUBLE_EQ(small.x.x, -dt * speed * h * double(0.3f));
+    EXPECT_DOUBLE_EQ(small.x.z, dt * speed * h * double(0.1f));
+    EXPECT_EQ(small.x.y, 0);
+    const auto large = step.of(3e5f, -4e5f, 0);
+    EXPECT_NEAR(large.x.x, -0.05 * dp * 0.6, 1e-12);
+    EXPECT_NEAR(large.x.y, 0.05 * dp * 0.8, 1e-12);
+    EXPECT_NEAR(large.length2, 0.05 * dp * 0.05 * dp, 1e-15);
+}
+
+TEST(Shifting, KeepsWhatGoesAlongTheSurface) {
+    const V3<float> N{0, 0, 2};
+    V3<float> s{1, -2, 3};
+    keep_along_surface(N, dot(N, N), s);
+    EXPECT_EQ(s.x, 1);
+    EXPECT_EQ(s.y, -2);
+    EXPECT_EQ(s.z, 0);
+    s = {1, -2, 3};
+    keep_along_surface(V3<float>{}, 0, s);  // no surface near
+    EXPECT_EQ(s.z, 3);
+}
+
+TEST(WallCompression, BeginsAtTheTouchSupportAndIsFullAtOne) {
+    const float inv_void = 10;  // from 0.9 on
+    EXPECT_EQ(compression_by_walls(5.0f, 0.85f, inv_void), 0);
+    EXPECT_NEAR(compression_by_walls(5.0f, 0.95f, inv_void), 2.5, 1e-5);
+    EXPECT_EQ(compression_by_walls(5.0f, 1.0f, inv_void), 5);
+    EXPECT_EQ(compression_by_walls(5.0f, 1.1f, inv_void), 5);
+    EXPECT_EQ(compression_by_walls(-5.0f, 0.5f, inv_void), -5);  // a receding wall pulls at once
+}
+
+TEST(FirstMoment, SolvesWhatItWasMadeOfAndLeavesSprayAlone) {
+    const FirstMoment<float> m{1.2f, 0.1f, -0.2f, 0.8f, 0.05f, 0.9f};
+    const V3<float> x{0.3f, -0.7f, 1.1f};
+    const V3<float> b{m.xx * x.x + m.xy * x.y + m.xz * x.z, m.xy * x.x + m.yy * x.y + m.yz * x.z,
+                      m.xz * x.x + m.yz * x.y + m.zz * x.z};
+    const V3<float> found = m.solve(b);
+    EXPECT_NEAR(found.x, x.x, 1e-6);
+    EXPECT_NEAR(found.y, x.y, 1e-6);
+    EXPECT_NEAR(found.z, x.z, 1e-6);
+    const V3<float> of_spray = FirstMoment<float>{0.1f, 0, 0, 0.1f, 0, 0.1f}.solve(b);
+    EXPECT_EQ(of_spray.x, 0);
+    EXPECT_EQ(of_spray.y, 0);
+    EXPECT_EQ(of_spray.z, 0);
+}
+
+TEST(StrainRate, OfShearIsTheShear) {
+    VectorGradient<float> grad;
+    grad.u = {0, 0, 3};  // du/dz
+    EXPECT_NEAR(std::sqrt(strain_rate_squared(grad)), 3, 1e-6);
+    grad = {};
+    grad.v = {2, 0, 0}, grad.u = {0, -2, 0};  // rotation
+    EXPECT_EQ(strain_rate_squared(grad), 0);
+    EXPECT_DOUBLE_EQ(eddy_viscosity(mixing_length_at_wall(0.1, 1), 3), 0.03);
+    EXPECT_DOUBLE_EQ(mixing_length_at_wall(0.1, 0.1), 0.041);
+}
+
+TEST(NoSlip, MakesTheMeanOfWaterAndDummyTheWalls) {
+    const V3<float> wall{1, 0, 0}, water{3, -1, 0.5f}, dummy = no_slip_velocity(wall, water);
+    EXPECT_EQ(dummy.x + water.x, 2);
+    EXPECT_EQ(dummy.y + water.y, 0);
+    EXPECT_EQ(dummy.z + water.z, 0);
+}
+
+TEST(Contact, OfEqualFluidsIsTheMeanAndOfWaterAndAirIsTheWaters) {
+    const Contact equal(1000, 1000);
+    EXPECT_EQ(equal.of_own, 1);
+    EXPECT_EQ(equal.of_other, 1);
+    const Contact air(1, 999);  // the air's particle sees a wall: u* = u_water, p* = p_air
+    EXPECT_NEAR(air.of_own, 1.998, 1e-6);
+    EXPECT_NEAR(air.of_other, 0.002, 1e-6);
+    EXPECT_EQ(harmonic_mean(0, 0), 0);
+    EXPECT_EQ(harmonic_mean(2, 2), 2);
+}
+
+TEST(TensionControl, TurnsTensionInsideTheWaterOnly) {
+    EXPECT_EQ(tension_controlled(-5, 1, 0.95f), 5);
+    EXPECT_EQ(tension_controlled(-5, 0.9f, 0.95f), -5);
+    EXPECT_EQ(tension_controlled(5, 1, 0.95f), 5);
+}
+
+}  // namespace
+}  // namespace tw
