@@ -9,6 +9,7 @@
 
 #include "base/errors.h"
 #include "scene/defaults.h"
+#include "scene/effects/registry.h"
 #include "scene/scene.h"
 
 namespace tw {
@@ -98,7 +99,7 @@ Prediction predict(const Scene& scene, const MachinePace& pace) {
     p.sph_seconds =
         pace.sph * (p.particles + p.wall_particles) * p.sph_steps * neighbours / (particle_steps_per_core_second * n);
     for (const EffectChoice& e : scene.effects)
-        if (e.on && e.name != "shifting") p.sph_seconds *= 1 + e.cost;  // the table's throughput has shifting in it
+        if (e.on && !effect_part(e.name).in_the_throughput) p.sph_seconds *= 1 + e.cost;
     if (scene.effect_on("air")) {
         p.air_particles = air_volume(scene) / particle;
         p.sph_steps *= std::max(1.0, (scene.sph.air_c0 + speed) / (scene.sph.c0 + speed));
@@ -120,11 +121,12 @@ void refuse_oversize(const Scene& scene, const Prediction& p) {
         const bool sph = method == "sph";
         const double bytes = sph ? p.sph_bytes : p.fvm_bytes;
         if (bytes <= memory) continue;
-        throw InputError(fmt::format(
-            "{}: too fine for this machine: {:.3g} {} need {:.3g} GB, of which {:.3g} GB can be had; "
-            "expected at least near_hull = {:.3g} m",
-            scene.resolution_place, sph ? p.particles + p.wall_particles : p.cells, sph ? "particles" : "cells",
-            bytes / 1e9, memory / 1e9, scene.resolution.near_hull * std::cbrt(bytes / memory) * 1.01));
+        throw InputError(
+            fmt::format("{}: too fine for this machine: {:.3g} {} need {:.3g} GB, of which {:.3g} GB can be had; "
+                        "expected at least near_hull = {:.3g} m",
+                        scene.place_of("resolution.near_hull"), sph ? p.particles + p.wall_particles : p.cells,
+                        sph ? "particles" : "cells", bytes / 1e9, memory / 1e9,
+                        scene.resolution.near_hull * std::cbrt(bytes / memory) * 1.01));
     }
 }
 

@@ -82,15 +82,16 @@ std::vector<RefinementBox> default_refinement(const Scene& scene) {
 }
 
 double water_height(const Scene& scene) {
-    if (scene.water_blocks.empty()) return -scene.domain.box.min.z();
-    double top = scene.domain.box.min.z();
+    const double floor = scene.domain.as_asked.min.z();
+    if (scene.water_blocks.empty()) return -floor;
+    double top = floor;
     for (const Box& block : scene.water_blocks) top = std::max(top, block.max.z());
-    return top - scene.domain.box.min.z();
+    return top - floor;
 }
 
 double time_scale(const Scene& scene) {
     if (scene.motion.kind == Motion::Kind::stream) {
-        const double length = scene.hull ? scene.hull->length : scene.domain.box.size().x();
+        const double length = scene.hull ? scene.hull->length : scene.domain.as_asked.size().x();
         return length / scene.motion.speed;
     }
     return std::sqrt(water_height(scene) / scene.water.gravity);

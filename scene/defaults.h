@@ -39,7 +39,8 @@ RasterSpec default_raster(const Scene& scene, double spacing);
 double default_courant(const Scene& scene);
 double default_sound_speed(const Scene& scene);
 
-/// Bounds of the water at rest [m]: depth below the surface of the deepest place.
+/// Bounds of the water at rest [m]: depth below the surface of the deepest place, by the domain as it was asked for:
+/// what follows from it (sound speed, times) is the same at every resolution.
 double water_height(const Scene& scene);
 /// Water at the start [m3], of what is solved (half a half model).
 double water_volume(const Scene& scene);

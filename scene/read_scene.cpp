@@ -6,7 +6,8 @@
 #include "base/errors.h"
 #include "meshes/query.h"
 #include "scene/defaults.h"
-#include "scene/effects_plan.h"
+#include "scene/effects/plan.h"
+#include "scene/effects/registry.h"
 #include "scene/hash.h"
 #include "scene/read.h"
 
@@ -88,7 +89,8 @@ double snapped_face(double face, bool given, bool high, const Resolution& r) {
     return (high ? std::ceil(face / r.spacing - 1e-6) : std::floor(face / r.spacing + 1e-6)) * r.spacing;
 }
 
-Box stream_box(const DomainOptions& o, const Scene& scene, std::optional<double> water_depth) {
+/// The box as asked and as it is solved; the rest of the domain is left at its defaults.
+Domain stream_domain(const DomainOptions& o, const Scene& scene, std::optional<double> water_depth) {
     Box box;
     bool floor_given = o.z || o.below;
     if (scene.hull) {
@@ -104,19 +106,21 @@ Box stream_box(const DomainOptions& o, const Scene& scene, std::optional<double>
     if (o.y) std::tie(box.min.y(), box.max.y()) = *o.y;
     if (o.z) std::tie(box.min.z(), box.max.z()) = *o.z;
     if (scene.hull && scene.hull->half) box.min.y() = 0;
+    Domain d;
+    d.as_asked = box;
     const bool low_given[] = {o.x || o.ahead, o.y || o.side, floor_given};
     const bool high_given[] = {o.x || o.behind, o.y || o.side, o.z || o.above};
     for (int axis = 0; axis < 3; ++axis) {
         box.min[axis] = snapped_face(box.min[axis], low_given[axis], false, scene.resolution);
         box.max[axis] = snapped_face(box.max[axis], high_given[axis], true, scene.resolution);
     }
-    return box;
+    d.box = box;
+    return d;
 }
 
 Domain domain_of(const DomainOptions& o, const std::optional<Box>& tank, Scene& scene, Sections& s,
                  std::optional<double> depth) {
     Domain d;
-    d.dimensions = o.dimensions;
     const bool stream = scene.motion.kind == Motion::Kind::stream;
     if (tank) {
         if (stream)
@@ -125,16 +129,19 @@ Domain domain_of(const DomainOptions& o, const std::optional<Box>& tank, Scene& 
         if (!o.empty()) s.domain.fail("x", "[tank] already says how large the domain is; keep one of the two");
         d.box = *tank;
         if (scene.hull && scene.hull->half) d.box.min.y() = 0;
+        d.as_asked = d.box;
     } else {
         if (!scene.hull && !(o.x && o.z && (o.y || o.dimensions == 2)))
             s.domain.fail(stream ? "x" : "size",
                           "missing; a scene without a hull needs [domain] x, y and z ranges, or a [tank]");
-        d.box = stream_box(o, scene, depth);
+        d = stream_domain(o, scene, depth);
     }
+    d.dimensions = o.dimensions;
     if (o.dimensions == 2) {
         if (scene.hull) s.domain.fail("dimensions", "a hull needs 3 dimensions in this version");
         d.box.max.y() = 0.5 * scene.resolution.near_hull;  // one particle thick, round the plane y = 0
         d.box.min.y() = -d.box.max.y();
+        d.as_asked.min.y() = d.as_asked.max.y() = 0;
     }
     if (stream) {
         d.x_min = Side::inlet;
@@ -252,6 +259,14 @@ void check_places(Scene& scene, Sections& s) {
     }
 }
 
+void note_places(const Sections& s, Scene& scene) {
+    for (const Section* section :
+         {&s.hull, &s.water, &s.motion, &s.resolution, &s.domain, &s.run, &s.sampling, &s.tank, &s.sph, &s.fvm})
+        for (const SceneKey& key : scene_keys())
+            if (key.section == section->name() && section->has(key.name))
+                scene.places[key.section + "." + key.name] = section->where(key.name);
+}
+
 template <class List>
 void refuse_same_names(const List& items, std::vector<Section>& sections) {
     for (std::size_t i = 0; i < items.size(); ++i)
@@ -301,14 +316,14 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     Sections s = split_sections(file, document);
     scene.title = s.root.text("title", file.stem().string());
 
-    const WaterOptions water = read_water(s.water);
-    scene.water = water.water;
-    scene.motion = read_motion(s.motion, s.hull.present());
-    scene.run = read_run(s.run);
-    scene.sph = read_sph(s.sph);
-    scene.fvm = read_fvm(s.fvm);
-    SamplingOptions sampling = read_sampling(s.sampling, s.probes);
-    scene.sampling = sampling.sampling;
+    note_places(s, scene);
+    const std::optional<double> depth = read_water(s.water, scene),
+                                ramp = read_motion(s.motion, scene, s.hull.present()),
+                                voxel = read_sampling(s.sampling, s.probes, scene);
+    for (Section* section : {&s.run, &s.sph, &s.fvm}) {
+        section->read_into(scene);
+        section->finish();
+    }
     const ResolutionOptions resolution = read_resolution(s.resolution);
     const DomainOptions domain = read_domain(s.domain);
     const std::optional<Box> tank = read_tank(s.tank);
@@ -337,10 +352,8 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     } else {
         scene.resolution = resolution_of(resolution, nullptr, s.resolution, overrides.scale_resolution.value_or(1));
     }
-    scene.resolution_place = s.resolution.where("near_hull");
-
     // A stream without a hull has no length to settle over: its ramp is the domain's, so the domain comes first.
-    scene.domain = domain_of(domain, tank, scene, s, water.depth);
+    scene.domain = domain_of(domain, tank, scene, s, depth);
     if (scene.hull) check_hull_place(scene, s, hull->key);
     if (scene.motion.kind == Motion::Kind::stream && !scene.water_blocks.empty())
         s.water_blocks[0].fail(
@@ -351,8 +364,8 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
                       "z = 0, or [[water_block]]");
     check_places(scene, s);
 
-    scene.water.depth = water_height(scene);
-    if (scene.motion.ramp < 0) scene.motion.ramp = default_ramp(scene);
+    scene.water.depth = water_height(scene) + (scene.domain.as_asked.min.z() - scene.domain.box.min.z());
+    scene.motion.ramp = ramp.value_or(default_ramp(scene));
     fill_times(scene);
     for (double* courant : {&scene.fvm.max_courant, &scene.fvm.max_alpha_courant})
         if (*courant == 0) *courant = default_courant(scene);
@@ -362,16 +375,25 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     scene.fvm.max_courant *= overrides.courant_factor;
     scene.fvm.max_alpha_courant *= overrides.courant_factor;
     scene.refinement = default_refinement(scene);
-    const double voxel = scene.domain.dimensions == 2 ? scene.resolution.near_hull : 2 * scene.resolution.near_hull;
-    scene.sampling.raster = default_raster(scene, sampling.raster_spacing.value_or(voxel));
+    const double two_particles = (scene.domain.dimensions == 2 ? 1 : 2) * scene.resolution.near_hull;
+    scene.sampling.raster = default_raster(scene, voxel.value_or(two_particles));
+    scene.sampling.raster.chosen = voxel.has_value();
     scene.effects = plan_effects(scene, s.effects);
     scene.hash = scene_hash(scene);
     return scene;
 }
 
+std::string Scene::place_of(const std::string& key) const {
+    const auto found = places.find(key);
+    if (found != places.end()) return found->second;
+    const std::size_t dot = key.find('.');
+    return fmt::format("{}: [{}] {}", file.string(), key.substr(0, dot), key.substr(dot + 1));
+}
+
 bool Scene::effect_on(const std::string& name) const {
+    const std::string& known = effect_part(name).name;
     for (const EffectChoice& e : effects)
-        if (e.name == name) return e.on;
+        if (e.name == known) return e.on;
     return false;
 }
 
