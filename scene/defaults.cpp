@@ -102,12 +102,19 @@ double default_ramp(const Scene& scene) {
     return scene.motion.kind == Motion::Kind::stream ? 0.3 * time_scale(scene) : 0;
 }
 
+// Measured: the force of a planing hull is settled one L/U after the start to within 2 %.
+double default_duration(const Scene& scene) {
+    const double T = time_scale(scene);
+    return scene.motion.kind == Motion::Kind::stream ? scene.motion.ramp + 3 * T : 10 * T;
+}
+
+double default_interval(const Scene& scene) { return time_scale(scene) / 25; }
+
 void fill_times(Scene& scene) {
     const bool stream = scene.motion.kind == Motion::Kind::stream;
     const double T = time_scale(scene);
-    // Measured: the force of a planing hull is settled one L/U after the start to within 2 %.
-    if (scene.run.duration == 0) scene.run.duration = stream ? scene.motion.ramp + 3 * T : 10 * T;
-    if (scene.sampling.interval == 0) scene.sampling.interval = T / 25;
+    if (scene.run.duration == 0) scene.run.duration = default_duration(scene);
+    if (scene.sampling.interval == 0) scene.sampling.interval = default_interval(scene);
     if (scene.sampling.mean_from == 0 && (stream || scene.hull))
         scene.sampling.mean_from = stream ? scene.motion.ramp + T : 5 * T;
     if (scene.run.checkpoint == 0) scene.run.checkpoint = scene.run.duration / 20;
@@ -149,9 +156,13 @@ RasterSpec default_raster(const Scene& scene, double spacing) {
         const double low = std::floor(region.min[axis] / spacing + 1e-9);
         const double high = std::ceil(region.max[axis] / spacing - 1e-9);
         raster.origin[axis] = low * spacing;
-        raster.count[static_cast<std::size_t>(axis)] = std::max(1, static_cast<int>(std::lround(high - low)));
+        raster.count[static_cast<std::size_t>(axis)] = static_cast<int>(std::clamp(std::round(high - low), 1.0, 2e9));
     }
     return raster;
+}
+
+double voxels(const RasterSpec& raster) {
+    return static_cast<double>(raster.count[0]) * raster.count[1] * raster.count[2];
 }
 
 double water_volume(const Scene& scene) {

@@ -32,9 +32,15 @@ std::vector<RefinementBox> default_refinement(const Scene& scene);
 double default_ramp(const Scene& scene);
 /// Time scale of the scene [s]: L/U in a stream with a hull, sqrt(H/g) in a tank.
 double time_scale(const Scene& scene);
+/// Simulated time that a scene is run for unless it says otherwise [s].
+double default_duration(const Scene& scene);
+double default_interval(const Scene& scene);  ///< between samples [s]
 /// Fills what is still zero or empty in run, sampling and the sound speed; domain, resolution and motion are known.
 void fill_times(Scene& scene);
+/// Voxels of this edge over the part of the domain where splash is measured.
 RasterSpec default_raster(const Scene& scene, double spacing);
+double voxels(const RasterSpec& raster);  ///< how many
+inline constexpr double most_voxels = 1e9;
 /// Largest Courant number of the FVM run.
 double default_courant(const Scene& scene);
 double default_sound_speed(const Scene& scene);

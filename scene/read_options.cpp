@@ -82,6 +82,10 @@ std::optional<double> read_sampling(Section& s, std::vector<Section>& probes, Sc
     s.read_into(scene);
     s.finish();
     Sampling& sampling = scene.sampling;
+    const auto refuse_taken = [](const auto& others, const std::string& name, const Section& p) {
+        for (const auto& other : others)
+            if (other.name == name) p.fail("name", fmt::format("the name {} is taken; give every probe its own", name));
+    };
     for (Section& p : probes) {
         const auto pressure = p.vector("pressure");
         const auto height = p.numbers("height");
@@ -89,9 +93,11 @@ std::optional<double> read_sampling(Section& s, std::vector<Section>& probes, Sc
             p.fail("pressure", "expected either pressure = [x, y, z] or height = [x, y]");
         if (pressure) {
             const std::string name = p.identifier("name", fmt::format("P{}", sampling.pressure.size() + 1));
+            refuse_taken(sampling.pressure, name, p);
             sampling.pressure.push_back({name, *pressure});
         } else {
             const std::string name = p.identifier("name", fmt::format("H{}", sampling.height.size() + 1));
+            refuse_taken(sampling.height, name, p);
             sampling.height.push_back({name, (*height)[0], (*height)[1]});
         }
         p.finish();

@@ -4,7 +4,8 @@
 
 #include "base/atomic_file.h"
 #include "base/errors.h"
-#include "meshes/query.h"
+#include "meshes/symmetric.h"
+#include "scene/attitude.h"
 #include "scene/defaults.h"
 #include "scene/effects/plan.h"
 #include "scene/effects/registry.h"
@@ -82,11 +83,36 @@ Resolution resolution_of(const ResolutionOptions& o, const Hull* hull, Section& 
     return r;
 }
 
+/// A particle that the smallest of `lengths` cannot hold twice, or a cell larger than all of them, is refused here,
+/// before anything else follows from the sizes.
+void check_sizes(const Resolution& r, std::initializer_list<double> lengths, const char* of_what, Section& s) {
+    const auto refuse = [&](const std::string& key, double size, double length, double most) {
+        s.fail(key, fmt::format(
+                        "too coarse: {:.4g} m{}, but {} is only {:.4g} m wide or long; expected at most {:.3g} m", size,
+                        r.scale == 1 ? "" : fmt::format(" with --scale {:g}", r.scale), of_what, length, most));
+    };
+    const double shortest = std::min(lengths), longest = std::max(lengths);
+    if (r.near_hull > 0.5 * shortest)
+        refuse(s.has("near_hull") || !s.has("spacing") ? "near_hull" : "spacing", r.near_hull, shortest,
+               0.5 * shortest);
+    if (r.spacing > longest) refuse("spacing", r.spacing, longest, longest);
+}
+
 /// A face that the user gave goes to the nearest multiple of the particle spacing, one that follows from the hull
 /// outward to a multiple of the largest cell. Still water, z = 0, is a multiple of both.
 double snapped_face(double face, bool given, bool high, const Resolution& r) {
     if (given) return std::round(face / r.near_hull) * r.near_hull;
     return (high ? std::ceil(face / r.spacing - 1e-6) : std::floor(face / r.spacing + 1e-6)) * r.spacing;
+}
+
+/// The run would be stopped as soon as the water moves faster than its sound.
+void check_sound_speed(const Scene& scene) {
+    const double fastest = 0.1 * default_sound_speed(scene);
+    if (scene.sph.c0 <= fastest)
+        throw InputError(
+            fmt::format("{}: not above the speed of the water, {:.4g} m/s; expected about {:.4g} m/s, ten "
+                        "times that speed",
+                        scene.place_of("sph.c0"), fastest, 10 * fastest));
 }
 
 /// The box as asked and as it is solved; the rest of the domain is left at its defaults.
@@ -118,6 +144,15 @@ Domain stream_domain(const DomainOptions& o, const Scene& scene, std::optional<d
     return d;
 }
 
+/// Of a half model the part at y > 0 is solved.
+void check_half_range(double low, double high, Section& s, const std::string& key) {
+    if (!(high > 0) || (low != 0 && low != -high))
+        s.fail(key,
+               fmt::format("a half model is solved from y = 0 on, and here y runs from {:.6g} to {:.6g} m; expected y "
+                           "from 0, or the same distance to both sides",
+                           low, high));
+}
+
 Domain domain_of(const DomainOptions& o, const std::optional<Box>& tank, Scene& scene, Sections& s,
                  std::optional<double> depth) {
     Domain d;
@@ -128,15 +163,24 @@ Domain domain_of(const DomainOptions& o, const std::optional<Box>& tank, Scene& 
                         "a tank has walls all round and no stream; use [domain] for a stream, or kind = \"none\"");
         if (!o.empty()) s.domain.fail("x", "[tank] already says how large the domain is; keep one of the two");
         d.box = *tank;
-        if (scene.hull && scene.hull->half) d.box.min.y() = 0;
+        if (scene.hull && scene.hull->half) {
+            check_half_range(d.box.min.y(), d.box.max.y(), s.tank, s.tank.has("size") ? "size" : "min");
+            d.box.min.y() = 0;
+        }
         d.as_asked = d.box;
     } else {
+        if (scene.hull && scene.hull->half && o.y) check_half_range(o.y->first, o.y->second, s.domain, "y");
         if (!scene.hull && !(o.x && o.z && (o.y || o.dimensions == 2)))
             s.domain.fail(stream ? "x" : "size",
                           "missing; a scene without a hull needs [domain] x, y and z ranges, or a [tank]");
         d = stream_domain(o, scene, depth);
     }
     d.dimensions = o.dimensions;
+    if (!scene.hull) {
+        const Vec3 size = d.as_asked.size();
+        check_sizes(scene.resolution, {size.x(), o.dimensions == 2 ? size.x() : size.y(), size.z()},
+                    tank ? "the tank" : "the domain", s.resolution);
+    }
     if (o.dimensions == 2) {
         if (scene.hull) s.domain.fail("dimensions", "a hull needs 3 dimensions in this version");
         d.box.max.y() = 0.5 * scene.resolution.near_hull;  // one particle thick, round the plane y = 0
@@ -183,20 +227,28 @@ void check_hull_place(const Scene& scene, Sections& s, const std::string& key) {
     }
 }
 
-/// Mirror images of the corners must lie on the surface.
-void check_symmetry(const Hull& hull, Section& s) {
-    const SurfaceQuery query(hull.surface);
-    const double tolerance = 1e-3 * hull.beam;
-    for (const Vec3& p : hull.surface.points) {
-        const Vec3 mirror(p.x(), -p.y(), p.z());
-        const double off = std::abs(query.nearest(mirror).distance);
-        if (off > tolerance)
-            s.fail("half",
-                   fmt::format(
-                       "the hull is not symmetric about y = 0: near ({:.4g}, {:.4g}, {:.4g}) m the two sides differ by "
-                       "{:.3g} m; set half = false",
-                       p.x(), p.y(), p.z(), off));
+/// A half model is solved at y > 0 and reported twice. Sides that differ by more than rounding, but by less than the
+/// particles can tell (a tenth of their spacing, at the scale that the scene was written for), are made alike.
+void make_halves_alike(Hull& hull, const Resolution& resolution, Section& s) {
+    const Asymmetry off = asymmetry(hull.surface);
+    const double rounding = 1e-6 * hull.length;
+    if (off.distance <= rounding) return;
+    const double limit = std::max(0.1 * resolution.near_hull / resolution.scale, 1e-3 * hull.beam);
+    const std::string where = fmt::format("near ({:.4g}, {:.4g}, {:.4g}) m the two sides differ by {:.3g} m",
+                                          off.place.x(), off.place.y(), off.place.z(), off.distance);
+    if (off.distance <= limit) {
+        Surface alike = made_symmetric(hull.surface, off.distance);
+        if (usable(check_surface(alike))) {
+            hull.surface = std::move(alike);
+            hull.findings.push_back(
+                {Finding::Level::note, "made_symmetric",
+                 where + ", less than a tenth of near_hull or a thousandth of the beam; both sides were "
+                         "made from the side at y > 0",
+                 off.place});
+            return;
+        }
     }
+    s.fail("half", "the hull is not symmetric about y = 0: " + where + "; set half = false");
 }
 
 void check_health(HullOptions& o, double particle_spacing, Section& s) {
@@ -211,9 +263,10 @@ void check_health(HullOptions& o, double particle_spacing, Section& s) {
     }
     for (const Finding& f : hull.findings)
         if (f.level == Finding::Level::error)
-            s.fail(o.key,
-                   fmt::format("{}: {}{}", f.name, f.message,
-                               o.repair ? "; repair = true did not mend it" : "; repair = true mends what is safe"));
+            s.fail(o.key, fmt::format("{}: {}{}", f.name, f.message,
+                                      o.repair     ? " (repair = true could not repair it)"
+                                      : f.mendable ? "; repair = true repairs it"
+                                                   : ""));
 }
 
 void check_places(Scene& scene, Sections& s) {
@@ -344,17 +397,22 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
         scene.resolution = resolution_of(resolution, &hull->hull, s.resolution, overrides.scale_resolution.value_or(1));
         check_health(*hull, scene.resolution.near_hull, s.hull);
         measure();
+        check_sizes(scene.resolution, {hull->hull.length, hull->hull.beam}, "the hull", s.resolution);
+        if (hull->hull.half) make_halves_alike(hull->hull, scene.resolution, s.hull);
         hull->hull.hash = surface_hash(hull->hull.surface);
         hull->hull.mass = mass_properties(hull->hull.surface);
         hull->hull.still = hydrostatics(hull->hull.surface);
         scene.hull = hull->hull;
-        if (scene.hull->half) check_symmetry(*scene.hull, s.hull);
     } else {
         scene.resolution = resolution_of(resolution, nullptr, s.resolution, overrides.scale_resolution.value_or(1));
     }
     // A stream without a hull has no length to settle over: its ramp is the domain's, so the domain comes first.
     scene.domain = domain_of(domain, tank, scene, s, depth);
-    if (scene.hull) check_hull_place(scene, s, hull->key);
+    if (scene.hull) {
+        check_hull_place(scene, s, hull->key);
+        for (Finding& f : check_attitude(*scene.hull, scene.resolution.near_hull))
+            scene.hull->findings.push_back(std::move(f));
+    }
     if (scene.motion.kind == Motion::Kind::stream && !scene.water_blocks.empty())
         s.water_blocks[0].fail(
             "min", "a stream fills all below z = 0 with water; water blocks belong to still scenes (kind = \"none\")");
@@ -370,6 +428,7 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     for (double* courant : {&scene.fvm.max_courant, &scene.fvm.max_alpha_courant})
         if (*courant == 0) *courant = default_courant(scene);
     if (scene.sph.c0 == 0) scene.sph.c0 = default_sound_speed(scene);
+    check_sound_speed(scene);
     scene.sph.c0 *= overrides.sound_speed_factor;
     scene.sph.cfl *= overrides.time_step_factor;
     scene.fvm.max_courant *= overrides.courant_factor;
@@ -378,6 +437,11 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     const double two_particles = (scene.domain.dimensions == 2 ? 1 : 2) * scene.resolution.near_hull;
     scene.sampling.raster = default_raster(scene, voxel.value_or(two_particles));
     scene.sampling.raster.chosen = voxel.has_value();
+    if (voxel && voxels(scene.sampling.raster) > most_voxels)
+        s.sampling.fail(
+            "raster_spacing",
+            fmt::format("makes a raster of more than {:.0e} voxels; expected about {:.3g} m, twice near_hull",
+                        most_voxels, two_particles));
     scene.effects = plan_effects(scene, s.effects);
     scene.hash = scene_hash(scene);
     return scene;

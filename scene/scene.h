@@ -193,10 +193,10 @@ struct Prediction {
 };
 Prediction predict(const Scene& scene, const MachinePace& pace = {});
 /// Throws InputError at the key that is to blame when a run cannot be made here: more memory than this machine has,
-/// more than `longest_run` of predicted time, more than `most_snapshots`. Only the methods in `scene.run.methods`
+/// more than `longest_run` of predicted time, too many samples or snapshots. Only the methods in `scene.run.methods`
 /// count.
 inline constexpr double longest_run = 30 * 86400.0;  ///< [s]
-inline constexpr double most_snapshots = 1e5;
+inline constexpr double most_snapshots = 1e5, most_frames = 1e6;
 void refuse_oversize(const Scene& scene, const Prediction& prediction);
 /// The checked scene in words: hull, domain, resolution, sampling, effects with reasons, predicted cost.
 std::string to_text(const Scene& scene, const Prediction& prediction);

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
+#include "meshes/below_water.h"
 #include "scene/defaults.h"
 
 namespace tw {
@@ -18,17 +18,9 @@ double friction_area(const Surface& surface) {
         const Vec3 twice = surface.area_vector2(static_cast<int>(t));
         const double area = 0.5 * twice.norm();
         if (area == 0) continue;
-        // Corners from the lowest up; the plane z = 0 cuts off a similar triangle below (or above) it.
-        std::array<double, 3> z{};
-        for (int k = 0; k < 3; ++k) z[static_cast<std::size_t>(k)] = surface.corner(static_cast<int>(t), k).z();
-        std::sort(z.begin(), z.end());
-        double wet = z[2] <= 0 ? 1 : 0;
-        if (z[0] < 0 && z[1] >= 0)
-            wet = z[0] * z[0] / ((z[1] - z[0]) * (z[2] - z[0]));
-        else if (z[1] < 0 && z[2] > 0)
-            wet = 1 - z[2] * z[2] / ((z[2] - z[0]) * (z[2] - z[1]));
         const double normal_x = twice.x() / twice.norm();
-        total += wet * area * std::sqrt(std::max(0.0, 1 - normal_x * normal_x));
+        total +=
+            share_below_water(surface, static_cast<int>(t)) * area * std::sqrt(std::max(0.0, 1 - normal_x * normal_x));
     }
     return total;
 }

@@ -87,7 +87,7 @@ std::map<std::string, Change> changes() {
         {"domain.below", replaced(distances, "below = 2", "below = 2.5")},
         {"domain.above", replaced(distances, "above = 2", "above = 2.5")},
         {"domain.x", replaced(fixed, "x = [-3, 5]", "x = [-3, 5.1]")},
-        {"domain.y", replaced(fixed, "y = [-2, 2]", "y = [-2, 2.1]")},
+        {"domain.y", replaced(fixed, "y = [-2, 2]", "y = [-2.1, 2.1]")},
         {"domain.z", replaced(fixed, "z = [-1.6, 2]", "z = [-1.6, 2.1]")},
         {"domain.dimensions", {tank, tank + "[domain]\ndimensions = 2\n"}},
         {"run.duration", replaced(fixed, "1.5 s", "1.6 s")},
