@@ -81,7 +81,7 @@ TEST(Cost, TheRastersFramesAreMemoryAndNamedByTheirKey) {
            "needs ");
     blamed(
         "raster_spacing = 0.02\ninterval = 2e-6\n",
-        "scene.toml:23:12: [sampling] interval = 2e-06: the water raster of 4.69e+06 voxels in 750001 frames needs ");
+        "scene.toml:23:12: [sampling] interval = 2e-06: the water raster of 4.7e+06 voxels in 750001 frames needs ");
 }
 
 TEST(Cost, WhatWouldTakeMonthsIsRefusedAtTheKeyThatIsToBlame) {
