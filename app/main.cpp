@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
 #include <algorithm>
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -280,7 +281,7 @@ int dispatch(int argc, char** argv) {
     c->footer(about_uncertainty + std::string(footer));
 
     HullCommand hull;
-    CLI::App* hulls = app.add_subcommand("hull", "inspect, mend, make and convert hull surfaces");
+    CLI::App* hulls = app.add_subcommand("hull", "inspect, repair, make and convert hull surfaces");
     hulls->require_subcommand(1);
     const auto hull_action = [&](const std::string& action, const std::string& description) {
         return subcommand(hulls, action, description, [&hull, &common, action] {
@@ -289,7 +290,7 @@ int dispatch(int argc, char** argv) {
         });
     };
     const auto add_input = [&](CLI::App* command) {
-        command->add_option("in", hull.in, "STL, OBJ, PLY or VTP")->required();
+        command->add_option("in", hull.in, "STL, OBJ, PLY or VTP, also compressed (.gz)")->required();
         command->add_option("--unit", hull.unit, "unit of the file: m, mm, cm, ft, in");
         command->add_option("--axes", hull.axes, "file axes that become x (stern), y, z (up), e.g. -xyz");
     };
@@ -297,7 +298,7 @@ int dispatch(int argc, char** argv) {
     add_input(c);
     c->add_option("--particle-spacing", hull.particle_spacing,
                   "also find walls too thin for particles of this spacing [m]");
-    c = hull_action("repair", "mend what is safe and write the result as STL");
+    c = hull_action("repair", "repair what is safe and write the result as STL");
     add_input(c);
     c->add_option("out", hull.out, "STL to write")->required();
     c = hull_action("convert", "other unit, axes or format: writes STL in metres, x to the stern, z up");

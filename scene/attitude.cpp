@@ -31,7 +31,9 @@ Area area_of(const Surface& surface, Passes passes) {
 
 }  // namespace
 
-std::vector<Finding> check_attitude(const Hull& hull, double particle_spacing) {
+std::vector<Finding> check_attitude(const Scene& scene) {
+    const Hull& hull = *scene.hull;
+    const double particle_spacing = scene.resolution.near_hull;
     std::vector<Finding> findings;
     const Surface& surface = hull.surface;
     const Box bounds = surface.bounds();
@@ -65,6 +67,7 @@ std::vector<Finding> check_attitude(const Hull& hull, double particle_spacing) {
              hull.still.wet_bounds.min});
         break;
     }
+    if (scene.motion.kind != Motion::Kind::stream) return findings;
     // A transom is flat and faces the stern; a bow is sharp or round.
     const Area ahead = area_of(surface, [](const Vec3& n) { return n.x() < -0.95; });
     const Area astern = area_of(surface, [](const Vec3& n) { return n.x() > 0.95; });

@@ -165,8 +165,7 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     scene.domain = domain_of(domain, tank, scene, s, depth);
     if (scene.hull) {
         check_hull_place(scene, s, hull->key);
-        for (Finding& f : check_attitude(*scene.hull, scene.resolution.near_hull))
-            scene.hull->findings.push_back(std::move(f));
+        for (Finding& f : check_attitude(scene)) scene.hull->findings.push_back(std::move(f));
     }
     if (scene.motion.kind == Motion::Kind::stream && !scene.water_blocks.empty())
         s.water_blocks[0].fail(

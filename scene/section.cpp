@@ -131,25 +131,28 @@ std::optional<int> Section::whole(const std::string& name) {
     return value ? std::optional(static_cast<int>(*value)) : std::nullopt;
 }
 
-std::optional<std::vector<double>> Section::numbers(const std::string& name) {
-    const SceneKey& key = row(name);
-    const SceneValue* value = ask(name);
+std::optional<std::vector<double>> Section::numbers(const std::string& key, std::string_view unit, std::size_t count) {
+    const SceneValue* value = ask(key);
     if (!value) return {};
-    if (value->kind != SceneValue::Kind::list) fail(name, "expected a list such as [1, 2]");
+    if (value->kind != SceneValue::Kind::list) fail(key, "expected a list such as [1, 2]");
     std::vector<double> all;
-    for (const SceneValue& item : value->list) all.push_back(as_number(name, item, key.unit));
-    const std::size_t count = key.kind == SceneKey::Kind::list     ? all.size()
-                              : key.kind == SceneKey::Kind::place3 ? 3
-                                                                   : 2;
-    if (all.size() != count) fail(name, fmt::format("has {} numbers; expected {}", all.size(), count));
+    for (const SceneValue& item : value->list) all.push_back(as_number(key, item, unit));
+    if (count > 0 && all.size() != count) fail(key, fmt::format("has {} numbers; expected {}", all.size(), count));
     return all;
 }
 
-std::optional<Vec3> Section::vector(const std::string& key) {
-    const auto all = numbers(key);
+std::optional<std::vector<double>> Section::numbers(const std::string& name) {
+    const SceneKey& key = row(name);
+    return numbers(name, key.unit, key.kind == SceneKey::Kind::list ? 0 : key.kind == SceneKey::Kind::place3 ? 3 : 2);
+}
+
+std::optional<Vec3> Section::vector(const std::string& key, std::string_view unit) {
+    const auto all = numbers(key, unit, 3);
     if (!all) return {};
     return Vec3((*all)[0], (*all)[1], (*all)[2]);
 }
+
+std::optional<Vec3> Section::vector(const std::string& name) { return vector(name, row(name).unit); }
 
 std::optional<std::pair<double, double>> Section::range(const std::string& key) {
     const auto all = numbers(key);
@@ -158,12 +161,17 @@ std::optional<std::pair<double, double>> Section::range(const std::string& key) 
     return std::pair{(*all)[0], (*all)[1]};
 }
 
-std::optional<std::string> Section::choice(const std::string& key) {
-    const std::vector<std::string>& known = row(key).choices;
-    const std::optional<std::string> word = text(key);
-    if (word && std::ranges::find(known, *word) == known.end())
-        fail(key, "not known; expected one of: " + joined(known) + did_you_mean(*word, known));
+std::string Section::choice(const std::string& key, const std::string& fallback,
+                            const std::vector<std::string>& known) {
+    const std::string word = text(key, fallback);
+    if (std::ranges::find(known, word) == known.end())
+        fail(key, "not known; expected one of: " + joined(known) + did_you_mean(word, known));
     return word;
+}
+
+std::optional<std::string> Section::choice(const std::string& name) {
+    const SceneKey& key = row(name);
+    return ask(name) ? std::optional(choice(name, "", key.choices)) : std::nullopt;
 }
 
 std::optional<std::vector<std::string>> Section::choices(const std::string& key) {
@@ -222,10 +230,7 @@ std::optional<bool> Section::on_off(const std::string& key) {
     const SceneValue* value = ask(key);
     if (!value) return {};
     if (value->kind == SceneValue::Kind::flag) return value->flag;
-    static const std::vector<std::string> known{"auto", "on", "off"};
-    const std::string word = text(key, "auto");
-    if (std::ranges::find(known, word) == known.end())
-        fail(key, "not known; expected one of: " + joined(known) + did_you_mean(word, known));
+    const std::string word = choice(key, "auto", {"auto", "on", "off"});
     return word == "auto" ? std::optional<bool>{} : word == "on";
 }
 

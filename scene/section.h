@@ -45,6 +45,10 @@ public:
     std::optional<double> number(const std::string& key, std::string_view unit, Range range = any_value,
                                  const std::string& hint = {});
     double number(const std::string& key, double fallback, std::string_view unit, Range range = any_value);
+    /// `count`: how many are expected; 0: any number.
+    std::optional<std::vector<double>> numbers(const std::string& key, std::string_view unit, std::size_t count);
+    std::optional<Vec3> vector(const std::string& key, std::string_view unit);
+    std::string choice(const std::string& key, const std::string& fallback, const std::vector<std::string>& known);
     std::optional<std::string> text(const std::string& key);
     std::string text(const std::string& key, const std::string& fallback) { return text(key).value_or(fallback); }
     bool flag(const std::string& key, bool fallback);

@@ -79,9 +79,8 @@ TEST(Cost, TheRastersFramesAreMemoryAndNamedByTheirKey) {
     blamed("raster_spacing = 0.0045\ninterval = 2e-5\n",
            "scene.toml:22:18: [sampling] raster_spacing = 0.0045: the water raster of 4.09e+08 voxels in 75001 frames "
            "needs ");
-    blamed(
-        "raster_spacing = 0.02\ninterval = 2e-6\n",
-        "scene.toml:23:12: [sampling] interval = 2e-06: the water raster of 4.7e+06 voxels in 750001 frames needs ");
+    blamed("raster_spacing = 0.02\ninterval = 2e-6\n",
+           "scene.toml:23:12: [sampling] interval = 2e-06: the water raster of 4.7e+06 voxels in 750001 frames needs ");
 }
 
 TEST(Cost, WhatWouldTakeMonthsIsRefusedAtTheKeyThatIsToBlame) {

@@ -172,6 +172,20 @@ TEST(Keys, EachKeyIsCoveredByTheHashThatTheTableNames) {
     }
 }
 
+TEST(Keys, OnlyWhatChangesNothingThatIsSolvedIsInNoHash) {
+    const std::set<std::string> in_none{".title",       "motion.ramp",       "run.duration", "run.methods",
+                                        "run.threads",  "run.checkpoint",    "probe.name",   "obstacle.name",
+                                        "fvm.openfoam", "sampling.snapshots"};
+    for (const SceneKey& key : scene_keys()) {
+        const std::string name = key.section + "." + key.name;
+        const auto expected = in_none.contains(name) ? SceneKey::Hashed::nowhere
+                              : key.section == "sph" ? SceneKey::Hashed::sph
+                              : key.section == "fvm" ? SceneKey::Hashed::fvm
+                                                     : SceneKey::Hashed::scene;
+        EXPECT_EQ(key.hashed, expected) << name;
+    }
+}
+
 TEST(Keys, EachIsInTheTableOnceWithASentenceAndADefault) {
     std::set<std::string> seen, sections;
     for (const SceneSection& s : scene_sections()) sections.insert(s.name);

@@ -238,6 +238,9 @@ TEST(Scene, AHullThatStandsOddlyInTheWaterIsNamed) {
     write_stl(scratch() / "hull.stl", hull);
     EXPECT_EQ(names(from_file), "");
     EXPECT_EQ(names(with(from_file, "half ", "axes = \"-x-yz\"\nhalf ")), "stern_first ");
+    EXPECT_EQ(names(with(with(from_file, "half ", "axes = \"-x-yz\"\nhalf "), "kind  = \"stream\"\nspeed = \"8 m/s\"",
+                         "kind = \"none\"")),
+              "");  // still water has no direction
     for (const char* shape : {"seaplane", "wigley", "box", "sphere", "torpedo"}) {
         const std::string scene = std::string("[hull]\nshape = '") + shape +
                                   "'\ndraft = 0.15\n[motion]\nspeed = 5\n[resolution]\nnear_hull = 0.02\n";
