@@ -82,16 +82,34 @@ double elements(const Prediction& p, const std::string& method) {
 }
 const char* element_name(const std::string& method) { return method == "sph" ? "particles" : "cells"; }
 
+/// The key that made the domain's longest edge.
+std::string key_of_domain(const Scene& scene) {
+    static const std::array<std::vector<std::string>, 3> keys{
+        {{"domain.x", "domain.ahead", "domain.behind", "tank.size"},
+         {"domain.y", "domain.side", "tank.size"},
+         {"domain.z", "domain.below", "domain.above", "tank.size"}}};
+    Eigen::Index longest = 0;
+    scene.domain.box.size().maxCoeff(&longest);
+    for (const std::string& key : keys[static_cast<std::size_t>(longest)])
+        if (scene.places.contains(key)) return key;
+    return "domain.x";
+}
+
 void refuse_too_fine(const Scene& scene, const Prediction& p, const std::string& method) {
     const double memory = 0.9 * machine_memory();
     const double bytes = (method == "sph" ? p.sph_bytes : p.fvm_bytes) - p.raster_bytes;
     if (bytes <= memory) return;
-    throw InputError(fmt::format(
-        "{}: too fine for this machine: {:.3g} {} need {:.3g} GB of memory, and {:.3g} GB are available{}",
-        scene.place_of("resolution.near_hull"), elements(p, method), element_name(method), bytes / 1e9, memory / 1e9,
-        std::isfinite(bytes) ? fmt::format("; expected at least near_hull = {:.3g} m",
-                                           scene.resolution.near_hull * std::cbrt(bytes / memory) * 1.01)
-                             : ""));
+    const std::string need = fmt::format("{:.3g} {} need {:.3g} GB of memory, and {:.3g} GB are available",
+                                         elements(p, method), element_name(method), bytes / 1e9, memory / 1e9);
+    const double enough = scene.resolution.near_hull * std::cbrt(bytes / memory) * 1.01;
+    if (scene.hull && std::isfinite(enough) && enough > coarsest_particles(*scene.hull)) {
+        const Vec3 size = scene.domain.box.size();
+        throw InputError(fmt::format("{}: the domain of {:.3g} x {:.3g} x {:.3g} m is too large for this machine: {}",
+                                     scene.place_of(key_of_domain(scene)), size.x(), size.y(), size.z(), need));
+    }
+    throw InputError(
+        fmt::format("{}: too fine for this machine: {}{}", scene.place_of("resolution.near_hull"), need,
+                    std::isfinite(enough) ? fmt::format("; expected at least near_hull = {:.3g} m", enough) : ""));
 }
 
 /// The key that departs most from its default towards a long run, among those that were given.
@@ -182,7 +200,7 @@ Prediction predict(const Scene& scene, const MachinePace& pace) {
         p.sph_steps *= std::max(1.0, (scene.sph.air_c0 + speed) / (scene.sph.c0 + speed));
     }
     const Sampling& sampling = scene.sampling;
-    p.frames = std::floor(scene.run.duration / sampling.interval) + 1;
+    p.frames = std::min(1e18, std::floor(scene.run.duration / sampling.interval) + 1);
     p.raster_bytes = voxels(sampling.raster) * (p.frames + bytes_per_open_voxel);
     if (sampling.snapshot_interval > 0) p.snapshots = std::floor(scene.run.duration / sampling.snapshot_interval) + 1;
     p.sph_bytes = p.raster_bytes + (p.particles + p.air_particles + p.wall_particles * (p.air_particles > 0 ? 2 : 1)) *

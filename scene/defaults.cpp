@@ -19,6 +19,8 @@ int level_for(double cell, double spacing) { return static_cast<int>(std::ceil(s
 
 double default_near_hull(const Hull& hull) { return std::min(hull.beam / 20, hull.draft / 4); }
 
+double coarsest_particles(const Hull& hull) { return 0.5 * std::min(hull.length, hull.beam); }
+
 double snapped_spacing(double wish, double near_hull) {
     const double n = std::max(0.0, std::round(std::log2(wish / near_hull)));
     return near_hull * std::exp2(n);

@@ -8,6 +8,8 @@ namespace tw {
 
 /// Particle spacing and cell at the hull: a twentieth of the beam, and at least four of them in the draft.
 double default_near_hull(const Hull& hull);
+/// The largest particle spacing that can be meant: half the hull's shorter side.
+double coarsest_particles(const Hull& hull);
 /// Largest cell: near_hull * 2^n that does not exceed a twelfth of the length, n <= 4 (measured: finer outer cells
 /// change the lift by less than 0.5 %). Without a hull: near_hull.
 double default_spacing(double near_hull, const Hull* hull);

@@ -112,6 +112,15 @@ TEST(Cost, MoreFilesThanADiskCanBearAreRefused) {
     EXPECT_EQ(predict(scene_of(planing + "[sampling]\nsnapshots = 0.5\n")).snapshots, 4);  // 0, 0.5, 1 and 1.5 s
 }
 
+TEST(Cost, ADomainThatNoSizeCouldFillIsNamedItself) {
+    for (const std::string key : {"ahead", "side", "behind"}) {
+        const std::string message = refusal(with(planing, "[motion]", "[domain]\n" + key + " = 1e9\n[motion]"));
+        EXPECT_NE(message.find("[domain] " + key + " = 1000000000: the domain of "), std::string::npos) << message;
+        EXPECT_NE(message.find("is too large for this machine: "), std::string::npos) << message;
+    }
+    EXPECT_NE(refusal(with(planing, "1.5 s", "1e308")).find("[run] duration = \"1e308\""), std::string::npos);
+}
+
 TEST(Cost, AbsurdlySmallParticlesAreRefusedAsThat) {
     for (const char* size : {"1e-9", "1e-30", "1e-200", "1e-300"})
         EXPECT_NE(refusal(with(planing, "\"0.05 m\"", size)).find("[resolution] near_hull = "), std::string::npos)
