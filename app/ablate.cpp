@@ -9,7 +9,7 @@
 #include "base/errors.h"
 #include "compare/ablate/ablation.h"
 #include "foam_cases/doctor.h"
-#include "scene/effects_plan.h"
+#include "scene/effects/registry.h"
 
 namespace tw::app {
 namespace {
@@ -43,7 +43,7 @@ public:
         if (there != all_.end()) return static_cast<std::size_t>(there - all_.begin());
         Variant v;
         v.effect = effect;
-        const std::string needed = effect_needed_by(effect);
+        const std::string needed = effect_part(effect).needs;
         if (!needed.empty() && !all_.front().plan->scene.effect_on(needed)) v.against = add(needed);
         if (const Variant& reference = all_[v.against]; reference.plan) {
             switch_effect(v, reference);
@@ -82,7 +82,7 @@ private:
         std::vector<std::string> follow;  // what the plan switches with it
         try {
             for (const std::string& other : effect_names())
-                if (!on && effect_needed_by(other) == v.effect) v.overrides.effects[other] = false;
+                if (!on && effect_part(other).needs == v.effect) v.overrides.effects[other] = false;
             v.plan = plan(v.overrides);
             for (const std::string& other : effect_names())
                 if (other != v.effect && v.plan->scene.effect_on(other) != before.effect_on(other))
@@ -95,7 +95,8 @@ private:
         for (const std::string method : {"sph", "fvm"}) {
             const auto& asked = v.plan->scene.run.methods;
             if (std::ranges::find(asked, method) == asked.end()) continue;
-            if (method == "sph" || !acts_among_particles_only(v.effect)) v.methods.push_back(method);
+            if (method == "sph" || effect_part(v.effect).solved != EffectPart::Solved::by_particles_only)
+                v.methods.push_back(method);
         }
         if (v.methods.empty())
             v.why_not = "cannot be switched: it acts among the particles alone, and these do not run";

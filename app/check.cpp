@@ -1,13 +1,11 @@
 #include "app/facts_json.h"
-#include "app/machine_pace.h"
 #include "app/output.h"
+#include "app/run_method.h"
 
 namespace tw::app {
 
 int run_check(const CheckCommand& command, const Common& common) {
-    const Scene scene = read_scene(command.scene.file, command.scene.overrides());
-    const Prediction prediction = predict(scene, machine_pace());
-    refuse_oversize(scene, prediction);
+    const auto [scene, prediction] = plan_run(command.scene.file, command.scene.overrides(), "", command.threads);
     say(common, to_text(scene, prediction));
     write_json(common, check_json(scene, prediction));
     return done;

@@ -42,8 +42,15 @@ void refuse_unknown_effect(const std::string& option, const std::string& name);
 
 struct CheckCommand {
     SceneArguments scene;
+    int threads = 0;  ///< 0: the scene's
 };
 int run_check(const CheckCommand& command, const Common& common);
+
+struct ReferenceCommand {
+    std::filesystem::path out;  ///< empty: standard output
+    std::string names;          ///< effects or shapes: only their names; empty: the whole reference
+};
+int run_reference(const ReferenceCommand& command, const Common& common);
 
 struct RunCommand {
     SceneArguments scene;

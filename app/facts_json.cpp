@@ -19,6 +19,7 @@ Json findings_json(const std::vector<Finding>& findings) {
         list.push_back({{"level", levels[static_cast<int>(f.level)]},
                         {"name", f.name},
                         {"message", f.message},
+                        {"mendable", f.mendable},
                         {"place", vec(f.place)}});
     return list;
 }

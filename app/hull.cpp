@@ -38,17 +38,26 @@ std::string text_of(const HullFacts& f) {
     static constexpr const char* levels[] = {"note", "warning", "error"};
     for (const std::string& r : f.repairs) out += "  repaired: " + r + "\n";
     for (const Finding& finding : f.findings)
-        out += fmt::format("  {}: {}: {}\n", levels[static_cast<int>(finding.level)], finding.name, finding.message);
+        out += fmt::format("  {}: {}: {}{}\n", levels[static_cast<int>(finding.level)], finding.name, finding.message,
+                           finding.mendable ? "; \"twinwake hull repair\" repairs it" : "");
     return out + (f.usable ? "  usable: yes\n" : "  usable: no\n");
 }
 
-/// Only STL is written, so another suffix would be a lie.
-void require_stl(const std::filesystem::path& out) {
+/// Only STL is written. A surface is not written over the file that it was read from.
+void check_output(const HullCommand& command) {
+    const std::filesystem::path& out = command.out;
+    if (out.empty())
+        throw InputError(fmt::format("hull make {}: no file to write; expected -o FILE.stl", command.shape));
     std::string suffix = out.extension().string();
     std::transform(suffix.begin(), suffix.end(), suffix.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (suffix != ".stl")
-        throw InputError(out.string() + ": the suffix says another format; expected a name ending in .stl");
+    if (suffix != ".stl") throw InputError(out.string() + ": only STL is written; expected a name that ends in .stl");
+    std::error_code none;
+    if (std::filesystem::equivalent(command.in, out, none))
+        throw InputError(
+            fmt::format("{}: is the input file, which would be overwritten; choose another name for the "
+                        "output",
+                        out.string()));
 }
 
 Surface made(const HullCommand& command) {
@@ -94,7 +103,7 @@ int run_hull(const HullCommand& command, const Common& common) {
         say(common, shapes_text());
         return done;
     }
-    if (command.action != "info") require_stl(command.out);
+    if (command.action != "info") check_output(command);
     Surface surface = command.action == "make" ? made(command) : read_surface(command.in, command.unit, command.axes);
     std::vector<std::string> repairs;
     if (command.action == "repair") {
@@ -108,7 +117,7 @@ int run_hull(const HullCommand& command, const Common& common) {
     if (command.action == "repair" && !facts.usable) {
         say(common, text_of(facts));
         throw InputError(command.in.string() +
-                         ": could not be mended safely; nothing written. The findings above name the places");
+                         ": could not be repaired safely; nothing was written. The findings above name the places");
     }
     if (command.action != "info") write_stl(command.out, surface);
     say(common, text_of(facts) + (command.action == "info" ? "" : "  written: " + command.out.string() + "\n"));

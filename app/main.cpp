@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -8,6 +11,7 @@
 #include "app/quiet_waits.h"
 #include "base/errors.h"
 #include "record/code_version.h"
+#include "scene/effects/registry.h"
 #include "scene/section.h"
 
 // The command line: the only file that knows CLI11. Every subcommand lives in a file of its own name.
@@ -63,12 +67,8 @@ constexpr const char* about_ablate =
     "  twinwake ablate my.toml                                      every effect that can be switched\n"
     "  twinwake ablate my.toml --effects surface_tension shifting --method sph\n"
     "  twinwake ablate my.toml --effect viscosity=on --effects no_slip turbulence\n\n"
-    "The effects: viscosity, no_slip, turbulence, surface_tension, gravity (both methods); cavitation, "
-    "damping_layers,\n"
-    "acoustic_damping, shifting, tension_control, air (particles alone: no mesh run is spent on them).\n"
-    "compressibility cannot be switched in this version, and the table says so. no_slip and turbulence need "
-    "viscosity:\n"
-    "where the scene has none, they are switched in the run that has it on, and held against that run.\n\n"
+    "For effects of the particle method alone no mesh run is made. An effect that needs another one which is off is\n"
+    "switched in the run that has the other one on, and compared with that run.\n\n"
     "A run that is finished is taken as it is; stopped (Ctrl-C), the same command goes on from there. A run that "
     "fails\n"
     "stands in the table with its reason and does not stop the others.\n\n";
@@ -76,7 +76,9 @@ constexpr const char* about_ablate =
 void add_effect(CLI::App* command, SceneArguments& scene) {
     command
         ->add_option("--effect", scene.effects,
-                     "an effect on or off whatever the scene says, e.g. viscosity=on; can be given again")
+                     fmt::format("an effect on or off, whatever the scene says, e.g. viscosity=on; can be given again. "
+                                 "Effects: {}",
+                                 fmt::join(effect_names(), ", ")))
         ->type_name("NAME=on|off")
         ->allow_extra_args(false);
 }
@@ -162,6 +164,17 @@ int dispatch(int argc, char** argv) {
     c = subcommand(&app, "check", "hull health, effects with reasons, size, memory and time; solves nothing",
                    [&] { return run_check(check, common); });
     add_scene(c, check.scene);
+    c->add_option("--threads", check.threads,
+                  "predict for this many threads (particles) and ranks (mesh); all cores unless given")
+        ->check(CLI::Range(1, 4096));
+
+    ReferenceCommand reference;
+    c = subcommand(
+        &app, "reference", "every section, key, effect and shape of a scene file, as Markdown",
+        [&] { return run_reference(reference, common); }, false);
+    c->add_option("--out", reference.out, "file to write instead of standard output");
+    c->add_option("--names", reference.names, "only the names, one on each line: effects or shapes")
+        ->check(CLI::IsMember({"effects", "shapes"}));
 
     RunCommand run;
     run.method.clear();
@@ -255,7 +268,7 @@ int dispatch(int argc, char** argv) {
     c->add_option("--out", ablate.out, "folder of the results (runs/<name of the scene file>_ablation)");
     c->add_option("--threads", ablate.threads, "threads (particles) and ranks (mesh); all cores unless given")
         ->check(CLI::Range(1, 4096));
-    c->footer(about_ablate + std::string(footer));
+    c->footer(about_ablate + effects_text() + "\n" + footer);
 
     UncertaintyCommand uncertainty;
     c = subcommand(&app, "uncertainty",
@@ -268,7 +281,7 @@ int dispatch(int argc, char** argv) {
     c->footer(about_uncertainty + std::string(footer));
 
     HullCommand hull;
-    CLI::App* hulls = app.add_subcommand("hull", "inspect, mend, make and convert hull surfaces");
+    CLI::App* hulls = app.add_subcommand("hull", "inspect, repair, make and convert hull surfaces");
     hulls->require_subcommand(1);
     const auto hull_action = [&](const std::string& action, const std::string& description) {
         return subcommand(hulls, action, description, [&hull, &common, action] {
@@ -277,7 +290,7 @@ int dispatch(int argc, char** argv) {
         });
     };
     const auto add_input = [&](CLI::App* command) {
-        command->add_option("in", hull.in, "STL, OBJ, PLY or VTP")->required();
+        command->add_option("in", hull.in, "STL, OBJ, PLY or VTP, also compressed (.gz)")->required();
         command->add_option("--unit", hull.unit, "unit of the file: m, mm, cm, ft, in");
         command->add_option("--axes", hull.axes, "file axes that become x (stern), y, z (up), e.g. -xyz");
     };
@@ -285,15 +298,14 @@ int dispatch(int argc, char** argv) {
     add_input(c);
     c->add_option("--particle-spacing", hull.particle_spacing,
                   "also find walls too thin for particles of this spacing [m]");
-    c = hull_action("repair", "mend what is safe and write the result as STL");
+    c = hull_action("repair", "repair what is safe and write the result as STL");
     add_input(c);
     c->add_option("out", hull.out, "STL to write")->required();
     c = hull_action("convert", "other unit, axes or format: writes STL in metres, x to the stern, z up");
     add_input(c);
     c->add_option("out", hull.out, "STL to write")->required();
     c = hull_action("make", "a parametric hull; without a shape: the list of shapes and parameters");
-    CLI::Option* shape =
-        c->add_option("shape", hull.shape, "prismatic, seaplane, wigley, wedge, plate, box, cylinder, sphere, torpedo");
+    CLI::Option* shape = c->add_option("shape", hull.shape, "one of the shapes that the list without a shape names");
     c->add_option("-o,--out", hull.out, "STL to write")->needs(shape);
     c->add_option("parameters", hull.parameters, "name=value, e.g. length=4 \"beam=100 cm\" deadrise=20deg");
 

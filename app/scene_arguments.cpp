@@ -5,7 +5,7 @@
 
 #include "app/commands.h"
 #include "base/errors.h"
-#include "scene/effects_plan.h"
+#include "scene/effects/registry.h"
 #include "scene/section.h"
 #include "scene/units.h"
 
@@ -33,7 +33,7 @@ void read_effect(const std::string& text, std::map<std::string, bool>& effects) 
 }  // namespace
 
 void refuse_unknown_effect(const std::string& option, const std::string& name) {
-    const std::vector<std::string>& known = effect_names();
+    const std::vector<std::string> known = effect_names();
     if (std::ranges::find(known, name) != known.end()) return;
     throw InputError(fmt::format("{}: there is no effect '{}'; expected one of: {}{}", option, name,
                                  fmt::join(known, ", "), did_you_mean(name, known)));

@@ -1,5 +1,5 @@
 // What each effect costs: a dam of water over a solid block, every effect alone against none, seconds a step and
-// smallest step. Prints a table; the plan's cost column (scene/effects_plan.cpp) is taken from it. Air fills as much
+// smallest step. Prints a table; the plan's cost column (scene/effects/) is taken from it. Air fills as much
 // room as the water, and shortens the step as well.
 #include <algorithm>
 #include <chrono>

@@ -31,6 +31,7 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
         {"scene_file", scene.file.filename().string()},
         {"scene_hash", scene.hash},
         {"run_hash", run_hash(scene, method)},
+        {"family_hash", family_hash(scene, method)},
         {"code_version", TWINWAKE_CODE_VERSION},
         {"compiler", TWINWAKE_COMPILER},
         {"machine", cpu_model()},

@@ -9,7 +9,9 @@
 
 #include "base/errors.h"
 #include "scene/defaults.h"
+#include "scene/effects/registry.h"
 #include "scene/scene.h"
+#include "scene/units.h"
 
 namespace tw {
 namespace {
@@ -17,6 +19,7 @@ namespace {
 // Throughput, measured on AVX-512 server cores of about 3 GHz; one place for all of them.
 constexpr double particle_steps_per_core_second = 1.1e6;  // delta-SPH with renormalised diffusion, h/dp = 1.5
 constexpr double bytes_per_particle = 240;
+constexpr double bytes_per_open_voxel = 8;  // while a frame is filled; afterwards it keeps one byte
 constexpr double wall_layers = 4;
 constexpr double cell_steps_per_core_second = 235e3;  // interFoam, three pressure correctors
 constexpr double bytes_per_cell = 2.5e3, bytes_of_interfoam = 115e6;
@@ -74,6 +77,99 @@ double machine_memory() {
     return bytes;
 }
 
+double elements(const Prediction& p, const std::string& method) {
+    return method == "sph" ? p.particles + p.wall_particles + p.air_particles : p.cells;
+}
+const char* element_name(const std::string& method) { return method == "sph" ? "particles" : "cells"; }
+
+/// The key that made the domain's longest edge.
+std::string key_of_domain(const Scene& scene) {
+    static const std::array<std::vector<std::string>, 3> keys{
+        {{"domain.x", "domain.ahead", "domain.behind", "tank.size"},
+         {"domain.y", "domain.side", "tank.size"},
+         {"domain.z", "domain.below", "domain.above", "tank.size"}}};
+    Eigen::Index longest = 0;
+    scene.domain.box.size().maxCoeff(&longest);
+    for (const std::string& key : keys[static_cast<std::size_t>(longest)])
+        if (scene.places.contains(key)) return key;
+    return "domain.x";
+}
+
+void refuse_too_fine(const Scene& scene, const Prediction& p, const std::string& method) {
+    const double memory = 0.9 * machine_memory();
+    const double bytes = (method == "sph" ? p.sph_bytes : p.fvm_bytes) - p.raster_bytes;
+    if (bytes <= memory) return;
+    const std::string need = fmt::format("{:.3g} {} need {:.3g} GB of memory, and {:.3g} GB are available",
+                                         elements(p, method), element_name(method), bytes / 1e9, memory / 1e9);
+    const double enough = scene.resolution.near_hull * std::cbrt(bytes / memory) * 1.01;
+    if (scene.hull && std::isfinite(enough) && enough > coarsest_particles(*scene.hull)) {
+        const Vec3 size = scene.domain.box.size();
+        throw InputError(fmt::format("{}: the domain of {:.3g} x {:.3g} x {:.3g} m is too large for this machine: {}",
+                                     scene.place_of(key_of_domain(scene)), size.x(), size.y(), size.z(), need));
+    }
+    throw InputError(
+        fmt::format("{}: too fine for this machine: {}{}", scene.place_of("resolution.near_hull"), need,
+                    std::isfinite(enough) ? fmt::format("; expected at least near_hull = {:.3g} m", enough) : ""));
+}
+
+/// The key that departs most from its default towards a long run, among those that were given.
+std::string reason_of_length(const Scene& scene, const std::string& method) {
+    const double near = scene.hull ? default_near_hull(*scene.hull) : water_height(scene) / 40;
+    std::vector<std::pair<std::string, double>> departures{
+        {"resolution.near_hull", std::pow(near / scene.resolution.near_hull, 4)},
+        {"run.duration", scene.run.duration / default_duration(scene)}};
+    if (method == "sph") {
+        departures.emplace_back("sph.cfl", SphOptions{}.cfl / scene.sph.cfl);
+        departures.emplace_back("sph.c0", scene.sph.c0 / default_sound_speed(scene));
+    } else {
+        departures.emplace_back("fvm.max_courant", default_courant(scene) / scene.fvm.max_courant);
+        departures.emplace_back("sampling.interval", default_interval(scene) / scene.sampling.interval);
+    }
+    std::erase_if(departures, [&](const auto& d) { return !scene.places.contains(d.first); });
+    if (departures.empty()) return "resolution.near_hull";
+    return std::ranges::max_element(departures, {}, [](const auto& d) { return d.second; })->first;
+}
+
+void refuse_too_long(const Scene& scene, const Prediction& p, const std::string& method) {
+    const double time = method == "sph" ? p.sph_seconds : p.fvm_seconds;
+    if (time <= longest_run) return;
+    throw InputError(fmt::format(
+        "{}: the {} run would take about {} here ({:.3g} {}, {:.3g} time steps), and runs longer than {:.0f} days are "
+        "refused; choose a coarser size, a shorter duration, larger time steps or more threads",
+        scene.place_of(reason_of_length(scene, method)), method, time_in_words(time), elements(p, method),
+        element_name(method), method == "sph" ? p.sph_steps : p.fvm_steps, longest_run / 86400));
+}
+
+void refuse_too_many_samples(const Scene& scene, const Prediction& p) {
+    const auto refuse = [&](const char* key, const std::string& what, double expected, const char* unit) {
+        throw InputError(fmt::format("{}: {}; expected at least {:.3g} {}", scene.place_of(key), what, expected, unit));
+    };
+    const double duration = scene.run.duration;
+    if (p.snapshots > most_snapshots)
+        refuse("sampling.snapshots", fmt::format("{:.3g} snapshots would be written", p.snapshots),
+               duration / most_snapshots, "s");
+    if (duration / scene.run.checkpoint > most_snapshots)
+        refuse("run.checkpoint", fmt::format("{:.3g} states would be saved", duration / scene.run.checkpoint),
+               duration / most_snapshots, "s");
+    if (p.frames > most_frames)
+        refuse("sampling.interval", fmt::format("{:.3g} samples would be taken", p.frames), duration / most_frames,
+               "s");
+    const double memory = 0.9 * machine_memory(), excess = p.raster_bytes / (0.5 * memory);
+    if (excess <= 1) return;
+    const Sampling& sampling = scene.sampling;
+    const std::string what = fmt::format(
+        "the water raster of {:.3g} voxels in {:.0f} frames needs {:.3g} GB of memory, and it may take half of the "
+        "{:.3g} "
+        "GB that are available",
+        voxels(sampling.raster), p.frames, p.raster_bytes / 1e9, memory / 1e9);
+    const double finer = std::pow(2 * scene.resolution.near_hull / sampling.raster.spacing, 3),
+                 oftener = default_interval(scene) / sampling.interval;
+    if (oftener > finer)
+        refuse("sampling.interval", what, sampling.interval * excess * 1.01, "s");
+    else
+        refuse("sampling.raster_spacing", what, sampling.raster.spacing * std::cbrt(excess) * 1.01, "m");
+}
+
 }  // namespace
 
 Prediction predict(const Scene& scene, const MachinePace& pace) {
@@ -98,34 +194,32 @@ Prediction predict(const Scene& scene, const MachinePace& pace) {
     p.sph_seconds =
         pace.sph * (p.particles + p.wall_particles) * p.sph_steps * neighbours / (particle_steps_per_core_second * n);
     for (const EffectChoice& e : scene.effects)
-        if (e.on && e.name != "shifting") p.sph_seconds *= 1 + e.cost;  // the table's throughput has shifting in it
+        if (e.on && !effect_part(e.name).in_the_throughput) p.sph_seconds *= 1 + e.cost;
     if (scene.effect_on("air")) {
         p.air_particles = air_volume(scene) / particle;
         p.sph_steps *= std::max(1.0, (scene.sph.air_c0 + speed) / (scene.sph.c0 + speed));
     }
-    p.sph_bytes =
-        (p.particles + p.air_particles + p.wall_particles * (p.air_particles > 0 ? 2 : 1)) * bytes_per_particle;
+    const Sampling& sampling = scene.sampling;
+    p.frames = std::min(1e18, std::floor(scene.run.duration / sampling.interval) + 1);
+    p.raster_bytes = voxels(sampling.raster) * (p.frames + bytes_per_open_voxel);
+    if (sampling.snapshot_interval > 0) p.snapshots = std::floor(scene.run.duration / sampling.snapshot_interval) + 1;
+    p.sph_bytes = p.raster_bytes + (p.particles + p.air_particles + p.wall_particles * (p.air_particles > 0 ? 2 : 1)) *
+                                       bytes_per_particle;
 
     const double courant_rate = steps_per_cell_crossing * speed / dp * 4 / scene.fvm.max_courant;
-    const double steps = scene.run.duration * std::max(courant_rate, steps_per_frame / scene.sampling.interval);
+    p.fvm_steps = scene.run.duration * std::max(courant_rate, steps_per_frame / sampling.interval);
     p.fvm_seconds = pace.fvm * (start_seconds + p.cells * mesh_seconds_per_cell +
-                                p.cells * steps / (cell_steps_per_core_second * (1 + (n - 1) * parallel_share)));
-    p.fvm_bytes = p.cells * bytes_per_cell + bytes_of_interfoam * n;
+                                p.cells * p.fvm_steps / (cell_steps_per_core_second * (1 + (n - 1) * parallel_share)));
+    p.fvm_bytes = p.raster_bytes + p.cells * bytes_per_cell + bytes_of_interfoam * n;
     return p;
 }
 
 void refuse_oversize(const Scene& scene, const Prediction& p) {
-    const double memory = 0.9 * machine_memory();
     for (const std::string& method : scene.run.methods) {
-        const bool sph = method == "sph";
-        const double bytes = sph ? p.sph_bytes : p.fvm_bytes;
-        if (bytes <= memory) continue;
-        throw InputError(fmt::format(
-            "{}: too fine for this machine: {:.3g} {} need {:.3g} GB, of which {:.3g} GB can be had; "
-            "expected at least near_hull = {:.3g} m",
-            scene.resolution_place, sph ? p.particles + p.wall_particles : p.cells, sph ? "particles" : "cells",
-            bytes / 1e9, memory / 1e9, scene.resolution.near_hull * std::cbrt(bytes / memory) * 1.01));
+        refuse_too_fine(scene, p, method);
+        refuse_too_long(scene, p, method);
     }
+    refuse_too_many_samples(scene, p);
 }
 
 }  // namespace tw

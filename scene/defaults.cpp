@@ -19,6 +19,8 @@ int level_for(double cell, double spacing) { return static_cast<int>(std::ceil(s
 
 double default_near_hull(const Hull& hull) { return std::min(hull.beam / 20, hull.draft / 4); }
 
+double coarsest_particles(const Hull& hull) { return 0.5 * std::min(hull.length, hull.beam); }
+
 double snapped_spacing(double wish, double near_hull) {
     const double n = std::max(0.0, std::round(std::log2(wish / near_hull)));
     return near_hull * std::exp2(n);
@@ -82,15 +84,16 @@ std::vector<RefinementBox> default_refinement(const Scene& scene) {
 }
 
 double water_height(const Scene& scene) {
-    if (scene.water_blocks.empty()) return -scene.domain.box.min.z();
-    double top = scene.domain.box.min.z();
+    const double floor = scene.domain.as_asked.min.z();
+    if (scene.water_blocks.empty()) return -floor;
+    double top = floor;
     for (const Box& block : scene.water_blocks) top = std::max(top, block.max.z());
-    return top - scene.domain.box.min.z();
+    return top - floor;
 }
 
 double time_scale(const Scene& scene) {
     if (scene.motion.kind == Motion::Kind::stream) {
-        const double length = scene.hull ? scene.hull->length : scene.domain.box.size().x();
+        const double length = scene.hull ? scene.hull->length : scene.domain.as_asked.size().x();
         return length / scene.motion.speed;
     }
     return std::sqrt(water_height(scene) / scene.water.gravity);
@@ -101,12 +104,19 @@ double default_ramp(const Scene& scene) {
     return scene.motion.kind == Motion::Kind::stream ? 0.3 * time_scale(scene) : 0;
 }
 
+// Measured: the force of a planing hull is settled one L/U after the start to within 2 %.
+double default_duration(const Scene& scene) {
+    const double T = time_scale(scene);
+    return scene.motion.kind == Motion::Kind::stream ? scene.motion.ramp + 3 * T : 10 * T;
+}
+
+double default_interval(const Scene& scene) { return time_scale(scene) / 25; }
+
 void fill_times(Scene& scene) {
     const bool stream = scene.motion.kind == Motion::Kind::stream;
     const double T = time_scale(scene);
-    // Measured: the force of a planing hull is settled one L/U after the start to within 2 %.
-    if (scene.run.duration == 0) scene.run.duration = stream ? scene.motion.ramp + 3 * T : 10 * T;
-    if (scene.sampling.interval == 0) scene.sampling.interval = T / 25;
+    if (scene.run.duration == 0) scene.run.duration = default_duration(scene);
+    if (scene.sampling.interval == 0) scene.sampling.interval = default_interval(scene);
     if (scene.sampling.mean_from == 0 && (stream || scene.hull))
         scene.sampling.mean_from = stream ? scene.motion.ramp + T : 5 * T;
     if (scene.run.checkpoint == 0) scene.run.checkpoint = scene.run.duration / 20;
@@ -148,9 +158,13 @@ RasterSpec default_raster(const Scene& scene, double spacing) {
         const double low = std::floor(region.min[axis] / spacing + 1e-9);
         const double high = std::ceil(region.max[axis] / spacing - 1e-9);
         raster.origin[axis] = low * spacing;
-        raster.count[static_cast<std::size_t>(axis)] = std::max(1, static_cast<int>(std::lround(high - low)));
+        raster.count[static_cast<std::size_t>(axis)] = static_cast<int>(std::clamp(std::round(high - low), 1.0, 2e9));
     }
     return raster;
+}
+
+double voxels(const RasterSpec& raster) {
+    return static_cast<double>(raster.count[0]) * raster.count[1] * raster.count[2];
 }
 
 double water_volume(const Scene& scene) {

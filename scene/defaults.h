@@ -8,6 +8,8 @@ namespace tw {
 
 /// Particle spacing and cell at the hull: a twentieth of the beam, and at least four of them in the draft.
 double default_near_hull(const Hull& hull);
+/// The largest particle spacing that can be meant: half the hull's shorter side.
+double coarsest_particles(const Hull& hull);
 /// Largest cell: near_hull * 2^n that does not exceed a twelfth of the length, n <= 4 (measured: finer outer cells
 /// change the lift by less than 0.5 %). Without a hull: near_hull.
 double default_spacing(double near_hull, const Hull* hull);
@@ -32,14 +34,21 @@ std::vector<RefinementBox> default_refinement(const Scene& scene);
 double default_ramp(const Scene& scene);
 /// Time scale of the scene [s]: L/U in a stream with a hull, sqrt(H/g) in a tank.
 double time_scale(const Scene& scene);
+/// Simulated time that a scene is run for unless it says otherwise [s].
+double default_duration(const Scene& scene);
+double default_interval(const Scene& scene);  ///< between samples [s]
 /// Fills what is still zero or empty in run, sampling and the sound speed; domain, resolution and motion are known.
 void fill_times(Scene& scene);
+/// Voxels of this edge over the part of the domain where splash is measured.
 RasterSpec default_raster(const Scene& scene, double spacing);
+double voxels(const RasterSpec& raster);  ///< how many
+inline constexpr double most_voxels = 1e9;
 /// Largest Courant number of the FVM run.
 double default_courant(const Scene& scene);
 double default_sound_speed(const Scene& scene);
 
-/// Bounds of the water at rest [m]: depth below the surface of the deepest place.
+/// Bounds of the water at rest [m]: depth below the surface of the deepest place, by the domain as it was asked for:
+/// what follows from it (sound speed, times) is the same at every resolution.
 double water_height(const Scene& scene);
 /// Water at the start [m3], of what is solved (half a half model).
 double water_volume(const Scene& scene);

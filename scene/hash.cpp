@@ -1,8 +1,10 @@
 #include "scene/hash.h"
 
 #include <charconv>
+#include <stdexcept>
 
 #include "base/sha256.h"
+#include "scene/keys.h"
 
 namespace tw {
 namespace {
@@ -34,54 +36,91 @@ private:
     std::string text_;
 };
 
-}  // namespace
+/// The keys of the table that one hash covers, with their values. What belongs to an effect counts while it is on.
+void add_keys(Lines& t, const Scene& scene, SceneKey::Hashed hashed) {
+    Scene& readable = const_cast<Scene&>(scene);  // slots refer to a value; none is changed here
+    for (const SceneKey& key : scene_keys()) {
+        if (key.hashed != hashed || (!key.effect.empty() && !scene.effect_on(key.effect))) continue;
+        const std::string name = key.section + "." + key.name;
+        with_value(key, readable, [&](const auto& value) {
+            using Value = std::decay_t<decltype(value)>;
+            if constexpr (std::is_arithmetic_v<Value>)
+                t.add(name, {static_cast<double>(value)});
+            else if constexpr (std::is_same_v<Value, std::string>)
+                t.add(name, value);
+            else if constexpr (std::is_same_v<Value, std::vector<double>>)
+                for (const double v : value) t.add(name, {v});
+            else
+                throw std::logic_error(name + ": lists of words are not hashed");
+        });
+    }
+}
 
-std::string canonical_text(const Scene& scene) {
-    Lines t;
-    t.add("format", {1});
-    const Water& w = scene.water;
-    t.add("water", {w.density, w.kinematic_viscosity, w.surface_tension, w.gravity, w.depth, w.air_density,
-                    w.air_kinematic_viscosity});
-    t.add("motion", {static_cast<double>(scene.motion.kind), scene.motion.speed});
-    t.add("domain", scene.domain.box).add("dimensions", {static_cast<double>(scene.domain.dimensions)});
+/// In two dimensions the thickness is a particle's: two planes in its place.
+Vec3 flattened(Vec3 p, double middle) {
+    p.y() = p.y() > middle ? 1 : 0;
+    return p;
+}
+
+/// What a run is made from besides the keys that stand in the scene as they are written. `sizes`: with the resolution
+/// and what follows from it.
+void add_geometry(Lines& t, const Scene& scene, bool sizes) {
     const Domain& d = scene.domain;
+    t.add("motion", {static_cast<double>(scene.motion.kind)});
+    t.add("domain", sizes ? d.box : d.as_asked).add("dimensions", {static_cast<double>(d.dimensions)});
     for (const Side side : {d.x_min, d.x_max, d.y_min, d.y_max, d.z_min, d.z_max})
         t.add("side", {static_cast<double>(side)});
-    t.add("resolution", {scene.resolution.spacing, scene.resolution.near_hull});
-    for (const RefinementBox& r : scene.refinement) t.add("refine", r.box).add("level", {static_cast<double>(r.level)});
     if (scene.hull) t.add("hull", scene.hull->hash).add("half", {scene.hull->half ? 1.0 : 0.0});
-    for (const Obstacle& o : scene.obstacles) t.add("obstacle", surface_hash(o.surface));
-    for (const Box& block : scene.water_blocks) t.add("block", block);
-    const Sampling& s = scene.sampling;
-    t.add("sampling", {s.interval, s.mean_from});
-    t.add("raster", s.raster.origin).add("voxel", {s.raster.spacing});
-    for (const int n : s.raster.count) t.add("count", {static_cast<double>(n)});
-    for (const PressureProbe& p : s.pressure) t.add("pressure", p.place);
-    for (const HeightProbe& p : s.height) t.add("height", {p.x, p.y});
-    for (const double x : s.cuts_x) t.add("cut_x", {x});
-    for (const double y : s.cuts_y) t.add("cut_y", {y});
+    const bool flat = d.dimensions == 2 && !sizes;
+    const double middle = 0.5 * (d.box.min.y() + d.box.max.y());
+    for (const Obstacle& o : scene.obstacles) {
+        Surface surface = o.surface;
+        if (flat)
+            for (Vec3& p : surface.points) p = flattened(p, middle);
+        t.add("obstacle", surface_hash(surface));
+    }
+    for (const Box& block : scene.water_blocks)
+        t.add("block", flat ? Box{flattened(block.min, middle), flattened(block.max, middle)} : block);
+    for (const PressureProbe& p : scene.sampling.pressure) t.add("pressure", p.place);
+    for (const HeightProbe& p : scene.sampling.height) t.add("height", {p.x, p.y});
     for (const EffectChoice& e : scene.effects) t.add("effect." + e.name, {e.on ? 1.0 : 0.0});
-    if (scene.effect_on("cavitation")) t.add("vapour", {w.atmospheric_pressure, w.vapour_pressure});
+    const RasterSpec& raster = scene.sampling.raster;
+    if (sizes) {
+        t.add("depth", {scene.water.depth}).add("resolution", {scene.resolution.spacing, scene.resolution.near_hull});
+        for (const RefinementBox& r : scene.refinement)
+            t.add("refine", r.box).add("level", {static_cast<double>(r.level)});
+        t.add("raster", raster.origin);
+        for (const int n : raster.count) t.add("count", {static_cast<double>(n)});
+    }
+    if (sizes || raster.chosen) t.add("voxel", {raster.spacing});
+}
+
+std::string text_of(const Scene& scene, bool sizes) {
+    Lines t;
+    t.add("format", {2});
+    add_keys(t, scene, SceneKey::Hashed::scene);
+    add_geometry(t, scene, sizes);
     return t.text();
 }
+
+std::string numerics_of(const Scene& scene, const std::string& method) {
+    Lines t;
+    add_keys(t, scene, method == "sph" ? SceneKey::Hashed::sph : SceneKey::Hashed::fvm);
+    return t.text();
+}
+
+}  // namespace
+
+std::string canonical_text(const Scene& scene) { return text_of(scene, true); }
 
 std::string scene_hash(const Scene& scene) { return sha256_hex(canonical_text(scene)); }
 
 std::string run_hash(const Scene& scene, const std::string& method) {
-    Lines t;
-    if (method == "sph") {
-        const SphOptions& o = scene.sph;
-        t.add("sph", {o.h_over_dp, o.c0, o.delta, o.alpha, o.cfl, o.gamma, o.shifting}).add("eos", o.equation_of_state);
-        if (o.touch_support != SphOptions{}.touch_support) t.add("touch_support", {o.touch_support});
-        if (o.scheme != SphOptions().scheme) t.add("scheme", o.scheme);
-        if (scene.effect_on("turbulence")) t.add("smagorinsky", {o.smagorinsky});
-        if (scene.effect_on("acoustic_damping")) t.add("acoustic_damper", {o.acoustic_damper});
-        if (scene.effect_on("air")) t.add("air_c0", {o.air_c0});
-    } else {
-        const FvmOptions& o = scene.fvm;
-        t.add("fvm", {o.max_courant, o.max_alpha_courant, o.interface_compression, static_cast<double>(o.correctors)});
-    }
-    return sha256_hex(canonical_text(scene) + t.text());
+    return sha256_hex(canonical_text(scene) + numerics_of(scene, method));
+}
+
+std::string family_hash(const Scene& scene, const std::string& method) {
+    return sha256_hex("family\n" + text_of(scene, false) + numerics_of(scene, method));
 }
 
 }  // namespace tw

@@ -5,14 +5,18 @@
 
 namespace tw {
 
-/// Every number that both methods use, one per line, in canonical form (shortest digits that give the same double).
-/// Not in it: title, paths, comments, [sph] and [fvm] numerics, methods, threads, checkpoints, snapshots, duration and
-/// start-up ramp (runs of different length answer the same question).
+/// Every number that both methods use, one per line, in canonical form (shortest digits that give the same double): the
+/// keys that the table calls `Hashed::scene`, and what follows from them. Not in it: title, paths, comments, [sph] and
+/// [fvm] numerics, methods, threads, checkpoints, snapshots, duration and start-up ramp (runs of different length
+/// answer the same question).
 std::string canonical_text(const Scene& scene);
 /// SHA-256 of the canonical text.
 std::string scene_hash(const Scene& scene);
-/// SHA-256 of the scene and of one method's numerics: what a run goes on from, or is taken for, must have the same.
-/// `method`: sph, fvm.
+/// SHA-256 of the scene and of one method's numerics. A run is resumed, and a finished run is reused, only if it
+/// matches. `method`: sph, fvm.
 std::string run_hash(const Scene& scene, const std::string& method);
+/// The run hash without the resolution: no spacing, near_hull or scale, and nothing that follows from them (refinement,
+/// faces moved to multiples of the sizes, voxels of default size). Runs of one scene at several sizes share it.
+std::string family_hash(const Scene& scene, const std::string& method);
 
 }  // namespace tw

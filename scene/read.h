@@ -6,8 +6,9 @@
 
 namespace tw {
 
-// The readers of the sections: text -> typed options in SI, one function per section. Each throws InputError at the key
-// and ends in Section::finish().
+// The readers of the sections: text -> typed values in SI. Keys that stand in the scene as they are written go there by
+// Section::read_into; what is left to be worked out is returned. Each throws InputError at the key and ends in
+// Section::finish().
 
 /// All sections of one scene file; kept while the scene is being checked so that a later finding names its key.
 struct Sections {
@@ -16,12 +17,8 @@ struct Sections {
 };
 Sections split_sections(const std::filesystem::path& file, const SceneValue& document);
 
-struct WaterOptions {
-    Water water;
-    std::optional<double> depth;  ///< of the place [m]
-};
-WaterOptions read_water(Section& s);
-Motion read_motion(Section& s, bool has_hull);
+std::optional<double> read_water(Section& s, Scene& scene);                  ///< depth of the place [m]
+std::optional<double> read_motion(Section& s, Scene& scene, bool has_hull);  ///< ramp [s]
 
 struct ResolutionOptions {
     std::optional<double> spacing, near_hull;
@@ -37,15 +34,8 @@ struct DomainOptions {
 DomainOptions read_domain(Section& s);
 std::optional<Box> read_tank(Section& s);  ///< nothing when there is no [tank]
 
-Run read_run(Section& s);
-/// Times, planes and probes; the raster's voxel edge separately.
-struct SamplingOptions {
-    Sampling sampling;
-    std::optional<double> raster_spacing;
-};
-SamplingOptions read_sampling(Section& s, std::vector<Section>& probes);
-SphOptions read_sph(Section& s);
-FvmOptions read_fvm(Section& s);
+/// Edge of the raster's voxels [m].
+std::optional<double> read_sampling(Section& s, std::vector<Section>& probes, Scene& scene);
 
 /// The hull as it stands in the water; health is checked later, when the particle spacing is known.
 struct HullOptions {

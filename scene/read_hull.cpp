@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 
 #include "base/errors.h"
 #include "meshes/generate.h"
@@ -11,19 +10,11 @@
 namespace tw {
 namespace {
 
-constexpr double quarter_turn = std::numbers::pi / 2;
-
-std::vector<std::string> shape_names() {
-    std::vector<std::string> names;
-    for (const HullShape& shape : hull_shapes()) names.push_back(shape.name);
-    return names;
-}
-
 /// The surface of [hull] or [[obstacle]] in metres, before it is posed: from `file` or from `shape` and its parameters.
 Surface read_solid(Section& s, const std::filesystem::path& scene_file, std::string& source, std::string& key) {
     const auto file = s.text("file");
-    const auto shape = s.text("shape");
-    const std::string unit = s.choice("unit", "m", {"m", "mm", "cm", "ft", "in"});
+    const auto shape = s.choice("shape");
+    const std::string unit = s.choice("unit").value_or("m");
     const std::string axes = s.text("axes", "xyz");
     if (file && shape) s.fail("shape", "given twice: also file; keep one of the two");
     if (!file && !shape) s.fail("file", "missing; expected file = \"hull.stl\" or shape = \"prismatic\"");
@@ -37,13 +28,11 @@ Surface read_solid(Section& s, const std::filesystem::path& scene_file, std::str
             if (!std::filesystem::exists(path)) s.fail("file", fmt::format("there is no file {}", path.string()));
             return read_surface(path, unit, axes);
         }
-        const std::string name = s.choice("shape", "", shape_names());
-        const auto found = std::find_if(hull_shapes().begin(), hull_shapes().end(),
-                                        [&](const HullShape& h) { return h.name == name; });
+        const auto found = std::ranges::find(hull_shapes(), *shape, &HullShape::name);
         std::map<std::string, double> values;
         for (const HullParameter& p : found->parameters)
             values[p.name] = s.number(p.name, p.fallback, p.kind, {p.min, p.max});
-        return make_hull(name, values);
+        return make_hull(*shape, values);
     } catch (const InputError& e) {
         if (std::string(e.what()).starts_with(scene_file.string() + ":")) throw;
         s.fail(key, e.what());
@@ -55,13 +44,13 @@ Surface read_solid(Section& s, const std::filesystem::path& scene_file, std::str
 HullOptions read_hull(Section& s) {
     HullOptions o;
     Hull& hull = o.hull;
-    hull.trim = s.number("trim", 0, "rad", {-quarter_turn, quarter_turn});
-    hull.heel = s.number("heel", 0, "rad", {-quarter_turn, quarter_turn});
-    const auto draft = s.number("draft", "m");
+    hull.trim = s.number("trim", hull.trim);
+    hull.heel = s.number("heel", hull.heel);
+    const auto draft = s.number("draft");
     Pose& pose = o.pose;
-    if (const auto position = s.numbers("position", "m", 2)) pose.position = {(*position)[0], (*position)[1], 0};
-    hull.half = s.flag("half", false);
-    o.repair = s.flag("repair", false);
+    if (const auto position = s.numbers("position")) pose.position = {(*position)[0], (*position)[1], 0};
+    hull.half = s.flag("half", hull.half);
+    o.repair = s.flag("repair", o.repair);
     if (hull.half && hull.heel != 0)
         s.fail("half", "a heeled hull is not symmetric about y = 0; set heel = 0 or half = false");
     if (hull.half && pose.position.y() != 0)
@@ -84,7 +73,7 @@ HullOptions read_hull(Section& s) {
 Obstacle read_obstacle(Section& s, std::size_t number) {
     Obstacle o;
     o.name = s.identifier("name", fmt::format("obstacle{}", number));
-    const auto min = s.vector("min", "m"), max = s.vector("max", "m");
+    const auto min = s.vector("min"), max = s.vector("max");
     if (min || max) {
         if (!min || !max) s.fail(min ? "max" : "min", "missing; a box needs min = [x, y, z] and max = [x, y, z]");
         const Box box{*min, *max};
@@ -96,7 +85,7 @@ Obstacle read_obstacle(Section& s, std::size_t number) {
         o.surface = read_solid(s, s.file(), source, key);
         for (const Finding& f : check_surface(o.surface))
             if (f.level == Finding::Level::error) s.fail(key, f.name + ": " + f.message);
-        const Vec3 position = s.vector("position", "m").value_or(Vec3::Zero());
+        const Vec3 position = s.vector("position").value_or(Vec3::Zero());
         for (Vec3& p : o.surface.points) p += position;
     }
     s.finish();

@@ -55,6 +55,8 @@ enum class Side { slip_wall, symmetry, inlet, outlet, atmosphere };
 struct Domain {
     Box box;  ///< z from the floor to the top of the air (particles that fly out through it are gone; with air a lid is
               ///< there)
+    /// The same before its faces were moved to multiples of the sizes: what does not depend on the resolution.
+    Box as_asked;
     int dimensions = 3;  ///< 2: the x-z plane, one particle / cell thick in y
     Side x_min = Side::slip_wall, x_max = Side::slip_wall, y_min = Side::slip_wall, y_max = Side::slip_wall,
          z_min = Side::slip_wall, z_max = Side::atmosphere;
@@ -95,6 +97,7 @@ struct RasterSpec {
     Vec3 origin = Vec3::Zero();  ///< low corner [m]
     double spacing = 0;          ///< voxel edge [m]
     std::array<int, 3> count{0, 0, 0};
+    bool chosen = false;  ///< the edge was written in the scene; else it follows from the particle spacing
 };
 
 struct Sampling {
@@ -108,10 +111,10 @@ struct Sampling {
 };
 
 struct Run {
-    double duration = 0;               ///< [s]
-    std::vector<std::string> methods;  ///< "sph", "fvm"
-    int threads = 0;                   ///< 0: all cores
-    double checkpoint = 0;             ///< between SPH checkpoints [s of simulated time]
+    double duration = 0;  ///< [s]
+    std::vector<std::string> methods{"sph", "fvm"};
+    int threads = 0;        ///< 0: all cores
+    double checkpoint = 0;  ///< between SPH checkpoints [s of simulated time]
 };
 
 struct FvmOptions {
@@ -124,9 +127,9 @@ struct FvmOptions {
 /// Water at the start, besides the still-water half space of a stream scene.
 using WaterBlocks = std::vector<Box>;
 
-/// One effect of the plan: whether both methods solve it, why, and what it is thought to change.
+/// One effect of the plan: whether it is solved, why, and its expected influence.
 struct EffectChoice {
-    std::string name;  ///< viscosity, turbulence, surface_tension, air, ...
+    std::string name;  ///< as in the registry (effects/registry.h)
     bool on = false;
     bool forced = false;    ///< the user said so
     std::string reason;     ///< one sentence with the numbers
@@ -152,8 +155,11 @@ struct Scene {
     SphOptions sph;
     FvmOptions fvm;
     std::vector<EffectChoice> effects;
-    std::string resolution_place;  ///< `file:line:column: [resolution] near_hull = ...`, for messages about size
+    std::map<std::string, std::string> places;  ///< where the keys that were given stand, see place_of
 
+    /// `file:line:column: [section] key = value` of "section.key", for messages about what is found later.
+    std::string place_of(const std::string& key) const;
+    /// Throws std::logic_error for a name that no effect has.
     bool effect_on(const std::string& name) const;
     int symmetry_factor() const { return hull && hull->half ? 2 : 1; }
 };
@@ -181,11 +187,16 @@ struct MachinePace {
 /// Predicted size of a run, from the geometry and a throughput table; no solving.
 struct Prediction {
     double particles = 0, wall_particles = 0, air_particles = 0, cells = 0;
-    double sph_seconds = 0, fvm_seconds = 0, sph_bytes = 0, fvm_bytes = 0, sph_steps = 0;
+    double sph_seconds = 0, fvm_seconds = 0, sph_bytes = 0, fvm_bytes = 0, sph_steps = 0, fvm_steps = 0;
+    double frames = 0, raster_bytes = 0;  ///< samples of the water raster, and their memory (part of each method's)
+    double snapshots = 0;                 ///< moments at which ParaView files are written
 };
 Prediction predict(const Scene& scene, const MachinePace& pace = {});
-/// Throws InputError when a run cannot fit: too many particles for the memory of this machine, with the numbers.
-/// Only the methods in `scene.run.methods` count.
+/// Throws InputError at the key that is to blame when a run cannot be made here: more memory than this machine has,
+/// more than `longest_run` of predicted time, too many samples or snapshots. Only the methods in `scene.run.methods`
+/// count.
+inline constexpr double longest_run = 30 * 86400.0;  ///< [s]
+inline constexpr double most_snapshots = 1e5, most_frames = 1e6;
 void refuse_oversize(const Scene& scene, const Prediction& prediction);
 /// The checked scene in words: hull, domain, resolution, sampling, effects with reasons, predicted cost.
 std::string to_text(const Scene& scene, const Prediction& prediction);

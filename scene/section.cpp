@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 #include "base/errors.h"
@@ -32,18 +31,6 @@ std::string joined(const std::vector<std::string>& words) {
     std::string out;
     for (const std::string& w : words) out += (out.empty() ? "" : ", ") + w;
     return out;
-}
-
-std::string shown_in(double si, std::string_view unit) {
-    if (unit == "rad") return fmt::format("{:.4g} deg", si * 180 / std::numbers::pi);
-    return fmt::format("{:.6g}{}{}", si, unit == "-" ? "" : " ", unit == "-" ? "" : unit);
-}
-
-std::string expected(Range range, std::string_view unit) {
-    const bool low = std::isfinite(range.min), high = std::isfinite(range.max);
-    if (low && high) return fmt::format("from {} to {}", shown_in(range.min, unit), shown_in(range.max, unit));
-    if (low) return fmt::format("{} {}", range.open_min ? "greater than" : "at least", shown_in(range.min, unit));
-    return fmt::format("at most {}", shown_in(range.max, unit));
 }
 
 }  // namespace
@@ -96,12 +83,14 @@ double Section::as_number(const std::string& key, const SceneValue& value, std::
     return si;
 }
 
-std::optional<double> Section::number(const std::string& key, std::string_view unit, Range range) {
+std::optional<double> Section::number(const std::string& key, std::string_view unit, Range range,
+                                      const std::string& hint) {
     const SceneValue* value = ask(key);
     if (!value) return {};
     const double si = as_number(key, *value, unit);
     if (!(si >= range.min && si <= range.max) || (range.open_min && si == range.min)) {
-        std::string message = "out of range; expected " + expected(range, unit);
+        std::string message = "out of range; expected " + range_text(range, unit);
+        if (!hint.empty()) message += " (" + hint + ")";
         if (unit == "rad" && value->kind == SceneValue::Kind::number)
             message += fmt::format(" (a plain number is in radians; write \"{} deg\" for degrees)", value->text);
         fail(key, message);
@@ -113,19 +102,48 @@ double Section::number(const std::string& key, double fallback, std::string_view
     return number(key, unit, range).value_or(fallback);
 }
 
-std::optional<std::vector<double>> Section::numbers(const std::string& key, std::string_view unit) {
+std::optional<std::string> Section::text(const std::string& key) {
+    const SceneValue* value = ask(key);
+    if (!value) return {};
+    if (value->kind != SceneValue::Kind::text) fail(key, "expected a text in quotes");
+    return value->text;
+}
+
+const SceneKey& Section::row(const std::string& key) const {
+    return scene_key(name_.starts_with('[') ? name_.substr(1, name_.size() - 2) : name_, key);
+}
+
+std::string Section::written(const SceneKey& key) {
+    if (key.older.empty() || !has(key.older)) return key.name;
+    if (has(key.name)) fail(key.older, fmt::format("given twice: it is an older spelling of {}; keep one", key.name));
+    know(key.name);
+    return key.older;
+}
+
+std::optional<double> Section::number(const std::string& name) {
+    const SceneKey& key = row(name);
+    return number(written(key), key.unit, key.range, key.hint);
+}
+
+std::optional<int> Section::whole(const std::string& name) {
+    const auto value = number(name);
+    if (value && *value != std::floor(*value)) fail(name, "expected a whole number");
+    return value ? std::optional(static_cast<int>(*value)) : std::nullopt;
+}
+
+std::optional<std::vector<double>> Section::numbers(const std::string& key, std::string_view unit, std::size_t count) {
     const SceneValue* value = ask(key);
     if (!value) return {};
     if (value->kind != SceneValue::Kind::list) fail(key, "expected a list such as [1, 2]");
     std::vector<double> all;
     for (const SceneValue& item : value->list) all.push_back(as_number(key, item, unit));
+    if (count > 0 && all.size() != count) fail(key, fmt::format("has {} numbers; expected {}", all.size(), count));
     return all;
 }
 
-std::optional<std::vector<double>> Section::numbers(const std::string& key, std::string_view unit, std::size_t count) {
-    auto all = numbers(key, unit);
-    if (all && all->size() != count) fail(key, fmt::format("has {} numbers; expected {}", all->size(), count));
-    return all;
+std::optional<std::vector<double>> Section::numbers(const std::string& name) {
+    const SceneKey& key = row(name);
+    return numbers(name, key.unit, key.kind == SceneKey::Kind::list ? 0 : key.kind == SceneKey::Kind::place3 ? 3 : 2);
 }
 
 std::optional<Vec3> Section::vector(const std::string& key, std::string_view unit) {
@@ -134,39 +152,62 @@ std::optional<Vec3> Section::vector(const std::string& key, std::string_view uni
     return Vec3((*all)[0], (*all)[1], (*all)[2]);
 }
 
-std::optional<std::pair<double, double>> Section::range(const std::string& key, std::string_view unit) {
-    const auto all = numbers(key, unit, 2);
+std::optional<Vec3> Section::vector(const std::string& name) { return vector(name, row(name).unit); }
+
+std::optional<std::pair<double, double>> Section::range(const std::string& key) {
+    const auto all = numbers(key);
     if (!all) return {};
     if (!((*all)[0] < (*all)[1])) fail(key, "expected [low, high] with low < high");
     return std::pair{(*all)[0], (*all)[1]};
 }
 
-std::optional<std::string> Section::text(const std::string& key) {
-    const SceneValue* value = ask(key);
-    if (!value) return {};
-    if (value->kind != SceneValue::Kind::text) fail(key, "expected a text in quotes");
-    return value->text;
-}
-
 std::string Section::choice(const std::string& key, const std::string& fallback,
                             const std::vector<std::string>& known) {
     const std::string word = text(key, fallback);
-    if (std::find(known.begin(), known.end(), word) == known.end())
+    if (std::ranges::find(known, word) == known.end())
         fail(key, "not known; expected one of: " + joined(known) + did_you_mean(word, known));
     return word;
 }
 
-std::optional<std::vector<std::string>> Section::texts(const std::string& key, const std::vector<std::string>& known) {
+std::optional<std::string> Section::choice(const std::string& name) {
+    const SceneKey& key = row(name);
+    return ask(name) ? std::optional(choice(name, "", key.choices)) : std::nullopt;
+}
+
+std::optional<std::vector<std::string>> Section::choices(const std::string& key) {
+    const std::vector<std::string>& known = row(key).choices;
     const SceneValue* value = ask(key);
     if (!value) return {};
     std::vector<std::string> words;
     if (value->kind != SceneValue::Kind::list || value->list.empty()) fail(key, "expected a list of: " + joined(known));
     for (const SceneValue& item : value->list) {
-        if (item.kind != SceneValue::Kind::text || std::find(known.begin(), known.end(), item.text) == known.end())
+        if (item.kind != SceneValue::Kind::text || std::ranges::find(known, item.text) == known.end())
             fail(key, item.shown() + " is not known; expected a list of: " + joined(known));
-        if (std::find(words.begin(), words.end(), item.text) == words.end()) words.push_back(item.text);
+        if (std::ranges::find(words, item.text) == words.end()) words.push_back(item.text);
     }
     return words;
+}
+
+void Section::read_into(Scene& scene) {
+    const auto take = [](auto& into, auto value) {
+        if (value) into = std::move(*value);
+    };
+    for (const SceneKey& key : scene_keys()) {
+        if (key.section != name_) continue;
+        with_value(key, scene, [&](auto& value) {
+            using Value = std::decay_t<decltype(value)>;
+            if constexpr (std::is_same_v<Value, double>)
+                take(value, number(key.name));
+            else if constexpr (std::is_same_v<Value, int>)
+                take(value, whole(key.name));
+            else if constexpr (std::is_same_v<Value, std::string>)
+                take(value, key.choices.empty() ? text(key.name) : choice(key.name));
+            else if constexpr (std::is_same_v<Value, std::vector<double>>)
+                take(value, numbers(key.name));
+            else
+                take(value, choices(key.name));
+        });
+    }
 }
 
 bool Section::flag(const std::string& key, bool fallback) {

@@ -1,6 +1,5 @@
 #pragma once
 #include <filesystem>
-#include <limits>
 #include <optional>
 #include <set>
 #include <string>
@@ -9,21 +8,15 @@
 
 #include "base/vec3.h"
 #include "scene/document.h"
+#include "scene/keys.h"
 
 namespace tw {
-
-/// Closed range of SI values that a key accepts; `open_min`: the lower end itself is refused.
-struct Range {
-    double min = -std::numeric_limits<double>::infinity(), max = std::numeric_limits<double>::infinity();
-    bool open_min = false;
-};
-inline constexpr Range any_value{};
-inline constexpr Range positive{0, std::numeric_limits<double>::infinity(), true};
-inline constexpr Range not_negative{0, std::numeric_limits<double>::infinity(), false};
 
 /// One [section] of a scene file. Every getter remembers its key; finish() reports keys nobody asked for. All errors
 /// are InputError in the form
 ///   file:line:column: [section] key = value: what was found; what is expected
+/// Getters that take a key alone find its kind, unit, range and choices in the table (keys.h); the others serve what is
+/// in no table: parameters of shapes, and mapping files.
 class Section {
 public:
     /// `table` may be null: the section is absent and every key has its fallback. `place`: of the header.
@@ -36,18 +29,28 @@ public:
     const std::string& name() const { return name_; }
     const std::filesystem::path& file() const { return file_; }
 
+    /// Reads every key of the table's section that has a slot in the scene; what is not written is left as it is.
+    void read_into(Scene& scene);
+    std::optional<double> number(const std::string& key);
+    double number(const std::string& key, double fallback) { return number(key).value_or(fallback); }
+    std::optional<int> whole(const std::string& key);
+    std::optional<std::vector<double>> numbers(const std::string& key);
+    std::optional<Vec3> vector(const std::string& key);
+    std::optional<std::pair<double, double>> range(const std::string& key);
+    std::optional<std::string> choice(const std::string& key);
+    std::optional<std::vector<std::string>> choices(const std::string& key);
+
     /// Numbers take SI values or strings with a unit; `unit` is the SI unit ("m", "m/s", "rad", "-").
-    std::optional<double> number(const std::string& key, std::string_view unit, Range range = any_value);
+    /// `hint`: what follows the message that a value is out of range.
+    std::optional<double> number(const std::string& key, std::string_view unit, Range range = any_value,
+                                 const std::string& hint = {});
     double number(const std::string& key, double fallback, std::string_view unit, Range range = any_value);
-    std::optional<std::vector<double>> numbers(const std::string& key, std::string_view unit);
+    /// `count`: how many are expected; 0: any number.
     std::optional<std::vector<double>> numbers(const std::string& key, std::string_view unit, std::size_t count);
     std::optional<Vec3> vector(const std::string& key, std::string_view unit);
-    /// [low, high] with low < high.
-    std::optional<std::pair<double, double>> range(const std::string& key, std::string_view unit);
+    std::string choice(const std::string& key, const std::string& fallback, const std::vector<std::string>& known);
     std::optional<std::string> text(const std::string& key);
     std::string text(const std::string& key, const std::string& fallback) { return text(key).value_or(fallback); }
-    std::string choice(const std::string& key, const std::string& fallback, const std::vector<std::string>& known);
-    std::optional<std::vector<std::string>> texts(const std::string& key, const std::vector<std::string>& known);
     bool flag(const std::string& key, bool fallback);
     /// A name that later becomes part of file, patch or column names: a letter, then letters, digits, '_'.
     std::string identifier(const std::string& key, const std::string& fallback);
@@ -64,7 +67,11 @@ public:
     void know(const std::string& key) { asked_.insert(key); }
 
 private:
+    /// The row of the table: list sections stand there without their brackets.
+    const SceneKey& row(const std::string& key) const;
     const SceneValue* ask(const std::string& key);
+    /// The spelling in which a key was written: an older one where the file has that. Throws when it has both.
+    std::string written(const SceneKey& key);
     double as_number(const std::string& key, const SceneValue& value, std::string_view unit) const;
 
     std::filesystem::path file_;

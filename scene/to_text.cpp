@@ -2,7 +2,9 @@
 
 #include <numbers>
 
+#include "scene/defaults.h"
 #include "scene/scene.h"
+#include "scene/units.h"
 
 namespace tw {
 namespace {
@@ -20,24 +22,19 @@ std::string side_name(Side side) {
     return "";
 }
 
-std::string duration_text(double seconds) {
-    if (seconds < 120) return fmt::format("{:.0f} s", seconds);
-    if (seconds < 7200) return fmt::format("{:.0f} min", seconds / 60);
-    return fmt::format("{:.1f} h", seconds / 3600);
-}
-
 std::string hull_text(const Hull& h) {
     constexpr double degrees = 180 / std::numbers::pi;
     std::string out = fmt::format("hull        {}: {:.4g} m long, {:.4g} m wide; trim {:.3g} deg, draft {:.4g} m{}\n",
                                   h.source, h.length, h.beam, h.trim * degrees, h.draft,
-                                  h.half ? "; half is solved, results are for the whole" : "");
-    out +=
-        fmt::format("            at rest it displaces {:.4g} m3, wet from x = {:.4g} to {:.4g} m; {} triangles\n",
-                    h.still.volume, h.still.wet_bounds.min.x(), h.still.wet_bounds.max.x(), h.surface.triangles.size());
+                                  h.half ? "; one half is solved, results are for the whole hull" : "");
+    out += fmt::format(
+        "            it displaces {:.4g} m3 at rest and is wetted from x = {:.4g} to {:.4g} m; {} triangles\n",
+        h.still.volume, h.still.wet_bounds.min.x(), h.still.wet_bounds.max.x(), h.surface.triangles.size());
     for (const std::string& r : h.repairs) out += "  repaired  " + r + "\n";
     for (const Finding& f : h.findings)
         out += fmt::format("  {:9} {}: {}\n", f.level == Finding::Level::note ? "note" : "warning", f.name, f.message);
-    if (h.findings.empty()) out += "            surface: closed, outward, no findings\n";
+    if (h.findings.empty())
+        out += "            the surface is closed, its normals point outward, and nothing was found wrong with it\n";
     return out;
 }
 
@@ -56,17 +53,17 @@ std::string to_text(const Scene& scene, const Prediction& p) {
     out += fmt::format("water       {:.4g} m deep, {:.5g} kg/m3, nu {:.3g} m2/s, sigma {:.3g} N/m, g {:.4g} m/s2\n",
                        w.depth, w.density, w.kinematic_viscosity, w.surface_tension, w.gravity);
     if (scene.motion.kind == Motion::Kind::stream)
-        out += fmt::format("motion      stream of {:.4g} m/s along x, ramped up over {:.3g} s\n", scene.motion.speed,
+        out += fmt::format("motion      stream of {:.4g} m/s along x, started over {:.3g} s\n", scene.motion.speed,
                            scene.motion.ramp);
     else
-        out += "motion      none: water at rest at the start\n";
+        out += "motion      none: the water is at rest at the start\n";
     const Domain& d = scene.domain;
     out += fmt::format("domain      {} to {} m, {} dimensions; x: {}, {}; y: {}, {}; z: {}, {}\n", place(d.box.min),
                        place(d.box.max), d.dimensions, side_name(d.x_min), side_name(d.x_max), side_name(d.y_min),
                        side_name(d.y_max), side_name(d.z_min), side_name(d.z_max));
-    out +=
-        fmt::format("resolution  {:.4g} m at the hull (particles, finest cells), {:.4g} m far away (largest cells)\n",
-                    scene.resolution.near_hull, scene.resolution.spacing);
+    out += fmt::format(
+        "resolution  {:.4g} m at the hull (particles, finest cells), {:.4g} m far from it (largest cells)\n",
+        scene.resolution.near_hull, scene.resolution.spacing);
     for (const RefinementBox& r : scene.refinement)
         out += fmt::format("  {:13} {:.4g} m cells in {} to {} m\n", r.name, scene.resolution.spacing / (1 << r.level),
                            place(r.box.min), place(r.box.max));
@@ -75,22 +72,28 @@ std::string to_text(const Scene& scene, const Prediction& p) {
                        s.raster.count[0], s.raster.count[1], s.raster.count[2], s.raster.spacing);
     if (s.mean_from > 0) out += fmt::format("means from {:.4g} s; ", s.mean_from);
     out += fmt::format("{} pressure and {} height probes\n", s.pressure.size(), s.height.size());
+    if (p.snapshots > 0) out += fmt::format("  snapshots {:.0f} sets of ParaView files\n", p.snapshots);
     out += fmt::format("run         {:.4g} s, particle sound speed {:.4g} m/s\n", scene.run.duration, scene.sph.c0);
     if (s.mean_from > 0 && scene.run.duration <= s.mean_from)
-        out += "  note      the run ends before means begin: no settled mean can be given\n";
+        out += "  note      the run ends before the means begin: no settled mean can be given\n";
+    if (const double mach = 0.1 * default_sound_speed(scene) / scene.sph.c0; mach > 0.15)
+        out += fmt::format(
+            "  warning   the water moves at {:.2g} times this sound speed, which compresses it by about {:.0f} %; "
+            "raise [sph] c0\n",
+            mach, 50 * mach * mach);
     out += "\neffects\n";
     for (const EffectChoice& e : scene.effects)
         out += fmt::format(
             "  {:16} {:3} {}: {}\n{:24}influence: {}{}\n", e.name, e.on ? "on" : "off",
-            e.forced ? "(as asked)" : "(auto)", e.reason, "", e.influence,
+            e.forced ? "(as requested)" : "(auto)", e.reason, "", e.influence,
             e.cost > 0 ? fmt::format("; cost {} {:.0f} % of a particle run", e.on ? "is" : "would be", 100 * e.cost)
                        : "");
-    out += "\npredicted (two significant digits at best)\n";
+    out += "\npredicted for this machine (two significant digits at best)\n";
     out += fmt::format("  sph  {:.3g} particles{} + {:.3g} in walls, {:.3g} steps, {:.2g} GB, {}\n", p.particles,
                        p.air_particles > 0 ? fmt::format(" + {:.3g} of air", p.air_particles) : "", p.wall_particles,
-                       p.sph_steps, p.sph_bytes / 1e9, duration_text(p.sph_seconds));
+                       p.sph_steps, p.sph_bytes / 1e9, time_in_words(p.sph_seconds));
     out +=
-        fmt::format("  fvm  {:.3g} cells, {:.2g} GB, {}\n", p.cells, p.fvm_bytes / 1e9, duration_text(p.fvm_seconds));
+        fmt::format("  fvm  {:.3g} cells, {:.2g} GB, {}\n", p.cells, p.fvm_bytes / 1e9, time_in_words(p.fvm_seconds));
     out += "\nscene hash  " + scene.hash + "\n";
     return out;
 }

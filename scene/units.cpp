@@ -149,6 +149,15 @@ Unit parse_unit(std::string_view original) {
     }
 }
 
+std::string time_in_words(double seconds) {
+    constexpr double day = 86400, year = 365.25 * day;
+    if (seconds < 120) return fmt::format("{:.0f} s", seconds);
+    if (seconds < 7200) return fmt::format("{:.0f} min", seconds / 60);
+    if (seconds < 2 * day) return fmt::format("{:.1f} h", seconds / 3600);
+    if (seconds < 2 * year) return fmt::format("{:.1f} days", seconds / day);
+    return fmt::format("{:.2g} years", seconds / year);
+}
+
 std::string units_like(std::string_view si_unit) {
     const Dimension wanted = parse_unit(si_unit).dimension;
     std::string list(si_unit);

@@ -59,7 +59,7 @@ EffectOptions effect_options(const Scene& scene, const SimulationSetup& s) {
         if (scene.effect_on("turbulence")) on.viscosity->turbulence = EddyViscosity{scene.sph.smagorinsky};
     }
     if (scene.effect_on("surface_tension")) on.surface_tension = SurfaceTension{scene.water.surface_tension};
-    if (scene.effect_on("acoustic_damping")) on.acoustic_damping = AcousticDamping{scene.sph.acoustic_damper};
+    if (scene.effect_on("acoustic_damping")) on.acoustic_damping = AcousticDamping{scene.sph.acoustic_damping};
     if (scene.effect_on("cavitation"))
         on.cavitation = Cavitation{scene.water.vapour_pressure - scene.water.atmospheric_pressure};
     if (scene.effect_on("damping_layers")) on.damping_layers = damping_layers(scene, s);

@@ -1,26 +1,29 @@
 # Completion of the twinwake command for bash:  source app/completion/twinwake.bash
+# Names of effects and shapes come from the program itself, so that there is one list of them.
+_twinwake_names() { "${COMP_WORDS[0]}" reference --names "$1" 2>/dev/null | tr '\n' ' '; }
 _twinwake() {
     local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]}
     local scene="--hull --speed --trim --near-hull --spacing --scale --duration --effect"
-    local effects="viscosity no_slip turbulence surface_tension air compressibility gravity cavitation damping_layers acoustic_damping shifting tension_control"
     local words=""
     COMPREPLY=()
     if [ "$COMP_CWORD" -eq 1 ]; then
-        COMPREPLY=($(compgen -W "new check run compare ladder sweep ablate import uncertainty hull case doctor stability bench --help --version" -- "$word"))
+        COMPREPLY=($(compgen -W "new check reference run compare ladder sweep ablate import uncertainty hull case doctor stability bench --help --version" -- "$word"))
         return
     fi
     case $previous in
         --method) COMPREPLY=($(compgen -W "sph fvm both" -- "$word")); return ;;
         --require) COMPREPLY=($(compgen -W "agree" -- "$word")); return ;;
-        --effects) COMPREPLY=($(compgen -W "$effects" -- "$word")); return ;;
-        --effect) COMPREPLY=($(compgen -W "$(printf '%s=on ' $effects; printf '%s=off ' $effects)" -- "$word")); return ;;
+        --effects) COMPREPLY=($(compgen -W "$(_twinwake_names effects)" -- "$word")); return ;;
+        --effect) COMPREPLY=($(compgen -W "$(printf '%s=on ' $(_twinwake_names effects); printf '%s=off ' $(_twinwake_names effects))" -- "$word")); return ;;
+        --names) COMPREPLY=($(compgen -W "effects shapes" -- "$word")); return ;;
         --unit) COMPREPLY=($(compgen -W "m mm cm ft in" -- "$word")); return ;;
         --hull | --hulls | --measured | --json | --out | -o | --openfoam) COMPREPLY=($(compgen -f -- "$word")); return ;;
     esac
     case $command in
         new) words="--overwrite --quiet --help"
              [ "$COMP_CWORD" -eq 2 ] && words="planing seaplane tank own" ;;
-        check) words="$scene --json --quiet --help" ;;
+        check) words="$scene --threads --json --quiet --help" ;;
+        reference) words="--out --names --quiet --help" ;;
         run) words="$scene --method --out --resume --overwrite --threads --json --quiet --help" ;;
         compare) words="--out --ladder --measured --force --require --json --quiet --help" ;;
         ladder) words="$scene --method --levels --ratio --no-variations --plan --measured --budget --overwrite --out --threads --json --quiet --help" ;;
@@ -30,7 +33,7 @@ _twinwake() {
         uncertainty) words="--order --json --quiet --help" ;;
         hull) words="--unit --axes --particle-spacing --out --json --quiet --help"
               [ "$COMP_CWORD" -eq 2 ] && words="info repair make convert"
-              [ "$COMP_CWORD" -eq 3 ] && [ "${COMP_WORDS[2]}" = make ] && words="prismatic seaplane wigley wedge plate box cylinder sphere torpedo" ;;
+              [ "$COMP_CWORD" -eq 3 ] && [ "${COMP_WORDS[2]}" = make ] && words=$(_twinwake_names shapes) ;;
         case) words="$scene --quiet --help" ;;
         doctor) words="--openfoam --json --quiet --help" ;;
         stability) words="--quick --out --threads --json --quiet --help" ;;

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "meshes/check/edges.h"
+#include "meshes/check/hole.h"
 #include "meshes/check/shells.h"
 #include "meshes/check/sliver.h"
 #include "meshes/health.h"
@@ -101,23 +102,9 @@ std::size_t make_consistent(Surface& s) {
     return turned;
 }
 
-/// Fills a hole that is small (diameter up to 5 % of the hull's diagonal) and flat (to 5 % of its diameter) with
-/// triangles between its rim points; false: it was left open.
+/// Fills a hole that may be filled with triangles between its rim points; false: it was left open.
 bool fill_hole(Surface& s, const Loop& loop, double diagonal) {
-    Vec3 centre = Vec3::Zero(), normal = Vec3::Zero();
-    for (const int p : loop) centre += s.points[static_cast<std::size_t>(p)] / static_cast<double>(loop.size());
-    double diameter = 0;
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-        const Vec3 a = s.points[static_cast<std::size_t>(loop[i])] - centre;
-        const Vec3 b = s.points[static_cast<std::size_t>(loop[(i + 1) % loop.size()])] - centre;
-        normal += a.cross(b);
-        diameter = std::max(diameter, 2 * a.norm());
-    }
-    normal.stableNormalize();
-    if (diameter > 0.05 * diagonal) return false;
-    for (const int p : loop)
-        if (std::abs(normal.dot(s.points[static_cast<std::size_t>(p)] - centre)) > 0.05 * diameter) return false;
-
+    if (!may_be_filled(measured(s, loop), diagonal)) return false;
     vtkNew<vtkPolygon> polygon;
     polygon->GetPointIds()->SetNumberOfIds(static_cast<vtkIdType>(loop.size()));
     polygon->GetPoints()->SetDataTypeToDouble();
@@ -160,7 +147,7 @@ std::size_t turn_inverted_shells(Surface& s) {
 Repaired repair_surface(const Surface& surface) {
     Repaired r{surface, {}};
     for (const Vec3& p : surface.points)
-        if (!p.allFinite()) return r;  // nothing to mend: which place was meant is lost
+        if (!p.allFinite()) return r;  // nothing to repair: which place was meant is lost
     const Box box = surface.bounds();
     const double diagonal = box.size().norm();
     // Exporters write single precision: corners meant to be one differ by its rounding.

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -73,6 +75,24 @@ void check_obj(const std::filesystem::path& file, std::string_view content) {
                                       std::to_string(of.count) + " " + std::string(of.meaning) + " (truncated?)");
 }
 
+namespace {
+
+/// The values of an attribute NAME="..." wherever it stands in an XML text.
+std::vector<std::string_view> attribute_values(std::string_view content, std::string_view name) {
+    std::vector<std::string_view> values;
+    for (std::size_t at = content.find(name); at != std::string_view::npos; at = content.find(name, at + 1)) {
+        std::string_view rest = content.substr(at + name.size());
+        rest.remove_prefix(std::min(rest.find_first_not_of(" \t\r\n"), rest.size()));
+        if (!rest.starts_with('=')) continue;
+        rest.remove_prefix(std::min(rest.find_first_of("\"'", 1), rest.size()));
+        if (rest.size() < 2) continue;
+        values.push_back(rest.substr(1, rest.find(rest[0], 1) - 1));
+    }
+    return values;
+}
+
+}  // namespace
+
 void check_vtp(const std::filesystem::path& file, std::string_view content) {
     const auto fail = [&](const std::string& what) {
         throw InputError(file.string() + ": " + what + "; write the surface again as VTK XML PolyData");
@@ -81,6 +101,24 @@ void check_vtp(const std::filesystem::path& file, std::string_view content) {
         fail("not a VTP file: no <VTKFile> element at its beginning");
     if (content.substr(0, 4000).find("PolyData") == std::string_view::npos)
         fail("not a VTP file: it holds no PolyData");
+    // The reader makes room for what these promise, and names every component, before it reads a number.
+    constexpr double most_components = 100;  // a tensor has nine
+    constexpr double most_packed = 1100;     // bytes out of one byte of a compressed file (zlib's limit is 1032)
+    const auto check_counts = [&](const char* name, double most) {
+        for (const std::string_view value : attribute_values(content, name)) {
+            double count = 0;
+            const auto first = value.find_first_not_of(" \t\r\n"), end = value.find_last_not_of(" \t\r\n");
+            if (first == std::string_view::npos || !to_number(value.substr(first, end - first + 1), count) ||
+                !(count >= 0 && count <= most))
+                fail(fmt::format("{} is \"{}\"; expected a number from 0 to {:.0f} in a file of {} bytes", name,
+                                 value.substr(0, 40), most, content.size()));
+        }
+    };
+    check_counts("NumberOfComponents", most_components);
+    const double most_values = most_packed * static_cast<double>(content.size());
+    for (const char* name :
+         {"NumberOfPoints", "NumberOfVerts", "NumberOfLines", "NumberOfStrips", "NumberOfPolys", "NumberOfTuples"})
+        check_counts(name, most_values);
     const auto last = content.find_last_not_of(" \t\r\n\0");
     constexpr std::string_view end = "</VTKFile>";
     if (last == std::string_view::npos || last + 1 < end.size() ||

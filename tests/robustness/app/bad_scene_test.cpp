@@ -34,9 +34,10 @@ INSTANTIATE_TEST_SUITE_P(
                  "bad.toml:11:13: [resolution] near_hull = -0.1: out of range; expected greater than 0 m\n"},
         BadScene{"near_hull = \"0.1 m\"", "near_hull = 0.1\nspacing = -1",
                  "bad.toml:12:11: [resolution] spacing = -1: out of range; expected greater than 0 m\n"},
-        BadScene{"\"8 m/s\"", "0",
-                 "bad.toml:9:9: [motion] speed = 0: a stream of zero speed; give a speed > 0, or kind = \"none\" for "
-                 "still water\n"},
+        BadScene{
+            "\"8 m/s\"", "0",
+            "bad.toml:9:9: [motion] speed = 0: out of range; expected greater than 0 m/s and at most 1000 m/s (for "
+            "still water write kind = \"none\")\n"},
         BadScene{"near_hull = \"0.1 m\"", "near_hull = \"1 mm\"",
                  "bad.toml:11:13: [resolution] near_hull = \"1 mm\": too fine for this machine: 2.8"},
         BadScene{"shape = \"prismatic\"", "file  = \"gone.stl\"",

@@ -1,4 +1,7 @@
+#include <cctype>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <thread>
 
 #include "program.h"
@@ -76,6 +79,49 @@ TEST_F(Command, EveryTemplateThatNeedsNoFilePassesItsOwnCheck) {
         twinwake({"hull", "make", "prismatic", "-o", "my_hull.stl", "length=8 m", "beam=2 m", "height=1.5"}).status, 0);
     const Outcome own = twinwake({"check", "own.toml"});
     EXPECT_EQ(own.status, 0) << own.err;
+}
+
+TEST_F(Command, CheckPredictsForTheThreadsThatARunWouldGet) {
+    write("a.toml", planing);
+    const auto seconds = [&](const char* threads) {
+        const Outcome o = twinwake({"check", "a.toml", "--threads", threads, "--json", "-"});
+        EXPECT_EQ(o.status, 0) << o.err;
+        return nlohmann::json::parse(o.out)["predicted"]["sph"]["seconds"].get<double>();
+    };
+    EXPECT_NEAR(seconds("1") / seconds("4"), 4, 1e-6);
+    EXPECT_EQ(twinwake({"check", "a.toml", "--threads", "0"}).status, 2);
+}
+
+TEST_F(Command, TheReferenceNamesEveryKeyAndEffectAndHelpAndCompletionReadTheSameList) {
+    const Outcome names = twinwake({"reference", "--names", "effects"});
+    EXPECT_EQ(names.status, 0) << names.err;
+    const std::string whole = twinwake({"reference"}).out, help = twinwake({"check", "--help"}).out,
+                      ablate = twinwake({"ablate", "--help"}).out;
+    std::istringstream lines(names.out);
+    std::string name, together;
+    for (std::string text = help; const char c : text)  // the help is broken into lines
+        if (!std::isspace(static_cast<unsigned char>(c))) together += c;
+    int count = 0;
+    for (; std::getline(lines, name); ++count) {
+        EXPECT_NE(whole.find("| `" + name + "` |"), std::string::npos) << name;
+        EXPECT_NE(together.find(name), std::string::npos) << name;
+        EXPECT_NE(ablate.find(name), std::string::npos) << name;
+    }
+    EXPECT_GE(count, 12);
+    EXPECT_EQ(twinwake({"reference", "--out", "reference.md"}).status, 0);
+    EXPECT_EQ(content(folder_ / "reference.md"), whole);
+    EXPECT_NE(twinwake({"reference", "--names", "shapes"}).out.find("prismatic\n"), std::string::npos);
+    // What the shell offers behind --effect is that list.
+    write("complete.sh", "source " TWINWAKE_SOURCE
+                         "/app/completion/twinwake.bash\n"
+                         "COMP_WORDS=(" TWINWAKE_PROGRAM
+                         " check a.toml --effect '')\nCOMP_CWORD=4\n_twinwake\n"
+                         "printf '%s\\n' \"${COMPREPLY[@]}\" > offered\n");
+    const std::string shell = "cd '" + folder_.string() + "' && bash complete.sh";
+    ASSERT_EQ(std::system(shell.c_str()), 0);
+    const std::string offered = content(folder_ / "offered");
+    std::istringstream again(names.out);
+    while (std::getline(again, name)) EXPECT_NE(offered.find(name + "=on\n"), std::string::npos) << name << offered;
 }
 
 TEST_F(Command, CheckGivesItsFactsToPrograms) {

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "program.h"
 
 namespace tw::test {
@@ -26,6 +28,37 @@ TEST_F(Command, WrongHullArgumentsNameTheKnownOnes) {
     EXPECT_EQ(twinwake({"hull", "info", "absent.stl", "--unit", "parsec"}).status, 2);
     EXPECT_TRUE(files().empty());
     EXPECT_NE(twinwake({"hull", "make"}).out.find("deadrise"), std::string::npos);  // the list of shapes and parameters
+}
+
+TEST_F(Command, AHullIsNotWrittenOverItsSourceNorToNowhere) {
+    EXPECT_EQ(twinwake({"hull", "make", "box"}).err, "hull make box: no file to write; expected -o FILE.stl\n");
+    ASSERT_EQ(twinwake({"hull", "make", "box", "-o", "box.stl"}).status, 0);
+    const std::string before = content(folder_ / "box.stl");
+    for (const char* action : {"convert", "repair"})
+        for (const char* out : {"box.stl", "./box.stl"}) {
+            const Outcome o = twinwake({"hull", action, "box.stl", out, "--unit", "mm"});
+            EXPECT_EQ(o.status, 2) << action;
+            EXPECT_NE(o.err.find("is the input file, which would be overwritten"), std::string::npos) << o.err;
+        }
+    EXPECT_EQ(content(folder_ / "box.stl"), before);
+}
+
+TEST_F(Command, RepairIsSuggestedForWhatItRepairs) {
+    ASSERT_EQ(twinwake({"hull", "make", "box", "-o", "box.stl"}).status, 0);
+    std::string bytes = content(folder_ / "box.stl");
+    std::swap_ranges(bytes.begin() + 84 + 12, bytes.begin() + 84 + 24, bytes.begin() + 84 + 24);  // two corners
+    write("flipped.stl", bytes);
+    EXPECT_NE(twinwake({"hull", "info", "flipped.stl"}).out.find("\"twinwake hull repair\" repairs it"),
+              std::string::npos);
+    EXPECT_EQ(twinwake({"hull", "repair", "flipped.stl", "mended.stl"}).status, 0);
+    const std::string whole = content(folder_ / "box.stl");
+    std::string open = whole.substr(0, whole.size() - 50);
+    open[80] = static_cast<char>(open[80] - 1);
+    write("open.stl", open);
+    const std::string found = twinwake({"hull", "info", "open.stl"}).out;
+    EXPECT_EQ(found.find("hull repair"), std::string::npos) << found;
+    EXPECT_NE(found.find("close it in your CAD"), std::string::npos) << found;
+    EXPECT_EQ(twinwake({"hull", "repair", "open.stl", "no.stl"}).status, 2);
 }
 
 TEST_F(Command, AnOpenHullIsFoundAndNotSilentlyMended) {

@@ -175,7 +175,7 @@ TEST_F(Command, AFullDiskIsAFailedRunWithTheSystemsReason) {
 }
 
 TEST_F(Command, ARunThatFailsLeavesAReportOfWhatThereIs) {
-    write("column.toml", column + "[sph]\nc0 = 1\n");  // far too low
+    write("column.toml", column + "[sph]\nc0 = 2\n");  // far too low
     const Outcome o = twinwake({"run", "column.toml"});
     EXPECT_EQ(o.status, 3) << o.out;
     EXPECT_NE(o.err.find("often a sound speed that is too low"), std::string::npos) << o.err;
@@ -186,7 +186,7 @@ TEST_F(Command, ARunThatFailsLeavesAReportOfWhatThereIs) {
 }
 
 TEST_F(Command, ALadderOfRunsThatAllFailSaysWhy) {
-    write("column.toml", column + "[sph]\nc0 = 1\n");
+    write("column.toml", column + "[sph]\nc0 = 2\n");
     const Outcome o = twinwake({"ladder", "column.toml", "--levels", "2"});
     EXPECT_EQ(o.status, 3) << o.out;
     EXPECT_NE(o.err.find("no run of the ladder is left: "), std::string::npos) << o.err;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -11,6 +12,7 @@
 #include "meshes/health.h"
 #include "meshes/mass_properties.h"
 #include "meshes/surface.h"
+#include "tests/unit/meshes/gzipped.h"
 
 // What a user may hand over instead of a sound surface file: every one gets a message that names the file and the
 // fault; never a crash, a hang or an empty hull.
@@ -205,6 +207,38 @@ TEST_F(BadFiles, Vtp) {
     expect_complaint(file("grid.vtp", "<VTKFile type=\"ImageData\"></VTKFile>"), "no PolyData");
     EXPECT_NE(
         complaint(file("empty.vtp", "<VTKFile type=\"PolyData\" version=\"0.1\"><PolyData></PolyData></VTKFile>")), "");
+}
+
+TEST_F(BadFiles, VtpThatPromisesMoreThanItHolds) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::string good = vtp("0 1 2", "3");
+    for (const auto& [from, to] : {std::pair("NumberOfComponents=\"3\"", "NumberOfComponents=\"1000000000\""),
+                                   std::pair("NumberOfComponents=\"3\"", "NumberOfComponents = '1e300'"),
+                                   std::pair("NumberOfComponents=\"3\"", "NumberOfComponents=\"-3\""),
+                                   std::pair("NumberOfComponents=\"3\"", "NumberOfComponents=\""),
+                                   std::pair("NumberOfPoints=\"3\"", "NumberOfPoints=\"1000000000000\""),
+                                   std::pair("NumberOfPolys=\"1\"", "NumberOfPolys=\"1000000000\""),
+                                   std::pair("NumberOfVerts=\"0\"", "NumberOfVerts=\"9999999999999999999\"")}) {
+        std::string bad = good;
+        bad.replace(bad.find(from), std::string_view(from).size(), to);
+        expect_complaint(file("promise.vtp", bad), std::string(to).substr(0, std::string(to).find_first_of(" =")));
+    }
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1));
+}
+
+TEST_F(BadFiles, CompressedFiles) {
+    const std::string packed = gzipped(good_stl());
+    EXPECT_EQ(complaint(file("good.stl.gz", packed)), "");
+    for (const std::size_t n : {std::size_t{5}, std::size_t{20}, packed.size() / 2, packed.size() - 1})
+        expect_complaint(file("cut.stl.gz", packed.substr(0, n)), "truncated");
+    expect_complaint(file("plain.stl.gz", good_stl()), "not a gzip file");
+    std::string damaged = packed;
+    for (std::size_t k = 30; k < 60; ++k) damaged[k] = static_cast<char>(damaged[k] ^ 0x5a);
+    EXPECT_NE(complaint(file("damaged.stl.gz", damaged)), "");
+    expect_complaint(file("bomb.stl.gz", gzipped(std::string(300'000'000, ' '))), "unpacks to more than");
+    expect_complaint(file("empty.stl.gz", gzipped("")), "nothing is in it");
+    expect_complaint(file("hull.step.gz", packed), "not from \".step.gz\"");
+    expect_complaint(file("hull.gz", packed), ".stl.gz");
 }
 
 TEST_F(BadFiles, EverySingleByteOfASmallFileChanged) {

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "meshes/mass_properties.h"
+#include "meshes/symmetric.h"
 #include "tests/unit/meshes/broken.h"
 
 namespace tw {
@@ -38,7 +39,7 @@ TEST(CheckSurface, FindsAMissingTriangleAtItsPlace) {
     s.triangles.erase(s.triangles.begin() + 1000);
     expect_findings(s, "open_edges");
     EXPECT_LT((check_surface(s)[0].place - hole).norm(), 1.0);
-    EXPECT_NE(check_surface(s)[0].message.find("3 open edges round 1 hole"), std::string::npos);
+    EXPECT_NE(check_surface(s)[0].message.find("3 open edges around 1 hole"), std::string::npos);
     EXPECT_FALSE(usable(check_surface(s)));
 }
 
@@ -240,6 +241,60 @@ TEST(RepairSurface, RefusesALargeHoleAndAHollowHull) {
     const Surface hollow =
         together(make_hull("box", {}), turned_inside_out(shifted(scaled(make_hull("box", {}), 0.9), {0, 0, 0.05})));
     EXPECT_EQ(names(check_surface(repair_surface(hollow).surface)), "nested_shells");
+}
+
+TEST(RepairSurface, IsSuggestedWhereItHelpsAndNowhereElse) {
+    const auto mendable = [](const Surface& s, const char* name) {
+        const auto findings = check_surface(s);
+        const Finding* f = finding(findings, name);
+        EXPECT_NE(f, nullptr) << name;
+        const bool said = f && f->mendable;
+        EXPECT_EQ(said, usable(check_surface(repair_surface(s).surface))) << name;
+        EXPECT_EQ(said, f && f->message.find(';') == std::string::npos) << f->message;  // otherwise: what else to do
+        return said;
+    };
+    Surface small_hole = refined(make_hull("prismatic", {}), 0.1), no_deck = make_hull("prismatic", {});
+    small_hole.triangles.pop_back();
+    std::erase_if(no_deck.triangles, [closed = no_deck, t = 0](const auto&) mutable {
+        return closed.area_vector2(t++).normalized().z() >= 0.9;
+    });
+    Surface flipped = make_hull("wigley", {});
+    std::swap(flipped.triangles[17][0], flipped.triangles[17][1]);
+    EXPECT_TRUE(mendable(small_hole, "open_edges"));
+    EXPECT_FALSE(mendable(no_deck, "open_edges"));
+    EXPECT_NE(check_surface(no_deck)[0].message.find("only flat holes of up to 0.21 m can be filled"),
+              std::string::npos)
+        << check_surface(no_deck)[0].message;
+    EXPECT_TRUE(mendable(flipped, "flipped_normals"));
+    EXPECT_TRUE(mendable(turned_inside_out(make_hull("wigley", {})), "inverted"));
+    EXPECT_FALSE(mendable(scaled(make_hull("wigley", {}), 1000), "suspicious_size"));
+    EXPECT_FALSE(mendable(scaled(small_hole, 1000), "open_edges"));  // the unit would still be wrong
+    const Surface box = make_hull("box", {});
+    EXPECT_FALSE(mendable(together(box, shifted(box, {0.5, 0.5, 0.5})), "self_intersection"));
+}
+
+TEST(MadeSymmetric, IsTheStarboardHalfTwice) {
+    // A keel that runs 4 mm beside the plane and a side that is 5 mm too far out, at y < 0 only.
+    const Surface hull = refined(make_hull("prismatic", {}), 0.3);
+    Surface off = hull;
+    for (Vec3& p : off.points) {
+        if (p.y() == 0) p.y() = 0.004;
+        if (p.y() < -0.4) p.y() -= 0.005;
+    }
+    EXPECT_NEAR(asymmetry(hull).distance, 0, 1e-12);
+    const double before = asymmetry(off).distance;
+    EXPECT_GT(before, 0.003);
+    const Surface alike = made_symmetric(off, before);
+    EXPECT_TRUE(check_surface(alike).empty()) << names(check_surface(alike));
+    EXPECT_EQ(asymmetry(alike).distance, 0);
+    EXPECT_NEAR(mass_properties(alike).volume / mass_properties(hull).volume, 1, 1e-9);
+    EXPECT_LT(mass_properties(alike).volume, mass_properties(off).volume - 0.01);
+    // A plane through the middle of its triangles: cut, and joined again.
+    const Surface sphere = make_hull("sphere", {{"level", 3}}),
+                  turned = posed(shifted(sphere, {0, 0, -0.5}), {.heel = 0.3});
+    const Surface cut = made_symmetric(turned, 1e-9);
+    EXPECT_TRUE(check_surface(cut).empty()) << names(check_surface(cut));
+    EXPECT_NEAR(mass_properties(cut).volume / mass_properties(sphere).volume, 1, 0.02);
 }
 
 TEST(RepairSurface, RemovesWhatHasNoArea) {

@@ -17,6 +17,7 @@
 #include "meshes/health.h"
 #include "meshes/mass_properties.h"
 #include "meshes/surface.h"
+#include "tests/unit/meshes/gzipped.h"
 
 namespace tw {
 namespace fs = std::filesystem;
@@ -66,6 +67,24 @@ protected:
     Surface hull = make_hull("seaplane", {});
     vtkNew<vtkPolyData> data;
 };
+
+TEST_F(ReadWrite, CompressedFilesAreTheSameSurface) {
+    const auto packed = [&](const fs::path& file) {
+        const fs::path gz = file.string() + ".gz";
+        std::ofstream(gz, std::ios::binary) << gzipped(read_text(file));
+        return read_surface(gz);
+    };
+    write_stl(folder / "hull.stl", hull);
+    EXPECT_EQ(surface_hash(packed(folder / "hull.stl")), surface_hash(read_surface(folder / "hull.stl")));
+    for (const fs::path& file : {written<vtkSTLWriter>("text.stl", 0), written<vtkOBJWriter>("hull.obj"),
+                                 written<vtkPLYWriter>("hull.ply", 1), written<vtkXMLPolyDataWriter>("hull.vtp")})
+        EXPECT_EQ(surface_hash(packed(file)), surface_hash(read_surface(file))) << file;
+    // Two members one after the other are one file.
+    const std::string text = read_text(folder / "text.stl");
+    std::ofstream(folder / "two.STL.GZ", std::ios::binary)
+        << gzipped(text.substr(0, 5000)) << gzipped(text.substr(5000));
+    EXPECT_EQ(surface_hash(read_surface(folder / "two.STL.GZ")), surface_hash(read_surface(folder / "text.stl")));
+}
 
 TEST_F(ReadWrite, OwnBinaryStlComesBack) {
     write_stl(folder / "hull.stl", hull,

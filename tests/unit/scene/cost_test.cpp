@@ -57,5 +57,75 @@ TEST(Cost, BillionsOfParticlesAreRefusedWithTheNumberAndThePlace) {
     EXPECT_NO_THROW(refuse_oversize(scene_of(tank), predict(scene_of(tank))));
 }
 
+std::string refusal(const std::string& text) {
+    const Scene s = scene_of(text);
+    try {
+        refuse_oversize(s, predict(s));
+    } catch (const InputError& e) { return std::string(e.what()).substr(std::string(e.what()).find("scene.toml")); }
+    return "";
+}
+
+TEST(Cost, TheRastersFramesAreMemoryAndNamedByTheirKey) {
+    const Prediction coarse = predict(scene_of(planing)),
+                     fine = predict(scene_of(planing + "[sampling]\nraster_spacing = 0.01\n"));
+    EXPECT_NEAR(fine.raster_bytes / coarse.raster_bytes, 1000,
+                60);  // a tenth of the edge; faces go out to whole voxels
+    EXPECT_GT(fine.sph_bytes - coarse.sph_bytes, 0.99 * (fine.raster_bytes - coarse.raster_bytes));
+    EXPECT_GT(fine.fvm_bytes - coarse.fvm_bytes, 0.99 * (fine.raster_bytes - coarse.raster_bytes));
+    const auto blamed = [](const std::string& sampling, const std::string& start) {
+        const std::string message = refusal(planing + "[sampling]\n" + sampling);
+        EXPECT_EQ(message.substr(0, start.size()), start) << message;
+    };
+    blamed("raster_spacing = 0.0045\ninterval = 2e-5\n",
+           "scene.toml:22:18: [sampling] raster_spacing = 0.0045: the water raster of 4.09e+08 voxels in 75001 frames "
+           "needs ");
+    blamed("raster_spacing = 0.02\ninterval = 2e-6\n",
+           "scene.toml:23:12: [sampling] interval = 2e-06: the water raster of 4.7e+06 voxels in 750001 frames needs ");
+}
+
+TEST(Cost, WhatWouldTakeMonthsIsRefusedAtTheKeyThatIsToBlame) {
+    const auto blamed = [](const std::string& text, const std::string& start) {
+        const std::string message = refusal(text);
+        EXPECT_EQ(message.substr(0, start.size()), start) << message;
+        EXPECT_NE(message.find("runs longer than 30 days are refused"), std::string::npos) << message;
+    };
+    EXPECT_EQ(refusal(planing), "");
+    blamed(with(planing, "1.5 s", "1e12 s"),
+           "scene.toml:19:12: [run] duration = \"1e12 s\": the sph run would take about ");
+    blamed(planing + "[sph]\ncfl = 1e-9\n", "scene.toml:22:7: [sph] cfl = 1e-09: the sph run would take about ");
+    blamed(planing + "[fvm]\nmax_courant = 1e-9\n",
+           "scene.toml:22:15: [fvm] max_courant = 1e-09: the fvm run would take");
+    const std::string fast = with(planing, "[\"sph\", \"fvm\"]", "[\"fvm\"]");
+    EXPECT_EQ(refusal(fast + "[sph]\ncfl = 1e-9\n"), "");  // only the methods that are run
+}
+
+TEST(Cost, MoreFilesThanADiskCanBearAreRefused) {
+    EXPECT_EQ(refusal(planing + "[sampling]\nsnapshots = 1e-12\n"),
+              "scene.toml:22:13: [sampling] snapshots = 1e-12: 1.5e+12 snapshots would be written; expected at least "
+              "1.5e-05 s");
+    EXPECT_NE(refusal(with(planing, "[run]", "[run]\ncheckpoint = 1e-9")).find("1.5e+09 states would be saved"),
+              std::string::npos);
+    const std::string particles_only = with(planing, "[\"sph\", \"fvm\"]", "[\"sph\"]");
+    EXPECT_NE(
+        refusal(particles_only + "[sampling]\ninterval = 1e-9\n").find("[sampling] interval = 1e-09: 1.5e+09 samples"),
+        std::string::npos);
+    EXPECT_EQ(predict(scene_of(planing + "[sampling]\nsnapshots = 0.5\n")).snapshots, 4);  // 0, 0.5, 1 and 1.5 s
+}
+
+TEST(Cost, ADomainThatNoSizeCouldFillIsNamedItself) {
+    for (const std::string key : {"ahead", "side", "behind"}) {
+        const std::string message = refusal(with(planing, "[motion]", "[domain]\n" + key + " = 1e9\n[motion]"));
+        EXPECT_NE(message.find("[domain] " + key + " = 1000000000: the domain of "), std::string::npos) << message;
+        EXPECT_NE(message.find("is too large for this machine: "), std::string::npos) << message;
+    }
+    EXPECT_NE(refusal(with(planing, "1.5 s", "1e308")).find("[run] duration = \"1e308\""), std::string::npos);
+}
+
+TEST(Cost, AbsurdlySmallParticlesAreRefusedAsThat) {
+    for (const char* size : {"1e-9", "1e-30", "1e-200", "1e-300"})
+        EXPECT_NE(refusal(with(planing, "\"0.05 m\"", size)).find("[resolution] near_hull = "), std::string::npos)
+            << size;
+}
+
 }  // namespace
 }  // namespace tw::test

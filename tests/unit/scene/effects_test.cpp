@@ -1,7 +1,10 @@
-#include "scene/effects_plan.h"
+#include "scene/effects/registry.h"
 
 #include <cmath>
+#include <set>
+#include <stdexcept>
 
+#include "scene/hash.h"
 #include "scene_text.h"
 
 namespace tw::test {
@@ -12,34 +15,67 @@ TEST(Effects, Ittc57IsTheLineOf1957) {
     EXPECT_NEAR(ittc57(1.28e7), 0.00287, 1e-5);  // the reference hull
 }
 
-TEST(Effects, EveryChoiceSaysWhy) {
+TEST(Effects, ThePlanIsTheRegistryAndEveryChoiceSaysWhy) {
     const Scene s = scene_of(planing);
-    for (const char* name :
-         {"viscosity", "no_slip", "turbulence", "surface_tension", "air", "compressibility", "gravity", "cavitation",
-          "damping_layers", "acoustic_damping", "shifting", "tension_control"}) {
-        bool found = false;
-        for (const EffectChoice& e : s.effects) {
-            if (e.name != name) continue;
-            found = true;
-            EXPECT_FALSE(e.reason.empty() || e.influence.empty()) << name;
-            EXPECT_FALSE(e.forced) << name;
-        }
-        EXPECT_TRUE(found) << name;
+    ASSERT_EQ(s.effects.size(), effects().size());
+    for (std::size_t k = 0; k < s.effects.size(); ++k) {
+        const EffectChoice& e = s.effects[k];
+        EXPECT_EQ(e.name, effects()[k].name);
+        EXPECT_FALSE(e.reason.empty() || e.influence.empty()) << e.name;
+        EXPECT_FALSE(e.forced) << e.name;
     }
     EXPECT_FALSE(s.effect_on("viscosity"));
     EXPECT_TRUE(s.effect_on("shifting"));
+    EXPECT_THROW(s.effect_on("viscossity"), std::logic_error);  // a misspelt name is no effect that is off
 }
 
-TEST(Effects, TheListOfNamesIsThePlans) {
-    std::vector<std::string> planned;
-    for (const EffectChoice& e : scene_of(planing).effects) planned.push_back(e.name);
-    EXPECT_EQ(effect_names(), planned);
-    for (const std::string& name : effect_names()) {
-        const std::string needed = effect_needed_by(name);
-        const bool refused =
-            complaint(planing + "[effects]\n" + name + " = \"on\"\n").find("needs ") != std::string::npos;
-        EXPECT_EQ(needed.empty(), !refused) << name;
+TEST(Effects, WhatAnEffectNeedsComesFirstAndIsAskedFor) {
+    std::set<std::string> before;
+    for (const EffectPart& part : effects()) {
+        EXPECT_TRUE(part.needs.empty() || before.contains(part.needs)) << part.name;
+        EXPECT_TRUE(before.insert(part.name).second) << part.name << " is there twice";
+        EXPECT_FALSE(part.meaning.empty()) << part.name;
+        const std::string message = complaint(planing + "[effects]\n" + part.name + " = \"on\"\n");
+        EXPECT_EQ(message.find("needs " + part.needs + " = \"on\" as well") != std::string::npos, !part.needs.empty())
+            << part.name << ": " << message;
+        EXPECT_NE(effects_text().find(part.name), std::string::npos);
     }
+}
+
+TEST(Effects, SwitchingOneChangesTheSceneHashAndItsParametersCountOnlyThen) {
+    const std::string tank =
+        "[tank]\nsize = [1, 0.5, 0.8]\n[[water_block]]\nmin = [0, 0, 0]\nmax = [0.5, 0.5, 0.4]\n"
+        "[resolution]\nnear_hull = 0.05\n";
+    for (const EffectPart& part : effects()) {
+        if (part.solved == EffectPart::Solved::by_neither) continue;
+        SceneOverrides on, off;
+        if (!part.needs.empty()) on.effects[part.needs] = off.effects[part.needs] = true;
+        for (const std::string& other : effect_names())
+            if (effect_part(other).needs == part.name) on.effects[other] = off.effects[other] = false;
+        on.effects[part.name] = true;
+        off.effects[part.name] = false;
+        const Scene with_it = scene_of(tank, on), without = scene_of(tank, off);
+        EXPECT_TRUE(with_it.effect_on(part.name));
+        EXPECT_FALSE(without.effect_on(part.name));
+        EXPECT_NE(with_it.hash, without.hash) << part.name;
+        for (const SceneKey& key : part.keys) {
+            const std::string other = tank + "[" + key.section + "]\n" + key.name + " = 0.77\n";
+            EXPECT_NE(run_hash(scene_of(other, on), "sph"), run_hash(with_it, "sph")) << key.name;
+            EXPECT_EQ(run_hash(scene_of(other, off), "sph"), run_hash(without, "sph")) << key.name;
+        }
+    }
+}
+
+TEST(Effects, TheDampingsCoefficientHasTheEffectsNameAndItsOlderSpellingIsRead) {
+    const std::string on = planing + "[effects]\nacoustic_damping = \"on\"\n[sph]\n";
+    EXPECT_EQ(scene_of(on + "acoustic_damping = 0.5\n").sph.acoustic_damping, 0.5);
+    EXPECT_EQ(scene_of(on + "acoustic_damper = 0.5\n").sph.acoustic_damping, 0.5);
+    EXPECT_EQ(
+        complaint(on + "acoustic_damper = 0.5\nacoustic_damping = 0.4\n"),
+        "scene.toml:24:19: [sph] acoustic_damper = 0.5: given twice: it is an older spelling of acoustic_damping; "
+        "keep one");
+    EXPECT_NE(complaint(on + "acoustic_damper = 7\n").find("[sph] acoustic_damper = 7: out of range"),
+              std::string::npos);
 }
 
 TEST(Effects, WhatThisVersionCannotSolveIsRefusedAndOffIsAccepted) {
@@ -64,11 +100,12 @@ TEST(Effects, AirIsOnOnDemandInTanksAndSaysWhatItCosts) {
                 EXPECT_NE(e.reason.find("density ratio 0.0012"), std::string::npos) << e.reason;
             }
     EXPECT_NEAR(predict(with).air_particles, 3 * predict(with).particles, 1);
-    EXPECT_GT(predict(with).sph_bytes, 3.9 * predict(without).sph_bytes);
+    const auto bytes = [](const Scene& s) { return predict(s).sph_bytes - predict(s).raster_bytes; };
+    EXPECT_GT(bytes(with), 3.9 * bytes(without));
     EXPECT_NE(complaint(tank + "scheme = \"rk4_frozen_diffusion\"\n[effects]\nair = \"on\"\n")
-                  .find("needs a time step of one evaluation"),
+                  .find("needs a time step with a single evaluation"),
               std::string::npos);
-    EXPECT_NE(complaint(planing + "[effects]\nair = \"on\"\n").find("in tanks alone"), std::string::npos);
+    EXPECT_NE(complaint(planing + "[effects]\nair = \"on\"\n").find("in tanks only"), std::string::npos);
 }
 
 TEST(Effects, FrictionNeedsViscosity) {

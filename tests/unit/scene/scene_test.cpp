@@ -180,6 +180,111 @@ TEST(Scene, AOneSidedHullIsNotHalved) {
     EXPECT_EQ(complaint(with(text, "half     = true", "half     = false")), "");
 }
 
+const std::string from_file = with(
+    planing,
+    "shape    = \"prismatic\"\nlength   = \"4 m\"\nbeam     = \"1 m\"\ndeadrise = \"20 deg\"\ntrim     = \"5 deg\"",
+    "file = \"hull.stl\"");
+
+TEST(Scene, SidesThatDifferByLessThanTheParticlesCanTellAreMadeAlike) {
+    Surface uneven = posed(scene_of(planing).hull->surface, {.draft = 0.2});
+    const auto shifted_side = [&](double by) {
+        Surface s = uneven;
+        for (Vec3& p : s.points)
+            if (p.y() < -0.4) p.y() -= by;
+        write_stl(scratch() / "hull.stl", s);
+    };
+    shifted_side(0.004);  // of near_hull = 50 mm
+    const Scene s = scene_of(from_file);
+    ASSERT_FALSE(s.hull->findings.empty());
+    EXPECT_EQ(s.hull->findings[0].name, "made_symmetric");
+    EXPECT_NE(s.hull->findings[0].message.find("the two sides differ by 0.004 m"), std::string::npos)
+        << s.hull->findings[0].message;
+    EXPECT_NEAR(s.hull->surface.bounds().min.y(), -0.5, 1e-6);
+    SceneOverrides fine;
+    fine.scale_resolution = 0.5;
+    EXPECT_EQ(scene_of(from_file, fine).hull->hash, s.hull->hash);  // one hull at every size of a family
+    shifted_side(0.006);
+    EXPECT_NE(complaint(from_file).find("[hull] half = true: the hull is not symmetric about y = 0: near ("),
+              std::string::npos);
+    shifted_side(0);
+    EXPECT_TRUE(scene_of(from_file).hull->findings.empty());
+}
+
+TEST(Scene, RepairIsSuggestedOnlyWhereItHelps) {
+    Surface flipped = scene_of(planing).hull->surface, open = flipped;
+    std::swap(flipped.triangles[4][0], flipped.triangles[4][1]);
+    open.triangles.resize(open.triangles.size() - 3);
+    write_stl(scratch() / "hull.stl", flipped);
+    EXPECT_NE(complaint(from_file).find("; repair = true repairs it"), std::string::npos);
+    write_stl(scratch() / "hull.stl", open);
+    EXPECT_EQ(complaint(from_file).find("repair = true"), std::string::npos) << complaint(from_file);
+    EXPECT_NE(complaint(with(from_file, "half ", "repair = true\nhalf ")).find("(repair = true could not repair it)"),
+              std::string::npos);
+}
+
+TEST(Scene, AHullThatStandsOddlyInTheWaterIsNamed) {
+    const auto names = [](const std::string& text, const SceneOverrides& o = {}) {
+        const Scene scene = scene_of(text, o);
+        std::string all;
+        for (const Finding& f : scene.hull->findings)
+            if (f.name != "thin_walls") all += f.name + " ";
+        return all;
+    };
+    EXPECT_EQ(names(planing), "");
+    EXPECT_EQ(names(with(planing, "draft    = \"0.2 m\"", "draft    = \"0.9 m\"")), "swamped ");  // the stern's deck
+    EXPECT_EQ(names(with(planing, "draft    = \"0.2 m\"", "draft    = \"2 m\"")), "submerged ");
+    EXPECT_EQ(names(with(planing, "draft    = \"0.2 m\"", "draft    = \"0.04 m\"")), "barely_wet ");
+    Surface hull = posed(scene_of(planing).hull->surface, {.draft = 0.2});
+    write_stl(scratch() / "hull.stl", hull);
+    EXPECT_EQ(names(from_file), "");
+    EXPECT_EQ(names(with(from_file, "half ", "axes = \"-x-yz\"\nhalf ")), "stern_first ");
+    EXPECT_EQ(names(with(with(from_file, "half ", "axes = \"-x-yz\"\nhalf "), "kind  = \"stream\"\nspeed = \"8 m/s\"",
+                         "kind = \"none\"")),
+              "");  // still water has no direction
+    for (const char* shape : {"seaplane", "wigley", "box", "sphere", "torpedo"}) {
+        const std::string scene = std::string("[hull]\nshape = '") + shape +
+                                  "'\ndraft = 0.15\n[motion]\nspeed = 5\n[resolution]\nnear_hull = 0.02\n";
+        EXPECT_EQ(names(scene), "") << shape;
+    }
+}
+
+TEST(Scene, NonsenseIsRefusedAtTheKeyThatIsToBlame) {
+    const auto blamed = [](const std::string& text, const std::string& start, const SceneOverrides& o = {}) {
+        const std::string message = complaint(text, o);
+        EXPECT_EQ(message.substr(0, start.size()), start) << message;
+    };
+    const std::string tank =
+        "[tank]\nsize = [1, 1, 1]\n[[water_block]]\nmin = [0, 0, 0]\nmax = [0.5, 1, 0.5]\n[resolution]\nnear_hull = "
+        "0.1\n";
+    blamed(tank + "[[probe]]\nname = 'a'\nheight = [0.2, 0.5]\n[[probe]]\nname = 'a'\nheight = [0.3, 0.5]\n",
+           "scene.toml:12:8: [[probe]] name = \"a\": the name a is taken; give every probe its own");
+    blamed(
+        with(planing, "[motion]", "[domain]\ny = [-1, 3]\n[motion]"),
+        "scene.toml:12:5: [domain] y = [-1, 3]: a half model is solved from y = 0 on, and here y runs from -1 to 3 m");
+    EXPECT_EQ(complaint(with(planing, "[motion]", "[domain]\ny = [-3, 3]\n[motion]")), "");
+    EXPECT_EQ(complaint(with(planing, "[motion]", "[domain]\ny = [0, 3]\n[motion]")), "");
+    blamed(planing + "[sph]\nc0 = 7\n",
+           "scene.toml:22:6: [sph] c0 = 7: not above the speed of the water, 8 m/s; expected about 80 m/s");
+    blamed(tank + "[sph]\nc0 = 2\n", "scene.toml:9:6: [sph] c0 = 2: not above the speed of the water, 3.132 m/s");
+    blamed(planing + "[sph]\nc0 = 1e300\n",
+           "scene.toml:22:6: [sph] c0 = 1e+300: out of range; expected greater than 0 m/s and at most 100000 m/s");
+    blamed(with(planing, "\"0.05 m\"", "1e9"),
+           "scene.toml:16:13: [resolution] near_hull = 1000000000: too coarse: 1e+09 m, but the hull is only 1 m "
+           "wide or "
+           "long; expected at most 0.5 m");
+    blamed(with(planing, "near_hull = \"0.05 m\"", "spacing = 1e9"),
+           "scene.toml:16:11: [resolution] spacing = 1000000000: too coarse");
+    blamed(with(tank, "0.1", "3"),
+           "scene.toml:7:13: [resolution] near_hull = 3: too coarse: 3 m, but the tank is only 1 m");
+    SceneOverrides coarse;
+    coarse.scale_resolution = 100;
+    blamed(planing, "scene.toml:16:13: [resolution] near_hull = \"0.05 m\": too coarse: 5 m with --scale 100", coarse);
+    blamed(
+        planing + "[sampling]\nraster_spacing = 1e-12\n",
+        "scene.toml:22:18: [sampling] raster_spacing = 1e-12: makes a raster of more than 1e+09 voxels; expected about "
+        "0.1 m");
+}
+
 TEST(Scene, ATankHasItsOwnAxesAndNoStream) {
     const std::string tank =
         "[tank]\nsize = [0.584, 0.1, 0.4]\n[[water_block]]\nmin = [0, 0, 0]\nmax = [0.146, 0.1, "

@@ -1,0 +1,22 @@
+#pragma once
+#include <string>
+
+#include "scene/read.h"
+
+namespace tw {
+
+// What can only be checked once several sections are known. Each throws InputError at the key that is to blame.
+
+/// Surface findings of a hull; repairs it first where the scene says so.
+void check_health(HullOptions& o, double particle_spacing, Section& s);
+/// A half model is solved at y > 0 and reported twice. Sides that differ by more than rounding, but by less than the
+/// particles can tell (a tenth of their spacing, at the scale that the scene was written for), are made alike.
+void make_halves_alike(Hull& hull, const Resolution& resolution, Section& s);
+/// In the water, and clear of the domain's sides. `key`: what gave the surface, "file" or "shape".
+void check_hull_place(const Scene& scene, Sections& s, const std::string& key);
+/// Water blocks, obstacles and probes lie inside the domain; in two dimensions they get its thickness.
+void check_places(Scene& scene, Sections& s);
+/// The run would be stopped as soon as the water moves faster than its sound.
+void check_sound_speed(const Scene& scene);
+
+}  // namespace tw

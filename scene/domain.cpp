@@ -1,0 +1,132 @@
+#include "scene/domain.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/defaults.h"
+
+namespace tw {
+namespace {
+
+/// A face that the user gave goes to the nearest multiple of the particle spacing, one that follows from the hull
+/// outward to a multiple of the largest cell. Still water, z = 0, is a multiple of both.
+double snapped_face(double face, bool given, bool high, const Resolution& r) {
+    if (given) return std::round(face / r.near_hull) * r.near_hull;
+    return (high ? std::ceil(face / r.spacing - 1e-6) : std::floor(face / r.spacing + 1e-6)) * r.spacing;
+}
+
+/// The box as asked and as it is solved; the rest of the domain is left at its defaults.
+Domain stream_domain(const DomainOptions& o, const Scene& scene, std::optional<double> water_depth) {
+    Box box;
+    bool floor_given = o.z || o.below;
+    if (scene.hull) {
+        const Box hull = scene.hull->surface.bounds();
+        const Margins m = default_margins(*scene.hull, scene.motion.speed, scene.water.gravity);
+        const double side = o.side.value_or(m.side);
+        const double below = o.below.value_or(std::min(water_depth.value_or(m.below), m.below));
+        floor_given = floor_given || (water_depth && *water_depth <= m.below);
+        box.min = {hull.min.x() - o.ahead.value_or(m.ahead), -side, -below};
+        box.max = {hull.max.x() + o.behind.value_or(m.behind), side, o.above.value_or(m.above)};
+    }
+    if (o.x) std::tie(box.min.x(), box.max.x()) = *o.x;
+    if (o.y) std::tie(box.min.y(), box.max.y()) = *o.y;
+    if (o.z) std::tie(box.min.z(), box.max.z()) = *o.z;
+    if (scene.hull && scene.hull->half) box.min.y() = 0;
+    Domain d;
+    d.as_asked = box;
+    const bool low_given[] = {o.x || o.ahead, o.y || o.side, floor_given};
+    const bool high_given[] = {o.x || o.behind, o.y || o.side, o.z || o.above};
+    for (int axis = 0; axis < 3; ++axis) {
+        box.min[axis] = snapped_face(box.min[axis], low_given[axis], false, scene.resolution);
+        box.max[axis] = snapped_face(box.max[axis], high_given[axis], true, scene.resolution);
+    }
+    d.box = box;
+    return d;
+}
+
+/// Of a half model the part at y > 0 is solved.
+void check_half_range(double low, double high, Section& s, const std::string& key) {
+    if (!(high > 0) || (low != 0 && low != -high))
+        s.fail(key,
+               fmt::format("a half model is solved from y = 0 on, and here y runs from {:.6g} to {:.6g} m; expected y "
+                           "from 0, or the same distance to both sides",
+                           low, high));
+}
+
+}  // namespace
+
+Resolution resolution_of(const ResolutionOptions& o, const Hull* hull, Section& s, double scale) {
+    Resolution r;
+    if (!o.near_hull && !o.spacing && !hull)
+        s.fail("near_hull", "missing; a scene without a hull needs its particle spacing, e.g. near_hull = \"0.02 m\"");
+    if (o.near_hull)
+        r.near_hull = *o.near_hull;
+    else
+        r.near_hull = hull ? default_near_hull(*hull) : *o.spacing;
+    if (!o.near_hull && o.spacing) r.near_hull = std::min(r.near_hull, *o.spacing);
+    r.spacing = o.spacing ? snapped_spacing(*o.spacing, r.near_hull) : default_spacing(r.near_hull, hull);
+    r.near_hull *= scale;
+    r.spacing *= scale;
+    r.scale = scale;
+    return r;
+}
+
+void check_sizes(const Resolution& r, std::initializer_list<double> lengths, const char* of_what, Section& s) {
+    const auto refuse = [&](const std::string& key, double size, double length, double most) {
+        s.fail(key, fmt::format(
+                        "too coarse: {:.4g} m{}, but {} is only {:.4g} m wide or long; expected at most {:.3g} m", size,
+                        r.scale == 1 ? "" : fmt::format(" with --scale {:g}", r.scale), of_what, length, most));
+    };
+    const double shortest = std::min(lengths), longest = std::max(lengths);
+    if (r.near_hull > 0.5 * shortest)
+        refuse(s.has("near_hull") || !s.has("spacing") ? "near_hull" : "spacing", r.near_hull, shortest,
+               0.5 * shortest);
+    if (r.spacing > longest) refuse("spacing", r.spacing, longest, longest);
+}
+
+Domain domain_of(const DomainOptions& o, const std::optional<Box>& tank, const Scene& scene, Sections& s,
+                 std::optional<double> depth) {
+    Domain d;
+    const bool stream = scene.motion.kind == Motion::Kind::stream;
+    if (tank) {
+        if (stream)
+            s.tank.fail("size",
+                        "a tank has walls all round and no stream; use [domain] for a stream, or kind = \"none\"");
+        if (!o.empty()) s.domain.fail("x", "[tank] already says how large the domain is; keep one of the two");
+        d.box = *tank;
+        if (scene.hull && scene.hull->half) {
+            check_half_range(d.box.min.y(), d.box.max.y(), s.tank, s.tank.has("size") ? "size" : "min");
+            d.box.min.y() = 0;
+        }
+        d.as_asked = d.box;
+    } else {
+        if (scene.hull && scene.hull->half && o.y) check_half_range(o.y->first, o.y->second, s.domain, "y");
+        if (!scene.hull && !(o.x && o.z && (o.y || o.dimensions == 2)))
+            s.domain.fail(stream ? "x" : "size",
+                          "missing; a scene without a hull needs [domain] x, y and z ranges, or a [tank]");
+        d = stream_domain(o, scene, depth);
+    }
+    d.dimensions = o.dimensions;
+    if (!scene.hull) {
+        const Vec3 size = d.as_asked.size();
+        check_sizes(scene.resolution, {size.x(), o.dimensions == 2 ? size.x() : size.y(), size.z()},
+                    tank ? "the tank" : "the domain", s.resolution);
+    }
+    if (o.dimensions == 2) {
+        if (scene.hull) s.domain.fail("dimensions", "a hull needs 3 dimensions in this version");
+        d.box.max.y() = 0.5 * scene.resolution.near_hull;  // one particle thick, round the plane y = 0
+        d.box.min.y() = -d.box.max.y();
+        d.as_asked.min.y() = d.as_asked.max.y() = 0;
+    }
+    if (stream) {
+        d.x_min = Side::inlet;
+        d.x_max = Side::outlet;
+    }
+    if (scene.hull && scene.hull->half) d.y_min = Side::symmetry;
+    if (o.dimensions == 2) d.y_min = d.y_max = Side::symmetry;
+    return d;
+}
+
+}  // namespace tw

@@ -1,0 +1,25 @@
+#include <fmt/format.h>
+
+#include "scene/effects/part.h"
+
+namespace tw::effect_parts {
+namespace {
+
+EffectChoice plan(const EffectQuestion& q) {
+    EffectChoice c = q.choice(true);
+    c.reason = fmt::format("Fr = {:.3g} on the wetted length", q.flow.froude);
+    const std::string share = per_cent(1 / (q.flow.froude * q.flow.froude));
+    c.influence = influence(share, share, "how far the water falls back");
+    return c;
+}
+
+/// Defaults of domain and times stay those of the scene with gravity.
+void settle(Scene& scene, bool on) {
+    if (!on) scene.water.gravity = 0;
+}
+
+}  // namespace
+
+EffectPart gravity() { return {.name = "gravity", .meaning = "Weight of the water.", .plan = plan, .settle = settle}; }
+
+}  // namespace tw::effect_parts

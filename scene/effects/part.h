@@ -1,0 +1,43 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/effects/flow_numbers.h"
+#include "scene/keys.h"
+
+namespace tw {
+
+/// What the plan of one effect is decided from.
+struct EffectQuestion {
+    const Scene& scene;
+    const FlowNumbers& flow;
+    std::optional<bool> asked;     ///< what the scene or the command line says; nothing for "auto"
+    const EffectChoice* needed{};  ///< the choice for the effect that this one needs; null: it needs none
+
+    /// On or off: as asked, else `automatic`.
+    EffectChoice choice(bool automatic) const;
+};
+
+/// "drag: ...; lift: ...; splash: ...; remark", the words of every effect's influence.
+std::string influence(const std::string& drag, const std::string& lift, const std::string& splash,
+                      const std::string& remark = "");
+
+/// One physical effect that a run can be made with or without: everything that is said of it before a run.
+struct EffectPart {
+    enum class Solved { by_both_methods, by_particles_only, by_neither };
+    std::string name;  ///< also its key in [effects]
+    std::string meaning;
+    Solved solved = Solved::by_both_methods;
+    std::string needs = {};  ///< an effect without which this one cannot be on
+    /// On or off, the reason, the expected influence and the cost.
+    EffectChoice (*plan)(const EffectQuestion& question) = nullptr;
+    /// Why it cannot be on in this scene, and what to do; empty: it can. Null: it always can.
+    std::string (*obstacle)(const Scene& scene) = nullptr;
+    /// Changes the scene's numbers once the choice is made. Null: none.
+    void (*settle)(Scene& scene, bool on) = nullptr;
+    std::vector<SceneKey> keys = {};  ///< its parameters in other sections; they count only while it is on
+    bool in_the_throughput = false;   ///< the throughput in cost_estimate.cpp was measured with it on
+};
+
+}  // namespace tw

@@ -1,0 +1,34 @@
+#include "scene/effects/plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "scene/effects/registry.h"
+
+namespace tw {
+
+std::vector<EffectChoice> plan_effects(Scene& scene, Section& section) {
+    const FlowNumbers flow = flow_numbers(scene);
+    std::vector<EffectChoice> choices;
+    for (const EffectPart& part : effects()) {
+        const auto needed = std::ranges::find(choices, part.needs, &EffectChoice::name);
+        EffectQuestion question{scene, flow, section.on_off(part.name)};
+        if (!part.needs.empty()) question.needed = &*needed;
+        EffectChoice choice = part.plan(question);
+        choice.name = part.name;
+        if (choice.on) {
+            if (question.needed && !question.needed->on)
+                section.fail(part.name, fmt::format("needs {} = \"on\" as well", part.needs));
+            const std::string why = part.obstacle ? part.obstacle(scene) : "";
+            if (!why.empty()) section.fail(part.name, why);
+        }
+        choices.push_back(std::move(choice));
+    }
+    section.finish();
+    for (std::size_t k = 0; k < choices.size(); ++k)
+        if (effects()[k].settle) effects()[k].settle(scene, choices[k].on);
+    return choices;
+}
+
+}  // namespace tw

@@ -1,0 +1,54 @@
+#include "scene/effects/registry.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+// The one list of effects, in the order of the plan. Each line names a function `EffectPart NAME()` of namespace
+// tw::effect_parts, defined in scene/effects/NAME.cpp.
+#define TWINWAKE_EFFECTS(part)                                                                                         \
+    part(viscosity) part(no_slip) part(turbulence) part(surface_tension) part(air) part(compressibility) part(gravity) \
+        part(cavitation) part(damping_layers) part(acoustic_damping) part(shifting) part(tension_control)
+
+namespace tw {
+
+namespace effect_parts {
+#define TWINWAKE_DECLARED(part) EffectPart part();
+TWINWAKE_EFFECTS(TWINWAKE_DECLARED)
+}  // namespace effect_parts
+
+const std::vector<EffectPart>& effects() {
+#define TWINWAKE_MADE(part) effect_parts::part(),
+    static const std::vector<EffectPart> parts{TWINWAKE_EFFECTS(TWINWAKE_MADE)};
+    return parts;
+}
+
+std::vector<std::string> effect_names() {
+    std::vector<std::string> names;
+    for (const EffectPart& part : effects()) names.push_back(part.name);
+    return names;
+}
+
+const EffectPart& effect_part(const std::string& name) {
+    for (const EffectPart& part : effects())
+        if (part.name == name) return part;
+    throw std::logic_error("no effect is called " + name);
+}
+
+std::string effects_text() {
+    std::string text;
+    const auto add = [&](EffectPart::Solved solved, const std::string& words) {
+        std::string list;
+        for (const EffectPart& part : effects())
+            if (part.solved == solved) list += (list.empty() ? "" : ", ") + part.name;
+        if (!list.empty()) text += words + ": " + list + ".\n";
+    };
+    add(EffectPart::Solved::by_both_methods, "Solved by both methods");
+    add(EffectPart::Solved::by_particles_only, "Solved by the particle method only");
+    add(EffectPart::Solved::by_neither, "Cannot be switched on in this version");
+    for (const EffectPart& part : effects())
+        if (!part.needs.empty()) text += fmt::format("{} needs {}.\n", part.name, part.needs);
+    return text;
+}
+
+}  // namespace tw

@@ -1,0 +1,19 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "scene/effects/part.h"
+
+namespace tw {
+
+/// Every effect, in the order of the plan; what an effect needs comes before it. The plan, the hash, the keys of
+/// [effects], `--effect`, the shell completion, `ablate` and the scene reference all read this list.
+const std::vector<EffectPart>& effects();
+std::vector<std::string> effect_names();
+/// Throws std::logic_error for a name that no effect has.
+const EffectPart& effect_part(const std::string& name);
+
+/// The names by what solves them, in sentences for help texts.
+std::string effects_text();
+
+}  // namespace tw

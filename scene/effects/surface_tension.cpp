@@ -1,0 +1,40 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "scene/effects/part.h"
+
+namespace tw::effect_parts {
+namespace {
+
+EffectChoice plan(const EffectQuestion& q) {
+    const FlowNumbers& n = q.flow;
+    EffectChoice c = q.choice(n.weber < 100);
+    c.reason = fmt::format("We = {:.3g}, Bo = {:.3g}; at the finest size of {:.3g} m We = {:.3g}: {}", n.weber, n.bond,
+                           q.scene.resolution.near_hull, n.weber_dp,
+                           n.weber < 100      ? "it acts on the whole flow"
+                           : n.weber_dp > 100 ? "inertia dominates at every resolved scale"
+                                              : "it acts only on the finest resolved sheets and drops");
+    const std::string share = per_cent(std::min(1.0, 1 / n.weber));
+    c.influence = influence(share, share,
+                            fmt::format("drops smaller than {:.2g} m are held together by it",
+                                        12 * q.scene.water.surface_tension / (2 * n.head)));
+    c.cost = 0.23;
+    return c;
+}
+
+std::string obstacle(const Scene& scene) {
+    return scene.water.surface_tension > 0 ? ""
+                                           : "the surface tension of the water is zero; set [water] surface_tension";
+}
+
+}  // namespace
+
+EffectPart surface_tension() {
+    return {.name = "surface_tension",
+            .meaning = "Surface tension between water and air.",
+            .plan = plan,
+            .obstacle = obstacle};
+}
+
+}  // namespace tw::effect_parts

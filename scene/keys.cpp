@@ -1,0 +1,392 @@
+#include "scene/keys.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "meshes/generate.h"
+#include "scene/effects/registry.h"
+
+namespace tw {
+namespace {
+
+using Kind = SceneKey::Kind;
+using Hashed = SceneKey::Hashed;
+
+constexpr double right_angle = std::numbers::pi / 2;
+constexpr double fastest_sound = 1e5;  ///< [m/s]: a larger sound speed is refused as a mistake
+
+std::vector<std::string> shape_names() {
+    std::vector<std::string> names;
+    for (const HullShape& shape : hull_shapes()) names.push_back(shape.name);
+    return names;
+}
+
+// The table is read by its rows.
+// clang-format off
+using Rows = std::vector<SceneKey>;
+
+/// What [hull] and [[obstacle]] share.
+Rows solid_keys() {
+    return {
+        {.name = "file", .kind = Kind::text, .hashed = Hashed::scene, .fallback = "none",
+         .meaning = "Surface file: STL, OBJ, PLY or VTP, also compressed as .gz; relative to the scene file."},
+        {.name = "shape", .kind = Kind::choice, .choices = shape_names(), .hashed = Hashed::scene,
+         .fallback = "none",
+         .meaning = "Parametric shape instead of a file; its parameters are further keys, see \"Shapes\"."},
+        {.name = "unit", .kind = Kind::choice, .choices = {"m", "mm", "cm", "ft", "in"}, .hashed = Hashed::scene,
+         .fallback = "m", .meaning = "Unit of length of the file."},
+        {.name = "axes", .kind = Kind::text, .hashed = Hashed::scene, .fallback = "xyz",
+         .meaning = "Which file axes point to the stern, sideways and up, e.g. \"-xyz\" when x points to the bow."},
+    };
+}
+
+Rows hull_keys() {
+    Rows rows = solid_keys();
+    const Rows own{
+        {.name = "trim", .unit = "rad", .range = {-right_angle, right_angle}, .hashed = Hashed::scene,
+         .fallback = "0 deg", .meaning = "Trim angle, bow up positive."},
+        {.name = "heel", .unit = "rad", .range = {-right_angle, right_angle}, .hashed = Hashed::scene,
+         .fallback = "0 deg", .meaning = "Heel angle, starboard down positive."},
+        {.name = "draft", .unit = "m", .hashed = Hashed::scene, .fallback = "a file keeps its own height",
+         .meaning = "Depth of the lowest point of the posed hull below still water."},
+        {.name = "position", .kind = Kind::place2, .unit = "m", .hashed = Hashed::scene, .fallback = "[0, 0]",
+         .meaning = "Shift of the hull in x and y."},
+        {.name = "half", .kind = Kind::flag, .hashed = Hashed::scene, .fallback = "false",
+         .meaning = "The hull is symmetric about y = 0: the half at y > 0 is solved and the whole is reported."},
+        {.name = "repair", .kind = Kind::flag, .hashed = Hashed::scene, .fallback = "false",
+         .meaning = "Repair what can be repaired safely before the hull is used; every repair is reported."},
+    };
+    rows.insert(rows.end(), own.begin(), own.end());
+    return rows;
+}
+
+Rows water_keys() {
+    return {
+        {.name = "depth", .unit = "m", .range = positive, .hashed = Hashed::scene, .fallback = "deep",
+         .meaning = "Depth of the water; the solved depth is smaller where the hull needs less."},
+        {.name = "density", .unit = "kg/m3", .range = {1, 30000}, .hashed = Hashed::scene,
+         .slot = slot(&Scene::water, &Water::density), .meaning = "Density of the water."},
+        {.name = "viscosity", .unit = "m2/s", .range = {0, 1}, .hashed = Hashed::scene,
+         .slot = slot(&Scene::water, &Water::kinematic_viscosity), .meaning = "Kinematic viscosity of the water."},
+        {.name = "surface_tension", .unit = "N/m", .range = {0, 10}, .hashed = Hashed::scene,
+         .slot = slot(&Scene::water, &Water::surface_tension), .meaning = "Surface tension between water and air."},
+        {.name = "gravity", .unit = "m/s2", .range = {0, 1000, true}, .hashed = Hashed::scene,
+         .slot = slot(&Scene::water, &Water::gravity), .meaning = "Gravitational acceleration, along -z.",
+         .hint = "to leave gravity out write [effects] gravity = \"off\""},
+        {.name = "air_density", .unit = "kg/m3", .range = {0, 100, true}, .hashed = Hashed::scene,
+         .slot = slot(&Scene::water, &Water::air_density), .meaning = "Density of the air."},
+        {.name = "air_viscosity", .unit = "m2/s", .range = {0, 1}, .hashed = Hashed::scene,
+         .slot = slot(&Scene::water, &Water::air_kinematic_viscosity), .meaning = "Kinematic viscosity of the air."},
+    };
+}
+
+Rows motion_keys() {
+    return {
+        {.name = "kind", .kind = Kind::choice, .choices = {"stream", "none"}, .hashed = Hashed::scene,
+         .fallback = "stream with a hull, else none",
+         .meaning = "A fixed hull in a uniform stream, or still water (a tank)."},
+        {.name = "speed", .unit = "m/s", .range = {0, 1000, true}, .hashed = Hashed::scene,
+         .slot = slot(&Scene::motion, &Motion::speed), .fallback = "required in a stream",
+         .meaning = "Speed of the stream, along +x.", .hint = "for still water write kind = \"none\""},
+        {.name = "ramp", .unit = "s", .range = not_negative, .fallback = "0.3 L/U",
+         .meaning = "Time over which the particle method starts the stream."},
+    };
+}
+
+Rows resolution_keys() {
+    return {
+        {.name = "near_hull", .unit = "m", .range = positive, .hashed = Hashed::scene,
+         .fallback = "the smaller of B/20 and D/4",
+         .meaning = "Particle spacing, and size of the mesh cells at the wetted hull: the finest size."},
+        {.name = "spacing", .unit = "m", .range = positive, .hashed = Hashed::scene,
+         .fallback = "near_hull 2^n, at most L/12, n at most 4",
+         .meaning = "Size of the largest mesh cells; rounded to near_hull times a power of two."},
+    };
+}
+
+Rows domain_keys() {
+    const auto distance = [](const char* name, const char* fallback, const char* meaning) {
+        return SceneKey{.name = name,
+                        .unit = "m",
+                        .range = positive,
+                        .hashed = Hashed::scene,
+                        .fallback = fallback,
+                        .meaning = meaning};
+    };
+    const auto extent = [](const char* name, const char* meaning) {
+        return SceneKey{.name = name,
+                        .kind = Kind::pair,
+                        .unit = "m",
+                        .hashed = Hashed::scene,
+                        .fallback = "from the distances",
+                        .meaning = meaning};
+    };
+    return {
+        distance("ahead", "0.6 L ahead of the keel's entry, at least 0.15 L", "Distance from the bow to the inlet."),
+        distance("behind", "L", "Distance from the stern to the outlet."),
+        distance("side", "2 B; at length Froude numbers below 1 at least L/2", "Distance from y = 0 to the sides."),
+        distance("below", "the larger of 1.6 B and 4 D; below Froude number 1 also half a wavelength, at most L/2",
+                 "Depth of the floor below still water."),
+        distance("above", "the largest of L/2, L/4 above the deck and U^2/(8 g) (at most L)",
+                 "Height of the top above still water."),
+        extent("x", "Extent along the stream, instead of ahead and behind."),
+        extent("y", "Extent across the stream, instead of side."),
+        extent("z", "Extent in height, instead of below and above."),
+        {.name = "dimensions", .kind = Kind::whole, .range = {2, 3}, .hashed = Hashed::scene, .fallback = "3",
+         .meaning = "3, or 2 for the x-z plane (tanks and channels without a hull)."},
+    };
+}
+
+Rows run_keys() {
+    return {
+        {.name = "duration", .unit = "s", .range = positive, .slot = slot(&Scene::run, &Run::duration),
+         .fallback = "ramp + 3 L/U; 10 sqrt(H/g) in a tank of water height H",
+         .meaning = "Simulated time; a longer run of the same scene has the same hash."},
+        {.name = "methods", .kind = Kind::choices, .choices = {"sph", "fvm"},
+         .slot = slot(&Scene::run, &Run::methods),
+         .meaning = "Which methods are run: particles (sph), OpenFOAM (fvm) or both."},
+        {.name = "threads", .kind = Kind::whole, .range = {0, 4096}, .slot = slot(&Scene::run, &Run::threads),
+         .meaning = "Threads of the particle method and ranks of the mesh method; 0: all cores."},
+        {.name = "checkpoint", .unit = "s", .range = positive, .slot = slot(&Scene::run, &Run::checkpoint),
+         .fallback = "a twentieth of the duration",
+         .meaning = "Simulated time between saved states of the particle method."},
+    };
+}
+
+Rows sampling_keys() {
+    return {
+        {.name = "interval", .unit = "s", .range = positive, .hashed = Hashed::scene,
+         .slot = slot(&Scene::sampling, &Sampling::interval), .fallback = "L/U / 25; in a tank sqrt(H/g) / 25",
+         .meaning = "Time between samples (frames of the water raster, energies, probes)."},
+        {.name = "mean_from", .unit = "s", .range = positive, .hashed = Hashed::scene,
+         .slot = slot(&Scene::sampling, &Sampling::mean_from),
+         .fallback = "ramp + L/U; 5 sqrt(H/g) for a hull in still water; none in a tank without a hull",
+         .meaning = "Settled means do not begin before this time."},
+        {.name = "snapshots", .unit = "s", .range = not_negative,
+         .slot = slot(&Scene::sampling, &Sampling::snapshot_interval),
+         .meaning = "Time between ParaView files; 0: none are written."},
+        {.name = "raster_spacing", .unit = "m", .range = positive, .hashed = Hashed::scene,
+         .fallback = "2 near_hull; near_hull in two dimensions",
+         .meaning = "Edge of the voxels in which both methods count their water, for splash heights."},
+        {.name = "cuts_x", .kind = Kind::list, .unit = "m", .hashed = Hashed::scene,
+         .slot = slot(&Scene::sampling, &Sampling::cuts_x), .meaning = "Planes x = const of surface profiles."},
+        {.name = "cuts_y", .kind = Kind::list, .unit = "m", .hashed = Hashed::scene,
+         .slot = slot(&Scene::sampling, &Sampling::cuts_y), .meaning = "Planes y = const of surface profiles."},
+    };
+}
+
+Rows probe_keys() {
+    return {
+        {.name = "name", .kind = Kind::name, .fallback = "P1, P2, ... or H1, H2, ...",
+         .meaning = "Name of the probe's column in the record."},
+        {.name = "pressure", .kind = Kind::place3, .unit = "m", .hashed = Hashed::scene, .fallback = "none",
+         .meaning = "Place at which the pressure is recorded."},
+        {.name = "height", .kind = Kind::place2, .unit = "m", .hashed = Hashed::scene, .fallback = "none",
+         .meaning = "Place at which the height of the water is recorded."},
+    };
+}
+
+Rows tank_keys() {
+    return {
+        {.name = "size", .kind = Kind::place3, .unit = "m", .hashed = Hashed::scene, .fallback = "from min and max",
+         .meaning = "Length, width and height; the low corner is the origin."},
+        {.name = "min", .kind = Kind::place3, .unit = "m", .hashed = Hashed::scene, .fallback = "from size",
+         .meaning = "Low corner."},
+        {.name = "max", .kind = Kind::place3, .unit = "m", .hashed = Hashed::scene, .fallback = "from size",
+         .meaning = "High corner."},
+    };
+}
+
+Rows water_block_keys() {
+    return {
+        {.name = "min", .kind = Kind::place3, .unit = "m", .hashed = Hashed::scene, .fallback = "required",
+         .meaning = "Low corner."},
+        {.name = "max", .kind = Kind::place3, .unit = "m", .hashed = Hashed::scene, .fallback = "required",
+         .meaning = "High corner."},
+    };
+}
+
+Rows obstacle_keys() {
+    Rows rows = solid_keys();
+    const Rows own{
+        {.name = "name", .kind = Kind::name, .fallback = "obstacle1, obstacle2, ...",
+         .meaning = "Name in messages."},
+        {.name = "min", .kind = Kind::place3, .unit = "m", .hashed = Hashed::scene, .fallback = "none",
+         .meaning = "Low corner of a box."},
+        {.name = "max", .kind = Kind::place3, .unit = "m", .hashed = Hashed::scene, .fallback = "none",
+         .meaning = "High corner of a box."},
+        {.name = "position", .kind = Kind::place3, .unit = "m", .hashed = Hashed::scene, .fallback = "[0, 0, 0]",
+         .meaning = "Shift of a surface from a file or a shape."},
+    };
+    rows.insert(rows.end(), own.begin(), own.end());
+    return rows;
+}
+
+Rows sph_keys() {
+    return {
+        {.name = "h_over_dp", .range = {1.1, 3}, .hashed = Hashed::sph,
+         .slot = slot(&Scene::sph, &SphOptions::h_over_dp), .meaning = "Smoothing length over particle spacing."},
+        {.name = "c0", .unit = "m/s", .range = {0, fastest_sound, true}, .hashed = Hashed::sph,
+         .slot = slot(&Scene::sph, &SphOptions::c0), .fallback = "10 times the larger of U and sqrt(2 g H)",
+         .meaning = "Numerical sound speed; the density error grows with (speed/c0)^2, the run time with c0."},
+        {.name = "delta", .range = {0, 1}, .hashed = Hashed::sph, .slot = slot(&Scene::sph, &SphOptions::delta),
+         .meaning = "Coefficient of the density diffusion."},
+        {.name = "alpha", .range = {0, 1}, .hashed = Hashed::sph, .slot = slot(&Scene::sph, &SphOptions::alpha),
+         .meaning = "Coefficient of the artificial viscosity."},
+        {.name = "scheme", .kind = Kind::choice,
+         .choices = {"symplectic_euler", "kick_drift_kick", "predictor_corrector", "rk4_frozen_diffusion"},
+         .hashed = Hashed::sph, .slot = slot(&Scene::sph, &SphOptions::scheme), .meaning = "Time stepping scheme."},
+        {.name = "cfl", .range = {0, 1, true}, .hashed = Hashed::sph, .slot = slot(&Scene::sph, &SphOptions::cfl),
+         .meaning = "Acoustic Courant number: the time step is cfl h / (c0 + speed)."},
+        {.name = "equation_of_state", .kind = Kind::choice, .choices = {"linear", "tait", "mie_grueneisen"},
+         .hashed = Hashed::sph, .slot = slot(&Scene::sph, &SphOptions::equation_of_state),
+         .meaning = "Pressure as a function of density."},
+        {.name = "gamma", .range = {1, 20}, .hashed = Hashed::sph, .slot = slot(&Scene::sph, &SphOptions::gamma),
+         .meaning = "Exponent of the Tait equation of state."},
+        {.name = "touch_support", .range = {0.5, 0.999}, .hashed = Hashed::sph,
+         .slot = slot(&Scene::sph, &SphOptions::touch_support),
+         .meaning = "Kernel support from which on an approaching wall compresses the water."},
+    };
+}
+
+Rows fvm_keys() {
+    return {
+        {.name = "max_courant", .range = {0, 20, true}, .hashed = Hashed::fvm,
+         .slot = slot(&Scene::fvm, &FvmOptions::max_courant), .fallback = "4 in a stream, else 1",
+         .meaning = "Largest Courant number of the flow."},
+        {.name = "max_alpha_courant", .range = {0, 20, true}, .hashed = Hashed::fvm,
+         .slot = slot(&Scene::fvm, &FvmOptions::max_alpha_courant), .fallback = "4 in a stream, else 1",
+         .meaning = "Largest Courant number at the water surface."},
+        {.name = "interface_compression", .range = {0, 4}, .hashed = Hashed::fvm,
+         .slot = slot(&Scene::fvm, &FvmOptions::interface_compression),
+         .meaning = "cAlpha, which keeps the water surface sharp."},
+        {.name = "correctors", .kind = Kind::whole, .range = {1, 10}, .hashed = Hashed::fvm,
+         .slot = slot(&Scene::fvm, &FvmOptions::correctors), .meaning = "Pressure correctors in each time step."},
+        {.name = "openfoam", .kind = Kind::text, .slot = slot(&Scene::fvm, &FvmOptions::openfoam),
+         .fallback = "found", .meaning = "Folder of an OpenFOAM installation."},
+    };
+}
+// clang-format on
+
+Rows effect_keys() {
+    Rows rows;
+    for (const EffectPart& part : effects())
+        rows.push_back({.name = part.name,
+                        .kind = Kind::on_off,
+                        .hashed = Hashed::scene,
+                        .fallback = "auto",
+                        .meaning = part.meaning});
+    return rows;
+}
+
+std::vector<SceneKey> all_keys() {
+    const std::pair<const char*, Rows> sections[] = {
+        {"",
+         {{.name = "title", .kind = Kind::text, .fallback = "name of the file", .meaning = "Title of the reports."}}},
+        {"hull", hull_keys()},
+        {"water", water_keys()},
+        {"motion", motion_keys()},
+        {"resolution", resolution_keys()},
+        {"domain", domain_keys()},
+        {"run", run_keys()},
+        {"sampling", sampling_keys()},
+        {"probe", probe_keys()},
+        {"tank", tank_keys()},
+        {"water_block", water_block_keys()},
+        {"obstacle", obstacle_keys()},
+        {"effects", effect_keys()},
+        {"sph", sph_keys()},
+        {"fvm", fvm_keys()}};
+    std::vector<SceneKey> keys;
+    for (const auto& [section, rows] : sections) {
+        for (SceneKey key : rows) {
+            key.section = section;
+            keys.push_back(std::move(key));
+        }
+        for (const EffectPart& part : effects())
+            for (SceneKey key : part.keys)
+                if (key.section == section) {
+                    key.effect = part.name;
+                    keys.push_back(std::move(key));
+                }
+    }
+    return keys;
+}
+
+}  // namespace
+
+const std::vector<SceneSection>& scene_sections() {
+    static const std::vector<SceneSection> sections{
+        {"", false, "Above the first section."},
+        {"hull", false, "The hull as it stands in the water. Without this section the scene has no hull."},
+        {"water", false, "Water, air and gravity."},
+        {"motion", false, "How hull and water move against each other."},
+        {"resolution", false, "Sizes of particles and cells."},
+        {"domain", false, "Extent of what is solved, around the hull or, in a channel, by itself."},
+        {"run", false, "How long and how the scene is run."},
+        {"sampling", false, "What is recorded, and when."},
+        {"probe", true, "A place at which pressure or height is recorded; exactly one of the two is given."},
+        {"tank", false, "A tank instead of a domain: walls all around, open above."},
+        {"water_block", true, "A box of water in a tank; without any, all below z = 0 is water."},
+        {"obstacle", true, "A fixed closed solid: a box (min and max), a file or a shape."},
+        {"effects", false,
+         "Physical effects: \"auto\" (the plan decides), \"on\" or \"off\". `--effect NAME=on` on the command line "
+         "takes "
+         "precedence."},
+        {"sph", false, "Numerics of the particle method."},
+        {"fvm", false, "Numerics of the mesh method (interFoam)."},
+    };
+    return sections;
+}
+
+const std::vector<SceneKey>& scene_keys() {
+    static const std::vector<SceneKey> keys = all_keys();
+    return keys;
+}
+
+const SceneKey& scene_key(std::string_view section, std::string_view name) {
+    for (const SceneKey& key : scene_keys())
+        if (key.section == section && key.name == name) return key;
+    throw std::logic_error(fmt::format("no key [{}] {} in the table", section, name));
+}
+
+std::string fallback_text(const SceneKey& key) {
+    if (!key.fallback.empty()) return key.fallback;
+    Scene unsaid;
+    std::string text;
+    with_value(key, unsaid, [&](const auto& value) {
+        using Value = std::decay_t<decltype(value)>;
+        if constexpr (std::is_same_v<Value, double>)
+            text = value_text(value, key.unit);
+        else if constexpr (std::is_same_v<Value, int> || std::is_same_v<Value, std::string>)
+            text = fmt::format("{}", value);
+        else
+            text = value.empty() ? "none" : fmt::format("{}", fmt::join(value, ", "));
+    });
+    if (text.empty()) throw std::logic_error(fmt::format("[{}] {}: no default in the table", key.section, key.name));
+    return text;
+}
+
+std::string value_text(double si, std::string_view unit) {
+    if (unit == "rad") return fmt::format("{:.4g} deg", si * 180 / std::numbers::pi);
+    return fmt::format("{:.6g}{}{}", si, unit == "-" ? "" : " ", unit == "-" ? "" : unit);
+}
+
+std::string range_text(const Range& range, std::string_view unit) {
+    const bool low = std::isfinite(range.min), high = std::isfinite(range.max);
+    if (!low && !high) return "";
+    if (!low) return "at most " + value_text(range.max, unit);
+    const std::string from = (range.open_min ? "greater than "
+                              : high         ? "from "
+                                             : "at least ") +
+                             value_text(range.min, unit);
+    if (!high) return from;
+    return from + (range.open_min ? " and at most " : " to ") + value_text(range.max, unit);
+}
+
+}  // namespace tw

@@ -1,0 +1,257 @@
+#include "scene/keys.h"
+
+#include <map>
+#include <set>
+
+#include "base/atomic_file.h"
+#include "meshes/surface.h"
+#include "scene/hash.h"
+#include "scene/reference.h"
+#include "scene_text.h"
+
+namespace tw::test {
+namespace {
+
+const std::string tank =
+    "[tank]\nsize = [1, 0.5, 0.8]\n[[water_block]]\nmin = [0, 0, 0]\nmax = [0.5, 0.5, 0.4]\n"
+    "[[obstacle]]\nmin = [0.7, 0, 0]\nmax = [0.8, 0.5, 0.2]\n[[probe]]\npressure = [1, 0.2, 0.1]\n"
+    "[[probe]]\nheight = [0.6, 0.2]\n[resolution]\nnear_hull = 0.05\n";
+
+/// A scene in which a key has a value, and the same with another one.
+struct Change {
+    std::string before, after;
+};
+
+/// `scene` with a key set one way and the other.
+Change set(const std::string& scene, const std::string& section, const std::string& key, const std::string& before,
+           const std::string& after) {
+    const auto one = [&](const std::string& value) {
+        const std::string header = "[" + section + "]\n", line = key + " = " + value + "\n";
+        return scene.find(header) == std::string::npos ? scene + header + line : with(scene, header, header + line);
+    };
+    return {one(before), one(after)};
+}
+Change replaced(const std::string& scene, const std::string& from, const std::string& to) {
+    return {scene, with(scene, from, to)};
+}
+
+/// One change for every key of the table, by "section.key".
+std::map<std::string, Change> changes() {
+    // Defaults that follow from other keys are fixed, so that each key is seen by itself.
+    const std::string stream = with(planing, "[motion]\n", "[motion]\nramp = 0.1\n") +
+                               "[sampling]\ninterval = 0.02\nmean_from = 0.7\n[sph]\nc0 = 100\n";
+    const std::string fixed = stream + "[domain]\nx = [-3, 5]\ny = [-2, 2]\nz = [-1.6, 2]\n";
+    const std::string cavitating = fixed + "[effects]\ncavitation = \"on\"\n",
+                      rough = fixed + "[effects]\nviscosity = \"on\"\nturbulence = \"on\"\n",
+                      damped = fixed + "[effects]\nacoustic_damping = \"on\"\n",
+                      airy = tank + "[effects]\nair = \"on\"\n";
+    const Surface hull = scene_of(planing).hull->surface;
+    write_stl(scratch() / "a.stl", hull);
+    write_stl(scratch() / "b.stl", scene_of(with(planing, "20 deg", "15 deg")).hull->surface);
+    const std::string from_file =
+        with(fixed, "shape    = \"prismatic\"\nlength   = \"4 m\"\nbeam     = \"1 m\"\ndeadrise = \"20 deg\"\n",
+             "file = \"a.stl\"\n");
+    const std::string with_shape =
+        with(tank, "min = [0.7, 0, 0]\nmax = [0.8, 0.5, 0.2]",
+             "shape = \"box\"\nlength = 0.1\nbeam = 0.1\nheight = 0.1\nposition = [0.7, 0.2, 0.1]");
+    write_stl(scratch() / "block.stl", scene_of(with_shape).obstacles[0].surface);
+    write_stl(scratch() / "block2.stl", scene_of(with(with_shape, "0.2, 0.1]", "0.2, 0.2]")).obstacles[0].surface);
+    const std::string block_file = with(tank, "min = [0.7, 0, 0]\nmax = [0.8, 0.5, 0.2]", "file = \"block.stl\"");
+    const std::string lifted = with(tank, "size = [1, 0.5, 0.8]", "min = [0, 0, 0]\nmax = [1, 0.5, 0.8]");
+    const std::string distances =
+        with(stream, "[motion]", "[domain]\nahead = 1\nbehind = 4\nside = 2\nbelow = 2\nabove = 2\n[motion]");
+    std::map<std::string, Change> all{
+        {".title", replaced(fixed, "title = \"planing\"", "title = \"other\"")},
+        {"hull.file", replaced(from_file, "a.stl", "b.stl")},
+        {"hull.shape",
+         replaced(fixed, "shape    = \"prismatic\"\nlength   = \"4 m\"\nbeam     = \"1 m\"\ndeadrise = \"20 deg\"",
+                  "shape = \"box\"\nlength = 4\nbeam = 1")},
+        {"hull.unit",
+         {with(from_file, "half     = true", "unit = \"m\""),
+          with(with(from_file, "half     = true", "unit = \"ft\""), "\"0.05 m\"", "0.05")}},
+        {"hull.axes", set(with(from_file, "half     = true\n", ""), "hull", "axes", "\"xyz\"", "\"-x-yz\"")},
+        {"hull.trim", replaced(fixed, "5 deg", "6 deg")},
+        {"hull.heel", set(with(fixed, "half     = true\n", ""), "hull", "heel", "0", "\"2 deg\"")},
+        {"hull.draft", replaced(fixed, "draft    = \"0.2 m\"", "draft    = \"0.21 m\"")},
+        {"hull.position", set(fixed, "hull", "position", "[0, 0]", "[0.1, 0]")},
+        {"hull.half", replaced(fixed, "half     = true", "half     = false")},
+        {"water.depth", set(planing, "water", "depth", "0.9", "1")},
+        {"motion.kind", {planing, with(planing, "kind  = \"stream\"\nspeed = \"8 m/s\"", "kind = \"none\"")}},
+        {"motion.speed", replaced(fixed, "8 m/s", "8.1 m/s")},
+        {"motion.ramp", replaced(fixed, "ramp = 0.1", "ramp = 0.2")},
+        {"resolution.near_hull", replaced(fixed, "0.05 m", "0.04 m")},
+        {"resolution.spacing", set(fixed, "resolution", "spacing", "0.1", "0.2")},
+        {"domain.ahead", replaced(distances, "ahead = 1", "ahead = 1.2")},
+        {"domain.behind", replaced(distances, "behind = 4", "behind = 5")},
+        {"domain.side", replaced(distances, "side = 2", "side = 2.5")},
+        {"domain.below", replaced(distances, "below = 2", "below = 2.5")},
+        {"domain.above", replaced(distances, "above = 2", "above = 2.5")},
+        {"domain.x", replaced(fixed, "x = [-3, 5]", "x = [-3, 5.1]")},
+        {"domain.y", replaced(fixed, "y = [-2, 2]", "y = [-2.1, 2.1]")},
+        {"domain.z", replaced(fixed, "z = [-1.6, 2]", "z = [-1.6, 2.1]")},
+        {"domain.dimensions", {tank, tank + "[domain]\ndimensions = 2\n"}},
+        {"run.duration", replaced(fixed, "1.5 s", "1.6 s")},
+        {"run.methods", replaced(fixed, "[\"sph\", \"fvm\"]", "[\"sph\"]")},
+        {"sampling.interval", replaced(fixed, "interval = 0.02", "interval = 0.03")},
+        {"sampling.mean_from", replaced(fixed, "mean_from = 0.7", "mean_from = 0.8")},
+        {"sampling.cuts_x", set(fixed, "sampling", "cuts_x", "[0]", "[1]")},
+        {"sampling.cuts_y", set(fixed, "sampling", "cuts_y", "[0]", "[1]")},
+        {"probe.name",
+         {with(tank, "[[probe]]\n", "[[probe]]\nname = \"A\"\n"),
+          with(tank, "[[probe]]\n", "[[probe]]\nname = \"B\"\n")}},
+        {"probe.pressure", replaced(tank, "pressure = [1, 0.2, 0.1]", "pressure = [1, 0.2, 0.2]")},
+        {"probe.height", replaced(tank, "height = [0.6, 0.2]", "height = [0.6, 0.3]")},
+        {"tank.size", replaced(tank, "size = [1, 0.5, 0.8]", "size = [1, 0.5, 0.9]")},
+        {"tank.min", replaced(lifted, "min = [0, 0, 0]\nmax = [1, 0.5", "min = [-0.1, 0, 0]\nmax = [1, 0.5")},
+        {"tank.max", replaced(lifted, "max = [1, 0.5, 0.8]", "max = [1.1, 0.5, 0.8]")},
+        {"water_block.min",
+         replaced(tank, "min = [0, 0, 0]\nmax = [0.5, 0.5, 0.4]", "min = [0.1, 0, 0]\nmax = [0.5, 0.5, 0.4]")},
+        {"water_block.max", replaced(tank, "max = [0.5, 0.5, 0.4]", "max = [0.4, 0.5, 0.4]")},
+        {"obstacle.name",
+         {with(tank, "[[obstacle]]\n", "[[obstacle]]\nname = \"A\"\n"),
+          with(tank, "[[obstacle]]\n", "[[obstacle]]\nname = \"B\"\n")}},
+        {"obstacle.min", replaced(tank, "min = [0.7, 0, 0]", "min = [0.6, 0, 0]")},
+        {"obstacle.max", replaced(tank, "max = [0.8, 0.5, 0.2]", "max = [0.9, 0.5, 0.2]")},
+        {"obstacle.file", replaced(block_file, "block.stl", "block2.stl")},
+        {"obstacle.shape", replaced(with_shape, "shape = \"box\"\nlength = 0.1\nbeam = 0.1\nheight = 0.1",
+                                    "shape = \"sphere\"\ndiameter = 0.1")},
+        {"obstacle.unit", {block_file, with(block_file, "file =", "unit = \"ft\"\nfile =")}},
+        {"obstacle.axes", {block_file, with(block_file, "file =", "axes = \"y-xz\"\nposition = [0.3, 1, 0]\nfile =")}},
+        {"obstacle.position", replaced(with_shape, "position = [0.7, 0.2, 0.1]", "position = [0.7, 0.2, 0.2]")},
+        {"sph.scheme", set(fixed, "sph", "scheme", "\"kick_drift_kick\"", "\"symplectic_euler\"")},
+        {"sph.equation_of_state", set(fixed, "sph", "equation_of_state", "\"linear\"", "\"tait\"")},
+        {"sph.c0", replaced(fixed, "c0 = 100", "c0 = 101")},
+        {"sph.shifting", set(fixed, "sph", "shifting", "1", "2")},
+        {"sph.smagorinsky", set(rough, "sph", "smagorinsky", "0.1", "0.2")},
+        {"sph.acoustic_damping", set(damped, "sph", "acoustic_damping", "0.1", "0.2")},
+        {"sph.air_c0", set(airy, "sph", "air_c0", "343", "100")},
+        {"water.atmospheric_pressure", set(cavitating, "water", "atmospheric_pressure", "1e5", "2e5")},
+        {"water.vapour_pressure", set(cavitating, "water", "vapour_pressure", "1e3", "2e3")},
+        {"fvm.openfoam", set(fixed, "fvm", "openfoam", "\"/a\"", "\"/b\"")},
+        {"fvm.correctors", set(fixed, "fvm", "correctors", "3", "4")},
+        {"run.threads", set(fixed, "run", "threads", "1", "2")},
+    };
+    for (const char* key : {"density", "viscosity", "surface_tension", "gravity", "air_density", "air_viscosity"})
+        all[std::string("water.") + key] = set(fixed, "water", key, "1.5e-1", "1e-1");
+    all["water.density"] = set(fixed, "water", "density", "1000", "1001");
+    for (const char* key : {"checkpoint"}) all[std::string("run.") + key] = set(fixed, "run", key, "0.1", "0.2");
+    for (const char* key : {"snapshots", "raster_spacing"})
+        all[std::string("sampling.") + key] = set(fixed, "sampling", key, "0.1", "0.2");
+    for (const char* key : {"delta", "alpha", "cfl"})
+        all[std::string("sph.") + key] = set(fixed, "sph", key, "0.1", "0.2");
+    all["sph.h_over_dp"] = set(fixed, "sph", "h_over_dp", "1.5", "2");
+    all["sph.gamma"] = set(fixed, "sph", "gamma", "7", "4");
+    all["sph.touch_support"] = set(fixed, "sph", "touch_support", "0.9", "0.95");
+    for (const char* key : {"max_courant", "max_alpha_courant", "interface_compression"})
+        all[std::string("fvm.") + key] = set(fixed, "fvm", key, "1", "2");
+    return all;
+}
+
+TEST(Keys, EachKeyIsCoveredByTheHashThatTheTableNames) {
+    const auto all = changes();
+    for (const SceneKey& key : scene_keys()) {
+        if (key.kind == SceneKey::Kind::on_off) continue;  // effects: effects_test
+        const std::string name = key.section + "." + key.name;
+        if (name == "hull.repair") continue;  // it changes only surfaces that are refused without it
+        ASSERT_TRUE(all.contains(name)) << name << " has no change in this test";
+        const auto& [before, after] = all.at(name);
+        ASSERT_EQ(complaint(before), "") << name;
+        ASSERT_EQ(complaint(after), "") << name;
+        const Scene a = scene_of(before), b = scene_of(after);
+        const auto hashed = key.hashed;
+        const bool in_scene = hashed == SceneKey::Hashed::scene;
+        EXPECT_EQ(a.hash != b.hash, in_scene) << name;
+        EXPECT_EQ(run_hash(a, "sph") != run_hash(b, "sph"), in_scene || hashed == SceneKey::Hashed::sph) << name;
+        EXPECT_EQ(run_hash(a, "fvm") != run_hash(b, "fvm"), in_scene || hashed == SceneKey::Hashed::fvm) << name;
+        // The family's hash covers the same, but for the sizes.
+        const bool size = key.section == "resolution";
+        EXPECT_EQ(family_hash(a, "sph") != family_hash(b, "sph"), !size && run_hash(a, "sph") != run_hash(b, "sph"))
+            << name;
+        EXPECT_EQ(family_hash(a, "fvm") != family_hash(b, "fvm"), !size && run_hash(a, "fvm") != run_hash(b, "fvm"))
+            << name;
+    }
+}
+
+TEST(Keys, OnlyWhatChangesNothingThatIsSolvedIsInNoHash) {
+    const std::set<std::string> in_none{".title",       "motion.ramp",       "run.duration", "run.methods",
+                                        "run.threads",  "run.checkpoint",    "probe.name",   "obstacle.name",
+                                        "fvm.openfoam", "sampling.snapshots"};
+    for (const SceneKey& key : scene_keys()) {
+        const std::string name = key.section + "." + key.name;
+        const auto expected = in_none.contains(name) ? SceneKey::Hashed::nowhere
+                              : key.section == "sph" ? SceneKey::Hashed::sph
+                              : key.section == "fvm" ? SceneKey::Hashed::fvm
+                                                     : SceneKey::Hashed::scene;
+        EXPECT_EQ(key.hashed, expected) << name;
+    }
+}
+
+TEST(Keys, EachIsInTheTableOnceWithASentenceAndADefault) {
+    std::set<std::string> seen, sections;
+    for (const SceneSection& s : scene_sections()) sections.insert(s.name);
+    for (const SceneKey& key : scene_keys()) {
+        EXPECT_TRUE(seen.insert(key.section + "." + key.name).second) << key.name;
+        EXPECT_TRUE(sections.contains(key.section)) << key.name;
+        EXPECT_TRUE(key.meaning.ends_with(".")) << key.section << " " << key.name;
+        EXPECT_FALSE(fallback_text(key).empty()) << key.section << " " << key.name;
+    }
+    EXPECT_THROW(scene_key("sph", "dleta"), std::logic_error);
+}
+
+TEST(Keys, RangesSayWhatIsRefused) {
+    EXPECT_EQ(range_text({0, 1, true}, "-"), "greater than 0 and at most 1");
+    EXPECT_EQ(range_text({0, 1}, "m"), "from 0 m to 1 m");
+    EXPECT_EQ(range_text(positive, "s"), "greater than 0 s");
+    EXPECT_EQ(range_text(not_negative, "s"), "at least 0 s");
+    EXPECT_EQ(range_text(any_value, "s"), "");
+    EXPECT_NE(
+        complaint(planing + "[sph]\ncfl = 0\n").find("cfl = 0: out of range; expected greater than 0 and at most 1"),
+        std::string::npos);
+}
+
+TEST(Keys, TheCommittedReferenceIsTheGeneratedOne) {
+    EXPECT_EQ(read_text(std::filesystem::path(TWINWAKE_SOURCE) / "docs" / "scene_reference.md"), scene_reference())
+        << "run: twinwake reference --out docs/scene_reference.md";
+}
+
+SceneOverrides scaled(double scale) {
+    SceneOverrides o;
+    o.scale_resolution = scale;
+    return o;
+}
+
+TEST(FamilyHash, IsTheSameAtEverySizeOfOneScene) {
+    const std::string low_speed =
+        "[hull]\nshape = 'wigley'\ndraft = 0.15625\nhalf = true\n[motion]\nspeed = 1.5\n[resolution]\nnear_hull = "
+        "0.02\n";
+    const std::string channel =
+        "[motion]\nkind = 'stream'\nspeed = 2\n[domain]\nx = [-1.03, 2.01]\nz = [-0.52, 0.6]\ndimensions = 2\n"
+        "[resolution]\nnear_hull = 0.05\n";
+    for (const std::string& text : {planing, tank, tank + "[domain]\ndimensions = 2\n", low_speed, channel}) {
+        const Scene base = scene_of(text);
+        for (const double scale : {0.5, 0.70711, 1.41421, 2.0})
+            for (const char* method : {"sph", "fvm"}) {
+                const Scene other = scene_of(text, scaled(scale));
+                EXPECT_EQ(family_hash(base, method), family_hash(other, method)) << scale << text;
+                EXPECT_NE(run_hash(base, method), run_hash(other, method)) << scale << text;
+            }
+    }
+    SceneOverrides near;
+    near.near_hull = 0.04;
+    EXPECT_EQ(family_hash(scene_of(planing), "sph"), family_hash(scene_of(planing, near), "sph"));
+}
+
+TEST(FamilyHash, SeesTheVariationsOfALadder) {
+    SceneOverrides sound, step, courant;
+    sound.sound_speed_factor = 1.5;
+    step.time_step_factor = courant.courant_factor = 0.5;
+    const Scene base = scene_of(planing);
+    EXPECT_NE(family_hash(base, "sph"), family_hash(scene_of(planing, sound), "sph"));
+    EXPECT_NE(family_hash(base, "sph"), family_hash(scene_of(planing, step), "sph"));
+    EXPECT_NE(family_hash(base, "fvm"), family_hash(scene_of(planing, courant), "fvm"));
+    EXPECT_EQ(family_hash(base, "fvm"), family_hash(scene_of(planing, step), "fvm"));
+    EXPECT_NE(family_hash(base, "sph"), family_hash(base, "fvm"));
+}
+
+}  // namespace
+}  // namespace tw::test
