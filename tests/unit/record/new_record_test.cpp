@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "record/run_record.h"
+#include "scene/hash.h"
 
 namespace tw {
 namespace {
@@ -25,6 +26,9 @@ TEST(NewRecord, CarriesWhatTheSceneSays) {
     const RunRecord r = new_record(scene, "sph");
     EXPECT_EQ(r.attributes.at("method"), "sph");
     EXPECT_EQ(r.attributes.at("scene_hash"), "abc");
+    EXPECT_EQ(r.attributes.at("run_hash"), run_hash(scene, "sph"));
+    EXPECT_EQ(r.attributes.at("family_hash"), family_hash(scene, "sph"));  // what sizes of one scene share
+    EXPECT_NE(r.attributes.at("family_hash"), r.attributes.at("run_hash"));
     EXPECT_EQ(r.attributes.at("hull_hash"), "h");
     EXPECT_EQ(r.attributes.at("symmetry_factor"), "2");
     EXPECT_EQ(r.attributes.at("moment_reference"), "0 0 0");
