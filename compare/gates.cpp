@@ -1,5 +1,7 @@
 #include "compare/gates.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -94,6 +96,17 @@ std::vector<Gate> check_gates(const RunRecord& record, const std::string& name) 
         add("spread of the force measures", "%", 100 * (high - low) / std::abs(*sum), 3,
             "pair sum, surface pressure and control volume measure one force");
     }
+    for (const CertificateLine& line : record.certificate) {
+        std::string remark = fmt::format("stability certificate: worst of the whole run, at {:.4g} s", line.time);
+        if (line.place.allFinite())
+            remark += fmt::format(", ({:.3g}, {:.3g}, {:.3g}) m", line.place.x(), line.place.y(), line.place.z());
+        gates.push_back({line.name, name, line.unit, line.value, line.limit, line.met(), remark});
+    }
+    return gates;
+}
+
+std::vector<Gate> failed_gates(std::vector<Gate> gates) {
+    std::erase_if(gates, [](const Gate& g) { return g.pass; });
     return gates;
 }
 

@@ -171,6 +171,11 @@ void add_splash(Comparison& comparison, const CompareOptions& options) {
                                      number_of_text(record, "symmetry_factor", 1) * 0.5 * record.raster.spacing, record,
                                      record.frames.empty() ? "no raster frames" : "no wake crest above half a voxel"));
         withhold_if_short(wake.values.back(), a, record, options);
+        const double widest =
+            number_of_text(record, "symmetry_factor", 1) * record.raster.count[1] * record.raster.spacing;
+        if (wake.values.back().known && wake.values.back().value > widest - 1.5 * record.raster.spacing)
+            wake.remark += fmt::format("{}{}: as wide as the raster ({:.3g} m), so the wake may be wider",
+                                       wake.remark.empty() ? "" : "; ", comparison.names[s], widest);
     }
     for (Quantity* q : {&envelope, &raw}) {
         beside(*q);
