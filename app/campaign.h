@@ -34,7 +34,7 @@ struct CampaignResult {
 
 struct CampaignRules {
     bool overwrite = false;  ///< what is no finished run of the very same scene and numerics is run anew, not refused
-    bool take_finished = true;  ///< false: a finished run, too, is run anew
+    bool take_finished = true;                                ///< false: a finished run, too, is run anew
     double budget = std::numeric_limits<double>::infinity();  ///< predicted time of everything that is run here [s]
 };
 

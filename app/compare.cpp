@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-
 #include "app/output.h"
 #include "app/write_ladder.h"
 #include "base/errors.h"
@@ -39,7 +38,8 @@ int compare_ladder(const CompareCommand& command, const Common& common) {
     if (!command.require_agree) return done;
     std::string others;
     for (const LadderQuantity& q : ladder.quantities)
-        if (q.verdict != Verdict::agree) others += (others.empty() ? "" : ", ") + q.label + ": " + verdict_label(q.verdict);
+        if (q.verdict != Verdict::agree)
+            others += (others.empty() ? "" : ", ") + q.label + ": " + verdict_label(q.verdict);
     if (others.empty() && !ladder.quantities.empty()) return done;
     complain("--require agree is not met: " + (others.empty() ? "no quantity was judged" : others));
     return not_agreed;
@@ -57,8 +57,8 @@ int run_compare(const CompareCommand& command, const Common& common) {
     const Comparison comparison = compare_records(std::move(records), options);
     std::string text = summary_text(comparison);
     if (!command.out.empty())
-        text += "\nreport: " +
-                leaving_files([&] { return write_report(comparison, command.out); }).html.string() + "\n";
+        text +=
+            "\nreport: " + leaving_files([&] { return write_report(comparison, command.out); }).html.string() + "\n";
     say(common, text);
     write_json(common, comparison_json(comparison));
     if (!command.require_agree) return done;

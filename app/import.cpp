@@ -38,10 +38,10 @@ std::string text_of(const RunRecord& record) {
     std::string out = fmt::format("{}: {} from {}{}\n", record.attributes.at("method"),
                                   record.attributes.at("import_kind"), record.attributes.at("imported_from"),
                                   record.attributes.at("symmetry_factor") == "2" ? ", half model: loads doubled" : "");
-    ReportTable all{"",
-                    {words("table"), words("column"), words("unit"), numbers("lowest", "", 4), numbers("highest", "", 4),
-                     numbers("rows", "", 6), numbers("without a number", "", 6), numbers("from", "s", 6),
-                     numbers("to", "s", 6)}};
+    ReportTable all{
+        "",
+        {words("table"), words("column"), words("unit"), numbers("lowest", "", 4), numbers("highest", "", 4),
+         numbers("rows", "", 6), numbers("without a number", "", 6), numbers("from", "s", 6), numbers("to", "s", 6)}};
     for (const auto& [name, table] : record.tables)
         for (const Column& c : table.columns) {
             const Span s = span_of(c);
@@ -87,8 +87,7 @@ int run_import(const ImportCommand& command, const Common& common) {
             if (fs::exists(command.out / own, none))
                 throw InputError(command.out.string() + ": there is a run of twinwake in it; choose another --out");
         if (!command.overwrite && fs::exists(file, none))
-            throw InputError(file.string() +
-                             ": exists already; choose another --out, or replace it with --overwrite");
+            throw InputError(file.string() + ": exists already; choose another --out, or replace it with --overwrite");
     };
     refuse_existing();
     const RunRecord record = import_record(command.mapping);

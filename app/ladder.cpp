@@ -71,9 +71,9 @@ std::vector<Job> jobs_of(const LadderCommand& command, const fs::path& out) {
 
 /// What will be run, in this order, and what it is expected to take.
 std::string plan_text(const std::vector<Job>& jobs, double budget) {
-    ReportTable table{"",
-                      {words("run"), numbers("elements"), numbers("predicted time", "s"), numbers("together", "s"),
-                       words("state")}};
+    ReportTable table{
+        "",
+        {words("run"), numbers("elements"), numbers("predicted time", "s"), numbers("together", "s"), words("state")}};
     double together = 0;
     for (const auto& [run, choice] : jobs) {
         const double cost = run.plan.seconds(run.method);
@@ -82,7 +82,9 @@ std::string plan_text(const std::vector<Job>& jobs, double budget) {
         const bool finished = is_finished(run), fits = finished || together + cost <= budget;
         if (fits && !finished) together += cost;
         table.rows.push_back({{run.name, elements, cost, finished || !fits ? ReportCell("") : ReportCell(together),
-                               finished ? "finished before" : fits ? "" : "beyond the budget"}});
+                               finished ? "finished before"
+                               : fits   ? ""
+                                        : "beyond the budget"}});
     }
     return text_of(table);
 }

@@ -29,7 +29,8 @@ constexpr const char* about =
     "  twinwake run my.toml --hull other.stl --out runs/other\n"
     "  twinwake ladder my.toml           several sizes: verdicts that include the discretisation error\n";
 constexpr const char* footer =
-    "Exit status: 0 done, 2 bad input or usage, or output that cannot be written, 3 a run failed or was stopped (its state "
+    "Exit status: 0 done, 2 bad input or usage, or output that cannot be written, 3 a run failed or was stopped (its "
+    "state "
     "is saved), 4 --require agree not met.";
 
 constexpr const char* about_uncertainty =
@@ -173,7 +174,8 @@ int dispatch(int argc, char** argv) {
     c->add_option("--method", run.method, "sph, fvm or both instead of the scene's")
         ->check(CLI::IsMember({"sph", "fvm", "both"}));
     c->add_option("--out", run.out, "folder of the results (runs/<name of the scene file>)");
-    CLI::Option* resume = c->add_flag("--resume", run.resume, "continue from the last saved state; only if scene and numerics match");
+    CLI::Option* resume =
+        c->add_flag("--resume", run.resume, "continue from the last saved state; only if scene and numerics match");
     c->add_flag("--overwrite", run.overwrite, "run anew in a folder that has a run")->excludes(resume);
     c->add_option("--threads", run.threads, "threads (particles) and ranks (mesh); all cores unless given")
         ->check(CLI::Range(1, 4096));
@@ -186,14 +188,15 @@ int dispatch(int argc, char** argv) {
     });
     c->add_option("sources", compare.sources, "run records, or folders of runs")->required()->expected(1, 64);
     c->add_option("--out", compare.out, "folder for report.html, report.json, CSV and figures");
-    c->add_flag(
-        "--ladder", compare.ladder,
-        "the records are runs of one scene at several sizes: verdicts that include the discretisation error");
+    c->add_flag("--ladder", compare.ladder,
+                "the records are runs of one scene at several sizes: verdicts that include the discretisation error");
     c->add_option("--measured", compare.measured,
                   "with --ladder: a measurement, as written by twinwake import; can be given again")
         ->allow_extra_args(false);
     c->add_flag("--force", compare.force, "compare records of different scenes, with a banner");
-    c->add_option("--require", require, "agree: exit status 4 unless every quantity agrees; needs --ladder, since runs of one size have no verdict")
+    c->add_option(
+         "--require", require,
+         "agree: exit status 4 unless every quantity agrees; needs --ladder, since runs of one size have no verdict")
         ->check(CLI::IsMember({"agree"}));
 
     ImportCommand imported;

@@ -20,8 +20,7 @@ int first_error = 0;  ///< why standard output did not take something; 0: it too
 
 void print(const std::string& text) {
     errno = 0;
-    const bool taken =
-        std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+    const bool taken = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
     if (!taken && first_error == 0) first_error = errno == 0 ? EIO : errno;
 }
 
@@ -74,8 +73,7 @@ bool everything_was_printed() {
     errno = 0;
     if (std::fflush(stdout) != 0 && first_error == 0) first_error = errno;
     if (first_error == 0 && (std::ferror(stdout) != 0 || !std::cout)) first_error = EIO;
-    if (first_error != 0)
-        std::fprintf(stderr, "standard output: cannot be written: %s\n", std::strerror(first_error));
+    if (first_error != 0) std::fprintf(stderr, "standard output: cannot be written: %s\n", std::strerror(first_error));
     return first_error == 0;
 }
 

@@ -58,8 +58,7 @@ bool run_member(const Variant& variant, const fs::path& folder, const SweepComma
         const PlannedRun plan = plan_run(command.scene.file, variant.overrides, "both", command.threads);
         std::vector<RunRecord> records;
         for (const std::string method : {"sph", "fvm"}) {
-            CampaignResult result =
-                campaign.run_or_take({variant.name + ": " + method, method, plan, folder / method});
+            CampaignResult result = campaign.run_or_take({variant.name + ": " + method, method, plan, folder / method});
             if (result.state == CampaignResult::State::stopped) return false;
             if (!result.there()) {
                 member.why_not = method + ": " + result.why_not;

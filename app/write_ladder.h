@@ -13,7 +13,7 @@ struct LadderHarvest {
     std::vector<LadderRun> runs;
     std::vector<LadderVariation> variations;
     std::vector<std::string> left_out;  ///< runs that are missing, and why
-    bool any_failed = false;           ///< among those
+    bool any_failed = false;            ///< among those
 
     /// A level; `file`: where its record lies.
     void take(RunRecord record, const std::filesystem::path& file);

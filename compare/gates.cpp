@@ -58,7 +58,8 @@ std::optional<double> suction_share(const RunRecord& record) {
 std::vector<Gate> check_gates(const RunRecord& record, const std::string& name) {
     std::vector<Gate> gates;
     const auto add = [&](std::string gate, std::string unit, double value, double limit, std::string remark) {
-        gates.push_back({std::move(gate), name, std::move(unit), value, limit, value <= limit, std::move(remark)});
+        gates.push_back({std::move(gate), name, std::move(unit), value, limit, value <= limit + 1e-9 * std::abs(limit),
+                         std::move(remark)});
     };
     const double settled = number_of(record, "mean_from", 0), speed = number_of(record, "speed", 0);
     const double duration = number_of(record, "duration", 0);

@@ -42,7 +42,8 @@ ReportTable unstable_cells(const std::vector<StabilityMap>& maps) {
             const StabilityJudgement& j = cell.judgement;
             if (j.stability == Stability::stable || std::ranges::find(told, cell.c) != told.end()) continue;
             told.push_back(cell.c);
-            table.rows.push_back({{describe(cell.c), ReportCell(to_string(j.stability), mark_of(j.stability)), j.reason}});
+            table.rows.push_back(
+                {{describe(cell.c), ReportCell(to_string(j.stability), mark_of(j.stability)), j.reason}});
         }
     return table;
 }
@@ -52,8 +53,9 @@ ReportTable gates_of_the_map() {
                       {words("Gate"), words("unit"), numbers("warned above"), numbers("failed above"), words("means"),
                        words("reason of the limits")}};
     for (const StabilityGate& gate : stability_gates())
-        table.rows.push_back({{gate.line, gate.unit == "-" ? "" : gate.unit, gate.warned,
-                               gate.failed < 1e300 ? ReportCell(gate.failed) : ReportCell("–"), gate.meaning, gate.why}});
+        table.rows.push_back(
+            {{gate.line, gate.unit == "-" ? "" : gate.unit, gate.warned,
+              gate.failed < 1e300 ? ReportCell(gate.failed) : ReportCell("–"), gate.meaning, gate.why}});
     return table;
 }
 

@@ -67,8 +67,8 @@ std::string charts(const Ablation& ablation, const AblationMethod& method) {
         std::vector<Bar> bars;
         for (const AblationRow& row : method.rows)
             if (const AblationChange* c = change_in(row, name); c && std::isfinite(c->per_cent))
-                bars.push_back(
-                    {brief(ablation.runs[row.run].name), c->per_cent, c->per_cent_interval, c->seen == AblationChange::Seen::seen});
+                bars.push_back({brief(ablation.runs[row.run].name), c->per_cent, c->per_cent_interval,
+                                c->seen == AblationChange::Seen::seen});
         if (!bars.empty()) out += bars_svg(change_label(method, name), bars);
     }
     std::vector<Bar> costs;

@@ -20,7 +20,8 @@ std::string change_label(const AblationMethod& method, const std::string& name);
 
 /// What the numbers mean; stands below the overview.
 inline constexpr const char* ablation_note =
-    "Changes in per cent of the value before, with the 95 % intervals of both runs combined; the discretisation error is "
+    "Changes in per cent of the value before, with the 95 % intervals of both runs combined; the discretisation error "
+    "is "
     "not in them. A change beyond its interval is marked; chance alone does that once in twenty times. Processor time: "
     "of solving, per simulated second, of one run each; a busy machine changes it by several per cent.";
 

@@ -131,7 +131,9 @@ void judge(LadderQuantity& q, const std::vector<LadderSide>& sides, double targe
     const LadderValue &a = q.values[0], &b = q.values[1];
     for (std::size_t k = 0; k < 2; ++k)
         if (q.values[k].levels.empty()) {
-            q.reason = sides[k].method + (q.values[k].absent.empty() ? ": no size has a mean" : ": no size has a mean; at " + q.values[k].absent.front());
+            q.reason = sides[k].method + (q.values[k].absent.empty()
+                                              ? ": no size has a mean"
+                                              : ": no size has a mean; at " + q.values[k].absent.front());
             return;
         }
     const double S0 = a.levels.front().value, S1 = b.levels.front().value;
@@ -154,9 +156,8 @@ void judge(LadderQuantity& q, const std::vector<LadderSide>& sides, double targe
     q.verdict = decide(q.difference, q.interval, target, S);
     for (std::size_t k = 0; k < 2; ++k) {
         if (!scatters(q.values[k].estimate, target * S)) continue;
-        q.reason =
-            fmt::format("{}: the values scatter by more than they change from size to size; by their bound: {}",
-                        sides[k].method, verdict_label(q.verdict));
+        q.reason = fmt::format("{}: the values scatter by more than they change from size to size; by their bound: {}",
+                               sides[k].method, verdict_label(q.verdict));
         q.verdict = Verdict::not_converged;
         return;
     }

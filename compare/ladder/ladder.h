@@ -25,7 +25,7 @@ struct LadderRun {
     double predicted_seconds = 0;          ///< as said before the run [s]; 0: not said
     double duration = 0;                   ///< simulated [s]
     std::string hull_hash, calibrated;
-    Family family;               ///< the same in runs that differ in resolution only
+    Family family;  ///< the same in runs that differ in resolution only
     std::vector<Gate> failed_checks;
     std::vector<double> domain;  ///< low and high of x, y, z; of x, z in two dimensions [m]
     std::vector<Quantity> quantities;

@@ -55,12 +55,12 @@ ReportTable ladder_verdicts(const Ladder& ladder) {
         row.cells.push_back(verdict_cell(q.verdict));
         table.rows.push_back(std::move(row));
     }
-    table.notes.push_back(
-        fmt::format("Finest values with 95 % intervals that include the statistical scatter of the mean, the "
-                    "discretisation error (least squares of Eça and Hoekstra from four sizes on) and the runs with other "
-                    "choices. Agree: the difference lies inside the joint interval, and that is at most {:g} % of the "
-                    "value. Differ: it lies outside. Undecided: inside, but the interval is too wide to tell.",
-                    100 * ladder.agree_within));
+    table.notes.push_back(fmt::format(
+        "Finest values with 95 % intervals that include the statistical scatter of the mean, the "
+        "discretisation error (least squares of Eça and Hoekstra from four sizes on) and the runs with other "
+        "choices. Agree: the difference lies inside the joint interval, and that is at most {:g} % of the "
+        "value. Differ: it lies outside. Undecided: inside, but the interval is too wide to tell.",
+        100 * ladder.agree_within));
     return table;
 }
 
@@ -74,9 +74,9 @@ ReportTable ladder_held(const Ladder& ladder) {
                 const Validation& v = h.validations[k];
                 ReportCell label = verdict_cell(v.verdict);
                 label.text = validation_label(v);
-                table.rows.push_back({{q.label, q.unit, h.source, mean_text(h.value), method_cell(ladder, k),
-                                       signed_text(v.E, v.U_val), per_cent_text(v.per_cent),
-                                       uncertainty_cell(v.U_val, h.value.value), label}});
+                table.rows.push_back(
+                    {{q.label, q.unit, h.source, mean_text(h.value), method_cell(ladder, k), signed_text(v.E, v.U_val),
+                      per_cent_text(v.per_cent), uncertainty_cell(v.U_val, h.value.value), label}});
             }
     table.notes.push_back(
         "U combines the interval of the finest value and, where one is known, that of the other value (ASME V&V 20). "
@@ -89,8 +89,7 @@ ReportTable ladder_values(const Ladder& ladder) {
     ReportTable table{"Values by size",
                       {words("Quantity"), words("unit"), words("method"), words("values, finest first"),
                        numbers("± of the mean"), numbers("order"), words("class"), numbers("U of the discretisation"),
-                       numbers("GCI"), numbers("factor of safety"), numbers("U"), numbers("U [%]"),
-                       words("what the sizes show")}};
+                       numbers("GCI"), numbers("factor of safety"), numbers("U"), numbers("U [%]")}};
     for (const LadderQuantity& q : ladder.quantities) {
         if (!has_levels(q)) continue;
         for (std::size_t k = 0; k < q.values.size(); ++k) {
@@ -99,17 +98,18 @@ ReportTable ladder_values(const Ladder& ladder) {
             std::vector<std::string> values;
             for (const Level& l : v.levels) values.push_back(fmt::format("{:.5g}", l.value));
             const double finest = v.levels.empty() ? 0 : v.levels.front().value;
-            const bool some = std::isfinite(v.uncertainty) && q.size > 0 && !no_more_than_rounding(v.uncertainty, finest);
-            std::vector<std::string> absent;
-            for (const std::string& why : v.absent) absent.push_back("not at " + why);
+            const bool some =
+                std::isfinite(v.uncertainty) && q.size > 0 && !no_more_than_rounding(v.uncertainty, finest);
+            std::vector<std::string> remarks;
+            if (!v.levels.empty()) remarks.push_back(ladder.sides[k].method + ": " + verdict_sentence(e));
+            for (const std::string& why : v.absent) remarks.push_back("not at " + why);
             table.rows.push_back(
                 {{q.label, q.unit, method_cell(ladder, k), joined(values), uncertainty_cell(v.statistical, finest),
                   std::isfinite(e.order) ? fmt::format("{:.2f}", e.order) : "–", to_string(e.convergence),
                   uncertainty_cell(e.uncertainty, finest), uncertainty_cell(e.celik_gci.uncertainty, finest),
                   uncertainty_cell(e.xing_stern.uncertainty, finest), uncertainty_cell(v.uncertainty, finest),
-                  some ? fmt::format("{:.2g}", 100 * v.uncertainty / q.size) : "–",
-                  v.levels.empty() ? "" : verdict_sentence(e)},
-                 joined(absent)});
+                  some ? fmt::format("{:.2g}", 100 * v.uncertainty / q.size) : "–"},
+                 joined(remarks)});
         }
     }
     table.notes.push_back("U: half width of the 95 % interval.");
@@ -130,9 +130,9 @@ ReportTable ladder_shares(const Ladder& ladder) {
             std::vector<std::string> choices;
             for (const Sensitivity& s : v.sensitivities)
                 choices.push_back(s.name + ": " + (s.idle() ? "no change" : share(s.uncertainty)));
-            table.rows.push_back({{q.label, method_cell(ladder, k), share(v.statistical), share(v.estimate.uncertainty),
-                                   share(v.estimate.celik_gci.uncertainty), share(v.estimate.xing_stern.uncertainty),
-                                   joined(choices)}});
+            table.rows.push_back(
+                {{q.label, method_cell(ladder, k), share(v.statistical), share(v.estimate.uncertainty),
+                  share(v.estimate.celik_gci.uncertainty), share(v.estimate.xing_stern.uncertainty), joined(choices)}});
         }
     return table;
 }
@@ -152,10 +152,10 @@ ReportTable ladder_variations(const Ladder& ladder) {
 }
 
 ReportTable ladder_prices(const Ladder& ladder) {
-    ReportTable table{"What accuracy costs",
-                      {words("Quantity"), words("method"), numbers("slope of U over time"), numbers("time to 5 %"),
-                       numbers("to 2 %"), numbers("to 1 %"), numbers("halving U costs"), numbers("core hours to 2 %"),
-                       numbers("memory to 2 %")}};
+    ReportTable table{
+        "What accuracy costs",
+        {words("Quantity"), words("method"), numbers("slope of U over time"), numbers("time to 5 %"), numbers("to 2 %"),
+         numbers("to 1 %"), numbers("halving U costs"), numbers("core hours to 2 %"), numbers("memory to 2 %")}};
     for (const LadderQuantity& q : ladder.quantities) {
         if (!has_levels(q)) continue;
         for (std::size_t k = 0; k < q.values.size(); ++k) {
@@ -189,9 +189,9 @@ ReportTable ladder_runs(const Ladder& ladder) {
                       {words("method"), numbers("spacing at the hull", "m", 6), numbers("particles or cells", "", 4),
                        numbers("wall time"), numbers("predicted"), numbers("core hours"), numbers("memory", "MB", 4)}};
     const auto row = [&](ReportCell method, const LadderRun& r) {
-        table.rows.push_back({{std::move(method), r.spacing, r.elements, time_text(r.seconds),
-                               r.predicted_seconds > 0 ? time_text(r.predicted_seconds) : "–", r.core_seconds / 3600,
-                               r.memory / 1e6}});
+        table.rows.push_back(
+            {{std::move(method), r.spacing, r.elements, time_text(r.seconds),
+              r.predicted_seconds > 0 ? time_text(r.predicted_seconds) : "–", r.core_seconds / 3600, r.memory / 1e6}});
     };
     for (std::size_t k = 0; k < ladder.sides.size(); ++k) {
         for (const LadderRun& r : ladder.sides[k].runs) row(method_cell(ladder, k), r);

@@ -14,8 +14,8 @@ std::string crossover_sentence(const Ladder& ladder, const LadderQuantity& q) {
     const double U = q.values[0].cost.uncertainty_after(seconds);
     if (!(seconds > 1) || !(seconds < 3e7) || no_more_than_rounding(U, q.size)) return {};
     const bool first_steeper = q.values[0].cost.slope > q.values[1].cost.slope;
-    return fmt::format("Beyond {}, at U = {:.3g} {}, {} is the cheaper one, before it {}.", time_text(seconds), U, for_terminal(q.unit),
-                       for_terminal(ladder.sides[first_steeper ? 0 : 1].method),
+    return fmt::format("Beyond {}, at U = {:.3g} {}, {} is the cheaper one, before it {}.", time_text(seconds), U,
+                       for_terminal(q.unit), for_terminal(ladder.sides[first_steeper ? 0 : 1].method),
                        for_terminal(ladder.sides[first_steeper ? 1 : 0].method));
 }
 
@@ -53,7 +53,9 @@ std::string memory_text(const CostOfAccuracy& cost, double uncertainty) {
 
 std::string time_text(double seconds) {
     if (!std::isfinite(seconds)) return "–";
-    if (seconds < 120) return fmt::format("{:.2g} s", seconds);
+    if (seconds < 0.01) return "under 0.01 s";
+    if (seconds < 99.5) return fmt::format("{:.2g} s", seconds);
+    if (seconds < 120) return fmt::format("{:.0f} s", seconds);
     if (seconds < 7200) return fmt::format("{:.2g} min", seconds / 60);
     if (seconds < 172800) return fmt::format("{:.2g} h", seconds / 3600);
     if (seconds < 3e7) return fmt::format("{:.2g} days", seconds / 86400);
@@ -65,7 +67,8 @@ std::string ladder_sentence(const LadderQuantity& q) {
     if (std::isfinite(q.interval))
         out += fmt::format(", {} {} ({})", signed_text(q.difference, q.interval), q.unit, per_cent_text(q.per_cent));
     else if (std::isfinite(q.difference))
-        out += fmt::format("; the finest are apart by {:+.4g} {} ({})", q.difference, q.unit, per_cent_text(q.per_cent));
+        out +=
+            fmt::format("; the finest are apart by {:+.4g} {} ({})", q.difference, q.unit, per_cent_text(q.per_cent));
     return q.reason.empty() ? out : out + ": " + for_terminal(q.reason);
 }
 

@@ -148,11 +148,13 @@ void add_forces(Comparison& comparison, const CompareOptions& options) {
                                     });
     if (leave_friction_out)
         comparison.banners.push_back(
-            "Only one method solves friction: drag and lift are compared without it (pressure parts); friction is listed "
+            "Only one method solves friction: drag and lift are compared without it (pressure parts); friction is "
+            "listed "
             "below.");
     else if (some_with_friction)
         comparison.banners.push_back(
-            "Only some sources include friction in their drag, and not all of them list its part: the drags compared here "
+            "Only some sources include friction in their drag, and not all of them list its part: the drags compared "
+            "here "
             "differ by it.");
 
     double lift = 0;
@@ -219,9 +221,9 @@ void add_wetted_length(Comparison& comparison, const CompareOptions& options) {
                               MeanValue m = mean_of(r, "samples", "wetted_length", options, half_cell);
                               if (m.known && m.value == 0) {
                                   m = {};
-                                  m.why_not = fmt::format(
-                                      "not measured (no wetted point within {:.3g} m of the centreline)",
-                                      0.1 * number_of(r, "beam", 0));
+                                  m.why_not =
+                                      fmt::format("not measured (no wetted point within {:.3g} m of the centreline)",
+                                                  0.1 * number_of(r, "beam", 0));
                                   return m;
                               }
                               if (m.known && m.half_width < half_cell) {

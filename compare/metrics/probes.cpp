@@ -103,9 +103,9 @@ void add_probes(Comparison& comparison, const CompareOptions& options) {
             if (const auto found = r.tables.find(table); found != r.tables.end())
                 for (const Column& c : found->second.columns) probes.emplace(c.name, c.unit);
         for (const auto& [name, unit] : probes) {
-            Quantity q = new_quantity(fmt::format("{}:{}", table, name), fmt::format("Peak {} at {}", table, name),
-                                      unit,
-                                      "highest value in the time that all records cover; depends on that time and on the sampling");
+            Quantity q = new_quantity(
+                fmt::format("{}:{}", table, name), fmt::format("Peak {} at {}", table, name), unit,
+                "highest value in the time that all records cover; depends on that time and on the sampling");
             const Span span = common_span(comparison.sources, table, name);
             for (const RunRecord& r : comparison.sources) q.values.push_back(peak(r, table, name, span));
             beside(q);

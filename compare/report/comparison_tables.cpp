@@ -47,7 +47,8 @@ ReportCell verdict_cell(Verdict verdict) {
 
 ReportTable quantities_table(const Comparison& c, bool judged) {
     const bool pair = c.sources.size() > 1;
-    ReportTable table{judged ? (pair ? "Difference by quantity" : "Values") : "Also measured, without a verdict", {words("Quantity"), words("unit")}};
+    ReportTable table{judged ? (pair ? "Difference by quantity" : "Values") : "Also measured, without a verdict",
+                      {words("Quantity"), words("unit")}};
     add_source_columns(table, c, true);
     if (pair) {
         const bool two = c.sources.size() == 2;
@@ -69,19 +70,16 @@ ReportTable quantities_table(const Comparison& c, bool judged) {
         table.rows.push_back(std::move(row));
         for (const Reference& r : c.references) {
             if (r.quantity != q.name) continue;
-            ReportCell remark(r.remark);
-            remark.wide = true;
-            table.rows.push_back({{r.source + " (reference)", r.unit, value_text(r.value, r.half_width), remark}, {}, true});
-            if (!pair) table.rows.back().cells.pop_back(), table.rows.back().remark = r.remark;
+            table.rows.push_back(
+                {{q.label + ", " + r.source, r.unit, value_text(r.value, r.half_width)}, r.remark, true});
         }
     }
     if (!judged) return table;
     const RunRecord& first = c.sources.front();
-    table.notes.push_back(
-        fmt::format("Values {}. ± is the statistical scatter of the mean (95 %), or what else limits it (raster, "
-                    "draft); the discretisation error is not in it.",
-                    is_stream(first) ? "are settled means"
-                                     : "of forces are settled means, of splash the largest of the run"));
+    table.notes.push_back(fmt::format(
+        "Values {}. ± is the statistical scatter of the mean (95 %), or what else limits it (raster, "
+        "draft); the discretisation error is not in it.",
+        is_stream(first) ? "are settled means" : "of forces are settled means, of splash the largest of the run"));
     if (pair)
         table.notes.push_back(
             "Runs of one size each show how far apart the methods are at this size. Whether they agree needs the "
@@ -97,19 +95,18 @@ ReportTable settling_table(const Comparison& c) {
         for (std::size_t s = 0; s < q.values.size(); ++s) {
             const MeanValue& m = q.values[s];
             if (!q.judged || !(m.n_effective > 0)) continue;
-            table.rows.push_back({{q.label, run_cell(c.names[s], s), fmt::format("{:.3g} … {:.3g} s", m.from, m.to),
-                                   m.n_effective, m.known ? value_text(m.half_width, 0) : "–",
-                                   m.known ? value_text(m.second_opinion, 0) : "–",
-                                   m.known ? (m.unreliable ? "the two estimates differ by more than 1.5" : "")
-                                           : m.why_not}});
+            table.rows.push_back(
+                {{q.label, run_cell(c.names[s], s), fmt::format("{:.3g} … {:.3g} s", m.from, m.to), m.n_effective,
+                  m.known ? value_text(m.half_width, 0) : "–", m.known ? value_text(m.second_opinion, 0) : "–",
+                  m.known ? (m.unreliable ? "the two estimates differ by more than 1.5" : "") : m.why_not}});
         }
     return table;
 }
 
 ReportTable checks_table(const std::vector<Gate>& gates, bool failed_only) {
-    ReportTable table{failed_only ? "Checks not met" : "Soundness of the runs",
-                      {words("Check"), words("run"), numbers("value"), words("unit"), numbers("limit"), words(""),
-                       words("remark")}};
+    ReportTable table{
+        failed_only ? "Checks not met" : "Soundness of the runs",
+        {words("Check"), words("run"), numbers("value"), words("unit"), numbers("limit"), words(""), words("remark")}};
     for (const Gate& g : gates)
         if (!failed_only || !g.pass)
             table.rows.push_back({{g.name, g.source, g.value, g.unit == "-" ? "" : g.unit, g.limit,
@@ -123,8 +120,9 @@ ReportTable effects_table(const Comparison& c) {
     const auto with = std::ranges::find_if(c.sources, [](const RunRecord& r) { return !r.effects.empty(); });
     if (with == c.sources.end()) return table;
     for (const EffectChoice& e : with->effects)
-        table.rows.push_back({{e.name, std::string(e.on ? "yes" : "no") + (e.forced ? " (asked for)" : ""), e.reason,
-                               e.influence, e.cost > 0 ? fmt::format("{:.0f} % of a particle run", 100 * e.cost) : ""}});
+        table.rows.push_back(
+            {{e.name, std::string(e.on ? "yes" : "no") + (e.forced ? " (asked for)" : ""), e.reason, e.influence,
+              e.cost > 0 ? fmt::format("{:.0f} % of a particle run", 100 * e.cost) : ""}});
     return table;
 }
 

@@ -28,8 +28,9 @@ std::string quantities_csv(const Comparison& comparison) {
             row.cells.push_back(m.known ? ReportCell(m.value) : ReportCell());
             row.cells.push_back(m.known ? ReportCell(m.half_width) : ReportCell());
         }
-        for (const ReportCell& cell : {ReportCell(q.difference), ReportCell(q.interval), ReportCell(q.per_cent),
-                                       ReportCell(to_string(q.verdict)), ReportCell(q.judged ? "yes" : "no"), ReportCell(q.remark)})
+        for (const ReportCell& cell :
+             {ReportCell(q.difference), ReportCell(q.interval), ReportCell(q.per_cent),
+              ReportCell(to_string(q.verdict)), ReportCell(q.judged ? "yes" : "no"), ReportCell(q.remark)})
             row.cells.push_back(cell);
         table.rows.push_back(std::move(row));
     }

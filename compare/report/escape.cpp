@@ -58,10 +58,10 @@ std::string for_terminal(std::string_view text) {
         const bool c0 = n == 1 && ((byte(0) < 0x20 && text[0] != '\n' && text[0] != '\t') || byte(0) == 0x7f);
         const bool c1 = n == 2 && byte(0) == 0xC2 && byte(1) < 0xA0;
         // U+200E, U+200F, U+202A to U+202E and U+2066 to U+2069 turn the direction of what follows
-        const bool turns = n == 3 && byte(0) == 0xE2 &&
-                           ((byte(1) == 0x80 && (byte(2) == 0x8E || byte(2) == 0x8F ||
-                                                 (byte(2) >= 0xAA && byte(2) <= 0xAE))) ||
-                            (byte(1) == 0x81 && byte(2) >= 0xA6 && byte(2) <= 0xA9));
+        const bool turns =
+            n == 3 && byte(0) == 0xE2 &&
+            ((byte(1) == 0x80 && (byte(2) == 0x8E || byte(2) == 0x8F || (byte(2) >= 0xAA && byte(2) <= 0xAE))) ||
+             (byte(1) == 0x81 && byte(2) >= 0xA6 && byte(2) <= 0xA9));
         if (n == 0 || c0 || c1 || turns)
             out += '?';
         else

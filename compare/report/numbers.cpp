@@ -52,6 +52,16 @@ std::string verdict_label(Verdict verdict) {
     return label;
 }
 
+namespace {
+/// What the interval of a difference is made of: the scatter, or what is wider, such as the raster.
+std::string limit_of(const Quantity& q) {
+    const MeanValue* widest = nullptr;
+    for (const MeanValue& m : q.values)
+        if (m.known && (!widest || m.half_width > widest->half_width)) widest = &m;
+    return widest && !widest->limited_by.empty() ? "from " + widest->limited_by : "statistical scatter of the means";
+}
+}  // namespace
+
 std::string verdict_sentence(const Comparison& comparison) {
     if (comparison.sources.size() < 2) return "Only one run: its values stand without a verdict.";
     const bool pair = comparison.sources.size() == 2;
@@ -66,8 +76,8 @@ std::string verdict_sentence(const Comparison& comparison) {
             if (pair && q->difference != 0)
                 text += fmt::format(" ({} {})", comparison.names[1], q->difference < 0 ? "lower" : "higher");
             if (q->difference != 0 && q->interval > 0)
-                text += fmt::format(", statistical scatter of the means ± {:.1f} %",
-                                    std::abs(q->per_cent * q->interval / q->difference));
+                text +=
+                    fmt::format(", ± {:.1f} % {}", std::abs(q->per_cent * q->interval / q->difference), limit_of(*q));
             text += "; discretisation error not estimated.";
         } else {
             text += label + ": " + verdict_label(q->verdict) + (q->remark.empty() ? "" : " (" + q->remark + ")") + ".";

@@ -65,9 +65,8 @@ std::string cell_html(const ReportCell& cell, const ReportColumn& column, std::s
 }
 
 std::string row_html(const ReportRow& row, const std::vector<ReportColumn>& columns) {
-    std::string out = row.beside           ? "<tr class=\"ref\">"
-                      : row.remark.empty() ? "<tr>"
-                                           : "<tr class=\"has-remark\">";
+    const std::string kind = std::string(row.beside ? "ref" : "") + (row.remark.empty() ? "" : " has-remark");
+    std::string out = kind.empty() ? "<tr>" : "<tr class=\"" + kind.substr(kind[0] == ' ' ? 1 : 0) + "\">";
     for (std::size_t c = 0; c < columns.size(); ++c) {
         const ReportCell& cell = c < row.cells.size() ? row.cells[c] : ReportCell();
         out += cell_html(cell, columns[c], columns.size() - c);

@@ -32,8 +32,7 @@ struct ReportCell {
     ReportCell(std::string words = {}, Mark m = Mark::none) : text(std::move(words)), mark(m) {}
     ReportCell(const char* words) : text(words) {}
     template <class Number>
-        requires std::is_arithmetic_v<Number>
-    ReportCell(Number n) : number(static_cast<double>(n)), is_number(true) {}
+    requires std::is_arithmetic_v<Number> ReportCell(Number n) : number(static_cast<double>(n)), is_number(true) {}
 };
 /// The name of a run with its colour.
 ReportCell run_cell(const std::string& name, std::size_t source);

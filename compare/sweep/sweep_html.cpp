@@ -41,10 +41,11 @@ std::string sweep_html(const Sweep& sweep) {
     std::string out = page_begin(sweep.title) + "<h1>" + escaped(sweep.title) + "</h1><p class=\"sub\">" +
                       fmt::format("{} scenes, {} compared</p>", sweep.members.size(), good);
     out += html_of(sweep_summaries(sweep));
-    std::string plots, tables, links;
+    std::string plots, links;
     for (const SweepSummary& s : sweep.summaries)
-        if (!s.points.empty()) plots += scatter_plot(sweep, s), tables += html_of(sweep_values(sweep, s), 3);
-    if (!plots.empty()) out += "<div class=\"pair\">" + plots + "</div><h2>Scene by scene</h2>" + tables;
+        if (!s.points.empty()) plots += scatter_plot(sweep, s);
+    if (!plots.empty()) out += "<div class=\"pair\">" + plots + "</div>";
+    out += html_of(sweep_values(sweep));
     for (const SweepMember& m : sweep.members)
         if (m.why_not.empty())
             links += fmt::format("<li><a href=\"{}\">{}</a></li>", escaped(m.report), escaped(m.name));

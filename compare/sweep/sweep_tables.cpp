@@ -27,13 +27,16 @@ ReportTable sweep_summaries(const Sweep& sweep) {
     return table;
 }
 
-ReportTable sweep_values(const Sweep& sweep, const SweepSummary& s) {
-    ReportTable table{fmt::format("{} [{}]", s.label, s.unit),
-                      {words("Scene"), numbers(sweep.methods[0]), numbers(sweep.methods[1]), numbers("relative"),
-                       words("verdict")}};
-    for (const auto& p : s.points)
-        table.rows.push_back({{sweep.members[p.member].name, value_text(p.a, p.Ua), value_text(p.b, p.Ub),
-                               per_cent_text(100 * (p.b / p.a - 1)), verdict_cell(p.verdict)}});
+ReportTable sweep_values(const Sweep& sweep) {
+    if (sweep.methods.size() != 2) return {};
+    ReportTable table{"Scene by scene",
+                      {words("Quantity"), words("unit"), words("Scene"), numbers(sweep.methods[0]),
+                       numbers(sweep.methods[1]), numbers("relative"), words("verdict")}};
+    for (const SweepSummary& s : sweep.summaries)
+        for (const auto& p : s.points)
+            table.rows.push_back(
+                {{s.label, s.unit, sweep.members[p.member].name, value_text(p.a, p.Ua), value_text(p.b, p.Ub),
+                  per_cent_text(100 * (p.b / p.a - 1)), verdict_cell(p.verdict)}});
     return table;
 }
 

@@ -8,8 +8,8 @@ namespace tw {
 
 /// Bias and scatter between the methods, a row for each quantity.
 ReportTable sweep_summaries(const Sweep& sweep);
-/// One quantity, scene by scene.
-ReportTable sweep_values(const Sweep& sweep, const SweepSummary& quantity);
+/// Every quantity, scene by scene.
+ReportTable sweep_values(const Sweep& sweep);
 /// The scenes, with the reason where there is no comparison.
 ReportTable sweep_scenes(const Sweep& sweep);
 

@@ -27,8 +27,7 @@ std::string sweep_text(const Sweep& sweep) {
         if (!table.empty()) out += "\n" + text_of(table);
     };
     add(sweep_summaries(sweep));
-    for (const SweepSummary& s : sweep.summaries)
-        if (!s.points.empty()) add(sweep_values(sweep, s));
+    add(sweep_values(sweep));
     add(sweep_scenes(sweep));
     return out;
 }

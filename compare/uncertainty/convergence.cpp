@@ -11,8 +11,9 @@ namespace tw {
 
 namespace {
 
-constexpr double smallest_p = 0.5;  ///< observed order below which an oscillation counts as undamped, as in eca_hoekstra.h
-constexpr double no_order = 0.1;    ///< below which values are not told from ones that diverge
+constexpr double smallest_p =
+    0.5;  ///< observed order below which an oscillation counts as undamped, as in eca_hoekstra.h
+constexpr double no_order = 0.1;  ///< below which values are not told from ones that diverge
 
 struct Candidate {
     std::string method;

@@ -35,8 +35,8 @@ struct Estimate {
     /// U of every level, finest first [unit of the value]: the least squares' own; with fewer than four levels
     /// U_1 |phi_i - limit|/|phi_1 - limit|. Empty where there is no uncertainty.
     std::vector<double> uncertainties;
-    double disagreement =
-        nan;  ///< largest over smallest of the three methods' U, where two or more have one above 0 [-]
+    /// Largest over smallest of the three methods' U, where two or more have one above 0 [-].
+    double disagreement = nan;
     EcaHoekstra eca_hoekstra;
     CelikGci celik_gci;  ///< the assumed order and Fs = 3 where there are two levels
     XingStern xing_stern;

@@ -79,13 +79,13 @@ std::string uncertainty_text(const std::vector<QuantityEstimate>& quantities, co
         const double finest = e.levels.front().value;
         const auto place = [](double v) { return std::isfinite(v) ? fmt::format("{:.2f}", v) : "–"; };
         ReportTable table{q.name,
-                          {words("method"), numbers("levels"), numbers("order"), words("class"), numbers("limit", "", 6),
-                           numbers("U"), numbers("U", "%", 2)}};
+                          {words("method"), numbers("levels"), numbers("order"), words("class"),
+                           numbers("limit", "", 6), numbers("U"), numbers("U", "%", 2)}};
         for (const MethodRow& m : rows_of(e)) {
             const double per_cent = finest != 0 ? 100 * m.uncertainty / std::abs(finest) : Estimate::nan;
-            table.rows.push_back({{m.name, m.levels, place(m.order), to_string(m.convergence), m.limit, m.uncertainty,
-                                   per_cent},
-                                  m.why_not});
+            table.rows.push_back(
+                {{m.name, m.levels, place(m.order), to_string(m.convergence), m.limit, m.uncertainty, per_cent},
+                 m.why_not});
         }
         table.notes.push_back(
             fmt::format("{} level{}, {} = {:g}{}; finest value {:.6g}; order of the scheme {:g}", e.levels.size(),

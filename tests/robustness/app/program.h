@@ -54,7 +54,8 @@ protected:
     };
     /// Starts the program in the test's folder, without a shell. `largest_file` > 0: no file may grow beyond it
     /// [bytes], as on a disk that is full. `standard_output`: a device that takes it instead.
-    Started start(std::vector<std::string> arguments, rlim_t largest_file = 0, const char* standard_output = nullptr) const {
+    Started start(std::vector<std::string> arguments, rlim_t largest_file = 0,
+                  const char* standard_output = nullptr) const {
         static int number = 0;
         const std::string name = "twinwake_" + std::to_string(getpid()) + "_" + std::to_string(++number);
         const Started s0{0, fs::temp_directory_path() / (name + ".out"), fs::temp_directory_path() / (name + ".err")};

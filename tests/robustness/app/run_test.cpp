@@ -209,7 +209,8 @@ TEST_F(Command, OneMethodAlonePrintsItsQuantitiesAndLeavesAReport) {
     write("column.toml", column);
     const Outcome o = twinwake({"run", "column.toml", "--method", "sph", "--json", "facts.json"});
     ASSERT_EQ(o.status, 0) << o.err;
-    for (const char* part : {"Peak pressure at P1", "Mean pressure at P1", "Splash height", "report: runs/column/report.html"})
+    for (const char* part :
+         {"Peak pressure at P1", "Mean pressure at P1", "Splash height", "report: runs/column/report.html"})
         EXPECT_NE(o.out.find(part), std::string::npos) << part << o.out;
     EXPECT_EQ(o.out.find("cells"), o.out.rfind("particles or cells") + 13) << o.out;  // fvm is not predicted
     EXPECT_TRUE(fs::exists(folder_ / "runs/column/report.html"));
@@ -251,8 +252,8 @@ TEST_F(Command, AgreementCannotBeRequiredOfRunsOfOneSize) {
     EXPECT_NE(o.err.find("twinwake ladder"), std::string::npos) << o.err;
     ASSERT_EQ(twinwake({"ladder", "column.toml", "--levels", "2", "--no-variations", "-q"}).status, 0);
     const std::string ladder = "runs/column_ladder/near_hull_";
-    const Outcome alone = twinwake({"compare", "--ladder", ladder + "20mm/sph", ladder + "28.2843mm/sph", "--out", "cmp",
-                                    "--require", "agree", "-q"});
+    const Outcome alone = twinwake({"compare", "--ladder", ladder + "20mm/sph", ladder + "28.2843mm/sph", "--out",
+                                    "cmp", "--require", "agree", "-q"});
     EXPECT_EQ(alone.status, 4);  // one method has nothing to agree with
     EXPECT_NE(alone.err.find("--require agree is not met: "), std::string::npos) << alone.err;
 }

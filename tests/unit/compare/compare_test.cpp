@@ -122,8 +122,7 @@ TEST(Compare, AWakeAsWideAsTheRasterIsTold) {
         const auto [nx, ny, nz] = std::tuple(narrow.raster.count[0], narrow.raster.count[1], narrow.raster.count[2]);
         for (int k = 0; k < nz / 2 + 5; ++k)
             for (int j = 0; j < ny; ++j)
-                for (int i = nx - 34; i < nx; ++i)
-                    f.water[static_cast<std::size_t>((k * ny + j) * nx + i)] = 255;
+                for (int i = nx - 34; i < nx; ++i) f.water[static_cast<std::size_t>((k * ny + j) * nx + i)] = 255;
     }
     const Quantity wide = *compare_records({narrow}).find("wake_width");
     EXPECT_NE(wide.remark.find("sph: as wide as the raster"), std::string::npos) << wide.remark;

@@ -235,8 +235,9 @@ TEST(Ladder, RunsOfTwoFamiliesAreRefusedWithWhatDiffers) {
         change(records[1]);
         return refusal_of(records);
     };
-    EXPECT_NE(changed([](RunRecord& r) { r.numbers["delta"] = 0.2; }).find("delta is 0.1 and 0.2; expected runs of one"),
-              std::string::npos);
+    EXPECT_NE(
+        changed([](RunRecord& r) { r.numbers["delta"] = 0.2; }).find("delta is 0.1 and 0.2; expected runs of one"),
+        std::string::npos);
     const std::string scheme = changed([](RunRecord& r) { r.attributes["time_scheme"] = "symplectic"; });
     EXPECT_NE(scheme.find("sph at 0.04 m and sph at 0.0565685 m are not of one family: time_scheme is leapfrog and "
                           "symplectic"),

@@ -44,8 +44,13 @@ TEST(ReportTable, WithoutRowsThereIsNothing) {
 
 TEST(ReportTable, TextFromOutsideNeitherSteersATerminalNorEndsACellNorBecomesMarkup) {
     ReportTable table{"a\x1b[31m\nb", {words("<b>"), words("x|y")}};
-    table.rows = {{{"l\x9b" "1m|\r\n\tz", "=cmd()"}, "</td><script>"}};
-    table.notes = {"\xE2\x80\xAE" "turned"};  // U+202E turns the direction of writing
+    table.rows = {{{"l\x9b"
+                    "1m|\r\n\tz",
+                    "=cmd()"},
+                   "</td><script>"}};
+    table.notes = {
+        "\xE2\x80\xAE"
+        "turned"};  // U+202E turns the direction of writing
     const std::string text = text_of(table), page = html_of(table), csv = csv_of(table);
     EXPECT_EQ(text.find('\x1b'), std::string::npos);
     EXPECT_EQ(text.find('\x9b'), std::string::npos);
@@ -58,8 +63,12 @@ TEST(ReportTable, TextFromOutsideNeitherSteersATerminalNorEndsACellNorBecomesMar
 }
 
 TEST(ReportTable, ATerminalGetsNoControlCharacterWhateverItsEncoding) {
-    EXPECT_EQ(for_terminal("a\x1b[2Jb\x07" "c\x7f"), "a?[2Jb?c?");
-    EXPECT_EQ(for_terminal("C1: \xC2\x9B" "31m"), "C1: ?31m");  // U+009B is CSI
+    EXPECT_EQ(for_terminal("a\x1b[2Jb\x07"
+                           "c\x7f"),
+              "a?[2Jb?c?");
+    EXPECT_EQ(for_terminal("C1: \xC2\x9B"
+                           "31m"),
+              "C1: ?31m");  // U+009B is CSI
     EXPECT_EQ(for_terminal("\xFF"), "?");
     EXPECT_EQ(for_terminal("über Ωmega ± −\ttab\nline"), "über Ωmega ± −\ttab\nline");
 }
