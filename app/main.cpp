@@ -80,7 +80,7 @@ constexpr const char* about_ablate =
 void add_effect(CLI::App* command, SceneArguments& scene) {
     command
         ->add_option("--effect", scene.effects,
-                     "an effect on or off whatever the scene says, e.g. viscosity=on; can be given again")
+                     "switch an effect on or off instead of the scene's choice, e.g. viscosity=on; can be given again")
         ->type_name("NAME=on|off")
         ->allow_extra_args(false);
 }
@@ -279,7 +279,10 @@ int dispatch(int argc, char** argv) {
     const auto hull_action = [&](const std::string& action, const std::string& description) {
         return subcommand(hulls, action, description, [&hull, &common, action] {
             hull.action = action;
-            return leaving_files([&] { return run_hull(hull, common); });
+            const int status = leaving_files([&] { return run_hull(hull, common); });
+            if (status != done && common.quiet)
+                complain(hull.in.string() + ": not usable; hull info without -q shows why");
+            return status;
         });
     };
     const auto add_input = [&](CLI::App* command) {
@@ -354,7 +357,7 @@ int status_of(int argc, char** argv) {
         complain(e.what());
         return bad_input;
     } catch (const RunError& e) { complain(e.what()); } catch (const std::bad_alloc&) {
-        complain("out of memory: coarsen [resolution] near_hull; twinwake check tells the need");
+        complain("out of memory: coarsen [resolution] near_hull; twinwake check shows how much is needed");
     } catch (const std::exception& e) { complain(std::string("unexpected: ") + e.what()); }
     return run_failed;
 }

@@ -81,7 +81,7 @@ std::vector<Gate> check_gates(const RunRecord& record, const std::string& name) 
         std::ranges::copy_if(mass->values, std::back_inserter(known), [](double m) { return std::isfinite(m); });
         if (known.size() > 1 && known.front() > 0)
             add("mass drift", "%", 100 * std::abs(known.back() / known.front() - 1), 1,
-                "a closed tank keeps its water");
+                "the water of a closed tank is conserved");
     }
     if (const auto air = time_mean(record, "samples", "ventilation"))
         add("ventilation index", "-", *air, 0.2,

@@ -14,13 +14,21 @@ namespace {
 
 /// Numbers that follow from the resolution, the length of the run or the machine.
 bool follows_from_others(const std::string& name) {
-    static const std::set<std::string> names = {"near_hull",         "spacing",
-                                                "duration",          "ramp",
-                                                "write_interval",    "raster_every",
-                                                "cell_far",          "cell_finest",
-                                                "wall_particles",    "air_particles",
-                                                "sampling_interval", "bytes_per_particle",
-                                                "hull_mesh_error",   "openfoam_self_test_error",
+    static const std::set<std::string> names = {"near_hull",
+                                                "spacing",
+                                                "duration",
+                                                "ramp",
+                                                "write_interval",
+                                                "raster_every",
+                                                "cell_far",
+                                                "cell_finest",
+                                                "wall_particles",
+                                                "air_particles",
+                                                "sampling_interval",
+                                                "bytes_per_particle",
+                                                "hull_mesh_error",
+                                                "openfoam_self_test_error",
+                                                "depth",
                                                 "mean_from"};
     return names.contains(name) || name.starts_with("predicted_") || name.starts_with("domain_") ||
            name.starts_with("cut_") || name.starts_with("uncertainty:");

@@ -91,14 +91,14 @@ std::vector<Term> terms_of(const LadderQuantity& q, const std::vector<LadderSide
 /// What would make the largest term small enough for the target, the others as they are.
 std::string remedy(const Term& term, const LadderQuantity& q, const LadderSide& side, double target_U) {
     const double rest = q.interval * q.interval - term.U * term.U, room = target_U * target_U - rest;
-    if (!(room > 0)) return "the other terms alone are too large as well";
+    if (!(room > 0)) return "the other terms are already above the target";
     const double needed = std::sqrt(room);
     if (term.kind == Term::statistics) {
         const LadderRun& finest = side.runs.front();
         const double longer = std::pow(term.U / needed, 2);
         if (!(finest.duration > 0)) return {};
         const std::string wall = time_text(finest.seconds * longer);
-        return fmt::format("a record of about {:.2g} s instead of {:.2g} s would do{}", finest.duration * longer,
+        return fmt::format("a record of about {:.2g} s instead of {:.2g} s would suffice{}", finest.duration * longer,
                            finest.duration, finest.seconds > 0 ? ", about " + wall + " of wall time" : "");
     }
     if (term.kind == Term::choice)
@@ -111,7 +111,7 @@ std::string remedy(const Term& term, const LadderQuantity& q, const LadderSide& 
         }
     const CostOfAccuracy& cost = q.values[term.side].cost;
     if (term.kind == Term::discretisation && cost.known() && std::isfinite(cost.seconds_for(needed)))
-        return fmt::format("a finer run of about {} would do, by the slope of this ladder",
+        return fmt::format("a finer run of about {} would suffice, by the slope of this ladder",
                            time_text(cost.seconds_for(needed)));
     return {};
 }

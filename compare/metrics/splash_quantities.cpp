@@ -71,7 +71,7 @@ void withhold_if_short(MeanValue& value, const Analysis& analysis, const RunReco
     value = {};
     value.seconds_needed = needed - window;
     value.why_not =
-        fmt::format("record too short: {:.2g} s of settled frames, {:.2g} s wanted; about {:.2g} s more is needed",
+        fmt::format("record too short: {:.2g} s of settled frames, {:.2g} s needed; about {:.2g} s more is needed",
                     std::max(window, 0.0), needed, value.seconds_needed);
 }
 

@@ -63,7 +63,7 @@ std::string limit_of(const Quantity& q) {
 }  // namespace
 
 std::string verdict_sentence(const Comparison& comparison) {
-    if (comparison.sources.size() < 2) return "Only one run: its values stand without a verdict.";
+    if (comparison.sources.size() < 2) return "One run only: there is nothing to compare it with.";
     const bool pair = comparison.sources.size() == 2;
     std::string text;
     for (const char* name : {"lift", "drag", "splash_sheet_height"}) {

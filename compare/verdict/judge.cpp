@@ -80,7 +80,7 @@ void judge(Quantity& q, const std::vector<std::string>& names, double target, do
                      room = target * target * scale * scale - rest2, window = wider.to - wider.from;
         const bool longer = shared <= wider.half_width && wider.limited_by.empty() && room > 0 && window > 0;
         add_remark(q, fmt::format("this interval alone is wider than {:g} %; widest: {}{}", 100 * target, who,
-                                  longer ? fmt::format("; {:.2g} s of settled record instead of {:.2g} s would do",
+                                  longer ? fmt::format("; {:.2g} s of settled record instead of {:.2g} s would suffice",
                                                        window * wider.half_width * wider.half_width / room, window)
                                          : ""));
     }

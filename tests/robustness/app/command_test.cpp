@@ -132,6 +132,13 @@ TEST_F(Command, ATargetThatCannotBeWrittenIsStatusTwoEverywhere) {
     EXPECT_EQ(files(), (std::set<std::string>{"a.toml", "table.csv"}));
 }
 
+TEST_F(Command, QuietHidesNoError) {
+    const Outcome doctor = twinwake({"doctor", "-q"});
+    EXPECT_EQ(doctor.out, "");
+    EXPECT_EQ(doctor.err.empty(), doctor.status == 0) << doctor.err;
+    EXPECT_NE(twinwake({"check", "absent.toml", "-q"}).err, "");
+}
+
 TEST_F(Command, NoControlCharacterOfASceneReachesTheTerminal) {
     write("a.toml", with(planing, "\"planing\"", "\"a\\u001b[2J\\u001b]0;owned\\u0007 \\u009b31m title\""));
     const Outcome o = twinwake({"check", "a.toml"});
