@@ -125,7 +125,9 @@ ReportTable ladder_shares(const Ladder& ladder) {
             const LadderValue& v = q.values[k];
             if (v.levels.empty()) continue;
             const auto share = [&](double U) {
-                return std::isfinite(U) && q.size > 0 ? fmt::format("{:.2g} %", 100 * U / q.size) : std::string("–");
+                if (!std::isfinite(U) || !(q.size > 0)) return std::string("–");
+                return no_more_than_rounding(U, q.size) ? std::string("none")
+                                                        : fmt::format("{:.2g} %", 100 * U / q.size);
             };
             std::vector<std::string> choices;
             for (const Sensitivity& s : v.sensitivities)
