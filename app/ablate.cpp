@@ -2,10 +2,9 @@
 
 #include <algorithm>
 
+#include "app/campaign.h"
 #include "app/output.h"
-#include "app/run_method.h"
 #include "app/stop_signal.h"
-#include "base/atomic_file.h"
 #include "base/errors.h"
 #include "compare/ablate/ablation.h"
 #include "foam_cases/doctor.h"
@@ -26,7 +25,7 @@ struct Variant {
     std::string why_not = {};  ///< why it cannot be switched
 };
 
-/// The variants of a command; those that others are held against come first.
+/// The variants of a command; those that others are compared with come first.
 class Variants {
 public:
     explicit Variants(const AblateCommand& command) : command_(command) {
@@ -99,7 +98,7 @@ private:
                 v.methods.push_back(method);
         }
         if (v.methods.empty())
-            v.why_not = "cannot be switched: it acts among the particles alone, and these do not run";
+            v.why_not = "cannot be switched: it acts in the particle method alone, which does not run here";
     }
 
     const AblateCommand& command_;
@@ -115,40 +114,24 @@ std::vector<Variant> variants_of(const AblateCommand& command) {
     return variants.take();
 }
 
-/// One method of one variant. Nothing: stopped at the user's wish. Throws what is wrong with this run.
-std::optional<AblationSide> run_side(const Variant& variant, const std::string& method, const fs::path& folder,
-                                     const AblateCommand& command, const Common& common) {
-    if (std::optional<RunRecord> earlier = finished_run(folder, variant.plan->scene, method)) {
-        say(common, fmt::format("{}: {} finished before, taken from {}\n", variant.name, method, folder.string()));
-        return ablation_side(std::move(*earlier));
-    }
-    say(common, fmt::format("{}: {} about {:.3g} s\n", variant.name, method, variant.plan->seconds(method)));
-    const bool resume = fs::exists(folder) && !command.overwrite;
-    const RunRecord record = run_method(method, *variant.plan, {folder, resume, command.overwrite}, common);
-    say(common, closing_line(facts_of(method, record, folder)));
-    if (record.state != "finished" || stop_asked()) return {};
-    return ablation_side(read_record(folder / "record.h5"));
-}
-
-/// All methods of one variant. False: stopped at the user's wish. What is wrong with a variant goes into its row; the
-/// base must be sound.
-bool run_variant(const Variant& variant, const fs::path& out, const AblateCommand& command, const Common& common,
-                 AblationRun& run) {
-    const auto fails = [&](const std::exception& e) {
-        run.why_not = e.what();
-        say(common, fmt::format("{}: {}\n", variant.name, run.why_not));
-    };
+/// All methods of one variant. False: stopped on request. What is wrong with a variant goes into its row; the
+/// base must be sound: RunError or InputError.
+bool run_variant(const Variant& variant, const fs::path& out, Campaign& campaign, AblationRun& run) {
     for (const std::string& method : variant.methods) {
         try {
-            auto side = run_side(variant, method, out / variant.folder / method, command, common);
-            if (!side) return false;
-            run.sides.push_back(std::move(*side));
+            CampaignResult result = campaign.run_or_take(
+                {variant.name + ": " + method, method, *variant.plan, out / variant.folder / method});
+            if (result.state == CampaignResult::State::stopped) return false;
+            if (result.there())
+                run.sides.push_back(ablation_side(std::move(*result.record)));
+            else if (variant.effect.empty())
+                throw RunError("the base failed, so there is nothing to compare with: " + result.why_not);
+            else
+                run.why_not = result.why_not;
         } catch (const InputError& e) {
             if (variant.effect.empty()) throw;
-            fails(e);
-        } catch (const RunError& e) {
-            if (variant.effect.empty()) throw;
-            fails(e);
+            run.why_not = e.what();
+            complain(variant.name + ": " + run.why_not);
         }
     }
     return true;
@@ -168,30 +151,31 @@ int run_ablate(const AblateCommand& command, const Common& common) {
     int count = 0;
     for (const Variant& v : variants) {
         for (const std::string& method : v.methods) seconds += v.plan->seconds(method), ++count;
-        if (!v.why_not.empty()) say(common, fmt::format("{}: {}\n", v.name, v.why_not));
+        if (!v.why_not.empty()) complain(v.name + ": " + v.why_not);
     }
     say(common, fmt::format("{} runs, about {:.3g} s in all; results in {}\n", count, seconds, out.string()));
 
     catch_stop_signals();
+    Campaign campaign(common, {.overwrite = command.overwrite});
     std::vector<AblationRun> runs;
     for (const Variant& v : variants) {
         AblationRun& run = runs.emplace_back(AblationRun{v.name, v.effect, v.against, v.why_not});
-        if (!run_variant(v, out, command, common, run)) {
-            std::fputs("ablate: stopped at the user's wish; the same command goes on from here\n", stderr);
+        if (!run_variant(v, out, campaign, run)) {
+            complain("ablate: stopped on request; the same command continues from here");
             return run_failed;
         }
     }
     const bool all_failed = std::ranges::none_of(
         runs, [](const AblationRun& r) { return !r.effect.empty() && r.why_not.empty() && !r.sides.empty(); });
     const Ablation ablation = build_ablation(scene.title, std::move(runs));
-    fs::create_directories(out);
-    write_text_atomically(out / "ablation.md", ablation_text(ablation));
-    write_text_atomically(out / "ablation.json", ablation_json(ablation));
-    write_text_atomically(out / "ablation.csv", ablation_csv(ablation));
-    write_text_atomically(out / "ablation.html", ablation_html(ablation));
+    make_folder(out);
+    write_file(out / "ablation.md", ablation_text(ablation));
+    write_file(out / "ablation.json", ablation_json(ablation));
+    write_file(out / "ablation.csv", ablation_csv(ablation));
+    write_file(out / "ablation.html", ablation_html(ablation));
     say(common, "\n" + ablation_summary(ablation) + "\nreport: " + (out / "ablation.html").string() + "\n");
     write_json(common, ablation_json(ablation));
-    return all_failed ? run_failed : done;
+    return all_failed || campaign.any_failed() ? run_failed : done;
 }
 
 }  // namespace tw::app

@@ -8,8 +8,9 @@ int run_case(const CaseCommand& command, const Common& common) {
     const Scene scene = read_scene(command.scene.file, command.scene.overrides());
     refuse_oversize(scene, predict(scene));
     if (std::filesystem::exists(command.folder) && !std::filesystem::is_empty(command.folder))
-        throw InputError(command.folder.string() + ": is there already and not empty; choose a new folder");
-    write_fvm_case(scene, command.folder);
+        throw InputError(command.folder.string() + ": exists already and is not empty; choose a new folder");
+    make_folder(command.folder);
+    leaving_files([&] { write_fvm_case(scene, command.folder); });
     say(common, command.folder.string() + ": OpenFOAM case written; run it with ./Allrun\n");
     return done;
 }

@@ -85,9 +85,9 @@ struct LadderCommand {
     double ratio = 1.4142135623730951;            ///< of neighbouring spacings
     std::vector<std::filesystem::path> measured;  ///< imported records, or their folders
     std::string budget;                           ///< predicted time of all runs, a text with unit; empty: no limit
-    bool plan = false;                            ///< say what would be run and what it takes, and run nothing
+    bool plan = false;                            ///< list the runs and their predicted time, and run nothing
     bool variations = true;                       ///< also runs with another sound speed, time step and Courant number
-    bool overwrite = false;                       ///< begin anew what another scene left in the folder
+    bool overwrite = false;                       ///< run anew what another scene left in the folder
     int threads = 0;
     double budget_seconds() const;  ///< throws InputError naming the option
 };

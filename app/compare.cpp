@@ -2,11 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "app/output.h"
 #include "app/write_ladder.h"
 #include "base/errors.h"
+#include "compare/report/numbers.h"
 
 namespace tw::app {
 namespace {
@@ -34,8 +33,16 @@ int compare_ladder(const CompareCommand& command, const Common& common) {
     LadderHarvest harvest;
     for (const fs::path& source : command.sources)
         for (const fs::path& file : record_files(source)) harvest.take(read_record(file), file);
-    write_ladder(harvest, measured_records(command.measured), command.out, common);
-    return done;
+    harvest.variations = take_variations(harvest.runs);
+    const Ladder ladder = write_ladder(harvest, measured_records(command.measured), command.out, common);
+    if (!command.require_agree) return done;
+    std::string others;
+    for (const LadderQuantity& q : ladder.quantities)
+        if (q.verdict != Verdict::agree)
+            others += (others.empty() ? "" : ", ") + q.label + ": " + verdict_label(q.verdict);
+    if (others.empty() && !ladder.quantities.empty()) return done;
+    complain("--require agree is not met: " + (others.empty() ? "no quantity was judged" : others));
+    return not_agreed;
 }
 
 }  // namespace
@@ -49,12 +56,16 @@ int run_compare(const CompareCommand& command, const Common& common) {
     options.force = command.force;
     const Comparison comparison = compare_records(std::move(records), options);
     std::string text = summary_text(comparison);
-    if (!command.out.empty()) text += "\nreport: " + write_report(comparison, command.out).html.string() + "\n";
+    if (!command.out.empty())
+        text +=
+            "\nreport: " + leaving_files([&] { return write_report(comparison, command.out); }).html.string() + "\n";
     say(common, text);
     write_json(common, comparison_json(comparison));
-    const bool agree = std::all_of(comparison.quantities.begin(), comparison.quantities.end(),
-                                   [](const Quantity& q) { return !q.judged || q.verdict == Verdict::agree; });
-    return command.require_agree && !(agree && comparison.sources.size() > 1) ? not_agreed : done;
+    if (!command.require_agree) return done;
+    complain(
+        "--require agree cannot be met by runs of one size: their discretisation error is not estimated. Run the scene "
+        "at several sizes with twinwake ladder, or give the records of such runs to twinwake compare --ladder");
+    return not_agreed;
 }
 
 }  // namespace tw::app

@@ -69,14 +69,16 @@ int run_doctor(const DoctorCommand& command, const Common& common) {
         fmt::format("twinwake    {}\n            built with {}\nprocessor   {}, {} cores, {}\nmemory      {:.3g} GB\n",
                     f.version, f.built_with, f.processor, f.cores, f.isa, f.memory / 1e9);
     for (const std::string& c : f.compilers) out += "compiler    " + c + "\n";
-    out += "mpirun      " + (f.mpirun.empty() ? std::string("none: the mesh side runs on one core") : f.mpirun) + "\n";
+    out +=
+        "mpirun      " + (f.mpirun.empty() ? std::string("none: the mesh method runs on one core") : f.mpirun) + "\n";
     out += "graphics    " +
            (f.gpu.empty() ? std::string("no NVIDIA card; this version does not use one")
                           : f.gpu + "; this version does not use it") +
            "\n";
     out += fmt::format(
-        "pace        {:.2g} times what the cost table says, by the particle engine on one core; runs teach "
-        "more\n",
+        "pace        {:.2g} times the speed of the cost table's machine, from a calibration on one core; refined by "
+        "every "
+        "run\n",
         f.pace);
     for (const OpenFoam& o : f.openfoam)
         out += fmt::format("openfoam    {}: {}: {}\n", o.solver.string(), o.sound ? "sound" : "NOT SOUND", o.verdict);
@@ -84,9 +86,11 @@ int run_doctor(const DoctorCommand& command, const Common& common) {
         out +=
             "openfoam    none found: ./bootstrap.sh build installs it (or apt-get install openfoam and run the script "
             "again)\n";
-    out += f.sound ? "\nsound: both methods can run here\n"
-                   : "\nnot sound: only the particle side can run here; ./bootstrap.sh build mends the mesh side\n";
+    out += f.sound
+               ? "\nsound: both methods can run here\n"
+               : "\nnot sound: only the particle method can run here; ./bootstrap.sh build installs a sound OpenFOAM\n";
     say(common, out);
+    if (common.quiet && !f.sound) complain("not sound: only the particle method can run here");
     write_json(common, doctor_json(f));
     return f.sound ? done : bad_input;
 }

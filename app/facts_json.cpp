@@ -24,6 +24,19 @@ Json findings_json(const std::vector<Finding>& findings) {
     return list;
 }
 
+Json list_of(const std::vector<RunFacts>& runs) {
+    Json list = Json::array();
+    for (const RunFacts& r : runs)
+        list.push_back({{"method", r.method},
+                        {"state", r.state},
+                        {"reason", r.reason},
+                        {"record", r.record},
+                        {"elements", r.elements},
+                        {"steps", r.steps},
+                        {"wall", r.wall}});
+    return list;
+}
+
 }  // namespace
 
 std::string check_json(const Scene& scene, const Prediction& p) {
@@ -111,17 +124,12 @@ std::string doctor_json(const MachineFacts& f) {
                     {"sound", f.sound}});
 }
 
-std::string runs_json(const std::vector<RunFacts>& runs) {
-    Json list = Json::array();
-    for (const RunFacts& r : runs)
-        list.push_back({{"method", r.method},
-                        {"state", r.state},
-                        {"reason", r.reason},
-                        {"record", r.record},
-                        {"elements", r.elements},
-                        {"steps", r.steps},
-                        {"wall", r.wall}});
-    return written({{"runs", list}});
+std::string runs_json(const std::vector<RunFacts>& runs) { return written({{"runs", list_of(runs)}}); }
+
+std::string run_json(const Comparison& comparison, const std::vector<RunFacts>& runs) {
+    Json all = Json::parse(comparison_json(comparison));
+    all["runs"] = list_of(runs);
+    return written(all);
 }
 
 std::string bench_json(const BenchResult& r) {

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/compare.h"
 #include "foam_cases/doctor.h"
 #include "meshes/health.h"
 #include "meshes/mass_properties.h"
@@ -41,6 +42,8 @@ struct RunFacts {
     double elements = 0, steps = 0, wall = 0;
 };
 std::string runs_json(const std::vector<RunFacts>& runs);
+/// The facts of the comparison, and beside them `runs`.
+std::string run_json(const Comparison& comparison, const std::vector<RunFacts>& runs);
 std::string bench_json(const BenchResult& result);
 
 }  // namespace tw::app

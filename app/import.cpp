@@ -9,6 +9,7 @@
 #include "app/output.h"
 #include "base/atomic_file.h"
 #include "base/errors.h"
+#include "compare/report/report_table.h"
 
 namespace tw::app {
 namespace {
@@ -37,17 +38,17 @@ std::string text_of(const RunRecord& record) {
     std::string out = fmt::format("{}: {} from {}{}\n", record.attributes.at("method"),
                                   record.attributes.at("import_kind"), record.attributes.at("imported_from"),
                                   record.attributes.at("symmetry_factor") == "2" ? ", half model: loads doubled" : "");
-    for (const auto& [name, table] : record.tables) {
-        out += fmt::format("  {}: {} rows, {:.6g} s to {:.6g} s\n", name, table.time.size(), table.time.front(),
-                           table.time.back());
+    ReportTable all{
+        "",
+        {words("table"), words("column"), words("unit"), numbers("lowest", "", 4), numbers("highest", "", 4),
+         numbers("rows", "", 6), numbers("without a number", "", 6), numbers("from", "s", 6), numbers("to", "s", 6)}};
+    for (const auto& [name, table] : record.tables)
         for (const Column& c : table.columns) {
             const Span s = span_of(c);
-            const std::size_t missing = c.values.size() - s.known;
-            out += fmt::format("    {:<14} {:.4g} to {:.4g} {}{}\n", c.name, s.lowest, s.highest, c.unit,
-                               missing > 0 ? fmt::format(", {} rows without a number", missing) : "");
+            all.rows.push_back({{name, c.name, c.unit, s.lowest, s.highest, table.time.size(),
+                                 c.values.size() - s.known, table.time.front(), table.time.back()}});
         }
-    }
-    return out;
+    return out + text_of(all);
 }
 
 std::string json_of(const RunRecord& record, const fs::path& file) {
@@ -84,16 +85,15 @@ int run_import(const ImportCommand& command, const Common& common) {
         std::error_code none;
         for (const char* own : {"checkpoint.h5", "case"})
             if (fs::exists(command.out / own, none))
-                throw InputError(command.out.string() + ": holds a run of twinwake; choose another --out");
+                throw InputError(command.out.string() + ": there is a run of twinwake in it; choose another --out");
         if (!command.overwrite && fs::exists(file, none))
-            throw InputError(file.string() +
-                             ": is there already; choose another --out, or replace it with --overwrite");
+            throw InputError(file.string() + ": exists already; choose another --out, or replace it with --overwrite");
     };
     refuse_existing();
     const RunRecord record = import_record(command.mapping);
     const FolderLock lock(command.out);
     refuse_existing();
-    write_record(file, record);
+    leaving_files([&] { write_record(file, record); });
     say(common, text_of(record) + file.string() +
                     ": written; compare it with runs of the scene, e.g. twinwake compare " +
                     "runs/my/sph runs/my/fvm " + command.out.string() + "\n");

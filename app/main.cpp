@@ -6,10 +6,13 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <sstream>
 
 #include "app/commands.h"
+#include "app/output.h"
 #include "app/quiet_waits.h"
 #include "base/errors.h"
+#include "compare/report/escape.h"
 #include "record/code_version.h"
 #include "scene/effects/registry.h"
 #include "scene/section.h"
@@ -22,15 +25,17 @@ namespace {
 constexpr const char* about =
     "One hull, two methods, one verdict.\n\n"
     "A scene file describes a hull in water once. twinwake sets up a smoothed-particle run and an OpenFOAM\n"
-    "interFoam run from it, runs them, and reports drag, lift and splash height side by side: how much the\n"
-    "methods differ, how sure that is, and what it cost.\n\n"
+    "interFoam run from it, runs them, and reports drag, lift and splash height side by side: how far the\n"
+    "methods are apart and what that cost. Whether they agree takes runs of several sizes: twinwake ladder.\n\n"
     "  twinwake new planing my.toml      a scene to start from\n"
     "  twinwake check my.toml            what would be solved, and how long it takes\n"
     "  twinwake run my.toml              both methods, then the report in runs/my/report.html\n"
-    "  twinwake run my.toml --hull other.stl --out runs/other\n";
+    "  twinwake run my.toml --hull other.stl --out runs/other\n"
+    "  twinwake ladder my.toml           several sizes: verdicts that include the discretisation error\n";
 constexpr const char* footer =
-    "Exit status: 0 done, 2 bad input or usage, 3 a run failed or was stopped (state saved), 4 --require agree not "
-    "met.";
+    "Exit status: 0 done, 2 bad input or usage, or output that cannot be written, 3 a run failed or was stopped (its "
+    "state "
+    "is saved), 4 --require agree not met.";
 
 constexpr const char* about_uncertainty =
     "The first column is the spacing (cell or particle size), every further column one quantity:\n\n"
@@ -61,7 +66,7 @@ constexpr const char* about_import =
 
 constexpr const char* about_ablate =
     "Runs the scene as it is, then once for each effect with that one effect switched: what is on goes off, what is\n"
-    "off goes on. The table holds, for each, the change of every measured quantity in per cent with its 95 % "
+    "off goes on. The table shows, for each, the change of every measured quantity in per cent with its 95 % "
     "interval,\n"
     "beside what the effect plan had estimated, and the change of the processor time.\n\n"
     "  twinwake ablate my.toml                                      every effect that can be switched\n"
@@ -69,15 +74,14 @@ constexpr const char* about_ablate =
     "  twinwake ablate my.toml --effect viscosity=on --effects no_slip turbulence\n\n"
     "For effects of the particle method alone no mesh run is made. An effect that needs another one which is off is\n"
     "switched in the run that has the other one on, and compared with that run.\n\n"
-    "A run that is finished is taken as it is; stopped (Ctrl-C), the same command goes on from there. A run that "
-    "fails\n"
-    "stands in the table with its reason and does not stop the others.\n\n";
+    "A finished run is reused; after a stop (Ctrl-C) the same command continues. A run that fails is listed with its\n"
+    "reason and does not stop the others.\n\n";
 
 void add_effect(CLI::App* command, SceneArguments& scene) {
     command
         ->add_option("--effect", scene.effects,
-                     fmt::format("an effect on or off, whatever the scene says, e.g. viscosity=on; can be given again. "
-                                 "Effects: {}",
+                     fmt::format("switch an effect on or off instead of the scene's choice, e.g. viscosity=on; can be "
+                                 "given again. Effects: {}",
                                  fmt::join(effect_names(), ", ")))
         ->type_name("NAME=on|off")
         ->allow_extra_args(false);
@@ -161,7 +165,7 @@ int dispatch(int argc, char** argv) {
     c->add_flag("--overwrite", create.overwrite, "replace the file if it is there");
 
     CheckCommand check;
-    c = subcommand(&app, "check", "hull health, effects with reasons, size, memory and time; solves nothing",
+    c = subcommand(&app, "check", "hull health, effects with reasons, size, memory and time; runs nothing",
                    [&] { return run_check(check, common); });
     add_scene(c, check.scene);
     c->add_option("--threads", check.threads,
@@ -183,8 +187,9 @@ int dispatch(int argc, char** argv) {
     c->add_option("--method", run.method, "sph, fvm or both instead of the scene's")
         ->check(CLI::IsMember({"sph", "fvm", "both"}));
     c->add_option("--out", run.out, "folder of the results (runs/<name of the scene file>)");
-    CLI::Option* resume = c->add_flag("--resume", run.resume, "go on from the last saved state");
-    c->add_flag("--overwrite", run.overwrite, "begin anew where a run is")->excludes(resume);
+    CLI::Option* resume =
+        c->add_flag("--resume", run.resume, "continue from the last saved state; only if scene and numerics match");
+    c->add_flag("--overwrite", run.overwrite, "run anew in a folder that has a run")->excludes(resume);
     c->add_option("--threads", run.threads, "threads (particles) and ranks (mesh); all cores unless given")
         ->check(CLI::Range(1, 4096));
 
@@ -196,14 +201,15 @@ int dispatch(int argc, char** argv) {
     });
     c->add_option("sources", compare.sources, "run records, or folders of runs")->required()->expected(1, 64);
     c->add_option("--out", compare.out, "folder for report.html, report.json, CSV and figures");
-    c->add_flag(
-        "--ladder", compare.ladder,
-        "the records are sizes of one scene that were run before: verdicts that hold the error of the resolution");
+    c->add_flag("--ladder", compare.ladder,
+                "the records are runs of one scene at several sizes: verdicts that include the discretisation error");
     c->add_option("--measured", compare.measured,
-                  "with --ladder: what was measured, as twinwake import left it; can be given again")
+                  "with --ladder: a measurement, as written by twinwake import; can be given again")
         ->allow_extra_args(false);
     c->add_flag("--force", compare.force, "compare records of different scenes, with a banner");
-    c->add_option("--require", require, "agree: exit status 4 unless every judged quantity agrees")
+    c->add_option(
+         "--require", require,
+         "agree: exit status 4 unless every quantity agrees; needs --ladder, since runs of one size have no verdict")
         ->check(CLI::IsMember({"agree"}));
 
     ImportCommand imported;
@@ -217,7 +223,7 @@ int dispatch(int argc, char** argv) {
 
     LadderCommand ladder;
     c = subcommand(&app, "ladder",
-                   "a scene at several sizes with both methods: verdicts that hold the error of the resolution",
+                   "a scene at several sizes with both methods: verdicts that include the discretisation error",
                    [&] { return run_ladder(ladder, common); });
     add_scene(c, ladder.scene);
     c->add_option("--method", ladder.method, "sph, fvm or both instead of the scene's")
@@ -229,14 +235,14 @@ int dispatch(int argc, char** argv) {
                 "leave out the runs with sound speed x 1.5, half the time step and half the Courant number");
     c->add_option(
          "--measured", ladder.measured,
-         "what was measured, as twinwake import left it: each method's finest value is held against it; can be "
-         "given again")
+         "a measurement, as written by twinwake import: each method's finest value is compared with it; can be given "
+         "again")
         ->allow_extra_args(false);
     c->add_option("--budget", ladder.budget,
-                  "predicted time of all runs, e.g. 2h: what does not fit is left out, and said")
+                  "predicted time of all runs, e.g. 2h: runs that do not fit are left out and listed")
         ->type_name("TIME");
-    c->add_flag("--plan", ladder.plan, "say what would be run and how long it takes, and run nothing");
-    c->add_flag("--overwrite", ladder.overwrite, "begin anew what is not a finished run of this very scene");
+    c->add_flag("--plan", ladder.plan, "list the runs and their predicted time, and run nothing");
+    c->add_flag("--overwrite", ladder.overwrite, "run anew whatever is not a finished run of this scene");
     c->add_option("--out", ladder.out, "folder of the results (runs/<name of the scene file>_ladder)");
     c->add_option("--threads", ladder.threads, "threads (particles) and ranks (mesh); all cores unless given")
         ->check(CLI::Range(1, 4096));
@@ -252,7 +258,7 @@ int dispatch(int argc, char** argv) {
     c->add_option("--scale", sweep.scene.scale, "all sizes times this number, levels kept");
     c->add_option("--duration", sweep.scene.duration, "simulated time instead of the scene's, e.g. \"2 s\"");
     add_effect(c, sweep.scene);
-    c->add_flag("--overwrite", sweep.overwrite, "begin anew what is not a finished run of this very scene");
+    c->add_flag("--overwrite", sweep.overwrite, "run anew whatever is not a finished run of this scene");
     c->add_option("--out", sweep.out, "folder of the results (runs/<name of the scene file>_sweep)");
     c->add_option("--threads", sweep.threads, "threads (particles) and ranks (mesh); all cores unless given")
         ->check(CLI::Range(1, 4096));
@@ -261,10 +267,10 @@ int dispatch(int argc, char** argv) {
     c = subcommand(&app, "ablate", "effects switched one at a time: what each changes, and what it costs",
                    [&] { return run_ablate(ablate, common); });
     add_scene(c, ablate.scene);
-    c->add_option("--effects", ablate.effects, "the effects to switch (every one that can be)")->type_name("NAME");
+    c->add_option("--effects", ablate.effects, "the effects to switch (all that can be)")->type_name("NAME");
     c->add_option("--method", ablate.method, "sph, fvm or both instead of the scene's")
         ->check(CLI::IsMember({"sph", "fvm", "both"}));
-    c->add_flag("--overwrite", ablate.overwrite, "begin anew what is not a finished run of this very scene");
+    c->add_flag("--overwrite", ablate.overwrite, "run anew whatever is not a finished run of this scene");
     c->add_option("--out", ablate.out, "folder of the results (runs/<name of the scene file>_ablation)");
     c->add_option("--threads", ablate.threads, "threads (particles) and ranks (mesh); all cores unless given")
         ->check(CLI::Range(1, 4096));
@@ -272,7 +278,7 @@ int dispatch(int argc, char** argv) {
 
     UncertaintyCommand uncertainty;
     c = subcommand(&app, "uncertainty",
-                   "how far a value at the finest spacing may be off: any table of a refinement study",
+                   "discretisation error of the finest value, from any table of a refinement study",
                    [&] { return run_uncertainty(uncertainty, common); });
     c->add_option("table", uncertainty.table, "CSV file: a header line, then a row for every level")->required();
     c->add_option("--order", uncertainty.order,
@@ -286,7 +292,10 @@ int dispatch(int argc, char** argv) {
     const auto hull_action = [&](const std::string& action, const std::string& description) {
         return subcommand(hulls, action, description, [&hull, &common, action] {
             hull.action = action;
-            return run_hull(hull, common);
+            const int status = leaving_files([&] { return run_hull(hull, common); });
+            if (status != done && common.quiet)
+                complain(hull.in.string() + ": not usable; hull info without -q shows why");
+            return status;
         });
     };
     const auto add_input = [&](CLI::App* command) {
@@ -311,13 +320,13 @@ int dispatch(int argc, char** argv) {
 
     CaseCommand foam_case;
     c = subcommand(
-        &app, "case", "write the OpenFOAM case of a scene, to look at, change and run by hand",
+        &app, "case", "write the OpenFOAM case of a scene, to inspect, change and run by hand",
         [&] { return run_case(foam_case, common); }, false);
     add_scene(c, foam_case.scene);
     c->add_option("folder", foam_case.folder, "new folder for the case")->required();
 
     DoctorCommand doctor;
-    c = subcommand(&app, "doctor", "is everything here, and is it sound: proves OpenFOAM by a run with an exact answer",
+    c = subcommand(&app, "doctor", "checks the installation; tests OpenFOAM on a flow with an exact solution",
                    [&] { return run_doctor(doctor, common); });
     c->add_option("--openfoam", doctor.openfoam, "folder of an OpenFOAM installation to examine first");
 
@@ -341,8 +350,28 @@ int dispatch(int argc, char** argv) {
     if (argc > 1 && argv[1][0] != '-') refuse_unknown(app, argv[1]);
     try {
         app.parse(argc, argv);
-    } catch (const CLI::ParseError& e) { return app.exit(e) == 0 ? done : bad_input; }
+    } catch (const CLI::ParseError& e) {
+        std::ostringstream help, wrong;
+        const int status = app.exit(e, help, wrong);
+        say({}, help.str());
+        std::fputs(for_terminal(wrong.str()).c_str(), stderr);
+        return status == 0 ? done : bad_input;
+    }
+    refuse_unwritable_json(common);
     return chosen();
+}
+
+/// The exit status; what went wrong is on standard error.
+int status_of(int argc, char** argv) {
+    try {
+        return dispatch(argc, argv);
+    } catch (const InputError& e) {
+        complain(e.what());
+        return bad_input;
+    } catch (const RunError& e) { complain(e.what()); } catch (const std::bad_alloc&) {
+        complain("out of memory: coarsen [resolution] near_hull; twinwake check shows how much is needed");
+    } catch (const std::exception& e) { complain(std::string("unexpected: ") + e.what()); }
+    return run_failed;
 }
 
 }  // namespace
@@ -353,13 +382,7 @@ int main(int argc, char** argv) {
     // OpenFOAM believes PWD rather than the folder it is started in, and refuses one with a blank: the shell's must not
     // reach it.
     unsetenv("PWD");
-    try {
-        return tw::app::dispatch(argc, argv);
-    } catch (const tw::InputError& e) {
-        std::fprintf(stderr, "%s\n", e.what());
-        return tw::app::bad_input;
-    } catch (const tw::RunError& e) { std::fprintf(stderr, "%s\n", e.what()); } catch (const std::bad_alloc&) {
-        std::fprintf(stderr, "out of memory: coarsen [resolution] near_hull; twinwake check tells the need\n");
-    } catch (const std::exception& e) { std::fprintf(stderr, "unexpected: %s\n", e.what()); }
-    return tw::app::run_failed;
+    const int status = tw::app::status_of(argc, argv);
+    // Lost output is no success; a status that says more than that is kept.
+    return tw::app::everything_was_printed() || status != tw::app::done ? status : tw::app::bad_input;
 }

@@ -2,7 +2,6 @@
 
 #include "app/output.h"
 #include "app/templates.h"
-#include "base/atomic_file.h"
 #include "base/errors.h"
 
 namespace tw::app {
@@ -15,10 +14,10 @@ std::vector<std::string> template_names() {
 
 int run_new(const NewCommand& command, const Common& common) {
     if (std::filesystem::exists(command.file) && !command.overwrite)
-        throw InputError(command.file.string() + ": is there already; choose another name, or --overwrite");
+        throw InputError(command.file.string() + ": exists already; choose another name, or --overwrite");
     for (const Template& t : templates()) {
         if (t.name != command.kind) continue;
-        write_text_atomically(command.file, t.text);
+        write_file(command.file, std::string(t.text));
         say(common,
             fmt::format("{}: written. Next: twinwake check {}\n", command.file.string(), command.file.string()));
     }

@@ -31,7 +31,7 @@ void ProgressBar::show(const Progress& p) {
     // Phases before the time loop have no share: their note is news.
     if (!due(share, p.time == 0 && p.note != last_note_)) return;
     const std::string steps = p.steps > 0 ? fmt::format("step {}  ", p.steps) : "";
-    draw(share, fmt::format("{:3.0f} %  t = {:.4g} of {:.4g} s  {}{} gone  {}{}", 100 * share, p.time, p.duration,
+    draw(share, fmt::format("{:3.0f} %  t = {:.4g} of {:.4g} s  {}{} elapsed  {}{}", 100 * share, p.time, p.duration,
                             steps, clock_text(p.wall), left_text(p.eta), p.note));
     last_note_ = p.note;
 }
@@ -40,7 +40,7 @@ void ProgressBar::show(double share, double wall, double left, const std::string
     share = std::clamp(share, 0.0, 1.0);
     if (!due(share, false)) return;
     draw(share,
-         fmt::format("{:3.0f} %  {}  {} gone  {}{}", 100 * share, done, clock_text(wall), left_text(left), note));
+         fmt::format("{:3.0f} %  {}  {} elapsed  {}{}", 100 * share, done, clock_text(wall), left_text(left), note));
 }
 
 bool ProgressBar::due(double share, bool phase) const {

@@ -1,10 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 
+#include "app/campaign.h"
 #include "app/output.h"
-#include "app/run_method.h"
 #include "app/stop_signal.h"
 #include "base/errors.h"
 #include "compare/compare.h"
@@ -16,82 +15,91 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// In this order, whatever the scene's.
+std::vector<std::string> methods_of(const Scene& scene) {
+    std::vector<std::string> methods;
+    for (const char* method : {"sph", "fvm"})
+        if (std::ranges::find(scene.run.methods, method) != scene.run.methods.end()) methods.emplace_back(method);
+    return methods;
+}
+
 /// A folder that holds a run is refused before the other method spends an hour.
 void refuse_taken(const fs::path& folder, const RunCommand& command) {
-    const bool taken = fs::exists(folder / "record.h5") || fs::exists(folder / "checkpoint.h5");
+    const bool taken = std::ranges::any_of(std::initializer_list<const char*>{"record.h5", "checkpoint.h5", "case"},
+                                           [&](const char* name) { return fs::exists(folder / name); });
     if (taken && !command.resume && !command.overwrite)
         throw InputError(
-            fmt::format("{}: holds a run already; go on with it by --resume, begin anew by --overwrite, or choose "
-                        "another folder by --out",
+            fmt::format("{}: there is a run already; continue it with --resume, run anew with --overwrite, or choose "
+                        "another folder with --out",
                         folder.string()));
+}
+
+/// "sph: 4.56e+04 particles, about 120 s": of the methods that will run.
+std::string prediction_text(const PlannedRun& plan) {
+    std::string text;
+    for (const std::string& method : methods_of(plan.scene)) {
+        const Prediction& p = plan.prediction;
+        text += method == "sph" ? fmt::format("sph: {:.3g} particles", p.particles + p.air_particles)
+                                : fmt::format("fvm: {:.3g} cells", p.cells);
+        text += fmt::format(", about {:.3g} s\n", plan.seconds(method));
+    }
+    return text;
+}
+
+/// What lies in the run's folder of this very scene: another scene's record beside it would mislead.
+std::vector<RunRecord> records_of(const Scene& scene, const fs::path& out, const Common& common) {
+    std::vector<RunRecord> records;
+    const std::vector<std::string> now = methods_of(scene);
+    for (const std::string method : {"sph", "fvm"}) {
+        const fs::path file = out / method / "record.h5";
+        if (!fs::exists(file)) continue;
+        RunRecord record = read_record(file);
+        const bool run_now = std::ranges::find(now, method) != now.end();
+        if (run_now ? record.attributes["run_hash"] == run_hash(scene, method)
+                    : record.attributes["scene_hash"] == scene.hash)
+            records.push_back(std::move(record));
+        else
+            say(common, fmt::format("{}: of another scene than this run, left out of the report\n", file.string()));
+    }
+    return records;
 }
 
 }  // namespace
 
 int run_run(const RunCommand& command, const Common& common) {
     const PlannedRun plan = plan_run(command.scene.file, command.scene.overrides(), command.method, command.threads);
-    const auto& [scene, prediction] = plan;
+    const Scene& scene = plan.scene;
+    const std::vector<std::string> methods = methods_of(scene);
 
     const fs::path out = command.out.empty() ? fs::path("runs") / command.scene.file.stem() : command.out;
-    bool with_fvm = false;
-    for (const std::string& method : scene.run.methods) {
-        refuse_taken(out / method, command);
-        with_fvm |= method == "fvm";
-    }
-    if (with_fvm) say(common, "OpenFOAM: " + sound_openfoam(scene.fvm.openfoam).verdict + "\n");
-    say(common, fmt::format("{}\n{:.3g} particles about {:.3g} s, {:.3g} cells about {:.3g} s; results in {}\n",
-                            scene.title, prediction.particles, prediction.sph_seconds, prediction.cells,
-                            prediction.fvm_seconds, out.string()));
+    for (const std::string& method : methods) refuse_taken(out / method, command);
+    if (std::ranges::find(methods, "fvm") != methods.end())
+        say(common, "OpenFOAM: " + sound_openfoam(scene.fvm.openfoam).verdict + "\n");
+    say(common, fmt::format("{}\n{}results in {}\n", scene.title, prediction_text(plan), out.string()));
 
     catch_stop_signals();
+    Campaign campaign(common, {.overwrite = command.overwrite, .take_finished = command.resume});
     std::vector<RunFacts> runs;
     bool failed = false;
-    for (const std::string method : {"sph", "fvm"}) {  // in this order, whatever the scene's
-        if (std::find(scene.run.methods.begin(), scene.run.methods.end(), method) == scene.run.methods.end()) continue;
-        const bool resume = command.resume && fs::exists(out / method);
-        RunRecord record;
-        try {
-            record = run_method(method, plan, {out / method, resume, command.overwrite}, common);
-        } catch (const RunError& e) {  // the other method goes on, and what there is is reported
-            std::fputs(fmt::format("{}: {}\n", method, e.what()).c_str(), stderr);
-            failed = true;
-            continue;
-        }
-        runs.push_back(facts_of(method, record, out / method));
-        say(common, closing_line(runs.back()));
-        if (record.state != "finished" || stop_asked()) {
-            std::fputs(
-                fmt::format("{}: stopped at the user's wish; state saved, go on with --resume\n", method).c_str(),
-                stderr);
-            write_json(common, runs_json(runs));
-            return run_failed;
-        }
+    for (const std::string& method : methods) {
+        const CampaignResult result = campaign.run_or_take({method, method, plan, out / method});
+        failed |= result.state == CampaignResult::State::failed;  // the other method runs all the same
+        if (result.record) runs.push_back(facts_of(method, *result.record, out / method));
+        if (result.state != CampaignResult::State::stopped) continue;
+        complain(method + ": stopped on request, its state is saved; continue it with --resume");
+        write_json(common, runs_json(runs));
+        return run_failed;
     }
 
-    std::vector<RunRecord> records;
-    for (const char* method : {"sph", "fvm"})
-        if (fs::exists(out / method / "record.h5")) {
-            RunRecord record = read_record(out / method / "record.h5");
-            // beside a failed run only what is of this scene: a report of another one's would mislead
-            if (!failed || record.attributes["run_hash"] == run_hash(scene, method))
-                records.push_back(std::move(record));
-        }
-    if (records.empty() || (records.size() < 2 && !failed)) {
+    std::vector<RunRecord> records = records_of(scene, out, common);
+    if (records.empty()) {
         write_json(common, runs_json(runs));
         return failed ? run_failed : done;
     }
-    const bool both_now = scene.run.methods.size() == 2;
-    try {
-        const Comparison comparison = compare_records(std::move(records));
-        const ReportFiles files = write_report(comparison, out);
-        say(common, summary_text(comparison) + "\nreport: " + files.html.string() + "\n");
-        write_json(common, comparison_json(comparison));
-    } catch (const InputError& e) {
-        if (both_now && !failed) throw;
-        // The other method's record is from an earlier scene: that takes nothing from this run.
-        say(common, std::string("not compared: ") + e.what() + "\n");
-        write_json(common, runs_json(runs));
-    }
+    const Comparison comparison = compare_records(std::move(records));
+    const ReportFiles files = leaving_files([&] { return write_report(comparison, out); });
+    say(common, "\n" + summary_text(comparison) + "\nreport: " + files.html.string() + "\n");
+    write_json(common, run_json(comparison, runs));
     return failed ? run_failed : done;
 }
 

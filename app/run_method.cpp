@@ -6,7 +6,6 @@
 #include "app/progress_bar.h"
 #include "app/stop_signal.h"
 #include "foam_cases/run_fvm.h"
-#include "scene/hash.h"
 #include "sph_solver/run_sph.h"
 
 namespace tw::app {
@@ -51,24 +50,6 @@ RunRecord run_method(const std::string& method, const PlannedRun& plan, const Me
     return record;
 }
 
-std::optional<RunRecord> finished_run(const std::filesystem::path& folder, const Scene& scene,
-                                      const std::string& method) {
-    const std::filesystem::path file = folder / "record.h5";
-    if (!std::filesystem::exists(file)) return {};
-    RunRecord record = read_record(file);
-    // the duration is not in the hash: a run may be made longer
-    const bool same = record.state == "finished" && record.attributes["run_hash"] == run_hash(scene, method) &&
-                      record.numbers["duration"] >= scene.run.duration;
-    return same ? std::optional(std::move(record)) : std::nullopt;
-}
-
-bool failed_before_it_saved(const std::filesystem::path& folder, const Scene& scene, const std::string& method) {
-    if (method != "sph" || std::filesystem::exists(folder / "checkpoint.h5")) return false;
-    if (!std::filesystem::exists(folder / "record.h5")) return false;
-    RunRecord record = read_record(folder / "record.h5");
-    return record.state == "failed" && record.attributes["run_hash"] == run_hash(scene, method);
-}
-
 RunFacts facts_of(const std::string& method, const RunRecord& record, const std::filesystem::path& folder) {
     RunFacts f{method, record.state, record.reason, (folder / "record.h5").string(), record.elements, record.steps, 0};
     for (const Phase& phase : record.phases) f.wall += phase.wall;
@@ -76,7 +57,7 @@ RunFacts facts_of(const std::string& method, const RunRecord& record, const std:
 }
 
 std::string closing_line(const RunFacts& f) {
-    return fmt::format("{}: {}{}, {:.3g} {}, {:.3g} steps, {:.3g} s, {}\n", f.method, f.state,
+    return fmt::format("{}{}, {:.3g} {}, {:.3g} steps, {:.3g} s, {}\n", f.state,
                        f.reason.empty() ? "" : ": " + f.reason, f.elements, f.method == "sph" ? "particles" : "cells",
                        f.steps, f.wall, f.record);
 }

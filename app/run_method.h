@@ -1,6 +1,5 @@
 #pragma once
 #include <filesystem>
-#include <optional>
 #include <string>
 
 #include "app/commands.h"
@@ -27,19 +26,12 @@ struct MethodRun {
     std::filesystem::path folder;  ///< of this method's run
     bool resume = false, overwrite = false;
 };
-/// Runs it with a progress bar; stops at the user's wish after saving state. What it took is remembered for the next
+/// Runs it with a progress bar; stops on request after saving state. What it took is remembered for the next
 /// prediction (machine_pace.h).
 RunRecord run_method(const std::string& method, const PlannedRun& plan, const MethodRun& run, const Common& common);
 
-/// The record of an earlier run of the very same scene and numerics in this folder, if it is finished.
-std::optional<RunRecord> finished_run(const std::filesystem::path& folder, const Scene& scene,
-                                      const std::string& method);
-
-/// A particle run of the very same scene and numerics that failed before its first checkpoint: nothing to go on from.
-bool failed_before_it_saved(const std::filesystem::path& folder, const Scene& scene, const std::string& method);
-
 RunFacts facts_of(const std::string& method, const RunRecord& record, const std::filesystem::path& folder);
-/// "sph: finished, 4.56e+04 particles, ..." with a line end.
+/// "finished, 4.56e+04 particles, ..." with a line end.
 std::string closing_line(const RunFacts& facts);
 
 }  // namespace tw::app

@@ -5,7 +5,6 @@
 #include "app/output.h"
 #include "app/progress_bar.h"
 #include "app/stop_signal.h"
-#include "base/atomic_file.h"
 #include "base/errors.h"
 
 namespace tw::app {
@@ -24,15 +23,15 @@ int run_stability(const StabilityCommand& command, const Common& common) {
             bar.show(p.share, p.seconds, p.left, fmt::format("{} of {} cases", p.done, p.all), p.now);
         };
         if (!run_stability_maps(maps, command.threads, show, stop_asked)) {
-            std::fputs("stability: stopped at the user's wish; nothing was written\n", stderr);
+            complain("stability: stopped on request; nothing was written");
             return run_failed;
         }
     }
     const std::string json = stability_json(maps, command.quick);
-    write_text_atomically(out / "stability.html", stability_html(maps, command.quick));
-    write_text_atomically(out / "stability.svg", stability_svg(maps));
-    write_text_atomically(out / "stability.json", json + "\n");
-    write_text_atomically(out / "stability.txt", stability_text(maps));
+    write_file(out / "stability.html", stability_html(maps, command.quick));
+    write_file(out / "stability.svg", stability_svg(maps));
+    write_file(out / "stability.json", json + "\n");
+    write_file(out / "stability.txt", stability_text(maps));
     say(common, stability_text(maps) + "map: " + (out / "stability.html").string() + "\n");
     write_json(common, json);
     return done;

@@ -4,10 +4,9 @@
 
 #include <algorithm>
 
+#include "app/campaign.h"
 #include "app/output.h"
-#include "app/run_method.h"
 #include "app/stop_signal.h"
-#include "base/atomic_file.h"
 #include "base/errors.h"
 #include "foam_cases/doctor.h"
 
@@ -51,36 +50,31 @@ std::vector<Variant> variants_of(const SweepCommand& command) {
     return variants;
 }
 
-/// Both methods of one scene and their comparison. False: stopped at the user's wish. What is wrong with this scene
+/// Both methods of one scene and their comparison. False: stopped on request. What is wrong with this scene
 /// goes into the member; the others are run all the same.
-bool run_member(const Variant& variant, const fs::path& folder, const SweepCommand& command, const Common& common,
+bool run_member(const Variant& variant, const fs::path& folder, const SweepCommand& command, Campaign& campaign,
                 SweepMember& member) {
     try {
         const PlannedRun plan = plan_run(command.scene.file, variant.overrides, "both", command.threads);
         std::vector<RunRecord> records;
         for (const std::string method : {"sph", "fvm"}) {
-            std::optional<RunRecord> record = finished_run(folder / method, plan.scene, method);
-            if (record) {
-                say(common, fmt::format("{}: {} finished before\n", variant.name, method));
-            } else {
-                say(common, fmt::format("{}: {} about {:.3g} s\n", variant.name, method, plan.seconds(method)));
-                const bool resume = fs::exists(folder / method) && !command.overwrite;
-                record = run_method(method, plan, {folder / method, resume, command.overwrite}, common);
-                say(common, closing_line(facts_of(method, *record, folder / method)));
-                if (record->state != "finished" || stop_asked()) return false;
-                record = read_record(folder / method / "record.h5");
+            CampaignResult result = campaign.run_or_take({variant.name + ": " + method, method, plan, folder / method});
+            if (result.state == CampaignResult::State::stopped) return false;
+            if (!result.there()) {
+                member.why_not = method + ": " + result.why_not;
+                return true;
             }
-            records.push_back(std::move(*record));
+            records.push_back(std::move(*result.record));
         }
         const Comparison comparison = compare_records(std::move(records));
-        write_report(comparison, folder);
+        leaving_files([&] { return write_report(comparison, folder); });
         member.report = variant.folder + "/report.html";
         member.methods = comparison.names;
         member.quantities = comparison.quantities;
-    } catch (const InputError& e) { member.why_not = e.what(); } catch (const RunError& e) {
+    } catch (const InputError& e) {
         member.why_not = e.what();
+        complain(variant.name + ": " + member.why_not);
     }
-    if (!member.why_not.empty()) say(common, fmt::format("{}: {}\n", variant.name, member.why_not));
     return true;
 }
 
@@ -92,25 +86,26 @@ int run_sweep(const SweepCommand& command, const Common& common) {
     const std::vector<Variant> variants = variants_of(command);
     say(common, "OpenFOAM: " + sound_openfoam("").verdict + "\n");
     catch_stop_signals();
+    Campaign campaign(common, {.overwrite = command.overwrite});
     std::vector<SweepMember> members;
     for (const Variant& variant : variants) {
         SweepMember& member = members.emplace_back();
         member.name = variant.name;
-        if (!run_member(variant, out / variant.folder, command, common, member)) {
-            std::fputs("sweep: stopped at the user's wish; the same command goes on from here\n", stderr);
+        if (!run_member(variant, out / variant.folder, command, campaign, member)) {
+            complain("sweep: stopped on request; the same command continues from here");
             return run_failed;
         }
     }
     const bool all_failed = std::ranges::none_of(members, [](const SweepMember& m) { return m.why_not.empty(); });
     const Sweep sweep = build_sweep(command.scene.file.stem().string() + ": a set of scenes", std::move(members));
-    fs::create_directories(out);
-    write_text_atomically(out / "sweep.md", sweep_text(sweep));
-    write_text_atomically(out / "sweep.json", sweep_json(sweep));
-    write_text_atomically(out / "sweep.csv", sweep_csv(sweep));
-    write_text_atomically(out / "sweep.html", sweep_html(sweep));
+    make_folder(out);
+    write_file(out / "sweep.md", sweep_text(sweep));
+    write_file(out / "sweep.json", sweep_json(sweep));
+    write_file(out / "sweep.csv", sweep_csv(sweep));
+    write_file(out / "sweep.html", sweep_html(sweep));
     say(common, "\n" + sweep_text(sweep) + "\nreport: " + (out / "sweep.html").string() + "\n");
     write_json(common, sweep_json(sweep));
-    return all_failed ? run_failed : done;
+    return all_failed || campaign.any_failed() ? run_failed : done;
 }
 
 }  // namespace tw::app

@@ -1,6 +1,5 @@
 #pragma once
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -13,9 +12,8 @@ namespace tw::app {
 struct LadderHarvest {
     std::vector<LadderRun> runs;
     std::vector<LadderVariation> variations;
-    std::vector<std::string> left_out;                                       ///< runs that are missing, and why
-    bool any_failed = false;                                                 ///< among those
-    std::map<std::string, std::pair<double, std::filesystem::path>> finest;  ///< spacing and record of each method
+    std::vector<std::string> left_out;  ///< runs that are missing, and why
+    bool any_failed = false;            ///< among those
 
     /// A level; `file`: where its record lies.
     void take(RunRecord record, const std::filesystem::path& file);
@@ -24,8 +22,8 @@ struct LadderHarvest {
 };
 
 /// ladder.md, ladder.json, a CSV for each method and report.html with the finest pair; the verdicts for the terminal.
-void write_ladder(const LadderHarvest& harvest, const std::vector<RunRecord>& measured,
-                  const std::filesystem::path& out, const Common& common);
+Ladder write_ladder(const LadderHarvest& harvest, const std::vector<RunRecord>& measured,
+                    const std::filesystem::path& out, const Common& common);
 /// What was measured, from records or their folders.
 std::vector<RunRecord> measured_records(const std::vector<std::filesystem::path>& sources);
 

@@ -22,7 +22,9 @@ struct MeanValue {
     bool unreliable = false;  ///< the two estimates of the interval differ by more than 1.5; the wider one is used
 };
 
-enum class Verdict { agree, differ, undecided, not_converged, not_comparable };
+/// agree and differ are a ladder's alone: without runs of several sizes nothing is known of the discretisation error, and
+/// two values may only be said to be apart (not_estimated).
+enum class Verdict { agree, differ, undecided, not_converged, not_comparable, not_estimated };
 std::string to_string(Verdict verdict);
 
 /// One compared number. `name` is a stable key: drag, lift, trim_moment, splash_sheet_height, splash_p95, splash_p99,
@@ -33,11 +35,11 @@ struct Quantity {
     std::string label;                                             ///< for people, e.g. "Lift"
     std::vector<MeanValue> values;                                 ///< one per source
     double difference = std::numeric_limits<double>::quiet_NaN();  ///< source B - source A
-    double interval = std::numeric_limits<double>::quiet_NaN();    ///< half width of its 95 % interval
+    double interval = std::numeric_limits<double>::quiet_NaN();    ///< half width of its 95 % interval: statistics only
     double per_cent = std::numeric_limits<double>::quiet_NaN();    ///< difference over the mean of the two, in per cent
     Verdict verdict = Verdict::not_comparable;
     std::string remark;
-    bool judged = true;  ///< raw maxima are shown, not judged
+    bool judged = true;  ///< raw maxima are shown beside, and no ladder judges them
     /// Judged by a ladder all the same: a history's mean has no interval of its own, but its resolution gives it one.
     bool judged_in_ladder = false;
     double scale = 0;  ///< |values| the target refers to are at least this [unit]
@@ -52,7 +54,7 @@ struct Reference {
     bool in_range = true;  ///< of the formula; outside it is a hint at most
 };
 
-/// One soundness check of one run: value against limit.
+/// One soundness check of one run, or one line of its stability certificate: value against limit.
 struct Gate {
     std::string name, source, unit;  ///< source: the run's name
     double value = 0, limit = 0;

@@ -73,19 +73,20 @@ void check_units(const Comparison& comparison) {
 
 void add_state_banners(Comparison& comparison) {
     if (comparison.sources.size() == 1)
-        comparison.banners.push_back("One run only, " + comparison.names[0] + ": its values stand without a verdict.");
+        comparison.banners.push_back("One run only, " + comparison.names[0] +
+                                     ": its values are shown without a comparison.");
     for (std::size_t i = 0; i < comparison.sources.size(); ++i) {
         const RunRecord& r = comparison.sources[i];
         if (r.state == "finished") continue;
         comparison.banners.push_back(
-            fmt::format("{} did not finish (state: {}{}{}); what it left is compared as far as it goes.",
+            fmt::format("{} did not finish (state: {}{}{}); what it recorded is compared as far as it goes.",
                         comparison.names[i], r.state, r.reason.empty() ? "" : ": ", r.reason));
     }
     for (std::size_t i = 0; i < comparison.sources.size(); ++i) {
         const std::string calibrated = text_of(comparison.sources[i], "calibrated");
         if (!calibrated.empty() && calibrated != "none")
             comparison.banners.push_back(
-                fmt::format("{} was calibrated: {}. Agreement with the data used for that is no validation.",
+                fmt::format("{} was tuned: {}. Agreement with the data used for that is no validation.",
                             comparison.names[i], calibrated));
     }
 }

@@ -1,5 +1,7 @@
 #include "compare/gates.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -56,7 +58,8 @@ std::optional<double> suction_share(const RunRecord& record) {
 std::vector<Gate> check_gates(const RunRecord& record, const std::string& name) {
     std::vector<Gate> gates;
     const auto add = [&](std::string gate, std::string unit, double value, double limit, std::string remark) {
-        gates.push_back({std::move(gate), name, std::move(unit), value, limit, value <= limit, std::move(remark)});
+        gates.push_back({std::move(gate), name, std::move(unit), value, limit, value <= limit + 1e-9 * std::abs(limit),
+                         std::move(remark)});
     };
     const double settled = number_of(record, "mean_from", 0), speed = number_of(record, "speed", 0);
     const double duration = number_of(record, "duration", 0);
@@ -78,7 +81,7 @@ std::vector<Gate> check_gates(const RunRecord& record, const std::string& name) 
         std::ranges::copy_if(mass->values, std::back_inserter(known), [](double m) { return std::isfinite(m); });
         if (known.size() > 1 && known.front() > 0)
             add("mass drift", "%", 100 * std::abs(known.back() / known.front() - 1), 1,
-                "a closed tank keeps its water");
+                "the water of a closed tank is conserved");
     }
     if (const auto air = time_mean(record, "samples", "ventilation"))
         add("ventilation index", "-", *air, 0.2,
@@ -94,6 +97,17 @@ std::vector<Gate> check_gates(const RunRecord& record, const std::string& name) 
         add("spread of the force measures", "%", 100 * (high - low) / std::abs(*sum), 3,
             "pair sum, surface pressure and control volume measure one force");
     }
+    for (const CertificateLine& line : record.certificate) {
+        std::string remark = fmt::format("stability certificate: worst of the whole run, at {:.4g} s", line.time);
+        if (line.place.allFinite())
+            remark += fmt::format(", ({:.3g}, {:.3g}, {:.3g}) m", line.place.x(), line.place.y(), line.place.z());
+        gates.push_back({line.name, name, line.unit, line.value, line.limit, line.met(), remark});
+    }
+    return gates;
+}
+
+std::vector<Gate> failed_gates(std::vector<Gate> gates) {
+    std::erase_if(gates, [](const Gate& g) { return g.pass; });
     return gates;
 }
 

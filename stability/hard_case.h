@@ -35,10 +35,10 @@ struct HardCase {
 /// What one case came to.
 struct HardCaseRun {
     /// The run's stability certificate (`watch_stability`) and, beside it, what these cases alone can tell:
-    ///   particles missing    start + in - out - now, and in closed cases what went out          0
-    ///   energy made          impact: largest growth over the kinetic energy at the start; tank: over the potential
-    ///   energy motion of still water  tank: kinetic energy at the end over rho g H V pressure error       tank: root
-    ///   mean square of (p - rho g depth) at the end, over rho g H
+    ///   particles missing      start + in - out - now, and in closed cases what went out          0
+    ///   energy made            impact: largest growth over the kinetic energy at the start; tank: over the potential energy
+    ///   motion of still water  tank: kinetic energy at the end over rho g H V
+    ///   pressure error         tank: root mean square of (p - rho g depth) at the end, over rho g H
     std::vector<CertificateLine> lines;
     std::string failure;   ///< what the engine said when it stopped; empty: it came to the end
     bool stopped = false;  ///< at the caller's wish, before the end

@@ -3,47 +3,13 @@
 #include <algorithm>
 
 #include "compare/report/page.h"
+#include "compare/report/report_table.h"
 #include "record/code_version.h"
 #include "stability/heat_map.h"
 #include "stability/report.h"
+#include "stability/tables.h"
 
 namespace tw {
-
-namespace {
-
-std::string gate_table() {
-    std::string rows;
-    for (const StabilityGate& gate : stability_gates()) {
-        const std::string unit = gate.unit == "-" ? "" : " " + gate.unit;
-        rows += fmt::format(
-            "<tr><td>{}</td><td class=\"num\">{:g}{}</td><td class=\"num\">{}</td><td>{}</td><td>{}</td></tr>",
-            escaped(gate.line), gate.warned, escaped(unit),
-            gate.failed < 1e300 ? fmt::format("{:g}{}", gate.failed, escaped(unit)) : "–", escaped(gate.meaning),
-            escaped(gate.why));
-    }
-    return "<div class=\"wide\"><table><thead><tr><th>Gate</th><th class=\"num\">warned above</th><th "
-           "class=\"num\">failed above</th><th>says</th><th>why there</th></tr></thead><tbody>" +
-           rows + "</tbody></table></div>";
-}
-
-/// Every cell that is not stable, once.
-std::string reason_table(const std::vector<StabilityMap>& maps) {
-    std::vector<HardCase> told;
-    std::string rows;
-    for (const StabilityMap& map : maps)
-        for (const MapCell& cell : map.cells) {
-            const StabilityJudgement& j = cell.judgement;
-            if (j.stability == Stability::stable || std::ranges::find(told, cell.c) != told.end()) continue;
-            told.push_back(cell.c);
-            rows += fmt::format("<tr><td>{}</td><td><span class=\"cell {}\">{}</span></td><td>{}</td></tr>",
-                                escaped(describe(cell.c)), to_string(j.stability), to_string(j.stability),
-                                escaped(j.reason));
-        }
-    return "<div class=\"wide\"><table><thead><tr><th>Case</th><th></th><th>Why</th></tr></thead><tbody>" + rows +
-           "</tbody></table></div>";
-}
-
-}  // namespace
 
 std::string stability_html(const std::vector<StabilityMap>& maps, bool quick) {
     std::string style =
@@ -80,8 +46,7 @@ std::string stability_html(const std::vector<StabilityMap>& maps, bool quick) {
                                    map.base.spacings_per_m, tank ? "." : ", the section's or plate's width.")) +
                "</figcaption></figure>";
     }
-    return out + "<h2>What was not stable, and why</h2>" + reason_table(maps) + "<h2>The gates</h2>" + gate_table() +
-           page_end;
+    return out + html_of(unstable_cells(maps)) + html_of(gates_of_the_map()) + page_end;
 }
 
 std::string stability_svg(const std::vector<StabilityMap>& maps) {

@@ -137,10 +137,10 @@ Ablation build_ablation(std::string title, std::vector<AblationRun> runs) {
     ablation.runs = std::move(runs);
     for (std::size_t i = 1; i < ablation.runs.size(); ++i) {
         if (ablation.runs[i].against >= i)
-            throw InputError(ablation.runs[i].name + ": held against a run that does not come before it");
+            throw InputError(ablation.runs[i].name + ": compared with a run that does not come before it");
         const AblationRun& reference = ablation.runs[ablation.runs[i].against];
         if (ablation.runs[i].why_not.empty() && reference.sides.empty())
-            ablation.runs[i].why_not = fmt::format("there is no run \"{}\" to hold it against", reference.name);
+            ablation.runs[i].why_not = fmt::format("there is no run \"{}\" to compare it with", reference.name);
     }
     for (const AblationSide& base : ablation.runs.front().sides) {
         AblationMethod method{base.method, {}};

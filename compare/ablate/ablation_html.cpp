@@ -3,59 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compare/ablate/ablation.h"
-#include "compare/report/numbers.h"
+#include "compare/ablate/ablation_tables.h"
 #include "compare/report/page.h"
 #include "compare/report/svg_plot.h"
 
 namespace tw {
 
 namespace {
-
-using Seen = AblationChange::Seen;
-
-const AblationChange* find(const AblationRow& row, const std::string& name) {
-    const auto c = std::ranges::find(row.changes, name, &AblationChange::name);
-    return c == row.changes.end() ? nullptr : &*c;
-}
-
-const AblationChange* any(const AblationMethod& method, const std::string& name) {
-    for (const AblationRow& row : method.rows)
-        if (const AblationChange* c = find(row, name)) return c;
-    return nullptr;
-}
-
-/// The report's colours: what was seen stands out, what was not stays pale.
-const char* badge_of(Seen seen) {
-    switch (seen) {
-        case Seen::seen: return "differ";
-        case Seen::nothing:
-        case Seen::unchanged: return "agree";
-        case Seen::no_interval: return "undecided";
-        case Seen::not_known: break;
-    }
-    return "not_comparable";
-}
-
-std::string overview(const Ablation& ablation, const AblationMethod& method) {
-    const std::vector<std::string> names = headline_of(method);
-    std::string out = "<div class=\"wide\"><table><thead><tr><th>Switched</th><th>against</th>";
-    for (const std::string& name : names) out += "<th class=\"num\">" + escaped(any(method, name)->label) + "</th>";
-    out += "<th class=\"num\">processor time</th><th class=\"num\">the plan's</th></tr></thead><tbody>";
-    for (const AblationRow& row : method.rows) {
-        const AblationRun& run = ablation.runs[row.run];
-        out += "<tr><td>" + escaped(run.name) + "</td><td>" + escaped(ablation.runs[run.against].name) + "</td>";
-        for (const std::string& name : names) {
-            const AblationChange* c = find(row, name);
-            const std::string text = c ? escaped(change_text(*c)) : "–";
-            out += "<td class=\"num\">" +
-                   (c && c->seen == Seen::seen ? "<span class=\"badge differ\">" + text + "</span>" : text) + "</td>";
-        }
-        out += fmt::format("<td class=\"num\">{}</td><td class=\"num\">{}</td></tr>", per_cent_text(row.cost),
-                           per_cent_text(row.predicted_cost));
-    }
-    return out + "</tbody></table></div>";
-}
 
 /// One line of a chart of changes.
 struct Bar {
@@ -112,10 +66,10 @@ std::string charts(const Ablation& ablation, const AblationMethod& method) {
     for (const std::string& name : headline_of(method)) {
         std::vector<Bar> bars;
         for (const AblationRow& row : method.rows)
-            if (const AblationChange* c = find(row, name); c && std::isfinite(c->per_cent))
-                bars.push_back(
-                    {brief(ablation.runs[row.run].name), c->per_cent, c->per_cent_interval, c->seen == Seen::seen});
-        if (!bars.empty()) out += bars_svg(any(method, name)->label, bars);
+            if (const AblationChange* c = change_in(row, name); c && std::isfinite(c->per_cent))
+                bars.push_back({brief(ablation.runs[row.run].name), c->per_cent, c->per_cent_interval,
+                                c->seen == AblationChange::Seen::seen});
+        if (!bars.empty()) out += bars_svg(change_label(method, name), bars);
     }
     std::vector<Bar> costs;
     for (const AblationRow& row : method.rows)
@@ -123,31 +77,6 @@ std::string charts(const Ablation& ablation, const AblationMethod& method) {
             costs.push_back({brief(ablation.runs[row.run].name), row.cost, std::nan(""), false});
     if (!costs.empty()) out += bars_svg("Processor time", costs);
     return "<div class=\"pair\">" + out + "</div>";
-}
-
-std::string details(const Ablation& ablation, const AblationRow& row) {
-    const AblationRun& run = ablation.runs[row.run];
-    std::string out = "<h3>" + escaped(run.name) + ", against " + escaped(ablation.runs[run.against].name) + "</h3>";
-    if (!row.influence.empty()) out += "<p class=\"note\">The plan: " + escaped(row.influence) + "</p>";
-    out +=
-        "<div class=\"wide\"><table><thead><tr><th>Quantity</th><th class=\"num\">before</th><th "
-        "class=\"num\">after</th><th class=\"num\">change</th><th></th><th>the plan's "
-        "estimate</th></tr></thead><tbody>";
-    for (const AblationChange& c : row.changes) {
-        out += fmt::format(
-            "<tr><td>{} <span class=\"note\">[{}]</span></td><td class=\"num\">{}</td><td class=\"num\">{}</td><td "
-            "class=\"num\">{}</td><td><span class=\"badge {}\">{}</span>{}</td><td>{}</td></tr>",
-            escaped(c.label), escaped(c.unit), mean_text(c.before), mean_text(c.after), escaped(change_text(c)),
-            badge_of(c.seen), to_string(c.seen),
-            c.remark.empty() ? "" : " <span class=\"note\">" + escaped(c.remark) + "</span>", escaped(c.predicted));
-    }
-    out += fmt::format(
-        "<tr><td>Processor seconds per simulated second</td><td class=\"num\">{}</td><td class=\"num\">{}</td><td "
-        "class=\"num\">{}</td><td>{}</td><td>{}</td></tr>",
-        value_text(row.processor_before, 0), value_text(row.processor_after, 0), per_cent_text(row.cost),
-        std::isfinite(row.steps) ? "<span class=\"note\">time steps: " + per_cent_text(row.steps) + "</span>" : "",
-        per_cent_text(row.predicted_cost));
-    return out + "</tbody></table></div>";
 }
 
 }  // namespace
@@ -158,24 +87,13 @@ std::string ablation_html(const Ablation& ablation) {
     std::string out = page_begin(title) + "<h1>" + escaped(title) + "</h1><p class=\"sub\">" +
                       fmt::format("{} effects switched, each in a run of its own; {} without a result</p>", good - 1,
                                   static_cast<std::ptrdiff_t>(ablation.runs.size()) - good);
-    for (const AblationMethod& method : ablation.methods) {
-        if (method.rows.empty()) continue;
-        out += "<h2>" + escaped(method.method) + "</h2>" + overview(ablation, method) + charts(ablation, method);
-    }
-    out +=
-        "<p class=\"note\">Changes in per cent of the value before, with the 95 % intervals of both runs combined; the "
-        "error of the resolution is not in them. A change beyond its interval is marked; chance alone does that once "
-        "in twenty times. Processor time: of solving, per simulated second, of one run each; a busy machine changes "
-        "it by several per cent.</p>";
-    std::string failed;
-    for (const AblationRun& run : ablation.runs)
-        if (!run.why_not.empty())
-            failed += "<li>" + escaped(run.name) + ": <strong>no result</strong>: " + escaped(run.why_not) + "</li>";
-    if (!failed.empty()) out += "<h2>Without a result</h2><ul>" + failed + "</ul>";
+    for (const AblationMethod& method : ablation.methods)
+        if (!method.rows.empty()) out += html_of(ablation_overview(ablation, method)) + charts(ablation, method);
+    out += std::string("<p class=\"note\">") + ablation_note + "</p>" + html_of(ablation_missing(ablation));
     for (const AblationMethod& method : ablation.methods) {
         if (method.rows.empty()) continue;
         out += "<h2>Effect by effect: " + escaped(method.method) + "</h2>";
-        for (const AblationRow& row : method.rows) out += details(ablation, row);
+        for (const AblationRow& row : method.rows) out += html_of(ablation_details(ablation, row, method.method), 3);
     }
     return out + page_end;
 }

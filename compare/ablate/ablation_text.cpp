@@ -1,11 +1,9 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "compare/ablate/ablation.h"
-#include "compare/report/csv.h"
+#include "compare/ablate/ablation_tables.h"
 #include "compare/report/escape.h"
 #include "compare/report/numbers.h"
 
@@ -15,62 +13,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using Seen = AblationChange::Seen;
-
-/// For a cell of a markdown table: no line breaks, no bars.
-std::string cell(const std::string& text) {
-    std::string out = for_terminal(text);
-    for (char& c : out)
-        if (c == '\n' || c == '|') c = ' ';
-    return out.empty() ? "-" : out;
-}
-
-const AblationChange* find(const AblationRow& row, const std::string& name) {
-    const auto c = std::ranges::find(row.changes, name, &AblationChange::name);
-    return c == row.changes.end() ? nullptr : &*c;
-}
-
-std::string label_of(const AblationMethod& method, const std::string& name) {
-    for (const AblationRow& row : method.rows)
-        if (const AblationChange* c = find(row, name)) return c->label;
-    return name;
-}
-
-/// Every effect against the quantities that matter most.
-std::string overview(const Ablation& ablation, const AblationMethod& method) {
-    const std::vector<std::string> names = headline_of(method);
-    std::string out = "| switched | against |", rule = "|---|---|";
-    for (const std::string& name : names) {
-        out += fmt::format(" {} |", cell(label_of(method, name)));
-        rule += "---|";
-    }
-    out += " processor time | the plan's |\n" + rule + "---|---|\n";
-    for (const AblationRow& row : method.rows) {
-        const AblationRun& run = ablation.runs[row.run];
-        out += fmt::format("| {} | {} |", cell(run.name), cell(ablation.runs[run.against].name));
-        for (const std::string& name : names) {
-            const AblationChange* c = find(row, name);
-            const bool seen = c && c->seen == Seen::seen;
-            out += fmt::format(" {0}{1}{0} |", seen ? "**" : "", c ? change_text(*c) : "–");
-        }
-        out += fmt::format(" {} | {} |\n", per_cent_text(row.cost), per_cent_text(row.predicted_cost));
-    }
-    return out;
-}
-
-std::string details(const Ablation& ablation, const AblationRow& row, const std::string& method) {
-    const AblationRun& run = ablation.runs[row.run];
-    std::string out = fmt::format("\n### {}: {}, against {}\n\n", for_terminal(method), for_terminal(run.name),
-                                  for_terminal(ablation.runs[run.against].name));
-    if (!row.influence.empty()) out += "The plan: " + for_terminal(row.influence) + "\n\n";
-    out += "| quantity | before | after | change | | the plan's estimate |\n|---|---|---|---|---|---|\n";
-    for (const AblationChange& c : row.changes)
-        out += fmt::format("| {} [{}] | {} | {} | {} | {} | {} |\n", cell(c.label), cell(c.unit), mean_text(c.before),
-                           mean_text(c.after), change_text(c), to_string(c.seen), cell(c.predicted));
-    out +=
-        fmt::format("| processor seconds per simulated second | {:.4g} | {:.4g} | {} | | {} |\n", row.processor_before,
-                    row.processor_after, per_cent_text(row.cost), per_cent_text(row.predicted_cost));
-    return out;
-}
 
 }  // namespace
 
@@ -84,24 +26,18 @@ std::string change_text(const AblationChange& c) {
 
 std::string ablation_summary(const Ablation& ablation) {
     std::string out = fmt::format("# {}: one effect switched at a time\n", for_terminal(ablation.title));
-    for (const AblationMethod& method : ablation.methods) {
-        if (method.rows.empty()) continue;
-        out += fmt::format("\n## {}\n\n{}", for_terminal(method.method), overview(ablation, method));
-    }
-    out +=
-        "\nChanges in per cent of the value before, with their 95 % intervals; ** beyond the interval, which chance "
-        "alone does once in twenty times. "
-        "Processor time of one run each: a busy machine changes it by several per cent.\n";
-    for (const AblationRun& run : ablation.runs)
-        if (!run.why_not.empty())
-            out += fmt::format("\n! {}: no result: {}\n", for_terminal(run.name), for_terminal(run.why_not));
+    for (const AblationMethod& method : ablation.methods)
+        if (!method.rows.empty()) out += "\n" + text_of(ablation_overview(ablation, method));
+    out += std::string("\n") + ablation_note + "\n";
+    if (const ReportTable missing = ablation_missing(ablation); !missing.empty()) out += "\n" + text_of(missing);
     return out;
 }
 
 std::string ablation_text(const Ablation& ablation) {
     std::string out = ablation_summary(ablation);
     for (const AblationMethod& method : ablation.methods)
-        for (const AblationRow& row : method.rows) out += details(ablation, row, method.method);
+        for (const AblationRow& row : method.rows)
+            out += "\n" + text_of(ablation_details(ablation, row, method.method));
     return out;
 }
 
@@ -144,24 +80,22 @@ std::string ablation_json(const Ablation& ablation) {
 }
 
 std::string ablation_csv(const Ablation& ablation) {
-    const auto number = [](double v) { return std::isfinite(v) ? fmt::format("{:.9g}", v) : std::string(); };
-    std::string out =
-        "switched,against,method,quantity,unit,before,interval before,after,interval after,per cent,interval per "
-        "cent,seen,predicted\n";
+    ReportTable table;
+    for (const char* name : {"switched", "against", "method", "quantity", "unit", "before", "interval before", "after",
+                             "interval after", "per cent", "interval per cent", "seen", "predicted"})
+        table.columns.push_back(words(name));
     for (const AblationMethod& method : ablation.methods)
         for (const AblationRow& row : method.rows) {
             const AblationRun& run = ablation.runs[row.run];
-            const std::string head = csv_cell(run.name) + "," + csv_cell(ablation.runs[run.against].name) + "," +
-                                     csv_cell(method.method) + ",";
+            const std::string& against = ablation.runs[run.against].name;
             for (const AblationChange& c : row.changes)
-                out += fmt::format("{}{},{},{},{},{},{},{},{},{},{}\n", head, csv_cell(c.name), csv_cell(c.unit),
-                                   number(c.before.value), number(c.before.half_width), number(c.after.value),
-                                   number(c.after.half_width), number(c.per_cent), number(c.per_cent_interval),
-                                   to_string(c.seen), csv_cell(c.predicted));
-            out += fmt::format("{}cost,s/s,{},,{},,{},,,{}\n", head, number(row.processor_before),
-                               number(row.processor_after), number(row.cost), number(row.predicted_cost));
+                table.rows.push_back({{run.name, against, method.method, c.name, c.unit, c.before.value,
+                                       c.before.half_width, c.after.value, c.after.half_width, c.per_cent,
+                                       c.per_cent_interval, to_string(c.seen), c.predicted}});
+            table.rows.push_back({{run.name, against, method.method, "cost", "s/s", row.processor_before, "",
+                                   row.processor_after, "", row.cost, "", "", row.predicted_cost}});
         }
-    return out;
+    return csv_of(table);
 }
 
 }  // namespace tw

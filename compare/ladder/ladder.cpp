@@ -8,6 +8,7 @@
 #include <map>
 
 #include "base/errors.h"
+#include "compare/gates.h"
 #include "compare/report/numbers.h"
 #include "compare/verdict/decide.h"
 
@@ -55,10 +56,11 @@ LadderValue value_of(const LadderSide& side, const std::string& name) {
     }
     v.uncertainty = std::sqrt(squares);
     std::vector<CostPoint> points;
-    for (std::size_t i = 0; i < v.estimate.uncertainties.size(); ++i)
-        points.push_back({known[i]->spacing, known[i]->seconds,
-                          std::hypot(v.estimate.uncertainties[i], v.half_widths[i]), known[i]->core_seconds,
-                          known[i]->memory});
+    for (std::size_t i = 0; i < v.estimate.uncertainties.size(); ++i) {
+        const double U = std::hypot(v.estimate.uncertainties[i], v.half_widths[i]);
+        if (no_more_than_rounding(U, v.levels[i].value)) continue;  // rounding follows no line
+        points.push_back({known[i]->spacing, known[i]->seconds, U, known[i]->core_seconds, known[i]->memory});
+    }
     v.cost_in_cores = cost_of_accuracy(points, &CostPoint::core_seconds);
     v.cost_in_memory = cost_of_accuracy(points, &CostPoint::memory);
     v.cost = cost_of_accuracy(std::move(points));
@@ -70,7 +72,7 @@ struct Term {
     double U;
     std::string name;
     std::size_t side;
-    enum { statistics, resolution, choice } kind;
+    enum { statistics, discretisation, choice } kind;
 };
 
 std::vector<Term> terms_of(const LadderQuantity& q, const std::vector<LadderSide>& sides) {
@@ -78,7 +80,7 @@ std::vector<Term> terms_of(const LadderQuantity& q, const std::vector<LadderSide
     for (std::size_t k = 0; k < sides.size(); ++k) {
         const LadderValue& v = q.values[k];
         terms.push_back({v.statistical, sides[k].method + "'s mean", k, Term::statistics});
-        terms.push_back({v.estimate.uncertainty, sides[k].method + "'s resolution", k, Term::resolution});
+        terms.push_back({v.estimate.uncertainty, sides[k].method + "'s discretisation error", k, Term::discretisation});
         for (const Sensitivity& s : v.sensitivities)
             if (std::isfinite(s.uncertainty))
                 terms.push_back({s.uncertainty, sides[k].method + "'s " + s.name, k, Term::choice});
@@ -89,25 +91,27 @@ std::vector<Term> terms_of(const LadderQuantity& q, const std::vector<LadderSide
 /// What would make the largest term small enough for the target, the others as they are.
 std::string remedy(const Term& term, const LadderQuantity& q, const LadderSide& side, double target_U) {
     const double rest = q.interval * q.interval - term.U * term.U, room = target_U * target_U - rest;
-    if (!(room > 0)) return "the other terms alone are too large as well";
+    if (!(room > 0)) return "the other terms are already above the target";
     const double needed = std::sqrt(room);
     if (term.kind == Term::statistics) {
         const LadderRun& finest = side.runs.front();
         const double longer = std::pow(term.U / needed, 2);
-        return fmt::format("a record of about {:.2g} s instead of {:.2g} s would do, about {} of wall time",
-                           finest.duration * longer, finest.duration, time_text(finest.seconds * longer));
+        if (!(finest.duration > 0)) return {};
+        const std::string wall = time_text(finest.seconds * longer);
+        return fmt::format("a record of about {:.2g} s instead of {:.2g} s would suffice{}", finest.duration * longer,
+                           finest.duration, finest.seconds > 0 ? ", about " + wall + " of wall time" : "");
     }
     if (term.kind == Term::choice)
         for (const LadderVariation& v : side.variations) {
             const auto base = std::ranges::find_if(side.runs, [&](const LadderRun& r) { return same_rung(r, v.run); });
             if (!term.name.ends_with(v.name) || !(base->seconds > 0)) continue;
             return fmt::format(
-                "taking that choice in every run costs {:.2g} times the time and leaves about {:.0f} % of it",
+                "making that choice in every run costs {:.2g} times the time and leaves about {:.0f} % of the term",
                 v.run.seconds / base->seconds, 100 * (1 - 1 / v.factor));
         }
     const CostOfAccuracy& cost = q.values[term.side].cost;
-    if (term.kind == Term::resolution && cost.known())
-        return fmt::format("a finer run of about {} would do, by the slope of this ladder",
+    if (term.kind == Term::discretisation && cost.known() && std::isfinite(cost.seconds_for(needed)))
+        return fmt::format("a finer run of about {} would suffice, by the slope of this ladder",
                            time_text(cost.seconds_for(needed)));
     return {};
 }
@@ -127,7 +131,9 @@ void judge(LadderQuantity& q, const std::vector<LadderSide>& sides, double targe
     const LadderValue &a = q.values[0], &b = q.values[1];
     for (std::size_t k = 0; k < 2; ++k)
         if (q.values[k].levels.empty()) {
-            q.reason = sides[k].method + ": no level has a mean";
+            q.reason = sides[k].method + (q.values[k].absent.empty()
+                                              ? ": no size has a mean"
+                                              : ": no size has a mean; at " + q.values[k].absent.front());
             return;
         }
     const double S0 = a.levels.front().value, S1 = b.levels.front().value;
@@ -140,18 +146,23 @@ void judge(LadderQuantity& q, const std::vector<LadderSide>& sides, double targe
             q.reason = fmt::format("{}: {}", sides[k].method, q.values[k].estimate.why_not);
             return;
         }
+    for (std::size_t k = 0; k < 2; ++k)
+        if (no_more_than_rounding(q.values[k].uncertainty, S) && !no_more_than_rounding(q.difference, S)) {
+            q.verdict = Verdict::not_converged;
+            q.reason = sides[k].method + ": the values do not change with the size, so no uncertainty can be estimated";
+            return;
+        }
     q.interval = std::hypot(a.uncertainty, b.uncertainty);
     q.verdict = decide(q.difference, q.interval, target, S);
     for (std::size_t k = 0; k < 2; ++k) {
         if (!scatters(q.values[k].estimate, target * S)) continue;
-        q.reason =
-            fmt::format("{}: the values scatter by more than they change from level to level; by their bound: {}",
-                        sides[k].method, verdict_label(q.verdict));
+        q.reason = fmt::format("{}: the values scatter by more than they change from size to size; by their bound: {}",
+                               sides[k].method, verdict_label(q.verdict));
         q.verdict = Verdict::not_converged;
         return;
     }
     if (q.verdict == Verdict::differ && std::abs(q.difference) <= target * S)
-        q.reason = fmt::format("a real difference, yet within the target of {:g} %", 100 * target);
+        q.reason = fmt::format("beyond the joint interval, yet within the target of {:g} %", 100 * target);
     if (q.verdict != Verdict::undecided) return;
     const std::vector<Term> terms = terms_of(q, sides);
     const Term& largest = *std::ranges::max_element(terms, {}, &Term::U);
@@ -174,7 +185,16 @@ std::vector<LadderSide> sides_of(std::vector<LadderRun> runs) {
         if (!side.runs.empty() && run.spacing <= side.runs.back().spacing * (1 + 1e-6))
             throw InputError(fmt::format("two {} runs with the spacing {:g} m; expected one run of every size",
                                          side.method, run.spacing));
-        side.similar = side.similar && (side.runs.empty() || run.likeness == side.runs.front().likeness);
+        if (!side.runs.empty()) {
+            const Family &first = side.runs.front().family, &here = run.family;
+            const bool hashes = !first.hash.empty() && !here.hash.empty();
+            if (hashes && first.hash != here.hash)
+                throw InputError(fmt::format(
+                    "{0} at {1:g} m and {0} at {2:g} m are not of one family: {3}; expected runs of one scene with one "
+                    "set of numerics, which differ in their sizes alone",
+                    side.method, side.runs.front().spacing, run.spacing, family_differences(first, here)));
+            side.similar = side.similar && (hashes || first.likeness == here.likeness);
+        }
         side.runs.push_back(std::move(run));
     }
     if (sides.size() > 2) throw InputError(fmt::format("{} methods in one ladder; expected one or two", sides.size()));
@@ -251,6 +271,24 @@ bool same_domain(const std::vector<double>& a, const std::vector<double>& b, dou
     return std::ranges::equal(a, b, [&](double x, double y) { return std::abs(x - y) <= spacing; });
 }
 
+/// What lies within the runs' time: a peak that only the longer measurement saw is none of theirs.
+RunRecord within(RunRecord record, double duration) {
+    if (!(duration > 0)) return record;
+    for (auto& [name, table] : record.tables) {
+        const auto inside = [&](double t) { return t >= 0 && t <= duration * (1 + 1e-6); };
+        for (Column& c : table.columns) {
+            std::vector<double> values;
+            for (std::size_t i = 0; i < c.values.size(); ++i)
+                if (inside(table.time[i])) values.push_back(c.values[i]);
+            c.values = std::move(values);
+        }
+        std::erase_if(table.time, [&](double t) { return !inside(t); });
+    }
+    double& its = record.numbers["duration"];
+    its = its > 0 ? std::min(its, duration) : duration;
+    return record;
+}
+
 void add_measured(Ladder& ladder, const RunRecord& record) {
     const auto text = [&](const std::string& name) {
         const auto at = record.attributes.find(name);
@@ -266,7 +304,11 @@ void add_measured(Ladder& ladder, const RunRecord& record) {
             fmt::format("{}: measured in another tank than the ladder's: it spans {:.4g} m, the ladder's "
                         "{:.4g} m; expected a mapping whose scene is the ladder's",
                         source, fmt::join(domain_of(record), " "), fmt::join(run.domain, " ")));
-    for (const Quantity& q : compare_records({record}).quantities) {
+    double shortest = HUGE_VAL;
+    for (const LadderSide& side : ladder.sides)
+        for (const LadderRun& r : side.runs)
+            if (r.duration > 0) shortest = std::min(shortest, r.duration);
+    for (const Quantity& q : compare_records({within(record, std::isfinite(shortest) ? shortest : 0)}).quantities) {
         if (q.values.empty() || !q.values[0].known) continue;
         MeanValue value = q.values[0];
         value.half_width = std::hypot(value.half_width, measured_half_width(record, q.name));
@@ -306,19 +348,35 @@ LadderRun ladder_run(RunRecord record, const CompareOptions& options) {
     run.spacing = spacing->second, run.elements = record.elements, run.memory = record.peak_memory;
     run.predicted_seconds = record.numbers["predicted_seconds"], run.duration = record.numbers["duration"];
     for (const Phase& phase : record.phases) run.seconds += phase.wall, run.core_seconds += phase.cpu;
-    run.hull_hash = run.likeness = record.attributes["hull_hash"];
+    run.hull_hash = record.attributes["hull_hash"];
     run.calibrated = record.attributes["calibrated"];
-    for (const char* name : {"speed", "draft", "trim", "h_over_dp", "alpha", "c0", "cfl", "shifting",
-                             "max_courant_limit", "interface_compression"})
-        if (const auto n = record.numbers.find(name); n != record.numbers.end())
-            run.likeness += fmt::format(" {}={:.9g}", name, n->second);
+    run.family = family_of(record);
     run.domain = domain_of(record);
     std::vector<RunRecord> one;
     one.push_back(std::move(record));
     Comparison comparison = compare_records(std::move(one), options);
     run.quantities = std::move(comparison.quantities);
     run.references = std::move(comparison.references);
+    run.failed_checks = failed_gates(std::move(comparison.gates));
     return run;
+}
+
+std::vector<LadderVariation> take_variations(std::vector<LadderRun>& runs) {
+    std::vector<LadderVariation> variations;
+    std::vector<LadderRun> kept;
+    for (LadderRun& run : runs) {
+        std::optional<Varied> choice;
+        for (const LadderRun& base : runs)
+            if (&base != &run && same_rung(base, run) && !run.family.hash.empty() &&
+                base.family.hash != run.family.hash && !choice)
+                choice = variation_between(base.family, run.family);
+        if (choice)
+            variations.push_back({choice->name, choice->factor, run});
+        else
+            kept.push_back(run);
+    }
+    runs = std::move(kept);
+    return variations;
 }
 
 Ladder build_ladder(std::vector<LadderRun> runs, std::vector<LadderVariation> variations, double agree_within,

@@ -6,13 +6,18 @@
 
 #include "compare/compare.h"
 #include "compare/ladder/cost.h"
+#include "compare/ladder/family.h"
 #include "compare/uncertainty/convergence.h"
 
 namespace tw {
 
+/// An uncertainty or a change that is no more than the last digits of its value says nothing.
+inline bool no_more_than_rounding(double U, double value) { return std::abs(U) <= 1e-9 * std::abs(value); }
+
 /// What a ladder keeps of one finished run.
 struct LadderRun {
     std::string title, method;
+    std::filesystem::path file;            ///< its record; empty: none on disk
     double spacing = 0;                    ///< at the hull [m]
     double elements = 0;                   ///< particles or cells
     double seconds = 0, core_seconds = 0;  ///< everything counted: wall, processor time [s]
@@ -20,7 +25,8 @@ struct LadderRun {
     double predicted_seconds = 0;          ///< as said before the run [s]; 0: not said
     double duration = 0;                   ///< simulated [s]
     std::string hull_hash, calibrated;
-    std::string likeness;        ///< equal in runs that differ in resolution only
+    Family family;  ///< the same in runs that differ in resolution only
+    std::vector<Gate> failed_checks;
     std::vector<double> domain;  ///< low and high of x, y, z; of x, z in two dimensions [m]
     std::vector<Quantity> quantities;
     std::vector<Reference> references;  ///< what formulas say of them
@@ -30,9 +36,8 @@ bool same_rung(const LadderRun& a, const LadderRun& b);
 /// Throws InputError: the record has no spacing at the hull.
 LadderRun ladder_run(RunRecord record, const CompareOptions& options = {});
 
-/// A run that differs from the ladder's own of the same method and size in one choice that should not matter. The share
-/// of the error that the choice leaves in the ladder's value is put at `factor` |value - varied value|: 1/(1 - 1/r^q)
-/// for a choice made finer by r whose error falls with order q.
+/// A run that differs from the ladder's own of the same method and size in one choice that should not matter; `factor`
+/// as in Varied.
 struct LadderVariation {
     std::string name;  ///< "sound speed x 1.5"
     double factor = 1;
@@ -44,7 +49,7 @@ struct LadderSide {
     std::string method;
     std::vector<LadderRun> runs;
     std::vector<LadderVariation> variations;
-    bool similar = true;  ///< false: runs of other hulls, speeds or options are among them
+    bool similar = true;  ///< false: records without a family hash, and their hulls, speeds or numerics differ
 };
 
 /// What one variation says of one quantity [its unit].
@@ -53,7 +58,7 @@ struct Sensitivity {
     double spacing = 0;  ///< of the two runs [m]
     double value = 0, varied = 0, uncertainty = 0;
     /// The same but for rounding: what was varied does not bind in this run, so it says nothing.
-    bool idle() const { return std::abs(varied - value) <= 1e-9 * std::abs(value); }
+    bool idle() const { return no_more_than_rounding(varied - value, value); }
 };
 
 /// One method's finest value S against one from elsewhere D (ASME V&V 20): E = S - D, U_val^2 = U^2 + U_D^2. The
@@ -111,15 +116,21 @@ struct Ladder {
 ///   E = S_1 - S_0     U^2 = sum over both methods of u^2 + U_num^2 + sum U_var^2
 ///   S = |S_0 + S_1| / 2, at least the quantity's scale
 ///
-/// A method without U_num is not converged, nor is one whose values scatter by more than the target; else decide.h.
+/// A method without U_num is not converged, nor is one whose values scatter by more than the target, nor one whose U is
+/// no more than rounding; else decide.h.
 /// Where undecided, the reason names the largest term and what it would cost to make it small enough. Throws
-/// InputError: no run, more than two methods, two runs of one method with one spacing, methods with other hulls, a
-/// variation without the run that it varies.
+/// InputError: no run, more than two methods, two runs of one method with one spacing, runs of one method that are of
+/// two families, methods with other hulls, a variation without the run that it varies.
 ///
 /// `measured`: records of what was measured (twinwake import), with "uncertainty:TABLE:COLUMN" among their numbers
-/// where the measurement has one. Throws InputError where one belongs to another hull or another tank.
+/// where the measurement has one; what it holds beyond the runs' time takes no part. Throws InputError where one belongs
+/// to another hull or another tank.
 Ladder build_ladder(std::vector<LadderRun> runs, std::vector<LadderVariation> variations = {},
                     double agree_within = 0.05, const std::vector<RunRecord>& measured = {});
+
+/// Takes those runs out of the list that repeat another one with one choice made otherwise (the sound speed, the time
+/// step, the Courant number), as the records' numbers show. Runs without a family hash are left as they are.
+std::vector<LadderVariation> take_variations(std::vector<LadderRun>& runs);
 
 /// "Lift: differ, +418 ± 120 N (+13 %)": one quantity's verdict in words, its reason behind it.
 std::string ladder_sentence(const LadderQuantity& quantity);
@@ -128,14 +139,18 @@ std::string ladder_sentence(const LadderQuantity& quantity);
 std::string crossover_sentence(const Ladder& ladder, const LadderQuantity& quantity);
 /// Tables and verdicts for people, in markdown.
 std::string ladder_text(const Ladder& ladder);
+/// Of these the verdicts, what measurements say and the checks that are not met: for the terminal.
+std::string ladder_summary(const Ladder& ladder);
 std::string ladder_json(const Ladder& ladder);
 /// Spacing and values of one side, as `twinwake uncertainty` reads it; levels that lack a quantity leave it out whole.
 std::string ladder_csv(const Ladder& ladder, std::size_t side);
 /// The part of report.html that shows the ladder: verdicts, convergence, what accuracy costs.
 std::string ladder_html(const Ladder& ladder);
-/// Whether the interval holds the measured value: "yes", "yes, by a wide interval", "no", "not converged", "no value".
+/// What stands above the tables where `similar` is false.
+std::string no_family_text(const LadderSide& side);
+/// Whether the measured value lies within the interval: "yes", "yes, by a wide interval", "no", "not converged", "no value".
 std::string validation_label(const Validation& validation);
-/// Core hours, or memory, to an uncertainty; "~" where beyond the levels.
+/// Core hours, or memory, to an uncertainty; "~" where beyond the sizes.
 std::string cores_text(const CostOfAccuracy& cost, double uncertainty);
 std::string memory_text(const CostOfAccuracy& cost, double uncertainty);
 /// Seconds as people say them: "42 s", "13 min", "2.4 h", "9 days".

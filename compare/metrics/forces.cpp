@@ -36,7 +36,7 @@ MeanValue mean_of(const RunRecord& record, const std::string& table, const std::
     const Column* c = record.series(table, column);
     if (!c) {
         MeanValue none;
-        none.why_not = "this method does not give it";
+        none.why_not = not_given;
         return none;
     }
     SettledRules rules;
@@ -112,7 +112,7 @@ void add_sph_measures(Comparison& comparison, const CompareOptions& options) {
                         [&](const RunRecord& r) {
                             const MeanValue sum = mean_of(r, "forces", "fz", options);
                             MeanValue spread;
-                            spread.why_not = "this method does not give it";
+                            spread.why_not = not_given;
                             if (!sum.known) return spread;
                             double low = sum.value, high = sum.value, u = sum.half_width;
                             bool other = false;
@@ -148,11 +148,13 @@ void add_forces(Comparison& comparison, const CompareOptions& options) {
                                     });
     if (leave_friction_out)
         comparison.banners.push_back(
-            "Only one side solves friction: drag and lift are compared without it (pressure parts); friction stands "
-            "beside.");
+            "Only one method solves friction: drag and lift are compared without it (pressure parts); friction is "
+            "listed "
+            "below.");
     else if (some_with_friction)
         comparison.banners.push_back(
-            "Only some sources hold friction in their drag, and not all of them tell its part: the drags compared here "
+            "Only some sources include friction in their drag, and not all of them list its part: the drags compared "
+            "here "
             "differ by it.");
 
     double lift = 0;
@@ -217,6 +219,13 @@ void add_wetted_length(Comparison& comparison, const CompareOptions& options) {
                           "length of the hull that water touches, along the keel", [&](const RunRecord& r) {
                               const double half_cell = 0.5 * number_of(r, "near_hull", 0);
                               MeanValue m = mean_of(r, "samples", "wetted_length", options, half_cell);
+                              if (m.known && m.value == 0) {
+                                  m = {};
+                                  m.why_not =
+                                      fmt::format("not measured (no wetted point within {:.3g} m of the centreline)",
+                                                  0.1 * number_of(r, "beam", 0));
+                                  return m;
+                              }
                               if (m.known && m.half_width < half_cell) {
                                   m.half_width = half_cell;
                                   m.limited_by = "the spacing at the hull";

@@ -15,20 +15,35 @@ namespace tw {
 
 namespace {
 
-MeanValue peak(const RunRecord& record, const std::string& table, const std::string& column) {
+/// The time that every source covers which has the probe [s].
+struct Span {
+    double from = -HUGE_VAL, to = HUGE_VAL;
+};
+Span common_span(const std::vector<RunRecord>& sources, const std::string& table, const std::string& column) {
+    Span span;
+    for (const RunRecord& r : sources) {
+        if (!r.series(table, column) || r.tables.at(table).time.empty()) continue;
+        const auto& time = r.tables.at(table).time;
+        span.from = std::max(span.from, time.front()), span.to = std::min(span.to, time.back());
+    }
+    return span;
+}
+
+/// Highest value within the span: one that only a longer record could have seen takes no part.
+MeanValue peak(const RunRecord& record, const std::string& table, const std::string& column, const Span& span) {
     MeanValue m;
-    m.why_not = "no such probe";
+    m.why_not = not_given;
     const Column* c = record.series(table, column);
     if (!c) return m;
     const auto& time = record.tables.at(table).time;
     for (std::size_t i = 0; i < time.size(); ++i)
-        if (std::isfinite(c->values[i]) && !(m.value >= c->values[i])) {
+        if (time[i] >= span.from && time[i] <= span.to && std::isfinite(c->values[i]) && !(m.value >= c->values[i])) {
             m.value = c->values[i];
             m.from = m.to = time[i];
         }
     m.known = std::isfinite(m.value);
     m.half_width = 0;
-    m.why_not = m.known ? "" : "no value in the whole record";
+    m.why_not = m.known ? "" : "no value in the time that all records cover";
     return m;
 }
 
@@ -55,7 +70,7 @@ double rms_per_cent(const RunRecord& a, const RunRecord& b, const std::string& t
 /// without a statistical interval.
 MeanValue mean_over_run(const RunRecord& record, const std::string& table, const std::string& column) {
     MeanValue m;
-    m.why_not = "no such probe";
+    m.why_not = not_given;
     const Column* c = record.series(table, column);
     if (!c) return m;
     const auto& t = record.tables.at(table).time;
@@ -88,9 +103,11 @@ void add_probes(Comparison& comparison, const CompareOptions& options) {
             if (const auto found = r.tables.find(table); found != r.tables.end())
                 for (const Column& c : found->second.columns) probes.emplace(c.name, c.unit);
         for (const auto& [name, unit] : probes) {
-            Quantity q = new_quantity(fmt::format("{}:{}", table, name), fmt::format("Peak {} at {}", table, name),
-                                      unit, "highest value of the record; depends on its length and sampling");
-            for (const RunRecord& r : comparison.sources) q.values.push_back(peak(r, table, name));
+            Quantity q = new_quantity(
+                fmt::format("{}:{}", table, name), fmt::format("Peak {} at {}", table, name), unit,
+                "highest value in the time that all records cover; depends on that time and on the sampling");
+            const Span span = common_span(comparison.sources, table, name);
+            for (const RunRecord& r : comparison.sources) q.values.push_back(peak(r, table, name, span));
             beside(q);
             q.judged_in_ladder =
                 std::ranges::none_of(comparison.sources, [](const RunRecord& r) { return flow_through_time(r) > 0; });

@@ -71,7 +71,7 @@ void withhold_if_short(MeanValue& value, const Analysis& analysis, const RunReco
     value = {};
     value.seconds_needed = needed - window;
     value.why_not =
-        fmt::format("record too short: {:.2g} s of settled frames, {:.2g} s wanted; about {:.2g} s more is needed",
+        fmt::format("record too short: {:.2g} s of settled frames, {:.2g} s needed; about {:.2g} s more is needed",
                     std::max(window, 0.0), needed, value.seconds_needed);
 }
 
@@ -171,6 +171,11 @@ void add_splash(Comparison& comparison, const CompareOptions& options) {
                                      number_of_text(record, "symmetry_factor", 1) * 0.5 * record.raster.spacing, record,
                                      record.frames.empty() ? "no raster frames" : "no wake crest above half a voxel"));
         withhold_if_short(wake.values.back(), a, record, options);
+        const double widest =
+            number_of_text(record, "symmetry_factor", 1) * record.raster.count[1] * record.raster.spacing;
+        if (wake.values.back().known && wake.values.back().value > widest - 1.5 * record.raster.spacing)
+            wake.remark += fmt::format("{}{}: as wide as the raster ({:.3g} m), so the wake may be wider",
+                                       wake.remark.empty() ? "" : "; ", comparison.names[s], widest);
     }
     for (Quantity* q : {&envelope, &raw}) {
         beside(*q);

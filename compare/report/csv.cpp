@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "compare/report/report_table.h"
+
 namespace tw {
 
 namespace {
@@ -12,30 +14,27 @@ std::string number(double v) { return std::isfinite(v) ? fmt::format("{}", v) : 
 
 }  // namespace
 
-std::string csv_cell(const std::string& text) {
-    const bool formula = !text.empty() && (text[0] == '=' || text[0] == '+' || text[0] == '-' || text[0] == '@');
-    const std::string safe = formula ? fmt::format("'{}", text) : text;
-    if (safe.find_first_of(",\"\r\n") == std::string::npos) return safe;
-    std::string quoted = "\"";
-    for (const char c : safe) {
-        if (c == '"') quoted += '"';
-        quoted += c;
-    }
-    return quoted + "\"";
-}
-
 std::string quantities_csv(const Comparison& comparison) {
-    std::string out = "name,unit";
-    for (const std::string& n : comparison.names) out += fmt::format(",{},{}", csv_cell(n), csv_cell(n + " interval"));
-    out += ",difference,interval,per_cent,verdict,judged,remark\n";
-    for (const Quantity& q : comparison.quantities) {
-        out += csv_cell(q.name) + "," + csv_cell(q.unit);
-        for (const MeanValue& m : q.values)
-            out += m.known ? fmt::format(",{},{}", number(m.value), number(m.half_width)) : ",,";
-        out += fmt::format(",{},{},{},{},{},{}\n", number(q.difference), number(q.interval), number(q.per_cent),
-                           to_string(q.verdict), q.judged ? "yes" : "no", csv_cell(q.remark));
+    ReportTable table{"", {words("name"), words("unit")}};
+    for (const std::string& n : comparison.names) {
+        table.columns.push_back(numbers(n));
+        table.columns.push_back(numbers(n + " interval"));
     }
-    return out;
+    for (const char* name : {"difference", "interval", "per_cent", "verdict", "judged", "remark"})
+        table.columns.push_back(words(name));
+    for (const Quantity& q : comparison.quantities) {
+        ReportRow row{{q.name, q.unit}};
+        for (const MeanValue& m : q.values) {
+            row.cells.push_back(m.known ? ReportCell(m.value) : ReportCell());
+            row.cells.push_back(m.known ? ReportCell(m.half_width) : ReportCell());
+        }
+        for (const ReportCell& cell :
+             {ReportCell(q.difference), ReportCell(q.interval), ReportCell(q.per_cent),
+              ReportCell(to_string(q.verdict)), ReportCell(q.judged ? "yes" : "no"), ReportCell(q.remark)})
+            row.cells.push_back(cell);
+        table.rows.push_back(std::move(row));
+    }
+    return csv_of(table);
 }
 
 std::string series_csv(const Comparison& comparison) {

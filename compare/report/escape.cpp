@@ -50,10 +50,25 @@ std::string escaped(std::string_view text) {
     return out;
 }
 
-std::string for_terminal(std::string text) {
-    for (char& c : text)
-        if ((static_cast<unsigned char>(c) < 0x20 && c != '\n') || c == 0x7f) c = '?';
-    return text;
+std::string for_terminal(std::string_view text) {
+    std::string out;
+    while (!text.empty()) {
+        const std::size_t n = sequence_length(text);
+        const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+        const bool c0 = n == 1 && ((byte(0) < 0x20 && text[0] != '\n' && text[0] != '\t') || byte(0) == 0x7f);
+        const bool c1 = n == 2 && byte(0) == 0xC2 && byte(1) < 0xA0;
+        // U+200E, U+200F, U+202A to U+202E and U+2066 to U+2069 turn the direction of what follows
+        const bool turns =
+            n == 3 && byte(0) == 0xE2 &&
+            ((byte(1) == 0x80 && (byte(2) == 0x8E || byte(2) == 0x8F || (byte(2) >= 0xAA && byte(2) <= 0xAE))) ||
+             (byte(1) == 0x81 && byte(2) >= 0xA6 && byte(2) <= 0xA9));
+        if (n == 0 || c0 || c1 || turns)
+            out += '?';
+        else
+            out += text.substr(0, n);
+        text.remove_prefix(n == 0 ? 1 : n);
+    }
+    return out;
 }
 
 std::string shell_word(const std::string& word) {

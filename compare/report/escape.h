@@ -13,7 +13,8 @@ std::string shell_word(const std::string& word);
 /// A file name as such a word: one that begins with a dash is no option.
 std::string shell_file(const std::string& name);
 
-/// Text for a terminal: control characters but the line feed become ?, so that no record or table steers it.
-std::string for_terminal(std::string text);
+/// Text for a terminal: control characters but line feed and tab, what turns the direction of writing, and broken UTF-8
+/// become ?, so that no scene, record or table steers it.
+std::string for_terminal(std::string_view text);
 
 }  // namespace tw

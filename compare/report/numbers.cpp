@@ -52,35 +52,38 @@ std::string verdict_label(Verdict verdict) {
     return label;
 }
 
+namespace {
+/// What the interval of a difference is made of: the scatter, or what is wider, such as the raster.
+std::string limit_of(const Quantity& q) {
+    const MeanValue* widest = nullptr;
+    for (const MeanValue& m : q.values)
+        if (m.known && (!widest || m.half_width > widest->half_width)) widest = &m;
+    return widest && !widest->limited_by.empty() ? "from " + widest->limited_by : "statistical scatter of the means";
+}
+}  // namespace
+
 std::string verdict_sentence(const Comparison& comparison) {
-    if (comparison.sources.size() < 2) return "Only one run: its values stand without a verdict.";
+    if (comparison.sources.size() < 2) return "One run only: there is nothing to compare it with.";
     const bool pair = comparison.sources.size() == 2;
     std::string text;
     for (const char* name : {"lift", "drag", "splash_sheet_height"}) {
         const Quantity* q = comparison.find(name);
         if (!q) continue;
         const std::string label = std::string_view(name) == "splash_sheet_height" ? "Splash height" : q->label;
-        const double interval =
-            q->difference != 0 ? std::abs(q->per_cent * q->interval / q->difference) : 0;  // in per cent
         if (!text.empty()) text += " ";
-        switch (q->verdict) {
-            case Verdict::agree:
-                text += fmt::format("{} agrees within {:g} %", label, 100 * comparison.agree_within);
-                text += pair ? fmt::format(" ({} {}).", comparison.names[1], per_cent_text(q->per_cent)) : ".";
-                break;
-            case Verdict::differ:
-                text += label + " differs: ";
-                text += pair ? fmt::format("{} is {:.1f} % {} than {} (± {:.1f} %).", comparison.names[1],
-                                           std::abs(q->per_cent), q->difference < 0 ? "lower" : "higher",
-                                           comparison.names[0], interval)
-                             : fmt::format("by up to {:.1f} % (± {:.1f} %).", std::abs(q->per_cent), interval);
-                break;
-            case Verdict::undecided: text += label + " is undecided."; break;
-            case Verdict::not_converged: text += label + " is not converged."; break;
-            case Verdict::not_comparable: text += label + " cannot be compared."; break;
+        if (q->verdict == Verdict::not_estimated && std::isfinite(q->per_cent)) {
+            text += fmt::format("{}: apart by {:.1f} % at this size", label, std::abs(q->per_cent));
+            if (pair && q->difference != 0)
+                text += fmt::format(" ({} {})", comparison.names[1], q->difference < 0 ? "lower" : "higher");
+            if (q->difference != 0 && q->interval > 0)
+                text +=
+                    fmt::format(", ± {:.1f} % {}", std::abs(q->per_cent * q->interval / q->difference), limit_of(*q));
+            text += "; discretisation error not estimated.";
+        } else {
+            text += label + ": " + verdict_label(q->verdict) + (q->remark.empty() ? "" : " (" + q->remark + ")") + ".";
         }
     }
-    if (text.empty()) text = "No force and no splash to judge; see the tables.";
+    if (text.empty()) text = "No force and no splash to compare; see the tables.";
     return text;
 }
 

@@ -18,7 +18,7 @@ h3{font-size:15px;margin:22px 0 6px}p{margin:6px 0}.sub{color:var(--soft);margin
 .note{color:var(--soft);font-size:13.5px}
 .wide{overflow-x:auto}table{border-collapse:collapse;width:100%;font-size:14px}
 th,td{text-align:left;padding:6px 10px;border-bottom:1px solid var(--line);vertical-align:top}th{font-weight:600;color:var(--soft);font-size:13px}
-td.num,th.num{text-align:right;white-space:nowrap;font-variant-numeric:tabular-nums}tr.ref td{color:var(--soft);font-style:italic}tr.remark td{color:var(--soft);font-size:13px;padding-top:0}
+td.num,th.num{text-align:right;font-variant-numeric:tabular-nums}td.num{white-space:nowrap}td.text{overflow-wrap:anywhere}tr.ref td{color:var(--soft);font-style:italic}tr.remark td{color:var(--soft);font-size:13px;padding-top:0}
 tr.has-remark td{border-bottom:0;padding-bottom:2px}
 .badge{display:inline-block;padding:1px 9px;border-radius:10px;font-size:13px;font-weight:600;white-space:nowrap}
 .agree{color:var(--good);background:var(--goodbg)}.differ{color:var(--bad);background:var(--badbg)}.undecided{color:var(--open);background:var(--openbg)}.not_converged{color:var(--open);background:var(--openbg)}.not_comparable{color:var(--none);background:var(--nonebg)}

@@ -25,7 +25,7 @@ std::string standalone(const std::string& svg) {
 ReportFiles write_report(const Comparison& comparison, const fs::path& folder, const std::string& above) {
     std::error_code error;
     fs::create_directories(folder / "figures", error);
-    if (error) throw RunError((folder / "figures").string() + ": cannot be made: " + error.message());
+    if (error) throw RunError((folder / "figures").string() + ": cannot be created: " + error.message());
     const Figures figures = draw_figures(comparison);
     for (const auto* list :
          {&figures.forces, &figures.splash, &figures.wetting, &figures.cuts, &figures.probes, &figures.maps})

@@ -92,15 +92,15 @@ MeanValue settled_mean(std::span<const double> time, std::span<const double> val
     if (m.n_effective < rules.fewest_independent)
         return too_short(
             m, window * (rules.fewest_independent / m.n_effective - 1),
-            fmt::format("{:.2g} independent samples, {:g} wanted", m.n_effective, rules.fewest_independent));
+            fmt::format("{:.2g} independent samples, {:g} needed", m.n_effective, rules.fewest_independent));
     if (rules.flow_through > 0 && window < rules.fewest_flow_throughs * rules.flow_through)
         return too_short(m, rules.fewest_flow_throughs * rules.flow_through - window,
-                         fmt::format("{:.2g} flow-through times after the transient, {:g} wanted",
+                         fmt::format("{:.2g} flow-through times after the transient, {:g} needed",
                                      window / rules.flow_through, rules.fewest_flow_throughs));
     const double allowed = std::max(rules.largest_error * std::abs(mean), rules.allowed_error);
     if (u > allowed)
         return too_short(m, allowed > 0 ? window * ((u / allowed) * (u / allowed) - 1) : window,
-                         fmt::format("standard error {:.2g} % of the mean, {:g} % wanted", 100 * u / std::abs(mean),
+                         fmt::format("standard error {:.2g} % of the mean, {:g} % allowed", 100 * u / std::abs(mean),
                                      100 * allowed / std::abs(mean)));
 
     const auto batch = static_cast<std::size_t>(std::min(n / 5, std::max(std::sqrt(n), 10 * tau)));

@@ -18,8 +18,8 @@ struct SweepMember {
 
 /// How two methods stand to each other over a set of scenes, for one quantity:
 ///
-///   r_i = ln(B_i / A_i)     bias = mean r     scatter = standard deviation of r     interval = t_95(n-1)
-///   scatter/sqrt(n)
+///   r_i = ln(B_i / A_i)     bias = mean r     scatter = standard deviation of r
+///   interval = t_95(n-1) scatter/sqrt(n)
 ///
 /// in logarithms, so that a factor of two up and one down cancel. Members where a value is missing or 0, or where the
 /// signs differ, are left out and counted.

@@ -3,10 +3,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "compare/report/csv.h"
 #include "compare/report/escape.h"
 #include "compare/report/numbers.h"
-#include "compare/sweep/sweep.h"
+#include "compare/sweep/sweep_tables.h"
 
 namespace tw {
 
@@ -24,31 +23,12 @@ std::string ratio_text(double logarithm) {
 
 std::string sweep_text(const Sweep& sweep) {
     std::string out = fmt::format("# {}\n", for_terminal(sweep.title));
-    if (sweep.methods.size() == 2) {
-        out += fmt::format(
-            "\n| quantity | scenes | bias, {1} over {0} | its 95 % interval | scatter | left out |\n"
-            "|---|---|---|---|---|---|\n",
-            for_terminal(sweep.methods[0]), for_terminal(sweep.methods[1]));
-        for (const SweepSummary& s : sweep.summaries)
-            out += fmt::format(
-                "| {} | {} | {} | {} | {} | {} |\n", s.label, s.points.size(), ratio_text(s.bias),
-                std::isfinite(s.interval)
-                    ? fmt::format("{} to {}", ratio_text(s.bias - s.interval), ratio_text(s.bias + s.interval))
-                    : "-",
-                std::isfinite(s.scatter) ? fmt::format("x {:.3g}", std::exp(s.scatter)) : "-", s.left_out);
-    }
-    for (const SweepSummary& s : sweep.summaries) {
-        if (s.points.empty()) continue;
-        out += fmt::format("\n## {} [{}]\n\n| scene | {} | {} | relative | verdict |\n|---|---|---|---|---|\n", s.label,
-                           s.unit, for_terminal(sweep.methods[0]), for_terminal(sweep.methods[1]));
-        for (const auto& p : s.points)
-            out += fmt::format("| {} | {} | {} | {} | {} |\n", for_terminal(sweep.members[p.member].name),
-                               value_text(p.a, p.Ua), value_text(p.b, p.Ub), per_cent_text(100 * (p.b / p.a - 1)),
-                               verdict_label(p.verdict));
-    }
-    for (const SweepMember& m : sweep.members)
-        if (!m.why_not.empty())
-            out += fmt::format("\n! {}: no comparison: {}\n", for_terminal(m.name), for_terminal(m.why_not));
+    const auto add = [&](const ReportTable& table) {
+        if (!table.empty()) out += "\n" + text_of(table);
+    };
+    add(sweep_summaries(sweep));
+    add(sweep_values(sweep));
+    add(sweep_scenes(sweep));
     return out;
 }
 
@@ -79,12 +59,14 @@ std::string sweep_json(const Sweep& sweep) {
 }
 
 std::string sweep_csv(const Sweep& sweep) {
-    std::string out = "scene,quantity,unit,value A,value B,interval A,interval B,verdict\n";
+    ReportTable table{"",
+                      {words("scene"), words("quantity"), words("unit"), numbers("value A"), numbers("value B"),
+                       numbers("interval A"), numbers("interval B"), words("verdict")}};
     for (const SweepSummary& s : sweep.summaries)
         for (const auto& p : s.points)
-            out += fmt::format("{},{},{},{:.9g},{:.9g},{:.4g},{:.4g},{}\n", csv_cell(sweep.members[p.member].name),
-                               s.name, s.unit, p.a, p.b, p.Ua, p.Ub, to_string(p.verdict));
-    return out;
+            table.rows.push_back(
+                {{sweep.members[p.member].name, s.name, s.unit, p.a, p.b, p.Ua, p.Ub, to_string(p.verdict)}});
+    return csv_of(table);
 }
 
 }  // namespace tw

@@ -11,6 +11,10 @@ namespace tw {
 
 namespace {
 
+constexpr double smallest_p =
+    0.5;  ///< observed order below which an oscillation counts as undamped, as in eca_hoekstra.h
+constexpr double no_order = 0.1;  ///< below which values are not told from ones that diverge
+
 struct Candidate {
     std::string method;
     double order, limit, uncertainty;
@@ -39,6 +43,18 @@ void from_three_levels(Estimate& e) {
     const double phi1 = e.levels[0].value, phi2 = e.levels[1].value, phi3 = e.levels[2].value;
     std::vector<Candidate> candidates;
     const double p = e.celik_gci.p;
+    if (e.convergence == Convergence::oscillatory && p < smallest_p) {
+        // Hardly damped: an extrapolation would divide by next to nothing. The values scatter about what they tend to.
+        e.convergence = Convergence::scattered;
+        const auto [low, high] = std::minmax({phi1, phi2, phi3});
+        take(e, {"three times half the range of three levels", Estimate::nan, 0.5 * (low + high), 1.5 * (high - low)});
+        return;
+    }
+    if (e.convergence == Convergence::monotone && p < no_order) {
+        e.convergence = Convergence::divergent;
+        e.why_not = fmt::format("the changes of the three finest levels hardly shrink (observed order {:.2g})", p);
+        return;
+    }
     if (e.celik_gci.known) candidates.push_back({"GCI", p, e.celik_gci.phi_ext, e.celik_gci.uncertainty});
     if (e.xing_stern.known) candidates.push_back({"factor of safety", p, e.xing_stern.limit, e.xing_stern.uncertainty});
     if (p > 1.05 * e.p_th) {
@@ -122,6 +138,8 @@ std::string verdict_sentence(const Estimate& e) {
     if (e.levels.size() == 1) return "no uncertainty: " + e.why_not;
     if (!std::isfinite(e.uncertainty))
         return fmt::format("not converged ({}): {}; no uncertainty can be given", to_string(e.convergence), e.why_not);
+    if (e.uncertainty <= 1e-9 * std::abs(e.levels[0].value))
+        return fmt::format("unchanged from size to size: {:.6g}; no discretisation error is seen", e.levels[0].value);
     const std::string value = value_with_uncertainty(e.levels[0].value, e.uncertainty);
     if (e.levels.size() == 2)
         return fmt::format("{} by an assumed order {:g} with Fs = 3: two levels cannot show whether it converges",
@@ -130,7 +148,7 @@ std::string verdict_sentence(const Estimate& e) {
         e.convergence == Convergence::scattered
             ? fmt::format(
                   "not converged (scattered): {}, a bound: the values scatter by more than they change from "
-                  "level to level",
+                  "size to size",
                   value)
             : fmt::format("converged ({}{}): {} by {}", to_string(e.convergence),
                           std::isfinite(e.order) ? fmt::format(", order {:.2f}", e.order) : "", value, e.method);

@@ -14,7 +14,9 @@ namespace tw {
 /// - from four levels on from the least squares of Eca & Hoekstra;
 /// - with three from the widest of: the factor of safety; the GCI; where the observed order is above 1.05 p_th, and so
 ///   too good to be trusted, the two finest levels with p_th and Fs = 3 (Roache 2011, J. Fluids Eng. 133, 115501);
-///   where oscillatory half the range of the three values (ITTC 7.5-03-01-01);
+///   where oscillatory half the range of the three values (ITTC 7.5-03-01-01). An oscillation of observed order below
+///   0.5 is hardly damped: scattered, with three times half the range as its bound. A monotone order below 0.1 is not
+///   told from divergence;
 /// - with two from the GCI with the assumed order p_th and Fs = 3, which cannot show whether anything converges;
 /// - with one: none.
 /// "Not converged" is a result like any other: divergent values have no uncertainty, scattered ones have one that is a
@@ -33,8 +35,8 @@ struct Estimate {
     /// U of every level, finest first [unit of the value]: the least squares' own; with fewer than four levels
     /// U_1 |phi_i - limit|/|phi_1 - limit|. Empty where there is no uncertainty.
     std::vector<double> uncertainties;
-    double disagreement =
-        nan;  ///< largest over smallest of the three methods' U, where two or more have one above 0 [-]
+    /// Largest over smallest of the three methods' U, where two or more have one above 0 [-].
+    double disagreement = nan;
     EcaHoekstra eca_hoekstra;
     CelikGci celik_gci;  ///< the assumed order and Fs = 3 where there are two levels
     XingStern xing_stern;

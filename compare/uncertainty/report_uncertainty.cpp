@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "compare/report/escape.h"
+#include "compare/report/report_table.h"
 
 namespace tw {
 
@@ -34,35 +34,6 @@ std::vector<MethodRow> rows_of(const Estimate& e) {
              gci.phi_ext, gci.uncertainty, gci.why_not},
             {"factor of safety (Xing & Stern)", std::min<std::size_t>(n, 3), fs.p, fs.convergence, fs.limit,
              fs.uncertainty, fs.why_not}};
-}
-
-/// A name of the user's may neither steer the terminal nor break the table.
-std::string plain(const std::string& text) {
-    std::string out;
-    for (const char c : for_terminal(text)) {
-        if (c == '|') out += '\\';
-        out += c;
-    }
-    return out;
-}
-
-std::string number(double v, const char* digits = "{:.6g}") {
-    return std::isfinite(v) ? fmt::format(fmt::runtime(digits), v) : "-";
-}
-
-std::string markdown(const std::vector<std::vector<std::string>>& rows) {
-    std::vector<std::size_t> width(rows[0].size(), 3);
-    for (const auto& row : rows)
-        for (std::size_t c = 0; c < row.size(); ++c) width[c] = std::max(width[c], row[c].size());
-    std::string out;
-    for (std::size_t r = 0; r < rows.size(); ++r) {
-        for (std::size_t c = 0; c < width.size(); ++c) out += fmt::format("| {:<{}} ", rows[r][c], width[c]);
-        out += "|\n";
-        if (r > 0) continue;
-        for (const std::size_t w : width) out += fmt::format("|{:-<{}}", "", w + 2);
-        out += "|\n";
-    }
-    return out;
 }
 
 Json method_json(const MethodRow& m) {
@@ -106,24 +77,23 @@ std::string uncertainty_text(const std::vector<QuantityEstimate>& quantities, co
     for (const QuantityEstimate& q : quantities) {
         const Estimate& e = q.estimate;
         const double finest = e.levels.front().value;
-        const std::string name = plain(q.name);
-        out +=
-            fmt::format("## {}\n\n{} level{}, {} = {:g}{}; finest value {:.6g}; order of the scheme {:g}\n\n", name,
-                        e.levels.size(), e.levels.size() == 1 ? "" : "s", plain(spacing_name), e.levels.front().spacing,
-                        e.levels.size() == 1 ? "" : fmt::format(" to {:g}", e.levels.back().spacing), finest, e.p_th);
-        std::vector<std::vector<std::string>> table{{"method", "levels", "order", "class", "limit", "U", "U [%]"}};
-        std::string notes;
+        const auto place = [](double v) { return std::isfinite(v) ? fmt::format("{:.2f}", v) : "–"; };
+        ReportTable table{q.name,
+                          {words("method"), numbers("levels"), numbers("order"), words("class"),
+                           numbers("limit", "", 6), numbers("U"), numbers("U", "%", 2)}};
         for (const MethodRow& m : rows_of(e)) {
             const double per_cent = finest != 0 ? 100 * m.uncertainty / std::abs(finest) : Estimate::nan;
-            table.push_back({m.name, fmt::format("{}", m.levels), number(m.order, "{:.2f}"), to_string(m.convergence),
-                             number(m.limit), number(m.uncertainty, "{:.3g}"), number(per_cent, "{:.2g}")});
-            if (!m.why_not.empty()) notes += fmt::format("{}: {}\n", m.name, m.why_not);
+            table.rows.push_back(
+                {{m.name, m.levels, place(m.order), to_string(m.convergence), m.limit, m.uncertainty, per_cent},
+                 m.why_not});
         }
-        out += markdown(table);
-        if (!notes.empty()) out += "\n" + notes;
-        out += fmt::format("\n{}: {}\n\n", name, verdict_sentence(e));
+        table.notes.push_back(
+            fmt::format("{} level{}, {} = {:g}{}; finest value {:.6g}; order of the scheme {:g}", e.levels.size(),
+                        e.levels.size() == 1 ? "" : "s", spacing_name, e.levels.front().spacing,
+                        e.levels.size() == 1 ? "" : fmt::format(" to {:g}", e.levels.back().spacing), finest, e.p_th));
+        table.notes.push_back(q.name + ": " + verdict_sentence(e));
+        out += (out.empty() ? "" : "\n") + text_of(table);
     }
-    if (!out.empty()) out.pop_back();
     return out;
 }
 

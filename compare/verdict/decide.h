@@ -5,7 +5,7 @@
 
 namespace tw {
 
-/// The decision behind every verdict, of a difference E with the half width U of its 95 % interval and a size S of the
+/// The decision behind every verdict of a ladder, of a difference E with the half width U of its 95 % interval and a size S of the
 /// values (E and U as in ASME V&V 20 and ITTC 7.5-02-01-01):
 ///
 ///   |E| >  U                       differ

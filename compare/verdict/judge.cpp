@@ -4,9 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "compare/verdict/decide.h"
-
 namespace tw {
 
 std::string to_string(Verdict verdict) {
@@ -15,6 +12,7 @@ std::string to_string(Verdict verdict) {
         case Verdict::differ: return "differ";
         case Verdict::undecided: return "undecided";
         case Verdict::not_converged: return "not_converged";
+        case Verdict::not_estimated: return "discretisation error not estimated";
         case Verdict::not_comparable: break;
     }
     return "not_comparable";
@@ -71,20 +69,18 @@ void judge(Quantity& q, const std::vector<std::string>& names, double target, do
     const double mean = 0.5 * std::abs(A.value + B.value), scale = std::max(mean, q.scale);
     if (scale > 0) q.per_cent = 100 * q.difference / scale;
     if (q.values.size() > 2) add_remark(q, "farthest apart: " + names[a] + " and " + names[b]);
-    q.verdict = decide(q.difference, q.interval, target, scale);
-    if (q.verdict == Verdict::differ && std::abs(q.difference) <= target * scale)
-        add_remark(q, fmt::format("a real difference, yet within the target of {:g} %", 100 * target));
-    if (q.verdict == Verdict::undecided) {
+    q.verdict = Verdict::not_estimated;
+    if (q.interval > target * scale) {
         const MeanValue& wider = A.half_width >= B.half_width ? A : B;
         const std::string who = shared > wider.half_width   ? shared_name
                                 : !wider.limited_by.empty() ? wider.limited_by
-                                                            : "the interval of " + names[&wider == &A ? a : b];
+                                                            : "the mean of " + names[&wider == &A ? a : b];
         // what would make the widest mean's interval small enough, the others as they are
         const double rest2 = q.interval * q.interval - wider.half_width * wider.half_width,
                      room = target * target * scale * scale - rest2, window = wider.to - wider.from;
         const bool longer = shared <= wider.half_width && wider.limited_by.empty() && room > 0 && window > 0;
-        add_remark(q, fmt::format("intervals too wide for a target of {:g} %; widest: {}{}", 100 * target, who,
-                                  longer ? fmt::format("; {:.2g} s of settled record instead of {:.2g} s would do",
+        add_remark(q, fmt::format("this interval alone is wider than {:g} %; widest: {}{}", 100 * target, who,
+                                  longer ? fmt::format("; {:.2g} s of settled record instead of {:.2g} s would suffice",
                                                        window * wider.half_width * wider.half_width / room, window)
                                          : ""));
     }

@@ -36,7 +36,7 @@ json run_named(const json& facts, const std::string& name) {
     return nullptr;
 }
 
-TEST_F(AblateCommand, EffectsAreSwitchedAndTabulatedAndTakenUpAgain) {
+TEST_F(AblateCommand, EffectsAreSwitchedAndTabulatedAndReused) {
     write("column.toml", column);
     const std::vector<std::string> command{"ablate",  "column.toml", "--json",  "facts.json",     "--effects",
                                            "gravity", "shifting",    "no_slip", "compressibility"};
@@ -72,7 +72,7 @@ TEST_F(AblateCommand, EffectsAreSwitchedAndTabulatedAndTakenUpAgain) {
     ASSERT_FALSE(record.empty());
     const Outcome again = twinwake(command);
     EXPECT_EQ(again.status, 0) << again.err;
-    EXPECT_NE(again.out.find("gravity off: sph finished before, taken from"), std::string::npos) << again.out;
+    EXPECT_NE(again.out.find("gravity off: sph: finished before, taken from"), std::string::npos) << again.out;
     EXPECT_TRUE(content(out / "gravity_off/sph/record.h5") == record);
 
     // Another base in the same folder is refused, not mixed in.
@@ -93,7 +93,7 @@ TEST_F(AblateCommand, ARunThatCannotBeMadeDoesNotStopTheOthers) {
     EXPECT_EQ(content(folder_ / "runs/column_ablation/gravity_off"), "in the way");
 }
 
-TEST_F(AblateCommand, StoppedItGoesOnFromThere) {
+TEST_F(AblateCommand, StoppedItContinuesFromThere) {
     write("column.toml", with(column, "duration = 0.2", "duration = 6\ncheckpoint = 0.05"));
     const std::vector<std::string> command{"ablate", "column.toml", "--effects", "shifting"};
     const Started s = start(command);
@@ -103,7 +103,7 @@ TEST_F(AblateCommand, StoppedItGoesOnFromThere) {
     kill(s.child, SIGINT);
     const Outcome stopped = finish(s);
     EXPECT_EQ(stopped.status, 3);
-    EXPECT_NE(stopped.err.find("the same command goes on from here"), std::string::npos) << stopped.err;
+    EXPECT_NE(stopped.err.find("the same command continues from here"), std::string::npos) << stopped.err;
     EXPECT_FALSE(fs::exists(folder_ / "runs/column_ablation/ablation.html"));
     std::vector<std::string> shorter = command;
     shorter.insert(shorter.end(), {"--duration", "0.3"});  // the length of a run is not part of its identity
@@ -130,7 +130,7 @@ TEST_F(AblateCommand, WrongArgumentsAreRefusedBeforeTheWorkAndLeaveNothing) {
     EXPECT_NE(refused({"--effects", "compressibility"})
                   .find("none of these effects can be switched; compressibility: cannot be switched: "),
               std::string::npos);
-    EXPECT_NE(refused({"--effects", "shifting", "--method", "fvm"}).find("it acts among the particles alone"),
+    EXPECT_NE(refused({"--effects", "shifting", "--method", "fvm"}).find("it acts in the particle method alone"),
               std::string::npos);
     refused({"--method", "dns"});
     refused({"--threads", "0"});

@@ -135,7 +135,64 @@ TEST_F(Command, CheckGivesItsFactsToPrograms) {
         EXPECT_NE(o.out.find(key), std::string::npos) << key;
     EXPECT_EQ(twinwake({"check", "a.toml", "-q", "--json", "facts.json"}).out, "");
     EXPECT_EQ(content(folder_ / "facts.json"), o.out);
-    EXPECT_EQ(twinwake({"check", "a.toml", "--json", "no/such/folder/facts.json"}).status, 3);
+    EXPECT_EQ(twinwake({"check", "a.toml", "--json", "no/such/folder/facts.json"}).status, 2);
+}
+
+TEST_F(Command, LostOutputIsNoSuccess) {
+    write("a.toml", planing);
+    write("table.csv", "h,drag\n1,1\n2,1.1\n4,1.4\n");
+    const std::vector<std::vector<std::string>> commands{{"check", "a.toml"},
+                                                         {"check", "a.toml", "--json", "-"},
+                                                         {"new", "planing", "b.toml"},
+                                                         {"uncertainty", "table.csv"},
+                                                         {"hull", "make"},
+                                                         {"--help"},
+                                                         {"bench", "--seconds", "0.1", "--particles", "1000"}};
+    for (const std::vector<std::string>& command : commands) {
+        const Outcome o = twinwake(command, 0, "/dev/full");
+        EXPECT_EQ(o.status, 2) << command[0];
+        EXPECT_NE(o.err.find("standard output: cannot be written: No space left on device"), std::string::npos)
+            << command[0] << o.err;
+    }
+    EXPECT_EQ(twinwake({"check", "a.toml", "-q"}, 0, "/dev/full").status, 0);  // nothing was to be printed
+    EXPECT_EQ(twinwake({"check", "absent.toml"}, 0, "/dev/full").status, 2);
+}
+
+TEST_F(Command, ATargetThatCannotBeWrittenIsStatusTwoEverywhere) {
+    write("a.toml", planing);
+    write("table.csv", "h,drag\n1,1\n2,1.1\n4,1.4\n");
+    for (const char* target : {"/dev/full", "no/such/folder/facts.json", "."}) {
+        for (const std::vector<std::string>& command :
+             {std::vector<std::string>{"check", "a.toml"}, {"uncertainty", "table.csv"}}) {
+            std::vector<std::string> all = command;
+            all.insert(all.end(), {"--json", target});
+            const Outcome o = twinwake(all);
+            EXPECT_EQ(o.status, 2) << command[0] << " " << target << o.err;
+            EXPECT_EQ(o.err.substr(0, 7), "--json ") << o.err;
+        }
+    }
+    EXPECT_TRUE(fs::is_character_file("/dev/full"));  // and not a file that took its place
+    EXPECT_EQ(twinwake({"new", "planing", "no/such/folder/a.toml"}).status, 2);
+    EXPECT_EQ(twinwake({"hull", "make", "box", "-o", "no/such/folder/box.stl"}).status, 2);
+    EXPECT_EQ(twinwake({"case", "a.toml", "a.toml/case"}).status, 2);
+    EXPECT_EQ(files(), (std::set<std::string>{"a.toml", "table.csv"}));
+}
+
+TEST_F(Command, QuietHidesNoError) {
+    const Outcome doctor = twinwake({"doctor", "-q"});
+    EXPECT_EQ(doctor.out, "");
+    EXPECT_EQ(doctor.err.empty(), doctor.status == 0) << doctor.err;
+    EXPECT_NE(twinwake({"check", "absent.toml", "-q"}).err, "");
+}
+
+TEST_F(Command, NoControlCharacterOfASceneReachesTheTerminal) {
+    write("a.toml", with(planing, "\"planing\"", "\"a\\u001b[2J\\u001b]0;owned\\u0007 \\u009b31m title\""));
+    const Outcome o = twinwake({"check", "a.toml"});
+    EXPECT_EQ(o.status, 0) << o.err;
+    EXPECT_EQ(o.out.substr(0, 12), "a?[2J?]0;own") << o.out;
+    for (const char* bytes : {"\x1b", "\x07", "\xC2\x9B"}) EXPECT_EQ(o.out.find(bytes), std::string::npos);
+    write("b.toml", with(planing, "draft =", "\"dr\\u001b[31maft\" ="));
+    EXPECT_EQ(twinwake({"check", "b.toml"}).err.find('\x1b'), std::string::npos);
 }
 
 }  // namespace

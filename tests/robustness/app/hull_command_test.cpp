@@ -71,6 +71,10 @@ TEST_F(Command, AnOpenHullIsFoundAndNotSilentlyMended) {
     EXPECT_EQ(o.status, 2);
     EXPECT_NE(o.out.find("open_edges"), std::string::npos) << o.out;
     EXPECT_NE(o.out.find("usable: no"), std::string::npos);
+    const Outcome quiet = twinwake({"hull", "info", "open.stl", "-q"});
+    EXPECT_EQ(quiet.status, 2);
+    EXPECT_EQ(quiet.out, "");
+    EXPECT_NE(quiet.err.find("open.stl: not usable"), std::string::npos) << quiet.err;  // quiet is not silent of errors
 }
 
 }  // namespace

@@ -53,8 +53,9 @@ protected:
         fs::path out, err;
     };
     /// Starts the program in the test's folder, without a shell. `largest_file` > 0: no file may grow beyond it
-    /// [bytes], as on a disk that is full.
-    Started start(std::vector<std::string> arguments, rlim_t largest_file = 0) const {
+    /// [bytes], as on a disk that is full. `standard_output`: a device that takes it instead.
+    Started start(std::vector<std::string> arguments, rlim_t largest_file = 0,
+                  const char* standard_output = nullptr) const {
         static int number = 0;
         const std::string name = "twinwake_" + std::to_string(getpid()) + "_" + std::to_string(++number);
         const Started s0{0, fs::temp_directory_path() / (name + ".out"), fs::temp_directory_path() / (name + ".err")};
@@ -62,7 +63,9 @@ protected:
         if (child == 0) {
             if (chdir((folder_ / stands_in_).c_str()) != 0) _exit(126);
             setenv("PWD", (folder_ / stands_in_).c_str(), 1);  // as a shell does
-            dup2(open(s0.out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDOUT_FILENO);
+            dup2(standard_output ? open(standard_output, O_WRONLY)
+                                 : open(s0.out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600),
+                 STDOUT_FILENO);
             dup2(open(s0.err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO);
             if (largest_file > 0) {
                 const rlimit limit{largest_file, largest_file};
@@ -85,8 +88,9 @@ protected:
         fs::remove(s.err);
         return o;
     }
-    Outcome twinwake(const std::vector<std::string>& arguments, rlim_t largest_file = 0) const {
-        return finish(start(arguments, largest_file));
+    Outcome twinwake(const std::vector<std::string>& arguments, rlim_t largest_file = 0,
+                     const char* standard_output = nullptr) const {
+        return finish(start(arguments, largest_file, standard_output));
     }
 
     std::set<std::string> files() const {

@@ -43,7 +43,7 @@ TEST_F(Command, ARunLeavesItsRecordAndIsNotWrittenOver) {
     const std::string record = content(folder_ / "runs/my column/sph/record.h5");
     const Outcome again = twinwake({"run", "my column.toml"});
     EXPECT_EQ(again.status, 2);
-    EXPECT_NE(again.err.find("holds a run already; go on with it by --resume, begin anew by --overwrite"),
+    EXPECT_NE(again.err.find("there is a run already; continue it with --resume, run anew with --overwrite"),
               std::string::npos)
         << again.err;
     EXPECT_EQ(content(folder_ / "runs/my column/sph/record.h5"), record);
@@ -97,7 +97,7 @@ TEST_F(Command, ALadderTakesWhatIsFinishedAndNamesWhatTheBudgetLeavesOut) {
     EXPECT_TRUE(content(out / "near_hull_20mm/sph/record.h5") == record);
     EXPECT_TRUE(fs::exists(out / "near_hull_20mm/time_step_0.5/sph/record.h5"));  // the choices' runs
     EXPECT_NE(content(out / "ladder.md").find("sound speed x 1.5"), std::string::npos);
-    EXPECT_NE(content(out / "report.html").find("The price of a digit"), std::string::npos);
+    EXPECT_NE(content(out / "report.html").find("What accuracy costs"), std::string::npos);
 
     // the same ladder from the records alone
     const std::string ladder = "runs/my column_ladder/";
@@ -135,7 +135,7 @@ TEST_F(Command, AMeasuredHistoryBecomesARecordThatStandsBesideARun) {
     EXPECT_FALSE(fs::exists(folder_ / "x"));
 }
 
-TEST_F(Command, AnInterruptedRunSavesItsStateAndGoesOn) {
+TEST_F(Command, AnInterruptedRunSavesItsStateAndContinues) {
     write("long.toml", longer("3"));
     const Started run = start({"run", "long.toml", "--out", "out"});
     wait_for(folder_ / "out/sph/checkpoint.h5", 60);
@@ -143,7 +143,7 @@ TEST_F(Command, AnInterruptedRunSavesItsStateAndGoesOn) {
     kill(run.child, SIGINT);
     const Outcome stopped = finish(run);
     EXPECT_EQ(stopped.status, 3);
-    EXPECT_NE(stopped.err.find("go on with --resume"), std::string::npos) << stopped.err;
+    EXPECT_NE(stopped.err.find("continue it with --resume"), std::string::npos) << stopped.err;
     EXPECT_EQ(twinwake({"run", "long.toml", "--out", "out", "--resume", "--duration", "0.2"}).status, 0);
 }
 
@@ -164,7 +164,7 @@ TEST_F(Command, TwoRunsNeverShareAFolder) {
 
 TEST_F(Command, AFullDiskIsAFailedRunWithTheSystemsReason) {
     const Outcome stl = twinwake({"hull", "make", "sphere", "-o", "ball.stl", "level=6"}, 10000);
-    EXPECT_EQ(stl.status, 3);
+    EXPECT_EQ(stl.status, 2);  // a target that cannot be written; no run failed
     EXPECT_NE(stl.err.find("ball.stl: cannot be written: File too large"), std::string::npos) << stl.err;
     EXPECT_TRUE(files().empty());  // no half-written file, no temporary one
     write("column.toml", column);
@@ -203,6 +203,59 @@ TEST_F(Command, ALadderSaysInItsReportWhatTheBudgetLeftOutAndHowToMakeItAgain) {
     EXPECT_NE(page.find("twinwake ladder column.toml --levels 3 --no-variations --budget &#39;0.1 s&#39;"),
               std::string::npos);
     EXPECT_NE(content(folder_ / "runs/column_ladder/ladder.md").find("! sph at 0.02 m: left out"), std::string::npos);
+}
+
+TEST_F(Command, OneMethodAlonePrintsItsQuantitiesAndLeavesAReport) {
+    write("column.toml", column);
+    const Outcome o = twinwake({"run", "column.toml", "--method", "sph", "--json", "facts.json"});
+    ASSERT_EQ(o.status, 0) << o.err;
+    for (const char* part :
+         {"Peak pressure at P1", "Mean pressure at P1", "Splash height", "report: runs/column/report.html"})
+        EXPECT_NE(o.out.find(part), std::string::npos) << part << o.out;
+    EXPECT_EQ(o.out.find("cells"), o.out.rfind("particles or cells") + 13) << o.out;  // fvm is not predicted
+    EXPECT_TRUE(fs::exists(folder_ / "runs/column/report.html"));
+    const auto facts = nlohmann::json::parse(content(folder_ / "facts.json"));
+    EXPECT_EQ(facts["runs"][0]["state"], "finished");
+    EXPECT_FALSE(facts["quantities"].empty());
+}
+
+TEST_F(Command, AnotherScenesRecordInTheFolderIsLeftOutOfTheReport) {
+    write("column.toml", column);
+    ASSERT_EQ(twinwake({"run", "column.toml", "-q"}).status, 0);
+    fs::rename(folder_ / "runs/column/sph", folder_ / "runs/column/fvm");
+    const Outcome o = twinwake({"run", "column.toml", "--near-hull", "0.025"});
+    EXPECT_EQ(o.status, 0) << o.err;
+    EXPECT_NE(o.out.find("fvm/record.h5: of another scene than this run, left out"), std::string::npos) << o.out;
+    EXPECT_NE(content(folder_ / "runs/column/report.html").find("One run only, sph"), std::string::npos);
+}
+
+TEST_F(Command, ARunThatFailedBeforeItSavedIsRunAnewWhereverItIsAskedForAgain) {
+    write("column.toml", column + "[sph]\nc0 = 1\n");  // stopped before the first checkpoint
+    ASSERT_EQ(twinwake({"run", "column.toml"}).status, 3);
+    ASSERT_FALSE(fs::exists(folder_ / "runs/column/sph/checkpoint.h5"));
+    const Outcome run = twinwake({"run", "column.toml", "--resume"});
+    EXPECT_EQ(run.status, 3) << run.err;
+    EXPECT_NE(run.err.find("sound speed that is too low"), std::string::npos) << run.err;
+    for (int k = 0; k < 2; ++k) {
+        const Outcome ablate = twinwake({"ablate", "column.toml", "--effects", "shifting"});
+        EXPECT_EQ(ablate.status, 3) << ablate.err;
+        EXPECT_NE(ablate.err.find("the base failed, so there is nothing to compare with"), std::string::npos)
+            << ablate.err;
+    }
+}
+
+TEST_F(Command, AgreementCannotBeRequiredOfRunsOfOneSize) {
+    write("column.toml", column);
+    ASSERT_EQ(twinwake({"run", "column.toml", "-q"}).status, 0);
+    const Outcome o = twinwake({"compare", "runs/column/sph", "runs/column/sph", "--require", "agree", "-q"});
+    EXPECT_EQ(o.status, 4);
+    EXPECT_NE(o.err.find("twinwake ladder"), std::string::npos) << o.err;
+    ASSERT_EQ(twinwake({"ladder", "column.toml", "--levels", "2", "--no-variations", "-q"}).status, 0);
+    const std::string ladder = "runs/column_ladder/near_hull_";
+    const Outcome alone = twinwake({"compare", "--ladder", ladder + "20mm/sph", ladder + "28.2843mm/sph", "--out",
+                                    "cmp", "--require", "agree", "-q"});
+    EXPECT_EQ(alone.status, 4);  // one method has nothing to agree with
+    EXPECT_NE(alone.err.find("--require agree is not met: "), std::string::npos) << alone.err;
 }
 
 }  // namespace

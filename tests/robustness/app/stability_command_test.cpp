@@ -36,7 +36,7 @@ TEST_F(StabilityCommand, StoppedItSaysSoAndWritesNothing) {
     kill(s.child, SIGINT);
     const Outcome o = finish(s);
     EXPECT_EQ(o.status, 3) << o.err;
-    EXPECT_NE(o.err.find("stopped at the user's wish"), std::string::npos) << o.err;
+    EXPECT_NE(o.err.find("stopped on request"), std::string::npos) << o.err;
     EXPECT_EQ(files(), std::set<std::string>{"map"});
 }
 

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "base/errors.h"
 #include "compare/compare.h"
@@ -22,8 +24,9 @@ TEST(Compare, MeansOfBothSidesAndTheirDifference) {
     EXPECT_NEAR(lift->values[0].value, 2800, 1.5 * lift->values[0].half_width);
     EXPECT_NEAR(lift->values[1].value, 2722, 1.5 * lift->values[1].half_width);
     EXPECT_DOUBLE_EQ(lift->difference, lift->values[1].value - lift->values[0].value);
-    EXPECT_EQ(lift->verdict, Verdict::differ);
-    EXPECT_EQ(c.find("drag")->verdict, Verdict::agree);
+    // One size each: far apart or near, whether they differ is not known.
+    EXPECT_EQ(lift->verdict, Verdict::not_estimated);
+    EXPECT_EQ(c.find("drag")->verdict, Verdict::not_estimated);
     EXPECT_EQ(c.names, (std::vector<std::string>{"sph", "fvm"}));
     EXPECT_NEAR(c.find("wetted_length")->values[0].half_width, 0.02, 1e-12);  // half the spacing at the hull
 }
@@ -83,6 +86,63 @@ TEST(Compare, AProbesMeanIsThatOfTheScenesTimeWhateverTheRecordsStepsAndEnd) {
     EXPECT_FALSE(cut.find("pressure_mean:P1")->values[1].known);
 }
 
+TEST(Compare, APeakIsThatOfTheTimeThatAllRecordsCover) {
+    const auto gauge = [](const std::string& method, double end) {  // p rises to 1000 Pa at 1 s, and to 9000 Pa at 3 s
+        RunRecord r = synthetic_run({.method = method, .frames = false});
+        Table& t = r.tables["pressure"];
+        t.columns = {{"P1", "Pa", {}}};
+        for (double time = 0; time <= end; time += 0.05) {
+            t.time.push_back(time);
+            t.columns[0].values.push_back(time < 2 ? 1000 * std::exp(-std::pow((time - 1) / 0.1, 2)) : 9000);
+        }
+        return r;
+    };
+    const Comparison c = compare_records({gauge("sph", 1.8), gauge("basin", 3)});
+    EXPECT_NEAR(c.find("pressure:P1")->values[0].value, 1000, 10);
+    EXPECT_NEAR(c.find("pressure:P1")->values[1].value, 1000, 10);
+    EXPECT_NEAR(compare_records({gauge("basin", 3)}).find("pressure:P1")->values[0].value, 9000, 1);
+}
+
+TEST(Compare, AWettedLengthOfNothingIsNotMeasured) {
+    std::vector<RunRecord> dry{synthetic_run(sph), synthetic_run(fvm)};
+    for (RunRecord& r : dry)
+        for (double& v : r.table("samples").column("wetted_length", "m").values) v = 0;
+    const Comparison c = compare_records(dry);
+    const Quantity* length = c.find("wetted_length");
+    EXPECT_FALSE(length->values[0].known || length->values[1].known);
+    EXPECT_EQ(length->verdict, Verdict::not_comparable);
+    EXPECT_NE(length->remark.find("not measured (no wetted point within 0.1 m of the centreline)"), std::string::npos)
+        << length->remark;
+}
+
+TEST(Compare, AWakeAsWideAsTheRasterIsTold) {
+    SyntheticRun o{.duration = 1.5, .wave = 0.3, .frames = true};
+    RunRecord narrow = synthetic_run(o);
+    for (RasterFrame& f : narrow.frames) {  // a crest from side to side behind the hull
+        const auto [nx, ny, nz] = std::tuple(narrow.raster.count[0], narrow.raster.count[1], narrow.raster.count[2]);
+        for (int k = 0; k < nz / 2 + 5; ++k)
+            for (int j = 0; j < ny; ++j)
+                for (int i = nx - 34; i < nx; ++i) f.water[static_cast<std::size_t>((k * ny + j) * nx + i)] = 255;
+    }
+    const Quantity wide = *compare_records({narrow}).find("wake_width");
+    EXPECT_NE(wide.remark.find("sph: as wide as the raster"), std::string::npos) << wide.remark;
+    EXPECT_EQ(compare_records({synthetic_run({.duration = 1.5})}).find("wake_width")->remark.find("as wide"),
+              std::string::npos);
+}
+
+TEST(Compare, ACertificateLineIsACheckOfItsRun) {
+    RunRecord pressed = synthetic_run(sph);
+    pressed.certificate = {{"compression", "%", 17.8, 5, 0.31, {1, 2, -0.5}}, {"Mach number", "-", 0.11, 0.15, 0.3}};
+    const Comparison c = compare_records({pressed, synthetic_run(fvm)});
+    const auto line = std::ranges::find(c.gates, "compression", &Gate::name);
+    ASSERT_NE(line, c.gates.end());
+    EXPECT_FALSE(line->pass);
+    EXPECT_NE(line->remark.find("at 0.31 s, (1, 2, -0.5) m"), std::string::npos) << line->remark;
+    const std::string console = summary_text(c);
+    EXPECT_NE(console.find("17.8"), std::string::npos) << console;  // failed ones reach the terminal
+    EXPECT_EQ(console.find("Mach number"), std::string::npos) << "met";
+}
+
 TEST(Compare, HalfModelsSayTheirFactor) {
     const Comparison c = compare_records({synthetic_run(sph), synthetic_run(fvm)});
     ASSERT_FALSE(c.banners.empty());
@@ -124,7 +184,7 @@ TEST(Compare, DraftSensitivityIsPartOfTheInterval) {
     a.numbers["lift_per_draft"] = 22000;  // 22 N per mm, known to a tenth of 40 mm
     const Quantity with = *compare_records({a, b}).find("lift");
     EXPECT_NEAR(with.interval, std::hypot(without, 88), 1e-6);
-    EXPECT_EQ(with.verdict, Verdict::agree);
+    EXPECT_EQ(with.verdict, Verdict::not_estimated);
     EXPECT_NE(with.remark.find("draft"), std::string::npos);
 }
 
@@ -238,7 +298,7 @@ TEST(Compare, TwoRunsOfOneMethodAreToldApart) {
               (std::vector<std::string>{"sph", "sph 2"}));
     const Comparison same = compare_records({synthetic_run(sph), synthetic_run(sph)});
     EXPECT_EQ(same.find("lift")->difference, 0);
-    EXPECT_EQ(same.find("lift")->verdict, Verdict::agree);
+    EXPECT_EQ(same.find("lift")->verdict, Verdict::not_estimated);
 }
 
 TEST(Compare, SplashOfBothSidesOnTheCommonRaster) {
@@ -252,7 +312,7 @@ TEST(Compare, SplashOfBothSidesOnTheCommonRaster) {
     EXPECT_NEAR(sheet->values[0].value, 0.5, 0.04);
     EXPECT_NEAR(sheet->values[1].value, 0.3, 0.04);
     EXPECT_GE(sheet->values[0].half_width, 0.04);  // half a voxel
-    EXPECT_EQ(sheet->verdict, Verdict::differ);
+    EXPECT_EQ(sheet->verdict, Verdict::not_estimated);
     EXPECT_FALSE(c.find("splash_raw_max")->judged);
     EXPECT_NEAR(c.find("splash_raw_max")->values[0].value, 0.9, 0.05);  // the lone drop
     EXPECT_TRUE(c.find("wake_width")->values[0].known);

@@ -6,6 +6,7 @@
 #include "compare/compare.h"
 #include "compare/report/csv.h"
 #include "compare/report/egl_window.h"
+#include "compare/report/numbers.h"
 #include "tests/unit/compare/synthetic_pair.h"
 #include "tests/unit/record/example_record.h"
 
@@ -31,9 +32,9 @@ TEST(Report, IsOneFileThatNeedsNothingElse) {
         for (std::size_t at; (at = rest.find("http://www.w3.org/2000/svg")) != std::string::npos;) rest.erase(at, 26);
         EXPECT_FALSE(has(rest, outside)) << outside;
     }
-    for (const char* part : {"<h1>Planing prism, synthetic</h1>", "class=\"verdict\"", "Verdict by quantity", "Lift",
+    for (const char* part : {"<h1>Planing prism, synthetic</h1>", "class=\"verdict\"", "Difference by quantity", "Lift",
                              "Savitsky 1964", "Soundness of the runs", "Effects solved and left out", "What it cost",
-                             "How to do it again", "Splash height (connected sheet)", "multiplied by 2"})
+                             "How to reproduce it", "Splash height (connected sheet)", "multiplied by 2"})
         EXPECT_TRUE(has(page, part)) << part;
     EXPECT_LT(page.find("class=\"verdict\""), page.find("<table"));  // the verdict comes first
     EXPECT_TRUE(std::filesystem::exists(folder / "series.csv"));
@@ -101,9 +102,50 @@ TEST(Report, CsvHasOneRowPerQuantityAndQuotesWhatNeedsIt) {
 TEST(Report, SummaryNamesTheVerdictOfEachQuantity) {
     const std::string text = summary_text(pair());
     EXPECT_TRUE(has(text, "Lift")) << text;
-    EXPECT_TRUE(has(text, "Lift differs: fvm is")) << text;
-    EXPECT_TRUE(has(text, "Drag agrees")) << text;
+    EXPECT_TRUE(has(text, "Lift: apart by 2.")) << text;
+    EXPECT_TRUE(has(text, " % statistical scatter of the means; discretisation error not estimated.")) << text;
+    EXPECT_TRUE(has(text, "discretisation error not estimated.")) << text;
     EXPECT_TRUE(has(text, "Savitsky 1964"));
+}
+
+TEST(Report, NothingOfOneSizeIsCalledAgreementOrARealDifference) {
+    const ScratchFolder folder;
+    const std::string page = read_text(write_report(pair(), folder.path()).html), text = summary_text(pair()),
+                      csv = quantities_csv(pair());
+    const auto j = nlohmann::json::parse(comparison_json(pair()));
+    for (const auto& q : j["quantities"])
+        for (const char* word : {"agree", "differ"}) EXPECT_NE(q["verdict"], word) << q["name"];
+    EXPECT_EQ(j["quantities"][0]["verdict"], "discretisation error not estimated");
+    for (const std::string& out : {page, text, csv}) {
+        for (const char* word : {"real difference", ">differ<", ">agree<", " differs", ",agree,", ",differ,"})
+            EXPECT_FALSE(has(out, word)) << word;
+        EXPECT_TRUE(has(out, "discretisation error not estimated"));
+    }
+    EXPECT_TRUE(has(text, "twinwake ladder"));
+}
+
+TEST(Report, TerminalAndPagePrintTheSameFacts) {
+    const ScratchFolder folder;
+    RunRecord a = pair().sources[0], b = pair().sources[1];
+    for (RunRecord* r : {&a, &b}) {
+        Table& t = r->table("pressure");
+        for (double time = 0; time < 2; time += 0.01) {
+            t.time.push_back(time);
+            t.column("bow", "Pa").values.push_back(1234.5 + (r == &a ? 0 : 20));
+        }
+    }
+    const Comparison c = compare_records({a, b});
+    const std::string page = read_text(write_report(c, folder.path()).html), text = summary_text(c);
+    for (const Quantity& q : c.quantities) {  // probes and what stands beside are among them
+        EXPECT_TRUE(has(text, q.label)) << q.label;
+        EXPECT_TRUE(has(page, q.label)) << q.label;
+        for (const MeanValue& m : q.values)
+            if (m.known) {
+                EXPECT_TRUE(has(text, mean_text(m))) << q.label;
+                EXPECT_TRUE(has(page, mean_text(m))) << q.label;
+            }
+    }
+    EXPECT_TRUE(c.find("pressure_mean:bow"));
 }
 
 TEST(Report, OneRunAloneAndATankWithoutAHullHaveAReportToo) {

@@ -428,8 +428,8 @@ TEST(RefinementTable, FaultsAreNamedWithLineFoundAndExpected) {
 TEST(UncertaintyReport, ATableAndAVerdictForEveryQuantity) {
     const std::string text =
         uncertainty_text({{"drag [N]", estimate(noisy)}, {"a|b\x1b[31m", estimate(power(five, 1, 0.05, -1))}}, "h [m]");
-    EXPECT_NE(text.find("## drag [N]\n\n5 levels, h [m] = 1 to 2.5; finest value 1.0511"), std::string::npos);
-    EXPECT_NE(text.find("| least squares (Eca & Hoekstra)  | 5      | 1.56  | monotone | 1.00419 | 0.0602 | 5.7"),
+    EXPECT_NE(text.find("\n5 levels, h [m] = 1 to 2.5; finest value 1.0511"), std::string::npos);
+    EXPECT_NE(text.find("| least squares (Eca & Hoekstra)  |      5 |  1.56 | monotone | 1.00419 | 0.0602 |   5.7"),
               std::string::npos)
         << text;
     EXPECT_NE(text.find("drag [N]: converged (monotone, order 1.56): 1.051 +- 0.060 (5.7 %)"), std::string::npos)
@@ -453,6 +453,25 @@ TEST(UncertaintyReport, KeysForPrograms) {
     EXPECT_FALSE(two.contains("eca_hoekstra"));
     EXPECT_TRUE(two["quantities"][1]["uncertainty"].is_null());
     EXPECT_EQ(two["quantities"][1]["converged"], false);
+}
+
+TEST(Uncertainty, AnUndampedOscillationHasABoundOfItsRangeAndIsNotConverged) {
+    const Estimate e = estimate({{0.02, 0.298675851}, {0.028, 0.299230466}, {0.04, 0.298675293}});
+    EXPECT_EQ(e.convergence, Convergence::scattered);
+    EXPECT_FALSE(e.converged);
+    EXPECT_NEAR(e.uncertainty, 1.5 * (0.299230466 - 0.298675293), 1e-12);
+    EXPECT_TRUE(verdict_sentence(e).starts_with("not converged (scattered): 0.29868 +- 0.00083 (0.28 %)"))
+        << verdict_sentence(e);
+    // One that is damped is still oscillatory convergence.
+    EXPECT_EQ(estimate({{1, 1.0}, {2, 1.1}, {4, 0.7}}).convergence, Convergence::oscillatory);
+}
+
+TEST(Uncertainty, ChangesThatHardlyShrinkAreNoConvergence) {
+    const Estimate e = estimate({{1, 1.0}, {2, 1.1}, {4, 1.2005}});  // p = 0.007, U by the GCI 25
+    EXPECT_EQ(e.convergence, Convergence::divergent);
+    EXPECT_FALSE(std::isfinite(e.uncertainty));
+    EXPECT_NE(verdict_sentence(e).find("hardly shrink"), std::string::npos) << verdict_sentence(e);
+    EXPECT_TRUE(estimate({{1, 1.0}, {2, 1.1}, {4, 1.22}}).converged);
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ TEST_F(ImportCompareTest, LiftHasTwoValuesAndTheImportedOneIsThatOfItsFile) {
     const Comparison direct = compare_records({sph, run_of(tank_record, tank_run)});
     EXPECT_NEAR(lift->values[1].value, direct.find("lift")->values[1].value, 1e-6 * 2722);
     EXPECT_NEAR(lift->values[1].half_width, direct.find("lift")->values[1].half_width, 1e-3 * 2722);
-    EXPECT_EQ(lift->verdict, Verdict::differ);
+    EXPECT_EQ(lift->verdict, Verdict::not_estimated);
     EXPECT_FALSE(c.find("wetted_length")->values[1].known);
     RunRecord other = sph;
     other.attributes["scene_hash"] = "another";
@@ -100,7 +100,7 @@ TEST_F(ImportCompareTest, AMeasuredDragIsKnownToHoldFriction) {
     const RunRecord tank_record = tank();
     const auto warns = [](const Comparison& c) {
         return std::ranges::any_of(c.banners,
-                                   [](const std::string& b) { return says(b, "hold friction in their drag"); });
+                                   [](const std::string& b) { return says(b, "include friction in their drag"); });
     };
     RunRecord sph = run_of(tank_record, sph_run);
     EXPECT_TRUE(warns(compare_records({sph, tank_record})));
@@ -126,7 +126,7 @@ TEST_F(ImportCompareTest, ASourceWithoutADragDoesNotTakeFrictionOut) {
     // One of the two without friction: it is left out, as before.
     const Comparison mixed = compare_records({run_of(gauges, sph_run), fvm, gauges});
     EXPECT_TRUE(
-        std::ranges::any_of(mixed.banners, [](const std::string& b) { return says(b, "Only one side solves"); }));
+        std::ranges::any_of(mixed.banners, [](const std::string& b) { return says(b, "Only one method solves"); }));
 }
 
 TEST_F(ImportCompareTest, AShortSeriesIsToldSo) {

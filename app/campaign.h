@@ -1,0 +1,65 @@
+#pragma once
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "app/run_method.h"
+
+namespace tw::app {
+
+/// One method's run in a folder of its own, as run, ladder, sweep and ablate need it.
+struct CampaignRun {
+    std::string name;  ///< for people: "sph", "sph at 0.02 m", "6 m/s: fvm"
+    std::string method;
+    PlannedRun plan;
+    std::filesystem::path folder;
+};
+
+/// What became of it.
+struct CampaignResult {
+    enum class State {
+        taken,        ///< finished before
+        done,         ///< run now, or resumed
+        failed,       ///< begun, and not finished: `why_not`
+        over_budget,  ///< not begun: `why_not`
+        stopped       ///< on request, with its state saved
+    };
+    State state = State::failed;
+    std::optional<RunRecord> record;  ///< as it lies on disk; taken, done and stopped
+    std::string why_not;
+
+    bool there() const { return state == State::taken || state == State::done; }
+};
+
+struct CampaignRules {
+    bool overwrite = false;  ///< what is no finished run of the very same scene and numerics is run anew, not refused
+    bool take_finished = true;                                ///< false: a finished run, too, is run anew
+    double budget = std::numeric_limits<double>::infinity();  ///< predicted time of everything that is run here [s]
+};
+
+/// The one way to a finished run. A campaign is any number of them, one after the other, under one budget.
+class Campaign {
+public:
+    explicit Campaign(const Common& common, CampaignRules rules = {}) : common_(common), rules_(rules) {}
+
+    /// Takes the record if the run is finished there, by run hash and duration; else resumes it if it was stopped, or
+    /// runs it, as far as the budget goes, and reads the record back. A run that failed before it saved a state has
+    /// nothing to resume and is run anew. A failure is said on standard error, returned, and charged to the budget.
+    /// Throws InputError: the folder holds another scene's run.
+    CampaignResult run_or_take(CampaignRun run);
+
+    double spent() const { return spent_; }  ///< wall time of the runs made here, failed ones included [s]
+    bool any_failed() const { return any_failed_; }
+
+private:
+    const Common& common_;
+    CampaignRules rules_;
+    double spent_ = 0;
+    bool any_failed_ = false;
+};
+
+/// Whether the folder holds a finished run of this scene and these numerics.
+bool is_finished(const CampaignRun& run);
+
+}  // namespace tw::app

@@ -1,0 +1,220 @@
+#include "compare/ladder/ladder_tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/report/comparison_tables.h"
+#include "compare/report/numbers.h"
+
+namespace tw {
+
+namespace {
+
+bool has_levels(const LadderQuantity& q) {
+    return std::ranges::any_of(q.values, [](const LadderValue& v) { return !v.levels.empty(); });
+}
+
+ReportCell method_cell(const Ladder& ladder, std::size_t k, const std::string& more = {}) {
+    return run_cell(ladder.sides[k].method + more, k);
+}
+
+/// An uncertainty in the value's unit; "none" where it is no more than rounding.
+std::string uncertainty_cell(double U, double value) {
+    if (!std::isfinite(U)) return "–";
+    return no_more_than_rounding(U, value) ? "none" : fmt::format("{:.3g}", U);
+}
+
+std::string joined(const std::vector<std::string>& parts) {
+    std::string out;
+    for (const std::string& part : parts) out += (out.empty() ? "" : "; ") + part;
+    return out;
+}
+
+}  // namespace
+
+ReportTable ladder_verdicts(const Ladder& ladder) {
+    ReportTable table{"Verdict of the ladder", {words("Quantity"), words("unit")}};
+    for (std::size_t k = 0; k < ladder.sides.size(); ++k) {
+        table.columns.push_back(numbers(ladder.sides[k].method));
+        table.columns.back().source = static_cast<int>(k);
+    }
+    for (const char* name : {"difference", "relative"}) table.columns.push_back(numbers(name));
+    table.columns.push_back(words("verdict"));
+    for (const LadderQuantity& q : ladder.quantities) {
+        ReportRow row{{q.label, q.unit}, q.reason};
+        for (std::size_t k = 0; k < q.values.size(); ++k) {
+            const LadderValue& v = q.values[k];
+            row.cells.emplace_back(v.levels.empty() ? "–" : value_text(v.levels.front().value, v.uncertainty));
+            if (v.levels.empty() && !v.absent.empty() && q.reason.empty())
+                row.remark += (row.remark.empty() ? "" : "; ") + ladder.sides[k].method + " at " + v.absent.front();
+        }
+        row.cells.emplace_back(signed_text(q.difference, q.interval));
+        row.cells.emplace_back(per_cent_text(q.per_cent));
+        row.cells.push_back(verdict_cell(q.verdict));
+        table.rows.push_back(std::move(row));
+    }
+    table.notes.push_back(fmt::format(
+        "Finest values with 95 % intervals that include the statistical scatter of the mean, the "
+        "discretisation error (least squares of Eça and Hoekstra from four sizes on) and the runs with other "
+        "choices. Agree: the difference lies inside the joint interval, and that is at most {:g} % of the "
+        "value. Differ: it lies outside. Undecided: inside, but the interval is too wide to tell.",
+        100 * ladder.agree_within));
+    return table;
+}
+
+ReportTable ladder_held(const Ladder& ladder) {
+    ReportTable table{"Compared with measurements and formulas",
+                      {words("Quantity"), words("unit"), words("source"), numbers("its value"), words("method"),
+                       numbers("value − its"), numbers("relative"), numbers("U"), words("within U")}};
+    for (const LadderQuantity& q : ladder.quantities)
+        for (const Held& h : q.held)
+            for (std::size_t k = 0; k < h.validations.size(); ++k) {
+                const Validation& v = h.validations[k];
+                ReportCell label = verdict_cell(v.verdict);
+                label.text = validation_label(v);
+                table.rows.push_back(
+                    {{q.label, q.unit, h.source, mean_text(h.value), method_cell(ladder, k), signed_text(v.E, v.U_val),
+                      per_cent_text(v.per_cent), uncertainty_cell(v.U_val, h.value.value), label}});
+            }
+    table.notes.push_back(
+        "U combines the interval of the finest value and, where one is known, that of the other value (ASME V&V 20). "
+        "These values take no part in the verdict between the methods.");
+    for (const std::string& line : ladder.calibrated) table.notes.push_back("Tuned, not validated: " + line);
+    return table;
+}
+
+ReportTable ladder_values(const Ladder& ladder) {
+    ReportTable table{"Values by size",
+                      {words("Quantity"), words("unit"), words("method"), words("values, finest first"),
+                       numbers("± of the mean"), numbers("order"), words("class"), numbers("U of the discretisation"),
+                       numbers("GCI"), numbers("factor of safety"), numbers("U"), numbers("U [%]")}};
+    for (const LadderQuantity& q : ladder.quantities) {
+        if (!has_levels(q)) continue;
+        for (std::size_t k = 0; k < q.values.size(); ++k) {
+            const LadderValue& v = q.values[k];
+            const Estimate& e = v.estimate;
+            std::vector<std::string> values;
+            for (const Level& l : v.levels) values.push_back(fmt::format("{:.5g}", l.value));
+            const double finest = v.levels.empty() ? 0 : v.levels.front().value;
+            const bool some =
+                std::isfinite(v.uncertainty) && q.size > 0 && !no_more_than_rounding(v.uncertainty, finest);
+            std::vector<std::string> remarks;
+            if (!v.levels.empty()) remarks.push_back(ladder.sides[k].method + ": " + verdict_sentence(e));
+            for (const std::string& why : v.absent) remarks.push_back("not at " + why);
+            table.rows.push_back(
+                {{q.label, q.unit, method_cell(ladder, k), joined(values), uncertainty_cell(v.statistical, finest),
+                  std::isfinite(e.order) ? fmt::format("{:.2f}", e.order) : "–", to_string(e.convergence),
+                  uncertainty_cell(e.uncertainty, finest), uncertainty_cell(e.celik_gci.uncertainty, finest),
+                  uncertainty_cell(e.xing_stern.uncertainty, finest), uncertainty_cell(v.uncertainty, finest),
+                  some ? fmt::format("{:.2g}", 100 * v.uncertainty / q.size) : "–"},
+                 joined(remarks)});
+        }
+    }
+    table.notes.push_back("U: half width of the 95 % interval.");
+    return table;
+}
+
+ReportTable ladder_shares(const Ladder& ladder) {
+    ReportTable table{"What the intervals are made of, in per cent of the value",
+                      {words("Quantity"), words("method"), numbers("mean"), numbers("discretisation"), numbers("GCI"),
+                       numbers("factor of safety"), words("choices")}};
+    for (const LadderQuantity& q : ladder.quantities)
+        for (std::size_t k = 0; k < q.values.size(); ++k) {
+            const LadderValue& v = q.values[k];
+            if (v.levels.empty()) continue;
+            const auto share = [&](double U) {
+                if (!std::isfinite(U) || !(q.size > 0)) return std::string("–");
+                return no_more_than_rounding(U, q.size) ? std::string("none")
+                                                        : fmt::format("{:.2g} %", 100 * U / q.size);
+            };
+            std::vector<std::string> choices;
+            for (const Sensitivity& s : v.sensitivities)
+                choices.push_back(s.name + ": " + (s.idle() ? "no change" : share(s.uncertainty)));
+            table.rows.push_back(
+                {{q.label, method_cell(ladder, k), share(v.statistical), share(v.estimate.uncertainty),
+                  share(v.estimate.celik_gci.uncertainty), share(v.estimate.xing_stern.uncertainty), joined(choices)}});
+        }
+    return table;
+}
+
+ReportTable ladder_variations(const Ladder& ladder) {
+    ReportTable table{"Runs with other choices",
+                      {words("Quantity"), words("unit"), words("method"), words("choice"), numbers("spacing", "m"),
+                       numbers("value", "", 5), numbers("with that choice", "", 5), numbers("U")}};
+    for (const LadderQuantity& q : ladder.quantities)
+        for (std::size_t k = 0; k < q.values.size(); ++k)
+            for (const Sensitivity& s : q.values[k].sensitivities) {
+                if (!std::isfinite(s.uncertainty)) continue;
+                table.rows.push_back({{q.label, q.unit, method_cell(ladder, k), s.name, s.spacing, s.value, s.varied,
+                                       s.idle() ? "none" : uncertainty_cell(s.uncertainty, s.value)}});
+            }
+    return table;
+}
+
+ReportTable ladder_prices(const Ladder& ladder) {
+    ReportTable table{
+        "What accuracy costs",
+        {words("Quantity"), words("method"), numbers("slope of U over time"), numbers("time to 5 %"), numbers("to 2 %"),
+         numbers("to 1 %"), numbers("halving U costs"), numbers("core hours to 2 %"), numbers("memory to 2 %")}};
+    for (const LadderQuantity& q : ladder.quantities) {
+        if (!has_levels(q)) continue;
+        for (std::size_t k = 0; k < q.values.size(); ++k) {
+            const LadderValue& v = q.values[k];
+            ReportRow row{{q.label, method_cell(ladder, k)}};
+            if (!v.cost.known() || v.levels.empty()) {
+                for (int c = 0; c < 7; ++c) row.cells.emplace_back("–");
+                row.remark = ladder.sides[k].method + ": " + (v.levels.empty() ? "no value" : v.cost.why_not);
+            } else {
+                row.cells.emplace_back(fmt::format("{:.2f}", v.cost.slope));
+                for (const double share : {0.05, 0.02, 0.01}) {
+                    const double seconds = v.cost.seconds_for(share * q.size);
+                    row.cells.emplace_back((v.cost.measured(seconds) ? "" : "~ ") + time_text(seconds));
+                }
+                row.cells.emplace_back(fmt::format("× {:.3g}", v.cost.price_of_halving()));
+                row.cells.emplace_back(cores_text(v.cost_in_cores, 0.02 * q.size));
+                row.cells.emplace_back(memory_text(v.cost_in_memory, 0.02 * q.size));
+            }
+            if (const std::string crossover = crossover_sentence(ladder, q);
+                k + 1 == q.values.size() && !crossover.empty())
+                row.remark += (row.remark.empty() ? "" : "; ") + crossover;
+            table.rows.push_back(std::move(row));
+        }
+    }
+    table.notes.push_back("~: beyond the times of this ladder, by its slope.");
+    return table;
+}
+
+ReportTable ladder_runs(const Ladder& ladder) {
+    ReportTable table{"The runs of the ladder",
+                      {words("method"), numbers("spacing at the hull", "m", 6), numbers("particles or cells", "", 4),
+                       numbers("wall time"), numbers("predicted"), numbers("core hours"), numbers("memory", "MB", 4)}};
+    const auto row = [&](ReportCell method, const LadderRun& r) {
+        table.rows.push_back(
+            {{std::move(method), r.spacing, r.elements, time_text(r.seconds),
+              r.predicted_seconds > 0 ? time_text(r.predicted_seconds) : "–", r.core_seconds / 3600, r.memory / 1e6}});
+    };
+    for (std::size_t k = 0; k < ladder.sides.size(); ++k) {
+        for (const LadderRun& r : ladder.sides[k].runs) row(method_cell(ladder, k), r);
+        for (const LadderVariation& v : ladder.sides[k].variations) row(method_cell(ladder, k, ", " + v.name), v.run);
+    }
+    return table;
+}
+
+ReportTable ladder_checks(const Ladder& ladder) {
+    std::vector<Gate> gates;
+    for (const LadderSide& side : ladder.sides) {
+        const auto add = [&](const LadderRun& run, const std::string& choice) {
+            for (Gate gate : run.failed_checks) {
+                gate.source = fmt::format("{} at {:g} m{}", side.method, run.spacing, choice);
+                gates.push_back(std::move(gate));
+            }
+        };
+        for (const LadderRun& run : side.runs) add(run, "");
+        for (const LadderVariation& v : side.variations) add(v.run, ", " + v.name);
+    }
+    return checks_table(gates, true);
+}
+
+}  // namespace tw

@@ -1,0 +1,197 @@
+#include "compare/report/comparison_tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "compare/metrics/quantity.h"
+#include "compare/metrics/splash.h"
+#include "compare/read/record_numbers.h"
+#include "compare/report/numbers.h"
+
+namespace tw {
+
+namespace {
+
+void add_source_columns(ReportTable& table, const Comparison& c, bool right) {
+    for (std::size_t s = 0; s < c.names.size(); ++s) {
+        table.columns.push_back(right ? numbers(c.names[s]) : words(c.names[s]));
+        table.columns.back().source = static_cast<int>(s);
+    }
+}
+
+/// Why a value is missing, where the method could have given it.
+std::string missing_text(const Comparison& c, const Quantity& q) {
+    std::string text;
+    for (std::size_t s = 0; s < q.values.size(); ++s) {
+        const std::string& why = q.values[s].why_not;
+        if (q.values[s].known || why.empty() || why == not_given || q.remark.find(why) != q.remark.npos) continue;
+        text += (text.empty() ? "" : "; ") + c.names[s] + ": " + why;
+    }
+    return text;
+}
+
+std::string phases_text(double seconds) { return seconds > 0 ? fmt::format("{:.4g} s", seconds) : "–"; }
+
+}  // namespace
+
+ReportCell verdict_cell(Verdict verdict) {
+    const Mark mark = verdict == Verdict::agree            ? Mark::good
+                      : verdict == Verdict::differ         ? Mark::bad
+                      : verdict == Verdict::not_comparable ? Mark::faint
+                                                           : Mark::open;
+    return {verdict_label(verdict), mark};
+}
+
+ReportTable quantities_table(const Comparison& c, bool judged) {
+    const bool pair = c.sources.size() > 1;
+    ReportTable table{judged ? (pair ? "Difference by quantity" : "Values") : "Also measured, without a verdict",
+                      {words("Quantity"), words("unit")}};
+    add_source_columns(table, c, true);
+    if (pair) {
+        const bool two = c.sources.size() == 2;
+        table.columns.push_back(numbers(two ? c.names[1] + " − " + c.names[0] : "difference"));
+        table.columns.push_back(numbers("relative"));
+        if (judged) table.columns.push_back(words("verdict"));
+    }
+    for (const Quantity& q : c.quantities) {
+        if (q.judged != judged) continue;
+        ReportRow row{{q.label, q.unit}, q.remark};
+        if (const std::string missing = missing_text(c, q); !missing.empty())
+            row.remark += (row.remark.empty() ? "" : "; ") + missing;
+        for (const MeanValue& m : q.values) row.cells.emplace_back(mean_text(m));
+        if (pair) {
+            row.cells.emplace_back(signed_text(q.difference, q.interval));
+            row.cells.emplace_back(per_cent_text(q.per_cent));
+            if (judged) row.cells.push_back(verdict_cell(q.verdict));
+        }
+        table.rows.push_back(std::move(row));
+        for (const Reference& r : c.references) {
+            if (r.quantity != q.name) continue;
+            table.rows.push_back(
+                {{q.label + ", " + r.source, r.unit, value_text(r.value, r.half_width)}, r.remark, true});
+        }
+    }
+    if (!judged) return table;
+    const RunRecord& first = c.sources.front();
+    table.notes.push_back(fmt::format(
+        "Values {}. ± is the statistical scatter of the mean (95 %), or what else limits it (raster, "
+        "draft); the discretisation error is not in it.",
+        is_stream(first) ? "are settled means" : "of forces are settled means, of splash the largest of the run"));
+    if (pair)
+        table.notes.push_back(
+            "Runs of one size each show how far apart the methods are at this size. Whether they agree needs the "
+            "discretisation error, which takes several sizes: twinwake ladder.");
+    return table;
+}
+
+ReportTable settling_table(const Comparison& c) {
+    ReportTable table{"",
+                      {words("Quantity"), words("run"), numbers("window"), numbers("independent samples"),
+                       numbers("± by autocorrelation"), numbers("± by batch means"), words("")}};
+    for (const Quantity& q : c.quantities)
+        for (std::size_t s = 0; s < q.values.size(); ++s) {
+            const MeanValue& m = q.values[s];
+            if (!q.judged || !(m.n_effective > 0)) continue;
+            table.rows.push_back(
+                {{q.label, run_cell(c.names[s], s), fmt::format("{:.3g} … {:.3g} s", m.from, m.to), m.n_effective,
+                  m.known ? value_text(m.half_width, 0) : "–", m.known ? value_text(m.second_opinion, 0) : "–",
+                  m.known ? (m.unreliable ? "the two estimates differ by more than 1.5" : "") : m.why_not}});
+        }
+    return table;
+}
+
+ReportTable checks_table(const std::vector<Gate>& gates, bool failed_only) {
+    ReportTable table{
+        failed_only ? "Checks not met" : "Soundness of the runs",
+        {words("Check"), words("run"), numbers("value"), words("unit"), numbers("limit"), words(""), words("remark")}};
+    for (const Gate& g : gates)
+        if (!failed_only || !g.pass)
+            table.rows.push_back({{g.name, g.source, g.value, g.unit == "-" ? "" : g.unit, g.limit,
+                                   ReportCell(g.pass ? "met" : "not met", g.pass ? Mark::good : Mark::bad), g.remark}});
+    return table;
+}
+
+ReportTable effects_table(const Comparison& c) {
+    ReportTable table{"Effects solved and left out",
+                      {words("Effect"), words("solved"), words("reason"), words("expected influence"), words("cost")}};
+    const auto with = std::ranges::find_if(c.sources, [](const RunRecord& r) { return !r.effects.empty(); });
+    if (with == c.sources.end()) return table;
+    for (const EffectChoice& e : with->effects)
+        table.rows.push_back(
+            {{e.name, std::string(e.on ? "yes" : "no") + (e.forced ? " (asked for)" : ""), e.reason, e.influence,
+              e.cost > 0 ? fmt::format("{:.0f} % of a particle run", 100 * e.cost) : ""}});
+    return table;
+}
+
+ReportTable cost_table(const Comparison& c) {
+    ReportTable table{"What it cost", {words("")}};
+    add_source_columns(table, c, true);
+    const auto row = [&](const std::string& name, const auto& value) {
+        ReportRow line{{name}};
+        for (const RunRecord& r : c.sources) line.cells.emplace_back(r.phases.empty() ? "–" : value(r));
+        table.rows.push_back(std::move(line));
+    };
+    if (std::ranges::all_of(c.sources, [](const RunRecord& r) { return r.phases.empty(); })) return table;
+    const auto total = [](const RunRecord& r, double Phase::*part) {
+        double sum = 0;
+        for (const Phase& p : r.phases) sum += p.*part;
+        return sum;
+    };
+    const auto predicted = [](const char* name, const char* format, double factor) {
+        return [=](const RunRecord& r) {
+            const double v = number_of(r, name, 0);
+            return v > 0 ? fmt::format(fmt::runtime(format), v * factor) : std::string("–");
+        };
+    };
+    row("particles or cells", [](const RunRecord& r) { return fmt::format("{:.0f}", r.elements); });
+    row("time steps", [](const RunRecord& r) { return fmt::format("{:.0f}", r.steps); });
+    row("wall time", [&](const RunRecord& r) { return fmt::format("{:.4g} s", total(r, &Phase::wall)); });
+    row("processor time", [&](const RunRecord& r) { return fmt::format("{:.4g} s", total(r, &Phase::cpu)); });
+    row("predicted: particles with walls, or cells", predicted("predicted_elements", "{:.3g}", 1));
+    row("predicted: wall time", predicted("predicted_seconds", "{:.3g} s", 1));
+    row("predicted: memory", predicted("predicted_memory", "{:.3g} MB", 1e-6));
+    row("peak memory", [](const RunRecord& r) { return fmt::format("{:.4g} MB", r.peak_memory / 1e6); });
+    row("element steps per processor second", [&](const RunRecord& r) {
+        const double cpu = total(r, &Phase::cpu);
+        return cpu > 0 ? fmt::format("{:.3g}", r.elements * r.steps / cpu) : std::string("–");
+    });
+    std::vector<std::string> phases;
+    for (const RunRecord& r : c.sources)
+        for (const Phase& p : r.phases)
+            if (std::ranges::find(phases, p.name) == phases.end()) phases.push_back(p.name);
+    for (const std::string& phase : phases)
+        row("of which " + phase + " (wall)", [&](const RunRecord& r) {
+            double wall = 0;
+            for (const Phase& p : r.phases)
+                if (p.name == phase) wall += p.wall;
+            return phases_text(wall);
+        });
+    return table;
+}
+
+ReportTable provenance_table(const Comparison& c) {
+    std::set<std::string> names;
+    for (const RunRecord& r : c.sources)
+        for (const auto& [name, text] : r.attributes)
+            if (!name.starts_with("hull_finding_") && !name.starts_with("hull_repair_") && name != "title")
+                names.insert(name);
+    ReportTable table{"Provenance", {words("")}};
+    add_source_columns(table, c, false);
+    for (const std::string& name : names) {
+        ReportRow row{{name}};
+        const std::string first = text_of(c.sources.front(), name, "–");
+        if (std::ranges::all_of(c.sources, [&](const RunRecord& r) { return text_of(r, name, "–") == first; })) {
+            row.cells.emplace_back(first);
+            row.cells.back().wide = true;
+        } else {
+            for (const RunRecord& r : c.sources) row.cells.emplace_back(text_of(r, name, "–"));
+        }
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+}  // namespace tw

@@ -1,0 +1,22 @@
+#pragma once
+#include "compare/compare.h"
+#include "compare/report/report_table.h"
+
+namespace tw {
+
+// The tables of a comparison: the page and the terminal print the same ones.
+
+/// Values and differences: those that get a verdict where one can be given, or what is shown beside them.
+ReportTable quantities_table(const Comparison& comparison, bool judged);
+/// How the settled means were taken.
+ReportTable settling_table(const Comparison& comparison);
+/// Soundness checks and the lines of the stability certificates; `failed_only`: those that are not met.
+ReportTable checks_table(const std::vector<Gate>& gates, bool failed_only);
+ReportTable effects_table(const Comparison& comparison);
+ReportTable cost_table(const Comparison& comparison);
+ReportTable provenance_table(const Comparison& comparison);
+
+/// A verdict in words, with the mark that makes it stand out.
+ReportCell verdict_cell(Verdict verdict);
+
+}  // namespace tw
