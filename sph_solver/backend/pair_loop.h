@@ -135,10 +135,29 @@ inline void control_tension(const PassData& d, const Group& g, Real& p_i) {
         p_i[l] = tension_controlled(p_i[l], d.shift[in_lane(g, l)].support, d.tension_control_from);
 }
 
-/// Sum of the accelerations a of a group's particles by walls, and of their moments about its centre.
-inline WallLoad load_of(const V3<Real>& x_i, float support_length, const V3<Real>& a, int size) {
+/// Calls `f(part, slot, body)` for every body that the group has in reach: its part of the wall list, and the index of
+/// its WallLoad (-1: none).
+template <class Function>
+[[gnu::always_inline]] inline void for_each_body(const PassData& d, const Group& g, Function&& f) {
+    const NeighbourBlock* const walls = d.wall_list.blocks(g.wall_list);
+    const std::int32_t size = g.wall_list.size;
+    std::int32_t slot = g.wall_load, body = 0;
+    for (std::int32_t k = 0, end = 0; k < size; k = end) {
+        while (body + 1 < d.bodies && walls[k].first >= d.body_end[body]) ++body;
+        if (body + 1 == d.bodies)
+            end = size;
+        else
+            while (end < size && walls[end].first < d.body_end[body]) ++end;
+        f(ListRef{g.wall_list.chunk, g.wall_list.first + k, end - k}, slot, body);
+        if (slot >= 0) ++slot;
+    }
+}
+
+/// Sum of the accelerations a of a group's particles by the walls of a body, and of their moments about its centre.
+inline WallLoad load_of(const V3<Real>& x_i, float support_length, const V3<Real>& a, int size, std::int32_t body) {
     const V3<Real> m = cross(support_length * x_i, a);
     WallLoad sum;
+    sum.body = body;
     for (int l = 0; l < size; ++l) {
         sum.ax += a.x[l], sum.ay += a.y[l], sum.az += a.z[l];
         sum.mx += m.x[l], sum.my += m.y[l], sum.mz += m.z[l];

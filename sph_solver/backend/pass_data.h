@@ -30,8 +30,8 @@ struct NeighbourBlock {
     std::uint32_t maybe;  ///< who may come and go before the lists are made anew; asked by the `prune` pass
 };
 
-/// Where a group's blocks are: `size` of them from `first` on in one chunk of Lists. Not a pointer, so that groups may be
-/// copied and sent to another device.
+/// Where a group's blocks are: `size` of them from `first` on in one chunk of Lists. Not a pointer, so that groups may
+/// be copied and sent to another device.
 struct ListRef {
     std::int32_t chunk = 0, first = 0, size = 0;
 };
@@ -46,7 +46,7 @@ struct Group {
     std::int32_t first = 0, size = 0;  ///< particles [first, first + size)
     ListRef list;                      ///< its neighbours among particles and mirror images
     ListRef wall_list;                 ///< its neighbours among the wall's dummy particles
-    std::int32_t wall_load = -1;       ///< index of its WallLoad; -1: no wall near
+    std::int32_t wall_load = -1;       ///< index of its first WallLoad; -1: no wall near
     std::int32_t x = 0, y = 0, z = 0;  ///< centre, in quanta: pair coordinates are relative to it
 };
 static_assert(sizeof(Group) == 48);
@@ -86,10 +86,19 @@ struct OtherSums {
 struct alignas(16) RateRecord {
     float ax, ay, az, drho;
 };
-/// What the walls do to one group, per unit of particle mass: sum of the accelerations, and of arm x acceleration about
-/// the group's centre (pair forces are central, so the arm may end at the fluid particle).
+/// What the walls of one body do to one group, per unit of particle mass: sum of the accelerations, and of arm x
+/// acceleration about the group's centre (pair forces are central, so the arm may end at the fluid particle).
 struct WallLoad {
     float ax = 0, ay = 0, az = 0, mx = 0, my = 0, mz = 0;
+    std::int32_t body = 0;
+};
+/// Velocity of the solid at a dummy [m/s].
+struct alignas(16) WallVelocity {
+    float u, v, w;
+};
+/// Acceleration of the solid at a dummy [m/s2].
+struct alignas(16) WallAcceleration {
+    float x, y, z;
 };
 /// Exterior unit normal of the nearest wall at a fluid particle (zero when none is near) and the distance from it [m]
 /// (far when none is near), carried along between two searches by the particle's motion along the normal.
@@ -112,12 +121,18 @@ struct PassData {
     GradientPressureRecord* stress = nullptr;
     const PlaceRecord* wall_place = nullptr;
     const float* wall_p = nullptr;
+    const WallVelocity* wall_velocity = nullptr;  ///< null: all walls are at rest
+    /// Body b has the dummies [body_end[b - 1], body_end[b]), the first one from 0; null where there is one body. A
+    /// group's wall blocks are ordered by body, none has dummies of two.
+    const std::int32_t* body_end = nullptr;
+    int bodies = 1;
     const WallNormalRecord* normal = nullptr;
     /// Bit i % 32 of word i / 32: place i is at the free surface. One word more than that at the end.
     const std::uint32_t* surface = nullptr;
     ShiftSupportRecord* shift = nullptr;
     RateRecord* rate = nullptr;
-    WallLoad* wall_load = nullptr;
+    WallLoad* wall_load =
+        nullptr;  ///< from Group::wall_load on one for each body that the group has in reach, in order
     CarriedShare* carried = nullptr;   ///< may be null
     const OtherSums* other = nullptr;  ///< null: there is one phase
 
@@ -141,10 +156,11 @@ struct ExtrapolateData {
     const PlaceRecord* place = nullptr;
     const VelocityDensityRecord* motion = nullptr;
     const GradientPressureRecord* stress = nullptr;
-    float* p = nullptr;                     ///< [Pa]
-    float* support = nullptr;               ///< sum_j V_j W_ij; may be null
-    const CarriedShare* carried = nullptr;  ///< of the particles; may be null
-    float* flux = nullptr;                  ///< 3 per point: carried pressure along x, y, z [Pa]; needs `carried`
+    const WallAcceleration* acceleration = nullptr;  ///< of the points; null: at rest
+    float* p = nullptr;                              ///< [Pa]
+    float* support = nullptr;                        ///< sum_j V_j W_ij; may be null
+    const CarriedShare* carried = nullptr;           ///< of the particles; may be null
+    float* flux = nullptr;  ///< 3 per point: carried pressure along x, y, z [Pa]; needs `carried`
     Kernel kernel;
     float quantum = 1, rho0 = 1000;
     float gx = 0, gy = 0, gz = 0;

@@ -15,7 +15,8 @@ namespace {
 
 /// First sweep of a step: velocity divergence (continuity), and with it what the second sweep needs of the
 /// neighbourhood: renormalised density gradient, kernel support and the shifting sum.
-void continuity_and_gradient(const PassData& d, const Group* groups, int count) {
+template <bool walls_move>
+void sweep_continuity_and_gradient(const PassData& d, const Group* groups, int count) {
     const Frame frame = frame_of(d.kernel, d.quantum);
     const Shifting shifting(d.kernel, d.inv_W_dp);
     for (int n = 0; n < count; ++n) {
@@ -37,11 +38,18 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
             const WallNormalRecord& r = d.normal[in_lane(g, l)];
             n_i.x[l] = r.x, n_i.y[l] = r.y, n_i.z[l] = r.z;
         }
-        const V3<Real> u_slip = slip_velocity(dot(u_i, n_i), n_i);
-        for_each_neighbour(d.wall_place, d.wall_list, g.wall_list, g, frame, x_i, [&](std::int32_t, const Met& ij) {
+        const Real u_n = dot(u_i, n_i);
+        const V3<Real> u_slip = slip_velocity(u_n, n_i);
+        for_each_neighbour(d.wall_place, d.wall_list, g.wall_list, g, frame, x_i, [&](std::int32_t j, const Met& ij) {
             support += ij.V_W();
             shifting.add(ij, shift);
-            Continuity::add(ij, u_slip, wall_divergence);
+            if constexpr (walls_move) {
+                const WallVelocity& u_j = d.wall_velocity[j];
+                Continuity::add(ij, slip_velocity(u_n - dot(V3<float>{u_j.u, u_j.v, u_j.w}, n_i), n_i),
+                                wall_divergence);
+            } else {
+                Continuity::add(ij, u_slip, wall_divergence);
+            }
         });
         support *= d.kernel.W_over_G;
         if (d.other)
@@ -66,6 +74,13 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
             d.shift[g.first + l] = {shift.x[l], shift.y[l], shift.z[l], support[l]};
         }
     }
+}
+
+void continuity_and_gradient(const PassData& d, const Group* groups, int count) {
+    if (d.wall_velocity)
+        sweep_continuity_and_gradient<true>(d, groups, count);
+    else
+        sweep_continuity_and_gradient<false>(d, groups, count);
 }
 
 /// Never inlined: which sums are fused with their products would depend on what stands before.
@@ -97,7 +112,7 @@ void forces(const PassData& d, const Group* groups, int count) {
         }
         control_tension(d, g, p_i);
         Real diffusion{};
-        V3<Real> water{}, wall{}, towards_surface{};
+        V3<Real> water{}, towards_surface{};
         for_each_neighbour(d.place, d.list, g.list, g, frame, x_i, [&](std::int32_t j, const Met& ij) {
             const VelocityDensityRecord& r_j = d.motion[j];
             const GradientPressureRecord& s_j = d.stress[j];
@@ -107,33 +122,54 @@ void forces(const PassData& d, const Group* groups, int count) {
         for_each_neighbour(
             d.place, d.list, g.list, g, frame, x_i,
             [&](std::int32_t, const Met& ij) { towards_surface += ij.V_gradW(); }, AtSurface{d.surface});
-        for_each_neighbour(d.wall_place, d.wall_list, g.wall_list, g, frame, x_i,
-                           [&](std::int32_t j, const Met& ij) { PressureGradient::add(ij, p_i + d.wall_p[j], wall); });
         // The volume that the neighbours see, not this density's: so the forces of a pair cancel to rounding.
         const Real inv_rho = V_i * d.inv_mass;
         const Real drho = d.diffusion * diffusion;
-        const V3<Real> a_wall = inv_rho * wall;
+        V3<Real> a_wall{};
+        for_each_body(d, g, [&](const ListRef& part, std::int32_t slot, std::int32_t body) {
+            V3<Real> wall{};
+            for_each_neighbour(d.wall_place, d.wall_list, part, g, frame, x_i, [&](std::int32_t j, const Met& ij) {
+                PressureGradient::add(ij, p_i + d.wall_p[j], wall);
+            });
+            const V3<Real> a_body = inv_rho * wall;
+            a_wall += a_body;
+            if (slot >= 0) d.wall_load[slot] = load_of(x_i, d.kernel.support_length, a_body, g.size, body);
+        });
         const V3<Real> a{water.x * inv_rho + a_wall.x + d.gx, water.y * inv_rho + a_wall.y + d.gy,
                          water.z * inv_rho + a_wall.z + d.gz};
         for (int l = 0; l < g.size; ++l) d.rate[g.first + l] = {a.x[l], a.y[l], a.z[l], drho[l]};
         shift_along_surface(towards_surface, d.shift + g.first, g.size);
-        if (g.wall_load >= 0) d.wall_load[g.wall_load] = load_of(x_i, d.kernel.support_length, a_wall, g.size);
     }
 }
 
 /// Pressure at points from the fluid round them, see wall_pressure.h.
-void extrapolate(const ExtrapolateData& d, const Group* groups, int count) {
+template <bool points_accelerate>
+void extrapolate_to(const ExtrapolateData& d, const Group* groups, int count) {
     const Frame frame = frame_of(d.kernel, d.quantum);
-    const V3<float> g_2h = d.kernel.support_length * V3<float>{d.gx, d.gy, d.gz};
+    const float to_m = d.kernel.support_length;
+    const V3<float> g_2h = to_m * V3<float>{d.gx, d.gy, d.gz};
     for (int n = 0; n < count; ++n) {
         const Group& g = groups[n];
         const V3<Real> x_d = own_places(d.at, g, frame);
+        V3<Real> g_minus_a_2h{};
+        for (int l = 0; l < lanes && points_accelerate; ++l) {
+            const WallAcceleration& a = d.acceleration[in_lane(g, l)];
+            g_minus_a_2h.x[l] = to_m * (d.gx - a.x);
+            g_minus_a_2h.y[l] = to_m * (d.gy - a.y);
+            g_minus_a_2h.z[l] = to_m * (d.gz - a.z);
+        }
         Real support{}, p{};
         V3<Real> flux{};
         for_each_neighbour(d.place, d.list, g.list, g, frame, x_d, [&](std::int32_t f, const Met& ij) {
             const Real V_W = ij.V_W();
             support += V_W;
-            const Real share = V_W * WallPressure::carried(ij, d.stress[f].p, d.rho0 + d.motion[f].drho, g_2h);
+            const float p_f = d.stress[f].p, rho_f = d.rho0 + d.motion[f].drho;
+            Real carried;
+            if constexpr (points_accelerate)
+                carried = WallPressure::carried(ij, p_f, rho_f, g_minus_a_2h);
+            else
+                carried = WallPressure::carried(ij, p_f, rho_f, g_2h);
+            const Real share = V_W * carried;
             p += share;
             if (d.flux) flux += share * V3<float>{d.carried[f].x, d.carried[f].y, d.carried[f].z};
         });
@@ -151,6 +187,13 @@ void extrapolate(const ExtrapolateData& d, const Group* groups, int count) {
             }
         }
     }
+}
+
+void extrapolate(const ExtrapolateData& d, const Group* groups, int count) {
+    if (d.acceleration)
+        extrapolate_to<true>(d, groups, count);
+    else
+        extrapolate_to<false>(d, groups, count);
 }
 
 GroupReach reach_of(const PlaceRecord* places, const Group& g, const Reaches& reaches) {

@@ -37,26 +37,28 @@ void viscous_forces(const ViscousData& v, const Group* groups, int count) {
         const V3<Real> x_i = own_places(d.place, g, frame), u_i = own_velocities(d.motion, g);
         const Real mu_i = own(g, [&](int i) { return v.mu[i]; });
         const Real V_i = own(g, [&](int i) { return d.place[i].volume; });
-        V3<Real> inner{}, wall{};
+        V3<Real> inner{}, a_wall{};
         for_each_neighbour(d.place, d.list, g.list, g, frame, x_i, [&](std::int32_t j, const Met& ij) {
             ViscousForce::add(ij, mu_i + v.mu[j], velocity(d.motion[j]) - u_i, inner);
         });
-        if (v.wall_velocity)
-            for_each_neighbour(d.wall_place, d.wall_list, g.wall_list, g, frame, x_i,
-                               [&](std::int32_t j, const Met& ij) {
-                                   if (v.wall_velocity[j].drho > WallPressure::least_support)
-                                       ViscousForce::add(ij, 2.0f * mu_i, velocity(v.wall_velocity[j]) - u_i, wall);
-                               });
         const Real inv_rho = V_i * (d.inv_mass * d.kernel.inv_support);
-        const V3<Real> a_wall = inv_rho * wall;
+        const auto hold = [&](const ListRef& part, std::int32_t slot, std::int32_t body) {
+            V3<Real> wall{};
+            for_each_neighbour(d.wall_place, d.wall_list, part, g, frame, x_i, [&](std::int32_t j, const Met& ij) {
+                if (v.wall_velocity[j].drho > WallPressure::least_support)
+                    ViscousForce::add(ij, 2.0f * mu_i, velocity(v.wall_velocity[j]) - u_i, wall);
+            });
+            const V3<Real> a_body = inv_rho * wall;
+            a_wall += a_body;
+            if (slot >= 0) v.wall_load[slot] = load_of(x_i, d.kernel.support_length, a_body, g.size, body);
+        };
+        if (v.wall_velocity) for_each_body(d, g, hold);
         for (int l = 0; l < g.size; ++l) {
             RateRecord& r = d.rate[g.first + l];
             r.ax += inner.x[l] * inv_rho[l] + a_wall.x[l];
             r.ay += inner.y[l] * inv_rho[l] + a_wall.y[l];
             r.az += inner.z[l] * inv_rho[l] + a_wall.z[l];
         }
-        if (v.wall_velocity && g.wall_load >= 0)
-            v.wall_load[g.wall_load] = load_of(x_i, d.kernel.support_length, a_wall, g.size);
     }
 }
 

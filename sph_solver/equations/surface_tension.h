@@ -11,7 +11,8 @@ namespace tw {
 ///   grad C   = sum_j grad_i W_ij V_j                      (walls count as water; points into the water)
 ///   kappa    = -div n,   n = grad C / |grad C|            (where |grad C| > 0.15/h)
 ///
-/// The divergence is renormalised over the neighbours that have a normal. Only the water's half of the surface layer is there, hence the 2.
+/// The divergence is renormalised over the neighbours that have a normal. Only the water's half of the surface layer is
+/// there, hence the 2.
 struct ColourGradient {
     template <class Real, class Form>
     static void add(const Pair<Real, Form>& ij, V3<Real>& gradC) {

@@ -196,6 +196,23 @@ void NeighbourLists::build(const ColumnGrid& grid, const Quanta& quanta, const P
     }
 }
 
+std::int32_t number_wall_loads(std::vector<Group>& groups, const Lists& walls,
+                               const std::vector<std::int32_t>& body_end) {
+    std::int32_t next = 0;
+    for (Group& g : groups) {
+        g.wall_load = g.wall_list.size > 0 ? next : -1;
+        const NeighbourBlock* const blocks = walls.blocks(g.wall_list);
+        std::int32_t before = -1;
+        for (std::int32_t k = 0; k < g.wall_list.size; ++k) {
+            const auto end = std::upper_bound(body_end.begin(), body_end.end(), blocks[k].first);
+            const auto body = static_cast<std::int32_t>(end - body_end.begin());
+            next += body != before;
+            before = body;
+        }
+    }
+    return next;
+}
+
 std::size_t NeighbourLists::bytes() const {
     std::size_t n = starts_.capacity() * sizeof(NeighbourBlock*) + chunks_.capacity() * sizeof(chunks_[0]);
     for (const auto& c : chunks_) n += c.capacity() * sizeof(NeighbourBlock);

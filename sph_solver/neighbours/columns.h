@@ -58,6 +58,11 @@ void sort_by_column(const ColumnGrid& grid, const std::vector<PlaceRecord>& plac
 void make_groups(const std::vector<PlaceRecord>& places, const std::vector<std::int32_t>& start, std::size_t first,
                  std::vector<Group>& groups);
 
+/// Gives every group with walls near its slots for loads, one for each body that it has in reach (see
+/// PassData::body_end); returns how many slots there are.
+std::int32_t number_wall_loads(std::vector<Group>& groups, const Lists& walls,
+                               const std::vector<std::int32_t>& body_end);
+
 /// Sorted places in which neighbours are looked for.
 struct Source {
     const PlaceRecord* places;  ///< indexed by column start + offset
@@ -68,7 +73,7 @@ struct Source {
 /// Storage of neighbour lists; groups refer to it.
 class NeighbourLists {
 public:
-    /// For every group, as its `list`, the indices of all source places within `reaches` [m].
+    /// For every group, as its `list`, source by source, the indices of all source places within `reaches` [m].
     void build(const ColumnGrid& grid, const Quanta& quanta, const PlaceRecord* targets, std::vector<Group>& groups,
                const std::vector<Source>& sources, const Reaches& reaches, ListRef Group::*list = &Group::list);
     /// Good until the lists are built anew or moved.

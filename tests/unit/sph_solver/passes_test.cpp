@@ -1,0 +1,279 @@
+// The sweeps themselves: walls that move, points that accelerate, loads body by body. A block of jittered water over a
+// floor and beside an upright plate, both of dummy particles.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <random>
+
+#include "sph_solver/backend/pass_data.h"
+#include "sph_solver/neighbours/columns.h"
+
+namespace tw {
+namespace {
+
+constexpr double dp = 0.1, h = 1.5 * dp, rho0 = 1000;
+
+template <class T>
+bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+}
+
+struct Basin {
+    enum Bodies { floor_alone, plate_alone, both };
+
+    Quanta quanta{Vec3(0.3, 0.3, 0.3), dp / (1 << 18)};
+    ColumnGrid grid{Box{Vec3::Constant(-0.4), Vec3::Constant(1.2)}, dp, 3, quanta};
+    std::vector<PlaceRecord> place, wall_place;
+    std::vector<std::int32_t> start, wall_start[2], body_end;
+    std::vector<VelocityDensityRecord> motion;
+    std::vector<GradientPressureRecord> stress;
+    std::vector<ShiftSupportRecord> shift;
+    std::vector<RateRecord> rate;
+    std::vector<WallNormalRecord> normal;
+    std::vector<float> wall_p;
+    std::vector<WallLoad> wall_load;
+    std::vector<std::uint32_t> surface;
+    std::vector<Group> groups, wall_groups;
+    NeighbourLists lists, wall_lists, of_walls;
+    PassData d;
+
+    explicit Basin(Bodies bodies = both) {
+        std::mt19937 random(3);
+        std::uniform_real_distribution<double> jitter(-0.2 * dp, 0.2 * dp);
+        std::vector<PlaceRecord> raw;
+        for (int k = 0; k < 8 * 8 * 6; ++k)
+            raw.push_back(record({(k % 8 + 0.5) * dp + jitter(random), (k / 8 % 8 + 0.5) * dp + jitter(random),
+                                  (k / 64 + 0.5) * dp + jitter(random)}));
+        add_sorted(raw, place, start);
+        const std::size_t n = place.size();
+        std::vector<PlaceRecord> floor, plate;
+        for (int x = -3; x < 11; ++x)
+            for (int y = -3; y < 11; ++y)
+                for (int z = -3; z < 0; ++z) floor.push_back(record({(x + 0.5) * dp, (y + 0.5) * dp, (z + 0.5) * dp}));
+        for (int x = -3; x < 0; ++x)
+            for (int y = -3; y < 11; ++y)
+                for (int z = 0; z < 9; ++z) plate.push_back(record({(x + 0.5) * dp, (y + 0.5) * dp, (z + 0.5) * dp}));
+        std::vector<Source> walls;
+        if (bodies != plate_alone) add_sorted(floor, wall_place, wall_start[0]);
+        body_end.push_back(static_cast<std::int32_t>(wall_place.size()));
+        if (bodies != floor_alone) add_sorted(plate, wall_place, wall_start[1]);
+        body_end.push_back(static_cast<std::int32_t>(wall_place.size()));
+        for (int b = 0; b < 2; ++b)
+            if (const std::int32_t first = b ? body_end[0] : 0; body_end[std::size_t(b)] > first)
+                walls.push_back({wall_place.data() + first, &wall_start[b], first});
+
+        std::uniform_real_distribution<float> any(-1, 1);
+        for (std::size_t i = 0; i < n; ++i) {
+            motion.push_back({any(random), any(random), any(random), any(random)});
+            stress.push_back({0, 0, 0, 500 + 100 * any(random)});
+            normal.push_back(place[i].x < place[i].z ? WallNormalRecord{1, 0, 0, 0.1f}
+                                                     : WallNormalRecord{0, 0, 1, 0.1f});
+        }
+        for (std::size_t k = 0; k < wall_place.size(); ++k) wall_p.push_back(600);
+        shift.resize(n), rate.resize(n), surface.assign(n / 32 + 2, 0);
+        make_groups(place, start, 0, groups);
+        const Reaches reaches{2 * h, 2 * h, 2 * h};
+        lists.build(grid, quanta, place.data(), groups, {{place.data(), &start, 0}}, reaches);
+        wall_lists.build(grid, quanta, place.data(), groups, walls, reaches, &Group::wall_list);
+        wall_load.resize(static_cast<std::size_t>(number_wall_loads(groups, wall_lists.view(), body_end)));
+        d.list = lists.view(), d.wall_list = wall_lists.view();
+        d.place = place.data(), d.motion = motion.data(), d.stress = stress.data();
+        d.wall_place = wall_place.data(), d.wall_p = wall_p.data();
+        d.normal = normal.data(), d.surface = surface.data(), d.shift = shift.data(), d.rate = rate.data();
+        d.wall_load = wall_load.data();
+        d.body_end = body_end.data(), d.bodies = 2;
+        d.kernel = Kernel(h, 3);
+        d.quantum = static_cast<float>(quanta.size);
+        d.rho0 = rho0;
+        d.inv_mass = static_cast<float>(1 / (rho0 * dp * dp * dp));
+        d.inv_W_dp = static_cast<float>(1 / d.kernel.W(dp));
+        d.inv_void = 1;  // walls compress from no support on: here all do
+    }
+    PlaceRecord record(const Vec3& x) const {
+        return {quanta.of(x.x(), 0), quanta.of(x.y(), 1), quanta.of(x.z(), 2), static_cast<float>(dp * dp * dp)};
+    }
+    void add_sorted(const std::vector<PlaceRecord>& raw, std::vector<PlaceRecord>& to, std::vector<std::int32_t>& at) {
+        std::vector<std::int32_t> order;
+        sort_by_column(grid, raw, 0, raw.size(), order, at);
+        for (const std::int32_t k : order) to.push_back(raw[static_cast<std::size_t>(k)]);
+    }
+    void move(float u, float v, float w) {
+        for (VelocityDensityRecord& r : motion) r.u += u, r.v += v, r.w += w;
+    }
+    int count() const { return static_cast<int>(groups.size()); }
+    std::vector<RateRecord> continuity(const std::vector<WallVelocity>& of_walls_ = {}) {
+        d.wall_velocity = of_walls_.empty() ? nullptr : of_walls_.data();
+        passes().continuity_and_gradient(d, groups.data(), count());
+        return rate;
+    }
+    /// [N]
+    Vec3 load_on(std::int32_t body) {
+        Vec3 sum = Vec3::Zero();
+        for (const WallLoad& l : wall_load)
+            if (l.body == body) sum -= rho0 * dp * dp * dp * Vec3(l.ax, l.ay, l.az);
+        return sum;
+    }
+    Vec3 moment_on(std::int32_t body) {
+        Vec3 sum = Vec3::Zero();
+        for (const Group& g : groups)
+            for (std::int32_t k = g.wall_load; k >= 0 && k < slots_end(g); ++k) {
+                const WallLoad& l = wall_load[static_cast<std::size_t>(k)];
+                if (l.body != body) continue;
+                sum -= Vec3(l.mx, l.my, l.mz) +
+                       (quanta.origin + quanta.size * Vec3(g.x, g.y, g.z)).cross(Vec3(l.ax, l.ay, l.az));
+            }
+        return rho0 * dp * dp * dp * sum;
+    }
+    std::int32_t slots_end(const Group& g) const {
+        std::int32_t end = static_cast<std::int32_t>(wall_load.size());
+        for (const Group& other : groups)
+            if (other.wall_load > g.wall_load) end = std::min(end, other.wall_load);
+        return end;
+    }
+};
+
+double largest_rate(const std::vector<RateRecord>& rates) {
+    double most = 0;
+    for (const RateRecord& r : rates) most = std::max(most, std::abs(double(r.drho)));
+    return most;
+}
+
+TEST(MovingWalls, AtRestAreTheWallsThatDoNotMoveBitByBit) {
+    Basin a, b;
+    a.continuity();
+    b.continuity(std::vector<WallVelocity>(b.wall_place.size(), {0, 0, 0}));
+    EXPECT_TRUE(same_bits(a.rate, b.rate));
+    EXPECT_TRUE(same_bits(a.shift, b.shift));
+    EXPECT_TRUE(same_bits(a.stress, b.stress));
+    Basin c;
+    c.continuity(std::vector<WallVelocity>(c.wall_place.size(), {0.1f, 0, 0.1f}));
+    EXPECT_FALSE(same_bits(a.rate, c.rate));
+}
+
+TEST(MovingWalls, ThatGoWithTheWaterCompressNothing) {
+    Basin basin;
+    for (VelocityDensityRecord& r : basin.motion) r = {3, -1, -2, r.drho};
+    const std::vector<WallVelocity> along(basin.wall_place.size(), {3, -1, -2});
+    const double scale = rho0 * 3 / h;
+    EXPECT_LT(largest_rate(basin.continuity(along)), 1e-5 * scale);
+    EXPECT_GT(largest_rate(basin.continuity()), 0.1 * scale);  // water that falls on a floor at rest
+}
+
+TEST(MovingWalls, CompressWaterAtRestAsWaterThatMovesAgainstThem) {
+    Basin basin;
+    for (VelocityDensityRecord& r : basin.motion) r = {0, 0, 0, r.drho};
+    const std::vector<RateRecord> pushed =
+        basin.continuity(std::vector<WallVelocity>(basin.wall_place.size(), {0.5f, 0, 1.5f}));
+    basin.move(-0.5f, 0, -1.5f);
+    const std::vector<RateRecord> falls = basin.continuity();
+    for (std::size_t i = 0; i < falls.size(); ++i) EXPECT_NEAR(pushed[i].drho, falls[i].drho, 1e-5 * rho0 * 1.5 / h);
+}
+
+TEST(MovingWalls, GiveARateThatIsTheSameInAnyFrame) {
+    Basin basin;
+    std::vector<WallVelocity> walls;
+    for (std::size_t k = 0; k < basin.wall_place.size(); ++k)
+        walls.push_back({0.1f * static_cast<float>(k % 7), 0.2f, -0.3f * static_cast<float>(k % 3)});
+    const std::vector<RateRecord> here = basin.continuity(walls);
+    basin.move(5, -7, 3);
+    for (WallVelocity& u : walls) u.u += 5, u.v -= 7, u.w += 3;
+    const std::vector<RateRecord> there = basin.continuity(walls);
+    for (std::size_t i = 0; i < here.size(); ++i) EXPECT_NEAR(here[i].drho, there[i].drho, 1e-5 * rho0 * 7 / h);
+}
+
+struct Extrapolated {
+    std::vector<float> p, support;
+};
+Extrapolated to_walls(Basin& basin, const std::vector<WallAcceleration>& acceleration) {
+    std::vector<Group> groups;
+    make_groups(basin.wall_place, basin.wall_start[0], 0, groups);
+    basin.of_walls.build(basin.grid, basin.quanta, basin.wall_place.data(), groups,
+                         {{basin.place.data(), &basin.start, 0}}, {2 * h, 2 * h, 2 * h});
+    Extrapolated r;
+    r.p.resize(basin.wall_place.size()), r.support.resize(basin.wall_place.size());
+    ExtrapolateData e;
+    e.list = basin.of_walls.view();
+    e.at = basin.wall_place.data(), e.place = basin.place.data();
+    e.motion = basin.motion.data(), e.stress = basin.stress.data();
+    e.acceleration = acceleration.empty() ? nullptr : acceleration.data();
+    e.p = r.p.data(), e.support = r.support.data();
+    e.kernel = basin.d.kernel, e.quantum = basin.d.quantum, e.rho0 = rho0;
+    e.gx = 0.3f, e.gz = -9.81f;
+    passes().extrapolate(e, groups.data(), static_cast<int>(groups.size()));
+    return r;
+}
+
+TEST(AcceleratedWalls, WithoutAccelerationAreWallsAtRestBitByBit) {
+    Basin basin(Basin::floor_alone);
+    const Extrapolated rest = to_walls(basin, {}),
+                       zero = to_walls(basin, std::vector<WallAcceleration>(basin.wall_place.size(), {0, 0, 0}));
+    EXPECT_TRUE(same_bits(rest.p, zero.p));
+    EXPECT_TRUE(same_bits(rest.support, zero.support));
+}
+
+TEST(AcceleratedWalls, ThatFallFreelyCarryNoHydrostaticDifference) {
+    Basin basin(Basin::floor_alone);
+    for (GradientPressureRecord& r : basin.stress) r.p = 700;
+    const Extrapolated falls =
+                           to_walls(basin, std::vector<WallAcceleration>(basin.wall_place.size(), {0.3f, 0, -9.81f})),
+                       rest = to_walls(basin, {});
+    double largest = 0;
+    for (std::size_t k = 0; k < falls.p.size(); ++k) {
+        if (falls.support[k] < 0.005f) continue;
+        EXPECT_NEAR(falls.p[k], 700, 1e-3);
+        largest = std::max(largest, double(rest.p[k] - 700));
+    }
+    EXPECT_GT(largest, rho0 * 9.81 * dp);
+}
+
+TEST(AcceleratedWalls, UpwardsBearMore) {
+    Basin basin(Basin::floor_alone);
+    for (GradientPressureRecord& r : basin.stress) r.p = 700;
+    const Extrapolated up = to_walls(basin, std::vector<WallAcceleration>(basin.wall_place.size(), {0.3f, 0, 9.81f})),
+                       rest = to_walls(basin, std::vector<WallAcceleration>(basin.wall_place.size(), {0.3f, 0, 0}));
+    for (std::size_t k = 0; k < up.p.size(); ++k)
+        if (up.support[k] > 0.005f) {
+            EXPECT_NEAR(up.p[k] - 700, 2 * (rest.p[k] - 700), 0.01);
+        }
+}
+
+TEST(BodyLoads, OfTwoBodiesAreThoseOfEachAlone) {
+    Basin two(Basin::both), floor(Basin::floor_alone), plate(Basin::plate_alone);
+    for (Basin* basin : {&two, &floor, &plate}) passes().forces(basin->d, basin->groups.data(), basin->count());
+    EXPECT_GT(two.wall_load.size(), floor.wall_load.size());
+    for (std::int32_t body : {0, 1}) {
+        Basin& alone = body ? plate : floor;
+        EXPECT_GT(alone.load_on(body).norm(), 1);
+        EXPECT_LT((two.load_on(body) - alone.load_on(body)).norm(), 1e-6 * alone.load_on(body).norm());
+        EXPECT_LT((two.moment_on(body) - alone.moment_on(body)).norm(), 1e-6 * alone.moment_on(body).norm());
+    }
+    EXPECT_LT(two.load_on(0).z(), -1);  // the floor bears water, the plate is pressed towards -x
+    EXPECT_LT(two.load_on(1).x(), -1);
+}
+
+TEST(BodyLoads, OfAllWallsAsOneBodyAreTheSumAndTheWaterFeelsTheSame) {
+    Basin two, one;
+    const std::int32_t end = two.body_end.back();
+    one.d.body_end = &end, one.d.bodies = 1;
+    one.wall_load.resize(static_cast<std::size_t>(number_wall_loads(one.groups, one.wall_lists.view(), {end})));
+    for (Basin* basin : {&two, &one}) passes().forces(basin->d, basin->groups.data(), basin->count());
+    EXPECT_LT((one.load_on(0) - two.load_on(0) - two.load_on(1)).norm(), 1e-6 * one.load_on(0).norm());
+    double largest = 0;
+    for (std::size_t i = 0; i < one.rate.size(); ++i) {
+        const Vec3 a(one.rate[i].ax, one.rate[i].ay, one.rate[i].az), b(two.rate[i].ax, two.rate[i].ay, two.rate[i].az);
+        largest = std::max(largest, a.norm());
+        EXPECT_LT((a - b).norm(), 1e-4);
+    }
+    EXPECT_GT(largest, 1);
+    Basin without;  // no table of bodies: one body
+    without.d.body_end = nullptr, without.d.bodies = 1;
+    without.wall_load.resize(
+        static_cast<std::size_t>(number_wall_loads(without.groups, without.wall_lists.view(), {end})));
+    passes().forces(without.d, without.groups.data(), without.count());
+    EXPECT_TRUE(same_bits(one.rate, without.rate));
+    EXPECT_TRUE(same_bits(one.wall_load, without.wall_load));
+}
+
+}  // namespace
+}  // namespace tw
