@@ -1,5 +1,7 @@
 #include "sph_solver/bodies/walls.h"
 
+#include <algorithm>
+
 #include "sph_solver/backend/for_particles.h"
 #include "sph_solver/bodies/dummies.h"
 #include "sph_solver/bodies/slip_normal.h"
@@ -31,11 +33,27 @@ Walls::Walls(const std::vector<Body>& bodies, const Surroundings& around, const 
         groups_.insert(groups_.end(), groups.begin(), groups.end());
     }
     p_.assign(place_.size(), 0);
+    take_motions(quanta);
     if (!any_slides) return;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         const Eigen::Vector3f u = bodies[b].sliding().cast<float>();
         sliding_.resize(static_cast<std::size_t>(body_end_[b]), {u.x(), u.y(), u.z(), 0});
     }
+}
+
+/// What the dummies hand to the water of their body's motion.
+void Walls::take_motions(const Quanta& quanta) {
+    velocity_.clear(), acceleration_.clear();
+    if (std::ranges::all_of(bodies_, [](const Body& body) { return body.motion().fixed(); })) return;
+    std::size_t k = 0;
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        for (; k < static_cast<std::size_t>(body_end_[b]); ++k) {
+            const Vec3 x = quanta.origin + quanta.size * Vec3(place_[k].x, place_[k].y, place_[k].z);
+            const Eigen::Vector3f u = bodies_[b].motion().velocity_at(x).cast<float>(),
+                                  a = bodies_[b].motion().acceleration_at(x).cast<float>();
+            velocity_.push_back({u.x(), u.y(), u.z()});
+            acceleration_.push_back({a.x(), a.y(), a.z()});
+        }
 }
 
 void Walls::find_neighbours(const ColumnGrid& grid, const Quanta& quanta, const PlaceRecord* particles,
@@ -50,10 +68,7 @@ void Walls::find_neighbours(const ColumnGrid& grid, const Quanta& quanta, const 
     source_lists_.build(grid, quanta, place_.data(), live_groups_, sources, reaches);
     std::fill(p_.begin(), p_.end(), 0.0f);
     std::erase_if(live_groups_, [](const Group& g) { return g.list.size == 0; });
-    std::int32_t near_wall = 0;
-    for (Group& g : groups)
-        if (g.wall_list.size > 0) g.wall_load = near_wall++;
-    group_loads_.resize(static_cast<std::size_t>(near_wall));
+    group_loads_.resize(static_cast<std::size_t>(number_wall_loads(groups, lists_.view(), body_end_)));
 }
 
 void Walls::prune(const Passes& passes, const PlaceRecord* particles, const std::vector<Group>& groups, double reach) {

@@ -27,6 +27,9 @@ public:
     const std::vector<float>& pressures() const { return p_; }
     /// Velocity of the dummies' surface along itself; empty: no body slides.
     const std::vector<VelocityDensityRecord>& sliding() const { return sliding_; }
+    /// Velocity and acceleration of the bodies at the dummies; null: all bodies are fixed.
+    const WallVelocity* velocities() const { return velocity_.empty() ? nullptr : velocity_.data(); }
+    const WallAcceleration* accelerations() const { return acceleration_.empty() ? nullptr : acceleration_.data(); }
     /// The dummies of body b are those from body_end()[b - 1] (0) up to body_end()[b].
     const std::vector<std::int32_t>& body_end() const { return body_end_; }
     /// Dummies that have water near.
@@ -47,7 +50,7 @@ public:
     /// The wall nearest to a place `x` within `reach` [m], as it acts on water of velocity `u`.
     Nearest nearest(const Vec3& x, const Vec3& u, double reach) const;
 
-    /// What the sweeps have left of each group's load: one WallLoad a group and body.
+    /// What the sweeps have left of each group's load: one WallLoad for each body that the group has in reach.
     std::vector<WallLoad>& group_loads() { return group_loads_; }
     std::size_t group_load_count() const { return group_loads_.size(); }
     std::size_t bytes() const;
@@ -55,10 +58,14 @@ public:
     std::vector<Load> loads;  ///< on each body, of the last step
 
 private:
+    void take_motions(const Quanta& quanta);
+
     const std::vector<Body>& bodies_;
     std::vector<PlaceRecord> place_;  // body after body, each sorted by column
     std::vector<float> p_;
     std::vector<VelocityDensityRecord> sliding_;
+    std::vector<WallVelocity> velocity_;          // empty: all bodies are fixed
+    std::vector<WallAcceleration> acceleration_;  // likewise
     std::vector<std::vector<std::int32_t>> starts_;  // of each body: first of its dummies in each column
     std::vector<std::int32_t> body_end_;
     std::vector<Group> groups_, live_groups_;

@@ -92,6 +92,9 @@ PassData Level::pass_data(double t) {
     d.carried = r.carried.empty() ? nullptr : r.carried.data();
     d.wall_place = walls_.places().data();
     d.wall_p = walls_.pressures().data();
+    d.wall_velocity = walls_.velocities();
+    d.body_end = walls_.body_end().data();
+    d.bodies = static_cast<int>(walls_.body_end().size());
     d.wall_load = walls_.group_loads().data();
     d.kernel = kernel_;
     d.quantum = static_cast<float>(quanta_.size);
@@ -164,6 +167,7 @@ void Level::second_sweep(double t) {
         e.list = walls_.live_lists();
         e.at = walls_.places().data();
         e.p = walls_.pressures().data();
+        e.acceleration = walls_.accelerations();
         for_pairs(passes_.extrapolate, e, walls_.live_groups());
     }
     const PassData d = pass_data(t);
@@ -187,14 +191,22 @@ void Level::gather_loads(const Vec3& moment_reference) {
     // force on the bodies = minus what they exert on the water, group by group in a fixed order
     for (Load& load : walls_.loads) load = {};
     const auto gather = [&](const std::vector<WallLoad>& of_groups, Vec3 Load::*force_of) {
-        for (const Group& g : groups_) {
+        std::size_t slot = 0;
+        for (std::size_t n = 0, next = 0; n < groups_.size(); n = next) {
+            for (next = n + 1; next < groups_.size() && groups_[next].wall_load < 0;) ++next;
+            const Group& g = groups_[n];
             if (g.wall_load < 0) continue;
-            const WallLoad& w = of_groups[static_cast<std::size_t>(g.wall_load)];
-            const Vec3 force = -mass_ * Vec3(w.ax, w.ay, w.az);
+            // its slots end where those of the next group with walls begin
+            const std::size_t end =
+                next < groups_.size() ? static_cast<std::size_t>(groups_[next].wall_load) : of_groups.size();
             const Vec3 centre = quanta_.origin + quanta_.size * Vec3(g.x, g.y, g.z);
-            Load& load = walls_.loads.front();
-            load.*force_of += force;
-            load.moment += (centre - moment_reference).cross(force) - mass_ * Vec3(w.mx, w.my, w.mz);
+            for (; slot < end; ++slot) {
+                const WallLoad& w = of_groups[slot];
+                const Vec3 force = -mass_ * Vec3(w.ax, w.ay, w.az);
+                Load& load = walls_.loads[static_cast<std::size_t>(w.body)];
+                load.*force_of += force;
+                load.moment += (centre - moment_reference).cross(force) - mass_ * Vec3(w.mx, w.my, w.mz);
+            }
         }
     };
     gather(walls_.group_loads(), &Load::force);

@@ -87,6 +87,32 @@ TEST(Engine, AnyNumberOfThreadsGivesTheSameBits) {
     }
 }
 
+TEST(Engine, EachBodyHasItsOwnLoadAndTheirSumIsTheWhole) {
+    // water at rest over two boxes of different size on the floor: each bears the weight of the water above it
+    SimulationSetup s;
+    s.dp = 0.05;
+    s.state_equation.c0 = 30;
+    s.domain = {Vec3(0, 0, 0), Vec3(1.6, 0.4, 1)};
+    s.mirrors.on = {{{true, true}, {true, true}, {true, false}}};
+    s.threads = 1;
+    const Surface small = box_surface({Vec3(0.2, -0.2, -0.3), Vec3(0.4, 0.6, 0.2)}),
+                  large = box_surface({Vec3(0.8, -0.2, -0.3), Vec3(1.4, 0.6, 0.2)});
+    const std::vector<Box> water{{Vec3(0, 0, 0), Vec3(1.6, 0.4, 0.6)}};
+    const auto loads = [&](std::vector<BodySetup> bodies) {
+        s.bodies = std::move(bodies);
+        Simulation simulation(s, fill_with_fluid(s, water));
+        for (int k = 0; k < 40; ++k) simulation.step();
+        EXPECT_EQ((simulation.load(0).force + simulation.load(1).force - simulation.load().force).norm(), 0);
+        return std::pair{simulation.load(0).force, simulation.load(1).force};
+    };
+    const auto [first, second] = loads({small, large});
+    EXPECT_NEAR(second.z() / first.z(), 3, 0.5);  // footprints of 0.6 and 0.2 m; the water still rings
+    EXPECT_LT(first.z(), -0.5 * 1000 * 9.81 * 0.4 * 0.2 * 0.4);
+    const auto [other, one] = loads({large, small});  // whoever is named first
+    EXPECT_NEAR((other - second).norm(), 0, 1e-3 * second.norm());
+    EXPECT_NEAR((one - first).norm(), 0, 1e-3 * second.norm());
+}
+
 TEST(Engine, ARestartGoesOnWithTheSameBitsInletAndOutletIncluded) {
     const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "restart_test.h5";
     for (const SchemeCase& c : every_scheme) {
