@@ -32,18 +32,19 @@ void Solver::build_wall() {
         const Eigen::Vector3f u = setup_.sliding[queries_.size() - 1].cast<float>();
         motion.resize(all.places.size(), {u.x(), u.y(), u.z(), 0});
     }
-    std::vector<PlaceRecord> raw(all.places.size());
-    for (std::size_t k = 0; k < raw.size(); ++k)
-        raw[k] = {quanta_.of(all.places[k].x(), 0), quanta_.of(all.places[k].y(), 1), quanta_.of(all.places[k].z(), 2),
-                  static_cast<float>(all.volumes[k])};
+    std::vector<WidePlace> raw(all.places.size());
+    for (std::size_t k = 0; k < raw.size(); ++k) raw[k] = quanta_.wide(all.places[k]);
     std::vector<std::int32_t> order;
-    sort_by_column(grid_, raw, 0, raw.size(), order, wall_start_);
+    sort_by_column(grid_, raw, order, wall_start_);
     wall_place_.resize(raw.size());
     wall_motion_.resize(motion.size());
-    for (std::size_t k = 0; k < raw.size(); ++k) wall_place_[k] = raw[static_cast<std::size_t>(order[k])];
+    for (std::size_t k = 0; k < raw.size(); ++k) {
+        const auto from = static_cast<std::size_t>(order[k]);
+        wall_place_[k] = raw[from].record(static_cast<float>(all.volumes[from]));
+    }
     for (std::size_t k = 0; k < motion.size(); ++k) wall_motion_[k] = motion[static_cast<std::size_t>(order[k])];
     wall_p_.assign(raw.size(), 0);
-    make_groups(wall_place_, wall_start_, 0, wall_groups_);
+    make_groups(grid_, {wall_place_.data(), &wall_start_, 0}, passes_->lanes, wall_groups_);
 }
 
 /// Who has crossed a plane, who has left (marked), who is new (appended).
@@ -90,18 +91,18 @@ void Solver::rebuild(double drift) {
 
     const std::vector<char> gone = cross_open_boundaries();
     place_.resize(p.size());
-    std::vector<PlaceRecord> kept;
+    std::vector<WidePlace> kept;
     std::vector<std::int32_t> index;
     for (std::size_t i = 0; i < p.size(); ++i) {
         if (gone[i]) {
             ++ledger_.out;
             continue;
         }
-        kept.push_back({quanta_.of(p.x[i], 0), quanta_.of(p.y[i], 1), quanta_.of(p.z[i], 2), 0});
+        kept.push_back(quanta_.wide({p.x[i], p.y[i], p.z[i]}));
         index.push_back(static_cast<std::int32_t>(i));
     }
     std::vector<std::int32_t> order;
-    sort_by_column(grid_, kept, 0, kept.size(), order, start_);
+    sort_by_column(grid_, kept, order, start_);
     for (auto& k : order) k = index[static_cast<std::size_t>(k)];
     p.reorder(order);
     const std::size_t n = p.size();
@@ -113,13 +114,12 @@ void Solver::rebuild(double drift) {
     };
     const Reaches among = reaches(reach_among(drift), skin), to_walls = reaches(reach_to_walls(drift), wall_skin);
     images_ = make_mirror_images(s.mirrors, s.domain, p, std::max(among.far, to_walls.far));
-    std::vector<PlaceRecord> image_places(images_.size());
+    std::vector<WidePlace> image_places(images_.size());
     for (std::size_t k = 0; k < images_.size(); ++k) {
         const auto i = static_cast<std::size_t>(images_[k].source);
-        image_places[k] =
-            mirror_planes_->place({quanta_.of(p.x[i], 0), quanta_.of(p.y[i], 1), quanta_.of(p.z[i], 2), 0}, images_[k]);
+        image_places[k] = mirror_planes_->place(quanta_.wide({p.x[i], p.y[i], p.z[i]}), images_[k]);
     }
-    sort_by_column(grid_, image_places, 0, images_.size(), order, image_start_);
+    sort_by_column(grid_, image_places, order, image_start_);
     {
         std::vector<MirrorImage> sorted(images_.size());
         for (std::size_t k = 0; k < images_.size(); ++k) sorted[k] = images_[static_cast<std::size_t>(order[k])];
@@ -135,15 +135,15 @@ void Solver::rebuild(double drift) {
     if (control_) carried_.resize(n + images_.size());
     update_records();
 
-    make_groups(place_, start_, 0, groups_);
     const std::vector<Source> sources = {{place_.data(), &start_, 0},
                                          {place_.data() + n, &image_start_, static_cast<std::int32_t>(n)}};
-    lists_.build(grid_, quanta_, place_.data(), groups_, sources, among);
+    make_groups(grid_, sources[0], passes_->lanes, groups_);
+    lists_.build(*passes_, grid_, quanta_, sources[0], groups_, sources, among);
     if (!wall_place_.empty()) {
-        wall_lists_.build(grid_, quanta_, place_.data(), groups_, {{wall_place_.data(), &wall_start_, 0}}, to_walls,
-                          &Group::wall_list);
+        const Source walls{wall_place_.data(), &wall_start_, 0};
+        wall_lists_.build(*passes_, grid_, quanta_, sources[0], groups_, {walls}, to_walls, &Group::wall_list);
         live_wall_groups_ = wall_groups_;
-        wall_source_lists_.build(grid_, quanta_, wall_place_.data(), live_wall_groups_, sources, to_walls);
+        wall_source_lists_.build(*passes_, grid_, quanta_, walls, live_wall_groups_, sources, to_walls);
         std::fill(wall_p_.begin(), wall_p_.end(), 0.0f);
         std::erase_if(live_wall_groups_, [](const Group& g) { return g.list.size == 0; });
         std::int32_t near_wall = 0;
@@ -212,7 +212,7 @@ void Solver::update_mirror_images(bool stress) {
         const MirrorImage& image = images_[k];
         const auto i = static_cast<std::size_t>(image.source);
         const PlaceRecord &from = place_[i], &to = place_[n + k] = mirror_planes_->place(from, image);
-        Vec3 step = quanta_.size * Vec3(double(to.x) - from.x, double(to.y) - from.y, double(to.z) - from.z);
+        Vec3 step = quanta_.size * Vec3(difference(to.x, from.x), difference(to.y, from.y), difference(to.z, from.z));
         for (int a = 0; a < 3; ++a)
             if (image.moved(a)) step[a] = 0;  // a periodic flow has the same pressure one length on
         motion_[n + k] = mirrored(motion_[i], image);

@@ -24,9 +24,6 @@ Solver::Solver(SolverSetup setup, const Fluid& fluid)
     Vec3 middle = (s.domain.min + s.domain.max) / 2;
     if (s.dimensions == 2) middle.y() = 0;
     quanta_ = Quanta(middle, s.dp / (1 << 18));
-    if (s.domain.size().maxCoeff() > quanta_.reach())
-        throw InputError(fmt::format("the domain is {:.3g} spacings long; at most 8000 are possible in one run",
-                                     s.domain.size().maxCoeff() / s.dp));
     Box area = s.domain;
     const double margin = kernel_.support() + s.dp;
     area.min.array() -= margin;
@@ -36,7 +33,7 @@ Solver::Solver(SolverSetup setup, const Fluid& fluid)
         area.max.x() += s.stream->buffer;
     }
     mirror_planes_.emplace(s.domain, quanta_);
-    grid_ = ColumnGrid(area, s.dp, s.dimensions, quanta_);
+    grid_ = ColumnGrid(area, s.dp, s.dimensions, quanta_, passes_->lanes);
 
     particles_.for_each_array([&](auto& array) { array.reserve(fluid.places.size()); });
     for (std::size_t k = 0; k < fluid.places.size(); ++k) {
@@ -145,8 +142,8 @@ void Solver::evaluate(double t, double compress, double drift) {
         const PhaseView of_water{water, groups_, particles_.size(), start_, image_start_},
             of_air{air, air_->groups_, air_->particles_.size(), air_->start_, air_->image_start_};
         const double reach = kernel_.support() + wall_skin_over_dp * setup_.dp;
-        of_water_.find_neighbours(grid_, quanta_, of_water, of_air, reach);
-        of_air_.find_neighbours(grid_, quanta_, of_air, of_water, reach);
+        of_water_.find_neighbours(*passes_, grid_, quanta_, of_water, of_air, reach);
+        of_air_.find_neighbours(*passes_, grid_, quanta_, of_air, of_water, reach);
     }
     of_water_.meet(*passes_, pass_data(t), air_->pass_data(t));
     of_air_.meet(*passes_, air_->pass_data(t), pass_data(t));
@@ -265,7 +262,9 @@ void Solver::gather_load() {
             if (g.wall_load < 0) continue;
             const WallLoad& w = loads[static_cast<std::size_t>(g.wall_load)];
             const Vec3 force = -mass_ * Vec3(w.ax, w.ay, w.az);
-            const Vec3 centre = quanta_.origin + quanta_.size * Vec3(g.x, g.y, g.z);
+            const auto i = static_cast<std::size_t>(g.first);
+            const Vec3 centre(quanta_.metres(g.x, 0, particles_.x[i]), quanta_.metres(g.y, 1, particles_.y[i]),
+                              quanta_.metres(g.z, 2, particles_.z[i]));
             sum += force;
             load_.moment += (centre - setup_.moment_reference).cross(force) - mass_ * Vec3(w.mx, w.my, w.mz);
         }
@@ -285,15 +284,15 @@ void Solver::sample(PointSamples& points) {
     points.support.assign(n, 0);
     if (points.want_flux) points.flux.assign(3 * n, 0);
     if (n == 0) return;
-    std::vector<PlaceRecord> raw(n), sorted(n);
-    for (std::size_t k = 0; k < n; ++k)
-        raw[k] = {quanta_.of(points.places[k].x(), 0), quanta_.of(points.places[k].y(), 1),
-                  quanta_.of(points.places[k].z(), 2), 0};
+    std::vector<WidePlace> raw(n);
+    std::vector<PlaceRecord> places(n);
+    for (std::size_t k = 0; k < n; ++k) raw[k] = quanta_.wide(points.places[k]);
     std::vector<std::int32_t> order, start;
-    sort_by_column(grid_, raw, 0, n, order, start);
-    for (std::size_t k = 0; k < n; ++k) sorted[k] = raw[static_cast<std::size_t>(order[k])];
+    sort_by_column(grid_, raw, order, start);
+    for (std::size_t k = 0; k < n; ++k) places[k] = raw[static_cast<std::size_t>(order[k])].record(0);
+    const Source sorted{places.data(), &start, 0};
     std::vector<Group> groups;
-    make_groups(sorted, start, 0, groups);
+    make_groups(grid_, sorted, passes_->lanes, groups);
     std::vector<float> p(n), support(n), flux(points.want_flux ? 3 * n : 0);
     extrapolate_to(sorted, groups, p, support, points.want_flux ? flux.data() : nullptr);
     if (air_) {
@@ -320,7 +319,7 @@ double Solver::lid_pressure() const {
     return count > 0 ? sum / double(count) : 0;
 }
 
-void Solver::extrapolate_to(const std::vector<PlaceRecord>& sorted, std::vector<Group>& groups, std::vector<float>& p,
+void Solver::extrapolate_to(const Source& sorted, std::vector<Group>& groups, std::vector<float>& p,
                             std::vector<float>& support, float* flux) const {
     NeighbourLists lists;
     const std::size_t particles = particles_.size();
@@ -328,12 +327,12 @@ void Solver::extrapolate_to(const std::vector<PlaceRecord>& sorted, std::vector<
     // complete
     const double reach = kernel_.support() + 2 * wall_skin_over_dp * setup_.dp;
     lists.build(
-        grid_, quanta_, sorted.data(), groups,
+        *passes_, grid_, quanta_, sorted, groups,
         {{place_.data(), &start_, 0}, {place_.data() + particles, &image_start_, static_cast<std::int32_t>(particles)}},
         {reach, reach, reach});
     ExtrapolateData e = extrapolation();
     e.list = lists.view();
-    e.at = sorted.data();
+    e.at = sorted.places;
     e.p = p.data();
     e.support = support.data();
     if (flux) {

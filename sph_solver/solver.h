@@ -195,7 +195,7 @@ private:
     StepView step_view(const PassData& d, double t) const;
     ExtrapolateData extrapolation() const;  ///< from the present records; the caller says where to
     /// Pressure of this phase, its support and (null: not) flux at places sorted by column.
-    void extrapolate_to(const std::vector<PlaceRecord>& sorted, std::vector<Group>& groups, std::vector<float>& p,
+    void extrapolate_to(const Source& sorted, std::vector<Group>& groups, std::vector<float>& p,
                         std::vector<float>& support, float* flux) const;
     /// Makes the lists anew, live as `prune` leaves them.
     void rebuild(double drift);

@@ -36,11 +36,11 @@ double gas_energy(const Solver& gas) {
     return gas.mass() * sum;
 }
 
-void Interface::find_neighbours(const ColumnGrid& grid, const Quanta& quanta, const PhaseView& own,
+void Interface::find_neighbours(const Passes& passes, const ColumnGrid& grid, const Quanta& quanta, const PhaseView& own,
                                 const PhaseView& other, double reach) {
     groups_ = own.groups;
     const PlaceRecord* place = other.pass.place;
-    lists_.build(grid, quanta, own.pass.place, groups_,
+    lists_.build(passes, grid, quanta, {own.pass.place, &own.start, 0}, groups_,
                  {{place, &other.start, 0}, {place + other.count, &other.image_start, static_cast<int>(other.count)}},
                  {reach, reach, reach});
     std::erase_if(groups_, [](const Group& g) { return g.list.size == 0; });

@@ -55,7 +55,7 @@ class Interface {
 public:
     /// Anew after both phases have been sorted; good until the particles have come `reach` less the kernel's support
     /// nearer.
-    void find_neighbours(const ColumnGrid& grid, const Quanta& quanta, const PhaseView& own, const PhaseView& other,
+    void find_neighbours(const Passes& passes, const ColumnGrid& grid, const Quanta& quanta, const PhaseView& own, const PhaseView& other,
                          double reach);
     /// Before the first sweep of `own`: its `other` sums.
     void meet(const Passes& passes, const PassData& own, const PassData& other);
