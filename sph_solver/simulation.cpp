@@ -48,7 +48,7 @@ void Simulation::evaluate(double t, double compress, double drift) {
     if (lists_due) make_lists_due();
     for (const auto& level : due) level->refresh(drift);
     for (LevelPair& pair : pairs_) {
-        if (lists_due) pair.find_neighbours(t);
+        if (lists_due) pair.find_neighbours();
         pair.meet(t);
     }
     for (const auto& level : due) {

@@ -32,16 +32,17 @@ struct alignas(64) Chunk {
 };
 
 typedef std::int32_t I4 __attribute__((vector_size(16), may_alias));
+typedef std::uint32_t U4 __attribute__((vector_size(16)));
 typedef float F4 __attribute__((vector_size(16), may_alias));
 
 /// Loads n neighbours, and zeros for the places beyond them whose distances are made and not used.
 inline void load_chunk(Chunk& chunk, const PlaceRecord* place, int n, const Group& g, const Frame& frame) {
     for (int k = n; k < n + Chunk::ahead; ++k) *reinterpret_cast<F4*>(chunk.xyz[k]) = F4{};
-    const I4 centre{g.x, g.y, g.z, 0};
+    const U4 centre = (U4)I4{g.x, g.y, g.z, 0};
     for (int k = 0; k < n; ++k) {
         const PlaceRecord& r = place[chunk.index[k]];
         const I4 raw = *reinterpret_cast<const I4*>(&r);
-        F4 relative = __builtin_convertvector(raw - centre, F4) * frame.length;
+        F4 relative = __builtin_convertvector((I4)((U4)raw - centre), F4) * frame.length;
         relative[3] = r.volume * frame.volume;
         *reinterpret_cast<F4*>(chunk.xyz[k]) = relative;
     }
@@ -55,9 +56,9 @@ inline V3<Real> own_places(const PlaceRecord* place, const Group& g, const Frame
     V3<Real> r{};
     for (int l = 0; l < lanes; ++l) {
         const PlaceRecord& a = place[in_lane(g, l)];
-        r.x[l] = static_cast<float>(a.x - g.x) * frame.length;
-        r.y[l] = static_cast<float>(a.y - g.y) * frame.length;
-        r.z[l] = static_cast<float>(a.z - g.z) * frame.length;
+        r.x[l] = static_cast<float>(difference(a.x, g.x)) * frame.length;
+        r.y[l] = static_cast<float>(difference(a.y, g.y)) * frame.length;
+        r.z[l] = static_cast<float>(difference(a.z, g.z)) * frame.length;
     }
     return r;
 }

@@ -8,11 +8,15 @@ namespace tw {
 // What the pair passes read and write: plain arrays, so that the passes can be compiled once per instruction set (and
 // for a GPU) without dragging other code along. One neighbour costs three 16-byte loads.
 
-/// Position in units of `quantum`, exact differences; volume m/rho [m3].
+/// Position in units of `quantum`, modulo 2^32; volume m/rho [m3].
 struct alignas(16) PlaceRecord {
     std::int32_t x, y, z;
     float volume;
 };
+/// a - b for coordinates modulo 2^32: exact for places up to 8000 dp apart, however long the domain is.
+[[gnu::always_inline]] constexpr std::int32_t difference(std::int32_t a, std::int32_t b) {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
+}
 /// Velocity [m/s] and density deviation rho - rho0 [kg/m3].
 struct alignas(16) VelocityDensityRecord {
     float u, v, w, drho;
@@ -41,7 +45,7 @@ struct Lists {
     NeighbourBlock* blocks(const ListRef& r) const { return r.size > 0 ? chunks[r.chunk] + r.first : nullptr; }
 };
 
-/// A group of up to simd::lanes particles that are neighbours in space and in memory.
+/// A group of up to Passes::lanes particles that are neighbours in space and in memory.
 struct Group {
     std::int32_t first = 0, size = 0;  ///< particles [first, first + size)
     ListRef list;                      ///< its neighbours among particles and mirror images
@@ -184,6 +188,7 @@ struct LevelPairData;
 /// The pair passes of one instruction set.
 struct Passes {
     const char* isa;
+    int lanes;  ///< largest size of a group
     void (*prune)(const PruneData&, const Group*, int count);
     void (*continuity_and_gradient)(const PassData&, const Group*,
                                     int count);  ///< fills shift, stress.g and rate.drho = -rho div u
@@ -191,8 +196,8 @@ struct Passes {
                    int count);  ///< fills rate; rate.drho = density diffusion; shift along surfaces
     void (*extrapolate)(const ExtrapolateData&, const Group*, int count);
     GroupReach (*reach_of)(const PlaceRecord* places, const Group&, const Reaches& quanta);
-    /// Which of `count` <= 32 places sorted by z, those not above `top`, are within the reaches of a particle of the
-    /// group. Reads no place from `end` on.
+    /// Which of `count` <= 32 places sorted by z, those not above `top` (from the group's centre), are within the reaches
+    /// of a particle of the group. Reads no place from `end` on.
     Reached (*reached)(const GroupReach&, const PlaceRecord* first, const PlaceRecord* end, int count,
                        std::int64_t top);
     // of the effects, see effects/passes.h

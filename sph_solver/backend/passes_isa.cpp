@@ -200,8 +200,8 @@ GroupReach reach_of(const PlaceRecord* places, const Group& g, const Reaches& re
     GroupReach r;
     for (int l = 0; l < lanes; ++l) {
         const PlaceRecord& p = places[in_lane(g, l)];
-        const float x = static_cast<float>(p.x - g.x), y = static_cast<float>(p.y - g.y),
-                    z = static_cast<float>(p.z - g.z);
+        const float x = static_cast<float>(difference(p.x, g.x)), y = static_cast<float>(difference(p.y, g.y)),
+                    z = static_cast<float>(difference(p.z, g.z));
         r.n[l] = x * x + y * y + z * z;
         r.a[l] = -2 * x, r.b[l] = -2 * y, r.c[l] = -2 * z;
     }
@@ -214,6 +214,7 @@ GroupReach reach_of(const PlaceRecord* places, const Group& g, const Reaches& re
 
 /// Eight records as three vectors.
 typedef std::int32_t I8 __attribute__((vector_size(32)));
+typedef std::uint32_t U8 __attribute__((vector_size(32)));
 struct Places8 {
     I8 x, y, z;
 };
@@ -233,8 +234,10 @@ inline Places8 transposed(I4 r0, I4 r1, I4 r2, I4 r3, I4 r4, I4 r5, I4 r6, I4 r7
 
 /// Squared distance of eight places from the nearest of the group's particles [quanta^2].
 inline Real distance2(const GroupReach& g, const Places8& q) {
-    const Real x = __builtin_convertvector(q.x - g.x, Real), y = __builtin_convertvector(q.y - g.y, Real),
-               z = __builtin_convertvector(q.z - g.z, Real);
+    const auto from = [](const I8& a, std::int32_t b) {
+        return __builtin_convertvector((I8)((U8)a - static_cast<std::uint32_t>(b)), Real);
+    };
+    const Real x = from(q.x, g.x), y = from(q.y, g.y), z = from(q.z, g.z);
     Real least = g.n[0] + g.a[0] * x + g.b[0] * y + g.c[0] * z;
     for (int l = 1; l < lanes; ++l) least = simd::min(least, g.n[l] + g.a[l] * x + g.b[l] * y + g.c[l] * z);
     return least + (x * x + y * y + z * z);
@@ -242,7 +245,7 @@ inline Real distance2(const GroupReach& g, const Places8& q) {
 
 Reached reached(const GroupReach& g, const PlaceRecord* first, const PlaceRecord* end, int count, std::int64_t top) {
     Reached r{0, 0, 0};
-    for (int k = 0; k < count && first[k].z <= top; k += 8) {
+    for (int k = 0; k < count && difference(first[k].z, g.z) <= top; k += 8) {
         PlaceRecord last[8];
         const PlaceRecord* p = first + k;
         if (end - p < 8) {
@@ -308,9 +311,11 @@ void press_other_phase(const LevelPairData&, const Group*, int);
 extern const Passes table;
 #ifdef TW_WITHOUT_EFFECTS
 const Passes table = {
-    TW_ISA_NAME, prune, continuity_and_gradient, forces, extrapolate, reach_of, reached, {}, {}, {}, {}, {}, {}, {}};
+    TW_ISA_NAME, lanes, prune, continuity_and_gradient, forces, extrapolate, reach_of, reached, {}, {}, {}, {},
+    {},          {},    {}};
 #else
 const Passes table = {TW_ISA_NAME,
+                      lanes,
                       prune,
                       continuity_and_gradient,
                       forces,

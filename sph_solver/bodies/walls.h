@@ -16,9 +16,9 @@ namespace tw {
 /// which they act, and what the level does to each of them.
 class Walls {
 public:
-    /// `bodies` must outlive this. `kernel_support`: 2h of the level [m].
+    /// `bodies` must outlive this. `kernel_support`: 2h of the level [m]; `lanes`: of its passes.
     Walls(const std::vector<Body>& bodies, const Surroundings& around, const LevelSetup& level, double kernel_support,
-          const ColumnGrid& grid, const Quanta& quanta);
+          const ColumnGrid& grid, const Quanta& quanta, int lanes);
 
     bool empty() const { return place_.empty(); }
     std::size_t size() const { return place_.size(); }
@@ -32,13 +32,21 @@ public:
     const WallAcceleration* accelerations() const { return acceleration_.empty() ? nullptr : acceleration_.data(); }
     /// The dummies of body b are those from body_end()[b - 1] (0) up to body_end()[b].
     const std::vector<std::int32_t>& body_end() const { return body_end_; }
-    /// Dummies that have water near.
-    const std::vector<Group>& live_groups() const { return live_groups_; }
-    Lists live_lists() const { return source_lists_.view(); }  ///< their neighbours among the particles
-    Lists lists() const { return lists_.view(); }              ///< of the level's groups among the dummies
+    Lists lists() const { return lists_.view(); }  ///< of the level's groups among the dummies
 
-    /// Lists anew: of the level's groups among the dummies (in `groups`), and of the dummies among the `sources`.
-    void find_neighbours(const ColumnGrid& grid, const Quanta& quanta, const PlaceRecord* particles,
+    /// The dummies of one body, sorted by column. Groups and lists count from `first`.
+    struct Part {
+        std::size_t first = 0;            ///< of all dummies
+        std::vector<std::int32_t> start;  ///< first dummy of each column
+        std::vector<Group> groups;
+        std::vector<Group> near_water;  ///< those that have water within reach
+        NeighbourLists water;           ///< their neighbours among the level's particles
+    };
+    const std::vector<Part>& parts() const { return parts_; }
+
+    /// Lists anew: of the level's `groups`, which are those of the first of its `sources`, among the dummies, and of
+    /// the dummies among the sources.
+    void find_neighbours(const Passes& passes, const ColumnGrid& grid, const Quanta& quanta,
                          std::vector<Group>& groups, const std::vector<Source>& sources, const Reaches& reaches);
     /// Leaves in those lists who is within `reach` [quanta] now.
     void prune(const Passes& passes, const PlaceRecord* particles, const std::vector<Group>& groups, double reach);
@@ -58,7 +66,7 @@ public:
     std::vector<Load> loads;  ///< on each body, of the last step
 
 private:
-    void take_motions(const Quanta& quanta);
+    void take_motions(const std::vector<Vec3>& places);
 
     const std::vector<Body>& bodies_;
     std::vector<PlaceRecord> place_;  // body after body, each sorted by column
@@ -66,10 +74,9 @@ private:
     std::vector<VelocityDensityRecord> sliding_;
     std::vector<WallVelocity> velocity_;          // empty: all bodies are fixed
     std::vector<WallAcceleration> acceleration_;  // likewise
-    std::vector<std::vector<std::int32_t>> starts_;  // of each body: first of its dummies in each column
     std::vector<std::int32_t> body_end_;
-    std::vector<Group> groups_, live_groups_;
-    NeighbourLists lists_, source_lists_;
+    std::vector<Part> parts_;  // of each body
+    NeighbourLists lists_;
     std::vector<WallLoad> group_loads_;
 };
 

@@ -67,12 +67,14 @@ private:
 
     void find_wall_velocity(const StepView& step) {
         wall_velocity_.assign(step.walls.size(), VelocityDensityRecord{0, 0, 0, 0});
-        VelocityData w;
-        w.list = step.walls.live_lists();
-        w.at = step.pass.wall_place;
-        w.water = &step.pass;
-        w.velocity = wall_velocity_.data();
-        for_pairs(step.passes.water_velocity, w, step.walls.live_groups());
+        for (const Walls::Part& part : step.walls.parts()) {
+            VelocityData w;
+            w.list = part.water.view();
+            w.at = step.pass.wall_place + part.first;
+            w.water = &step.pass;
+            w.velocity = wall_velocity_.data() + part.first;
+            for_pairs(step.passes.water_velocity, w, part.near_water);
+        }
 #pragma omp parallel for schedule(static)
         for (std::size_t k = 0; k < wall_velocity_.size(); ++k) {
             VelocityDensityRecord& m = wall_velocity_[k];

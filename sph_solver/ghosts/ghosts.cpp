@@ -10,13 +10,13 @@ Ghosts::Ghosts(const Surroundings& around, const LevelSetup& level, const Quanta
 void Ghosts::find(const Surroundings& around, const Particles& p, const ColumnGrid& grid, const Quanta& quanta,
                   double reach) {
     const std::vector<MirrorImage> found = make_mirror_images(around.mirrors, around.domain, p, reach);
-    std::vector<PlaceRecord> places(found.size());
+    std::vector<WidePlace> places(found.size());
     for (std::size_t k = 0; k < found.size(); ++k) {
         const auto i = static_cast<std::size_t>(found[k].source);
-        places[k] = planes_.place({quanta.of(p.x[i], 0), quanta.of(p.y[i], 1), quanta.of(p.z[i], 2), 0}, found[k]);
+        places[k] = planes_.place(quanta.wide({p.x[i], p.y[i], p.z[i]}), found[k]);
     }
     std::vector<std::int32_t> order;
-    sort_by_column(grid, places, 0, places.size(), order, start_);
+    sort_by_column(grid, places, order, start_);
     images_.resize(found.size());
     for (std::size_t k = 0; k < found.size(); ++k) images_[k] = found[static_cast<std::size_t>(order[k])];
 }
@@ -27,7 +27,7 @@ void Ghosts::refresh(Records& r, std::size_t n, const Quanta& quanta, What what)
         const MirrorImage& image = images_[k];
         const auto i = static_cast<std::size_t>(image.source);
         const PlaceRecord &from = r.place[i], &to = r.place[n + k] = planes_.place(from, image);
-        Vec3 step = quanta.size * Vec3(double(to.x) - from.x, double(to.y) - from.y, double(to.z) - from.z);
+        Vec3 step = quanta.size * Vec3(difference(to.x, from.x), difference(to.y, from.y), difference(to.z, from.z));
         for (int a = 0; a < 3; ++a)
             if (image.moved(a)) step[a] = 0;  // a periodic flow has the same pressure one length on
         r.velocity_density[n + k] = mirrored(r.velocity_density[i], image);

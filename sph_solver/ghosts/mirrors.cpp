@@ -38,13 +38,13 @@ MirrorPlanes::MirrorPlanes(const Box& domain, const Quanta& quanta) {
         Map& m = maps_[planes];
         for (int a = 0; a < 3; ++a) {
             if (image.plane(a) == 0) continue;
-            const std::int64_t low = quanta.of(domain.min[a], a), high = quanta.of(domain.max[a], a);
+            const std::int64_t low = quanta.wide(domain.min[a], a), high = quanta.wide(domain.max[a], a);
             const bool at_low = image.plane(a) == 1;
             if (image.moved(a)) {
-                m.offset[a] = static_cast<std::uint32_t>(at_low ? low - high : high - low);
+                m.offset[a] = at_low ? low - high : high - low;
             } else {
-                m.offset[a] = static_cast<std::uint32_t>(2 * (at_low ? low : high));
-                m.turn[a] = ~0u;
+                m.offset[a] = 2 * (at_low ? low : high);
+                m.turn[a] = -1;
             }
         }
     }

@@ -33,21 +33,24 @@ std::vector<MirrorImage> make_mirror_images(const Mirrors& mirrors, const Box& d
                                             double reach);
 
 /// Makes the places of a domain's images, by one entry for each combination of planes: x' = offset + x, or offset - x
-/// where `turn` is -1 (else 0), in quanta (modulo 2^32, so that twice a far plane's place may wrap).
+/// where `turn` is -1 (else 0), in quanta.
 class MirrorPlanes {
 public:
     MirrorPlanes(const Box& domain, const Quanta& quanta);
     PlaceRecord place(const PlaceRecord& p, const MirrorImage& image) const {
+        return place(WidePlace{p.x, p.y, p.z}, image).record(p.volume);
+    }
+    WidePlace place(const WidePlace& p, const MirrorImage& image) const {
         const Map& m = maps_[image.planes];
-        return {coordinate(p.x, m, 0), coordinate(p.y, m, 1), coordinate(p.z, m, 2), p.volume};
+        return {coordinate(p.x, m, 0), coordinate(p.y, m, 1), coordinate(p.z, m, 2)};
     }
 
 private:
     struct Map {
-        std::uint32_t offset[3] = {}, turn[3] = {};
+        std::int64_t offset[3] = {}, turn[3] = {};
     };
-    static std::int32_t coordinate(std::int32_t x, const Map& m, int a) {
-        return static_cast<std::int32_t>(m.offset[a] + ((static_cast<std::uint32_t>(x) ^ m.turn[a]) - m.turn[a]));
+    static std::int64_t coordinate(std::int64_t x, const Map& m, int a) {
+        return m.offset[a] + ((x ^ m.turn[a]) - m.turn[a]);
     }
     std::array<Map, 512> maps_;
 };

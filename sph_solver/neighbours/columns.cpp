@@ -3,26 +3,41 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 
-#include "sph_solver/backend/simd.h"
+#include "base/errors.h"
 
 namespace tw {
 
-ColumnGrid::ColumnGrid(const Box& area, double dp, int dimensions, const Quanta& quanta) {
-    const double edge = dimensions == 3 ? std::cbrt(double(simd::lanes)) * dp : std::sqrt(double(simd::lanes)) * dp;
-    width = static_cast<std::int32_t>(edge / quanta.size);
-    x0 = quanta.of(area.min.x(), 0);
-    y0 = quanta.of(area.min.y(), 1);
-    nx = std::max(1, static_cast<int>(std::ceil(area.size().x() / edge)));
-    ny = dimensions == 3 ? std::max(1, static_cast<int>(std::ceil(area.size().y() / edge))) : 1;
+int levels_between(const Quanta& coarse, const Quanta& fine) {
+    int exponent = 0;
+    if (std::frexp(coarse.size / fine.size, &exponent) != 0.5 || exponent < 1 || coarse.origin != fine.origin)
+        throw std::logic_error("quanta of two levels are not a power of two of one another, or have different origins");
+    return exponent - 1;
 }
 
-void sort_by_column(const ColumnGrid& grid, const std::vector<PlaceRecord>& places, std::size_t begin, std::size_t end,
-                    std::vector<std::int32_t>& order, std::vector<std::int32_t>& start) {
-    const std::size_t n = end - begin;
+ColumnGrid::ColumnGrid(const Box& area, double dp, int dimensions, const Quanta& quanta, int lanes) {
+    constexpr double tallest = 4096;
+    const double edge = dimensions == 3 ? std::cbrt(double(lanes)) * dp : std::sqrt(double(lanes)) * dp;
+    const auto columns = [](double length, double each) { return std::max(1.0, std::ceil(length / each)); };
+    const double x = columns(area.size().x(), edge), y = dimensions == 3 ? columns(area.size().y(), edge) : 1,
+                 z = columns(area.size().z(), tallest * dp);
+    if (x * y * z > 1e9)
+        throw InputError("the domain has more than 10^9 columns of particles; often a spacing far too small");
+    width = static_cast<std::int64_t>(edge / quanta.size);
+    height = static_cast<std::int64_t>(std::ceil(area.size().z() / z / quanta.size)) + 1;
+    x0 = quanta.wide(area.min.x(), 0);
+    y0 = dimensions == 3 ? quanta.wide(area.min.y(), 1) : -width / 2;
+    z0 = quanta.wide(area.min.z(), 2);
+    nx = static_cast<int>(x), ny = static_cast<int>(y), nz = static_cast<int>(z);
+}
+
+void sort_by_column(const ColumnGrid& grid, const std::vector<WidePlace>& places, std::vector<std::int32_t>& order,
+                    std::vector<std::int32_t>& start) {
+    const std::size_t n = places.size();
     std::vector<std::int32_t> column(n);
 #pragma omp parallel for schedule(static)
-    for (std::size_t i = 0; i < n; ++i) column[i] = grid.of(places[begin + i]);
+    for (std::size_t i = 0; i < n; ++i) column[i] = grid.of(places[i]);
     start.assign(static_cast<std::size_t>(grid.count()) + 1, 0);
     for (std::int32_t c : column) ++start[static_cast<std::size_t>(c) + 1];
     std::partial_sum(start.begin(), start.end(), start.begin());
@@ -33,9 +48,10 @@ void sort_by_column(const ColumnGrid& grid, const std::vector<PlaceRecord>& plac
     };
     std::vector<Key> keys(n);
     for (std::size_t i = 0; i < n; ++i) {
-        const PlaceRecord& p = places[begin + i];
+        const WidePlace &p = places[i], from = grid.centre(column[i]);
         keys[static_cast<std::size_t>(fill[static_cast<std::size_t>(column[i])]++)] = {
-            p.z, p.x, p.y, static_cast<std::int32_t>(begin + i)};
+            static_cast<std::int32_t>(p.z - from.z), static_cast<std::int32_t>(p.x - from.x),
+            static_cast<std::int32_t>(p.y - from.y), static_cast<std::int32_t>(i)};
     }
     order.resize(n);
 #pragma omp parallel for schedule(dynamic, 64)
@@ -53,11 +69,15 @@ namespace {
 struct Bounds {
     std::int64_t lo[3] = {INT64_MAX, INT64_MAX, INT64_MAX}, hi[3] = {INT64_MIN, INT64_MIN, INT64_MIN};
 };
-Bounds bounds(const PlaceRecord* places, const Group& g) {
+/// `from`: the centre of the group's column.
+Bounds bounds(const PlaceRecord* places, const Group& g, const WidePlace& from) {
+    const auto in_full = [](std::int32_t x, std::int64_t near) {
+        return near + difference(x, static_cast<std::int32_t>(near));
+    };
     Bounds r;
     for (std::int32_t k = 0; k < g.size; ++k) {
         const PlaceRecord& p = places[g.first + k];
-        const std::int64_t xyz[3] = {p.x, p.y, p.z};
+        const std::int64_t xyz[3] = {in_full(p.x, from.x), in_full(p.y, from.y), in_full(p.z, from.z)};
         for (int a = 0; a < 3; ++a) {
             r.lo[a] = std::min(r.lo[a], xyz[a]);
             r.hi[a] = std::max(r.hi[a], xyz[a]);
@@ -68,20 +88,23 @@ Bounds bounds(const PlaceRecord* places, const Group& g) {
 
 }  // namespace
 
-void make_groups(const std::vector<PlaceRecord>& places, const std::vector<std::int32_t>& start, std::size_t first,
-                 std::vector<Group>& groups) {
+void make_groups(const ColumnGrid& grid, const Source& source, int lanes, std::vector<Group>& groups) {
+    const std::vector<std::int32_t>& start = *source.start;
     groups.clear();
-    for (std::size_t c = 0; c + 1 < start.size(); ++c)
-        for (std::int32_t i = start[c]; i < start[c + 1]; i += simd::lanes) {
+    for (std::size_t c = 0; c + 1 < start.size(); ++c) {
+        if (start[c] == start[c + 1]) continue;
+        const WidePlace from = grid.centre(static_cast<int>(c));
+        for (std::int32_t i = start[c]; i < start[c + 1]; i += lanes) {
             Group g;
-            g.first = static_cast<std::int32_t>(first) + i;
-            g.size = std::min(simd::lanes, start[c + 1] - i);
-            const Bounds box = bounds(places.data(), g);
+            g.first = i;
+            g.size = std::min(lanes, start[c + 1] - i);
+            const Bounds box = bounds(source.places, g, from);
             g.x = static_cast<std::int32_t>((box.lo[0] + box.hi[0]) / 2);
             g.y = static_cast<std::int32_t>((box.lo[1] + box.hi[1]) / 2);
             g.z = static_cast<std::int32_t>((box.lo[2] + box.hi[2]) / 2);
             groups.push_back(g);
         }
+    }
 }
 
 namespace {
@@ -96,11 +119,25 @@ public:
     /// What comes next is not above what came last.
     void start_anew() { ++run_; }
 
-    /// Adds to `out` the places within reach of the group's particles.
-    void collect(const Bounds& box, const GroupReach& group, const Passes& pass, std::vector<NeighbourBlock>& out) {
+    /// Adds to `out` the places within reach of the group's particles. `column`: the group's own.
+    void collect(const Bounds& box, int column, const GroupReach& group, const Passes& pass,
+                 std::vector<NeighbourBlock>& out) {
         const auto r = static_cast<std::int64_t>(std::ceil(reach_));
+        const std::int64_t own = grid_.centre(column).z;
+        const std::int64_t group_z = own + difference(group.z, static_cast<std::int32_t>(own));
+        const int z1 = grid_.slab(box.hi[2] + r);
+        for (int cz = grid_.slab(box.lo[2] - r); cz <= z1; ++cz) collect_in_slab(cz, r, box, group_z, group, pass, out);
+    }
+
+private:
+    void collect_in_slab(int cz, std::int64_t r, const Bounds& box, std::int64_t group_z, const GroupReach& group,
+                         const Passes& pass, std::vector<NeighbourBlock>& out) {
         const int x0 = grid_.column_x(box.lo[0] - r), x1 = grid_.column_x(box.hi[0] + r),
                   y1 = grid_.column_y(box.hi[1] + r);
+        const std::int64_t middle = grid_.middle_of_slab(cz);
+        const auto below = [from = static_cast<std::int32_t>(middle)](const PlaceRecord& p, std::int64_t z) {
+            return difference(p.z, from) < z;
+        };
         const PlaceRecord* all_end = source_.places + source_.start->back();
         for (int cy = grid_.column_y(box.lo[1] - r); cy <= y1; ++cy) {
             const double gap_y = grid_.gap_y(cy, box.lo[1], box.hi[1]);
@@ -109,14 +146,14 @@ public:
                 const double left2 = reach_ * reach_ - gap_x * gap_x - gap_y * gap_y;
                 if (left2 < 0) continue;
                 const auto up = static_cast<std::int64_t>(std::ceil(std::sqrt(left2)));
-                const auto c = static_cast<std::size_t>(cy * grid_.nx + cx);
+                const auto c = static_cast<std::size_t>(grid_.column(cx, cy, cz));
                 const PlaceRecord* end = source_.places + (*source_.start)[c + 1];
-                const PlaceRecord* p = lowest(c, end, box.lo[2] - r);
-                while (p < end && p->z < box.lo[2] - up) ++p;
+                const PlaceRecord* p = lowest(c, end, box.lo[2] - r - middle, below);
+                while (p < end && below(*p, box.lo[2] - up - middle)) ++p;
                 const std::int64_t top = box.hi[2] + up;
-                for (; p < end && p->z <= top; p += 32) {
+                for (; p < end && below(*p, top + 1 - middle); p += 32) {
                     const int count = end - p < 32 ? static_cast<int>(end - p) : 32;
-                    const Reached near = pass.reached(group, p, all_end, count, top);
+                    const Reached near = pass.reached(group, p, all_end, count, top - group_z);
                     if (near.far == 0) continue;
                     out.push_back({source_.offset + static_cast<std::int32_t>(p - source_.places), near.now,
                                    near.far & ~near.sure});
@@ -125,17 +162,16 @@ public:
         }
     }
 
-private:
     /// The column's first place not below z.
-    const PlaceRecord* lowest(std::size_t column, const PlaceRecord* end, std::int64_t z) {
+    template <class Below>
+    const PlaceRecord* lowest(std::size_t column, const PlaceRecord* end, std::int64_t z, const Below& below) {
         Cursor& cursor = cursors_[column];
         const PlaceRecord* p;
         if (cursor.run == run_) {
             p = source_.places + cursor.at;
-            while (p < end && p->z < z) ++p;
+            while (p < end && below(*p, z)) ++p;
         } else {
-            p = std::lower_bound(source_.places + (*source_.start)[column], end, z,
-                                 [](const PlaceRecord& a, std::int64_t b) { return a.z < b; });
+            p = std::lower_bound(source_.places + (*source_.start)[column], end, z, below);
         }
         cursor = {run_, static_cast<std::int32_t>(p - source_.places)};
         return p;
@@ -153,14 +189,13 @@ private:
 
 }  // namespace
 
-void NeighbourLists::build(const ColumnGrid& grid, const Quanta& quanta, const PlaceRecord* targets,
+void NeighbourLists::build(const Passes& pass, const ColumnGrid& grid, const Quanta& quanta, const Source& targets,
                            std::vector<Group>& groups, const std::vector<Source>& sources, const Reaches& reaches,
                            ListRef Group::*list) {
     constexpr std::size_t per_chunk = 32;
     const std::size_t chunks = (groups.size() + per_chunk - 1) / per_chunk;
     chunks_.resize(chunks);
     starts_.resize(chunks);
-    const Passes& pass = passes();
     const Reaches in_quanta = reaches / quanta.size;
 #pragma omp parallel
     {
@@ -173,16 +208,19 @@ void NeighbourLists::build(const ColumnGrid& grid, const Quanta& quanta, const P
             if (searches.empty())
                 for (const Source& s : sources) searches.emplace_back(grid, in_quanta.far, s);
             const std::size_t first = k * per_chunk, last = std::min(groups.size(), first + per_chunk);
-            int column = -1;
+            const std::vector<std::int32_t>& start = *targets.start;
+            const auto after = std::upper_bound(start.begin(), start.end(), groups[first].first);
+            int column = static_cast<int>(after - start.begin()) - 1;
+            for (Search& s : searches) s.start_anew();
             for (std::size_t n = first; n < last; ++n) {
                 const std::size_t before = scratch.size();
-                if (const int own = grid.of(targets[groups[n].first]); own != column) {
-                    column = own;
+                if (groups[n].first >= start[static_cast<std::size_t>(column) + 1]) {
+                    while (groups[n].first >= start[static_cast<std::size_t>(column) + 1]) ++column;
                     for (Search& s : searches) s.start_anew();
                 }
-                const Bounds box = bounds(targets, groups[n]);
-                const GroupReach group = pass.reach_of(targets, groups[n], in_quanta);
-                for (Search& s : searches) s.collect(box, group, pass, scratch);
+                const Bounds box = bounds(targets.places, groups[n], grid.centre(column));
+                const GroupReach group = pass.reach_of(targets.places, groups[n], in_quanta);
+                for (Search& s : searches) s.collect(box, column, group, pass, scratch);
                 sizes[n - first] = static_cast<std::int32_t>(scratch.size() - before);
             }
             chunks_[k].assign(scratch.begin(), scratch.end());

@@ -8,32 +8,62 @@
 
 namespace tw {
 
+/// A position in quanta from the origin, in full.
+struct WidePlace {
+    std::int64_t x, y, z;
+    /// As the passes see it: modulo 2^32.
+    PlaceRecord record(float volume) const {
+        return {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y), static_cast<std::int32_t>(z), volume};
+    }
+};
+
 /// Positions as integers: quanta from `origin`, dp / 2^18 in the solver, so that differences are exact in every pair.
+///
+/// The passes see 32 bits of them, which wrap every 2^32 quanta (16384 dp): the difference of two places is exact as
+/// long as they are within 8192 dp of each other, whatever the length of the domain. Who may be neighbours is known from
+/// the columns.
+///
+/// Levels of different spacing have the same origin and quanta that are powers of two of one another, so that a place
+/// goes from one level to the next by a shift: see levels_between.
 struct Quanta {
     Vec3 origin = Vec3::Zero();
     double size = 1;       ///< [m]
     double per_metre = 1;  ///< 1 / size
     Quanta() = default;
     Quanta(const Vec3& at, double metres) : origin(at), size(metres), per_metre(1 / metres) {}
-    std::int32_t of(double x, int axis) const {
-        return static_cast<std::int32_t>(std::lrint((x - origin[axis]) * per_metre));
+    std::int64_t wide(double x, int axis) const { return std::llrint((x - origin[axis]) * per_metre); }
+    WidePlace wide(const Vec3& x) const { return {wide(x.x(), 0), wide(x.y(), 1), wide(x.z(), 2)}; }
+    std::int32_t of(double x, int axis) const { return static_cast<std::int32_t>(wide(x, axis)); }
+    /// The place [m] of a coordinate that is known to lie within 8000 dp of `near`.
+    double metres(std::int32_t q, int axis, double near) const {
+        const std::int64_t from = wide(near, axis);
+        return origin[axis] + size * static_cast<double>(from + difference(q, static_cast<std::int32_t>(from)));
     }
-    /// Half of the range that 32 bits hold [m].
-    double reach() const { return size * 2147483000.0; }
 };
+/// k with fine.size = coarse.size / 2^k, so that a place q of the coarse level is q << k on the fine one, exactly.
+/// Throws std::logic_error where there is none, or where the origins differ.
+int levels_between(const Quanta& coarse, const Quanta& fine);
 
-/// Vertical columns of square cross-section over a box; what lies outside belongs to the nearest column.
+/// Upright columns of square cross-section over a box, cut into slabs where the box is taller than 4096 dp; what lies
+/// outside belongs to the nearest column. Within a column places are compared by their 32 bits, from its centre.
 struct ColumnGrid {
-    std::int32_t x0 = 0, y0 = 0, width = 1;  ///< [quanta]
-    int nx = 1, ny = 1;
+    std::int64_t x0 = 0, y0 = 0, z0 = 0, width = 1, height = 1;  ///< [quanta]
+    int nx = 1, ny = 1, nz = 1;
 
-    /// `area`: the box to cover [m]. Columns are as wide as a cube of simd::lanes particles (in 2-D: a square).
     ColumnGrid() = default;
-    ColumnGrid(const Box& area, double dp, int dimensions, const Quanta& quanta);
-    int count() const { return nx * ny; }
+    /// `area`: the box to cover [m]. Columns are as wide as a cube of `lanes` particles (in 2-D: a square).
+    ColumnGrid(const Box& area, double dp, int dimensions, const Quanta& quanta, int lanes);
+    int count() const { return nx * ny * nz; }
     int column_x(std::int64_t x) const { return clamp((x - x0) / width, nx); }
     int column_y(std::int64_t y) const { return clamp((y - y0) / width, ny); }
-    int of(const PlaceRecord& p) const { return column_y(p.y) * nx + column_x(p.x); }
+    int slab(std::int64_t z) const { return clamp((z - z0) / height, nz); }
+    int column(int cx, int cy, int cz) const { return (cz * ny + cy) * nx + cx; }
+    int of(const WidePlace& p) const { return column(column_x(p.x), column_y(p.y), slab(p.z)); }
+    WidePlace centre(int column) const {
+        return {x0 + (column % nx) * width + width / 2, y0 + (column / nx % ny) * width + width / 2,
+                middle_of_slab(column / nx / ny)};
+    }
+    std::int64_t middle_of_slab(int cz) const { return z0 + cz * height + height / 2; }
 
     /// Distance between a column, or a row of columns, and an interval [quanta]; those at the rim reach to infinity.
     double gap_x(int cx, std::int64_t lo, std::int64_t hi) const { return gap(cx, nx, lo - x0, hi - x0); }
@@ -41,7 +71,7 @@ struct ColumnGrid {
 
 private:
     double gap(int c, int n, std::int64_t lo, std::int64_t hi) const {
-        const std::int64_t begin = std::int64_t{c} * width, end = begin + width;
+        const std::int64_t begin = c * width, end = begin + width;
         if (c > 0 && hi < begin) return double(begin - hi);
         if (c < n - 1 && lo > end) return double(lo - end);
         return 0;
@@ -51,17 +81,8 @@ private:
 
 /// Order that sorts places by column, then z, then x, y: a function of the places alone. `start` gets the first index
 /// of each column (count + 1 entries).
-void sort_by_column(const ColumnGrid& grid, const std::vector<PlaceRecord>& places, std::size_t begin, std::size_t end,
-                    std::vector<std::int32_t>& order, std::vector<std::int32_t>& start);
-
-/// Cuts each column of sorted places [first, first + n) into groups of up to simd::lanes.
-void make_groups(const std::vector<PlaceRecord>& places, const std::vector<std::int32_t>& start, std::size_t first,
-                 std::vector<Group>& groups);
-
-/// Gives every group with walls near its slots for loads, one for each body that it has in reach (see
-/// PassData::body_end); returns how many slots there are.
-std::int32_t number_wall_loads(std::vector<Group>& groups, const Lists& walls,
-                               const std::vector<std::int32_t>& body_end);
+void sort_by_column(const ColumnGrid& grid, const std::vector<WidePlace>& places, std::vector<std::int32_t>& order,
+                    std::vector<std::int32_t>& start);
 
 /// Sorted places in which neighbours are looked for.
 struct Source {
@@ -70,12 +91,22 @@ struct Source {
     std::int32_t offset;  ///< index of the first place in the pass's index space
 };
 
+/// Cuts each column of sorted places into groups of up to `lanes`.
+void make_groups(const ColumnGrid& grid, const Source& places, int lanes, std::vector<Group>& groups);
+
+/// Gives every group with walls near its slots for loads, one for each body that it has in reach (see
+/// PassData::body_end); returns how many slots there are.
+std::int32_t number_wall_loads(std::vector<Group>& groups, const Lists& walls,
+                               const std::vector<std::int32_t>& body_end);
+
 /// Storage of neighbour lists; groups refer to it.
 class NeighbourLists {
 public:
-    /// For every group, as its `list`, source by source, the indices of all source places within `reaches` [m].
-    void build(const ColumnGrid& grid, const Quanta& quanta, const PlaceRecord* targets, std::vector<Group>& groups,
-               const std::vector<Source>& sources, const Reaches& reaches, ListRef Group::*list = &Group::list);
+    /// For every group, as its `list`, source by source, the indices of all source places within `reaches` [m]. The
+    /// groups are those of `targets`.
+    void build(const Passes& passes, const ColumnGrid& grid, const Quanta& quanta, const Source& targets,
+               std::vector<Group>& groups, const std::vector<Source>& sources, const Reaches& reaches,
+               ListRef Group::*list = &Group::list);
     /// Good until the lists are built anew or moved.
     Lists view() const { return {starts_.data()}; }
     std::size_t bytes() const;

@@ -11,13 +11,13 @@ bool LevelPair::lists_outlived() const {
            ListLife::wall_skin_over_dp * a_.level->setup().dp;  // both move
 }
 
-void LevelPair::find_neighbours(double t) {
+void LevelPair::find_neighbours() {
     const auto find = [&](Side& own, const Side& other) {
         const Level& level = *own.level;
         const double reach = level.kernel().support() + ListLife::wall_skin_over_dp * level.setup().dp;
         own.groups = level.groups();
-        own.lists.build(level.grid(), level.quanta(), own.level->pass_data(t).place, own.groups, other.level->sources(),
-                        {reach, reach, reach});
+        own.lists.build(level.passes(), level.grid(), level.quanta(), level.sources().front(), own.groups,
+                        other.level->sources(), {reach, reach, reach});
         std::erase_if(own.groups, [](const Group& g) { return g.list.size == 0; });
         own.sums.assign(level.particles().size(), {});
     };

@@ -31,7 +31,7 @@ public:
     /// Since both lists were made the particles may have come as near to each other as those lists bear.
     bool lists_outlived() const;
     /// Anew after both levels have been sorted.
-    void find_neighbours(double t);
+    void find_neighbours();
     /// Before the first sweeps: the sums of each level over the other.
     void meet(double t);
     /// After the second sweeps: adds to the rates of both.

@@ -17,11 +17,7 @@ namespace {
 Quanta quanta_of(const Surroundings& around, double dp) {
     Vec3 middle = (around.domain.min + around.domain.max) / 2;
     if (around.dimensions == 2) middle.y() = 0;
-    const Quanta quanta(middle, dp / (1 << 18));
-    if (around.domain.size().maxCoeff() > quanta.reach())
-        throw InputError(fmt::format("the domain is {:.3g} spacings long; at most 8000 are possible in one run",
-                                     around.domain.size().maxCoeff() / dp));
-    return quanta;
+    return Quanta(middle, dp / (1 << 18));
 }
 
 /// The columns cover the domain, its mirror images and the buffers of the stream.
@@ -49,9 +45,10 @@ Level::Level(const Surroundings& around, LevelSetup setup, const Schedule& sched
       mass_(setup_.rho0 * std::pow(setup_.dp, around.dimensions)),
       kernel_(h_, around.dimensions),
       quanta_(quanta_of(around, setup_.dp)),
-      grid_(column_area(around, kernel_.support(), setup_.dp), setup_.dp, around.dimensions, quanta_),
+      grid_(column_area(around, kernel_.support(), setup_.dp), setup_.dp, around.dimensions, quanta_,
+            passes.lanes),
       ghosts_(around, setup_, quanta_),
-      walls_(bodies, around, setup_, kernel_.support(), grid_, quanta_) {
+      walls_(bodies, around, setup_, kernel_.support(), grid_, quanta_, passes.lanes) {
     particles_.for_each_array([&](auto& array) { array.reserve(fluid.places.size()); });
     for (std::size_t k = 0; k < fluid.places.size(); ++k) {
         const Vec3& p = fluid.places[k];
@@ -161,14 +158,16 @@ void Level::mark_surface() {
 }
 
 void Level::second_sweep(double t) {
-    if (!walls_.live_groups().empty()) {
+    if (!walls_.empty()) {
         const Stopwatch watch(timers_.walls);
-        ExtrapolateData e = extrapolation();
-        e.list = walls_.live_lists();
-        e.at = walls_.places().data();
-        e.p = walls_.pressures().data();
-        e.acceleration = walls_.accelerations();
-        for_pairs(passes_.extrapolate, e, walls_.live_groups());
+        for (const Walls::Part& part : walls_.parts()) {
+            ExtrapolateData e = extrapolation();
+            e.list = part.water.view();
+            e.at = walls_.places().data() + part.first;
+            e.p = walls_.pressures().data() + part.first;
+            if (walls_.accelerations()) e.acceleration = walls_.accelerations() + part.first;
+            for_pairs(passes_.extrapolate, e, part.near_water);
+        }
     }
     const PassData d = pass_data(t);
     {
@@ -199,7 +198,9 @@ void Level::gather_loads(const Vec3& moment_reference) {
             // its slots end where those of the next group with walls begin
             const std::size_t end =
                 next < groups_.size() ? static_cast<std::size_t>(groups_[next].wall_load) : of_groups.size();
-            const Vec3 centre = quanta_.origin + quanta_.size * Vec3(g.x, g.y, g.z);
+            const auto i = static_cast<std::size_t>(g.first);
+            const Vec3 centre(quanta_.metres(g.x, 0, particles_.x[i]), quanta_.metres(g.y, 1, particles_.y[i]),
+                              quanta_.metres(g.z, 2, particles_.z[i]));
             for (; slot < end; ++slot) {
                 const WallLoad& w = of_groups[slot];
                 const Vec3 force = -mass_ * Vec3(w.ax, w.ay, w.az);
@@ -237,24 +238,24 @@ void Level::sample(PointSamples& points) const {
     points.support.assign(n, 0);
     if (points.want_flux) points.flux.assign(3 * n, 0);
     if (n == 0) return;
-    std::vector<PlaceRecord> raw(n), sorted(n);
-    for (std::size_t k = 0; k < n; ++k)
-        raw[k] = {quanta_.of(points.places[k].x(), 0), quanta_.of(points.places[k].y(), 1),
-                  quanta_.of(points.places[k].z(), 2), 0};
+    std::vector<WidePlace> raw(n);
+    std::vector<PlaceRecord> places(n);
+    for (std::size_t k = 0; k < n; ++k) raw[k] = quanta_.wide(points.places[k]);
     std::vector<std::int32_t> order, start;
-    sort_by_column(grid_, raw, 0, n, order, start);
-    for (std::size_t k = 0; k < n; ++k) sorted[k] = raw[static_cast<std::size_t>(order[k])];
+    sort_by_column(grid_, raw, order, start);
+    for (std::size_t k = 0; k < n; ++k) places[k] = raw[static_cast<std::size_t>(order[k])].record(0);
+    const Source sorted{places.data(), &start, 0};
     std::vector<Group> groups;
-    make_groups(sorted, start, 0, groups);
+    make_groups(grid_, sorted, passes_.lanes, groups);
     NeighbourLists lists;
     // the particles were sorted a few steps ago and have moved by up to the skin since: twice that keeps the search
     // complete
     const double reach = kernel_.support() + 2 * ListLife::wall_skin_over_dp * setup_.dp;
-    lists.build(grid_, quanta_, sorted.data(), groups, sources(), {reach, reach, reach});
+    lists.build(passes_, grid_, quanta_, sorted, groups, sources(), {reach, reach, reach});
     std::vector<float> p(n), support(n), flux(points.want_flux ? 3 * n : 0);
     ExtrapolateData e = extrapolation();
     e.list = lists.view();
-    e.at = sorted.data();
+    e.at = sorted.places;
     e.p = p.data();
     e.support = support.data();
     if (points.want_flux) {

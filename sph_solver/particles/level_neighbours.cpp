@@ -61,18 +61,18 @@ void Level::rebuild(double drift) {
     Particles& p = particles_;
 
     const std::vector<char> gone = cross_open_boundaries(around_, s.dp, p, ledger_);
-    std::vector<PlaceRecord> kept;
+    std::vector<WidePlace> kept;
     std::vector<std::int32_t> index;
     for (std::size_t i = 0; i < p.size(); ++i) {
         if (gone[i]) {
             ++ledger_.out;
             continue;
         }
-        kept.push_back({quanta_.of(p.x[i], 0), quanta_.of(p.y[i], 1), quanta_.of(p.z[i], 2), 0});
+        kept.push_back(quanta_.wide({p.x[i], p.y[i], p.z[i]}));
         index.push_back(static_cast<std::int32_t>(i));
     }
     std::vector<std::int32_t> order;
-    sort_by_column(grid_, kept, 0, kept.size(), order, start_);
+    sort_by_column(grid_, kept, order, start_);
     for (auto& k : order) k = index[static_cast<std::size_t>(k)];
     p.reorder(order);
 
@@ -86,10 +86,11 @@ void Level::rebuild(double drift) {
     records_.resize(p.size(), ghosts_.images().size(), !walls_.empty(), control_.has_value());
     update_records();
 
-    make_groups(records_.place, start_, 0, groups_);
-    lists_.build(grid_, quanta_, records_.place.data(), groups_, sources(), among);
+    const std::vector<Source> own = sources();
+    make_groups(grid_, own.front(), passes_.lanes, groups_);
+    lists_.build(passes_, grid_, quanta_, own.front(), groups_, own, among);
     if (!walls_.empty()) {
-        walls_.find_neighbours(grid_, quanta_, records_.place.data(), groups_, sources(), to_walls);
+        walls_.find_neighbours(passes_, grid_, quanta_, groups_, own, to_walls);
         find_normals();
     }
     life_.travel = life_.travel_in_stream = 0;

@@ -13,7 +13,8 @@ namespace {
 struct Cloud {
     double dp = 0.1;
     Quanta quanta{Vec3(0.3, 0.2, 0.5), 0.1 / (1 << 18)};
-    ColumnGrid grid{Box{Vec3(0.2, 0.2, 0), Vec3(1.1, 0.8, 1.5)}, 0.1, 3, quanta};  // smaller than the cloud
+    ColumnGrid grid{Box{Vec3(0.2, 0.2, 0), Vec3(1.1, 0.8, 1.5)}, 0.1, 3, quanta,
+                    passes().lanes};  // smaller than the cloud
     std::vector<PlaceRecord> places;
     std::vector<std::int32_t> start;
     std::vector<Group> groups;
@@ -21,15 +22,15 @@ struct Cloud {
     Cloud() {
         std::mt19937 random(5);
         std::uniform_real_distribution<double> along(0, 1.2), height(0, 1);
-        std::vector<PlaceRecord> raw;
+        std::vector<WidePlace> raw;
         for (int k = 0; k < 1500; ++k) {
             const double x = along(random), y = along(random), top = x < 0.5 ? 2 : 0.4;
-            raw.push_back({quanta.of(x, 0), quanta.of(y, 1), quanta.of(top * height(random), 2), 1});
+            raw.push_back(quanta.wide({x, y, top * height(random)}));
         }
         std::vector<std::int32_t> order;
-        sort_by_column(grid, raw, 0, raw.size(), order, start);
-        for (const std::int32_t k : order) places.push_back(raw[static_cast<std::size_t>(k)]);
-        make_groups(places, start, 0, groups);
+        sort_by_column(grid, raw, order, start);
+        for (const std::int32_t k : order) places.push_back(raw[static_cast<std::size_t>(k)].record(1));
+        make_groups(grid, {places.data(), &start, 0}, passes().lanes, groups);
     }
     /// Of place k from the nearest particle of the group [m].
     double distance(const Group& g, std::size_t k) const {
@@ -63,8 +64,8 @@ TEST(NeighbourLists, HoldWhoeverIsWithinReachAndNobodyElse) {
     Cloud cloud;
     const Reaches reaches{0.36, 0.31, 0.24};
     NeighbourLists lists;
-    lists.build(cloud.grid, cloud.quanta, cloud.places.data(), cloud.groups, {{cloud.places.data(), &cloud.start, 0}},
-                reaches);
+    lists.build(passes(), cloud.grid, cloud.quanta, {cloud.places.data(), &cloud.start, 0}, cloud.groups,
+                {{cloud.places.data(), &cloud.start, 0}}, reaches);
     const double rounding = 1e-5;
     int seen = 0;
     for (const Group& g : cloud.groups) {
@@ -87,8 +88,8 @@ TEST(NeighbourLists, PrunedAfterAMoveHoldWhoeverIsWithinReachThen) {
     Cloud cloud;
     const double support = 0.3, skin = 0.06;
     NeighbourLists lists;
-    lists.build(cloud.grid, cloud.quanta, cloud.places.data(), cloud.groups, {{cloud.places.data(), &cloud.start, 0}},
-                {support + skin, support, support - skin});
+    lists.build(passes(), cloud.grid, cloud.quanta, {cloud.places.data(), &cloud.start, 0}, cloud.groups,
+                {{cloud.places.data(), &cloud.start, 0}}, {support + skin, support, support - skin});
     std::mt19937 random(6);
     std::uniform_real_distribution<double> move(-0.017, 0.017);  // a distance changes by less than the skin
     for (PlaceRecord& p : cloud.places)

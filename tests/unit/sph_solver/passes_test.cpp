@@ -23,7 +23,7 @@ struct Basin {
     enum Bodies { floor_alone, plate_alone, both };
 
     Quanta quanta{Vec3(0.3, 0.3, 0.3), dp / (1 << 18)};
-    ColumnGrid grid{Box{Vec3::Constant(-0.4), Vec3::Constant(1.2)}, dp, 3, quanta};
+    ColumnGrid grid{Box{Vec3::Constant(-0.4), Vec3::Constant(1.2)}, dp, 3, quanta, passes().lanes};
     std::vector<PlaceRecord> place, wall_place;
     std::vector<std::int32_t> start, wall_start[2], body_end;
     std::vector<VelocityDensityRecord> motion;
@@ -41,19 +41,21 @@ struct Basin {
     explicit Basin(Bodies bodies = both) {
         std::mt19937 random(3);
         std::uniform_real_distribution<double> jitter(-0.2 * dp, 0.2 * dp);
-        std::vector<PlaceRecord> raw;
+        std::vector<WidePlace> raw;
         for (int k = 0; k < 8 * 8 * 6; ++k)
-            raw.push_back(record({(k % 8 + 0.5) * dp + jitter(random), (k / 8 % 8 + 0.5) * dp + jitter(random),
-                                  (k / 64 + 0.5) * dp + jitter(random)}));
+            raw.push_back(quanta.wide(Vec3{(k % 8 + 0.5) * dp + jitter(random), (k / 8 % 8 + 0.5) * dp + jitter(random),
+                                           (k / 64 + 0.5) * dp + jitter(random)}));
         add_sorted(raw, place, start);
         const std::size_t n = place.size();
-        std::vector<PlaceRecord> floor, plate;
+        std::vector<WidePlace> floor, plate;
         for (int x = -3; x < 11; ++x)
             for (int y = -3; y < 11; ++y)
-                for (int z = -3; z < 0; ++z) floor.push_back(record({(x + 0.5) * dp, (y + 0.5) * dp, (z + 0.5) * dp}));
+                for (int z = -3; z < 0; ++z)
+                    floor.push_back(quanta.wide(Vec3{(x + 0.5) * dp, (y + 0.5) * dp, (z + 0.5) * dp}));
         for (int x = -3; x < 0; ++x)
             for (int y = -3; y < 11; ++y)
-                for (int z = 0; z < 9; ++z) plate.push_back(record({(x + 0.5) * dp, (y + 0.5) * dp, (z + 0.5) * dp}));
+                for (int z = 0; z < 9; ++z)
+                    plate.push_back(quanta.wide(Vec3{(x + 0.5) * dp, (y + 0.5) * dp, (z + 0.5) * dp}));
         std::vector<Source> walls;
         if (bodies != plate_alone) add_sorted(floor, wall_place, wall_start[0]);
         body_end.push_back(static_cast<std::int32_t>(wall_place.size()));
@@ -72,10 +74,11 @@ struct Basin {
         }
         for (std::size_t k = 0; k < wall_place.size(); ++k) wall_p.push_back(600);
         shift.resize(n), rate.resize(n), surface.assign(n / 32 + 2, 0);
-        make_groups(place, start, 0, groups);
+        const Source water{place.data(), &start, 0};
+        make_groups(grid, water, passes().lanes, groups);
         const Reaches reaches{2 * h, 2 * h, 2 * h};
-        lists.build(grid, quanta, place.data(), groups, {{place.data(), &start, 0}}, reaches);
-        wall_lists.build(grid, quanta, place.data(), groups, walls, reaches, &Group::wall_list);
+        lists.build(passes(), grid, quanta, water, groups, {water}, reaches);
+        wall_lists.build(passes(), grid, quanta, water, groups, walls, reaches, &Group::wall_list);
         wall_load.resize(static_cast<std::size_t>(number_wall_loads(groups, wall_lists.view(), body_end)));
         d.list = lists.view(), d.wall_list = wall_lists.view();
         d.place = place.data(), d.motion = motion.data(), d.stress = stress.data();
@@ -90,13 +93,11 @@ struct Basin {
         d.inv_W_dp = static_cast<float>(1 / d.kernel.W(dp));
         d.inv_void = 1;  // walls compress from no support on: here all do
     }
-    PlaceRecord record(const Vec3& x) const {
-        return {quanta.of(x.x(), 0), quanta.of(x.y(), 1), quanta.of(x.z(), 2), static_cast<float>(dp * dp * dp)};
-    }
-    void add_sorted(const std::vector<PlaceRecord>& raw, std::vector<PlaceRecord>& to, std::vector<std::int32_t>& at) {
+    void add_sorted(const std::vector<WidePlace>& raw, std::vector<PlaceRecord>& to, std::vector<std::int32_t>& at) {
         std::vector<std::int32_t> order;
-        sort_by_column(grid, raw, 0, raw.size(), order, at);
-        for (const std::int32_t k : order) to.push_back(raw[static_cast<std::size_t>(k)]);
+        sort_by_column(grid, raw, order, at);
+        for (const std::int32_t k : order)
+            to.push_back(raw[static_cast<std::size_t>(k)].record(static_cast<float>(dp * dp * dp)));
     }
     void move(float u, float v, float w) {
         for (VelocityDensityRecord& r : motion) r.u += u, r.v += v, r.w += w;
@@ -187,9 +188,10 @@ struct Extrapolated {
 };
 Extrapolated to_walls(Basin& basin, const std::vector<WallAcceleration>& acceleration) {
     std::vector<Group> groups;
-    make_groups(basin.wall_place, basin.wall_start[0], 0, groups);
-    basin.of_walls.build(basin.grid, basin.quanta, basin.wall_place.data(), groups,
-                         {{basin.place.data(), &basin.start, 0}}, {2 * h, 2 * h, 2 * h});
+    const Source walls{basin.wall_place.data(), &basin.wall_start[0], 0};
+    make_groups(basin.grid, walls, passes().lanes, groups);
+    basin.of_walls.build(passes(), basin.grid, basin.quanta, walls, groups, {{basin.place.data(), &basin.start, 0}},
+                         {2 * h, 2 * h, 2 * h});
     Extrapolated r;
     r.p.resize(basin.wall_place.size()), r.support.resize(basin.wall_place.size());
     ExtrapolateData e;
@@ -233,9 +235,7 @@ TEST(AcceleratedWalls, UpwardsBearMore) {
     const Extrapolated up = to_walls(basin, std::vector<WallAcceleration>(basin.wall_place.size(), {0.3f, 0, 9.81f})),
                        rest = to_walls(basin, std::vector<WallAcceleration>(basin.wall_place.size(), {0.3f, 0, 0}));
     for (std::size_t k = 0; k < up.p.size(); ++k)
-        if (up.support[k] > 0.005f) {
-            EXPECT_NEAR(up.p[k] - 700, 2 * (rest.p[k] - 700), 0.01);
-        }
+        if (up.support[k] > 0.005f) { EXPECT_NEAR(up.p[k] - 700, 2 * (rest.p[k] - 700), 0.01); }
 }
 
 TEST(BodyLoads, OfTwoBodiesAreThoseOfEachAlone) {

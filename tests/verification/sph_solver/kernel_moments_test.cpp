@@ -56,25 +56,26 @@ Sweep sweep(const std::vector<Vec3>& unsorted, double h_over_dp, Field f) {
     const double h = h_over_dp * dp;
     const Quanta quanta(Vec3::Zero(), dp / (1 << 18));
     const Box area{Vec3(-dp, -dp, -dp), Vec3::Constant(n * dp + dp)};
-    const ColumnGrid grid(area, dp, 2, quanta);
+    const ColumnGrid grid(area, dp, 2, quanta, passes().lanes);
     const Kernel kernel(h, 2);
-    std::vector<PlaceRecord> raw, sorted;
-    for (const Vec3& x : unsorted)
-        raw.push_back({quanta.of(x.x(), 0), 0, quanta.of(x.z(), 2), static_cast<float>(dp * dp)});
+    std::vector<WidePlace> raw;
+    std::vector<PlaceRecord> sorted;
+    for (const Vec3& x : unsorted) raw.push_back(quanta.wide(Vec3(x.x(), 0, x.z())));
     std::vector<std::int32_t> order, start;
-    sort_by_column(grid, raw, 0, raw.size(), order, start);
+    sort_by_column(grid, raw, order, start);
     Sweep r;
     std::vector<VelocityDensityRecord> motion;
     for (const std::int32_t k : order) {
         const Vec3& x = unsorted[static_cast<std::size_t>(k)];
-        sorted.push_back(raw[static_cast<std::size_t>(k)]);
+        sorted.push_back(raw[static_cast<std::size_t>(k)].record(static_cast<float>(dp * dp)));
         motion.push_back({0, 0, 0, static_cast<float>(f(x))});
         r.places.push_back(x);
     }
     std::vector<Group> groups;
-    make_groups(sorted, start, 0, groups);
+    const Source source{sorted.data(), &start, 0};
+    make_groups(grid, source, passes().lanes, groups);
     NeighbourLists lists;
-    lists.build(grid, quanta, sorted.data(), groups, {{sorted.data(), &start, 0}}, {2 * h, 2 * h, 2 * h});
+    lists.build(passes(), grid, quanta, source, groups, {source}, {2 * h, 2 * h, 2 * h});
     r.stress.resize(sorted.size());
     r.shift.resize(sorted.size());
     std::vector<RateRecord> rate(sorted.size());

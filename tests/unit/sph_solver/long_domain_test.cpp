@@ -1,0 +1,143 @@
+// A domain longer than 32 bits of quanta reach (16384 spacings): two-dimensional rows of 30 000 spacings, along x and
+// upright. Places and velocities repeat every hundred spacings, so that rates must repeat too.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
+#include "sph_solver/backend/pass_data.h"
+#include "sph_solver/neighbours/columns.h"
+
+namespace tw {
+namespace {
+
+constexpr double dp = 0.1, h = 1.5 * dp;
+constexpr std::int64_t one_dp = 1 << 18;
+constexpr int rows = 4, period = 100;
+
+struct Row {
+    int length;
+    Quanta quanta{Vec3(2, 0, 2), dp / one_dp};
+    std::vector<WidePlace> raw;  ///< particle k * rows + m: k along the row, m across
+    std::vector<PlaceRecord> place;
+    std::vector<std::int32_t> order, start;
+    std::vector<VelocityDensityRecord> motion;
+    std::vector<GradientPressureRecord> stress;
+    std::vector<ShiftSupportRecord> shift;
+    std::vector<RateRecord> rate;
+    std::vector<Group> groups;
+    NeighbourLists lists;
+
+    Row(int spacings, bool upright) : length(spacings) {
+        const double end = spacings * dp;
+        const Box area{Vec3(0, 0, 0), upright ? Vec3(rows * dp, 0, end) : Vec3(end, 0, rows * dp)};
+        const ColumnGrid grid(area, dp, 2, quanta, passes().lanes);
+        EXPECT_EQ(grid.nz > 1, upright && spacings > 4096);
+        std::mt19937 random(4);
+        std::uniform_int_distribution<std::int64_t> jitter(-one_dp / 5, one_dp / 5);
+        std::uniform_real_distribution<float> any(-1, 1);
+        struct {
+            std::int64_t along, across;
+            VelocityDensityRecord motion;
+        } pattern[period * rows];
+        for (auto& p : pattern)
+            p = {jitter(random), jitter(random), {any(random), any(random), any(random), any(random)}};
+        for (int k = 0; k < spacings; ++k)
+            for (int m = 0; m < rows; ++m) {
+                const auto& moved = pattern[k % period * rows + m];
+                const std::int64_t along = k * one_dp + moved.along, across = m * one_dp + moved.across;
+                raw.push_back(upright ? WidePlace{across, 0, along} : WidePlace{along, 0, across});
+            }
+        sort_by_column(grid, raw, order, start);
+        for (const std::int32_t i : order) {
+            place.push_back(raw[static_cast<std::size_t>(i)].record(static_cast<float>(dp * dp)));
+            motion.push_back(pattern[i % (period * rows)].motion);
+        }
+        const Source source{place.data(), &start, 0};
+        make_groups(grid, source, passes().lanes, groups);
+        lists.build(passes(), grid, quanta, source, groups, {source}, {2 * h, 2 * h, 2 * h});
+        stress.resize(place.size()), shift.resize(place.size()), rate.resize(place.size());
+        PassData d;
+        d.list = lists.view();
+        d.place = place.data(), d.motion = motion.data(), d.stress = stress.data();
+        d.shift = shift.data(), d.rate = rate.data();
+        d.kernel = Kernel(h, 2);
+        d.quantum = static_cast<float>(quanta.size);
+        d.inv_W_dp = static_cast<float>(1 / d.kernel.W(dp));
+        d.two_dimensional = true;
+        passes().continuity_and_gradient(d, groups.data(), static_cast<int>(groups.size()));
+    }
+    double distance(std::int32_t i, std::int32_t j) const {  // [dp]
+        const WidePlace &a = raw[static_cast<std::size_t>(i)], &b = raw[static_cast<std::size_t>(j)];
+        return std::hypot(double(a.x - b.x), double(a.z - b.z)) / one_dp;
+    }
+};
+
+void expect_lists_as_by_hand(const Row& row) {
+    int wrong = 0;
+    for (const Group& g : row.groups) {
+        std::vector<std::int32_t> found, wanted;
+        const NeighbourBlock* const blocks = row.lists.view().blocks(g.list);
+        for (std::int32_t b = 0; b < g.list.size; ++b)
+            for (std::int32_t bit = 0; bit < 32; ++bit)
+                if (blocks[b].live >> bit & 1u)
+                    found.push_back(row.order[static_cast<std::size_t>(blocks[b].first + bit)]);
+        const auto of_group = [&](std::int32_t l) { return row.order[static_cast<std::size_t>(g.first + l)]; };
+        std::int32_t lowest = of_group(0), highest = lowest;
+        for (std::int32_t l = 0; l < g.size; ++l)
+            lowest = std::min(lowest, of_group(l)), highest = std::max(highest, of_group(l));
+        for (std::int32_t j = std::max(0, lowest - 5 * rows);
+             j < std::min(static_cast<std::int32_t>(row.raw.size()), highest + 5 * rows); ++j)
+            for (std::int32_t l = 0; l < g.size; ++l)
+                if (row.distance(of_group(l), j) < 2 * h / dp) {
+                    wanted.push_back(j);
+                    break;
+                }
+        std::sort(found.begin(), found.end());
+        wrong += found != wanted;
+    }
+    EXPECT_EQ(wrong, 0) << "of " << row.groups.size() << " groups";
+}
+
+TEST(LongDomain, OfThirtyThousandSpacingsHasTheListsFoundByHandAndTheSameRatesEverywhere) {
+    for (const bool upright : {false, true}) {
+        const Row row(30000, upright);
+        expect_lists_as_by_hand(row);
+        std::vector<std::size_t> at(row.order.size());
+        for (std::size_t k = 0; k < row.order.size(); ++k) at[static_cast<std::size_t>(row.order[k])] = k;
+        double largest = 0, largest_rate = 0, largest_shift = 0;
+        const std::size_t first = 10 * rows, step = period * rows;
+        for (std::size_t i = first + step; i + first < row.raw.size(); ++i) {
+            const std::size_t here = at[i], there = at[first + (i - first) % step];
+            largest_rate = std::max(largest_rate, std::abs(double(row.rate[here].drho)));
+            largest = std::max(largest, std::abs(double(row.rate[here].drho) - row.rate[there].drho));
+            largest_shift = std::max(largest_shift, std::abs(double(row.shift[here].x) - row.shift[there].x));
+        }
+        EXPECT_GT(largest_rate, 1000);
+        EXPECT_LT(largest, 1e-5 * largest_rate) << upright;  // single precision
+        EXPECT_LT(largest_shift, 1e-4) << upright;
+    }
+}
+
+TEST(LongDomain, PlacesComeBackFromTheirQuanta) {
+    const Quanta quanta(Vec3(1, 2, 3), dp / one_dp);
+    for (const double x : {-2000.3, 1.0, 17.77, 1500.5, 2999.9})
+        for (int axis = 0; axis < 3; ++axis)
+            EXPECT_NEAR(quanta.metres(quanta.of(x, axis), axis, x + 5), x, quanta.size);
+}
+
+TEST(LevelQuanta, ArePowersOfTwoOfOneAnother) {
+    const Quanta coarse(Vec3(1, 2, 3), dp / one_dp), fine(Vec3(1, 2, 3), dp / 4 / one_dp);
+    const int k = levels_between(coarse, fine);
+    EXPECT_EQ(k, 2);
+    const std::int64_t q = 123456789;
+    EXPECT_EQ(fine.wide(1 + static_cast<double>(q) * coarse.size, 0), q << k);
+    EXPECT_EQ(levels_between(coarse, coarse), 0);
+    EXPECT_THROW(levels_between(fine, coarse), std::logic_error);
+    EXPECT_THROW(levels_between(coarse, Quanta(Vec3(1, 2, 3), dp / 3 / one_dp)), std::logic_error);
+    EXPECT_THROW(levels_between(coarse, Quanta(Vec3(1, 2, 4), dp / 4 / one_dp)), std::logic_error);
+}
+
+}  // namespace
+}  // namespace tw
