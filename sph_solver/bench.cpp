@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "sph_solver/backend/simd.h"
+#include "sph_solver/backend/pass_data.h"
 #include "sph_solver/simulation.h"
 
 namespace tw {
@@ -19,6 +19,7 @@ double now() { return std::chrono::duration<double>(std::chrono::steady_clock::n
 /// thread.
 double kernel_peak(const PassData& like, int threads) {
     constexpr int n = 400, repeats = 4000;
+    const int lanes = passes().lanes;
     double best = 0;
     for (int trial = 0; trial < 3; ++trial) {
         const double start = now();
@@ -27,8 +28,8 @@ double kernel_peak(const PassData& like, int threads) {
             std::vector<PlaceRecord> place(n);
             std::vector<VelocityDensityRecord> motion(n, VelocityDensityRecord{0, 0, 0, 0});
             std::vector<GradientPressureRecord> stress(n, GradientPressureRecord{0, 0, 0, 0});
-            std::vector<ShiftSupportRecord> shift(simd::lanes);
-            std::vector<RateRecord> rate(simd::lanes);
+            std::vector<ShiftSupportRecord> shift(most_lanes);
+            std::vector<RateRecord> rate(most_lanes);
             const std::vector<std::uint32_t> surface(n / 32 + 2, 0);
             std::vector<NeighbourBlock> list;
             for (int k = 0; k < n; ++k)
@@ -39,7 +40,7 @@ double kernel_peak(const PassData& like, int threads) {
             d.rate = rate.data();
             d.surface = surface.data();
             Group g;
-            g.size = simd::lanes, g.list = {0, 0, static_cast<std::int32_t>(list.size())};
+            g.size = lanes, g.list = {0, 0, static_cast<std::int32_t>(list.size())};
             NeighbourBlock* const chunk = list.data();
             d.list = {&chunk};
             for (int r = 0; r < repeats; ++r) {
@@ -47,7 +48,7 @@ double kernel_peak(const PassData& like, int threads) {
                 passes().forces(d, &g, 1);
             }
         }
-        best = std::max(best, double(threads) * repeats * n * simd::lanes / (now() - start));
+        best = std::max(best, double(threads) * repeats * n * lanes / (now() - start));
     }
     return best;
 }

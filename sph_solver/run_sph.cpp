@@ -14,6 +14,7 @@
 #include "record/snapshot.h"
 #include "record/water_surface.h"
 #include "scene/hash.h"
+#include "sph_solver/backend/choose_passes.h"
 #include "sph_solver/measure/certificate.h"
 #include "sph_solver/measure/recorder.h"
 #include "sph_solver/scene_setup.h"
@@ -168,7 +169,7 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
         const PhaseTimer timer(fresh, "particles");
         setup = sph_setup(scene, threads);
         // the same pair loops as before: others may give other last digits
-        simulation.emplace(setup->simulation, setup->fluid, checkpoint ? passes(checkpoint->isa.c_str()) : passes());
+        simulation.emplace(setup->simulation, setup->fluid, checkpoint ? passes(checkpoint->isa.c_str()) : choose_passes());
         if (setup->air) add_air(*simulation, setup->air->options, setup->air->fluid);
     }
     if (setup->control_volume) {

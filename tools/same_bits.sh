@@ -172,6 +172,13 @@ else
     programs[new]=$(program_of "$new")
 fi
 
+# Variants of the pair loops round differently: both programs use the same one, which every version knows.
+if [ -z "${TWINWAKE_ISA:-}" ]; then
+    TWINWAKE_ISA=baseline
+    grep -qw avx2 /proc/cpuinfo && TWINWAKE_ISA=avx2
+    grep -qw avx512vl /proc/cpuinfo && TWINWAKE_ISA=avx512
+    export TWINWAKE_ISA
+fi
 all_runs
 for name in "${only[@]}"; do
     [[ " ${known[*]} " == *" $name "* ]] || die "there is no run '$name'; known: ${known[*]}"

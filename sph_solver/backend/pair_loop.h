@@ -14,6 +14,9 @@ namespace {
 using simd::lanes;
 using simd::Real;
 using Met = Pair<Real>;
+struct Math {
+    static Real quotient(const Real& a, const Real& b) { return simd::quotient(a, b); }
+};
 
 /// Lengths in 2h, and volumes as G V, see Kernel.
 struct Frame {
@@ -88,7 +91,7 @@ inline V3<Real> separation(const V3<Real>& x_i, const float* xyz) {
 /// 1 - |r_ji| / 2h, cut off at the support.
 inline Real closeness(const V3<Real>& x_i, const float* xyz) {
     const V3<Real> r_ji = separation(x_i, xyz);
-    return simd::positive_part(1.0f - simd::sqrt(dot(r_ji, r_ji)));
+    return simd::positive_part(1.0f - simd::root(dot(r_ji, r_ji)));
 }
 
 /// Which places of a block a loop visits: all live ones, or of these those at the free surface.

@@ -45,6 +45,8 @@ struct Lists {
     NeighbourBlock* blocks(const ListRef& r) const { return r.size > 0 ? chunks[r.chunk] + r.first : nullptr; }
 };
 
+inline constexpr int most_lanes = 16;
+
 /// A group of up to Passes::lanes particles that are neighbours in space and in memory.
 struct Group {
     std::int32_t first = 0, size = 0;  ///< particles [first, first + size)
@@ -60,7 +62,7 @@ static_assert(sizeof(Group) == 48);
 /// the last particle. Good to a millionth of the reach for a group of water; spray may stand hundreds of spacings apart
 /// in one group, and then who is at the reach's rim, where the kernel vanishes, is known to 1e-4 of it only.
 struct alignas(64) GroupReach {
-    float n[8], a[8], b[8], c[8];
+    float n[most_lanes], a[most_lanes], b[most_lanes], c[most_lanes];
     std::int32_t x, y, z;     ///< the group's centre
     float far2, now2, sure2;  ///< squared reaches [quanta^2]
 };
@@ -209,9 +211,9 @@ struct Passes {
     void (*meet_other_phase)(const LevelPairData&, const Group*, int count);
     void (*press_other_phase)(const LevelPairData&, const Group*, int count);
 };
-/// The best this processor runs; TWINWAKE_ISA=baseline|avx2|avx512 chooses another. Throws InputError for one it cannot
-/// run.
+/// The default of this processor, or what TWINWAKE_ISA names; see choose_passes.h.
 const Passes& passes();
+/// By name. Throws InputError for one that this processor cannot run.
 const Passes& passes(const char* isa);
 
 }  // namespace tw

@@ -2,7 +2,7 @@
 #include <string>
 
 #include "base/errors.h"
-#include "sph_solver/backend/pass_data.h"
+#include "sph_solver/backend/choose_passes.h"
 
 namespace tw {
 
@@ -14,27 +14,68 @@ TW_DECLARE(baseline)
 #ifdef TW_X86_VARIANTS
 TW_DECLARE(avx2)
 TW_DECLARE(avx512)
+TW_DECLARE(avx512_16)
+TW_DECLARE(avx512_16_rough)
 #endif
 #undef TW_DECLARE
 
-const Passes& passes(const char* isa) {
-    const std::string name = isa;
-    if (name == "baseline") return baseline::table;
+namespace {
+
+struct Variant {
+    const Passes& passes;
+    int level;  ///< of the instruction set, x86-64-v...; 0: any processor
+};
+/// Better instruction sets first, and of each the default first.
+const Variant variants[] = {
 #ifdef TW_X86_VARIANTS
-    if (name == "avx2" && __builtin_cpu_supports("x86-64-v3")) return avx2::table;
-    if (name == "avx512" && __builtin_cpu_supports("x86-64-v4")) return avx512::table;
+    {avx512::table, 4},   {avx512_16::table, 4}, {avx512_16_rough::table, 4}, {avx2::table, 3},
 #endif
-    throw InputError("instruction set " + name +
-                     ": not known or not supported by this processor; known: baseline, avx2, avx512");
+    {baseline::table, 0},
+};
+
+int level_of_this_processor() {
+#ifdef TW_X86_VARIANTS
+    if (__builtin_cpu_supports("x86-64-v4")) return 4;
+    if (__builtin_cpu_supports("x86-64-v3")) return 3;
+#endif
+    return 0;
+}
+
+}  // namespace
+
+std::vector<const Passes*> runnable_passes() {
+    std::vector<const Passes*> runnable;
+    for (const Variant& v : variants)
+        if (v.level <= level_of_this_processor()) runnable.push_back(&v.passes);
+    return runnable;
+}
+
+std::vector<const Passes*> passes_to_choose_from() {
+    std::vector<const Passes*> best;
+    for (const Variant& v : variants)
+        if (v.level == level_of_this_processor()) best.push_back(&v.passes);
+    return best;
+}
+
+const Passes& passes(const char* isa) {
+    std::string known;
+    for (const Passes* p : runnable_passes()) {
+        if (std::string(isa) == p->isa) return *p;
+        known += std::string(known.empty() ? "" : ", ") + p->isa;
+    }
+    throw InputError("instruction set " + std::string(isa) +
+                     ": not known or not supported by this processor; it runs: " + known);
+}
+
+const Passes* passes_asked_for() {
+    const char* name = std::getenv("TWINWAKE_ISA");
+    if (!name || !*name) return nullptr;
+    return std::string(name) == "default" ? runnable_passes().front() : &passes(name);
 }
 
 const Passes& passes() {
-    if (const char* chosen = std::getenv("TWINWAKE_ISA")) return passes(chosen);
-#ifdef TW_X86_VARIANTS
-    if (__builtin_cpu_supports("x86-64-v4")) return avx512::table;
-    if (__builtin_cpu_supports("x86-64-v3")) return avx2::table;
-#endif
-    return baseline::table;
+    const Passes* asked = passes_asked_for();
+    return asked ? *asked : *runnable_passes().front();
 }
 
 }  // namespace tw

@@ -96,7 +96,7 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
 /// Second sweep: pressure, artificial viscosity and density diffusion. Walls press, and do not rub (slip).
 void forces(const PassData& d, const Group* groups, int count) {
     const Frame frame = frame_of(d.kernel, d.quantum);
-    const ArtificialViscosity artificial_viscosity{d.viscosity};
+    const ArtificialViscosity<Math> artificial_viscosity{d.viscosity};
     const DensityDiffusion density_diffusion{0.5f * d.kernel.support_length};
     for (int n = 0; n < count; ++n) {
         const Group& g = groups[n];
@@ -212,9 +212,13 @@ GroupReach reach_of(const PlaceRecord* places, const Group& g, const Reaches& re
     return r;
 }
 
-/// Eight records as three vectors.
+/// As many places as there are lanes, as three vectors.
+typedef std::int32_t Ints __attribute__((vector_size(4 * lanes)));
+typedef std::uint32_t Words __attribute__((vector_size(4 * lanes)));
+struct Places {
+    Ints x, y, z;
+};
 typedef std::int32_t I8 __attribute__((vector_size(32)));
-typedef std::uint32_t U8 __attribute__((vector_size(32)));
 struct Places8 {
     I8 x, y, z;
 };
@@ -231,11 +235,29 @@ inline Places8 transposed(I4 r0, I4 r1, I4 r2, I4 r3, I4 r4, I4 r5, I4 r6, I4 r7
             __builtin_shufflevector(ab, cd, 2, 3, 10, 11, 6, 7, 14, 15),
             __builtin_shufflevector(ab_z, cd_z, 0, 1, 8, 9, 4, 5, 12, 13)};
 }
+/// `record(k)`: the k-th of them.
+template <class Record>
+[[gnu::always_inline]] inline Places gathered(const Record& record) {
+    const auto eight = [&](int k) {
+        return transposed(record(k), record(k + 1), record(k + 2), record(k + 3), record(k + 4), record(k + 5),
+                          record(k + 6), record(k + 7));
+    };
+    const Places8 low = eight(0);
+#if TW_LANES == 8
+    return {low.x, low.y, low.z};
+#else
+    const Places8 high = eight(8);
+    const auto joined = [](const I8& a, const I8& b) {
+        return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+    };
+    return {joined(low.x, high.x), joined(low.y, high.y), joined(low.z, high.z)};
+#endif
+}
 
-/// Squared distance of eight places from the nearest of the group's particles [quanta^2].
-inline Real distance2(const GroupReach& g, const Places8& q) {
-    const auto from = [](const I8& a, std::int32_t b) {
-        return __builtin_convertvector((I8)((U8)a - static_cast<std::uint32_t>(b)), Real);
+/// Squared distance of places from the nearest of the group's particles [quanta^2].
+inline Real distance2(const GroupReach& g, const Places& q) {
+    const auto from = [](const Ints& a, std::int32_t b) {
+        return __builtin_convertvector((Ints)((Words)a - static_cast<std::uint32_t>(b)), Real);
     };
     const Real x = from(q.x, g.x), y = from(q.y, g.y), z = from(q.z, g.z);
     Real least = g.n[0] + g.a[0] * x + g.b[0] * y + g.c[0] * z;
@@ -245,15 +267,15 @@ inline Real distance2(const GroupReach& g, const Places8& q) {
 
 Reached reached(const GroupReach& g, const PlaceRecord* first, const PlaceRecord* end, int count, std::int64_t top) {
     Reached r{0, 0, 0};
-    for (int k = 0; k < count && difference(first[k].z, g.z) <= top; k += 8) {
-        PlaceRecord last[8];
+    for (int k = 0; k < count && difference(first[k].z, g.z) <= top; k += lanes) {
+        PlaceRecord last[lanes];
         const PlaceRecord* p = first + k;
-        if (end - p < 8) {
-            for (int m = 0; m < 8; ++m) last[m] = p + m < end ? p[m] : p[0];
+        if (end - p < lanes) {
+            for (int m = 0; m < lanes; ++m) last[m] = p + m < end ? p[m] : p[0];
             p = last;
         }
         const I4* v = reinterpret_cast<const I4*>(p);
-        const Real d2 = distance2(g, transposed(v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7]));
+        const Real d2 = distance2(g, gathered([&](int m) { return v[m]; }));
         r.far |= simd::bits_below(d2, g.far2) << k;
         r.now |= simd::bits_below(d2, g.now2) << k;
         r.sure |= simd::bits_below(d2, g.sure2) << k;
@@ -280,12 +302,12 @@ void prune(const PruneData& d, const Group* groups, int count) {
             for (; block != end && doubtful <= capacity - 32; ++block)
                 doubtful = simd::append_set_bits(block->first, block->maybe, index, doubtful);
             if (doubtful == 0) continue;
-            for (int k = 0; k < 7; ++k) index[doubtful + k] = index[0];
-            for (int k = 0; k < doubtful; k += 8)
-                within[k / 8] = static_cast<unsigned char>(simd::bits_below(
-                    distance2(own, transposed(record(k), record(k + 1), record(k + 2), record(k + 3), record(k + 4),
-                                              record(k + 5), record(k + 6), record(k + 7))),
-                    own.now2));
+            for (int k = 0; k < lanes - 1; ++k) index[doubtful + k] = index[0];
+            for (int k = 0; k < doubtful; k += lanes) {
+                const Real d2 = distance2(own, gathered([&](int m) { return record(k + m); }));
+                const std::uint32_t bits = simd::bits_below(d2, own.now2);
+                __builtin_memcpy(within + k / 8, &bits, lanes / 8);
+            }
             int at = 0;
             for (NeighbourBlock* b = first; b != block; ++b) {
                 std::uint64_t answers;

@@ -1,11 +1,10 @@
 #pragma once
-// Eight floats at a time. The vector type is GCC's: with AVX one register, on baseline x86-64 two, on other machines
-// whatever the compiler makes of it. The pair terms are written against `Real` and never see this.
+// Eight or sixteen floats at a time (TW_LANES). The vector type is GCC's: with AVX one register, on baseline x86-64 two,
+// on other machines whatever the compiler makes of it. The pair terms are written against `Real` and never see this.
 //
-// Why eight where AVX-512 has sixteen: a group is visited by every neighbour of any of its particles, and a larger
+// Sixteen halve the operations a pair, but a group is visited by every neighbour of any of its particles, and a larger
 // group has more of those in vain (113 useful pairs a particle; lists with a slack of 0.2 dp hold 297 at h/dp = 1.5,
-// and 367 with sixteen). Processors that make a 512-bit operation of two halves lose by it; see README, "Memory and
-// speed".
+// and 367 with sixteen). Processors that make a 512-bit operation of two halves lose by it: choose_passes.h measures.
 //
 // Static: what is compiled for one instruction set must not serve another.
 #include <cmath>
@@ -14,18 +13,40 @@
 #include <immintrin.h>
 #endif
 
+#ifndef TW_LANES
+#define TW_LANES 8
+#endif
+
 namespace tw::simd {
 
-inline constexpr int lanes = 8;
+static constexpr int lanes = TW_LANES;
 typedef float Real __attribute__((vector_size(4 * lanes)));
 
-#if defined(__AVX__)
+#if defined(__AVX512F__) && TW_LANES == 16
+static inline Real sqrt(Real x) { return (Real)_mm512_sqrt_ps((__m512)x); }
+static inline Real positive_part(Real x) { return (Real)_mm512_max_ps((__m512)x, _mm512_setzero_ps()); }
+static inline Real min(Real x, Real y) { return (Real)_mm512_min_ps((__m512)x, (__m512)y); }
+static inline Real max(Real x, Real y) { return (Real)_mm512_max_ps((__m512)x, (__m512)y); }
+static inline std::uint32_t bits_below(Real x, float limit) {
+    return _mm512_cmp_ps_mask((__m512)x, _mm512_set1_ps(limit), _CMP_LT_OQ);
+}
+static inline Real rough_reciprocal_root(Real x) { return (Real)_mm512_rsqrt14_ps((__m512)x); }
+static inline Real rough_reciprocal(Real x) { return (Real)_mm512_rcp14_ps((__m512)x); }
+#elif defined(__AVX__) && TW_LANES == 8
 static inline Real sqrt(Real x) { return (Real)_mm256_sqrt_ps((__m256)x); }
 static inline Real positive_part(Real x) { return (Real)_mm256_max_ps((__m256)x, _mm256_setzero_ps()); }
 static inline Real min(Real x, Real y) { return (Real)_mm256_min_ps((__m256)x, (__m256)y); }
+static inline Real max(Real x, Real y) { return (Real)_mm256_max_ps((__m256)x, (__m256)y); }
 static inline std::uint32_t bits_below(Real x, float limit) {
     return static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps((__m256)x, _mm256_set1_ps(limit), _CMP_LT_OQ)));
 }
+#if defined(__AVX512VL__)
+static inline Real rough_reciprocal_root(Real x) { return (Real)_mm256_rsqrt14_ps((__m256)x); }
+static inline Real rough_reciprocal(Real x) { return (Real)_mm256_rcp14_ps((__m256)x); }
+#else
+static inline Real rough_reciprocal_root(Real x) { return (Real)_mm256_rsqrt_ps((__m256)x); }
+static inline Real rough_reciprocal(Real x) { return (Real)_mm256_rcp_ps((__m256)x); }
+#endif
 #elif defined(__SSE__)
 typedef __m128 Register;
 static inline Register sqrt(Register x) { return _mm_sqrt_ps(x); }
@@ -76,6 +97,23 @@ static inline std::uint32_t bits_below(Real x, float limit) {
     for (int l = 0; l < lanes; ++l) bits |= (x[l] < limit ? 1u : 0u) << l;
     return bits;
 }
+#endif
+#if defined(TW_ROUGH)
+/// Root and quotient without the divider: one Newton step from the processor's estimate (12 or 14 bits) gives all but
+/// the last bit or two. The root of zero is 1e-15, no neighbour to a closeness in single precision.
+static inline Real root(Real x) {
+    const Real least = Real{} + 1e-30f;
+    x = max(x, least);
+    const Real y = rough_reciprocal_root(x), d = x * y;
+    return d + (0.5f * d) * (1.0f - d * y);
+}
+static inline Real quotient(Real a, Real b) {
+    const Real y = rough_reciprocal(b), q = a * y;
+    return q + y * (a - b * q);
+}
+#else
+static inline Real root(Real x) { return sqrt(x); }
+static inline Real quotient(Real a, Real b) { return a / b; }
 #endif
 /// bits_below: bit l is set where lane l is below the limit.
 /// append_set_bits: writes first + k for every set bit k of the mask to out[n...], ascending; returns the new n. May

@@ -45,6 +45,13 @@ inline V3<A>& operator-=(V3<A>& a, const V3<B>& b) {
     return a;
 }
 
+struct ExactMath {
+    template <class Real>
+    static Real quotient(const Real& a, const Real& b) {
+        return a / b;
+    }
+};
+
 template <class Real>
 inline Real positive_part(const Real& x) {
     return x > 0 ? x : Real{};

@@ -37,7 +37,7 @@ void press_other_phase(const LevelPairData& c, const Group* groups, int count) {
     const PassData &d = *c.own, &other = *c.other;
     const Frame frame = frame_of(d.kernel, d.quantum);
     const Contact contact(d.rho0, other.rho0);
-    const ArtificialViscosity artificial_viscosity{harmonic_mean(d.viscosity, other.viscosity)};
+    const ArtificialViscosity<Math> artificial_viscosity{harmonic_mean(d.viscosity, other.viscosity)};
     for (int n = 0; n < count; ++n) {
         const Group& g = groups[n];
         const V3<Real> x_i = own_places(d.place, g, frame), u_i = own_velocities(d.motion, g);

@@ -230,7 +230,7 @@ TEST_F(Command, AnotherScenesRecordInTheFolderIsLeftOutOfTheReport) {
 }
 
 TEST_F(Command, ARunThatFailedBeforeItSavedIsRunAnewWhereverItIsAskedForAgain) {
-    write("column.toml", column + "[sph]\nc0 = 1\n");  // stopped before the first checkpoint
+    write("column.toml", column + "[sph]\nc0 = 2\n");  // stopped before the first checkpoint
     ASSERT_EQ(twinwake({"run", "column.toml"}).status, 3);
     ASSERT_FALSE(fs::exists(folder_ / "runs/column/sph/checkpoint.h5"));
     const Outcome run = twinwake({"run", "column.toml", "--resume"});

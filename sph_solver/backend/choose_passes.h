@@ -1,0 +1,36 @@
+#pragma once
+#include <vector>
+
+#include "sph_solver/backend/pass_data.h"
+
+namespace tw {
+
+// Which variant of the passes a run uses. All make the same sums with roundings of their own, so a run keeps the one it
+// was started with, on any number of threads. Which is the fastest is a property of the processor: sixteen lanes do half
+// the operations and visit a fifth more neighbours in vain, and some processors make a 512-bit operation of two halves;
+// roots and quotients by estimates (`rough`) pay where the divider is slow.
+
+/// All that this processor runs, the default first.
+std::vector<const Passes*> runnable_passes();
+/// Those of its best instruction set, the default first.
+std::vector<const Passes*> passes_to_choose_from();
+/// What TWINWAKE_ISA names ("default" the default); null where it is not set. Throws InputError for a variant that this
+/// processor cannot run.
+const Passes* passes_asked_for();
+
+struct PassesPace {
+    const Passes* passes;
+    double evaluations_per_second;  ///< both sweeps, one thread, lists made already
+};
+/// Measures each on a small block of water, in turn, some milliseconds each.
+std::vector<PassesPace> measure_passes(const std::vector<const Passes*>& which);
+/// The fastest; the first where no other is more than 5 % faster.
+const Passes& best_of(const std::vector<PassesPace>& paces);
+
+/// What a new run uses: what TWINWAKE_ISA names, else what was found the best on this processor, measured once and
+/// remembered in the cache folder (base/cache_folder.h). Where nothing can be remembered the default, so that one
+/// machine does not change its mind from run to run.
+const Passes& choose_passes();
+void remember_passes(const Passes& chosen);
+
+}  // namespace tw
