@@ -38,7 +38,7 @@ TEST(DamBreak, FrontRunsAheadOfTheMeasuredOneByNoMoreThanItsMissingFriction) {
     ASSERT_NEAR(column.size().z() / column.size().x(), 2, 1e-9) << "both experiments: a column twice as high as wide";
     ASSERT_EQ(run.record.state, "finished") << run.record.reason;
     // Water without friction on a dry floor outruns the measured front (a gate that opens in finite time, a floor that
-    // rubs): 14 to 19 % in the mean, see docs/validation.md. The bounds here keep it there.
+    // rubs): 14 to 19 % in the mean, see docs/results/dam_break_2d.md. The bounds here keep it there.
     for (const Row& row :
          judge_dam_break_front(run.scene, run.record, TWINWAKE_TEST_DATA "/dambreak_front_position.csv")) {
         EXPECT_LT(row.value, 25) << row.quantity;
