@@ -52,6 +52,9 @@ MachineFacts examine(const std::string& preferred) {
     f.memory = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
     f.mpirun = on_path("mpirun");
     f.gpu = graphics_card();
+    f.passes = measure_passes(runnable_passes());
+    remember_passes(best_of(f.passes));
+    f.chosen_passes = choose_passes().isa;
     f.pace = calibrate_pace();
     f.openfoam = find_openfoam(preferred);
     for (OpenFoam& candidate : f.openfoam) {
@@ -80,6 +83,7 @@ int run_doctor(const DoctorCommand& command, const Common& common) {
         "every "
         "run\n",
         f.pace);
+    out += fmt::format("pair loops  {} in new runs; on one core {}\n", f.chosen_passes, passes_line(f.passes));
     for (const OpenFoam& o : f.openfoam)
         out += fmt::format("openfoam    {}: {}: {}\n", o.solver.string(), o.sound ? "sound" : "NOT SOUND", o.verdict);
     if (f.openfoam.empty())

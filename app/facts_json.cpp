@@ -1,5 +1,8 @@
 #include "app/facts_json.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace tw::app {
@@ -37,7 +40,23 @@ Json list_of(const std::vector<RunFacts>& runs) {
     return list;
 }
 
+Json passes_json(const std::vector<PassesPace>& paces) {
+    Json list = Json::array();
+    for (const PassesPace& p : paces)
+        list.push_back(
+            {{"isa", p.passes->isa}, {"lanes", p.passes->lanes}, {"evaluations_per_second", p.evaluations_per_second}});
+    return list;
+}
+
 }  // namespace
+
+std::string passes_line(std::vector<PassesPace> paces) {
+    std::ranges::sort(paces, std::greater{}, &PassesPace::evaluations_per_second);
+    std::string line;
+    for (const PassesPace& p : paces)
+        line += fmt::format("{}{} {:.2g}", line.empty() ? "" : ", ", p.passes->isa, p.evaluations_per_second / 1e6);
+    return line + " million evaluations/s";
+}
 
 std::string check_json(const Scene& scene, const Prediction& p) {
     Json hull = Json::object();
@@ -120,6 +139,8 @@ std::string doctor_json(const MachineFacts& f) {
                     {"gpu", f.gpu},
                     {"mpirun", f.mpirun},
                     {"pace", f.pace},
+                    {"passes", passes_json(f.passes)},
+                    {"chosen_passes", f.chosen_passes},
                     {"openfoam", openfoam},
                     {"sound", f.sound}});
 }
@@ -132,7 +153,7 @@ std::string run_json(const Comparison& comparison, const std::vector<RunFacts>& 
     return written(all);
 }
 
-std::string bench_json(const BenchResult& r) {
+std::string bench_json(const BenchResult& r, const std::vector<PassesPace>& passes) {
     return written({{"particles", r.particles},
                     {"neighbours_per_particle", r.neighbours_per_particle},
                     {"threads", r.threads},
@@ -141,7 +162,8 @@ std::string bench_json(const BenchResult& r) {
                     {"pairs_per_second", r.pairs_per_second},
                     {"bytes_per_particle", r.bytes_per_particle},
                     {"share_of_kernel_peak", r.share_of_kernel_peak},
-                    {"share_outside_pairs", r.share_outside_pairs}});
+                    {"share_outside_pairs", r.share_outside_pairs},
+                    {"passes", passes_json(passes)}});
 }
 
 }  // namespace tw::app

@@ -32,9 +32,13 @@ struct MachineFacts {
     unsigned cores = 0;
     double memory = 0;  ///< [bytes]
     double pace = 1;    ///< of the particle engine, see MachinePace
+    std::vector<PassesPace> passes;
+    std::string chosen_passes;
     std::vector<OpenFoam> openfoam;
     bool sound = false;
 };
+/// "avx512_16 4.1, avx512 3.2 million evaluations/s", the fastest first.
+std::string passes_line(std::vector<PassesPace> paces);
 std::string doctor_json(const MachineFacts& facts);
 /// What runs left, when there is nothing to compare.
 struct RunFacts {
@@ -44,6 +48,6 @@ struct RunFacts {
 std::string runs_json(const std::vector<RunFacts>& runs);
 /// The facts of the comparison, and beside them `runs`.
 std::string run_json(const Comparison& comparison, const std::vector<RunFacts>& runs);
-std::string bench_json(const BenchResult& result);
+std::string bench_json(const BenchResult& result, const std::vector<PassesPace>& passes);
 
 }  // namespace tw::app

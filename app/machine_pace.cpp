@@ -1,11 +1,11 @@
 #include "app/machine_pace.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
+#include "base/cache_folder.h"
 #include "record/this_machine.h"
 #include "sph_solver/bench.h"
 
@@ -21,10 +21,8 @@ constexpr double shortest = 10;  ///< [s]
 constexpr double evaluations_of_the_table = 1.9e6;
 
 fs::path pace_file() {
-    if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache)
-        return fs::path(cache) / "twinwake/pace.json";
-    if (const char* home = std::getenv("HOME"); home && *home) return fs::path(home) / ".cache/twinwake/pace.json";
-    return {};
+    const fs::path folder = cache_folder();
+    return folder.empty() ? folder : folder / "pace.json";
 }
 
 Json read_paces() {

@@ -17,9 +17,8 @@ double now() { return std::chrono::duration<double>(std::chrono::steady_clock::n
 
 /// Candidate pairs per second of gradient + force pass on one group and 400 neighbours, all in the first cache, per
 /// thread.
-double kernel_peak(const PassData& like, int threads) {
+double kernel_peak(const Passes& passes, const PassData& like, int threads) {
     constexpr int n = 400, repeats = 4000;
-    const int lanes = passes().lanes;
     double best = 0;
     for (int trial = 0; trial < 3; ++trial) {
         const double start = now();
@@ -40,22 +39,22 @@ double kernel_peak(const PassData& like, int threads) {
             d.rate = rate.data();
             d.surface = surface.data();
             Group g;
-            g.size = lanes, g.list = {0, 0, static_cast<std::int32_t>(list.size())};
+            g.size = passes.lanes, g.list = {0, 0, static_cast<std::int32_t>(list.size())};
             NeighbourBlock* const chunk = list.data();
             d.list = {&chunk};
             for (int r = 0; r < repeats; ++r) {
-                passes().continuity_and_gradient(d, &g, 1);
-                passes().forces(d, &g, 1);
+                passes.continuity_and_gradient(d, &g, 1);
+                passes.forces(d, &g, 1);
             }
         }
-        best = std::max(best, double(threads) * repeats * n * lanes / (now() - start));
+        best = std::max(best, double(threads) * repeats * n * passes.lanes / (now() - start));
     }
     return best;
 }
 
 }  // namespace
 
-BenchResult run_bench(std::int64_t particles, double h_over_dp, int threads, double seconds) {
+BenchResult run_bench(std::int64_t particles, double h_over_dp, int threads, double seconds, const Passes& passes) {
     const int n = std::max(8, static_cast<int>(std::lround(std::cbrt(double(particles)))));
     SimulationSetup s;
     s.dp = 0.01;
@@ -68,7 +67,7 @@ BenchResult run_bench(std::int64_t particles, double h_over_dp, int threads, dou
     std::mt19937 random(1);
     std::uniform_real_distribution<double> jitter(-0.1 * s.dp, 0.1 * s.dp);
     for (Vec3& p : fluid.places) p += Vec3(jitter(random), jitter(random), jitter(random));
-    Simulation simulation(s, fluid);
+    Simulation simulation(s, fluid, passes);
     simulation.step();
 
     const Timers before = simulation.timers();
@@ -81,7 +80,7 @@ BenchResult run_bench(std::int64_t particles, double h_over_dp, int threads, dou
     BenchResult r;
     r.particles = static_cast<std::int64_t>(fluid.places.size());
     r.threads = s.threads;
-    r.isa = passes().isa;
+    r.isa = passes.isa;
     r.evaluations_per_second = double(t.evaluations - before.evaluations) / wall;
     const double support = 2 * h_over_dp;
     r.neighbours_per_particle = 4.0 / 3 * 3.14159265358979 * support * support * support;
@@ -93,8 +92,8 @@ BenchResult run_bench(std::int64_t particles, double h_over_dp, int threads, dou
     like.kernel = Kernel(simulation.h(), 3);
     like.quantum = static_cast<float>(s.dp / (1 << 18));
     r.visited_per_particle = simulation.level(0).visited_per_particle();
-    r.share_of_kernel_peak =
-        r.visited_per_particle * double(t.evaluations - before.evaluations) / in_pairs / kernel_peak(like, s.threads);
+    r.share_of_kernel_peak = r.visited_per_particle * double(t.evaluations - before.evaluations) / in_pairs /
+                             kernel_peak(passes, like, s.threads);
     return r;
 }
 

@@ -2,6 +2,8 @@
 #include <cstdint>
 #include <string>
 
+#include "sph_solver/backend/choose_passes.h"
+
 namespace tw {
 
 /// Throughput of this machine on a block of jittered particles in a closed box: full delta-SPH right-hand side
@@ -19,6 +21,7 @@ struct BenchResult {
                                       ///< that never leaves the first cache
     double share_outside_pairs = 0;   ///< of a step: lists, sorting, updates
 };
-BenchResult run_bench(std::int64_t particles, double h_over_dp, int threads, double seconds);
+BenchResult run_bench(std::int64_t particles, double h_over_dp, int threads, double seconds,
+                      const Passes& passes = choose_passes());
 
 }  // namespace tw

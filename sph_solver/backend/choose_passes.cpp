@@ -127,7 +127,7 @@ const Passes& choose_passes() {
         try {
             const Json of_machine = read_memory().at(cpu_model());
             if (of_machine.at("among") != names_to_choose_from()) return nullptr;
-            for (const Passes* p : candidates)
+            for (const Passes* p : runnable_passes())
                 if (of_machine.at("isa") == p->isa) return p;
         } catch (const Json::exception&) {}
         return nullptr;

@@ -6,9 +6,9 @@
 namespace tw {
 
 // Which variant of the passes a run uses. All make the same sums with roundings of their own, so a run keeps the one it
-// was started with, on any number of threads. Which is the fastest is a property of the processor: sixteen lanes do half
-// the operations and visit a fifth more neighbours in vain, and some processors make a 512-bit operation of two halves;
-// roots and quotients by estimates (`rough`) pay where the divider is slow.
+// was started with, on any number of threads. Which is the fastest is a property of the processor: sixteen lanes do
+// half the operations and visit a fifth more neighbours in vain, and some processors make a 512-bit operation of two
+// halves; roots and quotients by estimates (`rough`) pay where the divider is slow.
 
 /// All that this processor runs, the default first.
 std::vector<const Passes*> runnable_passes();

@@ -198,8 +198,8 @@ struct Passes {
                    int count);  ///< fills rate; rate.drho = density diffusion; shift along surfaces
     void (*extrapolate)(const ExtrapolateData&, const Group*, int count);
     GroupReach (*reach_of)(const PlaceRecord* places, const Group&, const Reaches& quanta);
-    /// Which of `count` <= 32 places sorted by z, those not above `top` (from the group's centre), are within the reaches
-    /// of a particle of the group. Reads no place from `end` on.
+    /// Which of `count` <= 32 places sorted by z, those not above `top` (from the group's centre), are within the
+    /// reaches of a particle of the group. Reads no place from `end` on.
     Reached (*reached)(const GroupReach&, const PlaceRecord* first, const PlaceRecord* end, int count,
                        std::int64_t top);
     // of the effects, see effects/passes.h

@@ -1,6 +1,7 @@
 #pragma once
-// Eight or sixteen floats at a time (TW_LANES). The vector type is GCC's: with AVX one register, on baseline x86-64 two,
-// on other machines whatever the compiler makes of it. The pair terms are written against `Real` and never see this.
+// Eight or sixteen floats at a time (TW_LANES). The vector type is GCC's: with AVX one register, on baseline x86-64
+// two, on other machines whatever the compiler makes of it. The pair terms are written against `Real` and never see
+// this.
 //
 // Sixteen halve the operations a pair, but a group is visited by every neighbour of any of its particles, and a larger
 // group has more of those in vain (113 useful pairs a particle; lists with a slack of 0.2 dp hold 297 at h/dp = 1.5,

@@ -20,8 +20,8 @@ struct WidePlace {
 /// Positions as integers: quanta from `origin`, dp / 2^18 in the solver, so that differences are exact in every pair.
 ///
 /// The passes see 32 bits of them, which wrap every 2^32 quanta (16384 dp): the difference of two places is exact as
-/// long as they are within 8192 dp of each other, whatever the length of the domain. Who may be neighbours is known from
-/// the columns.
+/// long as they are within 8192 dp of each other, whatever the length of the domain. Who may be neighbours is known
+/// from the columns.
 ///
 /// Levels of different spacing have the same origin and quanta that are powers of two of one another, so that a place
 /// goes from one level to the next by a shift: see levels_between.

@@ -8,6 +8,7 @@
 
 #include "base/errors.h"
 #include "meshes/generate.h"
+#include "sph_solver/backend/choose_passes.h"
 #include "sph_solver/bench.h"
 #include "sph_solver/effects/air.h"
 #include "sph_solver/measure/certificate.h"
@@ -193,12 +194,10 @@ TEST(Engine, AFreeBlobKeepsItsMomentumWhateverItsParticlesDo) {
 }
 
 bool has_only_the_baseline() { return !__builtin_cpu_supports("x86-64-v3"); }
-/// Calls `run` once for each instruction set that this processor has.
+/// Calls `run` once for each variant of the passes that this processor runs.
 void with_every_instruction_set(const std::function<void()>& run) {
-    for (const char* isa : {"baseline", "avx2", "avx512"}) {
-        if (std::string(isa) == "avx2" && !__builtin_cpu_supports("x86-64-v3")) continue;
-        if (std::string(isa) == "avx512" && !__builtin_cpu_supports("x86-64-v4")) continue;
-        setenv("TWINWAKE_ISA", isa, 1);
+    for (const Passes* passes : runnable_passes()) {
+        setenv("TWINWAKE_ISA", passes->isa, 1);
         run();
         unsetenv("TWINWAKE_ISA");
     }
