@@ -8,7 +8,7 @@ int run_uncertainty(const UncertaintyCommand& command, const Common& common) {
     const RefinementTable table = read_refinement_table(command.table);
     std::vector<QuantityEstimate> quantities;
     for (const RefinementTable::Column& column : table.columns) {
-        std::vector<Level> levels;
+        std::vector<StudyLevel> levels;
         for (std::size_t i = 0; i < table.spacing.size(); ++i) levels.push_back({table.spacing[i], column.values[i]});
         quantities.push_back({column.name, estimate(std::move(levels), command.order)});
     }

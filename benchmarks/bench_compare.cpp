@@ -45,7 +45,7 @@ tw::RunRecord large_run(const std::string& method) {
     r.raster = {{-3, 0, -1.6}, 0.06, {125, 34, 50}};  // half of a box that holds 10^6 particles of 30 mm
     for (int k = 1; k <= frames; ++k) {
         tw::Raster raster(r.raster);
-        const double d = r.raster.spacing, phase = 2 * pi * k / 40;
+        const double d = r.raster.voxel, phase = 2 * pi * k / 40;
         for (int i = 0; i < r.raster.count[0]; ++i)
             for (int j = 0; j < r.raster.count[1]; ++j) {
                 const double x = r.raster.origin.x() + (i + 0.5) * d, y = (j + 0.5) * d;

@@ -68,7 +68,7 @@ void check_values(const std::string& file, const RunRecord& record) {
         check.times("tables/" + name + "/time", table.time, [](double t) { return t; });
     check.times("raster/time", record.frames, [](const RasterFrame& f) { return f.time; });
     for (const double x : record.raster.origin) check.finite("raster/origin", x);
-    check.at_least_zero("raster/spacing", record.raster.spacing);
+    check.at_least_zero("raster/spacing", record.raster.voxel);
     for (const Vec3& p : record.hull.points)
         for (const double x : p) check.finite("hull/points", x);
     for (const Phase& phase : record.phases) {

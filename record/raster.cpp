@@ -39,8 +39,8 @@ void Raster::pour_cell(const Vec3& centre, double volume, double water) {
 
 void Raster::spread(std::vector<float>& into, const Vec3& centre, double edge, double water) const {
     if (into.empty() || !centre.allFinite() || !(edge > 0)) return;
-    const Vec3 low = (centre - spec_.origin).array() / spec_.spacing - 0.5 * edge / spec_.spacing;
-    const Vec3 high = low.array() + edge / spec_.spacing;
+    const Vec3 low = (centre - spec_.origin).array() / spec_.voxel - 0.5 * edge / spec_.voxel;
+    const Vec3 high = low.array() + edge / spec_.voxel;
     // Far outside: also keeps the conversion to integers below in range.
     for (int a = 0; a < 3; ++a)
         if (high[a] <= 0 || low[a] >= spec_.count[static_cast<std::size_t>(a)]) return;
@@ -60,7 +60,7 @@ RasterFrame Raster::frame(double time) const {
     RasterFrame f;
     f.time = time;
     f.water.resize(volume_.size());
-    const double voxel = spec_.spacing * spec_.spacing * spec_.spacing;
+    const double voxel = spec_.voxel * spec_.voxel * spec_.voxel;
     for (std::size_t i = 0; i < volume_.size(); ++i) {
         const bool filled = !space_.empty() && std::abs(space_[i] / voxel - 1) < 0.1;
         const double share = volume_[i] / (filled ? double(space_[i]) : voxel);

@@ -20,10 +20,10 @@ struct RasterGrid {
     }
     std::size_t columns() const { return static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny); }
     std::size_t voxels() const { return columns() * static_cast<std::size_t>(nz); }
-    double x(int i) const { return spec.origin.x() + (i + 0.5) * spec.spacing; }
-    double y(int j) const { return spec.origin.y() + (j + 0.5) * spec.spacing; }
-    double z_low(int k) const { return spec.origin.z() + k * spec.spacing; }
-    bool empty() const { return nx < 1 || ny < 1 || nz < 1 || !(spec.spacing > 0); }
+    double x(int i) const { return spec.origin.x() + (i + 0.5) * spec.voxel; }
+    double y(int j) const { return spec.origin.y() + (j + 0.5) * spec.voxel; }
+    double z_low(int k) const { return spec.origin.z() + k * spec.voxel; }
+    bool empty() const { return nx < 1 || ny < 1 || nz < 1 || !(spec.voxel > 0); }
 };
 
 }  // namespace tw

@@ -71,7 +71,7 @@ void read_raster(hid_t file, RunRecord& record) {
     if (origin.size() != 3 || count.size() != 3) throw h5::Failure{"the raster's origin or count is not three numbers"};
     RasterSpec& spec = record.raster;
     spec.origin = {origin[0], origin[1], origin[2]};
-    spec.spacing = number(group, "spacing");
+    spec.voxel = number(group, "spacing");
     for (std::size_t k = 0; k < 3; ++k) {
         if (!(count[k] >= 0 && count[k] < 1e6)) throw h5::Failure{"the raster's count is senseless"};
         spec.count[k] = static_cast<int>(count[k]);

@@ -35,11 +35,11 @@ vtkSmartPointer<vtkImageData> share_image(const RasterGrid& grid, const RasterFr
     const auto blocks = [&](int n) { return (n + edge - 1) / edge; };
     const int nx = blocks(grid.nx), rows = flat ? 1 : blocks(grid.ny), nz = blocks(grid.nz);
     const int mirrored = mirror && !flat ? rows : 0, ny = flat ? 2 : rows + mirrored;
-    const double d = edge * grid.spec.spacing;
+    const double d = edge * grid.spec.voxel;
     const Vec3 first = grid.spec.origin + Vec3::Constant(0.5 * d);
     auto image = vtkSmartPointer<vtkImageData>::New();
     image->SetDimensions(nx, ny, nz);
-    image->SetSpacing(d, flat ? 0.2 * grid.nx * grid.spec.spacing : d, d);
+    image->SetSpacing(d, flat ? 0.2 * grid.nx * grid.spec.voxel : d, d);
     image->SetOrigin(first.x(), flat ? grid.y(0) : mirrored ? -(first.y() + (rows - 1) * d) : first.y(), first.z());
     vtkNew<vtkFloatArray> share;
     share->SetNumberOfTuples(static_cast<vtkIdType>(nx) * ny * nz);
@@ -115,7 +115,7 @@ Surface water_surface(const RunRecord& record, const RasterFrame& frame, int coa
     if (contour->GetOutput()->GetNumberOfCells() == 0) return {};
     Surface surface = surface_of(contour->GetOutput());
     smooth(surface);
-    return mirror && grid.ny > 1 ? own_side(surface, grid.spec.spacing) : surface;
+    return mirror && grid.ny > 1 ? own_side(surface, grid.spec.voxel) : surface;
 }
 
 }  // namespace tw

@@ -56,7 +56,7 @@ void write_raster(hid_t file, const RunRecord& record) {
     const h5::Handle group = h5::create_group(file, layout::raster);
     const RasterSpec& spec = record.raster;
     h5::write_attribute(group, "origin", std::span<const double>(spec.origin.data(), 3));
-    h5::write_attribute(group, "spacing", spec.spacing);
+    h5::write_attribute(group, "spacing", spec.voxel);
     const std::array<long long, 3> count{spec.count[0], spec.count[1], spec.count[2]};
     h5::write_attribute(group, "count", count);
     const std::size_t voxels = static_cast<std::size_t>(spec.count[0]) * static_cast<std::size_t>(spec.count[1]) *

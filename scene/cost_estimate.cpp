@@ -162,12 +162,12 @@ void refuse_too_many_samples(const Scene& scene, const Prediction& p) {
         "{:.3g} "
         "GB that are available",
         voxels(sampling.raster), p.frames, p.raster_bytes / 1e9, memory / 1e9);
-    const double finer = std::pow(2 * scene.resolution.near_hull / sampling.raster.spacing, 3),
+    const double finer = std::pow(2 * scene.resolution.near_hull / sampling.raster.voxel, 3),
                  oftener = default_interval(scene) / sampling.interval;
     if (oftener > finer)
         refuse("sampling.interval", what, sampling.interval * excess * 1.01, "s");
     else
-        refuse("sampling.raster_spacing", what, sampling.raster.spacing * std::cbrt(excess) * 1.01, "m");
+        refuse("sampling.raster_spacing", what, sampling.raster.voxel * std::cbrt(excess) * 1.01, "m");
 }
 
 }  // namespace

@@ -146,7 +146,7 @@ RasterSpec default_raster(const Scene& scene, double spacing) {
         region.max.z() = std::min(domain.max.z(), std::max(0.5 * L, top + 0.25 * L));
     }
     RasterSpec raster;
-    raster.spacing = spacing;
+    raster.voxel = spacing;
     const bool flat = scene.domain.dimensions == 2;
     for (int axis = 0; axis < 3; ++axis) {
         if (flat && axis == 1) {  // one voxel holds the whole thickness

@@ -92,7 +92,7 @@ void add_geometry(Lines& t, const Scene& scene, bool sizes) {
         t.add("raster", raster.origin);
         for (const int n : raster.count) t.add("count", {static_cast<double>(n)});
     }
-    if (sizes || raster.chosen) t.add("voxel", {raster.spacing});
+    if (sizes || raster.chosen) t.add("voxel", {raster.voxel});
 }
 
 std::string text_of(const Scene& scene, bool sizes) {

@@ -69,7 +69,7 @@ std::string to_text(const Scene& scene, const Prediction& p) {
                            place(r.box.min), place(r.box.max));
     const Sampling& s = scene.sampling;
     out += fmt::format("sampling    every {:.4g} s into {} x {} x {} voxels of {:.4g} m; ", s.interval,
-                       s.raster.count[0], s.raster.count[1], s.raster.count[2], s.raster.spacing);
+                       s.raster.count[0], s.raster.count[1], s.raster.count[2], s.raster.voxel);
     if (s.mean_from > 0) out += fmt::format("means from {:.4g} s; ", s.mean_from);
     out += fmt::format("{} pressure and {} height probes\n", s.pressure.size(), s.height.size());
     if (p.snapshots > 0) out += fmt::format("  snapshots {:.0f} sets of ParaView files\n", p.snapshots);

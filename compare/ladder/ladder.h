@@ -78,7 +78,7 @@ struct Held {
 
 /// What a ladder says of one quantity and one method.
 struct LadderValue {
-    std::vector<Level> levels;                                      ///< the levels whose mean is known, finest first
+    std::vector<StudyLevel> levels;                                      ///< the levels whose mean is known, finest first
     std::vector<double> half_widths;                                ///< of each level's 95 % interval
     std::vector<std::string> absent;                                ///< why a level is missing, with its spacing
     double statistical = std::numeric_limits<double>::quiet_NaN();  ///< half width of the finest level's 95 % interval

@@ -24,7 +24,7 @@ std::string convergence_plot(const Ladder& ladder, const LadderQuantity& q) {
     for (std::size_t k = 0; k < q.values.size(); ++k) {
         const LadderValue& v = q.values[k];
         PlotLine line{ladder.sides[k].method, k, {}, {}, false, false, true};
-        for (const Level& l : v.levels) line.x.push_back(l.spacing), line.y.push_back(l.value);
+        for (const StudyLevel& l : v.levels) line.x.push_back(l.h), line.y.push_back(l.value);
         if (line.x.empty()) continue;
         if (std::isfinite(v.estimate.limit))
             plot.lines.push_back({"", k, {0, line.x.front()}, {v.estimate.limit, line.y.front()}, false, true, false});

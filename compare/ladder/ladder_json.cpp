@@ -32,7 +32,7 @@ Json json_of(const LadderValue& v, double size) {
     Json levels = Json::array(), sensitivities = Json::array(), seconds_to = Json::object();
     for (std::size_t i = 0; i < v.levels.size(); ++i)
         levels.push_back(
-            {{"spacing", v.levels[i].spacing}, {"value", v.levels[i].value}, {"statistical", v.half_widths[i]}});
+            {{"spacing", v.levels[i].h}, {"value", v.levels[i].value}, {"statistical", v.half_widths[i]}});
     for (const Sensitivity& s : v.sensitivities)
         sensitivities.push_back({{"name", s.name},
                                  {"spacing", s.spacing},

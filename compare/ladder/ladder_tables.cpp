@@ -96,7 +96,7 @@ ReportTable ladder_values(const Ladder& ladder) {
             const LadderValue& v = q.values[k];
             const Estimate& e = v.estimate;
             std::vector<std::string> values;
-            for (const Level& l : v.levels) values.push_back(fmt::format("{:.5g}", l.value));
+            for (const StudyLevel& l : v.levels) values.push_back(fmt::format("{:.5g}", l.value));
             const double finest = v.levels.empty() ? 0 : v.levels.front().value;
             const bool some =
                 std::isfinite(v.uncertainty) && q.size > 0 && !no_more_than_rounding(v.uncertainty, finest);

@@ -106,7 +106,7 @@ std::string ladder_csv(const Ladder& ladder, std::size_t side) {
     ReportTable table{"", {numbers("near_hull", "m")}};
     for (const LadderRun& run : runs) table.rows.push_back({{run.spacing}});
     for (const LadderQuantity& q : ladder.quantities) {
-        const std::vector<Level>& levels = q.values[side].levels;
+        const std::vector<StudyLevel>& levels = q.values[side].levels;
         if (levels.size() != runs.size()) continue;
         table.columns.push_back(numbers(q.name, q.unit));
         for (std::size_t i = 0; i < levels.size(); ++i) table.rows[i].cells.emplace_back(levels[i].value);

@@ -42,8 +42,8 @@ Cut cut_through(const RasterGrid& grid, const ElevationMap& map, bool along_x, d
     Cut cut;
     cut.along_x = along_x;
     cut.place = place;
-    const Between b = along_x ? Between(place, grid.spec.origin.y(), grid.spec.spacing, grid.ny)
-                              : Between(place, grid.spec.origin.x(), grid.spec.spacing, grid.nx);
+    const Between b = along_x ? Between(place, grid.spec.origin.y(), grid.spec.voxel, grid.ny)
+                              : Between(place, grid.spec.origin.x(), grid.spec.voxel, grid.nx);
     for (int i = 0; i < (along_x ? grid.nx : grid.ny); ++i) {
         const std::size_t low = along_x ? grid.column(i, b.low) : grid.column(b.low, i);
         const std::size_t high = along_x ? grid.column(i, b.high) : grid.column(b.high, i);
@@ -104,7 +104,7 @@ std::vector<Cut> elevation_cuts(const RunRecord& record, const ElevationMap& map
     if (along_x.empty() && along_y.empty()) {
         if (record.hull.points.empty()) {
             // the middle of the tank, the same at every size; the raster's voxels end elsewhere at each
-            const double raster_end = grid.spec.origin.y() + grid.ny * grid.spec.spacing;
+            const double raster_end = grid.spec.origin.y() + grid.ny * grid.spec.voxel;
             along_x.push_back(0.5 * (number_of(record, "domain_y_min", grid.spec.origin.y()) +
                                      number_of(record, "domain_y_max", raster_end)));
         } else {
@@ -115,7 +115,7 @@ std::vector<Cut> elevation_cuts(const RunRecord& record, const ElevationMap& map
         }
     }
     const auto inside = [&](double place, int axis, int count) {
-        const double at = (place - grid.spec.origin[axis]) / grid.spec.spacing;
+        const double at = (place - grid.spec.origin[axis]) / grid.spec.voxel;
         return at >= 0 && at <= count;
     };
     for (const double y : along_x)

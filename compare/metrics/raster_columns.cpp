@@ -59,7 +59,7 @@ std::vector<float> sheet_tops(const RasterGrid& grid, const RasterFrame& frame, 
                                          ? frame.water[grid.voxel(i, j, k + 1)] / 255.0
                                          : 0;
                 top[grid.column(i, j)] =
-                    static_cast<float>(grid.z_low(k) + grid.spec.spacing * (frame.water[v] / 255.0 + above));
+                    static_cast<float>(grid.z_low(k) + grid.spec.voxel * (frame.water[v] / 255.0 + above));
             }
     return top;
 }
@@ -77,7 +77,7 @@ std::vector<float> elevations(const RasterGrid& grid, const RasterFrame& frame, 
                 any = true;
                 sum += frame.water[v] / 255.0;
             }
-            if (any) height[grid.column(i, j)] = static_cast<float>(grid.spec.origin.z() + grid.spec.spacing * sum);
+            if (any) height[grid.column(i, j)] = static_cast<float>(grid.spec.origin.z() + grid.spec.voxel * sum);
         }
     return height;
 }
@@ -93,7 +93,7 @@ std::vector<std::uint8_t> under_hull(const RasterGrid& grid, const Surface& hull
         const double x_min = std::min({a.x(), b.x(), c.x()}), x_max = std::max({a.x(), b.x(), c.x()});
         const double y_min = std::min({a.y(), b.y(), c.y()}), y_max = std::max({a.y(), b.y(), c.y()});
         const auto index = [&](double at, double origin, int count) {
-            return static_cast<int>(std::clamp((at - origin) / grid.spec.spacing, -1.0, static_cast<double>(count)));
+            return static_cast<int>(std::clamp((at - origin) / grid.spec.voxel, -1.0, static_cast<double>(count)));
         };
         for (int j = std::max(0, index(y_min, grid.spec.origin.y(), grid.ny));
              j <= std::min(grid.ny - 1, index(y_max, grid.spec.origin.y(), grid.ny)); ++j)

@@ -33,14 +33,14 @@ struct Airborne {
 
 Airborne airborne(const RasterGrid& grid, const RasterFrame& frame, double cut_off) {
     Airborne air;
-    const double voxel = std::pow(grid.spec.spacing, 3);
+    const double voxel = std::pow(grid.spec.voxel, 3);
     for (int k = 0; k < grid.nz; ++k) {
         const double low = grid.z_low(k), high = grid.z_low(k + 1);
-        if (high <= cut_off + 1e-9 * grid.spec.spacing) continue;
+        if (high <= cut_off + 1e-9 * grid.spec.voxel) continue;
         const auto first = frame.water.begin() + static_cast<std::ptrdiff_t>(grid.voxel(0, 0, k));
         double sum = 0;
         for (auto v = first; v != first + static_cast<std::ptrdiff_t>(grid.columns()); ++v) sum += *v / 255.0;
-        const double above = std::min(1.0, (high - cut_off) / grid.spec.spacing);  // the layer may straddle the cut-off
+        const double above = std::min(1.0, (high - cut_off) / grid.spec.voxel);  // the layer may straddle the cut-off
         air.low.push_back(std::max(low, cut_off));
         air.high.push_back(high);
         air.volume.push_back(sum * above * voxel);
@@ -61,7 +61,7 @@ double still_level(const RunRecord& record) {
     if (is_stream(record) || record.frames.empty() || grid.empty()) return 0;
     double water = 0;
     for (const std::uint8_t v : record.frames.front().water) water += v / 255.0;
-    return grid.spec.origin.z() + water * grid.spec.spacing / static_cast<double>(grid.columns());
+    return grid.spec.origin.z() + water * grid.spec.voxel / static_cast<double>(grid.columns());
 }
 
 Table splash_series(const RunRecord& record, double level) {
@@ -83,7 +83,7 @@ Table splash_series(const RunRecord& record, double level) {
         double sheet = -std::numeric_limits<double>::infinity();
         for (const float top : tops)
             if (std::isfinite(top)) sheet = std::max(sheet, static_cast<double>(top));
-        const Airborne air = airborne(grid, frame, level + grid.spec.spacing);
+        const Airborne air = airborne(grid, frame, level + grid.spec.voxel);
         double energy = 0;
         for (std::size_t k = 0; k < air.volume.size(); ++k)
             energy += weight * air.volume[k] * (0.5 * (air.low[k] + air.high[k]) - level);
@@ -139,7 +139,7 @@ double wake_width(const RunRecord& record, const std::vector<float>& envelope, d
     }
     if (stations.empty()) return nan;
     mean_crest /= static_cast<double>(stations.size());
-    if (mean_crest < 0.5 * grid.spec.spacing) return nan;
+    if (mean_crest < 0.5 * grid.spec.voxel) return nan;
     const double threshold = level + 0.5 * mean_crest;
     const bool half_model = number_of_text(record, "symmetry_factor", 1) > 1;
     double sum = 0;
@@ -152,7 +152,7 @@ double wake_width(const RunRecord& record, const std::vector<float>& envelope, d
                 high = std::max(high, grid.y(j));
             }
         if (high < low) continue;
-        sum += half_model ? 2 * (high + 0.5 * grid.spec.spacing) : high - low + grid.spec.spacing;
+        sum += half_model ? 2 * (high + 0.5 * grid.spec.voxel) : high - low + grid.spec.voxel;
         ++wide;
     }
     return wide > 0 ? sum / wide : nan;

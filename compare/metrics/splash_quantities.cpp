@@ -113,7 +113,7 @@ void add_splash(Comparison& comparison, const CompareOptions& options) {
         Quantity q = new_quantity(m.name, m.label, m.unit, m.definition);
         for (std::size_t s = 0; s < comparison.sources.size(); ++s) {
             const RunRecord& record = comparison.sources[s];
-            const double floor = m.height ? 0.5 * record.raster.spacing : 0;
+            const double floor = m.height ? 0.5 * record.raster.voxel : 0;
             MeanValue value;
             const Column* column = comparison.analyses[s].splash.find(m.column);
             if (!column) {
@@ -137,7 +137,7 @@ void add_splash(Comparison& comparison, const CompareOptions& options) {
         }
         if (m.height)
             q.definition +=
-                fmt::format("; no better than half a voxel ({:.3g} m)", 0.5 * comparison.sources[0].raster.spacing);
+                fmt::format("; no better than half a voxel ({:.3g} m)", 0.5 * comparison.sources[0].raster.voxel);
         if (!stream) q.definition += "; the largest of the run, since a tank's water does not settle";
         // A volume's largest value has no interval that could carry a verdict.
         if (stream || m.height)
@@ -162,18 +162,18 @@ void add_splash(Comparison& comparison, const CompareOptions& options) {
         double highest = std::numeric_limits<double>::quiet_NaN();
         for (const float z : a.envelope)
             if (std::isfinite(z) && !(highest >= z - a.still_level)) highest = z - a.still_level;
-        envelope.values.push_back(single(highest, 0, 0.5 * record.raster.spacing, record, "no raster frames"));
+        envelope.values.push_back(single(highest, 0, 0.5 * record.raster.voxel, record, "no raster frames"));
         const Column* heights = a.splash.find("raw_height");
         const double droplet =
             heights ? largest(a.splash, *heights, a.settled_from) : std::numeric_limits<double>::quiet_NaN();
-        raw.values.push_back(single(droplet, 0, 0.5 * record.raster.spacing, record, "no raster frames"));
+        raw.values.push_back(single(droplet, 0, 0.5 * record.raster.voxel, record, "no raster frames"));
         wake.values.push_back(single(wake_width(record, a.envelope, a.still_level), 0,
-                                     number_of_text(record, "symmetry_factor", 1) * 0.5 * record.raster.spacing, record,
+                                     number_of_text(record, "symmetry_factor", 1) * 0.5 * record.raster.voxel, record,
                                      record.frames.empty() ? "no raster frames" : "no wake crest above half a voxel"));
         withhold_if_short(wake.values.back(), a, record, options);
         const double widest =
-            number_of_text(record, "symmetry_factor", 1) * record.raster.count[1] * record.raster.spacing;
-        if (wake.values.back().known && wake.values.back().value > widest - 1.5 * record.raster.spacing)
+            number_of_text(record, "symmetry_factor", 1) * record.raster.count[1] * record.raster.voxel;
+        if (wake.values.back().known && wake.values.back().value > widest - 1.5 * record.raster.voxel)
             wake.remark += fmt::format("{}{}: as wide as the raster ({:.3g} m), so the wake may be wider",
                                        wake.remark.empty() ? "" : "; ", comparison.names[s], widest);
     }
@@ -216,10 +216,10 @@ void add_elevation(Comparison& comparison, const CompareOptions& options) {
                     record.frames, [&](const RasterFrame& f) { return f.time >= a.surface_from; }));
                 const double statistical = frames > 1 ? student_t_95(frames - 1) * e.deviation / std::sqrt(frames) : 0;
                 q.values.push_back(
-                    single(e.value, statistical, 0.5 * record.raster.spacing, record, "no free surface on this cut"));
+                    single(e.value, statistical, 0.5 * record.raster.voxel, record, "no free surface on this cut"));
                 withhold_if_short(q.values.back(), a, record, options);
             }
-            q.scale = comparison.sources.front().raster.spacing;  // an elevation near zero is no measure of itself
+            q.scale = comparison.sources.front().raster.voxel;  // an elevation near zero is no measure of itself
             judge(q, comparison.names, comparison.agree_within);
             if (high && comparison.analyses.size() == 2 && k < comparison.analyses[0].cuts.size() &&
                 k < comparison.analyses[1].cuts.size()) {

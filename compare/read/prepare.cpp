@@ -28,10 +28,10 @@ struct Inside {
 void crop_to_domain(RunRecord& record) {
     RasterSpec& spec = record.raster;
     constexpr double far = std::numeric_limits<double>::infinity();
-    if (!(spec.spacing > 0) || spec.count[0] < 2) return;
-    const Inside x(spec.origin.x(), spec.spacing, spec.count[0], number_of(record, "domain_x_min", -far),
+    if (!(spec.voxel > 0) || spec.count[0] < 2) return;
+    const Inside x(spec.origin.x(), spec.voxel, spec.count[0], number_of(record, "domain_x_min", -far),
                    number_of(record, "domain_x_max", far));
-    const Inside y(spec.origin.y(), spec.spacing, spec.count[1],
+    const Inside y(spec.origin.y(), spec.voxel, spec.count[1],
                    spec.count[1] > 1 ? number_of(record, "domain_y_min", -far) : -far,
                    spec.count[1] > 1 ? number_of(record, "domain_y_max", far) : far);
     const int nx = x.end - x.first, ny = y.end - y.first;
@@ -48,8 +48,8 @@ void crop_to_domain(RunRecord& record) {
             }
         frame.water = std::move(kept);
     }
-    spec.origin.x() += x.first * spec.spacing;
-    spec.origin.y() += y.first * spec.spacing;
+    spec.origin.x() += x.first * spec.voxel;
+    spec.origin.y() += y.first * spec.voxel;
     spec.count[0] = nx;
     spec.count[1] = ny;
 }

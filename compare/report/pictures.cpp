@@ -54,9 +54,9 @@ vtkSmartPointer<vtkPolyData> free_surface(const RunRecord& record, const ColourS
     const int mirrored = mirror ? grid.ny : 0, ny = flat ? 2 : grid.ny + mirrored;
     vtkNew<vtkImageData> image;
     image->SetDimensions(grid.nx, ny, grid.nz);
-    image->SetSpacing(grid.spec.spacing, flat ? 0.2 * grid.nx * grid.spec.spacing : grid.spec.spacing,
-                      grid.spec.spacing);
-    image->SetOrigin(grid.x(0), mirror ? -grid.y(grid.ny - 1) : grid.y(0), grid.z_low(0) + 0.5 * grid.spec.spacing);
+    image->SetSpacing(grid.spec.voxel, flat ? 0.2 * grid.nx * grid.spec.voxel : grid.spec.voxel,
+                      grid.spec.voxel);
+    image->SetOrigin(grid.x(0), mirror ? -grid.y(grid.ny - 1) : grid.y(0), grid.z_low(0) + 0.5 * grid.spec.voxel);
     vtkNew<vtkFloatArray> share;
     share->SetNumberOfTuples(static_cast<vtkIdType>(grid.nx) * ny * grid.nz);
     vtkIdType n = 0;
@@ -105,7 +105,7 @@ Box subject(const RunRecord& record) {
     if (record.hull.points.empty()) {
         const RasterGrid grid(record.raster);
         b.min = record.raster.origin;
-        b.max = b.min + grid.spec.spacing * Vec3(grid.nx, grid.ny, grid.nz);
+        b.max = b.min + grid.spec.voxel * Vec3(grid.nx, grid.ny, grid.nz);
         return b;
     }
     b.min = b.max = record.hull.points.front();
@@ -117,7 +117,7 @@ Box subject(const RunRecord& record) {
 }
 
 bool can_be_drawn(const RunRecord& record) {
-    return !record.frames.empty() && record.raster.spacing > 0 && record.raster.count[0] > 1 &&
+    return !record.frames.empty() && record.raster.voxel > 0 && record.raster.count[0] > 1 &&
            record.raster.count[1] > 0 && record.raster.count[2] > 1;
 }
 
@@ -210,7 +210,7 @@ double elevation_half_range(const Comparison& comparison) {
     std::vector<float> sizes;
     double voxel = 0;
     for (std::size_t s = 0; s < comparison.analyses.size(); ++s) {
-        voxel = std::max(voxel, comparison.sources[s].raster.spacing);
+        voxel = std::max(voxel, comparison.sources[s].raster.voxel);
         for (const float z : comparison.analyses[s].mean_elevation)
             if (std::isfinite(z)) sizes.push_back(std::abs(z - static_cast<float>(comparison.analyses[s].still_level)));
     }
@@ -262,8 +262,8 @@ ElevationPicture elevation_picture(const RunRecord& record, const Analysis& anal
         }
     picture.png = png_bytes(image);
     picture.x_min = grid.spec.origin.x();
-    picture.x_max = picture.x_min + grid.nx * grid.spec.spacing;
-    picture.y_max = grid.spec.origin.y() + grid.ny * grid.spec.spacing;
+    picture.x_max = picture.x_min + grid.nx * grid.spec.voxel;
+    picture.y_max = grid.spec.origin.y() + grid.ny * grid.spec.voxel;
     picture.y_min = mirror ? -picture.y_max : grid.spec.origin.y();
     return picture;
 }

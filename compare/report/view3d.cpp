@@ -33,7 +33,7 @@ constexpr std::size_t markup_bytes = 100'000;
 std::vector<const RasterFrame*> drawable_frames(const RunRecord& record) {
     const RasterGrid grid(record.raster);
     std::vector<const RasterFrame*> frames;
-    if (grid.empty() || !record.raster.origin.allFinite() || !std::isfinite(record.raster.spacing)) return frames;
+    if (grid.empty() || !record.raster.origin.allFinite() || !std::isfinite(record.raster.voxel)) return frames;
     for (const RasterFrame& f : record.frames)
         if (std::isfinite(f.time) && f.water.size() == grid.voxels()) frames.push_back(&f);
     std::ranges::stable_sort(frames, {}, &RasterFrame::time);
@@ -48,7 +48,7 @@ bool is_mirrored(const RunRecord& record) {
 Box raster_box(const RunRecord& record) {
     const auto& n = record.raster.count;
     Box box{record.raster.origin, record.raster.origin};
-    box.max += record.raster.spacing * Vec3(n[0], n[1] == 1 ? 0.2 * n[0] + 1 : n[1], n[2]);
+    box.max += record.raster.voxel * Vec3(n[0], n[1] == 1 ? 0.2 * n[0] + 1 : n[1], n[2]);
     if (is_mirrored(record)) box.min.y() = -box.max.y();
     return box;
 }

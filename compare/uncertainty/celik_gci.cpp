@@ -11,8 +11,8 @@ namespace {
 double relative(double difference, double value) { return value != 0 ? std::abs(difference / value) : CelikGci::nan; }
 
 /// What follows from the two finest levels once p and Fs are known. r^p - 1 is taken as expm1(p ln r): p may be small.
-void finest_pair(CelikGci& g, const Level& l1, const Level& l2) {
-    const double r21_p_less_1 = std::expm1(g.p * std::log(l2.spacing / l1.spacing));
+void finest_pair(CelikGci& g, const StudyLevel& l1, const StudyLevel& l2) {
+    const double r21_p_less_1 = std::expm1(g.p * std::log(l2.h / l1.h));
     const double eps21 = l2.value - l1.value;
     g.known = true;
     g.phi_ext = l1.value - eps21 / r21_p_less_1;
@@ -24,7 +24,7 @@ void finest_pair(CelikGci& g, const Level& l1, const Level& l2) {
 
 }  // namespace
 
-CelikGci celik_gci(std::span<const Level> levels) {
+CelikGci celik_gci(std::span<const StudyLevel> levels) {
     CelikGci g;
     if (levels.size() < 3) {
         g.why_not = "needs three levels";
@@ -48,7 +48,7 @@ CelikGci celik_gci(std::span<const Level> levels) {
     return g;
 }
 
-CelikGci two_level_gci(std::span<const Level> levels, double p) {
+CelikGci two_level_gci(std::span<const StudyLevel> levels, double p) {
     CelikGci g;
     g.p = p;
     g.Fs = 3;

@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "compare/uncertainty/level.h"
+#include "compare/uncertainty/study_level.h"
 
 namespace tw {
 
@@ -31,10 +31,10 @@ struct CelikGci {
     double uncertainty = nan;  ///< GCI21 |phi1|: of the finest value [unit of the value]
 };
 /// `levels`: as from finest_first; fewer than three: not known.
-CelikGci celik_gci(std::span<const Level> levels);
+CelikGci celik_gci(std::span<const StudyLevel> levels);
 
 /// The index of the two finest levels with an assumed order p > 0: Fs = 3, class unknown (Roache 1994,
 /// doi 10.1115/1.2910291). `levels`: two or more, as from finest_first.
-CelikGci two_level_gci(std::span<const Level> levels, double p);
+CelikGci two_level_gci(std::span<const StudyLevel> levels, double p);
 
 }  // namespace tw

@@ -82,7 +82,7 @@ std::vector<double> of_every_level(const Estimate& e) {
     if (e.levels.size() >= 4) return e.eca_hoekstra.uncertainties;
     std::vector<double> U;
     const double error = std::abs(e.levels[0].value - e.limit);
-    for (const Level& l : e.levels)
+    for (const StudyLevel& l : e.levels)
         U.push_back(error > 0 ? e.uncertainty * std::abs(l.value - e.limit) / error : e.uncertainty);
     return U;
 }
@@ -112,7 +112,7 @@ std::string value_with_uncertainty(double value, double U) {
 
 }  // namespace
 
-Estimate estimate(std::vector<Level> levels, double p_th) {
+Estimate estimate(std::vector<StudyLevel> levels, double p_th) {
     if (!(p_th >= 0.1 && p_th <= 10))
         throw InputError(fmt::format("order of the scheme {} found; expected a number from 0.1 to 10", p_th));
     Estimate e;

@@ -5,7 +5,7 @@
 
 #include "compare/uncertainty/celik_gci.h"
 #include "compare/uncertainty/eca_hoekstra.h"
-#include "compare/uncertainty/level.h"
+#include "compare/uncertainty/study_level.h"
 #include "compare/uncertainty/xing_stern.h"
 
 namespace tw {
@@ -23,7 +23,7 @@ namespace tw {
 /// bound on what the scatter hides.
 struct Estimate {
     static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    std::vector<Level> levels;  ///< finest first
+    std::vector<StudyLevel> levels;  ///< finest first
     double p_th = 2;            ///< order of the scheme [-]
     Convergence convergence = Convergence::unknown;
     bool converged = false;    ///< three levels or more that are unchanged, monotone or oscillatory
@@ -44,7 +44,7 @@ struct Estimate {
 
 /// `levels`: one or more, in any order. `p_th`: formal order of the scheme, from 0.1 to 10 [-].
 /// Throws InputError for levels as in finest_first() and for a p_th outside its range.
-Estimate estimate(std::vector<Level> levels, double p_th = 2);
+Estimate estimate(std::vector<StudyLevel> levels, double p_th = 2);
 
 /// The result as one sentence without the name of the quantity: "converged (monotone, order 1.56): 1.0511 +- 0.060
 /// (5.7 %) by ...".

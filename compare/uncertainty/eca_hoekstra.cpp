@@ -89,7 +89,7 @@ Fit polynomial_fit(const Data& d, ErrorFit form) {
 }
 
 /// Every change from level to level is against the one before.
-bool alternates(std::span<const Level> levels) {
+bool alternates(std::span<const StudyLevel> levels) {
     for (std::size_t i = 2; i < levels.size(); ++i)
         if ((levels[i].value - levels[i - 1].value) * (levels[i - 1].value - levels[i - 2].value) >= 0) return false;
     return true;
@@ -109,7 +109,7 @@ std::string to_string(ErrorFit fit) {
     return {};
 }
 
-EcaHoekstra eca_hoekstra(std::span<const Level> levels) {
+EcaHoekstra eca_hoekstra(std::span<const StudyLevel> levels) {
     EcaHoekstra e;
     if (levels.size() < 4) {
         e.why_not = "needs four levels";
@@ -118,8 +118,8 @@ EcaHoekstra eca_hoekstra(std::span<const Level> levels) {
     const auto n_g = static_cast<Eigen::Index>(levels.size());
     Data plain{Eigen::VectorXd(n_g), Eigen::VectorXd(n_g), Eigen::VectorXd::Ones(n_g)};
     for (Eigen::Index i = 0; i < n_g; ++i) {
-        const Level& l = levels[static_cast<std::size_t>(i)];
-        plain.x[i] = l.spacing / levels[0].spacing;
+        const StudyLevel& l = levels[static_cast<std::size_t>(i)];
+        plain.x[i] = l.h / levels[0].h;
         plain.phi[i] = l.value;
     }
     Data weighted = plain;

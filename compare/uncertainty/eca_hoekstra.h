@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/uncertainty/level.h"
+#include "compare/uncertainty/study_level.h"
 
 namespace tw {
 
@@ -59,6 +59,6 @@ struct EcaHoekstra {
 };
 /// `levels`: as from finest_first. Fewer than four: not known (with three the free fit meets every value and its sigma
 /// says nothing; estimate() in convergence.h falls back to the three-level methods).
-EcaHoekstra eca_hoekstra(std::span<const Level> levels);
+EcaHoekstra eca_hoekstra(std::span<const StudyLevel> levels);
 
 }  // namespace tw

@@ -89,8 +89,8 @@ std::string uncertainty_text(const std::vector<QuantityEstimate>& quantities, co
         }
         table.notes.push_back(
             fmt::format("{} level{}, {} = {:g}{}; finest value {:.6g}; order of the scheme {:g}", e.levels.size(),
-                        e.levels.size() == 1 ? "" : "s", spacing_name, e.levels.front().spacing,
-                        e.levels.size() == 1 ? "" : fmt::format(" to {:g}", e.levels.back().spacing), finest, e.p_th));
+                        e.levels.size() == 1 ? "" : "s", spacing_name, e.levels.front().h,
+                        e.levels.size() == 1 ? "" : fmt::format(" to {:g}", e.levels.back().h), finest, e.p_th));
         table.notes.push_back(q.name + ": " + verdict_sentence(e));
         out += (out.empty() ? "" : "\n") + text_of(table);
     }
@@ -102,7 +102,7 @@ std::string uncertainty_json(const std::vector<QuantityEstimate>& quantities, co
     for (const QuantityEstimate& q : quantities) {
         const Estimate& e = q.estimate;
         Json levels = Json::array();
-        for (const Level& l : e.levels) levels.push_back({{"spacing", l.spacing}, {"value", l.value}});
+        for (const StudyLevel& l : e.levels) levels.push_back({{"spacing", l.h}, {"value", l.value}});
         Json json = {{"name", q.name},
                      {"levels", levels},
                      {"scheme_order", e.p_th},

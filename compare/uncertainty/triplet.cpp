@@ -28,11 +28,11 @@ double solve_order(double target, double r21, double r32, double s) {
 
 }  // namespace
 
-Triplet finest_triplet(std::span<const Level> levels) {
-    const Level &l1 = levels[0], &l2 = levels[1], &l3 = levels[2];
+Triplet finest_triplet(std::span<const StudyLevel> levels) {
+    const StudyLevel &l1 = levels[0], &l2 = levels[1], &l3 = levels[2];
     Triplet t;
-    t.r21 = l2.spacing / l1.spacing;
-    t.r32 = l3.spacing / l2.spacing;
+    t.r21 = l2.h / l1.h;
+    t.r32 = l3.h / l2.h;
     t.eps21 = l2.value - l1.value;
     t.eps32 = l3.value - l2.value;
     const double size = std::max({std::abs(l1.value), std::abs(l2.value), std::abs(l3.value)});

@@ -2,7 +2,7 @@
 #include <limits>
 #include <span>
 
-#include "compare/uncertainty/level.h"
+#include "compare/uncertainty/study_level.h"
 
 namespace tw {
 
@@ -23,6 +23,6 @@ struct Triplet {
     double p = std::numeric_limits<double>::quiet_NaN();  ///< > 0; only where monotone or oscillatory
 };
 /// `levels`: three or more, as from finest_first; only the first three count.
-Triplet finest_triplet(std::span<const Level> levels);
+Triplet finest_triplet(std::span<const StudyLevel> levels);
 
 }  // namespace tw

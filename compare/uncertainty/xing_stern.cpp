@@ -6,7 +6,7 @@
 
 namespace tw {
 
-XingStern xing_stern(std::span<const Level> levels, double p_th) {
+XingStern xing_stern(std::span<const StudyLevel> levels, double p_th) {
     XingStern x;
     if (levels.size() < 3) {
         x.why_not = "needs three levels";

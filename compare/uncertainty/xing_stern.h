@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "compare/uncertainty/level.h"
+#include "compare/uncertainty/study_level.h"
 
 namespace tw {
 
@@ -29,6 +29,6 @@ struct XingStern {
     double uncertainty = nan;  ///< U of the finest value [unit of the value]
 };
 /// `levels`: as from finest_first; fewer than three: not known. `p_th` > 0: the order of the scheme [-].
-XingStern xing_stern(std::span<const Level> levels, double p_th);
+XingStern xing_stern(std::span<const StudyLevel> levels, double p_th);
 
 }  // namespace tw

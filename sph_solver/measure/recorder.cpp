@@ -117,7 +117,7 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
     double kinetic = 0, potential = 0, elastic = 0;
     std::int64_t count = 0;
     Raster raster(scene_.sampling.raster);
-    const bool pour = scene_.sampling.raster.spacing > 0;
+    const bool pour = scene_.sampling.raster.voxel > 0;
     const double c0 = s.state_equation.c0, m = simulation.mass();
     for (std::size_t i = 0; i < p.size(); ++i) {
         if (pour) raster.pour(Vec3(p.x[i], p.y[i], p.z[i]), s.dp, m / (s.rho0 + double(p.drho[i])));

@@ -19,7 +19,7 @@ double front(const RunRecord& record, const RasterFrame& frame) {
         for (int j = 0; j < r.count[1]; ++j)
             for (int i = 0; i < r.count[0]; ++i)
                 if (frame.water[static_cast<std::size_t>((k * r.count[1] + j) * r.count[0] + i)] >= 64)
-                    x = std::max(x, r.origin.x() + (i + 1) * r.spacing);
+                    x = std::max(x, r.origin.x() + (i + 1) * r.voxel);
     return x;
 }
 

@@ -73,7 +73,7 @@ TEST(HostileRecords, SenselessNumbersDoNotStopTheReport) {
     const double inf = std::numeric_limits<double>::infinity(), nan = std::nan("");
     for (auto& [name, value] : b.numbers) value = nan;
     b.attributes["symmetry_factor"] = "two";
-    b.raster.spacing = 0;
+    b.raster.voxel = 0;
     b.elements = inf;
     b.peak_memory = nan;
     b.phases = {{"solving", nan, inf}};

@@ -257,7 +257,7 @@ TEST(Compare, MomentsAreTakenAboutOnePoint) {
 TEST(Compare, RasterColumnsHalfOutsideTheDomainAreLeftOut) {
     RunRecord a = synthetic_run({}), b = a;
     for (RunRecord* r : {&a, &b})
-        r->numbers["domain_x_max"] = r->raster.origin.x() + (r->raster.count[0] - 0.5) * r->raster.spacing;
+        r->numbers["domain_x_max"] = r->raster.origin.x() + (r->raster.count[0] - 0.5) * r->raster.voxel;
     for (RasterFrame& f : b.frames)  // as a mesh that ends with the domain leaves it: half the water of the last column
         for (std::size_t v = static_cast<std::size_t>(b.raster.count[0]) - 1; v < f.water.size();
              v += static_cast<std::size_t>(b.raster.count[0]))

@@ -97,7 +97,7 @@ inline RunRecord synthetic_run(const SyntheticRun& o) {
         r.raster = {{-2.4, 0, -0.6}, 0.08, {88, 38, 20}};
         for (double t = 0.04; t <= o.duration + 1e-9; t += 0.04) {
             Raster raster(r.raster);
-            const double d = r.raster.spacing, part = d / 2;
+            const double d = r.raster.voxel, part = d / 2;
             for (int i = 0; i < 2 * r.raster.count[0]; ++i)
                 for (int j = 0; j < 2 * r.raster.count[1]; ++j) {
                     const double x = r.raster.origin.x() + (i + 0.5) * part, y = (j + 0.5) * part;

@@ -17,25 +17,25 @@ namespace {
 
 const std::vector<double> five{1, 1.25, 1.5, 2, 2.5};
 
-std::vector<Level> study(const std::vector<double>& h, const std::vector<double>& phi) {
-    std::vector<Level> levels;
+std::vector<StudyLevel> study(const std::vector<double>& h, const std::vector<double>& phi) {
+    std::vector<StudyLevel> levels;
     for (std::size_t i = 0; i < h.size(); ++i) levels.push_back({h[i], phi[i]});
     return levels;
 }
 /// phi = phi0 + a h^p
-std::vector<Level> power(const std::vector<double>& h, double phi0, double a, double p) {
-    std::vector<Level> levels;
+std::vector<StudyLevel> power(const std::vector<double>& h, double phi0, double a, double p) {
+    std::vector<StudyLevel> levels;
     for (const double x : h) levels.push_back({x, phi0 + a * std::pow(x, p)});
     return levels;
 }
 /// From numbers of cells of a plane mesh: h = N^(-1/2).
-std::vector<Level> plane_meshes(const std::vector<double>& N, const std::vector<double>& phi) {
+std::vector<StudyLevel> plane_meshes(const std::vector<double>& N, const std::vector<double>& phi) {
     std::vector<double> h;
     for (const double n : N) h.push_back(1 / std::sqrt(n));
     return study(h, phi);
 }
-const std::vector<Level> celik_monotone = plane_meshes({18000, 8000, 4500}, {6.063, 5.972, 5.863});
-const std::vector<Level> noisy = study(five, {1.0511, 1.0688, 1.0926, 1.1409, 1.1981});
+const std::vector<StudyLevel> celik_monotone = plane_meshes({18000, 8000, 4500}, {6.063, 5.972, 5.863});
+const std::vector<StudyLevel> noisy = study(five, {1.0511, 1.0688, 1.0926, 1.1409, 1.1981});
 
 std::string message(const std::function<void()>& call) {
     try {
@@ -183,7 +183,7 @@ TEST(EcaHoekstra, ScatteredValuesGetABoundAndTheirClass) {
 // The weights favour the fine levels: with an outlier on the coarsest level the fits differ, and that of smaller sigma
 // is taken. With one on the finest it is the other.
 TEST(EcaHoekstra, TheFitOfSmallerDeviationIsTaken) {
-    std::vector<Level> coarse_off = power(five, 1, 0.05, 1), fine_off = coarse_off;
+    std::vector<StudyLevel> coarse_off = power(five, 1, 0.05, 1), fine_off = coarse_off;
     coarse_off[4].value += 0.01;
     fine_off[0].value += 0.004;
     const EcaHoekstra coarse = eca_hoekstra(coarse_off), fine = eca_hoekstra(fine_off);
@@ -218,11 +218,11 @@ TEST(Estimate, SmoothValuesGiveBackTheirLimitAndOrderByEveryMethod) {
 }
 
 TEST(Estimate, TheUnitsOfSpacingAndValueDoNotMatter) {
-    for (const std::vector<Level>& levels :
+    for (const std::vector<StudyLevel>& levels :
          {noisy, celik_monotone, study(five, {1.00, 1.02, 0.99, 1.03, 0.98}), power(five, 1, 0.01, 3),
           study({1, 2, 4}, {1.01, 0.98, 1.04}), study({1, 2}, {1.0, 1.1})}) {
-        std::vector<Level> other = levels;
-        for (Level& l : other) l.spacing *= 1000, l.value *= -0.3048;
+        std::vector<StudyLevel> other = levels;
+        for (StudyLevel& l : other) l.h *= 1000, l.value *= -0.3048;
         const Estimate a = estimate(levels), b = estimate(other);
         EXPECT_EQ(a.convergence, b.convergence);
         EXPECT_NEAR(b.uncertainty / a.uncertainty, 0.3048, 1e-8);
@@ -233,15 +233,15 @@ TEST(Estimate, TheUnitsOfSpacingAndValueDoNotMatter) {
 }
 
 TEST(Estimate, ALargeOffsetChangesNothingByLeastSquares) {
-    std::vector<Level> other = noisy;
-    for (Level& l : other) l.value += 1e4;
+    std::vector<StudyLevel> other = noisy;
+    for (StudyLevel& l : other) l.value += 1e4;
     EXPECT_NEAR(estimate(other).uncertainty, estimate(noisy).uncertainty, 1e-7);
 }
 
 TEST(Estimate, TheOrderOfTheRowsDoesNotMatter) {
-    std::vector<Level> other{noisy[3], noisy[0], noisy[4], noisy[2], noisy[1]};
+    std::vector<StudyLevel> other{noisy[3], noisy[0], noisy[4], noisy[2], noisy[1]};
     EXPECT_EQ(estimate(other).uncertainty, estimate(noisy).uncertainty);
-    EXPECT_EQ(estimate(other).levels[0].spacing, 1);
+    EXPECT_EQ(estimate(other).levels[0].h, 1);
 }
 
 // The mean over all 32 patterns of a disturbance of either sign on each of the five levels.
@@ -249,7 +249,7 @@ TEST(Estimate, MoreNoiseGivesMoreUncertainty) {
     const auto mean_uncertainty = [](double noise) {
         double mean = 0;
         for (unsigned pattern = 0; pattern < 32; ++pattern) {
-            std::vector<Level> levels = power(five, 1, 0.05, 1.5);
+            std::vector<StudyLevel> levels = power(five, 1, 0.05, 1.5);
             for (std::size_t i = 0; i < 5; ++i) levels[i].value += (pattern >> i & 1) ? noise : -noise;
             mean += estimate(levels).uncertainty / 32;
         }
@@ -267,8 +267,8 @@ TEST(Estimate, TheIntervalHoldsTheTruthInMostNoisyStudies) {
     std::normal_distribution<double> normal;
     int held = 0, held_by_gci = 0;
     for (int k = 0; k < 200; ++k) {
-        std::vector<Level> levels = power({1, 1.41, 2, 2.83, 4}, 1, 0.02, 1.5 + 0.0025 * k);
-        for (Level& l : levels) l.value += 0.001 * normal(random);
+        std::vector<StudyLevel> levels = power({1, 1.41, 2, 2.83, 4}, 1, 0.02, 1.5 + 0.0025 * k);
+        for (StudyLevel& l : levels) l.value += 0.001 * normal(random);
         const Estimate e = estimate(levels);
         held += std::abs(levels[0].value - 1) <= e.uncertainty;
         held_by_gci += std::abs(levels[0].value - 1) <= e.celik_gci.uncertainty;
@@ -278,7 +278,7 @@ TEST(Estimate, TheIntervalHoldsTheTruthInMostNoisyStudies) {
 }
 
 TEST(Estimate, DivergentValuesHaveNoUncertaintyAndThatIsNoError) {
-    for (const std::vector<Level>& levels : {power(five, 1, 0.05, -1), power({1, 2, 4}, 1, 0.05, -1),
+    for (const std::vector<StudyLevel>& levels : {power(five, 1, 0.05, -1), power({1, 2, 4}, 1, 0.05, -1),
                                              study({1, 2, 4, 8}, {1.0, 1.1, 1.2, 1.3}),  // as the logarithm of h
                                              study({1, 2, 4}, {1.0, 1.3, 1.2})}) {
         const Estimate e = estimate(levels);
@@ -318,7 +318,7 @@ TEST(Estimate, ThreeLevelsTakeTheWidest) {
 }
 
 TEST(Estimate, TwoLevelsAssumeTheOrderAndTakeFactorThree) {
-    const std::vector<Level> levels = study({1, 2}, {1.0, 1.3});
+    const std::vector<StudyLevel> levels = study({1, 2}, {1.0, 1.3});
     const Estimate second = estimate(levels), first = estimate(levels, 1);
     EXPECT_NEAR(second.uncertainty, 3 * 0.3 / 3, 1e-12);
     EXPECT_NEAR(first.uncertainty, 3 * 0.3 / 1, 1e-12);
@@ -355,7 +355,7 @@ TEST(Estimate, SaysWhereTheMethodsDisagree) {
 
 TEST(Estimate, BadInputIsRefusedWithWhatWasFound) {
     const double nan = std::nan("");
-    const auto of = [](std::vector<Level> levels, double order = 2) {
+    const auto of = [](std::vector<StudyLevel> levels, double order = 2) {
         return message([&] { estimate(std::move(levels), order); });
     };
     EXPECT_NE(of({}).find("no level found"), std::string::npos);

@@ -288,9 +288,9 @@ TEST(View3d, WithoutFramesThePageHasNoScript) {
     EXPECT_TRUE(has(page, "default-src 'none'"));
     Comparison senseless = compare_records({flat_water({20, 6, 8}, 4, 2)});
     EXPECT_FALSE(view3d_section(senseless).empty());
-    senseless.sources[0].raster.spacing = 1e308;
+    senseless.sources[0].raster.voxel = 1e308;
     EXPECT_TRUE(view3d_section(senseless).empty());
-    senseless.sources[0].raster.spacing = 0.1;
+    senseless.sources[0].raster.voxel = 0.1;
     senseless.sources[0].raster.origin.x() = std::numeric_limits<double>::infinity();
     EXPECT_TRUE(view3d_section(senseless).empty());
 }

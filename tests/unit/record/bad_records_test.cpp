@@ -142,7 +142,7 @@ TEST(BadRecords, ScalarsThatCannotBeAreRefusedByTheirKey) {
     expect(refusal_of([&](RunRecord& r) { r.table("forces").time[3] = inf; }), "tables/forces/time[3] = inf; expected");
     expect(refusal_of([&](RunRecord& r) { r.table("forces").time[3] = -1; }), "tables/forces/time[3] = -1; expected");
     expect(refusal_of([&](RunRecord& r) { r.frames[2].time = 0.1; }), "raster/time[2] = 0.1; expected");
-    expect(refusal_of([&](RunRecord& r) { r.raster.spacing = nan; }), "raster/spacing = nan; expected");
+    expect(refusal_of([&](RunRecord& r) { r.raster.voxel = nan; }), "raster/spacing = nan; expected");
     expect(refusal_of([&](RunRecord& r) { r.hull.points[1].y() = inf; }), "hull/points = inf; expected");
     expect(refusal_of([&](RunRecord& r) { r.effects[0].cost = nan; }), "effects/air/cost = nan; expected");
     expect(refusal_of([&](RunRecord& r) { r.certificate[0].limit = nan; }), "certificate/Mach number/limit = nan");

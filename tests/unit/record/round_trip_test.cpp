@@ -38,7 +38,7 @@ TEST(RunRecordFile, GivesBackEveryFieldBitForBit) {
         }
     }
     EXPECT_EQ(in.raster.origin, out.raster.origin);
-    EXPECT_EQ(in.raster.spacing, out.raster.spacing);
+    EXPECT_EQ(in.raster.voxel, out.raster.voxel);
     EXPECT_EQ(in.raster.count, out.raster.count);
     ASSERT_EQ(in.frames.size(), out.frames.size());
     for (std::size_t f = 0; f < out.frames.size(); ++f) {

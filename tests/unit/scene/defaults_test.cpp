@@ -15,7 +15,7 @@ TEST(Defaults, FacesLieOnTheLatticeOfParticlesAndCells) {
         for (int axis = 0; axis < 3; ++axis) {
             EXPECT_TRUE(multiple(s.domain.box.min[axis], s.resolution.spacing)) << near_hull << " axis " << axis;
             EXPECT_TRUE(multiple(s.domain.box.max[axis], s.resolution.spacing)) << near_hull << " axis " << axis;
-            EXPECT_TRUE(multiple(s.sampling.raster.origin[axis], s.sampling.raster.spacing))
+            EXPECT_TRUE(multiple(s.sampling.raster.origin[axis], s.sampling.raster.voxel))
                 << near_hull << " axis " << axis;
         }
         const double n = std::log2(s.resolution.spacing / s.resolution.near_hull);
@@ -85,11 +85,11 @@ TEST(Defaults, TheBoxesFollowTheHull) {
 
 TEST(Defaults, ARasterVoxelIsTwoParticlesAndTheRasterHoldsTheWake) {
     const Scene s = scene_of(planing);
-    EXPECT_DOUBLE_EQ(s.sampling.raster.spacing, 2 * s.resolution.near_hull);
+    EXPECT_DOUBLE_EQ(s.sampling.raster.voxel, 2 * s.resolution.near_hull);
     const RasterSpec& r = s.sampling.raster;
-    const Vec3 high = r.origin + r.spacing * Vec3(r.count[0], r.count[1], r.count[2]);
+    const Vec3 high = r.origin + r.voxel * Vec3(r.count[0], r.count[1], r.count[2]);
     EXPECT_LT(r.origin.x(), s.hull->still.wet_bounds.min.x());
-    EXPECT_GE(high.x(), s.domain.box.max.x() - r.spacing);
+    EXPECT_GE(high.x(), s.domain.box.max.x() - r.voxel);
     EXPECT_LT(r.origin.z(), -s.hull->draft);
     EXPECT_GT(high.z(), s.hull->surface.bounds().max.z());
 }

@@ -61,7 +61,7 @@ double front_on_floor(const RasterSpec& raster, const RasterFrame& frame) {
         for (int k = 0; k < std::min(nz, 2); ++k)
             for (int j = 0; j < ny; ++j)
                 wet += frame.water[static_cast<std::size_t>((k * ny + j) * nx + i)] / 255.0 / ny;
-        front += std::min(1.0, wet) * raster.spacing;
+        front += std::min(1.0, wet) * raster.voxel;
         if (wet < 0.25) break;
     }
     return front;

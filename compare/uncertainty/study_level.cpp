@@ -1,4 +1,4 @@
-#include "compare/uncertainty/level.h"
+#include "compare/uncertainty/study_level.h"
 
 #include <fmt/format.h>
 
@@ -9,22 +9,22 @@
 
 namespace tw {
 
-std::vector<Level> finest_first(std::vector<Level> levels) {
+std::vector<StudyLevel> finest_first(std::vector<StudyLevel> levels) {
     if (levels.empty()) throw InputError("no level found; expected at least one pair of spacing and value");
     for (std::size_t i = 0; i < levels.size(); ++i) {
-        const Level& l = levels[i];
-        if (!std::isfinite(l.spacing) || l.spacing <= 0)
+        const StudyLevel& l = levels[i];
+        if (!std::isfinite(l.h) || l.h <= 0)
             throw InputError(
-                fmt::format("level {}: spacing {} found; expected a finite number above zero", i + 1, l.spacing));
+                fmt::format("level {}: spacing {} found; expected a finite number above zero", i + 1, l.h));
         if (!std::isfinite(l.value))
             throw InputError(fmt::format("level {} (spacing {}): value {} found; expected a finite number", i + 1,
-                                         l.spacing, l.value));
+                                         l.h, l.value));
     }
-    std::ranges::sort(levels, {}, &Level::spacing);
+    std::ranges::sort(levels, {}, &StudyLevel::h);
     for (std::size_t i = 1; i < levels.size(); ++i)
-        if (levels[i].spacing <= levels[i - 1].spacing * (1 + 1e-6))
+        if (levels[i].h <= levels[i - 1].h * (1 + 1e-6))
             throw InputError(fmt::format("two levels of spacing {} found; expected a different spacing on every level",
-                                         levels[i].spacing));
+                                         levels[i].h));
     return levels;
 }
 

@@ -5,15 +5,15 @@
 namespace tw {
 
 /// One run of a refinement study: its representative size h_i and the quantity phi_i found with it.
-struct Level {
-    double spacing = 0;  ///< h_i: cell size or particle spacing where it matters for the quantity, > 0; any one unit
+struct StudyLevel {
+    double h = 0;      ///< h_i: cell size or particle spacing where it matters for the quantity, > 0; any one unit
     double value = 0;    ///< phi_i, any unit
 };
 
 /// The levels with the finest first, as every estimator here wants them (the papers' index 1 is element 0).
 /// Throws InputError for no level, a spacing that is not a finite number above zero, a value that is not finite, and
 /// two levels of the same spacing (nearer than 1e-6 of it).
-std::vector<Level> finest_first(std::vector<Level> levels);
+std::vector<StudyLevel> finest_first(std::vector<StudyLevel> levels);
 
 /// How values behave as the spacing shrinks.
 enum class Convergence {
