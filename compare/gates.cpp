@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "compare/metrics/numerical_drag.h"
 #include "compare/read/record_numbers.h"
 #include "compare/statistics/settled_mean.h"
 
@@ -97,6 +98,14 @@ std::vector<Gate> check_gates(const RunRecord& record, const std::string& name) 
         add("spread of the force measures", "%", 100 * (high - low) / std::abs(*sum), 3,
             "pair sum, surface pressure and control volume measure one force");
     }
+    if (const auto numerical = numerical_drag(record); numerical)
+        if (const auto drag = time_mean(record, "forces", "fx"); drag && *drag != 0)
+            add("numerical drag of a closed body", "%", 100 * numerical->force / std::abs(*drag), 20,
+                fmt::format(
+                    "about {:.3g} N of the {:.3g} N are of the resolution: {:.3g} on the frontal area at {:.3g} "
+                    "spacings of thickness, where a submerged body in a flow without friction has almost none; "
+                    "only several sizes can tell what is left",
+                    numerical->force, *drag, numerical->coefficient, numerical->spacings));
     for (const CertificateLine& line : record.certificate) {
         std::string remark = fmt::format("stability certificate: worst of the whole run, at {:.4g} s", line.time);
         if (line.place.allFinite())

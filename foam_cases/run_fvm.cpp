@@ -161,7 +161,7 @@ private:
         const TimeFolders folders(case_);
         const int ranks = static_cast<int>(folders.roots().size());
         record_.attributes["ranks"] = record_.attributes["threads"] = std::to_string(ranks);
-        folders.prune(plan_.write_interval);
+        folders.prune(plan_.writes_at_steps ? 0 : plan_.write_interval);
         drop_behind_gaps(folders, programs.log("solver"));
         const auto moments = folders.moments();
         const double restart = moments.empty() ? 0 : moments.back().time;

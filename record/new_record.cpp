@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "record/code_version.h"
 #include "record/this_machine.h"
 #include "scene/hash.h"
@@ -22,6 +24,22 @@ void note_prediction(RunRecord& record, const RunOptions& options) {
     record.numbers["predicted_memory"] = options.predicted_bytes;
 }
 
+namespace {
+
+/// Cells of the mesh where still water, z = 0, crosses it: "cell x_min x_max y_min y_max" [m] of every refinement box
+/// that it crosses, one after another. Elsewhere cells have the number `spacing`.
+std::string surface_cells(const Scene& scene) {
+    std::string text;
+    for (const RefinementBox& r : scene.refinement)
+        if (r.box.min.z() <= 0 && r.box.max.z() >= 0)
+            text +=
+                fmt::format("{}{} {} {} {} {}", text.empty() ? "" : " ", scene.resolution.spacing / std::exp2(r.level),
+                            r.box.min.x(), r.box.max.x(), r.box.min.y(), r.box.max.y());
+    return text.empty() ? "none" : text;
+}
+
+}  // namespace
+
 RunRecord new_record(const Scene& scene, const std::string& method) {
     RunRecord record;
     const Vec3 reference = moment_reference(scene);
@@ -40,6 +58,7 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
         {"symmetry_factor", std::to_string(scene.symmetry_factor())},
         {"moment_reference", fmt::format("{} {} {}", reference.x(), reference.y(), reference.z())},
         {"motion", scene.motion.kind == Motion::Kind::stream ? "stream" : "none"},
+        {"surface_cells", surface_cells(scene)},
     };
     record.numbers = {
         {"spacing", scene.resolution.spacing},

@@ -41,9 +41,11 @@ std::vector<Finding> check_attitude(const Scene& scene) {
     if (bounds.max.z() <= 0) {
         findings.push_back(
             {Level::warning, "submerged",
-             fmt::format("the whole hull lies under water, its highest point {:.3g} m below the surface; "
-                         "reduce draft unless this is meant",
-                         -bounds.max.z()),
+             fmt::format(
+                 "the whole hull lies under water, its highest point {:.3g} m below the surface; "
+                 "reduce draft unless this is meant. Without friction its drag is nearly zero: what a run gives is "
+                 "mostly the resolution's",
+                 -bounds.max.z()),
              bounds.max});
     } else if (deck.wet > 0.05 * deck.all) {
         findings.push_back({Level::warning, "swamped",

@@ -15,6 +15,10 @@ double keel_entry(const Hull& hull) { return hull.still.wet_bounds.min.x(); }
 /// Lowest level whose cell does not exceed `cell`.
 int level_for(double cell, double spacing) { return static_cast<int>(std::ceil(std::log2(spacing / cell) - 1e-9)); }
 
+/// Settling of a stream after its ramp [s]. Measured: the force of a planing hull is settled one L/U after the start to
+/// within 2 %.
+double settling(const Scene& scene) { return std::max(time_scale(scene), start_up_period(scene)); }
+
 }  // namespace
 
 double default_near_hull(const Hull& hull) { return std::min(hull.beam / 20, hull.draft / 4); }
@@ -104,10 +108,17 @@ double default_ramp(const Scene& scene) {
     return scene.motion.kind == Motion::Kind::stream ? 0.3 * time_scale(scene) : 0;
 }
 
-// Measured: the force of a planing hull is settled one L/U after the start to within 2 %.
+double start_up_period(const Scene& scene) {
+    if (scene.motion.kind != Motion::Kind::stream || !scene.hull || !(scene.water.gravity > 0)) return 0;
+    const double F = froude(*scene.hull, scene.motion.speed, scene.water.gravity);
+    if (F >= 1) return 0;
+    return 8 * std::numbers::pi * std::pow(std::min(F, 0.5), 2) * time_scale(scene);
+}
+
 double default_duration(const Scene& scene) {
     const double T = time_scale(scene);
-    return scene.motion.kind == Motion::Kind::stream ? scene.motion.ramp + 3 * T : 10 * T;
+    if (scene.motion.kind != Motion::Kind::stream) return 10 * T;
+    return scene.motion.ramp + settling(scene) + std::max(2 * T, 3 * start_up_period(scene));
 }
 
 double default_interval(const Scene& scene) { return time_scale(scene) / 25; }
@@ -118,7 +129,7 @@ void fill_times(Scene& scene) {
     if (scene.run.duration == 0) scene.run.duration = default_duration(scene);
     if (scene.sampling.interval == 0) scene.sampling.interval = default_interval(scene);
     if (scene.sampling.mean_from == 0 && (stream || scene.hull))
-        scene.sampling.mean_from = stream ? scene.motion.ramp + T : 5 * T;
+        scene.sampling.mean_from = stream ? scene.motion.ramp + settling(scene) : 5 * T;
     if (scene.run.checkpoint == 0) scene.run.checkpoint = scene.run.duration / 20;
 }
 

@@ -34,7 +34,16 @@ std::vector<RefinementBox> default_refinement(const Scene& scene);
 double default_ramp(const Scene& scene);
 /// Time scale of the scene [s]: L/U in a stream with a hull, sqrt(H/g) in a tank.
 double time_scale(const Scene& scene);
-/// Simulated time that a scene is run for unless it says otherwise [s].
+/// Period of the oscillation that the start leaves in the wave resistance of a hull below Froude number 1 [s]; 0 where
+/// there is none to wait for:
+///
+///   8 pi U / g = 8 pi F^2 L/U,   the wave of frequency g / 4U, which travels with the hull (group velocity U)
+///
+/// It decays like one over time (Wehausen 1964, J. Ship Research 7(3); Calisal 1980, USNA-EW-4-80, measured it). From F
+/// = 0.5 on, where a hull begins to plane, the period of F = 0.5 is taken: three true ones are above 20 L/U.
+double start_up_period(const Scene& scene);
+/// Simulated time that a scene is run for unless it says otherwise [s]: in a stream the ramp, one L/U or start-up
+/// period, whichever is longer, to settle, and two L/U or three whole periods for the means; in a tank 10 sqrt(H/g).
 double default_duration(const Scene& scene);
 double default_interval(const Scene& scene);  ///< between samples [s]
 /// Fills what is still zero or empty in run, sampling and the sound speed; domain, resolution and motion are known.

@@ -145,7 +145,8 @@ Rows domain_keys() {
 Rows run_keys() {
     return {
         {.name = "duration", .unit = "s", .range = positive, .slot = slot(&Scene::run, &Run::duration),
-         .fallback = "ramp + 3 L/U; 10 sqrt(H/g) in a tank of water height H",
+         .fallback = "ramp + 3 L/U, below Froude number 1 at least ramp + 32 pi U/g (check tells); 10 sqrt(H/g) in a tank "
+                     "of water height H",
          .meaning = "Simulated time; a longer run of the same scene has the same hash."},
         {.name = "methods", .kind = Kind::choices, .choices = {"sph", "fvm"},
          .slot = slot(&Scene::run, &Run::methods),
@@ -165,7 +166,7 @@ Rows sampling_keys() {
          .meaning = "Time between samples (frames of the water raster, energies, probes)."},
         {.name = "mean_from", .unit = "s", .range = positive, .hashed = Hashed::scene,
          .slot = slot(&Scene::sampling, &Sampling::mean_from),
-         .fallback = "ramp + L/U; 5 sqrt(H/g) for a hull in still water; none in a tank without a hull",
+         .fallback = "ramp + L/U or 8 pi U/g, the longer; 5 sqrt(H/g) for a hull in still water; none in a tank without a hull",
          .meaning = "Settled means do not begin before this time."},
         {.name = "snapshots", .unit = "s", .range = not_negative,
          .slot = slot(&Scene::sampling, &Sampling::snapshot_interval),

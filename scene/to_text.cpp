@@ -38,6 +38,29 @@ std::string hull_text(const Hull& h) {
     return out;
 }
 
+/// What the oscillation after the start asks of the duration, and what that costs.
+std::string start_up_text(const Scene& scene, const Prediction& p) {
+    const double period = start_up_period(scene), wanted = default_duration(scene);
+    if (!(period > 0)) return {};
+    const double L_over_U = time_scale(scene), duration = scene.run.duration;
+    std::string out = fmt::format(
+        "  note      the start leaves an oscillation of {:.3g} s in the drag of a hull below Froude number 1 (8 pi "
+        "U/g, "
+        "no\n            longer than at Froude number 0.5); ",
+        period);
+    if (duration < wanted * (1 - 1e-9))
+        return out + fmt::format(
+                         "means that are waited for need about {:.3g} s of run: this\n            one may refuse "
+                         "the drag; {:.2g} times its cost would not\n",
+                         wanted, wanted / duration);
+    const double planing = scene.motion.ramp + 3 * L_over_U, rest = 1 - planing / duration;
+    if (!(rest > 0)) return out + "the run is long enough for it\n";
+    return out + fmt::format(
+                     "waiting for one and averaging over three takes {:.0f} % of this\n            run: sph {}, "
+                     "fvm {}\n",
+                     100 * rest, time_in_words(rest * p.sph_seconds), time_in_words(rest * p.fvm_seconds));
+}
+
 }  // namespace
 
 std::string to_text(const Scene& scene, const Prediction& p) {
@@ -76,6 +99,7 @@ std::string to_text(const Scene& scene, const Prediction& p) {
     out += fmt::format("run         {:.4g} s, particle sound speed {:.4g} m/s\n", scene.run.duration, scene.sph.c0);
     if (s.mean_from > 0 && scene.run.duration <= s.mean_from)
         out += "  note      the run ends before the means begin: no settled mean can be given\n";
+    out += start_up_text(scene, p);
     if (const double mach = 0.1 * default_sound_speed(scene) / scene.sph.c0; mach > 0.15)
         out += fmt::format(
             "  warning   the water moves at {:.2g} times this sound speed, which compresses it by about {:.0f} %; "

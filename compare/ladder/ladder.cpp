@@ -247,7 +247,8 @@ double measured_half_width(const RunRecord& record, const std::string& quantity)
                                                             {"wetted_length", "samples:wetted_length"}};
     std::string column;
     if (const auto known = columns.find(quantity); known != columns.end()) column = known->second;
-    for (const char* table : {"pressure", "height"})  // "pressure:P1" and "pressure_mean:P1"
+    if (quantity.find("_arrival:") != std::string::npos) return 0;  // a time, not what the column holds
+    for (const char* table : {"pressure", "height"})                // "pressure:P1" and "pressure_mean:P1"
         if (const std::size_t colon = quantity.find(':'); colon != std::string::npos && quantity.starts_with(table))
             column = table + quantity.substr(colon);
     const auto at = record.numbers.find("uncertainty:" + column);

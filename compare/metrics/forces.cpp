@@ -216,14 +216,13 @@ void add_forces(Comparison& comparison, const CompareOptions& options) {
 
 void add_wetted_length(Comparison& comparison, const CompareOptions& options) {
     Quantity q = quantity(comparison, "wetted_length", "Wetted length", "m",
-                          "length of the hull that water touches, along the keel", [&](const RunRecord& r) {
+                          "longest line along x of the hull that water touches: the keel, either keel of a catamaran",
+                          [&](const RunRecord& r) {
                               const double half_cell = 0.5 * number_of(r, "near_hull", 0);
                               MeanValue m = mean_of(r, "samples", "wetted_length", options, half_cell);
                               if (m.known && m.value == 0) {
                                   m = {};
-                                  m.why_not =
-                                      fmt::format("not measured (no wetted point within {:.3g} m of the centreline)",
-                                                  0.1 * number_of(r, "beam", 0));
+                                  m.why_not = "not measured (no part of the hull is wet)";
                                   return m;
                               }
                               if (m.known && m.half_width < half_cell) {

@@ -7,6 +7,7 @@
 
 #include "compare/align/time_bins.h"
 #include "compare/metrics/forces.h"
+#include "compare/metrics/probe_peaks.h"
 #include "compare/metrics/quantity.h"
 #include "compare/read/record_numbers.h"
 #include "compare/verdict/judge.h"
@@ -29,22 +30,54 @@ Span common_span(const std::vector<RunRecord>& sources, const std::string& table
     return span;
 }
 
-/// Highest value within the span: one that only a longer record could have seen takes no part.
-MeanValue peak(const RunRecord& record, const std::string& table, const std::string& column, const Span& span) {
-    MeanValue m;
-    m.why_not = not_given;
+/// One probe's history in one record, within the span; empty where the record has no such probe.
+struct History {
+    std::vector<double> t, x;
+};
+History history_of(const RunRecord& record, const std::string& table, const std::string& column, const Span& span) {
+    History h;
     const Column* c = record.series(table, column);
-    if (!c) return m;
+    if (!c) return h;
     const auto& time = record.tables.at(table).time;
     for (std::size_t i = 0; i < time.size(); ++i)
-        if (time[i] >= span.from && time[i] <= span.to && std::isfinite(c->values[i]) && !(m.value >= c->values[i])) {
-            m.value = c->values[i];
-            m.from = m.to = time[i];
+        if (time[i] >= span.from && time[i] <= span.to) {
+            h.t.push_back(time[i]);
+            h.x.push_back(c->values[i]);
         }
-    m.known = std::isfinite(m.value);
+    return h;
+}
+
+/// A number read off a history, without an interval of its own.
+MeanValue reading(double value, const History& history, const char* why_not) {
+    MeanValue m;
+    m.known = std::isfinite(value);
+    if (!m.known) {
+        m.why_not = history.t.empty() ? not_given : why_not;
+        return m;
+    }
+    m.value = value;
     m.half_width = 0;
-    m.why_not = m.known ? "" : "no value in the time that all records cover";
+    m.from = history.t.front(), m.to = history.t.back();
     return m;
+}
+
+double highest(const History& h) {
+    double most = std::numeric_limits<double>::quiet_NaN();
+    for (const double x : h.x)
+        if (std::isfinite(x) && !(most >= x)) most = x;
+    return most;
+}
+
+/// Shorter peaks of pressure on a wall are sound and sampling; structures of a hull answer in tens of milliseconds.
+constexpr double shortest_window = 5e-3;  // [s]
+/// Water has arrived when a tenth of what it brings has.
+constexpr double arrival_share = 0.1;
+
+/// The filter of all records: 5 ms, or the longest time between samples of any of them.
+double window_of(const Comparison& comparison) {
+    double window = shortest_window;
+    for (const RunRecord& r : comparison.sources) window = std::max(window, number_of(r, "sampling_interval", 0));
+    return window;
 }
 
 /// Root mean square of B - A over A's times that B covers, over A's range, in per cent; NaN when they share no time.
@@ -97,26 +130,60 @@ MeanValue mean_over_run(const RunRecord& record, const std::string& table, const
 }  // namespace
 
 void add_probes(Comparison& comparison, const CompareOptions& options) {
+    const double window = window_of(comparison);
     for (const std::string table : {"pressure", "height"}) {
         std::set<std::pair<std::string, std::string>> probes;  // name, unit
         for (const RunRecord& r : comparison.sources)
             if (const auto found = r.tables.find(table); found != r.tables.end())
                 for (const Column& c : found->second.columns) probes.emplace(c.name, c.unit);
         for (const auto& [name, unit] : probes) {
-            Quantity q = new_quantity(
-                fmt::format("{}:{}", table, name), fmt::format("Peak {} at {}", table, name), unit,
-                "highest value in the time that all records cover; depends on that time and on the sampling");
             const Span span = common_span(comparison.sources, table, name);
-            for (const RunRecord& r : comparison.sources) q.values.push_back(peak(r, table, name, span));
-            beside(q);
-            q.judged_in_ladder =
+            std::vector<History> histories;
+            for (const RunRecord& r : comparison.sources) histories.push_back(history_of(r, table, name, span));
+            const bool tank =
                 std::ranges::none_of(comparison.sources, [](const RunRecord& r) { return flow_through_time(r) > 0; });
-            if (q.values.size() >= 2) {
+            const auto add = [&](const std::string& kind, std::string label, const std::string& its_unit,
+                                 std::string definition, bool in_ladder, const char* why_not, auto&& value_of) {
+                Quantity q = new_quantity(fmt::format("{}{}:{}", table, kind, name), std::move(label), its_unit,
+                                          std::move(definition));
+                for (const History& h : histories) q.values.push_back(reading(value_of(h), h, why_not));
+                beside(q);
+                q.judged_in_ladder = in_ladder && tank;
+                comparison.quantities.push_back(std::move(q));
+            };
+            constexpr const char* nothing = "no value in the time that all records cover";
+            add("", fmt::format("Peak {} at {}, raw", table, name), unit,
+                "highest value in the time that all records cover: grows with the sampling rate and shows the sound of "
+                "an impact, so it is shown and not judged",
+                false, nothing, highest);
+            if (histories.size() >= 2) {
                 const double rms = rms_per_cent(comparison.sources[0], comparison.sources[1], table, name);
                 if (std::isfinite(rms))
-                    q.remark = fmt::format("histories differ by {:.2g} % of the range (root mean square)", rms);
+                    comparison.quantities.back().remark =
+                        fmt::format("histories differ by {:.2g} % of the range (root mean square)", rms);
             }
-            comparison.quantities.push_back(std::move(q));
+            add("_peak", fmt::format("Peak {} at {}, mean over {:g} ms", table, name, 1e3 * window), unit,
+                fmt::format("largest mean over {:g} ms (5 ms, or the scene's sampling interval) in the time that all "
+                            "records cover: the largest impulse over its time",
+                            1e3 * window),
+                true, "its record is shorter than the window",
+                [&](const History& h) { return largest_window_mean(h.t, h.x, window); });
+            add("_p99",
+                fmt::format("{} at {} exceeded 1 % of the time", table == "height" ? "Height" : "Pressure", name), unit,
+                "99th percentile in time, in the time that all records cover", true, nothing,
+                [](const History& h) { return time_percentile(h.t, h.x, 0.99); });
+            if (tank)
+                add("_arrival", fmt::format("Arrival at {} ({})", name, table), "s",
+                    fmt::format(
+                        "first time at which the {} has risen by a tenth of the way from its first value to its "
+                        "largest mean over {:g} ms",
+                        table, 1e3 * window),
+                    true, "nothing arrives in the time that all records cover", [&](const History& h) {
+                        const double peak = largest_window_mean(h.t, h.x, window);
+                        const double first = h.x.empty() ? peak : h.x.front();
+                        if (!(peak > first)) return std::numeric_limits<double>::quiet_NaN();
+                        return arrival_time(h.t, h.x, first + arrival_share * (peak - first));
+                    });
 
             Quantity mean =
                 new_quantity(fmt::format("{}_mean:{}", table, name), fmt::format("Mean {} at {}", table, name), unit,

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "compare/metrics/wave_surface.h"
 #include "compare/read/record_numbers.h"
 
 namespace tw {
@@ -31,19 +32,23 @@ struct Airborne {
     }
 };
 
-Airborne airborne(const RasterGrid& grid, const RasterFrame& frame, double cut_off) {
+/// `cut_off`: height per column above which water is airborne [m]. Water lies at the bottom of a voxel.
+Airborne airborne(const RasterGrid& grid, const RasterFrame& frame, const std::vector<double>& cut_off) {
     Airborne air;
-    const double voxel = std::pow(grid.spec.voxel, 3);
+    const double edge = grid.spec.voxel;
     for (int k = 0; k < grid.nz; ++k) {
-        const double low = grid.z_low(k), high = grid.z_low(k + 1);
-        if (high <= cut_off + 1e-9 * grid.spec.voxel) continue;
-        const auto first = frame.water.begin() + static_cast<std::ptrdiff_t>(grid.voxel(0, 0, k));
-        double sum = 0;
-        for (auto v = first; v != first + static_cast<std::ptrdiff_t>(grid.columns()); ++v) sum += *v / 255.0;
-        const double above = std::min(1.0, (high - cut_off) / grid.spec.voxel);  // the layer may straddle the cut-off
-        air.low.push_back(std::max(low, cut_off));
-        air.high.push_back(high);
-        air.volume.push_back(sum * above * voxel);
+        const double low = grid.z_low(k);
+        double sum = 0, lowest = grid.z_low(k + 1);
+        for (std::size_t c = 0; c < grid.columns(); ++c) {
+            const double share = frame.water[static_cast<std::size_t>(k) * grid.columns() + c] / 255.0;
+            const double above = share - std::max(0.0, (cut_off[c] - low) / edge);
+            if (above <= 1e-9) continue;
+            sum += above;
+            lowest = std::min(lowest, std::max(low, cut_off[c]));
+        }
+        air.low.push_back(lowest);
+        air.high.push_back(grid.z_low(k + 1));
+        air.volume.push_back(sum * edge * edge * edge);
         air.total += air.volume.back();
     }
     return air;
@@ -78,12 +83,18 @@ Table splash_series(const RunRecord& record, double level) {
                                    {"airborne_volume", "m3", {}},
                                    {"airborne_energy", "J", {}},
                                    {"raw_height", "m", {}}}};
+    const auto covered = under_hull(grid, record.hull);
+    const auto cells = surface_cells(record);
+    std::vector<double> cut_off(grid.columns());
     for (const RasterFrame& frame : record.frames) {
         const auto tops = sheet_tops(grid, frame, main_body(grid, frame));
-        double sheet = -std::numeric_limits<double>::infinity();
-        for (const float top : tops)
-            if (std::isfinite(top)) sheet = std::max(sheet, static_cast<double>(top));
-        const Airborne air = airborne(grid, frame, level + grid.spec.voxel);
+        const auto wave = wave_surface(grid, tops, covered, level);
+        double sheet = level;
+        for (std::size_t c = 0; c < tops.size(); ++c) {
+            cut_off[c] = double(wave[c]) + cells[c];
+            if (tops[c] > cut_off[c]) sheet = std::max(sheet, static_cast<double>(tops[c]));
+        }
+        const Airborne air = airborne(grid, frame, cut_off);
         double energy = 0;
         for (std::size_t k = 0; k < air.volume.size(); ++k)
             energy += weight * air.volume[k] * (0.5 * (air.low[k] + air.high[k]) - level);
@@ -94,7 +105,7 @@ Table splash_series(const RunRecord& record, double level) {
             if (most >= 3) raw = grid.z_low(k + 1) - level;  // 3/255 is the first share of at least 1/100
         }
         table.time.push_back(frame.time);
-        const std::array<double, 7> row{std::isfinite(sheet) ? sheet - level : nan,
+        const std::array<double, 7> row{sheet - level,
                                         air.height(0.95) - level,
                                         air.height(0.99) - level,
                                         air.height(0.999) - level,

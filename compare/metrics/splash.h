@@ -9,12 +9,14 @@ bool is_stream(const RunRecord& record);
 
 /// Splash measures of every raster frame, the same for any source because only the common raster is read. Columns:
 ///
-///   sheet_height [m]   highest connected water (sheet_tops) above still water
+///   sheet_height [m]   highest connected water (sheet_tops) that is splash, above still water; 0 where none is
 ///   p95, p99, p99_9 [m]  height above still water below which 95 / 99 / 99.9 % of the airborne water lies
 ///   airborne_volume [m3], airborne_energy [J] = rho g sum V (z - level)   times the symmetry factor
 ///   raw_height [m]     highest voxel with a water share of at least 1/100: shown, never judged
 ///
-/// Airborne is all water more than one voxel edge above still water, attached or not. Heights are NaN in frames without
+/// Splash starts above what the wave and the resolution explain: by more than the surface cell of its column
+/// (surface_cells(), a voxel or a mesh cell) above the smooth wave, which is nowhere steeper than a gravity wave can be
+/// (wave_surface()). Airborne is all water above that, attached or not. Heights p95 to p99_9 are NaN in frames without
 /// it. No height is better than half a voxel edge.
 Table splash_series(const RunRecord& record, double still_level);
 

@@ -96,20 +96,22 @@ void add_splash(Comparison& comparison, const CompareOptions& options) {
         const char *name, *label, *unit, *column, *definition;
         bool height;
     };
-    for (const Measure& m : {Measure{"splash_sheet_height", "Splash height (connected sheet)", "m", "sheet_height",
-                                     "highest water, above still water, that hangs together with the main body: voxels "
-                                     "at least half full, 26 neighbours",
-                                     true},
-                             Measure{"splash_p95", "Splash height, 95 % of airborne water", "m", "p95",
-                                     "height above still water below which 95 % of the airborne water lies", true},
-                             Measure{"splash_p99", "Splash height, 99 % of airborne water", "m", "p99",
-                                     "height above still water below which 99 % of the airborne water lies", true},
-                             Measure{"splash_p99_9", "Splash height, 99.9 % of airborne water", "m", "p99_9",
-                                     "height above still water below which 99.9 % of the airborne water lies", true},
-                             Measure{"airborne_volume", "Airborne water", "m3", "airborne_volume",
-                                     "water more than one voxel above still water, attached or not, whole hull", false},
-                             Measure{"airborne_energy", "Potential energy of airborne water", "J", "airborne_energy",
-                                     "rho g times the airborne water's volume times height", false}}) {
+    for (const Measure& m :
+         {Measure{"splash_sheet_height", "Splash height (connected sheet)", "m", "sheet_height",
+                  "height above still water of the highest splash that hangs together with the main "
+                  "body: voxels at least half full, 26 neighbours; splash stands more than a surface "
+                  "cell above the smooth wave",
+                  true},
+          Measure{"splash_p95", "Splash height, 95 % of airborne water", "m", "p95",
+                  "height above still water below which 95 % of the airborne water lies", true},
+          Measure{"splash_p99", "Splash height, 99 % of airborne water", "m", "p99",
+                  "height above still water below which 99 % of the airborne water lies", true},
+          Measure{"splash_p99_9", "Splash height, 99.9 % of airborne water", "m", "p99_9",
+                  "height above still water below which 99.9 % of the airborne water lies", true},
+          Measure{"airborne_volume", "Airborne water", "m3", "airborne_volume",
+                  "water more than a surface cell above the smooth wave, attached or not, whole hull", false},
+          Measure{"airborne_energy", "Potential energy of airborne water", "J", "airborne_energy",
+                  "rho g times the airborne water's volume times height", false}}) {
         Quantity q = new_quantity(m.name, m.label, m.unit, m.definition);
         for (std::size_t s = 0; s < comparison.sources.size(); ++s) {
             const RunRecord& record = comparison.sources[s];

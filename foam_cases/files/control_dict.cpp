@@ -111,7 +111,7 @@ std::string control_dict(const CasePlan& plan) {
            {"stopAt", Word("endTime")},
            {"endTime", plan.scene->run.duration},
            {"deltaT", plan.first_step},  // of the first step only
-           {"writeControl", Word("adjustableRunTime")},
+           {"writeControl", Word(plan.writes_at_steps ? "runTime" : "adjustableRunTime")},
            {"writeInterval", plan.write_interval},
            {"purgeWrite", 0},
            {"writeFormat", Word("binary")},

@@ -81,7 +81,8 @@ void FrameReader::read_water(const TimeFolders::Moment& moment, const SolverLog&
     const double factor = scene.symmetry_factor(), density = scene.water.density, g = std::abs(scene.water.gravity);
     double volume = 0, kinetic = 0, potential = 0, fastest = 0;
     const double frames = moment.time / (plan_.write_interval * plan_.raster_every);
-    const bool to_raster = std::abs(frames - std::round(frames)) < 1e-4 && scene.sampling.raster.voxel > 0;
+    const bool due = plan_.writes_at_steps || std::abs(frames - std::round(frames)) < 1e-4;
+    const bool to_raster = due && scene.sampling.raster.voxel > 0;
     Raster raster(scene.sampling.raster);
     for (std::size_t k = 0; k < parts_.size(); ++k) {
         const fs::path folder = folders_.roots()[k] / moment.name;

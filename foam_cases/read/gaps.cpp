@@ -54,23 +54,46 @@ std::optional<Gap> gap_in(const RunRecord& record, const std::string& table, con
                                   due.size(), kind, first)};
 }
 
+/// Rows at the steps nearest to the write times are at most an interval and a step apart. `longest` step [s].
+std::optional<Gap> apart_in(const RunRecord& record, const std::string& table, double interval, double longest,
+                            double until) {
+    const auto found = record.tables.find(table);
+    std::vector<double> rows{0};
+    if (found != record.tables.end()) rows.insert(rows.end(), found->second.time.begin(), found->second.time.end());
+    // A run ends within half a step of its duration, and its last write time may lie an interval before.
+    rows.push_back(until);
+    const double most = interval + 1.01 * longest;
+    const auto gap = std::adjacent_find(rows.begin(), rows.end(), [&](double a, double b) { return b - a > most; });
+    if (gap == rows.end()) return {};
+    return Gap{*gap + interval, fmt::format("{} has no row from t = {:.6g} to {:.6g} s, expected one every {:.6g} s",
+                                            table, *gap, *std::next(gap), interval)};
+}
+
 }  // namespace
 
 std::optional<Gap> first_gap(const CasePlan& plan, const SolverLog& log, const RunRecord& record, double until) {
     const Scene& scene = *plan.scene;
-    const std::vector<Due> steps = steps_of(log, until),
-                           writes = write_times(record.numbers.at("write_interval"), until);
+    const double interval = record.numbers.at("write_interval");
+    const std::vector<Due> steps = steps_of(log, until), writes = write_times(interval, until);
+    double longest = 0;
+    for (const SolverLog::Step& step : log.steps()) longest = std::max(longest, step.step);
     std::optional<Gap> earliest;
+    const auto keep_earlier = [&](std::optional<Gap> gap) {
+        if (gap && (!earliest || gap->time < earliest->time)) earliest = std::move(gap);
+    };
     const auto look = [&](bool wanted, const char* table, const std::vector<Due>& due, const char* kind) {
-        if (!wanted) return;
-        if (auto gap = gap_in(record, table, due, kind); gap && (!earliest || gap->time < earliest->time))
-            earliest = std::move(gap);
+        if (wanted) keep_earlier(gap_in(record, table, due, kind));
     };
     look(scene.hull.has_value(), "forces_total", steps, "time steps");
     look(!scene.sampling.pressure.empty(), "pressure", steps, "time steps");
     look(!scene.sampling.height.empty(), "height", steps, "time steps");
-    look(true, "samples", writes, "write times");
-    look(scene.hull.has_value(), "forces", writes, "write times");
+    for (const char* table : {"samples", "forces"}) {
+        if (table == std::string("forces") && !scene.hull) continue;
+        if (plan.writes_at_steps)
+            keep_earlier(apart_in(record, table, interval, longest, until));
+        else
+            look(true, table, writes, "write times");
+    }
     return earliest;
 }
 

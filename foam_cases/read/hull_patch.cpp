@@ -12,9 +12,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "meshes/query.h"
+#include "record/wetted_line.h"
 
 namespace tw {
 namespace fs = std::filesystem;
@@ -104,7 +104,7 @@ WaterLoad water_load(const HullPatch& patch, double density, double density_air,
     WaterLoad load;
     double half_beam = 0, looking_down = 0, water_below = 0;
     for (const auto& f : patch.faces) half_beam = std::max(half_beam, std::abs(f.centre.y()));
-    double first = std::numeric_limits<double>::infinity(), last = -first;
+    WettedLine line(2 * half_beam);
     for (const auto& f : patch.faces) {
         const double area = f.area.norm();
         const Vec3 pressing = f.pressure * f.area;
@@ -126,13 +126,10 @@ WaterLoad water_load(const HullPatch& patch, double density, double density_air,
             load.viscous += friction;
             load.moment += (f.centre - reference).cross(friction);
             load.wetted_area += area;
-            if (std::abs(f.centre.y()) <= 0.2 * half_beam) {
-                first = std::min(first, f.centre.x());
-                last = std::max(last, f.centre.x());
-            }
+            line.add_wet(f.centre);
         }
     }
-    load.wetted_length = std::max(0.0, last - first);
+    load.wetted_length = line.longest();
     load.ventilation = looking_down > 0 ? 1 - water_below / looking_down : 0;
     return load;
 }

@@ -39,7 +39,7 @@ struct WaterLoad {
     Vec3 air = Vec3::Zero();              ///< pressure and friction on the other faces [N]
     Vec3 moment = Vec3::Zero();           ///< of `pressure` and `viscous` about the reference [N m]
     double wetted_area = 0;               ///< of faces with water fraction > 0.5 [m2]
-    double wetted_length = 0;             ///< extent in x of those near the centre plane [m]
+    double wetted_length = 0;             ///< longest line of those along x, see record/wetted_line.h [m]
     double ventilation = 0;               ///< 1 - mean water fraction over wet faces that look down [-]
 };
 /// `density` of water [kg/m3]; `density_air` weighs the mixture's friction.

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numbers>
+
+#include "record/wetted_line.h"
 
 namespace tw {
 
@@ -12,6 +14,11 @@ SurfaceSamples::SurfaceSamples(const Surface& surface, double size, const Box& r
         const double longest = std::max({ab.norm(), ac.norm(), (ab - ac).norm()});
         const int n = std::max(1, static_cast<int>(std::ceil(longest / size)));
         const Vec3 part = surface.area_vector2(t) / (2.0 * n * n);
+        const Vec3 normal = part.normalized();
+        const double slope = std::acos(std::clamp(-normal.z(), -1.0, 1.0));
+        const double slope_along_x = std::atan2(std::abs(normal.x()), -normal.z());
+        const auto on_patch = static_cast<float>(waterline_support(slope));
+        const auto along_x = static_cast<float>(waterline_support(slope_along_x));
         // n^2 congruent triangles: those standing up, and those upside down between them
         for (int i = 0; i < n; ++i)
             for (int j = 0; i + j < n; ++j)
@@ -21,6 +28,8 @@ SurfaceSamples::SurfaceSamples(const Surface& surface, double size, const Box& r
                     if (!region.contains(p)) continue;
                     points.places.push_back(p);
                     area.push_back(part);
+                    on_patch_.push_back(on_patch);
+                    along_x_.push_back(along_x);
                     const double u = double(i) / n, v = double(j) / n, e = 1.0 / n;
                     const auto corner = [&](double x, double y) {
                         patches_.points.push_back(a + ab * x + ac * y);
@@ -38,7 +47,7 @@ Vec3 SurfaceSamples::pressure_force(const Vec3& moment_reference, Vec3& moment) 
     Vec3 force = Vec3::Zero();
     moment.setZero();
     for (std::size_t k = 0; k < area.size(); ++k) {
-        if (points.support[k] < wet) continue;
+        if (points.support[k] < has_pressure) continue;
         const Vec3 f = -double(points.p[k]) * area[k];
         force += f;
         moment += (points.places[k] - moment_reference).cross(f);
@@ -46,21 +55,22 @@ Vec3 SurfaceSamples::pressure_force(const Vec3& moment_reference, Vec3& moment) 
     return force;
 }
 
+double SurfaceSamples::waterline_support(double theta) {
+    return std::clamp(0.5 * (1 - theta / std::numbers::pi), 0.06, 0.47);
+}
+
 double SurfaceSamples::wetted_area() const {
     double sum = 0;
     for (std::size_t k = 0; k < area.size(); ++k)
-        if (points.support[k] >= wet) sum += area[k].norm();
+        if (wet(k)) sum += area[k].norm();
     return sum;
 }
 
-double SurfaceSamples::wetted_length(double half_width) const {
-    double first = std::numeric_limits<double>::infinity(), last = -first;
-    for (std::size_t k = 0; k < area.size(); ++k) {
-        if (points.support[k] < wet || std::abs(points.places[k].y()) > half_width) continue;
-        first = std::min(first, points.places[k].x());
-        last = std::max(last, points.places[k].x());
-    }
-    return std::max(0.0, last - first);
+double SurfaceSamples::wetted_length(double beam) const {
+    WettedLine line(beam);
+    for (std::size_t k = 0; k < area.size(); ++k)
+        if (points.support[k] >= along_x_[k]) line.add_wet(points.places[k]);
+    return line.longest();
 }
 
 }  // namespace tw

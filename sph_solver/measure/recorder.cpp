@@ -151,7 +151,7 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
     }
     if (hull_) {
         set(t, k, "wetted_area", "m2", factor_ * hull_->wetted_area());
-        set(t, k, "wetted_length", "m", hull_->wetted_length(0.1 * scene_.hull->beam));
+        set(t, k, "wetted_length", "m", hull_->wetted_length(scene_.hull->beam));
     }
     probe(simulation);
 }
@@ -163,8 +163,9 @@ void Recorder::probe(Simulation& simulation) {
         simulation.sample(pressure_points_);
         for (std::size_t n = 0; n < pressure_points_.places.size(); ++n)
             set(t, k, scene_.sampling.pressure[n].name.c_str(), "Pa",
-                pressure_points_.support[n] >= SurfaceSamples::wet || air_of(simulation) ? double(pressure_points_.p[n])
-                                                                                         : 0.0);
+                pressure_points_.support[n] >= SurfaceSamples::has_pressure || air_of(simulation)
+                    ? double(pressure_points_.p[n])
+                    : 0.0);
     }
     if (!height_points_.places.empty()) {
         // elevation of the water column over the floor: the integral of its share of each height
@@ -206,9 +207,8 @@ void Recorder::fill_hull_pressure(Simulation& simulation) {
     record_.hull_pressure.clear();
     record_.hull_wet.clear();
     for (std::size_t k = 0; k < hull_->area.size(); ++k) {
-        const bool wet = hull_->points.support[k] >= SurfaceSamples::wet;
-        record_.hull_wet.push_back(wet ? 1.0f : 0.0f);
-        record_.hull_pressure.push_back(wet ? hull_->points.p[k] : 0.0f);
+        record_.hull_wet.push_back(hull_->wet(k) ? 1.0f : 0.0f);
+        record_.hull_pressure.push_back(hull_->wet(k) ? hull_->points.p[k] : 0.0f);
     }
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <optional>
 #include <tuple>
 
 #include "base/errors.h"
@@ -103,6 +105,56 @@ TEST(Compare, APeakIsThatOfTheTimeThatAllRecordsCover) {
     EXPECT_NEAR(compare_records({gauge("basin", 3)}).find("pressure:P1")->values[0].value, 9000, 1);
 }
 
+/// A wall that water reaches at 1 s: 1000 Pa from then on, and at 1.2 s the sound of an impact, 46 kPa for 0.2 ms.
+RunRecord struck_wall(const std::string& method, double step, bool sound) {
+    RunRecord r = synthetic_run({.method = method, .frames = false});
+    r.attributes["motion"] = "none";
+    r.numbers["speed"] = 0, r.numbers["mean_from"] = 0, r.numbers["duration"] = 2;
+    Table& t = r.tables["pressure"];
+    t.columns = {{"P1", "Pa", {}}};
+    const auto count = std::lround(2 / step);
+    for (long k = 0; k <= count; ++k) {
+        const double time = static_cast<double>(k) * step;
+        double p = time < 1 - 1e-9 ? 0 : 1000;
+        if (sound && std::abs(time - 1.2) < 1e-9) p = 46e3;
+        t.time.push_back(time);
+        t.columns[0].values.push_back(p);
+    }
+    return r;
+}
+
+TEST(Compare, APeakIsJudgedByItsImpulseAndNotByItsSound) {
+    const Comparison c = compare_records({struck_wall("sph", 1e-4, true), struck_wall("fvm", 1e-3, false)});
+    const auto values = [&](const char* name) {
+        const Quantity* q = c.find(name);
+        EXPECT_NE(q, nullptr) << name;
+        return std::pair(q->values[0].value, q->values[1].value);
+    };
+    EXPECT_EQ(values("pressure:P1"), std::pair(46e3, 1e3));
+    EXPECT_FALSE(c.find("pressure:P1")->judged || c.find("pressure:P1")->judged_in_ladder) << "raw: by no one";
+    const auto [with_sound, without] = values("pressure_peak:P1");
+    EXPECT_NEAR(with_sound, 1000 + 45e3 * 1e-4 / 5e-3, 1) << "a triangle of 0.2 ms, over 5 ms";
+    EXPECT_NEAR(without, 1000, 1e-6);
+    EXPECT_TRUE(c.find("pressure_peak:P1")->judged_in_ladder);
+    EXPECT_NEAR(values("pressure_p99:P1").first, 1000, 1) << "0.01 % of the time";
+    EXPECT_TRUE(c.find("pressure_p99:P1")->judged_in_ladder);
+    const auto [a, b] = values("pressure_arrival:P1");
+    EXPECT_NEAR(a, 1, 1.1e-4);
+    EXPECT_NEAR(b, 1, 1.1e-3);
+    EXPECT_EQ(c.find("pressure_arrival:P1")->unit, "s");
+    EXPECT_TRUE(c.find("pressure_arrival:P1")->judged_in_ladder);
+}
+
+TEST(Compare, AProbeThatNothingReachesHasNoArrival) {
+    RunRecord dry = struck_wall("sph", 1e-3, false);
+    for (double& p : dry.tables["pressure"].columns[0].values) p = 0;
+    const Comparison c = compare_records({dry});
+    EXPECT_FALSE(c.find("pressure_arrival:P1")->values[0].known);
+    EXPECT_NE(c.find("pressure_arrival:P1")->values[0].why_not.find("nothing arrives"), std::string::npos);
+    dry.numbers["sampling_interval"] = 0.02;  // samples further apart than 5 ms widen the filter of all
+    EXPECT_NE(compare_records({dry}).find("pressure_peak:P1")->label.find("20 ms"), std::string::npos);
+}
+
 TEST(Compare, AWettedLengthOfNothingIsNotMeasured) {
     std::vector<RunRecord> dry{synthetic_run(sph), synthetic_run(fvm)};
     for (RunRecord& r : dry)
@@ -111,8 +163,7 @@ TEST(Compare, AWettedLengthOfNothingIsNotMeasured) {
     const Quantity* length = c.find("wetted_length");
     EXPECT_FALSE(length->values[0].known || length->values[1].known);
     EXPECT_EQ(length->verdict, Verdict::not_comparable);
-    EXPECT_NE(length->remark.find("not measured (no wetted point within 0.1 m of the centreline)"), std::string::npos)
-        << length->remark;
+    EXPECT_NE(length->remark.find("not measured (no part of the hull is wet)"), std::string::npos) << length->remark;
 }
 
 TEST(Compare, AWakeAsWideAsTheRasterIsTold) {
@@ -226,6 +277,30 @@ TEST(Compare, LostParticlesFailTheirGate) {
     for (const Gate& g : compare_records({leaky, synthetic_run(fvm)}).gates)
         failed = failed || (g.name == "particles lost" && !g.pass && g.value == 2);
     EXPECT_TRUE(failed);
+}
+
+TEST(Compare, DragThatTheResolutionMakesIsToldOfASubmergedBody) {
+    RunRecord torpedo = synthetic_run(fvm);  // a sphere of 0.5 m, 12.5 spacings, a metre down, 8 m/s
+    torpedo.hull = make_hull("sphere", {{"diameter", 0.5}});
+    const double top = torpedo.hull.bounds().max.z();
+    for (Vec3& p : torpedo.hull.points) p.z() -= 1.0 + top;
+    torpedo.hull_pressure.clear(), torpedo.hull_wet.clear();
+    torpedo.attributes["symmetry_factor"] = "1";
+    const auto gate = [](const RunRecord& r) -> std::optional<Gate> {
+        for (const Gate& g : check_gates(r, "fvm"))
+            if (g.name == "numerical drag of a closed body") return g;
+        return {};
+    };
+    const double numerical = 1.65 / 12.5 * 0.5 * 1000 * 64 * 0.25 * 0.25 * std::numbers::pi;  // 829 N
+    ASSERT_TRUE(gate(torpedo));
+    EXPECT_NEAR(gate(torpedo)->value, 100 * numerical / 251, 0.02 * 100 * numerical / 251);
+    EXPECT_FALSE(gate(torpedo)->pass);
+    EXPECT_NE(gate(torpedo)->remark.find("12.5 spacings"), std::string::npos) << gate(torpedo)->remark;
+    torpedo.numbers["near_hull"] = 0.001;  // 500 spacings: 21 of 251 N
+    EXPECT_TRUE(gate(torpedo)->pass);
+    for (Vec3& p : torpedo.hull.points) p.z() += 1.2;  // pierces the surface
+    EXPECT_FALSE(gate(torpedo));
+    EXPECT_FALSE(gate(synthetic_run(sph)));
 }
 
 TEST(Compare, WaterThatStaysAttachedBehindAStepIsTold) {

@@ -304,7 +304,7 @@ TEST(Ladder, AMeasuredPeakAfterTheRunsTakesNoPart) {
     std::vector<LadderRun> runs;
     for (const RunRecord& r : records) runs.push_back(ladder_run(r));
     const Ladder ladder = build_ladder(runs, {}, 0.05, {measured});
-    for (const char* name : {"pressure:P1", "pressure_mean:P1"}) {
+    for (const char* name : {"pressure_peak:P1", "pressure_mean:P1"}) {
         const auto q = std::ranges::find(ladder.quantities, name, &LadderQuantity::name);
         ASSERT_NE(q, ladder.quantities.end()) << name;
         ASSERT_FALSE(q->held.empty()) << name;

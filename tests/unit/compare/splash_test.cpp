@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "compare/metrics/elevation.h"
+#include "compare/metrics/raster_columns.h"
 #include "compare/metrics/splash.h"
 #include "meshes/generate.h"
 #include "record/raster.h"
@@ -75,6 +78,71 @@ TEST(Splash, DiagonalNeighboursHangTogether) {
                 c.raster.pour({2.05 + k * dx, 1.05 + k * dy, (k + 0.5) * edge}, edge, edge * edge * edge);
             EXPECT_NEAR(at(splash_series(c.record(), 0), "sheet_height"), 0.5, 1e-5) << dx << " " << dy;
         }
+}
+
+/// Pours water up to `height(x, y)` above z = 0, in voxels that are part-filled at their bottom.
+void pour_surface(Channel& c, auto&& height) {
+    for (double x = edge / 2; x < 4; x += edge)
+        for (double y = edge / 2; y < 2; y += edge)
+            for (double z = edge / 2; z < 1.5; z += edge) {
+                const double share = std::clamp((height(x, y) - (z - edge / 2)) / edge, 0.0, 1.0);
+                if (share > 0) c.raster.pour({x, y, z}, edge, share * edge * edge * edge);
+            }
+}
+
+TEST(Splash, AWaveIsNoneHoweverHigh) {
+    // 0.4 m high and 4 m long, slope up to 17 degrees; then the same along the diagonal.
+    for (const double across : {0.0, 1.0}) {
+        Channel c;
+        pour_surface(
+            c, [&](double x, double y) { return 0.2 + 0.2 * std::cos(2 * std::numbers::pi / 4 * (x + across * y)); });
+        const Table t = splash_series(c.record(), 0);
+        EXPECT_EQ(at(t, "airborne_volume"), 0) << across;
+        EXPECT_EQ(at(t, "sheet_height"), 0) << across;
+        EXPECT_NEAR(at(t, "raw_height"), 0.4, 0.01) << "it is there";
+    }
+}
+
+TEST(Splash, ASheetOnAWaveIsCountedFromTheWave) {
+    Channel c;
+    const auto wave = [](double x, double) { return 0.2 + 0.2 * std::cos(2 * std::numbers::pi / 4 * (x - 2)); };
+    pour_surface(c, wave);
+    c.fill({2, 1, 0.4}, {2.1, 1.5, 1.0});  // on the crest, 0.4 m
+    const Table t = splash_series(c.record(), 0);
+    EXPECT_NEAR(at(t, "sheet_height"), 1.0, 1e-5);
+    EXPECT_NEAR(at(t, "airborne_volume"), 0.1 * 0.5 * (1.0 - 0.4 - edge), 5e-4);
+}
+
+TEST(Splash, WhatAMeshSmearsOverItsSurfaceCellIsNone) {
+    Channel c;  // cells of three voxels' height, a third full over all of it
+    for (double x = edge / 2; x < 4; x += edge)
+        for (double y = edge / 2; y < 2; y += edge)
+            for (double z = edge / 2; z < 0.3; z += edge) c.raster.pour({x, y, z}, edge, 0.33 * edge * edge * edge);
+    RunRecord r = c.record();
+    // The lowest of the three layers is the wave, what the voxel above holds belongs to it, and the third is counted.
+    EXPECT_NEAR(at(splash_series(r, 0), "airborne_volume"), 4 * 2 * 0.33 * 0.1, 0.005) << "or this test sees nothing";
+    r.numbers["spacing"] = 0.3;
+    r.attributes["surface_cells"] = "none";
+    EXPECT_EQ(at(splash_series(r, 0), "airborne_volume"), 0);
+    r.attributes["surface_cells"] = "0.05 0 2 0 2";  // finer in one half: there it counts
+    EXPECT_NEAR(at(splash_series(r, 0), "airborne_volume"), 2 * 2 * 0.33 * 0.1, 0.005);
+}
+
+TEST(Splash, AHullsSideInStillWaterMakesNone) {
+    Channel full;
+    RunRecord r = full.record();
+    r.hull = make_hull("box", {{"length", 1.05}, {"beam", 0.45}, {"height", 0.4}});
+    for (Vec3& p : r.hull.points) p += Vec3(2, 1, -0.2);
+    pour_surface(full, [](double x, double) { return 0.15 * std::exp(-std::pow((x - 1.3) / 0.5, 2)); });  // a bow wave
+    r.frames = {full.raster.frame(1.0)};
+    const RasterGrid grid(r.raster);
+    const auto covered = under_hull(grid, r.hull);
+    for (int k = 3; k < grid.nz; ++k)  // the hull displaces the water from 0.2 m below still water up
+        for (std::size_t column = 0; column < grid.columns(); ++column)
+            if (covered[column]) r.frames[0].water[static_cast<std::size_t>(k) * grid.columns() + column] = 0;
+    const Table t = splash_series(r, 0);
+    EXPECT_EQ(at(t, "airborne_volume"), 0);
+    EXPECT_EQ(at(t, "sheet_height"), 0);
 }
 
 TEST(Splash, HalfModelsReportTheWholeHullsVolume) {

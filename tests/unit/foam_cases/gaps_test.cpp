@@ -71,6 +71,21 @@ TEST_F(GapsTest, WithoutAHullOrProbesNothingIsAskedOfThem) {
     EXPECT_FALSE(first_gap(tank_plan, log, record, 0.2));
 }
 
+TEST_F(GapsTest, InATankRowsFollowTheStepsAndAreMissedAllTheSame) {
+    const Scene tank = dam_break_scene();
+    const CasePlan tank_plan = plan_case(tank, Flavour{});
+    record.tables.clear();
+    std::vector<double>& rows = record.table("samples").time;
+    rows = {0.05, 0.09, 0.15, 0.2};  // 0.1 s has fallen to the step before
+    EXPECT_FALSE(first_gap(tank_plan, log, record, 0.2));
+    rows = {0.05, 0.15, 0.2};
+    const auto found = first_gap(tank_plan, log, record, 0.2);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->what, "samples has no row from t = 0.05 to 0.15 s, expected one every 0.05 s");
+    rows = {0.05, 0.1};
+    EXPECT_TRUE(first_gap(tank_plan, log, record, 0.2)) << "the end is missed";
+}
+
 TEST_F(GapsTest, WithoutALogTheWriteTimesStillCount) {
     record.tables.erase("forces_total");
     EXPECT_FALSE(first_gap(plan, SolverLog(), record, 0.2));

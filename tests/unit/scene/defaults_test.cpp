@@ -1,6 +1,7 @@
 #include "scene/defaults.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "scene_text.h"
 
@@ -92,6 +93,36 @@ TEST(Defaults, ARasterVoxelIsTwoParticlesAndTheRasterHoldsTheWake) {
     EXPECT_GE(high.x(), s.domain.box.max.x() - r.voxel);
     EXPECT_LT(r.origin.z(), -s.hull->draft);
     EXPECT_GT(high.z(), s.hull->surface.bounds().max.z());
+}
+
+TEST(Defaults, AShipsRunWaitsForTheOscillationOfItsStart) {
+    // 8 pi U / g = 8 pi F^2 L/U: at F = 0.3 2.26 L/U, one to settle and three to average over.
+    const auto at_froude = [](double F) {
+        Scene s = scene_of(planing);
+        s.motion.speed = F * std::sqrt(s.water.gravity * s.hull->length);
+        s.motion.ramp = default_ramp(s);
+        s.run.duration = s.sampling.mean_from = 0;
+        fill_times(s);
+        return s;
+    };
+    const Scene ship = at_froude(0.3);
+    const double L_over_U = ship.hull->length / ship.motion.speed;
+    const double period = 8 * std::numbers::pi * ship.motion.speed / ship.water.gravity;
+    EXPECT_NEAR(start_up_period(ship), period, 1e-12 * period);
+    EXPECT_NEAR(period / L_over_U, 2.262, 1e-3);
+    EXPECT_NEAR(ship.sampling.mean_from, ship.motion.ramp + period, 1e-9);
+    EXPECT_NEAR(ship.run.duration, ship.motion.ramp + 4 * period, 1e-9);
+    EXPECT_NE(to_text(ship, predict(ship)).find("averaging over three takes"), std::string::npos);
+    Scene brief = ship;
+    brief.run.duration = 3 * L_over_U;
+    EXPECT_NE(to_text(brief, predict(brief)).find("may refuse the drag"), std::string::npos);
+
+    const Scene slow = at_froude(0.1);  // the oscillation is over before the wake has formed
+    EXPECT_NEAR(slow.run.duration, slow.motion.ramp + 3 * slow.hull->length / slow.motion.speed, 1e-9);
+    const Scene planes = at_froude(1.2);
+    EXPECT_EQ(start_up_period(planes), 0);
+    EXPECT_NEAR(planes.run.duration, planes.motion.ramp + 3 * planes.hull->length / planes.motion.speed, 1e-9);
+    EXPECT_NEAR(start_up_period(at_froude(0.8)) * 0.8, start_up_period(at_froude(0.5)) * 0.5, 1e-9);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 // apex and still water is at z = V t. Half of it is computed, with a symmetry plane at x = 0.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -18,6 +19,7 @@
 
 #include "prism.h"
 #include "sph_solver/bodies/samples.h"
+#include "sph_solver/equations/kernel.h"
 #include "sph_solver/simulation.h"
 #include "table_of.h"
 
@@ -41,6 +43,30 @@ Exact exact_of(double deadrise_deg) {
     if (e.force == 0) throw std::runtime_error("no such wedge in the table");
     return e;
 }
+
+/// Share of a kernel's support beside a flat wall, in two dimensions: a half on it, all of it from 2h on.
+class OpenSupport {
+public:
+    explicit OpenSupport(double h) : step_(2 * h / steps) {
+        const Kernel kernel(h, 2);
+        double sum = 0.5;
+        for (int i = 0; i <= steps; ++i) {
+            share_[static_cast<std::size_t>(i)] = sum;
+            double line = 0;  // of the kernel along the wall, (i + 1/2) steps from it
+            for (int j = -steps; j < steps; ++j)
+                line += step_ * kernel.W(std::hypot((i + 0.5) * step_, (j + 0.5) * step_));
+            sum += step_ * line;
+        }
+    }
+    double at(double distance) const {
+        return share_[static_cast<std::size_t>(std::clamp(distance / step_, 0.0, double(steps)))];
+    }
+
+private:
+    static constexpr int steps = 200;
+    double step_;  ///< [m]
+    std::array<double, steps + 1> share_{};
+};
 
 /// How an entry is computed.
 struct Entry {
@@ -97,7 +123,7 @@ Found enter(const Entry& entry, const Exact& exact) {
         for (std::size_t k = 0; k < flank.places.size(); ++k) {
             const auto b = static_cast<std::size_t>(flank.places[k].z() / (V * before) / box);
             if (b >= boxes) break;
-            if (flank.support[k] > SurfaceSamples::wet) cp[b] += flank.p[k] / (0.5 * s.rho0 * V * V);
+            if (flank.support[k] > SurfaceSamples::has_pressure) cp[b] += flank.p[k] / (0.5 * s.rho0 * V * V);
             samples[b] += 1;
         }
     }
@@ -120,15 +146,20 @@ Found enter(const Entry& entry, const Exact& exact) {
     }
     f.cp_error = std::sqrt(squares / exact_squares);
 
-    // jet root: the place nearest to the symmetry plane that has no water, outside the wedge
+    // jet root: the place nearest to the symmetry plane that has no water, outside the wedge. On a free surface the
+    // water takes half of the support that the wedge leaves.
+    const OpenSupport open(s.h_over_dp * s.dp);
     PointSamples round;
     const double step = s.dp / 4;
     for (double z = 0; z < (1 + exact.y_tip) * V * until; z += step)
         for (double x = z / slope + step; x < 1.5 * root; x += step) round.places.emplace_back(x, 0, z);
     simulation.sample(round);
     f.x_root = 1e9;
-    for (std::size_t k = 0; k < round.places.size(); ++k)
-        if (round.support[k] < SurfaceSamples::wet) f.x_root = std::min(f.x_root, round.places[k].x() / (V * before));
+    for (std::size_t k = 0; k < round.places.size(); ++k) {
+        const double from_flank = (round.places[k].x() * slope - round.places[k].z()) / std::hypot(1, slope);
+        if (round.support[k] < 0.5 * open.at(from_flank))
+            f.x_root = std::min(f.x_root, round.places[k].x() / (V * before));
+    }
     return f;
 }
 

@@ -1,0 +1,97 @@
+#include "compare/metrics/probe_peaks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace tw {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Largest mean over windows inside one stretch of finite samples. The mean of a window that slides over a piecewise
+/// linear history is largest where the window begins or ends on a sample, or between two such places where both ends
+/// have one height; the first suffices within the error of the linear history itself.
+double largest_in_stretch(std::span<const double> t, std::span<const double> x, double width) {
+    std::vector<double> integral(t.size(), 0.0);
+    for (std::size_t i = 1; i < t.size(); ++i)
+        integral[i] = integral[i - 1] + (t[i] - t[i - 1]) * (x[i] + x[i - 1]) / 2;
+    const auto until = [&](double time) {
+        const auto after = std::clamp<std::ptrdiff_t>(std::ranges::upper_bound(t, time) - t.begin(), 1,
+                                                      static_cast<std::ptrdiff_t>(t.size()) - 1);
+        const auto k = static_cast<std::size_t>(after);
+        const double part = (time - t[k - 1]) / (t[k] - t[k - 1]), there = x[k - 1] + part * (x[k] - x[k - 1]);
+        return integral[k - 1] + (time - t[k - 1]) * (x[k - 1] + there) / 2;
+    };
+    double most = nan;
+    const double slack = 1e-9 * width;
+    for (std::size_t i = 0; i < t.size(); ++i)
+        for (const double from : {t[i], t[i] - width}) {
+            if (from < t.front() - slack || from + width > t.back() + slack) continue;
+            const double mean = (until(from + width) - until(from)) / width;
+            if (!(most >= mean)) most = mean;
+        }
+    return most;
+}
+
+}  // namespace
+
+double largest_window_mean(std::span<const double> t, std::span<const double> x, double width) {
+    double most = nan;
+    for (std::size_t begin = 0; begin < t.size();) {
+        if (!std::isfinite(x[begin])) {
+            ++begin;
+            continue;
+        }
+        std::size_t end = begin;
+        while (end < t.size() && std::isfinite(x[end])) ++end;
+        if (end - begin > 1) {
+            const double here = largest_in_stretch(t.subspan(begin, end - begin), x.subspan(begin, end - begin), width);
+            if (std::isfinite(here) && !(most >= here)) most = here;
+        }
+        begin = end;
+    }
+    return most;
+}
+
+double time_percentile(std::span<const double> t, std::span<const double> x, double part) {
+    // Between two samples the history spends its time evenly between their values: below v it is for the share
+    // (v - low) / (high - low). The percentile is found by halving the range.
+    std::vector<std::pair<double, std::pair<double, double>>> steps;  // duration, low, high
+    double total = 0, low = HUGE_VAL, high = -HUGE_VAL;
+    for (std::size_t i = 1; i < t.size(); ++i) {
+        if (!std::isfinite(x[i - 1]) || !std::isfinite(x[i])) continue;
+        const auto [a, b] = std::minmax(x[i - 1], x[i]);
+        steps.push_back({t[i] - t[i - 1], {a, b}});
+        total += t[i] - t[i - 1];
+        low = std::min(low, a), high = std::max(high, b);
+    }
+    if (!(total > 0)) return nan;
+    const auto below = [&](double v) {
+        double sum = 0;
+        for (const auto& [duration, ends] : steps) {
+            const auto [a, b] = ends;
+            sum += duration * (v >= b ? 1 : v <= a ? 0 : (v - a) / (b - a));
+        }
+        return sum / total;
+    };
+    for (int k = 0; k < 50; ++k) {
+        const double middle = (low + high) / 2;
+        (below(middle) < part ? low : high) = middle;
+    }
+    return high;
+}
+
+double arrival_time(std::span<const double> t, std::span<const double> x, double threshold) {
+    for (std::size_t i = 0; i < t.size(); ++i) {
+        if (!(x[i] > threshold)) continue;
+        if (i == 0 || !std::isfinite(x[i - 1])) return t[i];
+        return t[i - 1] + (t[i] - t[i - 1]) * (threshold - x[i - 1]) / (x[i] - x[i - 1]);
+    }
+    return nan;
+}
+
+}  // namespace tw

@@ -1,0 +1,20 @@
+#pragma once
+#include <span>
+
+namespace tw {
+
+// Peaks of a probe's history that can be compared. The raw maximum cannot: where water lands on a wall a weakly
+// compressible method shows the sound of it, rho c0 v, for a few steps, and any method's maximum grows with its sampling
+// rate. All take the history as linear between its samples; samples that are not finite end a stretch.
+
+/// Largest mean over a window of `width` [s]: the largest impulse that the place takes in that time, over the time.
+/// NaN where no stretch is as long.
+double largest_window_mean(std::span<const double> t, std::span<const double> x, double width);
+
+/// The value that is exceeded during the share 1 - `part` of the time. NaN with fewer than two samples.
+double time_percentile(std::span<const double> t, std::span<const double> x, double part);
+
+/// First time at which the history is above `threshold` [s]: linear between the samples. NaN where it never is.
+double arrival_time(std::span<const double> t, std::span<const double> x, double threshold);
+
+}  // namespace tw

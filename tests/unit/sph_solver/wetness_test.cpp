@@ -1,0 +1,82 @@
+// Where a hull counts as wet, against a waterline that is known: still water under a tilted plate, by geometry alone.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "sph_solver/bodies/samples.h"
+#include "sph_solver/equations/kernel.h"
+
+namespace tw {
+namespace {
+
+/// A flat plate through the origin, from 6h below still water to 6h above it, looking down at `theta` to the surface
+/// (90 degrees: upright), and how far along it the wet patches reach beyond the waterline.
+struct Plate {
+    Vec3 up;  ///< along the plate, out of the water
+    SurfaceSamples samples;
+
+    Plate(double theta, double h) : up(std::cos(theta), 0, std::sin(theta)), samples(strip(up, h), h / 8, all) {
+        // Water: z < 0 on the plate's outer side, as columns of points far finer than h.
+        const Vec3 out(std::sin(theta), 0, -std::cos(theta));
+        const Kernel kernel(h, 2);
+        const double fine = h / 8;
+        std::vector<Vec3> water;
+        for (double x = -9 * h; x < 9 * h; x += fine)
+            for (double z = -9 * h + fine / 2; z < 0; z += fine)
+                if (const Vec3 p(x, 0, z); p.dot(out) > 0) water.push_back(p);
+        for (const Vec3& place : samples.points.places) {
+            double support = 0;
+            for (const Vec3& p : water)
+                if ((p - place).squaredNorm() < 4 * h * h) support += fine * fine * kernel.W((p - place).norm());
+            samples.points.support.push_back(static_cast<float>(support));
+        }
+    }
+    /// Of the last wet patch, beyond the waterline [m].
+    double reach(auto&& wet) const {
+        double most = -1e9;
+        for (std::size_t k = 0; k < samples.area.size(); ++k)
+            if (wet(k)) most = std::max(most, samples.points.places[k].dot(up));
+        return most;
+    }
+
+private:
+    static inline const Box all{Vec3::Constant(-100), Vec3::Constant(100)};
+    /// Outward normal out of the plate's water side; as thin as a line.
+    static Surface strip(const Vec3& up, double h) {
+        const Vec3 side(0, 1e-3 * h, 0), end = 6 * h * up;
+        Surface s;
+        s.points = {-end - side, end - side, end + side, -end + side};
+        s.triangles = {{0, 2, 1}, {0, 3, 2}};
+        return s;
+    }
+};
+
+TEST(Wetness, ReachesAsFarAsTheWaterAtEveryAngle) {
+    struct Case {
+        double deg, h, most;  ///< largest error [h]; a patch is h / 8 long
+    };
+    for (const auto& [deg, h, most] :
+         {Case{5, 0.1, 0.5}, Case{5, 0.05, 0.5}, Case{10, 0.1, 0.15}, Case{20, 0.1, 0.15}, Case{30, 0.1, 0.15},
+          Case{45, 0.1, 0.15}, Case{60, 0.1, 0.15}, Case{90, 0.1, 0.15}, Case{90, 0.05, 0.15}, Case{120, 0.1, 0.15},
+          Case{150, 0.1, 0.25}}) {
+        const Plate plate(deg * std::numbers::pi / 180, h);
+        const double found = plate.reach([&](std::size_t k) { return plate.samples.wet(k); }) / h;
+        EXPECT_NEAR(found, 0, most) << deg << " degrees, h " << h;
+        // One threshold for all angles, a quarter, is right on an upright side only.
+        const double quarter = plate.reach([&](std::size_t k) { return plate.samples.points.support[k] >= 0.25f; });
+        std::printf("%5.0f deg, h %.2f: %+.2f h, with a quarter %+.2f h\n", deg, h, found, quarter / h);
+        if (deg == 5) { EXPECT_GT(quarter / h, 3.9); }
+    }
+}
+
+TEST(Wetness, OfAKeelIsItsLengthUpToTheWaterline) {
+    for (const double h : {0.1, 0.05}) {
+        const double theta = 5 * std::numbers::pi / 180;
+        const Plate plate(theta, h);
+        EXPECT_NEAR(plate.samples.wetted_length(1) / h, 6 * std::cos(theta), 0.6);
+    }
+}
+
+}  // namespace
+}  // namespace tw
