@@ -43,17 +43,17 @@ const LadderQuantity& lift_of(const Ladder& ladder) {
 
 TEST(Ladder, MethodsThatConvergeToOneValueAgreeThoughTheirFinestValuesDiffer) {
     std::vector<RunRecord> records;
-    add_family(records, "fvm", 2800, 10, 2);  // coarsest and finest mixed up on purpose: any order is accepted
-    add_family(records, "sph", 2800, 40, 2);
+    add_family(records, "fvm", 2800, 2, 2);  // coarsest and finest mixed up on purpose: any order is accepted
+    add_family(records, "sph", 2800, 24, 2);
     const Ladder ladder = ladder_of(records);
     ASSERT_EQ(ladder.sides.size(), 2u);
     EXPECT_EQ(ladder.sides[0].method, "sph");
     const LadderQuantity& lift = lift_of(ladder);
     EXPECT_EQ(lift.values[0].levels.size(), 4u);
     EXPECT_NEAR(lift.values[0].estimate.order, 2, 0.3);
-    EXPECT_NEAR(lift.difference, -30, 3);
+    EXPECT_NEAR(lift.difference, -22, 3);
     EXPECT_LT(std::hypot(lift.values[0].statistical, lift.values[1].statistical), 10);  // by these alone they differ
-    EXPECT_GT(lift.interval, 40);
+    EXPECT_GT(lift.interval, 24);
     EXPECT_EQ(lift.verdict, Verdict::agree) << lift.reason;
 }
 
@@ -106,7 +106,8 @@ TEST(Ladder, ThePriceOfADigitFollowsFromOrderAndCost) {
     const Ladder ladder = ladder_of(records);
     const CostOfAccuracy& cost = lift_of(ladder).values[0].cost;
     ASSERT_TRUE(cost.known()) << cost.why_not;
-    EXPECT_NEAR(cost.price_of_halving(), 4, 0.6);
+    EXPECT_GT(cost.price_of_halving(), 3.4);  // 4, and more for the noise that is allowed for at every size
+    EXPECT_LT(cost.price_of_halving(), 9);
     const std::string page = ladder_html(ladder);
     EXPECT_NE(page.find("What accuracy costs"), std::string::npos);
     EXPECT_NE(page.find("<svg"), std::string::npos);
@@ -170,8 +171,8 @@ TEST(Ladder, AScatterWiderThanTheTargetIsUndecidedAndItsRemedySaid) {
 }
 
 TEST(Ladder, ValuesThatScatterAgreeOrDifferLikeAnyOthers) {
-    EXPECT_EQ(lift_with_scatter(20, 2800).verdict, Verdict::agree) << lift_with_scatter(20, 2800).reason;
-    EXPECT_EQ(lift_with_scatter(20, 4500).verdict, Verdict::differ);
+    EXPECT_EQ(lift_with_scatter(10, 2800).verdict, Verdict::agree) << lift_with_scatter(10, 2800).reason;
+    EXPECT_EQ(lift_with_scatter(10, 4500).verdict, Verdict::differ);
 }
 
 TEST(Ladder, ValuesThatRunAwayAreNotConverged) {
