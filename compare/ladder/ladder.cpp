@@ -109,14 +109,14 @@ std::string remedy(const Term& term, const LadderQuantity& q, const LadderSide& 
                 "making that choice in every run costs {:.2g} times the time and leaves about {:.0f} % of the term",
                 v.run.seconds / base->seconds, 100 * (1 - 1 / v.factor));
         }
-    const CostOfAccuracy& cost = q.values[term.side].cost;
-    if (term.kind == Term::discretisation && cost.known() && std::isfinite(cost.seconds_for(needed)))
-        return fmt::format("a finer run of about {} would suffice, by the slope of this ladder",
-                           time_text(cost.seconds_for(needed)));
     if (const Estimate& e = q.values[term.side].estimate;
         term.kind == Term::discretisation && e.convergence == Convergence::scattered)
         return fmt::format("the values scatter by {} {} from size to size: sizes between these narrow the interval",
                            value_text(e.trend_noise.sigma, 0), q.unit);
+    const CostOfAccuracy& cost = q.values[term.side].cost;
+    if (term.kind == Term::discretisation && cost.known() && std::isfinite(cost.seconds_for(needed)))
+        return fmt::format("a finer run of about {} would suffice, by the slope of this ladder",
+                           time_text(cost.seconds_for(needed)));
     return {};
 }
 

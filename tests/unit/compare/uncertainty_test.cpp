@@ -248,16 +248,18 @@ TEST(Estimate, TheOrderOfTheRowsDoesNotMatter) {
     EXPECT_EQ(estimate(other).levels[0].h, 1);
 }
 
-// The mean over all 32 patterns of a disturbance of either sign on each of the five levels.
+// The mean over those of the 32 patterns of a disturbance of either sign on each of the five levels that have one.
 TEST(Estimate, MoreNoiseGivesMoreUncertainty) {
     const auto mean_uncertainty = [](double noise) {
-        double mean = 0;
+        double sum = 0;
+        int given = 0;
         for (unsigned pattern = 0; pattern < 32; ++pattern) {
             std::vector<StudyLevel> levels = power(five, 1, 0.05, 1.5);
             for (std::size_t i = 0; i < 5; ++i) levels[i].value += (pattern >> i & 1) ? noise : -noise;
-            mean += estimate(levels).uncertainty / 32;
+            if (const double U = estimate(levels).uncertainty; !std::isnan(U)) sum += U, ++given;
         }
-        return mean;
+        EXPECT_GE(given, 24) << noise;
+        return sum / given;
     };
     const double none = mean_uncertainty(0), some = mean_uncertainty(0.01), more = mean_uncertainty(0.03);
     EXPECT_GT(none, 0.05);
@@ -431,10 +433,10 @@ TEST(UncertaintyReport, ATableAndAVerdictForEveryQuantity) {
     const std::string text =
         uncertainty_text({{"drag [N]", estimate(noisy)}, {"a|b\x1b[31m", estimate(power(five, 1, 0.05, -1))}}, "h [m]");
     EXPECT_NE(text.find("\n5 levels, h [m] = 1 to 2.5; finest value 1.0511"), std::string::npos);
-    EXPECT_NE(text.find("| least squares (Eca & Hoekstra)  |      5 |  1.56 | monotone | 1.00419 | 0.0602 |   5.7"),
+    EXPECT_NE(text.find("| least squares (Eca & Hoekstra)  |      5 |  1.56 | monotone |  1.00419 | 0.0602 |   5.7"),
               std::string::npos)
         << text;
-    EXPECT_NE(text.find("drag [N]: converged (monotone, order 1.56): 1.051 +- "), std::string::npos) << text;
+    EXPECT_NE(text.find("drag [N]: converged (monotone, order 1.56): 1.05 +- 0.11 (11 %) by trend and noise"), std::string::npos) << text;
     EXPECT_NE(text.find("a\\|b?[31m: not converged (divergent)"), std::string::npos);
     EXPECT_EQ(text.find('\x1b'), std::string::npos);
 }
@@ -487,13 +489,17 @@ TEST(TrendNoise, MoreSizesNarrowTheIntervalOfValuesThatScatter) {
     std::mt19937 random(4);
     std::normal_distribution<double> normal;
     double few = 0, many = 0;
+    int given = 0;
     for (int k = 0; k < 100; ++k) {
         std::vector<StudyLevel> levels;
         for (const double h : {1.0, 1.19, 1.41, 1.68, 2.0, 2.38, 2.83, 3.36})
             levels.push_back({h, 1 + 0.03 * normal(random)});
-        many += estimate(levels).uncertainty;
-        few += estimate({levels[0], levels[2], levels[4], levels[6]}).uncertainty;
+        const double of_many = estimate(levels).uncertainty,
+                     of_few = estimate({levels[0], levels[2], levels[4], levels[6]}).uncertainty;
+        if (std::isnan(of_many + of_few)) continue;  // noise that looks like running away
+        many += of_many, few += of_few, ++given;
     }
+    EXPECT_GE(given, 80);
     EXPECT_LT(many, 0.7 * few);
 }
 
