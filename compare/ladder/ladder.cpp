@@ -43,7 +43,7 @@ LadderValue value_of(const LadderSide& side, const std::string& name) {
             continue;
         }
         known.push_back(&run);
-        v.levels.push_back({run.spacing, q->values[0].value});
+        v.levels.push_back({run.spacing, q->values[0].value, q->values[0].half_width});
         v.half_widths.push_back(q->values[0].half_width);
     }
     if (v.levels.empty()) return v;
@@ -109,16 +109,15 @@ std::string remedy(const Term& term, const LadderQuantity& q, const LadderSide& 
                 "making that choice in every run costs {:.2g} times the time and leaves about {:.0f} % of the term",
                 v.run.seconds / base->seconds, 100 * (1 - 1 / v.factor));
         }
+    if (const Estimate& e = q.values[term.side].estimate;
+        term.kind == Term::discretisation && e.convergence == Convergence::scattered)
+        return fmt::format("the values scatter by {} {} from size to size: sizes between these narrow the interval",
+                           value_text(e.trend_noise.sigma, 0), q.unit);
     const CostOfAccuracy& cost = q.values[term.side].cost;
     if (term.kind == Term::discretisation && cost.known() && std::isfinite(cost.seconds_for(needed)))
         return fmt::format("a finer run of about {} would suffice, by the slope of this ladder",
                            time_text(cost.seconds_for(needed)));
     return {};
-}
-
-/// Values that scatter by more than the target are not converged; their uncertainty is a bound.
-bool scatters(const Estimate& e, double limit) {
-    return e.convergence == Convergence::scattered && e.uncertainty > limit;
 }
 
 void judge(LadderQuantity& q, const std::vector<LadderSide>& sides, double target, double scale) {
@@ -154,13 +153,6 @@ void judge(LadderQuantity& q, const std::vector<LadderSide>& sides, double targe
         }
     q.interval = std::hypot(a.uncertainty, b.uncertainty);
     q.verdict = decide(q.difference, q.interval, target, S);
-    for (std::size_t k = 0; k < 2; ++k) {
-        if (!scatters(q.values[k].estimate, target * S)) continue;
-        q.reason = fmt::format("{}: the values scatter by more than they change from size to size; by their bound: {}",
-                               sides[k].method, verdict_label(q.verdict));
-        q.verdict = Verdict::not_converged;
-        return;
-    }
     if (q.verdict == Verdict::differ && std::abs(q.difference) <= target * S)
         q.reason = fmt::format("beyond the joint interval, yet within the target of {:g} %", 100 * target);
     if (q.verdict != Verdict::undecided) return;
@@ -219,7 +211,6 @@ Validation validate(const LadderValue& v, const MeanValue& measured, double targ
     out.verdict = Verdict::not_converged;
     if (!std::isfinite(v.uncertainty)) return out;
     out.U_val = std::hypot(v.uncertainty, measured.half_width);
-    if (scatters(v.estimate, target * std::abs(measured.value))) return out;
     out.verdict = decide(out.E, out.U_val, target, std::abs(measured.value));
     return out;
 }

@@ -78,7 +78,7 @@ struct Held {
 
 /// What a ladder says of one quantity and one method.
 struct LadderValue {
-    std::vector<StudyLevel> levels;                                      ///< the levels whose mean is known, finest first
+    std::vector<StudyLevel> levels;                                 ///< the levels whose mean is known, finest first
     std::vector<double> half_widths;                                ///< of each level's 95 % interval
     std::vector<std::string> absent;                                ///< why a level is missing, with its spacing
     double statistical = std::numeric_limits<double>::quiet_NaN();  ///< half width of the finest level's 95 % interval
@@ -116,8 +116,9 @@ struct Ladder {
 ///   E = S_1 - S_0     U^2 = sum over both methods of u^2 + U_num^2 + sum U_var^2
 ///   S = |S_0 + S_1| / 2, at least the quantity's scale
 ///
-/// A method without U_num is not converged, nor is one whose values scatter by more than the target, nor one whose U is
-/// no more than rounding; else decide.h.
+/// U_num is that of uncertainty/convergence.h: from three sizes on trend and noise, which knows each size's u as part of
+/// the noise. A method without U_num, whose values run away, is not converged, nor is one whose U is no more than
+/// rounding; else decide.h: values that scatter have an interval and a verdict like any others.
 /// Where undecided, the reason names the largest term and what it would cost to make it small enough. Throws
 /// InputError: no run, more than two methods, two runs of one method with one spacing, runs of one method that are of
 /// two families, methods with other hulls, a variation without the run that it varies.

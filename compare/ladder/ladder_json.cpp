@@ -31,8 +31,7 @@ Json json_of(const CostOfAccuracy& c) {
 Json json_of(const LadderValue& v, double size) {
     Json levels = Json::array(), sensitivities = Json::array(), seconds_to = Json::object();
     for (std::size_t i = 0; i < v.levels.size(); ++i)
-        levels.push_back(
-            {{"spacing", v.levels[i].h}, {"value", v.levels[i].value}, {"statistical", v.half_widths[i]}});
+        levels.push_back({{"spacing", v.levels[i].h}, {"value", v.levels[i].value}, {"statistical", v.half_widths[i]}});
     for (const Sensitivity& s : v.sensitivities)
         sensitivities.push_back({{"name", s.name},
                                  {"spacing", s.spacing},
@@ -51,6 +50,8 @@ Json json_of(const LadderValue& v, double size) {
             {"class", to_string(v.estimate.convergence)},
             {"resolution", v.estimate.uncertainty},
             {"method", v.estimate.method},
+            {"scatter", v.estimate.trend_noise.sigma},
+            {"eca_hoekstra", v.estimate.eca_hoekstra.uncertainty},
             {"gci", v.estimate.celik_gci.uncertainty},
             {"factor_of_safety", v.estimate.xing_stern.uncertainty},
             {"disagreement", v.estimate.disagreement},

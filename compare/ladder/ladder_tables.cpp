@@ -57,9 +57,11 @@ ReportTable ladder_verdicts(const Ladder& ladder) {
     }
     table.notes.push_back(fmt::format(
         "Finest values with 95 % intervals that include the statistical scatter of the mean, the "
-        "discretisation error (least squares of Eça and Hoekstra from four sizes on) and the runs with other "
-        "choices. Agree: the difference lies inside the joint interval, and that is at most {:g} % of the "
-        "value. Differ: it lies outside. Undecided: inside, but the interval is too wide to tell.",
+        "discretisation error (from three sizes on a fit of trend and noise, of two the grid convergence index) and "
+        "the runs with other choices. Agree: the difference lies inside the joint interval, and that is at most {:g} % "
+        "of the "
+        "value. Differ: it lies outside. Undecided: inside, but the interval is too wide to tell. Not converged: the "
+        "values of a method run away as the sizes shrink, or have no uncertainty.",
         100 * ladder.agree_within));
     return table;
 }
@@ -86,10 +88,11 @@ ReportTable ladder_held(const Ladder& ladder) {
 }
 
 ReportTable ladder_values(const Ladder& ladder) {
-    ReportTable table{"Values by size",
-                      {words("Quantity"), words("unit"), words("method"), words("values, finest first"),
-                       numbers("± of the mean"), numbers("order"), words("class"), numbers("U of the discretisation"),
-                       numbers("GCI"), numbers("factor of safety"), numbers("U"), numbers("U [%]")}};
+    ReportTable table{
+        "Values by size",
+        {words("Quantity"), words("unit"), words("method"), words("values, finest first"), numbers("± of the mean"),
+         numbers("order"), words("class"), numbers("U of the discretisation"), numbers("Eça & Hoekstra"),
+         numbers("GCI"), numbers("factor of safety"), numbers("U"), numbers("U [%]")}};
     for (const LadderQuantity& q : ladder.quantities) {
         if (!has_levels(q)) continue;
         for (std::size_t k = 0; k < q.values.size(); ++k) {
@@ -106,20 +109,25 @@ ReportTable ladder_values(const Ladder& ladder) {
             table.rows.push_back(
                 {{q.label, q.unit, method_cell(ladder, k), joined(values), uncertainty_cell(v.statistical, finest),
                   std::isfinite(e.order) ? fmt::format("{:.2f}", e.order) : "–", to_string(e.convergence),
-                  uncertainty_cell(e.uncertainty, finest), uncertainty_cell(e.celik_gci.uncertainty, finest),
-                  uncertainty_cell(e.xing_stern.uncertainty, finest), uncertainty_cell(v.uncertainty, finest),
+                  uncertainty_cell(e.uncertainty, finest), uncertainty_cell(e.eca_hoekstra.uncertainty, finest),
+                  uncertainty_cell(e.celik_gci.uncertainty, finest), uncertainty_cell(e.xing_stern.uncertainty, finest),
+                  uncertainty_cell(v.uncertainty, finest),
                   some ? fmt::format("{:.2g}", 100 * v.uncertainty / q.size) : "–"},
                  joined(remarks)});
         }
     }
-    table.notes.push_back("U: half width of the 95 % interval.");
+    table.notes.push_back(
+        "U: half width of the 95 % interval. That of the discretisation is by trend and noise from three sizes on, and "
+        "contains the scatter from size to size; the bound of Eça and Hoekstra, the grid convergence index and the "
+        "factor "
+        "of safety stand beside it and take no part.");
     return table;
 }
 
 ReportTable ladder_shares(const Ladder& ladder) {
     ReportTable table{"What the intervals are made of, in per cent of the value",
-                      {words("Quantity"), words("method"), numbers("mean"), numbers("discretisation"), numbers("GCI"),
-                       numbers("factor of safety"), words("choices")}};
+                      {words("Quantity"), words("method"), numbers("mean"), numbers("discretisation"),
+                       numbers("Eça & Hoekstra"), numbers("GCI"), numbers("factor of safety"), words("choices")}};
     for (const LadderQuantity& q : ladder.quantities)
         for (std::size_t k = 0; k < q.values.size(); ++k) {
             const LadderValue& v = q.values[k];
@@ -132,9 +140,9 @@ ReportTable ladder_shares(const Ladder& ladder) {
             std::vector<std::string> choices;
             for (const Sensitivity& s : v.sensitivities)
                 choices.push_back(s.name + ": " + (s.idle() ? "no change" : share(s.uncertainty)));
-            table.rows.push_back(
-                {{q.label, method_cell(ladder, k), share(v.statistical), share(v.estimate.uncertainty),
-                  share(v.estimate.celik_gci.uncertainty), share(v.estimate.xing_stern.uncertainty), joined(choices)}});
+            table.rows.push_back({{q.label, method_cell(ladder, k), share(v.statistical), share(v.estimate.uncertainty),
+                                   share(v.estimate.eca_hoekstra.uncertainty), share(v.estimate.celik_gci.uncertainty),
+                                   share(v.estimate.xing_stern.uncertainty), joined(choices)}});
         }
     return table;
 }

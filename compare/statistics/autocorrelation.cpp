@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <numeric>
 
+#include "compare/statistics/student_t.h"
+
 namespace tw {
 
-double integrated_autocorrelation_time(std::span<const double> x) {
+double integrated_autocorrelation_time(std::span<const double> x, int fitted) {
     const std::size_t n = x.size();
     if (n < 2) return 0.5;
     const double mean = std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(n);
@@ -22,10 +24,12 @@ double integrated_autocorrelation_time(std::span<const double> x) {
         tau += covariance(lag) / variance;
         if (static_cast<double>(lag) > 5 * tau) break;
     }
-    // Every rho up to the window is short by 2 tau / n.
-    const double shortfall = 2 * static_cast<double>(lag) / static_cast<double>(n);
+    // Every rho up to the window is short by 2 tau / n for each fitted parameter.
+    const double shortfall = 2 * fitted * static_cast<double>(lag) / static_cast<double>(n);
     tau /= std::max(0.2, 1 - shortfall);
     return std::clamp(tau, 0.5, static_cast<double>(n) / 2);
 }
+
+double correlated_t_95(double n_eff, int fitted) { return student_t_95(std::max(1.0, (n_eff - fitted) / 6)); }
 
 }  // namespace tw

@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include "compare/align/time_bins.h"
 #include "compare/statistics/autocorrelation.h"
 #include "compare/statistics/batch_means.h"
+#include "compare/statistics/drift.h"
 #include "compare/statistics/mser.h"
-#include "compare/statistics/student_t.h"
 
 namespace tw {
 
@@ -30,6 +31,35 @@ MeanValue too_short(MeanValue m, double more, const std::string& why) {
     refused.seconds_needed = more;
     refused.why_not = fmt::format("record too short: {}; about {:.2g} s more is needed", why, more);
     return refused;
+}
+
+double mean_of(std::span<const double> x) {
+    return std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
+}
+
+double allowed_error(const SettledRules& rules, double mean) {
+    return std::max(rules.largest_error * std::abs(mean), rules.allowed_error);
+}
+
+/// The mean of a window in which a trend is seen, with what the trend may still change in it. Towards x_inf as
+/// exp(-t/theta) the mean of a window T lacks x_inf by theta/T of the change over the window; theta is taken as the
+/// whole record, the slowest approach that it can show. Known where that is within what the permitted standard error
+/// makes of an interval.
+MeanValue drifting_mean(MeanValue m, double mean, const Drift& drift, double record_over_window,
+                        const SettledRules& rules) {
+    const double lacking = record_over_window * std::abs(drift.change), allowed = 2 * allowed_error(rules, mean);
+    const double record = record_over_window * (m.to - m.from);
+    m.n_effective = drift.n_effective;
+    if (!(lacking <= allowed))
+        return too_short(m, record * (allowed > 0 ? std::log(lacking / allowed) : 1),
+                         fmt::format("the series still changes by {:.2g} % of the mean in {:.2g} s, {:.2g} % allowed",
+                                     100 * lacking / std::abs(mean), record, 100 * allowed / std::abs(mean)));
+    m.known = true;
+    m.value = mean;
+    m.half_width = lacking + std::hypot(record_over_window * drift.interval,
+                                        correlated_t_95(drift.n_effective, 2) * drift.mean_error);
+    m.limited_by = "slow changes of the series";
+    return m;
 }
 
 }  // namespace
@@ -73,19 +103,23 @@ MeanValue settled_mean(std::span<const double> time, std::span<const double> val
     const std::span<const double> settled = std::span(bins).subspan(*cut);
     const double n = static_cast<double>(settled.size()), window = m.to - m.from;
 
-    double mean = 0, squares = 0;
-    for (const double v : settled) mean += v / n;
+    const double mean = mean_of(settled);
+    const bool long_enough = !(rules.flow_through > 0 && window < rules.fewest_flow_throughs * rules.flow_through);
+    const Drift drift = drift_of(settled);
+    const double record_over_window = (m.to - t.front()) / window;
+    if (drift.seen() && long_enough) return drifting_mean(m, mean, drift, record_over_window, rules);
+
+    double squares = 0;
     for (const double v : settled) squares += (v - mean) * (v - mean);
     const double tau = integrated_autocorrelation_time(settled);
     m.n_effective = n / (2 * tau);
     const double s = std::sqrt(squares / (n - 1));
     const double u = s / std::sqrt(m.n_effective);
 
-    const bool long_enough = !(rules.flow_through > 0 && window < rules.fewest_flow_throughs * rules.flow_through);
     if (m.n_effective < rules.fewest_independent && s <= resolution && long_enough) {
         m.known = true;
         m.value = mean;
-        m.half_width = 2 * s;
+        m.half_width = std::max(2 * s, record_over_window * std::abs(drift.change));
         m.limited_by = "slow changes of the series";
         return m;
     }
@@ -97,7 +131,7 @@ MeanValue settled_mean(std::span<const double> time, std::span<const double> val
         return too_short(m, rules.fewest_flow_throughs * rules.flow_through - window,
                          fmt::format("{:.2g} flow-through times after the transient, {:g} needed",
                                      window / rules.flow_through, rules.fewest_flow_throughs));
-    const double allowed = std::max(rules.largest_error * std::abs(mean), rules.allowed_error);
+    const double allowed = allowed_error(rules, mean);
     if (u > allowed)
         return too_short(m, allowed > 0 ? window * ((u / allowed) * (u / allowed) - 1) : window,
                          fmt::format("standard error {:.2g} % of the mean, {:g} % allowed", 100 * u / std::abs(mean),
@@ -105,7 +139,7 @@ MeanValue settled_mean(std::span<const double> time, std::span<const double> val
 
     const auto batch = static_cast<std::size_t>(std::min(n / 5, std::max(std::sqrt(n), 10 * tau)));
     const double second = batch_means_error(settled, batch);
-    const double t95 = student_t_95(m.n_effective - 1);
+    const double t95 = correlated_t_95(m.n_effective, 1);
     m.known = true;
     m.value = mean;
     m.half_width = t95 * u;

@@ -19,12 +19,18 @@ struct SettledRules {
 /// The mean of a series after its transient, with its 95 % interval:
 /// - rows whose value is not finite are left out; the rest is averaged into equal time bins (means are kept exactly);
 /// - transient cut by MSER-5 (statistics/mser.h);
-/// - n_eff = n / (2 tau_int), u = s / sqrt(n_eff), half width t_95(n_eff - 1) u;
+/// - a straight trend under the autocorrelated noise of the rest (statistics/drift.h). Where its change D over the window
+///   T is seen (beyond its 95 % interval), an exponential approach with a time constant of up to the whole record,
+///   T_record, lacks up to D T_record/T of its limit: the value is known where that is at most twice the permitted
+///   standard error, and its half width contains it, D's own interval and the mean's;
+/// - n_eff = n / (2 tau_int), u = s / sqrt(n_eff), half width t_95 u with the degrees of freedom that a correlated
+///   series has (correlated_t_95 in statistics/autocorrelation.h);
 /// - overlapping batch means as a second opinion: where the two differ by more than 1.5 the wider one is used and the
 ///   value is marked unreliable.
 /// A series of too few independent samples whose whole standard deviation s is within `allowed_error` or half of
-/// `largest_error` (a slow creep, a height that flickers inside one voxel) is taken as it is, +- 2 s. Not known, with
-/// the reason and about how many seconds more would do, where a rule is not met.
+/// `largest_error` (a height that flickers inside one voxel) is taken as it is, +- 2 s or D T_record/T, the larger. Not known, with the reason and
+/// about how many seconds more would do, where a rule is not met. A drift of less than about three and a half half
+/// widths over the window is not told from noise and not contained.
 MeanValue settled_mean(std::span<const double> time, std::span<const double> values, const SettledRules& rules);
 
 }  // namespace tw

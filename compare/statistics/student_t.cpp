@@ -35,13 +35,18 @@ double incomplete_beta(double a, double b, double x) {
 
 }  // namespace
 
+double student_t_cdf(double t, double degrees) {
+    // P(|T| > t) = I_{nu / (nu + t^2)}(nu / 2, 1 / 2)
+    const double beyond = 0.5 * incomplete_beta(0.5 * degrees, 0.5, degrees / (degrees + t * t));
+    return t > 0 ? 1 - beyond : beyond;
+}
+
 double student_t_95(double degrees) {
     if (!(degrees < 1e6)) return 1.959963984540054;
-    // P(|T| > t) = I_{nu / (nu + t^2)}(nu / 2, 1 / 2) falls with t.
     double low = 0, high = 1e7;
     for (int i = 0; i < 200 && high - low > 1e-12 * high; ++i) {
         const double t = 0.5 * (low + high);
-        (incomplete_beta(0.5 * degrees, 0.5, degrees / (degrees + t * t)) > 0.05 ? low : high) = t;
+        (student_t_cdf(t, degrees) < 0.975 ? low : high) = t;
     }
     return 0.5 * (low + high);
 }

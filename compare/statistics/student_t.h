@@ -6,4 +6,7 @@ namespace tw {
 /// infinity.
 double student_t_95(double degrees);
 
+/// Probability that Student's t with `degrees` (> 0) degrees of freedom is below `t` [-].
+double student_t_cdf(double t, double degrees);
+
 }  // namespace tw

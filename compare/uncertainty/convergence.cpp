@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/errors.h"
+#include "compare/uncertainty/runaway.h"
 
 namespace tw {
 
@@ -13,78 +14,45 @@ namespace {
 
 constexpr double smallest_p =
     0.5;  ///< observed order below which an oscillation counts as undamped, as in eca_hoekstra.h
-constexpr double no_order = 0.1;  ///< below which values are not told from ones that diverge
-
-struct Candidate {
-    std::string method;
-    double order, limit, uncertainty;
-};
-
-void take(Estimate& e, const Candidate& c) {
-    e.method = c.method;
-    e.order = c.order;
-    e.limit = c.limit;
-    e.uncertainty = c.uncertainty;
-}
+constexpr double no_order = 0.1;  ///< below which a change from size to size is not told from one that stays
 
 void from_one_level(Estimate& e) { e.why_not = "one level shows no change; expected two or more"; }
 
 void from_two_levels(Estimate& e) {
     e.celik_gci = two_level_gci(e.levels, e.p_th);
-    take(e, {"GCI of two levels, order assumed, Fs = 3", e.p_th, e.celik_gci.phi_ext, e.celik_gci.uncertainty});
+    e.method = "GCI of two levels, order assumed, Fs = 3";
+    e.order = e.p_th;
+    e.limit = e.celik_gci.phi_ext;
+    e.uncertainty = e.celik_gci.uncertainty;
+    const double error = std::abs(e.levels[0].value - e.limit);
+    for (const StudyLevel& l : e.levels)
+        e.uncertainties.push_back(error > 0 ? e.uncertainty * std::abs(l.value - e.limit) / error : e.uncertainty);
 }
 
-void from_three_levels(Estimate& e) {
-    e.convergence = e.celik_gci.convergence;
-    if (e.convergence == Convergence::divergent) {
-        e.why_not = e.celik_gci.why_not;
-        return;
-    }
-    const double phi1 = e.levels[0].value, phi2 = e.levels[1].value, phi3 = e.levels[2].value;
-    std::vector<Candidate> candidates;
-    const double p = e.celik_gci.p;
-    if (e.convergence == Convergence::oscillatory && p < smallest_p) {
-        // Hardly damped: an extrapolation would divide by next to nothing. The values scatter about what they tend to.
-        e.convergence = Convergence::scattered;
-        const auto [low, high] = std::minmax({phi1, phi2, phi3});
-        take(e, {"three times half the range of three levels", Estimate::nan, 0.5 * (low + high), 1.5 * (high - low)});
-        return;
-    }
-    if (e.convergence == Convergence::monotone && p < no_order) {
-        e.convergence = Convergence::divergent;
-        e.why_not = fmt::format("the changes of the three finest levels hardly shrink (observed order {:.2g})", p);
-        return;
-    }
-    if (e.celik_gci.known) candidates.push_back({"GCI", p, e.celik_gci.phi_ext, e.celik_gci.uncertainty});
-    if (e.xing_stern.known) candidates.push_back({"factor of safety", p, e.xing_stern.limit, e.xing_stern.uncertainty});
-    if (p > 1.05 * e.p_th) {
-        const CelikGci assumed = two_level_gci(e.levels, e.p_th);
-        candidates.push_back({"order of the scheme, Fs = 3", p, assumed.phi_ext, assumed.uncertainty});
-    }
-    if (e.convergence != Convergence::monotone) {
-        const double limit = e.celik_gci.known ? e.celik_gci.phi_ext : phi1;
-        candidates.push_back(
-            {"half the range", p, limit, 0.5 * (std::max({phi1, phi2, phi3}) - std::min({phi1, phi2, phi3}))});
-    }
-    take(e, *std::ranges::max_element(candidates, {}, &Candidate::uncertainty));
-    e.method += ", the widest of three levels";
+/// The class by the three finest levels alone, or by Eca & Hoekstra's fit; where their order says nothing: scattered.
+Convergence class_of(const Estimate& e) {
+    if (e.levels.size() > 3)
+        return e.eca_hoekstra.convergence == Convergence::divergent ? Convergence::scattered
+                                                                    : e.eca_hoekstra.convergence;
+    const CelikGci& g = e.celik_gci;
+    const bool oscillates = g.convergence == Convergence::oscillatory,
+               monotone = g.convergence == Convergence::monotone;
+    if ((oscillates && g.p < smallest_p) || (monotone && g.p < no_order)) return Convergence::scattered;
+    return g.convergence == Convergence::divergent ? Convergence::scattered : g.convergence;
 }
 
 void from_many_levels(Estimate& e) {
-    const EcaHoekstra& best = e.eca_hoekstra;
-    e.convergence = best.convergence;
-    e.why_not = best.why_not;
-    if (best.known) take(e, {"least squares (Eca & Hoekstra)", best.p, best.phi0, best.uncertainty});
-}
-
-std::vector<double> of_every_level(const Estimate& e) {
-    if (!std::isfinite(e.uncertainty)) return {};
-    if (e.levels.size() >= 4) return e.eca_hoekstra.uncertainties;
-    std::vector<double> U;
-    const double error = std::abs(e.levels[0].value - e.limit);
-    for (const StudyLevel& l : e.levels)
-        U.push_back(error > 0 ? e.uncertainty * std::abs(l.value - e.limit) / error : e.uncertainty);
-    return U;
+    e.why_not = why_running_away(e.levels, e.eca_hoekstra);
+    if (!e.why_not.empty()) {
+        e.convergence = Convergence::divergent;
+        return;
+    }
+    e.convergence = class_of(e);
+    e.method = "trend and noise";
+    if (e.convergence != Convergence::scattered) e.order = e.levels.size() > 3 ? e.eca_hoekstra.p : e.celik_gci.p;
+    e.limit = e.trend_noise.phi0;
+    e.uncertainty = e.trend_noise.uncertainty;
+    e.uncertainties = e.trend_noise.uncertainties;
 }
 
 double disagreement(const Estimate& e) {
@@ -110,6 +78,18 @@ std::string value_with_uncertainty(double value, double U) {
     return fmt::format("{:.{}f} +- {:.{}f}{}", value, places, U, places, share);
 }
 
+/// Two digits, without a power of ten where there is a plain form.
+std::string two_digits(double x) { return x >= 99.5 && x < 1e7 ? fmt::format("{:.0f}", x) : fmt::format("{:.2g}", x); }
+
+std::string scatter_sentence(const Estimate& e, const std::string& value) {
+    const double size = std::abs(e.levels[0].value), sigma = e.trend_noise.sigma;
+    const std::string share = size > 0 ? fmt::format(" ({:.2g} %)", 100 * sigma / size) : "";
+    const double bound = e.eca_hoekstra.uncertainty;
+    return fmt::format("no order is seen (scatter of {}{} from size to size): {} by {}{}", two_digits(sigma), share,
+                       value, e.method,
+                       std::isfinite(bound) ? "; the bound of Eca & Hoekstra is +- " + two_digits(bound) : "");
+}
+
 }  // namespace
 
 Estimate estimate(std::vector<StudyLevel> levels, double p_th) {
@@ -121,15 +101,14 @@ Estimate estimate(std::vector<StudyLevel> levels, double p_th) {
     e.eca_hoekstra = eca_hoekstra(e.levels);
     e.celik_gci = celik_gci(e.levels);
     e.xing_stern = xing_stern(e.levels, p_th);
+    e.trend_noise = trend_noise(e.levels, p_th);
     switch (e.levels.size()) {
         case 1: from_one_level(e); break;
         case 2: from_two_levels(e); break;
-        case 3: from_three_levels(e); break;
         default: from_many_levels(e);
     }
     e.converged = e.convergence == Convergence::unchanged || e.convergence == Convergence::monotone ||
                   e.convergence == Convergence::oscillatory;
-    e.uncertainties = of_every_level(e);
     e.disagreement = disagreement(e);
     return e;
 }
@@ -144,15 +123,11 @@ std::string verdict_sentence(const Estimate& e) {
     if (e.levels.size() == 2)
         return fmt::format("{} by an assumed order {:g} with Fs = 3: two levels cannot show whether it converges",
                            value, e.p_th);
+    if (e.convergence == Convergence::scattered) return scatter_sentence(e, value);
     std::string text =
-        e.convergence == Convergence::scattered
-            ? fmt::format(
-                  "not converged (scattered): {}, a bound: the values scatter by more than they change from "
-                  "size to size",
-                  value)
-            : fmt::format("converged ({}{}): {} by {}", to_string(e.convergence),
-                          std::isfinite(e.order) ? fmt::format(", order {:.2f}", e.order) : "", value, e.method);
-    if (e.disagreement > 2) text += fmt::format("; the methods differ by a factor {:.1f}", e.disagreement);
+        fmt::format("converged ({}{}): {} by {}", to_string(e.convergence),
+                    std::isfinite(e.order) ? fmt::format(", order {:.2f}", e.order) : "", value, e.method);
+    if (e.disagreement > 2) text += fmt::format("; the other methods differ by a factor {:.1f}", e.disagreement);
     return text;
 }
 

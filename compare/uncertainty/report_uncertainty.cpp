@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What the three methods have in common.
+/// What the methods have in common.
 struct MethodRow {
     std::string name;
     std::size_t levels;  ///< how many it uses
@@ -25,11 +25,13 @@ struct MethodRow {
 };
 
 std::vector<MethodRow> rows_of(const Estimate& e) {
+    const TrendNoise& trend = e.trend_noise;
     const EcaHoekstra& eca = e.eca_hoekstra;
     const CelikGci& gci = e.celik_gci;
     const XingStern& fs = e.xing_stern;
     const std::size_t n = e.levels.size();
-    return {{"least squares (Eca & Hoekstra)", n, eca.p, eca.convergence, eca.phi0, eca.uncertainty, eca.why_not},
+    return {{"trend and noise", n, Estimate::nan, e.convergence, trend.phi0, trend.uncertainty, trend.why_not},
+            {"least squares (Eca & Hoekstra)", n, eca.p, eca.convergence, eca.phi0, eca.uncertainty, eca.why_not},
             {n == 2 ? "GCI, order assumed" : "GCI (Celik)", std::min<std::size_t>(n, 3), gci.p, gci.convergence,
              gci.phi_ext, gci.uncertainty, gci.why_not},
             {"factor of safety (Xing & Stern)", std::min<std::size_t>(n, 3), fs.p, fs.convergence, fs.limit,
@@ -46,10 +48,17 @@ Json method_json(const MethodRow& m) {
     return json;
 }
 
-/// The three methods, each with its own numbers behind the common ones.
+/// The methods, each with its own numbers behind the common ones.
 Json methods_json(const Estimate& e) {
     const std::vector<MethodRow> rows = rows_of(e);
-    Json eca = method_json(rows[0]), gci = method_json(rows[1]), fs = method_json(rows[2]);
+    Json trend = method_json(rows[0]), eca = method_json(rows[1]), gci = method_json(rows[2]),
+         fs = method_json(rows[3]);
+    if (e.trend_noise.known)
+        trend.update(Json{{"scatter", e.trend_noise.sigma},
+                          {"trend_probability", e.trend_noise.trend},
+                          {"limit_interval", e.trend_noise.phi0_interval},
+                          {"finest_without_noise", e.trend_noise.phi1},
+                          {"finest_without_noise_interval", e.trend_noise.phi1_interval}});
     if (e.eca_hoekstra.known)
         eca.update(Json{{"fit", to_string(e.eca_hoekstra.fit)},
                         {"weighted", e.eca_hoekstra.weighted},
@@ -67,7 +76,7 @@ Json methods_json(const Estimate& e) {
         fs.update(Json{{"safety_factor", e.xing_stern.factor},
                        {"order_over_scheme", e.xing_stern.P},
                        {"richardson_error", e.xing_stern.delta_RE}});
-    return {{"eca_hoekstra", eca}, {"celik_gci", gci}, {"factor_of_safety", fs}};
+    return {{"trend_and_noise", trend}, {"eca_hoekstra", eca}, {"celik_gci", gci}, {"factor_of_safety", fs}};
 }
 
 }  // namespace

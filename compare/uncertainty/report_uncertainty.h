@@ -17,9 +17,9 @@ struct QuantityEstimate {
 /// and the verdict as one line.
 std::string uncertainty_text(const std::vector<QuantityEstimate>& quantities, const std::string& spacing_name);
 
-/// The same for programs: `quantities` with the three methods in `eca_hoekstra`, `celik_gci` and `factor_of_safety`,
-/// each with `order`, `limit`, `uncertainty`, `class` and what else the method knows. Where there is one quantity the
-/// three also stand at the top. Numbers that are not known are null.
+/// The same for programs: `quantities` with the methods in `trend_and_noise`, `eca_hoekstra`, `celik_gci` and
+/// `factor_of_safety`, each with `order`, `limit`, `uncertainty`, `class` and what else the method knows. Where there is one quantity
+/// they also stand at the top. Numbers that are not known are null.
 std::string uncertainty_json(const std::vector<QuantityEstimate>& quantities, const std::string& spacing_name);
 
 }  // namespace tw

@@ -17,8 +17,8 @@ std::vector<StudyLevel> finest_first(std::vector<StudyLevel> levels) {
             throw InputError(
                 fmt::format("level {}: spacing {} found; expected a finite number above zero", i + 1, l.h));
         if (!std::isfinite(l.value))
-            throw InputError(fmt::format("level {} (spacing {}): value {} found; expected a finite number", i + 1,
-                                         l.h, l.value));
+            throw InputError(
+                fmt::format("level {} (spacing {}): value {} found; expected a finite number", i + 1, l.h, l.value));
     }
     std::ranges::sort(levels, {}, &StudyLevel::h);
     for (std::size_t i = 1; i < levels.size(); ++i)

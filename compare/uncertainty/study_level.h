@@ -6,8 +6,9 @@ namespace tw {
 
 /// One run of a refinement study: its representative size h_i and the quantity phi_i found with it.
 struct StudyLevel {
-    double h = 0;      ///< h_i: cell size or particle spacing where it matters for the quantity, > 0; any one unit
-    double value = 0;    ///< phi_i, any unit
+    double h = 0;           ///< h_i: cell size or particle spacing where it matters for the quantity, > 0; any one unit
+    double value = 0;       ///< phi_i, any unit
+    double half_width = 0;  ///< of the 95 % interval of phi_i's own noise, such as a time mean's [unit of the value]
 };
 
 /// The levels with the finest first, as every estimator here wants them (the papers' index 1 is element 0).
@@ -22,7 +23,7 @@ enum class Convergence {
     monotone,     ///< towards a limit, from one side
     oscillatory,  ///< towards a limit, from alternating sides
     divergent,    ///< the changes do not die out
-    scattered     ///< the values scatter by more than they change from level to level
+    scattered     ///< scatter hides the trend: the values have an interval, and no order
 };
 /// The name of the enumerator.
 std::string to_string(Convergence convergence);

@@ -43,17 +43,17 @@ const LadderQuantity& lift_of(const Ladder& ladder) {
 
 TEST(Ladder, MethodsThatConvergeToOneValueAgreeThoughTheirFinestValuesDiffer) {
     std::vector<RunRecord> records;
-    add_family(records, "fvm", 2800, 10, 2);  // coarsest and finest mixed up on purpose: any order is accepted
-    add_family(records, "sph", 2800, 40, 2);
+    add_family(records, "fvm", 2800, 2, 2);  // coarsest and finest mixed up on purpose: any order is accepted
+    add_family(records, "sph", 2800, 24, 2);
     const Ladder ladder = ladder_of(records);
     ASSERT_EQ(ladder.sides.size(), 2u);
     EXPECT_EQ(ladder.sides[0].method, "sph");
     const LadderQuantity& lift = lift_of(ladder);
     EXPECT_EQ(lift.values[0].levels.size(), 4u);
     EXPECT_NEAR(lift.values[0].estimate.order, 2, 0.3);
-    EXPECT_NEAR(lift.difference, -30, 3);
+    EXPECT_NEAR(lift.difference, -22, 3);
     EXPECT_LT(std::hypot(lift.values[0].statistical, lift.values[1].statistical), 10);  // by these alone they differ
-    EXPECT_GT(lift.interval, 40);
+    EXPECT_GT(lift.interval, 24);
     EXPECT_EQ(lift.verdict, Verdict::agree) << lift.reason;
 }
 
@@ -106,7 +106,8 @@ TEST(Ladder, ThePriceOfADigitFollowsFromOrderAndCost) {
     const Ladder ladder = ladder_of(records);
     const CostOfAccuracy& cost = lift_of(ladder).values[0].cost;
     ASSERT_TRUE(cost.known()) << cost.why_not;
-    EXPECT_NEAR(cost.price_of_halving(), 4, 0.6);
+    EXPECT_GT(cost.price_of_halving(), 3.4);  // 4, and more for the noise that is allowed for at every size
+    EXPECT_LT(cost.price_of_halving(), 9);
     const std::string page = ladder_html(ladder);
     EXPECT_NE(page.find("What accuracy costs"), std::string::npos);
     EXPECT_NE(page.find("<svg"), std::string::npos);
@@ -145,24 +146,42 @@ TEST(Ladder, AMeasuredValueIsHeldAgainstEachMethodAndTakesNoPartInTheVerdictBetw
     EXPECT_THROW(build_ladder(runs, {}, 0.05, {other}), InputError);
 }
 
-TEST(Ladder, AScatterWiderThanTheTargetIsNotConvergedAndItsBoundIsSaid) {
+/// Two methods of the same limit, SPH's lifts moved up and down from size to size by `scatter` [N].
+LadderQuantity lift_with_scatter(double scatter, double fvm_limit) {
     std::vector<RunRecord> records;
     add_family(records, "sph", 2800, 10, 2);
-    add_family(records, "fvm", 2800, 10, 2);
+    add_family(records, "fvm", fvm_limit, 10, 2);
     std::vector<LadderRun> runs;
     for (const RunRecord& r : records) runs.push_back(ladder_run(r));
     double sign = 1;
     for (LadderRun& run : runs)
         if (run.method == "sph")
             for (Quantity& q : run.quantities)
-                if (q.name == "lift") q.values[0].value += 300 * (sign = -sign);
-    const LadderQuantity lift = lift_of(build_ladder(runs));
+                if (q.name == "lift") q.values[0].value += scatter * (sign = -sign);
+    return lift_of(build_ladder(runs));
+}
+
+TEST(Ladder, AScatterWiderThanTheTargetIsUndecidedAndItsRemedySaid) {
+    const LadderQuantity lift = lift_with_scatter(300, 2800);
     EXPECT_EQ(lift.values[0].estimate.convergence, Convergence::scattered);
-    EXPECT_EQ(lift.verdict, Verdict::not_converged);
-    EXPECT_NE(lift.reason.find("sph: the values scatter"), std::string::npos) << lift.reason;
-    EXPECT_NE(lift.reason.find("by their bound"), std::string::npos) << lift.reason;
-    EXPECT_EQ(lift.held.front().validations[0].verdict, Verdict::not_converged);
+    EXPECT_EQ(lift.verdict, Verdict::undecided);
+    EXPECT_NE(lift.reason.find("sizes between these narrow the interval"), std::string::npos) << lift.reason;
+    EXPECT_EQ(lift.held.front().validations[0].verdict, Verdict::undecided);
     EXPECT_TRUE(std::isfinite(lift.interval));
+}
+
+TEST(Ladder, ValuesThatScatterAgreeOrDifferLikeAnyOthers) {
+    EXPECT_EQ(lift_with_scatter(10, 2800).verdict, Verdict::agree) << lift_with_scatter(10, 2800).reason;
+    EXPECT_EQ(lift_with_scatter(10, 4500).verdict, Verdict::differ);
+}
+
+TEST(Ladder, ValuesThatRunAwayAreNotConverged) {
+    std::vector<RunRecord> records;
+    add_family(records, "sph", 2800, 300, -1);
+    add_family(records, "fvm", 2800, 10, 2);
+    const LadderQuantity lift = lift_of(ladder_of(records));
+    EXPECT_EQ(lift.verdict, Verdict::not_converged);
+    EXPECT_NE(lift.reason.find("do not die out"), std::string::npos) << lift.reason;
 }
 
 TEST(Ladder, TheReportNamesTheMethodOfEachUncertaintyAndTheOthersBesideIt) {
@@ -173,7 +192,8 @@ TEST(Ladder, TheReportNamesTheMethodOfEachUncertaintyAndTheOthersBesideIt) {
     ladder.left_out = {"sph at 0.02 m: beyond the budget"};
     const std::string text = ladder_text(ladder), page = ladder_html(ladder);
     for (const std::string& out : {text, page}) {
-        EXPECT_NE(out.find("by least squares (Eca &"), std::string::npos) << out;
+        EXPECT_NE(out.find("by trend and noise"), std::string::npos) << out;
+        EXPECT_NE(out.find("Eça"), std::string::npos);
         EXPECT_NE(out.find("two levels cannot show whether it converges"), std::string::npos);
         EXPECT_NE(out.find("with Fs = 3"), std::string::npos);
         EXPECT_NE(out.find("GCI"), std::string::npos);

@@ -209,9 +209,13 @@ TEST(Estimate, SmoothValuesGiveBackTheirLimitAndOrderByEveryMethod) {
             EXPECT_TRUE(e.converged);
             EXPECT_EQ(e.convergence, Convergence::monotone);
             for (const double order : {e.order, e.celik_gci.p, e.xing_stern.p}) EXPECT_NEAR(order, p, 1e-4);
-            for (const double limit : {e.limit, e.celik_gci.phi_ext, e.xing_stern.limit}) EXPECT_NEAR(limit, 100, 1e-7);
+            for (const double limit : {e.eca_hoekstra.phi0, e.celik_gci.phi_ext, e.xing_stern.limit})
+                EXPECT_NEAR(limit, 100, 1e-7);
             const double error = 0.05 * std::pow(0.01, p);
-            EXPECT_NEAR(e.uncertainty / error, 1.25, 1e-3);
+            EXPECT_GT(e.uncertainty / error, 1);  // the headline reckons with any order from one to two
+            EXPECT_LT(e.uncertainty / error, 8);
+            EXPECT_LT(std::abs(e.limit - 100), 2 * error);
+            EXPECT_NEAR(e.eca_hoekstra.uncertainty / error, 1.25, 1e-3);
             EXPECT_NEAR(e.celik_gci.uncertainty / error, 1.25, 1e-3);
             EXPECT_NEAR(e.xing_stern.uncertainty / error, 2.45 - 0.85 * p / 2, 1e-3);
         }
@@ -244,21 +248,23 @@ TEST(Estimate, TheOrderOfTheRowsDoesNotMatter) {
     EXPECT_EQ(estimate(other).levels[0].h, 1);
 }
 
-// The mean over all 32 patterns of a disturbance of either sign on each of the five levels.
+// The mean over those of the 32 patterns of a disturbance of either sign on each of the five levels that have one.
 TEST(Estimate, MoreNoiseGivesMoreUncertainty) {
     const auto mean_uncertainty = [](double noise) {
-        double mean = 0;
+        double sum = 0;
+        int given = 0;
         for (unsigned pattern = 0; pattern < 32; ++pattern) {
             std::vector<StudyLevel> levels = power(five, 1, 0.05, 1.5);
             for (std::size_t i = 0; i < 5; ++i) levels[i].value += (pattern >> i & 1) ? noise : -noise;
-            mean += estimate(levels).uncertainty / 32;
+            if (const double U = estimate(levels).uncertainty; !std::isnan(U)) sum += U, ++given;
         }
-        return mean;
+        EXPECT_GE(given, 24) << noise;
+        return sum / given;
     };
-    const double none = mean_uncertainty(0), little = mean_uncertainty(0.002), more = mean_uncertainty(0.006);
-    EXPECT_NEAR(none, 0.0625, 1e-8);
-    EXPECT_GT(little, 1.03 * none);
-    EXPECT_GT(more, 1.1 * little);
+    const double none = mean_uncertainty(0), some = mean_uncertainty(0.01), more = mean_uncertainty(0.03);
+    EXPECT_GT(none, 0.05);
+    EXPECT_GT(some, none);
+    EXPECT_GT(more, 1.2 * some);
 }
 
 // The interval is meant to hold the true value in 95 of 100 cases; see eca_hoekstra.h on where it does not.
@@ -279,8 +285,8 @@ TEST(Estimate, TheIntervalHoldsTheTruthInMostNoisyStudies) {
 
 TEST(Estimate, DivergentValuesHaveNoUncertaintyAndThatIsNoError) {
     for (const std::vector<StudyLevel>& levels : {power(five, 1, 0.05, -1), power({1, 2, 4}, 1, 0.05, -1),
-                                             study({1, 2, 4, 8}, {1.0, 1.1, 1.2, 1.3}),  // as the logarithm of h
-                                             study({1, 2, 4}, {1.0, 1.3, 1.2})}) {
+                                                  study({1, 2, 4, 8}, {1.0, 1.1, 1.2, 1.3}),  // as the logarithm of h
+                                                  study({1, 2, 4}, {1.0, 1.3, 1.4})}) {
         const Estimate e = estimate(levels);
         EXPECT_EQ(e.convergence, Convergence::divergent);
         EXPECT_FALSE(e.converged);
@@ -298,22 +304,20 @@ TEST(Estimate, OscillatoryValues) {
     EXPECT_FALSE(three.xing_stern.known);
     EXPECT_NEAR(three.order, 1, 1e-9);  // 1 + 0.01 (-1)^k h
     EXPECT_NEAR(three.celik_gci.uncertainty, 0.0375, 1e-9);
-    EXPECT_NEAR(three.uncertainty, 0.0375, 1e-9);  // wider than half the range, 0.03
-    // Half the range is the wider one where the changes die out fast.
-    EXPECT_NEAR(estimate(study({1, 2, 4}, {1.001, 0.98, 1.04})).uncertainty, 0.03, 1e-9);
+    EXPECT_GT(three.uncertainty, 0.03);  // half the range, the bound of the ITTC
     EXPECT_EQ(estimate(study({1, 2, 4, 8}, {1.01, 0.98, 1.04, 0.92})).convergence, Convergence::oscillatory);
 }
 
-TEST(Estimate, ThreeLevelsTakeTheWidest) {
+TEST(Estimate, ThreeLevelsKeepARoomForWhatTheyCannotShow) {
     const Estimate e = estimate(celik_monotone);
     EXPECT_FALSE(e.eca_hoekstra.known);
-    EXPECT_EQ(e.uncertainty, e.xing_stern.uncertainty);
+    EXPECT_EQ(e.method, "trend and noise");
+    EXPECT_EQ(e.uncertainty, e.trend_noise.uncertainty);
     EXPECT_GT(e.uncertainty, e.celik_gci.uncertainty);
-    EXPECT_NE(e.method.find("factor of safety"), std::string::npos);
-    EXPECT_NEAR(e.limit, 6.16850, 5e-6);
-    // An order of 10 is luck: 3 |eps21|/(2^2 - 1) stands instead of next to nothing.
+    EXPECT_NEAR(e.limit, 6.16850, 0.1);
+    // An order of 10 is luck: the factor of safety says next to nothing, the headline a third of the last change.
     const Estimate lucky = estimate(power({1, 2, 4}, 1, 1e-4, 10));
-    EXPECT_NEAR(lucky.uncertainty, 1e-4 * 1023, 1e-9);
+    EXPECT_GT(lucky.uncertainty, 1e-4 * 1023 / 3);
     EXPECT_LT(lucky.xing_stern.uncertainty, 0.1 * lucky.uncertainty);
 }
 
@@ -429,18 +433,17 @@ TEST(UncertaintyReport, ATableAndAVerdictForEveryQuantity) {
     const std::string text =
         uncertainty_text({{"drag [N]", estimate(noisy)}, {"a|b\x1b[31m", estimate(power(five, 1, 0.05, -1))}}, "h [m]");
     EXPECT_NE(text.find("\n5 levels, h [m] = 1 to 2.5; finest value 1.0511"), std::string::npos);
-    EXPECT_NE(text.find("| least squares (Eca & Hoekstra)  |      5 |  1.56 | monotone | 1.00419 | 0.0602 |   5.7"),
+    EXPECT_NE(text.find("| least squares (Eca & Hoekstra)  |      5 |  1.56 | monotone |  1.00419 | 0.0602 |   5.7"),
               std::string::npos)
         << text;
-    EXPECT_NE(text.find("drag [N]: converged (monotone, order 1.56): 1.051 +- 0.060 (5.7 %)"), std::string::npos)
-        << text;
+    EXPECT_NE(text.find("drag [N]: converged (monotone, order 1.56): 1.05 +- 0.11 (11 %) by trend and noise"), std::string::npos) << text;
     EXPECT_NE(text.find("a\\|b?[31m: not converged (divergent)"), std::string::npos);
     EXPECT_EQ(text.find('\x1b'), std::string::npos);
 }
 
 TEST(UncertaintyReport, KeysForPrograms) {
     const auto one = nlohmann::json::parse(uncertainty_json({{"value", estimate(noisy)}}, "h"));
-    for (const char* method : {"eca_hoekstra", "celik_gci", "factor_of_safety"}) {
+    for (const char* method : {"trend_and_noise", "eca_hoekstra", "celik_gci", "factor_of_safety"}) {
         for (const char* key : {"order", "limit", "uncertainty", "class"}) {
             EXPECT_TRUE(one.at(method).contains(key)) << method << " " << key;
             EXPECT_EQ(one.at(method).at(key), one.at("quantities").at(0).at(method).at(key));
@@ -455,23 +458,106 @@ TEST(UncertaintyReport, KeysForPrograms) {
     EXPECT_EQ(two["quantities"][1]["converged"], false);
 }
 
-TEST(Uncertainty, AnUndampedOscillationHasABoundOfItsRangeAndIsNotConverged) {
-    const Estimate e = estimate({{0.02, 0.298675851}, {0.028, 0.299230466}, {0.04, 0.298675293}});
+// ---- trend and noise
+
+/// Student's t of a straight line through three points by hand: the posterior of phi0 where one set has all weight.
+TEST(TrendNoise, AStraightLineWithLittleNoiseIsExtrapolatedToItsEnd) {
+    const TrendNoise t = trend_noise(study(five, {1.0501, 1.0624, 1.0751, 1.0999, 1.1251}), 2);  // 1 + 0.05 h +- 1e-4
+    ASSERT_TRUE(t.known);
+    EXPECT_NEAR(t.phi0, 1, 0.01);
+    EXPECT_GT(t.trend, 0.99);
+    EXPECT_NEAR(t.phi1, 1.05, 0.005);
+    EXPECT_GT(t.uncertainty, 0.05);
+    EXPECT_LT(t.uncertainty, 0.1);
+}
+
+TEST(TrendNoise, TheLiftsOfThePrismGetAnIntervalOfTheSizeOfTheirScatter) {
+    std::vector<StudyLevel> levels;  // docs/results/planing_prism.md, SPH
+    for (const auto& [per_beam, lift] : std::vector<std::pair<double, double>>{
+             {12, 3347}, {14, 3249}, {16, 3261}, {18, 3353}, {20, 3280}, {24, 3359}, {28, 2974}, {40, 3134}})
+        levels.push_back({1 / per_beam, lift});
+    const Estimate e = estimate(levels);
+    EXPECT_EQ(e.convergence, Convergence::scattered);
+    EXPECT_LT(e.uncertainty, 0.11 * 3134);
+    EXPECT_GT(e.uncertainty, 0.05 * 3134);
+    EXPECT_GT(e.eca_hoekstra.uncertainty, 3 * e.uncertainty);
+    EXPECT_NEAR(e.trend_noise.sigma, 130, 50);
+    EXPECT_NE(verdict_sentence(e).find("the bound of Eca & Hoekstra is +- "), std::string::npos) << verdict_sentence(e);
+}
+
+TEST(TrendNoise, MoreSizesNarrowTheIntervalOfValuesThatScatter) {
+    std::mt19937 random(4);
+    std::normal_distribution<double> normal;
+    double few = 0, many = 0;
+    int given = 0;
+    for (int k = 0; k < 100; ++k) {
+        std::vector<StudyLevel> levels;
+        for (const double h : {1.0, 1.19, 1.41, 1.68, 2.0, 2.38, 2.83, 3.36})
+            levels.push_back({h, 1 + 0.03 * normal(random)});
+        const double of_many = estimate(levels).uncertainty,
+                     of_few = estimate({levels[0], levels[2], levels[4], levels[6]}).uncertainty;
+        if (std::isnan(of_many + of_few)) continue;  // noise that looks like running away
+        many += of_many, few += of_few, ++given;
+    }
+    EXPECT_GE(given, 80);
+    EXPECT_LT(many, 0.7 * few);
+}
+
+TEST(TrendNoise, TheNoiseThatIsKnownIsALowerBoundOfTheScatter) {
+    std::vector<StudyLevel> levels = study(five, {1, 1.0001, 1, 1.0001, 1});  // nearly equal by chance
+    const double alone = estimate(levels).uncertainty;
+    for (StudyLevel& l : levels) l.half_width = 0.0196;  // a standard error of 0.01
+    const Estimate e = estimate(levels);
+    EXPECT_LT(alone, 0.001);
+    EXPECT_GT(e.uncertainty, 0.0196 / std::sqrt(5.0));
+    EXPECT_NEAR(e.trend_noise.sigma, 0.01, 1e-6);
+}
+
+TEST(TrendNoise, TheUncertaintyOfTheLevelsFollowsTheTrendAndStaysWhereThereIsOnlyScatter) {
+    const Estimate smooth = estimate(power({1, 1.41, 2, 2.83}, 1, 0.05, 2)),
+                   scatter = estimate(study({1, 1.41, 2, 2.83}, {1.01, 0.98, 1.02, 0.99}));
+    EXPECT_GT(smooth.uncertainties[3] / smooth.uncertainties[0], 3);
+    EXPECT_LT(scatter.uncertainties[3] / scatter.uncertainties[0], 2);
+}
+
+// ---- families that had foolish answers
+
+TEST(Uncertainty, ValuesThatScatterByATenthOfAPercentGetAnIntervalOfThatSize) {
+    const Estimate e = estimate({{0.02, 0.298675851}, {0.028, 0.299230466}, {0.04, 0.298675293}});  // was +- 230 %
     EXPECT_EQ(e.convergence, Convergence::scattered);
     EXPECT_FALSE(e.converged);
-    EXPECT_NEAR(e.uncertainty, 1.5 * (0.299230466 - 0.298675293), 1e-12);
-    EXPECT_TRUE(verdict_sentence(e).starts_with("not converged (scattered): 0.29868 +- 0.00083 (0.28 %)"))
-        << verdict_sentence(e);
+    EXPECT_NEAR(e.trend_noise.sigma / 0.2987, 0.0012, 0.0006);
+    EXPECT_GT(e.uncertainty, 0.299230466 - 0.298675293);
+    EXPECT_LT(e.uncertainty, 0.006 * 0.2987);
+    EXPECT_TRUE(verdict_sentence(e).starts_with("no order is seen (scatter of 0.0")) << verdict_sentence(e);
     // One that is damped is still oscillatory convergence.
     EXPECT_EQ(estimate({{1, 1.0}, {2, 1.1}, {4, 0.7}}).convergence, Convergence::oscillatory);
 }
 
-TEST(Uncertainty, ChangesThatHardlyShrinkAreNoConvergence) {
-    const Estimate e = estimate({{1, 1.0}, {2, 1.1}, {4, 1.2005}});  // p = 0.007, U by the GCI 25
-    EXPECT_EQ(e.convergence, Convergence::divergent);
-    EXPECT_FALSE(std::isfinite(e.uncertainty));
-    EXPECT_NE(verdict_sentence(e).find("hardly shrink"), std::string::npos) << verdict_sentence(e);
+TEST(Uncertainty, ChangesThatHardlyShrinkHaveAnIntervalThatHoldsTheirContinuation) {
+    for (const double coarsest : {1.2, 1.2005}) {  // p = 0 and 0.007, where the GCI says 25
+        const Estimate e = estimate({{1, 1.0}, {2, 1.1}, {4, coarsest}});
+        EXPECT_EQ(e.convergence, Convergence::scattered);
+        EXPECT_GT(e.uncertainty, 0.1);  // one more change of the same size
+        EXPECT_LT(e.uncertainty, 0.6);
+    }
     EXPECT_TRUE(estimate({{1, 1.0}, {2, 1.1}, {4, 1.22}}).converged);
+}
+
+TEST(Uncertainty, OnlyWhatRunsAwayIsRefused) {
+    EXPECT_EQ(estimate(study({1, 2, 4}, {1.0, 1.3, 1.2})).convergence, Convergence::scattered);  // to and fro
+    EXPECT_EQ(estimate(study({1, 2, 4}, {1.0, 1.3, 1.4})).convergence, Convergence::divergent);  // three times faster
+    std::mt19937 random(9);
+    std::normal_distribution<double> normal;
+    int refused_three = 0, refused_five = 0;
+    for (int k = 0; k < 400; ++k) {
+        std::vector<StudyLevel> levels;
+        for (const double h : five) levels.push_back({h, 1 + 0.01 * normal(random)});
+        refused_five += std::isnan(estimate(levels).uncertainty);
+        refused_three += std::isnan(estimate({levels[0], levels[2], levels[4]}).uncertainty);
+    }
+    EXPECT_LT(refused_five, 20);
+    EXPECT_LT(refused_three, 60);
 }
 
 }  // namespace

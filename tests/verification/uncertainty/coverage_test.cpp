@@ -1,0 +1,55 @@
+#include <gtest/gtest.h>
+
+#include "tests/verification/uncertainty/coverage.h"
+
+namespace tw::test {
+namespace {
+
+const std::vector<Estimated>& manufactured() {
+    static const std::vector<Estimated> all = estimate_all(manufactured_families(4, 20));
+    return all;
+}
+
+// 95 % is meant; below 90 it would be too sure, at 99 and above of no use.
+TEST(Coverage, TheHeadlineHoldsTheTruthIn90To99PercentOfTheManufacturedFamilies) {
+    const Coverage c = coverage_of(manufactured(), estimators[0]);
+    EXPECT_GT(c.families, 1000u);
+    EXPECT_GT(c.share_given(), 90);
+    EXPECT_GE(c.share_held(), 90);
+    EXPECT_LT(c.share_held(), 99);
+}
+
+TEST(Coverage, AtEveryNoiseAndNumberOfSizes) {
+    for (const double noise : {0.1, 0.3, 1.0, 3.0}) {
+        const Coverage c =
+            coverage_of(manufactured(), estimators[0], [&](const Estimated& e) { return e.family.noise == noise; });
+        EXPECT_GE(c.share_held(), 90) << noise;
+    }
+    for (const std::size_t n : {3u, 4u, 5u, 6u, 8u}) {
+        const Coverage c =
+            coverage_of(manufactured(), estimators[0], [&](const Estimated& e) { return e.family.levels.size() == n; });
+        EXPECT_GE(c.share_held(), 90) << n;
+        EXPECT_LT(c.share_held(), 100) << n;
+    }
+}
+
+// Noise of three times the finest error: the bound of Eca & Hoekstra is what made every page "not converged".
+TEST(Coverage, WhereValuesScatterTheHeadlineIsHalfAsWideAsTheBoundOfEcaAndHoekstra) {
+    const auto scatters = [](const Estimated& e) { return e.family.noise == 3 && e.family.levels.size() > 4; };
+    const Coverage headline = coverage_of(manufactured(), estimators[0], scatters),
+                   bound = coverage_of(manufactured(), estimators[1], scatters);
+    EXPECT_LT(headline.median_width(), 0.5 * bound.median_width());
+    EXPECT_GE(headline.share_held(), 90);
+}
+
+// Solved by the project's own methods, answer known: three sizes or more.
+TEST(Coverage, TheExactCasesAreHeldInNineOfTen) {
+    const std::vector<Estimated> exact = estimate_all(exact_families(TWINWAKE_TEST_DATA "/exact_families.csv"));
+    EXPECT_GE(exact.size(), 30u);
+    const Coverage c = coverage_of(exact, estimators[0], [](const Estimated& e) { return e.family.levels.size() > 2; });
+    EXPECT_GE(c.families, 20u);
+    EXPECT_GE(c.share_held(), 90);
+}
+
+}  // namespace
+}  // namespace tw::test

@@ -1,0 +1,78 @@
+#include "tests/verification/uncertainty/known_families.h"
+
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <random>
+#include <sstream>
+#include <stdexcept>
+
+namespace tw::test {
+
+namespace {
+
+struct Trend {
+    std::string name;
+    std::function<double(double x, int i)> f;
+};
+
+const std::vector<Trend> trends{
+    {"h", [](double x, int) { return x; }},
+    {"h^1.5", [](double x, int) { return std::pow(x, 1.5); }},
+    {"h^2", [](double x, int) { return x * x; }},
+    {"h and h^2", [](double x, int) { return (x + x * x) / 2; }},
+    {"2h - h^2/4", [](double x, int) { return 2 * x - x * x / 4; }},
+    {"oscillation", [](double x, int i) { return i % 2 ? -x : x; }},
+    {"none", [](double, int) { return 0.0; }},
+};
+
+const double root2 = std::sqrt(2.0);
+const std::vector<std::vector<double>> sizes{
+    {1, root2, 2},
+    {1, root2, 2, 2 * root2},
+    {1, 1.25, 1.5, 2, 2.5},
+    {1, 1.25, 1.5, 1.9, 2.4, 3},
+    {1, 40 / 28.0, 40 / 24.0, 2, 40 / 18.0, 2.5, 40 / 14.0, 40 / 12.0},
+};
+
+}  // namespace
+
+std::vector<KnownFamily> manufactured_families(int repetitions, unsigned seed) {
+    constexpr double error = 0.02;
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal;
+    std::vector<KnownFamily> families;
+    for (const Trend& trend : trends)
+        for (const double noise : {0.0, 0.1, 0.3, 1.0, 3.0})
+            for (const bool grows : {false, true})
+                for (const std::vector<double>& x : sizes)
+                    for (int r = 0; r < (noise > 0 ? repetitions : 1); ++r) {
+                        if (noise == 0 && (grows || trend.name == "none")) continue;
+                        KnownFamily family{.name = {}, .trend = trend.name, .noise = noise, .levels = {}, .truth = 1};
+                        for (std::size_t i = 0; i < x.size(); ++i) {
+                            const double e = noise * (grows ? x[i] : 1) * normal(random);
+                            family.levels.push_back({x[i], 1 + error * (trend.f(x[i], static_cast<int>(i)) + e)});
+                        }
+                        families.push_back(std::move(family));
+                    }
+    return families;
+}
+
+std::vector<KnownFamily> exact_families(const std::filesystem::path& csv) {
+    std::ifstream file(csv);
+    if (!file) throw std::runtime_error(csv.string() + ": cannot be read; expected the table of tests/data");
+    std::vector<KnownFamily> families;
+    std::string line;
+    for (std::getline(file, line); std::getline(file, line);) {
+        std::stringstream row(line);
+        std::string name, page, spacings, value, exact;
+        std::getline(row, name, ','), std::getline(row, page, ','), std::getline(row, spacings, ',');
+        std::getline(row, value, ','), std::getline(row, exact, ',');
+        if (families.empty() || families.back().name != name)
+            families.push_back({.name = name, .trend = {}, .noise = 0, .levels = {}, .truth = std::stod(exact)});
+        families.back().levels.push_back({1 / std::stod(spacings), std::stod(value)});
+    }
+    return families;
+}
+
+}  // namespace tw::test
