@@ -29,7 +29,7 @@ AxisCells split_axis(double low, double high, double spacing, std::vector<double
 /// A closed surface that is cut out of the mesh.
 struct Solid {
     std::string name;  ///< patch, and constant/triSurface/<name>.stl
-    const Surface* surface = nullptr;
+    Surface surface;
     bool is_hull = false;
 };
 

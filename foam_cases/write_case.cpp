@@ -20,7 +20,7 @@ void write_case(const CasePlan& plan, const fs::path& folder, int ranks) {
     }
     write_text_atomically(folder / "case.foam", "");  // what ParaView opens
     for (const Solid& s : plan.solids)
-        write_stl(folder / "constant/triSurface" / (s.name + ".stl"), *s.surface, s.name);
+        write_stl(folder / "constant/triSurface" / (s.name + ".stl"), s.surface, s.name);
 }
 
 std::string changed_file(const CasePlan& plan, const fs::path& folder) {

@@ -174,7 +174,7 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
     }
     if (setup->control_volume) {
         simulation->set_control_volume(*setup->control_volume);
-        simulation->control_volume()->make_faces(scene.resolution.near_hull);
+        simulation->control_volume()->make_faces(scene.resolution.near_hull, scene.domain.dimensions);
     }
     fresh.attributes["threads"] = std::to_string(threads);
     fresh.attributes["isa"] = simulation->passes().isa;
