@@ -65,10 +65,16 @@ PlaningPlate planing_plate(double alpha, double J) {
 }
 
 std::optional<PlaningPlate> planing_plate_at(double alpha, double z_te) {
-    // The deeper the edge, the larger J: bisection in ln(J - 1).
-    double low = std::log(1e-6), high = std::log(1e9);
+    // From the largest J down, in ln(J - 1), to where the edge stands above z_te; then bisection.
     const auto at = [&](double l) { return planing_plate(alpha, 1 + std::exp(l)); };
-    if (!(at(low).z_te > z_te) || !(at(high).z_te < z_te)) return {};
+    double high = std::log(1e9);
+    if (!(at(high).z_te < z_te)) return {};
+    double low = high;
+    while (!(at(low).z_te > z_te)) {
+        high = low;
+        low -= 0.5;
+        if (low < std::log(1e-6)) return {};
+    }
     for (int i = 0; i < 50; ++i) {
         const double middle = 0.5 * (low + high);
         (at(middle).z_te > z_te ? low : high) = middle;

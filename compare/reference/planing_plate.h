@@ -27,7 +27,8 @@ struct PlaningPlate {
 };
 /// `alpha`: from 0 to pi/2 [rad]; `J` > 1: the parameter of the family.
 PlaningPlate planing_plate(double alpha, double J);
-/// The plate whose trailing edge stands at z_te [H]; nothing where no J between 1 + 1e-6 and 1e9 gives it.
+/// The plate whose trailing edge stands at z_te [H]; of two (an edge above the surface can draw a thick or a thin jet) the
+/// one with the thicker jet. Nothing where no J between 1 + 1e-6 and 1e9 gives it.
 std::optional<PlaningPlate> planing_plate_at(double alpha, double z_te);
 
 /// Lift and drag by this solution for a record of this flow: two dimensions, no gravity, a stream, and a hull whose wet
