@@ -108,10 +108,19 @@ void plan_probes(CasePlan& plan) {
     }
 }
 
+/// How often cells are halved along a section's surface. With none the stream does not leave the trailing edge of a plate:
+/// it turns round it into the cell behind (docs/results/planing_plate.md).
+constexpr int section_levels = 2;
+
 void plan_refinement(CasePlan& plan) {
     const Scene& scene = *plan.scene;
-    if (scene.domain.dimensions == 2)
-        return;  // one cell thick: snappyHexMesh would split it; background_cell is fine already
+    if (scene.domain.dimensions == 2) {  // cells of one size, but at the hull: its edges need more
+        if (!scene.hull) return;
+        plan.surface_level = plan.feature_level = section_levels;
+        plan.extrude = plan.surface_level > 0;  // snappyHexMesh halves the slab across as well
+        plan.finest_cell = plan.background_cell / std::pow(2.0, plan.surface_level);
+        return;
+    }
     const double ratio = plan.background_cell / scene.resolution.near_hull;
     plan.wet_level = ratio > 1 ? static_cast<int>(std::lround(std::log2(ratio))) : 0;
     int reached = 0;

@@ -143,9 +143,9 @@ Surface section_prism(const Surface& closed, double span) {
     }
     if (prism.points.empty()) {
         const Box box = closed.bounds();
-        throw InputError(fmt::format(
-            "there is no section with the plane y = 0: the surface spans y from {:.6g} to {:.6g} m", box.min.y(),
-            box.max.y()));
+        throw InputError(
+            fmt::format("there is no section with the plane y = 0: the surface spans y from {:.6g} to {:.6g} m",
+                        box.min.y(), box.max.y()));
     }
     return prism;
 }

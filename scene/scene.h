@@ -35,7 +35,7 @@ struct Hull {
     /// Two dimensions: the surface is the section with the plane y = 0, drawn out to a span of one metre. Volumes and
     /// areas are then per metre of span, and so is everything that a run reports.
     bool section = false;
-    bool half = false;   ///< symmetric about y = 0: one half is solved, results are for the whole
+    bool half = false;  ///< symmetric about y = 0: one half is solved, results are for the whole
     double trim = 0, heel = 0, draft = 0;
     double length = 0, beam = 0;  ///< of the posed bounding box; of a section the beam is its metre of span
     MassProperties mass;

@@ -212,10 +212,9 @@ void add_forces(Comparison& comparison, const CompareOptions& options) {
           Beside{"ventilation", "Ventilation index", "-", "samples", "ventilation",
                  "share of air in what touches the wet part of the hull; friction is low in proportion"},
           Beside{"wetted_area", "Wetted area", "m2", "samples", "wetted_area", "area of the hull that water touches"}})
-        add_beside(comparison, quantity(comparison, b.name, b.label, *b.unit == '-' ? b.unit : unit(b.unit), b.definition,
-                                        [&](const RunRecord& r) {
-                                            return mean_of(r, b.table, b.column, options, HUGE_VAL);
-                                        }));
+        add_beside(comparison,
+                   quantity(comparison, b.name, b.label, *b.unit == '-' ? b.unit : unit(b.unit), b.definition,
+                            [&](const RunRecord& r) { return mean_of(r, b.table, b.column, options, HUGE_VAL); }));
     add_sph_measures(comparison, options, unit("N"));
 }
 

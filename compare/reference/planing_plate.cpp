@@ -92,8 +92,8 @@ std::vector<Reference> planing_plate_references(const RunRecord& record) {
     const std::optional<PlaningPlate> plate = planing_plate_at(s.trim, -hull->draft / depth);
     if (!plate) return {};
     const double N = plate->force * s.density * s.speed * s.speed * depth;
-    const std::string remark = fmt::format(
-        "exact for an endless plate, without air; jet {:.4g} m thick", plate->delta * depth);
+    const std::string remark =
+        fmt::format("exact for an endless plate, without air; jet {:.4g} m thick", plate->delta * depth);
     const auto reference = [&](const char* quantity, double value) {
         return Reference{quantity, "N/m", "free streamlines", value, 0, remark, true};
     };

@@ -79,7 +79,8 @@ void FrameReader::read(const TimeFolders::Moment& moment, const SolverLog& log, 
 
 void FrameReader::read_water(const TimeFolders::Moment& moment, const SolverLog& log, RunRecord& record) const {
     const Scene& scene = *plan_.scene;
-    const double factor = scene.symmetry_factor() / scene.span(), density = scene.water.density, g = std::abs(scene.water.gravity);
+    const double factor = scene.symmetry_factor() / scene.span(), density = scene.water.density,
+                 g = std::abs(scene.water.gravity);
     double volume = 0, kinetic = 0, potential = 0, fastest = 0;
     const double frames = moment.time / (plan_.write_interval * plan_.raster_every);
     const bool to_raster = std::abs(frames - std::round(frames)) < 1e-4 && scene.sampling.raster.voxel > 0;
@@ -140,8 +141,8 @@ void FrameReader::read_hull(const TimeFolders::Moment& moment, RunRecord& record
         const double edge = plan_.finest_cell;
         const Surface& all = scene.hull->surface;
         const Surface hull = scene.hull->section ? with_span(all, scene.span()) : all;
-        const double error = mesh_error(*patch, hull, half ? -1e-6 * edge : low.y(),
-                                        std::max(0.0, 0.3 * std::abs(low.z())));
+        const double error =
+            mesh_error(*patch, hull, half ? -1e-6 * edge : low.y(), std::max(0.0, 0.3 * std::abs(low.z())));
         record.numbers["hull_mesh_error"] = error;
         if (error > 0.15 * edge)
             record.attributes["mesh_warning"] = fmt::format(

@@ -59,7 +59,8 @@ void Recorder::after_step(Simulation& simulation, bool frame) {
         const Vec3 whole(factor_, factor_ == 2 ? 0 : 1, factor_);  // a half model's sideways forces cancel
         const auto put = [&](const char* part, const Vec3& f) {
             const Vec3 force = f.cwiseProduct(whole);
-            for (int a = 0; a < 3; ++a) set(t, row, fmt::format("f{}{}", "xyz"[a], part), per_span("N"), force[a] + 0.0);
+            for (int a = 0; a < 3; ++a)
+                set(t, row, fmt::format("f{}{}", "xyz"[a], part), per_span("N"), force[a] + 0.0);
         };
         put("", load.force);
         put("_pressure", load.force - load.friction);

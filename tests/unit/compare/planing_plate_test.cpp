@@ -40,7 +40,7 @@ TEST(PlaningPlate, EqualsTheIndependentTableBothWays) {
 /// What a run of studies/planing_plate.toml leaves, as far as the reference reads it.
 RunRecord plate_record(const char* shape = "plate") {
     RunRecord r;
-    r.numbers = {{"dimensions", 2}, {"gravity", 0}, {"depth", 1},         {"speed", 10},
+    r.numbers = {{"dimensions", 2}, {"gravity", 0}, {"depth", 1},          {"speed", 10},
                  {"density", 1000}, {"heel", 0},    {"trim", 30 * degree}, {"draft", 0.101338}};
     r.hull = section_prism(posed(make_hull(shape, {}), {.trim = 30 * degree, .draft = 0.101338}));
     return r;

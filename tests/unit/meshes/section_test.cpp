@@ -46,9 +46,7 @@ TEST(Section, WhatHasNoneIsRefusedAndSaysWhere) {
     const auto words = [](const Surface& s) {
         try {
             section_prism(s);
-        } catch (const InputError& e) {
-            return std::string(e.what());
-        }
+        } catch (const InputError& e) { return std::string(e.what()); }
         return std::string();
     };
     EXPECT_NE(words(box_surface({Vec3(0, 1, 0), Vec3(1, 2, 1)})).find("y from 1 to 2 m"), std::string::npos);

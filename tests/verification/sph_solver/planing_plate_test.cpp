@@ -66,9 +66,8 @@ double by_hand(double from, double to) {
     s.stream = Stream{10, 0.05, std::ceil(2 * s.h_over_dp + 2) * s.dp};
     s.threads = 1;
     const double L = 4, d = 0.3, c = std::cos(alpha), a = std::sin(alpha);
-    s.bodies = {
-        prism_along_y({{-L * c, z_te + L * a}, {0, z_te}, {d * a, z_te + d * c}, {-L * c + d * a, z_te + L * a + d * c}},
-                      30)};
+    s.bodies = {prism_along_y(
+        {{-L * c, z_te + L * a}, {0, z_te}, {d * a, z_te + d * c}, {-L * c + d * a, z_te + L * a + d * c}}, 30)};
     Box water = s.domain;
     water.max.z() = 0;
     water.min.x() -= s.stream->buffer;
