@@ -185,7 +185,7 @@ gravity = "off"
 near_hull = "0.1 m"
 [domain]
 dimensions = 2
-x = ["-5 m", "3 m"]
+x = ["-7 m", "3 m"]
 z = ["-1 m", "2.3 m"]
 [run]
 duration = "6 s"
