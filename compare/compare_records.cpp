@@ -12,6 +12,7 @@
 #include "compare/metrics/splash_quantities.h"
 #include "compare/read/prepare.h"
 #include "compare/read/record_numbers.h"
+#include "compare/reference/planing_plate.h"
 #include "compare/reference/prismatic_hull.h"
 
 namespace tw {
@@ -96,7 +97,7 @@ void add_savitsky(Comparison& comparison) {
     std::optional<PrismaticHull> hull;
     for (const RunRecord& record : comparison.sources)
         if (!hull) hull = prismatic_hull(record);
-    if (!hull) return;
+    if (!hull || number_of(comparison.sources.front(), "dimensions", 3) == 2) return;
     const Savitsky s = savitsky_at_draft(hull->state, hull->draft);
     // a hull that would have to be longer than it is does not plane on a prism
     const auto length = comparison.sources.front().numbers.find("length");
@@ -117,6 +118,16 @@ void add_savitsky(Comparison& comparison) {
         add("drag", s.pressure_drag, range + "; pressure part only, as the runs have no friction");
     comparison.references.push_back({"wetted_length", "m", source, s.keel_wetted_length, 0.1 * s.keel_wetted_length,
                                      "of the keel, from the draft alone", true});
+}
+
+void add_planing_plate(Comparison& comparison) {
+    // The first surface that is a clean plate, as above.
+    for (const RunRecord& record : comparison.sources) {
+        std::vector<Reference> of_plate = planing_plate_references(record);
+        if (of_plate.empty()) continue;
+        std::ranges::move(of_plate, std::back_inserter(comparison.references));
+        return;
+    }
 }
 
 }  // namespace
@@ -155,6 +166,7 @@ Comparison compare_records(std::vector<RunRecord> sources, const CompareOptions&
     add_elevation(comparison, options);
     add_probes(comparison, options);
     add_savitsky(comparison);
+    add_planing_plate(comparison);
     for (std::size_t i = 0; i < comparison.sources.size(); ++i)
         for (Gate& gate : check_gates(comparison.sources[i], comparison.names[i]))
             comparison.gates.push_back(std::move(gate));

@@ -6,6 +6,7 @@
 
 #include "base/errors.h"
 #include "meshes/query.h"
+#include "meshes/section.h"
 
 namespace tw {
 namespace {
@@ -47,7 +48,7 @@ bool is_aligned_box(const Surface& s) {
 Vec3 find_point_in_fluid(const CasePlan& plan) {
     const Box& b = plan.scene->domain.box;
     std::vector<SurfaceQuery> solids;
-    for (const Solid& s : plan.solids) solids.emplace_back(*s.surface);
+    for (const Solid& s : plan.solids) solids.emplace_back(s.surface);
     // Odd fractions of the background cell: never on a face of any refinement level. Far corners first, then inwards.
     const double h = plan.background_cell;
     for (int inward = 0; inward < 40; ++inward)
@@ -88,7 +89,7 @@ void plan_probes(CasePlan& plan) {
     const Scene& scene = *plan.scene;
     if (scene.sampling.pressure.empty() && scene.sampling.height.empty()) return;
     std::vector<SurfaceQuery> solids;
-    for (const Solid& s : plan.solids) solids.emplace_back(*s.surface);
+    for (const Solid& s : plan.solids) solids.emplace_back(s.surface);
     for (const PressureProbe& probe : scene.sampling.pressure)
         plan.pressure_places.push_back(into_fluid(plan, solids, probe.place));
     const Box& b = scene.domain.box;
@@ -107,10 +108,19 @@ void plan_probes(CasePlan& plan) {
     }
 }
 
+/// How often cells are halved along a section's surface. With none the stream does not leave the trailing edge of a plate:
+/// it turns round it into the cell behind (docs/results/planing_plate.md).
+constexpr int section_levels = 2;
+
 void plan_refinement(CasePlan& plan) {
     const Scene& scene = *plan.scene;
-    if (scene.domain.dimensions == 2)
-        return;  // one cell thick: snappyHexMesh would split it; background_cell is fine already
+    if (scene.domain.dimensions == 2) {  // cells of one size, but at the hull: its edges need more
+        if (!scene.hull) return;
+        plan.surface_level = plan.feature_level = section_levels;
+        plan.extrude = plan.surface_level > 0;  // snappyHexMesh halves the slab across as well
+        plan.finest_cell = plan.background_cell / std::pow(2.0, plan.surface_level);
+        return;
+    }
     const double ratio = plan.background_cell / scene.resolution.near_hull;
     plan.wet_level = ratio > 1 ? static_cast<int>(std::lround(std::log2(ratio))) : 0;
     int reached = 0;
@@ -190,13 +200,16 @@ CasePlan plan_case(const Scene& scene, const Flavour& flavour) {
         throw InputError(
             "the scene's domain, spacings and duration must be positive numbers before a case can be written");
 
-    if (scene.hull) plan.solids.push_back({"hull", &scene.hull->surface, true});
+    if (scene.hull) {
+        const Surface& hull = scene.hull->surface;
+        plan.solids.push_back({"hull", scene.hull->section ? with_span(hull, endless_span(hull)) : hull, true});
+    }
     std::set<std::string> names{"hull"};
     for (const Patch& p : plan.sides) names.insert(p.name);
     for (const Obstacle& o : scene.obstacles) {
         std::string name = word_from(o.name, "obstacle");
         while (!names.insert(name).second) name += "_";
-        plan.solids.push_back({name, &o.surface, false});
+        plan.solids.push_back({name, o.surface, false});
     }
 
     const bool uniform = scene.domain.dimensions == 2 || (!scene.hull && scene.refinement.empty());

@@ -29,7 +29,7 @@ AxisCells split_axis(double low, double high, double spacing, std::vector<double
 /// A closed surface that is cut out of the mesh.
 struct Solid {
     std::string name;  ///< patch, and constant/triSurface/<name>.stl
-    const Surface* surface = nullptr;
+    Surface surface;
     bool is_hull = false;
 };
 
@@ -45,6 +45,7 @@ struct CasePlan {
     std::vector<Solid> solids;         ///< the hull first
     std::vector<RefinementBox> boxes;  ///< names are OpenFOAM words, each once
     bool snappy = false;               ///< something has to be cut out or refined
+    bool extrude = false;  ///< two dimensions with refined cells: one layer is drawn out of the slab's front
     int wet_level = 0, surface_level = 0, feature_level = 0;
     double background_cell = 0, finest_cell = 0;  ///< [m]
     Vec3 point_in_fluid = Vec3::Zero();

@@ -19,8 +19,7 @@ void write_case(const CasePlan& plan, const fs::path& folder, int ranks) {
                             fs::perm_options::add);
     }
     write_text_atomically(folder / "case.foam", "");  // what ParaView opens
-    for (const Solid& s : plan.solids)
-        write_stl(folder / "constant/triSurface" / (s.name + ".stl"), *s.surface, s.name);
+    for (const Solid& s : plan.solids) write_stl(folder / "constant/triSurface" / (s.name + ".stl"), s.surface, s.name);
 }
 
 std::string changed_file(const CasePlan& plan, const fs::path& folder) {

@@ -58,7 +58,7 @@ std::vector<Finding> check_attitude(const Scene& scene) {
     }
     const Vec3 wet = hull.still.wet_bounds.size();
     for (int axis = 0; axis < 3; ++axis) {
-        if (wet[axis] >= particle_spacing) continue;
+        if (wet[axis] >= particle_spacing || (axis == 1 && hull.section)) continue;
         static constexpr const char* sizes[] = {"long", "wide", "deep"};
         findings.push_back(
             {Level::warning, "barely_wet",

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/errors.h"
+#include "meshes/section.h"
 #include "meshes/symmetric.h"
 #include "scene/defaults.h"
 
@@ -51,6 +52,17 @@ void make_halves_alike(Hull& hull, const Resolution& resolution, Section& s) {
     s.fail("half", "the hull is not symmetric about y = 0: " + where + "; set half = false");
 }
 
+void take_section(HullOptions& o, Section& s) {
+    Hull& hull = o.hull;
+    try {
+        hull.surface = section_prism(hull.surface);
+    } catch (const InputError& e) {
+        s.fail(o.key, fmt::format("two dimensions are the plane y = 0, and {}; move the hull with position = [x, y]",
+                                  e.what()));
+    }
+    hull.draft = -hull.surface.bounds().min.z();
+}
+
 void check_hull_place(const Scene& scene, Sections& s, const std::string& key) {
     const Hull& hull = *scene.hull;
     const Box bounds = hull.surface.bounds();
@@ -64,6 +76,7 @@ void check_hull_place(const Scene& scene, Sections& s, const std::string& key) {
     static constexpr const char* low_keys[] = {"ahead", "side", "below"};
     static constexpr const char* high_keys[] = {"behind", "side", "above"};
     for (int axis = 0; axis < 3; ++axis) {
+        if (axis == 1 && hull.section) continue;
         const bool mirrored = axis == 1 && hull.half;
         const bool low = !mirrored && bounds.min[axis] < domain.min[axis] + room;
         if (!low && bounds.max[axis] <= domain.max[axis] - room) continue;

@@ -12,6 +12,10 @@ double froude(const Hull& hull, double speed, double gravity) { return speed / s
 /// Where the keel enters the still water; the bow for a hull whose forefoot is wet.
 double keel_entry(const Hull& hull) { return hull.still.wet_bounds.min.x(); }
 
+/// The hull's size across its length, for distances and sizes: a section has its length in that place, because the flow
+/// cannot pass it sideways.
+double breadth(const Hull& hull) { return hull.section ? hull.length : hull.beam; }
+
 /// Lowest level whose cell does not exceed `cell`.
 int level_for(double cell, double spacing) { return static_cast<int>(std::ceil(std::log2(spacing / cell) - 1e-9)); }
 
@@ -21,9 +25,9 @@ double settling(const Scene& scene) { return std::max(time_scale(scene), start_u
 
 }  // namespace
 
-double default_near_hull(const Hull& hull) { return std::min(hull.beam / 20, hull.draft / 4); }
+double default_near_hull(const Hull& hull) { return std::min(breadth(hull) / 20, hull.draft / 4); }
 
-double coarsest_particles(const Hull& hull) { return 0.5 * std::min(hull.length, hull.beam); }
+double coarsest_particles(const Hull& hull) { return 0.5 * std::min(hull.length, breadth(hull)); }
 
 double snapped_spacing(double wish, double near_hull) {
     const double n = std::max(0.0, std::round(std::log2(wish / near_hull)));
@@ -37,7 +41,7 @@ double default_spacing(double near_hull, const Hull* hull) {
 }
 
 Margins default_margins(const Hull& hull, double speed, double gravity) {
-    const double L = hull.length, B = hull.beam, top = hull.surface.bounds().max.z(),
+    const double L = hull.length, B = breadth(hull), top = hull.surface.bounds().max.z(),
                  bow = hull.surface.bounds().min.x();
     const double wavelength = 2 * std::numbers::pi * speed * speed / gravity;
     Margins m;
@@ -60,7 +64,7 @@ std::vector<RefinementBox> default_refinement(const Scene& scene) {
     const int finest = static_cast<int>(std::lround(std::log2(scene.resolution.spacing / scene.resolution.near_hull)));
     const double unscaled = scene.resolution.spacing / scene.resolution.scale;
     std::vector<RefinementBox> boxes;
-    if (!scene.hull || finest == 0) return boxes;
+    if (!scene.hull || scene.hull->section || finest == 0) return boxes;
 
     // Distances as fractions of length and beam, and the cells of each box, measured on the reference case (74 thousand
     // cells, lift within 0.5 % of a mesh that is fine all over): a box is never coarser than `cell`. The forces need no
@@ -151,7 +155,7 @@ RasterSpec default_raster(const Scene& scene, double spacing) {
         // From ahead of the spray root to the outlet, over the whole width (the wake opens), from below the trough
         // behind the transom to where connected spray can be.
         const Hull& hull = *scene.hull;
-        const double L = hull.length, B = hull.beam, top = hull.surface.bounds().max.z();
+        const double L = hull.length, B = breadth(hull), top = hull.surface.bounds().max.z();
         region.min.x() = std::max(domain.min.x(), keel_entry(hull) - 0.25 * L);
         region.min.z() = std::max(domain.min.z(), -hull.draft - 0.25 * B);
         region.max.z() = std::min(domain.max.z(), std::max(0.5 * L, top + 0.25 * L));
@@ -185,13 +189,13 @@ double water_volume(const Scene& scene) {
         return volume;
     }
     const Vec3 size = scene.domain.box.size();
-    const double hull = scene.hull ? scene.hull->still.volume / scene.symmetry_factor() : 0;
+    const double hull = scene.hull ? scene.hull->still.volume * scene.span() / scene.symmetry_factor() : 0;
     return size.x() * size.y() * -scene.domain.box.min.z() - hull;
 }
 
 double air_volume(const Scene& scene) {
     double taken = water_volume(scene);
-    if (scene.hull) taken += scene.hull->mass.volume / scene.symmetry_factor();
+    if (scene.hull) taken += scene.hull->mass.volume * scene.span() / scene.symmetry_factor();
     for (const Obstacle& o : scene.obstacles) taken += mass_properties(o.surface).volume;
     return std::max(0.0, scene.domain.box.volume() - taken);
 }

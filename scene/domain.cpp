@@ -66,7 +66,9 @@ Resolution resolution_of(const ResolutionOptions& o, const Hull* hull, Section& 
     else
         r.near_hull = hull ? default_near_hull(*hull) : *o.spacing;
     if (!o.near_hull && o.spacing) r.near_hull = std::min(r.near_hull, *o.spacing);
-    r.spacing = o.spacing ? snapped_spacing(*o.spacing, r.near_hull) : default_spacing(r.near_hull, hull);
+    // Two dimensions have cells of one size.
+    const Hull* refined = hull && !hull->section ? hull : nullptr;
+    r.spacing = o.spacing ? snapped_spacing(*o.spacing, r.near_hull) : default_spacing(r.near_hull, refined);
     r.near_hull *= scale;
     r.spacing *= scale;
     r.scale = scale;
@@ -115,7 +117,6 @@ Domain domain_of(const DomainOptions& o, const std::optional<Box>& tank, const S
                     tank ? "the tank" : "the domain", s.resolution);
     }
     if (o.dimensions == 2) {
-        if (scene.hull) s.domain.fail("dimensions", "a hull needs 3 dimensions in this version");
         d.box.max.y() = 0.5 * scene.resolution.near_hull;  // one particle thick, round the plane y = 0
         d.box.min.y() = -d.box.max.y();
         d.as_asked.min.y() = d.as_asked.max.y() = 0;

@@ -138,7 +138,7 @@ Rows domain_keys() {
         extent("y", "Extent across the stream, instead of side."),
         extent("z", "Extent in height, instead of below and above."),
         {.name = "dimensions", .kind = Kind::whole, .range = {2, 3}, .hashed = Hashed::scene, .fallback = "3",
-         .meaning = "3, or 2 for the x-z plane (tanks and channels without a hull)."},
+         .meaning = "3, or 2 for the x-z plane: of a hull its section with y = 0; forces are then per metre of span."},
     };
 }
 

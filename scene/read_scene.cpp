@@ -143,6 +143,9 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     std::optional<HullOptions> hull;
     if (s.hull.present()) {
         hull = read_hull(s.hull);
+        hull->hull.section = domain.dimensions == 2;
+        if (hull->hull.section && hull->hull.half)
+            s.hull.fail("half", "two dimensions are the plane y = 0 and have no halves; remove this key");
         const auto measure = [&] {
             const Vec3 size = hull->hull.surface.bounds().size();
             hull->hull.length = size.x();
@@ -151,8 +154,10 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
         measure();
         scene.resolution = resolution_of(resolution, &hull->hull, s.resolution, overrides.scale_resolution.value_or(1));
         check_health(*hull, scene.resolution.near_hull, s.hull);
+        if (hull->hull.section) take_section(*hull, s.hull);
         measure();
-        check_sizes(scene.resolution, {hull->hull.length, hull->hull.beam}, "the hull", s.resolution);
+        check_sizes(scene.resolution, {hull->hull.length, hull->hull.section ? hull->hull.length : hull->hull.beam},
+                    "the hull", s.resolution);
         if (hull->hull.half) make_halves_alike(hull->hull, scene.resolution, s.hull);
         hull->hull.hash = surface_hash(hull->hull.surface);
         hull->hull.mass = mass_properties(hull->hull.surface);

@@ -32,9 +32,12 @@ struct Hull {
     std::string source;  ///< file name or generator name, as the user wrote it
     Surface surface;     ///< posed, in world coordinates [m]
     std::string hash;    ///< surface_hash(surface)
-    bool half = false;   ///< symmetric about y = 0: one half is solved, results are for the whole
+    /// Two dimensions: the surface is the section with the plane y = 0, drawn out to a span of one metre. Volumes and
+    /// areas are then per metre of span, and so is everything that a run reports.
+    bool section = false;
+    bool half = false;  ///< symmetric about y = 0: one half is solved, results are for the whole
     double trim = 0, heel = 0, draft = 0;
-    double length = 0, beam = 0;  ///< of the posed bounding box
+    double length = 0, beam = 0;  ///< of the posed bounding box; of a section the beam is its metre of span
     MassProperties mass;
     Hydrostatics still;  ///< of the part below z = 0
     std::vector<Finding> findings;
@@ -162,6 +165,11 @@ struct Scene {
     /// Throws std::logic_error for a name that no effect has.
     bool effect_on(const std::string& name) const;
     int symmetry_factor() const { return hull && hull->half ? 2 : 1; }
+    /// What is solved reaches over this many metres of span; results of two dimensions are divided by it [m]. Of three
+    /// dimensions 1: they are not divided.
+    double span() const { return domain.dimensions == 2 ? domain.box.size().y() : 1; }
+    /// The unit of something that two dimensions give per metre of span: "N" is "N/m" there.
+    std::string spanwise_unit(const std::string& unit) const { return domain.dimensions == 2 ? unit + "/m" : unit; }
 };
 
 /// What a command line may change before the scene is checked.

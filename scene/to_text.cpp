@@ -24,12 +24,14 @@ std::string side_name(Side side) {
 
 std::string hull_text(const Hull& h) {
     constexpr double degrees = 180 / std::numbers::pi;
-    std::string out = fmt::format("hull        {}: {:.4g} m long, {:.4g} m wide; trim {:.3g} deg, draft {:.4g} m{}\n",
-                                  h.source, h.length, h.beam, h.trim * degrees, h.draft,
-                                  h.half ? "; one half is solved, results are for the whole hull" : "");
+    std::string out = fmt::format(
+        "hull        {}: {:.4g} m long, {}; trim {:.3g} deg, draft {:.4g} m{}\n", h.source, h.length,
+        h.section ? "its section with y = 0, results are per metre of span" : fmt::format("{:.4g} m wide", h.beam),
+        h.trim * degrees, h.draft, h.half ? "; one half is solved, results are for the whole hull" : "");
     out += fmt::format(
-        "            it displaces {:.4g} m3 at rest and is wetted from x = {:.4g} to {:.4g} m; {} triangles\n",
-        h.still.volume, h.still.wet_bounds.min.x(), h.still.wet_bounds.max.x(), h.surface.triangles.size());
+        "            it displaces {:.4g} {} at rest and is wetted from x = {:.4g} to {:.4g} m; {} triangles\n",
+        h.still.volume, h.section ? "m3 per metre" : "m3", h.still.wet_bounds.min.x(), h.still.wet_bounds.max.x(),
+        h.surface.triangles.size());
     for (const std::string& r : h.repairs) out += "  repaired  " + r + "\n";
     for (const Finding& f : h.findings)
         out += fmt::format("  {:9} {}: {}\n", f.level == Finding::Level::note ? "note" : "warning", f.name, f.message);

@@ -169,12 +169,13 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
         const PhaseTimer timer(fresh, "particles");
         setup = sph_setup(scene, threads);
         // the same pair loops as before: others may give other last digits
-        simulation.emplace(setup->simulation, setup->fluid, checkpoint ? passes(checkpoint->isa.c_str()) : choose_passes());
+        simulation.emplace(setup->simulation, setup->fluid,
+                           checkpoint ? passes(checkpoint->isa.c_str()) : choose_passes());
         if (setup->air) add_air(*simulation, setup->air->options, setup->air->fluid);
     }
     if (setup->control_volume) {
         simulation->set_control_volume(*setup->control_volume);
-        simulation->control_volume()->make_faces(scene.resolution.near_hull);
+        simulation->control_volume()->make_faces(scene.resolution.near_hull, scene.domain.dimensions);
     }
     fresh.attributes["threads"] = std::to_string(threads);
     fresh.attributes["isa"] = simulation->passes().isa;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/errors.h"
+#include "meshes/section.h"
 #include "record/run_record.h"
 
 namespace tw {
@@ -12,13 +13,14 @@ namespace {
 
 bool is_mirror(Side side) { return side == Side::slip_wall || side == Side::symmetry; }
 
-/// Clear of the wet hull by half a beam below and beside it (at least six spacings), a quarter of its length ahead and
-/// as far behind as half of that, and open above.
+/// Clear of the wet hull by half a beam below and beside it (a section: a quarter of its length; at least six spacings),
+/// a quarter of its length ahead and as far behind as half of that, and open above. In two dimensions round the whole
+/// section, because the jet under a plate wets it far ahead of still water; one metre of span, as what particles carry.
 Box control_box(const Scene& scene, const SimulationSetup& s) {
     const Hull& hull = *scene.hull;
-    const double near = std::max(6 * s.dp, 0.5 * hull.beam);
+    const double near = std::max(6 * s.dp, hull.section ? 0.25 * hull.length : 0.5 * hull.beam);
     const auto on_lattice = [&](double x) { return std::round(x / s.dp) * s.dp; };
-    Box box = hull.still.wet_bounds;
+    Box box = hull.section ? hull.surface.bounds() : hull.still.wet_bounds;
     box.min -= Vec3(std::max(near, 0.25 * hull.length), near, near);
     box.max += Vec3(std::max(near, 0.125 * hull.length), near, 0);
     const double clear = 2 * s.dp;  // of the domain's sides
@@ -28,8 +30,8 @@ Box control_box(const Scene& scene, const SimulationSetup& s) {
         box.min[a] = on_lattice(box.min[a]);
         box.max[a] = on_lattice(box.max[a]);
     }
-    if (hull.half || s.dimensions == 2) box.min.y() = s.domain.min.y();
-    if (s.dimensions == 2) box.max.y() = s.domain.max.y();
+    if (hull.half) box.min.y() = s.domain.min.y();
+    if (hull.section) box.min.y() = -0.5, box.max.y() = 0.5;
     box.max.z() = s.domain.max.z();
     return box;
 }
@@ -104,7 +106,8 @@ SphSetup sph_setup(const Scene& scene, int threads) {
         s.stream = stream;
     }
     if (scene.hull) {
-        s.bodies.emplace_back(scene.hull->surface);
+        const Surface& hull = scene.hull->surface;
+        s.bodies.emplace_back(scene.hull->section ? with_span(hull, endless_span(hull)) : hull);
         s.moment_reference = moment_reference(scene);
         setup.control_volume = control_box(scene, s);
     }

@@ -95,7 +95,7 @@ struct Force {
     const char *name, *label, *unit, *column, *pressure, *definition;
 };
 
-void add_sph_measures(Comparison& comparison, const CompareOptions& options) {
+void add_sph_measures(Comparison& comparison, const CompareOptions& options, const std::string& unit) {
     struct Measure {
         const char *name, *label, *column;
     };
@@ -103,7 +103,7 @@ void add_sph_measures(Comparison& comparison, const CompareOptions& options) {
                              Measure{"lift_volume", "Lift by control volume", "fz_volume"},
                              Measure{"drag_surface", "Drag by surface pressure", "fx_surface"},
                              Measure{"drag_volume", "Drag by control volume", "fx_volume"}})
-        add_beside(comparison, quantity(comparison, m.name, m.label, "N",
+        add_beside(comparison, quantity(comparison, m.name, m.label, unit,
                                         "a second, independent measure of the same force in the same run",
                                         [&](const RunRecord& r) { return mean_of(r, "forces", m.column, options); }));
     add_beside(comparison,
@@ -157,6 +157,10 @@ void add_forces(Comparison& comparison, const CompareOptions& options) {
             "here "
             "differ by it.");
 
+    // In two dimensions forces are per metre of span.
+    const bool flat =
+        std::ranges::any_of(sources, [](const RunRecord& r) { return number_of(r, "dimensions", 3) == 2; });
+    const auto unit = [&](const char* of_whole) { return flat ? std::string(of_whole) + "/m" : of_whole; };
     double lift = 0;
     for (const Force& f :
          {Force{"lift", "Lift", "N", "fz", "fz_pressure", "mean vertical force of the water on the whole hull"},
@@ -168,7 +172,7 @@ void add_forces(Comparison& comparison, const CompareOptions& options) {
         double length = 0;
         for (const RunRecord& r : sources) length = std::max(length, number_of(r, "length", 0));
         const bool moment = !f.pressure;
-        Quantity q = quantity(comparison, f.name, f.label, f.unit, f.definition, [&](const RunRecord& r) {
+        Quantity q = quantity(comparison, f.name, f.label, unit(f.unit), f.definition, [&](const RunRecord& r) {
             const bool pressure_only =
                 leave_friction_out && !moment && has_friction(r) && r.series("forces", f.pressure);
             return mean_of(r, "forces", pressure_only ? f.pressure : f.column, options,
@@ -208,10 +212,10 @@ void add_forces(Comparison& comparison, const CompareOptions& options) {
           Beside{"ventilation", "Ventilation index", "-", "samples", "ventilation",
                  "share of air in what touches the wet part of the hull; friction is low in proportion"},
           Beside{"wetted_area", "Wetted area", "m2", "samples", "wetted_area", "area of the hull that water touches"}})
-        add_beside(comparison, quantity(comparison, b.name, b.label, b.unit, b.definition, [&](const RunRecord& r) {
-                       return mean_of(r, b.table, b.column, options, HUGE_VAL);
-                   }));
-    add_sph_measures(comparison, options);
+        add_beside(comparison,
+                   quantity(comparison, b.name, b.label, *b.unit == '-' ? b.unit : unit(b.unit), b.definition,
+                            [&](const RunRecord& r) { return mean_of(r, b.table, b.column, options, HUGE_VAL); }));
+    add_sph_measures(comparison, options, unit("N"));
 }
 
 void add_wetted_length(Comparison& comparison, const CompareOptions& options) {

@@ -15,6 +15,7 @@ std::string allrun_script(const CasePlan& plan, int ranks) {
     if (plan.snappy) {
         if (!plan.solids.empty()) mesh += fmt::format("    {0} > log.{0}\n", f.surface_features_program());
         mesh += "    snappyHexMesh -overwrite > log.snappyHexMesh\n";
+        if (plan.extrude) mesh += "    extrudeMesh > log.extrudeMesh\n    createPatch -overwrite > log.createPatch\n";
     }
     return fmt::format(R"(#!/bin/sh
 # ./Allrun            meshes and starts

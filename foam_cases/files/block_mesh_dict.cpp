@@ -54,8 +54,12 @@ std::string block_mesh_dict(const CasePlan& plan) {
             }
     for (std::size_t s = 0; s < plan.sides.size(); ++s) {
         const Patch& p = plan.sides[s];
-        boundary.push_back(Value::named(Word(p.name), Dictionary{{"type", Word(p.plane() ? p.plane_type() : "patch")},
-                                                                 {"faces", side_faces(plan, s / 2, s % 2 == 1)}}));
+        const bool of_slab = plan.extrude && p.empty;
+        boundary.push_back(Value::named(Word(of_slab ? slab_side(p) : p.name),
+                                        Dictionary{{"type", Word(of_slab     ? "symmetryPlane"
+                                                                 : p.plane() ? p.plane_type()
+                                                                             : "patch")},
+                                                   {"faces", side_faces(plan, s / 2, s % 2 == 1)}}));
     }
     return foam_file("dictionary", "blockMeshDict",
                      {{"scale", 1},

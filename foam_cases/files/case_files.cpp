@@ -24,6 +24,10 @@ std::vector<CaseFile> case_files(const CasePlan& plan, int ranks) {
             files.push_back(
                 {"system/" + plan.flavour.surface_features_program() + "Dict", surface_features_dict(plan)});
     }
+    if (plan.extrude) {
+        files.push_back({"system/extrudeMeshDict", extrude_mesh_dict(plan)});
+        files.push_back({"system/createPatchDict", create_patch_dict(plan)});
+    }
     for (CaseFile& f : phase_files(plan)) files.push_back(std::move(f));
     for (CaseFile& f : turbulence_fields(plan)) files.push_back(std::move(f));
     return files;

@@ -14,6 +14,9 @@ struct CaseFile {
 
 // One function per OpenFOAM file, each in a source file of the same subject.
 std::string block_mesh_dict(const CasePlan& plan);
+std::string slab_side(const Patch& patch);  ///< name of a side of the slab that a flat mesh is drawn out of
+std::string extrude_mesh_dict(const CasePlan& plan);
+std::string create_patch_dict(const CasePlan& plan);
 std::string surface_features_dict(const CasePlan& plan);
 std::string snappy_hex_mesh_dict(const CasePlan& plan);
 std::string set_fields_dict(const CasePlan& plan);

@@ -55,6 +55,10 @@ MeshOutcome make_mesh(const CasePlan& plan, const CasePrograms& programs, const 
         if (!plan.solids.empty()) step(plan.flavour.surface_features_program(), {});
         step("snappyHexMesh", {"-overwrite"});
     }
+    if (plan.extrude) {
+        step("extrudeMesh", {});
+        step("createPatch", {"-overwrite"});
+    }
     step("checkMesh", {});
     if (out.stopped) return out;
     read_check(read_text(programs.log("checkMesh")), out);

@@ -13,7 +13,7 @@ struct MeshOutcome {
     int ranks = 1;
 };
 
-/// blockMesh, surface features, snappyHexMesh, checkMesh, renumberMesh, fields of 0, water, cell centres and volumes,
+/// blockMesh, surface features, snappyHexMesh, extrudeMesh and createPatch where a flat mesh is refined, checkMesh, renumberMesh, fields of 0, water, cell centres and volumes,
 /// decomposition. `ranks_for` decides by the number of cells. `starting` hears the name of each program. Throws
 /// RunError when one fails.
 MeshOutcome make_mesh(const CasePlan& plan, const CasePrograms& programs,

@@ -7,6 +7,7 @@
 
 #include "foam_cases/read/field_file.h"
 #include "foam_cases/read/hull_patch.h"
+#include "meshes/section.h"
 #include "record/certificate.h"
 #include "record/raster.h"
 
@@ -15,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void append(Table& table, double time, const std::vector<std::tuple<const char*, const char*, double>>& row) {
+void append(Table& table, double time, const std::vector<std::tuple<const char*, std::string, double>>& row) {
     table.time.push_back(time);
     for (const auto& [name, unit, value] : row) {
         Column& c = table.column(name, unit);
@@ -78,7 +79,8 @@ void FrameReader::read(const TimeFolders::Moment& moment, const SolverLog& log, 
 
 void FrameReader::read_water(const TimeFolders::Moment& moment, const SolverLog& log, RunRecord& record) const {
     const Scene& scene = *plan_.scene;
-    const double factor = scene.symmetry_factor(), density = scene.water.density, g = std::abs(scene.water.gravity);
+    const double factor = scene.symmetry_factor() / scene.span(), density = scene.water.density,
+                 g = std::abs(scene.water.gravity);
     double volume = 0, kinetic = 0, potential = 0, fastest = 0;
     const double frames = moment.time / (plan_.write_interval * plan_.raster_every);
     const bool due = plan_.writes_at_steps || std::abs(frames - std::round(frames)) < 1e-4;
@@ -103,9 +105,9 @@ void FrameReader::read_water(const TimeFolders::Moment& moment, const SolverLog&
     const SolverLog::Step* step = log.at(moment.time);
     const double unknown = std::nan("");
     append(record.table("samples"), moment.time,
-           {{"mass", "kg", factor * density * volume},
-            {"kinetic_energy", "J", factor * kinetic},
-            {"potential_energy", "J", factor * potential},
+           {{"mass", scene.spanwise_unit("kg"), factor * density * volume},
+            {"kinetic_energy", scene.spanwise_unit("J"), factor * kinetic},
+            {"potential_energy", scene.spanwise_unit("J"), factor * potential},
             {"dt", "s", step != nullptr ? step->step : unknown},
             {"max_courant", "-", step != nullptr ? step->courant : unknown},
             {"max_speed", "m/s", std::sqrt(fastest)},
@@ -125,7 +127,7 @@ void FrameReader::read_hull(const TimeFolders::Moment& moment, RunRecord& record
     const Scene& scene = *plan_.scene;
     const auto patch = read_hull_patch(case_ / "postProcessing" / "hullSurface" / moment.name);
     Table& samples = record.table("samples");
-    const auto sample = [&](const char* name, const char* unit, double value) {
+    const auto sample = [&](const char* name, const std::string& unit, double value) {
         Column& c = samples.column(name, unit);
         c.values.resize(samples.time.size() - 1, std::nan(""));
         c.values.push_back(value);
@@ -134,12 +136,14 @@ void FrameReader::read_hull(const TimeFolders::Moment& moment, RunRecord& record
         for (Column& c : samples.columns) c.values.resize(samples.time.size(), std::nan(""));
         return;
     }
-    const double factor = scene.symmetry_factor();
+    const bool half = scene.symmetry_factor() > 1;
     if (record.numbers.count("hull_mesh_error") == 0) {  // once: corners near and below still water
         const Vec3 low = scene.hull->surface.bounds().min;
         const double edge = plan_.finest_cell;
-        const double error = mesh_error(*patch, scene.hull->surface, factor > 1 ? -1e-6 * edge : low.y(),
-                                        std::max(0.0, 0.3 * std::abs(low.z())));
+        const Surface& all = scene.hull->surface;
+        const Surface hull = scene.hull->section ? with_span(all, scene.span()) : all;
+        const double error =
+            mesh_error(*patch, hull, half ? -1e-6 * edge : low.y(), std::max(0.0, 0.3 * std::abs(low.z())));
         record.numbers["hull_mesh_error"] = error;
         if (error > 0.15 * edge)
             record.attributes["mesh_warning"] = fmt::format(
@@ -148,27 +152,30 @@ void FrameReader::read_hull(const TimeFolders::Moment& moment, RunRecord& record
                 error, error / edge);
     }
     const WaterLoad load = water_load(*patch, scene.water.density, scene.water.air_density, moment_reference(scene));
+    const double factor = scene.symmetry_factor() / scene.span();
     // The two halves' side forces cancel.
-    const Vec3 whole(factor, factor > 1 ? 0 : 1, factor);
+    const Vec3 whole(factor, half ? 0 : factor, factor);
+    const std::string N = scene.spanwise_unit("N");
     const Vec3 pressing = load.pressure.cwiseProduct(whole), rubbing = load.viscous.cwiseProduct(whole);
     append(record.table("forces"), moment.time,
-           {{"fx", "N", pressing.x() + rubbing.x()},
-            {"fy", "N", pressing.y() + rubbing.y()},
-            {"fz", "N", pressing.z() + rubbing.z()},
-            {"fx_pressure", "N", pressing.x()},
-            {"fy_pressure", "N", pressing.y()},
-            {"fz_pressure", "N", pressing.z()},
-            {"fx_viscous", "N", rubbing.x()},
-            {"fy_viscous", "N", rubbing.y()},
-            {"fz_viscous", "N", rubbing.z()},
-            {"fx_viscous_uncorrected", "N", factor * load.viscous_mixture.x()},
-            {"fx_air", "N", factor * load.air.x()},
-            {"fz_air", "N", factor * load.air.z()},
-            {"my", "N m", factor * load.moment.y()}});
-    sample("wetted_area", "m2", factor * load.wetted_area);
+           {{"fx", N, pressing.x() + rubbing.x()},
+            {"fy", N, pressing.y() + rubbing.y()},
+            {"fz", N, pressing.z() + rubbing.z()},
+            {"fx_pressure", N, pressing.x()},
+            {"fy_pressure", N, pressing.y()},
+            {"fz_pressure", N, pressing.z()},
+            {"fx_viscous", N, rubbing.x()},
+            {"fy_viscous", N, rubbing.y()},
+            {"fz_viscous", N, rubbing.z()},
+            {"fx_viscous_uncorrected", N, factor * load.viscous_mixture.x()},
+            {"fx_air", N, factor * load.air.x()},
+            {"fz_air", N, factor * load.air.z()},
+            {"my", scene.spanwise_unit("N m"), factor * load.moment.y()}});
+    sample("wetted_area", scene.spanwise_unit("m2"), factor * load.wetted_area);
     sample("wetted_length", "m", load.wetted_length);
     sample("ventilation", "-", load.ventilation);
-    keep_picture(*patch, factor > 1, record);
+    keep_picture(*patch, half, record);
+    if (scene.hull->section) record.hull = with_span(record.hull, 1);
 }
 
 void forget_after(RunRecord& record, double time) {

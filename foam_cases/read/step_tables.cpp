@@ -13,13 +13,14 @@ namespace {
 void read_forces(const CasePlan& plan, const fs::path& case_folder, RunRecord& record) {
     const StepLoads loads = read_loads(case_folder / "postProcessing" / "forces");
     if (loads.time.empty()) return;
-    const double factor = plan.scene->symmetry_factor(), side = factor > 1 ? 0 : 1;
+    const Scene& scene = *plan.scene;
+    const double factor = scene.symmetry_factor() / scene.span(), side = scene.symmetry_factor() > 1 ? 0 : factor;
     Table& t = record.table("forces_total");
     t.time = loads.time;
     t.columns.clear();
-    const auto column = [&](const char* name, const char* unit, double scale, std::size_t k, bool with_pressure,
+    const auto column = [&](const char* name, const char* of_whole, double scale, std::size_t k, bool with_pressure,
                             bool with_viscous) {
-        Column& c = t.column(name, unit);
+        Column& c = t.column(name, scene.spanwise_unit(of_whole));
         c.values.clear();
         for (std::size_t i = 0; i < loads.time.size(); ++i)
             c.values.push_back(
@@ -43,7 +44,7 @@ void read_forces(const CasePlan& plan, const fs::path& case_folder, RunRecord& r
             const bool met = at != t.time.end() && std::abs(*at - time) <= 1e-6 * time;
             total.push_back(met ? all[static_cast<std::size_t>(at - t.time.begin())] : std::nan(""));
         }
-        water.column(std::string(name) + "_total", "N").values = total;
+        water.column(std::string(name) + "_total", scene.spanwise_unit("N")).values = total;
     }
 }
 

@@ -43,6 +43,29 @@ SurfaceSamples::SurfaceSamples(const Surface& surface, double size, const Box& r
     }
 }
 
+SurfaceSamples SurfaceSamples::of_section(const Surface& prism, double size) {
+    SurfaceSamples out;
+    for (int t = 0; t < static_cast<int>(prism.triangles.size()); ++t) {
+        int k = 0;  // a side is two triangles: the one with an edge on the low end, from corner k on
+        while (k < 3 && (prism.corner(t, k).y() > 0 || prism.corner(t, (k + 1) % 3).y() > 0)) ++k;
+        if (k == 3 || prism.corner(t, (k + 2) % 3).y() < 0) continue;
+        const Vec3 a = prism.corner(t, k), along = prism.corner(t, (k + 1) % 3) - a;
+        const int n = std::max(1, static_cast<int>(std::ceil(along.norm() / size)));
+        const Vec3 half_strip = prism.area_vector2(t) / (2.0 * n), across(0, -2 * a.y(), 0);
+        for (int i = 0; i < n; ++i) {
+            const Vec3 low = a + along * i / n, high = a + along * (i + 1) / n, middle = 0.5 * (low + high + across);
+            const int first = static_cast<int>(out.patches_.points.size());
+            out.patches_.points.insert(out.patches_.points.end(), {low, high, high + across, low + across});
+            for (const int corner : {1, 2}) {
+                out.patches_.triangles.push_back({first, first + corner, first + corner + 1});
+                out.points.places.push_back(middle);
+                out.area.push_back(half_strip);
+            }
+        }
+    }
+    return out;
+}
+
 Vec3 SurfaceSamples::pressure_force(const Vec3& moment_reference, Vec3& moment) const {
     Vec3 force = Vec3::Zero();
     moment.setZero();

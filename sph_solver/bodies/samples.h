@@ -22,8 +22,12 @@ struct SurfaceSamples {
     /// The patches as a surface, one triangle each, in the same order.
     const Surface& patches() const { return patches_; }
 
+    SurfaceSamples() = default;
     /// `region`: patches whose centre is outside are left out.
     SurfaceSamples(const Surface& surface, double size, const Box& region);
+    /// Two dimensions: of a prism along y (meshes/section.h) its sides alone, in strips across the whole span no wider
+    /// than `size`, with their centres at y = 0. Each strip is two patches.
+    static SurfaceSamples of_section(const Surface& prism, double size);
 
     /// A quarter of the full support, half of what a flat wetted wall sees: water enough within reach for a pressure.
     static constexpr float has_pressure = 0.25f;

@@ -5,14 +5,17 @@
 
 namespace tw {
 
-void ControlVolume::make_faces(double size) {
+void ControlVolume::make_faces(double size, int dimensions) {
     faces_ = {};
     faces_.want_flux = true;
     area_.clear();
     for (int axis = 0; axis < 3; ++axis) {
         const int b = (axis + 1) % 3, c = (axis + 2) % 3;
-        const int nb = std::max(1, static_cast<int>(std::round(box_.size()[b] / size)));
-        const int nc = std::max(1, static_cast<int>(std::round(box_.size()[c] / size)));
+        if (axis == 1 && dimensions == 2) continue;
+        const auto parts = [&](int a) {
+            return a == 1 && dimensions == 2 ? 1 : std::max(1, static_cast<int>(std::round(box_.size()[a] / size)));
+        };
+        const int nb = parts(b), nc = parts(c);
         const double patch = box_.size()[b] / nb * box_.size()[c] / nc;
         for (int side = 0; side < 2; ++side)
             for (int i = 0; i < nb; ++i)

@@ -23,8 +23,9 @@ public:
 
     ControlVolume() = default;
     explicit ControlVolume(const Box& box) : box_(box) {}
-    /// Face patches of about `size`; faces that are symmetry planes count like the others.
-    void make_faces(double size);
+    /// Face patches of about `size`; faces that are symmetry planes count like the others. In two dimensions the patches
+    /// reach over the whole span of the box and lie at its middle.
+    void make_faces(double size, int dimensions);
     const Box& box() const { return box_; }
     PointSamples& faces() { return faces_; }
     bool inside(double x, double y, double z) const {

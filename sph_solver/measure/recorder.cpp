@@ -24,7 +24,7 @@ std::size_t append_row(Table& table, double time) {
     for (Column& c : table.columns) c.values.resize(table.time.size(), nan);
     return table.time.size() - 1;
 }
-void set(Table& table, std::size_t row, const std::string& name, const char* unit, double value) {
+void set(Table& table, std::size_t row, const std::string& name, const std::string& unit, double value) {
     Column& c = table.column(name, unit);
     c.values.resize(table.time.size(), nan);
     c.values[row] = value;
@@ -40,7 +40,8 @@ Recorder::Recorder(const Scene& scene, const Simulation& simulation, RunRecord r
         region.min.array() -= s.dp;
         region.max.array() += s.dp;
         if (scene.hull->half) region.min.y() = 0;
-        hull_.emplace(scene.hull->surface, s.dp, region);
+        hull_ = s.dimensions == 2 ? SurfaceSamples::of_section(scene.hull->surface, s.dp)
+                                  : SurfaceSamples(scene.hull->surface, s.dp, region);
     }
     for (const PressureProbe& p : scene.sampling.pressure) pressure_points_.places.push_back(p.place);
     height_step_ = s.dp / 2;
@@ -58,16 +59,17 @@ void Recorder::after_step(Simulation& simulation, bool frame) {
         const Vec3 whole(factor_, factor_ == 2 ? 0 : 1, factor_);  // a half model's sideways forces cancel
         const auto put = [&](const char* part, const Vec3& f) {
             const Vec3 force = f.cwiseProduct(whole);
-            for (int a = 0; a < 3; ++a) set(t, row, fmt::format("f{}{}", "xyz"[a], part), "N", force[a] + 0.0);
+            for (int a = 0; a < 3; ++a)
+                set(t, row, fmt::format("f{}{}", "xyz"[a], part), per_span("N"), force[a] + 0.0);
         };
         put("", load.force);
         put("_pressure", load.force - load.friction);
         put("_viscous", load.friction);
-        set(t, row, "my", "N m", factor_ * load.moment.y());
+        set(t, row, "my", per_span("N m"), factor_ * load.moment.y());
         if (air_of(simulation)) {
             const Vec3 air = simulation.load_of_level(1).force.cwiseProduct(whole);
-            set(t, row, "fx_air", "N", air.x());
-            set(t, row, "fz_air", "N", air.z());
+            set(t, row, "fx_air", per_span("N"), air.x());
+            set(t, row, "fz_air", per_span("N"), air.z());
         }
     }
     if (frame || simulation.steps() % surface_every == 0) sample_surface(simulation, row);
@@ -81,8 +83,8 @@ void Recorder::sample_surface(Simulation& simulation, std::size_t row) {
         simulation.sample(hull_->points);
         Vec3 moment;
         const Vec3 force = factor_ * hull_->pressure_force(simulation.setup().moment_reference, moment);
-        set(forces(), row, "fx_surface", "N", force.x());
-        set(forces(), row, "fz_surface", "N", force.z());
+        set(forces(), row, "fx_surface", per_span("N"), force.x());
+        set(forces(), row, "fz_surface", per_span("N"), force.z());
     }
     if (ControlVolume* cv = simulation.control_volume()) {
         simulation.sample(cv->faces());
@@ -104,8 +106,8 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
         const ControlVolume::State& sums = cv->state();
         if (momentum_known_ && sums.since > 0) {
             const Vec3 force = factor_ * (sums.crossed + sums.impulse - (momentum - momentum_)) / sums.since;
-            set(forces(), row, "fx_volume", "N", force.x());
-            set(forces(), row, "fz_volume", "N", force.z());
+            set(forces(), row, "fx_volume", per_span("N"), force.x());
+            set(forces(), row, "fz_volume", per_span("N"), force.z());
         }
         momentum_ = momentum;
         momentum_known_ = true;
@@ -120,7 +122,7 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
     const bool pour = scene_.sampling.raster.voxel > 0;
     const double c0 = s.state_equation.c0, m = simulation.mass();
     for (std::size_t i = 0; i < p.size(); ++i) {
-        if (pour) raster.pour(Vec3(p.x[i], p.y[i], p.z[i]), s.dp, m / (s.rho0 + double(p.drho[i])));
+        if (pour) raster.pour(Vec3(p.x[i], p.y[i], p.z[i]), s.dp, m * scene_.span() / (s.rho0 + double(p.drho[i])));
         if (p.kind[i] != Kind::fluid) continue;
         ++count;
         kinetic += 0.5 * m * (double(p.u[i]) * p.u[i] + double(p.v[i]) * p.v[i] + double(p.w[i]) * p.w[i]);
@@ -128,10 +130,10 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
         elastic += 0.5 * m * c0 * c0 * double(p.drho[i]) * p.drho[i] / (s.rho0 * s.rho0);
     }
     if (pour) record_.frames.push_back(raster.frame(simulation.time()));
-    set(t, k, "mass", "kg", factor_ * m * double(count));
-    set(t, k, "kinetic_energy", "J", factor_ * kinetic);
-    set(t, k, "potential_energy", "J", factor_ * potential);
-    set(t, k, "elastic_energy", "J", factor_ * elastic);
+    set(t, k, "mass", per_span("kg"), factor_ * m * double(count));
+    set(t, k, "kinetic_energy", per_span("J"), factor_ * kinetic);
+    set(t, k, "potential_energy", per_span("J"), factor_ * potential);
+    set(t, k, "elastic_energy", per_span("J"), factor_ * elastic);
     set(t, k, "dt", "s", simulation.dt());
     set(t, k, "max_speed", "m/s", simulation.extremes().speed);
     set(t, k, "max_mach", "-", simulation.extremes().speed / c0);
@@ -144,13 +146,13 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
     set(t, k, "held_at_wall", "-", double(simulation.ledger().held));
     if (const Level* air = air_of(simulation)) {
         set(t, k, "air_particles", "-", double(air->particles().size()));
-        set(t, k, "air_energy", "J", factor_ * gas_energy(*air, s.gravity));
+        set(t, k, "air_energy", per_span("J"), factor_ * gas_energy(*air, s.gravity));
         set(t, k, "air_max_speed", "m/s", air->extremes().speed);
         set(t, k, "air_density_deviation_low", "kg/m3", air->extremes().density_deviation_low);
         set(t, k, "air_density_deviation_high", "kg/m3", air->extremes().density_deviation_high);
     }
     if (hull_) {
-        set(t, k, "wetted_area", "m2", factor_ * hull_->wetted_area());
+        set(t, k, "wetted_area", per_span("m2"), factor_ * hull_->wetted_area());
         set(t, k, "wetted_length", "m", hull_->wetted_length(scene_.hull->beam));
     }
     probe(simulation);

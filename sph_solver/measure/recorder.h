@@ -27,6 +27,7 @@ private:
     void sample_frame(Simulation& simulation, std::size_t row);
     void probe(Simulation& simulation);
     Table& forces() { return record_.table("forces"); }
+    std::string per_span(const char* unit) const { return scene_.spanwise_unit(unit); }
 
     const Scene& scene_;
     RunRecord record_;

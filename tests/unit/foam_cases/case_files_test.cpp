@@ -103,7 +103,6 @@ TEST(CaseFiles, TheInviscidTwinSlipsAndTheViscousOneHasWallFunctions) {
     ASSERT_EQ(turbulence_fields(viscous).size(), 3u);
     EXPECT_SAYS(turbulence_fields(viscous)[2].text, "nutUSpaldingWallFunction");
     EXPECT_SAYS(control_dict(viscous), "wallShearStress");
-
 }
 
 TEST(CaseFiles, TheOutletsSpeedStandsUnderBothOfItsNames) {
@@ -126,6 +125,26 @@ TEST(CaseFiles, AFlatTankIsOneCellThickAndEmptySided) {
     EXPECT_SILENT(set_fields_dict(plan), "boxToFace");
     // Blocks reach beyond the domain's sides, so that rounding leaves no cell out.
     EXPECT_SAYS(set_fields_dict(plan), "box (-0.584 -0.01 -0.4) (0.146 0.02 0.292);");
+}
+
+TEST(CaseFiles, AFlatHullIsRefinedInASlabOfWhichOneLayerIsDrawnOut) {
+    const Scene scene = flat_plate_scene();
+    const CasePlan plan = plan_case(scene, v1912);
+    EXPECT_NEAR(plan.finest_cell, 0.025, 1e-15) << "two halvings at the hull";
+    const Box solid = plan.solids.at(0).surface.bounds(), domain = scene.domain.box;
+    EXPECT_GT(solid.size().y(), 100 * domain.size().y()) << "its ends are far from the slab";
+    const std::string mesh = block_mesh_dict(plan), layer = extrude_mesh_dict(plan), patches = create_patch_dict(plan);
+    EXPECT_SAYS(mesh, "midPlaneOfSlab { type symmetryPlane;");
+    EXPECT_SILENT(mesh, "empty");
+    EXPECT_SAYS(snappy_hex_mesh_dict(plan), "level (2 2);");
+    EXPECT_SAYS(layer, "sourcePatches (midPlaneOfSlab); exposedPatchName midPlaneYOfSlab;");
+    EXPECT_SAYS(layer, "sourceCase \"<case>\";");
+    EXPECT_SAYS(layer, "thickness 0.1;");
+    EXPECT_SAYS(patches, "name midPlane; patchInfo { type empty; } constructFrom patches; patches (midPlaneOfSlab);");
+    EXPECT_SAYS(velocity_field(plan), "midPlane { type empty; }");
+    EXPECT_SAYS(allrun_script(plan, 1), "extrudeMesh > log.extrudeMesh");
+    const Scene tank = dam_break_scene();
+    EXPECT_SILENT(allrun_script(plan_case(tank, v1912), 1), "extrudeMesh");
 }
 
 TEST(CaseFiles, BlockFacesCoverEverySideOnce) {

@@ -1,6 +1,7 @@
 #pragma once
 #include "foam_cases/case_plan.h"
 #include "meshes/generate.h"
+#include "meshes/section.h"
 #include "scene/scene.h"
 
 namespace tw {
@@ -26,6 +27,21 @@ inline Scene planing_scene() {
                     {"wet bottom", {Vec3(-0.5, -1, -0.25), Vec3(2.1, 0.55, 0.1)}, 3}};
     s.sampling.interval = 0.05;
     s.run.duration = 1;
+    return s;
+}
+
+/// A flat plate in a stream, 2-D: its section, one metre of span.
+inline Scene flat_plate_scene() {
+    Scene s = planing_scene();
+    s.hull->surface = section_prism(posed(make_hull("plate", {}), {.trim = 0.5, .draft = 0.1}));
+    s.hull->half = false;
+    s.hull->section = true;
+    s.hull->beam = 1;
+    s.domain.dimensions = 2;
+    s.domain.box = {Vec3(-4, -0.05, -1), Vec3(4, 0.05, 3)};
+    s.domain.y_max = Side::symmetry;
+    s.resolution = {0.1, 0.1};
+    s.refinement.clear();
     return s;
 }
 

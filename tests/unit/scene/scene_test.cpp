@@ -344,5 +344,57 @@ TEST(Scene, TwoDimensionsAreOneParticleThickRoundThePlane) {
     EXPECT_NEAR(predict(s).particles, 0.146 * 0.292 / 1e-4, 1);
 }
 
+/// A flat plate in a weightless channel, as studies/planing_plate.toml has it.
+const std::string plate = R"([hull]
+shape = "plate"
+length = "4 m"
+trim = "30 deg"
+draft = "0.1 m"
+[water]
+depth = "1 m"
+[motion]
+speed = "10 m/s"
+[effects]
+gravity = "off"
+[resolution]
+near_hull = "0.04 m"
+[domain]
+dimensions = 2
+)";
+
+TEST(Scene, AHullInTwoDimensionsIsItsSectionPerMetreOfSpan) {
+    const Scene s = scene_of(plate);
+    ASSERT_TRUE(s.hull && s.hull->section);
+    EXPECT_NEAR(s.hull->mass.volume, 4 * 0.3, 1e-9);
+    EXPECT_NEAR(s.hull->draft, 0.1, 1e-12);
+    EXPECT_EQ(s.water.gravity, 0);
+    EXPECT_EQ(s.domain.box.min.z(), -1);
+    EXPECT_EQ(s.span(), s.resolution.near_hull) << "what is solved is one particle thick";
+    EXPECT_EQ(s.resolution.spacing, s.resolution.near_hull) << "cells of one size";
+    EXPECT_EQ(s.sph.c0, 100);
+    EXPECT_EQ(s.spanwise_unit("N"), "N/m");
+    EXPECT_EQ(scene_of(planing).spanwise_unit("N"), "N");
+    const Vec3 size = s.domain.box.size();
+    const double water = size.x() * 1 - s.hull->still.volume;
+    EXPECT_NEAR(predict(s).particles * 0.04 * 0.04, water, 1e-6 * water);
+    SceneOverrides coarse;
+    coarse.scale_resolution = 2;
+    EXPECT_EQ(scene_of(plate, coarse).hull->hash, s.hull->hash);
+    // Any closed hull that crosses the plane will do: a V-bottom becomes the rectangle over its keel.
+    EXPECT_NEAR(scene_of(with(plate, "plate", "prismatic")).hull->mass.volume, 4 * 0.75, 1e-9);
+}
+
+TEST(Scene, AHullWithoutASectionOrWithHalvesIsRefusedInTwoDimensions) {
+    const std::string beside = complaint(with(plate, "[water]", "position = [0, \"2 m\"]\n[water]"));
+    EXPECT_NE(beside.find("[hull] shape"), std::string::npos) << beside;
+    EXPECT_NE(beside.find("y from 1.5 to 2.5 m"), std::string::npos) << beside;
+    const std::string half = complaint(with(plate, "[water]", "half = true\n[water]"));
+    EXPECT_NE(half.find("[hull] half"), std::string::npos) << half;
+    const std::string floor = complaint(with(plate, "\"1 m\"", "\"0.2 m\""));
+    EXPECT_NE(floor.find("[water] depth"), std::string::npos) << floor;
+    EXPECT_NE(complaint(with(plate, "near_hull = \"0.04 m\"", "near_hull = \"3 m\"")).find("too coarse"),
+              std::string::npos);
+}
+
 }  // namespace
 }  // namespace tw::test
