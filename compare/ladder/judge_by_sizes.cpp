@@ -130,7 +130,7 @@ void judge_by_errors_of(Comparison& c, const RelativeErrors& errors) {
             const double choices = share->second.choices * q.size, box = share->second.box * q.size;
             m.discretisation = share->second.discretisation * q.size;
             m.choices = std::hypot(choices, box);
-            m.uncertainty = std::hypot(m.half_width, m.discretisation, m.choices);
+            m.uncertainty = std::hypot(std::hypot(m.half_width, m.discretisation), m.choices);
             if (!std::isfinite(m.uncertainty)) m.no_uncertainty = share->second.why_not;
             if (s.why.empty() && !std::isfinite(m.uncertainty)) s.why = method + ": " + share->second.why_not;
             if (s.why.empty() && share->second.scattered) s.why = method + ": the sizes scatter";
@@ -143,7 +143,7 @@ void judge_by_errors_of(Comparison& c, const RelativeErrors& errors) {
         }
         if (s.values.size() < 2) continue;
         q.values = std::move(values);
-        s.interval = q.interval = std::hypot(s.statistics, s.discretisation, s.choices);
+        s.interval = q.interval = std::hypot(std::hypot(s.statistics, s.discretisation), s.choices);
         q.verdict = s.verdict = !std::isfinite(s.interval) || scattered
                                     ? Verdict::not_converged
                                     : decide(q.difference, q.interval, c.agree_within, q.size);

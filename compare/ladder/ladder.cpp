@@ -38,7 +38,7 @@ LadderValue value_of(const std::vector<LadderSide>& sides, std::size_t k, const 
     v.sensitivities = sensitivities_of(sides, k, name, v.levels.front().value, scale);
     for (const Sensitivity& s : v.sensitivities)
         if (double& sum = s.box ? v.box : v.choices; std::isfinite(s.uncertainty)) sum = std::hypot(sum, s.uncertainty);
-    v.own = std::hypot(v.statistical, v.estimate.uncertainty, v.choices);
+    v.own = std::hypot(std::hypot(v.statistical, v.estimate.uncertainty), v.choices);  // of three, NaN may get lost
     v.uncertainty = std::hypot(v.own, v.box);
     std::vector<CostPoint> points;
     for (std::size_t i = 0; i < v.estimate.uncertainties.size(); ++i) {
@@ -137,7 +137,7 @@ void judge(LadderQuantity& q, const std::vector<LadderSide>& sides, double targe
         }
     const double S0 = a.levels.front().value, S1 = b.levels.front().value;
     const double S = q.size = std::max(std::abs(S0 + S1) / 2, scale);
-    q.difference = S1 - S0;
+    q.difference = no_more_than_rounding(S1 - S0, S) ? 0 : S1 - S0;
     if (S > 0) q.per_cent = 100 * q.difference / S;
     for (std::size_t k = 0; k < 2; ++k)
         if (!std::isfinite(q.values[k].uncertainty)) {

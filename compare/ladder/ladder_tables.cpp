@@ -43,7 +43,7 @@ ReportTable ladder_verdicts(const Ladder& ladder) {
     for (const char* name : {"difference", "relative"}) table.columns.push_back(numbers(name));
     table.columns.push_back(words("verdict"));
     for (const LadderQuantity& q : ladder.quantities) {
-        ReportRow row{{q.label, q.unit}, q.reason};
+        ReportRow row{{q.label, q.unit}, ladder.sides.size() > 1 ? q.reason : ""};
         for (std::size_t k = 0; k < q.values.size(); ++k) {
             const LadderValue& v = q.values[k];
             row.cells.emplace_back(v.levels.empty() ? "–" : value_text(v.levels.front().value, v.uncertainty));

@@ -77,7 +77,10 @@ ReportTable quantities_table(const Comparison& c, bool judged) {
                 {{q.label + ", " + r.source, r.unit, value_text(r.value, r.half_width)}, r.remark, true});
         }
     }
-    if (!judged) return table;
+    if (!judged) {
+        table.notes.push_back("± is the scatter of the means alone (95 %); the discretisation error is not estimated.");
+        return table;
+    }
     const std::string values = is_stream(c.sources.front())
                                    ? "Values are settled means. "
                                    : "Values of forces are settled means, of splash the largest of the run. ";
