@@ -57,6 +57,8 @@ struct RunCommand {
     std::string method = "both";  ///< sph, fvm, both; empty: what the scene says
     std::filesystem::path out;    ///< empty: runs/<name of the scene file>
     bool resume = false, overwrite = false;
+    bool twins = true;           ///< also coarser runs, for the discretisation error
+    bool require_agree = false;  ///< not_agreed unless every quantity agrees
     int threads = 0;
 };
 int run_run(const RunCommand& command, const Common& common);
@@ -97,6 +99,7 @@ struct SweepCommand {
     SceneArguments scene;
     std::vector<std::filesystem::path> hulls;
     std::vector<std::string> speeds, trims;  ///< texts with units
+    std::string twins = "first";             ///< first, all, none: which scenes run their own
     std::filesystem::path out;               ///< empty: runs/<name of the scene file>_sweep
     bool overwrite = false;
     int threads = 0;

@@ -5,7 +5,6 @@
 #include "app/output.h"
 #include "app/write_ladder.h"
 #include "base/errors.h"
-#include "compare/report/numbers.h"
 
 namespace tw::app {
 namespace {
@@ -34,14 +33,11 @@ int compare_ladder(const CompareCommand& command, const Common& common) {
     for (const fs::path& source : command.sources)
         for (const fs::path& file : record_files(source)) harvest.take(read_record(file), file);
     harvest.variations = take_variations(harvest.runs);
-    const Ladder ladder = write_ladder(harvest, measured_records(command.measured), command.out, common);
+    const Ladder ladder = report_ladder(harvest, measured_records(command.measured), command.out, common);
     if (!command.require_agree) return done;
-    std::string others;
-    for (const LadderQuantity& q : ladder.quantities)
-        if (q.verdict != Verdict::agree)
-            others += (others.empty() ? "" : ", ") + q.label + ": " + verdict_label(q.verdict);
-    if (others.empty() && !ladder.quantities.empty()) return done;
-    complain("--require agree is not met: " + (others.empty() ? "no quantity was judged" : others));
+    const std::string others = not_agreeing(ladder);
+    if (others.empty()) return done;
+    complain("--require agree is not met: " + others);
     return not_agreed;
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "scene/box_walls.h"
+
 namespace tw::app {
 namespace {
 
@@ -92,6 +94,7 @@ std::string check_json(const Scene& scene, const Prediction& p) {
                     {"cells", std::round(p.cells)},
                     {"hull", hull},
                     {"domain", box(scene.domain.box)},
+                    {"walls", {{"of", wall_effect(scene).of}, {"change", wall_effect(scene).change}}},
                     {"spacing", scene.resolution.spacing},
                     {"near_hull", scene.resolution.near_hull},
                     {"refinement", refinement},
@@ -147,9 +150,10 @@ std::string doctor_json(const MachineFacts& f) {
 
 std::string runs_json(const std::vector<RunFacts>& runs) { return written({{"runs", list_of(runs)}}); }
 
-std::string run_json(const Comparison& comparison, const std::vector<RunFacts>& runs) {
+std::string run_json(const Comparison& comparison, const std::vector<RunFacts>& runs, const Ladder* ladder) {
     Json all = Json::parse(comparison_json(comparison));
     all["runs"] = list_of(runs);
+    if (ladder) all["ladder"] = Json::parse(ladder_json(*ladder));
     return written(all);
 }
 

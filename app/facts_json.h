@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "compare/compare.h"
+#include "compare/ladder/ladder.h"
 #include "foam_cases/doctor.h"
 #include "meshes/health.h"
 #include "meshes/mass_properties.h"
@@ -46,8 +47,8 @@ struct RunFacts {
     double elements = 0, steps = 0, wall = 0;
 };
 std::string runs_json(const std::vector<RunFacts>& runs);
-/// The facts of the comparison, and beside them `runs`.
-std::string run_json(const Comparison& comparison, const std::vector<RunFacts>& runs);
+/// The facts of the comparison, and beside them `runs` and, where there is one, `ladder`.
+std::string run_json(const Comparison& comparison, const std::vector<RunFacts>& runs, const Ladder* ladder = nullptr);
 std::string bench_json(const BenchResult& result, const std::vector<PassesPace>& passes);
 
 }  // namespace tw::app

@@ -25,13 +25,13 @@ namespace {
 constexpr const char* about =
     "One hull, two methods, one verdict.\n\n"
     "A scene file describes a hull in water once. twinwake sets up a smoothed-particle run and an OpenFOAM\n"
-    "interFoam run from it, runs them, and reports drag, lift and splash height side by side: how far the\n"
-    "methods are apart and what that cost. Whether they agree takes runs of several sizes: twinwake ladder.\n\n"
+    "interFoam run from it, runs them and two coarser twins of each, and reports drag, lift and splash height\n"
+    "side by side: how far the methods are apart, how sure that is, and what it cost.\n\n"
     "  twinwake new planing my.toml      a scene to start from\n"
     "  twinwake check my.toml            what would be solved, and how long it takes\n"
-    "  twinwake run my.toml              both methods, then the report in runs/my/report.html\n"
+    "  twinwake run my.toml              both methods at three sizes, then the report in runs/my/report.html\n"
     "  twinwake run my.toml --hull other.stl --out runs/other\n"
-    "  twinwake ladder my.toml           several sizes: verdicts that include the discretisation error\n";
+    "  twinwake ladder my.toml           more sizes, time step and sound speed: what accuracy costs\n";
 constexpr const char* footer =
     "Exit status: 0 done, 2 bad input or usage, or output that cannot be written, 3 a run failed or was stopped (its "
     "state "
@@ -182,7 +182,14 @@ int dispatch(int argc, char** argv) {
 
     RunCommand run;
     run.method.clear();
-    c = subcommand(&app, "run", "run a scene with both methods and compare them", [&] { return run_run(run, common); });
+    std::string run_requires;
+    c = subcommand(&app, "run",
+                   "run a scene with both methods, coarser twins first, and compare them: verdicts that include the "
+                   "discretisation error",
+                   [&] {
+                       run.require_agree = run_requires == "agree";
+                       return run_run(run, common);
+                   });
     add_scene(c, run.scene);
     c->add_option("--method", run.method, "sph, fvm or both instead of the scene's")
         ->check(CLI::IsMember({"sph", "fvm", "both"}));
@@ -190,6 +197,11 @@ int dispatch(int argc, char** argv) {
     CLI::Option* resume =
         c->add_flag("--resume", run.resume, "continue from the last saved state; only if scene and numerics match");
     c->add_flag("--overwrite", run.overwrite, "run anew in a folder that has a run")->excludes(resume);
+    c->add_flag("!--no-twins", run.twins,
+                "leave out the coarser runs (1.4142 and 2 times the sizes, and one in a wider box): then nothing is "
+                "known of the discretisation error, and there is no verdict");
+    c->add_option("--require", run_requires, "agree: exit status 4 unless every quantity agrees; needs the twins")
+        ->check(CLI::IsMember({"agree"}));
     c->add_option("--threads", run.threads, "threads (particles) and ranks (mesh); all cores unless given")
         ->check(CLI::Range(1, 4096));
 
@@ -231,8 +243,9 @@ int dispatch(int argc, char** argv) {
     c->add_option("--levels", ladder.levels, "number of sizes (4): the scene's own and coarser ones")
         ->check(CLI::Range(1, 8));
     c->add_option("--ratio", ladder.ratio, "of neighbouring spacings (1.4142)")->check(CLI::Range(1.05, 4.0));
-    c->add_flag("!--no-variations", ladder.variations,
-                "leave out the runs with sound speed x 1.5, half the time step and half the Courant number");
+    c->add_flag(
+        "!--no-variations", ladder.variations,
+        "leave out the runs with sound speed x 1.5, half the time step, half the Courant number and a wider box");
     c->add_option(
          "--measured", ladder.measured,
          "a measurement, as written by twinwake import: each method's finest value is compared with it; can be given "
@@ -258,6 +271,11 @@ int dispatch(int argc, char** argv) {
     c->add_option("--scale", sweep.scene.scale, "all sizes times this number, levels kept");
     c->add_option("--duration", sweep.scene.duration, "simulated time instead of the scene's, e.g. \"2 s\"");
     add_effect(c, sweep.scene);
+    c->add_option(
+         "--twins", sweep.twins,
+         "which scenes run coarser twins for their discretisation error: first (its relative error is taken for "
+         "all others), all, none")
+        ->check(CLI::IsMember({"first", "all", "none"}));
     c->add_flag("--overwrite", sweep.overwrite, "run anew whatever is not a finished run of this scene");
     c->add_option("--out", sweep.out, "folder of the results (runs/<name of the scene file>_sweep)");
     c->add_option("--threads", sweep.threads, "threads (particles) and ranks (mesh); all cores unless given")

@@ -1,12 +1,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "app/campaign.h"
 #include "app/output.h"
 #include "app/stop_signal.h"
+#include "app/twins.h"
 #include "base/errors.h"
 #include "compare/compare.h"
+#include "compare/ladder/judge_by_sizes.h"
 #include "foam_cases/doctor.h"
 #include "scene/hash.h"
 
@@ -64,6 +67,14 @@ std::vector<RunRecord> records_of(const Scene& scene, const fs::path& out, const
     return records;
 }
 
+/// The exit status of --require agree.
+int required_agreement(const std::optional<Ladder>& ladder) {
+    const std::string others = ladder ? not_agreeing(*ladder) : "without twins there is no discretisation error";
+    if (others.empty()) return done;
+    complain("--require agree is not met: " + others);
+    return not_agreed;
+}
+
 }  // namespace
 
 int run_run(const RunCommand& command, const Common& common) {
@@ -73,22 +84,32 @@ int run_run(const RunCommand& command, const Common& common) {
 
     const fs::path out = command.out.empty() ? fs::path("runs") / command.scene.file.stem() : command.out;
     for (const std::string& method : methods) refuse_taken(out / method, command);
+    std::optional<Twins> twins;
+    if (command.twins)
+        twins.emplace(command.scene.file, command.scene.overrides(), command.method, command.threads, out / "twins");
+    if (twins && !command.overwrite) twins->refuse_others();
     if (std::ranges::find(methods, "fvm") != methods.end())
         say(common, "OpenFOAM: " + sound_openfoam(scene.fvm.openfoam).verdict + "\n");
-    say(common, fmt::format("{}\n{}results in {}\n", scene.title, prediction_text(plan), out.string()));
+    double own = 0;
+    for (const std::string& method : methods) own += plan.seconds(method);
+    say(common, fmt::format("{}\n{}{}results in {}\n", scene.title, prediction_text(plan),
+                            twins ? twins->prediction_text(own) : "", out.string()));
 
     catch_stop_signals();
-    Campaign campaign(common, {.overwrite = command.overwrite, .take_finished = command.resume});
+    Campaign campaign(common, {.overwrite = command.overwrite, .take_finished = !command.overwrite});
     std::vector<RunFacts> runs;
+    const auto stopped = [&](const std::string& what) {
+        complain(what + ": stopped on request, its state is saved; continue it with --resume");
+        write_json(common, runs_json(runs));
+        return run_failed;
+    };
+    if (twins && !twins->run(campaign)) return stopped("twins");
     bool failed = false;
     for (const std::string& method : methods) {
         const CampaignResult result = campaign.run_or_take({method, method, plan, out / method});
         failed |= result.state == CampaignResult::State::failed;  // the other method runs all the same
         if (result.record) runs.push_back(facts_of(method, *result.record, out / method));
-        if (result.state != CampaignResult::State::stopped) continue;
-        complain(method + ": stopped on request, its state is saved; continue it with --resume");
-        write_json(common, runs_json(runs));
-        return run_failed;
+        if (result.state == CampaignResult::State::stopped) return stopped(method);
     }
 
     std::vector<RunRecord> records = records_of(scene, out, common);
@@ -96,11 +117,18 @@ int run_run(const RunCommand& command, const Common& common) {
         write_json(common, runs_json(runs));
         return failed ? run_failed : done;
     }
-    const Comparison comparison = compare_records(std::move(records));
-    const ReportFiles files = leaving_files([&] { return write_report(comparison, out); });
+    const std::optional<Ladder> ladder = twins ? twins->ladder(records, out) : std::nullopt;
+    Comparison comparison = compare_records(std::move(records));
+    if (ladder) {
+        judge_by_sizes(comparison, *ladder);
+        write_tables(*ladder, out);
+    }
+    const ReportFiles files =
+        leaving_files([&] { return write_report(comparison, out, ladder ? ladder_html(*ladder) : ""); });
     say(common, "\n" + summary_text(comparison) + "\nreport: " + files.html.string() + "\n");
-    write_json(common, run_json(comparison, runs));
-    return failed ? run_failed : done;
+    write_json(common, run_json(comparison, runs, ladder ? &*ladder : nullptr));
+    if (failed) return run_failed;
+    return command.require_agree ? required_agreement(ladder) : done;
 }
 
 }  // namespace tw::app

@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "app/campaign.h"
 #include "app/output.h"
 #include "app/stop_signal.h"
+#include "app/twins.h"
 #include "base/errors.h"
+#include "compare/ladder/judge_by_sizes.h"
 #include "foam_cases/doctor.h"
 
 namespace tw::app {
@@ -50,12 +53,23 @@ std::vector<Variant> variants_of(const SweepCommand& command) {
     return variants;
 }
 
-/// Both methods of one scene and their comparison. False: stopped on request. What is wrong with this scene
-/// goes into the member; the others are run all the same.
+/// Which scenes run twins, and what they have told so far.
+struct Errors {
+    std::string twins;  ///< first, all, none
+    RelativeErrors first = {};
+    bool wanted() const { return twins == "all" || (twins == "first" && first.scene.empty()); }
+};
+
+/// Both methods of one scene, their twins if it is to run some, and their comparison. False: stopped on request. What is
+/// wrong with this scene goes into the member; the others are run all the same.
 bool run_member(const Variant& variant, const fs::path& folder, const SweepCommand& command, Campaign& campaign,
-                SweepMember& member) {
+                Errors& errors, SweepMember& member) {
     try {
         const PlannedRun plan = plan_run(command.scene.file, variant.overrides, "both", command.threads);
+        std::optional<Twins> twins;
+        if (errors.wanted())
+            twins.emplace(command.scene.file, variant.overrides, "both", command.threads, folder / "twins");
+        if (twins && !twins->run(campaign)) return false;
         std::vector<RunRecord> records;
         for (const std::string method : {"sph", "fvm"}) {
             CampaignResult result = campaign.run_or_take({variant.name + ": " + method, method, plan, folder / method});
@@ -66,11 +80,20 @@ bool run_member(const Variant& variant, const fs::path& folder, const SweepComma
             }
             records.push_back(std::move(*result.record));
         }
-        const Comparison comparison = compare_records(std::move(records));
-        leaving_files([&] { return write_report(comparison, folder); });
+        const std::optional<Ladder> ladder = twins ? twins->ladder(records, folder) : std::nullopt;
+        Comparison comparison = compare_records(std::move(records));
+        if (ladder) {
+            judge_by_sizes(comparison, *ladder);
+            write_tables(*ladder, folder);
+            if (!comparison.discretisation_from.empty()) errors.first = relative_errors(*ladder, variant.name);
+        } else if (errors.twins == "first") {
+            judge_by_errors_of(comparison, errors.first);
+        }
+        leaving_files([&] { return write_report(comparison, folder, ladder ? ladder_html(*ladder) : ""); });
         member.report = variant.folder + "/report.html";
         member.methods = comparison.names;
         member.quantities = comparison.quantities;
+        member.discretisation_from = comparison.discretisation_from;
     } catch (const InputError& e) {
         member.why_not = e.what();
         complain(variant.name + ": " + member.why_not);
@@ -88,10 +111,11 @@ int run_sweep(const SweepCommand& command, const Common& common) {
     catch_stop_signals();
     Campaign campaign(common, {.overwrite = command.overwrite});
     std::vector<SweepMember> members;
+    Errors errors{command.twins};
     for (const Variant& variant : variants) {
         SweepMember& member = members.emplace_back();
         member.name = variant.name;
-        if (!run_member(variant, out / variant.folder, command, campaign, member)) {
+        if (!run_member(variant, out / variant.folder, command, campaign, errors, member)) {
             complain("sweep: stopped on request; the same command continues from here");
             return run_failed;
         }

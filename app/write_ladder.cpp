@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "app/output.h"
+#include "compare/ladder/judge_by_sizes.h"
+#include "compare/report/numbers.h"
 
 namespace tw::app {
 
@@ -26,29 +28,47 @@ std::vector<RunRecord> measured_records(const std::vector<fs::path>& sources) {
     return records;
 }
 
-Ladder write_ladder(const LadderHarvest& harvest, const std::vector<RunRecord>& measured, const fs::path& out,
-                    const Common& common) {
-    CompareOptions options;
-    Ladder ladder = build_ladder(harvest.runs, harvest.variations, options.agree_within, measured);
+Ladder ladder_of(const LadderHarvest& harvest, const std::vector<RunRecord>& measured) {
+    Ladder ladder = build_ladder(harvest.runs, harvest.variations, CompareOptions{}.agree_within, measured);
     ladder.left_out = harvest.left_out;
-    const std::string json = ladder_json(ladder);
+    return ladder;
+}
+
+void write_tables(const Ladder& ladder, const fs::path& out) {
     make_folder(out);
     write_file(out / "ladder.md", ladder_text(ladder));
-    write_file(out / "ladder.json", json);
+    write_file(out / "ladder.json", ladder_json(ladder));
     for (std::size_t k = 0; k < ladder.sides.size(); ++k)
         write_file(out / ("ladder_" + ladder.sides[k].method + ".csv"), ladder_csv(ladder, k));
+}
+
+Ladder report_ladder(const LadderHarvest& harvest, const std::vector<RunRecord>& measured, const fs::path& out,
+                     const Common& common) {
+    Ladder ladder = ladder_of(harvest, measured);
+    write_tables(ladder, out);
     std::vector<RunRecord> finest;
     for (const LadderSide& side : ladder.sides) {
         finest.push_back(read_record(side.runs.front().file));
         finest.back().attributes["command"] = common.command;  // makes this page again, not only the finest pair
     }
+    CompareOptions options;
     options.force = true;  // the methods may have different finest sizes
-    const Comparison pair = compare_records(std::move(finest), options);
+    Comparison pair = compare_records(std::move(finest), options);
+    judge_by_sizes(pair, ladder);
     const ReportFiles files = leaving_files([&] { return write_report(pair, out, ladder_html(ladder)); });
     say(common, ladder_summary(ladder) + "\nwritten: " + (out / "ladder.md").string() +
                     "\nreport: " + files.html.string() + "\n");
-    write_json(common, json);
+    write_json(common, ladder_json(ladder));
     return ladder;
+}
+
+std::string not_agreeing(const Ladder& ladder) {
+    if (ladder.quantities.empty()) return "no quantity was judged";
+    std::string others;
+    for (const LadderQuantity& q : ladder.quantities)
+        if (q.verdict != Verdict::agree)
+            others += (others.empty() ? "" : ", ") + q.label + ": " + verdict_label(q.verdict);
+    return others;
 }
 
 }  // namespace tw::app

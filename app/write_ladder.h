@@ -21,9 +21,15 @@ struct LadderHarvest {
     void drop_lone_variations();
 };
 
-/// ladder.md, ladder.json, a CSV for each method and report.html with the finest pair; the verdicts for the terminal.
-Ladder write_ladder(const LadderHarvest& harvest, const std::vector<RunRecord>& measured,
-                    const std::filesystem::path& out, const Common& common);
+/// The ladder of what was harvested; what was left out is in it.
+Ladder ladder_of(const LadderHarvest& harvest, const std::vector<RunRecord>& measured = {});
+/// ladder.md, ladder.json and a CSV for each method.
+void write_tables(const Ladder& ladder, const std::filesystem::path& out);
+/// These and report.html with the finest pair; the verdicts for the terminal.
+Ladder report_ladder(const LadderHarvest& harvest, const std::vector<RunRecord>& measured,
+                     const std::filesystem::path& out, const Common& common);
+/// The quantities that do not agree, with their verdicts: why --require agree is not met. Empty: it is.
+std::string not_agreeing(const Ladder& ladder);
 /// What was measured, from records or their folders.
 std::vector<RunRecord> measured_records(const std::vector<std::filesystem::path>& sources);
 

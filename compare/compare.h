@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <string>
@@ -12,18 +13,26 @@ namespace tw {
 struct MeanValue {
     bool known = false;
     double value = std::numeric_limits<double>::quiet_NaN();
-    double half_width = std::numeric_limits<double>::quiet_NaN();  ///< of the 95 % interval
-    double from = 0, to = 0;                                       ///< the window used [s]
+    double half_width = std::numeric_limits<double>::quiet_NaN();  ///< of the 95 % interval of the mean alone
+    /// What runs of other sizes tell (ladder/judge_by_sizes.h), half widths; nan: not estimated, or there is none.
+    double discretisation = std::numeric_limits<double>::quiet_NaN();
+    double choices = std::numeric_limits<double>::quiet_NaN();      ///< box, sound speed, time step; root of squares
+    double uncertainty = std::numeric_limits<double>::quiet_NaN();  ///< of all of it
+    std::string no_uncertainty;                                     ///< why the other sizes gave none
+    double from = 0, to = 0;                                        ///< the window used [s]
     double n_effective = 0;
     std::string why_not;        ///< "record too short: about 0.8 s more is needed"
     double seconds_needed = 0;  ///< > 0: not known because the record is too short, by about this much [s]
     double second_opinion = std::numeric_limits<double>::quiet_NaN();  ///< half width by overlapping batch means
     std::string limited_by;  ///< what makes the interval as wide as it is, where that is not the series: "half a voxel"
     bool unreliable = false;  ///< the two estimates of the interval differ by more than 1.5; the wider one is used
+
+    /// The widest interval that is known; nan: none, because the sizes do not converge.
+    double bar() const { return no_uncertainty.empty() && !std::isfinite(uncertainty) ? half_width : uncertainty; }
 };
 
-/// agree and differ are a ladder's alone: without runs of several sizes nothing is known of the discretisation error, and
-/// two values may only be said to be apart (not_estimated).
+/// agree and differ need runs of several sizes: without them nothing is known of the discretisation error, and two
+/// values may only be said to be apart (not_estimated).
 enum class Verdict { agree, differ, undecided, not_converged, not_comparable, not_estimated };
 std::string to_string(Verdict verdict);
 
@@ -35,11 +44,14 @@ struct Quantity {
     std::string label;                                             ///< for people, e.g. "Lift"
     std::vector<MeanValue> values;                                 ///< one per source
     double difference = std::numeric_limits<double>::quiet_NaN();  ///< source B - source A
-    double interval = std::numeric_limits<double>::quiet_NaN();    ///< half width of its 95 % interval: statistics only
-    double per_cent = std::numeric_limits<double>::quiet_NaN();    ///< difference over the mean of the two, in per cent
+    /// Half width of its 95 % interval: of statistics only where the verdict is not_estimated.
+    double interval = std::numeric_limits<double>::quiet_NaN();
+    double size = 0;  ///< what per cent refer to: mean of the two, at least `scale`
+    double per_cent = std::numeric_limits<double>::quiet_NaN();  ///< difference over the size, in per cent
     Verdict verdict = Verdict::not_comparable;
     std::string remark;
-    bool judged = true;  ///< raw maxima are shown beside, and no ladder judges them
+    std::string sentence;  ///< the verdict to be forwarded, where runs of several sizes gave one
+    bool judged = true;    ///< raw maxima are shown beside, and no ladder judges them
     /// Judged by a ladder all the same: a history's mean has no interval of its own, but its resolution gives it one.
     bool judged_in_ladder = false;
     double scale = 0;  ///< |values| the target refers to are at least this [unit]
@@ -90,6 +102,7 @@ struct Comparison {
     std::vector<Gate> gates;
     std::vector<std::string> banners;  ///< warnings that stand on top of the report
     double agree_within = 0.05;
+    std::string discretisation_from;  ///< "runs of 3 sizes", "the twins of prism, 6 m/s"; empty: not estimated
 
     const Quantity* find(const std::string& name) const;
 };
@@ -111,9 +124,9 @@ Comparison compare_records(std::vector<RunRecord> sources, const CompareOptions&
 struct ReportFiles {
     std::filesystem::path html, json, csv;
 };
-/// `above`: markup that stands before the comparison, e.g. ladder_html.
+/// `details`: markup that stands below the verdicts, e.g. ladder_html.
 ReportFiles write_report(const Comparison& comparison, const std::filesystem::path& folder,
-                         const std::string& above = {});
+                         const std::string& details = {});
 std::string comparison_json(const Comparison& comparison);
 /// The table and verdict for the terminal.
 std::string summary_text(const Comparison& comparison);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "scene/defaults.h"
 
@@ -17,8 +18,17 @@ double snapped_face(double face, bool given, bool high, const Resolution& r) {
     return (high ? std::ceil(face / r.spacing - 1e-6) : std::floor(face / r.spacing + 1e-6)) * r.spacing;
 }
 
+/// Moves the faces of a hull's box away from the hull; the floor at most to the bed, `deepest` below still water.
+void widen(Box& box, const Box& hull, double factor, double deepest) {
+    box.min.x() = hull.min.x() - factor * (hull.min.x() - box.min.x());
+    box.max.x() = hull.max.x() + factor * (box.max.x() - hull.max.x());
+    box.min.y() *= factor;
+    box.max.y() *= factor;
+    if (-box.min.z() < deepest) box.min.z() = -std::min(factor * -box.min.z(), deepest);
+}
+
 /// The box as asked and as it is solved; the rest of the domain is left at its defaults.
-Domain stream_domain(const DomainOptions& o, const Scene& scene, std::optional<double> water_depth) {
+Domain stream_domain(const DomainOptions& o, const Scene& scene, std::optional<double> water_depth, double box_factor) {
     Box box;
     bool floor_given = o.z || o.below;
     if (scene.hull) {
@@ -35,6 +45,10 @@ Domain stream_domain(const DomainOptions& o, const Scene& scene, std::optional<d
     if (o.z) std::tie(box.min.z(), box.max.z()) = *o.z;
     if (scene.hull && scene.hull->half) box.min.y() = 0;
     Domain d;
+    const double deepest = water_depth.value_or(std::numeric_limits<double>::infinity());
+    const bool open_water = scene.hull && scene.motion.kind == Motion::Kind::stream;
+    d.floor_ends_the_box = open_water && -box.min.z() < deepest;
+    if (open_water && box_factor != 1) widen(box, scene.hull->surface.bounds(), box_factor, deepest);
     d.as_asked = box;
     const bool low_given[] = {o.x || o.ahead, o.y || o.side, floor_given};
     const bool high_given[] = {o.x || o.behind, o.y || o.side, o.z || o.above};
@@ -89,7 +103,7 @@ void check_sizes(const Resolution& r, std::initializer_list<double> lengths, con
 }
 
 Domain domain_of(const DomainOptions& o, const std::optional<Box>& tank, const Scene& scene, Sections& s,
-                 std::optional<double> depth) {
+                 std::optional<double> depth, double box_factor) {
     Domain d;
     const bool stream = scene.motion.kind == Motion::Kind::stream;
     if (tank) {
@@ -108,7 +122,7 @@ Domain domain_of(const DomainOptions& o, const std::optional<Box>& tank, const S
         if (!scene.hull && !(o.x && o.z && (o.y || o.dimensions == 2)))
             s.domain.fail(stream ? "x" : "size",
                           "missing; a scene without a hull needs [domain] x, y and z ranges, or a [tank]");
-        d = stream_domain(o, scene, depth);
+        d = stream_domain(o, scene, depth, box_factor);
     }
     d.dimensions = o.dimensions;
     if (!scene.hull) {

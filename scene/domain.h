@@ -9,8 +9,8 @@ Resolution resolution_of(const ResolutionOptions& o, const Hull* hull, Section& 
 /// cell larger than all of them.
 void check_sizes(const Resolution& r, std::initializer_list<double> lengths, const char* of_what, Section& s);
 /// The domain with its sides, from the scene's [domain] or [tank], resolution, motion and hull. `depth`: of the place
-/// [m].
+/// [m]. `box_factor`: see SceneOverrides.
 Domain domain_of(const DomainOptions& o, const std::optional<Box>& tank, const Scene& scene, Sections& s,
-                 std::optional<double> depth);
+                 std::optional<double> depth, double box_factor = 1);
 
 }  // namespace tw

@@ -181,13 +181,15 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
                       "z = 0, or [[water_block]]");
     check_places(scene, s);
 
-    scene.water.depth = water_height(scene) + (scene.domain.as_asked.min.z() - scene.domain.box.min.z());
     scene.motion.ramp = ramp.value_or(default_ramp(scene));
     fill_times(scene);
     for (double* courant : {&scene.fvm.max_courant, &scene.fvm.max_alpha_courant})
         if (*courant == 0) *courant = default_courant(scene);
     if (scene.sph.c0 == 0) scene.sph.c0 = default_sound_speed(scene);
     check_sound_speed(scene);
+    if (overrides.box_factor != 1)  // only now: the sound speed follows from the box that the scene asks for
+        scene.domain = domain_of(domain, tank, scene, s, depth, overrides.box_factor);
+    scene.water.depth = water_height(scene) + (scene.domain.as_asked.min.z() - scene.domain.box.min.z());
     scene.sph.c0 *= overrides.sound_speed_factor;
     scene.sph.cfl *= overrides.time_step_factor;
     scene.fvm.max_courant *= overrides.courant_factor;

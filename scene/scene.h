@@ -61,6 +61,8 @@ struct Domain {
     /// The same before its faces were moved to multiples of the sizes: what does not depend on the resolution.
     Box as_asked;
     int dimensions = 3;  ///< 2: the x-z plane, one particle / cell thick in y
+    /// The floor only ends the box, as the sides of a stream do; false: it is the bed, at the depth of the water.
+    bool floor_ends_the_box = false;
     Side x_min = Side::slip_wall, x_max = Side::slip_wall, y_min = Side::slip_wall, y_max = Side::slip_wall,
          z_min = Side::slip_wall, z_max = Side::atmosphere;
 };
@@ -181,7 +183,10 @@ struct SceneOverrides {
     double sound_speed_factor = 1;                ///< multiplies c0
     double time_step_factor = 1;                  ///< multiplies the acoustic Courant number of SPH
     double courant_factor = 1;                    ///< multiplies both Courant numbers of the FVM
-    std::map<std::string, bool> effects = {};     ///< effects forced on or off
+    /// Multiplies the distances at which the box of a hull in a stream ends: ahead, behind, sides and floor; never a
+    /// symmetry plane, a bed or the top. The particles' sound speed stays as without it.
+    double box_factor = 1;
+    std::map<std::string, bool> effects = {};  ///< effects forced on or off
 };
 
 /// Reads, fills in and checks a scene file. Throws InputError `file:line:column: ...` for the first thing that is

@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "scene/box_walls.h"
 #include "scene/defaults.h"
 #include "scene/scene.h"
 #include "scene/units.h"
@@ -86,6 +87,7 @@ std::string to_text(const Scene& scene, const Prediction& p) {
     out += fmt::format("domain      {} to {} m, {} dimensions; x: {}, {}; y: {}, {}; z: {}, {}\n", place(d.box.min),
                        place(d.box.max), d.dimensions, side_name(d.x_min), side_name(d.x_max), side_name(d.y_min),
                        side_name(d.y_max), side_name(d.z_min), side_name(d.z_max));
+    if (const std::string walls = wall_warning(scene); !walls.empty()) out += "  warning   " + walls + "\n";
     out += fmt::format(
         "resolution  {:.4g} m at the hull (particles, finest cells), {:.4g} m far from it (largest cells)\n",
         scene.resolution.near_hull, scene.resolution.spacing);

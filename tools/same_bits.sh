@@ -82,12 +82,14 @@ all_runs() {
 
 # program_run PROGRAM FOLDER [options]: one particle run of FOLDER/../scene.toml.
 program_run() {
-    local program=$1 folder=$2 threads=(--threads 1)
+    local program=$1 folder=$2 options=(--threads 1)
     shift 2
-    [[ " $* " != *" --threads "* ]] || threads=()
+    [[ " $* " != *" --threads "* ]] || options=()
+    # older versions have no twins, and do not know the option
+    if "$program" run --help | grep -q -e --no-twins; then options+=(--no-twins); fi
     # a cache of its own: no run may learn from another how fast this machine is
     XDG_CACHE_HOME=$work/cache OMP_WAIT_POLICY=passive nice "$program" run "${folder%/*}/scene.toml" --method sph \
-        --out "$folder" --quiet "${threads[@]}" "$@" >>"$folder.log" 2>&1
+        --out "$folder" --quiet "${options[@]}" "$@" >>"$folder.log" 2>&1
 }
 
 # both NAME DURATIONS [options]: with both programs, gone on with after each duration but the last; then the comparison.

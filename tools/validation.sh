@@ -35,7 +35,7 @@ run() {
     local scene=$1 folder=$2 m
     shift 2
     for m in "${methods[@]}"; do
-        local command=("$program" run "studies/$scene.toml" --method "$m" --out "$folder" "$@")
+        local command=("$program" run "studies/$scene.toml" --no-twins --method "$m" --out "$folder" "$@")
         printf '    %s\n' "${command[*]}"
         [ "$rows_only" = 0 ] || continue
         if [ -e "$folder/$m/record.h5" ] || [ -e "$folder/$m/checkpoint.h5" ]; then command+=(--resume); fi

@@ -12,6 +12,7 @@ _twinwake() {
     fi
     case $previous in
         --method) COMPREPLY=($(compgen -W "sph fvm both" -- "$word")); return ;;
+        --twins) COMPREPLY=($(compgen -W "first all none" -- "$word")); return ;;
         --require) COMPREPLY=($(compgen -W "agree" -- "$word")); return ;;
         --effects) COMPREPLY=($(compgen -W "$(_twinwake_names effects)" -- "$word")); return ;;
         --effect) COMPREPLY=($(compgen -W "$(printf '%s=on ' $(_twinwake_names effects); printf '%s=off ' $(_twinwake_names effects))" -- "$word")); return ;;
@@ -24,10 +25,10 @@ _twinwake() {
              [ "$COMP_CWORD" -eq 2 ] && words="planing seaplane tank own" ;;
         check) words="$scene --threads --json --quiet --help" ;;
         reference) words="--out --names --quiet --help" ;;
-        run) words="$scene --method --out --resume --overwrite --threads --json --quiet --help" ;;
+        run) words="$scene --method --out --resume --overwrite --no-twins --require --threads --json --quiet --help" ;;
         compare) words="--out --ladder --measured --force --require --json --quiet --help" ;;
         ladder) words="$scene --method --levels --ratio --no-variations --plan --measured --budget --overwrite --out --threads --json --quiet --help" ;;
-        sweep) words="--hulls --speeds --trims --near-hull --scale --duration --effect --overwrite --out --threads --json --quiet --help" ;;
+        sweep) words="--hulls --speeds --trims --near-hull --scale --duration --effect --twins --overwrite --out --threads --json --quiet --help" ;;
         ablate) words="$scene --effects --method --overwrite --out --threads --json --quiet --help" ;;
         import) words="--out --overwrite --json --quiet --help" ;;
         uncertainty) words="--order --json --quiet --help" ;;

@@ -85,6 +85,8 @@ std::string family_differences(const Family& a, const Family& b) {
     return out.empty() ? "they differ in numerics that records do not list (such as touch_support)" : out;
 }
 
+bool same_settings(const Family& a, const Family& b) { return differences_of(a, b).empty(); }
+
 std::optional<Varied> variation_between(const Family& base, const Family& varied) {
     const std::vector<Difference> all = differences_of(base, varied);
     if (all.size() != 1 || !(all[0].ratio > 0)) return {};
@@ -92,8 +94,8 @@ std::optional<Varied> variation_between(const Family& base, const Family& varied
     // The error of weak compressibility falls with Ma^2, so with c0^-2; errors of time stepping are of first order.
     if (all[0].name == "c0" && r > 1) return Varied{fmt::format("sound speed x {:g}", r), 1 / (1 - 1 / (r * r))};
     const std::string share = std::abs(r - 0.5) < 1e-6 ? "half" : fmt::format("{:g} times", r);
-    if (all[0].name == "cfl" && r < 1) return Varied{share + " the time step", 1 / (1 - r)};
-    if (all[0].name == "max_courant_limit" && r < 1) return Varied{share + " the Courant number", 1 / (1 - r)};
+    if (all[0].name == "cfl" && r < 1) return Varied{share + " the time step", 1 / (1 - r), 1 / r};
+    if (all[0].name == "max_courant_limit" && r < 1) return Varied{share + " the Courant number", 1 / (1 - r), 1 / r};
     return {};
 }
 

@@ -20,11 +20,15 @@ Family family_of(const RunRecord& record);
 /// "delta is 0.1 and 0.2, effect shifting is on and off": what the records show of it.
 std::string family_differences(const Family& a, const Family& b);
 
+/// Whether the records show nothing but resolution, domain and duration to differ.
+bool same_settings(const Family& a, const Family& b);
+
 /// A choice that should not matter, made otherwise: the share of the error that it leaves in the ladder's value is
 /// `factor` |value - varied value|, with 1/(1 - 1/r^q) for a choice made finer by r whose error falls with order q.
 struct Varied {
     std::string name;  ///< "sound speed x 1.5"
     double factor = 1;
+    double steps = 1;  ///< how many times as many time steps it is to take; 1: they are not what it changes
 };
 /// `varied` against `base`, where they differ in nothing but the sound speed, or a time step made shorter.
 std::optional<Varied> variation_between(const Family& base, const Family& varied);

@@ -1,14 +1,14 @@
 #include "compare/ladder/ladder.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "base/errors.h"
 #include "compare/gates.h"
+#include "compare/ladder/held.h"
+#include "compare/ladder/variation.h"
 #include "compare/report/numbers.h"
 #include "compare/verdict/decide.h"
 
@@ -18,26 +18,12 @@ namespace {
 
 constexpr double scheme_order = 2;
 
-const Quantity* find(const LadderRun& run, const std::string& name) {
-    const auto q = std::ranges::find(run.quantities, name, &Quantity::name);
-    return q == run.quantities.end() || q->values.empty() ? nullptr : &*q;
-}
-
-Sensitivity sensitivity_of(const LadderSide& side, const LadderVariation& v, const std::string& name) {
-    const auto base = std::ranges::find_if(side.runs, [&](const LadderRun& r) { return same_rung(r, v.run); });
-    const Quantity *a = find(*base, name), *b = find(v.run, name);
-    Sensitivity s{v.name, v.run.spacing, std::nan(""), std::nan(""), std::nan("")};
-    if (!a || !b || !a->values[0].known || !b->values[0].known) return s;
-    s.value = a->values[0].value, s.varied = b->values[0].value;
-    s.uncertainty = v.factor * std::abs(s.varied - s.value);
-    return s;
-}
-
-LadderValue value_of(const LadderSide& side, const std::string& name) {
+LadderValue value_of(const std::vector<LadderSide>& sides, std::size_t k, const std::string& name, double scale) {
+    const LadderSide& side = sides[k];
     LadderValue v;
     std::vector<const LadderRun*> known;
     for (const LadderRun& run : side.runs) {
-        const Quantity* q = find(run, name);
+        const Quantity* q = find_quantity(run, name);
         if (!q || !q->values[0].known) {
             v.absent.push_back(fmt::format("{:g} m: {}", run.spacing, q ? q->values[0].why_not : "not measured"));
             continue;
@@ -49,12 +35,11 @@ LadderValue value_of(const LadderSide& side, const std::string& name) {
     if (v.levels.empty()) return v;
     v.statistical = v.half_widths.front();
     v.estimate = estimate(v.levels, scheme_order);
-    double squares = v.statistical * v.statistical + v.estimate.uncertainty * v.estimate.uncertainty;
-    for (const LadderVariation& variation : side.variations) {
-        v.sensitivities.push_back(sensitivity_of(side, variation, name));
-        if (const double U = v.sensitivities.back().uncertainty; std::isfinite(U)) squares += U * U;
-    }
-    v.uncertainty = std::sqrt(squares);
+    v.sensitivities = sensitivities_of(sides, k, name, v.levels.front().value, scale);
+    for (const Sensitivity& s : v.sensitivities)
+        if (double& sum = s.box ? v.box : v.choices; std::isfinite(s.uncertainty)) sum = std::hypot(sum, s.uncertainty);
+    v.own = std::hypot(std::hypot(v.statistical, v.estimate.uncertainty), v.choices);  // of three, NaN may get lost
+    v.uncertainty = std::hypot(v.own, v.box);
     std::vector<CostPoint> points;
     for (std::size_t i = 0; i < v.estimate.uncertainties.size(); ++i) {
         const double U = std::hypot(v.estimate.uncertainties[i], v.half_widths[i]);
@@ -82,10 +67,30 @@ std::vector<Term> terms_of(const LadderQuantity& q, const std::vector<LadderSide
         terms.push_back({v.statistical, sides[k].method + "'s mean", k, Term::statistics});
         terms.push_back({v.estimate.uncertainty, sides[k].method + "'s discretisation error", k, Term::discretisation});
         for (const Sensitivity& s : v.sensitivities)
-            if (std::isfinite(s.uncertainty))
+            if (std::isfinite(s.uncertainty) && !s.box)
                 terms.push_back({s.uncertainty, sides[k].method + "'s " + s.name, k, Term::choice});
     }
     return terms;
+}
+
+/// Wall time of the runs that would bring the joint interval to the target: where the discretisation error is the
+/// largest term finer runs that make its terms smaller by one factor, by the slopes of the ladder; where a mean is, a
+/// longer record of that method. nan: not known, or the other terms are above the target.
+double seconds_to_target(const LadderQuantity& q, const std::vector<LadderSide>& sides, const Term& largest,
+                         double target_U) {
+    double D = 0;
+    for (const LadderValue& v : q.values) D = std::hypot(D, v.estimate.uncertainty);
+    const double U = largest.kind == Term::discretisation ? D : largest.U;
+    const double room = target_U * target_U - (q.interval * q.interval - U * U);
+    if (!(room > 0) || largest.kind == Term::choice) return std::nan("");
+    const LadderRun& longer = sides[largest.side].runs.front();
+    if (largest.kind == Term::statistics) return longer.seconds > 0 ? longer.seconds * U * U / room : std::nan("");
+    double seconds = 0;
+    for (const LadderValue& v : q.values) {
+        const double needed = v.estimate.uncertainty * std::sqrt(room) / D;
+        if (v.estimate.uncertainty * v.estimate.uncertainty > 0.1 * room) seconds += v.cost.seconds_for(needed);
+    }
+    return seconds;
 }
 
 /// What would make the largest term small enough for the target, the others as they are.
@@ -113,10 +118,9 @@ std::string remedy(const Term& term, const LadderQuantity& q, const LadderSide& 
         term.kind == Term::discretisation && e.convergence == Convergence::scattered)
         return fmt::format("the values scatter by {} {} from size to size: sizes between these narrow the interval",
                            value_text(e.trend_noise.sigma, 0), q.unit);
-    const CostOfAccuracy& cost = q.values[term.side].cost;
-    if (term.kind == Term::discretisation && cost.known() && std::isfinite(cost.seconds_for(needed)))
-        return fmt::format("a finer run of about {} would suffice, by the slope of this ladder",
-                           time_text(cost.seconds_for(needed)));
+    if (term.kind == Term::discretisation && std::isfinite(q.seconds_to_target))
+        return fmt::format("finer runs of about {} would suffice, by the slopes of this ladder",
+                           time_text(q.seconds_to_target));
     return {};
 }
 
@@ -137,7 +141,7 @@ void judge(LadderQuantity& q, const std::vector<LadderSide>& sides, double targe
         }
     const double S0 = a.levels.front().value, S1 = b.levels.front().value;
     const double S = q.size = std::max(std::abs(S0 + S1) / 2, scale);
-    q.difference = S1 - S0;
+    q.difference = no_more_than_rounding(S1 - S0, S) ? 0 : S1 - S0;
     if (S > 0) q.per_cent = 100 * q.difference / S;
     for (std::size_t k = 0; k < 2; ++k)
         if (!std::isfinite(q.values[k].uncertainty)) {
@@ -146,18 +150,19 @@ void judge(LadderQuantity& q, const std::vector<LadderSide>& sides, double targe
             return;
         }
     for (std::size_t k = 0; k < 2; ++k)
-        if (no_more_than_rounding(q.values[k].uncertainty, S) && !no_more_than_rounding(q.difference, S)) {
+        if (no_more_than_rounding(q.values[k].own, S) && !no_more_than_rounding(q.difference, S)) {
             q.verdict = Verdict::not_converged;
             q.reason = sides[k].method + ": the values do not change with the size, so no uncertainty can be estimated";
             return;
         }
-    q.interval = std::hypot(a.uncertainty, b.uncertainty);
+    q.interval = std::hypot(a.own, b.own);
     q.verdict = decide(q.difference, q.interval, target, S);
     if (q.verdict == Verdict::differ && std::abs(q.difference) <= target * S)
         q.reason = fmt::format("beyond the joint interval, yet within the target of {:g} %", 100 * target);
     if (q.verdict != Verdict::undecided) return;
     const std::vector<Term> terms = terms_of(q, sides);
     const Term& largest = *std::ranges::max_element(terms, {}, &Term::U);
+    q.seconds_to_target = seconds_to_target(q, sides, largest, target * S);
     const std::string cure = remedy(largest, q, sides[largest.side], target * S);
     q.reason =
         fmt::format("the interval is wider than the target of {:g} %; largest term: {} (± {} {}){}", 100 * target,
@@ -195,133 +200,14 @@ std::vector<LadderSide> sides_of(std::vector<LadderRun> runs) {
 
 void add_variation(std::vector<LadderSide>& sides, LadderVariation v) {
     for (LadderSide& side : sides)
-        if (std::ranges::any_of(side.runs, [&](const LadderRun& r) { return same_rung(r, v.run); })) {
+        if (const auto base = std::ranges::find_if(side.runs, [&](const LadderRun& r) { return same_rung(r, v.run); });
+            base != side.runs.end()) {
+            weigh(v, *base);
             side.variations.push_back(std::move(v));
             return;
         }
     throw InputError(fmt::format("{} with {}: the ladder has no {} run of {:g} m that it varies", v.run.method, v.name,
                                  v.run.method, v.run.spacing));
-}
-
-Validation validate(const LadderValue& v, const MeanValue& measured, double target) {
-    Validation out;
-    if (v.levels.empty() || !measured.known) return out;
-    out.E = v.levels.front().value - measured.value;
-    if (measured.value != 0) out.per_cent = 100 * out.E / std::abs(measured.value);
-    out.verdict = Verdict::not_converged;
-    if (!std::isfinite(v.uncertainty)) return out;
-    out.U_val = std::hypot(v.uncertainty, measured.half_width);
-    out.verdict = decide(out.E, out.U_val, target, std::abs(measured.value));
-    return out;
-}
-
-/// Throws InputError for a value in another unit.
-void hold_against(Ladder& ladder, const std::string& source, const std::string& quantity, const std::string& unit,
-                  const MeanValue& value) {
-    const auto at = std::ranges::find(ladder.quantities, quantity, &LadderQuantity::name);
-    if (at == ladder.quantities.end()) return;
-    if (at->unit != unit)
-        throw InputError(
-            fmt::format("{}: {} is in {}, and in the ladder's runs in {}; expected one unit: convert it with "
-                        "twinwake import",
-                        source, at->label, unit, at->unit));
-    Held held{source, value, {}};
-    for (const LadderValue& v : at->values) held.validations.push_back(validate(v, value, ladder.agree_within));
-    at->held.push_back(std::move(held));
-}
-
-/// The half width of a measured quantity's 95 % interval, as the mapping of its column says.
-double measured_half_width(const RunRecord& record, const std::string& quantity) {
-    static const std::map<std::string, std::string> columns{{"lift", "forces:fz"},
-                                                            {"drag", "forces:fx"},
-                                                            {"trim_moment", "forces:my"},
-                                                            {"wetted_length", "samples:wetted_length"}};
-    std::string column;
-    if (const auto known = columns.find(quantity); known != columns.end()) column = known->second;
-    if (quantity.find("_arrival:") != std::string::npos) return 0;  // a time, not what the column holds
-    for (const char* table : {"pressure", "height"})                // "pressure:P1" and "pressure_mean:P1"
-        if (const std::size_t colon = quantity.find(':'); colon != std::string::npos && quantity.starts_with(table))
-            column = table + quantity.substr(colon);
-    const auto at = record.numbers.find("uncertainty:" + column);
-    return at == record.numbers.end() ? 0 : at->second;
-}
-
-std::vector<double> domain_of(const RunRecord& record) {
-    std::vector<double> box;
-    const auto number = [&](const std::string& name, double otherwise) {
-        const auto n = record.numbers.find(name);
-        return n == record.numbers.end() ? otherwise : n->second;
-    };
-    for (const char* axis : {"x", "y", "z"})
-        if (axis[0] != 'y' || number("dimensions", 3) == 3)
-            for (const char* end : {"min", "max"}) box.push_back(number(fmt::format("domain_{}_{}", axis, end), 0));
-    return box;
-}
-
-/// The same tank, but for faces that a spacing has moved.
-bool same_domain(const std::vector<double>& a, const std::vector<double>& b, double spacing) {
-    return std::ranges::equal(a, b, [&](double x, double y) { return std::abs(x - y) <= spacing; });
-}
-
-/// What lies within the runs' time: a peak that only the longer measurement saw is none of theirs.
-RunRecord within(RunRecord record, double duration) {
-    if (!(duration > 0)) return record;
-    for (auto& [name, table] : record.tables) {
-        const auto inside = [&](double t) { return t >= 0 && t <= duration * (1 + 1e-6); };
-        for (Column& c : table.columns) {
-            std::vector<double> values;
-            for (std::size_t i = 0; i < c.values.size(); ++i)
-                if (inside(table.time[i])) values.push_back(c.values[i]);
-            c.values = std::move(values);
-        }
-        std::erase_if(table.time, [&](double t) { return !inside(t); });
-    }
-    double& its = record.numbers["duration"];
-    its = its > 0 ? std::min(its, duration) : duration;
-    return record;
-}
-
-void add_measured(Ladder& ladder, const RunRecord& record) {
-    const auto text = [&](const std::string& name) {
-        const auto at = record.attributes.find(name);
-        return at == record.attributes.end() ? std::string() : at->second;
-    };
-    const std::string source = text("method");
-    const LadderRun& run = ladder.sides.front().runs.front();
-    if (text("hull_hash") != run.hull_hash)
-        throw InputError(
-            source + ": measured on another hull than the ladder's; expected a mapping whose scene is the ladder's");
-    if (run.hull_hash.empty() && !same_domain(domain_of(record), run.domain, run.spacing))
-        throw InputError(
-            fmt::format("{}: measured in another tank than the ladder's: it spans {:.4g} m, the ladder's "
-                        "{:.4g} m; expected a mapping whose scene is the ladder's",
-                        source, fmt::join(domain_of(record), " "), fmt::join(run.domain, " ")));
-    double shortest = HUGE_VAL;
-    for (const LadderSide& side : ladder.sides)
-        for (const LadderRun& r : side.runs)
-            if (r.duration > 0) shortest = std::min(shortest, r.duration);
-    for (const Quantity& q : compare_records({within(record, std::isfinite(shortest) ? shortest : 0)}).quantities) {
-        if (q.values.empty() || !q.values[0].known) continue;
-        MeanValue value = q.values[0];
-        value.half_width = std::hypot(value.half_width, measured_half_width(record, q.name));
-        hold_against(ladder, source, q.name, q.unit, value);
-    }
-}
-
-/// Of the finest run that has them: the same formula says the same of every size.
-void add_references(Ladder& ladder) {
-    for (const LadderSide& side : ladder.sides)
-        for (const LadderRun& run : side.runs) {
-            if (run.references.empty()) continue;
-            for (const Reference& r : run.references) {
-                MeanValue value;
-                value.known = true, value.value = r.value, value.half_width = r.half_width;
-                if (r.in_range)
-                    hold_against(ladder, r.remark.empty() ? r.source : r.source + " (" + r.remark + ")", r.quantity,
-                                 r.unit, value);
-            }
-            return;
-        }
 }
 
 }  // namespace
@@ -338,6 +224,7 @@ LadderRun ladder_run(RunRecord record, const CompareOptions& options) {
     LadderRun run;
     run.title = record.attributes["title"], run.method = record.attributes["method"];
     run.spacing = spacing->second, run.elements = record.elements, run.memory = record.peak_memory;
+    run.steps = record.steps;
     run.predicted_seconds = record.numbers["predicted_seconds"], run.duration = record.numbers["duration"];
     for (const Phase& phase : record.phases) run.seconds += phase.wall, run.core_seconds += phase.cpu;
     run.hull_hash = record.attributes["hull_hash"];
@@ -357,13 +244,13 @@ std::vector<LadderVariation> take_variations(std::vector<LadderRun>& runs) {
     std::vector<LadderVariation> variations;
     std::vector<LadderRun> kept;
     for (LadderRun& run : runs) {
-        std::optional<Varied> choice;
+        std::optional<LadderVariation> choice;
         for (const LadderRun& base : runs)
             if (&base != &run && same_rung(base, run) && !run.family.hash.empty() &&
                 base.family.hash != run.family.hash && !choice)
-                choice = variation_between(base.family, run.family);
+                choice = variation_between(base, run);
         if (choice)
-            variations.push_back({choice->name, choice->factor, run});
+            variations.push_back(std::move(*choice));
         else
             kept.push_back(run);
     }
@@ -384,6 +271,13 @@ Ladder build_ladder(std::vector<LadderRun> runs, std::vector<LadderVariation> va
                         "method; expected records of one scene",
                         ladder.sides[0].method, ladder.sides[1].method));
     for (LadderVariation& v : variations) add_variation(ladder.sides, std::move(v));
+    for (const LadderSide& side : ladder.sides) {
+        if (const std::string note = steps_note(side); !note.empty()) ladder.notes.push_back(note);
+        for (const LadderVariation& v : side.variations)
+            if (!v.refused.empty())
+                ladder.notes.push_back(fmt::format("{} with {}: no evidence, and no share of the intervals: {}",
+                                                   side.method, v.name, v.refused));
+    }
     for (const LadderSide& side : ladder.sides)  // the union of what the runs measured, in their order
         for (const LadderRun& run : side.runs)
             for (const Quantity& from : run.quantities)
@@ -400,11 +294,12 @@ Ladder build_ladder(std::vector<LadderRun> runs, std::vector<LadderVariation> va
                     ladder.quantities.push_back(std::move(q));
                 }
     for (LadderQuantity& q : ladder.quantities) {
-        for (const LadderSide& side : ladder.sides) q.values.push_back(value_of(side, q.name));
         double scale = 0;
         for (const LadderSide& side : ladder.sides)
             for (const LadderRun& run : side.runs)
-                if (const Quantity* of_run = find(run, q.name)) scale = std::max(scale, of_run->scale);
+                if (const Quantity* of_run = find_quantity(run, q.name)) scale = std::max(scale, of_run->scale);
+        for (std::size_t k = 0; k < ladder.sides.size(); ++k)
+            q.values.push_back(value_of(ladder.sides, k, q.name, scale));
         judge(q, ladder.sides, ladder.agree_within, scale);
     }
     for (const LadderSide& side : ladder.sides)

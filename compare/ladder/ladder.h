@@ -20,6 +20,7 @@ struct LadderRun {
     std::filesystem::path file;            ///< its record; empty: none on disk
     double spacing = 0;                    ///< at the hull [m]
     double elements = 0;                   ///< particles or cells
+    double steps = 0;                      ///< of time; 0: not recorded
     double seconds = 0, core_seconds = 0;  ///< everything counted: wall, processor time [s]
     double memory = 0;                     ///< peak [bytes]
     double predicted_seconds = 0;          ///< as said before the run [s]; 0: not said
@@ -37,11 +38,14 @@ bool same_rung(const LadderRun& a, const LadderRun& b);
 LadderRun ladder_run(RunRecord record, const CompareOptions& options = {});
 
 /// A run that differs from the ladder's own of the same method and size in one choice that should not matter; `factor`
-/// as in Varied.
+/// and `steps` as in Varied.
 struct LadderVariation {
     std::string name;  ///< "sound speed x 1.5"
     double factor = 1;
     LadderRun run;
+    double steps = 1;
+    bool box = false;          ///< a wider box: its change counts in both methods, relative to the value
+    std::string refused = {};  ///< why it is no evidence; filled by build_ladder
 };
 
 /// One method's runs of a ladder, finest first.
@@ -54,9 +58,11 @@ struct LadderSide {
 
 /// What one variation says of one quantity [its unit].
 struct Sensitivity {
-    std::string name;
+    std::string name;    ///< with the method that ran it where that is the other one
     double spacing = 0;  ///< of the two runs [m]
     double value = 0, varied = 0, uncertainty = 0;
+    bool box = false;
+    std::string refused = {};  ///< why it is no evidence and has no uncertainty
     /// The same but for rounding: what was varied does not bind in this run, so it says nothing.
     bool idle() const { return no_more_than_rounding(varied - value, value); }
 };
@@ -84,6 +90,8 @@ struct LadderValue {
     double statistical = std::numeric_limits<double>::quiet_NaN();  ///< half width of the finest level's 95 % interval
     Estimate estimate;                                              ///< of the resolution; no levels: nothing known
     std::vector<Sensitivity> sensitivities;
+    double choices = 0, box = 0;  ///< roots of the sums of their squares: the box, and all others
+    double own = std::numeric_limits<double>::quiet_NaN();          ///< of the finest value: all but the box
     double uncertainty = std::numeric_limits<double>::quiet_NaN();  ///< of the finest value: all of the above
     CostOfAccuracy cost, cost_in_cores, cost_in_memory;             ///< against wall time, processor time, memory
 };
@@ -97,12 +105,14 @@ struct LadderQuantity {
     double per_cent = std::numeric_limits<double>::quiet_NaN();    ///< difference over the size [%]
     Verdict verdict = Verdict::not_comparable;
     std::string reason;
+    double seconds_to_target = std::numeric_limits<double>::quiet_NaN();  ///< wall time of runs that would decide it
     std::vector<Held> held;
 };
 
 struct Ladder {
     std::string title;
     std::vector<std::string> left_out;    ///< runs that are missing and why: beyond the budget, failed
+    std::vector<std::string> notes;       ///< choices that are no evidence, time steps that do not follow the spacing
     std::vector<std::string> calibrated;  ///< what was chosen by looking at results, as the records say
     std::vector<LadderSide> sides;
     std::vector<LadderQuantity> quantities;
@@ -115,6 +125,9 @@ struct Ladder {
 ///
 ///   E = S_1 - S_0     U^2 = sum over both methods of u^2 + U_num^2 + sum U_var^2
 ///   S = |S_0 + S_1| / 2, at least the quantity's scale
+///
+/// The box is in the U of each value and not in that of E: both methods solve the same box, and a shared input cancels.
+/// A variation that was to take more time steps counts by those it took (variation.h).
 ///
 /// U_num is that of uncertainty/convergence.h: from three sizes on trend and noise, which knows each size's u as part of
 /// the noise. A method without U_num, whose values run away, is not converged, nor is one whose U is no more than
@@ -133,8 +146,8 @@ Ladder build_ladder(std::vector<LadderRun> runs, std::vector<LadderVariation> va
 /// step, the Courant number), as the records' numbers show. Runs without a family hash are left as they are.
 std::vector<LadderVariation> take_variations(std::vector<LadderRun>& runs);
 
-/// "Lift: differ, +418 ± 120 N (+13 %)": one quantity's verdict in words, its reason behind it.
-std::string ladder_sentence(const LadderQuantity& quantity);
+/// One quantity's verdict as a sentence to be forwarded, see sentence_of.
+std::string ladder_sentence(const Ladder& ladder, const LadderQuantity& quantity);
 /// "Beyond 82 s, at U = 688 N, fvm is the cheaper one, before it sph."; empty where the lines do not cross within a
 /// year.
 std::string crossover_sentence(const Ladder& ladder, const LadderQuantity& quantity);
@@ -145,16 +158,14 @@ std::string ladder_summary(const Ladder& ladder);
 std::string ladder_json(const Ladder& ladder);
 /// Spacing and values of one side, as `twinwake uncertainty` reads it; levels that lack a quantity leave it out whole.
 std::string ladder_csv(const Ladder& ladder, std::size_t side);
-/// The part of report.html that shows the ladder: verdicts, convergence, what accuracy costs.
+/// The part of report.html that stands below the verdicts: convergence, shares, other choices, what accuracy costs.
 std::string ladder_html(const Ladder& ladder);
-/// What stands above the tables where `similar` is false.
-std::string no_family_text(const LadderSide& side);
+/// What stands above the tables: runs that are left out, choices that are no evidence, sides that are no family.
+std::vector<std::string> ladder_banners(const Ladder& ladder);
 /// Whether the measured value lies within the interval: "yes", "yes, by a wide interval", "no", "not converged", "no value".
 std::string validation_label(const Validation& validation);
 /// Core hours, or memory, to an uncertainty; "~" where beyond the sizes.
 std::string cores_text(const CostOfAccuracy& cost, double uncertainty);
 std::string memory_text(const CostOfAccuracy& cost, double uncertainty);
-/// Seconds as people say them: "42 s", "13 min", "2.4 h", "9 days".
-std::string time_text(double seconds);
 
 }  // namespace tw

@@ -11,10 +11,6 @@ namespace tw {
 
 namespace {
 
-bool has_levels(const LadderQuantity& q) {
-    return std::ranges::any_of(q.values, [](const LadderValue& v) { return !v.levels.empty(); });
-}
-
 /// Values over spacing with their intervals, and where the fit points at spacing 0.
 std::string convergence_plot(const Ladder& ladder, const LadderQuantity& q) {
     Plot plot;
@@ -86,24 +82,13 @@ std::string plots(const Ladder& ladder) {
 }  // namespace
 
 std::string ladder_html(const Ladder& ladder) {
-    std::string out;
-    for (const LadderQuantity& q : ladder.quantities)
-        if (q.name == "lift" || q.name == "drag" || q.name == "splash_sheet_height") {
-            if (has_levels(q)) out += (out.empty() ? "" : "<br>") + escaped(ladder_sentence(q));
-        }
-    if (!out.empty()) out = "<div class=\"verdict\">" + out + "</div>";
-    const auto banner = [&](const std::string& text) { out += "<div class=\"banner\">" + escaped(text) + "</div>"; };
-    for (const LadderSide& side : ladder.sides)
-        if (!side.similar) banner(no_family_text(side));
-    for (const std::string& line : ladder.left_out) banner(line);
-    out += html_of(ladder_verdicts(ladder)) + html_of(ladder_held(ladder));
-    if (ladder_held(ladder).empty())
+    std::string out = html_of(ladder_held(ladder));
+    if (out.empty())
         for (const std::string& line : ladder.calibrated)
             out += "<p class=\"note\">Tuned, not validated: " + escaped(line) + "</p>";
-    out += html_of(ladder_checks(ladder)) + html_of(ladder_values(ladder)) + html_of(ladder_shares(ladder)) +
+    return out + html_of(ladder_checks(ladder)) + html_of(ladder_shares(ladder)) + html_of(ladder_values(ladder)) +
            html_of(ladder_variations(ladder)) + plots(ladder) + html_of(ladder_prices(ladder)) +
            html_of(ladder_runs(ladder));
-    return out + "<h2>The finest pair</h2>";
 }
 
 }  // namespace tw

@@ -9,9 +9,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json json_of(const LadderRun& r) {
-    return {{"spacing", r.spacing},           {"elements", r.elements},
-            {"wall_seconds", r.seconds},      {"predicted_seconds", r.predicted_seconds},
-            {"core_seconds", r.core_seconds}, {"memory_bytes", r.memory}};
+    return {{"spacing", r.spacing},
+            {"elements", r.elements},
+            {"steps", r.steps},
+            {"wall_seconds", r.seconds},
+            {"predicted_seconds", r.predicted_seconds},
+            {"core_seconds", r.core_seconds},
+            {"memory_bytes", r.memory}};
 }
 
 Json json_of(const CostOfAccuracy& c) {
@@ -37,6 +41,8 @@ Json json_of(const LadderValue& v, double size) {
                                  {"spacing", s.spacing},
                                  {"value", s.value},
                                  {"varied", s.varied},
+                                 {"box", s.box},
+                                 {"refused", s.refused},
                                  {"uncertainty", s.uncertainty}});
     if (v.cost.known() && !v.levels.empty())
         for (const auto& [name, share] : {std::pair{"5%", 0.05}, {"2%", 0.02}, {"1%", 0.01}})
@@ -57,6 +63,8 @@ Json json_of(const LadderValue& v, double size) {
             {"disagreement", v.estimate.disagreement},
             {"limit", v.estimate.limit},
             {"sensitivities", sensitivities},
+            {"choices", v.choices},
+            {"box", v.box},
             {"uncertainty", v.uncertainty},
             {"cost", cost}};
 }
@@ -71,6 +79,8 @@ std::string ladder_json(const Ladder& ladder) {
         for (const LadderVariation& v : s.variations) {
             variations.push_back(json_of(v.run));
             variations.back()["name"] = v.name;
+            variations.back()["factor"] = v.factor;
+            variations.back()["refused"] = v.refused;
         }
         sides.push_back({{"method", s.method}, {"similar", s.similar}, {"runs", runs}, {"variations", variations}});
     }
@@ -98,13 +108,12 @@ std::string ladder_json(const Ladder& ladder) {
                               {"interval", q.interval},
                               {"per_cent", q.per_cent},
                               {"verdict", to_string(q.verdict)},
+                              {"sentence", ladder_sentence(ladder, q)},
+                              {"seconds_to_target", q.seconds_to_target},
                               {"reason", q.reason}});
     }
-    const Json all = {{"title", ladder.title},
-                      {"left_out", ladder.left_out},
-                      {"calibrated", ladder.calibrated},
-                      {"agree_within", ladder.agree_within},
-                      {"sides", sides},
+    const Json all = {{"title", ladder.title},           {"left_out", ladder.left_out},         {"notes", ladder.notes},
+                      {"calibrated", ladder.calibrated}, {"agree_within", ladder.agree_within}, {"sides", sides},
                       {"quantities", quantities}};
     return all.dump(2, ' ', false, Json::error_handler_t::replace);
 }

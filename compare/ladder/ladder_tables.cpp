@@ -43,7 +43,7 @@ ReportTable ladder_verdicts(const Ladder& ladder) {
     for (const char* name : {"difference", "relative"}) table.columns.push_back(numbers(name));
     table.columns.push_back(words("verdict"));
     for (const LadderQuantity& q : ladder.quantities) {
-        ReportRow row{{q.label, q.unit}, q.reason};
+        ReportRow row{{q.label, q.unit}, ladder.sides.size() > 1 ? q.reason : ""};
         for (std::size_t k = 0; k < q.values.size(); ++k) {
             const LadderValue& v = q.values[k];
             row.cells.emplace_back(v.levels.empty() ? "–" : value_text(v.levels.front().value, v.uncertainty));
@@ -51,7 +51,7 @@ ReportTable ladder_verdicts(const Ladder& ladder) {
                 row.remark += (row.remark.empty() ? "" : "; ") + ladder.sides[k].method + " at " + v.absent.front();
         }
         row.cells.emplace_back(signed_text(q.difference, q.interval));
-        row.cells.emplace_back(per_cent_text(q.per_cent));
+        row.cells.emplace_back(per_cent_text(q.per_cent, q.size > 0 ? 100 * q.interval / q.size : std::nan("")));
         row.cells.push_back(verdict_cell(q.verdict));
         table.rows.push_back(std::move(row));
     }
@@ -61,7 +61,8 @@ ReportTable ladder_verdicts(const Ladder& ladder) {
         "the runs with other choices. Agree: the difference lies inside the joint interval, and that is at most {:g} % "
         "of the "
         "value. Differ: it lies outside. Undecided: inside, but the interval is too wide to tell. Not converged: the "
-        "values of a method run away as the sizes shrink, or have no uncertainty.",
+        "values of a method run away as the sizes shrink, or have no uncertainty. What the walls of the box are worth "
+        "is in the values' intervals, and not in that of the difference: both methods solve the same box.",
         100 * ladder.agree_within));
     return table;
 }
@@ -78,7 +79,8 @@ ReportTable ladder_held(const Ladder& ladder) {
                 label.text = validation_label(v);
                 table.rows.push_back(
                     {{q.label, q.unit, h.source, mean_text(h.value), method_cell(ladder, k), signed_text(v.E, v.U_val),
-                      per_cent_text(v.per_cent), uncertainty_cell(v.U_val, h.value.value), label}});
+                      per_cent_text(v.per_cent, v.E != 0 ? std::abs(v.per_cent * v.U_val / v.E) : std::nan("")),
+                      uncertainty_cell(v.U_val, h.value.value), label}});
             }
     table.notes.push_back(
         "U combines the interval of the finest value and, where one is known, that of the other value (ASME V&V 20). "
@@ -126,8 +128,9 @@ ReportTable ladder_values(const Ladder& ladder) {
 
 ReportTable ladder_shares(const Ladder& ladder) {
     ReportTable table{"What the intervals are made of, in per cent of the value",
-                      {words("Quantity"), words("method"), numbers("mean"), numbers("discretisation"),
-                       numbers("Eça & Hoekstra"), numbers("GCI"), numbers("factor of safety"), words("choices")}};
+                      {words("Quantity"), words("method"), numbers("mean"), numbers("discretisation"), numbers("Eça & Hoekstra"), numbers("GCI"),
+                       numbers("factor of safety"), numbers("box"), words("other choices")}};
+    bool any_box = false;
     for (const LadderQuantity& q : ladder.quantities)
         for (std::size_t k = 0; k < q.values.size(); ++k) {
             const LadderValue& v = q.values[k];
@@ -138,12 +141,25 @@ ReportTable ladder_shares(const Ladder& ladder) {
                                                         : fmt::format("{:.2g} %", 100 * U / q.size);
             };
             std::vector<std::string> choices;
-            for (const Sensitivity& s : v.sensitivities)
-                choices.push_back(s.name + ": " + (s.idle() ? "no change" : share(s.uncertainty)));
+            std::string box = "–";
+            for (const Sensitivity& s : v.sensitivities) {
+                const std::string said = !s.refused.empty() ? "no evidence"
+                                         : s.idle()         ? "no change"
+                                                            : share(s.uncertainty);
+                if (s.box)
+                    box = said, any_box = true;
+                else
+                    choices.push_back(s.name + ": " + said);
+            }
             table.rows.push_back({{q.label, method_cell(ladder, k), share(v.statistical), share(v.estimate.uncertainty),
-                                   share(v.estimate.eca_hoekstra.uncertainty), share(v.estimate.celik_gci.uncertainty),
-                                   share(v.estimate.xing_stern.uncertainty), joined(choices)}});
+                                   share(v.estimate.eca_hoekstra.uncertainty), share(v.estimate.celik_gci.uncertainty), share(v.estimate.xing_stern.uncertainty),
+                                   box, joined(choices)}});
         }
+    if (any_box)
+        table.notes.push_back(
+            "Box: the change in a box 1.5 times as wide, deep and long at the coarsest size, extrapolated to open "
+            "water "
+            "(with the inverse of the water's cross section); measured by one method and taken for both.");
     return table;
 }
 
@@ -154,9 +170,11 @@ ReportTable ladder_variations(const Ladder& ladder) {
     for (const LadderQuantity& q : ladder.quantities)
         for (std::size_t k = 0; k < q.values.size(); ++k)
             for (const Sensitivity& s : q.values[k].sensitivities) {
-                if (!std::isfinite(s.uncertainty)) continue;
+                if (!std::isfinite(s.value) || (s.box && s.name.find("(as in") != s.name.npos)) continue;
                 table.rows.push_back({{q.label, q.unit, method_cell(ladder, k), s.name, s.spacing, s.value, s.varied,
-                                       s.idle() ? "none" : uncertainty_cell(s.uncertainty, s.value)}});
+                                       !s.refused.empty() ? "no evidence"
+                                       : s.idle()         ? "none"
+                                                          : uncertainty_cell(s.uncertainty, s.value)}});
             }
     return table;
 }
@@ -197,10 +215,11 @@ ReportTable ladder_prices(const Ladder& ladder) {
 ReportTable ladder_runs(const Ladder& ladder) {
     ReportTable table{"The runs of the ladder",
                       {words("method"), numbers("spacing at the hull", "m", 6), numbers("particles or cells", "", 4),
-                       numbers("wall time"), numbers("predicted"), numbers("core hours"), numbers("memory", "MB", 4)}};
+                       numbers("time steps", "", 5), numbers("wall time"), numbers("predicted"), numbers("core hours"),
+                       numbers("memory", "MB", 4)}};
     const auto row = [&](ReportCell method, const LadderRun& r) {
         table.rows.push_back(
-            {{std::move(method), r.spacing, r.elements, time_text(r.seconds),
+            {{std::move(method), r.spacing, r.elements, r.steps, time_text(r.seconds),
               r.predicted_seconds > 0 ? time_text(r.predicted_seconds) : "–", r.core_seconds / 3600, r.memory / 1e6}});
     };
     for (std::size_t k = 0; k < ladder.sides.size(); ++k) {

@@ -13,7 +13,7 @@ ReportTable ladder_held(const Ladder& ladder);
 ReportTable ladder_values(const Ladder& ladder);
 /// Every share of each interval, in per cent of the value.
 ReportTable ladder_shares(const Ladder& ladder);
-/// The runs with another sound speed, time step or Courant number.
+/// The runs with another box, sound speed, time step or Courant number.
 ReportTable ladder_variations(const Ladder& ladder);
 /// What accuracy costs.
 ReportTable ladder_prices(const Ladder& ladder);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "compare/ladder/judge_by_sizes.h"
 #include "compare/ladder/ladder_tables.h"
 #include "compare/report/escape.h"
 #include "compare/report/numbers.h"
@@ -19,8 +20,13 @@ std::string crossover_sentence(const Ladder& ladder, const LadderQuantity& q) {
                        for_terminal(ladder.sides[first_steeper ? 1 : 0].method));
 }
 
-std::string no_family_text(const LadderSide& side) {
-    return "The " + side.method + " runs differ in more than their resolution: they are no family.";
+std::vector<std::string> ladder_banners(const Ladder& ladder) {
+    std::vector<std::string> lines;
+    for (const LadderSide& side : ladder.sides)
+        if (!side.similar)
+            lines.push_back("The " + side.method + " runs differ in more than their resolution: they are no family.");
+    for (const auto* list : {&ladder.notes, &ladder.left_out}) lines.insert(lines.end(), list->begin(), list->end());
+    return lines;
 }
 
 std::string validation_label(const Validation& v) {
@@ -51,25 +57,8 @@ std::string memory_text(const CostOfAccuracy& cost, double uncertainty) {
                                       : std::string("over 10 TB"));
 }
 
-std::string time_text(double seconds) {
-    if (!std::isfinite(seconds)) return "–";
-    if (seconds < 0.01) return "under 0.01 s";
-    if (seconds < 99.5) return fmt::format("{:.2g} s", seconds);
-    if (seconds < 120) return fmt::format("{:.0f} s", seconds);
-    if (seconds < 7200) return fmt::format("{:.2g} min", seconds / 60);
-    if (seconds < 172800) return fmt::format("{:.2g} h", seconds / 3600);
-    if (seconds < 3e7) return fmt::format("{:.2g} days", seconds / 86400);
-    return "more than a year";
-}
-
-std::string ladder_sentence(const LadderQuantity& q) {
-    std::string out = for_terminal(q.label) + ": " + verdict_label(q.verdict);
-    if (std::isfinite(q.interval))
-        out += fmt::format(", {} {} ({})", signed_text(q.difference, q.interval), q.unit, per_cent_text(q.per_cent));
-    else if (std::isfinite(q.difference))
-        out +=
-            fmt::format("; the finest are apart by {:+.4g} {} ({})", q.difference, q.unit, per_cent_text(q.per_cent));
-    return q.reason.empty() ? out : out + ": " + for_terminal(q.reason);
+std::string ladder_sentence(const Ladder& ladder, const LadderQuantity& q) {
+    return for_terminal(sentence_of(statement_of(ladder, q)));
 }
 
 namespace {
@@ -84,16 +73,19 @@ std::string text_of_all(const std::vector<ReportTable>& tables) {
 }  // namespace
 
 std::string ladder_summary(const Ladder& ladder) {
-    std::string out = text_of_all({ladder_verdicts(ladder), ladder_held(ladder), ladder_checks(ladder)});
-    for (const LadderSide& side : ladder.sides)
-        if (!side.similar) out += "\n! " + for_terminal(no_family_text(side)) + "\n";
-    for (const std::string& line : ladder.left_out) out += "\n! " + for_terminal(line) + "\n";
+    std::string out;
+    for (const char* name : {"drag", "lift", "trim_moment", "splash_sheet_height"})
+        for (const LadderQuantity& q : ladder.quantities)
+            if (q.name == name) out += ladder_sentence(ladder, q) + "\n";
+    out += text_of_all({ladder_verdicts(ladder), ladder_held(ladder), ladder_checks(ladder)});
+    for (const std::string& line : ladder_banners(ladder)) out += "\n! " + for_terminal(line) + "\n";
     return out;
 }
 
 std::string ladder_text(const Ladder& ladder) {
-    std::string out = fmt::format("# {}\n", for_terminal(ladder.title)) + ladder_summary(ladder) + "\n";
-    for (const LadderQuantity& q : ladder.quantities) out += "- " + ladder_sentence(q) + "\n";
+    std::string out = fmt::format("# {}\n\n", for_terminal(ladder.title)) + ladder_summary(ladder) + "\n";
+    for (const LadderQuantity& q : ladder.quantities)
+        if (!is_main_quantity(q.name)) out += "- " + ladder_sentence(ladder, q) + "\n";
     out += text_of_all({ladder_values(ladder), ladder_shares(ladder), ladder_variations(ladder), ladder_prices(ladder),
                         ladder_runs(ladder)});
     if (ladder_held(ladder).empty())

@@ -33,6 +33,9 @@ std::string missing_text(const Comparison& c, const Quantity& q) {
     return text;
 }
 
+/// Of the difference in per cent of the values.
+double relative_interval(const Quantity& q) { return q.size > 0 ? 100 * q.interval / q.size : std::nan(""); }
+
 std::string phases_text(double seconds) { return seconds > 0 ? fmt::format("{:.4g} s", seconds) : "–"; }
 
 }  // namespace
@@ -64,7 +67,7 @@ ReportTable quantities_table(const Comparison& c, bool judged) {
         for (const MeanValue& m : q.values) row.cells.emplace_back(mean_text(m));
         if (pair) {
             row.cells.emplace_back(signed_text(q.difference, q.interval));
-            row.cells.emplace_back(per_cent_text(q.per_cent));
+            row.cells.emplace_back(per_cent_text(q.per_cent, relative_interval(q)));
             if (judged) row.cells.push_back(verdict_cell(q.verdict));
         }
         table.rows.push_back(std::move(row));
@@ -74,16 +77,35 @@ ReportTable quantities_table(const Comparison& c, bool judged) {
                 {{q.label + ", " + r.source, r.unit, value_text(r.value, r.half_width)}, r.remark, true});
         }
     }
-    if (!judged) return table;
-    const RunRecord& first = c.sources.front();
-    table.notes.push_back(fmt::format(
-        "Values {}. ± is the statistical scatter of the mean (95 %), or what else limits it (raster, "
-        "draft); the discretisation error is not in it.",
-        is_stream(first) ? "are settled means" : "of forces are settled means, of splash the largest of the run"));
+    if (!judged) {
+        table.notes.push_back("± is the scatter of the means alone (95 %); the discretisation error is not estimated.");
+        return table;
+    }
+    const std::string values = is_stream(c.sources.front())
+                                   ? "Values are settled means. "
+                                   : "Values of forces are settled means, of splash the largest of the run. ";
+    if (c.discretisation_from.empty()) {
+        table.notes.push_back(values +
+                              "± is the statistical scatter of the mean (95 %), or what else limits it (raster, "
+                              "draft); the discretisation error is not in it.");
+        if (pair)
+            table.notes.push_back(
+                "Runs of one size each show how far apart the methods are at this size. Whether they agree needs the "
+                "discretisation error, which takes several sizes: twinwake run without --no-twins, or twinwake "
+                "ladder.");
+        return table;
+    }
+    table.notes.push_back(values +
+                          "± is the 95 % interval of the statistical scatter of the mean, of the "
+                          "discretisation error (from " +
+                          c.discretisation_from +
+                          ") and of other choices (box, sound speed, time step) as far as runs were made for them.");
     if (pair)
-        table.notes.push_back(
-            "Runs of one size each show how far apart the methods are at this size. Whether they agree needs the "
-            "discretisation error, which takes several sizes: twinwake ladder.");
+        table.notes.push_back(fmt::format(
+            "Agree: the difference lies inside the joint interval, and that is at most {:g} % of the value. Differ: it "
+            "lies outside. Undecided: inside, but the interval is too wide to tell. What the walls of the box are "
+            "worth is no part of the joint interval: both methods solve the same box.",
+            100 * c.agree_within));
     return table;
 }
 

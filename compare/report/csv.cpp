@@ -22,16 +22,24 @@ std::string quantities_csv(const Comparison& comparison) {
     }
     for (const char* name : {"difference", "interval", "per_cent", "verdict", "judged", "remark"})
         table.columns.push_back(words(name));
+    for (const std::string& n : comparison.names)
+        for (const char* part : {" scatter", " discretisation"}) table.columns.push_back(numbers(n + part));
+    table.columns.push_back(words("sentence"));
     for (const Quantity& q : comparison.quantities) {
         ReportRow row{{q.name, q.unit}};
         for (const MeanValue& m : q.values) {
             row.cells.push_back(m.known ? ReportCell(m.value) : ReportCell());
-            row.cells.push_back(m.known ? ReportCell(m.half_width) : ReportCell());
+            row.cells.push_back(m.known ? ReportCell(m.bar()) : ReportCell());
         }
         for (const ReportCell& cell :
              {ReportCell(q.difference), ReportCell(q.interval), ReportCell(q.per_cent),
               ReportCell(to_string(q.verdict)), ReportCell(q.judged ? "yes" : "no"), ReportCell(q.remark)})
             row.cells.push_back(cell);
+        for (const MeanValue& m : q.values) {
+            row.cells.push_back(m.known ? ReportCell(m.half_width) : ReportCell());
+            row.cells.push_back(m.known ? ReportCell(m.discretisation) : ReportCell());
+        }
+        row.cells.emplace_back(q.sentence);
         table.rows.push_back(std::move(row));
     }
     return csv_of(table);

@@ -33,7 +33,10 @@ std::string value_text(double value, double half_width) {
     return fmt::format("{} ± {}", digits(value, places, size), digits(half_width, places, size));
 }
 
-std::string mean_text(const MeanValue& mean) { return mean.known ? value_text(mean.value, mean.half_width) : "–"; }
+std::string mean_text(const MeanValue& mean) {
+    if (!mean.known) return "–";
+    return value_text(mean.value, mean.bar()) + (std::isfinite(mean.bar()) ? "" : ", no interval");
+}
 
 std::string signed_text(double value, double half_width) {
     if (!std::isfinite(value)) return "–";
@@ -44,6 +47,33 @@ std::string per_cent_text(double per_cent) {
     if (!std::isfinite(per_cent)) return "–";
     const char* sign = std::abs(per_cent) < 0.05 ? "" : per_cent < 0 ? "−" : "+";
     return fmt::format("{}{:.{}f} %", sign, std::abs(per_cent), std::abs(per_cent) < 10 ? 1 : 0);
+}
+
+std::string per_cent_text(double per_cent, double interval) {
+    if (!std::isfinite(per_cent)) return "–";
+    if (!std::isfinite(interval)) return per_cent_text(per_cent) + ", no interval";
+    const int places = std::max(std::abs(per_cent), interval) < 10 ? 1 : 0;
+    const double least = 0.5 * std::pow(10.0, -places);
+    const char* sign = std::abs(per_cent) < least ? "" : per_cent < 0 ? "−" : "+";
+    return fmt::format("{}{:.{}f} ± {:.{}f} %", sign, std::abs(per_cent), places, interval,
+                       interval < least && interval > 0 ? places + 1 : places);
+}
+
+std::string share_text(double per_cent) {
+    const double size = std::abs(per_cent);
+    if (size >= 9.95) return fmt::format("{:.0f} %", size);
+    return size >= 0.0995 || size == 0 ? fmt::format("{:.1f} %", size) : fmt::format("{:.1g} %", size);
+}
+
+std::string time_text(double seconds) {
+    if (!std::isfinite(seconds)) return "–";
+    if (seconds < 0.01) return "under 0.01 s";
+    if (seconds < 99.5) return fmt::format("{:.2g} s", seconds);
+    if (seconds < 120) return fmt::format("{:.0f} s", seconds);
+    if (seconds < 7200) return fmt::format("{:.2g} min", seconds / 60);
+    if (seconds < 172800) return fmt::format("{:.2g} h", seconds / 3600);
+    if (seconds < 3e7) return fmt::format("{:.2g} days", seconds / 86400);
+    return "more than a year";
 }
 
 std::string verdict_label(Verdict verdict) {
@@ -60,31 +90,33 @@ std::string limit_of(const Quantity& q) {
         if (m.known && (!widest || m.half_width > widest->half_width)) widest = &m;
     return widest && !widest->limited_by.empty() ? "from " + widest->limited_by : "statistical scatter of the means";
 }
+
+/// "Lift: apart by 2.8 % at this size (fvm lower), ± 0.2 % ...; discretisation error not estimated."
+std::string apart_sentence(const Comparison& comparison, const Quantity& q) {
+    if (q.verdict != Verdict::not_estimated || !std::isfinite(q.per_cent))
+        return q.label + ": " + verdict_label(q.verdict) + (q.remark.empty() ? "" : " (" + q.remark + ")") + ".";
+    std::string text = fmt::format("{}: apart by {:.1f} % at this size", q.label, std::abs(q.per_cent));
+    if (comparison.sources.size() == 2 && q.difference != 0)
+        text += fmt::format(" ({} {})", comparison.names[1], q.difference < 0 ? "lower" : "higher");
+    if (q.interval > 0 && q.size > 0) text += fmt::format(", ± {:.1f} % {}", 100 * q.interval / q.size, limit_of(q));
+    return text + "; discretisation error not estimated.";
+}
 }  // namespace
 
-std::string verdict_sentence(const Comparison& comparison) {
-    if (comparison.sources.size() < 2) return "One run only: there is nothing to compare it with.";
-    const bool pair = comparison.sources.size() == 2;
-    std::string text;
-    for (const char* name : {"lift", "drag", "splash_sheet_height"}) {
+std::vector<std::string> verdict_sentences(const Comparison& comparison) {
+    std::vector<std::string> sentences;
+    for (const char* name : {"drag", "lift", "trim_moment", "splash_sheet_height"}) {
         const Quantity* q = comparison.find(name);
         if (!q) continue;
-        const std::string label = std::string_view(name) == "splash_sheet_height" ? "Splash height" : q->label;
-        if (!text.empty()) text += " ";
-        if (q->verdict == Verdict::not_estimated && std::isfinite(q->per_cent)) {
-            text += fmt::format("{}: apart by {:.1f} % at this size", label, std::abs(q->per_cent));
-            if (pair && q->difference != 0)
-                text += fmt::format(" ({} {})", comparison.names[1], q->difference < 0 ? "lower" : "higher");
-            if (q->difference != 0 && q->interval > 0)
-                text +=
-                    fmt::format(", ± {:.1f} % {}", std::abs(q->per_cent * q->interval / q->difference), limit_of(*q));
-            text += "; discretisation error not estimated.";
-        } else {
-            text += label + ": " + verdict_label(q->verdict) + (q->remark.empty() ? "" : " (" + q->remark + ")") + ".";
-        }
+        if (!q->sentence.empty())
+            sentences.push_back(q->sentence);
+        else if (comparison.sources.size() > 1)
+            sentences.push_back(apart_sentence(comparison, *q));
     }
-    if (text.empty()) text = "No force and no splash to compare; see the tables.";
-    return text;
+    if (sentences.empty())
+        sentences.push_back(comparison.sources.size() < 2 ? "One run only: there is nothing to compare it with."
+                                                          : "No force and no splash to compare; see the tables.");
+    return sentences;
 }
 
 }  // namespace tw

@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include "compare/compare.h"
 
@@ -7,13 +8,19 @@ namespace tw {
 
 /// A value to the digits its interval supports: 2722 +- 13, 0.412 +- 0.025; four digits where there is no interval.
 std::string value_text(double value, double half_width);
-std::string mean_text(const MeanValue& mean);              ///< "2722 ± 13", or "–" when not known
+/// "2722 ± 13" with the widest interval known, "2722, no interval" where sizes gave none, "–" when not known.
+std::string mean_text(const MeanValue& mean);
 std::string signed_text(double value, double half_width);  ///< with sign
 std::string per_cent_text(double per_cent);                ///< "+3.2 %", "–" when not finite
+/// "+3.2 ± 9.0 %", "+3.2 %, no interval" without one, "–" when not finite.
+std::string per_cent_text(double per_cent, double interval);
+std::string share_text(double per_cent);  ///< a size in per cent without sign: "9.0 %", "23 %", "0.02 %"
+/// Seconds as people say them: "42 s", "13 min", "2.4 h", "9 days".
+std::string time_text(double seconds);
 std::string verdict_label(Verdict verdict);  ///< "agree", "not converged", "discretisation error not estimated", ...
 
-/// The comparison as one sentence: how far apart the main quantities are (lift, drag, splash height). No word of
-/// agreement: that needs a ladder.
-std::string verdict_sentence(const Comparison& comparison);
+/// A sentence for each main quantity (drag, lift, trim moment, splash height), to be forwarded: the verdict where runs
+/// of several sizes gave one, else how far apart the values are.
+std::vector<std::string> verdict_sentences(const Comparison& comparison);
 
 }  // namespace tw

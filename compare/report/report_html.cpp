@@ -119,7 +119,7 @@ std::string settling(const Comparison& c) {
 
 }  // namespace
 
-std::string report_html(const Comparison& c, const Figures& f, const std::string& above) {
+std::string report_html(const Comparison& c, const Figures& f, const std::string& details) {
     const RunRecord& first = c.sources.front();
     const std::string title = text_of(first, "title", "twinwake comparison");
     std::string sub;
@@ -137,11 +137,14 @@ std::string report_html(const Comparison& c, const Figures& f, const std::string
     const std::string view = view3d_section(c);
     std::string out =
         view.empty() ? page_begin(title) : page_begin(title, view3d_style, "'" + view3d_script_hash() + "'");
-    out += "<h1>" + escaped(title) + "</h1><p class=\"sub\">" + sub + "</p>" + above;
-    out += "<div class=\"verdict\">" + escaped(verdict_sentence(c)) + "</div>";
+    out += "<h1>" + escaped(title) + "</h1><p class=\"sub\">" + sub + "</p>";
+    std::string verdict;
+    for (const std::string& sentence : verdict_sentences(c))
+        verdict += (verdict.empty() ? "" : "<br>") + escaped(sentence);
+    out += "<div class=\"verdict\">" + verdict + "</div>";
     for (const std::string& b : c.banners) out += "<div class=\"banner\">" + escaped(b) + "</div>";
 
-    out += html_of(quantities_table(c, true)) + settling(c);
+    out += html_of(quantities_table(c, true)) + settling(c) + details;
     out += free_surfaces(c, f, view);
     if (!f.forces.empty())
         out += "<h2>Forces over time</h2>" + figure_list(f.forces) +

@@ -16,9 +16,13 @@ Json quantity_json(const Comparison& comparison, const Quantity& q) {
     for (std::size_t i = 0; i < q.values.size(); ++i) {
         const MeanValue& m = q.values[i];
         values.push_back(m.known ? number(m.value) : Json(nullptr));
-        intervals.push_back(m.known ? number(m.half_width) : Json(nullptr));
+        intervals.push_back(m.known ? number(m.bar()) : Json(nullptr));
         Json s = {{"name", comparison.names[i]},
                   {"known", m.known},
+                  {"scatter", number(m.half_width)},
+                  {"discretisation", number(m.discretisation)},
+                  {"choices", number(m.choices)},
+                  {"no_interval", m.no_uncertainty},
                   {"from", m.from},
                   {"to", m.to},
                   {"independent_samples", number(m.n_effective)},
@@ -41,6 +45,7 @@ Json quantity_json(const Comparison& comparison, const Quantity& q) {
             {"interval", number(q.interval)},
             {"per_cent", number(q.per_cent)},
             {"verdict", to_string(q.verdict)},
+            {"sentence", q.sentence},
             {"remark", q.remark},
             {"sources", sources}};
 }
@@ -95,6 +100,7 @@ std::string comparison_json(const Comparison& comparison) {
                          {"pass", g.pass},
                          {"remark", g.remark}});
     const Json all = {{"agree_within", comparison.agree_within},
+                      {"discretisation_from", comparison.discretisation_from},
                       {"banners", comparison.banners},
                       {"sources", sources},
                       {"quantities", quantities},

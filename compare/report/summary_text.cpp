@@ -9,11 +9,12 @@ namespace tw {
 
 std::string summary_text(const Comparison& comparison) {
     std::string out;
+    for (const std::string& sentence : verdict_sentences(comparison)) out += for_terminal(sentence) + "\n";
     for (const std::string& b : comparison.banners) out += "! " + for_terminal(b) + "\n";
     for (const ReportTable& table : {quantities_table(comparison, true), quantities_table(comparison, false),
                                      checks_table(comparison.gates, true), cost_table(comparison)})
         if (!table.empty()) out += (out.empty() ? "" : "\n") + text_of(table);
-    return out + "\n" + for_terminal(verdict_sentence(comparison)) + "\n";
+    return out;
 }
 
 }  // namespace tw

@@ -22,7 +22,7 @@ std::string standalone(const std::string& svg) {
 
 }  // namespace
 
-ReportFiles write_report(const Comparison& comparison, const fs::path& folder, const std::string& above) {
+ReportFiles write_report(const Comparison& comparison, const fs::path& folder, const std::string& details) {
     std::error_code error;
     fs::create_directories(folder / "figures", error);
     if (error) throw RunError((folder / "figures").string() + ": cannot be created: " + error.message());
@@ -44,7 +44,7 @@ ReportFiles write_report(const Comparison& comparison, const fs::path& folder, c
     write_text_atomically(folder / "series.csv", series_csv(comparison));
     const ReportFiles files{folder / "report.html", folder / "report.json", folder / "quantities.csv"};
     write_text_atomically(files.json, comparison_json(comparison));
-    write_text_atomically(files.html, report_html(comparison, figures, above));
+    write_text_atomically(files.html, report_html(comparison, figures, details));
     return files;
 }
 

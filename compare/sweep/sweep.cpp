@@ -46,7 +46,7 @@ Sweep build_sweep(std::string title, std::vector<SweepMember> members) {
             }
             const MeanValue &a = q.values[0], &b = q.values[1];
             if (a.known && b.known && a.value * b.value > 0)
-                s->points.push_back({i, a.value, b.value, a.half_width, b.half_width, q.verdict});
+                s->points.push_back({i, a.value, b.value, a.bar(), b.bar(), q.interval, q.verdict});
             else
                 ++s->left_out;
         }

@@ -14,6 +14,7 @@ struct SweepMember {
     std::string report;                ///< path of its own report, relative to the sweep's
     std::vector<std::string> methods;  ///< names of the two sources
     std::vector<Quantity> quantities;  ///< of its comparison
+    std::string discretisation_from;   ///< as its comparison says; empty: not estimated
 };
 
 /// How two methods stand to each other over a set of scenes, for one quantity:
@@ -30,6 +31,7 @@ struct SweepSummary {
         std::size_t member;
         double a, b;    ///< values of the two methods [unit]
         double Ua, Ub;  ///< half widths of their 95 % intervals [unit]
+        double U;       ///< of the interval of b - a [unit]
         Verdict verdict;
     };
     std::vector<Point> points;

@@ -29,14 +29,20 @@ ReportTable sweep_summaries(const Sweep& sweep) {
 
 ReportTable sweep_values(const Sweep& sweep) {
     if (sweep.methods.size() != 2) return {};
-    ReportTable table{"Scene by scene",
-                      {words("Quantity"), words("unit"), words("Scene"), numbers(sweep.methods[0]),
-                       numbers(sweep.methods[1]), numbers("relative"), words("verdict")}};
+    ReportTable table{
+        "Scene by scene",
+        {words("Quantity"), words("unit"), words("Scene"), numbers(sweep.methods[0]), numbers(sweep.methods[1]),
+         numbers("relative"), words("verdict"), words("discretisation error")}};
     for (const SweepSummary& s : sweep.summaries)
         for (const auto& p : s.points)
             table.rows.push_back(
                 {{s.label, s.unit, sweep.members[p.member].name, value_text(p.a, p.Ua), value_text(p.b, p.Ub),
-                  per_cent_text(100 * (p.b / p.a - 1)), verdict_cell(p.verdict)}});
+                  per_cent_text(100 * (p.b / p.a - 1), 100 * p.U / std::abs(p.a)), verdict_cell(p.verdict),
+                  p.verdict == Verdict::not_estimated ? "not estimated"
+                                                      : sweep.members[p.member].discretisation_from}});
+    table.notes.push_back(
+        "± is the 95 % interval. Where the discretisation error is not estimated it holds the statistical scatter of "
+        "the means alone; where it is from another scene's twins it was taken relative to the values.");
     return table;
 }
 

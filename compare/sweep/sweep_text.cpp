@@ -35,7 +35,10 @@ std::string sweep_text(const Sweep& sweep) {
 std::string sweep_json(const Sweep& sweep) {
     Json members = Json::array(), summaries = Json::array();
     for (const SweepMember& m : sweep.members)
-        members.push_back({{"name", m.name}, {"report", m.report}, {"why_not", m.why_not}});
+        members.push_back({{"name", m.name},
+                           {"report", m.report},
+                           {"why_not", m.why_not},
+                           {"discretisation_from", m.discretisation_from}});
     for (const SweepSummary& s : sweep.summaries) {
         Json points = Json::array();
         for (const auto& p : s.points)
@@ -44,6 +47,7 @@ std::string sweep_json(const Sweep& sweep) {
                               {"b", p.b},
                               {"interval_a", p.Ua},
                               {"interval_b", p.Ub},
+                              {"interval", p.U},
                               {"verdict", to_string(p.verdict)}});
         summaries.push_back({{"name", s.name},
                              {"unit", s.unit},
@@ -59,13 +63,14 @@ std::string sweep_json(const Sweep& sweep) {
 }
 
 std::string sweep_csv(const Sweep& sweep) {
-    ReportTable table{"",
-                      {words("scene"), words("quantity"), words("unit"), numbers("value A"), numbers("value B"),
-                       numbers("interval A"), numbers("interval B"), words("verdict")}};
+    ReportTable table{
+        "",
+        {words("scene"), words("quantity"), words("unit"), numbers("value A"), numbers("value B"),
+         numbers("interval A"), numbers("interval B"), words("verdict"), words("discretisation error from")}};
     for (const SweepSummary& s : sweep.summaries)
         for (const auto& p : s.points)
-            table.rows.push_back(
-                {{sweep.members[p.member].name, s.name, s.unit, p.a, p.b, p.Ua, p.Ub, to_string(p.verdict)}});
+            table.rows.push_back({{sweep.members[p.member].name, s.name, s.unit, p.a, p.b, p.Ua, p.Ub,
+                                   to_string(p.verdict), sweep.members[p.member].discretisation_from}});
     return csv_of(table);
 }
 

@@ -67,6 +67,7 @@ void judge(Quantity& q, const std::vector<std::string>& names, double target, do
     q.difference = B.value - A.value;
     q.interval = std::sqrt(A.half_width * A.half_width + B.half_width * B.half_width + shared * shared);
     const double mean = 0.5 * std::abs(A.value + B.value), scale = std::max(mean, q.scale);
+    q.size = scale;
     if (scale > 0) q.per_cent = 100 * q.difference / scale;
     if (q.values.size() > 2) add_remark(q, "farthest apart: " + names[a] + " and " + names[b]);
     q.verdict = Verdict::not_estimated;
@@ -95,8 +96,8 @@ void beside(Quantity& q) {
     if (q.values.size() != 2 || !q.values[0].known || !q.values[1].known) return;
     q.difference = q.values[1].value - q.values[0].value;
     q.interval = std::hypot(q.values[0].half_width, q.values[1].half_width);
-    const double mean = 0.5 * std::abs(q.values[0].value + q.values[1].value);
-    if (mean > 0) q.per_cent = 100 * q.difference / mean;
+    q.size = 0.5 * std::abs(q.values[0].value + q.values[1].value);
+    if (q.size > 0) q.per_cent = 100 * q.difference / q.size;
 }
 
 }  // namespace tw

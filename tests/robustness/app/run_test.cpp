@@ -137,29 +137,29 @@ TEST_F(Command, AMeasuredHistoryBecomesARecordThatStandsBesideARun) {
 
 TEST_F(Command, AnInterruptedRunSavesItsStateAndContinues) {
     write("long.toml", longer("3"));
-    const Started run = start({"run", "long.toml", "--out", "out"});
+    const Started run = start({"run", "long.toml", "--no-twins", "--out", "out"});
     wait_for(folder_ / "out/sph/checkpoint.h5", 60);
     ASSERT_TRUE(fs::exists(folder_ / "out/sph/checkpoint.h5"));
     kill(run.child, SIGINT);
     const Outcome stopped = finish(run);
     EXPECT_EQ(stopped.status, 3);
     EXPECT_NE(stopped.err.find("continue it with --resume"), std::string::npos) << stopped.err;
-    EXPECT_EQ(twinwake({"run", "long.toml", "--out", "out", "--resume", "--duration", "0.2"}).status, 0);
+    EXPECT_EQ(twinwake({"run", "long.toml", "--no-twins", "--out", "out", "--resume", "--duration", "0.2"}).status, 0);
 }
 
 TEST_F(Command, TwoRunsNeverShareAFolder) {
     write("long.toml", longer("3"));
-    const Started first = start({"run", "long.toml", "--out", "out"});
+    const Started first = start({"run", "long.toml", "--no-twins", "--out", "out"});
     wait_for(folder_ / "out/sph/checkpoint.h5", 60);
     for (const char* how : {"--overwrite", "--resume"}) {
-        const Outcome second = twinwake({"run", "long.toml", "--out", "out", how});
+        const Outcome second = twinwake({"run", "long.toml", "--no-twins", "--out", "out", how});
         EXPECT_EQ(second.status, 2) << how << second.err;
         EXPECT_NE(second.err.find("another run is using it"), std::string::npos) << second.err;
     }
     kill(first.child, SIGKILL);
     EXPECT_EQ(finish(first).status, 128 + SIGKILL);
     // A killed run holds nothing: its last checkpoint goes on.
-    EXPECT_EQ(twinwake({"run", "long.toml", "--out", "out", "--resume", "--duration", "0.2"}).status, 0);
+    EXPECT_EQ(twinwake({"run", "long.toml", "--no-twins", "--out", "out", "--resume", "--duration", "0.2"}).status, 0);
 }
 
 TEST_F(Command, AFullDiskIsAFailedRunWithTheSystemsReason) {

@@ -20,8 +20,8 @@ protected:
     RunRecord undisturbed;   ///< of the run gone on with from there
 
     std::vector<std::string> command(const fs::path& out, const char* duration) const {
-        return {"run",         scene.string(), "--method",   "sph",    "--threads", "1",
-                "--near-hull", "50mm",         "--duration", duration, "--out",     out.string()};
+        return {"run",         scene.string(), "--no-twins", "--method", "sph",   "--threads", "1",
+                "--near-hull", "50mm",         "--duration", duration,   "--out", out.string()};
     }
     /// Goes on in a fresh copy of the half run whose checkpoint holds `bytes`: exit status and output.
     std::pair<int, std::string> go_on_with(const std::string& bytes) {

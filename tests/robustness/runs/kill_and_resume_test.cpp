@@ -9,20 +9,23 @@ namespace {
 
 void kill_and_resume(const std::string& name, const std::filesystem::path& scene, const std::filesystem::path& folder) {
     const auto command = [&](const char* out) {
-        return std::vector<std::string>{"run", scene.string(), "--method", "sph", "--out", (folder / out).string()};
+        return std::vector<std::string>{"run", scene.string(), "--no-twins",           "--method",
+                                        "sph", "--out",        (folder / out).string()};
     };
     Program whole(command("whole"), folder);
     ASSERT_EQ(whole.wait(), 0) << whole.output();
 
     const auto checkpoint = folder / "killed" / "sph" / "checkpoint.h5";
-    for (int kills = 0; kills < 2; ++kills) {   // once in the first part, once in the resumed one
+    for (int kills = 0; kills < 2; ++kills) {  // once in the first part, once in the resumed one
         auto arguments = command("killed");
         if (kills > 0) arguments.push_back("--resume");
         Program part(arguments, folder);
-        const auto before = std::filesystem::exists(checkpoint) ? std::filesystem::last_write_time(checkpoint) : std::filesystem::file_time_type::min();
+        const auto before = std::filesystem::exists(checkpoint) ? std::filesystem::last_write_time(checkpoint)
+                                                                : std::filesystem::file_time_type::min();
         ASSERT_TRUE(wait_until(
             [&] {
-                return !part.running() || (std::filesystem::exists(checkpoint) && std::filesystem::last_write_time(checkpoint) != before);
+                return !part.running() ||
+                       (std::filesystem::exists(checkpoint) && std::filesystem::last_write_time(checkpoint) != before);
             },
             60));
         ASSERT_TRUE(part.running()) << name << ": ended before it could be killed\n" << part.output();
@@ -34,7 +37,8 @@ void kill_and_resume(const std::string& name, const std::filesystem::path& scene
     Program rest(arguments, folder);
     ASSERT_EQ(rest.wait(), 0) << rest.output();
 
-    const RunRecord a = read_record(folder / "whole" / "sph" / "record.h5"), b = read_record(folder / "killed" / "sph" / "record.h5");
+    const RunRecord a = read_record(folder / "whole" / "sph" / "record.h5"),
+                    b = read_record(folder / "killed" / "sph" / "record.h5");
     EXPECT_EQ(b.state, "finished");
     EXPECT_EQ(first_difference(a, b), "");
 }
@@ -47,14 +51,16 @@ TEST(KillAndResume, CollapsingColumnGoesOnToTheSameBits) {
 TEST(KillAndResume, HullInAStreamGoesOnToTheSameBits) {
     const ScratchFolder folder("kill_stream");
     const auto scene = folder.path() / "scene.toml";
-    std::filesystem::copy_file(std::filesystem::path(TWINWAKE_SOURCE) / "tests/robustness/runs/small_planing.toml", scene);
+    std::filesystem::copy_file(std::filesystem::path(TWINWAKE_SOURCE) / "tests/robustness/runs/small_planing.toml",
+                               scene);
     kill_and_resume("stream", scene, folder.path());
 }
 
 TEST(KillAndResume, DamagedCheckpointIsRefusedByName) {
     const ScratchFolder folder("damaged");
     const auto scene = write_small_scene(folder.path() / "scene.toml", 2.0);
-    std::vector<std::string> command{"run", scene.string(), "--method", "sph", "--out", (folder.path() / "run").string()};
+    std::vector<std::string> command{
+        "run", scene.string(), "--no-twins", "--method", "sph", "--out", (folder.path() / "run").string()};
     const auto checkpoint = folder.path() / "run" / "sph" / "checkpoint.h5";
     {
         Program run(command, folder.path());

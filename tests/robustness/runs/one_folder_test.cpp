@@ -10,10 +10,12 @@ TEST(OneFolder, SecondRunIsRefusedAndFirstIsUnharmed) {
     const ScratchFolder folder("one_folder");
     const auto scene = write_small_scene(folder.path() / "scene.toml", 1.0);
     const auto out = folder.path() / "run";
-    Program first({"run", scene.string(), "--method", "sph", "--out", out.string()}, folder.path());
-    ASSERT_TRUE(wait_until([&] { return std::filesystem::exists(out / "sph" / "checkpoint.h5"); }, 60)) << first.output();
+    Program first({"run", scene.string(), "--no-twins", "--method", "sph", "--out", out.string()}, folder.path());
+    ASSERT_TRUE(wait_until([&] { return std::filesystem::exists(out / "sph" / "checkpoint.h5"); }, 60))
+        << first.output();
 
-    Program second({"run", scene.string(), "--method", "sph", "--out", out.string(), "--overwrite"}, folder.path());
+    Program second({"run", scene.string(), "--no-twins", "--method", "sph", "--out", out.string(), "--overwrite"},
+                   folder.path());
     EXPECT_EQ(second.wait(), 2);
     EXPECT_NE(second.output().find("another run"), std::string::npos) << second.output();
     ASSERT_TRUE(first.running()) << "the first run ended too early for this test to see anything";
@@ -25,7 +27,8 @@ TEST(OneFolder, SecondRunIsRefusedAndFirstIsUnharmed) {
 TEST(OneFolder, FinishedRunIsNotOverwrittenUnasked) {
     const ScratchFolder folder("finished");
     const auto scene = write_small_scene(folder.path() / "scene.toml", 0.05);
-    const std::vector<std::string> command{"run", scene.string(), "--method", "sph", "--out", (folder.path() / "run").string()};
+    const std::vector<std::string> command{
+        "run", scene.string(), "--no-twins", "--method", "sph", "--out", (folder.path() / "run").string()};
     ASSERT_EQ(Program(command, folder.path()).wait(), 0);
     const auto record = folder.path() / "run" / "sph" / "record.h5";
     const auto written = std::filesystem::last_write_time(record);

@@ -1,0 +1,123 @@
+#include "app/ladder_jobs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base/errors.h"
+
+namespace tw::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr LadderChoice choices[] = {
+    // The error of weak compressibility falls with Ma^2, so with c0^-2: 1/(1 - 1/1.5^2).
+    {"sph", "sound speed x 1.5", "sound_speed_1.5", &SceneOverrides::sound_speed_factor, 1.5, 1.8},
+    // Errors of time stepping are taken as of first order: 1/(1 - 1/2).
+    {"sph", "half the time step", "time_step_0.5", &SceneOverrides::time_step_factor, 0.5, 2, 2},
+    {"fvm", "half the Courant number", "courant_0.5", &SceneOverrides::courant_factor, 0.5, 2, 2},
+};
+/// What the walls are worth; the share follows from the two boxes (compare/ladder/variation.h).
+constexpr LadderChoice wider_box = {"", "box x 1.5", "box_1.5", &SceneOverrides::box_factor, 1.5, 1, 1, true};
+
+class Planner {
+public:
+    Planner(const LadderSizes& sizes, const fs::path& out) : sizes_(sizes), out_(out) {}
+
+    LadderPlan plan() {
+        std::optional<PlannedRun> coarsest;
+        for (int k = sizes_.first; k < sizes_.levels; ++k)
+            if (std::optional<PlannedRun> size = add_size(k)) coarsest = std::move(size);
+        if (sizes_.box && coarsest && sizes_.levels > 1) add_box(*coarsest);
+        std::ranges::stable_sort(plan_.jobs, {}, [](const LadderJob& j) { return j.run.plan.seconds(j.run.method); });
+        return std::move(plan_);
+    }
+
+private:
+    SceneOverrides overrides(int k) const {
+        SceneOverrides o = sizes_.overrides;
+        o.scale_resolution = o.scale_resolution.value_or(1) * std::pow(sizes_.ratio, k);
+        return o;
+    }
+    PlannedRun planned(const SceneOverrides& o) const {
+        PlannedRun plan = plan_run(sizes_.file, o, sizes_.method, sizes_.threads);
+        if (!sizes_.snapshots) plan.scene.sampling.snapshot_interval = 0;
+        return plan;
+    }
+    fs::path folder_of(const PlannedRun& plan) const {
+        return out_ / fmt::format("near_hull_{:.6g}mm", 1000 * plan.scene.resolution.near_hull);
+    }
+    void add(PlannedRun plan, const std::string& method, const fs::path& folder, const LadderChoice* choice) {
+        const std::string name = fmt::format("{} at {:g} m{}", method, plan.scene.resolution.near_hull,
+                                             choice ? fmt::format(", {}", choice->name) : "");
+        plan_.jobs.push_back({{name, method, std::move(plan), folder / method}, choice});
+    }
+    void leave_out(const SceneOverrides& o, const std::string& what, const InputError& why) {
+        plan_.left_out.push_back(
+            fmt::format("{} at {:.4g} times the scene's size: left out: {}", what, *o.scale_resolution, why.what()));
+    }
+
+    /// All methods of one size, and the choices if it is theirs. None: the scene does not allow it; what is wrong at its
+    /// own size is thrown.
+    std::optional<PlannedRun> add_size(int k) {
+        const SceneOverrides o = overrides(k);
+        std::optional<PlannedRun> plan;
+        try {
+            plan = planned(o);
+        } catch (const InputError& e) {
+            if (k == 0) throw;
+            leave_out(o, "run", e);
+            return {};
+        }
+        for (const std::string& method : plan->scene.run.methods) {
+            add(*plan, method, folder_of(*plan), nullptr);
+            if (!sizes_.variations || k != std::max(0, sizes_.levels - 2)) continue;
+            for (const LadderChoice& choice : choices)
+                if (choice.method == method) add_choice(o, folder_of(*plan), choice, method);
+        }
+        return plan;
+    }
+    void add_choice(SceneOverrides o, const fs::path& folder, const LadderChoice& choice, const std::string& method) {
+        try {
+            o.*choice.factor = choice.value;
+            add(planned(o), method, folder / choice.folder, &choice);
+        } catch (const InputError& e) { leave_out(o, choice.name, e); }
+    }
+    /// Where the scene is open water: in the method that is expected to take the least time.
+    void add_box(const PlannedRun& plan) {
+        if (!plan.scene.hull || plan.scene.motion.kind != Motion::Kind::stream) return;
+        const std::string cheaper = *std::ranges::min_element(
+            plan.scene.run.methods, {}, [&](const std::string& method) { return plan.seconds(method); });
+        SceneOverrides o = sizes_.overrides;
+        o.scale_resolution = plan.scene.resolution.scale;
+        add_choice(o, folder_of(plan), wider_box, cheaper);
+    }
+
+    const LadderSizes& sizes_;
+    const fs::path& out_;
+    LadderPlan plan_;
+};
+
+}  // namespace
+
+LadderPlan plan_ladder(const LadderSizes& sizes, const fs::path& out) { return Planner(sizes, out).plan(); }
+
+bool take(LadderHarvest& harvest, const LadderJob& job, CampaignResult result) {
+    using State = CampaignResult::State;
+    if (result.state == State::stopped) return false;
+    if (!result.there()) {
+        const bool failed = result.state == State::failed;
+        harvest.left_out.push_back(job.run.name + ": " + (failed ? "failed: " : "") + result.why_not);
+        harvest.any_failed |= failed;
+    } else if (const LadderChoice* c = job.choice) {
+        harvest.variations.push_back({c->name, c->share, ladder_run(std::move(*result.record)), c->steps, c->box});
+    } else {
+        harvest.take(std::move(*result.record), job.run.folder / "record.h5");
+    }
+    return true;
+}
+
+}  // namespace tw::app

@@ -1,0 +1,52 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/campaign.h"
+#include "app/write_ladder.h"
+
+namespace tw::app {
+
+/// A choice that should not matter, made otherwise in one run.
+struct LadderChoice {
+    const char *method, *name, *folder;  ///< method: "sph", "fvm"; "": the cheaper one
+    double SceneOverrides::*factor;
+    double value;
+    double share;      ///< of the error, see LadderVariation
+    double steps = 1;  ///< how many times as many time steps it is to take
+    bool box = false;
+};
+
+/// One run of a ladder.
+struct LadderJob {
+    CampaignRun run;
+    const LadderChoice* choice = nullptr;  ///< none: a size
+};
+
+/// Which sizes of a scene are run, and how.
+struct LadderSizes {
+    std::filesystem::path file;
+    SceneOverrides overrides;
+    std::string method;  ///< sph, fvm, both; empty: what the scene says
+    int threads = 0;
+    int first = 0, levels = 4;  ///< sizes near_hull ratio^k, k from `first` to `levels` - 1
+    double ratio = 1.4142135623730951;
+    bool variations = true;  ///< other sound speed, time step and Courant number, at the second coarsest size
+    bool box = true;         ///< a wider box at the coarsest size, where the scene is open water
+    bool snapshots = true;
+};
+
+/// The runs of a ladder, cheapest first.
+struct LadderPlan {
+    std::vector<LadderJob> jobs;
+    std::vector<std::string> left_out;  ///< coarser sizes that the scene does not allow, and why
+};
+/// Throws InputError: the scene is wrong at its own size, if that is one of them.
+LadderPlan plan_ladder(const LadderSizes& sizes, const std::filesystem::path& out);
+
+/// Takes one run into the ladder. False: stopped on request. One that fails, or does not fit a budget, is left out and
+/// named in the report; the others are run all the same.
+bool take(LadderHarvest& harvest, const LadderJob& job, CampaignResult result);
+
+}  // namespace tw::app

@@ -1,0 +1,37 @@
+#pragma once
+#include <map>
+#include <string>
+#include <utility>
+
+#include "compare/ladder/ladder.h"
+#include "compare/verdict/sentence.h"
+
+namespace tw {
+
+/// What the sentence of a ladder's verdict is made of.
+Statement statement_of(const Ladder& ladder, const LadderQuantity& quantity);
+
+/// Puts what runs of several sizes tell into the comparison of the finest of them: the intervals of the values, the
+/// verdicts and their sentences, and what was left out as banners. A source that is not its method's finest run of the
+/// ladder (one that failed), and a quantity whose mean that run does not give, keep what the comparison says.
+void judge_by_sizes(Comparison& comparison, const Ladder& ladder);
+
+/// The errors of one scene's values over their size, for scenes of the same kind that have no twins of their own.
+struct RelativeErrors {
+    struct Share {
+        double discretisation, choices, box;  ///< half widths over the size [-]
+        std::string why_not;                  ///< why there is no discretisation error
+    };
+    std::string scene;                                             ///< where they are from; empty: from nowhere
+    std::map<std::pair<std::string, std::string>, Share> of = {};  ///< by quantity and method
+};
+RelativeErrors relative_errors(const Ladder& ladder, const std::string& scene);
+
+/// Judges a comparison of two runs of one size by the errors of another scene:
+///
+///   U_num = (U_num / S)_other S     U^2 = sum over both methods of u^2 + U_num^2 + U_choices^2
+///
+/// Quantities that the other scene does not know keep what the comparison says.
+void judge_by_errors_of(Comparison& comparison, const RelativeErrors& errors);
+
+}  // namespace tw

@@ -1,0 +1,93 @@
+#include "compare/verdict/sentence.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/report/numbers.h"
+
+namespace tw {
+
+namespace {
+
+/// "SPH 3.1 % above interFoam", in magnitude where both are negative.
+std::string apart_text(const Statement& s) {
+    const double E = s.values[1] - s.values[0], per_cent = s.size > 0 ? 100 * std::abs(E) / s.size : 0;
+    const std::string a = method_title(s.methods[0]), b = method_title(s.methods[1]);
+    if (s.values[0] * s.values[1] < 0)
+        return fmt::format("{} and {} are {} apart, of opposite sign", a, b, share_text(per_cent));
+    if (share_text(per_cent) == share_text(0))
+        return fmt::format("{} and {} are the same to {}", a, b, share_text(0.1));
+    const bool negative = s.values[0] < 0 || s.values[1] < 0;
+    const char* where = std::abs(s.values[0]) > std::abs(s.values[1]) ? "above" : "below";
+    return fmt::format("{} {} {} {}{}", a, share_text(per_cent), where, b, negative ? " in magnitude" : "");
+}
+
+std::string per_cent_of(double U, double size) { return "±" + share_text(size > 0 ? 100 * U / size : 0); }
+
+/// "discretisation error ±9 %" where nothing else matters, else "uncertainty ±9 % (discretisation error ±7 %, ...)".
+std::string interval_text(const Statement& s) {
+    const std::string whose = s.borrowed.empty() ? "" : fmt::format(" as in {}", s.borrowed);
+    if (s.discretisation >= 0.9 * s.interval)
+        return fmt::format("discretisation error{} {}", whose, per_cent_of(s.interval, s.size));
+    std::string parts;
+    const auto add = [&](const std::string& name, double U) {
+        if (!(U > 0.3 * s.interval)) return;
+        parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", name, per_cent_of(U, s.size));
+    };
+    add("discretisation error" + whose, s.discretisation);
+    add("scatter of the mean", s.statistics);
+    add("other choices", s.choices);
+    return fmt::format("uncertainty {}{}", per_cent_of(s.interval, s.size), parts.empty() ? "" : " (" + parts + ")");
+}
+
+std::string one_method(const Statement& s) {
+    if (!std::isfinite(s.interval))
+        return fmt::format("{} {} by {}, without an interval: {}", value_text(s.values[0], 0), s.unit,
+                           method_title(s.methods[0]), s.why);
+    return fmt::format("{} {} by {}, {}", value_text(s.values[0], s.interval), s.unit, method_title(s.methods[0]),
+                       interval_text(s));
+}
+
+std::string remedy(const Statement& s) {
+    if (!std::isfinite(s.seconds_to_target)) return {};
+    return fmt::format("; {} of further runs would bring it to ±{}", time_text(s.seconds_to_target),
+                       share_text(100 * s.target));
+}
+
+std::string two_methods(const Statement& s) {
+    switch (s.verdict) {
+        case Verdict::agree:
+            return fmt::format("{}, {}: they agree within {}", apart_text(s), interval_text(s),
+                               share_text(100 * s.target));
+        case Verdict::differ: return fmt::format("{}, {}: they differ", apart_text(s), interval_text(s));
+        case Verdict::undecided:
+            return fmt::format("{}, {}: no difference shown{}", apart_text(s), interval_text(s), remedy(s));
+        case Verdict::not_converged:
+            return std::isfinite(s.interval)
+                       ? fmt::format("{}, {} as a bound: not converged, {}", apart_text(s), interval_text(s), s.why)
+                       : fmt::format("{}, without an interval: not converged, {}", apart_text(s), s.why);
+        case Verdict::not_comparable:
+        case Verdict::not_estimated: break;
+    }
+    return verdict_label(s.verdict) + (s.why.empty() ? "" : ": " + s.why);
+}
+
+}  // namespace
+
+std::string method_title(const std::string& method) {
+    return method == "sph" ? "SPH" : method == "fvm" ? "interFoam" : method;
+}
+
+bool is_main_quantity(const std::string& name) {
+    return name == "drag" || name == "lift" || name == "trim_moment" || name == "splash_sheet_height";
+}
+
+std::string sentence_of(const Statement& s) {
+    if (s.values.size() == 2 && s.methods.size() == 2) return s.label + ": " + two_methods(s) + ".";
+    if (s.values.size() == 1 && s.methods.size() == 1) return s.label + ": " + one_method(s) + ".";
+    return s.label + ": " + verdict_label(s.verdict) + (s.why.empty() ? "" : ": " + s.why) + ".";
+}
+
+}  // namespace tw

@@ -1,0 +1,66 @@
+#include "scene/box_walls.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tw {
+namespace {
+
+/// Where the box ends [m].
+struct Reach {
+    double side, depth;
+};
+
+Reach reach_of(const Scene& scene) {
+    const Box& box = scene.domain.box;
+    const bool half = scene.hull->half;
+    return {half ? box.max.y() : std::min(box.max.y(), -box.min.y()), -box.min.z()};
+}
+
+WallEffect effect_at(const Scene& scene, const Reach& reach) {
+    const Hull& hull = *scene.hull;
+    const double U = scene.motion.speed, g = scene.water.gravity;
+    const double length = hull.still.wet_bounds.size().x();
+    if (U >= std::sqrt(g * hull.length)) {
+        const double side = 0.139 * length * hull.beam * hull.beam / std::pow(reach.side, 3);
+        const double floor = 0.0148 * length * hull.beam / (reach.depth * reach.depth);
+        return {side + (scene.domain.floor_ends_the_box ? floor : 0), "lift"};
+    }
+    const double froude2 = U * U / (g * reach.depth);
+    if (froude2 > 0.81 || !(length > 0)) return {};
+    const double m = hull.still.volume / (0.6 * length * 2 * reach.side * reach.depth);
+    return m + froude2 < 1 ? WallEffect{2 * m / (1 - m - froude2), "resistance"} : WallEffect{};
+}
+
+}  // namespace
+
+WallEffect wall_effect(const Scene& scene) {
+    if (!scene.hull || scene.motion.kind != Motion::Kind::stream || scene.domain.dimensions != 3) return {};
+    return effect_at(scene, reach_of(scene));
+}
+
+std::string wall_warning(const Scene& scene) {
+    const WallEffect effect = wall_effect(scene);
+    if (effect.of.empty() || effect.change <= noticed_wall_effect) return {};
+    const Reach here = reach_of(scene);
+    const bool deeper = scene.domain.floor_ends_the_box;
+    Reach wide = here;
+    const WallEffect* left = &effect;
+    WallEffect now;
+    for (int k = 0; k < 60 && left->change > noticed_wall_effect; ++k) {
+        wide.side *= 1.05;
+        if (deeper) wide.depth *= 1.05;
+        now = effect_at(scene, wide);
+        if (now.of.empty()) break;
+        left = &now;
+    }
+    return fmt::format(
+        "the walls of the box ({:.3g} m to the side, {:.3g} m deep) are expected to raise the {} by {:.0f} %; {:.2g} m "
+        "to the side{} would leave {:.0f} %",
+        here.side, here.depth, effect.of, 100 * effect.change, wide.side,
+        deeper ? fmt::format(" and {:.2g} m deep", wide.depth) : "", 100 * left->change);
+}
+
+}  // namespace tw

@@ -1,0 +1,139 @@
+// `twinwake run` with coarser twins, as a user meets it.
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "program.h"
+
+namespace tw::test {
+namespace {
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+// A small column of water falling in a tank: about 1000 particles, and twins of 350 and 125.
+const std::string column = R"(title = "column"
+[tank]
+size = [0.4, 0.2, 0.4]
+[[water_block]]
+min = [0, 0, 0]
+max = [0.2, 0.2, 0.2]
+[resolution]
+near_hull = 0.02
+[sampling]
+snapshots = 0.05
+[run]
+duration = 0.3
+checkpoint = 0.02
+threads = 1
+methods = ["sph"]
+[[probe]]
+pressure = [0.4, 0.04, 0.02]
+)";
+
+nlohmann::json splash_in(const std::string& json) {
+    const auto facts = nlohmann::json::parse(json);
+    for (const auto& q : facts["quantities"])
+        if (q["name"] == "splash_sheet_height") return q;
+    return {};
+}
+
+TEST_F(Command, ARunHasCoarserTwinsAndItsNumbersAnErrorBar) {
+    write("column.toml", column);
+    const Outcome o = twinwake({"run", "column.toml", "--json", "facts.json"});
+    ASSERT_EQ(o.status, 0) << o.err;
+    EXPECT_TRUE(has(o.out, "twins: 2 coarser runs, about ")) << o.out;
+    EXPECT_TRUE(has(o.out, "--no-twins leaves them out")) << o.out;
+    const fs::path out = folder_ / "runs/column";
+    for (const char* twin : {"twins/near_hull_28.2843mm/sph", "twins/near_hull_40mm/sph"}) {
+        EXPECT_TRUE(fs::exists(out / twin / "record.h5")) << twin;
+        EXPECT_FALSE(fs::exists(out / twin / "snapshots")) << twin;
+    }
+    EXPECT_TRUE(fs::exists(out / "sph/record.h5"));  // where it has always been
+    EXPECT_TRUE(fs::exists(out / "sph/snapshots"));
+    const auto splash = splash_in(content(folder_ / "facts.json"));
+    EXPECT_FALSE(splash["sources"][0]["discretisation"].is_null() && splash["sources"][0]["no_interval"] == "")
+        << splash;
+    EXPECT_TRUE(has(splash["sentence"], " by SPH, ")) << splash;
+    EXPECT_EQ(splash["sentence"], splash_in(content(out / "report.json"))["sentence"]);
+    for (const std::string& text : {o.out, content(out / "quantities.csv")})
+        EXPECT_TRUE(has(text, splash["sentence"])) << splash["sentence"] << text;
+    EXPECT_TRUE(has(content(out / "report.html"), "Values by size"));
+    EXPECT_EQ(nlohmann::json::parse(content(folder_ / "facts.json"))["ladder"]["sides"][0]["runs"].size(), 3u);
+}
+
+TEST_F(Command, WithoutTwinsEveryFileSaysThatTheDiscretisationErrorIsNotEstimated) {
+    write("column.toml", column);
+    ASSERT_EQ(twinwake({"run", "column.toml", "--no-twins", "--out", "a", "-q"}).status, 0);
+    EXPECT_FALSE(fs::exists(folder_ / "a/twins"));
+    EXPECT_FALSE(has(content(folder_ / "a/report.html"), "Values by size"));
+    // one more run beside it, as if another method had made it
+    const Outcome o = twinwake({"compare", "a/sph", "a/sph", "--out", "pair", "--json", "facts.json"});
+    ASSERT_EQ(o.status, 0) << o.err;
+    EXPECT_EQ(splash_in(content(folder_ / "facts.json"))["verdict"], "discretisation error not estimated");
+    for (const std::string& text :
+         {o.out, content(folder_ / "pair/report.html"), content(folder_ / "pair/quantities.csv")})
+        EXPECT_TRUE(has(text, "discretisation error not estimated")) << text;
+    EXPECT_TRUE(has(o.out, "apart by 0.0 % at this size")) << o.out;
+    const Outcome required = twinwake({"run", "column.toml", "--no-twins", "--out", "b", "-q", "--require", "agree"});
+    EXPECT_EQ(required.status, 4);
+    EXPECT_TRUE(has(required.err, "without twins there is no discretisation error")) << required.err;
+}
+
+TEST_F(Command, ARunStoppedAmongItsTwinsGoesOnThere) {
+    write("column.toml", with(column, "duration = 0.3", "duration = 3"));
+    const fs::path twins = folder_ / "runs/column/twins";
+    const Started run = start({"run", "column.toml"});
+    for (int k = 0; k < 3000 && !fs::exists(twins / "near_hull_28.2843mm/sph/checkpoint.h5"); ++k)
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    kill(run.child, SIGINT);
+    const Outcome stopped = finish(run);
+    EXPECT_EQ(stopped.status, 3);
+    EXPECT_TRUE(has(stopped.err, "twins: stopped on request")) << stopped.err;
+    ASSERT_TRUE(fs::exists(twins / "near_hull_40mm/sph/record.h5"));
+    EXPECT_FALSE(fs::exists(folder_ / "runs/column/sph"));
+    const std::string coarsest = content(twins / "near_hull_40mm/sph/record.h5");
+    const Outcome again = twinwake({"run", "column.toml", "--resume"});
+    ASSERT_EQ(again.status, 0) << again.err;
+    EXPECT_TRUE(has(again.out, "sph at 0.04 m: finished before, taken from")) << again.out;
+    EXPECT_TRUE(content(twins / "near_hull_40mm/sph/record.h5") == coarsest);
+    EXPECT_TRUE(has(again.out, " by SPH, ")) << again.out;
+}
+
+TEST_F(Command, ATwinThatIsTooCoarseIsLeftOutAndNamed) {
+    write("column.toml", with(with(column, "size = [0.4, 0.2, 0.4]", "size = [0.4, 0.06, 0.4]"),
+                              "max = [0.2, 0.2, 0.2]", "max = [0.2, 0.06, 0.2]"));
+    const Outcome o = twinwake({"run", "column.toml"});  // 40 mm do not fit twice into 60 mm
+    ASSERT_EQ(o.status, 0) << o.err;
+    EXPECT_TRUE(has(o.out, "! twins: run at 2 times the scene's size: left out: column.toml:")) << o.out;
+    EXPECT_TRUE(has(o.out, "twins: 1 coarser run, about ")) << o.out;
+    for (const char* file : {"report.html", "ladder.json"})
+        EXPECT_TRUE(has(content(folder_ / "runs/column" / file), "run at 2 times")) << file;
+    EXPECT_TRUE(fs::exists(folder_ / "runs/column/sph/record.h5"));
+}
+
+TEST_F(Command, TwinsOfAnotherSceneAreRefusedBeforeAnythingRuns) {
+    write("column.toml", column);
+    ASSERT_EQ(twinwake({"run", "column.toml", "-q"}).status, 0);
+    fs::remove_all(folder_ / "runs/column/sph");
+    write("column.toml", with(column, "max = [0.2, 0.2, 0.2]", "max = [0.2, 0.2, 0.1]"));
+    const Outcome o = twinwake({"run", "column.toml"});
+    EXPECT_EQ(o.status, 2);
+    EXPECT_TRUE(has(o.err, "there is a run of another scene already; run anew with --overwrite")) << o.err;
+    EXPECT_FALSE(fs::exists(folder_ / "runs/column/sph"));
+    EXPECT_EQ(twinwake({"run", "column.toml", "--overwrite"}).status, 0);
+}
+
+TEST_F(Command, OpenWaterHasARunInAWiderBoxAndATankHasNone) {
+    write("open.toml", planing);
+    const Outcome open = twinwake({"run", "open.toml", "--method", "sph"});
+    ASSERT_EQ(open.status, 0) << open.err;
+    EXPECT_TRUE(has(open.out, "2 coarser runs and one in a wider box")) << open.out;
+    EXPECT_TRUE(fs::exists(folder_ / "runs/open/twins/near_hull_200mm/box_1.5/sph/record.h5"));
+    const Outcome ladder = twinwake({"ladder", "open.toml", "--method", "sph", "--levels", "2", "--plan"});
+    EXPECT_TRUE(has(ladder.out, "box x 1.5")) << ladder.out;
+    write("tank.toml", column);
+    EXPECT_FALSE(has(twinwake({"ladder", "tank.toml", "--levels", "2", "--plan"}).out, "box"));
+}
+
+}  // namespace
+}  // namespace tw::test

@@ -1,0 +1,69 @@
+#include <gtest/gtest.h>
+
+#include "compare/report/numbers.h"
+#include "compare/verdict/sentence.h"
+
+namespace tw {
+namespace {
+
+Statement lift() {
+    Statement s{.label = "Lift", .unit = "N"};
+    s.methods = {"sph", "fvm"}, s.values = {3100, 3000}, s.size = 3050;
+    s.interval = 0.09 * 3050, s.discretisation = 0.09 * 3050, s.statistics = 3, s.choices = 0;
+    s.verdict = Verdict::undecided;
+    return s;
+}
+
+TEST(Sentence, CanBeForwardedAsItIs) {
+    Statement s = lift();
+    s.seconds_to_target = 2400;
+    EXPECT_EQ(
+        sentence_of(s),
+        "Lift: SPH 3.3 % above interFoam, discretisation error ±9.0 %: no difference shown; 40 min of further runs "
+        "would bring it to ±5.0 %.");
+    s.seconds_to_target = Statement::nan;  // not known: nothing is promised
+    EXPECT_EQ(sentence_of(s), "Lift: SPH 3.3 % above interFoam, discretisation error ±9.0 %: no difference shown.");
+    s.verdict = Verdict::differ, s.interval = s.discretisation = 0.02 * 3050;
+    EXPECT_EQ(sentence_of(s), "Lift: SPH 3.3 % above interFoam, discretisation error ±2.0 %: they differ.");
+    s.verdict = Verdict::agree, s.interval = s.discretisation = 0.04 * 3050;
+    EXPECT_EQ(sentence_of(s), "Lift: SPH 3.3 % above interFoam, discretisation error ±4.0 %: they agree within 5.0 %.");
+}
+
+TEST(Sentence, NamesTheSharesWhereTheResolutionIsNotAll) {
+    Statement s = lift();
+    s.discretisation = 0.06 * 3050, s.choices = 0.067 * 3050;
+    EXPECT_NE(sentence_of(s).find("uncertainty ±9.0 % (discretisation error ±6.0 %, other choices ±6.7 %)"),
+              std::string::npos)
+        << sentence_of(s);
+}
+
+TEST(Sentence, NoPerCentIsWithoutAnIntervalOrTheWordsThatItHasNone) {
+    Statement s = lift();
+    s.verdict = Verdict::not_converged, s.interval = Statement::nan, s.why = "sph: the changes do not die out";
+    EXPECT_EQ(sentence_of(s),
+              "Lift: SPH 3.3 % above interFoam, without an interval: not converged, sph: the changes do not die out.");
+    s.methods = {"sph"}, s.values = {3100}, s.verdict = Verdict::not_comparable;
+    EXPECT_EQ(sentence_of(s), "Lift: 3100 N by SPH, without an interval: sph: the changes do not die out.");
+    EXPECT_EQ(per_cent_text(3.14, 9.04), "+3.1 ± 9.0 %");
+    EXPECT_EQ(per_cent_text(-31.4, 9.04), "−31 ± 9 %");
+    EXPECT_EQ(per_cent_text(3.14, std::nan("")), "+3.1 %, no interval");
+    EXPECT_EQ(per_cent_text(3.14, 0.02), "+3.1 ± 0.02 %");
+}
+
+TEST(Sentence, NegativeValuesAreComparedInMagnitude) {
+    Statement s = lift();
+    s.label = "Trim moment", s.values = {-2652, -2509}, s.size = 2580;
+    EXPECT_TRUE(sentence_of(s).starts_with("Trim moment: SPH 5.5 % above interFoam in magnitude, ")) << sentence_of(s);
+    s.values = {-100, 50}, s.size = 75;
+    EXPECT_TRUE(sentence_of(s).starts_with("Trim moment: SPH and interFoam are 200 % apart, of opposite sign, "))
+        << sentence_of(s);
+}
+
+TEST(Sentence, WithoutValuesItSaysWhy) {
+    Statement s{.label = "Drag", .unit = "N"};
+    s.why = "sph: no size has a mean";
+    EXPECT_EQ(sentence_of(s), "Drag: not comparable: sph: no size has a mean.");
+}
+
+}  // namespace
+}  // namespace tw

@@ -1,0 +1,241 @@
+// What runs of several sizes make of a comparison: error bars, verdicts, and choices that are no evidence.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "compare/ladder/judge_by_sizes.h"
+#include "compare/report/csv.h"
+#include "tests/unit/compare/synthetic_pair.h"
+
+namespace tw {
+namespace {
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// One run of a family whose lift is limit + error (h / 0.04)^2, with steps as its spacing asks for them.
+RunRecord member(const std::string& method, double limit, double error, double h) {
+    SyntheticRun run;
+    run.method = method, run.lift = limit + error * std::pow(h / 0.04, 2), run.noise = 2, run.frames = false;
+    run.seed = static_cast<unsigned>(1000 * h) + (method == "sph" ? 1 : 2);
+    RunRecord r = synthetic_run(run);
+    r.numbers["near_hull"] = h;
+    const double box[] = {-3, 4.5, -2, 2, -1.6, 2};
+    for (int k = 0; k < 6; ++k) r.numbers[std::string("domain_") + "xyz"[k / 2] + (k % 2 ? "_max" : "_min")] = box[k];
+    r.steps = 1000 * 0.04 / h;
+    r.phases = {{"solving", 100 * std::pow(0.04 / h, 4), 0}};
+    return r;
+}
+
+constexpr double spacings[] = {0.04, 0.0565685, 0.08};
+
+std::vector<LadderRun> runs_of(double sph_error, double fvm_limit, double fvm_error) {
+    std::vector<LadderRun> runs;
+    for (const double h : spacings) {
+        runs.push_back(ladder_run(member("sph", 2800, sph_error, h)));
+        runs.push_back(ladder_run(member("fvm", fvm_limit, fvm_error, h)));
+    }
+    return runs;
+}
+
+Comparison finest(double sph_error, double fvm_limit, double fvm_error) {
+    return compare_records({member("sph", 2800, sph_error, 0.04), member("fvm", fvm_limit, fvm_error, 0.04)});
+}
+
+TEST(Sizes, ThreeSizesPutTheDiscretisationErrorIntoTheVerdictEverywhere) {
+    Comparison c = finest(100, 2800, 10);
+    const Quantity before = *c.find("lift");
+    ASSERT_EQ(before.verdict, Verdict::not_estimated);
+    const Ladder ladder = build_ladder(runs_of(100, 2800, 10));
+    judge_by_sizes(c, ladder);
+    const Quantity& lift = *c.find("lift");
+    // 2900 and 2810 N: 90 N apart, and 100 N of it is the error of the coarser family
+    EXPECT_GT(before.interval, 0);
+    EXPECT_LT(before.interval, 10);
+    EXPECT_GT(lift.interval, 90);
+    EXPECT_TRUE(lift.verdict == Verdict::agree || lift.verdict == Verdict::undecided) << to_string(lift.verdict);
+    EXPECT_GT(lift.values[0].discretisation, 80);
+    EXPECT_NEAR(lift.values[0].uncertainty, std::hypot(lift.values[0].half_width, lift.values[0].discretisation), 1e-6);
+    EXPECT_EQ(c.discretisation_from, "runs of 3 sizes");
+    EXPECT_TRUE(has(lift.sentence, "Lift: SPH 3.")) << lift.sentence;
+    EXPECT_TRUE(has(lift.sentence, "% above interFoam, discretisation error ±")) << lift.sentence;
+
+    const std::string text = summary_text(c);
+    EXPECT_LT(text.find(lift.sentence), text.find("| Quantity"));  // first thing on the console
+    const auto j = nlohmann::json::parse(comparison_json(c));
+    EXPECT_EQ(j["quantities"][0]["sentence"], lift.sentence);
+    EXPECT_EQ(j["quantities"][0]["verdict"], to_string(lift.verdict));
+    EXPECT_DOUBLE_EQ(j["quantities"][0]["intervals"][0], lift.values[0].uncertainty);
+    EXPECT_DOUBLE_EQ(j["quantities"][0]["sources"][0]["scatter"], lift.values[0].half_width);
+    EXPECT_TRUE(has(quantities_csv(c), lift.sentence.substr(0, 20)));
+    for (const std::string& out : {text, comparison_json(c)})
+        EXPECT_FALSE(has(out, "Lift: apart by")) << "the verdict of one size is gone";
+}
+
+TEST(Sizes, TwoLimitsDiffer) {
+    Comparison c = finest(10, 3200, 10);
+    judge_by_sizes(c, build_ladder(runs_of(10, 3200, 10)));
+    EXPECT_EQ(c.find("lift")->verdict, Verdict::differ);
+    EXPECT_TRUE(has(c.find("lift")->sentence, "SPH 13 % below interFoam")) << c.find("lift")->sentence;
+    EXPECT_TRUE(has(c.find("lift")->sentence, ": they differ.")) << c.find("lift")->sentence;
+}
+
+TEST(Sizes, ValuesWithoutScatterThatRunAwayHaveNoInterval) {
+    std::vector<LadderRun> runs = runs_of(100, 2800, 10);
+    const double peak[] = {23411, 42600, 24849};  // a peak has no scatter of its own
+    int k = 0;
+    for (LadderRun& r : runs)
+        for (Quantity& q : r.quantities)
+            if (q.name == "lift" && r.method == "sph") q.values[0].value = peak[k++], q.values[0].half_width = 0;
+    const Ladder ladder = build_ladder(runs);
+    ASSERT_EQ(ladder.quantities[0].name, "lift");
+    EXPECT_TRUE(std::isnan(ladder.quantities[0].values[0].uncertainty)) << ladder.quantities[0].values[0].uncertainty;
+    EXPECT_EQ(ladder.quantities[0].verdict, Verdict::not_converged);
+}
+
+TEST(Sizes, AMethodWithoutTwinsKeepsWhatOneSizeSays) {
+    std::vector<LadderRun> runs = runs_of(100, 2800, 10);
+    std::erase_if(runs, [](const LadderRun& r) { return r.method == "fvm" && r.spacing > 0.05; });
+    Ladder ladder = build_ladder(runs);
+    ladder.left_out = {"fvm at 0.08 m: failed: snappyHexMesh"};
+    Comparison c = finest(100, 2800, 10);
+    judge_by_sizes(c, ladder);
+    EXPECT_EQ(c.find("lift")->verdict, Verdict::not_estimated);
+    EXPECT_TRUE(std::isfinite(c.find("lift")->values[0].uncertainty));
+    EXPECT_FALSE(std::isfinite(c.find("lift")->values[1].uncertainty));
+    EXPECT_TRUE(has(summary_text(c), "! fvm at 0.08 m: failed: snappyHexMesh"));
+}
+
+TEST(Sizes, OneMethodHasItsErrorBarAndNoVerdict) {
+    std::vector<LadderRun> runs = runs_of(100, 2800, 10);
+    std::erase_if(runs, [](const LadderRun& r) { return r.method == "fvm"; });
+    Comparison c = compare_records({member("sph", 2800, 100, 0.04)});
+    judge_by_sizes(c, build_ladder(runs));
+    EXPECT_GT(c.find("lift")->values[0].uncertainty, 80);
+    EXPECT_TRUE(has(c.find("lift")->sentence, "Lift: 2900 ± ")) << c.find("lift")->sentence;
+    EXPECT_TRUE(has(c.find("lift")->sentence, "N by SPH, discretisation error ±")) << c.find("lift")->sentence;
+    EXPECT_EQ(c.find("lift")->verdict, Verdict::not_comparable);
+}
+
+TEST(Sizes, ARunThatFailedIsNotJudgedByItsTwins) {
+    Comparison c = finest(100, 2800, 10);
+    c.sources[0].state = "failed";
+    judge_by_sizes(c, build_ladder(runs_of(100, 2800, 10)));
+    EXPECT_EQ(c.find("lift")->verdict, Verdict::not_estimated);
+}
+
+/// The coarsest run of a method with something changed.
+template <class Change>
+LadderVariation varied(const std::string& method, const std::string& name, double steps, bool box, Change change) {
+    RunRecord r = member(method, 2800, method == "sph" ? 100 : 10, 0.08);
+    change(r);
+    return {name, 2, ladder_run(r), steps, box};
+}
+
+double lift_mean(const LadderRun& run) {
+    for (const Quantity& q : run.quantities)
+        if (q.name == "lift") return q.values[0].value;
+    return 0;
+}
+
+TEST(Sizes, TheBoxCountsInBothMethodsAndNotInTheirDifference) {
+    const std::vector<LadderRun> runs = runs_of(100, 2800, 10);
+    LadderVariation wide = varied("fvm", "box x 1.5", 1, true, [](RunRecord& r) {
+        r.numbers["domain_y_min"] = -3, r.numbers["domain_y_max"] = 3, r.numbers["domain_z_min"] = -2.4;
+    });
+    const double base = lift_mean(wide.run);
+    for (Quantity& q : wide.run.quantities)
+        if (q.name == "lift") q.values[0].value *= 0.95;  // the walls are worth 5 % and more
+    const Ladder without = build_ladder(runs), ladder = build_ladder(runs, {wide});
+    const LadderQuantity &a = without.quantities[0], &b = ladder.quantities[0];
+    ASSERT_EQ(b.name, "lift");
+    const double share = 0.05 / (1 - 1 / 2.25);  // the cross section is 2.25 times as large
+    for (std::size_t k = 0; k < 2; ++k) {
+        EXPECT_NEAR(b.values[k].box, share * b.values[k].levels.front().value, 1e-3 * base) << k;
+        EXPECT_NEAR(b.values[k].uncertainty, std::hypot(a.values[k].uncertainty, b.values[k].box), 1e-6) << k;
+    }
+    EXPECT_DOUBLE_EQ(a.interval, b.interval);
+    EXPECT_EQ(a.verdict, b.verdict);
+    const std::string text = ladder_text(ladder), page = ladder_html(ladder);
+    for (const std::string& out : {text, page}) EXPECT_TRUE(has(out, "8.9 %") || has(out, "9 %")) << out;
+    EXPECT_TRUE(has(page, "inverse of the water"));
+}
+
+TEST(Sizes, AChoiceThatDidNotChangeTheStepsIsRefusedAsEvidence) {
+    const std::vector<LadderRun> runs = runs_of(100, 2800, 10);
+    LadderVariation half =
+        varied("fvm", "half the Courant number", 2, false, [](RunRecord& r) { r.steps = 1.17 * r.steps; });
+    for (Quantity& q : half.run.quantities)
+        if (q.name == "lift") q.values[0].value += 50;
+    const Ladder refused = build_ladder(runs, {half});
+    const LadderValue& fvm = refused.quantities[0].values[1];
+    ASSERT_EQ(fvm.sensitivities.size(), 1u);
+    EXPECT_FALSE(std::isfinite(fvm.sensitivities[0].uncertainty));
+    EXPECT_EQ(fvm.choices, 0);
+    ASSERT_EQ(refused.notes.size(), 1u);
+    EXPECT_TRUE(has(refused.notes[0], "half the Courant number: no evidence")) << refused.notes[0];
+    EXPECT_TRUE(has(refused.notes[0], "1.17 times as many where 2 times were meant")) << refused.notes[0];
+    EXPECT_TRUE(has(ladder_text(refused), "no evidence"));
+
+    half.run.steps *= 1.5 / 1.17;  // half way: three times the change is left
+    const Ladder part = build_ladder(runs, {half});
+    EXPECT_NEAR(part.quantities[0].values[1].sensitivities[0].uncertainty, 3 * 50, 1e-6);
+    half.run.steps *= 2 / 1.5;
+    const Ladder full = build_ladder(runs, {half});
+    EXPECT_NEAR(full.quantities[0].values[1].sensitivities[0].uncertainty, 2 * 50, 1e-6);
+    EXPECT_TRUE(full.notes.empty());
+}
+
+TEST(Sizes, StepsThatDoNotFollowTheSpacingAreSaid) {
+    std::vector<LadderRun> runs = runs_of(100, 2800, 10);
+    EXPECT_TRUE(build_ladder(runs).notes.empty());
+    const double counted[] = {1275, 1260, 1259};
+    int k = 0;
+    for (LadderRun& r : runs)
+        if (r.method == "fvm") r.steps = counted[k++];
+    const Ladder ladder = build_ladder(runs);
+    ASSERT_EQ(ladder.notes.size(), 1u);
+    EXPECT_TRUE(has(ladder.notes[0], "fvm: 1275, 1260, 1259 time steps at 3 sizes")) << ladder.notes[0];
+}
+
+TEST(Sizes, AWiderBoxIsFoundAmongRecords) {
+    std::vector<LadderRun> runs;
+    for (const double h : spacings) {
+        RunRecord r = member("fvm", 2800, 10, h);
+        r.attributes["family_hash"] = "family";
+        runs.push_back(ladder_run(r));
+    }
+    RunRecord wide = member("fvm", 2800, 10, 0.08);
+    wide.attributes["family_hash"] = "wide";
+    wide.numbers["domain_y_min"] = -3, wide.numbers["domain_y_max"] = 3;
+    runs.push_back(ladder_run(wide));
+    const std::vector<LadderVariation> found = take_variations(runs);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_TRUE(found[0].box);
+    EXPECT_EQ(found[0].name, "box x 1.5");
+    EXPECT_EQ(runs.size(), 3u);
+}
+
+TEST(Sizes, AnotherSceneTakesTheRelativeErrorAndSaysFromWhere) {
+    const RelativeErrors errors = relative_errors(build_ladder(runs_of(100, 2800, 10)), "prism, 6 m/s");
+    Comparison c = finest(400, 2800, 40);  // 3200 and 2840 N: alone they look apart by 12 %
+    judge_by_errors_of(c, errors);
+    const Quantity& lift = *c.find("lift");
+    const double share = errors.of.at({"lift", "sph"}).discretisation;
+    EXPECT_NEAR(lift.values[0].discretisation, share * lift.size, 1e-9);
+    EXPECT_GT(share, 0.02);
+    EXPECT_NE(lift.verdict, Verdict::not_estimated);
+    EXPECT_TRUE(has(lift.sentence, "discretisation error as in prism, 6 m/s ±")) << lift.sentence;
+    EXPECT_TRUE(has(lift.remark, "discretisation error taken from prism, 6 m/s")) << lift.remark;
+    EXPECT_TRUE(has(summary_text(c), "the twins of prism, 6 m/s"));
+
+    RelativeErrors none = errors;
+    none.of.at({"lift", "sph"}).discretisation = std::nan("");
+    none.of.at({"lift", "sph"}).why_not = "the changes do not die out";
+    Comparison d = finest(400, 2800, 40);
+    judge_by_errors_of(d, none);
+    EXPECT_EQ(d.find("lift")->verdict, Verdict::not_converged);
+    EXPECT_TRUE(has(d.find("lift")->sentence, "without an interval")) << d.find("lift")->sentence;
+}
+
+}  // namespace
+}  // namespace tw
