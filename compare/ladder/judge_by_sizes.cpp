@@ -105,8 +105,8 @@ RelativeErrors relative_errors(const Ladder& ladder, const std::string& scene) {
         for (std::size_t k = 0; k < q.values.size(); ++k) {
             const LadderValue& v = q.values[k];
             if (v.levels.empty() || !(q.size > 0)) continue;
-            errors.of[{q.name, ladder.sides[k].method}] = {
-                v.estimate.uncertainty / q.size, v.choices / q.size, v.box / q.size, v.estimate.why_not};
+            errors.of[{q.name, ladder.sides[k].method}] = {v.estimate.uncertainty / q.size, v.choices / q.size,
+                                                           v.box / q.size, v.estimate.why_not};
         }
     return errors;
 }
@@ -140,9 +140,8 @@ void judge_by_errors_of(Comparison& c, const RelativeErrors& errors) {
         if (s.values.size() < 2) continue;
         q.values = std::move(values);
         s.interval = q.interval = std::hypot(std::hypot(s.statistics, s.discretisation), s.choices);
-        q.verdict = s.verdict = !std::isfinite(s.interval)
-                                    ? Verdict::not_converged
-                                    : decide(q.difference, q.interval, c.agree_within, q.size);
+        q.verdict = s.verdict = !std::isfinite(s.interval) ? Verdict::not_converged
+                                                           : decide(q.difference, q.interval, c.agree_within, q.size);
         q.remark = "discretisation error taken from " + errors.scene + (s.why.empty() ? "" : "; " + s.why);
         q.sentence = sentence_of(s);
     }

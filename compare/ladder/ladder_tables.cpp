@@ -127,9 +127,10 @@ ReportTable ladder_values(const Ladder& ladder) {
 }
 
 ReportTable ladder_shares(const Ladder& ladder) {
-    ReportTable table{"What the intervals are made of, in per cent of the value",
-                      {words("Quantity"), words("method"), numbers("mean"), numbers("discretisation"), numbers("Eça & Hoekstra"), numbers("GCI"),
-                       numbers("factor of safety"), numbers("box"), words("other choices")}};
+    ReportTable table{
+        "What the intervals are made of, in per cent of the value",
+        {words("Quantity"), words("method"), numbers("mean"), numbers("discretisation"), numbers("Eça & Hoekstra"),
+         numbers("GCI"), numbers("factor of safety"), numbers("box"), words("other choices")}};
     bool any_box = false;
     for (const LadderQuantity& q : ladder.quantities)
         for (std::size_t k = 0; k < q.values.size(); ++k) {
@@ -152,8 +153,8 @@ ReportTable ladder_shares(const Ladder& ladder) {
                     choices.push_back(s.name + ": " + said);
             }
             table.rows.push_back({{q.label, method_cell(ladder, k), share(v.statistical), share(v.estimate.uncertainty),
-                                   share(v.estimate.eca_hoekstra.uncertainty), share(v.estimate.celik_gci.uncertainty), share(v.estimate.xing_stern.uncertainty),
-                                   box, joined(choices)}});
+                                   share(v.estimate.eca_hoekstra.uncertainty), share(v.estimate.celik_gci.uncertainty),
+                                   share(v.estimate.xing_stern.uncertainty), box, joined(choices)}});
         }
     if (any_box)
         table.notes.push_back(
