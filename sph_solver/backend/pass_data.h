@@ -79,8 +79,7 @@ struct Reached {
 
 /// Per-particle result of the gradient pass.
 struct alignas(16) ShiftSupportRecord {
-    float x, y, z;  ///< sum_j (1 + 0.2 (W_ij/W(dp))^4) grad_i W_ij V_j [1/m]; after the second sweep without its
-                    ///< component towards a free surface
+    float x, y, z;  ///< v_i s_i of shifting.h [1/s]; after the second sweep without its component towards a free surface
     float support;  ///< sum_j V_j W_ij, walls and the particle itself counted [-]
 };
 /// What the other phase adds to the first sweep's sums, see equations/level_pair.h: of shifting [1/m], support [-],

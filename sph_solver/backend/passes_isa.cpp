@@ -23,14 +23,16 @@ void sweep_continuity_and_gradient(const PassData& d, const Group* groups, int c
         const Group& g = groups[n];
         const V3<Real> x_i = own_places(d.place, g, frame), u_i = own_velocities(d.motion, g);
         const Real drho_i = own(g, [&](int i) { return d.motion[i].drho; });
-        Real divergence{}, wall_divergence{}, support{};
+        Real divergence{}, wall_divergence{}, support{}, difference2{};
         V3<Real> shift{};
         ScalarGradient<Real> grad_rho;
         for_each_neighbour(d.place, d.list, g.list, g, frame, x_i, [&](std::int32_t j, const Met& ij) {
             const VelocityDensityRecord& r_j = d.motion[j];
             support += ij.V_W();
             shifting.add(ij, shift);
-            Continuity::add(ij, u_i - velocity(r_j), divergence);
+            const V3<Real> u_ij = u_i - velocity(r_j);
+            Shifting::add_difference(ij, u_ij, difference2);
+            Continuity::add(ij, u_ij, divergence);
             grad_rho.add(ij, r_j.drho - drho_i);
         });
         V3<Real> n_i{};
@@ -67,6 +69,7 @@ void sweep_continuity_and_gradient(const PassData& d, const Group* groups, int c
                                           moment.zz[l] * support[l]};
         if (d.two_dimensional) moment.fill_second_axis();
         const V3<Real> grad = moment.solve(grad_rho.sum);
+        shift = simd::root(difference2 * d.kernel.W_over_G) * shift;
         for (int l = 0; l < g.size; ++l) {
             GradientPressureRecord& out = d.stress[g.first + l];
             out.gx = grad.x[l], out.gy = grad.y[l], out.gz = grad.z[l];
