@@ -10,14 +10,16 @@ namespace tw {
 /// 2017, doi:10.1016/j.cma.2016.10.028), as fast as the flow takes their order apart,
 ///
 ///   s_i       = sum_j (1 + 0.2 (W_ij / W(dp))^4) grad_i W_ij V_j     every neighbour: water, wall or air   [1/m]
-///   v_i^2     = sum_j |u_i - u_j|^2 V_j W_ij                         neighbours of the same level          [m2/s2]
-///   delta x_i = -shifting dt v_i h s_i,   at most 0.05 dp
+///   v_i^2     = sum_j |u_i - u_j|^2 V_j W_ij                         every particle, of water or air       [m2/s2]
+///   delta x_i = -shifting dt min(b v_i, c0 / 10) h s_i,   at most 0.05 dp
 ///
-/// `shifting` is 1 unless a scene says otherwise. With the flow's largest speed in place of v_i, as in the paper,
-/// particles are packed denser than their density says, in a uniform stream too, and a planing plate loses 3 to 13 % of
-/// its force, the more the finer the particles (docs/decisions/021). v_i is the same in every frame of reference, zero
-/// in a uniform stream and of order h, so that shifting vanishes with the spacing.
+/// `shifting` is 1 unless a scene says otherwise. With the flow's largest speed in place of b v_i, as in the paper,
+/// particles are packed denser than their density says even in a uniform stream, and a planing plate loses force, the
+/// more the finer the particles. v_i is the same in every frame of reference, zero in a uniform stream and of order h,
+/// so that shifting vanishes with the spacing. b is the least with which a lattice that is strained far gives way as it
+/// has to: chosen on the elliptic drop, see docs/decisions/024.
 struct Shifting {
+    static constexpr float b = 32;
     float crowding;  ///< 0.2 (W_over_G G / W(dp))^4, for the fourth power of Pair::relative_W
 
     Shifting(const Kernel& kernel, float inv_W_dp) {
@@ -47,7 +49,7 @@ inline void keep_along_surface(const V3<float>& N, float N2, V3<float>& s) {
     s.x -= share * N.x, s.y -= share * N.y, s.z -= share * N.z;
 }
 
-/// delta x_i from v_i s_i, for one step.
+/// delta x_i from min(b v_i, c0 / 10) s_i, for one step.
 struct ShiftStep {
     double factor;   ///< [m s]
     double longest;  ///< [m]
