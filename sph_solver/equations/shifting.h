@@ -16,10 +16,10 @@ namespace tw {
 /// `shifting` is 1 unless a scene says otherwise. With the flow's largest speed in place of b v_i, as in the paper,
 /// particles are packed denser than their density says even in a uniform stream, and a planing plate loses force, the
 /// more the finer the particles. v_i is the same in every frame of reference, zero in a uniform stream and of order h,
-/// so that shifting vanishes with the spacing. b is the least with which a lattice that is strained far gives way as it
-/// has to: chosen on the elliptic drop, see docs/decisions/024.
+/// so that shifting vanishes with the spacing. b is calibrated, on exact cases: a strained lattice gives way the better
+/// the larger it is, and volume is kept the better the smaller (docs/decisions/024).
 struct Shifting {
-    static constexpr float b = 32;
+    static constexpr float b = 8;
     float crowding;  ///< 0.2 (W_over_G G / W(dp))^4, for the fourth power of Pair::relative_W
 
     Shifting(const Kernel& kernel, float inv_W_dp) {
