@@ -251,7 +251,7 @@ Rows sph_keys() {
          .meaning = "Exponent of the Tait equation of state."},
         {.name = "touch_support", .range = {0.5, 0.999}, .hashed = Hashed::sph,
          .slot = slot(&Scene::sph, &SphOptions::touch_support),
-         .meaning = "Kernel support from which on an approaching wall compresses the water."},
+         .meaning = "Fullness of the kernel's half towards a wall from which on the approaching wall compresses the water."},
     };
 }
 

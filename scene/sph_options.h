@@ -6,7 +6,7 @@ namespace tw {
 /// Numerics of the particle method, as a scene may set them in `[sph]`. The defaults stand here and nowhere else;
 /// units, ranges and meanings stand in the table of keys (keys.h) and in the effects' parts.
 struct SphOptions {
-    double h_over_dp = 1.5;                  ///< smoothing length over spacing
+    double h_over_dp = 1.55;                 ///< smoothing length over spacing
     double c0 = 0;                           ///< numerical sound speed [m/s]; 0: default_sound_speed, see defaults.cpp
     double delta = 0.1;                      ///< density diffusion
     double alpha = 0.01;                     ///< artificial viscosity
@@ -15,10 +15,10 @@ struct SphOptions {
     std::string equation_of_state = "linear";  ///< linear, tait, mie_grueneisen
     double gamma = 7;                          ///< Tait exponent
     double shifting = 1;                       ///< coefficient; 0: off
-    double touch_support = 0.9;                ///< kernel support from which a wall compresses the water
-    double smagorinsky = 0.12;                 ///< Cs of the effect "turbulence"
-    double acoustic_damping = 0.3;             ///< alpha2 of the effect "acoustic_damping"
-    double air_c0 = 343;                       ///< sound speed of the effect "air" [m/s]
+    double touch_support = 0.9;     ///< how full the kernel's half towards a wall is when the wall compresses
+    double smagorinsky = 0.12;      ///< Cs of the effect "turbulence"
+    double acoustic_damping = 0.3;  ///< alpha2 of the effect "acoustic_damping"
+    double air_c0 = 343;            ///< sound speed of the effect "air" [m/s]
 };
 
 }  // namespace tw

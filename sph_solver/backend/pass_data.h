@@ -79,14 +79,13 @@ struct Reached {
 
 /// Per-particle result of the gradient pass.
 struct alignas(16) ShiftSupportRecord {
-    float x, y, z;  ///< sum_j (1 + 0.2 (W_ij/W(dp))^4) grad_i W_ij V_j [1/m]; after the second sweep without its
-                    ///< component towards a free surface
+    float x, y, z;  ///< min(b v_i, c0 / 10) s_i of shifting.h [1/s]; after the second sweep along the free surface
     float support;  ///< sum_j V_j W_ij, walls and the particle itself counted [-]
 };
 /// What the other phase adds to the first sweep's sums, see equations/level_pair.h: of shifting [1/m], support [-],
-/// div u [1/s].
+/// div u [1/s], v^2 of shifting [m2/s2].
 struct OtherSums {
-    float x, y, z, support, divergence;
+    float x, y, z, support, divergence, difference2;
 };
 /// Per-particle rates [m/s2], [kg/m3/s].
 struct alignas(16) RateRecord {
@@ -149,7 +148,9 @@ struct PassData {
     float inv_W_dp = 0;            ///< 1 / W(dp)
     float diffusion = 0;           ///< delta c0 [m/s], see DensityDiffusion
     float viscosity = 0;           ///< alpha c0 rho0 / 2 [kg/m2/s], see ArtificialViscosity
-    float inv_void = 10;           ///< 1 / (1 - touch_support), see SolverSetup
+    float fastest_shift = 0;       ///< c0 / 10 [m/s], see Shifting
+    float inv_dp = 0;              ///< [1/m]
+    float inv_void = 10;           ///< 1 / (1 - touch_support), see WallTouch
     float gx = 0, gy = 0, gz = 0;  ///< body force [m/s2]
     bool two_dimensional = false;
     float tension_control_from = 2;  ///< kernel support from which tension is controlled; above 1.5: nowhere

@@ -8,6 +8,7 @@
 #include "sph_solver/equations/renormalisation.h"
 #include "sph_solver/equations/shifting.h"
 #include "sph_solver/equations/wall_pressure.h"
+#include "sph_solver/equations/wall_touch.h"
 
 namespace tw {
 namespace TW_ISA {
@@ -19,18 +20,21 @@ template <bool walls_move>
 void sweep_continuity_and_gradient(const PassData& d, const Group* groups, int count) {
     const Frame frame = frame_of(d.kernel, d.quantum);
     const Shifting shifting(d.kernel, d.inv_W_dp);
+    const WallTouch wall_touch{d.kernel.support_length * d.inv_dp, d.inv_void};
     for (int n = 0; n < count; ++n) {
         const Group& g = groups[n];
         const V3<Real> x_i = own_places(d.place, g, frame), u_i = own_velocities(d.motion, g);
         const Real drho_i = own(g, [&](int i) { return d.motion[i].drho; });
-        Real divergence{}, wall_divergence{}, support{};
+        Real divergence{}, wall_divergence{}, support{}, difference2{};
         V3<Real> shift{};
         ScalarGradient<Real> grad_rho;
         for_each_neighbour(d.place, d.list, g.list, g, frame, x_i, [&](std::int32_t j, const Met& ij) {
             const VelocityDensityRecord& r_j = d.motion[j];
             support += ij.V_W();
             shifting.add(ij, shift);
-            Continuity::add(ij, u_i - velocity(r_j), divergence);
+            const V3<Real> u_ij = u_i - velocity(r_j);
+            Shifting::add_difference(ij, u_ij, difference2);
+            Continuity::add(ij, u_ij, divergence);
             grad_rho.add(ij, r_j.drho - drho_i);
         });
         V3<Real> n_i{};
@@ -51,14 +55,23 @@ void sweep_continuity_and_gradient(const PassData& d, const Group* groups, int c
                 Continuity::add(ij, u_slip, wall_divergence);
             }
         });
-        support *= d.kernel.W_over_G;
+        support *= d.kernel.W_over_G, difference2 *= d.kernel.W_over_G;
         if (d.other)
             for (int l = 0; l < g.size; ++l) {
                 const OtherSums& other = d.other[g.first + l];
                 support[l] += other.support, divergence[l] += other.divergence;
+                difference2[l] += other.difference2;
                 shift.x[l] += other.x, shift.y[l] += other.y, shift.z[l] += other.z;
             }
-        if (g.wall_list.size > 0) divergence += compression_by_walls(wall_divergence, support, d.inv_void);
+        if (g.wall_list.size > 0) {
+            Real touch{};
+            const auto add = [&](std::int32_t, const Met& ij) { wall_touch.add(ij, n_i, touch); };
+            for_each_neighbour(d.place, d.list, g.list, g, frame, x_i, add);
+            for_each_neighbour(d.wall_place, d.wall_list, g.wall_list, g, frame, x_i, add);
+            touch *= d.kernel.W_over_G;
+            for (int l = 0; d.other && l < g.size; ++l) touch[l] += 2.0f * d.other[g.first + l].support;
+            divergence += wall_touch.compression(wall_divergence, touch);
+        }
         FirstMoment<Real>& moment = grad_rho.moment;
         moment.scale(d.kernel.support_length);
         if (d.carried)
@@ -67,6 +80,7 @@ void sweep_continuity_and_gradient(const PassData& d, const Group* groups, int c
                                           moment.zz[l] * support[l]};
         if (d.two_dimensional) moment.fill_second_axis();
         const V3<Real> grad = moment.solve(grad_rho.sum);
+        shift = simd::min(Shifting::b * simd::root(difference2), Real{} + d.fastest_shift) * shift;
         for (int l = 0; l < g.size; ++l) {
             GradientPressureRecord& out = d.stress[g.first + l];
             out.gx = grad.x[l], out.gy = grad.y[l], out.gz = grad.z[l];

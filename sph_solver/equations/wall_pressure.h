@@ -18,17 +18,4 @@ struct WallPressure {
     }
 };
 
-/// A wall compresses only the water that it touches: while the kernel support S_i is incomplete there is a void between
-/// them, and the void closes first. Receding walls pull at once. Of the walls' part of div u therefore
-///
-///   d >= 0:  d clamp((S_i - S_touch) / (1 - S_touch), 0, 1),   d < 0:  d
-///
-/// `inv_void` is 1 / (1 - S_touch).
-template <class Real>
-inline Real compression_by_walls(const Real& d, const Real& support, float inv_void) {
-    const Real void_share = positive_part(1.0f - support) * inv_void;
-    const Real touch = positive_part(1.0f - void_share);
-    return d + positive_part(d) * (touch - 1.0f);
-}
-
 }  // namespace tw

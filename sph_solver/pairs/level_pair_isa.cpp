@@ -19,17 +19,19 @@ void meet_other_phase(const LevelPairData& c, const Group* groups, int count) {
     for (int n = 0; n < count; ++n) {
         const Group& g = groups[n];
         const V3<Real> x_i = own_places(d.place, g, frame), u_i = own_velocities(d.motion, g);
-        Real divergence{}, support{};
+        Real divergence{}, support{}, difference2{};
         V3<Real> shift{};
         for_each_neighbour(other.place, c.list, g.list, g, frame, x_i, [&](std::int32_t j, const Met& ij) {
             support += ij.V_W();
             shifting.add(ij, shift);
-            Continuity::add(ij, u_i - velocity(other.motion[j]), divergence);
+            const V3<Real> u_ij = u_i - velocity(other.motion[j]);
+            Shifting::add_difference(ij, u_ij, difference2);
+            Continuity::add(ij, u_ij, divergence);
         });
-        support *= d.kernel.W_over_G;
+        support *= d.kernel.W_over_G, difference2 *= d.kernel.W_over_G;
         divergence *= contact.of_own;
         for (int l = 0; l < g.size; ++l)
-            c.sums[g.first + l] = {shift.x[l], shift.y[l], shift.z[l], support[l], divergence[l]};
+            c.sums[g.first + l] = {shift.x[l], shift.y[l], shift.z[l], support[l], divergence[l], difference2[l]};
     }
 }
 

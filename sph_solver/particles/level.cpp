@@ -104,6 +104,8 @@ PassData Level::pass_data(double t) {
     d.gx = static_cast<float>(around_.gravity.x() + stream_acceleration);
     d.gy = static_cast<float>(around_.gravity.y());
     d.gz = static_cast<float>(around_.gravity.z());
+    d.fastest_shift = static_cast<float>(s.state_equation.c0 / 10);
+    d.inv_dp = static_cast<float>(1 / s.dp);
     d.inv_void = static_cast<float>(1 / (1 - s.touch_support));
     d.two_dimensional = around_.dimensions == 2;
     if (s.tension_control) d.tension_control_from = static_cast<float>(s.shifting_support);

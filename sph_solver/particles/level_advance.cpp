@@ -66,7 +66,7 @@ void Level::advance(const Schedule::Move& move, const Vec3& moment_reference) {
     Records& records = records_;
     const double c0 = s.state_equation.c0, speed_before = extremes_.speed;
     const double stream_before = stream_velocity(time_), stream_after = stream_velocity(time_ + dt);
-    const ShiftStep shift_step(s.shifting, dt, reference_speed(), h_, s.dp);
+    const ShiftStep shift_step(s.shifting, dt, h_, s.dp);
 
     const auto move_range = [&](Part& part, std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {

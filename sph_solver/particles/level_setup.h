@@ -35,7 +35,7 @@ struct LevelSetup {
     /// Kernel support sum_j V_j W_ij (walls and images counted; 1 in the interior, about 0.75 at a flat free surface)
     /// below which a particle counts as free surface and bears no tension.
     double surface_support = 0.9;
-    /// From this support on a wall that comes nearer compresses the water, in full at 1.
+    /// How full the kernel's half towards a wall has to be for the wall to compress the water, see WallTouch.
     double touch_support = SphOptions{}.touch_support;
     /// Shifting acts from this support on; near the free surface only along it.
     double shifting_support = 0.95;

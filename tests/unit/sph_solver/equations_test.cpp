@@ -10,16 +10,17 @@
 #include "sph_solver/equations/tension_control.h"
 #include "sph_solver/equations/viscosity.h"
 #include "sph_solver/equations/wall_pressure.h"
+#include "sph_solver/equations/wall_touch.h"
 
 namespace tw {
 namespace {
 
 TEST(ShiftStep, GoesFromTheCrowdAndNoFurtherThanATwentiethOfTheSpacing) {
-    const double dt = 1e-3, speed = 2, h = 0.15, dp = 0.1;
-    const ShiftStep step(1, dt, speed, h, dp);
-    const auto small = step.of(0.3f, 0, -0.1f);  // neighbours, weighted, lie towards +x and -z
-    EXPECT_DOUBLE_EQ(small.x.x, -dt * speed * h * double(0.3f));
-    EXPECT_DOUBLE_EQ(small.x.z, dt * speed * h * double(0.1f));
+    const double dt = 1e-3, h = 0.15, dp = 0.1;
+    const ShiftStep step(1, dt, h, dp);
+    const auto small = step.of(0.6f, 0, -0.2f);  // neighbours, weighted, lie towards +x and -z
+    EXPECT_DOUBLE_EQ(small.x.x, -dt * h * double(0.6f));
+    EXPECT_DOUBLE_EQ(small.x.z, dt * h * double(0.2f));
     EXPECT_EQ(small.x.y, 0);
     const auto large = step.of(3e5f, -4e5f, 0);
     EXPECT_NEAR(large.x.x, -0.05 * dp * 0.6, 1e-12);
@@ -39,13 +40,38 @@ TEST(Shifting, KeepsWhatGoesAlongTheSurface) {
     EXPECT_EQ(s.z, 3);
 }
 
-TEST(WallCompression, BeginsAtTheTouchSupportAndIsFullAtOne) {
-    const float inv_void = 10;  // from 0.9 on
-    EXPECT_EQ(compression_by_walls(5.0f, 0.85f, inv_void), 0);
-    EXPECT_NEAR(compression_by_walls(5.0f, 0.95f, inv_void), 2.5, 1e-5);
-    EXPECT_EQ(compression_by_walls(5.0f, 1.0f, inv_void), 5);
-    EXPECT_EQ(compression_by_walls(5.0f, 1.1f, inv_void), 5);
-    EXPECT_EQ(compression_by_walls(-5.0f, 0.5f, inv_void), -5);  // a receding wall pulls at once
+TEST(WallTouch, CompressionBeginsAtTheTouchSupportAndIsFullAtOne) {
+    const WallTouch from_0_9{.inv_dp = 3, .inv_void = 10};
+    EXPECT_EQ(from_0_9.compression(5.0f, 0.85f), 0);
+    EXPECT_NEAR(from_0_9.compression(5.0f, 0.95f), 2.5, 1e-5);
+    EXPECT_EQ(from_0_9.compression(5.0f, 1.0f), 5);
+    EXPECT_EQ(from_0_9.compression(5.0f, 1.1f), 5);
+    EXPECT_EQ(from_0_9.compression(-5.0f, 0.5f), -5);  // a receding wall pulls at once
+}
+
+/// T_i / 1 of a particle dp/2 + gap above a wall that is filled with dummies, under `rows` rows of water above its own.
+float touch_in_film(int rows, float gap) {
+    const float dp = 0.01f;
+    const Kernel kernel(1.55 * double(dp), 3);
+    const WallTouch touch{.inv_dp = kernel.support_length / dp, .inv_void = 10};
+    float sum = 0;
+    const auto add = [&](float x, float y, float z) {
+        const V3<float> r{x * kernel.inv_support, y * kernel.inv_support, z * kernel.inv_support};
+        const float t = std::max(0.0f, 1 - std::sqrt(dot(r, r)));
+        touch.add(meet(r, t, kernel.G * dp * dp * dp), V3<float>{0, 0, 1}, sum);
+    };
+    for (int i = -5; i <= 5; ++i)
+        for (int j = -5; j <= 5; ++j) {
+            for (int k = 0; k <= rows; ++k) add(float(i) * dp, float(j) * dp, float(k) * dp);
+            for (int k = 1; k <= 5; ++k) add(float(i) * dp, float(j) * dp, -float(k) * dp - gap);
+        }
+    return sum * kernel.W_over_G;
+}
+
+TEST(WallTouch, AFilmIsTouchedAsDeepWaterIsAndAVoidIsSeen) {
+    for (const int rows : {0, 1, 5}) EXPECT_NEAR(touch_in_film(rows, 0), 1, 0.01) << rows;
+    EXPECT_NEAR(touch_in_film(5, 0.001f), 0.92, 0.02);  // a tenth of a spacing
+    EXPECT_LT(touch_in_film(5, 0.005f), 0.7);
 }
 
 TEST(FirstMoment, SolvesWhatItWasMadeOfAndLeavesSprayAlone) {

@@ -196,9 +196,14 @@ double step_and_account(Simulation& simulation, Budget& budget, const Dummies& f
         const double det = xx * zz - xz * xz;
         gx[i] = det > 0.02 ? (zz * bx - xz * bz) / det : 0;
         gz[i] = det > 0.02 ? (xx * bz - xz * bx) / det : 0;
-        double by_wall = 0;
-        for (const WallNeighbour& q : wall[i]) by_wall += q.F * q.volume * p.w[i] * q.z, support += q.W * q.volume;
-        if (by_wall > 0) by_wall *= std::clamp(1 - (1 - support) / (1 - s.surface_support), 0.0, 1.0);
+        double by_wall = 0, touch = 0;  // the solid's normal is upright
+        const auto below = [&](double z) { return 2 * std::clamp(0.5 - z / s.dp, 0.0, 1.0); };
+        for (const Neighbour& q : neighbours[i]) touch += below(q.z) * q.W * V[q.j];
+        for (const WallNeighbour& q : wall[i]) {
+            by_wall += q.F * q.volume * p.w[i] * q.z, support += q.W * q.volume;
+            touch += below(q.z) * q.W * q.volume;
+        }
+        if (by_wall > 0) by_wall *= std::clamp(1 - (1 - touch) / (1 - s.touch_support), 0.0, 1.0);
         const double rise_by_wall = dt_before * (rho0 + p.drho[i]) * by_wall;
         drho[i] = p.drho[i] + dt_before * (rho0 + p.drho[i]) * divergence + rise_by_wall;
         if (support < s.surface_support && drho[i] < 0) {

@@ -73,7 +73,7 @@ struct Entry {
     double deadrise_deg = 30;
     double fineness = 26;  ///< wetted half width, to the jet root, over dp at the end
     double sound = 15;     ///< c0 over the speed of the jet root
-    double h_over_dp = 1.5;
+    double h_over_dp = SphOptions{}.h_over_dp;
     /// Width and depth of the water over the wetted half width. It floats freely; until sound has been to its edge and
     /// back the wedge does not know that it ends.
     double width() const { return 0.53 * sound; }
@@ -173,7 +173,7 @@ Found print(const Entry& e) {
     const auto start = std::chrono::steady_clock::now();
     const Found f = enter(e, x);
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-    std::printf("  %3.0f  %3.0f  %5.4g   %4.2g | %7.3f  %7.3f (%+5.1f %%) |", e.deadrise_deg, e.fineness, e.sound,
+    std::printf("  %3.0f  %3.0f  %5.4g   %4.3g | %7.3f  %7.3f (%+5.1f %%) |", e.deadrise_deg, e.fineness, e.sound,
                 e.h_over_dp, x.force, f.force, 100 * (f.force / x.force - 1));
     std::printf(" %6.2f %6.2f (%+5.1f %%) %6.3f %6.3f |", x.cp_max, f.cp_max, 100 * (f.cp_max / x.cp_max - 1),
                 x.y_cp_max, f.y_cp_max);
