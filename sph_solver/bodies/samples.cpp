@@ -14,11 +14,6 @@ SurfaceSamples::SurfaceSamples(const Surface& surface, double size, const Box& r
         const double longest = std::max({ab.norm(), ac.norm(), (ab - ac).norm()});
         const int n = std::max(1, static_cast<int>(std::ceil(longest / size)));
         const Vec3 part = surface.area_vector2(t) / (2.0 * n * n);
-        const Vec3 normal = part.normalized();
-        const double slope = std::acos(std::clamp(-normal.z(), -1.0, 1.0));
-        const double slope_along_x = std::atan2(std::abs(normal.x()), -normal.z());
-        const auto on_patch = static_cast<float>(waterline_support(slope));
-        const auto along_x = static_cast<float>(waterline_support(slope_along_x));
         // n^2 congruent triangles: those standing up, and those upside down between them
         for (int i = 0; i < n; ++i)
             for (int j = 0; i + j < n; ++j)
@@ -26,10 +21,7 @@ SurfaceSamples::SurfaceSamples(const Surface& surface, double size, const Box& r
                     const double third = down ? 2.0 / 3 : 1.0 / 3;
                     const Vec3 p = a + ab * ((i + third) / n) + ac * ((j + third) / n);
                     if (!region.contains(p)) continue;
-                    points.places.push_back(p);
-                    area.push_back(part);
-                    on_patch_.push_back(on_patch);
-                    along_x_.push_back(along_x);
+                    add(p, part);
                     const double u = double(i) / n, v = double(j) / n, e = 1.0 / n;
                     const auto corner = [&](double x, double y) {
                         patches_.points.push_back(a + ab * x + ac * y);
@@ -58,12 +50,19 @@ SurfaceSamples SurfaceSamples::of_section(const Surface& prism, double size) {
             out.patches_.points.insert(out.patches_.points.end(), {low, high, high + across, low + across});
             for (const int corner : {1, 2}) {
                 out.patches_.triangles.push_back({first, first + corner, first + corner + 1});
-                out.points.places.push_back(middle);
-                out.area.push_back(half_strip);
+                out.add(middle, half_strip);
             }
         }
     }
     return out;
+}
+
+void SurfaceSamples::add(const Vec3& place, const Vec3& part) {
+    const Vec3 normal = part.normalized();
+    points.places.push_back(place);
+    area.push_back(part);
+    on_patch_.push_back(static_cast<float>(waterline_support(std::acos(std::clamp(-normal.z(), -1.0, 1.0)))));
+    along_x_.push_back(static_cast<float>(waterline_support(std::atan2(std::abs(normal.x()), -normal.z()))));
 }
 
 Vec3 SurfaceSamples::pressure_force(const Vec3& moment_reference, Vec3& moment) const {

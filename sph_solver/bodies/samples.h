@@ -53,6 +53,9 @@ struct SurfaceSamples {
     double wetted_length(double beam) const;
 
 private:
+    /// A sample with the outward area vector of its part of the surface [m], [m2].
+    void add(const Vec3& place, const Vec3& part);
+
     std::vector<float> on_patch_, along_x_;  ///< waterline_support of each patch, and of a cut along x through it
     Surface patches_;
 };

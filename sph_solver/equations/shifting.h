@@ -19,7 +19,7 @@ namespace tw {
 /// so that shifting vanishes with the spacing. b is calibrated, on exact cases: a strained lattice gives way the better
 /// the larger it is, and volume is kept the better the smaller (docs/decisions/024).
 struct Shifting {
-    static constexpr float b = 8;
+    static constexpr float b = 16;
     float crowding;  ///< 0.2 (W_over_G G / W(dp))^4, for the fourth power of Pair::relative_W
 
     Shifting(const Kernel& kernel, float inv_W_dp) {

@@ -61,7 +61,9 @@ protected:
 };
 
 TEST_F(FoamFailure, ASolverThatDiesMidwayLeavesARecordThatSaysSo) {
-    use_solver("\"$REAL\" \"$@\" & p=$!\nwhile [ ! -d 0.06 ]; do sleep 0.05; done\nkill -FPE $p\nwait $p\n");
+    use_solver(
+        "\"$REAL\" \"$@\" & p=$!\nwhile ! ls -d 0.0[5-9]* > /dev/null 2>&1; do sleep 0.05; done\nkill -FPE $p\nwait "
+        "$p\n");
     const std::string text = failure_of(scene(dam_break("5 s")));
     EXPECT_NE(text.find("died at t = "), std::string::npos) << text;
     EXPECT_NE(text.find("floating point exception"), std::string::npos) << text;
@@ -152,7 +154,7 @@ TEST_F(FoamFailure, AKillBeforeTheFirstWriteTimeLosesNoRow) {
     EXPECT_EQ(segments(tables / "forces", "force.dat").size(), 2u);
     for (const char* table : {"forces_total", "pressure"})
         EXPECT_EQ(record.tables.at(table).time.size(), static_cast<std::size_t>(record.steps)) << table;
-    EXPECT_NEAR(record.tables.at("forces_total").time.back(), 0.2, 1e-6);
+    EXPECT_NEAR(record.tables.at("forces_total").time.back(), 0.2, 0.02);  // a tank ends at the nearest step
     EXPECT_FALSE(std::isnan(latest_fastest(tables, 0.2)));
 }
 
@@ -177,6 +179,17 @@ TEST_F(FoamFailure, ATableThatLostRowsIsNoFinishedRunAndResumeComputesThemAnew) 
     EXPECT_EQ(fs::last_write_time(options().folder / "record.h5"), written);
 }
 
+/// A time folder of `time` or later: tanks write at the nearest step.
+bool has_written(const fs::path& run, double time) {
+    std::error_code gone;  // the solver may be making the folder
+    for (const fs::directory_entry& e : fs::directory_iterator(run, gone)) {
+        char* end = nullptr;
+        const std::string name = e.path().filename().string();
+        if (std::strtod(name.c_str(), &end) >= time && *end == '\0') return true;
+    }
+    return false;
+}
+
 TEST_F(FoamFailure, AfterAKillTheRunIsTakenUpAndEndsAsIfNothingHadBeen) {
     const Scene s = scene(dam_break("0.3 s"));
     const pid_t child = ::fork();
@@ -185,11 +198,11 @@ TEST_F(FoamFailure, AfterAKillTheRunIsTakenUpAndEndsAsIfNothingHadBeen) {
         ::_exit(0);
     }
     const fs::path run = options().folder / "case";
-    for (int i = 0; i < 600 && !fs::exists(run / "0.08"); ++i)
+    for (int i = 0; i < 600 && !has_written(run, 0.075); ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     ::kill(child, SIGKILL);
     ::waitpid(child, nullptr, 0);
-    ASSERT_TRUE(fs::exists(run / "0.08"));
+    ASSERT_TRUE(has_written(run, 0.075));
     std::this_thread::sleep_for(std::chrono::milliseconds(500));  // the solver goes with its parent
     // What a kill in the middle of writing leaves: a folder with one cut-off file.
     fs::create_directories(run / "5");

@@ -134,7 +134,7 @@ TEST(Scene, ASwappedHullNeedsNoOtherEdit) {
     const Scene s = scene_of(with(planing, "trim     = \"5 deg\"\n", ""), o);
     EXPECT_NEAR(s.hull->length / small.hull->length, 2, 1e-6);
     EXPECT_NEAR(s.domain.box.size().y() / small.domain.box.size().y(), 2, 0.21);  // faces go out to whole cells
-    EXPECT_NEAR(s.sampling.mean_from / small.sampling.mean_from, 2, 1e-6);
+    EXPECT_GT(s.sampling.mean_from, 2 * small.sampling.mean_from);  // below Froude number 1 it waits for the wave too
     EXPECT_EQ(s.hull->source, file.string());
 }
 

@@ -393,7 +393,6 @@ TEST(Schemes, WithOneEvaluationNeedNoMemoryOfStages) {
 struct Impact {
     double deepest = 0;                ///< lowest height of any particle above the wall, in spacings
     double momentum = 0, impulse = 0;  ///< lost by the water, got by the wall [N s]
-    std::int64_t held = 0;
 };
 Impact throw_at_wall(int count, double speed, const SchemeCase& c) {
     SimulationSetup s = with(stream(), c);
@@ -421,12 +420,11 @@ Impact throw_at_wall(int count, double speed, const SchemeCase& c) {
         for (double z : simulation.particles().z) r.deepest = std::min(r.deepest, (z - 0.4) / s.dp);
     }
     r.momentum = momentum() - before;
-    r.held = simulation.ledger().held;
     return r;
 }
 
 TEST(Walls, StopADropAndGetItsMomentum) {
-    // A single particle never fills its support, so no pressure stops it: the last resort at the wall has to.
+    // A single particle hardly fills its support: pressure stops it late, or the last resort at the wall.
     for (const SchemeCase& c : every_scheme)
         for (const int count : {1, 4, 32}) {
             SCOPED_TRACE(::testing::Message() << c.evaluations << " evaluations, " << count << " particles");
@@ -434,7 +432,6 @@ TEST(Walls, StopADropAndGetItsMomentum) {
             EXPECT_GT(r.deepest, -0.01);
             EXPECT_GT(r.momentum, 0);
             EXPECT_NEAR(r.impulse, r.momentum, 1e-5 * r.momentum);
-            if (count == 1) { EXPECT_GT(r.held, 0); }
         }
 }
 

@@ -37,6 +37,7 @@ TEST(OtherCode, FindsTheSameAccelerationsAndDensityDiffusion) {
     ASSERT_EQ(rows.size(), 8u * 7 * 6);
     SimulationSetup s;
     s.dp = 0.01;
+    s.h_over_dp = 1.5;  // as the other code was run
     s.state_equation.c0 = 20;
     s.gravity = Vec3::Zero();
     s.alpha = 0.02;
