@@ -219,7 +219,7 @@ TEST_F(FoamFailure, AfterAKillTheRunIsTakenUpAndEndsAsIfNothingHadBeen) {
     ASSERT_EQ(a.time.size(), b.time.size());
     // Not bitwise (interFoam does not store its last compression correction), but the same flow.
     for (std::size_t i = 0; i < a.time.size(); ++i) {
-        EXPECT_NEAR(a.time[i], b.time[i], 1e-9);
+        EXPECT_NEAR(a.time[i], b.time[i], 2e-3);  // a tank writes at the nearest step, and these are others now
         EXPECT_NEAR(a.find("kinetic_energy")->values[i], b.find("kinetic_energy")->values[i],
                     0.02 * b.find("kinetic_energy")->values[i]);
     }
