@@ -217,11 +217,15 @@ TEST_F(FoamFailure, AfterAKillTheRunIsTakenUpAndEndsAsIfNothingHadBeen) {
     const RunRecord undisturbed = run_fvm(s, whole);
     const Table &a = taken_up.tables.at("samples"), &b = undisturbed.tables.at("samples");
     ASSERT_EQ(a.time.size(), b.time.size());
-    // Not bitwise (interFoam does not store its last compression correction), but the same flow.
-    for (std::size_t i = 0; i < a.time.size(); ++i) {
-        EXPECT_NEAR(a.time[i], b.time[i], 2e-3);  // a tank writes at the nearest step, and these are others now
-        EXPECT_NEAR(a.find("kinetic_energy")->values[i], b.find("kinetic_energy")->values[i],
-                    0.02 * b.find("kinetic_energy")->values[i]);
+    // Not bitwise (interFoam does not store its last compression correction, and a tank writes at the nearest step), but
+    // the same flow: energies at the same times, by straight lines between frames.
+    const std::vector<double>& energy = b.find("kinetic_energy")->values;
+    for (std::size_t i = 1; i + 1 < a.time.size(); ++i) {
+        EXPECT_NEAR(a.time[i], b.time[i], 0.01);
+        const std::size_t k = b.time[i] < a.time[i] ? i : i - 1;
+        const double share = (a.time[i] - b.time[k]) / (b.time[k + 1] - b.time[k]);
+        const double there = energy[k] + share * (energy[k + 1] - energy[k]);
+        EXPECT_NEAR(a.find("kinetic_energy")->values[i], there, 0.02 * energy.back());
     }
 }
 
