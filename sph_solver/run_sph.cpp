@@ -180,7 +180,8 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
     fresh.attributes["threads"] = std::to_string(threads);
     fresh.attributes["isa"] = simulation->passes().isa;
     fresh.attributes["calibrated"] =
-        "support of 0.9 to 1 at which a wall begins to compress, on planing_prism at beam/12";
+        "support of 0.9 to 1 at which a wall begins to compress, on planing_prism at beam/12; strength of the "
+        "shifting, on a planing plate, jets that meet, an elliptic drop and Taylor-Green vortices";
     fresh.numbers["spacing"] = scene.resolution.near_hull;
     fresh.numbers["wall_particles"] = double(simulation->level(0).walls().size());
     const double mass_at_start =
