@@ -88,7 +88,9 @@ private:
     }
     /// Where the scene is open water: in the method that is expected to take the least time.
     void add_box(const PlannedRun& plan) {
+        const Domain& box = plan.scene.domain;
         if (!plan.scene.hull || plan.scene.motion.kind != Motion::Kind::stream) return;
+        if (box.dimensions == 2 && !box.floor_ends_the_box) return;  // a channel: its bed and surface are all it has
         const std::string cheaper = *std::ranges::min_element(
             plan.scene.run.methods, {}, [&](const std::string& method) { return plan.seconds(method); });
         SceneOverrides o = sizes_.overrides;

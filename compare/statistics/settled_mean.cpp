@@ -75,6 +75,7 @@ MeanValue settled_mean(std::span<const double> time, std::span<const double> val
         if (std::ranges::none_of(values, [](double v) { return std::isfinite(v); }))
             return unknown("no value in the whole record");
         const double end = time.empty() ? 0 : time.back();
+        if (end >= rules.from) return unknown(fmt::format("no value after {:.3g} s", rules.from));
         MeanValue m;
         return too_short(m, rules.from - end + 3 * rules.flow_through,
                          fmt::format("it ends at {:.3g} s and means begin at {:.3g} s", end, rules.from));

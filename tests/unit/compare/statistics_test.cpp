@@ -94,6 +94,17 @@ TEST(StudentT, TabulatedQuantiles) {  // Abramowitz & Stegun, table 26.10
     EXPECT_NEAR(student_t_cdf(-2.353, 3), 0.05, 1e-4);
 }
 
+TEST(SettledMean, ASeriesWithoutValuesLateAsksForNoFurtherSeconds) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const std::vector<double> time{0, 1, 2, 3, 4}, values{1, 1, nan, nan, nan};
+    SettledRules rules;
+    rules.from = 2;
+    const MeanValue m = settled_mean(time, values, rules);
+    EXPECT_FALSE(m.known);
+    EXPECT_EQ(m.why_not, "no value after 2 s");
+    EXPECT_EQ(m.seconds_needed, 0);
+}
+
 TEST(SettledMean, IntervalCoversTheTruthInNinetyTwoToNinetyEightOfAHundred) {
     std::mt19937 random(11);
     const std::vector<double> t = steps(4000, 1e-3);
