@@ -86,6 +86,7 @@ std::string check_json(const Scene& scene, const Prediction& p) {
     Json refinement = Json::array();
     for (const RefinementBox& r : scene.refinement)
         refinement.push_back({{"name", r.name}, {"level", r.level}, {"box", box(r.box)}});
+    const WallEffect walls = wall_effect(scene);
     return written({{"title", scene.title},
                     {"scene_hash", scene.hash},
                     {"particles", std::round(p.particles)},
@@ -94,7 +95,7 @@ std::string check_json(const Scene& scene, const Prediction& p) {
                     {"cells", std::round(p.cells)},
                     {"hull", hull},
                     {"domain", box(scene.domain.box)},
-                    {"walls", {{"of", wall_effect(scene).of}, {"change", wall_effect(scene).change}}},
+                    {"walls", {{"of", walls.of}, {"change", walls.change}}},
                     {"spacing", scene.resolution.spacing},
                     {"near_hull", scene.resolution.near_hull},
                     {"refinement", refinement},

@@ -44,9 +44,14 @@ void sweep_continuity_and_gradient(const PassData& d, const Group* groups, int c
         }
         const Real u_n = dot(u_i, n_i);
         const V3<Real> u_slip = slip_velocity(u_n, n_i);
+        Real touch{};
+        if (g.wall_list.size > 0)
+            for_each_neighbour(d.place, d.list, g.list, g, frame, x_i,
+                               [&](std::int32_t, const Met& ij) { wall_touch.add(ij, n_i, touch); });
         for_each_neighbour(d.wall_place, d.wall_list, g.wall_list, g, frame, x_i, [&](std::int32_t j, const Met& ij) {
             support += ij.V_W();
             shifting.add(ij, shift);
+            wall_touch.add(ij, n_i, touch);
             if constexpr (walls_move) {
                 const WallVelocity& u_j = d.wall_velocity[j];
                 Continuity::add(ij, slip_velocity(u_n - dot(V3<float>{u_j.u, u_j.v, u_j.w}, n_i), n_i),
@@ -64,10 +69,6 @@ void sweep_continuity_and_gradient(const PassData& d, const Group* groups, int c
                 shift.x[l] += other.x, shift.y[l] += other.y, shift.z[l] += other.z;
             }
         if (g.wall_list.size > 0) {
-            Real touch{};
-            const auto add = [&](std::int32_t, const Met& ij) { wall_touch.add(ij, n_i, touch); };
-            for_each_neighbour(d.place, d.list, g.list, g, frame, x_i, add);
-            for_each_neighbour(d.wall_place, d.wall_list, g.wall_list, g, frame, x_i, add);
             touch *= d.kernel.W_over_G;
             for (int l = 0; d.other && l < g.size; ++l) touch[l] += 2.0f * d.other[g.first + l].support;
             divergence += wall_touch.compression(wall_divergence, touch);

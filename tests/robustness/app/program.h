@@ -37,7 +37,7 @@ protected:
         fs::remove_all(folder_);
         fs::create_directories(folder_);
         setenv("XDG_CACHE_HOME", (folder_ / "cache").c_str(), 1);  // what runs teach stays in the test
-        setenv("TWINWAKE_ISA", "default", 1);  // nothing that is measured chooses
+        setenv("TWINWAKE_ISA", "default", 1);                      // nothing that is measured chooses
     }
     void TearDown() override {
         if (!HasFailure()) fs::remove_all(folder_);
@@ -124,6 +124,26 @@ inline std::string with(std::string text, const std::string& from, const std::st
     const auto at = text.find(from);
     if (at == std::string::npos) throw std::logic_error("the test's scene has no " + from);
     return text.replace(at, from.size(), to);
+}
+
+/// A small column of water that falls in a tank: about 1000 particles. `title` as it stands between quotes in a scene;
+/// `run`: further lines of [run]; `probe`: where its pressure is taken.
+inline std::string falling_column(const std::string& title, const std::string& run, const std::string& probe) {
+    return "title = \"" + title + R"("
+[tank]
+size = [0.4, 0.2, 0.4]
+[[water_block]]
+min = [0, 0, 0]
+max = [0.2, 0.2, 0.2]
+[resolution]
+near_hull = 0.02
+[run]
+)" + run + R"(
+threads = 1
+methods = ["sph"]
+[[probe]]
+pressure = )" +
+           probe + "\n";
 }
 
 }  // namespace tw::test

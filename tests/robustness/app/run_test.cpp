@@ -7,22 +7,8 @@
 namespace tw::test {
 namespace {
 
-// A small column of water falling in a tank: about 1000 particles.
-const std::string column = R"(title = "a \"column\" of $(touch pwned) <script>"
-[tank]
-size = [0.4, 0.2, 0.4]
-[[water_block]]
-min = [0, 0, 0]
-max = [0.2, 0.2, 0.2]
-[resolution]
-near_hull = 0.02
-[run]
-duration = 0.1
-threads = 1
-methods = ["sph"]
-[[probe]]
-pressure = [0.4, 0.1, 0.02]
-)";
+const std::string column =
+    falling_column(R"(a \"column\" of $(touch pwned) <script>)", "duration = 0.1", "[0.4, 0.1, 0.02]");
 
 std::string longer(const std::string& seconds) {
     return with(column, "duration = 0.1", "duration = " + seconds + "\ncheckpoint = 0.02");

@@ -1,13 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 #include <numbers>
-#include <sstream>
 
 #include "compare/reference/planing_plate.h"
 #include "meshes/generate.h"
 #include "meshes/section.h"
+#include "tests/unit/compare/number_rows.h"
 
 namespace tw {
 namespace {
@@ -16,25 +15,20 @@ constexpr double degree = std::numbers::pi / 180;
 
 // Columns: alpha_deg, J, z_TE/H, delta/H, N/(rho U^2 H), N by pressure, ...
 TEST(PlaningPlate, EqualsTheIndependentTableBothWays) {
-    std::ifstream file(TWINWAKE_TEST_DATA "/planing_plate_channel.csv");
-    std::string line;
-    std::getline(file, line);
-    int rows = 0;
-    while (std::getline(file, line)) {
-        std::istringstream cells(line);
-        std::vector<double> row;
-        for (std::string cell; std::getline(cells, cell, ',');) row.push_back(std::stod(cell));
+    const std::vector<std::vector<double>> rows = number_rows("planing_plate_channel.csv");
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        SCOPED_TRACE(k);
+        const std::vector<double>& row = rows[k];
         const double alpha = row[0] * degree;
         const PlaningPlate plate = planing_plate(alpha, row[1]);
-        EXPECT_NEAR(plate.z_te, row[2], 1e-6) << line;
-        EXPECT_NEAR(plate.delta, row[3], 1e-6) << line;
-        EXPECT_NEAR(plate.force, row[4], 2e-6) << line;
+        EXPECT_NEAR(plate.z_te, row[2], 1e-6);
+        EXPECT_NEAR(plate.delta, row[3], 1e-6);
+        EXPECT_NEAR(plate.force, row[4], 2e-6);
         const std::optional<PlaningPlate> found = planing_plate_at(alpha, row[2]);
-        ASSERT_TRUE(found) << line;
-        EXPECT_NEAR(found->force, row[4], 2e-5) << line;
-        ++rows;
+        ASSERT_TRUE(found);
+        EXPECT_NEAR(found->force, row[4], 2e-5);
     }
-    EXPECT_EQ(rows, 11);
+    EXPECT_EQ(rows.size(), 11u);
 }
 
 /// What a run of studies/planing_plate.toml leaves, as far as the reference reads it.

@@ -1,11 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 #include <numbers>
-#include <sstream>
 
 #include "compare/reference/prismatic_hull.h"
+#include "tests/unit/compare/number_rows.h"
 #include "tests/unit/compare/synthetic_pair.h"
 
 namespace tw {
@@ -16,14 +15,10 @@ constexpr double degree = std::numbers::pi / 180;
 // Columns: Cv, deadrise [deg], trim [deg], lambda, beam [m], U [m/s], CL0, CLbeta, lift [N], Cf, friction, drag [N],
 // D/L, keel wetted, chine wetted, centre of pressure [m]; water of 15 degrees, standard gravity.
 TEST(SavitskyFormula, EqualsTheIndependentTable) {
-    std::ifstream file(TWINWAKE_TEST_DATA "/savitsky_prismatic_fixed_trim.csv");
-    std::string line;
-    std::getline(file, line);
-    int rows = 0;
-    while (std::getline(file, line)) {
-        std::istringstream cells(line);
-        std::vector<double> row;
-        for (std::string cell; std::getline(cells, cell, ',');) row.push_back(std::stod(cell));
+    const std::vector<std::vector<double>> rows = number_rows("savitsky_prismatic_fixed_trim.csv");
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        SCOPED_TRACE(k);
+        const std::vector<double>& row = rows[k];
         const PlaningState state{.beam = row[4],
                                  .deadrise = row[1] * degree,
                                  .trim = row[2] * degree,
@@ -32,15 +27,14 @@ TEST(SavitskyFormula, EqualsTheIndependentTable) {
                                  .kinematic_viscosity = 1.139e-6,
                                  .gravity = 9.80665};
         const Savitsky s = savitsky(state, row[3]);
-        EXPECT_NEAR(s.lift / row[8], 1, 2e-6) << line;
-        EXPECT_NEAR(s.friction_drag / row[10], 1, 2e-6) << line;
-        EXPECT_NEAR(s.drag / row[11], 1, 2e-6) << line;
-        EXPECT_NEAR(s.keel_wetted_length, row[13], 2e-6) << line;
-        EXPECT_NEAR(s.chine_wetted_length, row[14], 2e-6) << line;
-        EXPECT_NEAR(s.pressure_centre, row[15], 2e-6) << line;
-        ++rows;
+        EXPECT_NEAR(s.lift / row[8], 1, 2e-6);
+        EXPECT_NEAR(s.friction_drag / row[10], 1, 2e-6);
+        EXPECT_NEAR(s.drag / row[11], 1, 2e-6);
+        EXPECT_NEAR(s.keel_wetted_length, row[13], 2e-6);
+        EXPECT_NEAR(s.chine_wetted_length, row[14], 2e-6);
+        EXPECT_NEAR(s.pressure_centre, row[15], 2e-6);
     }
-    EXPECT_GE(rows, 90);
+    EXPECT_GE(rows.size(), 90u);
 }
 
 TEST(SavitskyFormula, HandCaseAtFixedDraft) {

@@ -6,19 +6,10 @@
 namespace tw::test {
 namespace {
 
+/// The reference hull at 0.1 m, run for the default time.
 std::string prism(const std::string& domain, const std::string& water = "", const std::string& speed = "8 m/s") {
-    return R"(
-[hull]
-shape = "prismatic"
-length = "4 m"
-beam = "1 m"
-deadrise = "20 deg"
-trim = "5 deg"
-draft = "0.2 m"
-half = true
-)" + water +
-           "\n[motion]\nkind = \"stream\"\nspeed = \"" + speed + "\"\n[resolution]\nnear_hull = \"0.1 m\"\n[domain]\n" +
-           domain;
+    const std::string coarse = with(with(planing, "0.05 m", "0.1 m"), "duration = \"1.5 s\"\n", "");
+    return with(coarse, "8 m/s", speed) + water + "\n[domain]\n" + domain;
 }
 
 const std::string tight = "ahead = 1\nbehind = 2\nside = 1.5\nbelow = 1.2\n";
