@@ -11,11 +11,14 @@
 namespace tw {
 namespace {
 
-/// A face that the user gave goes to the nearest multiple of the particle spacing, one that follows from the hull
-/// outward to a multiple of the largest cell. Still water, z = 0, is a multiple of both.
-double snapped_face(double face, bool given, bool high, const Resolution& r) {
-    if (given) return std::round(face / r.near_hull) * r.near_hull;
-    return (high ? std::ceil(face / r.spacing - 1e-6) : std::floor(face / r.spacing + 1e-6)) * r.spacing;
+/// A face that the user gave goes to the nearest multiple of the largest particle spacing, one that follows from the
+/// hull outward to a multiple of the largest cell too. Still water, z = 0, is a multiple of both.
+double snapped_face(double face, bool given, bool high, const Scene& scene) {
+    const Resolution& r = scene.resolution;
+    const double dp = std::ldexp(r.near_hull, scene.sph.levels - 1);
+    if (given) return std::round(face / dp) * dp;
+    const double size = std::max(r.spacing, dp);
+    return (high ? std::ceil(face / size - 1e-6) : std::floor(face / size + 1e-6)) * size;
 }
 
 /// Moves the faces of a hull's box away from the hull; the floor at most to the bed, `deepest` below still water.
@@ -53,8 +56,8 @@ Domain stream_domain(const DomainOptions& o, const Scene& scene, std::optional<d
     const bool low_given[] = {o.x || o.ahead, o.y || o.side, floor_given};
     const bool high_given[] = {o.x || o.behind, o.y || o.side, o.z || o.above};
     for (int axis = 0; axis < 3; ++axis) {
-        box.min[axis] = snapped_face(box.min[axis], low_given[axis], false, scene.resolution);
-        box.max[axis] = snapped_face(box.max[axis], high_given[axis], true, scene.resolution);
+        box.min[axis] = snapped_face(box.min[axis], low_given[axis], false, scene);
+        box.max[axis] = snapped_face(box.max[axis], high_given[axis], true, scene);
     }
     d.box = box;
     return d;

@@ -39,11 +39,17 @@ private:
 /// The keys of the table that one hash covers, with their values. What belongs to an effect counts while it is on.
 void add_keys(Lines& t, const Scene& scene, SceneKey::Hashed hashed) {
     Scene& readable = const_cast<Scene&>(scene);  // slots refer to a value; none is changed here
+    Scene fresh;
     for (const SceneKey& key : scene_keys()) {
         if (key.hashed != hashed || (!key.effect.empty() && !scene.effect_on(key.effect))) continue;
         const std::string name = key.section + "." + key.name;
         with_value(key, readable, [&](const auto& value) {
             using Value = std::decay_t<decltype(value)>;
+            bool as_ever = false;
+            if (key.later) with_value(key, fresh, [&](const auto& other) {
+                if constexpr (std::is_same_v<std::decay_t<decltype(other)>, Value>) as_ever = other == value;
+            });
+            if (as_ever) return;
             if constexpr (std::is_arithmetic_v<Value>)
                 t.add(name, {static_cast<double>(value)});
             else if constexpr (std::is_same_v<Value, std::string>)

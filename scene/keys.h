@@ -69,6 +69,8 @@ struct SceneKey {
     std::string hint = {};      ///< follows the message that the value is out of range
     std::string effect = {};    ///< counts only while this effect is on
     std::string older = {};     ///< an older spelling that is still read
+    /// Came after records with hashes existed: what a new Scene holds adds nothing to the hash.
+    bool later = false;
 };
 
 /// A section of the scene file.

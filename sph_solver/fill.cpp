@@ -36,6 +36,12 @@ void add_outside(const std::vector<Vec3>& places, const std::vector<SurfaceQuery
         }
 }
 
+bool in_block(const Box& block, const Vec3& x, int dimensions) {
+    for (int a = 0; a < 3; ++a)
+        if ((a != 1 || dimensions == 3) && (x[a] < block.min[a] || x[a] > block.max[a])) return false;
+    return true;
+}
+
 std::vector<SurfaceQuery> queries_of(const SimulationSetup& s) {
     std::vector<SurfaceQuery> queries;
     for (const BodySetup& body : s.bodies) queries.emplace_back(body.surface);
@@ -49,6 +55,35 @@ Fluid fill_with_fluid(const SimulationSetup& s, const std::vector<Box>& blocks) 
     Fluid out;
     for (const Box& block : blocks) add_outside(lattice(s, block), solids, s.dp, block.max.z(), out);
     return out;
+}
+
+std::vector<Fluid> fill_levels(const SimulationSetup& setup, const std::vector<Box>& blocks) {
+    std::vector<Fluid> levels;
+    for (std::size_t k = 0; k <= setup.zones.size(); ++k) {
+        SimulationSetup level = setup;
+        level.dp = std::ldexp(setup.dp, static_cast<int>(setup.zones.size() - k));
+        Fluid& fluid = levels.emplace_back(fill_with_fluid(level, blocks));
+        if (k == 0) continue;
+        // the parent's place: the lattice of twice the spacing in the same block
+        const auto parent = [&](const Vec3& x) {
+            for (const Box& block : blocks) {
+                if (!in_block(block, x, setup.dimensions)) continue;
+                Vec3 of = block.min.array() +
+                          2 * level.dp * (((x - block.min) / (2 * level.dp)).array().floor() + 0.5);
+                if (setup.dimensions == 2) of.y() = 0;
+                return of;
+            }
+            return x;
+        };
+        Fluid kept;
+        for (std::size_t i = 0; i < fluid.places.size(); ++i)
+            if (Refinement::belongs(setup.zones[k - 1], parent(fluid.places[i]), level.dp)) {
+                kept.places.push_back(fluid.places[i]);
+                kept.depth.push_back(fluid.depth[i]);
+            }
+        fluid = std::move(kept);
+    }
+    return levels;
 }
 
 Fluid fill_with_air(const SimulationSetup& s, const std::vector<Box>& water) {

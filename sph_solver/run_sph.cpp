@@ -69,8 +69,8 @@ public:
     void write(const Simulation& simulation, const RunRecord& record) {
         fs::create_directories(folder_);
         const std::string stamp = fmt::format("{:09.5f}", simulation.time());
-        write_level(simulation.level(0), "particles", particles_, stamp);
-        if (const Level* air = air_of(simulation)) write_level(*air, "air", air_, stamp);
+        write_levels(simulation.water(), "particles", particles_, stamp);
+        if (air_of(simulation)) write_levels(simulation.levels().last(1), "air", air_, stamp);
         write_water(record);
         if (record.hull_pressure.empty()) return;
         const std::string hull = "hull_" + stamp + ".vtp";
@@ -114,19 +114,26 @@ public:
 private:
     using Series = std::vector<std::pair<std::string, double>>;
 
-    void write_level(const Level& level, const std::string& name, Series& series, const std::string& stamp) {
-        const Particles& p = level.particles();
-        std::vector<Vec3> places(p.size());
-        Field velocity{"velocity", 3, {}}, pressure{"pressure", 1, {}}, kind{"kind", 1, {}};
-        for (std::size_t i = 0; i < p.size(); ++i) {
-            places[i] = Vec3(p.x[i], p.y[i], p.z[i]);
-            velocity.values.insert(velocity.values.end(), {p.u[i], p.v[i], p.w[i]});
-            pressure.values.push_back(static_cast<float>(level.pressure(i)));
-            kind.values.push_back(static_cast<float>(p.kind[i]));
+    /// Active particles of one material in one file.
+    void write_levels(std::span<const std::unique_ptr<Level>> levels, const std::string& name, Series& series,
+                      const std::string& stamp) {
+        std::vector<Vec3> places;
+        Field velocity{"velocity", 3, {}}, pressure{"pressure", 1, {}}, kind{"kind", 1, {}}, size{"spacing", 1, {}};
+        for (const auto& level : levels) {
+            const Particles& p = level->particles();
+            for (std::size_t i = 0; i < p.size(); ++i) {
+                if (!is_active(p.kind[i])) continue;
+                places.emplace_back(p.x[i], p.y[i], p.z[i]);
+                velocity.values.insert(velocity.values.end(), {p.u[i], p.v[i], p.w[i]});
+                pressure.values.push_back(static_cast<float>(level->pressure(i)));
+                kind.values.push_back(static_cast<float>(p.kind[i]));
+                size.values.push_back(static_cast<float>(level->setup().dp));
+            }
         }
+        const double time = levels.front()->time();
         const std::string file = name + "_" + stamp + ".hdf";
-        write_particles(folder_ / file, level.time(), places, {velocity, pressure, kind});
-        series.emplace_back(file, level.time());
+        write_particles(folder_ / file, time, places, {velocity, pressure, kind, size});
+        series.emplace_back(file, time);
         write_series(folder_ / (name + ".hdf.series"), series);
     }
 
@@ -183,7 +190,14 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
         "support of 0.9 to 1 at which a wall begins to compress, on planing_prism at beam/12; strength of the "
         "shifting, on a planing plate, jets that meet, an elliptic drop and Taylor-Green vortices";
     fresh.numbers["spacing"] = scene.resolution.near_hull;
-    fresh.numbers["wall_particles"] = double(simulation->level(0).walls().size());
+    fresh.numbers["wall_particles"] = double(simulation->finest().walls().size());
+    if (scene.sph.levels > 1) fresh.numbers["levels"] = scene.sph.levels;
+    const auto count = [&] {
+        std::size_t n = 0;
+        for (const auto& level : simulation->water()) n += level->particles().size();
+        return n;
+    };
+    // the coarsest level is whole everywhere
     const double mass_at_start =
         checkpoint ? checkpoint->mass_at_start : simulation->mass() * double(simulation->particles().size());
     setup->fluid = {}, setup->air = {};
@@ -220,7 +234,7 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
         record.reason = reason;
         const Level* air = air_of(*simulation);
         const std::size_t gas = air ? air->particles().size() : 0;
-        record.elements = double(simulation->particles().size() + gas);
+        record.elements = double(count() + gas);
         if (gas > 0) record.numbers["air_particles"] = double(gas);
         record.steps = double(simulation->steps());
         record.peak_memory = std::max(record.peak_memory, peak_memory());
@@ -234,7 +248,7 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
         p.time = simulation->time(), p.duration = duration, p.wall = wall, p.steps = simulation->steps();
         p.eta = rate > 0 ? (duration - simulation->time()) / rate : 0;
         const Level* air = air_of(*simulation);
-        p.note = fmt::format("sph {} particles{}, dt {:.3g} s", simulation->particles().size(),
+        p.note = fmt::format("sph {} particles{}, dt {:.3g} s", count(),
                              air ? fmt::format(" and {} of air", air->particles().size()) : "", simulation->dt());
         options.progress(p);
         last_report = wall_now();

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
 
 #include "base/errors.h"
 #include "meshes/section.h"
@@ -26,6 +29,11 @@ Box control_box(const Scene& scene, const SimulationSetup& s) {
     const double clear = 2 * s.dp;  // of the domain's sides
     box.min = box.min.cwiseMax(s.domain.min + Vec3::Constant(clear));
     box.max = box.max.cwiseMin(s.domain.max - Vec3::Constant(clear));
+    if (!s.zones.empty()) {
+        const Box& zone = s.zones.back().boxes().front();
+        box.min = box.min.cwiseMax(zone.min + Vec3::Constant(2 * clear));
+        box.max = box.max.cwiseMin(zone.max - Vec3::Constant(2 * clear));
+    }
     for (int a = 0; a < 3; ++a) {
         box.min[a] = on_lattice(box.min[a]);
         box.max[a] = on_lattice(box.max[a]);
@@ -34,6 +42,44 @@ Box control_box(const Scene& scene, const SimulationSetup& s) {
     if (hull.section) box.min.y() = -0.5, box.max.y() = 0.5;
     box.max.z() = s.domain.max.z();
     return box;
+}
+
+/// A box round the hull for each finer level, the widest first; open above, and where a wall, a symmetry plane or the
+/// outlet is so near that no coarser particles fit between. Edges are ten spacings of the level between them apart, and
+/// eight of the coarser side from the inlet.
+std::vector<Zone> zones(const Scene& scene, const SimulationSetup& s) {
+    constexpr double between = 10, from_openings = 8, infinite = std::numeric_limits<double>::infinity();
+    if (!scene.hull || !s.stream)
+        throw InputError(scene.file.string() +
+                         ": [sph] levels: several sizes of particles are for a hull in a stream so far; leave it out");
+    // of a dry bow what water may rise to
+    Box hull = scene.hull->surface.bounds();
+    if (!scene.hull->section)
+        hull.min.x() = std::max(hull.min.x(), scene.hull->still.wet_bounds.min.x() - 0.25 * scene.hull->length);
+    std::vector<Zone> zones;
+    double width = scene.sph.zone * s.dp;
+    for (int k = 1; k < scene.sph.levels; ++k) {
+        const double coarse_dp = std::ldexp(s.dp, k), clear = from_openings * coarse_dp;
+        Box box = hull;  // on the coarse lattice, so that each place has one owner
+        for (int a = 0; a < 3; ++a) {
+            box.min[a] = std::floor((box.min[a] - width) / coarse_dp) * coarse_dp;
+            box.max[a] = std::ceil((box.max[a] + width) / coarse_dp) * coarse_dp;
+        }
+        for (int a = 1; a < 3; ++a) {
+            if (box.min[a] < s.domain.min[a] + clear) box.min[a] = -infinite;
+            if (box.max[a] > s.domain.max[a] - clear) box.max[a] = infinite;
+        }
+        box.max.z() = infinite;
+        if (box.max.x() > s.domain.max.x() - clear) box.max.x() = infinite;
+        box.min.x() = std::max(box.min.x(), s.domain.min.x() + clear);
+        if (box.min.x() > hull.min.x() - from_openings * s.dp)
+            throw InputError(fmt::format("{}: [sph] levels = {}: particles of {:.4g} m do not fit between the inlet and "
+                                         "the hull; fewer levels, or a longer domain ahead",
+                                         scene.file.string(), scene.sph.levels, coarse_dp));
+        zones.insert(zones.begin(), Zone({box}));
+        width += between * coarse_dp;
+    }
+    return zones;
 }
 
 /// Along every outer face but inlet, symmetry, floor and top, an eighth of the domain wide; strong enough to leave e^-5
@@ -102,15 +148,16 @@ SphSetup sph_setup(const Scene& scene, int threads) {
         stream.ramp = scene.motion.ramp;
         // the inlet must fill every support that reaches back over its plane, and outlast the steps between two list
         // builds
-        stream.buffer = std::ceil(2 * s.h_over_dp + 2) * s.dp;
+        stream.buffer = std::ceil(2 * s.h_over_dp + 2) * std::ldexp(s.dp, scene.sph.levels - 1);
         s.stream = stream;
     }
     if (scene.hull) {
         const Surface& hull = scene.hull->surface;
         s.bodies.emplace_back(scene.hull->section ? with_span(hull, endless_span(hull)) : hull);
         s.moment_reference = moment_reference(scene);
-        setup.control_volume = control_box(scene, s);
     }
+    if (scene.sph.levels > 1) s.zones = zones(scene, s);
+    if (scene.hull) setup.control_volume = control_box(scene, s);
     s.effects = effect_options(scene, s);
     s.tension_control = scene.effect_on("tension_control");
     for (const Obstacle& o : scene.obstacles) s.bodies.emplace_back(o.surface);
@@ -125,7 +172,7 @@ SphSetup sph_setup(const Scene& scene, int threads) {
         }
         blocks.push_back(water);
     }
-    setup.fluid = fill_with_fluid(s, blocks);
+    setup.fluid = fill_levels(s, blocks);
     if (scene.effect_on("air")) {
         AirOptions air;
         air.density = scene.water.air_density;
@@ -133,7 +180,7 @@ SphSetup sph_setup(const Scene& scene, int threads) {
         setup.air = {air, fill_with_air(s, blocks)};
         setup.control_volume.reset();  // it balances the water alone
     }
-    if (setup.fluid.places.empty())
+    if (setup.fluid.front().places.empty())
         throw InputError(scene.file.string() + ": no water particle fits: the spacing " + std::to_string(s.dp) +
                          " m is too coarse for the water");
     return setup;

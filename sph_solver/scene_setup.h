@@ -10,7 +10,7 @@ namespace tw {
 /// The scene as the engine needs it.
 struct SphSetup {
     SimulationSetup simulation;
-    Fluid fluid;
+    std::vector<Fluid> fluid;  ///< of each level of particle size, coarsest first
     struct Gas {
         AirOptions options;
         Fluid fluid;

@@ -3,6 +3,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/errors.h"
 #include "sph_solver/time/limits.h"
@@ -17,10 +18,35 @@ Simulation::Simulation(const SimulationSetup& setup, const Fluid& fluid, const P
       bodies_(std::make_unique<std::vector<Body>>()) {
     if (setup.threads > 0) omp_set_num_threads(setup.threads);
     for (const BodySetup& body : setup.bodies) bodies_->emplace_back(body);
+    loads_.resize(bodies_->size());
     levels_.push_back(std::make_unique<Level>(*around_, setup, schedule_, *bodies_, *passes_, fluid));
 }
 
+Simulation::Simulation(const SimulationSetup& setup, const std::vector<Fluid>& fluids, const Passes& passes)
+    : setup_(setup),
+      passes_(&passes),
+      schedule_(setup.scheme),
+      around_(std::make_unique<Surroundings>(static_cast<const Surroundings&>(setup))),
+      bodies_(std::make_unique<std::vector<Body>>()) {
+    if (setup.threads > 0) omp_set_num_threads(setup.threads);
+    const std::size_t finest = setup.zones.size();
+    if (finest > 0 && setup.scheme != Scheme::kick_drift_kick)
+        throw InputError("levels of particle size need [sph] scheme \"kick_drift_kick\"");
+    for (const BodySetup& body : setup.bodies) bodies_->emplace_back(body);
+    loads_.resize(bodies_->size());
+    for (std::size_t k = 0; k <= finest; ++k) {
+        LevelSetup level = setup;
+        level.dp = std::ldexp(setup.dp, static_cast<int>(finest - k));
+        levels_.push_back(std::make_unique<Level>(*around_, level, schedule_, *bodies_, *passes_,
+                                                  fluids.at(k)));
+    }
+    refinements_.reserve(finest);
+    for (std::size_t k = 0; k < finest; ++k) refinements_.emplace_back(*levels_[k], *levels_[k + 1], setup.zones[k]);
+}
+
 Level& Simulation::add_level(LevelSetup setup, const Fluid& fluid) {
+    if (!refinements_.empty())
+        throw InputError(setup.material + " beside the water needs particles of one size: [sph] levels = 1");
     if (!schedule_.stages().empty())
         throw InputError(setup.material +
                          " beside the water needs a time step of one evaluation: [sph] scheme \"kick_drift_kick\" or "
@@ -31,6 +57,13 @@ Level& Simulation::add_level(LevelSetup setup, const Fluid& fluid) {
 }
 
 void Simulation::step() {
+    if (!refinements_.empty()) {
+        for (Load& load : loads_) load = {};
+        loads_over_ = 0;
+        step_level(0, 0);
+        for (Load& load : loads_) load = (1 / loads_over_) * load;
+        return;
+    }
     if (lists_outlived()) make_lists_due();
     if (!schedule_.stages().empty()) return step_in_stages();
     const double before = dt();
@@ -40,6 +73,44 @@ void Simulation::step() {
     choose_time_step();
     for (const auto& level : schedule_.due(levels_))
         level->advance(schedule_.move(before, level->dt()), setup_.moment_reference);
+    take_loads();
+}
+
+void Simulation::take_loads() {
+    for (std::size_t b = 0; b < loads_.size(); ++b) loads_[b] = level(0).walls().loads[b];
+}
+
+void Simulation::step_level(std::size_t k, double dt) {
+    Level& level = *levels_[k];
+    const bool is_finest = k == refinements_.size();
+    if (level.lists_outlived()) level.make_lists_due();
+    const double before = level.dt();
+    const auto [after, compress, drift] = schedule_.evaluation(before);
+    level.refresh(drift);
+    if (!is_finest) refinements_[k].relabel();
+    const double t = level.time() + after;
+    level.first_sweep(t, compress, drift, nullptr);
+    level.second_sweep(t);
+    level.gather_loads(setup_.moment_reference);
+    if (dt == 0) {
+        dt = stable_step(level, setup_.cfl);
+        for (std::size_t j = 1; j < levels_.size(); ++j)
+            dt = std::min(dt, std::ldexp(stable_step(*levels_[j], setup_.cfl), static_cast<int>(j)));
+    }
+    level.set_step(dt);
+    const Schedule::Move move = schedule_.move(before, dt);
+    level.advance(move, setup_.moment_reference);
+    if (is_finest) {
+        for (std::size_t b = 0; b < loads_.size(); ++b) loads_[b] += move.kick * level.walls().loads[b];
+        loads_over_ += move.kick;
+        return;
+    }
+    // The fine level's last evaluation was half its step before its present places, the coarse level's half its step.
+    const double fine_before = levels_[k + 1]->dt(), first = move.kick / 2, second = dt / 2;
+    refinements_[k].prolong(move.kick, (before + fine_before) / 2);
+    step_level(k + 1, first);
+    step_level(k + 1, second);
+    refinements_[k].restrict_over(move.kick, fine_before / 2 + first - before / 2);
 }
 
 void Simulation::evaluate(double t, double compress, double drift) {
@@ -73,12 +144,13 @@ void Simulation::step_in_stages() {
         if (!first) level.go_to_stage(stage.c * dt());
         evaluate(time() + (first ? 0 : stage.c * dt()), 0, 0);
         gather_loads();
-        for (std::size_t b = 0; b < mean.size(); ++b) mean[b] += stage.weight * load(b);
+        for (std::size_t b = 0; b < mean.size(); ++b) mean[b] += stage.weight * level.walls().loads[b];
         if (first) choose_time_step();
         level.add_stage(stage.weight, first, freeze);
     }
     level.end_stages(mean);
     level.advance({dt(), 0, dt()}, setup_.moment_reference);
+    take_loads();
 }
 
 void Simulation::gather_loads() {
@@ -103,13 +175,46 @@ void Simulation::make_lists_due() {
 
 void Simulation::mark_restart_point() { make_lists_due(); }
 
+Load Simulation::load() const {
+    Load sum;
+    for (const Load& load : loads_) sum += load;
+    return sum;
+}
+
 Load Simulation::load_of_level(std::size_t k) const {
     Load sum;
     for (const Load& load : level(k).walls().loads) sum += load;
     return sum;
 }
 
+/// Each point by the level that owns its place.
+void Simulation::sample_levels(PointSamples& points) {
+    const std::size_t n = points.places.size();
+    points.p.assign(n, 0);
+    points.support.assign(n, 0);
+    if (points.want_flux) points.flux.assign(3 * n, 0);
+    for (std::size_t k = 0; k < levels_.size(); ++k) {
+        PointSamples own;
+        own.want_flux = points.want_flux;
+        std::vector<std::size_t> who;
+        for (std::size_t i = 0; i < n; ++i) {
+            const Vec3& x = points.places[i];
+            const bool reached = k == 0 || setup_.zones[k - 1].outside(x) < 0;
+            if (reached && (k == setup_.zones.size() || setup_.zones[k].outside(x) >= 0))
+                own.places.push_back(x), who.push_back(i);
+        }
+        levels_[k]->sample(own);
+        for (std::size_t j = 0; j < who.size(); ++j) {
+            points.p[who[j]] = own.p[j];
+            points.support[who[j]] = own.support[j];
+            for (std::size_t a = 0; a < 3 && points.want_flux; ++a)
+                points.flux[3 * who[j] + a] = own.flux[3 * j + a];
+        }
+    }
+}
+
 void Simulation::sample(PointSamples& points) {
+    if (!refinements_.empty()) return sample_levels(points);
     if (!level(0).has_records()) evaluate(time(), 0, 0);
     level(0).sample(points);
     if (levels_.size() == 1) return;

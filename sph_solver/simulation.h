@@ -7,6 +7,7 @@
 #include "sph_solver/bodies/body.h"
 #include "sph_solver/pairs/level_pair.h"
 #include "sph_solver/particles/level.h"
+#include "sph_solver/refinement/refinement.h"
 #include "sph_solver/time/schedule.h"
 
 namespace tw {
@@ -15,12 +16,19 @@ namespace tw {
 /// stepping. SI units.
 struct SimulationSetup : Surroundings, LevelSetup, TimeOptions {
     std::vector<BodySetup> bodies;
+    /// Where the water belongs to finer particles, the widest zone first; each halves the spacing, dp is that in the
+    /// last. The last zone holds what the water does to the bodies: other levels let no water through a body and their
+    /// load on it is not counted. No edge is within 8 spacings of the coarse side of another edge, of an
+    /// inlet, or (unless the zone goes on through it) of an outlet. Empty: all particles have one size.
+    std::vector<Zone> zones;
     Vec3 moment_reference = Vec3::Zero();
     int threads = 0;  ///< 0: as OpenMP chooses
 };
 
 /// The lattice of spacing dp in each block, outside the bodies.
 Fluid fill_with_fluid(const SimulationSetup& setup, const std::vector<Box>& blocks);
+/// The same for each level of the setup's zones, coarsest first: those that stand in its zone, and the guards round it.
+std::vector<Fluid> fill_levels(const SimulationSetup& setup, const std::vector<Box>& blocks);
 /// The same lattice in what the blocks of water leave of the domain; depth from the highest block's top.
 Fluid fill_with_air(const SimulationSetup& setup, const std::vector<Box>& water);
 
@@ -30,6 +38,9 @@ class Simulation {
 public:
     /// One level of particles of the setup's material. `passes`: the instruction set.
     Simulation(const SimulationSetup& setup, const Fluid& fluid, const Passes& passes = tw::passes());
+    /// Levels of several sizes of particles, see SimulationSetup::zones and `fill_levels`. Throws InputError for another
+    /// scheme than kick-drift-kick.
+    Simulation(const SimulationSetup& setup, const std::vector<Fluid>& levels, const Passes& passes = tw::passes());
 
     /// Puts another material beside the levels that are there, on particles of the same size; before the first step.
     /// Throws InputError for a scheme in stages.
@@ -48,13 +59,22 @@ public:
     double time() const { return level(0).time(); }
     double dt() const { return level(0).dt(); }
     std::int64_t steps() const { return level(0).steps(); }
-    /// What level k does to a body, and to all of them together.
-    const Load& load(std::size_t body, std::size_t k = 0) const { return level(k).walls().loads[body]; }
-    Load load() const { return load_of_level(0); }
+    /// Levels of water, coarsest first: those before any other material.
+    std::span<const std::unique_ptr<Level>> water() const { return {levels_.data(), refinements_.size() + 1}; }
+    /// The level in which the bodies stand.
+    const Level& finest() const { return *levels_[refinements_.size()]; }
+    Level& finest() { return *levels_[refinements_.size()]; }
+    std::span<const Refinement> refinements() const { return refinements_; }
+
+    /// What the water does to a body, and to all of them together, in the last step; with levels of several sizes the
+    /// mean over the finest level's steps in it.
+    const Load& load(std::size_t body) const { return loads_[body]; }
+    Load load() const;
+    /// What level k did in its last step.
     Load load_of_level(std::size_t k) const;
     double bytes() const;
 
-    // of the first level, the water
+    // of the first level: all the water where particles have one size
     const Particles& particles() const { return level(0).particles(); }
     Particles& particles() { return level(0).particles(); }
     double pressure(std::size_t i) const { return level(0).pressure(i); }
@@ -63,8 +83,10 @@ public:
     const Ledger& ledger() const { return level(0).ledger(); }
     const Extremes& extremes() const { return level(0).extremes(); }
     const Timers& timers() const { return level(0).timers(); }
-    void set_control_volume(const Box& box) { level(0).set_control_volume(box); }
-    ControlVolume* control_volume() { return level(0).control_volume(); }
+    // of the finest level
+    void set_control_volume(const Box& box) { finest().set_control_volume(box); }
+    ControlVolume* control_volume() { return finest().control_volume(); }
+    const ControlVolume* control_volume() const { return finest().control_volume(); }
 
     /// Fields at points from the present particles; valid until the next step. Not part of the time integration. The
     /// pressure is that of all levels, relative to that under the lid where a level is shut in; the support is the
@@ -79,8 +101,12 @@ private:
     /// `compress` by the continuity equation, and the places for `drift` [s].
     void evaluate(double t, double compress, double drift);
     void step_in_stages();
+    /// A step of level k, then two of the next finer one. `dt`: given by the coarser level; 0: to be chosen.
+    void step_level(std::size_t k, double dt);
     void gather_loads();
+    void take_loads();
     void choose_time_step();
+    void sample_levels(PointSamples& points);
     bool lists_outlived() const;
     void make_lists_due();
 
@@ -89,8 +115,11 @@ private:
     Schedule schedule_;
     std::unique_ptr<Surroundings> around_;  // levels refer to these two
     std::unique_ptr<std::vector<Body>> bodies_;
-    std::vector<std::unique_ptr<Level>> levels_;  // the first is the water
+    std::vector<std::unique_ptr<Level>> levels_;  // the first are the water
     std::vector<LevelPair> pairs_;
+    std::vector<Refinement> refinements_;  // the k-th joins levels k and k + 1
+    std::vector<Load> loads_;
+    double loads_over_ = 0;  // time of the sums in `loads_` while a step is made [s]
 };
 
 }  // namespace tw

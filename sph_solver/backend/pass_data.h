@@ -187,6 +187,7 @@ struct ViscousData;
 struct StrainData;
 struct ColourData;
 struct LevelPairData;
+struct InterpolateData;
 
 /// The pair passes of one instruction set.
 struct Passes {
@@ -211,6 +212,7 @@ struct Passes {
     void (*surface_curvature)(const ColourData&, const Group*, int count);
     void (*meet_other_phase)(const LevelPairData&, const Group*, int count);
     void (*press_other_phase)(const LevelPairData&, const Group*, int count);
+    void (*interpolate)(const InterpolateData&, const Group*, int count);  ///< see refinement/interpolate.h
 };
 /// The default of this processor, or what TWINWAKE_ISA names; see choose_passes.h.
 const Passes& passes();

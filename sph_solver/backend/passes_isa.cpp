@@ -344,12 +344,13 @@ void colour_gradient(const ColourData&, const Group*, int);
 void surface_curvature(const ColourData&, const Group*, int);
 void meet_other_phase(const LevelPairData&, const Group*, int);
 void press_other_phase(const LevelPairData&, const Group*, int);
+void interpolate(const InterpolateData&, const Group*, int);
 
 extern const Passes table;
 #ifdef TW_WITHOUT_EFFECTS
 const Passes table = {
     TW_ISA_NAME, lanes, prune, continuity_and_gradient, forces, extrapolate, reach_of, reached, {}, {}, {}, {},
-    {},          {},    {}};
+    {},          {},    {},                      {}};
 #else
 const Passes table = {TW_ISA_NAME,
                       lanes,
@@ -365,7 +366,8 @@ const Passes table = {TW_ISA_NAME,
                       colour_gradient,
                       surface_curvature,
                       meet_other_phase,
-                      press_other_phase};
+                      press_other_phase,
+                      interpolate};
 #endif
 
 }  // namespace TW_ISA

@@ -13,7 +13,7 @@ public:
         const float factor = static_cast<float>(alpha2_ * step.level.state_equation.c0 * step.h);
 #pragma omp parallel for schedule(static)
         for (std::size_t i = 0; i < step.count(); ++i)
-            if (step.particles.kind[i] == Kind::fluid && !step.at_surface(i))
+            if (follows_the_equations(step.particles.kind[i]) && !step.at_surface(i))
                 step.pass.stress[i].p += factor * step.pass.rate[i].drho;
     }
     /// Explicit diffusion of div u with the diffusivity alpha2 c0 h.

@@ -18,7 +18,7 @@ public:
         const Vec3 moved = step.time * o_.velocity;
 #pragma omp parallel for schedule(static)
         for (std::size_t i = 0; i < p.size(); ++i) {
-            if (p.kind[i] != Kind::fluid) continue;
+            if (!follows_the_equations(p.kind[i])) continue;
             const Vec3 x = Vec3(p.x[i], p.y[i], p.z[i]) - moved;
             double s = 0;
             for (const DampingLayers::Layer& l : o_.layers) {

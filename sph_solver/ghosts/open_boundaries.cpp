@@ -23,6 +23,9 @@ std::vector<char> cross_open_boundaries(const Surroundings& around, double dp, P
                         gone[i] = 1;  // washed back into the inlet
                     break;
                 case Kind::outlet:
+                case Kind::guard:
+                case Kind::band:
+                case Kind::carried:
                     if (p.x[i] > domain.max.x() + buffer) gone[i] = 1;
                     break;
             }

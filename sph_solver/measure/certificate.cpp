@@ -9,22 +9,25 @@
 namespace tw {
 
 void watch_stability(const Simulation& simulation, RunRecord& record) {
-    const Level& water = simulation.level(0);
-    const Extremes& e = water.extremes();
-    const double t = water.time(), c0 = water.setup().state_equation.c0, percent = 100 / water.setup().rho0;
+    const LevelSetup& setup = simulation.setup();
+    const double t = simulation.time(), c0 = setup.state_equation.c0, percent = 100 / setup.rho0;
     const Vec3 nowhere = CertificateLine{}.place;
-    double acoustic = std::numeric_limits<double>::infinity(), lost = 0;
+    double held_down = std::numeric_limits<double>::infinity(), lost = 0;
     for (const auto& level : simulation.levels()) {
         const double c = level->setup().state_equation.c0 + level->extremes().speed;
-        acoustic = std::min(acoustic, simulation.setup().cfl * level->h() / c);
+        const double acoustic = simulation.setup().cfl * level->h() / c;
+        held_down = std::min(held_down, level->dt() > 0 ? acoustic / level->dt() : 0);
         lost += static_cast<double>(level->ledger().lost);
     }
     const double deviation = 100 * largest_density_deviation;
-    note_worst(record, {"Mach number", "-", e.speed / c0, trusted_mach, t, e.fastest_place});
-    note_worst(record,
-               {"compression", "%", percent * e.density_deviation_high, 100 * trusted_compression, t, e.densest_place});
-    note_worst(record, {"rarefaction", "%", -percent * e.density_deviation_low, deviation, t, e.thinnest_place});
-    note_worst(record, {"step held down", "-", water.dt() > 0 ? acoustic / water.dt() : 0, 20, t, nowhere});
+    for (const auto& level : simulation.water()) {
+        const Extremes& e = level->extremes();
+        note_worst(record, {"Mach number", "-", e.speed / c0, trusted_mach, t, e.fastest_place});
+        note_worst(record, {"compression", "%", percent * e.density_deviation_high, 100 * trusted_compression, t,
+                            e.densest_place});
+        note_worst(record, {"rarefaction", "%", -percent * e.density_deviation_low, deviation, t, e.thinnest_place});
+    }
+    note_worst(record, {"step held down", "-", held_down, 20, t, nowhere});
     if (const Level* air = air_of(simulation))
         note_worst(record, {"Mach number of the air", "-", air->extremes().speed / air->setup().state_equation.c0,
                             trusted_air_mach, t, air->extremes().fastest_place});

@@ -30,6 +30,12 @@ void set(Table& table, std::size_t row, const std::string& name, const std::stri
     c.values[row] = value;
 }
 
+/// Of the water in the control volume, which lies in the finest level [N s], [kg].
+Vec3 momentum_inside(const Simulation& simulation, double& mass_inside) {
+    const Level& level = simulation.finest();
+    return ControlVolume::momentum_inside(*simulation.control_volume(), level.particles(), level.mass(), mass_inside);
+}
+
 }  // namespace
 
 Recorder::Recorder(const Scene& scene, const Simulation& simulation, RunRecord record)
@@ -67,7 +73,7 @@ void Recorder::after_step(Simulation& simulation, bool frame) {
         put("_viscous", load.friction);
         set(t, row, "my", per_span("N m"), factor_ * load.moment.y());
         if (air_of(simulation)) {
-            const Vec3 air = simulation.load_of_level(1).force.cwiseProduct(whole);
+            const Vec3 air = simulation.load_of_level(simulation.water().size()).force.cwiseProduct(whole);
             set(t, row, "fx_air", per_span("N"), air.x());
             set(t, row, "fz_air", per_span("N"), air.z());
         }
@@ -89,7 +95,7 @@ void Recorder::sample_surface(Simulation& simulation, std::size_t row) {
     if (ControlVolume* cv = simulation.control_volume()) {
         simulation.sample(cv->faces());
         double mass_inside = 0;
-        ControlVolume::momentum_inside(*cv, simulation.particles(), simulation.mass(), mass_inside);
+        momentum_inside(simulation, mass_inside);
         Vec3 body_force = simulation.setup().gravity;
         if (simulation.setup().stream) body_force.x() += simulation.setup().stream->acceleration(simulation.time());
         cv->add_impulse(mass_inside, body_force, simulation.time() - last_face_sample_);
@@ -99,10 +105,9 @@ void Recorder::sample_surface(Simulation& simulation, std::size_t row) {
 
 void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
     const SimulationSetup& s = simulation.setup();
-    const Particles& p = simulation.particles();
     if (ControlVolume* cv = simulation.control_volume()) {
         double mass_inside = 0;
-        const Vec3 momentum = ControlVolume::momentum_inside(*cv, p, simulation.mass(), mass_inside);
+        const Vec3 momentum = momentum_inside(simulation, mass_inside);
         const ControlVolume::State& sums = cv->state();
         if (momentum_known_ && sums.since > 0) {
             const Vec3 force = factor_ * (sums.crossed + sums.impulse - (momentum - momentum_)) / sums.since;
@@ -120,30 +125,48 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
     std::int64_t count = 0;
     Raster raster(scene_.sampling.raster);
     const bool pour = scene_.sampling.raster.voxel > 0;
-    const double c0 = s.state_equation.c0, m = simulation.mass();
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        if (pour) raster.pour(Vec3(p.x[i], p.y[i], p.z[i]), s.dp, m * scene_.span() / (s.rho0 + double(p.drho[i])));
-        if (p.kind[i] != Kind::fluid) continue;
-        ++count;
-        kinetic += 0.5 * m * (double(p.u[i]) * p.u[i] + double(p.v[i]) * p.v[i] + double(p.w[i]) * p.w[i]);
-        potential -= m * s.gravity.z() * p.z[i];
-        elastic += 0.5 * m * c0 * c0 * double(p.drho[i]) * p.drho[i] / (s.rho0 * s.rho0);
+    const double c0 = s.state_equation.c0;
+    double mass = 0, fastest = 0, low = 0, high = 0;
+    Ledger ledger;
+    for (const auto& level : simulation.water()) {
+        const Particles& p = level->particles();
+        const double m = level->mass();
+        std::int64_t in_level = 0;
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            if (!is_active(p.kind[i])) continue;
+            ++count;
+            if (pour)
+                raster.pour(Vec3(p.x[i], p.y[i], p.z[i]), level->setup().dp,
+                            m * scene_.span() / (s.rho0 + double(p.drho[i])));
+            if (p.kind[i] != Kind::fluid) continue;
+            ++in_level;
+            kinetic += 0.5 * m * (double(p.u[i]) * p.u[i] + double(p.v[i]) * p.v[i] + double(p.w[i]) * p.w[i]);
+            potential -= m * s.gravity.z() * p.z[i];
+            elastic += 0.5 * m * c0 * c0 * double(p.drho[i]) * p.drho[i] / (s.rho0 * s.rho0);
+        }
+        mass += m * double(in_level);
+        const Extremes& e = level->extremes();
+        fastest = std::max(fastest, e.speed);
+        low = std::min(low, e.density_deviation_low), high = std::max(high, e.density_deviation_high);
+        const Ledger& l = level->ledger();
+        ledger.in += l.in, ledger.out += l.out, ledger.lost += l.lost, ledger.held += l.held;
     }
     if (pour) record_.frames.push_back(raster.frame(simulation.time()));
-    set(t, k, "mass", per_span("kg"), factor_ * m * double(count));
+    set(t, k, "mass", per_span("kg"), factor_ * mass);
     set(t, k, "kinetic_energy", per_span("J"), factor_ * kinetic);
     set(t, k, "potential_energy", per_span("J"), factor_ * potential);
     set(t, k, "elastic_energy", per_span("J"), factor_ * elastic);
     set(t, k, "dt", "s", simulation.dt());
-    set(t, k, "max_speed", "m/s", simulation.extremes().speed);
-    set(t, k, "max_mach", "-", simulation.extremes().speed / c0);
-    set(t, k, "density_deviation_low", "kg/m3", simulation.extremes().density_deviation_low);
-    set(t, k, "density_deviation_high", "kg/m3", simulation.extremes().density_deviation_high);
-    set(t, k, "particles", "-", double(p.size()));
-    set(t, k, "particles_in", "-", double(simulation.ledger().in));
-    set(t, k, "particles_out", "-", double(simulation.ledger().out));
-    set(t, k, "particles_lost", "-", double(simulation.ledger().lost));
-    set(t, k, "held_at_wall", "-", double(simulation.ledger().held));
+    set(t, k, "max_speed", "m/s", fastest);
+    set(t, k, "max_mach", "-", fastest / c0);
+    set(t, k, "density_deviation_low", "kg/m3", low);
+    set(t, k, "density_deviation_high", "kg/m3", high);
+    set(t, k, "particles", "-", double(count));
+    set(t, k, "particles_in", "-", double(ledger.in));
+    set(t, k, "particles_out", "-", double(ledger.out));
+    set(t, k, "particles_lost", "-", double(ledger.lost));
+    set(t, k, "held_at_wall", "-", double(ledger.held));
+    record_levels(simulation, t, k);
     if (const Level* air = air_of(simulation)) {
         set(t, k, "air_particles", "-", double(air->particles().size()));
         set(t, k, "air_energy", per_span("J"), factor_ * gas_energy(*air, s.gravity));
@@ -156,6 +179,21 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
         set(t, k, "wetted_length", "m", hull_->wetted_length(scene_.hull->beam));
     }
     probe(simulation);
+}
+
+/// Of each edge between two sizes of particles: who is there, and how far the mass of the fine side has drifted.
+void Recorder::record_levels(const Simulation& simulation, Table& t, std::size_t row) const {
+    for (std::size_t k = 0; k < simulation.refinements().size(); ++k) {
+        const Refinement& edge = simulation.refinements()[k];
+        const auto put = [&](const char* name, const std::string& unit, double value) {
+            set(t, row, fmt::format("level_{}_{}", k + 1, name), unit, value);
+        };
+        put("particles", "-", double(edge.fine().particles().size()));
+        put("surplus", per_span("kg"), factor_ * edge.surplus());
+        put("births", "-", double(edge.ledger().births));
+        put("spray", "-", double(edge.ledger().spray));
+        put("orphans", "-", double(edge.ledger().orphans));
+    }
 }
 
 void Recorder::probe(Simulation& simulation) {
@@ -194,9 +232,9 @@ void Recorder::rewind(Simulation& simulation) {
     }
     std::erase_if(record_.frames, [&](const RasterFrame& f) { return f.time > simulation.time(); });
     // checkpoints are made at frames, where the control volume's sums begin anew
-    if (ControlVolume* cv = simulation.control_volume()) {
+    if (simulation.control_volume()) {
         double mass_inside = 0;
-        momentum_ = ControlVolume::momentum_inside(*cv, simulation.particles(), simulation.mass(), mass_inside);
+        momentum_ = momentum_inside(simulation, mass_inside);
         momentum_known_ = true;
     }
     last_face_sample_ = simulation.time();

@@ -25,6 +25,7 @@ public:
 private:
     void sample_surface(Simulation& simulation, std::size_t row);
     void sample_frame(Simulation& simulation, std::size_t row);
+    void record_levels(const Simulation& simulation, Table& table, std::size_t row) const;
     void probe(Simulation& simulation);
     Table& forces() { return record_.table("forces"); }
     std::string per_span(const char* unit) const { return scene_.spanwise_unit(unit); }

@@ -63,6 +63,10 @@ Level::Level(const Surroundings& around, LevelSetup setup, const Schedule& sched
 
 double Level::reference_speed() const { return std::max(extremes_.speed, stream_velocity(time_)); }
 
+Vec3 Level::body_force() const {
+    return around_.gravity + Vec3(around_.stream ? around_.stream->acceleration(time_) : 0, 0, 0);
+}
+
 double Level::lid_pressure() const {
     double sum = 0;
     std::int64_t count = 0;
@@ -121,6 +125,7 @@ void Level::first_sweep(double t, double compress, double drift, const OtherSums
     }
     const Stopwatch watch(timers_.update);
     mark_surface();
+    if (!particles_.trend.empty()) records_.compression.assign(particles_.size(), 0);
     Particles& p = particles_;
     Records& r = records_;
     for (std::size_t i = 0; i < stages_.compression.size(); ++i) stages_.compression[i] = r.rate[i].drho;
@@ -136,9 +141,13 @@ void Level::first_sweep(double t, double compress, double drift, const OtherSums
     };
     for_particles(p.size(), [&](std::size_t i) {
         float& drho = p.drho[i];
-        if (p.kind[i] == Kind::fluid) drho += static_cast<float>(compress * r.rate[i].drho);
-        // the free surface bears no tension (its density is not let below rho0)
-        if (p.kind[i] == Kind::fluid && drho < 0 && lacks_support(i)) drho = 0;
+        if (p.kind[i] == Kind::guard) drho += static_cast<float>(compress * p.trend[i].drho);
+        if (follows_the_equations(p.kind[i])) {
+            drho += static_cast<float>(compress * r.rate[i].drho);
+            if (!r.compression.empty()) r.compression[i] = r.rate[i].drho;
+            // the free surface bears no tension (its density is not let below rho0)
+            if (drho < 0 && lacks_support(i)) drho = 0;
+        }
         r.velocity_density[i].drho = drho;
         r.gradient_pressure[i].p = setup_.state_equation.pressure(setup_.rho0, drho);
         if (drift > 0) drift_freely(i);
@@ -218,61 +227,6 @@ void Level::gather_loads(const Vec3& moment_reference) {
     for (Load& load : walls_.loads) load.force += load.friction;
 }
 
-// --- fields at points -----------------------------------------------------------------------------------------------
-
-ExtrapolateData Level::extrapolation() const {
-    ExtrapolateData e;
-    e.place = records_.place.data();
-    e.motion = records_.velocity_density.data();
-    e.stress = records_.gradient_pressure.data();
-    e.kernel = kernel_;
-    e.quantum = static_cast<float>(quanta_.size);
-    e.rho0 = static_cast<float>(setup_.rho0);
-    e.gx = static_cast<float>(around_.gravity.x());
-    e.gy = static_cast<float>(around_.gravity.y());
-    e.gz = static_cast<float>(around_.gravity.z());
-    return e;
-}
-
-void Level::sample(PointSamples& points) const {
-    const std::size_t n = points.places.size();
-    points.p.assign(n, 0);
-    points.support.assign(n, 0);
-    if (points.want_flux) points.flux.assign(3 * n, 0);
-    if (n == 0) return;
-    std::vector<WidePlace> raw(n);
-    std::vector<PlaceRecord> places(n);
-    for (std::size_t k = 0; k < n; ++k) raw[k] = quanta_.wide(points.places[k]);
-    std::vector<std::int32_t> order, start;
-    sort_by_column(grid_, raw, order, start);
-    for (std::size_t k = 0; k < n; ++k) places[k] = raw[static_cast<std::size_t>(order[k])].record(0);
-    const Source sorted{places.data(), &start, 0};
-    std::vector<Group> groups;
-    make_groups(grid_, sorted, passes_.lanes, groups);
-    NeighbourLists lists;
-    // the particles were sorted a few steps ago and have moved by up to the skin since: twice that keeps the search
-    // complete
-    const double reach = kernel_.support() + 2 * ListLife::wall_skin_over_dp * setup_.dp;
-    lists.build(passes_, grid_, quanta_, sorted, groups, sources(), {reach, reach, reach});
-    std::vector<float> p(n), support(n), flux(points.want_flux ? 3 * n : 0);
-    ExtrapolateData e = extrapolation();
-    e.list = lists.view();
-    e.at = sorted.places;
-    e.p = p.data();
-    e.support = support.data();
-    if (points.want_flux) {
-        e.carried = records_.carried.data();
-        e.flux = flux.data();
-    }
-    for_pairs(passes_.extrapolate, e, groups);
-    for (std::size_t k = 0; k < n; ++k) {
-        const auto i = static_cast<std::size_t>(order[k]);
-        points.p[i] = p[k];
-        points.support[i] = support[k];
-        for (std::size_t a = 0; a < 3 && points.want_flux; ++a) points.flux[3 * i + a] = flux[3 * k + a];
-    }
-}
-
 // --- state ----------------------------------------------------------------------------------------------------------
 
 double Level::visited_per_particle() const {
@@ -308,6 +262,7 @@ void Level::restore(const State& s, Particles particles) {
     time_ = s.time, dt_ = s.dt, steps_ = s.steps;
     ledger_ = s.ledger, extremes_ = s.extremes;
     if (control_) control_->set_state(s.control);
+    if (!particles_.trend.empty()) particles.trend.resize(particles.size());  // made anew in every step
     particles_ = std::move(particles);
     const double stream = stream_velocity(time_);
     life_.relative_speed = 0;

@@ -25,6 +25,16 @@ struct Timers {
     std::int64_t evaluations = 0, rebuilds = 0;
 };
 
+/// Places that are none of a level's particles, and what it is there, see Level::interpolate.
+struct FieldsAt {
+    std::vector<Vec3> places;
+    double density_before = 0;  ///< the density as it was so long before the last evaluation [s], by its rate there
+    bool of_all = false;        ///< of all particles, active or not
+    std::vector<VelocityDensityRecord> value;
+    std::vector<float> support;       ///< sum_j V_j W_j of the active particles [-]
+    std::vector<float> mean_support;  ///< of the particles near, each with its own surroundings [-]
+};
+
 /// One material on particles of one size: its particles, records, neighbour lists, walls, ghosts, effects and time
 /// step. A level knows no other level; what another level does to it comes as sums (pairs/level_pair.h).
 ///
@@ -65,6 +75,10 @@ public:
     double bytes() const;                 ///< memory of state, lists and walls
     /// The larger of the fastest particle's speed and the stream's [m/s].
     double reference_speed() const;
+    int dimensions() const { return around_.dimensions; }
+    /// Acceleration of all water alike now: gravity and the stream's [m/s2].
+    Vec3 body_force() const;
+    std::int64_t next_id() { return ledger_.next_id++; }  ///< for a particle that is added
     /// Mean pressure of the particles in the uppermost 2h of the domain [Pa]; 0 where there are none.
     double lid_pressure() const;
 
@@ -101,6 +115,9 @@ public:
 
     /// Pressure, kernel support and (where the points want it) carried pressure at points, from the present records.
     void sample(PointSamples& points) const;
+    /// Velocity and density of the active particles at places near them, as they are between two sweeps. The lists must
+    /// not be due.
+    void interpolate(FieldsAt& at);
     /// Kernel support below which a particle counts as free surface.
     void set_surface_support(double support) { setup_.surface_support = support; }
     bool has_records() const { return !records_.gradient_pressure.empty(); }
@@ -137,7 +154,10 @@ private:
         return {quanta_.of(p.x[i], 0), quanta_.of(p.y[i], 1), quanta_.of(p.z[i], 2),
                 static_cast<float>(mass_) / (static_cast<float>(setup_.rho0) + p.drho[i])};
     }
-    bool lacks_support(std::size_t i) const { return records_.shift_support[i].support < setup_.surface_support; }
+    bool lacks_support(std::size_t i) const {
+        const bool guard = particles_.kind[i] == Kind::guard;
+        return (guard ? particles_.trend[i].support : records_.shift_support[i].support) < setup_.surface_support;
+    }
     StepView step_view(const PassData& d, double t) const;
     ExtrapolateData extrapolation() const;  ///< from the present records; the caller says where to
     double stream_velocity(double t) const { return around_.stream ? around_.stream->velocity(t) : 0; }

@@ -77,25 +77,38 @@ void Level::advance(const Schedule::Move& move, const Vec3& moment_reference) {
                 part.relative2_before =
                     std::max(part.relative2_before, (u0 - stream_before) * (u0 - stream_before) + v0 * v0 + w0 * w0);
             Vec3 shift = Vec3::Zero();
+            const auto shift_towards_voids = [&] {
+                const ShiftSupportRecord& sum = records.shift_support[i];
+                if (s.shifting <= 0 || sum.support <= s.shifting_support) return;
+                const auto [by, length2] = shift_step.of(sum.x, sum.y, sum.z);
+                shift = Vec3(by.x, by.y, by.z);
+                part.shift2 = std::max(part.shift2, length2);
+            };
             switch (p.kind[i]) {
-                case Kind::fluid: {
+                case Kind::fluid:
+                case Kind::band: {
                     const RateRecord& r = records.rate[i];
-                    part.acceleration2 =
-                        std::max(part.acceleration2, double(r.ax) * r.ax + double(r.ay) * r.ay + double(r.az) * r.az);
+                    if (p.kind[i] == Kind::fluid)
+                        part.acceleration2 = std::max(part.acceleration2, double(r.ax) * r.ax + double(r.ay) * r.ay +
+                                                                              double(r.az) * r.az);
                     p.u[i] = static_cast<float>(u0 + dt * r.ax);
                     p.v[i] = static_cast<float>(v0 + dt * r.ay);
                     p.w[i] = static_cast<float>(w0 + dt * r.az);
                     p.drho[i] = static_cast<float>(p.drho[i] + dt * r.drho);
-                    if (const ShiftSupportRecord& sum = records.shift_support[i];
-                        s.shifting > 0 && sum.support > s.shifting_support) {
-                        const auto [by, length2] = shift_step.of(sum.x, sum.y, sum.z);
-                        shift = Vec3(by.x, by.y, by.z);
-                        part.shift2 = std::max(part.shift2, length2);
-                    }
+                    shift_towards_voids();
                     break;
                 }
                 case Kind::inlet: p.u[i] = static_cast<float>(stream_after); break;
                 case Kind::outlet: p.u[i] = static_cast<float>(u0 + (stream_after - stream_before)); break;
+                case Kind::guard: {
+                    const Trend& t = p.trend[i];
+                    p.u[i] = static_cast<float>(u0 + dt * t.u);
+                    p.v[i] = static_cast<float>(v0 + dt * t.v);
+                    p.w[i] = static_cast<float>(w0 + dt * t.w);
+                    shift_towards_voids();
+                    break;
+                }
+                case Kind::carried: shift_towards_voids(); break;
             }
             const Vec3 along = stages_.mean.empty() ? Vec3(p.u[i], p.v[i], p.w[i])
                                                     : Vec3(stages_.mean[i].u, stages_.mean[i].v, stages_.mean[i].w);
@@ -117,10 +130,11 @@ void Level::advance(const Schedule::Move& move, const Vec3& moment_reference) {
                 }
             }
             const double u = p.u[i], v = p.v[i], w = p.w[i], speed2 = u * u + v * v + w * w;
-            if (speed2 > part.speed2) part.speed2 = speed2, part.fastest = i;
+            const bool active = is_active(p.kind[i]);
+            if (active && speed2 > part.speed2) part.speed2 = speed2, part.fastest = i;
             part.relative2 = std::max(part.relative2, (u - stream_after) * (u - stream_after) + v * v + w * w);
-            if (p.drho[i] < part.low) part.low = double(p.drho[i]), part.thinnest = i;
-            if (p.drho[i] > part.high) part.high = double(p.drho[i]), part.densest = i;
+            if (active && p.drho[i] < part.low) part.low = double(p.drho[i]), part.thinnest = i;
+            if (active && p.drho[i] > part.high) part.high = double(p.drho[i]), part.densest = i;
             if (!std::isfinite(speed2 + p.drho[i] + p.x[i] + p.y[i] + p.z[i])) part.broken = true, part.fastest = i;
             if (control_) {
                 // momentum of what crosses a face, with the velocity in the middle of the step
@@ -183,7 +197,7 @@ void Level::check_density() const {
     const auto beyond = [&](double drho) { return drho > most * rho0 || drho < least * rho0; };
     if (!beyond(extremes_.density_deviation_high) && !beyond(extremes_.density_deviation_low)) return;
     for (std::size_t i = 0; i < particles_.size(); ++i)
-        if (beyond(double(particles_.drho[i])))
+        if (is_active(particles_.kind[i]) && beyond(double(particles_.drho[i])))
             fail_at(i, fmt::format("has the density {:.4g} kg/m3, not {:.0f} to {:.0f} % of {:.4g}; often a sound "
                                    "speed that is too low or water caught between walls",
                                    rho0 + double(particles_.drho[i]), 100 + 100 * least, 100 + 100 * most, rho0));
@@ -220,6 +234,9 @@ void Level::go_to_stage(double since) {
                 break;
             case Kind::inlet: p.u[i] = static_cast<float>(stream); break;
             case Kind::outlet: p.u[i] = static_cast<float>(from.u + (stream - stream_before)); break;
+            case Kind::guard:
+            case Kind::band:
+            case Kind::carried: break;  // levels of particle size take steps of one evaluation
         }
     });
 }

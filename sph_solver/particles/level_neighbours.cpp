@@ -108,7 +108,7 @@ void Level::find_normals() {
             r = no_wall;
             if (g.wall_list.size > 0)
                 r = walls_.nearest(Vec3(p.x[i], p.y[i], p.z[i]), Vec3(p.u[i], p.v[i], p.w[i]), reach).normal;
-            if (r.distance < -setup_.dp) {
+            if (r.distance < -setup_.dp && is_active(p.kind[i])) {
 #pragma omp critical
                 through = std::max(through, static_cast<std::int64_t>(i));
             }

@@ -4,8 +4,26 @@
 
 namespace tw {
 
-/// What a particle is: moved by the equations, prescribed at the inlet, or carried out through the outlet.
-enum class Kind : std::uint8_t { fluid = 0, inlet = 1, outlet = 2 };
+/// What a particle is: moved by the equations, prescribed at the inlet, or carried out through the outlet; and where
+/// levels of particle size meet (refinement/refinement.h), one that stands for the water of another level.
+enum class Kind : std::uint8_t {
+    fluid = 0,
+    inlet = 1,
+    outlet = 2,
+    guard = 3,   ///< round a level's own zone: moves with the fields of the next coarser level
+    band = 4,    ///< under the zone of a finer level, near its edge: moved by the equations, then given its fields
+    carried = 5  ///< deeper under it: given its fields only
+};
+/// Each place in the water belongs to one level, whose active particles are the water there.
+constexpr bool is_active(Kind k) { return k <= Kind::outlet; }
+constexpr bool follows_the_equations(Kind k) { return k == Kind::fluid || k == Kind::band; }
+
+/// How the fields of a guard change in time, from the coarser level, and what that level knows of its surroundings.
+struct Trend {
+    float u = 0, v = 0, w = 0;  ///< [m/s2]
+    float drho = 0;             ///< [kg/m3/s]
+    float support = 1;          ///< kernel support of the coarser particles near [-]: whether it is at a free surface
+};
 
 /// The state of all particles, structure of arrays, kept sorted in space. Positions in double precision; density as
 /// the deviation from rho0, so that single precision loses nothing.
@@ -15,6 +33,9 @@ struct Particles {
     std::vector<float> drho;       ///< rho - rho0 [kg/m3]
     std::vector<std::int64_t> id;  ///< never reused
     std::vector<Kind> kind;
+    // of levels that meet others of another size, else empty
+    std::vector<Trend> trend;          ///< meaningful for guards
+    std::vector<std::uint8_t> parent;  ///< 1: the finer level has its children
 
     std::size_t size() const { return x.size(); }
 
@@ -22,11 +43,15 @@ struct Particles {
     template <class Function>
     void for_each_array(Function f) {
         f(x), f(y), f(z), f(u), f(v), f(w), f(drho), f(id), f(kind);
+        if (!trend.empty()) f(trend);
+        if (!parent.empty()) f(parent);
     }
     void add(double px, double py, double pz, float pu, float pdrho, std::int64_t pid, Kind pkind) {
         x.push_back(px), y.push_back(py), z.push_back(pz);
         u.push_back(pu), v.push_back(0), w.push_back(0);
         drho.push_back(pdrho), id.push_back(pid), kind.push_back(pkind);
+        if (!trend.empty()) trend.emplace_back();
+        if (!parent.empty()) parent.push_back(0);
     }
     /// New order: particle k becomes what particle order[k] was; particles not named are dropped.
     void reorder(const std::vector<std::int32_t>& order) {

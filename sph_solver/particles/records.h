@@ -17,6 +17,7 @@ struct Records {
     std::vector<WallNormalRecord> wall_normal;  ///< only where there are walls
     std::vector<CarriedShare> carried;          ///< and images; only with a control volume
     std::vector<std::uint32_t> surface;         ///< a bit for each place, see PassData
+    std::vector<float> compression;             ///< -rho div u of the last first sweep; only where levels meet
 
     /// For `n` particles and `images` images of them; new entries are not initialised to anything meaningful.
     void resize(std::size_t n, std::size_t images, bool walls, bool carry) {

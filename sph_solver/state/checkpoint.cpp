@@ -11,6 +11,7 @@ namespace tw {
 namespace {
 
 constexpr double version = 2;
+constexpr const char* parent_marks = "parent";  ///< of levels that have a finer one
 
 /// The arrays of the particles under their names, the same list for writing and reading.
 template <class P, class Function>
@@ -35,6 +36,8 @@ void write_level(hid_t at, const Level& level) {
     for_each_named(level.particles(), [&](const char* name, hid_t type, const auto& values) {
         h5::write_vector(at, name, type, values, false);
     });
+    if (const auto& parent = level.particles().parent; !parent.empty())
+        h5::write_vector(at, parent_marks, H5T_NATIVE_UINT8, parent, false);
 }
 
 Checkpoint::OfLevel read_level(hid_t at) {
@@ -53,6 +56,11 @@ Checkpoint::OfLevel read_level(hid_t at) {
         if (values.size() != level.particles.x.size())
             throw h5::Failure{std::string(name) + " has another length than x"};
     });
+    if (h5::has(at, parent_marks)) {
+        level.particles.parent = h5::read_vector<std::uint8_t>(at, parent_marks, H5T_NATIVE_UINT8);
+        if (level.particles.parent.size() != level.particles.x.size())
+            throw h5::Failure{std::string(parent_marks) + " has another length than x"};
+    }
     return level;
 }
 
@@ -85,7 +93,7 @@ void write_checkpoint(const std::filesystem::path& path, const std::string& run_
         const h5::Handle levels = h5::create_group(file, "levels");
         for (std::size_t k = 0; k < simulation.levels().size(); ++k)
             write_level(h5::create_group(levels, std::to_string(k).c_str()), simulation.level(k));
-        if (const ControlVolume* control = simulation.level(0).control_volume())
+        if (const ControlVolume* control = simulation.control_volume())
             write_control_volume(h5::create_group(file, "control_volume"), control->state());
         write_text_atomically(path, h5::image(file));
     } catch (const h5::Failure& f) { throw RunError(path.string() + ": cannot be written: " + f.what); }
@@ -116,7 +124,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path, const std::string&
             c.levels.push_back(read_level(h5::open_group(levels, std::to_string(k).c_str())));
         if (c.levels.empty()) throw h5::Failure{"it holds no level of particles"};
         if (h5::has(file, "control_volume"))
-            c.levels.front().state.control = read_control_volume(h5::open_group(file, "control_volume"));
+            c.control = read_control_volume(h5::open_group(file, "control_volume"));
         return c;
     } catch (const h5::Failure& f) {
         throw InputError(path.string() + ": cannot be resumed from: " + f.what + "; start anew with --overwrite");
@@ -136,6 +144,7 @@ void restore(Simulation& simulation, Checkpoint checkpoint) {
                 fmt::format("level {} of the checkpoint is {}, the scene's is {}; start anew with "
                             "--overwrite",
                             k, checkpoint.levels[k].material, simulation.level(k).setup().material));
+    checkpoint.levels[simulation.water().size() - 1].state.control = checkpoint.control;
     for (std::size_t k = 0; k < levels; ++k)
         simulation.level(k).restore(checkpoint.levels[k].state, std::move(checkpoint.levels[k].particles));
 }

@@ -21,6 +21,7 @@ struct Checkpoint {
         Particles particles;
     };
     std::vector<OfLevel> levels;
+    ControlVolume::State control;
 };
 
 /// Written atomically (raw, no compression). The caller marks the restart point in the running simulation too, so that

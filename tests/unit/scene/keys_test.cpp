@@ -118,6 +118,8 @@ std::map<std::string, Change> changes() {
         {"obstacle.unit", {block_file, with(block_file, "file =", "unit = \"ft\"\nfile =")}},
         {"obstacle.axes", {block_file, with(block_file, "file =", "axes = \"y-xz\"\nposition = [0.3, 1, 0]\nfile =")}},
         {"obstacle.position", replaced(with_shape, "position = [0.7, 0.2, 0.1]", "position = [0.7, 0.2, 0.2]")},
+        {"sph.levels", set(fixed, "sph", "levels", "1", "2")},
+        {"sph.zone", set(fixed, "sph", "zone", "16", "10")},
         {"sph.scheme", set(fixed, "sph", "scheme", "\"kick_drift_kick\"", "\"symplectic_euler\"")},
         {"sph.equation_of_state", set(fixed, "sph", "equation_of_state", "\"linear\"", "\"tait\"")},
         {"sph.c0", replaced(fixed, "c0 = 100", "c0 = 101")},

@@ -1,0 +1,117 @@
+// Fields of a level at points that are none of its particles: dummies, samples, and the particles of other levels.
+#include "sph_solver/backend/for_particles.h"
+#include "sph_solver/particles/level.h"
+#include "sph_solver/refinement/interpolate.h"
+
+namespace tw {
+
+namespace {
+
+/// Points in the order and the groups in which the sweeps visit them.
+struct SortedPlaces {
+    std::vector<std::int32_t> order, start;  ///< order[k]: which point stands at k
+    std::vector<PlaceRecord> places;
+    std::vector<Group> groups;
+    NeighbourLists lists;
+
+    SortedPlaces(const std::vector<Vec3>& points, const Level& level, const std::vector<Source>& sources) {
+        std::vector<WidePlace> raw(points.size());
+        for (std::size_t k = 0; k < raw.size(); ++k) raw[k] = level.quanta().wide(points[k]);
+        sort_by_column(level.grid(), raw, order, start);
+        places.resize(raw.size());
+        for (std::size_t k = 0; k < raw.size(); ++k) places[k] = raw[static_cast<std::size_t>(order[k])].record(0);
+        const Source sorted{places.data(), &start, 0};
+        make_groups(level.grid(), sorted, level.passes().lanes, groups);
+        // the particles were sorted a few steps ago and have moved by up to the skin since: twice that keeps the search
+        // complete
+        const double reach = level.kernel().support() + 2 * ListLife::wall_skin_over_dp * level.setup().dp;
+        lists.build(level.passes(), level.grid(), level.quanta(), sorted, groups, sources, {reach, reach, reach});
+    }
+};
+
+}  // namespace
+
+ExtrapolateData Level::extrapolation() const {
+    ExtrapolateData e;
+    e.place = records_.place.data();
+    e.motion = records_.velocity_density.data();
+    e.stress = records_.gradient_pressure.data();
+    e.kernel = kernel_;
+    e.quantum = static_cast<float>(quanta_.size);
+    e.rho0 = static_cast<float>(setup_.rho0);
+    e.gx = static_cast<float>(around_.gravity.x());
+    e.gy = static_cast<float>(around_.gravity.y());
+    e.gz = static_cast<float>(around_.gravity.z());
+    return e;
+}
+
+void Level::sample(PointSamples& points) const {
+    const std::size_t n = points.places.size();
+    points.p.assign(n, 0);
+    points.support.assign(n, 0);
+    if (points.want_flux) points.flux.assign(3 * n, 0);
+    if (n == 0) return;
+    const SortedPlaces sorted(points.places, *this, sources());
+    std::vector<float> p(n), support(n), flux(points.want_flux ? 3 * n : 0);
+    ExtrapolateData e = extrapolation();
+    e.list = sorted.lists.view();
+    e.at = sorted.places.data();
+    e.p = p.data();
+    e.support = support.data();
+    if (points.want_flux) {
+        e.carried = records_.carried.data();
+        e.flux = flux.data();
+    }
+    for_pairs(passes_.extrapolate, e, sorted.groups);
+    for (std::size_t k = 0; k < n; ++k) {
+        const auto i = static_cast<std::size_t>(sorted.order[k]);
+        points.p[i] = p[k];
+        points.support[i] = support[k];
+        for (std::size_t a = 0; a < 3 && points.want_flux; ++a) points.flux[3 * i + a] = flux[3 * k + a];
+    }
+}
+
+void Level::interpolate(FieldsAt& at) {
+    const std::size_t n = at.places.size(), own = particles_.size();
+    at.value.resize(n);
+    at.support.resize(n);
+    at.mean_support.resize(n);
+    if (n == 0) return;
+    update_records();
+    std::vector<PlaceRecord> active = records_.place;
+    std::vector<float> known_support(active.size());
+    for_particles(active.size(), [&](std::size_t i) {
+        const std::size_t of = i < own ? i : static_cast<std::size_t>(ghosts_.images()[i - own].source);
+        if (!at.of_all && !is_active(particles_.kind[of])) active[i].volume = 0;
+        known_support[i] = records_.shift_support[of].support;
+        if (at.density_before > 0)
+            records_.velocity_density[i].drho -= static_cast<float>(at.density_before * records_.compression[of]);
+    });
+    const SortedPlaces sorted(at.places, *this, sources());
+    std::vector<VelocityDensityRecord> value(n);
+    std::vector<float> support(n), mean_support(n);
+    const Eigen::Vector3f slope =
+        (setup_.rho0 / (setup_.state_equation.c0 * setup_.state_equation.c0) * around_.gravity).cast<float>();
+    InterpolateData d;
+    d.list = sorted.lists.view();
+    d.at = sorted.places.data();
+    d.place = active.data();
+    d.motion = records_.velocity_density.data();
+    d.known_support = known_support.data();
+    d.value = value.data();
+    d.support = support.data();
+    d.mean_support = mean_support.data();
+    d.kernel = kernel_;
+    d.quantum = static_cast<float>(quanta_.size);
+    d.gx = slope.x(), d.gy = slope.y(), d.gz = slope.z();
+    d.two_dimensional = around_.dimensions == 2;
+    for_pairs(passes_.interpolate, d, sorted.groups);
+    for (std::size_t k = 0; k < n; ++k) {
+        const auto i = static_cast<std::size_t>(sorted.order[k]);
+        at.value[i] = value[k];
+        at.support[i] = support[k];
+        at.mean_support[i] = mean_support[k];
+    }
+}
+
+}  // namespace tw

@@ -1,0 +1,213 @@
+#include "sph_solver/refinement/refinement.h"
+
+#include <array>
+#include <cmath>
+#include <unordered_map>
+
+#include "sph_solver/backend/for_particles.h"
+
+namespace tw {
+
+namespace {
+
+/// Below this kernel support the other level has no water at a place: half of what a plane free surface leaves.
+constexpr float no_water = 0.25f;
+/// From this one on it covers the place, half a fine spacing below a plane free surface included.
+constexpr float covered = 0.5f;
+
+Vec3 place(const Particles& p, std::size_t i) { return {p.x[i], p.y[i], p.z[i]}; }
+
+void set_fields(Particles& p, std::size_t i, const VelocityDensityRecord& r) {
+    p.u[i] = r.u, p.v[i] = r.v, p.w[i] = r.w, p.drho[i] = r.drho;
+}
+
+/// Points in cells, to ask whether one is near.
+class Crowd {
+public:
+    Crowd(double distance, int dimensions) : distance_(distance), dimensions_(dimensions) {}
+    void add(const Vec3& x) { cells_.emplace(key(cell(x)), x); }
+    bool has_near(const Vec3& x) const {
+        const Cell at = cell(x);
+        const int across = dimensions_ == 3 ? 1 : 0;
+        for (int i = -1; i <= 1; ++i)
+            for (int j = -across; j <= across; ++j)
+                for (int k = -1; k <= 1; ++k) {
+                    const auto [first, last] = cells_.equal_range(key({at[0] + i, at[1] + j, at[2] + k}));
+                    for (auto it = first; it != last; ++it)
+                        if ((it->second - x).squaredNorm() < distance_ * distance_) return true;
+                }
+        return false;
+    }
+
+private:
+    using Cell = std::array<std::int64_t, 3>;
+    Cell cell(const Vec3& x) const {
+        return {std::llround(x.x() / distance_), std::llround(x.y() / distance_), std::llround(x.z() / distance_)};
+    }
+    static std::uint64_t key(const Cell& c) {
+        const auto bits = [](std::int64_t k) { return static_cast<std::uint64_t>(k) & 0x1fffff; };
+        return bits(c[0]) << 42 | bits(c[1]) << 21 | bits(c[2]);
+    }
+    double distance_;
+    int dimensions_;
+    std::unordered_multimap<std::uint64_t, Vec3> cells_;
+};
+
+}  // namespace
+
+Refinement::Refinement(Level& coarse, Level& fine, Zone zone)
+    : coarse_(coarse), fine_(fine), zone_(std::move(zone)), dp_(fine.setup().dp) {
+    Particles &c = coarse.particles(), &f = fine.particles();
+    f.trend.assign(f.size(), {});
+    c.parent.assign(c.size(), 0);
+    for (std::size_t i = 0; i < c.size(); ++i) c.parent[i] = belongs(zone_, place(c, i), dp_);
+    for (std::size_t i = 0; i < f.size(); ++i)
+        if (zone_.outside(place(f, i)) >= 0) f.kind[i] = Kind::guard;
+    label_coarse();
+}
+
+void Refinement::label_coarse() {
+    Particles& c = coarse_.particles();
+    for_particles(c.size(), [&](std::size_t i) {
+        const double s = zone_.outside(place(c, i));
+        Kind& kind = c.kind[i];
+        const bool under = kind == Kind::band || kind == Kind::carried;
+        if (s < 0 && (under || kind == Kind::fluid))
+            kind = s > -band_over_dp * dp_ ? Kind::band : Kind::carried;
+        else if (s >= 0 && under)
+            kind = Kind::fluid;
+        if (s > again_over_dp * dp_) c.parent[i] = 0;
+    });
+}
+
+void Refinement::relabel() {
+    label_coarse();
+    Particles& f = fine_.particles();
+    std::vector<char> gone(f.size(), 0);
+    FieldsAt leaving;
+    leaving.of_all = true;
+    std::vector<std::size_t> who;
+    for (std::size_t i = 0; i < f.size(); ++i) {
+        const double s = zone_.outside(place(f, i));
+        if (f.kind[i] == Kind::guard && s < 0) f.kind[i] = Kind::fluid;
+        if (f.kind[i] == Kind::fluid && s >= 0) leaving.places.push_back(place(f, i)), who.push_back(i);
+        gone[i] = f.kind[i] == Kind::guard && s > gone_over_dp * dp_;
+    }
+    coarse_.interpolate(leaving);
+    ledger_.spray = 0;
+    for (std::size_t k = 0; k < who.size(); ++k) {
+        const std::size_t i = who[k];
+        if (leaving.support[k] < covered) {
+            ++ledger_.spray;
+            continue;
+        }
+        f.kind[i] = Kind::guard;
+        f.trend[i].support = leaving.mean_support[k];
+        gone[i] = zone_.outside(leaving.places[k]) > gone_over_dp * dp_;
+    }
+    std::vector<std::int32_t> kept;
+    for (std::size_t i = 0; i < f.size(); ++i)
+        if (!gone[i]) kept.push_back(static_cast<std::int32_t>(i));
+    const auto deaths = static_cast<std::int64_t>(f.size() - kept.size());
+    ledger_.deaths += deaths;
+    if (deaths > 0) {
+        f.reorder(kept);
+        fine_.make_lists_due();
+    }
+    give_birth();
+}
+
+void Refinement::give_birth() {
+    Particles &c = coarse_.particles(), &f = fine_.particles();
+    const int dimensions = coarse_.dimensions();
+    FieldsAt children;
+    std::vector<std::size_t> parents;
+    for (std::size_t i = 0; i < c.size(); ++i) {
+        const bool may = c.kind[i] == Kind::fluid || c.kind[i] == Kind::band || c.kind[i] == Kind::carried;
+        if (!may || c.parent[i] || !belongs(zone_, place(c, i), dp_)) continue;
+        c.parent[i] = 1;
+        for (int octant = 0; octant < (dimensions == 3 ? 8 : 4); ++octant) {
+            const double half = dp_ / 2;
+            const Vec3 to(octant & 1 ? half : -half, dimensions == 2 ? 0 : octant & 4 ? half : -half,
+                          octant & 2 ? half : -half);
+            children.places.push_back(place(c, i) + to);
+            parents.push_back(i);
+        }
+    }
+    if (parents.empty()) return;
+    coarse_.interpolate(children);
+    Crowd crowd(0.6 * dp_, dimensions);
+    for (std::size_t i = 0; i < f.size(); ++i)
+        if (const Vec3 x = place(f, i); zone_.outside(x) > (guard_over_dp - 2) * dp_) crowd.add(x);
+    for (std::size_t k = 0; k < parents.size(); ++k) {
+        const Vec3& x = children.places[k];
+        if (crowd.has_near(x)) continue;
+        const std::size_t i = parents[k];
+        f.add(x.x(), x.y(), x.z(), 0, 0, fine_.next_id(), zone_.outside(x) < 0 ? Kind::fluid : Kind::guard);
+        const bool known = children.support[k] >= no_water;
+        set_fields(f, f.size() - 1,
+                   known ? children.value[k] : VelocityDensityRecord{c.u[i], c.v[i], c.w[i], c.drho[i]});
+        f.trend.back().support = known ? children.mean_support[k] : 0;
+        ++ledger_.births;
+    }
+    fine_.make_lists_due();
+}
+
+void Refinement::prolong(double moved, double compressed) {
+    Particles& f = fine_.particles();
+    FieldsAt guards;
+    std::vector<std::size_t> who;
+    for (std::size_t i = 0; i < f.size(); ++i)
+        if (f.kind[i] == Kind::guard) {
+            guards.places.push_back(place(f, i) + moved * Vec3(f.u[i], f.v[i], f.w[i]));
+            who.push_back(i);
+        }
+    coarse_.interpolate(guards);
+    ledger_.orphans = 0;
+    const Eigen::Vector3f fall = fine_.body_force().cast<float>();
+    for (std::size_t k = 0; k < who.size(); ++k) {
+        const std::size_t i = who[k];
+        const VelocityDensityRecord& to = guards.value[k];
+        if (guards.support[k] < no_water) {
+            f.trend[i] = {fall.x(), fall.y(), fall.z(), 0, 0};
+            ++ledger_.orphans;
+            continue;
+        }
+        const auto rate = [&](float after, float now, double time) {
+            return time > 0 ? static_cast<float>((double(after) - double(now)) / time) : 0;
+        };
+        if (compressed <= 0) f.drho[i] = to.drho;
+        f.trend[i] = {rate(to.u, f.u[i], moved), rate(to.v, f.v[i], moved), rate(to.w, f.w[i], moved),
+                      rate(to.drho, f.drho[i], compressed), guards.mean_support[k]};
+    }
+}
+
+void Refinement::restrict_over(double moved, double density_before) {
+    Particles& c = coarse_.particles();
+    FieldsAt under;
+    under.density_before = density_before;
+    std::vector<std::size_t> who;
+    for (std::size_t i = 0; i < c.size(); ++i)
+        if (c.kind[i] == Kind::band || c.kind[i] == Kind::carried) under.places.push_back(place(c, i)), who.push_back(i);
+    fine_.interpolate(under);
+    const Eigen::Vector3f fall = static_cast<float>(moved) * coarse_.body_force().cast<float>();
+    for (std::size_t k = 0; k < who.size(); ++k) {
+        const std::size_t i = who[k];
+        if (under.support[k] >= no_water) {
+            set_fields(c, i, under.value[k]);
+            continue;
+        }
+        ++ledger_.orphans;
+        if (c.kind[i] == Kind::carried)
+            set_fields(c, i, {c.u[i] + fall.x(), c.v[i] + fall.y(), c.w[i] + fall.z(), 0});
+    }
+}
+
+double Refinement::surplus() const {
+    double fine = 0, coarse = 0;
+    for (const Kind k : fine_.particles().kind) fine += is_active(k);
+    for (const Kind k : coarse_.particles().kind) coarse += k == Kind::band || k == Kind::carried;
+    return fine * fine_.mass() - coarse * coarse_.mass();
+}
+
+}  // namespace tw

@@ -1,0 +1,73 @@
+#pragma once
+#include <cstdint>
+
+#include "sph_solver/particles/level.h"
+#include "sph_solver/refinement/zone.h"
+
+namespace tw {
+
+/// Two levels of particle size that meet at the edge of a zone, 2:1 in spacing. Pairs are made within each level only;
+/// across the edge fields are interpolated (nested levels: Chiron et al. 2018, doi:10.1016/j.jcp.2017.10.041). With s
+/// the distance outside the zone, dp the fine spacing:
+///
+///   fine particles     s < 0 active;  0 <= s: guards, with the coarse level's fields;  gone beyond 4.5 dp
+///   coarse particles   0 <= s active;  -8 dp < s < 0: band, deeper: carried, both with the fine level's fields
+///
+/// So the coarse level is whole everywhere: its mass changes at inlet and outlet only. A coarse particle that comes
+/// within 4 dp of the zone has four (in three dimensions eight) children, guards at first, and may have others only
+/// after it was 6 dp away; one that leaves the zone is active again with the fields that it was given last. Nothing is
+/// merged.
+///
+/// A step of the coarse level comes first, with the band moved by its own equations; then two steps of the fine level,
+/// with the guards' fields linear in time between the coarse level's; then the fine level's fields go to band and
+/// carried. Momentum is not conserved across the edge (to the accuracy of the interpolation only).
+///
+/// Where the coarse level has no water (kernel support below 1/2), what leaves the zone stays active: spray goes on as
+/// fine particles until coarse water covers it. Where the fine level has none, carried particles fall freely.
+class Refinement {
+public:
+    /// `fine` holds children of the particles of `coarse` (see `belongs`). Both must outlive this.
+    Refinement(Level& coarse, Level& fine, Zone zone);
+
+    /// Whether a coarse particle there has children at the start.
+    static bool belongs(const Zone& zone, const Vec3& coarse_place, double fine_dp) {
+        return zone.outside(coarse_place) < guard_over_dp * fine_dp;
+    }
+
+    /// Who is what; births and deaths. After the coarse lists are good, before its sweeps.
+    void relabel();
+    /// After the coarse step, which has moved the places by `moved` [s]: what the guards' fields become until the fine
+    /// level has moved as far; densities over `compressed` [s], from one evaluation's time to another's.
+    void prolong(double moved, double compressed);
+    /// After the fine steps: what band and carried become. The coarse density is known `density_before` [s] before the
+    /// fine level's.
+    void restrict_over(double moved, double density_before);
+
+    const Zone& zone() const { return zone_; }
+    const Level& coarse() const { return coarse_; }
+    const Level& fine() const { return fine_; }
+
+    /// Counted since the start; not part of a restart.
+    struct Ledger {
+        std::int64_t births = 0, deaths = 0;
+        std::int64_t spray = 0;    ///< fine particles that stayed active outside the zone (at the last relabelling)
+        std::int64_t orphans = 0;  ///< band, carried and guards without water of the other level near (last step)
+    };
+    const Ledger& ledger() const { return ledger_; }
+    /// Mass of the fine level's active particles less that of the coarse particles under the zone [kg].
+    double surplus() const;
+
+private:
+    static constexpr double guard_over_dp = 4, again_over_dp = 4.5, gone_over_dp = 5, band_over_dp = 8;
+
+    void label_coarse();
+    void give_birth();
+
+    Level& coarse_;
+    Level& fine_;
+    Zone zone_;
+    double dp_;  ///< of the fine level
+    Ledger ledger_;
+};
+
+}  // namespace tw

@@ -1,0 +1,160 @@
+// Levels of particle size: interpolation between them, who is what at their edge, and the promises that a run keeps
+// with them (the same bits with any number of threads and after a restart).
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <random>
+
+#include "base/errors.h"
+#include "meshes/generate.h"
+#include "sph_solver/simulation.h"
+#include "sph_solver/state/checkpoint.h"
+
+namespace tw {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+Zone zone_between(double x0, double x1, double z0, double z1) {
+    return Zone({Box{Vec3(x0, -infinite, z0), Vec3(x1, infinite, z1)}});
+}
+
+TEST(Zones, TellTheDistanceFromTheirEdgeOnBothSides) {
+    const Zone open_above = zone_between(0, 2, -1, infinite);
+    EXPECT_DOUBLE_EQ(open_above.outside(Vec3(1, 5, 0)), -1);
+    EXPECT_DOUBLE_EQ(open_above.outside(Vec3(0.25, 0, 9)), -0.25);
+    EXPECT_DOUBLE_EQ(open_above.outside(Vec3(-0.3, 0, -1.4)), 0.5);  // from the corner
+    const Zone two({Box{Vec3(0, 0, 0), Vec3(1, 1, 1)}, Box{Vec3(3, 0, 0), Vec3(4, 1, 1)}});
+    EXPECT_DOUBLE_EQ(two.outside(Vec3(2.25, 0.5, 0.5)), 0.75);
+    EXPECT_DOUBLE_EQ(two.grown(0.5).outside(Vec3(2.25, 0.5, 0.5)), 0.25);
+}
+
+/// Water in a closed box in which the velocity and the density are linear in space.
+Simulation linear_water(int dimensions, bool with_surface) {
+    SimulationSetup s;
+    s.dimensions = dimensions;
+    s.dp = 0.1;
+    s.state_equation.c0 = 20;
+    s.gravity = Vec3::Zero();
+    s.threads = 1;
+    s.domain = {Vec3(0, dimensions == 2 ? -1 : 0, 0), Vec3(1.6, dimensions == 2 ? 1 : 1.6, 1.6)};
+    Box water = s.domain;
+    if (with_surface) water.max.z() = 0.8;
+    Fluid fluid = fill_with_fluid(s, {water});
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> shift(-0.03, 0.03);
+    for (Vec3& x : fluid.places)
+        for (int a = 0; a < 3; ++a)
+            if (a != 1 || dimensions == 3) x[a] += shift(random);
+    for (double& depth : fluid.depth) depth = 0;
+    Simulation simulation(s, fluid);
+    simulation.step();
+    Particles& p = simulation.particles();
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        p.u[i] = static_cast<float>(1 + 2 * p.x[i] - p.z[i]);
+        p.v[i] = static_cast<float>(dimensions == 3 ? p.y[i] : 0);
+        p.w[i] = static_cast<float>(3 * p.z[i] - 0.5);
+        p.drho[i] = static_cast<float>(0.4 * p.x[i] - 0.7 * p.z[i]);
+    }
+    return simulation;
+}
+
+TEST(Interpolation, IsExactForLinearFieldsInsideAtTheSurfaceAndInCorners) {
+    for (const int dimensions : {2, 3})
+        for (const bool surface : {false, true}) {
+            Simulation simulation = linear_water(dimensions, surface);
+            FieldsAt at;
+            const double top = surface ? 0.79 : 1.55;
+            for (const double x : {0.04, 0.33, 0.8, 1.56})
+                for (const double z : {0.04, 0.4, top})
+                    at.places.emplace_back(x, dimensions == 2 ? 0 : 0.77, z);
+            simulation.level(0).interpolate(at);
+            for (std::size_t k = 0; k < at.places.size(); ++k) {
+                const Vec3& x = at.places[k];
+                EXPECT_NEAR(at.value[k].u, 1 + 2 * x.x() - x.z(), 2e-5) << dimensions << surface << x.transpose();
+                EXPECT_NEAR(at.value[k].w, 3 * x.z() - 0.5, 2e-5) << x.transpose();
+                EXPECT_NEAR(at.value[k].drho, 0.4 * x.x() - 0.7 * x.z(), 2e-5) << x.transpose();
+                EXPECT_GT(at.support[k], 0.2) << x.transpose();
+            }
+        }
+}
+
+/// A stream with a free surface past a box, three sizes of particles.
+SimulationSetup three_levels(int threads) {
+    SimulationSetup s;
+    s.dimensions = 2;
+    s.dp = 0.02;
+    s.state_equation.c0 = 20;
+    s.domain = {Vec3(-2.4, -1, -1.6), Vec3(2.4, 1, 1.6)};
+    s.mirrors.on = {{{false, false}, {false, false}, {true, false}}};
+    s.stream = Stream{1, 0.1, 6 * 0.08};
+    s.zones = {zone_between(-1.2, 1.2, -0.96, infinite), zone_between(-0.48, 0.48, -0.4, infinite)};
+    s.bodies.emplace_back(box_surface({Vec3(-0.1, -1, -0.1), Vec3(0.1, 1, 0.3)}));
+    s.threads = threads;
+    return s;
+}
+std::vector<Fluid> water_of(const SimulationSetup& s) {
+    return fill_levels(s, {Box{Vec3(-2.4 - s.stream->buffer, -1, -1.6), Vec3(2.4 + s.stream->buffer, 1, 0)}});
+}
+Simulation make(int threads) {
+    const SimulationSetup s = three_levels(threads);
+    return Simulation(s, water_of(s));
+}
+
+::testing::AssertionResult same_bits(const Simulation& a, const Simulation& b) {
+    for (std::size_t k = 0; k < a.levels().size(); ++k) {
+        const Particles &p = a.level(k).particles(), &q = b.level(k).particles();
+        if (p.id != q.id || p.x != q.x || p.z != q.z || p.u != q.u || p.w != q.w || p.drho != q.drho ||
+            p.kind != q.kind || p.parent != q.parent)
+            return ::testing::AssertionFailure() << "level " << k << " differs";
+    }
+    return ::testing::AssertionSuccess();
+}
+
+TEST(Levels, StartWithOneOwnerForEveryPlace) {
+    const Simulation simulation = make(1);
+    double mass = 0;
+    for (const auto& level : simulation.water())
+        for (const Kind kind : level->particles().kind) mass += is_active(kind) ? level->mass() : 0;
+    const double buffers = 2 * 6 * 0.08;
+    EXPECT_NEAR(mass, 1000 * ((4.8 + buffers) * 1.6 - 0.2 * 0.1), 1e-6 * mass);
+    EXPECT_EQ(simulation.refinements().size(), 2u);
+}
+
+TEST(Levels, TheCoarsestKeepsItsMassButForInletAndOutlet) {
+    Simulation simulation = make(2);
+    const auto before = static_cast<std::int64_t>(simulation.particles().size());
+    for (int k = 0; k < 60; ++k) simulation.step();
+    EXPECT_GT(simulation.refinements()[1].ledger().births, 0);
+    EXPECT_GT(simulation.refinements()[1].ledger().deaths, 0);
+    const Ledger& l = simulation.ledger();
+    EXPECT_EQ(static_cast<std::int64_t>(simulation.particles().size()), before + l.in - l.out);
+    EXPECT_DOUBLE_EQ(simulation.level(1).time(), simulation.time());  // two steps of each for one of the coarser
+    EXPECT_NEAR(simulation.level(2).time(), simulation.time(), 1e-12);
+    EXPECT_EQ(simulation.level(2).steps(), 4 * simulation.steps());
+}
+
+TEST(Levels, AnyNumberOfThreadsAndARestartGiveTheSameBits) {
+    const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "restart_levels_test.h5";
+    Simulation whole = make(1), three = make(3);
+    for (int k = 0; k < 25; ++k) whole.step(), three.step();
+    EXPECT_TRUE(same_bits(whole, three));
+    write_checkpoint(file, "a scene", whole, 1);
+    whole.mark_restart_point();
+    Simulation resumed = make(2);
+    restore(resumed, read_checkpoint(file, "a scene"));
+    for (int k = 0; k < 25; ++k) whole.step(), resumed.step();
+    EXPECT_TRUE(same_bits(whole, resumed));
+    EXPECT_EQ(whole.load().force, resumed.load().force);
+    EXPECT_GT(whole.load().force.norm(), 0);
+}
+
+TEST(Levels, RefuseSchemesThatTheyHaveNoCouplingFor) {
+    SimulationSetup s = three_levels(1);
+    s.scheme = Scheme::predictor_corrector;
+    EXPECT_THROW(Simulation(s, water_of(s)), InputError);
+}
+
+}  // namespace
+}  // namespace tw
