@@ -42,6 +42,23 @@ TEST(Coverage, WhereValuesScatterTheHeadlineIsHalfAsWideAsTheBoundOfEcaAndHoekst
     EXPECT_GE(headline.share_held(), 90);
 }
 
+/// Median half width of families with those sizes whose noise is as large as the finest error, or three times.
+double width_of_noisy(const std::vector<double>& sizes) {
+    const std::vector<Estimated> all = estimate_all(manufactured_families(20, 5, {sizes}));
+    const Coverage c = coverage_of(all, estimators[0], [](const Estimated& e) { return e.family.noise >= 1; });
+    EXPECT_GE(c.share_held(), 90) << sizes.size();
+    EXPECT_LE(c.share_held(), 100) << sizes.size();
+    return c.median_width();
+}
+
+// What `twinwake ladder` fills in, and why it does not fill in fewer than four sizes.
+TEST(Coverage, SizesFilledInBetweenTheCoarseOnesOfFourNarrowTheIntervalAndBesideThreeTheyDoNot) {
+    const double r = std::sqrt(2.0), q = std::sqrt(r);
+    EXPECT_LT(width_of_noisy({1, r, r * q, r * r, r * r * q, r * r * r}),
+              0.8 * width_of_noisy({1, r, r * r, r * r * r}));
+    EXPECT_GT(width_of_noisy({1, r, r * q, r * r}), width_of_noisy({1, r, r * r}));
+}
+
 // Solved by the project's own methods, answer known: three sizes or more.
 TEST(Coverage, TheExactCasesAreHeldInNineOfTen) {
     const std::vector<Estimated> exact = estimate_all(exact_families(TWINWAKE_TEST_DATA "/exact_families.csv"));
