@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/verification/uncertainty/coverage.h"
 
 namespace tw::test {
@@ -47,7 +49,6 @@ double width_of_noisy(const std::vector<double>& sizes) {
     const std::vector<Estimated> all = estimate_all(manufactured_families(20, 5, {sizes}));
     const Coverage c = coverage_of(all, estimators[0], [](const Estimated& e) { return e.family.noise >= 1; });
     EXPECT_GE(c.share_held(), 90) << sizes.size();
-    EXPECT_LE(c.share_held(), 100) << sizes.size();
     return c.median_width();
 }
 
@@ -56,7 +57,9 @@ TEST(Coverage, SizesFilledInBetweenTheCoarseOnesOfFourNarrowTheIntervalAndBeside
     const double r = std::sqrt(2.0), q = std::sqrt(r);
     EXPECT_LT(width_of_noisy({1, r, r * q, r * r, r * r * q, r * r * r}),
               0.8 * width_of_noisy({1, r, r * r, r * r * r}));
-    EXPECT_GT(width_of_noisy({1, r, r * q, r * r}), width_of_noisy({1, r, r * r}));
+    const double three = width_of_noisy({1, r, r * r}), beside_three = width_of_noisy({1, r, r * q, r * r});
+    EXPECT_GT(beside_three, three);
+    EXPECT_LT(beside_three, 2 * three) << "two large terms that cancel within the sizes explain no scatter";
 }
 
 // Solved by the project's own methods, answer known: three sizes or more.
