@@ -25,7 +25,7 @@ std::string plan_text(const LadderPlan& plan, double budget) {
         "",
         {words("run"), numbers("elements"), numbers("predicted time", "s"), numbers("together", "s"), words("state")}};
     double together = 0;
-    for (const auto& [run, choice] : plan.jobs) {
+    for (const auto& [run, choice, fills_in] : plan.jobs) {
         const double cost = run.plan.seconds(run.method);
         const Prediction& p = run.plan.prediction;
         const double elements = run.method == "sph" ? p.particles + p.air_particles : p.cells;
@@ -53,7 +53,8 @@ int run_ladder(const LadderCommand& command, const Common& common) {
                                          .levels = command.levels,
                                          .ratio = command.ratio,
                                          .variations = command.variations,
-                                         .box = command.variations},
+                                         .box = command.variations,
+                                         .fill = command.fill},
                                         out);
     const std::vector<LadderJob>& jobs = plan.jobs;
     say(common, plan_text(plan, command.budget_seconds()));

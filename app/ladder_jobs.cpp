@@ -23,21 +23,27 @@ constexpr LadderChoice choices[] = {
 /// What the walls are worth; the share follows from the two boxes (compare/ladder/variation.h).
 constexpr LadderChoice wider_box = {"", "box x 1.5", "box_1.5", &SceneOverrides::box_factor, 1.5, 1, 1, true};
 
+/// Fewer sizes are not filled in: a fourth beside three makes their interval wider (decision 029).
+constexpr int least_filled = 4;
+
 class Planner {
 public:
     Planner(const LadderSizes& sizes, const fs::path& out) : sizes_(sizes), out_(out) {}
 
     LadderPlan plan() {
         std::optional<PlannedRun> coarsest;
+        int allowed = 0;
         for (int k = sizes_.first; k < sizes_.levels; ++k)
-            if (std::optional<PlannedRun> size = add_size(k)) coarsest = std::move(size);
+            if (std::optional<PlannedRun> size = add_size(k)) coarsest = std::move(size), ++allowed;
         if (sizes_.box && coarsest && sizes_.levels > 1) add_box(*coarsest);
-        std::ranges::stable_sort(plan_.jobs, {}, [](const LadderJob& j) { return j.run.plan.seconds(j.run.method); });
+        for (int k = 1; sizes_.fill && allowed >= least_filled && k + 1 < sizes_.levels; ++k) add_size(k + 0.5);
+        std::ranges::stable_sort(
+            plan_.jobs, {}, [](const LadderJob& j) { return std::pair(j.fills_in, j.run.plan.seconds(j.run.method)); });
         return std::move(plan_);
     }
 
 private:
-    SceneOverrides overrides(int k) const {
+    SceneOverrides overrides(double k) const {
         SceneOverrides o = sizes_.overrides;
         o.scale_resolution = o.scale_resolution.value_or(1) * std::pow(sizes_.ratio, k);
         return o;
@@ -50,19 +56,21 @@ private:
     fs::path folder_of(const PlannedRun& plan) const {
         return out_ / fmt::format("near_hull_{:.6g}mm", 1000 * plan.scene.resolution.near_hull);
     }
-    void add(PlannedRun plan, const std::string& method, const fs::path& folder, const LadderChoice* choice) {
-        const std::string name = fmt::format("{} at {:g} m{}", method, plan.scene.resolution.near_hull,
-                                             choice ? fmt::format(", {}", choice->name) : "");
-        plan_.jobs.push_back({{name, method, std::move(plan), folder / method}, choice});
+    void add(PlannedRun plan, const std::string& method, const fs::path& folder, const LadderChoice* choice,
+             bool fills_in = false) {
+        const std::string name =
+            fmt::format("{} at {:g} m{}{}", method, plan.scene.resolution.near_hull,
+                        choice ? fmt::format(", {}", choice->name) : "", fills_in ? ", between two sizes" : "");
+        plan_.jobs.push_back({{name, method, std::move(plan), folder / method}, choice, fills_in});
     }
     void leave_out(const SceneOverrides& o, const std::string& what, const InputError& why) {
         plan_.left_out.push_back(
             fmt::format("{} at {:.4g} times the scene's size: left out: {}", what, *o.scale_resolution, why.what()));
     }
 
-    /// All methods of one size, and the choices if it is theirs. None: the scene does not allow it; what is wrong at its
-    /// own size is thrown.
-    std::optional<PlannedRun> add_size(int k) {
+    /// All methods of one size, and the choices if it is theirs; half a number fills in. None: the scene does not allow
+    /// it; what is wrong at its own size is thrown.
+    std::optional<PlannedRun> add_size(double k) {
         const SceneOverrides o = overrides(k);
         std::optional<PlannedRun> plan;
         try {
@@ -73,7 +81,7 @@ private:
             return {};
         }
         for (const std::string& method : plan->scene.run.methods) {
-            add(*plan, method, folder_of(*plan), nullptr);
+            add(*plan, method, folder_of(*plan), nullptr, k != std::floor(k));
             if (!sizes_.variations || k != std::max(0, sizes_.levels - 2)) continue;
             for (const LadderChoice& choice : choices)
                 if (choice.method == method) add_choice(o, folder_of(*plan), choice, method);

@@ -22,6 +22,7 @@ struct LadderChoice {
 struct LadderJob {
     CampaignRun run;
     const LadderChoice* choice = nullptr;  ///< none: a size
+    bool fills_in = false;                 ///< a size between two others
 };
 
 /// Which sizes of a scene are run, and how.
@@ -34,10 +35,13 @@ struct LadderSizes {
     double ratio = 1.4142135623730951;
     bool variations = true;  ///< other sound speed, time step and Courant number, at the second coarsest size
     bool box = true;         ///< a wider box at the coarsest size, where the scene is open water
+    /// Of four sizes and more also near_hull ratio^(k + 1/2), between neighbouring ones but for the two finest.
+    bool fill = false;
     bool snapshots = true;
 };
 
-/// The runs of a ladder, cheapest first.
+/// The runs of a ladder, cheapest first; behind them all the sizes that fill in, cheapest first: a budget leaves them out
+/// before any other that fits.
 struct LadderPlan {
     std::vector<LadderJob> jobs;
     std::vector<std::string> left_out;  ///< coarser sizes that the scene does not allow, and why

@@ -45,9 +45,9 @@ constexpr const char* about_uncertainty =
     "  0.10,  431.0,    2690\n"
     "  0.14,  449.5,    2655\n\n"
     "Commas, semicolons or tabs; lines that begin with # and empty lines are skipped; rows in any order.\n"
-    "From four levels on U comes from the least squares of Eca & Hoekstra (2014), with the grid convergence index\n"
-    "of Celik et al. (2008) and the factor of safety of Xing & Stern (2010) of the three finest levels beside it.\n"
-    "Three levels: the widest of these two. Two: the order is assumed (--order) and the factor is 3. One: no U.\n"
+    "From three levels on U comes from a fit of trend and noise. Beside it stand the least squares of Eca & Hoekstra\n"
+    "(2014; four levels), and of the three finest levels the grid convergence index of Celik et al. (2008) and the\n"
+    "factor of safety of Xing & Stern (2010). Two levels: the order is assumed (--order), the factor is 3. One: no U.\n"
     "U is meant as half the width of a 95 % interval about the finest value. That a table does not converge is\n"
     "a result, not an error: the exit status is 0.\n\n";
 
@@ -246,6 +246,8 @@ int dispatch(int argc, char** argv) {
     c->add_flag(
         "!--no-variations", ladder.variations,
         "leave out the runs with sound speed x 1.5, half the time step, half the Courant number and a wider box");
+    c->add_flag("!--no-fill", ladder.fill,
+                "leave out the sizes between the coarse ones, which tell scatter from a trend and narrow the interval");
     c->add_option(
          "--measured", ladder.measured,
          "a measurement, as written by twinwake import: each method's finest value is compared with it; can be given "

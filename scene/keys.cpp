@@ -163,7 +163,8 @@ Rows sampling_keys() {
     return {
         {.name = "interval", .unit = "s", .range = positive, .hashed = Hashed::scene,
          .slot = slot(&Scene::sampling, &Sampling::interval), .fallback = "L/U / 25; in a tank sqrt(H/g) / 25",
-         .meaning = "Time between samples (frames of the water raster, energies, probes)."},
+         .meaning = "Time between samples (frames of the water raster, energies, height probes); pressure probes "
+                    "are sampled more often."},
         {.name = "mean_from", .unit = "s", .range = positive, .hashed = Hashed::scene,
          .slot = slot(&Scene::sampling, &Sampling::mean_from),
          .fallback = "ramp + L/U or 8 pi U/g, the longer; 5 sqrt(H/g) for a hull in still water; none in a tank without a hull",

@@ -27,7 +27,7 @@ _twinwake() {
         reference) words="--out --names --quiet --help" ;;
         run) words="$scene --method --out --resume --overwrite --no-twins --require --threads --json --quiet --help" ;;
         compare) words="--out --ladder --measured --force --require --json --quiet --help" ;;
-        ladder) words="$scene --method --levels --ratio --no-variations --plan --measured --budget --overwrite --out --threads --json --quiet --help" ;;
+        ladder) words="$scene --method --levels --ratio --no-variations --no-fill --plan --measured --budget --overwrite --out --threads --json --quiet --help" ;;
         sweep) words="--hulls --speeds --trims --near-hull --scale --duration --effect --twins --overwrite --out --threads --json --quiet --help" ;;
         ablate) words="$scene --effects --method --overwrite --out --threads --json --quiet --help" ;;
         import) words="--out --overwrite --json --quiet --help" ;;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <set>
 
 #include "compare/align/time_bins.h"
@@ -73,10 +74,24 @@ constexpr double shortest_window = 5e-3;  // [s]
 /// Water has arrived when a tenth of what it brings has.
 constexpr double arrival_share = 0.1;
 
-/// The filter of all records: 5 ms, or the longest time between samples of any of them.
-double window_of(const Comparison& comparison) {
+/// The time between samples of a record's table, of its middle pair in length; 0 where there are none [s].
+double time_between_samples(const RunRecord& record, const std::string& table) {
+    const auto found = record.tables.find(table);
+    if (found == record.tables.end() || found->second.time.size() < 2) return 0;
+    std::vector<double> steps(found->second.time.size());
+    std::adjacent_difference(found->second.time.begin(), found->second.time.end(), steps.begin());
+    const auto middle = steps.begin() + 1 + static_cast<std::ptrdiff_t>(steps.size() - 1) / 2;
+    std::nth_element(steps.begin() + 1, middle, steps.end());
+    return *middle;
+}
+
+/// The filter of all records: 5 ms, or the longest time between samples of any of them. Heights are samples of the
+/// frames in one method and of every step in the other: theirs is the scene's sampling interval in both.
+double window_of(const Comparison& comparison, const std::string& table) {
     double window = shortest_window;
-    for (const RunRecord& r : comparison.sources) window = std::max(window, number_of(r, "sampling_interval", 0));
+    for (const RunRecord& r : comparison.sources)
+        window =
+            std::max(window, table == "height" ? number_of(r, "sampling_interval", 0) : time_between_samples(r, table));
     return window;
 }
 
@@ -130,8 +145,8 @@ MeanValue mean_over_run(const RunRecord& record, const std::string& table, const
 }  // namespace
 
 void add_probes(Comparison& comparison, const CompareOptions& options) {
-    const double window = window_of(comparison);
     for (const std::string table : {"pressure", "height"}) {
+        const double window = window_of(comparison, table);
         std::set<std::pair<std::string, std::string>> probes;  // name, unit
         for (const RunRecord& r : comparison.sources)
             if (const auto found = r.tables.find(table); found != r.tables.end())
@@ -163,7 +178,8 @@ void add_probes(Comparison& comparison, const CompareOptions& options) {
                         fmt::format("histories differ by {:.2g} % of the range (root mean square)", rms);
             }
             add("_peak", fmt::format("Peak {} at {}, mean over {:g} ms", table, name, 1e3 * window), unit,
-                fmt::format("largest mean over {:g} ms (5 ms, or the scene's sampling interval) in the time that all "
+                fmt::format("largest mean over {:g} ms (5 ms, or the time between samples where that is longer) in the "
+                            "time that all "
                             "records cover: the largest impulse over its time",
                             1e3 * window),
                 true, "its record is shorter than the window",

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double nu0 = 1;          ///< degrees of freedom of the noise's prior [-]
 constexpr double s0_share = 0.25;  ///< its scale over Dphi [-]
+constexpr double a_share = 2;      ///< standard deviation of a coefficient's prior over the range of the values [-]
 constexpr double probability = 0.95;
 
 struct Data {
@@ -19,6 +20,7 @@ struct Data {
     Eigen::VectorXd y;          ///< phi_i - phi_1
     Eigen::VectorXd w;          ///< E&H's weights, mean 1
     double s0 = 0;              ///< scale of the noise's prior
+    double a0 = 0;              ///< standard deviation of a coefficient's prior
     double known_variance = 0;  ///< of the values' own noise, weighted mean
 };
 
@@ -37,13 +39,16 @@ Fit fit(const Data& d, std::span<const double> orders) {
     const Eigen::Index n = d.x.size(), n_par = 1 + static_cast<Eigen::Index>(orders.size());
     Eigen::MatrixXd X = Eigen::MatrixXd::Ones(n, n_par);
     for (Eigen::Index k = 1; k < n_par; ++k) X.col(k) = d.x.array().pow(orders[static_cast<std::size_t>(k - 1)]);
-    const Eigen::MatrixXd C = (X.transpose() * d.w.asDiagonal() * X).inverse();
-    const Eigen::VectorXd c = C * (X.transpose() * d.w.cwiseProduct(d.y));
+    Eigen::MatrixXd A = X.transpose() * d.w.asDiagonal() * X;
+    const Eigen::VectorXd b = X.transpose() * d.w.cwiseProduct(d.y);
+    const double RSS = d.w.dot((d.y - X * A.inverse() * b).cwiseAbs2()), prior = nu0 * d.s0 * d.s0;
     Fit f;
-    f.fitted = X * c;
-    const double RSS = d.w.dot((d.y - f.fitted).cwiseAbs2()), prior = nu0 * d.s0 * d.s0;
     f.nu = nu0 + static_cast<double>(n - n_par);
     f.s = std::sqrt(std::max((prior + RSS) / f.nu, d.known_variance));
+    for (Eigen::Index k = 1; k < n_par; ++k) A(k, k) += f.s * f.s / (d.a0 * d.a0);
+    const Eigen::MatrixXd C = A.inverse();
+    const Eigen::VectorXd c = C * b;
+    f.fitted = X * c;
     const Eigen::VectorXd finest = X.row(0).transpose();
     f.at_zero = {c[0], f.s * std::sqrt(C(0, 0))};
     f.at_finest = {f.fitted[0], f.s * std::sqrt(finest.dot(C * finest))};
@@ -89,7 +94,9 @@ Data data_of(std::span<const StudyLevel> levels) {
         d.w[i] = 1 / d.x[i];
     }
     d.w *= static_cast<double>(n) / d.w.sum();
-    d.s0 = s0_share * (d.y.maxCoeff() - d.y.minCoeff()) / static_cast<double>(n - 1);
+    const double range = d.y.maxCoeff() - d.y.minCoeff();
+    d.s0 = s0_share * range / static_cast<double>(n - 1);
+    d.a0 = a_share * range;
     for (Eigen::Index i = 0; i < n; ++i) {
         const double u = levels[static_cast<std::size_t>(i)].half_width / 1.96;  // standard error of the value
         d.known_variance += d.w[i] * u * u / static_cast<double>(n);

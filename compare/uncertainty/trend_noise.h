@@ -16,15 +16,17 @@ namespace tw {
 /// The weights are those of Eca & Hoekstra 2014 (doi:10.1016/j.jcp.2014.01.006), the expansions theirs with free order
 /// left out: a free order fits scatter. Each set is one weighted least-squares fit; phi0 given the set is a Student t
 ///
-///   phi0 ~ m + s sqrt((X^T W X)^-1_00) t_nu      nu = nu0 + n - n_par      s^2 = (nu0 s0^2 + RSS)/nu
+///   phi0 ~ m + s sqrt((X^T W X + L)^-1_00) t_nu      nu = nu0 + n - n_par      s^2 = (nu0 s0^2 + RSS)/nu
 ///
 /// (conjugate prior of the variance: nu0 = 1 degree of freedom at s0 = Dphi/4, Dphi = (phi_max - phi_min)/(n - 1); it
 /// keeps three levels that happen to lie on a line from being certain), s no smaller than the known noise of the
-/// values. The sets are averaged (Hoeting et al., Stat. Sci. 14 (1999) 382) with the weights
+/// values. m is the fit with L = diag(0, s^2/a0^2, ...), the prior of the coefficients: normal about 0 with the standard
+/// deviation a0 = 2 (phi_max - phi_min). Without it the set {1, q} explains scatter within the sizes by two large terms
+/// that cancel there, and their extrapolation widens the interval several times. The sets are averaged (Hoeting et al., Stat. Sci. 14 (1999) 382) with the weights
 ///
 ///   (nu0 s0^2 + RSS)^(-(nu0 + n - 1)/2) n^-(number of a_k)
 ///
-/// and U is the half width about phi_i that holds phi0 with 95 % probability. nu0, s0 and the penalty n^-1 of a
+/// and U is the half width about phi_i that holds phi0 with 95 % probability. nu0, s0, a0 and the penalty n^-1 of a
 /// coefficient (Schwarz's is n^-1/2) were chosen by the coverage of docs/results/coverage.md.
 struct TrendNoise {
     static constexpr double nan = std::numeric_limits<double>::quiet_NaN();

@@ -18,6 +18,16 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::int64_t surface_every = 10;  ///< steps between samples of surface pressure and control volume faces
 
+/// Between samples of the pressure probes [s]: a tenth of the 5 ms over which their peaks are means (compare/metrics/
+/// probes.cpp).
+constexpr double pressure_interval = 5e-4;
+
+/// Whether a multiple of `interval` lies after the table's last row, up to `time`: known from the table alone, so a
+/// resumed run samples at the same steps.
+bool is_due(const Table& table, double time, double interval) {
+    return table.time.empty() || std::floor(time / interval) > std::floor(table.time.back() / interval);
+}
+
 /// Appends a row: every column gets its value, those not named NaN.
 std::size_t append_row(Table& table, double time) {
     table.time.push_back(time);
@@ -80,6 +90,9 @@ void Recorder::after_step(Simulation& simulation, bool frame) {
     }
     if (frame || simulation.steps() % surface_every == 0) sample_surface(simulation, row);
     if (frame) sample_frame(simulation, row);
+    if (!pressure_points_.places.empty() &&
+        (frame || is_due(record_.table("pressure"), simulation.time(), pressure_interval)))
+        probe_pressure(simulation);
     watch_stability(simulation, record_);
     if (frame) watch_energy(record_);
 }
@@ -178,7 +191,7 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
         set(t, k, "wetted_area", per_span("m2"), factor_ * hull_->wetted_area());
         set(t, k, "wetted_length", "m", hull_->wetted_length(scene_.hull->beam));
     }
-    probe(simulation);
+    if (!height_points_.places.empty()) probe_height(simulation);
 }
 
 /// Of each edge between two sizes of particles: who is there, and how far the mass of the fine side has drifted.
@@ -196,30 +209,29 @@ void Recorder::record_levels(const Simulation& simulation, Table& t, std::size_t
     }
 }
 
-void Recorder::probe(Simulation& simulation) {
-    if (!pressure_points_.places.empty()) {
-        Table& t = record_.table("pressure");
-        const std::size_t k = append_row(t, simulation.time());
-        simulation.sample(pressure_points_);
-        for (std::size_t n = 0; n < pressure_points_.places.size(); ++n)
-            set(t, k, scene_.sampling.pressure[n].name.c_str(), "Pa",
-                pressure_points_.support[n] >= SurfaceSamples::has_pressure || air_of(simulation)
-                    ? double(pressure_points_.p[n])
-                    : 0.0);
-    }
-    if (!height_points_.places.empty()) {
-        // elevation of the water column over the floor: the integral of its share of each height
-        Table& t = record_.table("height");
-        const std::size_t k = append_row(t, simulation.time());
-        simulation.sample(height_points_);
-        for (std::size_t n = 0; n < scene_.sampling.height.size(); ++n) {
-            double column = 0;
-            for (int j = 0; j < heights_per_gauge_; ++j)
-                column += height_step_ *
-                          std::min(1.0, double(height_points_.support[n * static_cast<std::size_t>(heights_per_gauge_) +
-                                                                      static_cast<std::size_t>(j)]));
-            set(t, k, scene_.sampling.height[n].name.c_str(), "m", simulation.setup().domain.min.z() + column);
-        }
+void Recorder::probe_pressure(Simulation& simulation) {
+    Table& t = record_.table("pressure");
+    const std::size_t k = append_row(t, simulation.time());
+    simulation.sample(pressure_points_);
+    for (std::size_t n = 0; n < pressure_points_.places.size(); ++n)
+        set(t, k, scene_.sampling.pressure[n].name.c_str(), "Pa",
+            pressure_points_.support[n] >= SurfaceSamples::has_pressure || air_of(simulation)
+                ? double(pressure_points_.p[n])
+                : 0.0);
+}
+
+/// Elevation of the water column over the floor: the integral of its share of each height.
+void Recorder::probe_height(Simulation& simulation) {
+    Table& t = record_.table("height");
+    const std::size_t k = append_row(t, simulation.time());
+    simulation.sample(height_points_);
+    for (std::size_t n = 0; n < scene_.sampling.height.size(); ++n) {
+        double column = 0;
+        for (int j = 0; j < heights_per_gauge_; ++j)
+            column += height_step_ *
+                      std::min(1.0, double(height_points_.support[n * static_cast<std::size_t>(heights_per_gauge_) +
+                                                                  static_cast<std::size_t>(j)]));
+        set(t, k, scene_.sampling.height[n].name.c_str(), "m", simulation.setup().domain.min.z() + column);
     }
 }
 

@@ -8,9 +8,9 @@
 
 namespace tw {
 
-/// Turns the running simulation into the run record: forces at every step, surface pressure every few steps, and at every
-/// frame the raster, the control volume's balance, probes and the ledger. Half-model loads become the whole hull's
-/// here, once.
+/// Turns the running simulation into the run record: forces at every step, surface pressure every few steps, pressure
+/// probes every half millisecond or at every longer step, and at every frame the raster, the control volume's balance,
+/// all probes and the ledger. Half-model loads become the whole hull's here, once.
 class Recorder {
 public:
     Recorder(const Scene& scene, const Simulation& simulation, RunRecord record);
@@ -26,7 +26,8 @@ private:
     void sample_surface(Simulation& simulation, std::size_t row);
     void sample_frame(Simulation& simulation, std::size_t row);
     void record_levels(const Simulation& simulation, Table& table, std::size_t row) const;
-    void probe(Simulation& simulation);
+    void probe_pressure(Simulation& simulation);
+    void probe_height(Simulation& simulation);
     Table& forces() { return record_.table("forces"); }
     std::string per_span(const char* unit) const { return scene_.spanwise_unit(unit); }
 

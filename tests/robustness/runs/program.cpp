@@ -100,6 +100,7 @@ std::filesystem::path write_small_scene(const std::filesystem::path& file, doubl
         << "[[water_block]]\nmin = [0, 0, 0]\nmax = [0.5, 0.02, 0.5]\n"
         << "[resolution]\nnear_hull = 0.01\n"
         << "[sampling]\ninterval = 0.05\n"
+        << "[[probe]]\npressure = [0.25, 0, 0.02]\n"
         << "[run]\nmethods = [\"sph\"]\ncheckpoint = 0.05\nduration = " << duration << "\n";
     return file;
 }

@@ -1,6 +1,7 @@
 // Prints how often the 95 % intervals of the discretisation error hold the truth (docs/results/coverage.md), and writes
 // the page's figure:   coverage_table EXACT_FAMILIES.csv [FIGURE.svg]
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <exception>
@@ -50,6 +51,30 @@ std::vector<Part> parts_of_manufactured() {
     for (const std::size_t n : {3u, 4u, 5u, 6u, 8u})
         parts.push_back({fmt::format("{} sizes", n), [=](const Estimated& e) { return e.family.levels.size() == n; }});
     return parts;
+}
+
+/// What more sizes are worth: of ratios 2^(k/2), at a cost that goes with h^-4.
+ReportTable table_of_more_sizes() {
+    ReportTable table{"More sizes, 2^(k/2)",
+                      {words("k"), numbers("cost"), words("noise 0"), words("0.3"), words("1"), words("3")}};
+    const std::vector<std::vector<double>> exponents{
+        {0, 1, 2},        {0, 1, 1.5, 2},         {0, 1, 4. / 3, 5. / 3, 2},
+        {0, 1, 2, 3},     {0, 1, 1.5, 2, 2.5, 3}, {0, 0.5, 1, 1.5, 2, 2.5, 3},
+        {-1, 0, 1, 2, 3}, {0, 1, 2, 3, 4},        {0, 1, 1.5, 2, 2.5, 3, 3.5, 4}};
+    for (const std::vector<double>& ks : exponents) {
+        std::vector<double> x;
+        double cost = 0;
+        for (const double k : ks) x.push_back(std::pow(2, k / 2)), cost += std::pow(2, -2 * k);
+        const std::vector<Estimated> all = estimate_all(manufactured_families(repetitions, seed, {x}));
+        ReportRow row{{fmt::format("{:.2g}", fmt::join(ks, ", ")), fmt::format("{:.2f}", cost)}};
+        for (const double noise : {0.0, 0.3, 1.0, 3.0}) {
+            const Coverage c =
+                coverage_of(all, estimators[0], [&](const Estimated& e) { return e.family.noise == noise; });
+            row.cells.emplace_back(fmt::format("{:.0f} %, ± {:.2g} %", c.share_held(), c.median_width()));
+        }
+        table.rows.push_back(std::move(row));
+    }
+    return table;
 }
 
 ReportTable exact_table(const std::vector<Estimated>& exact) {
@@ -104,6 +129,7 @@ int print(int count, char** words) {
     const std::vector<Estimated> manufactured = estimate_all(manufactured_families(repetitions, seed)),
                                  exact = estimate_all(exact_families(words[1]));
     fmt::print("{}\n", text_of(table_of("Manufactured families", manufactured, parts_of_manufactured())));
+    fmt::print("{}\n", text_of(table_of_more_sizes()));
     const auto sizes = [](std::size_t low, std::size_t high) {
         return [=](const Estimated& e) { return e.family.levels.size() >= low && e.family.levels.size() <= high; };
     };

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/verification/uncertainty/coverage.h"
 
 namespace tw::test {
@@ -40,6 +42,24 @@ TEST(Coverage, WhereValuesScatterTheHeadlineIsHalfAsWideAsTheBoundOfEcaAndHoekst
                    bound = coverage_of(manufactured(), estimators[1], scatters);
     EXPECT_LT(headline.median_width(), 0.5 * bound.median_width());
     EXPECT_GE(headline.share_held(), 90);
+}
+
+/// Median half width of families with those sizes whose noise is as large as the finest error, or three times.
+double width_of_noisy(const std::vector<double>& sizes) {
+    const std::vector<Estimated> all = estimate_all(manufactured_families(20, 5, {sizes}));
+    const Coverage c = coverage_of(all, estimators[0], [](const Estimated& e) { return e.family.noise >= 1; });
+    EXPECT_GE(c.share_held(), 90) << sizes.size();
+    return c.median_width();
+}
+
+// What `twinwake ladder` fills in, and why it does not fill in fewer than four sizes.
+TEST(Coverage, SizesFilledInBetweenTheCoarseOnesOfFourNarrowTheIntervalAndBesideThreeTheyDoNot) {
+    const double r = std::sqrt(2.0), q = std::sqrt(r);
+    EXPECT_LT(width_of_noisy({1, r, r * q, r * r, r * r * q, r * r * r}),
+              0.8 * width_of_noisy({1, r, r * r, r * r * r}));
+    const double three = width_of_noisy({1, r, r * r}), beside_three = width_of_noisy({1, r, r * q, r * r});
+    EXPECT_GT(beside_three, three);
+    EXPECT_LT(beside_three, 2 * three) << "two large terms that cancel within the sizes explain no scatter";
 }
 
 // Solved by the project's own methods, answer known: three sizes or more.

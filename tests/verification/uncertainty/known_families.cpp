@@ -27,7 +27,7 @@ const std::vector<Trend> trends{
 };
 
 const double root2 = std::sqrt(2.0);
-const std::vector<std::vector<double>> sizes{
+const std::vector<std::vector<double>> usual_sizes{
     {1, root2, 2},
     {1, root2, 2, 2 * root2},
     {1, 1.25, 1.5, 2, 2.5},
@@ -38,6 +38,11 @@ const std::vector<std::vector<double>> sizes{
 }  // namespace
 
 std::vector<KnownFamily> manufactured_families(int repetitions, unsigned seed) {
+    return manufactured_families(repetitions, seed, usual_sizes);
+}
+
+std::vector<KnownFamily> manufactured_families(int repetitions, unsigned seed,
+                                               const std::vector<std::vector<double>>& sizes) {
     constexpr double error = 0.02;
     std::mt19937 random(seed);
     std::normal_distribution<double> normal;

@@ -1,0 +1,51 @@
+#include "compare/ladder/value.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "compare/ladder/variation.h"
+
+namespace tw {
+
+namespace {
+
+constexpr double scheme_order = 2;
+
+}  // namespace
+
+LadderValue value_of(const std::vector<LadderSide>& sides, std::size_t k, const std::string& name, double scale) {
+    const LadderSide& side = sides[k];
+    LadderValue v;
+    std::vector<const LadderRun*> known;
+    for (const LadderRun& run : side.runs) {
+        const Quantity* q = find_quantity(run, name);
+        if (!q || !q->values[0].known) {
+            v.absent.push_back(fmt::format("{:g} m: {}", run.spacing, q ? q->values[0].why_not : "not measured"));
+            continue;
+        }
+        known.push_back(&run);
+        v.levels.push_back({run.spacing, q->values[0].value, q->values[0].half_width});
+        v.half_widths.push_back(q->values[0].half_width);
+    }
+    if (v.levels.empty()) return v;
+    v.statistical = v.half_widths.front();
+    v.estimate = estimate(v.levels, scheme_order);
+    v.sensitivities = sensitivities_of(sides, k, name, v.levels.front().value, scale);
+    for (const Sensitivity& s : v.sensitivities)
+        if (double& sum = s.box ? v.box : v.choices; std::isfinite(s.uncertainty)) sum = std::hypot(sum, s.uncertainty);
+    v.own = std::hypot(std::hypot(v.statistical, v.estimate.uncertainty), v.choices);  // of three, NaN may get lost
+    v.uncertainty = std::hypot(v.own, v.box);
+    std::vector<CostPoint> points;
+    for (std::size_t i = 0; i < v.estimate.uncertainties.size(); ++i) {
+        const double U = std::hypot(v.estimate.uncertainties[i], v.half_widths[i]);
+        if (no_more_than_rounding(U, v.levels[i].value)) continue;  // rounding follows no line
+        points.push_back({known[i]->spacing, known[i]->seconds, U, known[i]->core_seconds, known[i]->memory});
+    }
+    v.cost_in_cores = cost_of_accuracy(points, &CostPoint::core_seconds);
+    v.cost_in_memory = cost_of_accuracy(points, &CostPoint::memory);
+    v.cost = cost_of_accuracy(std::move(points));
+    return v;
+}
+
+}  // namespace tw

@@ -1,0 +1,136 @@
+#include "compare/ladder/verdict.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/report/numbers.h"
+#include "compare/verdict/decide.h"
+
+namespace tw {
+
+namespace {
+
+/// One share of the joint interval, and what it is called.
+struct Term {
+    double U;
+    std::string name;
+    std::size_t side;
+    enum { statistics, discretisation, choice } kind;
+};
+
+std::vector<Term> terms_of(const LadderQuantity& q, const std::vector<LadderSide>& sides) {
+    std::vector<Term> terms;
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+        const LadderValue& v = q.values[k];
+        terms.push_back({v.statistical, sides[k].method + "'s mean", k, Term::statistics});
+        terms.push_back({v.estimate.uncertainty, sides[k].method + "'s discretisation error", k, Term::discretisation});
+        for (const Sensitivity& s : v.sensitivities)
+            if (std::isfinite(s.uncertainty) && !s.box)
+                terms.push_back({s.uncertainty, sides[k].method + "'s " + s.name, k, Term::choice});
+    }
+    return terms;
+}
+
+/// Wall time of the runs that would bring the joint interval to the target: where the discretisation error is the
+/// largest term finer runs that make its terms smaller by one factor, by the slopes of the ladder; where a mean is, a
+/// longer record of that method. nan: not known, or the other terms are above the target.
+double seconds_to_target(const LadderQuantity& q, const std::vector<LadderSide>& sides, const Term& largest,
+                         double target_U) {
+    double D = 0;
+    for (const LadderValue& v : q.values) D = std::hypot(D, v.estimate.uncertainty);
+    const double U = largest.kind == Term::discretisation ? D : largest.U;
+    const double room = target_U * target_U - (q.interval * q.interval - U * U);
+    if (!(room > 0) || largest.kind == Term::choice) return std::nan("");
+    const LadderRun& longer = sides[largest.side].runs.front();
+    if (largest.kind == Term::statistics) return longer.seconds > 0 ? longer.seconds * U * U / room : std::nan("");
+    double seconds = 0;
+    for (const LadderValue& v : q.values) {
+        const double needed = v.estimate.uncertainty * std::sqrt(room) / D;
+        if (v.estimate.uncertainty * v.estimate.uncertainty > 0.1 * room) seconds += v.cost.seconds_for(needed);
+    }
+    return seconds;
+}
+
+/// What would make the largest term small enough for the target, the others as they are.
+std::string remedy(const Term& term, const LadderQuantity& q, const LadderSide& side, double target_U) {
+    const double rest = q.interval * q.interval - term.U * term.U, room = target_U * target_U - rest;
+    if (!(room > 0)) return "the other terms are already above the target";
+    const double needed = std::sqrt(room);
+    if (term.kind == Term::statistics) {
+        const LadderRun& finest = side.runs.front();
+        const double longer = std::pow(term.U / needed, 2);
+        if (!(finest.duration > 0)) return {};
+        const std::string wall = time_text(finest.seconds * longer);
+        return fmt::format("a record of about {:.2g} s instead of {:.2g} s would suffice{}", finest.duration * longer,
+                           finest.duration, finest.seconds > 0 ? ", about " + wall + " of wall time" : "");
+    }
+    if (term.kind == Term::choice)
+        for (const LadderVariation& v : side.variations) {
+            const auto base = std::ranges::find_if(side.runs, [&](const LadderRun& r) { return same_rung(r, v.run); });
+            if (!term.name.ends_with(v.name) || !(base->seconds > 0)) continue;
+            return fmt::format(
+                "making that choice in every run costs {:.2g} times the time and leaves about {:.0f} % of the term",
+                v.run.seconds / base->seconds, 100 * (1 - 1 / v.factor));
+        }
+    if (const Estimate& e = q.values[term.side].estimate;
+        term.kind == Term::discretisation && e.convergence == Convergence::scattered)
+        return fmt::format("the values scatter by {} {} from size to size: {}", value_text(e.trend_noise.sigma, 0),
+                           q.unit,
+                           e.levels.size() > 3 ? "sizes between these narrow the interval"
+                                               : "three do not tell it from a trend; twinwake ladder runs more");
+    if (term.kind == Term::discretisation && std::isfinite(q.seconds_to_target))
+        return fmt::format("finer runs of about {} would suffice, by the slopes of this ladder",
+                           time_text(q.seconds_to_target));
+    return {};
+}
+
+}  // namespace
+
+void judge(LadderQuantity& q, const std::vector<LadderSide>& sides, double target, double scale) {
+    for (const LadderValue& v : q.values)
+        if (!v.levels.empty()) q.size = std::max(q.size, std::abs(v.levels.front().value));
+    if (sides.size() < 2) {
+        q.reason = "one method only";
+        return;
+    }
+    const LadderValue &a = q.values[0], &b = q.values[1];
+    for (std::size_t k = 0; k < 2; ++k)
+        if (q.values[k].levels.empty()) {
+            q.reason = sides[k].method + (q.values[k].absent.empty()
+                                              ? ": no size has a mean"
+                                              : ": no size has a mean; at " + q.values[k].absent.front());
+            return;
+        }
+    const double S0 = a.levels.front().value, S1 = b.levels.front().value;
+    const double S = q.size = std::max(std::abs(S0 + S1) / 2, scale);
+    q.difference = no_more_than_rounding(S1 - S0, S) ? 0 : S1 - S0;
+    if (S > 0) q.per_cent = 100 * q.difference / S;
+    for (std::size_t k = 0; k < 2; ++k)
+        if (!std::isfinite(q.values[k].uncertainty)) {
+            q.verdict = Verdict::not_converged;
+            q.reason = fmt::format("{}: {}", sides[k].method, q.values[k].estimate.why_not);
+            return;
+        }
+    for (std::size_t k = 0; k < 2; ++k)
+        if (no_more_than_rounding(q.values[k].own, S) && !no_more_than_rounding(q.difference, S)) {
+            q.verdict = Verdict::not_converged;
+            q.reason = sides[k].method + ": the values do not change with the size, so no uncertainty can be estimated";
+            return;
+        }
+    q.interval = std::hypot(a.own, b.own);
+    q.verdict = decide(q.difference, q.interval, target, S);
+    if (q.verdict == Verdict::differ && std::abs(q.difference) <= target * S)
+        q.reason = fmt::format("beyond the joint interval, yet within the target of {:g} %", 100 * target);
+    if (q.verdict != Verdict::undecided) return;
+    const std::vector<Term> terms = terms_of(q, sides);
+    const Term& largest = *std::ranges::max_element(terms, {}, &Term::U);
+    q.seconds_to_target = seconds_to_target(q, sides, largest, target * S);
+    const std::string cure = remedy(largest, q, sides[largest.side], target * S);
+    q.reason =
+        fmt::format("the interval is wider than the target of {:g} %; largest term: {} (± {} {}){}", 100 * target,
+                    largest.name, value_text(largest.U, 0), q.unit, cure.empty() ? "" : "; " + cure);
+}
+
+}  // namespace tw
