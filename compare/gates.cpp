@@ -99,13 +99,17 @@ std::vector<Gate> check_gates(const RunRecord& record, const std::string& name) 
             "pair sum, surface pressure and control volume measure one force");
     }
     if (const auto numerical = numerical_drag(record); numerical)
-        if (const auto drag = time_mean(record, "forces", "fx"); drag && *drag != 0)
+        if (const auto drag = time_mean(record, "forces", "fx"); drag && *drag != 0) {
+            const std::string share =
+                numerical->force < std::abs(*drag)
+                    ? fmt::format("about {:.3g} N of the {:.3g} N are", numerical->force, *drag)
+                    : fmt::format("all of the {:.3g} N may be ({:.3g} N were to be expected)", *drag, numerical->force);
             add("numerical drag of a closed body", "%", 100 * numerical->force / std::abs(*drag), 20,
-                fmt::format(
-                    "about {:.3g} N of the {:.3g} N are of the resolution: {:.3g} on the frontal area at {:.3g} "
-                    "spacings of thickness, where a submerged body in a flow without friction has almost none; "
-                    "only several sizes can tell what is left",
-                    numerical->force, *drag, numerical->coefficient, numerical->spacings));
+                share + fmt::format(" of the resolution: {:.3g} on the frontal area at {:.3g} spacings of thickness, "
+                                    "where a submerged body in a flow without friction has almost none; only several "
+                                    "sizes can tell what is left",
+                                    numerical->coefficient, numerical->spacings));
+        }
     for (const CertificateLine& line : record.certificate) {
         std::string remark = fmt::format("stability certificate: worst of the whole run, at {:.4g} s", line.time);
         if (line.place.allFinite())

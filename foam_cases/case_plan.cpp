@@ -7,19 +7,20 @@
 #include "base/errors.h"
 #include "meshes/query.h"
 #include "meshes/section.h"
+#include "scene/tank_walls.h"
 
 namespace tw {
 namespace {
 
 Patch patch(Side side, const char* wall_name, bool empty) {
     switch (side) {
-        case Side::inlet: return {"inlet", side, false};
-        case Side::outlet: return {"outlet", side, false};
-        case Side::atmosphere: return {"atmosphere", side, false};
-        case Side::symmetry: return {"midPlane", side, empty};
+        case Side::inlet: return {"inlet", side, false, false};
+        case Side::outlet: return {"outlet", side, false, false};
+        case Side::atmosphere: return {"atmosphere", side, false, false};
+        case Side::symmetry: return {"midPlane", side, empty, false};
         case Side::slip_wall: break;
     }
-    return {wall_name, side, empty};
+    return {wall_name, side, empty, false};
 }
 
 std::array<Patch, 6> patches_of(const Domain& d) {
@@ -194,6 +195,7 @@ CasePlan plan_case(const Scene& scene, const Flavour& flavour) {
     plan.no_slip = scene.effect_on("no_slip");
     plan.turbulent = scene.effect_on("turbulence");
     plan.sides = patches_of(scene.domain);
+    for (Patch& p : plan.sides) p.holds = tank_holds_water(scene) && p.side == Side::slip_wall && !p.empty;
     const Box& box = scene.domain.box;
     if (!box.min.allFinite() || !box.max.allFinite() || !(box.size().minCoeff() > 0) ||
         !(scene.resolution.spacing > 0) || !(scene.resolution.near_hull > 0) || !(scene.run.duration > 0))

@@ -13,8 +13,9 @@ struct Patch {
     std::string name;
     Side side = Side::slip_wall;
     bool empty = false;  ///< front and back of a 2-D scene
-    bool plane() const { return empty || side == Side::slip_wall || side == Side::symmetry; }
-    std::string plane_type() const { return empty ? "empty" : "symmetryPlane"; }
+    bool holds = false;  ///< a tank's wall to which the water sticks
+    bool plane() const { return empty || (side == Side::slip_wall && !holds) || side == Side::symmetry; }
+    std::string mesh_type() const { return empty ? "empty" : plane() ? "symmetryPlane" : holds ? "wall" : "patch"; }
 };
 
 /// One axis of the background mesh: blocks between planes, each with a whole number of cells.

@@ -50,7 +50,9 @@ Margins default_margins(const Hull& hull, double speed, double gravity) {
     m.behind = L;
     // Measured: hard sides at 2 beams and a floor at 1.6 beams raise the lift by 5 %, at 1.5 and 1.2 beams by 12 %.
     m.side = 2 * B;
-    m.below = std::max(1.6 * B, 4 * hull.draft);
+    // A submerged body's draft says how deep it is, not how large: three of its heights below it, as of a ship.
+    const bool submerged = hull.surface.bounds().max.z() < 0;
+    m.below = std::max(1.6 * B, submerged ? hull.draft + 3 * hull.surface.bounds().size().z() : 4 * hull.draft);
     if (froude(hull, speed, gravity) < 1) {
         m.side = std::max(m.side, 0.5 * L);
         m.below = std::max(m.below, std::min(0.5 * L, 0.5 * wavelength));

@@ -5,6 +5,7 @@
 #include "scene/box_walls.h"
 #include "scene/defaults.h"
 #include "scene/scene.h"
+#include "scene/tank_walls.h"
 #include "scene/units.h"
 
 namespace tw {
@@ -12,9 +13,9 @@ namespace {
 
 std::string place(const Vec3& p) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", p.x(), p.y(), p.z()); }
 
-std::string side_name(Side side) {
+std::string side_name(Side side, bool holds_water) {
     switch (side) {
-        case Side::slip_wall: return "slip wall";
+        case Side::slip_wall: return holds_water ? "no-slip wall" : "slip wall";
         case Side::symmetry: return "symmetry";
         case Side::inlet: return "inlet";
         case Side::outlet: return "outlet";
@@ -84,9 +85,10 @@ std::string to_text(const Scene& scene, const Prediction& p) {
     else
         out += "motion      none: the water is at rest at the start\n";
     const Domain& d = scene.domain;
+    const auto side = [holds = tank_holds_water(scene)](Side s) { return side_name(s, holds); };
     out += fmt::format("domain      {} to {} m, {} dimensions; x: {}, {}; y: {}, {}; z: {}, {}\n", place(d.box.min),
-                       place(d.box.max), d.dimensions, side_name(d.x_min), side_name(d.x_max), side_name(d.y_min),
-                       side_name(d.y_max), side_name(d.z_min), side_name(d.z_max));
+                       place(d.box.max), d.dimensions, side(d.x_min), side(d.x_max), side(d.y_min), side(d.y_max),
+                       side(d.z_min), side(d.z_max));
     if (const std::string walls = wall_warning(scene); !walls.empty()) out += "  warning   " + walls + "\n";
     out += fmt::format(
         "resolution  {:.4g} m at the hull (particles, finest cells), {:.4g} m far from it (largest cells)\n",

@@ -9,6 +9,7 @@
 #include "base/errors.h"
 #include "meshes/section.h"
 #include "record/run_record.h"
+#include "scene/tank_walls.h"
 
 namespace tw {
 
@@ -142,6 +143,10 @@ SphSetup sph_setup(const Scene& scene, int threads) {
                      {is_mirror(d.y_min), is_mirror(d.y_max)},
                      {is_mirror(d.z_min), is_mirror(d.z_max)}}};
     if (s.dimensions == 2) s.mirrors.on[1] = {false, false};
+    if (tank_holds_water(scene))
+        s.mirrors.holding = {{{d.x_min == Side::slip_wall, d.x_max == Side::slip_wall},
+                              {d.y_min == Side::slip_wall, d.y_max == Side::slip_wall},
+                              {d.z_min == Side::slip_wall, d.z_max == Side::slip_wall}}};
     if (scene.motion.kind == Motion::Kind::stream) {
         Stream stream;
         stream.speed = scene.motion.speed;

@@ -14,6 +14,10 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
+/// Least share of a voxel that counts as water above the wave, in 255ths: the first of at least 1/100. A mesh smears
+/// less than that over the cells along a hull, high above a calm surface.
+constexpr std::uint8_t least_share = 3;
+
 /// Airborne water by layers: volume and lower edge of each layer above the cut-off.
 struct Airborne {
     std::vector<double> low, high, volume;
@@ -40,7 +44,9 @@ Airborne airborne(const RasterGrid& grid, const RasterFrame& frame, const std::v
         const double low = grid.z_low(k);
         double sum = 0, lowest = grid.z_low(k + 1);
         for (std::size_t c = 0; c < grid.columns(); ++c) {
-            const double share = frame.water[static_cast<std::size_t>(k) * grid.columns() + c] / 255.0;
+            const std::uint8_t water = frame.water[static_cast<std::size_t>(k) * grid.columns() + c];
+            if (water < least_share) continue;
+            const double share = water / 255.0;
             const double above = share - std::max(0.0, (cut_off[c] - low) / edge);
             if (above <= 1e-9) continue;
             sum += above;
@@ -102,7 +108,7 @@ Table splash_series(const RunRecord& record, double level) {
         for (int k = grid.nz - 1; k >= 0 && std::isnan(raw); --k) {
             const auto first = frame.water.begin() + static_cast<std::ptrdiff_t>(grid.voxel(0, 0, k));
             const std::uint8_t most = *std::max_element(first, first + static_cast<std::ptrdiff_t>(grid.columns()));
-            if (most >= 3) raw = grid.z_low(k + 1) - level;  // 3/255 is the first share of at least 1/100
+            if (most >= least_share) raw = grid.z_low(k + 1) - level;
         }
         table.time.push_back(frame.time);
         const std::array<double, 7> row{sheet - level,

@@ -16,7 +16,7 @@ bool is_stream(const RunRecord& record);
 ///
 /// Splash starts above what the wave and the resolution explain: by more than the surface cell of its column
 /// (surface_cells(), a voxel or a mesh cell) above the smooth wave, which is nowhere steeper than a gravity wave can be
-/// (wave_surface()). Airborne is all water above that, attached or not. Heights p95 to p99_9 are NaN in frames without
+/// (wave_surface()). Airborne is all water above that, attached or not, in voxels with a share of at least 1/100. Heights p95 to p99_9 are NaN in frames without
 /// it. No height is better than half a voxel edge.
 Table splash_series(const RunRecord& record, double still_level);
 

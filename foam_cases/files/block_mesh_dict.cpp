@@ -56,9 +56,7 @@ std::string block_mesh_dict(const CasePlan& plan) {
         const Patch& p = plan.sides[s];
         const bool of_slab = plan.extrude && p.empty;
         boundary.push_back(Value::named(Word(of_slab ? slab_side(p) : p.name),
-                                        Dictionary{{"type", Word(of_slab     ? "symmetryPlane"
-                                                                 : p.plane() ? p.plane_type()
-                                                                             : "patch")},
+                                        Dictionary{{"type", Word(of_slab ? "symmetryPlane" : p.mesh_type())},
                                                    {"faces", side_faces(plan, s / 2, s % 2 == 1)}}));
     }
     return foam_file("dictionary", "blockMeshDict",

@@ -8,13 +8,13 @@ namespace {
 Value uniform(double v) { return Value::sequence({Word("uniform"), v}); }
 Value uniform(const Vec3& v) { return Value::sequence({Word("uniform"), v}); }
 
-/// A field of 0.orig: `open` gives the entries of an inlet, outlet or atmosphere, `wall` those of a solid. Plane sides
-/// are the same in every field.
+/// A field of 0.orig: `open` gives the entries of an inlet, outlet or atmosphere, `wall` those of a solid and of a
+/// tank's wall that holds the water. Plane sides are the same in every field.
 std::string field(const CasePlan& plan, const char* foam_class, const char* name, const Dimensions& dimensions,
                   const Value& inside, const std::function<Dictionary(Side)>& open, const Dictionary& wall) {
     Dictionary boundary;
     for (const Patch& p : plan.sides)
-        boundary.add(p.name, p.plane() ? Dictionary{{"type", Word(p.plane_type())}} : open(p.side));
+        boundary.add(p.name, p.plane() ? Dictionary{{"type", Word(p.mesh_type())}} : p.holds ? wall : open(p.side));
     for (const Solid& s : plan.solids) boundary.add(s.name, wall);
     return foam_file(foam_class, name,
                      {{"dimensions", dimensions}, {"internalField", inside}, {"boundaryField", boundary}});

@@ -15,7 +15,7 @@ EffectChoice plan(const EffectQuestion& q) {
 
 EffectPart no_slip() {
     return {.name = "no_slip",
-            .meaning = "Water sticks to walls instead of sliding along them.",
+            .meaning = "Water sticks to hulls, obstacles and the walls of a tank instead of sliding along them.",
             .needs = "viscosity",
             .plan = plan};
 }

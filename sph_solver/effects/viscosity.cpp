@@ -1,6 +1,7 @@
 #include "sph_solver/effects/viscosity.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "sph_solver/backend/for_particles.h"
 #include "sph_solver/bodies/walls.h"
@@ -19,11 +20,17 @@ public:
         const double rho0 = step.level.rho0;
         mu_.assign(step.count(), static_cast<float>(rho0 * o_.kinematic));
         largest_ = o_.kinematic;
-        if (o_.turbulence) add_eddies(step);
+        PassData water = step.pass;
+        const bool tank_holds = o_.no_slip && step.around.mirrors.any_holds();
+        if (tank_holds) {
+            hold_images(step);
+            water.motion = motion_.data();
+        }
+        if (o_.turbulence) add_eddies(step, water, tank_holds);
         step.carry_to_images(mu_);
 
         ViscousData v;
-        v.water = &step.pass;
+        v.water = &water;
         v.mu = mu_.data();
         if (o_.no_slip && !step.walls.empty()) {
             find_wall_velocity(step);
@@ -41,14 +48,37 @@ public:
     const std::vector<WallLoad>& wall_loads() const override { return wall_load_; }
     std::size_t bytes() const override {
         return (mu_.capacity() + strain_.capacity()) * sizeof(float) +
-               wall_velocity_.capacity() * sizeof(VelocityDensityRecord) + wall_load_.capacity() * sizeof(WallLoad);
+               (wall_velocity_.capacity() + motion_.capacity()) * sizeof(VelocityDensityRecord) +
+               wall_load_.capacity() * sizeof(WallLoad);
     }
 
 private:
-    void add_eddies(const StepView& step) {
+    /// Velocities as the friction sees them: images of the tank's walls move against the water.
+    void hold_images(const StepView& step) {
+        motion_.assign(step.pass.motion, step.pass.motion + step.count() + step.images.size());
+        for (std::size_t k = 0; k < step.images.size(); ++k)
+            motion_[step.count() + k] = mirrored_by_holding(motion_[static_cast<std::size_t>(step.images[k].source)],
+                                                            step.images[k], step.around.mirrors);
+    }
+
+    /// Distance of a particle from the nearest wall of the tank that holds the water [m].
+    static double from_tank(const StepView& step, std::size_t i) {
+        const Mirrors& mirrors = step.around.mirrors;
+        const Box& box = step.around.domain;
+        const double place[3] = {step.particles.x[i], step.particles.y[i], step.particles.z[i]};
+        double distance = HUGE_VAL;
+        for (std::size_t a = 0; a < 3; ++a) {
+            const auto axis = static_cast<Eigen::Index>(a);
+            if (mirrors.holding[a][0]) distance = std::min(distance, place[a] - box.min[axis]);
+            if (mirrors.holding[a][1]) distance = std::min(distance, box.max[axis] - place[a]);
+        }
+        return std::max(0.0, distance);
+    }
+
+    void add_eddies(const StepView& step, const PassData& water, bool tank_holds) {
         strain_.resize(step.count());
         StrainData s;
-        s.water = &step.pass;
+        s.water = &water;
         s.strain = strain_.data();
         for_pairs(step.passes.strain_rate, s, step.groups);
         const double filter = o_.turbulence->cs * step.level.dp;
@@ -58,6 +88,7 @@ private:
             double length = filter;
             if (o_.no_slip && !step.walls.empty())
                 length = std::min(length, kappa * std::max(0.0, double(step.pass.normal[i].distance)));
+            if (tank_holds) length = std::min(length, kappa * from_tank(step, i));
             const double nu = length * length * double(strain_[i]);
             mu_[i] += static_cast<float>(step.level.rho0 * nu);
             largest = std::max(largest, nu);
@@ -87,7 +118,7 @@ private:
     Viscosity o_;
     double largest_ = 0;  ///< largest kinematic viscosity of the last step [m2/s]
     std::vector<float> mu_, strain_;
-    std::vector<VelocityDensityRecord> wall_velocity_;
+    std::vector<VelocityDensityRecord> wall_velocity_, motion_;
     std::vector<WallLoad> wall_load_;
 };
 

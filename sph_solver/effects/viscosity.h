@@ -7,8 +7,8 @@
 
 namespace tw {
 
-/// Physical viscosity, equations/viscosity.h. The solids do not rub (slip) or hold the water (no slip). Slip walls and
-/// symmetry planes on the domain's faces stay what they are.
+/// Physical viscosity, equations/viscosity.h. The solids do not rub (slip) or hold the water (no slip), and so do the
+/// walls of a tank (Mirrors::holding); symmetry planes and the sides of a stream never hold it.
 struct Viscosity {
     double kinematic = 1e-6;  ///< nu [m2/s]
     bool no_slip = true;

@@ -15,6 +15,10 @@ namespace tw {
 struct Mirrors {
     std::array<std::array<bool, 2>, 3> on{};
     std::array<bool, 3> periodic{};
+    /// Of these planes the walls that hold the water (no slip). Only the sweeps of viscosity know of them: to all others
+    /// an image slides along the plane.
+    std::array<std::array<bool, 2>, 3> holding{};
+    bool any_holds() const { return holding != std::array<std::array<bool, 2>, 3>{}; }
 };
 
 /// One image of a particle, three bits an axis: beyond the low (1) or high (2) face, reflected there, or (with 4) moved
@@ -56,6 +60,19 @@ private:
 };
 inline VelocityDensityRecord mirrored(const VelocityDensityRecord& m, const MirrorImage& image) {
     return {image.sign(0) * m.u, image.sign(1) * m.v, image.sign(2) * m.w, m.drho};
+}
+/// The same for the friction of walls that hold the water: at rest on the plane, u_image = -u (the walls at rest of
+/// no_slip_velocity() in equations/viscosity.h).
+inline VelocityDensityRecord mirrored_by_holding(const VelocityDensityRecord& m, const MirrorImage& image,
+                                                 const Mirrors& mirrors) {
+    VelocityDensityRecord v = mirrored(m, image);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!image.reflected(axis)) continue;
+        if (!mirrors.holding[static_cast<std::size_t>(axis)][static_cast<std::size_t>(image.plane(axis) - 1)]) continue;
+        const float turned[3] = {axis == 0 ? v.u : -v.u, axis == 1 ? v.v : -v.v, axis == 2 ? v.w : -v.w};
+        v.u = turned[0], v.v = turned[1], v.w = turned[2];
+    }
+    return v;
 }
 inline GradientPressureRecord mirrored(const GradientPressureRecord& s, const MirrorImage& image) {
     return {image.sign(0) * s.gx, image.sign(1) * s.gy, image.sign(2) * s.gz, s.p};

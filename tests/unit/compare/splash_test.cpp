@@ -69,6 +69,18 @@ TEST(Splash, ADropIsNoSheetHoweverHigh) {
     EXPECT_NEAR(at(splash_series(c.record(), 0), "sheet_height"), 1.1, 1e-5);
 }
 
+TEST(Splash, WhatAMeshSmearsUpAHullIsNoWater) {
+    const auto smeared = [](int share) {
+        RunRecord r = Channel().record();
+        for (const std::size_t column : {410u, 411u, 412u})  // voxels 1 m above still water
+            r.frames[0].water[15u * 800u + column] = static_cast<std::uint8_t>(share);
+        return splash_series(r, 0);
+    };
+    EXPECT_EQ(at(smeared(2), "airborne_volume"), 0);
+    EXPECT_TRUE(std::isnan(at(smeared(2), "p95")));
+    EXPECT_NEAR(at(smeared(3), "airborne_volume"), 3 * 3 / 255.0 * 1e-3, 1e-9) << "a hundredth of a voxel is water";
+}
+
 TEST(Splash, DiagonalNeighboursHangTogether) {
     for (const double dx : {-edge, edge})
         for (const double dy :

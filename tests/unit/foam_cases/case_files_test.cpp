@@ -105,6 +105,26 @@ TEST(CaseFiles, TheInviscidTwinSlipsAndTheViscousOneHasWallFunctions) {
     EXPECT_SAYS(control_dict(viscous), "wallShearStress");
 }
 
+TEST(CaseFiles, ATanksWallsHoldTheWaterWhereItSticksAndAStreamsSidesNeverDo) {
+    Scene tank = dam_break_scene();
+    EXPECT_SAYS(velocity_field(plan_case(tank, v1912)), "bottom { type symmetryPlane; }");
+    set_effect(tank, "viscosity", true);
+    set_effect(tank, "no_slip", true);
+    set_effect(tank, "turbulence", true);
+    const CasePlan plan = plan_case(tank, v1912);
+    EXPECT_SAYS(block_mesh_dict(plan), "bottom { type wall;");
+    EXPECT_SAYS(block_mesh_dict(plan), "right { type wall;");
+    EXPECT_SAYS(block_mesh_dict(plan), "front { type empty;");
+    EXPECT_SAYS(velocity_field(plan), "bottom { type noSlip; }");
+    EXPECT_SAYS(turbulence_fields(plan)[2].text, "left { type nutUSpaldingWallFunction;");
+    EXPECT_SAYS(to_text(tank, {}), "x: no-slip wall, no-slip wall;");
+
+    Scene stream = planing_scene();
+    set_effect(stream, "viscosity", true);
+    set_effect(stream, "no_slip", true);
+    EXPECT_SAYS(velocity_field(plan_case(stream, v1912)), "bottom { type symmetryPlane; }");
+}
+
 TEST(CaseFiles, TheOutletsSpeedStandsUnderBothOfItsNames) {
     const Scene scene = planing_scene();
     const std::string u = velocity_field(plan_case(scene, v1912));

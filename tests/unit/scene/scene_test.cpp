@@ -138,6 +138,15 @@ TEST(Scene, ASwappedHullNeedsNoOtherEdit) {
     EXPECT_EQ(s.hull->source, file.string());
 }
 
+TEST(Scene, TheBoxUnderASubmergedBodyFollowsFromItsHeightAndNotFromItsDepth) {
+    const auto floor = [](const std::string& draft) {
+        return -scene_of("[hull]\nshape = \"torpedo\"\ndraft = \"" + draft + "\"\n[motion]\nspeed = \"8 m/s\"\n")
+                    .domain.as_asked.min.z();
+    };
+    EXPECT_NEAR(floor("2 m"), 2 + 3 * 0.32, 1e-6);  // its diameter is 0.32 m
+    EXPECT_NEAR(floor("0.31 m"), 4 * 0.31, 1e-6);   // it breaks the surface: a ship
+}
+
 TEST(Scene, AHullThatCannotBeSolvedIsRefusedAtItsKey) {
     EXPECT_EQ(complaint(with(planing, "draft    = \"0.2 m\"", "draft    = \"-0.1 m\"")).substr(0, 73),
               "scene.toml:8:12: [hull] draft = \"-0.1 m\": the hull is not in the water: i");

@@ -78,6 +78,20 @@ TEST(Mirrors, AnImageIsAsFarBehindThePlaneAndMovesAgainstIt) {
     EXPECT_EQ(m.drho, 4);
 }
 
+TEST(Mirrors, BehindAWallThatHoldsTheWaterEverythingMovesAgainstIt) {
+    Mirrors mirrors;
+    mirrors.on[0] = mirrors.on[2] = {true, true};
+    mirrors.holding[2][0] = true;
+    const VelocityDensityRecord water{1, 2, 3, 4};
+    const auto seen = [&](std::uint16_t planes) {
+        const VelocityDensityRecord m = mirrored_by_holding(water, MirrorImage{0, planes}, mirrors);
+        return Vec3(m.u, m.v, m.w);
+    };
+    EXPECT_EQ(seen(1 << 6), Vec3(-1, -2, -3)) << "the floor holds";
+    EXPECT_EQ(seen(2 << 6), Vec3(1, 2, -3)) << "the lid does not";
+    EXPECT_EQ(seen(1), Vec3(-1, 2, 3)) << "nor does the side";
+    EXPECT_EQ(seen(1 | 1 << 6), Vec3(1, -2, -3)) << "in their corner: the side's mirror image of the floor's";
+}
 TEST(Mirrors, AParticleThatCrossedAPlaneIsReturned) {
     Mirrors mirrors;
     mirrors.on = {{{false, false}, {true, true}, {false, false}}};
