@@ -98,7 +98,9 @@ std::string snappy_hex_mesh_dict(const CasePlan& plan) {
                                   {"refinementSurfaces", surfaces},    {"resolveFeatureAngle", 30},
                                   {"refinementRegions", regions},      {"locationInMesh", plan.point_in_fluid},
                                   {"allowFreeStandingZoneFaces", true}};
-    const Dictionary snapping{{"nSmoothPatch", 3},
+    // Smoothing the surface before it is snapped draws points off the edges: with none a transom's edge is met best
+    // (docs/decisions/028-shedding-edges.md).
+    const Dictionary snapping{{"nSmoothPatch", 0},
                               {"tolerance", 2.0},
                               {"nSolveIter", 50},
                               {"nRelaxIter", 5},

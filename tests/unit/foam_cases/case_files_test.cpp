@@ -65,6 +65,14 @@ TEST(CasePlan, WithoutAWetBoxTheWholeHullIsFine) {
     EXPECT_EQ(plan_case(scene, v1912).surface_level, 3);
 }
 
+TEST(CaseFiles, SnappingIsNotGivenUpAtSharpEdges) {
+    const Scene scene = planing_scene();
+    const std::string mesh = snappy_hex_mesh_dict(plan_case(scene, v1912));
+    for (const char* limit : {"minTetQuality -1e+30;", "minTwist -1;", "maxConcave 180;", "nSmoothPatch 0;"})
+        EXPECT_SAYS(mesh, limit) << "cuts off keels and transoms: decision 028";
+    EXPECT_SAYS(mesh, "minVol 1e-13;") << "cells stay cells";
+}
+
 TEST(CaseFiles, CellsAreHalvedOnceMoreAlongTheEdgesThatTheStreamLeaves) {
     const Scene scene = planing_scene();
     const CasePlan plan = plan_case(scene, v1912);

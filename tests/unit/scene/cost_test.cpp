@@ -38,6 +38,7 @@ TEST(Cost, TheReferenceMeshIsPredictedWithinATenth) {
 
 TEST(Cost, EdgesThatTheStreamLeavesCostCellsAndSteps) {
     Scene s = scene_of(planing);
+    s.sampling.interval = 1;  // else the frames set the steps
     const Prediction with_edges = predict(s);
     s.hull->surface = make_hull("sphere", {{"diameter", 0.5}, {"level", 4}});
     const Prediction smooth = predict(s);
