@@ -99,8 +99,9 @@ std::string snappy_hex_mesh_dict(const CasePlan& plan) {
                                   {"refinementRegions", regions},      {"locationInMesh", plan.point_in_fluid},
                                   {"allowFreeStandingZoneFaces", true}};
     // Smoothing the surface before it is snapped draws points off the edges: with none a transom's edge is met best
-    // (docs/decisions/028-shedding-edges.md).
-    const Dictionary snapping{{"nSmoothPatch", 0},
+    // (docs/decisions/028-shedding-edges.md). Sections keep it: it makes their cells rounder, and their edges are met.
+    const int smoothing = plan.extrude ? 3 : 0;
+    const Dictionary snapping{{"nSmoothPatch", smoothing},
                               {"tolerance", 2.0},
                               {"nSolveIter", 50},
                               {"nRelaxIter", 5},

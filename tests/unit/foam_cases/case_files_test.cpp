@@ -71,6 +71,8 @@ TEST(CaseFiles, SnappingIsNotGivenUpAtSharpEdges) {
     for (const char* limit : {"minTetQuality -1e+30;", "minTwist -1;", "maxConcave 180;", "nSmoothPatch 0;"})
         EXPECT_SAYS(mesh, limit) << "cuts off keels and transoms: decision 028";
     EXPECT_SAYS(mesh, "minVol 1e-13;") << "cells stay cells";
+    const Scene flat = flat_plate_scene();
+    EXPECT_SAYS(snappy_hex_mesh_dict(plan_case(flat, v1912)), "nSmoothPatch 3;");
 }
 
 TEST(CaseFiles, CellsAreHalvedOnceMoreAlongTheEdgesThatTheStreamLeaves) {
