@@ -140,6 +140,10 @@ void plan_refinement(CasePlan& plan) {
     plan.feature_level = std::max(plan.surface_level, plan.wet_level - 1);
     plan.finest_cell =
         plan.background_cell / std::pow(2.0, std::max(reached, plan.solids.empty() ? 0 : plan.surface_level));
+    plan.shedding = edge_refinement(scene);
+    if (plan.shedding.edges.empty()) return;
+    plan.ribbon = "shedding_edges";
+    while (!names.insert(plan.ribbon).second) plan.ribbon += "_";
 }
 
 void plan_times(CasePlan& plan) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "foam_cases/flavour.h"
+#include "scene/edge_refinement.h"
 #include "scene/scene.h"
 
 namespace tw {
@@ -48,7 +49,9 @@ struct CasePlan {
     bool snappy = false;               ///< something has to be cut out or refined
     bool extrude = false;  ///< two dimensions with refined cells: one layer is drawn out of the slab's front
     int wet_level = 0, surface_level = 0, feature_level = 0;
-    double background_cell = 0, finest_cell = 0;  ///< [m]
+    EdgeRefinement shedding;                      ///< finer cells along the edges from which the stream leaves the hull
+    std::string ribbon;                           ///< name of their surface, an OpenFOAM word; empty without such edges
+    double background_cell = 0, finest_cell = 0;  ///< [m]; the finest but for those along shedding edges
     Vec3 point_in_fluid = Vec3::Zero();
     bool half_space = true;  ///< water: all below z = 0 (else the scene's water blocks)
 

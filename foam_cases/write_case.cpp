@@ -19,6 +19,9 @@ void write_case(const CasePlan& plan, const fs::path& folder, int ranks) {
                             fs::perm_options::add);
     }
     write_text_atomically(folder / "case.foam", "");  // what ParaView opens
+    if (!plan.ribbon.empty())
+        write_stl(folder / "constant/triSurface" / (plan.ribbon + ".stl"),
+                  ribbon(plan.shedding.edges, 0.1 * plan.shedding.reach), plan.ribbon);
     for (const Solid& s : plan.solids) write_stl(folder / "constant/triSurface" / (s.name + ".stl"), s.surface, s.name);
 }
 

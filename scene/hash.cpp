@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "base/sha256.h"
+#include "scene/edge_refinement.h"
 #include "scene/keys.h"
 
 namespace tw {
@@ -112,6 +113,9 @@ std::string text_of(const Scene& scene, bool sizes) {
 std::string numerics_of(const Scene& scene, const std::string& method) {
     Lines t;
     add_keys(t, scene, method == "sph" ? SceneKey::Hashed::sph : SceneKey::Hashed::fvm);
+    if (method == "fvm")
+        if (const EdgeRefinement shedding = edge_refinement(scene); !shedding.edges.empty())
+            t.add("edge_halvings", {static_cast<double>(shedding.halvings)});
     return t.text();
 }
 

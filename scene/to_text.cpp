@@ -4,6 +4,7 @@
 
 #include "scene/box_walls.h"
 #include "scene/defaults.h"
+#include "scene/edge_refinement.h"
 #include "scene/scene.h"
 #include "scene/tank_walls.h"
 #include "scene/units.h"
@@ -96,6 +97,9 @@ std::string to_text(const Scene& scene, const Prediction& p) {
     for (const RefinementBox& r : scene.refinement)
         out += fmt::format("  {:13} {:.4g} m cells in {} to {} m\n", r.name, scene.resolution.spacing / (1 << r.level),
                            place(r.box.min), place(r.box.max));
+    if (const EdgeRefinement shedding = edge_refinement(scene); !shedding.edges.empty())
+        out += fmt::format("  {:13} {:.4g} m cells along {:.3g} m of edges from which the water leaves (fvm only)\n",
+                           "edges", scene.resolution.near_hull / (1 << shedding.halvings), length_of(shedding.edges));
     const Sampling& s = scene.sampling;
     out += fmt::format("sampling    every {:.4g} s into {} x {} x {} voxels of {:.4g} m; ", s.interval,
                        s.raster.count[0], s.raster.count[1], s.raster.count[2], s.raster.voxel);

@@ -65,6 +65,38 @@ TEST(CasePlan, WithoutAWetBoxTheWholeHullIsFine) {
     EXPECT_EQ(plan_case(scene, v1912).surface_level, 3);
 }
 
+TEST(CaseFiles, SnappingIsNotGivenUpAtSharpEdges) {
+    const Scene scene = planing_scene();
+    const std::string mesh = snappy_hex_mesh_dict(plan_case(scene, v1912));
+    for (const char* limit : {"minTetQuality -1e+30;", "minTwist -1;", "maxConcave 180;", "nSmoothPatch 0;"})
+        EXPECT_SAYS(mesh, limit) << "cuts off keels and transoms: decision 028";
+    EXPECT_SAYS(mesh, "minVol 1e-13;") << "cells stay cells";
+    const Scene flat = flat_plate_scene();
+    EXPECT_SAYS(snappy_hex_mesh_dict(plan_case(flat, v1912)), "nSmoothPatch 3;");
+}
+
+TEST(CaseFiles, CellsAreHalvedOnceMoreAlongTheEdgesThatTheStreamLeaves) {
+    const Scene scene = planing_scene();
+    const CasePlan plan = plan_case(scene, v1912);
+    ASSERT_EQ(plan.ribbon, "shedding_edges");
+    for (const SheddingEdge& e : plan.shedding.edges) {
+        EXPECT_GE(std::min(e.from.y(), e.to.y()), 0) << "half a model";
+        EXPECT_LE(std::max(e.from.z(), e.to.z()), 0.1 + 1e-12) << "above half the draft the chine is dry";
+    }
+    EXPECT_SAYS(snappy_hex_mesh_dict(plan), "shedding_edges { mode distance; levels ((0.041666666666666664 4)); }");
+    EXPECT_EQ(plan.wet_level, 3);
+    EXPECT_NEAR(plan.finest_cell, 1.0 / 24, 1e-12) << "probes and the largest step follow the cells at the hull";
+
+    Scene smooth = planing_scene();
+    smooth.hull->surface = posed(make_hull("sphere", {{"diameter", 1}, {"level", 4}}), {.draft = 0.2});
+    EXPECT_SILENT(snappy_hex_mesh_dict(plan_case(smooth, v1912)), "shedding_edges");
+    const Scene flat = flat_plate_scene();
+    EXPECT_SILENT(snappy_hex_mesh_dict(plan_case(flat, v1912)), "shedding_edges");
+    Scene named = planing_scene();
+    named.refinement[0].name = "shedding_edges";
+    EXPECT_EQ(plan_case(named, v1912).ribbon, "shedding_edges_");
+}
+
 TEST(CasePlan, ThePointInTheFluidIsOutsideEverySolid) {
     Scene scene = planing_scene();
     // An obstacle that fills the corner where the point would lie.

@@ -16,6 +16,7 @@ inline Scene planing_scene() {
     hull.half = true;
     hull.length = 4;
     hull.beam = 1;
+    hull.draft = 0.2;
     s.hull = hull;
     s.motion = {Motion::Kind::stream, 8, 0};
     s.domain.box = {Vec3(-3, 0, -2), Vec3(5, 2, 1.5)};
