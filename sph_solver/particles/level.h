@@ -29,9 +29,10 @@ struct Timers {
 struct FieldsAt {
     std::vector<Vec3> places;
     double density_before = 0;  ///< the density as it was so long before the last evaluation [s], by its rate there
-    bool of_all = false;        ///< of all particles, active or not
+    /// Of which particles: the level's own water; that and what stands for a finer level's; all, guards included.
+    enum class Of { active, not_guards, all } of = Of::active;
     std::vector<VelocityDensityRecord> value;
-    std::vector<float> support;       ///< sum_j V_j W_j of the active particles [-]
+    std::vector<float> support;       ///< sum_j V_j W_j of those particles [-]
     std::vector<float> mean_support;  ///< of the particles near, each with its own surroundings [-]
 };
 
@@ -115,7 +116,7 @@ public:
 
     /// Pressure, kernel support and (where the points want it) carried pressure at points, from the present records.
     void sample(PointSamples& points) const;
-    /// Velocity and density of the active particles at places near them, as they are between two sweeps. The lists must
+    /// Velocity and density of the particles at places near them, as they are between two sweeps. The lists must
     /// not be due.
     void interpolate(FieldsAt& at);
     /// Kernel support below which a particle counts as free surface.

@@ -78,11 +78,14 @@ void Level::interpolate(FieldsAt& at) {
     at.mean_support.resize(n);
     if (n == 0) return;
     update_records();
-    std::vector<PlaceRecord> active = records_.place;
-    std::vector<float> known_support(active.size());
-    for_particles(active.size(), [&](std::size_t i) {
+    std::vector<PlaceRecord> place = records_.place;
+    std::vector<float> known_support(place.size());
+    for_particles(place.size(), [&](std::size_t i) {
         const std::size_t of = i < own ? i : static_cast<std::size_t>(ghosts_.images()[i - own].source);
-        if (!at.of_all && !is_active(particles_.kind[of])) active[i].volume = 0;
+        const Kind kind = particles_.kind[of];
+        const bool counts = at.of == FieldsAt::Of::all || is_active(kind) ||
+                            (at.of == FieldsAt::Of::not_guards && kind != Kind::guard);
+        if (!counts) place[i].volume = 0;
         known_support[i] = records_.shift_support[of].support;
         if (at.density_before > 0)
             records_.velocity_density[i].drho -= static_cast<float>(at.density_before * records_.compression[of]);
@@ -95,7 +98,7 @@ void Level::interpolate(FieldsAt& at) {
     InterpolateData d;
     d.list = sorted.lists.view();
     d.at = sorted.places.data();
-    d.place = active.data();
+    d.place = place.data();
     d.motion = records_.velocity_density.data();
     d.known_support = known_support.data();
     d.value = value.data();

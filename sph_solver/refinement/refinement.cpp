@@ -85,7 +85,7 @@ void Refinement::relabel() {
     Particles& f = fine_.particles();
     std::vector<char> gone(f.size(), 0);
     FieldsAt leaving;
-    leaving.of_all = true;
+    leaving.of = FieldsAt::Of::all;
     std::vector<std::size_t> who;
     for (std::size_t i = 0; i < f.size(); ++i) {
         const double s = zone_.outside(place(f, i));
@@ -186,6 +186,7 @@ void Refinement::restrict_over(double moved, double density_before) {
     Particles& c = coarse_.particles();
     FieldsAt under;
     under.density_before = density_before;
+    under.of = FieldsAt::Of::not_guards;
     std::vector<std::size_t> who;
     for (std::size_t i = 0; i < c.size(); ++i)
         if (c.kind[i] == Kind::band || c.kind[i] == Kind::carried) under.places.push_back(place(c, i)), who.push_back(i);
@@ -205,7 +206,7 @@ void Refinement::restrict_over(double moved, double density_before) {
 
 double Refinement::surplus() const {
     double fine = 0, coarse = 0;
-    for (const Kind k : fine_.particles().kind) fine += is_active(k);
+    for (const Kind k : fine_.particles().kind) fine += k != Kind::guard;
     for (const Kind k : coarse_.particles().kind) coarse += k == Kind::band || k == Kind::carried;
     return fine * fine_.mass() - coarse * coarse_.mass();
 }

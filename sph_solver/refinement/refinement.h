@@ -54,7 +54,7 @@ public:
         std::int64_t orphans = 0;  ///< band, carried and guards without water of the other level near (last step)
     };
     const Ledger& ledger() const { return ledger_; }
-    /// Mass of the fine level's active particles less that of the coarse particles under the zone [kg].
+    /// Mass of the fine level's particles without guards less that of the coarse particles under the zone [kg].
     double surplus() const;
 
 private:
