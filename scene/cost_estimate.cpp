@@ -11,6 +11,7 @@
 #include "scene/defaults.h"
 #include "scene/edge_refinement.h"
 #include "scene/effects/registry.h"
+#include "scene/particle_levels.h"
 #include "scene/scene.h"
 #include "scene/units.h"
 
@@ -186,7 +187,11 @@ Prediction predict(const Scene& scene, const MachinePace& pace) {
     const double dp = scene.resolution.near_hull;
     const bool flat = scene.domain.dimensions == 2;
     const double particle = flat ? dp * dp * scene.domain.box.size().y() : dp * dp * dp;
-    p.particles = water_volume(scene) / particle;
+    double steps_of_finest = 0;  // of as many particles as are due in a step of the finest size
+    for (const double count : particles_of_sizes(scene)) {
+        p.particles = count + p.particles;
+        steps_of_finest = count + steps_of_finest / 2;
+    }
     double solid_area = scene.hull ? scene.hull->mass.area / scene.symmetry_factor() : 0;
     for (const Obstacle& o : scene.obstacles) solid_area += mass_properties(o.surface).area;
     p.wall_particles = flat ? 0 : wall_layers * solid_area / (dp * dp);
@@ -202,7 +207,7 @@ Prediction predict(const Scene& scene, const MachinePace& pace) {
     // Work grows with the number of neighbours: the throughput above is that of h/dp = 1.5.
     const double neighbours = std::pow(scene.sph.h_over_dp / 1.5, flat ? 2 : 3) * (flat ? 0.3 : 1);
     p.sph_seconds =
-        pace.sph * (p.particles + p.wall_particles) * p.sph_steps * neighbours / (particle_steps_per_core_second * n);
+        pace.sph * (steps_of_finest + p.wall_particles) * p.sph_steps * neighbours / (particle_steps_per_core_second * n);
     for (const EffectChoice& e : scene.effects)
         if (e.on && !effect_part(e.name).in_the_throughput) p.sph_seconds *= 1 + e.cost;
     if (scene.effect_on("air")) {

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "scene/box_walls.h"
 #include "scene/defaults.h"
 #include "scene/edge_refinement.h"
+#include "scene/particle_levels.h"
 #include "scene/scene.h"
 #include "scene/tank_walls.h"
 #include "scene/units.h"
@@ -97,6 +99,11 @@ std::string to_text(const Scene& scene, const Prediction& p) {
     for (const RefinementBox& r : scene.refinement)
         out += fmt::format("  {:13} {:.4g} m cells in {} to {} m\n", r.name, scene.resolution.spacing / (1 << r.level),
                            place(r.box.min), place(r.box.max));
+    const std::vector<Box> zones = particle_zones(scene);
+    for (std::size_t k = 0; k < zones.size(); ++k)
+        out += fmt::format("  {:13} {:.4g} m in {} to {} m, twice that outside (sph only)\n", "particles",
+                           std::ldexp(scene.resolution.near_hull, static_cast<int>(zones.size() - k) - 1),
+                           place(zones[k].min.cwiseMax(d.box.min)), place(zones[k].max.cwiseMin(d.box.max)));
     if (const EdgeRefinement shedding = edge_refinement(scene); !shedding.edges.empty())
         out += fmt::format("  {:13} {:.4g} m cells along {:.3g} m of edges from which the water leaves (fvm only)\n",
                            "edges", scene.resolution.near_hull / (1 << shedding.halvings), length_of(shedding.edges));

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-
-#include <fmt/format.h>
 
 #include "base/errors.h"
 #include "meshes/section.h"
 #include "record/run_record.h"
+#include "scene/particle_levels.h"
 #include "scene/tank_walls.h"
 
 namespace tw {
@@ -43,44 +41,6 @@ Box control_box(const Scene& scene, const SimulationSetup& s) {
     if (hull.section) box.min.y() = -0.5, box.max.y() = 0.5;
     box.max.z() = s.domain.max.z();
     return box;
-}
-
-/// A box round the hull for each finer level, the widest first; open above, and where a wall, a symmetry plane or the
-/// outlet is so near that no coarser particles fit between. Edges are ten spacings of the level between them apart, and
-/// eight of the coarser side from the inlet.
-std::vector<Zone> zones(const Scene& scene, const SimulationSetup& s) {
-    constexpr double between = 10, from_openings = 8, infinite = std::numeric_limits<double>::infinity();
-    if (!scene.hull || !s.stream)
-        throw InputError(scene.file.string() +
-                         ": [sph] levels: several sizes of particles are for a hull in a stream so far; leave it out");
-    // of a dry bow what water may rise to
-    Box hull = scene.hull->surface.bounds();
-    if (!scene.hull->section)
-        hull.min.x() = std::max(hull.min.x(), scene.hull->still.wet_bounds.min.x() - 0.25 * scene.hull->length);
-    std::vector<Zone> zones;
-    double width = scene.sph.zone * s.dp;
-    for (int k = 1; k < scene.sph.levels; ++k) {
-        const double coarse_dp = std::ldexp(s.dp, k), clear = from_openings * coarse_dp;
-        Box box = hull;  // on the coarse lattice, so that each place has one owner
-        for (int a = 0; a < 3; ++a) {
-            box.min[a] = std::floor((box.min[a] - width) / coarse_dp) * coarse_dp;
-            box.max[a] = std::ceil((box.max[a] + width) / coarse_dp) * coarse_dp;
-        }
-        for (int a = 1; a < 3; ++a) {
-            if (box.min[a] < s.domain.min[a] + clear) box.min[a] = -infinite;
-            if (box.max[a] > s.domain.max[a] - clear) box.max[a] = infinite;
-        }
-        box.max.z() = infinite;
-        if (box.max.x() > s.domain.max.x() - clear) box.max.x() = infinite;
-        box.min.x() = std::max(box.min.x(), s.domain.min.x() + clear);
-        if (box.min.x() > hull.min.x() - from_openings * s.dp)
-            throw InputError(fmt::format("{}: [sph] levels = {}: particles of {:.4g} m do not fit between the inlet and "
-                                         "the hull; fewer levels, or a longer domain ahead",
-                                         scene.file.string(), scene.sph.levels, coarse_dp));
-        zones.insert(zones.begin(), Zone({box}));
-        width += between * coarse_dp;
-    }
-    return zones;
 }
 
 /// Along every outer face but inlet, symmetry, floor and top, an eighth of the domain wide; strong enough to leave e^-5
@@ -161,7 +121,7 @@ SphSetup sph_setup(const Scene& scene, int threads) {
         s.bodies.emplace_back(scene.hull->section ? with_span(hull, endless_span(hull)) : hull);
         s.moment_reference = moment_reference(scene);
     }
-    if (scene.sph.levels > 1) s.zones = zones(scene, s);
+    for (const Box& box : particle_zones(scene)) s.zones.push_back(Zone({box}));
     if (scene.hull) setup.control_volume = control_box(scene, s);
     s.effects = effect_options(scene, s);
     s.tension_control = scene.effect_on("tension_control");

@@ -1,0 +1,60 @@
+// Sizes of particles in a scene: where their zones lie, and what a run is predicted to take.
+#include <cmath>
+
+#include "scene/hash.h"
+#include "scene/particle_levels.h"
+#include "scene_text.h"
+
+namespace tw::test {
+namespace {
+
+std::string with_levels(int levels) { return planing + "\n[sph]\nlevels = " + std::to_string(levels) + "\nzone = 8\n"; }
+
+TEST(ParticleLevels, ZonesHoldTheHullLieOnTheCoarseLatticeAndKeepTheirDistances) {
+    const Scene scene = scene_of(with_levels(3) + "[domain]\nahead = \"4 m\"\n");
+    const std::vector<Box> zones = particle_zones(scene);
+    ASSERT_EQ(zones.size(), 2u);
+    const Box &wide = zones[0], &narrow = zones[1], hull = scene.hull->surface.bounds();
+    const double dp = 0.05;
+    EXPECT_LE(narrow.min.z(), hull.min.z() - 8 * dp);
+    EXPECT_GE(narrow.max.y(), hull.max.y() + 8 * dp);
+    EXPECT_LE(wide.min.z(), narrow.min.z() - 10 * 2 * dp);
+    EXPECT_EQ(narrow.min.y(), -INFINITY);  // the plane of symmetry
+    EXPECT_EQ(narrow.max.z(), INFINITY);   // the sky
+    EXPECT_GE(wide.min.x(), scene.domain.box.min.x() + 8 * 4 * dp);
+    EXPECT_NEAR(std::remainder(narrow.min.z(), 2 * dp), 0, 1e-12);
+    for (int a = 0; a < 3; ++a) EXPECT_NEAR(std::remainder(scene.domain.box.min[a], 4 * dp), 0, 1e-12);
+}
+
+TEST(ParticleLevels, TakeFewerParticlesAndLessTimeThanOneSize) {
+    const Prediction one = predict(scene_of(planing)), two = predict(scene_of(with_levels(2)));
+    EXPECT_LT(two.particles, 0.6 * one.particles);
+    EXPECT_LT(two.sph_seconds, 0.7 * one.sph_seconds);
+    const std::vector<double> counts = particles_of_sizes(scene_of(with_levels(2)));
+    ASSERT_EQ(counts.size(), 2u);
+    EXPECT_NEAR(counts[0] + counts[1], two.particles, 1e-6 * two.particles);
+}
+
+TEST(ParticleLevels, OneSizeLeavesTheHashesOfEarlierRecordsAlone) {
+    const Scene plain = scene_of(planing), said = scene_of(with_levels(1));
+    EXPECT_EQ(scene_of(planing + "\n[sph]\nlevels = 1\n").hash, plain.hash);
+    EXPECT_EQ(run_hash(scene_of(planing + "\n[sph]\nlevels = 1\n"), "sph"), run_hash(plain, "sph"));
+    EXPECT_NE(run_hash(said, "sph"), run_hash(plain, "sph"));  // another zone was asked for
+    EXPECT_NE(run_hash(scene_of(with_levels(2)), "sph"), run_hash(said, "sph"));
+}
+
+TEST(ParticleLevels, AreRefusedWhereTheyHaveNoRoomOrNoStream) {
+    const auto refused = [](const std::string& text) {
+        try {
+            particle_zones(scene_of(text));
+        } catch (const InputError& e) { return std::string(e.what()); }
+        return std::string();
+    };
+    EXPECT_NE(refused(with_levels(5)).find("do not fit between the inlet and the hull"), std::string::npos);
+    const std::string tank = "[tank]\nsize = [1, 0.5, 0.8]\n[[water_block]]\nmin = [0, 0, 0]\nmax = [0.5, 0.5, 0.4]\n"
+                             "[resolution]\nnear_hull = 0.05\n[run]\nduration = 1\n[sph]\nlevels = 2\n";
+    EXPECT_NE(refused(tank).find("hull in a stream"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tw::test
