@@ -42,9 +42,9 @@ std::vector<Box> particle_zones(const Scene& scene) {
         if (box.max.x() > domain.max.x() - clear) box.max.x() = infinite;
         box.min.x() = std::max(box.min.x(), domain.min.x() + clear);
         if (box.min.x() > hull.min.x() - from_openings * dp)
-            refuse(fmt::format(
-                "particles of {:.4g} m do not fit between the inlet and the hull; fewer levels, or a longer domain ahead",
-                coarse_dp));
+            refuse(fmt::format("particles of {:.4g} m do not fit between the inlet and the hull; fewer levels, or a "
+                               "longer domain ahead",
+                               coarse_dp));
         zones.insert(zones.begin(), box);
         width += between * coarse_dp;
     }

@@ -11,18 +11,9 @@
 namespace tw {
 
 Simulation::Simulation(const SimulationSetup& setup, const Fluid& fluid, const Passes& passes)
-    : setup_(setup),
-      passes_(&passes),
-      schedule_(setup.scheme),
-      around_(std::make_unique<Surroundings>(static_cast<const Surroundings&>(setup))),
-      bodies_(std::make_unique<std::vector<Body>>()) {
-    if (setup.threads > 0) omp_set_num_threads(setup.threads);
-    for (const BodySetup& body : setup.bodies) bodies_->emplace_back(body);
-    loads_.resize(bodies_->size());
-    levels_.push_back(std::make_unique<Level>(*around_, setup, schedule_, *bodies_, *passes_, fluid));
-}
+    : Simulation(setup, std::span<const Fluid>(&fluid, 1), passes) {}
 
-Simulation::Simulation(const SimulationSetup& setup, const std::vector<Fluid>& fluids, const Passes& passes)
+Simulation::Simulation(const SimulationSetup& setup, std::span<const Fluid> fluids, const Passes& passes)
     : setup_(setup),
       passes_(&passes),
       schedule_(setup.scheme),
@@ -38,7 +29,7 @@ Simulation::Simulation(const SimulationSetup& setup, const std::vector<Fluid>& f
         LevelSetup level = setup;
         level.dp = std::ldexp(setup.dp, static_cast<int>(finest - k));
         levels_.push_back(std::make_unique<Level>(*around_, level, schedule_, *bodies_, *passes_,
-                                                  fluids.at(k)));
+                                                  fluids[k]));
     }
     refinements_.reserve(finest);
     for (std::size_t k = 0; k < finest; ++k) refinements_.emplace_back(*levels_[k], *levels_[k + 1], setup.zones[k]);

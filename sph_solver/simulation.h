@@ -36,11 +36,11 @@ Fluid fill_with_air(const SimulationSetup& setup, const std::vector<Box>& water)
 /// them. Any number of threads gives the same bits.
 class Simulation {
 public:
-    /// One level of particles of the setup's material. `passes`: the instruction set.
+    /// One level of particles of the setup's material, whose setup has no zones. `passes`: the instruction set.
     Simulation(const SimulationSetup& setup, const Fluid& fluid, const Passes& passes = tw::passes());
-    /// Levels of several sizes of particles, see SimulationSetup::zones and `fill_levels`. Throws InputError for another
-    /// scheme than kick-drift-kick.
-    Simulation(const SimulationSetup& setup, const std::vector<Fluid>& levels, const Passes& passes = tw::passes());
+    /// Levels of several sizes of particles, see SimulationSetup::zones and `fill_levels`. Throws InputError for
+    /// another scheme than kick-drift-kick.
+    Simulation(const SimulationSetup& setup, std::span<const Fluid> levels, const Passes& passes = tw::passes());
 
     /// Puts another material beside the levels that are there, on particles of the same size; before the first step.
     /// Throws InputError for a scheme in stages.
@@ -65,6 +65,7 @@ public:
     const Level& finest() const { return *levels_[refinements_.size()]; }
     Level& finest() { return *levels_[refinements_.size()]; }
     std::span<const Refinement> refinements() const { return refinements_; }
+    std::span<Refinement> refinements() { return refinements_; }
 
     /// What the water does to a body, and to all of them together, in the last step; with levels of several sizes the
     /// mean over the finest level's steps in it.

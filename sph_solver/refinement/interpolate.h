@@ -6,14 +6,15 @@ namespace tw {
 /// Fields of one level's particles at places of another level's, see equations/first_order.h. The density is
 /// carried along the hydrostatic line to the place first.
 struct InterpolateData {
-    Lists list;                                      ///< of the groups of places among the particles
-    const PlaceRecord* at = nullptr;                 ///< the places, in groups as particles are
-    const PlaceRecord* place = nullptr;              ///< of the particles and images; those that do not count have no volume
-    const VelocityDensityRecord* motion = nullptr;   ///< of them
-    const float* known_support = nullptr;            ///< kernel support at each of them [-]; may be null
-    VelocityDensityRecord* value = nullptr;          ///< at the places
-    float* support = nullptr;                        ///< sum_j V_j W_j [-]
-    float* mean_support = nullptr;                   ///< mean of `known_support`
+    Lists list;                       ///< of the groups of places among the particles
+    const PlaceRecord* at = nullptr;  ///< the places, in groups as particles are
+    /// Of the particles and their images; those that do not count have no volume.
+    const PlaceRecord* place = nullptr;
+    const VelocityDensityRecord* motion = nullptr;  ///< of them
+    const float* known_support = nullptr;           ///< kernel support at each of them [-]; may be null
+    VelocityDensityRecord* value = nullptr;         ///< at the places
+    float* support = nullptr;                       ///< sum_j V_j W_j [-]
+    float* mean_support = nullptr;                  ///< mean of `known_support`
     Kernel kernel;
     float quantum = 1;
     float gx = 0, gy = 0, gz = 0;  ///< slope of the hydrostatic density, rho0 g / c0^2 [kg/m4]

@@ -189,7 +189,10 @@ void Refinement::restrict_over(double moved, double density_before) {
     under.of = FieldsAt::Of::not_guards;
     std::vector<std::size_t> who;
     for (std::size_t i = 0; i < c.size(); ++i)
-        if (c.kind[i] == Kind::band || c.kind[i] == Kind::carried) under.places.push_back(place(c, i)), who.push_back(i);
+        if (c.kind[i] == Kind::band || c.kind[i] == Kind::carried) {
+            under.places.push_back(place(c, i));
+            who.push_back(i);
+        }
     fine_.interpolate(under);
     const Eigen::Vector3f fall = static_cast<float>(moved) * coarse_.body_force().cast<float>();
     for (std::size_t k = 0; k < who.size(); ++k) {

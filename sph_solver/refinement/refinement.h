@@ -10,12 +10,12 @@ namespace tw {
 /// across the edge fields are interpolated (nested levels: Chiron et al. 2018, doi:10.1016/j.jcp.2017.10.041). With s
 /// the distance outside the zone, dp the fine spacing:
 ///
-///   fine particles     s < 0 active;  0 <= s: guards, with the coarse level's fields;  gone beyond 4.5 dp
+///   fine particles     s < 0 active;  0 <= s: guards, with the coarse level's fields;  gone beyond 5 dp
 ///   coarse particles   0 <= s active;  -8 dp < s < 0: band, deeper: carried, both with the fine level's fields
 ///
 /// So the coarse level is whole everywhere: its mass changes at inlet and outlet only. A coarse particle that comes
 /// within 4 dp of the zone has four (in three dimensions eight) children, guards at first, and may have others only
-/// after it was 6 dp away; one that leaves the zone is active again with the fields that it was given last. Nothing is
+/// after it was 4.5 dp away and where no fine particle is near; one that leaves the zone is active again with the fields that it was given last. Nothing is
 /// merged.
 ///
 /// A step of the coarse level comes first, with the band moved by its own equations; then two steps of the fine level,
@@ -47,13 +47,13 @@ public:
     const Level& coarse() const { return coarse_; }
     const Level& fine() const { return fine_; }
 
-    /// Counted since the start; not part of a restart.
     struct Ledger {
-        std::int64_t births = 0, deaths = 0;
+        std::int64_t births = 0, deaths = 0;  ///< since the start
         std::int64_t spray = 0;    ///< fine particles that stayed active outside the zone (at the last relabelling)
         std::int64_t orphans = 0;  ///< band, carried and guards without water of the other level near (last step)
     };
     const Ledger& ledger() const { return ledger_; }
+    void set_ledger(const Ledger& ledger) { ledger_ = ledger; }
     /// Mass of the fine level's particles without guards less that of the coarse particles under the zone [kg].
     double surplus() const;
 

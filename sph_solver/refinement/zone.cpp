@@ -15,13 +15,4 @@ double Zone::outside(const Vec3& x) const {
     return nearest;
 }
 
-Zone Zone::grown(double by) const {
-    Zone out = *this;
-    for (Box& box : out.boxes_) {
-        box.min.array() -= by;
-        box.max.array() += by;
-    }
-    return out;
-}
-
 }  // namespace tw

@@ -14,8 +14,6 @@ public:
     /// Distance from the edge [m], positive outside, negative inside.
     double outside(const Vec3& x) const;
     const std::vector<Box>& boxes() const { return boxes_; }
-    /// The boxes with all faces moved outwards by `by` [m].
-    Zone grown(double by) const;
 
 private:
     std::vector<Box> boxes_;

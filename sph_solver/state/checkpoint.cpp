@@ -12,6 +12,8 @@ namespace {
 
 constexpr double version = 2;
 constexpr const char* parent_marks = "parent";  ///< of levels that have a finer one
+/// Births and deaths at the edge between levels k and k + 1.
+std::string edge_name(std::size_t k) { return fmt::format("edge_{}", k); }
 
 /// The arrays of the particles under their names, the same list for writing and reading.
 template <class P, class Function>
@@ -93,6 +95,11 @@ void write_checkpoint(const std::filesystem::path& path, const std::string& run_
         const h5::Handle levels = h5::create_group(file, "levels");
         for (std::size_t k = 0; k < simulation.levels().size(); ++k)
             write_level(h5::create_group(levels, std::to_string(k).c_str()), simulation.level(k));
+        for (std::size_t k = 0; k < simulation.refinements().size(); ++k) {
+            const Refinement::Ledger& l = simulation.refinements()[k].ledger();
+            const long long counts[] = {l.births, l.deaths};
+            h5::write_attribute(levels, edge_name(k).c_str(), std::span<const long long>(counts));
+        }
         if (const ControlVolume* control = simulation.control_volume())
             write_control_volume(h5::create_group(file, "control_volume"), control->state());
         write_text_atomically(path, h5::image(file));
@@ -122,6 +129,11 @@ Checkpoint read_checkpoint(const std::filesystem::path& path, const std::string&
         const h5::Handle levels = h5::open_group(file, "levels");
         for (std::size_t k = 0; h5::has(levels, std::to_string(k).c_str()); ++k)
             c.levels.push_back(read_level(h5::open_group(levels, std::to_string(k).c_str())));
+        for (std::size_t k = 0; h5::has_attribute(levels, edge_name(k).c_str()); ++k) {
+            const auto counts = h5::read_numbers_attribute(levels, edge_name(k).c_str());
+            if (counts.size() != 2) throw h5::Failure{"the births and deaths of its levels are not whole"};
+            c.edges.push_back({static_cast<std::int64_t>(counts[0]), static_cast<std::int64_t>(counts[1])});
+        }
         if (c.levels.empty()) throw h5::Failure{"it holds no level of particles"};
         if (h5::has(file, "control_volume"))
             c.control = read_control_volume(h5::open_group(file, "control_volume"));
@@ -144,6 +156,10 @@ void restore(Simulation& simulation, Checkpoint checkpoint) {
                 fmt::format("level {} of the checkpoint is {}, the scene's is {}; start anew with "
                             "--overwrite",
                             k, checkpoint.levels[k].material, simulation.level(k).setup().material));
+    if (checkpoint.edges.size() != simulation.refinements().size())
+        throw InputError("the checkpoint's water has another number of particle sizes; start anew with --overwrite");
+    for (std::size_t k = 0; k < checkpoint.edges.size(); ++k)
+        simulation.refinements()[k].set_ledger({checkpoint.edges[k].births, checkpoint.edges[k].deaths});
     checkpoint.levels[simulation.water().size() - 1].state.control = checkpoint.control;
     for (std::size_t k = 0; k < levels; ++k)
         simulation.level(k).restore(checkpoint.levels[k].state, std::move(checkpoint.levels[k].particles));

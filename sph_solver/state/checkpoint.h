@@ -10,7 +10,7 @@ namespace tw {
 /// Everything a run needs to continue bitwise the same, as one HDF5 file with a group for each owner:
 ///
 ///   /simulation        run hash, instruction set, mass at the start
-///   /levels/0, 1, ...  time, step, ledger, extremes and the particles of each level
+///   /levels/0, 1, ...  time, step, ledger, extremes and the particles of each level; births and deaths at their edges
 ///   /control_volume    its running sums, where there is one
 struct Checkpoint {
     std::string isa;           ///< of the pair loops: another one may give other last digits
@@ -21,6 +21,10 @@ struct Checkpoint {
         Particles particles;
     };
     std::vector<OfLevel> levels;
+    struct Edge {
+        std::int64_t births = 0, deaths = 0;
+    };
+    std::vector<Edge> edges;  ///< between levels of particle size, coarsest first
     ControlVolume::State control;
 };
 
