@@ -15,8 +15,8 @@ namespace tw {
 ///
 /// So the coarse level is whole everywhere: its mass changes at inlet and outlet only. A coarse particle that comes
 /// within 4 dp of the zone has four (in three dimensions eight) children, guards at first, and may have others only
-/// after it was 4.5 dp away and where no fine particle is near; one that leaves the zone is active again with the fields that it was given last. Nothing is
-/// merged.
+/// after it was 4.5 dp away and where no fine particle is near; one that leaves the zone is active again with the
+/// fields that it was given last. Nothing is merged.
 ///
 /// A step of the coarse level comes first, with the band moved by its own equations; then two steps of the fine level,
 /// with the guards' fields linear in time between the coarse level's; then the fine level's fields go to band and
