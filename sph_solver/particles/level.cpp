@@ -143,7 +143,8 @@ void Level::first_sweep(double t, double compress, double drift, const OtherSums
         float& drho = p.drho[i];
         if (p.kind[i] == Kind::guard) drho += static_cast<float>(compress * p.trend[i].drho);
         if (follows_the_equations(p.kind[i])) {
-            drho += static_cast<float>(compress * r.rate[i].drho);
+            const bool under_surface = p.kind[i] == Kind::band && lacks_support(i);
+            drho += static_cast<float>(compress * (under_surface ? p.compression[i] : r.rate[i].drho));
             if (!r.compression.empty()) r.compression[i] = r.rate[i].drho;
             // the free surface bears no tension (its density is not let below rho0)
             if (drho < 0 && lacks_support(i)) drho = 0;

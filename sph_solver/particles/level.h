@@ -15,6 +15,7 @@
 #include "sph_solver/particles/level_setup.h"
 #include "sph_solver/particles/particles.h"
 #include "sph_solver/particles/records.h"
+#include "sph_solver/refinement/surface_excess.h"
 #include "sph_solver/time/extremes.h"
 #include "sph_solver/time/schedule.h"
 
@@ -29,11 +30,14 @@ struct Timers {
 struct FieldsAt {
     std::vector<Vec3> places;
     double density_before = 0;  ///< the density as it was so long before the last evaluation [s], by its rate there
+    bool want_compression = false;
+    SurfaceExcess without;      ///< taken off the densities of the particles
     /// Of which particles: the level's own water; that and what stands for a finer level's; all, guards included.
     enum class Of { active, not_guards, all } of = Of::active;
     std::vector<VelocityDensityRecord> value;
     std::vector<float> support;       ///< sum_j V_j W_j of those particles [-]
     std::vector<float> mean_support;  ///< of the particles near, each with its own surroundings [-]
+    std::vector<float> compression;   ///< rate of the density at the last evaluation [kg/m3/s]; empty unless wanted
 };
 
 /// One material on particles of one size: its particles, records, neighbour lists, walls, ghosts, effects and time
@@ -77,6 +81,10 @@ public:
     /// The larger of the fastest particle's speed and the stream's [m/s].
     double reference_speed() const;
     int dimensions() const { return around_.dimensions; }
+    /// Kernel support of a particle at the last evaluation [-].
+    double support(std::size_t i) const { return double(records_.shift_support[i].support); }
+    /// Density that the weight of one row of particles makes at rest, rho0 g dp / c0^2 [kg/m3].
+    double density_of_row() const;
     /// Acceleration of all water alike now: gravity and the stream's [m/s2].
     Vec3 body_force() const;
     std::int64_t next_id() { return ledger_.next_id++; }  ///< for a particle that is added

@@ -71,6 +71,11 @@ void Level::sample(PointSamples& points) const {
     }
 }
 
+double Level::density_of_row() const {
+    const double c0 = setup_.state_equation.c0;
+    return setup_.rho0 * around_.gravity.norm() * setup_.dp / (c0 * c0);
+}
+
 void Level::interpolate(FieldsAt& at) {
     const std::size_t n = at.places.size(), own = particles_.size();
     at.value.resize(n);
@@ -79,7 +84,8 @@ void Level::interpolate(FieldsAt& at) {
     if (n == 0) return;
     update_records();
     std::vector<PlaceRecord> place = records_.place;
-    std::vector<float> known_support(place.size());
+    std::vector<float> known_support(place.size()), rate(at.want_compression ? place.size() : 0);
+    const double row = density_of_row();
     for_particles(place.size(), [&](std::size_t i) {
         const std::size_t of = i < own ? i : static_cast<std::size_t>(ghosts_.images()[i - own].source);
         const Kind kind = particles_.kind[of];
@@ -87,12 +93,16 @@ void Level::interpolate(FieldsAt& at) {
                             (at.of == FieldsAt::Of::not_guards && kind != Kind::guard);
         if (!counts) place[i].volume = 0;
         known_support[i] = records_.shift_support[of].support;
+        if (at.want_compression) rate[i] = records_.compression[of];
         if (at.density_before > 0)
             records_.velocity_density[i].drho -= static_cast<float>(at.density_before * records_.compression[of]);
+        records_.velocity_density[i].drho -=
+            static_cast<float>(row * at.without.of(double(known_support[i])));
     });
     const SortedPlaces sorted(at.places, *this, sources());
     std::vector<VelocityDensityRecord> value(n);
-    std::vector<float> support(n), mean_support(n);
+    std::vector<float> support(n), mean_support(n), compression(rate.empty() ? 0 : n);
+    at.compression.resize(compression.size());
     const Eigen::Vector3f slope =
         (setup_.rho0 / (setup_.state_equation.c0 * setup_.state_equation.c0) * around_.gravity).cast<float>();
     InterpolateData d;
@@ -104,6 +114,7 @@ void Level::interpolate(FieldsAt& at) {
     d.value = value.data();
     d.support = support.data();
     d.mean_support = mean_support.data();
+    if (at.want_compression) d.rate = rate.data(), d.compression = compression.data();
     d.kernel = kernel_;
     d.quantum = static_cast<float>(quanta_.size);
     d.gx = slope.x(), d.gy = slope.y(), d.gz = slope.z();
@@ -114,6 +125,7 @@ void Level::interpolate(FieldsAt& at) {
         at.value[i] = value[k];
         at.support[i] = support[k];
         at.mean_support[i] = mean_support[k];
+        if (at.want_compression) at.compression[i] = compression[k];
     }
 }
 

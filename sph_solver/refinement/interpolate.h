@@ -15,6 +15,8 @@ struct InterpolateData {
     VelocityDensityRecord* value = nullptr;         ///< at the places
     float* support = nullptr;                       ///< sum_j V_j W_j [-]
     float* mean_support = nullptr;                  ///< mean of `known_support`
+    const float* rate = nullptr;                    ///< another field of them; may be null
+    float* compression = nullptr;                   ///< that field at the places
     Kernel kernel;
     float quantum = 1;
     float gx = 0, gy = 0, gz = 0;  ///< slope of the hydrostatic density, rho0 g / c0^2 [kg/m4]

@@ -56,14 +56,25 @@ private:
 }  // namespace
 
 Refinement::Refinement(Level& coarse, Level& fine, Zone zone)
-    : coarse_(coarse), fine_(fine), zone_(std::move(zone)), dp_(fine.setup().dp) {
+    : coarse_(coarse),
+      fine_(fine),
+      zone_(std::move(zone)),
+      dp_(fine.setup().dp),
+      excess_(coarse.kernel(), coarse.setup().dp, coarse.dimensions()) {
     Particles &c = coarse.particles(), &f = fine.particles();
     f.trend.assign(f.size(), {});
+    c.compression.assign(c.size(), 0);
     c.parent.assign(c.size(), 0);
     for (std::size_t i = 0; i < c.size(); ++i) c.parent[i] = belongs(zone_, place(c, i), dp_);
     for (std::size_t i = 0; i < f.size(); ++i)
         if (zone_.outside(place(f, i)) >= 0) f.kind[i] = Kind::guard;
     label_coarse();
+}
+
+VelocityDensityRecord Refinement::for_fine(const FieldsAt& from_coarse, std::size_t k) const {
+    VelocityDensityRecord r = from_coarse.value[k];
+    r.drho += static_cast<float>(fine_.density_of_row() * excess_.of_child(double(from_coarse.mean_support[k])));
+    return r;
 }
 
 void Refinement::label_coarse() {
@@ -156,6 +167,7 @@ void Refinement::give_birth() {
 void Refinement::prolong(double moved, double compressed) {
     Particles& f = fine_.particles();
     FieldsAt guards;
+    guards.without = excess_;
     std::vector<std::size_t> who;
     for (std::size_t i = 0; i < f.size(); ++i)
         if (f.kind[i] == Kind::guard) {
@@ -167,7 +179,7 @@ void Refinement::prolong(double moved, double compressed) {
     const Eigen::Vector3f fall = fine_.body_force().cast<float>();
     for (std::size_t k = 0; k < who.size(); ++k) {
         const std::size_t i = who[k];
-        const VelocityDensityRecord& to = guards.value[k];
+        const VelocityDensityRecord to = for_fine(guards, k);
         if (guards.support[k] < no_water) {
             f.trend[i] = {fall.x(), fall.y(), fall.z(), 0, 0};
             ++ledger_.orphans;
@@ -185,6 +197,8 @@ void Refinement::prolong(double moved, double compressed) {
 void Refinement::restrict_over(double moved, double density_before) {
     Particles& c = coarse_.particles();
     FieldsAt under;
+    under.without = excess_;
+    under.want_compression = true;
     under.density_before = density_before;
     under.of = FieldsAt::Of::not_guards;
     std::vector<std::size_t> who;
@@ -198,10 +212,14 @@ void Refinement::restrict_over(double moved, double density_before) {
     for (std::size_t k = 0; k < who.size(); ++k) {
         const std::size_t i = who[k];
         if (under.support[k] >= no_water) {
-            set_fields(c, i, under.value[k]);
+            VelocityDensityRecord r = under.value[k];
+            r.drho += static_cast<float>(coarse_.density_of_row() * excess_.of(coarse_.support(i)));
+            set_fields(c, i, r);
+            c.compression[i] = under.compression[k];
             continue;
         }
         ++ledger_.orphans;
+        c.compression[i] = 0;
         if (c.kind[i] == Kind::carried)
             set_fields(c, i, {c.u[i] + fall.x(), c.v[i] + fall.y(), c.w[i] + fall.z(), 0});
     }

@@ -13,6 +13,9 @@ namespace tw {
 ///   fine particles     s < 0 active;  0 <= s: guards, with the coarse level's fields;  gone beyond 5 dp
 ///   coarse particles   0 <= s active;  -8 dp < s < 0: band, deeper: carried, both with the fine level's fields
 ///
+/// In the uppermost row under a free surface band is compressed at the fine level's rate, because the sums of the two
+/// sizes differ there; elsewhere by its own, which reflects less sound.
+///
 /// So the coarse level is whole everywhere: its mass changes at inlet and outlet only. A coarse particle that comes
 /// within 4 dp of the zone has four (in three dimensions eight) children, guards at first, and may have others only
 /// after it was 4.5 dp away and where no fine particle is near; one that leaves the zone is active again with the
@@ -21,6 +24,8 @@ namespace tw {
 /// A step of the coarse level comes first, with the band moved by its own equations; then two steps of the fine level,
 /// with the guards' fields linear in time between the coarse level's; then the fine level's fields go to band and
 /// carried. Momentum is not conserved across the edge (to the accuracy of the interpolation only).
+///
+/// Densities change hands without what the uppermost row of either size has too much, see surface_excess.h.
 ///
 /// Where the coarse level has no water (kernel support below 1/2), what leaves the zone stays active: spray goes on as
 /// fine particles until coarse water covers it. Where the fine level has none, carried particles fall freely.
@@ -60,6 +65,8 @@ public:
 private:
     static constexpr double guard_over_dp = 4, again_over_dp = 4.5, gone_over_dp = 5, band_over_dp = 8;
 
+    /// As the coarse level has them there, with the excess of a fine surface in place of a coarse one's.
+    VelocityDensityRecord for_fine(const FieldsAt& from_coarse, std::size_t k) const;
     void label_coarse();
     void give_birth();
 
@@ -67,6 +74,7 @@ private:
     Level& fine_;
     Zone zone_;
     double dp_;  ///< of the fine level
+    SurfaceExcess excess_;  ///< in weights of a row the same for both
     Ledger ledger_;
 };
 

@@ -11,9 +11,14 @@ namespace tw {
 namespace {
 
 constexpr double version = 2;
-constexpr const char* parent_marks = "parent";  ///< of levels that have a finer one
 /// Births and deaths at the edge between levels k and k + 1.
 std::string edge_name(std::size_t k) { return fmt::format("edge_{}", k); }
+
+/// What only levels that have a finer one keep.
+template <class P, class Function>
+void for_each_named_under_finer(P& p, Function f) {
+    f("parent", H5T_NATIVE_UINT8, p.parent), f("compression", H5T_NATIVE_FLOAT, p.compression);
+}
 
 /// The arrays of the particles under their names, the same list for writing and reading.
 template <class P, class Function>
@@ -35,11 +40,11 @@ void write_level(hid_t at, const Level& level) {
     h5::write_attribute(at, "material", level.setup().material);
     h5::write_attribute(at, "state", std::span<const double>(state));
     h5::write_attribute(at, "counts", std::span<const long long>(counts));
-    for_each_named(level.particles(), [&](const char* name, hid_t type, const auto& values) {
+    const auto write = [&](const char* name, hid_t type, const auto& values) {
         h5::write_vector(at, name, type, values, false);
-    });
-    if (const auto& parent = level.particles().parent; !parent.empty())
-        h5::write_vector(at, parent_marks, H5T_NATIVE_UINT8, parent, false);
+    };
+    for_each_named(level.particles(), write);
+    if (!level.particles().parent.empty()) for_each_named_under_finer(level.particles(), write);
 }
 
 Checkpoint::OfLevel read_level(hid_t at) {
@@ -53,16 +58,13 @@ Checkpoint::OfLevel read_level(hid_t at) {
     s.extremes.density_deviation_high = state[5];
     const auto whole = [&](std::size_t k) { return static_cast<std::int64_t>(counts[k]); };
     s.steps = whole(0), s.ledger = {whole(1), whole(2), whole(3), whole(4), whole(5)};
-    for_each_named(level.particles, [&](const char* name, hid_t type, auto& values) {
+    const auto read = [&](const char* name, hid_t type, auto& values) {
         values = h5::read_vector<typename std::remove_reference_t<decltype(values)>::value_type>(at, name, type);
         if (values.size() != level.particles.x.size())
             throw h5::Failure{std::string(name) + " has another length than x"};
-    });
-    if (h5::has(at, parent_marks)) {
-        level.particles.parent = h5::read_vector<std::uint8_t>(at, parent_marks, H5T_NATIVE_UINT8);
-        if (level.particles.parent.size() != level.particles.x.size())
-            throw h5::Failure{std::string(parent_marks) + " has another length than x"};
-    }
+    };
+    for_each_named(level.particles, read);
+    if (h5::has(at, "parent")) for_each_named_under_finer(level.particles, read);
     return level;
 }
 

@@ -111,6 +111,35 @@ Simulation make(int threads) {
     return ::testing::AssertionSuccess();
 }
 
+// The formula's pressure of the uppermost row against a tank at rest, where sound is averaged out.
+TEST(SurfaceExcess, IsThatOfATankAtRest) {
+    SimulationSetup s;
+    s.dimensions = 2;
+    s.dp = 0.04;
+    s.state_equation.c0 = 10 * std::sqrt(9.81);
+    s.domain = {Vec3(0, -1, -1), Vec3(0.4, 1, 1)};
+    s.mirrors.on = {{{false, false}, {false, false}, {true, false}}};
+    s.mirrors.periodic = {true, false, false};
+    Simulation tank(s, fill_with_fluid(s, {Box{s.domain.min, Vec3(0.4, 1, 0)}}));
+    const double row = s.rho0 * 9.81 * s.dp;
+    double top = 0, fifth = 0;
+    int n = 0;
+    while (tank.time() < 1.5) {
+        tank.step();
+        if (tank.time() < 0.5) continue;
+        const Particles& p = tank.particles();
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            const double above = tank.level(0).pressure(i) + s.rho0 * 9.81 * p.z[i];
+            if (p.z[i] > -s.dp) top += above / row, ++n;
+            if (std::abs(p.z[i] + 4.5 * s.dp) < s.dp / 2) fifth += above / row;
+        }
+    }
+    const SurfaceExcess excess(tank.level(0).kernel(), s.dp, 2);
+    EXPECT_NEAR((top - fifth) / n, excess.uppermost(), 0.06);
+    EXPECT_DOUBLE_EQ(excess.of(1), 0);
+    EXPECT_DOUBLE_EQ(excess.of(0.3), excess.uppermost());
+}
+
 TEST(Levels, StartWithOneOwnerForEveryPlace) {
     const Simulation simulation = make(1);
     double mass = 0;

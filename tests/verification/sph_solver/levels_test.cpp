@@ -2,8 +2,13 @@
 // Two dimensions. Read off runs of one size, and of a size that changes, of the same case.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
+#include <numeric>
+
+#include <Eigen/Dense>
 
 #include "sph_solver/simulation.h"
 
@@ -110,9 +115,75 @@ TEST(LevelEdge, ReflectsLittleOfASoundPulse) {
     }
 }
 
-// At rest the two sizes of particles differ in what the last rows under a free surface make of the pressure, about a
-// hundredth of the weight of one coarse row. That drives a slow circulation at the edge, which finer particles weaken;
-// a tank of one size has a third of it from the giving way of its lattice.
+/// A standing wave of length 1 m in water 1 m deep, started flat with the velocities of linear theory, amplitude 0.3 m/s
+/// at the surface, after 0.15 s (a fifth of its period). The zone's edges stand where the surface is steepest.
+Simulation wave(int levels) {
+    SimulationSetup s;
+    s.dimensions = 2;
+    s.dp = 0.02;
+    s.state_equation.c0 = 10 * std::sqrt(9.81);
+    s.domain = {Vec3(0, -1, -1), Vec3(2, 1, 1)};
+    s.mirrors.on = {{{true, true}, {false, false}, {true, false}}};
+    if (levels == 2) s.zones = {zone_between(0.6, 1.4, -0.6, infinite)};
+    Simulation simulation(s, fill_levels(s, {Box{s.domain.min, Vec3(2, 1, 0)}}));
+    const double k = 2 * std::numbers::pi;
+    for (const auto& level : simulation.levels()) {
+        Particles& p = level->particles();
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            const double a = 0.3 / std::cosh(k), up = k * (p.z[i] + 1);
+            p.u[i] = static_cast<float>(a * std::cosh(up) * std::sin(k * p.x[i]));
+            p.w[i] = static_cast<float>(-a * std::sinh(up) * std::cos(k * p.x[i]));
+        }
+    }
+    while (simulation.time() < 0.15) simulation.step();
+    return simulation;
+}
+
+/// Velocity at a place from the six nearest particles, fitted linearly.
+Eigen::RowVector2d velocity_near(const Particles& p, const Vec3& x) {
+    constexpr std::size_t of = 6;
+    std::vector<std::size_t> order(p.size());
+    std::iota(order.begin(), order.end(), 0);
+    const auto distance = [&](std::size_t i) { return std::hypot(p.x[i] - x.x(), p.z[i] - x.z()); };
+    std::ranges::partial_sort(order, order.begin() + of, {}, distance);
+    Eigen::Matrix<double, of, 3> A;
+    Eigen::Matrix<double, of, 2> u;
+    for (std::size_t n = 0; n < of; ++n) {
+        const std::size_t i = order[n];
+        const auto row = static_cast<Eigen::Index>(n);
+        A.row(row) << 1, p.x[i] - x.x(), p.z[i] - x.z();
+        u.row(row) << p.u[i], p.w[i];
+    }
+    return A.colPivHouseholderQr().solve(u).row(0);
+}
+
+// Under the surface the water near an edge moves as it does in particles of the fine size. 0.039 m/s with the band
+// compressed by its own sums in the uppermost row too, which made the water leave the fine level there; 0.018 with the
+// pressures of the uppermost rows handed over as they are.
+TEST(LevelEdge, AWaveCrossesItAsItCrossesWaterOfOneSize) {
+    const Simulation one = wave(1), two = wave(2);
+    double sum = 0, sum_deep = 0;
+    int n = 0, n_deep = 0;
+    for (const auto& level : two.levels()) {
+        const Particles& p = level->particles();
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            if (!is_active(p.kind[i]) || std::abs(p.x[i] - 0.6) > 0.2) continue;
+            const auto expected = velocity_near(one.level(0).particles(), Vec3(p.x[i], 0, p.z[i]));
+            const double error = std::hypot(p.u[i] - expected[0], p.w[i] - expected[1]);
+            if (p.z[i] > -0.09) sum += error * error, ++n;
+            if (p.z[i] < -0.2 && p.z[i] > -0.5) sum_deep += error * error, ++n_deep;
+        }
+    }
+    const double error = std::sqrt(sum / n), deep = std::sqrt(sum_deep / n_deep);
+    std::printf("a wave of 0.3 m/s across an edge: mean square difference from one size %.4f m/s under the surface, "
+                "%.4f m/s below\n",
+                error, deep);
+    EXPECT_LT(error, 0.015);
+    EXPECT_LT(deep, 0.006);
+}
+
+// A tank of one size has a third of this from the giving way of its lattice. A twentieth of a per cent of weight more or
+// less on one side of the edge drives as much.
 TEST(LevelEdge, StillWaterAcrossTheSurfaceStaysSlow) {
     SimulationSetup s;
     s.dimensions = 2;
@@ -132,8 +203,8 @@ TEST(LevelEdge, StillWaterAcrossTheSurfaceStaysSlow) {
     const double drift = (simulation.refinements()[0].surplus() - at_start) / under;
     std::printf("still water with an edge across its surface, 8 s: fastest %.3f sqrt(g H), mass of the zone %+.1f %%\n",
                 fastest / std::sqrt(9.81), 100 * drift);
-    EXPECT_LT(fastest / std::sqrt(9.81), 0.25);
-    EXPECT_LT(std::abs(drift), 0.08);
+    EXPECT_LT(fastest / std::sqrt(9.81), 0.12);  // found 0.06
+    EXPECT_LT(std::abs(drift), 0.08);            // found -3.4 %
     for (const auto& level : simulation.levels()) EXPECT_EQ(level->ledger().lost, 0);
 }
 

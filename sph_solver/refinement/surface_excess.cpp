@@ -1,0 +1,48 @@
+#include "sph_solver/refinement/surface_excess.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tw {
+
+SurfaceExcess::SurfaceExcess(const Kernel& kernel, double dp, int dimensions) {
+    const double volume = dimensions == 3 ? dp * dp * dp : dp * dp;
+    const int reach = static_cast<int>(std::ceil(kernel.support() / dp)), across = dimensions == 3 ? reach : 0;
+    // over a row at the height z above or below: f(distance)
+    const auto row = [&](double z, auto f) {
+        double sum = 0;
+        for (int i = -reach; i <= reach; ++i)
+            for (int j = -across; j <= across; ++j) sum += volume * f(std::sqrt(double(i * i + j * j) * dp * dp + z * z));
+        return sum;
+    };
+    const auto W = [&](double r) { return kernel.W(r); };
+    const auto support = [&](int k) {  // of row k
+        double sum = 0;
+        for (int other = 0; other <= k + reach; ++other) sum += row((other - k) * dp, W);
+        return sum;
+    };
+    double A = 0, first_moment = 0;
+    for (int k = 1; k <= reach; ++k) {
+        const double A_k = row(k * dp, [&](double r) { return kernel.F(r) * k * dp; });
+        A += A_k * dp, first_moment += 2 * k * A_k * dp;
+    }
+    S_0_ = support(0) / support(reach);
+    e_0_ = first_moment / (2 * A) - 1;
+    const auto mean_support = [&](double depth) {
+        double sum = 0, weight = 0;
+        for (int k = 0; k <= reach + 1; ++k) {
+            const double share = row((k + 0.5) * dp - depth, W);
+            sum += share * support(k), weight += share;
+        }
+        return sum / weight / support(reach);
+    };
+    m_0_ = mean_support(dp / 4), m_1_ = mean_support(3 * dp / 4);
+}
+
+double SurfaceExcess::of(double support) const { return e_0_ * std::clamp((1 - support) / (1 - S_0_), 0.0, 1.0); }
+
+double SurfaceExcess::of_child(double mean_support) const {
+    return e_0_ * std::clamp((m_1_ - mean_support) / (m_1_ - m_0_), 0.0, 1.0);
+}
+
+}  // namespace tw
