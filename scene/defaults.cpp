@@ -89,6 +89,11 @@ std::vector<RefinementBox> default_refinement(const Scene& scene) {
     add("wet", 1, B / 24, {entry - 0.08 * L, -0.62 * B, -D - 0.06 * B}, {stern + 0.09 * L, 0.62 * B, 0.12 * B});
     add("wet_bottom", 0, B / 48, {entry - 0.055 * L, -0.55 * B, -D - 0.035 * B},
         {stern + 0.025 * L, 0.55 * B, 0.06 * B});
+    for (const RefinedPlace& place : scene.refined) {
+        const int level = finest - place.halvings_short;
+        const Box box{place.box.min.cwiseMax(scene.domain.box.min), place.box.max.cwiseMin(scene.domain.box.max)};
+        if (level > 0) boxes.push_back({place.name, box, level});
+    }
     std::stable_sort(boxes.begin(), boxes.end(), [](const auto& a, const auto& b) { return a.level < b.level; });
     return boxes;
 }

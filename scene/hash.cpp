@@ -90,6 +90,8 @@ void add_geometry(Lines& t, const Scene& scene, bool sizes) {
         t.add("block", flat ? Box{flattened(block.min, middle), flattened(block.max, middle)} : block);
     for (const PressureProbe& p : scene.sampling.pressure) t.add("pressure", p.place);
     for (const HeightProbe& p : scene.sampling.height) t.add("height", {p.x, p.y});
+    for (const RefinedPlace& place : scene.refined)
+        t.add("refined", place.box).add("halvings_short", {static_cast<double>(place.halvings_short)});
     for (const EffectChoice& e : scene.effects) t.add("effect." + e.name, {e.on ? 1.0 : 0.0});
     const RasterSpec& raster = scene.sampling.raster;
     if (sizes) {

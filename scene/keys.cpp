@@ -215,6 +215,18 @@ Rows water_block_keys() {
     };
 }
 
+Rows refine_keys() {
+    return {
+        {.name = "name", .kind = Kind::name, .fallback = "refine1, refine2, ...", .meaning = "Name in messages and meshes."},
+        {.name = "min", .kind = Kind::place3, .unit = "m", .hashed = Hashed::scene, .fallback = "required",
+         .meaning = "Low corner."},
+        {.name = "max", .kind = Kind::place3, .unit = "m", .hashed = Hashed::scene, .fallback = "required",
+         .meaning = "High corner."},
+        {.name = "spacing", .unit = "m", .range = positive, .hashed = Hashed::scene, .fallback = "near_hull",
+         .meaning = "Largest particles and cells there: near_hull or the next smaller of its doubles."},
+    };
+}
+
 Rows obstacle_keys() {
     Rows rows = solid_keys();
     const Rows own{
@@ -309,6 +321,7 @@ std::vector<SceneKey> all_keys() {
         {"probe", probe_keys()},
         {"tank", tank_keys()},
         {"water_block", water_block_keys()},
+        {"refine", refine_keys()},
         {"obstacle", obstacle_keys()},
         {"effects", effect_keys()},
         {"sph", sph_keys()},
@@ -344,6 +357,9 @@ const std::vector<SceneSection>& scene_sections() {
         {"probe", true, "A place at which pressure or height is recorded; exactly one of the two is given."},
         {"tank", false, "A tank instead of a domain: walls all around, open above."},
         {"water_block", true, "A box of water in a tank; without any, all below z = 0 is water."},
+        {"refine", true,
+         "A box to be resolved finer than what lies round it, in both methods: cells are halved there, and with "
+         "`[sph] levels` above 1 finer particles stand there. With a hull in three dimensions."},
         {"obstacle", true, "A fixed closed solid: a box (min and max), a file or a shape."},
         {"effects", false,
          "Physical effects: \"auto\" (the plan decides), \"on\" or \"off\". `--effect NAME=on` on the command line "

@@ -1,6 +1,7 @@
 #include "scene/particle_levels.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -11,9 +12,66 @@
 
 namespace tw {
 
-std::vector<Box> particle_zones(const Scene& scene) {
-    constexpr double between = 10, from_openings = 8, infinite = std::numeric_limits<double>::infinity();
-    std::vector<Box> zones;
+namespace {
+
+constexpr double between = 10, from_openings = 8;  ///< spacings
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// A box of finer particles than `coarse_dp`, on the coarse lattice, and through what is too near to leave room.
+Box zone_box(const Box& what, double width, double coarse_dp, const Box& domain) {
+    const double clear = from_openings * coarse_dp;
+    Box box;
+    for (int a = 0; a < 3; ++a) {
+        box.min[a] = std::floor((what.min[a] - width) / coarse_dp) * coarse_dp;
+        box.max[a] = std::ceil((what.max[a] + width) / coarse_dp) * coarse_dp;
+    }
+    for (int a = 1; a < 3; ++a) {
+        if (box.min[a] < domain.min[a] + clear) box.min[a] = -infinite;
+        if (box.max[a] > domain.max[a] - clear) box.max[a] = infinite;
+    }
+    if (box.max.z() > -clear) box.max.z() = infinite;
+    if (box.max.x() > domain.max.x() - clear) box.max.x() = infinite;
+    box.min.x() = std::max(box.min.x(), domain.min.x() + clear);
+    return box;
+}
+
+/// Until all boxes are at least `gap` apart or overlap: coarse particles need room between two edges.
+void join_near(std::vector<Box>& boxes, double gap) {
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        for (std::size_t j = i + 1; j < boxes.size(); ++j) {
+            const Vec3 apart = (boxes[j].min - boxes[i].max).cwiseMax(boxes[i].min - boxes[j].max);
+            const double most = apart.maxCoeff();
+            if (most <= 0 || most >= gap) continue;
+            boxes[i] = {boxes[i].min.cwiseMin(boxes[j].min), boxes[i].max.cwiseMax(boxes[j].max)};
+            boxes.erase(boxes.begin() + static_cast<std::ptrdiff_t>(j));
+            return join_near(boxes, gap);
+        }
+}
+
+/// Volume of a union of boxes.
+double volume_of(const std::vector<Box>& boxes) {
+    std::array<std::vector<double>, 3> cuts;
+    for (std::size_t a = 0; a < 3; ++a) {
+        for (const Box& box : boxes) cuts[a].insert(cuts[a].end(), {box.min[int(a)], box.max[int(a)]});
+        std::ranges::sort(cuts[a]);
+    }
+    double sum = 0;
+    for (std::size_t i = 1; i < cuts[0].size(); ++i)
+        for (std::size_t j = 1; j < cuts[1].size(); ++j)
+            for (std::size_t k = 1; k < cuts[2].size(); ++k) {
+                const Box cell{Vec3(cuts[0][i - 1], cuts[1][j - 1], cuts[2][k - 1]),
+                               Vec3(cuts[0][i], cuts[1][j], cuts[2][k])};
+                const Vec3 middle = 0.5 * (cell.min + cell.max);
+                if (std::ranges::any_of(boxes, [&](const Box& box) { return box.contains(middle); }))
+                    sum += cell.volume();
+            }
+    return sum;
+}
+
+}  // namespace
+
+std::vector<std::vector<Box>> particle_zones(const Scene& scene) {
+    std::vector<std::vector<Box>> zones;
     if (scene.sph.levels == 1) return zones;
     const auto refuse = [&](const std::string& why) {
         throw InputError(scene.place_of("sph.levels") + ": " + why);
@@ -26,27 +84,26 @@ std::vector<Box> particle_zones(const Scene& scene) {
     if (!scene.hull->section)
         hull.min.x() = std::max(hull.min.x(), scene.hull->still.wet_bounds.min.x() - 0.25 * scene.hull->length);
     const double dp = scene.resolution.near_hull;
-    double width = scene.sph.zone * dp;
+    // how far a zone reaches beyond what it is for: the hull, and the places of each size
+    std::vector<double> width(static_cast<std::size_t>(scene.sph.levels), 0.0);
+    double hull_width = scene.sph.zone * dp;
     for (int k = 1; k < scene.sph.levels; ++k) {
-        const double coarse_dp = std::ldexp(dp, k), clear = from_openings * coarse_dp;
-        Box box;
-        for (int a = 0; a < 3; ++a) {
-            box.min[a] = std::floor((hull.min[a] - width) / coarse_dp) * coarse_dp;
-            box.max[a] = std::ceil((hull.max[a] + width) / coarse_dp) * coarse_dp;
-        }
-        for (int a = 1; a < 3; ++a) {
-            if (box.min[a] < domain.min[a] + clear) box.min[a] = -infinite;
-            if (box.max[a] > domain.max[a] - clear) box.max[a] = infinite;
-        }
-        box.max.z() = infinite;
-        if (box.max.x() > domain.max.x() - clear) box.max.x() = infinite;
-        box.min.x() = std::max(box.min.x(), domain.min.x() + clear);
-        if (box.min.x() > hull.min.x() - from_openings * dp)
+        const double coarse_dp = std::ldexp(dp, k);
+        std::vector<Box> boxes{zone_box(hull, hull_width, coarse_dp, domain)};
+        if (boxes[0].min.x() > hull.min.x() - from_openings * dp)
             refuse(fmt::format("particles of {:.4g} m do not fit between the inlet and the hull; fewer levels, or a "
                                "longer domain ahead",
                                coarse_dp));
-        zones.insert(zones.begin(), box);
-        width += between * coarse_dp;
+        for (const RefinedPlace& place : scene.refined)
+            if (place.halvings_short < k) {
+                double& reach = width[static_cast<std::size_t>(place.halvings_short)];
+                const Box box = zone_box(place.box, reach, coarse_dp, domain);
+                if (box.min.x() < box.max.x()) boxes.push_back(box);
+            }
+        join_near(boxes, from_openings * coarse_dp);
+        zones.insert(zones.begin(), boxes);
+        hull_width += between * coarse_dp;
+        for (int size = 0; size < k; ++size) width[static_cast<std::size_t>(size)] += between * coarse_dp;
     }
     return zones;
 }
@@ -57,16 +114,18 @@ std::vector<double> particles_of_sizes(const Scene& scene) {
     Box water = scene.domain.box;
     water.max.z() = std::min(0.0, water.max.z());
     const double hull = water.volume() - water_volume(scene);
-    const std::vector<Box> zones = particle_zones(scene);
+    const std::vector<std::vector<Box>> zones = particle_zones(scene);
     std::vector<double> counts;
     for (std::size_t k = 0; k <= zones.size(); ++k) {
         const double dp = std::ldexp(scene.resolution.near_hull, static_cast<int>(zones.size() - k));
         double volume = water_volume(scene);
         if (k > 0) {
-            Box box = zones[k - 1];
-            box.min = (box.min.array() - guards * dp).matrix().cwiseMax(water.min);
-            box.max = (box.max.array() + guards * dp).matrix().cwiseMin(water.max);
-            volume = box.volume() - hull;
+            std::vector<Box> boxes = zones[k - 1];
+            for (Box& box : boxes) {
+                box.min = (box.min.array() - guards * dp).matrix().cwiseMax(water.min);
+                box.max = (box.max.array() + guards * dp).matrix().cwiseMin(water.max);
+            }
+            volume = volume_of(boxes) - hull;
         }
         counts.push_back(volume / (flat ? dp * dp * water.size().y() : dp * dp * dp));
     }

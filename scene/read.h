@@ -13,7 +13,7 @@ namespace tw {
 /// All sections of one scene file; kept while the scene is being checked so that a later finding names its key.
 struct Sections {
     Section root, hull, water, motion, resolution, domain, run, sampling, tank, sph, fvm, effects;
-    std::vector<Section> obstacles, probes, water_blocks;
+    std::vector<Section> obstacles, probes, water_blocks, refined;
 };
 Sections split_sections(const std::filesystem::path& file, const SceneValue& document);
 
@@ -49,5 +49,7 @@ HullOptions read_hull(Section& s);
 /// A solid from a file, a shape or a box (min, max).
 Obstacle read_obstacle(Section& s, std::size_t number);
 std::vector<Box> read_water_blocks(std::vector<Section>& sections);
+/// After hull, domain and resolution are known.
+std::vector<RefinedPlace> read_refined(std::vector<Section>& sections, const Scene& scene);
 
 }  // namespace tw

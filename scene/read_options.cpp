@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "scene/read.h"
@@ -105,18 +107,52 @@ std::optional<double> read_sampling(Section& s, std::vector<Section>& probes, Sc
     return raster_spacing;
 }
 
+namespace {
+
+Box read_box(Section& s) {
+    const auto min = s.vector("min"), max = s.vector("max");
+    if (!min || !max) s.fail(min ? "max" : "min", "missing; expected min = [x, y, z] and max = [x, y, z]");
+    const Box box{*min, *max};
+    if (!(box.size().array() > 0).all())
+        s.fail("max", "the box has no volume; expected max > min in every direction");
+    return box;
+}
+
+}  // namespace
+
 std::vector<Box> read_water_blocks(std::vector<Section>& sections) {
     std::vector<Box> blocks;
     for (Section& s : sections) {
-        const auto min = s.vector("min"), max = s.vector("max");
-        if (!min || !max) s.fail(min ? "max" : "min", "missing; expected min = [x, y, z] and max = [x, y, z]");
-        const Box box{*min, *max};
-        if (!(box.size().array() > 0).all())
-            s.fail("max", "the block has no volume; expected max > min in every direction");
-        blocks.push_back(box);
+        blocks.push_back(read_box(s));
         s.finish();
     }
     return blocks;
+}
+
+std::vector<RefinedPlace> read_refined(std::vector<Section>& sections, const Scene& scene) {
+    std::vector<RefinedPlace> places;
+    for (Section& s : sections) {
+        if (!scene.hull || scene.hull->section)
+            s.fail("min", "finer boxes are for a hull in three dimensions so far; remove [[refine]]");
+        RefinedPlace place;
+        place.name = s.identifier("name", fmt::format("refine{}", places.size() + 1));
+        place.box = read_box(s);
+        const double finest = scene.resolution.near_hull / scene.resolution.scale;
+        const double size = s.number("spacing").value_or(finest);
+        if (size < finest)
+            s.fail("spacing", fmt::format("finer than near_hull = {:.6g} m, the finest size; expected at least that",
+                                          finest));
+        place.halvings_short = static_cast<int>(std::floor(std::log2(size / finest) + 1e-9));
+        const Box& domain = scene.domain.box;
+        if (((place.box.max - domain.min).array() <= 0).any() || ((domain.max - place.box.min).array() <= 0).any())
+            s.fail("min", fmt::format("outside the domain, which spans ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, "
+                                      "{:.6g}) m",
+                                      domain.min.x(), domain.min.y(), domain.min.z(), domain.max.x(), domain.max.y(),
+                                      domain.max.z()));
+        places.push_back(place);
+        s.finish();
+    }
+    return places;
 }
 
 }  // namespace tw

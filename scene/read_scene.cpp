@@ -108,7 +108,8 @@ Sections split_sections(const std::filesystem::path& file, const SceneValue& doc
     };
     Sections s{root,          one("hull"),    one("water"),     one("motion"), one("resolution"),
                one("domain"), one("run"),     one("sampling"),  one("tank"),   one("sph"),
-               one("fvm"),    one("effects"), many("obstacle"), many("probe"), many("water_block")};
+               one("fvm"),    one("effects"), many("obstacle"), many("probe"), many("water_block"),
+               many("refine")};
     s.root = root;
     s.root.know("title");
     s.root.finish();
@@ -194,6 +195,8 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     scene.sph.cfl *= overrides.time_step_factor;
     scene.fvm.max_courant *= overrides.courant_factor;
     scene.fvm.max_alpha_courant *= overrides.courant_factor;
+    scene.refined = read_refined(s.refined, scene);
+    refuse_same_names(scene.refined, s.refined);
     scene.refinement = default_refinement(scene);
     const double two_particles = (scene.domain.dimensions == 2 ? 1 : 2) * scene.resolution.near_hull;
     scene.sampling.raster = default_raster(scene, voxel.value_or(two_particles));

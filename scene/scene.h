@@ -75,7 +75,14 @@ struct Resolution {
     double scale = 1;
 };
 
-/// Boxes of successively finer resolution, coarsest first; the FVM mesh refines in them, and SPH particle levels will.
+/// A place that the scene wants finer than what lies round it, in both methods ([[refine]]).
+struct RefinedPlace {
+    std::string name;
+    Box box;
+    int halvings_short = 0;  ///< of near_hull: size = near_hull 2^halvings_short, the same at all scales
+};
+
+/// Boxes of successively finer resolution, coarsest first; the FVM mesh refines in them.
 struct RefinementBox {
     std::string name;
     Box box;
@@ -154,7 +161,8 @@ struct Scene {
     Motion motion;
     Domain domain;
     Resolution resolution;
-    std::vector<RefinementBox> refinement;
+    std::vector<RefinedPlace> refined;
+    std::vector<RefinementBox> refinement;  ///< those and what the hull asks for
     Sampling sampling;
     Run run;
     SphOptions sph;

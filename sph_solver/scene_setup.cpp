@@ -121,7 +121,7 @@ SphSetup sph_setup(const Scene& scene, int threads) {
         s.bodies.emplace_back(scene.hull->section ? with_span(hull, endless_span(hull)) : hull);
         s.moment_reference = moment_reference(scene);
     }
-    for (const Box& box : particle_zones(scene)) s.zones.push_back(Zone({box}));
+    for (const std::vector<Box>& boxes : particle_zones(scene)) s.zones.emplace_back(boxes);
     if (scene.hull) setup.control_volume = control_box(scene, s);
     s.effects = effect_options(scene, s);
     s.tension_control = scene.effect_on("tension_control");

@@ -60,6 +60,7 @@ std::map<std::string, Change> changes() {
     const std::string lifted = with(tank, "size = [1, 0.5, 0.8]", "min = [0, 0, 0]\nmax = [1, 0.5, 0.8]");
     const std::string distances =
         with(stream, "[motion]", "[domain]\nahead = 1\nbehind = 4\nside = 2\nbelow = 2\nabove = 2\n[motion]");
+    const std::string boxed = fixed + "[[refine]]\nmin = [2, -0.5, -0.4]\nmax = [3, 0.5, 0.2]\nspacing = 0.05\n";
     std::map<std::string, Change> all{
         {".title", replaced(fixed, "title = \"planing\"", "title = \"other\"")},
         {"hull.file", replaced(from_file, "a.stl", "b.stl")},
@@ -107,6 +108,10 @@ std::map<std::string, Change> changes() {
         {"water_block.min",
          replaced(tank, "min = [0, 0, 0]\nmax = [0.5, 0.5, 0.4]", "min = [0.1, 0, 0]\nmax = [0.5, 0.5, 0.4]")},
         {"water_block.max", replaced(tank, "max = [0.5, 0.5, 0.4]", "max = [0.4, 0.5, 0.4]")},
+        {"refine.name", {boxed, with(boxed, "[[refine]]\n", "[[refine]]\nname = \"a\"\n")}},
+        {"refine.min", replaced(boxed, "min = [2, -0.5, -0.4]", "min = [2.2, -0.5, -0.4]")},
+        {"refine.max", replaced(boxed, "max = [3, 0.5, 0.2]", "max = [3.2, 0.5, 0.2]")},
+        {"refine.spacing", replaced(boxed, "spacing = 0.05", "spacing = 0.11")},
         {"obstacle.name",
          {with(tank, "[[obstacle]]\n", "[[obstacle]]\nname = \"A\"\n"),
           with(tank, "[[obstacle]]\n", "[[obstacle]]\nname = \"B\"\n")}},
@@ -177,7 +182,7 @@ TEST(Keys, EachKeyIsCoveredByTheHashThatTheTableNames) {
 TEST(Keys, OnlyWhatChangesNothingThatIsSolvedIsInNoHash) {
     const std::set<std::string> in_none{".title",       "motion.ramp",       "run.duration", "run.methods",
                                         "run.threads",  "run.checkpoint",    "probe.name",   "obstacle.name",
-                                        "fvm.openfoam", "sampling.snapshots"};
+                                        "fvm.openfoam", "sampling.snapshots", "refine.name"};
     for (const SceneKey& key : scene_keys()) {
         const std::string name = key.section + "." + key.name;
         const auto expected = in_none.contains(name) ? SceneKey::Hashed::nowhere

@@ -1,4 +1,5 @@
 // Sizes of particles in a scene: where their zones lie, and what a run is predicted to take.
+#include <algorithm>
 #include <cmath>
 
 #include "scene/hash.h"
@@ -12,9 +13,9 @@ std::string with_levels(int levels) { return planing + "\n[sph]\nlevels = " + st
 
 TEST(ParticleLevels, ZonesHoldTheHullLieOnTheCoarseLatticeAndKeepTheirDistances) {
     const Scene scene = scene_of(with_levels(3) + "[domain]\nahead = \"4 m\"\n");
-    const std::vector<Box> zones = particle_zones(scene);
+    const std::vector<std::vector<Box>> zones = particle_zones(scene);
     ASSERT_EQ(zones.size(), 2u);
-    const Box &wide = zones[0], &narrow = zones[1], hull = scene.hull->surface.bounds();
+    const Box &wide = zones[0][0], &narrow = zones[1][0], hull = scene.hull->surface.bounds();
     const double dp = 0.05;
     EXPECT_LE(narrow.min.z(), hull.min.z() - 8 * dp);
     EXPECT_GE(narrow.max.y(), hull.max.y() + 8 * dp);
@@ -24,6 +25,43 @@ TEST(ParticleLevels, ZonesHoldTheHullLieOnTheCoarseLatticeAndKeepTheirDistances)
     EXPECT_GE(wide.min.x(), scene.domain.box.min.x() + 8 * 4 * dp);
     EXPECT_NEAR(std::remainder(narrow.min.z(), 2 * dp), 0, 1e-12);
     for (int a = 0; a < 3; ++a) EXPECT_NEAR(std::remainder(scene.domain.box.min[a], 4 * dp), 0, 1e-12);
+}
+
+const std::string far_box = "\n[[refine]]\nname = \"crest\"\nmin = [3.6, 1, -0.5]\nmax = [4.2, 1.4, 0.2]\n",
+                  wide_domain = "[domain]\nahead = \"4 m\"\nbehind = \"8 m\"\nside = \"5 m\"\n";
+
+// One description, both methods: the cells of the box are as fine as its particles.
+TEST(ParticleLevels, ABoxOfTheSceneIsAZoneOfItsOwnAndFinerCells) {
+    const Scene scene = scene_of(with_levels(3) + wide_domain + far_box + "spacing = 0.15\n");
+    const std::vector<std::vector<Box>> zones = particle_zones(scene);
+    ASSERT_EQ(zones[0].size(), 2u);
+    EXPECT_EQ(zones[1].size(), 1u);  // particles of 0.1 m are fine enough there
+    const Box& crest = zones[0][1];
+    EXPECT_LE(crest.min.y(), 1);
+    EXPECT_GE(crest.max.y(), 1.4);
+    EXPECT_EQ(crest.max.z(), INFINITY);
+    const auto box = std::ranges::find(scene.refinement, "crest", &RefinementBox::name);
+    ASSERT_NE(box, scene.refinement.end());
+    EXPECT_DOUBLE_EQ(scene.resolution.spacing / std::exp2(box->level), 0.1);
+    const std::vector<double> with_box = particles_of_sizes(scene),
+                              without = particles_of_sizes(scene_of(with_levels(3) + wide_domain));
+    EXPECT_GT(with_box[1], without[1] + 0.6 * 0.4 * 0.5 / 0.001);
+    EXPECT_EQ(with_box[2], without[2]);
+}
+
+TEST(ParticleLevels, BoxesWithoutRoomForCoarseParticlesBetweenBecomeOne) {
+    const Scene scene = scene_of(with_levels(2) + wide_domain +
+                                 "\n[[refine]]\nmin = [2.7, 0, -0.5]\nmax = [4.2, 0.5, 0.2]\n");
+    ASSERT_EQ(particle_zones(scene)[0].size(), 1u);
+    EXPECT_GE(particle_zones(scene)[0][0].max.x(), 4.2);
+}
+
+TEST(ParticleLevels, BoxesAreRefusedWhereTheyCanDoNothing) {
+    const auto complaint_of = [](const std::string& box) { return complaint(planing + "\n[[refine]]\n" + box); };
+    EXPECT_NE(complaint_of("min = [50, 0, 0]\nmax = [51, 1, 1]\n").find("outside the domain"), std::string::npos);
+    EXPECT_NE(complaint_of("min = [2, 0, 0]\nmax = [1, 1, 1]\n").find("has no volume"), std::string::npos);
+    EXPECT_NE(complaint_of("min = [2, 0, 0]\nmax = [3, 1, 1]\nspacing = 0.01\n").find("finer than near_hull"),
+              std::string::npos);
 }
 
 TEST(ParticleLevels, TakeFewerParticlesAndLessTimeThanOneSize) {
