@@ -61,7 +61,7 @@ BodySetup circle_body(double diameter, double draft, double density) {
 TEST(Bodies, AfloatAtArchimedesDraftStayThere) {
     const double dp = 0.01, height = 0.2, draft = 0.1;
     SimulationSetup s = tank(dp, 0.5, 0.5, 0.3, 25);
-    s.bodies = {box_body(0.2, height, draft, 1000 * draft / height)};
+    s.bodies = {box_body(0.3, height, draft, 1000 * draft / height)};  // as wide as high it would lie down
     Simulation afloat(s, water(s));
     const Vec3 start = centre_of(afloat);
     double sum = 0, time = 0, most = 0;
