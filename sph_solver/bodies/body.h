@@ -6,7 +6,6 @@
 #include "meshes/query.h"
 #include "meshes/surface.h"
 #include "motion/rigid_body.h"
-#include "sph_solver/bodies/load.h"
 #include "sph_solver/bodies/motion.h"
 
 namespace tw {
