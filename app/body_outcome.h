@@ -6,7 +6,7 @@
 
 namespace tw::app {
 
-/// Where each body that moves is at the end of a run, how fast, how far it has turned, and its largest force: a line each.
+/// Where each body that moves is at the end of a run, how fast, how far it has turned, its largest force: a line each
 std::string outcome_of_bodies(const Scene& scene, const RunRecord& record);
 
 }  // namespace tw::app

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// First derivatives at the knots of the cubic spline that is at rest at both ends: continuity of the second derivative,
+/// First derivatives at the knots of the cubic spline at rest at both ends: continuity of the second derivative,
 ///
 ///   m_{k-1} / h_{k-1} + 2 (1/h_{k-1} + 1/h_k) m_k + m_{k+1} / h_k
 ///     = 3 ((y_k - y_{k-1}) / h_{k-1}^2 + (y_{k+1} - y_k) / h_k^2),   m_0 = m_n = 0,

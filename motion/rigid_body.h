@@ -23,21 +23,21 @@ struct RigidBodySetup {
     Vec3 spin = Vec3::Zero();      ///< angular velocity at the start [rad/s]; free bodies
 };
 
-/// The motion of one rigid body, as both methods solve it. Earth axes throughout.
+/// The motion of one rigid body, for both methods. Earth axes throughout.
 ///
-/// A free body keeps the velocity of its centre of mass and its angular momentum L about it. They change by loads alone,
+/// A free body keeps the velocity of its centre of mass and its angular momentum L about it. Loads alone change them,
 /// so that momentum is conserved to rounding whatever the steps:
 ///
 ///   kick:    U += dt F / m,   L += dt M            components that are locked stay zero
-///   drift:   x += dt U,       q -> exp(dt omega) q,   omega = omega(q', L) at the middle of the drift, q' = exp(dt/2 omega) q
+///   drift:   x += dt U,       q -> exp(dt omega) q,   omega = omega(q', L) in its middle, q' = exp(dt/2 omega) q
 ///
-/// The spin that belongs to L is that of the motions that are free (P projects on them; the locked ones have torques that
+/// The spin that belongs to L is that of the motions that are free (P projects on them; locked ones have torques that
 /// hold them and do no work, so P L is all that is needed):
 ///
 ///   omega = P (P I(q) P)^-1 P L,    I(q) = R(q) I_0 R(q)^T
 ///
 /// The drift is the implicit midpoint rule on the group of rotations (momentum in earth axes as Simo & Wong 1991,
-/// doi:10.1002/nme.1620310103): second order, symmetric in time, so that energy does not drift, and L is untouched. Kick
+/// doi:10.1002/nme.1620310103): second order, symmetric in time, so energy does not drift, and L is untouched. Kick
 /// and drift make a second-order step as kick-drift-kick.
 class RigidBody {
 public:
@@ -64,7 +64,7 @@ public:
     Vec3 prescribed_angular_acceleration() const;  ///< [rad/s2]
     double kinetic_energy() const;                 ///< [J]
 
-    /// For the time `dt` [s] the force and the moment about the centre act on a free body; a prescribed one ignores them.
+    /// For the time `dt` [s] force and moment about the centre act on a free body; a prescribed one ignores them.
     void kick(const Vec3& force, const Vec3& moment, double dt);
     /// Moves on for the time `dt` [s].
     void drift(double dt);

@@ -20,7 +20,7 @@ RigidMass solid_mass(const Surface& surface, double density);
 /// inertia about the old centre stays.
 RigidMass with_centre(const RigidMass& of, const Vec3& centre);
 
-/// Why no body can have this mass or inertia; empty when one can. The mass is positive, and so is each principal moment;
+/// Why no body can have this mass or inertia; empty if one can. The mass is positive, and so is each principal moment;
 /// none is larger than the sum of the other two (that of a flat plate across itself is the sum).
 std::string impossible(const RigidMass& mass);
 

@@ -34,13 +34,13 @@ struct WaterShell {
 /// is a Load.
 ///
 /// The body of a free motion and the water are advanced in turn, in the same kick-drift-kick: the water's last forces
-/// kick the body, and its dummies hand the water an acceleration. The water near answers to that acceleration within the
+/// kick the body, and its dummies hand the water an acceleration. Water near answers to that acceleration within the
 /// same evaluation, with a force -M a, where M is about the mass of the water within the kernels' reach of the body. Of
 /// a light body M > m, and a handed over as it was in the step before would grow by -M/m a step. So it is relaxed:
 ///
 ///   a' += theta (a - a'),   theta = 1 / (1 + M_s / m),
 ///
-/// M_s the mass of water that the dummies would be (WaterShell, an upper bound of M), and likewise for the rotation with
+/// M_s the mass of water that the dummies would be (WaterShell, an upper bound of M), and likewise for rotation with
 /// the inertias. The lag, (1 + M_s/m) steps of about dp/c0, vanishes with dp. Decision 032 has the measurements.
 class Body {
 public:

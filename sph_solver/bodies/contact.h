@@ -8,7 +8,7 @@
 namespace tw {
 
 /// Whether bodies that move touch a wall of the tank, a fixed solid or each other, or have left the domain. Contact is
-/// not solved: a run ends there. Particles cannot enter a gap below half a spacing between two solids, so that is contact
+/// not solved: a run ends there. Particles cannot enter a gap below half a spacing between solids, so that is contact
 /// already; a wall of the tank is touched at its face.
 class Contacts {
 public:

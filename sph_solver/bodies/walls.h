@@ -69,7 +69,7 @@ public:
         WallNormalRecord normal;
         std::size_t body = 0;  ///< meaningful where `normal` is not `no_wall`
     };
-    /// The wall nearest to a place `x` within `reach` [m], where the bodies are now, as it acts on water of velocity `u`.
+    /// The wall nearest to a place `x` within `reach` [m], where bodies are now, as it acts on water of velocity `u`.
     Nearest nearest(const Vec3& x, const Vec3& u, double reach) const;
 
     /// What the sweeps have left of each group's load: one WallLoad for each body that the group has in reach.
