@@ -6,6 +6,7 @@ namespace tw::app {
 
 int run_case(const CaseCommand& command, const Common& common) {
     const Scene scene = read_scene(command.scene.file, command.scene.overrides());
+    refuse_unsolved(scene, "fvm");
     refuse_oversize(scene, predict(scene));
     if (std::filesystem::exists(command.folder) && !std::filesystem::is_empty(command.folder))
         throw InputError(command.folder.string() + ": exists already and is not empty; choose a new folder");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "app/body_outcome.h"
 #include "app/campaign.h"
 #include "app/output.h"
 #include "app/stop_signal.h"
@@ -108,7 +109,10 @@ int run_run(const RunCommand& command, const Common& common) {
     for (const std::string& method : methods) {
         const CampaignResult result = campaign.run_or_take({method, method, plan, out / method});
         failed |= result.state == CampaignResult::State::failed;  // the other method runs all the same
-        if (result.record) runs.push_back(facts_of(method, *result.record, out / method));
+        if (result.record) {
+            runs.push_back(facts_of(method, *result.record, out / method));
+            say(common, outcome_of_bodies(scene, *result.record));
+        }
         if (result.state == CampaignResult::State::stopped) return stopped(method);
     }
 

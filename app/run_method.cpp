@@ -18,6 +18,7 @@ PlannedRun plan_run(const std::filesystem::path& file, const SceneOverrides& ove
     else if (!method.empty())
         scene.run.methods = {method};
     if (threads > 0) scene.run.threads = threads;
+    for (const std::string& m : scene.run.methods) refuse_unsolved(scene, m);
     const Prediction prediction = predict(scene, machine_pace());
     refuse_oversize(scene, prediction);
     return {std::move(scene), prediction};

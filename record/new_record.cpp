@@ -114,6 +114,12 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
         for (std::size_t k = 0; k < hull.repairs.size(); ++k)
             record.attributes[fmt::format("hull_repair_{:02}", k)] = hull.repairs[k];
     }
+    for (const MovingBody& b : scene.bodies) {
+        record.numbers["mass_" + b.name] = b.motion.mass.mass;
+        for (std::size_t k = 0; k < b.findings.size(); ++k)
+            record.attributes[fmt::format("finding_{}_{:02}", b.name, k)] =
+                b.findings[k].name + ": " + b.findings[k].message;
+    }
     record.scene_text = scene.text;
     record.raster = scene.sampling.raster;
     record.effects = scene.effects;

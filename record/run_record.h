@@ -58,6 +58,10 @@ struct CertificateLine {
 ///   samples: mass, kinetic_energy, potential_energy, dt, max_mach | max_courant, max_speed, particles | cells,
 ///            particles_in, particles_out, particles_lost, wetted_length [m], ventilation [-], wetted_area [m2]
 ///   pressure, height: one column per probe of the scene
+///   body_NAME: of each body that moves, one row per step: x, y, z of its centre of mass and `lowest`, height of its
+///            lowest point [m]; q0, qx, qy, qz, the quaternion that turns it from how it stood at first; vx.. [m/s],
+///            spin_x.. [rad/s]; fx.., mx.. force of the water and its moment about the centre of mass [N, N m], earth
+///            axes, and fx_body.., mx_body.. the same in axes that turn with the body and were the earth's at the start
 /// A value that a method does not know at some time is NaN; a column it never knows is absent.
 struct RunRecord {
     static constexpr int format_version = 1;
@@ -87,6 +91,9 @@ struct RunRecord {
     Table& table(const std::string& name);
     const Column* series(const std::string& table, const std::string& column) const;
 };
+
+/// The table of a body that moves.
+inline std::string body_table(const std::string& name) { return "body_" + name; }
 
 /// The point moments are taken about: the middle of the posed hull's bounding box in x and y, at still water (z = 0)
 /// [m].

@@ -18,6 +18,9 @@ void make_halves_alike(Hull& hull, const Resolution& resolution, Section& s);
 void check_hull_place(const Scene& scene, Sections& s, const std::string& key);
 /// Water blocks, obstacles and probes lie inside the domain; in two dimensions they get its thickness.
 void check_places(Scene& scene, Sections& s);
+/// Bodies that move start inside the domain, clear of its walls, of obstacles and of each other, with numerics that can
+/// move them. What is odd about them becomes a finding.
+void check_bodies(Scene& scene, Sections& s);
 /// The run would be stopped as soon as the water moves faster than its sound.
 void check_sound_speed(const Scene& scene);
 

@@ -194,14 +194,13 @@ Prediction predict(const Scene& scene, const MachinePace& pace) {
     }
     double solid_area = scene.hull ? scene.hull->mass.area / scene.symmetry_factor() : 0;
     for (const Obstacle& o : scene.obstacles) solid_area += mass_properties(o.surface).area;
+    for (const MovingBody& b : scene.bodies) solid_area += mass_properties(b.surface).area;
     p.wall_particles = flat ? 0 : wall_layers * solid_area / (dp * dp);
     const EdgeRefinement shedding = edge_refinement(scene);
     p.cells = count_cells(scene) + cells_at_edges(scene, shedding);
 
     const double h = scene.sph.h_over_dp * dp;
-    const double speed = scene.motion.kind == Motion::Kind::stream
-                             ? scene.motion.speed
-                             : std::sqrt(2 * scene.water.gravity * water_height(scene));
+    const double speed = scene.motion.kind == Motion::Kind::stream ? scene.motion.speed : 0.1 * default_sound_speed(scene);
     p.sph_steps = scene.run.duration * (scene.sph.c0 + speed) / (scene.sph.cfl * h);
     const double n = cores(scene);
     // Work grows with the number of neighbours: the throughput above is that of h/dp = 1.5.

@@ -152,7 +152,9 @@ double default_courant(const Scene& scene) {
 double default_sound_speed(const Scene& scene) {
     // p_max / rho0 of the water at rest is g H; falling from the surface it reaches sqrt(2 g H).
     const double fall = std::sqrt(2 * scene.water.gravity * water_height(scene));
-    return 10 * std::max(scene.motion.speed, fall);
+    double body = 0;
+    for (const MovingBody& b : scene.bodies) body = std::max(body, b.fastest(scene.water.gravity));
+    return 10 * std::max({scene.motion.speed, fall, body});
 }
 
 RasterSpec default_raster(const Scene& scene, double spacing) {
@@ -197,13 +199,16 @@ double water_volume(const Scene& scene) {
     }
     const Vec3 size = scene.domain.box.size();
     const double hull = scene.hull ? scene.hull->still.volume * scene.span() / scene.symmetry_factor() : 0;
-    return size.x() * size.y() * -scene.domain.box.min.z() - hull;
+    double bodies = 0;
+    for (const MovingBody& b : scene.bodies) bodies += hydrostatics(b.surface).volume * scene.span();
+    return size.x() * size.y() * -scene.domain.box.min.z() - hull - bodies;
 }
 
 double air_volume(const Scene& scene) {
     double taken = water_volume(scene);
     if (scene.hull) taken += scene.hull->mass.volume * scene.span() / scene.symmetry_factor();
     for (const Obstacle& o : scene.obstacles) taken += mass_properties(o.surface).volume;
+    for (const MovingBody& b : scene.bodies) taken += mass_properties(b.surface).volume * scene.span();
     return std::max(0.0, scene.domain.box.volume() - taken);
 }
 

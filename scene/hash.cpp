@@ -69,6 +69,21 @@ Vec3 flattened(Vec3 p, double middle) {
     return p;
 }
 
+void add_body(Lines& t, const MovingBody& body) {
+    const RigidBodySetup& m = body.motion;
+    t.add("body", surface_hash(body.surface)).add("mass", {m.mass.mass}).add("centre", m.mass.centre);
+    for (int a = 0; a < 3; ++a) t.add("inertia", Vec3(m.mass.inertia.col(a)));
+    for (const auto& free : {m.free.along, m.free.about})
+        t.add("free", {double(free[0]), double(free[1]), double(free[2])});
+    t.add("velocity", m.velocity).add("spin", m.spin);
+    if (!m.law) return;
+    const MotionLaw& law = *m.law;
+    t.add("law", {static_cast<double>(law.kind), double(law.turns), law.rate, law.ramp, law.amplitude, law.period,
+                  law.phase})
+        .add("axis", law.axis);
+    for (std::size_t k = 0; k < law.times.size(); ++k) t.add("row", {law.times[k], law.values[k]});
+}
+
 /// What a run is made from besides the keys that stand in the scene as they are written. `sizes`: with the resolution
 /// and what follows from it.
 void add_geometry(Lines& t, const Scene& scene, bool sizes) {
@@ -86,6 +101,7 @@ void add_geometry(Lines& t, const Scene& scene, bool sizes) {
             for (Vec3& p : surface.points) p = flattened(p, middle);
         t.add("obstacle", surface_hash(surface));
     }
+    for (const MovingBody& body : scene.bodies) add_body(t, body);
     for (const Box& block : scene.water_blocks)
         t.add("block", flat ? Box{flattened(block.min, middle), flattened(block.max, middle)} : block);
     for (const PressureProbe& p : scene.sampling.pressure) t.add("pressure", p.place);

@@ -30,7 +30,7 @@ std::vector<std::string> shape_names() {
 // clang-format off
 using Rows = std::vector<SceneKey>;
 
-/// What [hull] and [[obstacle]] share.
+/// What [hull], [[obstacle]] and [[body]] share.
 Rows solid_keys() {
     return {
         {.name = "file", .kind = Kind::text, .hashed = Hashed::scene, .fallback = "none",
@@ -243,6 +243,65 @@ Rows obstacle_keys() {
     return rows;
 }
 
+Rows body_keys() {
+    Rows rows = solid_keys();
+    const Rows own{
+        {.name = "name", .kind = Kind::name, .fallback = "body1, body2, ...",
+         .meaning = "Name in messages and in the record."},
+        {.name = "trim", .unit = "rad", .range = {-right_angle, right_angle}, .hashed = Hashed::scene,
+         .fallback = "0 deg", .meaning = "Trim angle at the start, bow up positive: -75 deg with `speed` is an entry at 75 degrees, bow first."},
+        {.name = "heel", .unit = "rad", .range = {-right_angle, right_angle}, .hashed = Hashed::scene,
+         .fallback = "0 deg", .meaning = "Heel angle at the start, starboard down positive."},
+        {.name = "draft", .unit = "m", .hashed = Hashed::scene, .fallback = "a file keeps its own height",
+         .meaning = "Depth of the lowest point below still water at the start; negative: above it."},
+        {.name = "position", .kind = Kind::place2, .unit = "m", .hashed = Hashed::scene, .fallback = "[0, 0]",
+         .meaning = "Shift in x and y."},
+        {.name = "density", .unit = "kg/m3", .range = positive, .hashed = Hashed::scene, .fallback = "from `mass`",
+         .meaning = "Uniform density; mass, centre and inertia follow from the surface."},
+        {.name = "mass", .unit = "kg", .range = positive, .hashed = Hashed::scene, .fallback = "from `density`",
+         .meaning = "Mass; of a section per metre of span."},
+        {.name = "centre", .kind = Kind::place3, .unit = "m", .hashed = Hashed::scene,
+         .fallback = "that of the volume", .meaning = "Centre of mass, where the body stands at the start."},
+        {.name = "inertia", .kind = Kind::place3, .unit = "kg m2", .hashed = Hashed::scene,
+         .fallback = "of a uniform solid",
+         .meaning = "Moments of inertia about the centre of mass and the shape's own x, y and z; of a section per metre."},
+        {.name = "motion", .kind = Kind::choice, .choices = {"free", "prescribed"}, .hashed = Hashed::scene,
+         .fallback = "free", .meaning = "Moved by water and weight, or as `law` says."},
+        {.name = "locked", .kind = Kind::choices, .choices = {"surge", "sway", "heave", "roll", "pitch", "yaw"},
+         .hashed = Hashed::scene, .fallback = "none",
+         .meaning = "Motions along and about the earth's x, y and z that a free body does not make; in two dimensions sway, roll and yaw always."},
+        {.name = "velocity", .kind = Kind::place3, .unit = "m/s", .hashed = Hashed::scene, .fallback = "[0, 0, 0]",
+         .meaning = "Velocity of the centre of mass at the start, earth axes."},
+        {.name = "speed", .unit = "m/s", .hashed = Hashed::scene, .fallback = "0",
+         .meaning = "The same along the body's own axis, bow first, instead of `velocity`."},
+        {.name = "spin", .kind = Kind::place3, .unit = "rad/s", .hashed = Hashed::scene, .fallback = "[0, 0, 0]",
+         .meaning = "Angular velocity at the start, earth axes."},
+        {.name = "law", .kind = Kind::choice, .choices = {"constant", "ramp", "sinusoid", "table"},
+         .hashed = Hashed::scene, .fallback = "required of a prescribed motion",
+         .meaning = "Path s(t) along `along` or about `about`: rate t; a rate that rises from 0 over `ramp`; amplitude (sin(2 pi t / period + phase) - sin(phase)); a smooth curve through `times` and `values`."},
+        {.name = "along", .kind = Kind::place3, .hashed = Hashed::scene, .fallback = "none",
+         .meaning = "Direction of a prescribed motion."},
+        {.name = "about", .kind = Kind::place3, .hashed = Hashed::scene, .fallback = "none",
+         .meaning = "Axis of a prescribed rotation, through `centre`."},
+        {.name = "rate", .hashed = Hashed::scene, .fallback = "required of constant and ramp",
+         .meaning = "Velocity along `along` [m/s], or about `about` [rad/s]."},
+        {.name = "ramp", .unit = "s", .range = positive, .hashed = Hashed::scene, .fallback = "required of ramp",
+         .meaning = "How long the rate rises."},
+        {.name = "amplitude", .hashed = Hashed::scene, .fallback = "required of sinusoid",
+         .meaning = "Amplitude along `along` [m], or about `about` [rad]."},
+        {.name = "period", .unit = "s", .range = positive, .hashed = Hashed::scene, .fallback = "required of sinusoid",
+         .meaning = "Period."},
+        {.name = "phase", .unit = "rad", .hashed = Hashed::scene, .fallback = "0 deg",
+         .meaning = "Phase at the start; 90 deg: from rest."},
+        {.name = "times", .kind = Kind::list, .unit = "s", .hashed = Hashed::scene, .fallback = "required of table",
+         .meaning = "Times of the table; they rise. The body rests before the first and after the last."},
+        {.name = "values", .kind = Kind::list, .hashed = Hashed::scene, .fallback = "required of table",
+         .meaning = "Places along `along` [m], or angles about `about` [rad]."},
+    };
+    rows.insert(rows.end(), own.begin(), own.end());
+    return rows;
+}
+
 Rows sph_keys() {
     return {
         {.name = "h_over_dp", .range = {1.1, 3}, .hashed = Hashed::sph,
@@ -323,6 +382,7 @@ std::vector<SceneKey> all_keys() {
         {"water_block", water_block_keys()},
         {"refine", refine_keys()},
         {"obstacle", obstacle_keys()},
+        {"body", body_keys()},
         {"effects", effect_keys()},
         {"sph", sph_keys()},
         {"fvm", fvm_keys()}};
@@ -361,6 +421,8 @@ const std::vector<SceneSection>& scene_sections() {
          "A box to be resolved finer than what lies round it, in both methods: cells are halved there, and with "
          "`[sph] levels` above 1 finer particles stand there. With a hull in three dimensions."},
         {"obstacle", true, "A fixed closed solid: a box (min and max), a file or a shape."},
+        {"body", true,
+         "A closed solid that moves in a tank, freely or as prescribed; solved by the particle method only."},
         {"effects", false,
          "Physical effects: \"auto\" (the plan decides), \"on\" or \"off\". `--effect NAME=on` on the command line "
          "takes "

@@ -13,7 +13,7 @@ namespace tw {
 /// All sections of one scene file; kept while the scene is being checked so that a later finding names its key.
 struct Sections {
     Section root, hull, water, motion, resolution, domain, run, sampling, tank, sph, fvm, effects;
-    std::vector<Section> obstacles, probes, water_blocks, refined;
+    std::vector<Section> obstacles, bodies, probes, water_blocks, refined;
 };
 Sections split_sections(const std::filesystem::path& file, const SceneValue& document);
 
@@ -46,6 +46,11 @@ struct HullOptions {
     std::string key;  ///< "file" or "shape": where findings about the surface are reported
 };
 HullOptions read_hull(Section& s);
+/// The surface of [hull], [[obstacle]] or [[body]] in metres, before it is posed: from `file` or from `shape` and its
+/// parameters. `source`: that file or shape as written; `key`: which of the two it was.
+Surface read_solid(Section& s, std::string& source, std::string& key);
+/// The `number`-th body, from 1.
+MovingBody read_body(Section& s, std::size_t number, int dimensions);
 /// A solid from a file, a shape or a box (min, max).
 Obstacle read_obstacle(Section& s, std::size_t number);
 std::vector<Box> read_water_blocks(std::vector<Section>& sections);

@@ -8,10 +8,8 @@
 #include "scene/read.h"
 
 namespace tw {
-namespace {
-
-/// The surface of [hull] or [[obstacle]] in metres, before it is posed: from `file` or from `shape` and its parameters.
-Surface read_solid(Section& s, const std::filesystem::path& scene_file, std::string& source, std::string& key) {
+Surface read_solid(Section& s, std::string& source, std::string& key) {
+    const std::filesystem::path& scene_file = s.file();
     const auto file = s.text("file");
     const auto shape = s.choice("shape");
     const std::string unit = s.choice("unit").value_or("m");
@@ -39,8 +37,6 @@ Surface read_solid(Section& s, const std::filesystem::path& scene_file, std::str
     }
 }
 
-}  // namespace
-
 HullOptions read_hull(Section& s) {
     HullOptions o;
     Hull& hull = o.hull;
@@ -55,7 +51,7 @@ HullOptions read_hull(Section& s) {
         s.fail("half", "a heeled hull is not symmetric about y = 0; set heel = 0 or half = false");
     if (hull.half && pose.position.y() != 0)
         s.fail("half", "a hull beside y = 0 is not symmetric about it; expected position = [x, 0]");
-    o.as_read = read_solid(s, s.file(), hull.source, o.key);
+    o.as_read = read_solid(s, hull.source, o.key);
     s.finish();
     // Without a draft the hull keeps the height it has in its own file.
     hull.draft = draft.value_or(-o.as_read.bounds().min.z());
@@ -82,7 +78,7 @@ Obstacle read_obstacle(Section& s, std::size_t number) {
         o.surface = box_surface(box);
     } else {
         std::string source, key;
-        o.surface = read_solid(s, s.file(), source, key);
+        o.surface = read_solid(s, source, key);
         for (const Finding& f : check_surface(o.surface))
             if (f.level == Finding::Level::error) s.fail(key, f.name + ": " + f.message);
         const Vec3 position = s.vector("position").value_or(Vec3::Zero());

@@ -17,7 +17,8 @@ std::optional<double> read_motion(Section& s, Scene& scene, bool has_hull) {
     const std::string asked = s.text("kind", "");
     if (asked == "prescribed" || asked == "free")
         s.fail("kind",
-               "this version solves a fixed hull only; expected \"stream\" (uniform stream) or \"none\" (still water)");
+               "this version solves a fixed hull only; expected \"stream\" (uniform stream) or \"none\" (still water; solids "
+               "that move are [[body]])");
     const bool stream = s.choice("kind").value_or(has_hull ? "stream" : "none") == "stream";
     scene.motion.kind = stream ? Motion::Kind::stream : Motion::Kind::none;
     if (!stream)

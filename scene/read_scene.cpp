@@ -108,7 +108,7 @@ Sections split_sections(const std::filesystem::path& file, const SceneValue& doc
     };
     Sections s{root,          one("hull"),    one("water"),     one("motion"), one("resolution"),
                one("domain"), one("run"),     one("sampling"),  one("tank"),   one("sph"),
-               one("fvm"),    one("effects"), many("obstacle"), many("probe"), many("water_block"),
+               one("fvm"),    one("effects"), many("obstacle"), many("body"), many("probe"), many("water_block"),
                many("refine")};
     s.root = root;
     s.root.know("title");
@@ -140,6 +140,9 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     for (std::size_t i = 0; i < s.obstacles.size(); ++i)
         scene.obstacles.push_back(read_obstacle(s.obstacles[i], i + 1));
     refuse_same_names(scene.obstacles, s.obstacles);
+    for (std::size_t i = 0; i < s.bodies.size(); ++i)
+        scene.bodies.push_back(read_body(s.bodies[i], i + 1, domain.dimensions));
+    refuse_same_names(scene.bodies, s.bodies);
 
     std::optional<HullOptions> hull;
     if (s.hull.present()) {
@@ -181,6 +184,7 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
                       "there is no water: still water is z = 0, and the domain begins above it; expected a floor below "
                       "z = 0, or [[water_block]]");
     check_places(scene, s);
+    check_bodies(scene, s);
 
     scene.motion.ramp = ramp.value_or(default_ramp(scene));
     fill_times(scene);
@@ -207,6 +211,8 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
             fmt::format("makes a raster of more than {:.0e} voxels; expected about {:.3g} m, twice near_hull",
                         most_voxels, two_particles));
     scene.effects = plan_effects(scene, s.effects);
+    if (!scene.bodies.empty() && scene.effect_on("air"))
+        s.effects.fail("air", "bodies that move are solved in water alone; remove this effect");
     scene.hash = scene_hash(scene);
     return scene;
 }

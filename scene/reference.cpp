@@ -76,7 +76,7 @@ std::string effects_section(const SceneSection& section) {
 
 std::string shapes_section() {
     std::string out =
-        "## Shapes\n\nParametric shapes for `[hull]` and `[[obstacle]]`. The parameters stand as keys beside "
+        "## Shapes\n\nParametric shapes for `[hull]`, `[[obstacle]]` and `[[body]]`. The parameters stand as keys beside "
         "`shape`.\n";
     for (const HullShape& shape : hull_shapes()) {
         out += fmt::format("\n### `{}`\n\n{}\n\n| key | value | default | meaning |\n|---|---|---|---|\n", shape.name,

@@ -10,6 +10,7 @@
 #include "meshes/health.h"
 #include "meshes/mass_properties.h"
 #include "meshes/surface.h"
+#include "motion/rigid_body.h"
 #include "scene/sph_options.h"
 
 namespace tw {
@@ -95,6 +96,19 @@ struct Obstacle {
     Surface surface;
 };
 
+/// A closed solid that moves, freely or as prescribed. In two dimensions its section, drawn out to a metre of span, and
+/// masses and inertias are per metre. At the start it displaces water as a hull does.
+struct MovingBody {
+    std::string name;
+    std::string source;     ///< file name or shape, as the user wrote it
+    Surface surface;        ///< as it stands at the start [m]
+    RigidBodySetup motion;  ///< a prescribed body without a mass has zeros there, but for the centre
+    std::vector<Finding> findings;
+
+    /// An upper bound of the speed of its surface until it touches still water, z = 0, at gravity `g` [m/s].
+    double fastest(double g) const;
+};
+
 struct PressureProbe {
     std::string name;
     Vec3 place;  ///< [m]
@@ -156,6 +170,7 @@ struct Scene {
     std::string hash;            ///< of every number both methods use (not of title, paths, comments)
     std::optional<Hull> hull;
     std::vector<Obstacle> obstacles;
+    std::vector<MovingBody> bodies;
     WaterBlocks water_blocks;  ///< empty in a stream scene: all below z = 0 outside the hull
     Water water;
     Motion motion;
@@ -219,6 +234,8 @@ Prediction predict(const Scene& scene, const MachinePace& pace = {});
 inline constexpr double longest_run = 30 * 86400.0;  ///< [s]
 inline constexpr double most_snapshots = 1e5, most_frames = 1e6;
 void refuse_oversize(const Scene& scene, const Prediction& prediction);
+/// Throws InputError where a method cannot solve what the scene asks for: the mesh method no bodies that move.
+void refuse_unsolved(const Scene& scene, const std::string& method);
 /// The checked scene in words: hull, domain, resolution, sampling, effects with reasons, predicted cost.
 std::string to_text(const Scene& scene, const Prediction& prediction);
 

@@ -68,6 +68,31 @@ std::string start_up_text(const Scene& scene, const Prediction& p) {
                      100 * rest, time_in_words(rest * p.sph_seconds), time_in_words(rest * p.fvm_seconds));
 }
 
+std::string body_text(const MovingBody& b, const Scene& scene) {
+    const RigidBodySetup& m = b.motion;
+    const Box at = b.surface.bounds();
+    std::string out = fmt::format("body        {}: {}, {} to {} m\n", b.name, b.source, place(at.min), place(at.max));
+    if (m.law) {
+        static constexpr const char* kinds[] = {"constant rate", "ramp", "sinusoid", "table"};
+        out += fmt::format("  moves     as prescribed ({}) {} {}, at most {:.4g} {}\n",
+                           kinds[static_cast<int>(m.law->kind)], m.law->turns ? "about" : "along", place(m.law->axis),
+                           m.law->fastest(), m.law->turns ? "rad/s" : "m/s");
+        return out;
+    }
+    static constexpr const char* names[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
+    std::string free;
+    for (std::size_t k = 0; k < 6; ++k)
+        if (k < 3 ? m.free.along[k] : m.free.about[k - 3]) free += (free.empty() ? "" : ", ") + std::string(names[k]);
+    out += fmt::format("  mass      {:.5g} {}, centre at {} m, inertia {:.4g}, {:.4g}, {:.4g} {}\n", m.mass.mass,
+                       scene.spanwise_unit("kg"), place(m.mass.centre), m.mass.inertia(0, 0), m.mass.inertia(1, 1),
+                       m.mass.inertia(2, 2), scene.spanwise_unit("kg m2"));
+    out += fmt::format("  moves     freely in {}; at the start {} m/s, spin {} rad/s\n", free, place(m.velocity),
+                       place(m.spin));
+    for (const Finding& f : b.findings)
+        out += fmt::format("  {:9} {}\n", f.level == Finding::Level::warning ? "warning" : "note", f.message);
+    return out;
+}
+
 }  // namespace
 
 std::string to_text(const Scene& scene, const Prediction& p) {
@@ -77,6 +102,7 @@ std::string to_text(const Scene& scene, const Prediction& p) {
         const Box b = o.surface.bounds();
         out += fmt::format("obstacle    {}: {} to {} m\n", o.name, place(b.min), place(b.max));
     }
+    for (const MovingBody& b : scene.bodies) out += body_text(b, scene);
     for (const Box& b : scene.water_blocks)
         out += fmt::format("water       block {} to {} m\n", place(b.min), place(b.max));
     const Water& w = scene.water;

@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 
 #include "base/atomic_file.h"
 #include "base/errors.h"
+#include "meshes/section.h"
 #include "record/snapshot.h"
 #include "record/water_surface.h"
 #include "scene/hash.h"
@@ -62,7 +64,7 @@ private:
 /// The next multiple of `interval` after `time`.
 double next_after(double time, double interval) { return (std::floor(time / interval + 1e-9) + 1) * interval; }
 
-/// ParaView files of one moment: particles, and the hull with its pressure.
+/// ParaView files of one moment: particles, the hull with its pressure, and bodies where they are.
 class Snapshots {
 public:
     explicit Snapshots(const fs::path& folder) : folder_(folder / "snapshots") {}
@@ -72,6 +74,8 @@ public:
         write_levels(simulation.water(), "particles", particles_, stamp);
         if (air_of(simulation)) write_levels(simulation.levels().last(1), "air", air_, stamp);
         write_water(record);
+        for (const Body& body : simulation.bodies())
+            if (!body.fixed()) write_body(simulation, body, stamp);
         if (record.hull_pressure.empty()) return;
         const std::string hull = "hull_" + stamp + ".vtp";
         write_surface(folder_ / hull, record.hull,
@@ -96,6 +100,9 @@ public:
         if (!fs::exists(folder_)) return;
         for (const auto& entry : fs::directory_iterator(folder_)) {
             const std::string name = entry.path().filename().string();
+            if (name.starts_with("body_") && name.ends_with(".vtp"))
+                if (const double at = std::stod(name.substr(name.rfind('_') + 1)); at <= time)
+                    bodies_[name.substr(0, name.rfind('_'))].emplace_back(name, at);
             for (auto [prefix, suffix, list] :
                  {std::tuple{"particles_", ".hdf", &particles_}, std::tuple{"air_", ".hdf", &air_},
                   std::tuple{"hull_", ".vtp", &hulls_}, std::tuple{"free_surface_", ".vtp", &waters_}})
@@ -109,6 +116,7 @@ public:
         std::sort(air_.begin(), air_.end(), earlier);
         std::sort(hulls_.begin(), hulls_.end(), earlier);
         std::sort(waters_.begin(), waters_.end(), earlier);
+        for (auto& [name, series] : bodies_) std::sort(series.begin(), series.end(), earlier);
     }
 
 private:
@@ -137,7 +145,19 @@ private:
         write_series(folder_ / (name + ".hdf.series"), series);
     }
 
+    /// The surface of a body where it is now; a section as thick as the water.
+    void write_body(const Simulation& simulation, const Body& body, const std::string& stamp) {
+        const SimulationSetup& s = simulation.setup();
+        Surface now = s.dimensions == 2 ? with_span(body.surface(), s.domain.size().y()) : body.surface();
+        for (Vec3& p : now.points) p = body.now(p);
+        const std::string name = body_table(body.name()), file = name + "_" + stamp + ".vtp";
+        write_surface(folder_ / file, now, {});
+        bodies_[name].emplace_back(file, simulation.time());
+        write_series(folder_ / (name + ".vtp.series"), bodies_[name]);
+    }
+
     fs::path folder_;
+    std::map<std::string, Series> bodies_;
     Series particles_, air_, hulls_, waters_;
 };
 

@@ -125,7 +125,13 @@ SphSetup sph_setup(const Scene& scene, int threads) {
     if (scene.hull) setup.control_volume = control_box(scene, s);
     s.effects = effect_options(scene, s);
     s.tension_control = scene.effect_on("tension_control");
-    for (const Obstacle& o : scene.obstacles) s.bodies.emplace_back(o.surface);
+    for (const Obstacle& o : scene.obstacles) s.bodies.emplace_back(o.surface).name = o.name;
+    for (const MovingBody& b : scene.bodies) {
+        BodySetup& body =
+            s.bodies.emplace_back(s.dimensions == 2 ? with_span(b.surface, endless_span(b.surface)) : b.surface);
+        body.moving = b.motion;
+        body.name = b.name;
+    }
 
     std::vector<Box> blocks = scene.water_blocks;
     if (blocks.empty()) {

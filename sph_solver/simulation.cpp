@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "base/errors.h"
 #include "sph_solver/time/limits.h"
 
@@ -28,11 +30,22 @@ Simulation::Simulation(const SimulationSetup& setup, std::span<const Fluid> flui
     for (std::size_t k = 0; k <= finest; ++k) {
         LevelSetup level = setup;
         level.dp = std::ldexp(setup.dp, static_cast<int>(finest - k));
-        levels_.push_back(std::make_unique<Level>(*around_, level, schedule_, *bodies_, *passes_,
-                                                  fluids[k]));
+        levels_.push_back(std::make_unique<Level>(*around_, level, schedule_, *bodies_, *passes_, fluids[k]));
     }
     refinements_.reserve(finest);
     for (std::size_t k = 0; k < finest; ++k) refinements_.emplace_back(*levels_[k], *levels_[k + 1], setup.zones[k]);
+    if (std::ranges::all_of(*bodies_, [](const Body& body) { return body.fixed(); })) return;
+    if (finest > 0) throw InputError("bodies that move need particles of one size: [sph] levels = 1");
+    if (!schedule_.stages().empty())
+        throw InputError("bodies that move need a time step of one evaluation: [sph] scheme \"kick_drift_kick\"");
+    contacts_.emplace(*bodies_, *around_, setup.dp);
+    for (std::size_t b = 0; b < bodies_->size(); ++b) {
+        if ((*bodies_)[b].fixed()) continue;
+        WaterShell shell = level(0).walls().shell(b, setup.rho0);
+        shell.spacing = setup.dp;
+        shell.sound_speed = setup.state_equation.c0;
+        (*bodies_)[b].set_shell(shell);
+    }
 }
 
 Level& Simulation::add_level(LevelSetup setup, const Fluid& fluid) {
@@ -62,9 +75,35 @@ void Simulation::step() {
     evaluate(time() + after, compress, drift);
     gather_loads();
     choose_time_step();
-    for (const auto& level : schedule_.due(levels_))
-        level->advance(schedule_.move(before, level->dt()), setup_.moment_reference);
+    const Schedule::Move move = schedule_.move(before, dt());
+    const std::vector<Load> pressed = level(0).walls().loads;
+    move_bodies(move);
+    for (const auto& level : schedule_.due(levels_)) level->advance(move, setup_.moment_reference);
+    strike_bodies(pressed, move.kick);
     take_loads();
+    if (!contacts_) return;
+    if (const std::string contact = contacts_->found(); !contact.empty())
+        throw RunError(
+            fmt::format("{} at t = {:.6g} s (step {}); contact between solids is not solved: end the run "
+                        "before it, or give the body more room",
+                        contact, time(), steps()));
+}
+
+void Simulation::move_bodies(const Schedule::Move& move) {
+    for (std::size_t b = 0; b < bodies_->size(); ++b) {
+        Body& body = (*bodies_)[b];
+        const Load& load = level(0).walls().loads[b];
+        body.kick(load.force, load.moment, setup_.moment_reference, setup_.gravity, move.kick);
+        body.drift(move.drift);
+    }
+}
+
+void Simulation::strike_bodies(const std::vector<Load>& before, double kick) {
+    for (std::size_t b = 0; b < bodies_->size(); ++b) {
+        const Load& load = level(0).walls().loads[b];
+        (*bodies_)[b].strike(kick * (load.force - before[b].force), kick * (load.moment - before[b].moment),
+                             setup_.moment_reference);
+    }
 }
 
 void Simulation::take_loads() {
@@ -119,6 +158,7 @@ void Simulation::evaluate(double t, double compress, double drift) {
             if (const OtherSums* sums = pair.sums_for(*level)) other = sums;
         level->first_sweep(t, compress, drift, other);
     }
+    for (Body& body : *bodies_) body.drift(drift);
     for (const auto& level : due) level->second_sweep(t);
     for (LevelPair& pair : pairs_) pair.press(t);
 }
@@ -152,6 +192,7 @@ void Simulation::gather_loads() {
 void Simulation::choose_time_step() {
     double dt = stable_step(*levels_.front(), setup_.cfl);
     for (const auto& level : levels_) dt = std::min(dt, stable_step(*level, setup_.cfl));
+    for (const Body& body : *bodies_) dt = std::min(dt, body.stable_step());
     for (const auto& level : levels_) level->set_step(dt);
 }
 
@@ -198,8 +239,7 @@ void Simulation::sample_levels(PointSamples& points) {
         for (std::size_t j = 0; j < who.size(); ++j) {
             points.p[who[j]] = own.p[j];
             points.support[who[j]] = own.support[j];
-            for (std::size_t a = 0; a < 3 && points.want_flux; ++a)
-                points.flux[3 * who[j] + a] = own.flux[3 * j + a];
+            for (std::size_t a = 0; a < 3 && points.want_flux; ++a) points.flux[3 * who[j] + a] = own.flux[3 * j + a];
         }
     }
 }

@@ -1,10 +1,12 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "sph_solver/bodies/body.h"
+#include "sph_solver/bodies/contact.h"
 #include "sph_solver/pairs/level_pair.h"
 #include "sph_solver/particles/level.h"
 #include "sph_solver/refinement/refinement.h"
@@ -39,14 +41,14 @@ public:
     /// One level of particles of the setup's material, whose setup has no zones. `passes`: the instruction set.
     Simulation(const SimulationSetup& setup, const Fluid& fluid, const Passes& passes = tw::passes());
     /// Levels of several sizes of particles, see SimulationSetup::zones and `fill_levels`. Throws InputError for
-    /// another scheme than kick-drift-kick.
+    /// another scheme than kick-drift-kick. Bodies that move need particles of one size and a scheme of one evaluation.
     Simulation(const SimulationSetup& setup, std::span<const Fluid> levels, const Passes& passes = tw::passes());
 
     /// Puts another material beside the levels that are there, on particles of the same size; before the first step.
     /// Throws InputError for a scheme in stages.
     Level& add_level(LevelSetup setup, const Fluid& fluid);
 
-    void step();  ///< throws RunError, see Level::advance
+    void step();  ///< throws RunError, see Level::advance; and when a body that moves touches another solid
 
     const SimulationSetup& setup() const { return setup_; }
     const Passes& passes() const { return *passes_; }
@@ -55,6 +57,7 @@ public:
     Level& level(std::size_t k) { return *levels_[k]; }
     const Level& level(std::size_t k) const { return *levels_[k]; }
     const std::vector<Body>& bodies() const { return *bodies_; }
+    std::vector<Body>& bodies() { return *bodies_; }
 
     double time() const { return level(0).time(); }
     double dt() const { return level(0).dt(); }
@@ -106,6 +109,10 @@ private:
     void step_level(std::size_t k, double dt);
     void gather_loads();
     void take_loads();
+    /// Lets the water of the last evaluation kick the bodies, and moves them on.
+    void move_bodies(const Schedule::Move& move);
+    /// What particles held at walls did to the bodies in Level::advance, which adds it to the loads `before`.
+    void strike_bodies(const std::vector<Load>& before, double kick);
     void choose_time_step();
     void sample_levels(PointSamples& points);
     bool lists_outlived() const;
@@ -119,6 +126,7 @@ private:
     std::vector<std::unique_ptr<Level>> levels_;  // the first are the water
     std::vector<LevelPair> pairs_;
     std::vector<Refinement> refinements_;  // the k-th joins levels k and k + 1
+    std::optional<Contacts> contacts_;     // where a body moves
     std::vector<Load> loads_;
     double loads_over_ = 0;  // time of the sums in `loads_` while a step is made [s]
 };

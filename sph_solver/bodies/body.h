@@ -1,39 +1,96 @@
 #pragma once
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "meshes/query.h"
 #include "meshes/surface.h"
+#include "motion/rigid_body.h"
 #include "sph_solver/bodies/motion.h"
 
 namespace tw {
 
 /// A closed solid in the water.
 struct BodySetup {
-    Surface surface;
+    Surface surface;  ///< as it stands at the start
     /// Velocity of the surface along itself, as of a belt [m/s]. Felt by water that the walls hold (effect viscosity,
     /// no slip).
     Vec3 sliding = Vec3::Zero();
+    std::optional<RigidBodySetup> moving = {};  ///< none: fixed
+    std::string name = "body";                  ///< in messages
 
     BodySetup() = default;
     BodySetup(Surface s, const Vec3& along = Vec3::Zero()) : surface(std::move(s)), sliding(along) {}
 };
 
+/// The dummies of a body with water's density: a measure of the water that answers to its accelerations at once.
+struct WaterShell {
+    double mass = 0;                                    ///< [kg]
+    Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< about the body's centre of mass [kg m2]
+    double spacing = 0, sound_speed = 0;                ///< of the water [m], [m/s]
+};
+
 /// A solid's surface and motion. What a level of particles sees of it are dummies (walls.h); what it feels of a level
 /// is a Load.
+///
+/// The body of a free motion and the water are advanced in turn, in the same kick-drift-kick: the water's last forces
+/// kick the body, and its dummies hand the water an acceleration. Water near answers to that acceleration within the
+/// same evaluation, with a force -M a, where M is about the mass of the water within the kernels' reach of the body. Of
+/// a light body M > m, and a handed over as it was in the step before would grow by -M/m a step. So it is relaxed:
+///
+///   a' += theta (a - a'),   theta = 1 / (1 + M_s / m),
+///
+/// M_s the mass of water that the dummies would be (WaterShell, an upper bound of M), and likewise for rotation with
+/// the inertias. The lag, (1 + M_s/m) steps of about dp/c0, vanishes with dp. Decision 032 has the measurements.
 class Body {
 public:
-    explicit Body(BodySetup setup) : setup_(std::move(setup)), query_(setup_.surface) {}
+    explicit Body(BodySetup setup);
 
-    const Surface& surface() const { return setup_.surface; }
-    const SurfaceQuery& query() const { return query_; }
+    const Surface& surface() const { return setup_.surface; }  ///< at the start
+    const std::string& name() const { return setup_.name; }
     const Vec3& sliding() const { return setup_.sliding; }
-    /// Every body is fixed today.
-    const BodyMotion& motion() const { return motion_; }
+    bool fixed() const { return !rigid_; }
+    /// Throws std::bad_optional_access for a fixed body.
+    const RigidBody& rigid() const { return rigid_.value(); }
+    /// With the relaxed acceleration of a free body.
+    BodyMotion motion() const;
+
+    /// Where a point of the body is now that was at `x` at the start, and back [m].
+    Vec3 now(const Vec3& x) const;
+    Vec3 at_start(const Vec3& x) const;
+    /// Directions likewise.
+    Vec3 turned(const Vec3& v) const { return rigid_ ? Vec3(rigid_->state().attitude * v) : v; }
+    Vec3 turned_back(const Vec3& v) const { return rigid_ ? Vec3(rigid_->state().attitude.conjugate() * v) : v; }
+    /// Of the surface as it stood at the start.
+    const SurfaceQuery& query() const { return query_; }
+
+    /// Before the first step: see above.
+    void set_shell(const WaterShell& shell);
+    /// So that neither the body on the spring of compressible water nor its turning is unstable [s], see body.cpp.
+    double stable_step() const;
+
+    /// `moment`: about `reference` [m]. Weight is added here.
+    void kick(const Vec3& force, const Vec3& moment, const Vec3& reference, const Vec3& gravity, double dt);
+    /// Blows of particles that a wall had to hold: impulse [N s] and its moment about `reference` [N m s].
+    void strike(const Vec3& impulse, const Vec3& turn, const Vec3& reference);
+    void drift(double dt);
+
+    /// What a restart needs.
+    struct State {
+        RigidBody::State rigid;
+        Vec3 acceleration = Vec3::Zero(), angular_acceleration = Vec3::Zero();  ///< relaxed
+    };
+    State state() const { return {rigid().state(), acceleration_, angular_acceleration_}; }
+    void restore(const State& state);
 
 private:
+    double shell_over_inertia() const;
+
     BodySetup setup_;
     SurfaceQuery query_;
-    BodyMotion motion_;
+    std::optional<RigidBody> rigid_;
+    Vec3 acceleration_ = Vec3::Zero(), angular_acceleration_ = Vec3::Zero();
+    WaterShell shell_;
 };
 
 }  // namespace tw

@@ -3,8 +3,7 @@
 
 namespace tw {
 
-/// The rigid motion of a body at one moment: what its dummies hand to the water. A body that is fixed has zeros, and
-/// then no level keeps velocities or accelerations of its dummies.
+/// The rigid motion of a body at one moment: what its dummies hand to the water. All zeros of a body that is fixed.
 ///
 ///   u(x) = U + omega x (x - X),   a(x) = dU/dt + domega/dt x (x - X) + omega x (omega x (x - X))
 struct BodyMotion {
@@ -14,9 +13,6 @@ struct BodyMotion {
     Vec3 acceleration = Vec3::Zero();          ///< dU/dt [m/s2]
     Vec3 angular_acceleration = Vec3::Zero();  ///< domega/dt [rad/s2]
 
-    bool fixed() const {
-        return velocity.isZero(0) && rotation.isZero(0) && acceleration.isZero(0) && angular_acceleration.isZero(0);
-    }
     Vec3 velocity_at(const Vec3& x) const { return velocity + rotation.cross(x - centre); }
     Vec3 acceleration_at(const Vec3& x) const {
         return acceleration + angular_acceleration.cross(x - centre) + rotation.cross(rotation.cross(x - centre));

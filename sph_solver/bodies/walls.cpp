@@ -16,12 +16,18 @@ Walls::Walls(const std::vector<Body>& bodies, const Surroundings& around, const 
     region.max.array() += kernel_support;
     std::vector<Vec3> places;
     for (const Body& body : bodies) {
+        Box wanted = region;
+        if (!body.fixed()) {  // it may come in from outside
+            wanted = body.surface().bounds();
+            wanted.min.array() -= level.dp;
+            wanted.max.array() += level.dp;
+        }
         const Dummies d = make_dummies(body.query(), body.surface().bounds(), level.dp, kernel_support + level.dp,
-                                       region, around.dimensions);
-        std::vector<WidePlace> raw(d.places.size());
-        for (std::size_t k = 0; k < raw.size(); ++k) raw[k] = quanta.wide(d.places[k]);
+                                       wanted, around.dimensions);
         Part& part = parts_.emplace_back();
         part.first = place_.size();
+        std::vector<WidePlace> raw(d.places.size());
+        for (std::size_t k = 0; k < raw.size(); ++k) raw[k] = quanta.wide(d.places[k]);
         std::vector<std::int32_t> order;
         sort_by_column(grid, raw, order, part.start);
         for (const std::int32_t n : order) {
@@ -33,24 +39,88 @@ Walls::Walls(const std::vector<Body>& bodies, const Surroundings& around, const 
         make_groups(grid, {place_.data() + part.first, &part.start, 0}, lanes, part.groups);
     }
     p_.assign(place_.size(), 0);
-    take_motions(places);
+    if (!std::ranges::all_of(bodies_, [](const Body& body) { return body.sliding().isZero(0); }))
+        for (std::size_t b = 0; b < bodies_.size(); ++b) {
+            const Eigen::Vector3f along = bodies_[b].sliding().cast<float>();
+            sliding_.resize(static_cast<std::size_t>(body_end_[b]), {along.x(), along.y(), along.z(), 0});
+        }
+    if (std::ranges::all_of(bodies_, [](const Body& body) { return body.fixed(); })) return;
+    at_start_ = std::move(places);
+    velocity_.resize(place_.size());
+    acceleration_.resize(place_.size());
+    motions_.resize(bodies_.size());
+    for (std::size_t b = 0; b < bodies_.size(); ++b) reach_.push_back(reach_of(b));
+    follow(quanta);
 }
 
-/// What the dummies hand to the water of their body's motion.
-void Walls::take_motions(const std::vector<Vec3>& places) {
-    const bool all_fixed = std::ranges::all_of(bodies_, [](const Body& body) { return body.motion().fixed(); });
-    const bool none_slides = std::ranges::all_of(bodies_, [](const Body& body) { return body.sliding().isZero(0); });
-    std::size_t k = 0;
-    for (std::size_t b = 0; b < bodies_.size(); ++b)
-        for (; k < static_cast<std::size_t>(body_end_[b]); ++k) {
-            const BodyMotion& motion = bodies_[b].motion();
-            const Eigen::Vector3f u = motion.velocity_at(places[k]).cast<float>(),
-                                  a = motion.acceleration_at(places[k]).cast<float>(),
-                                  along = bodies_[b].sliding().cast<float>();
-            if (!all_fixed) velocity_.push_back({u.x(), u.y(), u.z()});
-            if (!all_fixed) acceleration_.push_back({a.x(), a.y(), a.z()});
-            if (!none_slides) sliding_.push_back({along.x(), along.y(), along.z(), 0});
+double Walls::reach_of(std::size_t body) const {
+    if (bodies_[body].fixed()) return 0;
+    double reach = 0;
+    for (std::size_t k = parts_[body].first; k < static_cast<std::size_t>(body_end_[body]); ++k)
+        reach = std::max(reach, (at_start_[k] - bodies_[body].rigid().mass().centre).norm());
+    return reach;
+}
+
+double Walls::fastest() const {
+    double most = 0;
+    for (std::size_t b = 0; b < motions_.size(); ++b)
+        most = std::max(most, motions_[b].velocity.norm() + motions_[b].rotation.norm() * reach_[b]);
+    return most;
+}
+
+void Walls::note_motions() {
+    for (std::size_t b = 0; b < motions_.size(); ++b) motions_[b] = bodies_[b].motion();
+}
+
+void Walls::follow(const Quanta& quanta) {
+    if (!move()) return;
+    note_motions();
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        if (bodies_[b].fixed()) continue;
+        for (std::size_t k = parts_[b].first; k < static_cast<std::size_t>(body_end_[b]); ++k) {
+            const Vec3 x = bodies_[b].now(at_start_[k]);
+            const Eigen::Vector3f u = motions_[b].velocity_at(x).cast<float>(),
+                                  a = motions_[b].acceleration_at(x).cast<float>();
+            place_[k] = quanta.wide(x).record(place_[k].volume);
+            velocity_[k] = {u.x(), u.y(), u.z()};
+            acceleration_[k] = {a.x(), a.y(), a.z()};
         }
+    }
+}
+
+void Walls::sort(const ColumnGrid& grid, const Quanta& quanta, int lanes) {
+    if (!move()) return;
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        if (bodies_[b].fixed()) continue;
+        Part& part = parts_[b];
+        const auto end = static_cast<std::size_t>(body_end_[b]);
+        std::vector<WidePlace> raw;
+        for (std::size_t k = part.first; k < end; ++k) raw.push_back(quanta.wide(bodies_[b].now(at_start_[k])));
+        std::vector<std::int32_t> order;
+        sort_by_column(grid, raw, order, part.start);
+        const std::vector<PlaceRecord> place(place_.begin() + static_cast<std::ptrdiff_t>(part.first),
+                                             place_.begin() + static_cast<std::ptrdiff_t>(end));
+        const std::vector<Vec3> at_start(at_start_.begin() + static_cast<std::ptrdiff_t>(part.first),
+                                         at_start_.begin() + static_cast<std::ptrdiff_t>(end));
+        for (std::size_t k = 0; k < order.size(); ++k) {
+            const auto from = static_cast<std::size_t>(order[k]);
+            place_[part.first + k] = raw[from].record(place[from].volume);
+            at_start_[part.first + k] = at_start[from];
+        }
+        make_groups(grid, {place_.data() + part.first, &part.start, 0}, lanes, part.groups);
+    }
+    follow(quanta);
+}
+
+WaterShell Walls::shell(std::size_t body, double rho0) const {
+    WaterShell shell;
+    for (std::size_t k = parts_[body].first; k < static_cast<std::size_t>(body_end_[body]); ++k) {
+        const double m = rho0 * double(place_[k].volume);
+        const Vec3 r = at_start_[k] - bodies_[body].rigid().mass().centre;
+        shell.mass += m;
+        shell.inertia += m * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
+    }
+    return shell;
 }
 
 void Walls::find_neighbours(const Passes& passes, const ColumnGrid& grid, const Quanta& quanta,
@@ -89,10 +159,11 @@ void Walls::prune(const Passes& passes, const PlaceRecord* particles, const std:
 Walls::Nearest Walls::nearest(const Vec3& x, const Vec3& u, double reach) const {
     Nearest r{no_wall, 0};
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
-        const SurfaceQuery& query = bodies_[b].query();
-        const SurfaceQuery::Nearest found = query.nearest(x, reach);
+        const Body& body = bodies_[b];
+        const SurfaceQuery::Nearest found = body.query().nearest(body.at_start(x), reach);
         if (found.triangle < 0 || found.distance >= r.normal.distance) continue;
-        const Vec3 n = slip_normal(query, found, u);
+        const Vec3 relative = body.fixed() ? u : Vec3(u - velocity_at(b, x));
+        const Vec3 n = body.turned(slip_normal(body.query(), found, body.turned_back(relative)));
         r = {{static_cast<float>(n.x()), static_cast<float>(n.y()), static_cast<float>(n.z()),
               static_cast<float>(found.distance)},
              b};
@@ -102,9 +173,9 @@ Walls::Nearest Walls::nearest(const Vec3& x, const Vec3& u, double reach) const 
 
 std::size_t Walls::bytes() const {
     const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-    std::size_t sum = of(place_) + of(p_) + of(group_loads_) + lists_.bytes();
-    for (const Part& part : parts_)
-        sum += of(part.start) + of(part.groups) + of(part.near_water) + part.water.bytes();
+    std::size_t sum =
+        of(place_) + of(p_) + of(velocity_) + of(acceleration_) + of(at_start_) + of(group_loads_) + lists_.bytes();
+    for (const Part& part : parts_) sum += of(part.start) + of(part.groups) + of(part.near_water) + part.water.bytes();
     return sum;
 }
 

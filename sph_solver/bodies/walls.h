@@ -44,10 +44,24 @@ public:
     };
     const std::vector<Part>& parts() const { return parts_; }
 
+    bool move() const { return !at_start_.empty(); }  ///< some body is not fixed
+    /// The largest speed of a dummy now [m/s].
+    double fastest() const;
+    /// Of the surface of a body at a place, as `note_motions` found it [m/s].
+    Vec3 velocity_at(std::size_t body, const Vec3& x) const { return motions_[body].velocity_at(x); }
+    /// Looks at how the bodies move now.
+    void note_motions();
+    /// Puts the dummies of bodies that move where those are now, with their velocities and accelerations.
+    void follow(const Quanta& quanta);
+    /// The same, with the dummies sorted anew; lists are due after it.
+    void sort(const ColumnGrid& grid, const Quanta& quanta, int lanes);
+    /// The body's dummies as water of density `rho0` [kg/m3].
+    WaterShell shell(std::size_t body, double rho0) const;
+
     /// Lists anew: of the level's `groups`, which are those of the first of its `sources`, among the dummies, and of
     /// the dummies among the sources.
-    void find_neighbours(const Passes& passes, const ColumnGrid& grid, const Quanta& quanta,
-                         std::vector<Group>& groups, const std::vector<Source>& sources, const Reaches& reaches);
+    void find_neighbours(const Passes& passes, const ColumnGrid& grid, const Quanta& quanta, std::vector<Group>& groups,
+                         const std::vector<Source>& sources, const Reaches& reaches);
     /// Leaves in those lists who is within `reach` [quanta] now.
     void prune(const Passes& passes, const PlaceRecord* particles, const std::vector<Group>& groups, double reach);
 
@@ -55,7 +69,7 @@ public:
         WallNormalRecord normal;
         std::size_t body = 0;  ///< meaningful where `normal` is not `no_wall`
     };
-    /// The wall nearest to a place `x` within `reach` [m], as it acts on water of velocity `u`.
+    /// The wall nearest to a place `x` within `reach` [m], where bodies are now, as it acts on water of velocity `u`.
     Nearest nearest(const Vec3& x, const Vec3& u, double reach) const;
 
     /// What the sweeps have left of each group's load: one WallLoad for each body that the group has in reach.
@@ -66,14 +80,20 @@ public:
     std::vector<Load> loads;  ///< on each body, of the last step
 
 private:
-    void take_motions(const std::vector<Vec3>& places);
+    /// How far the dummies of a body reach from its centre [m].
+    double reach_of(std::size_t body) const;
 
     const std::vector<Body>& bodies_;
     std::vector<PlaceRecord> place_;  // body after body, each sorted by column
     std::vector<float> p_;
     std::vector<VelocityDensityRecord> sliding_;
-    std::vector<WallVelocity> velocity_;          // empty: all bodies are fixed
-    std::vector<WallAcceleration> acceleration_;  // likewise
+    // empty where all bodies are fixed
+    std::vector<WallVelocity> velocity_;
+    std::vector<WallAcceleration> acceleration_;
+    std::vector<Vec3> at_start_;       // places of the dummies at the start
+    std::vector<BodyMotion> motions_;  // of each body
+    std::vector<double> reach_;        // of each body
+
     std::vector<std::int32_t> body_end_;
     std::vector<Part> parts_;  // of each body
     NeighbourLists lists_;

@@ -109,8 +109,10 @@ private:
 #pragma omp parallel for schedule(static)
         for (std::size_t k = 0; k < wall_velocity_.size(); ++k) {
             VelocityDensityRecord& m = wall_velocity_[k];
-            const VelocityDensityRecord wall =
-                step.walls.sliding().empty() ? VelocityDensityRecord{0, 0, 0, 0} : step.walls.sliding()[k];
+            VelocityDensityRecord wall{0, 0, 0, 0};
+            if (!step.walls.sliding().empty()) wall = step.walls.sliding()[k];
+            if (const WallVelocity* moving = step.walls.velocities())
+                wall.u += moving[k].u, wall.v += moving[k].v, wall.w += moving[k].w;
             m = {2 * wall.u - m.u, 2 * wall.v - m.v, 2 * wall.w - m.w, m.drho};
         }
     }

@@ -88,6 +88,7 @@ void Recorder::after_step(Simulation& simulation, bool frame) {
             set(t, row, "fz_air", per_span("N"), air.z());
         }
     }
+    record_bodies(simulation);
     if (frame || simulation.steps() % surface_every == 0) sample_surface(simulation, row);
     if (frame) sample_frame(simulation, row);
     if (!pressure_points_.places.empty() &&
@@ -192,6 +193,34 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
         set(t, k, "wetted_length", "m", hull_->wetted_length(scene_.hull->beam));
     }
     if (!height_points_.places.empty()) probe_height(simulation);
+}
+
+/// Of each body that moves, in a table of its own: where it is, how it moves, and the water's force on it.
+void Recorder::record_bodies(const Simulation& simulation) {
+    for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {
+        const Body& body = simulation.bodies()[b];
+        if (body.fixed()) continue;
+        Table& t = record_.table(body_table(body.name()));
+        const std::size_t k = append_row(t, simulation.time());
+        const auto put = [&](const char* name, const std::string& unit, const Vec3& v) {
+            for (int a = 0; a < 3; ++a) set(t, k, fmt::format(fmt::runtime(name), "xyz"[a]), unit, v[a] + 0.0);
+        };
+        const RigidBody::State& s = body.rigid().state();
+        put("{}", "m", s.centre);
+        double lowest = HUGE_VAL;
+        for (const Vec3& p : body.surface().points) lowest = std::min(lowest, body.now(p).z());
+        set(t, k, "lowest", "m", lowest);
+        set(t, k, "q0", "-", s.attitude.w());
+        put("q{}", "-", s.attitude.vec());
+        put("v{}", "m/s", s.velocity);
+        put("spin_{}", "rad/s", body.rigid().spin());
+        const Load& load = simulation.load(b);
+        const Vec3 moment = load.moment - (s.centre - simulation.setup().moment_reference).cross(load.force);
+        put("f{}", per_span("N"), load.force);
+        put("m{}", per_span("N m"), moment);
+        put("f{}_body", per_span("N"), body.turned_back(load.force));
+        put("m{}_body", per_span("N m"), body.turned_back(moment));
+    }
 }
 
 /// Of each edge between two sizes of particles: who is there, and how far the mass of the fine side has drifted.

@@ -137,7 +137,7 @@ void Level::first_sweep(double t, double compress, double drift, const OtherSums
         r.place[i] = place_record(i);
         if (r.wall_normal.empty()) return;
         WallNormalRecord& n = r.wall_normal[i];
-        n.distance += static_cast<float>(drift * (double(p.u[i]) * n.x + double(p.v[i]) * n.y + double(p.w[i]) * n.z));
+        n.distance += static_cast<float>(drift * leaving(i, Vec3(p.u[i], p.v[i], p.w[i])));
     };
     for_particles(p.size(), [&](std::size_t i) {
         float& drho = p.drho[i];
@@ -172,6 +172,8 @@ void Level::mark_surface() {
 void Level::second_sweep(double t) {
     if (!walls_.empty()) {
         const Stopwatch watch(timers_.walls);
+        wall_speed_ = walls_.fastest();
+        walls_.follow(quanta_);
         for (const Walls::Part& part : walls_.parts()) {
             ExtrapolateData e = extrapolation();
             e.list = part.water.view();

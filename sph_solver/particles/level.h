@@ -95,6 +95,8 @@ public:
     bool lists_outlived() const;
     /// How far a particle may have come since the lists were made, up to where the next evaluation sees it [m].
     double travel_ahead() const;
+    /// The walls likewise [m].
+    double wall_travel_ahead() const;
     bool lists_due() const { return life_.over; }
     void make_lists_due() { life_.over = true; }
     void refresh(double drift);
@@ -157,7 +159,17 @@ private:
     void mark_surface();
     /// Distance from which a neighbour may come within the support during `drift` [s] [m].
     double reach_among(double drift) const { return kernel_.support() + 2 * drift * life_.relative_speed; }
-    double reach_to_walls(double drift) const { return kernel_.support() + drift * extremes_.speed; }
+    double reach_to_walls(double drift) const {
+        return kernel_.support() + drift * (extremes_.speed + walls_.fastest());
+    }
+    /// Velocity away from the wall that particle i has near, relative to that wall, when it moves with `u` [m/s].
+    double leaving(std::size_t i, const Vec3& u) const {
+        const WallNormalRecord& n = records_.wall_normal[i];
+        const double of_water = u.x() * n.x + u.y() * n.y + u.z() * n.z;
+        if (records_.wall_body.empty()) return of_water;
+        const Particles& p = particles_;
+        return of_water - walls_.velocity_at(records_.wall_body[i], {p.x[i], p.y[i], p.z[i]}).dot(Vec3(n.x, n.y, n.z));
+    }
     PlaceRecord place_record(std::size_t i) const {
         const Particles& p = particles_;
         return {quanta_.of(p.x[i], 0), quanta_.of(p.y[i], 1), quanta_.of(p.z[i], 2),
@@ -186,6 +198,7 @@ private:
     std::vector<std::unique_ptr<Effect>> effects_;
 
     double h_, mass_, time_ = 0, dt_ = 0;
+    double wall_speed_ = 0;  ///< of the fastest dummy at the last evaluation [m/s]
     std::int64_t steps_ = 0;
     Kernel kernel_;
     Quanta quanta_;

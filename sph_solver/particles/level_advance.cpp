@@ -39,11 +39,13 @@ std::optional<Level::Held> Level::hold_at_wall(std::size_t i) {
     Particles& p = particles_;
     WallNormalRecord& r = records_.wall_normal[i];
     const Walls::Nearest found = walls_.nearest(Vec3(p.x[i], p.y[i], p.z[i]), Vec3(p.u[i], p.v[i], p.w[i]), setup_.dp);
-    if (found.normal.distance < no_wall.distance)
+    if (found.normal.distance < no_wall.distance) {
         r = found.normal;
-    else
+        if (walls_.move()) records_.wall_body[i] = static_cast<std::uint16_t>(found.body);
+    } else {
         r.distance = static_cast<float>(setup_.dp);
-    const double approach = double(p.u[i]) * r.x + double(p.v[i]) * r.y + double(p.w[i]) * r.z;
+    }
+    const double approach = leaving(i, Vec3(p.u[i], p.v[i], p.w[i]));
     if (r.distance >= held_at_wall_over_dp * setup_.dp || approach >= 0) return {};
     if (r.distance < 0) {
         p.x[i] -= double(r.distance) * r.x;
@@ -67,6 +69,7 @@ void Level::advance(const Schedule::Move& move, const Vec3& moment_reference) {
     const double c0 = s.state_equation.c0, speed_before = extremes_.speed;
     const double stream_before = stream_velocity(time_), stream_after = stream_velocity(time_ + dt);
     const ShiftStep shift_step(s.shifting, dt, h_, s.dp);
+    walls_.note_motions();
 
     const auto move_range = [&](Part& part, std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
@@ -117,9 +120,8 @@ void Level::advance(const Schedule::Move& move, const Vec3& moment_reference) {
             p.z[i] += drift * along.z() + shift.z();
             if (!records.wall_normal.empty() && p.kind[i] == Kind::fluid) {
                 WallNormalRecord& r = records.wall_normal[i];
-                const double approach = along.x() * r.x + along.y() * r.y + along.z() * r.z;
                 r.distance +=
-                    static_cast<float>(drift * approach + shift.x() * r.x + shift.y() * r.y + shift.z() * r.z);
+                    static_cast<float>(drift * leaving(i, along) + shift.x() * r.x + shift.y() * r.y + shift.z() * r.z);
                 const bool too_near = r.distance < held_at_wall_over_dp * s.dp;
                 if (const auto held = too_near ? hold_at_wall(i) : std::nullopt) {
                     ++part.held;
@@ -182,6 +184,7 @@ void Level::advance(const Schedule::Move& move, const Vec3& moment_reference) {
     const double shift_travel = std::sqrt(shift2);
     life_.relative_speed = std::sqrt(relative2);
     life_.travel_in_stream += drifted * std::sqrt(relative2_before) + drift * life_.relative_speed + shift_travel;
+    life_.wall_travel += drifted * wall_speed_ + drift * walls_.fastest();
     life_.travel += drifted * speed_before + drift * extremes_.speed + shift_travel;
     time_ += dt;
     ++steps_;

@@ -13,12 +13,17 @@ double Level::travel_ahead() const { return life_.travel + schedule_.looks_ahead
 bool Level::lists_outlived() const {
     const double relative = life_.travel_in_stream + schedule_.looks_ahead() * dt_ * life_.relative_speed;
     const double skin = ListLife::skin_over_dp * setup_.dp, wall_skin = ListLife::wall_skin_over_dp * setup_.dp;
-    // two particles may both have moved towards each other; walls stand still
-    return 2 * relative > skin || travel_ahead() > wall_skin;
+    // two particles may both have moved towards each other
+    return 2 * relative > skin || travel_ahead() + wall_travel_ahead() > wall_skin;
+}
+
+double Level::wall_travel_ahead() const {
+    return life_.wall_travel + schedule_.looks_ahead() * dt_ * walls_.fastest();
 }
 
 void Level::refresh(double drift) {
     if (life_.over) return rebuild(drift);
+    walls_.follow(quanta_);
     {
         const Stopwatch watch(timers_.update);
         update_records();
@@ -90,24 +95,28 @@ void Level::rebuild(double drift) {
     make_groups(grid_, own.front(), passes_.lanes, groups_);
     lists_.build(passes_, grid_, quanta_, own.front(), groups_, own, among);
     if (!walls_.empty()) {
+        walls_.sort(grid_, quanta_, passes_.lanes);
         walls_.find_neighbours(passes_, grid_, quanta_, groups_, own, to_walls);
         find_normals();
     }
-    life_.travel = life_.travel_in_stream = 0;
+    life_.travel = life_.travel_in_stream = life_.wall_travel = 0;
     life_.over = false;
 }
 
 void Level::find_normals() {
     const double reach = 2 * kernel_.support() + setup_.dp;
+    if (walls_.move()) records_.wall_body.resize(particles_.size());
     std::int64_t through = -1;
     for_groups(groups_, [&](const Group& g) {
         for (int l = 0; l < g.size; ++l) {
             const auto i = static_cast<std::size_t>(g.first + l);
             const Particles& p = particles_;
             WallNormalRecord& r = records_.wall_normal[i];
-            r = no_wall;
+            Walls::Nearest near{no_wall, 0};
             if (g.wall_list.size > 0)
-                r = walls_.nearest(Vec3(p.x[i], p.y[i], p.z[i]), Vec3(p.u[i], p.v[i], p.w[i]), reach).normal;
+                near = walls_.nearest(Vec3(p.x[i], p.y[i], p.z[i]), Vec3(p.u[i], p.v[i], p.w[i]), reach);
+            r = near.normal;
+            if (walls_.move()) records_.wall_body[i] = static_cast<std::uint16_t>(near.body);
             if (r.distance < -setup_.dp && is_active(p.kind[i])) {
 #pragma omp critical
                 through = std::max(through, static_cast<std::int64_t>(i));

@@ -15,6 +15,7 @@ struct Records {
     std::vector<ShiftSupportRecord> shift_support;
     std::vector<RateRecord> rate;
     std::vector<WallNormalRecord> wall_normal;  ///< only where there are walls
+    std::vector<std::uint16_t> wall_body;       ///< whose normal that is; only where bodies move
     std::vector<CarriedShare> carried;          ///< and images; only with a control volume
     std::vector<std::uint32_t> surface;         ///< a bit for each place, see PassData
     std::vector<float> compression;             ///< -rho div u of the last first sweep; only where levels meet

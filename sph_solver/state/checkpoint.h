@@ -12,6 +12,7 @@ namespace tw {
 ///   /simulation        run hash, instruction set, mass at the start
 ///   /levels/0, 1, ...  time, step, ledger, extremes and the particles of each level; births and deaths at their edges
 ///   /control_volume    its running sums, where there is one
+///   /bodies/0, 1, ...  how the bodies stand and move that are not fixed, in their order
 struct Checkpoint {
     std::string isa;           ///< of the pair loops: another one may give other last digits
     double mass_at_start = 0;  ///< of the water [kg]
@@ -26,6 +27,7 @@ struct Checkpoint {
     };
     std::vector<Edge> edges;  ///< between levels of particle size, coarsest first
     ControlVolume::State control;
+    std::vector<Body::State> bodies;  ///< those that are not fixed
 };
 
 /// Written atomically (raw, no compression). The caller marks the restart point in the running simulation too, so that

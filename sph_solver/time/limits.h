@@ -6,7 +6,7 @@ class Level;
 
 /// Largest stable time step of one level [s]: the least of
 ///
-///   cfl h / (c0 + |u|)        sound; stable in tanks to cfl = 1.5 with kick-drift-kick
+///   cfl h / (c0 + |u|)        sound; stable in tanks to cfl = 1.5 with kick-drift-kick; u of water and walls
 ///   0.45 sqrt(h / a)          forces
 ///   0.25 h / (alpha c0)       artificial viscosity, 0.25 h^2 / (alpha h c0)
 ///

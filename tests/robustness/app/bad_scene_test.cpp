@@ -56,6 +56,23 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"title = \"planing\"", "title = \"planing", "bad.toml:1:17: not valid TOML: "}),
     case_name);
 
+TEST_F(Command, BodiesThatMoveAreRefusedForTheMeshMethodAndNothingIsWritten) {
+    const std::string scene =
+        "[tank]\nmin = [-1, -1, -1]\nmax = [1, 1, 1]\n[[body]]\nshape = \"sphere\"\ndiameter = 0.5\ndraft = 0.2\n"
+        "density = 500\n[motion]\nkind = \"none\"\n[resolution]\nnear_hull = 0.05\n[run]\nduration = 1\n";
+    write("body.toml", scene);  // both methods, as is the default
+    for (const std::vector<std::string>& command :
+         {std::vector<std::string>{"check", "body.toml"}, {"run", "body.toml"}, {"run", "body.toml", "--method", "fvm"},
+          {"case", "body.toml", "case"}}) {
+        const Outcome o = twinwake(command);
+        EXPECT_EQ(o.status, 2) << command[0] << o.err;
+        EXPECT_NE(o.err.find("body body1 moves, and this version moves bodies with the particle method only"),
+                  std::string::npos)
+            << o.err;
+    }
+    EXPECT_EQ(files(), std::set<std::string>{"body.toml"});
+}
+
 TEST_F(Command, ABadHullFileIsReportedAtItsKey) {
     const std::string scene = with(planing, "shape = \"prismatic\"", "file  = \"bad.stl\"");
     write("bad.toml", scene);

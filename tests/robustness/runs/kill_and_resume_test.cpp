@@ -56,6 +56,14 @@ TEST(KillAndResume, HullInAStreamGoesOnToTheSameBits) {
     kill_and_resume("stream", scene, folder.path());
 }
 
+TEST(KillAndResume, ABodyThatFallsIntoWaterGoesOnToTheSameBits) {
+    const ScratchFolder folder("kill_body");
+    const auto scene = folder.path() / "scene.toml";
+    std::filesystem::copy_file(std::filesystem::path(TWINWAKE_SOURCE) / "tests/robustness/runs/small_entry.toml",
+                               scene);
+    kill_and_resume("entry", scene, folder.path());
+}
+
 TEST(KillAndResume, DamagedCheckpointIsRefusedByName) {
     const ScratchFolder folder("damaged");
     const auto scene = write_small_scene(folder.path() / "scene.toml", 2.0);

@@ -58,6 +58,22 @@ std::map<std::string, Change> changes() {
     write_stl(scratch() / "block2.stl", scene_of(with(with_shape, "0.2, 0.1]", "0.2, 0.2]")).obstacles[0].surface);
     const std::string block_file = with(tank, "min = [0.7, 0, 0]\nmax = [0.8, 0.5, 0.2]", "file = \"block.stl\"");
     const std::string lifted = with(tank, "size = [1, 0.5, 0.8]", "min = [0, 0, 0]\nmax = [1, 0.5, 0.8]");
+    const std::string afloat =
+        "[tank]\nmin = [-1, -1, -1]\nmax = [1, 1, 1]\n[resolution]\nnear_hull = 0.05\n[[body]]\nshape = \"box\"\n"
+        "length = 0.4\nbeam = 0.3\nheight = 0.2\ndraft = 0.1\ndensity = 500\n";
+    write_stl(scratch() / "ball.stl", scene_of(afloat).bodies[0].surface);
+    write_stl(scratch() / "ball2.stl", scene_of(with(afloat, "length = 0.4", "length = 0.5")).bodies[0].surface);
+    const std::string body_file =
+        with(afloat, "shape = \"box\"\nlength = 0.4\nbeam = 0.3\nheight = 0.2\n", "file = \"ball.stl\"\n");
+    const std::string moved = with(afloat, "density = 500\n", "motion = \"prescribed\"\n");
+    const std::string constant = moved + "law = \"constant\"\nalong = [1, 0, 0]\nrate = 1\n",
+                      ramped = moved + "law = \"ramp\"\nalong = [1, 0, 0]\nrate = 1\nramp = 0.1\n",
+                      swaying =
+                          moved + "law = \"sinusoid\"\nalong = [1, 0, 0]\namplitude = 0.1\nperiod = 2\nphase = 0\n",
+                      tabled = moved + "law = \"table\"\nalong = [1, 0, 0]\ntimes = [0, 1]\nvalues = [0, 0.1]\n";
+    const auto more = [&](const std::string& key, const std::string& before, const std::string& after) {
+        return Change{afloat + key + " = " + before + "\n", afloat + key + " = " + after + "\n"};
+    };
     const std::string distances =
         with(stream, "[motion]", "[domain]\nahead = 1\nbehind = 4\nside = 2\nbelow = 2\nabove = 2\n[motion]");
     const std::string boxed = fixed + "[[refine]]\nmin = [2, -0.5, -0.4]\nmax = [3, 0.5, 0.2]\nspacing = 0.05\n";
@@ -123,6 +139,35 @@ std::map<std::string, Change> changes() {
         {"obstacle.unit", {block_file, with(block_file, "file =", "unit = \"ft\"\nfile =")}},
         {"obstacle.axes", {block_file, with(block_file, "file =", "axes = \"y-xz\"\nposition = [0.3, 1, 0]\nfile =")}},
         {"obstacle.position", replaced(with_shape, "position = [0.7, 0.2, 0.1]", "position = [0.7, 0.2, 0.2]")},
+        {"body.name", more("name", "\"A\"", "\"B\"")},
+        {"body.file", replaced(body_file, "ball.stl", "ball2.stl")},
+        {"body.shape", replaced(afloat, "shape = \"box\"\nlength = 0.4\nbeam = 0.3\nheight = 0.2",
+                                "shape = \"sphere\"\ndiameter = 0.2")},
+        {"body.unit", {body_file, with(body_file, "file =", "unit = \"ft\"\nfile =")}},
+        {"body.axes", {body_file, with(body_file, "file =", "axes = \"y-xz\"\nfile =")}},
+        {"body.trim", more("trim", "0", "0.1")},
+        {"body.heel", more("heel", "0", "0.1")},
+        {"body.draft", replaced(afloat, "draft = 0.1", "draft = 0.15")},
+        {"body.position", more("position", "[0, 0]", "[0.1, 0]")},
+        {"body.density", replaced(afloat, "density = 500", "density = 600")},
+        {"body.mass", replaced(with(afloat, "density = 500", "mass = 5"), "mass = 5", "mass = 6")},
+        {"body.centre", more("centre", "[0, 0, 0]", "[0, 0, -0.01]")},
+        {"body.inertia", more("inertia", "[1, 1, 1]", "[1, 1, 1.1]")},
+        {"body.motion", {afloat, with(constant, "rate = 1", "rate = 0")}},
+        {"body.locked", more("locked", "[\"yaw\"]", "[\"sway\"]")},
+        {"body.velocity", more("velocity", "[0, 0, 0]", "[0, 0, 0.1]")},
+        {"body.speed", more("speed", "0", "0.1")},
+        {"body.spin", more("spin", "[0, 0, 0]", "[0, 0.1, 0]")},
+        {"body.law", {constant, ramped}},
+        {"body.along", replaced(constant, "along = [1, 0, 0]", "along = [0, 0, 1]")},
+        {"body.about", {with(constant, "along", "about"), with(constant, "along = [1, 0, 0]", "about = [0, 0, 1]")}},
+        {"body.rate", replaced(constant, "rate = 1", "rate = 1.1")},
+        {"body.ramp", replaced(ramped, "ramp = 0.1", "ramp = 0.2")},
+        {"body.amplitude", replaced(swaying, "amplitude = 0.1", "amplitude = 0.11")},
+        {"body.period", replaced(swaying, "period = 2", "period = 2.1")},
+        {"body.phase", replaced(swaying, "phase = 0", "phase = 0.1")},
+        {"body.times", replaced(tabled, "times = [0, 1]", "times = [0, 1.1]")},
+        {"body.values", replaced(tabled, "values = [0, 0.1]", "values = [0, 0.11]")},
         {"sph.levels", set(fixed, "sph", "levels", "1", "2")},
         {"sph.zone", set(fixed, "sph", "zone", "16", "10")},
         {"sph.scheme", set(fixed, "sph", "scheme", "\"kick_drift_kick\"", "\"symplectic_euler\"")},
@@ -180,9 +225,9 @@ TEST(Keys, EachKeyIsCoveredByTheHashThatTheTableNames) {
 }
 
 TEST(Keys, OnlyWhatChangesNothingThatIsSolvedIsInNoHash) {
-    const std::set<std::string> in_none{".title",       "motion.ramp",       "run.duration", "run.methods",
-                                        "run.threads",  "run.checkpoint",    "probe.name",   "obstacle.name",
-                                        "fvm.openfoam", "sampling.snapshots", "refine.name"};
+    const std::set<std::string> in_none{".title",      "motion.ramp",    "run.duration",       "run.methods",
+                                        "run.threads", "run.checkpoint", "probe.name",         "obstacle.name",
+                                        "body.name",   "fvm.openfoam",   "sampling.snapshots", "refine.name"};
     for (const SceneKey& key : scene_keys()) {
         const std::string name = key.section + "." + key.name;
         const auto expected = in_none.contains(name) ? SceneKey::Hashed::nowhere

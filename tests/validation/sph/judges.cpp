@@ -222,4 +222,25 @@ std::vector<Row> judge_spheric2(const Scene& scene, const RunRecord& record, con
     return rows;
 }
 
+std::vector<Row> judge_entry(const Scene& scene, const RunRecord& record, const std::filesystem::path& measured) {
+    const MovingBody& body = scene.bodies.at(0);
+    const double density = body.motion.mass.mass / mass_properties(body.surface).volume;
+    const Table& t = record.tables.at(body_table(body.name));
+    std::vector<double> down;
+    for (const double z : t.find("z")->values) down.push_back(body.motion.mass.centre.z() - z);
+    const Csv csv = read_csv(measured);
+    const auto densities = csv.numbers("rho_body_kg_per_m3"), times = csv.numbers("t_s"),
+               depths = csv.numbers("penetration_m");
+    std::vector<Row> rows;
+    for (std::size_t i = 0; i < csv.rows.size(); ++i) {
+        // Before 5 ms the plotted points are not read well enough.
+        if (std::abs(densities[i] / density - 1) > 0.01 || times[i] < 0.005 || times[i] > t.time.back()) continue;
+        char name[96];
+        std::snprintf(name, sizeof name, "penetration at %.4f s, %s, %.4f m", times[i], csv.rows[i][0].c_str(),
+                      depths[i]);
+        rows.push_back({name, "%", 100 * (value_at(t.time, down, times[i]) / depths[i] - 1), 10});
+    }
+    return rows;
+}
+
 }  // namespace tw::test

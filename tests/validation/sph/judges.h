@@ -37,4 +37,8 @@ std::vector<Row> judge_dam_break_front(const Scene& scene, const RunRecord& reco
 /// measured], root mean square over the common time; arrival of the water at the box [s].
 std::vector<Row> judge_spheric2(const Scene& scene, const RunRecord& record, const std::filesystem::path& measured);
 
+/// Cylinders entering water in two dimensions: how far the body has gone down at each time of
+/// tests/data/cylinder_2d_entry.csv for its density, measured and by a boundary element method [%].
+std::vector<Row> judge_entry(const Scene& scene, const RunRecord& record, const std::filesystem::path& measured);
+
 }  // namespace tw::test

@@ -2,6 +2,8 @@
 // from the same studies and the same judges (see validation_rows.cpp).
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "judges.h"
 #include "study_run.h"
 
@@ -45,6 +47,22 @@ TEST(DamBreak, FrontRunsAheadOfTheMeasuredOneByNoMoreThanItsMissingFriction) {
         EXPECT_GT(row.value, -5) << row.quantity;
         if (row.quantity.find("mean") != std::string::npos) { EXPECT_LT(row.value, 20) << row.quantity; }
     }
+}
+
+TEST(CylinderEntry, IsAsDeepAsABoundaryElementMethodSaysWhileItIsSlowed) {
+    const StudyRun run = run_study("cylinder_2d_entry", 0.03);
+    ASSERT_EQ(run.record.state, "finished") << run.record.reason;
+    int judged = 0;
+    for (const Row& row : judge_entry(run.scene, run.record, TWINWAKE_TEST_DATA "/cylinder_2d_entry.csv")) {
+        // Three of the six points plotted as measured lie deeper than free flight would be.
+        if (row.quantity.find("bem") == std::string::npos) continue;
+        EXPECT_LT(std::abs(row.value), 10) << row.quantity;  // free flight: 30 % at 0.0265 s
+        ++judged;
+    }
+    EXPECT_EQ(judged, 2);
+    const Table& t = run.record.tables.at(body_table("cylinder"));
+    EXPECT_LT(std::abs(t.find("x")->values.back()), 1e-3 * run.scene.resolution.near_hull);
+    EXPECT_GT(t.find("vz")->values.back(), -2.5);
 }
 
 }  // namespace

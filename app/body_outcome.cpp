@@ -1,0 +1,36 @@
+#include "app/body_outcome.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tw::app {
+
+std::string outcome_of_bodies(const Scene& scene, const RunRecord& record) {
+    std::string out;
+    for (const MovingBody& body : scene.bodies) {
+        const auto found = record.tables.find(body_table(body.name));
+        if (found == record.tables.end() || found->second.time.empty()) continue;
+        const Table& t = found->second;
+        const auto last = [&](const char* column) {
+            const Column* c = t.find(column);
+            return c && !c->values.empty() ? c->values.back() : std::numeric_limits<double>::quiet_NaN();
+        };
+        double most = 0, when = 0;
+        const Column *fx = t.find("fx"), *fy = t.find("fy"), *fz = t.find("fz");
+        for (std::size_t k = 0; fx && fy && fz && k < t.time.size(); ++k)
+            if (const double f = Vec3(fx->values[k], fy->values[k], fz->values[k]).norm(); f > most)
+                most = f, when = t.time[k];
+        const double turned = 2 * std::acos(std::clamp(std::abs(last("q0")), 0.0, 1.0)) * 180 / std::numbers::pi;
+        out += fmt::format(
+            "body {} at {:.4g} s: centre at ({:.4g}, {:.4g}, {:.4g}) m, {:.4g} m below its start; ({:.4g}, {:.4g}, "
+            "{:.4g}) m/s; turned by {:.3g} deg; largest force {:.4g} {} at {:.4g} s\n",
+            body.name, t.time.back(), last("x"), last("y"), last("z"), body.motion.mass.centre.z() - last("z"),
+            last("vx"), last("vy"), last("vz"), turned, most, scene.spanwise_unit("N"), when);
+    }
+    return out;
+}
+
+}  // namespace tw::app

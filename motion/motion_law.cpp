@@ -1,0 +1,90 @@
+#include "motion/motion_law.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/errors.h"
+
+namespace tw {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// First derivatives at the knots of the cubic spline at rest at both ends: continuity of the second derivative,
+///
+///   m_{k-1} / h_{k-1} + 2 (1/h_{k-1} + 1/h_k) m_k + m_{k+1} / h_k
+///     = 3 ((y_k - y_{k-1}) / h_{k-1}^2 + (y_{k+1} - y_k) / h_k^2),   m_0 = m_n = 0,
+///
+/// by elimination.
+std::vector<double> slopes(const std::vector<double>& t, const std::vector<double>& y) {
+    const std::size_t n = t.size();
+    std::vector<double> m(n, 0), diagonal(n, 1), right(n, 0);
+    for (std::size_t k = 1; k + 1 < n; ++k) {
+        const double before = 1 / (t[k] - t[k - 1]), after = 1 / (t[k + 1] - t[k]);
+        diagonal[k] = 2 * (before + after);
+        right[k] = 3 * ((y[k] - y[k - 1]) * before * before + (y[k + 1] - y[k]) * after * after);
+        if (k > 1) {
+            const double factor = before / diagonal[k - 1];
+            diagonal[k] -= factor * before;
+            right[k] -= factor * right[k - 1];
+        }
+    }
+    for (std::size_t k = n - 1; k-- > 1;) m[k] = (right[k] - m[k + 1] / (t[k + 1] - t[k])) / diagonal[k];
+    return m;
+}
+
+MotionLaw::At on_spline(const std::vector<double>& t, const std::vector<double>& y, double time) {
+    if (time <= t.front()) return {y.front(), 0, 0};
+    if (time >= t.back()) return {y.back(), 0, 0};
+    const std::vector<double> m = slopes(t, y);
+    const auto k = static_cast<std::size_t>(std::upper_bound(t.begin(), t.end(), time) - t.begin()) - 1;
+    const double h = t[k + 1] - t[k], q = (time - t[k]) / h, d = y[k + 1] - y[k];
+    const double a = h * m[k], c = a + h * m[k + 1] - 2 * d, b = d - a - c;  // y_k + a q + b q^2 + c q^3
+    return {y[k] + q * (a + q * (b + q * c)), (a + q * (2 * b + 3 * c * q)) / h, (2 * b + 6 * c * q) / (h * h)};
+}
+
+}  // namespace
+
+MotionLaw::At MotionLaw::at(double t) const {
+    switch (kind) {
+        case Kind::constant: return {rate * t, rate, 0};
+        case Kind::ramp: {
+            if (t >= ramp) return {rate * (t - ramp / 2), rate, 0};
+            const double w = pi / ramp;  // sin^2(w t / 2) = (1 - cos(w t)) / 2
+            return {rate / 2 * (t - std::sin(w * t) / w), rate / 2 * (1 - std::cos(w * t)),
+                    rate / 2 * w * std::sin(w * t)};
+        }
+        case Kind::sinusoid: {
+            const double w = 2 * pi / period, s = std::sin(w * t + phase);
+            return {amplitude * (s - std::sin(phase)), amplitude * w * std::cos(w * t + phase), -amplitude * w * w * s};
+        }
+        case Kind::table: return on_spline(times, values, t);
+    }
+    return {};
+}
+
+double MotionLaw::fastest() const {
+    if (kind == Kind::sinusoid) return std::abs(2 * pi / period * amplitude);
+    if (kind != Kind::table) return std::abs(rate);
+    double most = 0;
+    for (std::size_t k = 0; k + 1 < times.size(); ++k)
+        for (int part = 0; part < 64; ++part)
+            most = std::max(most, std::abs(at(times[k] + (times[k + 1] - times[k]) * part / 64).rate));
+    return most;
+}
+
+void MotionLaw::check_table() const {
+    if (times.size() != values.size())
+        throw InputError(
+            fmt::format("{} times and {} values; expected one value for each time", times.size(), values.size()));
+    if (times.size() < 2) throw InputError("a table of motion needs two rows or more");
+    for (std::size_t k = 1; k < times.size(); ++k)
+        if (!(times[k] > times[k - 1]))
+            throw InputError(fmt::format("row {} is at {:.6g} s and row {} at {:.6g} s; expected times that rise", k,
+                                         times[k - 1], k + 1, times[k]));
+}
+
+}  // namespace tw

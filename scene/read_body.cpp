@@ -1,0 +1,182 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/errors.h"
+#include "meshes/mass_properties.h"
+#include "meshes/section.h"
+#include "scene/read.h"
+
+namespace tw {
+namespace {
+
+constexpr const char* freedom_names[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
+
+bool is_free(const Freedoms& free, std::size_t k) { return k < 3 ? free.along[k] : free.about[k - 3]; }
+
+Freedoms read_freedoms(Section& s, bool flat) {
+    Freedoms free;
+    const auto lock = [&](std::size_t k) { (k < 3 ? free.along[k] : free.about[k - 3]) = false; };
+    for (const std::string& word : s.choices("locked").value_or(std::vector<std::string>{}))
+        lock(static_cast<std::size_t>(std::ranges::find(freedom_names, word) - std::begin(freedom_names)));
+    if (flat)
+        for (const std::size_t k : {1u, 3u, 5u}) lock(k);
+    if (!free.any())
+        s.fail("locked",
+               "nothing is left that a free body could do; leave a motion free, make the solid an [[obstacle]] "
+               "or its motion \"prescribed\"");
+    return free;
+}
+
+/// Unit vector of `along` or `about`.
+Vec3 read_axis(Section& s, const std::string& key, bool flat) {
+    const Vec3 v = s.vector(key).value();
+    if (!(v.norm() > 0)) s.fail(key, "has no direction; expected a vector other than zero");
+    const Vec3 axis = v.normalized();
+    if (flat && (key == "about" ? axis.cwiseAbs().y() < 1 : axis.y() != 0))
+        s.fail(key, key == "about" ? "two dimensions turn about y alone; expected [0, 1, 0]"
+                                   : "leaves the plane y = 0 of two dimensions; expected [x, 0, z]");
+    return axis;
+}
+
+MotionLaw read_law(Section& s, bool flat) {
+    MotionLaw law;
+    const auto kind = s.choice("law");
+    if (!kind)
+        s.fail("law", "missing; a prescribed motion needs law = \"constant\", \"ramp\", \"sinusoid\" or \"table\"");
+    if (s.has("along") == s.has("about"))
+        s.fail(s.has("about") ? "about" : "along",
+               "expected one of along = [x, y, z] (a direction) and about = [x, y, z] (an axis)");
+    law.turns = s.has("about");
+    law.axis = read_axis(s, law.turns ? "about" : "along", flat);
+    const std::string path = law.turns ? "rad" : "m", rate = path + "/s";
+    const auto required = [&](const std::string& key, const std::string& unit, const Range& range = any_value) {
+        const auto value = s.number(key, unit, range);
+        if (!value) s.fail(key, fmt::format("missing; law = \"{}\" needs it", *kind));
+        return *value;
+    };
+    if (*kind == "constant" || *kind == "ramp") {
+        law.kind = *kind == "ramp" ? MotionLaw::Kind::ramp : MotionLaw::Kind::constant;
+        law.rate = required("rate", rate);
+        if (*kind == "ramp") law.ramp = required("ramp", "s", positive);
+    } else if (*kind == "sinusoid") {
+        law.kind = MotionLaw::Kind::sinusoid;
+        law.amplitude = required("amplitude", path);
+        law.period = required("period", "s", positive);
+        law.phase = s.number("phase", law.phase);
+    } else {
+        law.kind = MotionLaw::Kind::table;
+        const auto times = s.numbers("times"), values = s.numbers("values", path, 0);
+        if (!times || !values) s.fail(times ? "values" : "times", "missing; law = \"table\" needs times and values");
+        law.times = *times;
+        law.values = *values;
+        try {
+            law.check_table();
+        } catch (const InputError& e) { s.fail("times", e.what()); }
+    }
+    return law;
+}
+
+/// The turn from the shape's own axes to those in which it stands.
+Eigen::Matrix3d turn_of(const Pose& pose) {
+    const Surface frame{{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()}, {}};
+    const Surface turned = posed(frame, pose);
+    Eigen::Matrix3d turn;
+    for (int a = 0; a < 3; ++a) turn.col(a) = turned.points[static_cast<std::size_t>(a) + 1] - turned.points[0];
+    return turn;
+}
+
+RigidMass read_mass(Section& s, const Surface& surface, const Eigen::Matrix3d& turn, bool free) {
+    const auto density = s.number("density"), mass = s.number("mass");
+    if (density && mass) s.fail("mass", "given twice: also density; keep one of the two");
+    const std::optional<Vec3> centre = s.vector("centre"), inertia = s.vector("inertia");
+    RigidMass m = solid_mass(surface, 1);
+    const double rounding = 1e-12 * surface.bounds().size().maxCoeff();
+    for (double& x : m.centre)
+        if (std::abs(x) < rounding) x = 0;
+    if (!density && !mass) {
+        if (free) s.fail("mass", "missing; a free body needs its mass or its density");
+        return {0, centre.value_or(m.centre), Eigen::Matrix3d::Zero()};
+    }
+    const double factor = mass ? *mass / m.mass : *density;
+    m.mass *= factor;
+    m.inertia *= factor;
+    if (centre) m = with_centre(m, *centre);
+    if (inertia) m.inertia = turn * inertia->asDiagonal() * turn.transpose();
+    if (const std::string why = impossible(m); !why.empty())
+        s.fail(
+            inertia  ? "inertia"
+            : centre ? "centre"
+            : mass   ? "mass"
+                     : "density",
+            fmt::format(
+                "no body has {}{}", why,
+                centre && !inertia ? "; the inertia was made from the surface for this centre, so give inertia" : ""));
+    return m;
+}
+
+}  // namespace
+
+MovingBody read_body(Section& s, std::size_t number, int dimensions) {
+    MovingBody b;
+    const bool flat = dimensions == 2;
+    b.name = s.identifier("name", fmt::format("body{}", number));
+    Pose pose;
+    pose.trim = s.number("trim", 0.0);
+    pose.heel = s.number("heel", 0.0);
+    if (const auto position = s.numbers("position")) pose.position = {(*position)[0], (*position)[1], 0};
+    std::string key;
+    const Surface as_read = read_solid(s, b.source, key);
+    for (const Finding& f : check_surface(as_read))
+        if (f.level == Finding::Level::error) s.fail(key, f.name + ": " + f.message);
+    pose.draft = s.number("draft").value_or(-as_read.bounds().min.z());
+    b.surface = posed(as_read, pose);
+    if (flat) try {
+            b.surface = section_prism(b.surface);
+        } catch (const InputError& e) {
+            s.fail(key, fmt::format("two dimensions are the plane y = 0, and {}; move the body with position = [x, y]",
+                                    e.what()));
+        }
+
+    RigidBodySetup& m = b.motion;
+    const bool free = s.choice("motion").value_or("free") == "free";
+    const Eigen::Matrix3d turn = turn_of(pose);
+    m.mass = read_mass(s, b.surface, turn, free);
+    if (free) {
+        m.free = read_freedoms(s, flat);
+        const std::optional<Vec3> velocity = s.vector("velocity");
+        const auto speed = s.number("speed");
+        if (velocity && speed) s.fail("speed", "given twice: also velocity; keep one of the two");
+        m.velocity = velocity.value_or(-speed.value_or(0) * turn.col(0));
+        m.spin = s.vector("spin").value_or(Vec3::Zero());
+        for (std::size_t k = 0; k < 6; ++k) {
+            const auto axis = static_cast<int>(k % 3);
+            if (!is_free(m.free, k) && std::abs(k < 3 ? m.velocity[axis] : m.spin[axis]) > 1e-12)
+                s.fail(k < 3 ? (speed ? "speed" : "velocity") : "spin",
+                       fmt::format("has a part in {}, which is locked{}", freedom_names[k],
+                                   flat ? " (two dimensions are the plane y = 0)" : ""));
+        }
+    } else {
+        for (const char* of_free : {"locked", "velocity", "speed", "spin"})
+            if (s.has(of_free)) s.fail(of_free, "is for free bodies; the motion of this one is prescribed by law");
+        m.law = read_law(s, flat);
+    }
+    s.finish();
+    return b;
+}
+
+double MovingBody::fastest(double g) const {
+    const Box box = surface.bounds();
+    double reach = 0;
+    for (const Vec3& p : surface.points) {
+        Vec3 arm = p - motion.mass.centre;
+        if (!motion.free.about[0] && !motion.free.about[2]) arm.y() = 0;
+        reach = std::max(reach, arm.norm());
+    }
+    if (motion.law) return motion.law->fastest() * (motion.law->turns ? reach : 1);
+    const double falls = motion.free.along[2] ? 2 * g * std::max(0.0, box.min.z()) : 0;
+    return std::sqrt(motion.velocity.squaredNorm() + falls) + motion.spin.norm() * reach;
+}
+
+}  // namespace tw

@@ -1,0 +1,176 @@
+#include <cmath>
+#include <numbers>
+
+#include "scene/hash.h"
+#include "scene_text.h"
+
+namespace tw::test {
+namespace {
+
+const std::string afloat = R"(title = "afloat"
+[tank]
+min = [-1, -1, -1]
+max = [1, 1, 1]
+[[body]]
+shape = "box"
+length = "0.4 m"
+beam = "0.2 m"
+height = "0.1 m"
+draft = "0.05 m"
+density = "500 kg/m3"
+[motion]
+kind = "none"
+[resolution]
+near_hull = "0.01 m"
+[run]
+duration = 1
+methods = ["sph"]
+)";
+
+TEST(BodyScene, HasTheMassOfItsSurfaceAndDensity) {
+    const MovingBody b = scene_of(afloat).bodies.at(0);
+    EXPECT_EQ(b.name, "body1");
+    EXPECT_NEAR(b.motion.mass.mass, 4, 1e-12);
+    EXPECT_LT((b.motion.mass.centre - Vec3(0, 0, 0)).norm(), 1e-12);
+    EXPECT_NEAR(b.motion.mass.inertia(1, 1), 4.0 / 12 * (0.16 + 0.01), 1e-12);
+    EXPECT_TRUE(b.findings.empty());
+    const MovingBody by_mass = scene_of(with(afloat, "density = \"500 kg/m3\"", "mass = 4")).bodies.at(0);
+    EXPECT_LT((by_mass.motion.mass.inertia - b.motion.mass.inertia).norm(), 1e-12);
+}
+
+TEST(BodyScene, InTwoDimensionsIsASectionPerMetre) {
+    const MovingBody b = scene_of(with(afloat, "[motion]", "[domain]\ndimensions = 2\n[motion]")).bodies.at(0);
+    EXPECT_NEAR(b.motion.mass.mass, 20, 1e-12);
+    EXPECT_FALSE(b.motion.free.along[1] || b.motion.free.about[0] || b.motion.free.about[2]);
+    EXPECT_TRUE(b.motion.free.along[0] && b.motion.free.along[2] && b.motion.free.about[1]);
+}
+
+TEST(BodyScene, SpeedIsAlongItsAxisBowFirst) {
+    const MovingBody b = scene_of(with(with(afloat, "draft = \"0.05 m\"", "draft = \"-0.1 m\"\ntrim = \"-60 deg\""),
+                                       "[motion]", "speed = 10\n[motion]"))
+                             .bodies.at(0);
+    const double angle = std::numbers::pi / 3;
+    EXPECT_LT((b.motion.velocity - 10 * Vec3(-std::cos(angle), 0, -std::sin(angle))).norm(), 1e-12);
+}
+
+TEST(BodyScene, InertiaTurnsWithTheShape) {
+    const MovingBody b = scene_of(with(with(afloat, "draft = \"0.05 m\"", "draft = \"-0.1 m\"\ntrim = \"90 deg\""),
+                                       "[motion]", "inertia = [1, 2, 2.5]\n[motion]"))
+                             .bodies.at(0);
+    EXPECT_LT((b.motion.mass.inertia - Vec3(2.5, 2, 1).asDiagonal().toDenseMatrix()).norm(), 1e-12);
+}
+
+TEST(BodyScene, ReadsPrescribedMotions) {
+    const auto law = [](const std::string& lines) {
+        return scene_of(with(afloat, "[motion]", "motion = \"prescribed\"\n" + lines + "\n[motion]"))
+            .bodies.at(0)
+            .motion.law.value();
+    };
+    const MotionLaw roll =
+        law("law = \"sinusoid\"\nabout = [2, 0, 0]\namplitude = \"6 deg\"\nperiod = 2\nphase = \"90 deg\"");
+    EXPECT_TRUE(roll.turns);
+    EXPECT_EQ(roll.axis, Vec3::UnitX());
+    EXPECT_NEAR(roll.amplitude, 6 * std::numbers::pi / 180, 1e-15);
+    EXPECT_EQ(law("law = \"ramp\"\nalong = [1, 0, 0]\nrate = \"2 m/s\"\nramp = 0.5").ramp, 0.5);
+    EXPECT_EQ(law("law = \"table\"\nalong = [0, 0, 1]\ntimes = [0, 1]\nvalues = [0, \"20 mm\"]").values[1], 0.02);
+}
+
+TEST(BodyScene, ChangesTheHashAndScenesWithoutBodiesKeepTheirs) {
+    EXPECT_NE(scene_of(afloat).hash, scene_of(with(afloat, "500 kg", "501 kg")).hash);
+    EXPECT_NE(scene_of(afloat).hash, scene_of(with(afloat, "[motion]", "locked = [\"surge\"]\n[motion]")).hash);
+    EXPECT_EQ(canonical_text(scene_of(planing)).find("body"), std::string::npos);
+}
+
+TEST(BodyScene, FastBodiesNeedAFasterSound) {
+    const double slow = scene_of(afloat).sph.c0;
+    EXPECT_NEAR(scene_of(with(afloat, "[motion]", "velocity = [0, 0, 8]\n[motion]")).sph.c0, 80, 1e-9);
+    EXPECT_LT(slow, 50);
+}
+
+TEST(BodyScene, WarnsOfACentreOfMassOutside) {
+    const Scene s = scene_of(with(afloat, "[motion]", "centre = [0, 0, 0.2]\ninertia = [1, 1, 1]\n[motion]"));
+    ASSERT_EQ(s.bodies.at(0).findings.size(), 1u);
+    EXPECT_EQ(s.bodies.at(0).findings[0].name, "centre_outside");
+}
+
+TEST(BodyScene, IsRefusedForTheMeshMethod) {
+    const Scene s = scene_of(afloat);
+    EXPECT_NO_THROW(refuse_unsolved(s, "sph"));
+    try {
+        refuse_unsolved(s, "fvm");
+        FAIL();
+    } catch (const InputError& e) {
+        EXPECT_NE(std::string(e.what()).find("[run] methods = [\"sph\"]: body body1 moves, and this version moves"),
+                  std::string::npos)
+            << e.what();
+    }
+}
+
+struct Bad {
+    std::string from, to, message;
+};
+class BadBodies : public testing::TestWithParam<Bad> {};
+
+TEST_P(BadBodies, AreRefusedAtTheirKey) {
+    const auto& [from, to, message] = GetParam();
+    const std::string said = complaint(with(afloat, from, to));
+    EXPECT_EQ(said.substr(0, message.size()), message);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Bodies, BadBodies,
+    testing::Values(
+        Bad{"density = \"500 kg/m3\"", "mass = 0",
+            "scene.toml:11:8: [[body]] mass = 0: out of range; expected greater than 0 kg"},
+        Bad{"density = \"500 kg/m3\"", "mass = -2",
+            "scene.toml:11:8: [[body]] mass = -2: out of range; expected greater than 0 kg"},
+        Bad{"density = \"500 kg/m3\"", "",
+            "scene.toml:5:1: [[body]] mass: missing; a free body needs its mass or its density"},
+        Bad{"[motion]", "mass = 3\n[motion]", "scene.toml:12:8: [[body]] mass = 3: given twice: also density"},
+        Bad{"[motion]", "inertia = [1, 1, 3]\n[motion]",
+            "scene.toml:12:11: [[body]] inertia = [1, 1, 3]: no body has principal moments of inertia 1, 1, 3 kg m2, of "
+            "which "
+            "the last is larger than the sum of the others"},
+        Bad{"[motion]", "inertia = [1, 0, 1]\n[motion]",
+            "scene.toml:12:11: [[body]] inertia = [1, 0, 1]: no body has principal moments"},
+        Bad{"[motion]", "locked = [\"surge\", \"sway\", \"heave\", \"roll\", \"pitch\", \"yaw\"]\n[motion]",
+            "scene.toml:12:10: [[body]] locked = [\"surge\", \"sway\", \"heave\", \"roll\", \"pitch\", \"yaw\"]: nothing "
+            "is left"},
+        Bad{"[motion]", "locked = [\"heave\"]\nvelocity = [0, 0, -1]\n[motion]",
+            "scene.toml:13:12: [[body]] velocity = [0, 0, -1]: has a part in heave, which is locked"},
+        Bad{"draft = \"0.05 m\"", "draft = 1.2",
+            "scene.toml:10:9: [[body]] draft = 1.2: body body1 starts in a wall of the tank or outside it: in z it spans "
+            "-1.2 to -1.1 m, the tank -1 to 1 m"},
+        Bad{"draft = \"0.05 m\"", "draft = 0.05\nposition = [0.9, 0]",
+            "scene.toml:11:12: [[body]] position = [0.9, 0]: body body1 starts in a wall of the tank"},
+        Bad{"[motion]", "[[obstacle]]\nmin = [0.1, -0.1, -0.5]\nmax = [0.3, 0.1, 0]\n[motion]",
+            "scene.toml:10:9: [[body]] draft = \"0.05 m\": body body1 starts in obstacle obstacle1"},
+        Bad{"[motion]", "[[body]]\nshape = \"sphere\"\ndiameter = 0.2\ndraft = 0.1\nmass = 1\n[motion]",
+            "scene.toml:15:9: [[body]] draft = 0.1: body body2 starts in body body1"},
+        Bad{"[motion]", "motion = \"prescribed\"\n[motion]",
+            "scene.toml:5:1: [[body]] law: missing; a prescribed motion"},
+        Bad{"[motion]", "motion = \"prescribed\"\nlaw = \"constant\"\nrate = 1\n[motion]",
+            "scene.toml:5:1: [[body]] along: expected one of along = [x, y, z]"},
+        Bad{"[motion]", "motion = \"prescribed\"\nlaw = \"sinusoid\"\nalong = [1, 0, 0]\nperiod = 1\n[motion]",
+            "scene.toml:5:1: [[body]] amplitude: missing; law = \"sinusoid\" needs it"},
+        Bad{"[motion]", "motion = \"prescribed\"\nlaw = \"constant\"\nalong = [0, 0, 0]\nrate = 1\n[motion]",
+            "scene.toml:14:9: [[body]] along = [0, 0, 0]: has no direction"},
+        Bad{"[motion]",
+            "motion = \"prescribed\"\nlaw = \"table\"\nalong = [1, 0, 0]\ntimes = [0, 2, 1]\nvalues = [0, 1, "
+            "2]\n[motion]",
+            "scene.toml:15:9: [[body]] times = [0, 2, 1]: row 2 is at 2 s and row 3 at 1 s; expected times that rise"},
+        Bad{"[motion]",
+            "motion = \"prescribed\"\nspin = [0, 0, 1]\nlaw = \"constant\"\nalong = [1, 0, 0]\nrate = 1\n[motion]",
+            "scene.toml:13:8: [[body]] spin = [0, 0, 1]: is for free bodies"},
+        Bad{"[motion]",
+            "[domain]\ndimensions = 2\n[[body]]\nshape = \"box\"\nlength = 0.1\nbeam = 0.1\nheight = 0.1\n"
+            "draft = 0.5\nmass = 1\nspin = [1, 0, 0]\n[motion]",
+            "scene.toml:21:8: [[body]] spin = [1, 0, 0]: has a part in roll, which is locked (two dimensions"},
+        Bad{"[motion]\nkind = \"none\"", "[motion]\nkind = \"none\"\n[effects]\nair = \"on\"",
+            "scene.toml:15:7: [effects] air = \"on\": bodies that move are solved in water alone"},
+        Bad{"[run]", "[sph]\nscheme = \"rk4_frozen_diffusion\"\n[run]",
+            "scene.toml:17:10: [sph] scheme = \"rk4_frozen_diffusion\": bodies that move need a time step of one "
+            "evaluation"}));
+
+}  // namespace
+}  // namespace tw::test

@@ -1,0 +1,297 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <vector>
+
+#include "base/errors.h"
+#include "meshes/generate.h"
+#include "meshes/section.h"
+#include "sph_solver/simulation.h"
+#include "sph_solver/state/checkpoint.h"
+
+namespace tw {
+namespace {
+
+/// A tank in the plane y = 0, water below z = 0, walls all round but above.
+SimulationSetup tank(double dp, double half_width, double depth, double above, double c0) {
+    SimulationSetup s;
+    s.dimensions = 2;
+    s.dp = dp;
+    s.state_equation.c0 = c0;
+    s.domain = {Vec3(-half_width, -dp / 2, -depth), Vec3(half_width, dp / 2, above)};
+    s.mirrors.on = {{{true, true}, {false, false}, {true, false}}};
+    s.threads = 1;
+    return s;
+}
+
+/// A body whose section with the plane is that of `solid`, in the x-z plane. Masses are per metre of span.
+BodySetup section_body(const Surface& solid, double density) {
+    const Surface prism = section_prism(solid);
+    BodySetup body(with_span(prism, endless_span(prism)));
+    body.moving = RigidBodySetup{};
+    body.moving->mass = solid_mass(prism, density);
+    body.moving->free = {{true, false, true}, {false, true, false}};
+    return body;
+}
+
+BodySetup box_body(double width, double height, double draft, double density) {
+    const Surface box = make_hull("box", {{"length", width}, {"beam", 1}, {"height", height}});
+    return section_body(posed(box, {.draft = draft}), density);
+}
+
+Fluid water(const SimulationSetup& s) {
+    Box below = s.domain;
+    below.max.z() = 0;
+    return fill_with_fluid(s, {below});
+}
+
+Vec3 centre_of(const Simulation& s) { return s.bodies()[0].rigid().state().centre; }
+double turned_by(const Simulation& s) { return Eigen::AngleAxisd(s.bodies()[0].rigid().state().attitude).angle(); }
+void run_to(Simulation& s, double time) {
+    while (s.time() < time) s.step();
+}
+double speed_up(const Simulation& s) { return s.bodies()[0].rigid().state().velocity.z(); }
+
+BodySetup circle_body(double diameter, double draft, double density) {
+    return section_body(posed(make_hull("cylinder", {{"diameter", diameter}, {"span", 1}}), {.draft = draft}), density);
+}
+
+TEST(Bodies, AfloatAtArchimedesDraftStayThere) {
+    const double dp = 0.01, height = 0.2, draft = 0.1;
+    SimulationSetup s = tank(dp, 0.5, 0.5, 0.3, 25);
+    s.bodies = {box_body(0.3, height, draft, 1000 * draft / height)};  // as wide as high it would lie down
+    Simulation afloat(s, water(s));
+    const Vec3 start = centre_of(afloat);
+    double sum = 0, time = 0, most = 0;
+    while (afloat.time() < 1) {
+        afloat.step();
+        const double rise = centre_of(afloat).z() - start.z();
+        sum += afloat.dt() * rise, time += afloat.dt();
+        most = std::max(most, std::abs(rise));
+    }
+    EXPECT_LT(std::abs(sum / time) / draft, 0.005);
+    EXPECT_LT(most / draft, 0.005);
+    EXPECT_GT(most, 0) << "or it is held";
+    EXPECT_LT(std::abs(centre_of(afloat).x()), 1e-4 * dp);
+    EXPECT_LT(turned_by(afloat), 1e-4);
+}
+
+TEST(Bodies, OfTheWatersDensityStayWhereTheyAre) {
+    const double dp = 0.01;
+    SimulationSetup s = tank(dp, 0.5, 0.5, 0.3, 25);
+    s.bodies = {box_body(0.2, 0.2, 0.35, 1000)};
+    Simulation afloat(s, water(s));
+    const Vec3 start = centre_of(afloat);
+    double most = 0;
+    while (afloat.time() < 0.5) {
+        afloat.step();
+        most = std::max(most, (centre_of(afloat) - start).norm());
+    }
+    EXPECT_LT(most, 0.1 * dp);
+}
+
+/// A circle far under water starts with (1 - q) / (1 + q) g, q its density over the water's: its added mass is that of
+/// the water that it displaces (Lamb, Hydrodynamics, art. 68).
+TEST(Bodies, HoweverLightRiseWithTheAccelerationOfTheirAddedMass) {
+    for (const double q : {0.5, 0.1, 0.01}) {
+        SimulationSetup s = tank(0.01, 0.7, 1.2, 0.1, 25);
+        s.bodies = {circle_body(0.2, 0.7, 1000 * q)};
+        Simulation rising(s, water(s));
+        run_to(rising, 0.06);
+        const double exact = (1 - q) / (1 + q) * 9.81 * rising.time();
+        EXPECT_NEAR(speed_up(rising) / exact, 1, 0.06) << "density ratio " << q;
+        EXPECT_LT(std::abs(centre_of(rising).x()), 1e-4 * s.dp);
+    }
+}
+
+TEST(Bodies, ThatAreMovedToAndFroFeelTheirAddedMass) {
+    const double diameter = 0.2, period = 0.25;
+    SimulationSetup s = tank(0.01, 0.7, 1.2, 0.1, 25);
+    BodySetup circle = circle_body(diameter, 0.7, 500);
+    MotionLaw law;
+    law.kind = MotionLaw::Kind::sinusoid;
+    law.axis = Vec3::UnitX();
+    law.amplitude = 0.005;
+    law.period = period;
+    law.phase = std::numbers::pi / 2;  // from rest
+    circle.moving->law = law;
+    s.bodies = {circle};
+    Simulation moved(s, water(s));
+    double with = 0, square = 0;
+    while (moved.time() < 2 * period) {
+        moved.step();
+        if (moved.time() < period) continue;
+        const double a = law.at(moved.time() - moved.dt() / 2).acceleration;
+        with -= moved.load(0).force.x() * a * moved.dt();
+        square += a * a * moved.dt();
+    }
+    const double displaced = 1000 * std::numbers::pi * diameter * diameter / 4;
+    EXPECT_NEAR(with / square / displaced, 1, 0.06);  // the tank's walls add 2 %
+    EXPECT_NEAR(centre_of(moved).x(), law.at(moved.time()).path, 1e-12);
+}
+
+/// Half submerged circle, half as heavy as water: a period of 2 pi sqrt((m + A) / (rho g D)) = 0.621 s with the added
+/// mass A = 0.6 m, near the least that Ursell 1949 gives over all frequencies. interFoam gave 0.626 s.
+TEST(Bodies, HeaveWithThePeriodOfTheirAddedMass) {
+    const double radius = 0.0762, dp = radius / 8;
+    SimulationSetup s = tank(dp, 80 * dp, 40 * dp, 16 * dp, 20);
+    s.bodies = {circle_body(2 * radius, 0.8 * radius, 500)};
+    Simulation afloat(s, water(s));
+    std::vector<double> extremes;
+    double before = 0;
+    while (afloat.time() < 0.8) {
+        afloat.step();
+        if (speed_up(afloat) * before < 0) extremes.push_back(afloat.time());
+        before = speed_up(afloat);
+    }
+    ASSERT_GE(extremes.size(), 2u);
+    EXPECT_NEAR(extremes[1] / 0.621, 1, 0.05);
+    EXPECT_LT(std::abs(centre_of(afloat).z()), 0.1 * radius);  // waves take its energy
+}
+
+/// A drop that falls, and a body that is shot into it from below: no wall takes momentum.
+TEST(Bodies, AndWaterTogetherGetTheImpulseOfGravity) {
+    SimulationSetup s;
+    s.dimensions = 2;
+    s.dp = 0.02;
+    s.state_equation.c0 = 40;
+    s.domain = {Vec3(-2, -s.dp / 2, -2), Vec3(2, s.dp / 2, 2)};
+    s.threads = 1;
+    BodySetup box = box_body(0.2, 0.2, 0.6, 700);
+    box.moving->velocity = Vec3(0.5, 0, 3);
+    box.moving->spin = Vec3(0, 2, 0);
+    s.bodies = {box};
+    Fluid drop = fill_with_fluid(s, {Box{Vec3(-0.3, -0.5, -0.3), Vec3(0.3, 0.5, 0.3)}});
+    for (double& depth : drop.depth) depth = 0;  // no pressure to start with
+    Simulation shot(s, drop);
+    const auto momentum = [&] {
+        Vec3 sum = shot.bodies()[0].rigid().mass().mass * shot.bodies()[0].rigid().state().velocity;
+        const Particles& p = shot.particles();
+        for (std::size_t i = 0; i < p.size(); ++i) sum += shot.mass() * Vec3(p.u[i], p.v[i], p.w[i]);
+        return sum;
+    };
+    const double mass = shot.mass() * double(shot.particles().size()) + shot.bodies()[0].rigid().mass().mass;
+    const Vec3 start = momentum(), velocity = shot.bodies()[0].rigid().state().velocity;
+    double kicked = 0;
+    while (shot.time() < 0.3) {
+        const double time = shot.time();
+        shot.step();
+        kicked += shot.time() - time;
+    }
+    const Vec3 body = shot.bodies()[0].rigid().mass().mass *
+                      (shot.bodies()[0].rigid().state().velocity - velocity - kicked * s.gravity);
+    EXPECT_GT(body.norm(), 10) << "or they have not met";
+    EXPECT_LT((momentum() - start - mass * kicked * s.gravity).norm(), 1e-4 * body.norm());
+}
+
+TEST(Bodies, FallFreelyOverTheWater) {
+    SimulationSetup s = tank(0.02, 0.5, 0.3, 1.5, 25);
+    BodySetup box = box_body(0.2, 0.2, -0.6, 700);
+    box.moving->velocity = Vec3(0.1, 0, 1);
+    box.moving->spin = Vec3(0, 3, 0);
+    s.bodies = {box};
+    Simulation falling(s, water(s));
+    const Vec3 start = centre_of(falling);
+    run_to(falling, 0.3);
+    const double t = falling.time();
+    EXPECT_LT((centre_of(falling) - start - box.moving->velocity * t - 0.5 * s.gravity * t * t).norm(), 1e-6);
+    EXPECT_NEAR(turned_by(falling), 3 * t, 1e-6);
+}
+
+SimulationSetup entry(int threads) {
+    SimulationSetup s = tank(0.01, 0.3, 0.3, 0.3, 30);
+    BodySetup circle = circle_body(0.1, -0.005, 1370);
+    circle.moving->velocity = Vec3(0, 0, -3);
+    s.bodies = {circle};
+    s.threads = threads;
+    return s;
+}
+
+TEST(Bodies, ThatEnterUprightStayUpright) {
+    const SimulationSetup s = entry(1);
+    Simulation entering(s, water(s));
+    run_to(entering, 0.04);
+    EXPECT_LT(speed_up(entering), -0.5);
+    EXPECT_GT(speed_up(entering), -2.5) << "or no water slows it";
+    EXPECT_LT(std::abs(centre_of(entering).x()), 1e-3 * s.dp);
+    EXPECT_LT(turned_by(entering), 1e-3);
+}
+
+::testing::AssertionResult same_bits(const Simulation& a, const Simulation& b) {
+    const Particles &p = a.particles(), &q = b.particles();
+    if (p.x != q.x || p.z != q.z || p.u != q.u || p.w != q.w || p.drho != q.drho)
+        return ::testing::AssertionFailure() << "particles differ";
+    const RigidBody::State &m = a.bodies()[0].rigid().state(), &n = b.bodies()[0].rigid().state();
+    if (m.centre != n.centre || m.attitude.coeffs() != n.attitude.coeffs() || m.velocity != n.velocity ||
+        m.angular_momentum != n.angular_momentum)
+        return ::testing::AssertionFailure() << "the bodies differ";
+    return ::testing::AssertionSuccess();
+}
+
+TEST(Bodies, GiveTheSameBitsWithAnyNumberOfThreads) {
+    Simulation one(entry(1), water(entry(1)));
+    for (int k = 0; k < 100; ++k) one.step();
+    Simulation two(entry(2), water(entry(2)));
+    for (int k = 0; k < 100; ++k) two.step();
+    EXPECT_TRUE(same_bits(one, two));
+}
+
+TEST(Bodies, GoOnWithTheSameBitsAfterARestart) {
+    const SimulationSetup s = entry(1);
+    const std::filesystem::path file = std::filesystem::temp_directory_path() / "twinwake_bodies_checkpoint.h5";
+    Simulation whole(s, water(s));
+    for (int k = 0; k < 60; ++k) whole.step();
+    write_checkpoint(file, "hash", whole, 1);
+    whole.mark_restart_point();
+    Simulation resumed(s, water(s));
+    restore(resumed, read_checkpoint(file, "hash"));
+    EXPECT_TRUE(same_bits(whole, resumed));
+    for (int k = 0; k < 60; ++k) whole.step(), resumed.step();
+    EXPECT_TRUE(same_bits(whole, resumed));
+    SimulationSetup fixed = s;
+    fixed.bodies[0].moving.reset();
+    Simulation other(fixed, water(s));
+    EXPECT_THROW(restore(other, read_checkpoint(file, "hash")), InputError);
+    std::filesystem::remove(file);
+}
+
+std::string end_of(SimulationSetup s) {
+    Simulation run(s, water(s));
+    try {
+        run_to(run, 0.5);
+    } catch (const RunError& e) { return e.what(); }
+    return "";
+}
+
+TEST(Bodies, ThatTouchAWallAnObstacleOrEachOtherEndTheRun) {
+    SimulationSetup s = tank(0.02, 0.5, 0.2, 0.5, 25);
+    BodySetup stone = box_body(0.2, 0.2, 0.1, 8000);
+    stone.name = "stone";
+    stone.moving->velocity = Vec3(0, 0, -1);
+    s.bodies = {stone};
+    EXPECT_EQ(end_of(s).substr(0, 29), "body stone touches the floor ");
+    s.bodies[0] = box_body(0.2, 0.2, -0.05, 8000);
+    s.bodies[0].name = "stone";
+    s.bodies[0].moving->velocity = Vec3(5, 0, 1);
+    EXPECT_EQ(end_of(s).substr(0, 37), "body stone touches the wall at high x");
+    s.bodies[0].moving->velocity = Vec3(0, 0, 30);
+    EXPECT_EQ(end_of(s).substr(0, 30), "body stone has left the domain");
+    s.bodies[0].moving->velocity = Vec3(3, 0, 0);
+    BodySetup shelf = box_body(0.1, 0.3, 0.1, 500);
+    for (Vec3& p : shelf.surface.points) p.x() += 0.3;
+    shelf.moving.reset();
+    shelf.name = "shelf";
+    s.bodies.push_back(shelf);
+    EXPECT_EQ(end_of(s).substr(0, 24), "body stone touches shelf");
+}
+
+TEST(Bodies, NeedAStepOfOneEvaluation) {
+    SimulationSetup s = entry(1);
+    s.scheme = Scheme::predictor_corrector;
+    EXPECT_THROW(Simulation(s, water(s)), InputError);
+}
+
+}  // namespace
+}  // namespace tw
