@@ -4,7 +4,7 @@
 namespace tw {
 
 /// Soundness checks of one run from its record: finished, particles lost, Mach or Courant number, mass drift (tank),
-/// largest speed, ventilation, spread of the force measures; then the lines of its stability certificate. Only those
+/// largest speed, ventilation, suction on the hull, spread of the force measures; then the lines of its stability certificate. Only those
 /// whose data the record holds.
 std::vector<Gate> check_gates(const RunRecord& record, const std::string& name);
 /// Those that are not met.
