@@ -8,6 +8,7 @@
 
 #include "compare/metrics/numerical_drag.h"
 #include "compare/read/record_numbers.h"
+#include "compare/reference/prismatic_hull.h"
 #include "compare/statistics/settled_mean.h"
 
 namespace tw {
@@ -129,6 +130,16 @@ std::vector<Gate> check_gates(const RunRecord& record, const std::string& name) 
                     "at ({:.3g}, {:.3g}, {:.3g}) m, mostly a single bad cell at an edge; such faces make {:.3g} "
                     "% of the drag of pressure, and take lift beside them",
                     pocket->place.x(), pocket->place.y(), pocket->place.z(), 100 * pocket->of_drag));
+    if (const auto hull = prismatic_hull(record)) {
+        const auto drag = time_mean(record, "forces", "fx_pressure"), lift = time_mean(record, "forces", "fz_pressure");
+        const double expected = lift.value_or(0) * std::tan(hull->state.trim);
+        if (drag && expected > 0)
+            add("drag against lift times tan trim", "%", 100 * std::abs(*drag / expected - 1), 5,
+                fmt::format("pressure on a bottom whose sections are all alike stands square on its keel: {:.4g} N of "
+                            "drag go with this lift where the transom is dry, and {:.4g} N were found; the rest acts "
+                            "on the edges",
+                            expected, *drag));
+    }
     const auto sum = time_mean(record, "forces", "fz"), surface = time_mean(record, "forces", "fz_surface"),
                volume = time_mean(record, "forces", "fz_volume");
     if (sum && (surface || volume) && *sum != 0) {

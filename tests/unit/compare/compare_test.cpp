@@ -353,6 +353,27 @@ TEST(Compare, OneFaceThatIsSuckedAtHarderThanTheStreamCanIsTold) {
     EXPECT_TRUE(told(run).pass);
 }
 
+TEST(Compare, PressureOnAPrismaticBottomStandsSquareOnItsKeel) {
+    RunRecord run = synthetic_run(fvm);  // 2722 N at a trim of 5 degrees: 238.1 N of drag
+    const auto told = [](const RunRecord& r) -> std::optional<Gate> {
+        for (const Gate& g : check_gates(r, "fvm"))
+            if (g.name == "drag against lift times tan trim") return g;
+        return {};
+    };
+    const auto set_drag = [&](double drag) {
+        std::ranges::fill(run.table("forces").column("fx_pressure", "N").values, drag);
+        std::ranges::fill(run.table("forces").column("fz_pressure", "N").values, 2722);
+    };
+    set_drag(2722 * std::tan(5 * std::numbers::pi / 180));
+    ASSERT_TRUE(told(run));
+    EXPECT_NEAR(told(run)->value, 0, 1e-9);
+    set_drag(214.3);  // a tenth is missing, as if something pushed at the transom's edge
+    EXPECT_NEAR(told(run)->value, 10, 0.1);
+    EXPECT_FALSE(told(run)->pass);
+    run.hull = make_hull("sphere", {{"diameter", 0.5}});
+    EXPECT_FALSE(told(run)) << "a sphere's bottom has no keel";
+}
+
 TEST(Compare, MomentsAreTakenAboutOnePoint) {
     RunRecord a = synthetic_run(sph), b = a;
     a.attributes["moment_reference"] = "0 0 0";
