@@ -8,6 +8,7 @@
 
 #include "compare/metrics/numerical_drag.h"
 #include "compare/read/record_numbers.h"
+#include "compare/reference/prismatic_hull.h"
 #include "compare/statistics/settled_mean.h"
 
 namespace tw {
@@ -54,6 +55,38 @@ std::optional<double> suction_share(const RunRecord& record) {
     return 100 * suction / all;
 }
 
+/// Wet faces that are sucked at harder than the stream's dynamic pressure rho U^2 / 2 (last picture).
+struct Pocket {
+    double coefficient = 0;     ///< largest suction over rho U^2 / 2, wherever it stands [-]
+    Vec3 place = Vec3::Zero();  ///< of it [m]
+    double of_drag = 0;         ///< drag of the faces where it exceeds 1, over that of all wet faces [-]
+};
+
+/// Along smooth surfaces fast water sucks by less than rho U^2 / 2 unless it is led round a bulge. Where the stream
+/// leaves an edge a single cell of the mesh may suck by several times that (docs/decisions/028-shedding-edges.md), on
+/// too small an area for `suction_share` to see.
+std::optional<Pocket> deepest_suction(const RunRecord& record, double speed) {
+    if (record.hull_pressure.empty() || record.hull_pressure.size() != record.hull.triangles.size()) return {};
+    const double dynamic = 0.5 * number_of(record, "density", 1000) * speed * speed;
+    Pocket pocket;
+    double drag = 0, all_drag = 0;
+    for (std::size_t t = 0; t < record.hull_pressure.size(); ++t) {
+        if (t < record.hull_wet.size() && record.hull_wet[t] < 0.5f) continue;
+        const double coefficient = -double(record.hull_pressure[t]) / dynamic;
+        if (!std::isfinite(coefficient)) continue;
+        const double here = coefficient * record.hull.area_vector2(static_cast<int>(t)).x();
+        all_drag += here;
+        if (coefficient > 1) drag += here;
+        if (coefficient <= pocket.coefficient) continue;
+        pocket.coefficient = coefficient;
+        pocket.place.setZero();
+        for (const int corner : record.hull.triangles[t])
+            pocket.place += record.hull.points[static_cast<std::size_t>(corner)] / 3;
+    }
+    if (all_drag != 0) pocket.of_drag = drag / all_drag;
+    return pocket;
+}
+
 }  // namespace
 
 std::vector<Gate> check_gates(const RunRecord& record, const std::string& name) {
@@ -90,6 +123,23 @@ std::vector<Gate> check_gates(const RunRecord& record, const std::string& name) 
     if (const auto suction = suction_share(record); suction && speed > 0)
         add("suction on the hull", "%", *suction, 15,
             "water stays attached where it should leave the hull: a step or transom edge that the resolution misses");
+    if (speed > 0)
+        if (const auto pocket = deepest_suction(record, speed))
+            add("suction over rho U^2 / 2", "-", pocket->coefficient, 1,
+                fmt::format(
+                    "at ({:.3g}, {:.3g}, {:.3g}) m, mostly a single bad cell at an edge; such faces make {:.3g} "
+                    "% of the drag of pressure, and take lift beside them",
+                    pocket->place.x(), pocket->place.y(), pocket->place.z(), 100 * pocket->of_drag));
+    if (const auto hull = prismatic_hull(record)) {
+        const auto drag = time_mean(record, "forces", "fx_pressure"), lift = time_mean(record, "forces", "fz_pressure");
+        const double expected = lift.value_or(0) * std::tan(hull->state.trim);
+        if (drag && expected > 0)
+            add("drag against lift times tan trim", "%", 100 * std::abs(*drag / expected - 1), 5,
+                fmt::format("pressure on a bottom whose sections are all alike stands square on its keel: {:.4g} N of "
+                            "drag go with this lift where the transom is dry, and {:.4g} N were found; the rest acts "
+                            "on the edges",
+                            expected, *drag));
+    }
     const auto sum = time_mean(record, "forces", "fz"), surface = time_mean(record, "forces", "fz_surface"),
                volume = time_mean(record, "forces", "fz_volume");
     if (sum && (surface || volume) && *sum != 0) {

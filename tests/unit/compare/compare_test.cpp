@@ -328,6 +328,52 @@ TEST(Compare, WaterThatStaysAttachedBehindAStepIsTold) {
     EXPECT_FALSE(suction(attached).pass);
 }
 
+TEST(Compare, OneFaceThatIsSuckedAtHarderThanTheStreamCanIsTold) {
+    RunRecord run = synthetic_run(fvm);  // 8 m/s: rho U^2 / 2 is 32 kPa
+    const auto told = [](const RunRecord& r) {
+        for (const Gate& g : check_gates(r, "fvm"))
+            if (g.name == "suction over rho U^2 / 2") return g;
+        return Gate{};
+    };
+    EXPECT_TRUE(told(run).pass);
+    std::size_t astern = 0;  // the face that looks most astern
+    for (std::size_t t = 0; t < run.hull.triangles.size(); ++t)
+        if (run.hull.area_vector2(static_cast<int>(t)).normalized().x() >
+            run.hull.area_vector2(static_cast<int>(astern)).normalized().x())
+            astern = t;
+    std::ranges::fill(run.hull_pressure, 0.0f);
+    std::ranges::fill(run.hull_wet, 1.0f);
+    run.hull_pressure[astern] = -48000;
+    EXPECT_NEAR(told(run).value, 1.5, 1e-6);
+    EXPECT_FALSE(told(run).pass);
+    EXPECT_NE(told(run).remark.find("make 100 % of the drag"), std::string::npos) << told(run).remark;
+    run.hull_wet[astern] = 0.2f;  // dry: air may be sucked off without a word
+    EXPECT_EQ(told(run).value, 0);
+    run.hull_wet[astern] = 1, run.hull_pressure[astern] = -30000;
+    EXPECT_TRUE(told(run).pass);
+}
+
+TEST(Compare, PressureOnAPrismaticBottomStandsSquareOnItsKeel) {
+    RunRecord run = synthetic_run(fvm);  // 2722 N at a trim of 5 degrees: 238.1 N of drag
+    const auto told = [](const RunRecord& r) -> std::optional<Gate> {
+        for (const Gate& g : check_gates(r, "fvm"))
+            if (g.name == "drag against lift times tan trim") return g;
+        return {};
+    };
+    const auto set_drag = [&](double drag) {
+        std::ranges::fill(run.table("forces").column("fx_pressure", "N").values, drag);
+        std::ranges::fill(run.table("forces").column("fz_pressure", "N").values, 2722);
+    };
+    set_drag(2722 * std::tan(5 * std::numbers::pi / 180));
+    ASSERT_TRUE(told(run));
+    EXPECT_NEAR(told(run)->value, 0, 1e-9);
+    set_drag(214.3);  // a tenth is missing, as if something pushed at the transom's edge
+    EXPECT_NEAR(told(run)->value, 10, 0.1);
+    EXPECT_FALSE(told(run)->pass);
+    run.hull = make_hull("sphere", {{"diameter", 0.5}});
+    EXPECT_FALSE(told(run)) << "a sphere's bottom has no keel";
+}
+
 TEST(Compare, MomentsAreTakenAboutOnePoint) {
     RunRecord a = synthetic_run(sph), b = a;
     a.attributes["moment_reference"] = "0 0 0";
