@@ -35,7 +35,7 @@ TEST(SceneErrors, WrongTypesUnitsAndRangesStandAtTheirValue) {
               "did you mean 'stream'?");
     EXPECT_EQ(complaint(with(planing, "kind  = \"stream\"", "kind  = \"free\"")),
               "scene.toml:12:9: [motion] kind = \"free\": this version solves a fixed hull only; expected \"stream\" "
-              "(uniform stream) or \"none\" (still water)");
+              "(uniform stream) or \"none\" (still water; solids that move are [[body]])");
     EXPECT_EQ(complaint(with(planing, "half     = true", "half     = 1")),
               "scene.toml:9:12: [hull] half = 1: expected true or false");
     EXPECT_EQ(complaint(with(planing, "near_hull = \"0.05 m\"", "near_hull = -0.05")),
