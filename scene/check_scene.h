@@ -9,7 +9,8 @@ namespace tw {
 
 /// Surface findings of a hull; repairs it first where the scene says so.
 void check_health(HullOptions& o, double particle_spacing, Section& s);
-/// Two dimensions: the hull becomes its section with the plane y = 0, one metre of it, and the draft that of the section.
+/// Two dimensions: the hull becomes its section with the plane y = 0, one metre of it, and the draft that of the
+/// section.
 void take_section(HullOptions& o, Section& s);
 /// A half model is solved at y > 0 and reported twice. Sides that differ by more than rounding, but by less than the
 /// particles can tell (a tenth of their spacing, at the scale that the scene was written for), are made alike.

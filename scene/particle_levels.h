@@ -5,12 +5,12 @@
 
 namespace tw {
 
-/// Where the particles of each finer size stand, the widest zone first, each a union of boxes: the first round what of the
-/// hull the water may reach, then those that the scene asks for ([[refine]]). Faces are at infinity where a zone goes on
-/// through the sky, a wall, a symmetry plane or the outlet, because no coarser particles fit between; others lie on the
-/// coarse lattice. Edges are ten spacings of the level between them apart, and eight of the coarser side from the inlet;
-/// boxes with less than eight between them become one. Empty with `[sph] levels = 1`. Throws InputError where there is no
-/// hull in a stream, or no room ahead of it.
+/// Where the particles of each finer size stand, the widest zone first, each a union of boxes: the first round what of
+/// the hull the water may reach, then those that the scene asks for ([[refine]]). Faces are at infinity where a zone
+/// goes on through the sky, a wall, a symmetry plane or the outlet, because no coarser particles fit between; others
+/// lie on the coarse lattice. Edges are ten spacings of the level between them apart, and eight of the coarser side
+/// from the inlet; boxes with less than eight between them become one. Empty with `[sph] levels = 1`. Throws InputError
+/// where there is no hull in a stream, or no room ahead of it.
 std::vector<std::vector<Box>> particle_zones(const Scene& scene);
 
 /// How many particles each size takes, coarsest first: those of its zone, the guards round it, and those of a finer

@@ -8,9 +8,9 @@
 
 namespace tw {
 
-/// Turns the running simulation into the run record: forces and the motions of bodies at every step, surface pressure every few steps, pressure
-/// probes every half millisecond or at every longer step, and at every frame the raster, the control volume's balance,
-/// all probes and the ledger. Half-model loads become the whole hull's here, once.
+/// Turns the running simulation into the run record: forces and the motions of bodies at every step, surface pressure
+/// every few steps, pressure probes every half millisecond or at every longer step, and at every frame the raster, the
+/// control volume's balance, all probes and the ledger. Half-model loads become the whole hull's here, once.
 class Recorder {
 public:
     Recorder(const Scene& scene, const Simulation& simulation, RunRecord record);

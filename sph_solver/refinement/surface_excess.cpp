@@ -12,7 +12,8 @@ SurfaceExcess::SurfaceExcess(const Kernel& kernel, double dp, int dimensions) {
     const auto row = [&](double z, auto f) {
         double sum = 0;
         for (int i = -reach; i <= reach; ++i)
-            for (int j = -across; j <= across; ++j) sum += volume * f(std::sqrt(double(i * i + j * j) * dp * dp + z * z));
+            for (int j = -across; j <= across; ++j)
+                sum += volume * f(std::sqrt(double(i * i + j * j) * dp * dp + z * z));
         return sum;
     };
     const auto W = [&](double r) { return kernel.W(r); };

@@ -10,9 +10,9 @@ namespace tw {
 ///
 ///   sum_k A_k [(1/2 + e_0) + (k + 1/2)] = 1,   e_0 = 1 / (2 sum_k A_k) - 1
 ///
-/// (0.21 at h/dp = 1.55 in two dimensions). It goes with what the kernel lacks there: e = e_0 (1 - S) / (1 - S_0), S the kernel support,
-/// S_0 that of the uppermost row. Particles of two sizes differ in it, which at the edge between them would be a force
-/// of a tenth of their weight on the rows under a surface.
+/// (0.21 at h/dp = 1.55 in two dimensions). It goes with what the kernel lacks there: e = e_0 (1 - S) / (1 - S_0), S
+/// the kernel support, S_0 that of the uppermost row. Particles of two sizes differ in it, which at the edge between
+/// them would be a force of a tenth of their weight on the rows under a surface.
 class SurfaceExcess {
 public:
     SurfaceExcess() = default;

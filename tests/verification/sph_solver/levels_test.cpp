@@ -115,8 +115,8 @@ TEST(LevelEdge, ReflectsLittleOfASoundPulse) {
     }
 }
 
-/// A standing wave of length 1 m in water 1 m deep, started flat with the velocities of linear theory, amplitude 0.3 m/s
-/// at the surface, after 0.15 s (a fifth of its period). The zone's edges stand where the surface is steepest.
+/// A standing wave of length 1 m in water 1 m deep, started flat with the velocities of linear theory, amplitude 0.3
+/// m/s at the surface, after 0.15 s (a fifth of its period). The zone's edges stand where the surface is steepest.
 Simulation wave(int levels) {
     SimulationSetup s;
     s.dimensions = 2;
@@ -182,8 +182,8 @@ TEST(LevelEdge, AWaveCrossesItAsItCrossesWaterOfOneSize) {
     EXPECT_LT(deep, 0.006);
 }
 
-// A tank of one size has a third of this from the giving way of its lattice. A twentieth of a per cent of weight more or
-// less on one side of the edge drives as much.
+// A tank of one size has a third of this from the giving way of its lattice. A twentieth of a per cent of weight more
+// or less on one side of the edge drives as much.
 TEST(LevelEdge, StillWaterAcrossTheSurfaceStaysSlow) {
     SimulationSetup s;
     s.dimensions = 2;
