@@ -112,6 +112,11 @@ struct alignas(16) WallNormalRecord {
 };
 inline constexpr WallNormalRecord no_wall{0, 0, 0, 1e30f};
 
+/// Unit vector along which a particle beyond an edge of the nearest wall leaves it; zero elsewhere.
+struct alignas(16) LeavingRecord {
+    float x, y, z;
+};
+
 /// How much of the pressure the pair forces carry along each axis: m_aa of m = sum_j r_ji (x) grad_i W_ij V_j. In the
 /// continuum it is 1; among particles the momentum flux is p m_aa, not p.
 struct CarriedShare {
@@ -132,6 +137,7 @@ struct PassData {
     const std::int32_t* body_end = nullptr;
     int bodies = 1;
     const WallNormalRecord* normal = nullptr;
+    const LeavingRecord* leaving = nullptr;  ///< of the particles, see edge_release.h
     /// Bit i % 32 of word i / 32: place i is at the free surface. One word more than that at the end.
     const std::uint32_t* surface = nullptr;
     ShiftSupportRecord* shift = nullptr;

@@ -4,6 +4,7 @@
 #include "sph_solver/equations/artificial_viscosity.h"
 #include "sph_solver/equations/continuity.h"
 #include "sph_solver/equations/density_diffusion.h"
+#include "sph_solver/equations/edge_release.h"
 #include "sph_solver/equations/pressure_gradient.h"
 #include "sph_solver/equations/renormalisation.h"
 #include "sph_solver/equations/shifting.h"
@@ -108,6 +109,18 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
     }
 }
 
+/// The ways off an edge of a group's particles that lack support; zero for the others.
+inline V3<Real> leaving_edges(const PassData& d, const Group& g) {
+    V3<Real> e{};
+    for (int l = 0; l < g.size; ++l) {
+        const int i = g.first + l;
+        if ((d.surface[i / 32] >> (i % 32) & 1) == 0) continue;
+        const LeavingRecord& r = d.leaving[i];
+        e.x[l] = r.x, e.y[l] = r.y, e.z[l] = r.z;
+    }
+    return e;
+}
+
 /// Second sweep: pressure, artificial viscosity and density diffusion. Walls press, and do not rub (slip).
 void forces(const PassData& d, const Group* groups, int count) {
     const Frame frame = frame_of(d.kernel, d.quantum);
@@ -141,12 +154,14 @@ void forces(const PassData& d, const Group* groups, int count) {
         const Real inv_rho = V_i * d.inv_mass;
         const Real drho = d.diffusion * diffusion;
         V3<Real> a_wall{};
+        const EdgeRelease<Real> edge_release{g.wall_list.size > 0 ? leaving_edges(d, g) : V3<Real>{}};
         for_each_body(d, g, [&](const ListRef& part, std::int32_t slot, std::int32_t body) {
             V3<Real> wall{};
             for_each_neighbour(d.wall_place, d.wall_list, part, g, frame, x_i, [&](std::int32_t j, const Met& ij) {
                 PressureGradient::add(ij, p_i + d.wall_p[j], wall);
             });
-            const V3<Real> a_body = inv_rho * wall;
+            V3<Real> a_body = inv_rho * wall;
+            edge_release.apply(a_body);
             a_wall += a_body;
             if (slot >= 0) d.wall_load[slot] = load_of(x_i, d.kernel.support_length, a_body, g.size, body);
         });

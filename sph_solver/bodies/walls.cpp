@@ -157,15 +157,18 @@ void Walls::prune(const Passes& passes, const PlaceRecord* particles, const std:
 }
 
 Walls::Nearest Walls::nearest(const Vec3& x, const Vec3& u, double reach) const {
-    Nearest r{no_wall, 0};
+    Nearest r{no_wall};
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         const Body& body = bodies_[b];
         const SurfaceQuery::Nearest found = body.query().nearest(body.at_start(x), reach);
         if (found.triangle < 0 || found.distance >= r.normal.distance) continue;
         const Vec3 relative = body.fixed() ? u : Vec3(u - velocity_at(b, x));
         const Vec3 n = body.turned(slip_normal(body.query(), found, body.turned_back(relative)));
+        const Eigen::Vector3f e =
+            found.on_face() ? Eigen::Vector3f::Zero().eval() : relative.stableNormalized().cast<float>().eval();
         r = {{static_cast<float>(n.x()), static_cast<float>(n.y()), static_cast<float>(n.z()),
               static_cast<float>(found.distance)},
+             {e.x(), e.y(), e.z()},
              b};
     }
     return r;

@@ -67,7 +67,8 @@ public:
 
     struct Nearest {
         WallNormalRecord normal;
-        std::size_t body = 0;  ///< meaningful where `normal` is not `no_wall`
+        LeavingRecord leaving{};  ///< the water's way past the wall, beyond an edge
+        std::size_t body = 0;     ///< meaningful where `normal` is not `no_wall`
     };
     /// The wall nearest to a place `x` within `reach` [m], where bodies are now, as it acts on water of velocity `u`.
     Nearest nearest(const Vec3& x, const Vec3& u, double reach) const;

@@ -87,6 +87,7 @@ PassData Level::pass_data(double t) {
     d.motion = r.velocity_density.data();
     d.stress = r.gradient_pressure.data();
     d.normal = r.wall_normal.data();
+    d.leaving = r.wall_leaving.data();
     d.shift = r.shift_support.data();
     d.rate = r.rate.data();
     d.surface = r.surface.data();

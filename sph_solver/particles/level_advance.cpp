@@ -41,6 +41,7 @@ std::optional<Level::Held> Level::hold_at_wall(std::size_t i) {
     const Walls::Nearest found = walls_.nearest(Vec3(p.x[i], p.y[i], p.z[i]), Vec3(p.u[i], p.v[i], p.w[i]), setup_.dp);
     if (found.normal.distance < no_wall.distance) {
         r = found.normal;
+        records_.wall_leaving[i] = found.leaving;
         if (walls_.move()) records_.wall_body[i] = static_cast<std::uint16_t>(found.body);
     } else {
         r.distance = static_cast<float>(setup_.dp);

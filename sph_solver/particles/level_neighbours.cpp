@@ -112,10 +112,11 @@ void Level::find_normals() {
             const auto i = static_cast<std::size_t>(g.first + l);
             const Particles& p = particles_;
             WallNormalRecord& r = records_.wall_normal[i];
-            Walls::Nearest near{no_wall, 0};
+            Walls::Nearest near{no_wall};
             if (g.wall_list.size > 0)
                 near = walls_.nearest(Vec3(p.x[i], p.y[i], p.z[i]), Vec3(p.u[i], p.v[i], p.w[i]), reach);
             r = near.normal;
+            records_.wall_leaving[i] = near.leaving;
             if (walls_.move()) records_.wall_body[i] = static_cast<std::uint16_t>(near.body);
             if (r.distance < -setup_.dp && is_active(p.kind[i])) {
 #pragma omp critical

@@ -15,6 +15,7 @@ struct Records {
     std::vector<ShiftSupportRecord> shift_support;
     std::vector<RateRecord> rate;
     std::vector<WallNormalRecord> wall_normal;  ///< only where there are walls
+    std::vector<LeavingRecord> wall_leaving;    ///< off its edges; only where there are walls
     std::vector<std::uint16_t> wall_body;       ///< whose normal that is; only where bodies move
     std::vector<CarriedShare> carried;          ///< and images; only with a control volume
     std::vector<std::uint32_t> surface;         ///< a bit for each place, see PassData
@@ -28,13 +29,13 @@ struct Records {
         shift_support.resize(n);
         rate.resize(n);
         surface.assign((n + images) / 32 + 2, 0);
-        if (walls) wall_normal.resize(n);
+        if (walls) wall_normal.resize(n), wall_leaving.resize(n);
         if (carry) carried.resize(n + images);
     }
     std::size_t bytes() const {
         const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
         return of(place) + of(velocity_density) + of(gradient_pressure) + of(shift_support) + of(rate) +
-               of(wall_normal) + of(carried) + of(surface);
+               of(wall_normal) + of(wall_leaving) + of(carried) + of(surface);
     }
 };
 

@@ -1,8 +1,10 @@
 // The terms with Real = float, for one pair, and the plain functions that the host calls.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
+#include "sph_solver/equations/edge_release.h"
 #include "sph_solver/equations/level_pair.h"
 #include "sph_solver/equations/renormalisation.h"
 #include "sph_solver/equations/shifting.h"
@@ -72,6 +74,17 @@ TEST(WallTouch, AFilmIsTouchedAsDeepWaterIsAndAVoidIsSeen) {
     for (const int rows : {0, 1, 5}) EXPECT_NEAR(touch_in_film(rows, 0), 1, 0.01) << rows;
     EXPECT_NEAR(touch_in_film(5, 0.001f), 0.92, 0.02);  // a tenth of a spacing
     EXPECT_LT(touch_in_film(5, 0.005f), 0.7);
+}
+
+// What a wall does to water beyond its edge: no push along its way, all else as it was.
+TEST(EdgeRelease, TakesThePushAlongTheWayAndNothingElse) {
+    const auto released = [](V3<float> a, V3<float> e) {
+        EdgeRelease<float>{e}.apply(a);
+        return std::array{a.x, a.y, a.z};
+    };
+    EXPECT_EQ(released({3, 0, 4}, {1, 0, 0}), (std::array{0.0f, 0.0f, 4.0f}));
+    EXPECT_EQ(released({-3, 0, 4}, {1, 0, 0}), (std::array{-3.0f, 0.0f, 4.0f})) << "a wall may stop what comes nearer";
+    EXPECT_EQ(released({3, 0, 4}, {0, 0, 0}), (std::array{3.0f, 0.0f, 4.0f})) << "no edge";
 }
 
 TEST(FirstMoment, SolvesWhatItWasMadeOfAndLeavesSprayAlone) {
