@@ -68,7 +68,48 @@ double volume_of(const std::vector<Box>& boxes) {
     return sum;
 }
 
+/// What of the hull the water may reach: of a dry bow what it may rise to.
+Box reached_hull(const Scene& scene) {
+    Box hull = scene.hull->surface.bounds();
+    if (!scene.hull->section)
+        hull.min.x() = std::max(hull.min.x(), scene.hull->still.wet_bounds.min.x() - 0.25 * scene.hull->length);
+    return hull;
+}
+
+/// The boxes round the hull, the finest first.
+std::vector<Box> hull_zones(const Scene& scene) {
+    const double dp = scene.resolution.near_hull;
+    double width = scene.sph.zone * dp;
+    std::vector<Box> boxes;
+    for (int k = 1; k < scene.sph.levels; ++k) {
+        const double coarse_dp = std::ldexp(dp, k);
+        boxes.push_back(zone_box(reached_hull(scene), width, coarse_dp, scene.domain.box));
+        width += between * coarse_dp;
+    }
+    return boxes;
+}
+
+/// How many of those boxes leave room ahead of the hull and of one another.
+int zones_that_fit(const Scene& scene, const std::vector<Box>& boxes) {
+    double x = reached_hull(scene).min.x(), dp = scene.resolution.near_hull;
+    int fit = 0;
+    for (const Box& box : boxes) {
+        if (box.min.x() > x - from_openings * dp) break;
+        x = box.min.x(), dp *= 2, ++fit;
+    }
+    return fit;
+}
+
 }  // namespace
+
+void follow_spacing(Scene& scene, const std::function<void()>& make_domain) {
+    int& levels = scene.sph.levels;
+    const Resolution& r = scene.resolution;
+    if (scene.hull && scene.motion.kind == Motion::Kind::stream && scene.sph.scheme == "kick_drift_kick")
+        levels = std::min(most_levels, 1 + static_cast<int>(std::lround(std::log2(r.spacing / r.near_hull))));
+    make_domain();
+    for (int fit = 0; (fit = 1 + zones_that_fit(scene, hull_zones(scene))) < levels; make_domain()) levels = fit;
+}
 
 std::vector<std::vector<Box>> particle_zones(const Scene& scene) {
     std::vector<std::vector<Box>> zones;
@@ -79,21 +120,17 @@ std::vector<std::vector<Box>> particle_zones(const Scene& scene) {
     if (!scene.hull || scene.motion.kind != Motion::Kind::stream)
         refuse("several sizes of particles are for a hull in a stream so far; leave it out");
     const Box& domain = scene.domain.box;
-    // of a dry bow what water may rise to
-    Box hull = scene.hull->surface.bounds();
-    if (!scene.hull->section)
-        hull.min.x() = std::max(hull.min.x(), scene.hull->still.wet_bounds.min.x() - 0.25 * scene.hull->length);
     const double dp = scene.resolution.near_hull;
-    // how far a zone reaches beyond what it is for: the hull, and the places of each size
+    const std::vector<Box> round_hull = hull_zones(scene);
+    if (const int fit = zones_that_fit(scene, round_hull); fit + 1 < scene.sph.levels)
+        refuse(fmt::format("particles of {:.4g} m do not fit between the inlet and the hull; at most {} here, or a "
+                           "longer domain ahead",
+                           std::ldexp(dp, fit + 1), fit + 1));
+    // how far a zone reaches beyond the places of each size
     std::vector<double> width(static_cast<std::size_t>(scene.sph.levels), 0.0);
-    double hull_width = scene.sph.zone * dp;
     for (int k = 1; k < scene.sph.levels; ++k) {
         const double coarse_dp = std::ldexp(dp, k);
-        std::vector<Box> boxes{zone_box(hull, hull_width, coarse_dp, domain)};
-        if (boxes[0].min.x() > hull.min.x() - from_openings * dp)
-            refuse(fmt::format("particles of {:.4g} m do not fit between the inlet and the hull; fewer levels, or a "
-                               "longer domain ahead",
-                               coarse_dp));
+        std::vector<Box> boxes{round_hull[static_cast<std::size_t>(k - 1)]};
         for (const RefinedPlace& place : scene.refined)
             if (place.halvings_short < k) {
                 double& reach = width[static_cast<std::size_t>(place.halvings_short)];
@@ -102,7 +139,6 @@ std::vector<std::vector<Box>> particle_zones(const Scene& scene) {
             }
         join_near(boxes, from_openings * coarse_dp);
         zones.insert(zones.begin(), boxes);
-        hull_width += between * coarse_dp;
         for (int size = 0; size < k; ++size) width[static_cast<std::size_t>(size)] += between * coarse_dp;
     }
     return zones;

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <vector>
 
 #include "scene/scene.h"
@@ -12,6 +13,11 @@ namespace tw {
 /// from the inlet; boxes with less than eight between them become one. Empty with `[sph] levels = 1`. Throws InputError
 /// where there is no hull in a stream, or no room ahead of it.
 std::vector<std::vector<Box>> particle_zones(const Scene& scene);
+
+/// Gives the particles of a hull in a stream the sizes between the scene's near_hull and its spacing: as many as there
+/// may be, and as fit between the inlet and the hull of the domain that `make_domain` makes for them. Without such a
+/// hull one size is left. The domain is made in any case.
+void follow_spacing(Scene& scene, const std::function<void()>& make_domain);
 
 /// How many particles each size takes, coarsest first: those of its zone, the guards round it, and those of a finer
 /// zone that stand for finer particles.

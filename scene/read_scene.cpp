@@ -11,6 +11,7 @@
 #include "scene/effects/plan.h"
 #include "scene/effects/registry.h"
 #include "scene/hash.h"
+#include "scene/particle_levels.h"
 #include "scene/read.h"
 
 namespace tw {
@@ -171,7 +172,11 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
         scene.resolution = resolution_of(resolution, nullptr, s.resolution, overrides.scale_resolution.value_or(1));
     }
     // A stream without a hull has no length to settle over: its ramp is the domain's, so the domain comes first.
-    scene.domain = domain_of(domain, tank, scene, s, depth);
+    const auto make_domain = [&] { scene.domain = domain_of(domain, tank, scene, s, depth); };
+    if (resolution.spacing && !s.sph.has("levels"))
+        follow_spacing(scene, make_domain);
+    else
+        make_domain();
     if (scene.hull) {
         check_hull_place(scene, s, hull->key);
         for (Finding& f : check_attitude(scene)) scene.hull->findings.push_back(std::move(f));

@@ -3,6 +3,8 @@
 
 namespace tw {
 
+inline constexpr int most_levels = 6;  ///< of particle size
+
 /// Numerics of the particle method, as a scene may set them in `[sph]`. The defaults stand here and nowhere else;
 /// units, ranges and meanings stand in the table of keys (keys.h) and in the effects' parts.
 struct SphOptions {

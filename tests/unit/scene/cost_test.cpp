@@ -26,7 +26,7 @@ TEST(Cost, TheReferenceMeshIsPredictedWithinATenth) {
     // Measured: 74 thousand cells (cells L/12, wet bottom beam/48, domain -5..9 x 0..4 x -3..2 m), with these levels.
     Scene s = scene_of(
         with(with(planing, "near_hull = \"0.05 m\"", "near_hull = 0.0208333333333333\nspacing = 0.3333333333333333"),
-             "[motion]", "[domain]\nx = [-5, 9]\ny = [-4, 4]\nz = [-3, 2]\n[motion]"));
+             "[motion]", "[domain]\nx = [-5, 9]\ny = [-4, 4]\nz = [-3, 2]\n[sph]\nlevels = 1\n[motion]"));
     for (RefinementBox& r : s.refinement) {
         if (r.name == "near") r.level = 2;
         if (r.name == "wake") r.level = 1;

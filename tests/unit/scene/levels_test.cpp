@@ -20,6 +20,7 @@ TEST(ParticleLevels, ZonesHoldTheHullLieOnTheCoarseLatticeAndKeepTheirDistances)
     EXPECT_LE(narrow.min.z(), hull.min.z() - 8 * dp);
     EXPECT_GE(narrow.max.y(), hull.max.y() + 8 * dp);
     EXPECT_LE(wide.min.z(), narrow.min.z() - 10 * 2 * dp);
+    EXPECT_LE(wide.min.x(), narrow.min.x() - 8 * 2 * dp);
     EXPECT_EQ(narrow.min.y(), -INFINITY);  // the plane of symmetry
     EXPECT_EQ(narrow.max.z(), INFINITY);   // the sky
     EXPECT_GE(wide.min.x(), scene.domain.box.min.x() + 8 * 4 * dp);
@@ -62,6 +63,22 @@ TEST(ParticleLevels, BoxesAreRefusedWhereTheyCanDoNothing) {
     EXPECT_NE(complaint_of("min = [2, 0, 0]\nmax = [1, 1, 1]\n").find("has no volume"), std::string::npos);
     EXPECT_NE(complaint_of("min = [2, 0, 0]\nmax = [3, 1, 1]\nspacing = 0.01\n").find("finer than near_hull"),
               std::string::npos);
+}
+
+// What a user calls the size far away holds for the particles as for the cells, as far as there is room for them.
+TEST(ParticleLevels, AWrittenSpacingIsThatOfBothMethods) {
+    const auto levels_of = [](const std::string& resolution, const std::string& rest) {
+        std::string text = planing;
+        const std::string size = R"(near_hull = "0.05 m")";
+        const std::size_t at = text.find(size);
+        return scene_of(text.replace(at, size.size(), resolution) + rest).sph.levels;
+    };
+    const std::string coarse = "near_hull = 0.05\nspacing = 0.2";
+    EXPECT_EQ(levels_of("near_hull = 0.05", wide_domain), 1);
+    EXPECT_EQ(levels_of(coarse, wide_domain), 3);
+    EXPECT_EQ(levels_of(coarse, wide_domain + "[sph]\nlevels = 2\n"), 2);
+    EXPECT_EQ(levels_of(coarse, "[domain]\nahead = \"1.5 m\"\n"), 2);  // those of 0.2 m find no room ahead
+    EXPECT_EQ(levels_of(coarse, wide_domain + "[sph]\nscheme = \"symplectic_euler\"\n"), 1);
 }
 
 TEST(ParticleLevels, TakeFewerParticlesAndLessTimeThanOneSize) {
