@@ -61,6 +61,25 @@ TEST(AverageAcceleration, SwingsAModeWithTheFrequencyOfItsFormula) {
     EXPECT_GT(std::abs(std::cos(swings * 200 * dt) - std::cos(omega * 200 * dt)), 0.1);  // or the formula is not seen
 }
 
+/// A state put back goes on to the same bits.
+TEST(AverageAcceleration, GoesOnFromAStateToTheSameBits) {
+    const Shell plate = square_plate(4, sheet());
+    const Freedoms f = supported(plate, "CFFF");
+    const SparseMatrix K = plate.stiffness(), M = f.mass(plate.mass());
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(plate.freedoms());
+    const Eigen::VectorXd load = plate.pressure_load(Eigen::VectorXd::LinSpaced(16, 0, 1000));
+    GeneralisedAlpha one(K, M, f.basis(), 1e-4), two(K, M, f.basis(), 1e-4);
+    one.start(none, none, load);
+    for (int k = 0; k < 20; ++k) one.step(load * k);
+    two.set_state(one.state());
+    for (int k = 20; k < 40; ++k) {
+        one.step(load * k);
+        two.step(load * k);
+    }
+    EXPECT_EQ(one.displacement(), two.displacement());
+    EXPECT_GT(one.displacement().norm(), 0);
+}
+
 /// A plate whose frame hangs on a drop mass, all falling freely: it falls with g and is not strained. Then a force on
 /// the plate alone moves the common centre of mass by Newton's law.
 TEST(AverageAcceleration, PlateOnADropMassFallsUnstrainedAndKeepsMomentum) {
