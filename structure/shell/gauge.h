@@ -21,6 +21,8 @@ public:
     GaugeReader(const Shell& shell, const Gauge& gauge);
 
     double strain(const Eigen::VectorXd& all) const;  ///< [-]
+    /// By the element's own 24 freedoms, as Corotational::deformation gives them where rotations are large.
+    double strain(const Eigen::Matrix<double, 24, 1>& of_element) const { return reading_ * of_element; }
     /// Strains and stresses of a layer at that place, `height` 0 to 1 through it (laminate.h).
     PlyState state(const Eigen::VectorXd& all, int ply, double height) const;
     int element() const { return element_; }

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <Eigen/Geometry>
 #include <numbers>
@@ -7,6 +8,7 @@
 #include "structure/equilibrium.h"
 #include "structure/generate.h"
 #include "structure/shell/corotational.h"
+#include "structure/time/nonlinear_alpha.h"
 
 namespace tw::structure {
 namespace {
@@ -129,6 +131,88 @@ TEST(LargeRotation, ByAMomentRollsAStripUpIntoACircle) {
     std::printf("circle: the end comes to (%.5f, %.5f) of the length\n", 1 + u[6 * tip], u[6 * tip + 2]);
     EXPECT_NEAR(1 + u[6 * tip], 0, 0.01);
     EXPECT_NEAR(u[6 * tip + 2], 0, 0.01);
+}
+
+/// A strip between clamped ends that cannot come closer, under pressure: as it deflects by more than its thickness it
+/// pulls. With the tension S, D w'''' - S w'' = q and S = E t / L times half the integral of w'^2 (Timoshenko &
+/// Woinowsky-Krieger 1959, chapter 1). Returns the deflection of its middle.
+double pulling_strip(double q, double D) {
+    const auto parts = [&](double S) {
+        const double k = std::sqrt(S / D), A = q / (2 * S * k * std::sinh(k / 2));
+        double stretch = 0;  // half the integral of w'^2
+        const int n = 4000;
+        for (int i = 0; i < n; ++i) {
+            const double x = (i + 0.5) / n - 0.5, slope = -q * x / S + A * k * std::sinh(k * x);
+            stretch += slope * slope / 2 / n;
+        }
+        return std::pair{E * t * stretch, q / (8 * S) - A * (std::cosh(k / 2) - 1)};
+    };
+    double low = 1e-6 * D, high = 1e6 * D;
+    for (int i = 0; i < 200; ++i) {
+        const double S = std::sqrt(low * high);
+        (parts(S).first > S ? low : high) = S;
+    }
+    return parts(low).second;
+}
+
+TEST(LargeRotation, OfAClampedStripPullsAsTheFormula) {
+    const double D = E * t * t * t / 12;
+    const Shell shell = strip(40);
+    const Corotational turning(shell);
+    Freedoms f(shell.mesh().nodes, 6);
+    f.clamp(shell.mesh().sets.at("x_min"));
+    f.clamp(shell.mesh().sets.at("x_max"));
+    const SparseMatrix T = f.basis();
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(shell.freedoms());
+    for (const double share : {1.0, 4.0, 16.0}) {
+        const double q = share * 384 * D * t;  // would bend it by `share` thicknesses, did it not pull
+        const Eigen::VectorXd load = shell.pressure_load(Eigen::VectorXd::Constant(40, -q));
+        u = equilibrium(
+            u, T,
+            {[&](const Eigen::VectorXd& at) -> Eigen::VectorXd { return load - turning.internal_force(at); },
+             [&](const Eigen::VectorXd& at) { return turning.tangent(at); },
+             [&](const Eigen::VectorXd& at, const Eigen::VectorXd& by) { return turning.moved(at, by); }},
+            1e-7 * load.norm());
+        const double w = u[6 * 20 + 2], exact = pulling_strip(q, D);
+        std::printf("clamped strip: linear %.0f t, formula %.4f t, found %+.2f %%\n", share, exact / t,
+                    100 * (w / exact - 1));
+        EXPECT_NEAR(w / exact, 1, 0.01);
+        EXPECT_LT(exact, 0.9 * share * t);
+    }
+}
+
+/// A clamped strip that is struck so hard that it swings through several thicknesses: its energy stays, and it comes
+/// back sooner than the linear one, because it pulls.
+TEST(LargeRotation, InTimeKeepsTheEnergyOfAStripThatPulls) {
+    const Shell shell = strip(12);
+    Freedoms f(shell.mesh().nodes, 6);
+    f.clamp(shell.mesh().sets.at("x_min"));
+    f.clamp(shell.mesh().sets.at("x_max"));
+    const double omega = 22.3733 * std::sqrt(E * t * t / 12 / 1000), dt = 2 * pi / omega / 200;
+    NonlinearAlpha time(shell, f, dt);
+    Eigen::VectorXd v = Eigen::VectorXd::Zero(shell.freedoms());
+    const Eigen::VectorXd none = v;
+    for (int n = 0; 6 * n < v.size(); ++n) {
+        const double x = shell.mesh().nodes[static_cast<std::size_t>(n)].x();
+        v[6 * n + 2] = 4 * t * omega * std::pow(std::sin(pi * x), 2);  // linearly: 4 thicknesses
+    }
+    time.start(v, none);
+    const double first = time.kinetic_energy();
+    double farthest = 0, worst = 0, back = 0;
+    int most = 0;
+    for (int k = 1; k <= 2000; ++k) {
+        most = std::max(most, time.step(none));
+        const double w = time.displacement()[6 * 6 + 2];
+        farthest = std::max(farthest, w);
+        if (back == 0 && w < 0) back = k * dt;
+        worst = std::max(worst, std::abs((time.kinetic_energy() + time.elastic_energy()) / first - 1));
+    }
+    std::printf("struck strip: %.2f t, back after %.3f of the linear half period, energy within %.1e, %d iterations\n",
+                farthest / t, back * omega / pi, worst, most);
+    EXPECT_GT(farthest, 1.5 * t);
+    EXPECT_LT(farthest, 3.5 * t);
+    EXPECT_LT(back * omega / pi, 0.8);
+    EXPECT_LT(worst, 0.003);
 }
 
 }  // namespace
