@@ -10,7 +10,8 @@ namespace tw::structure {
 namespace {
 
 std::filesystem::path written(const std::string& text) {
-    const auto file = std::filesystem::path(testing::TempDir()) / "mesh.inp";
+    const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+    const auto file = std::filesystem::path(testing::TempDir()) / (test + ".inp");
     std::ofstream(file) << text;
     return file;
 }
