@@ -1,0 +1,110 @@
+#include "structure/shell/shell.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <Eigen/Eigenvalues>
+
+#include "base/errors.h"
+
+namespace tw::structure {
+
+Shell::Shell(ShellMesh mesh, Laminate laminate, const Vec3& along)
+    : mesh_(std::move(mesh)), laminate_(std::move(laminate)) {
+    const int nodes = static_cast<int>(mesh_.nodes.size());
+    mass_ = Eigen::VectorXd::Zero(6 * nodes);
+    for (std::size_t e = 0; e < mesh_.quads.size(); ++e) {
+        std::array<Vec3, 4> corners;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const int n = mesh_.quads[e][i];
+            if (n < 0 || n >= nodes) throw InputError(fmt::format("shell element {}: node {} does not exist", e, n));
+            corners[i] = mesh_.nodes[static_cast<std::size_t>(n)];
+        }
+        try {
+            elements_.emplace_back(corners, along);
+        } catch (const InputError& error) { throw InputError(fmt::format("shell element {}: {}", e, error.what())); }
+        for (std::size_t i = 0; i < 4; ++i) {
+            const double area = elements_.back().node_area()[static_cast<int>(i)];
+            mass_.segment<3>(6 * mesh_.quads[e][i]).array() += area * laminate_.areal_mass();
+            mass_.segment<3>(6 * mesh_.quads[e][i] + 3).array() += area * laminate_.rotary_inertia();
+        }
+    }
+    for (int n = 0; n < nodes; ++n)
+        if (!(mass_[6 * n] > 0)) throw InputError(fmt::format("node {} belongs to no shell element", n));
+}
+
+SparseMatrix Shell::stiffness() const {
+    const auto section = laminate_.stiffness();
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(elements_.size() * 576);
+    for (std::size_t e = 0; e < elements_.size(); ++e) {
+        const Mitc4::Matrix24 K = elements_[e].stiffness(section);
+        const auto& quad = mesh_.quads[e];
+        for (int i = 0; i < 24; ++i)
+            for (int j = 0; j < 24; ++j)
+                entries.emplace_back(6 * quad[static_cast<std::size_t>(i / 6)] + i % 6,
+                                     6 * quad[static_cast<std::size_t>(j / 6)] + j % 6, K(i, j));
+    }
+    SparseMatrix K(freedoms(), freedoms());
+    K.setFromTriplets(entries.begin(), entries.end());
+    return K;
+}
+
+void Shell::add_point_mass(int node, double kg) {
+    if (node < 0 || 6 * node >= freedoms() || !(std::isfinite(kg) && kg >= 0))
+        throw InputError(fmt::format("a mass of {} kg at node {}; expected 0 or more at a node that exists", kg, node));
+    mass_.segment<3>(6 * node).array() += kg;
+}
+
+void Shell::add_line_mass(const std::vector<int>& path, double kg_per_m) {
+    for (std::size_t i = 1; i < path.size(); ++i) {
+        const Vec3 &a = mesh_.nodes.at(static_cast<std::size_t>(path[i - 1])),
+                   &b = mesh_.nodes.at(static_cast<std::size_t>(path[i]));
+        const double half = (a - b).norm() * kg_per_m / 2;
+        add_point_mass(path[i - 1], half);
+        add_point_mass(path[i], half);
+    }
+}
+
+Eigen::VectorXd Shell::pressure_load(const Eigen::VectorXd& pressure) const {
+    Eigen::VectorXd f = Eigen::VectorXd::Zero(freedoms());
+    for (std::size_t e = 0; e < elements_.size(); ++e)
+        for (int i = 0; i < 4; ++i)
+            f.segment<3>(6 * mesh_.quads[e][static_cast<std::size_t>(i)]) -=
+                pressure[static_cast<int>(e)] * elements_[e].node_area()[i] * elements_[e].normal();
+    return f;
+}
+
+Eigen::VectorXd Shell::weight(const Vec3& gravity) const {
+    Eigen::VectorXd f = Eigen::VectorXd::Zero(freedoms());
+    for (int n = 0; 6 * n < freedoms(); ++n) f.segment<3>(6 * n) = mass_[6 * n] * gravity;
+    return f;
+}
+
+Eigen::Matrix<double, 24, 1> Shell::of_element(const Eigen::VectorXd& all, int element) const {
+    Eigen::Matrix<double, 24, 1> d;
+    for (int i = 0; i < 4; ++i)
+        d.segment<6>(6 * i) =
+            all.segment<6>(6 * mesh_.quads[static_cast<std::size_t>(element)][static_cast<std::size_t>(i)]);
+    return d;
+}
+
+double Shell::explicit_step() const {
+    const auto section = laminate_.stiffness();
+    double highest = 0;  // omega^2
+    for (const Mitc4& element : elements_) {
+        Eigen::Matrix<double, 24, 1> root;  // of the element's own lumped mass
+        for (int i = 0; i < 4; ++i) {
+            root.segment<3>(6 * i).setConstant(std::sqrt(element.node_area()[i] * laminate_.areal_mass()));
+            root.segment<3>(6 * i + 3).setConstant(std::sqrt(element.node_area()[i] * laminate_.rotary_inertia()));
+        }
+        const Mitc4::Matrix24 scaled =
+            root.cwiseInverse().asDiagonal() * element.stiffness(section) * root.cwiseInverse().asDiagonal();
+        const Eigen::SelfAdjointEigenSolver<Mitc4::Matrix24> solver(scaled, Eigen::EigenvaluesOnly);
+        highest = std::max(highest, solver.eigenvalues().maxCoeff());
+    }
+    return 2 / std::sqrt(highest);
+}
+
+}  // namespace tw::structure
