@@ -150,6 +150,12 @@ struct StabilityCommand {
 };
 int run_stability(const StabilityCommand& command, const Common& common);
 
+struct SprayCommand {
+    std::filesystem::path study;  ///< TOML file: source, air, surfaces, sensor
+    std::filesystem::path out;    ///< empty: runs/<name of the study>_spray
+};
+int run_spray_command(const SprayCommand& command, const Common& common);
+
 struct BenchCommand {
     long particles = 100000;
     double h_over_dp = 1.5, seconds = 5;

@@ -11,6 +11,7 @@
 #include "app/commands.h"
 #include "app/output.h"
 #include "app/quiet_waits.h"
+#include "app/spray_study.h"
 #include "base/errors.h"
 #include "compare/report/escape.h"
 #include "record/code_version.h"
@@ -358,6 +359,14 @@ int dispatch(int argc, char** argv) {
     c->add_option("--out", stability.out, "folder for stability.html, .svg, .json and .txt (runs/stability)");
     c->add_option("--threads", stability.threads, "cases at a time; all cores unless given")
         ->check(CLI::Range(1, 4096));
+
+    SprayCommand spray;
+    c = subcommand(&app, "spray",
+                   "water that left a run, flown as droplets through air, and the load it puts on a surface",
+                   [&] { return run_spray_command(spray, common); });
+    c->add_option("study", spray.study, "study file (TOML): source, extraction, air, targets, sensor")->required();
+    c->add_option("--out", spray.out, "folder of the results (runs/<name of the study>_spray)");
+    c->footer(spray_study_help + std::string(footer));
 
     BenchCommand bench;
     c = subcommand(&app, "bench", "throughput of the particle solver on this machine",

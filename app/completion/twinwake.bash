@@ -7,7 +7,7 @@ _twinwake() {
     local words=""
     COMPREPLY=()
     if [ "$COMP_CWORD" -eq 1 ]; then
-        COMPREPLY=($(compgen -W "new check reference run compare ladder sweep ablate import uncertainty hull case doctor stability bench --help --version" -- "$word"))
+        COMPREPLY=($(compgen -W "new check reference run compare ladder sweep ablate import uncertainty hull case doctor stability spray bench --help --version" -- "$word"))
         return
     fi
     case $previous in
@@ -38,6 +38,7 @@ _twinwake() {
         case) words="$scene --quiet --help" ;;
         doctor) words="--openfoam --json --quiet --help" ;;
         stability) words="--quick --out --threads --json --quiet --help" ;;
+        spray) words="--out --json --quiet --help" ;;
         bench) words="--particles --h-over-dp --threads --seconds --json --quiet --help" ;;
     esac
     local IFS=$'\n'

@@ -1,0 +1,176 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/report/page.h"
+#include "compare/report/svg_plot.h"
+#include "record/code_version.h"
+#include "spray/report/write_spray.h"
+
+namespace tw::spray {
+namespace {
+
+/// A curve without values yet.
+PlotLine curve(std::string name, std::size_t source) {
+    PlotLine line;
+    line.name = std::move(name), line.source = source;
+    return line;
+}
+PlotLine dashed(std::string name, std::size_t source) {
+    PlotLine line = curve(std::move(name), source);
+    line.dashed = true;
+    return line;
+}
+PlotLine faint(std::string name, std::size_t source) {
+    PlotLine line = curve(std::move(name), source);
+    line.faint = true;
+    return line;
+}
+PlotLine dots(std::string name, std::size_t source) {
+    PlotLine line = curve(std::move(name), source);
+    line.points = true;
+    return line;
+}
+
+std::string figure(const Plot& plot, const std::string& caption) {
+    return "<figure>" + svg(plot) + "<figcaption>" + escaped(caption) + "</figcaption></figure>";
+}
+
+std::string envelope(const std::string& title, const std::string& label, const std::vector<EnvelopeSlice>& slices) {
+    Plot p;
+    p.title = title, p.x_label = label, p.y_label = "z [m]";
+    PlotLine highest = curve("highest droplet", 0), mean = dashed("mean by volume", 1);
+    for (const EnvelopeSlice& s : slices) {
+        highest.x.push_back(s.at), highest.y.push_back(s.highest);
+        mean.x.push_back(s.at), mean.y.push_back(s.mean);
+    }
+    p.lines = {highest, mean};
+    return figure(p, "Over the whole flight, in 60 slices; at most 20000 droplets are drawn from.");
+}
+
+/// Shares of number and volume in 30 equal classes.
+std::string distribution(const std::string& title, const std::string& label, const SprayResult& r,
+                         const std::function<double(const Droplet&)>& value) {
+    double low = 1e300, high = 0, volumes = 0;
+    for (const Droplet& d : r.droplets) {
+        low = std::min(low, value(d)), high = std::max(high, value(d));
+        volumes += sphere_volume(d.diameter);
+    }
+    constexpr int classes = 30;
+    if (!(high > low)) high = low + 1e-3 * (1 + low);
+    std::vector<double> number(classes), volume(classes);
+    for (const Droplet& d : r.droplets) {
+        const auto k =
+            static_cast<std::size_t>(std::clamp(classes * (value(d) - low) / (high - low), 0.0, classes - 1.0));
+        number[k] += 100.0 / static_cast<double>(r.droplets.size());
+        volume[k] += 100 * sphere_volume(d.diameter) / volumes;
+    }
+    Plot p;
+    p.title = title, p.x_label = label, p.y_label = "share of a class [%]", p.include_zero = true;
+    PlotLine by_number = curve("of the number", 0), by_volume = curve("of the volume", 1);
+    for (int k = 0; k < classes; ++k) {
+        const double at = low + (k + 0.5) * (high - low) / classes;
+        by_number.x.push_back(at), by_number.y.push_back(number[static_cast<std::size_t>(k)]);
+        by_volume.x.push_back(at), by_volume.y.push_back(volume[static_cast<std::size_t>(k)]);
+    }
+    p.lines = {by_number, by_volume};
+    return figure(p, "In 30 classes of equal width.");
+}
+
+std::string arrival_map(const SprayStudy& study, const SprayResult& r) {
+    Plot p;
+    p.title = "Arrivals on the sensor", p.x_label = "across [mm]", p.y_label = "along [mm]", p.equal_scales = true;
+    // several thousand dots say no more than one thousand
+    const std::size_t stride = 1 + r.arrivals.size() / 3000;
+    const double nan = std::nan("");
+    PlotLine places = dots("", 0);
+    for (std::size_t i = 0; i < r.arrivals.size(); i += stride) {
+        places.x.insert(places.x.end(), {1e3 * r.arrivals[i].across, nan});
+        places.y.insert(places.y.end(), {1e3 * r.arrivals[i].along, nan});
+    }
+    const double e = 500 * study.sensor->window.edge;
+    p.lines = {places};
+    PlotLine square = curve("", 0);
+    square.x = {-e, e, e, -e, -e}, square.y = {-e, -e, e, e, -e};
+    p.outlines = {square};
+    return figure(p, fmt::format("Every {} of {} droplets; the square is the window.", stride, r.arrivals.size()));
+}
+
+std::string load_in_time(const SprayResult& r) {
+    Plot p;
+    p.title = "Load against time", p.x_label = "t [s]", p.y_label = "p [Pa]", p.include_zero = true;
+    PlotLine peak = curve("peak (study)", 1), average = curve("average (study)", 2),
+             corrected = curve("corrected (study)", 3), direct = faint("direct", 0), low = dashed("average, 95 %", 2),
+             high = dashed("", 2);
+    for (const WindowLoad& w : r.windows) {
+        const double t = w.window.from + 0.5 * w.window.length;
+        for (auto [line, value] : {std::pair{&peak, w.estimate.peak},
+                                   {&average, w.estimate.average},
+                                   {&corrected, w.estimate.corrected},
+                                   {&low, w.droplets.average.low},
+                                   {&high, w.droplets.average.high}})
+            line->x.push_back(t), line->y.push_back(value);
+    }
+    const std::size_t stride = 1 + r.curve.pressure.size() / 4000;
+    for (std::size_t k = 0; k < r.curve.pressure.size(); k += stride) {
+        direct.x.push_back(r.curve.from + (static_cast<double>(k) + 0.5) * r.curve.step);
+        direct.y.push_back(r.curve.pressure[k]);
+    }
+    p.lines = {direct, peak, average, corrected, low, high};
+    return figure(p, "Windows side by side in time; the dashed lines are the bootstrap's 95 % of the average.");
+}
+
+std::string convergence(const std::string& title, const std::string& label, const std::vector<WindowLoad>& loads,
+                        const std::function<double(const Window&)>& at) {
+    Plot p;
+    p.title = title, p.x_label = label, p.y_label = "p [Pa]", p.log_x = true, p.include_zero = true;
+    PlotLine peak = dots("peak (study)", 1), average = dots("average (study)", 2),
+             corrected = dots("corrected (study)", 3), direct = dots("direct peak", 0),
+             low = dashed("average, 95 %", 2), high = dashed("", 2);
+    for (const WindowLoad& w : loads) {
+        const double x = at(w.window), hide = w.estimate.droplets < Estimate::enough ? std::nan("") : 0;
+        for (auto [line, value] : {std::pair{&peak, w.estimate.peak + hide},
+                                   {&average, w.estimate.average + hide},
+                                   {&corrected, w.estimate.corrected + hide},
+                                   {&direct, w.estimate.direct_peak + hide},
+                                   {&low, w.droplets.average.low},
+                                   {&high, w.droplets.average.high}})
+            line->x.push_back(x), line->y.push_back(value);
+    }
+    p.lines = {peak, average, corrected, direct, low, high};
+    return figure(
+        p, "At the time of the largest average. Values of fewer than 30 droplets are not drawn, their interval is.");
+}
+
+}  // namespace
+
+std::string spray_html(const SprayStudy& study, const SprayResult& r) {
+    const std::string title = study.title.empty() ? "Spray" : study.title;
+    std::string out =
+        page_begin(title) + "<h1>" + escaped(title) + "</h1>" +
+        fmt::format("<p class=\"sub\">twinwake {}, {} droplets</p>", escaped(TWINWAKE_CODE_VERSION), r.droplets.size());
+    std::vector<ReportTable> tables = spray_tables(study, r);
+    constexpr std::size_t first_rows = 200;  // of a table on the page; the CSV file has them all
+    for (ReportTable& t : tables)
+        if (t.rows.size() > first_rows) {
+            t.notes.push_back(fmt::format("The first {} of {} rows; windows.csv has all.", first_rows, t.rows.size()));
+            t.rows.resize(first_rows);
+        }
+    for (const ReportTable& t : tables) out += html_of(t);
+    if (r.droplets.empty()) return out + "<p>No droplets: nothing to draw.</p>" + page_end;
+    out += "<h2>The spray</h2>";
+    out += envelope("Envelope from the side", "x [m]", r.side) + envelope("Envelope from the front", "y [m]", r.front);
+    out += distribution("Sizes", "d [mm]", r, [](const Droplet& d) { return 1e3 * d.diameter; });
+    out += distribution("Speeds when let go", "speed [m/s]", r, [](const Droplet& d) { return d.velocity.norm(); });
+    if (study.sensor && !r.arrivals.empty()) {
+        out += "<h2>The load on the sensor</h2>" + arrival_map(study, r) + load_in_time(r);
+        out += convergence("Over the window's area", "area [mm2]", r.by_area,
+                           [](const Window& w) { return 1e6 * w.area(); });
+        out += convergence("Over the window's length", "length [ms]", r.by_length,
+                           [](const Window& w) { return 1e3 * w.length; });
+    }
+    return out + page_end;
+}
+
+}  // namespace tw::spray

@@ -1,0 +1,24 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "compare/report/report_table.h"
+#include "spray/study.h"
+
+namespace tw::spray {
+
+/// What the study found, as tables that terminal, page and CSV share.
+std::vector<ReportTable> spray_tables(const SprayStudy& study, const SprayResult& result);
+
+/// Leaves in `folder`, each file written atomically:
+///   report.html      tables and figures
+///   droplets.csv     every droplet with where it was let go and how its flight ended
+///   droplets.vtp, landings.vtp   the same for ParaView
+///   ledger.csv, windows.csv, by_area.csv, by_length.csv, load.csv
+void write_spray(const std::filesystem::path& folder, const SprayStudy& study, const SprayResult& result);
+
+/// The page alone.
+std::string spray_html(const SprayStudy& study, const SprayResult& result);
+
+}  // namespace tw::spray

@@ -1,0 +1,185 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include "base/errors.h"
+#include "record/run_record.h"
+#include "spray/study.h"
+
+namespace tw::spray {
+namespace fs = std::filesystem;
+namespace {
+
+/// True where a run's record says that half of the hull was solved.
+bool is_half(const fs::path& run) {
+    const fs::path file = run / "record.h5";
+    if (!fs::exists(file)) return false;
+    const RunRecord record = read_record(file);
+    const auto factor = record.attributes.find("symmetry_factor");
+    return factor != record.attributes.end() && factor->second == "2";
+}
+
+void extract(const SprayStudy& study, SprayResult& result) {
+    const Source& from = study.source;
+    const int ways = !from.sph.empty() + !from.fvm.empty() + !from.droplets.empty();
+    if (ways != 1) throw InputError("source: expected exactly one of sph, fvm and table, with droplets in it");
+    if (!from.droplets.empty()) {
+        result.droplets = from.droplets;
+        return;
+    }
+    const fs::path& run = from.sph.empty() ? from.fvm : from.sph;
+    const auto frames = from.sph.empty() ? foam_frames(run, from.range) : particle_frames(run, from.range);
+    const bool mirror = from.mirror.value_or(is_half(run));
+    if (study.extraction.gate.is_open() && frames.size() > 1)
+        throw InputError(
+            fmt::format("{}: {} frames between from and to, and no gate: the same water would be taken again. "
+                        "Give a gate, or from and to round one of them, e.g. at {:g} s",
+                        run.string(), frames.size(), frames.back().time));
+    Extractor extractor(study.extraction, *study.air);
+    for (const FrameFile& file : frames) {
+        WaterFrame frame =
+            from.sph.empty() ? read_cells(file, from.least_share, result.left_out) : read_particles(file);
+        extractor.look_at(mirror ? mirrored(std::move(frame)) : frame);
+    }
+    result.extraction = extractor.result();
+    result.droplets = result.extraction.droplets;
+}
+
+/// Slices of the room, filled by threads at once.
+class Envelope {
+public:
+    Envelope(const Box& room, int axis) : axis_(axis), low_(room.min[axis]) {
+        width_ = std::max(room.size()[axis], 1e-9) / slices;
+        highest_.assign(slices, -1e30), moment_.assign(slices, 0), volume_.assign(slices, 0);
+    }
+    void add(const Vec3& place, double volume) {
+        const auto k = static_cast<std::size_t>(std::clamp((place[axis_] - low_) / width_, 0.0, slices - 1.0));
+        highest_[k] = std::max(highest_[k], place.z());
+        moment_[k] += volume * place.z(), volume_[k] += volume;
+    }
+    std::vector<EnvelopeSlice> filled() const {
+        std::vector<EnvelopeSlice> all;
+        for (std::size_t k = 0; k < slices; ++k)
+            if (volume_[k] > 0)
+                all.push_back({low_ + (static_cast<double>(k) + 0.5) * width_, highest_[k], moment_[k] / volume_[k]});
+        return all;
+    }
+
+private:
+    static constexpr int slices = 60;
+    int axis_;
+    double low_, width_;
+    std::vector<double> highest_, moment_, volume_;
+};
+
+void fly_all(const SprayStudy& study, SprayResult& result) {
+    FlightOptions options = study.flight;
+    options.water_density = study.extraction.liquid.density;
+    options.forces.gravity = study.extraction.gravity;
+    double first = 1e300, last = -1e300;
+    for (const Droplet& d : result.droplets) first = std::min(first, d.time), last = std::max(last, d.time);
+    options.end_time = last + study.duration;
+    options.sample = result.droplets.empty() ? 0 : (options.end_time - first) / 200;
+
+    std::vector<FirstHit> surfaces;
+    for (const TargetSurface& t : study.targets)
+        surfaces.emplace_back(t.surface), result.target_names.push_back(t.name);
+    if (study.sensor) surfaces.emplace_back(study.sensor->sensor.surface()), result.target_names.emplace_back("sensor");
+    std::vector<Target> targets;
+    for (std::size_t t = 0; t < surfaces.size(); ++t) targets.push_back({result.target_names[t], &surfaces[t]});
+
+    result.landings = fly(result.droplets, *study.air, targets, options);
+    const auto outside = [](const Landing& l) { return l.fate == Fate::left_air; };
+    if (study.refuse_left_air)
+        if (const auto out = std::ranges::find_if(result.landings, outside); out != result.landings.end())
+            throw InputError(
+                fmt::format("air: {} of {} droplets leave the field, the first at ({:.3g}, {:.3g}, {:.3g}) m and "
+                            "{:.4g} s; expected a "
+                            "field that covers the flight. Widen it, fly for a shorter time, or set outside = \"end\"",
+                            std::ranges::count_if(result.landings, outside), result.landings.size(), out->place.x(),
+                            out->place.y(), out->place.z(), out->time));
+
+    // The envelope is filled on a second way over the same paths, when the room that they take is known.
+    Box room{Vec3::Constant(1e300), Vec3::Constant(-1e300)};
+    for (std::size_t i = 0; i < result.droplets.size(); ++i) {
+        room.min = room.min.cwiseMin(result.droplets[i].place).cwiseMin(result.landings[i].place);
+        room.max = room.max.cwiseMax(result.droplets[i].place).cwiseMax(result.landings[i].place);
+    }
+    if (result.droplets.empty()) return;
+    Envelope side(room, 0), front(room, 1);
+    std::mutex one_at_a_time;
+    // every hundredth droplet of a large spray draws the same picture
+    const std::size_t stride = 1 + result.droplets.size() / 20000;
+    std::vector<Droplet> some;
+    for (std::size_t i = 0; i < result.droplets.size(); i += stride) some.push_back(result.droplets[i]);
+    fly(some, *study.air, targets, options, [&](std::size_t i, double, const Vec3& place, const Vec3&) {
+        const std::lock_guard lock(one_at_a_time);
+        side.add(place, sphere_volume(some[i].diameter));
+        front.add(place, sphere_volume(some[i].diameter));
+    });
+    result.side = side.filled();
+    result.front = front.filled();
+}
+
+WindowLoad load_of(std::span<const Arrival> arrivals, const Window& window, const SensorStudy& s) {
+    return {window, estimate(arrivals, window, s.load), bootstrap(arrivals, {&window, 1}, s.load, s.draws)};
+}
+
+void load_sensor(const SprayStudy& study, SprayResult& result) {
+    SensorStudy s = *study.sensor;
+    s.load.liquid = study.extraction.liquid;
+    if (!(s.sensor.extent > 0) || !(s.sensor.normal.norm() > 0))
+        throw InputError("sensor: extent and normal are above 0");
+    if (s.window.edge > s.sensor.extent)
+        throw InputError(fmt::format("sensor: a window of {:g} m does not fit on an extent of {:g} m", s.window.edge,
+                                     s.sensor.extent));
+    const auto sensor = static_cast<int>(result.target_names.size()) - 1;
+    result.arrivals = arrivals(s.sensor, sensor, result.droplets, result.landings);
+    if (result.arrivals.empty()) return;
+
+    const double first = result.arrivals.front().time, last = result.arrivals.back().time;
+    const double begin = std::floor(first / s.window.length) * s.window.length;
+    const auto count = static_cast<std::size_t>(std::floor((last - begin) / s.window.length)) + 1;
+    if (count > 100000)
+        throw InputError(
+            fmt::format("sensor: arrivals over {:g} s need {} windows of {:g} s; expected a longer time_window",
+                        last - first, count, s.window.length));
+    for (std::size_t k = 0; k < count; ++k) {
+        Window w = s.window;
+        w.from = begin + static_cast<double>(k) * w.length;
+        result.windows.push_back(load_of(result.arrivals, w, s));
+    }
+    result.peak = *std::ranges::max_element(result.windows, {}, [](const WindowLoad& w) { return w.estimate.average; });
+    const Window& best = result.peak->window;
+    const auto tiles = tiled(s.sensor, best);
+    result.tiles = tiles.size();
+    result.over_windows = bootstrap(result.arrivals, tiles, s.load, s.draws);
+    const double middle = best.from + 0.5 * best.length;
+    for (const double edge : s.edges) {
+        Window w = best;
+        w.edge = edge;
+        if (edge <= s.sensor.extent) result.by_area.push_back(load_of(result.arrivals, w, s));
+    }
+    for (const double length : s.lengths) {
+        Window w = best;
+        w.length = length, w.from = middle - 0.5 * length;
+        result.by_length.push_back(load_of(result.arrivals, w, s));
+    }
+    Window whole = s.window;
+    whole.from = first - 5 * s.load.sampling, whole.length = last - first + 10 * s.load.sampling + 3e-3;
+    result.curve = direct_load(result.arrivals, whole, s.load);
+}
+
+}  // namespace
+
+SprayResult run_spray(const SprayStudy& study) {
+    SprayResult result;
+    extract(study, result);
+    fly_all(study, result);
+    if (study.sensor) load_sensor(study, result);
+    return result;
+}
+
+}  // namespace tw::spray
