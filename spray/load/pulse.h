@@ -5,7 +5,7 @@ namespace tw::spray {
 /// How a droplet's force rises and falls: g(x) over the pulse's duration, largest value 1.
 enum class PulseShape {
     /// g(x) = c sqrt(x) (1 - x)^4, x = t / duration, largest at x = 1/9. It rises with the root of time, as the early
-    /// impact of a sphere does (Philippi, Lagree & Antkowiak 2016, doi:10.1017/jfm.2016.142), and its duration follows
+    /// impact of a sphere does (Philippi, Lagree & Antkowiak 2016, arXiv:1504.05847), and its duration follows
     /// from peak and impulse: 2.03 ms for the study's droplet of 2.7 mm at 2.67 m/s, whose measured pulse took 2 ms.
     root,
     /// The study's polynomial (its Eq. 26) over its largest value, for times up to 0.6 ms only: its printed coefficients
