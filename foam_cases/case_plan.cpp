@@ -286,8 +286,7 @@ CasePlan plan_case(const Scene& scene, const Flavour& flavour) {
     }
 
     plan_body(plan, names);
-    const bool uniform =
-        scene.domain.dimensions == 2 || (!scene.hull && plan.body.empty() && scene.refinement.empty());
+    const bool uniform = scene.domain.dimensions == 2 || (!scene.hull && plan.body.empty() && scene.refinement.empty());
     plan.background_cell = plan.finest_cell = uniform ? scene.resolution.near_hull : scene.resolution.spacing;
     plan_refinement(plan);
     plan.snappy = !plan.solids.empty() || !plan.boxes.empty();

@@ -64,9 +64,9 @@ struct CasePlan {
 
     // a body that moves
     MeshMotion mesh_motion;
-    std::string body;                            ///< its patch; empty without one
-    double relaxation = 1;                       ///< of its acceleration, in each outer corrector
-    int outer_correctors = 1;                    ///< in which mesh, flow and body are solved once more in each step
+    std::string body;          ///< its patch; empty without one
+    double relaxation = 1;     ///< of its acceleration, in each outer corrector
+    int outer_correctors = 1;  ///< in which mesh, flow and body are solved once more in each step
     const MovingBody& moving() const { return scene->bodies.front(); }
 
     // physics

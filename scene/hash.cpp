@@ -131,7 +131,6 @@ std::string text_of(const Scene& scene, bool sizes) {
 std::string numerics_of(const Scene& scene, const std::string& method) {
     Lines t;
     add_keys(t, scene, method == "sph" ? SceneKey::Hashed::sph : SceneKey::Hashed::fvm);
-    if (method == "fvm" && !scene.bodies.empty()) t.add("body_mesh", scene.fvm.body_mesh);
     if (method == "fvm")
         if (const EdgeRefinement shedding = edge_refinement(scene); !shedding.edges.empty())
             t.add("edge_halvings", {static_cast<double>(shedding.halvings)});

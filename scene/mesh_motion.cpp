@@ -121,11 +121,13 @@ std::string MeshMotion::sentence() const {
     switch (kind) {
         case Kind::none: return {};
         case Kind::morphing:
-            return fmt::format("the mesh is morphed between the body and the walls, which stay where they are; the body "
-                               "may move by {:.3g} m",
-                               stretch());
+            return fmt::format(
+                "the mesh is morphed between the body and the walls, which stay where they are; the body "
+                "may move by {:.3g} m",
+                stretch());
         case Kind::sliding:
-            return "the whole mesh moves up and down with the body, along the tank's sides: there is no floor, the water "
+            return "the whole mesh moves up and down with the body, along the tank's sides: there is no floor, the "
+                   "water "
                    "below the body stays as deep as it was at the start";
         case Kind::open_water: break;
     }

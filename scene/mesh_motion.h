@@ -8,9 +8,9 @@ namespace tw {
 /// How the mesh of the mesh method follows a body that moves (docs/decisions/034-moving-bodies-in-interfoam.md).
 struct MeshMotion {
     enum class Kind {
-        none,       ///< nothing moves
-        morphing,   ///< cells round the body move with it, those at walls and floor stay, between them cells are sheared
-        sliding,    ///< all cells move up and down with the body, along the tank's sides; the floor is open
+        none,      ///< nothing moves
+        morphing,  ///< cells round the body move with it, those at walls and floor stay, between them cells are sheared
+        sliding,   ///< all cells move up and down with the body, along the tank's sides; the floor is open
         open_water  ///< all cells move and turn with the body; every side is open to water at rest
     } kind = Kind::none;
 

@@ -193,7 +193,7 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
 
     scene.motion.ramp = ramp.value_or(default_ramp(scene));
     fill_times(scene);
-    // Entry of a body: measured with half a Courant number at the surface (docs/decisions/034-moving-bodies-in-interfoam.md).
+    // Measured with the entry of a body (docs/decisions/034-moving-bodies-in-interfoam.md).
     if (scene.fvm.max_alpha_courant == 0 && !scene.bodies.empty()) scene.fvm.max_alpha_courant = 0.5;
     for (double* courant : {&scene.fvm.max_courant, &scene.fvm.max_alpha_courant})
         if (*courant == 0) *courant = default_courant(scene);

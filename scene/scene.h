@@ -148,7 +148,7 @@ struct FvmOptions {
     double interface_compression = 2;               ///< cAlpha
     int correctors = 3;
     std::string body_mesh = "auto";  ///< how the mesh follows a body that moves: auto, morphing, whole (mesh_motion.h)
-    std::string openfoam;  ///< folder of an OpenFOAM installation; empty: found
+    std::string openfoam;            ///< folder of an OpenFOAM installation; empty: found
 };
 
 /// Water at the start, besides the still-water half space of a stream scene.

@@ -107,7 +107,8 @@ void add_bodies(Comparison& comparison) {
     std::set<std::string> names;
     for (const RunRecord& r : comparison.sources)
         for (const auto& [table, content] : r.tables)
-            if (table.starts_with("body_") && content.find("q0") && !content.time.empty()) names.insert(table.substr(5));
+            if (table.starts_with("body_") && content.find("q0") && !content.time.empty())
+                names.insert(table.substr(5));
     for (const std::string& name : names) {
         std::vector<History> histories;
         double end = HUGE_VAL;
@@ -153,16 +154,17 @@ void add_bodies(Comparison& comparison) {
         Quantity& speed = add("speed", "Velocity downward of " + at, "m/s", "of its centre of mass",
                               [](const History& h) { return -h.at_end("vz"); });
         if (histories.size() >= 2 && histories[0].has("vz") && histories[1].has("vz"))
-            speed.remark = fmt::format("{} comes {:.3g} s later than {} (least difference of the velocities)",
-                                       comparison.names[1],
-                                       lag_of(histories[0].times(), histories[0].values("vz"), histories[1].times(),
-                                              histories[1].values("vz")),
-                                       comparison.names[0]);
+            speed.remark =
+                fmt::format("{} comes {:.3g} s later than {} (least difference of the velocities)", comparison.names[1],
+                            lag_of(histories[0].times(), histories[0].values("vz"), histories[1].times(),
+                                   histories[1].values("vz")),
+                            comparison.names[0]);
         add("peak", "Largest force on " + name + ", mean over 5 ms", N,
             "largest mean of the water's vertical force over 5 ms: shorter peaks are sound and sampling", peak_of);
         add("arrival", "Arrival of the force on " + name, "s",
             "when the water's vertical force has risen to a tenth of its largest mean over 5 ms", arrival_of);
-        Quantity& impulse = add("impulse", "Impulse on " + at, N + " s", "integral of the water's vertical force", impulse_of);
+        Quantity& impulse =
+            add("impulse", "Impulse on " + at, N + " s", "integral of the water's vertical force", impulse_of);
         if (impulse.values.size() >= 2 && impulse.values[0].known && impulse.values[1].known)
             impulse.remark = fmt::format("ratio {:.3g}", impulse.values[1].value / impulse.values[0].value);
         if (std::ranges::any_of(histories, [](const History& h) { return turn_of(h) > 0.01; }))

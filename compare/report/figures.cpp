@@ -203,9 +203,9 @@ Figures draw_figures(const Comparison& c) {
     int body = 0;
     for (const std::string& table : bodies) {
         const std::string name = table.substr(5);
-        for (const auto& [column, title, unit] :
-             {std::tuple{"z", "Height of the centre of mass", "z [m]"}, std::tuple{"vz", "Vertical velocity", "velocity [m/s]"},
-              std::tuple{"fz", "Vertical force of the water", "force"}})
+        for (const auto& [column, title, unit] : {std::tuple{"z", "Height of the centre of mass", "z [m]"},
+                                                  std::tuple{"vz", "Vertical velocity", "velocity [m/s]"},
+                                                  std::tuple{"fz", "Vertical force of the water", "force"}})
             f.bodies.push_back(series_figure(c, table, column, fmt::format("{} of {}", title, name), unit, "",
                                              fmt::format("body_{}_{}", body, column)));
         ++body;

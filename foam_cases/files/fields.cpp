@@ -29,9 +29,7 @@ std::string alpha_water(const CasePlan& plan) {
         if (p.open == Patch::Open::resting_water)
             return {{"type", Word("inletOutlet")}, {"inletValue", uniform(1.0)}, {"value", uniform(1.0)}};
         if (p.open == Patch::Open::water_and_air)  // still water is z = 0
-            return {{"type", Word("exprFixedValue")},
-                    {"valueExpr", Quoted("neg(pos().z())")},
-                    {"value", uniform(0.0)}};
+            return {{"type", Word("exprFixedValue")}, {"valueExpr", Quoted("neg(pos().z())")}, {"value", uniform(0.0)}};
         const Side side = p.side;
         if (side == Side::inlet) return {{"type", Word("fixedValue")}, {"value", uniform(0.0)}};
         if (side == Side::outlet)  // keeps what arrives, within 0..1
@@ -54,7 +52,8 @@ std::string velocity_field(const CasePlan& plan) {
     const Value stream = uniform(Vec3(speed, 0, 0));
     const auto open = [&](const Patch& p) -> Dictionary {
         const Side side = p.side;
-        if (p.open == Patch::Open::resting_water) return {{"type", Word("fixedValue")}, {"value", uniform(Vec3::Zero())}};
+        if (p.open == Patch::Open::resting_water)
+            return {{"type", Word("fixedValue")}, {"value", uniform(Vec3::Zero())}};
         if (p.open == Patch::Open::water_and_air)
             return {{"type", Word("pressureInletOutletVelocity")}, {"value", uniform(Vec3::Zero())}};
         if (side == Side::inlet) return {{"type", Word("fixedValue")}, {"value", stream}};
@@ -95,7 +94,9 @@ std::vector<CaseFile> turbulence_fields(const CasePlan& plan) {
             return {{"type", Word("inletOutlet")}, {"inletValue", uniform(v)}, {"value", uniform(v)}};
         };
     };
-    const auto calculated = [](const Patch&) -> Dictionary { return {{"type", Word("calculated")}, {"value", uniform(0.0)}}; };
+    const auto calculated = [](const Patch&) -> Dictionary {
+        return {{"type", Word("calculated")}, {"value", uniform(0.0)}};
+    };
     const auto wall = [](const char* type, double v) {
         return Dictionary{{"type", Word(type)}, {"value", uniform(v)}};
     };

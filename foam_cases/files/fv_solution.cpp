@@ -24,10 +24,10 @@ std::string fv_solution(const CasePlan& plan) {
             {"solver", Word("GAMG")}, {"smoother", Word("DIC")}, {"tolerance", 1e-7}, {"relTol", relative}};
     };
     if (plan.mesh_motion.kind == MeshMotion::Kind::morphing && plan.moving().motion.law)
-        solvers.add(Key::pattern("cellDisplacement.*"), Dictionary{{"solver", Word("GAMG")},
-                                                                   {"smoother", Word("GaussSeidel")},
-                                                                   {"tolerance", 1e-8},
-                                                                   {"relTol", 0}});
+        solvers.add(
+            Key::pattern("cellDisplacement.*"),
+            Dictionary{
+                {"solver", Word("GAMG")}, {"smoother", Word("GaussSeidel")}, {"tolerance", 1e-8}, {"relTol", 0}});
     const Dictionary preconditioner{
         {"preconditioner", Word("GAMG")}, {"smoother", Word("GaussSeidel")}, {"tolerance", 1e-5}, {"relTol", 0}};
     solvers.add(Key::pattern("alpha.water.*"), alpha);
@@ -52,8 +52,8 @@ std::string fv_solution(const CasePlan& plan) {
                       {"pRefPoint", Vec3(box.max - 0.01 * box.size())},
                       {"pRefValue", 0}};
     if (!plan.body.empty())
-        pimple.add({{"moveMeshOuterCorrectors", true},
-                    {"correctPhi", plan.mesh_motion.kind == MeshMotion::Kind::morphing}});
+        pimple.add(
+            {{"moveMeshOuterCorrectors", true}, {"correctPhi", plan.mesh_motion.kind == MeshMotion::Kind::morphing}});
     return foam_file("dictionary", "fvSolution",
                      {{"solvers", solvers},
                       {"PIMPLE", pimple},

@@ -57,22 +57,22 @@ Dictionary free_body(const CasePlan& plan) {
     const double own = plan.scene->water.density * mass_properties(plan.moving().surface).volume;
     // Newmark leaves out the gyroscopic term; the explicit solver has it and is unstable for light bodies.
     const bool symplectic = tumbles && motion.mass.mass > 0.7 * own;
-    Dictionary body{{"patches", List{Word(plan.body)}},
-                    {"innerDistance", morphs ? plan.mesh_motion.inner : beyond},
-                    {"outerDistance", morphs ? plan.mesh_motion.outer : 1.01 * beyond},
-                    {"mass", share * motion.mass.mass},
-                    {"centreOfMass", motion.mass.centre},
-                    {"orientation", tensor(own_axes.axes)},
-                    {"momentOfInertia", Vec3(share * own_axes.moments)},
-                    {"velocity", motion.velocity},
-                    {"angularMomentum",
-                     Vec3(share * own_axes.moments.cwiseProduct(own_axes.axes.transpose() * motion.spin))},
-                    {"acceleration", gravity ? Vec3(0, 0, -plan.scene->water.gravity) : Vec3(Vec3::Zero())},
-                    {"report", true},
-                    {"accelerationRelaxation", symplectic ? 1.0 : plan.relaxation},
-                    {"accelerationDamping", 1},  // anything else scales gravity too
-                    {"solver", Dictionary{{"type", Word(symplectic ? "symplectic" : "Newmark")}}},
-                    {"constraints", constraints(motion.free)}};
+    Dictionary body{
+        {"patches", List{Word(plan.body)}},
+        {"innerDistance", morphs ? plan.mesh_motion.inner : beyond},
+        {"outerDistance", morphs ? plan.mesh_motion.outer : 1.01 * beyond},
+        {"mass", share * motion.mass.mass},
+        {"centreOfMass", motion.mass.centre},
+        {"orientation", tensor(own_axes.axes)},
+        {"momentOfInertia", Vec3(share * own_axes.moments)},
+        {"velocity", motion.velocity},
+        {"angularMomentum", Vec3(share * own_axes.moments.cwiseProduct(own_axes.axes.transpose() * motion.spin))},
+        {"acceleration", gravity ? Vec3(0, 0, -plan.scene->water.gravity) : Vec3(Vec3::Zero())},
+        {"report", true},
+        {"accelerationRelaxation", symplectic ? 1.0 : plan.relaxation},
+        {"accelerationDamping", 1},  // anything else scales gravity too
+        {"solver", Dictionary{{"type", Word(symplectic ? "symplectic" : "Newmark")}}},
+        {"constraints", constraints(motion.free)}};
     return {{"dynamicFvMesh", Word("dynamicMotionSolverFvMesh")},
             {"motionSolverLibs", plan.flavour.library("sixDoFRigidBodyMotion")},
             {"motionSolver", Word("sixDoFRigidBodyMotion")},
@@ -100,9 +100,10 @@ std::string motion_table(const CasePlan& plan) {
 }
 
 Dictionary table_of_motion(const CasePlan& plan) {
-    return {{"solidBodyMotionFunction", Word("tabulated6DoFMotion")},
-            {"tabulated6DoFMotionCoeffs", Dictionary{{"CofG", plan.moving().motion.mass.centre},
-                                                     {"timeDataFileName", Quoted("<case>/constant/motionOfBody.dat")}}}};
+    return {
+        {"solidBodyMotionFunction", Word("tabulated6DoFMotion")},
+        {"tabulated6DoFMotionCoeffs", Dictionary{{"CofG", plan.moving().motion.mass.centre},
+                                                 {"timeDataFileName", Quoted("<case>/constant/motionOfBody.dat")}}}};
 }
 
 Dictionary moved_body(const CasePlan& plan) {
@@ -130,7 +131,8 @@ std::string point_displacement(const CasePlan& plan) {
     for (const Solid& s : plan.solids) {
         if (s.moves && morphs && plan.moving().motion.law) {
             Dictionary table = table_of_motion(plan);
-            boundary.add(s.name, Dictionary{{"type", Word("solidBodyMotionDisplacement")}}.add(table).add("value", nothing));
+            boundary.add(s.name,
+                         Dictionary{{"type", Word("solidBodyMotionDisplacement")}}.add(table).add("value", nothing));
         } else {
             boundary.add(s.name, of_type(s.moves || !morphs ? "calculated" : "fixedValue"));
         }
@@ -144,8 +146,8 @@ std::string point_displacement(const CasePlan& plan) {
 std::vector<CaseFile> mesh_motion_files(const CasePlan& plan) {
     if (plan.body.empty()) return {};
     const bool moved = plan.moving().motion.law.has_value();
-    std::vector<CaseFile> files{{"constant/dynamicMeshDict",
-                                 foam_file("dictionary", "dynamicMeshDict", moved ? moved_body(plan) : free_body(plan))},
+    std::vector<CaseFile> files{{"constant/dynamicMeshDict", foam_file("dictionary", "dynamicMeshDict",
+                                                                       moved ? moved_body(plan) : free_body(plan))},
                                 {"0.orig/pointDisplacement", point_displacement(plan)}};
     if (moved) files.push_back({"constant/motionOfBody.dat", motion_table(plan)});
     return files;

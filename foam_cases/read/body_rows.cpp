@@ -35,10 +35,10 @@ std::vector<BodyPlace> free_places(const CasePlan& plan, const std::filesystem::
         if (r.size() != 16) continue;
         const auto vec = [&](std::size_t k) { return Vec3(r[k], r[k + 1], r[k + 2]); };
         const Vec3 angles = vec(7);
-        const Eigen::Matrix3d turned = (Eigen::AngleAxisd(angles.x(), Vec3::UnitX()) *
-                                        Eigen::AngleAxisd(angles.y(), Vec3::UnitY()) *
-                                        Eigen::AngleAxisd(angles.z(), Vec3::UnitZ()))
-                                           .toRotationMatrix();
+        const Eigen::Matrix3d turned =
+            (Eigen::AngleAxisd(angles.x(), Vec3::UnitX()) * Eigen::AngleAxisd(angles.y(), Vec3::UnitY()) *
+             Eigen::AngleAxisd(angles.z(), Vec3::UnitZ()))
+                .toRotationMatrix();
         places.push_back({r[0], vec(4), vec(10), vec(13), Eigen::Quaterniond(turned * at_start.transpose())});
     }
     return places;

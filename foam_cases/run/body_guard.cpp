@@ -18,7 +18,8 @@ std::optional<std::string> body_trouble(const CasePlan& plan, const SolverLog& l
     const double fastest = 10 * (body.fastest(g) + std::sqrt(g * tank.size().z()));
     if (!(speed <= fastest))
         return fmt::format(
-            "body {} moves at {:.4g} m/s at t = {:.4g} s, more than the {:.4g} m/s that this scene can explain: its motion "
+            "body {} moves at {:.4g} m/s at t = {:.4g} s, more than the {:.4g} m/s that this scene can explain: its "
+            "motion "
             "has become unstable, most often because the water that moves with it is many times as heavy as the body",
             body.name, speed, time, fastest);
     const bool flat = plan.scene->domain.dimensions == 2;
@@ -30,14 +31,16 @@ std::optional<std::string> body_trouble(const CasePlan& plan, const SolverLog& l
         for (int a = 0; a < 3; ++a) {
             if (flat && a == 1) continue;
             if (at[a] < tank.min[a] || (at[a] > tank.max[a] && a != 2))
-                return fmt::format("body {} touches a wall or the floor of the tank at t = {:.4g} s, at ({:.4g}, {:.4g}, "
-                                   "{:.4g}) m; contact is not solved: shorten the run or enlarge the tank",
-                                   body.name, time, at.x(), at.y(), at.z());
+                return fmt::format(
+                    "body {} touches a wall or the floor of the tank at t = {:.4g} s, at ({:.4g}, {:.4g}, "
+                    "{:.4g}) m; contact is not solved: shorten the run or enlarge the tank",
+                    body.name, time, at.x(), at.y(), at.z());
         }
     }
     if (plan.mesh_motion.kind == MeshMotion::Kind::morphing && farthest > plan.mesh_motion.stretch())
         return fmt::format(
-            "body {} has come {:.4g} m from where it started at t = {:.4g} s; the mesh between it and the walls folds soon "
+            "body {} has come {:.4g} m from where it started at t = {:.4g} s; the mesh between it and the walls folds "
+            "soon "
             "after {:.4g} m; enlarge the tank, or let the whole mesh move: [fvm] body_mesh = \"whole\"",
             body.name, farthest, time, plan.mesh_motion.stretch());
     return std::nullopt;

@@ -74,7 +74,8 @@ void SolverLog::line(std::string_view text) {
     } else if (text.rfind("ExecutionTime", 0) == 0) {
         if (!steps_.empty()) steps_.back().cpu = number_after(text, "ExecutionTime =").value_or(steps_.back().cpu);
     } else if (text.find("Centre of mass: ") != std::string_view::npos) {
-        if (const auto n = numbers_in(text); n.size() == 3) (body_ ? *body_ : body_.emplace()).centre = {n[0], n[1], n[2]};
+        if (const auto n = numbers_in(text); n.size() == 3)
+            (body_ ? *body_ : body_.emplace()).centre = {n[0], n[1], n[2]};
     } else if (text.find("Linear velocity: ") != std::string_view::npos) {
         if (const auto n = numbers_in(text); body_ && n.size() == 3) body_->velocity = {n[0], n[1], n[2]};
     } else if (text.find("Orientation: ") != std::string_view::npos) {

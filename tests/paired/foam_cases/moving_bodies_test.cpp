@@ -90,9 +90,10 @@ TEST_F(MovingBodies, APrescribedBodyIsWhereItsLawHasItAndItsMeshToo) {
 }
 
 TEST_F(MovingBodies, ThatReachTheFloorEndTheRunWithAMessage) {
-    const Scene s = scene(box_in_tank("density = \"4000 kg/m3\"\ndraft = \"200 mm\"\nvelocity = [0, 0, -2]\n"
-                                      "locked = [\"surge\", \"pitch\"]",
-                                      "0.5 s"));
+    const Scene s =
+        scene(box_in_tank("density = \"4000 kg/m3\"\ndraft = \"200 mm\"\nvelocity = [0, 0, -2]\n"
+                          "locked = [\"surge\", \"pitch\"]",
+                          "0.5 s"));
     try {
         run_fvm(s, options());
         FAIL();
@@ -104,7 +105,9 @@ TEST_F(MovingBodies, ThatReachTheFloorEndTheRunWithAMessage) {
 
 TEST_F(MovingBodies, GoOnWhereTheyWereStopped) {
     const std::string text = "density = \"700 kg/m3\"\ndraft = \"40 mm\"\ntrim = \"5 deg\"";
-    const auto with_duration = [&](const char* s) { return scene(box_in_tank(text, s, "[sampling]\ninterval = 0.02\n")); };
+    const auto with_duration = [&](const char* s) {
+        return scene(box_in_tank(text, s, "[sampling]\ninterval = 0.02\n"));
+    };
     const RunRecord whole = run_fvm(with_duration("0.3 s"), options());
     RunOptions parts = options();
     parts.folder = folder / "parts";
@@ -115,8 +118,7 @@ TEST_F(MovingBodies, GoOnWhereTheyWereStopped) {
     const Table &a = whole.tables.at("body_box"), &b = resumed.tables.at("body_box");
     EXPECT_TRUE(std::ranges::is_sorted(b.time, std::less_equal<>()));
     EXPECT_LT(b.time.front(), 0.001) << "the rows before the stop are there";
-    for (const char* column : {"x", "z", "qy"})
-        EXPECT_NEAR(last(a, column), last(b, column), 0.02 * 0.05) << column;
+    for (const char* column : {"x", "z", "qy"}) EXPECT_NEAR(last(a, column), last(b, column), 0.02 * 0.05) << column;
     EXPECT_GT(std::abs(last(a, "qy")), 0.001) << "it turns";
 }
 

@@ -49,7 +49,8 @@ TEST(Bodies, AreMeasuredByDepthSpeedPeakArrivalAndImpulse) {
 TEST(Bodies, StepsAndFalseStartsDoNotCount) {
     const Comparison c = compare_records({falling("sph", 1e-3), falling("fvm", 3.7e-4)});
     EXPECT_NEAR(value(c, "body_depth:ball", 1) / value(c, "body_depth:ball", 0), 1, 1e-3);
-    EXPECT_NEAR(value(c, "body_impulse:ball", 1) / value(c, "body_impulse:ball", 0), 1, 0.01);
+    EXPECT_NEAR(value(c, "body_impulse:ball", 1) / value(c, "body_impulse:ball", 0), 1, 0.02)
+        << "a row apart at the blow";
     EXPECT_NE(c.find("body_impulse:ball")->remark.find("ratio"), std::string::npos);
 }
 
