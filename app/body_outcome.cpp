@@ -30,6 +30,8 @@ std::string outcome_of_bodies(const Scene& scene, const RunRecord& record) {
             body.name, t.time.back(), last("x"), last("y"), last("z"), body.motion.mass.centre.z() - last("z"),
             last("vx"), last("vy"), last("vz"), turned, most, scene.spanwise_unit("N"), when);
     }
+    if (const auto how = record.attributes.find("mesh_motion"); how != record.attributes.end() && !out.empty())
+        out += how->second + "\n";
     return out;
 }
 

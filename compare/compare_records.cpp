@@ -8,6 +8,7 @@
 
 #include "base/errors.h"
 #include "compare/gates.h"
+#include "compare/metrics/bodies.h"
 #include "compare/metrics/forces.h"
 #include "compare/metrics/splash_quantities.h"
 #include "compare/read/prepare.h"
@@ -165,6 +166,7 @@ Comparison compare_records(std::vector<RunRecord> sources, const CompareOptions&
     add_splash(comparison, options);
     add_elevation(comparison, options);
     add_probes(comparison, options);
+    add_bodies(comparison);
     add_savitsky(comparison);
     add_planing_plate(comparison);
     for (std::size_t i = 0; i < comparison.sources.size(); ++i)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include "base/errors.h"
@@ -116,7 +117,7 @@ constexpr int section_levels = 2;
 void plan_refinement(CasePlan& plan) {
     const Scene& scene = *plan.scene;
     if (scene.domain.dimensions == 2) {  // cells of one size, but at the hull: its edges need more
-        if (!scene.hull) return;
+        if (!scene.hull && plan.body.empty()) return;
         plan.surface_level = plan.feature_level = section_levels;
         plan.extrude = plan.surface_level > 0;  // snappyHexMesh halves the slab across as well
         plan.finest_cell = plan.background_cell / std::pow(2.0, plan.surface_level);
@@ -138,6 +139,17 @@ void plan_refinement(CasePlan& plan) {
     // cheap (measured: the force does not change). Without such boxes the whole surface gets the finest level.
     plan.surface_level = reached >= plan.wet_level ? std::max(0, plan.wet_level - 2) : plan.wet_level;
     plan.feature_level = std::max(plan.surface_level, plan.wet_level - 1);
+    if (!plan.body.empty() && plan.wet_level > 0) {
+        // The mesh goes with the body: fine cells below and beside it, and where its cavity and splash are behind it.
+        RefinementBox near{word_from("near_" + plan.body, "near"), plan.moving().surface.bounds(), plan.wet_level};
+        while (!names.insert(near.name).second) near.name += "_";
+        const Vec3 size = near.box.size();
+        const double width = std::min(size.x(), size.y());
+        near.box.min -= Vec3::Constant(width);
+        near.box.max += Vec3(width, width, 2.5 * width);
+        reached = std::max(reached, near.level);
+        plan.boxes.push_back(near);
+    }
     plan.finest_cell =
         plan.background_cell / std::pow(2.0, std::max(reached, plan.solids.empty() ? 0 : plan.surface_level));
     plan.shedding = edge_refinement(scene);
@@ -160,13 +172,68 @@ void plan_times(CasePlan& plan) {
     if (scene.sampling.snapshot_interval > 0)
         plan.snapshot_every =
             std::max(1, static_cast<int>(std::lround(scene.sampling.snapshot_interval / plan.write_interval)));
-    const double fall = std::sqrt(2 * g * height);
+    const double falls = std::sqrt(2 * g * height);
+    const double fall = plan.body.empty() ? falls : std::max(falls, plan.moving().fastest(g));
     plan.first_step = 0.05 * plan.finest_cell / std::max({scene.motion.speed, fall, 1e-6});
     plan.first_step = std::min(plan.first_step, 0.1 * plan.write_interval);
     // Gravity acts explicitly on the surface: still water would otherwise be taken in steps that shake it.
     plan.largest_step = g > 0 ? 0.5 * std::sqrt(plan.finest_cell / g) : plan.write_interval;
     const double length = scene.hull ? scene.hull->length : height;
     plan.speed_limit = 10 * (scene.motion.speed + std::sqrt(g * length) + fall);
+}
+
+/// Water that moves with a body, as a share of the body's mass: of a half submerged plate as long and wide as it is
+/// (pi/8 rho b^2 l), and its own volume.
+double added_mass_ratio(const MovingBody& body, const Scene& scene) {
+    const Vec3 size = body.surface.bounds().size();
+    const double wide = scene.domain.dimensions == 2 ? size.x() : std::min(size.x(), size.y()),
+                 along = scene.domain.dimensions == 2 ? 1 : std::max(size.x(), size.y());
+    const double plate = std::numbers::pi / 8 * wide * wide * along, own = mass_properties(body.surface).volume;
+    return scene.water.density * std::max(plate, own) / body.motion.mass.mass;
+}
+
+void plan_body(CasePlan& plan, std::set<std::string>& names) {
+    const Scene& scene = *plan.scene;
+    plan.mesh_motion = mesh_motion(scene);
+    if (scene.bodies.empty()) return;
+    if (plan.flavour.vendor != Flavour::Vendor::com)
+        throw InputError("bodies that move were measured with OpenFOAM of openfoam.com alone, and this is " +
+                         plan.flavour.vendor_name() + " " + plan.flavour.version_name() +
+                         "; use the particle method, or name another installation in [fvm] openfoam");
+    const MovingBody& body = plan.moving();
+    plan.body = word_from(body.name, "body");
+    while (!names.insert(plan.body).second) plan.body += "_";
+    const bool flat = scene.domain.dimensions == 2;
+    plan.solids.push_back(
+        {plan.body, flat ? with_span(body.surface, endless_span(body.surface)) : body.surface, false, true});
+    for (Patch& p : plan.sides) {
+        if (p.empty || p.side == Side::symmetry) continue;
+        if (plan.mesh_motion.kind == MeshMotion::Kind::open_water)
+            p.open = Patch::Open::water_and_air, p.holds = false;
+        else if (plan.mesh_motion.kind == MeshMotion::Kind::sliding && &p == &plan.sides[4])
+            p.open = Patch::Open::resting_water, p.holds = false;
+    }
+    if (body.motion.law) {
+        plan.outer_correctors = 2;
+        return;
+    }
+    // Body and water answer each other once in each outer corrector; the errors of the accelerations swing with the
+    // added mass over four masses (Newmark, beta 1/4) and are damped by half the largest relaxation that is stable.
+    plan.relaxation = std::clamp(1 / (1 + added_mass_ratio(body, scene) / 4), 0.1, 0.9);
+    plan.outer_correctors = plan.relaxation >= 0.7 ? 2 : 3;
+}
+
+/// A mesh that comes down with its body needs air above the tank's top for that way: cells that grow to four times
+/// their size.
+void grow_upwards(CasePlan& plan) {
+    const double below = plan.moving().surface.bounds().min.z() - plan.scene->domain.box.min.z();
+    const double more = std::min(plan.mesh_motion.down, below);
+    AxisCells& z = plan.axes[2];
+    if (more < plan.background_cell) return;
+    z.planes.push_back(z.planes.back() + more);
+    z.last_grows = std::clamp(more / plan.background_cell, 1.0, 4.0);
+    const double mean = z.last_grows > 1.01 ? (z.last_grows - 1) / std::log(z.last_grows) : 1;
+    z.cells.push_back(std::max(1, static_cast<int>(std::lround(more / (mean * plan.background_cell)))));
 }
 
 }  // namespace
@@ -218,7 +285,8 @@ CasePlan plan_case(const Scene& scene, const Flavour& flavour) {
         plan.solids.push_back({name, o.surface, false});
     }
 
-    const bool uniform = scene.domain.dimensions == 2 || (!scene.hull && scene.refinement.empty());
+    plan_body(plan, names);
+    const bool uniform = scene.domain.dimensions == 2 || (!scene.hull && plan.body.empty() && scene.refinement.empty());
     plan.background_cell = plan.finest_cell = uniform ? scene.resolution.near_hull : scene.resolution.spacing;
     plan_refinement(plan);
     plan.snappy = !plan.solids.empty() || !plan.boxes.empty();
@@ -233,6 +301,7 @@ CasePlan plan_case(const Scene& scene, const Flavour& flavour) {
                 wanted.insert(wanted.end(), {o.surface.bounds().min[a], o.surface.bounds().max[a]});
         plan.axes[static_cast<std::size_t>(a)] = split_axis(box.min[a], box.max[a], plan.background_cell, wanted);
     }
+    if (plan.mesh_motion.whole_mesh()) grow_upwards(plan);
     if (scene.domain.dimensions == 2) plan.axes[1] = {{box.min.y(), box.max.y()}, {1}};
     if (plan.snappy) plan.point_in_fluid = find_point_in_fluid(plan);
 

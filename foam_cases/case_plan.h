@@ -5,6 +5,7 @@
 
 #include "foam_cases/flavour.h"
 #include "scene/edge_refinement.h"
+#include "scene/mesh_motion.h"
 #include "scene/scene.h"
 
 namespace tw {
@@ -15,7 +16,12 @@ struct Patch {
     Side side = Side::slip_wall;
     bool empty = false;  ///< front and back of a 2-D scene
     bool holds = false;  ///< a tank's wall to which the water sticks
-    bool plane() const { return empty || (side == Side::slip_wall && !holds) || side == Side::symmetry; }
+    /// Where the whole mesh moves with a body the tank's walls do not stay: a side is then open to water (and air) at
+    /// rest, through which the mesh moves, or, up and down only, the floor alone.
+    enum class Open { no, resting_water, water_and_air } open = Open::no;
+    bool plane() const {
+        return empty || (open == Open::no && ((side == Side::slip_wall && !holds) || side == Side::symmetry));
+    }
     std::string mesh_type() const { return empty ? "empty" : plane() ? "symmetryPlane" : holds ? "wall" : "patch"; }
 };
 
@@ -23,6 +29,7 @@ struct Patch {
 struct AxisCells {
     std::vector<double> planes;  ///< [m], ascending
     std::vector<int> cells;      ///< one fewer than planes
+    double last_grows = 1;       ///< size of the last block's last cell over that of its first
 };
 /// Cells of about `spacing` from `low` to `high`, with the `wanted` planes on cell faces as far as cells stay within 25
 /// % of `spacing`: a water block then begins with exactly its volume.
@@ -32,7 +39,7 @@ AxisCells split_axis(double low, double high, double spacing, std::vector<double
 struct Solid {
     std::string name;  ///< patch, and constant/triSurface/<name>.stl
     Surface surface;
-    bool is_hull = false;
+    bool is_hull = false, moves = false;
 };
 
 /// Everything that follows from the scene and that more than one OpenFOAM file needs. It points into the scene, which
@@ -54,6 +61,13 @@ struct CasePlan {
     double background_cell = 0, finest_cell = 0;  ///< [m]; the finest but for those along shedding edges
     Vec3 point_in_fluid = Vec3::Zero();
     bool half_space = true;  ///< water: all below z = 0 (else the scene's water blocks)
+
+    // a body that moves
+    MeshMotion mesh_motion;
+    std::string body;          ///< its patch; empty without one
+    double relaxation = 1;     ///< of its acceleration, in each outer corrector
+    int outer_correctors = 1;  ///< in which mesh, flow and body are solved once more in each step
+    const MovingBody& moving() const { return scene->bodies.front(); }
 
     // physics
     bool stream = false, viscous = false, no_slip = false, turbulent = false;

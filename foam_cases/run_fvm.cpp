@@ -102,6 +102,10 @@ private:
         record_.numbers["raster_every"] = plan_.raster_every;
         record_.numbers["cell_far"] = plan_.background_cell;
         record_.numbers["cell_finest"] = plan_.finest_cell;
+        if (plan_.body.empty()) return;
+        record_.attributes["mesh_motion"] = plan_.mesh_motion.sentence();
+        record_.numbers["body_relaxation"] = plan_.relaxation;
+        record_.numbers["outer_correctors"] = plan_.outer_correctors;
     }
 
     void take_up(RunRecord earlier) {

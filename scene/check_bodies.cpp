@@ -5,6 +5,7 @@
 #include "base/errors.h"
 #include "meshes/query.h"
 #include "scene/check_scene.h"
+#include "scene/mesh_motion.h"
 
 namespace tw {
 namespace {
@@ -44,10 +45,7 @@ void check_domain(const MovingBody& body, const Scene& scene, Section& s) {
 }  // namespace
 
 void refuse_unsolved(const Scene& scene, const std::string& method) {
-    if (method != "fvm" || scene.bodies.empty()) return;
-    throw InputError(fmt::format("{}: body {} moves, and this version moves bodies with the particle method only; "
-                                 "expected methods = [\"sph\"], or --method sph",
-                                 scene.place_of("run.methods"), scene.bodies.front().name));
+    if (method == "fvm") mesh_motion(scene);
 }
 
 void check_bodies(Scene& scene, Sections& s) {

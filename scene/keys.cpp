@@ -343,13 +343,18 @@ Rows fvm_keys() {
          .slot = slot(&Scene::fvm, &FvmOptions::max_courant), .fallback = "4 in a stream, else 1",
          .meaning = "Largest Courant number of the flow."},
         {.name = "max_alpha_courant", .range = {0, 20, true}, .hashed = Hashed::fvm,
-         .slot = slot(&Scene::fvm, &FvmOptions::max_alpha_courant), .fallback = "4 in a stream, else 1",
+         .slot = slot(&Scene::fvm, &FvmOptions::max_alpha_courant),
+         .fallback = "4 in a stream, 0.5 with a body that moves, else 1",
          .meaning = "Largest Courant number at the water surface."},
         {.name = "interface_compression", .range = {0, 4}, .hashed = Hashed::fvm,
          .slot = slot(&Scene::fvm, &FvmOptions::interface_compression),
          .meaning = "cAlpha, which keeps the water surface sharp."},
         {.name = "correctors", .kind = Kind::whole, .range = {1, 10}, .hashed = Hashed::fvm,
          .slot = slot(&Scene::fvm, &FvmOptions::correctors), .meaning = "Pressure correctors in each time step."},
+        {.name = "body_mesh", .kind = Kind::choice, .choices = {"auto", "morphing", "whole"}, .hashed = Hashed::fvm,
+         .slot = slot(&Scene::fvm, &FvmOptions::body_mesh),
+         .meaning = "How the mesh follows a body that moves: morphed between body and walls, or moving as a whole.",
+         .later = true},
         {.name = "openfoam", .kind = Kind::text, .slot = slot(&Scene::fvm, &FvmOptions::openfoam),
          .fallback = "found", .meaning = "Folder of an OpenFOAM installation."},
     };
@@ -423,7 +428,7 @@ const std::vector<SceneSection>& scene_sections() {
          "`[sph] levels` above 1 finer particles stand there. With a hull in three dimensions."},
         {"obstacle", true, "A fixed closed solid: a box (min and max), a file or a shape."},
         {"body", true,
-         "A closed solid that moves in a tank, freely or as prescribed; solved by the particle method only."},
+         "A closed solid that moves in a tank, freely or as prescribed; the mesh method moves one."},
         {"effects", false,
          "Physical effects: \"auto\" (the plan decides), \"on\" or \"off\". `--effect NAME=on` on the command line "
          "takes "

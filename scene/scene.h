@@ -147,7 +147,8 @@ struct FvmOptions {
     double max_courant = 0, max_alpha_courant = 0;  ///< as written, else 4 in a stream and 1 without
     double interface_compression = 2;               ///< cAlpha
     int correctors = 3;
-    std::string openfoam;  ///< folder of an OpenFOAM installation; empty: found
+    std::string body_mesh = "auto";  ///< how the mesh follows a body that moves: auto, morphing, whole (mesh_motion.h)
+    std::string openfoam;            ///< folder of an OpenFOAM installation; empty: found
 };
 
 /// Water at the start, besides the still-water half space of a stream scene.
@@ -234,7 +235,7 @@ Prediction predict(const Scene& scene, const MachinePace& pace = {});
 inline constexpr double longest_run = 30 * 86400.0;  ///< [s]
 inline constexpr double most_snapshots = 1e5, most_frames = 1e6;
 void refuse_oversize(const Scene& scene, const Prediction& prediction);
-/// Throws InputError where a method cannot solve what the scene asks for: the mesh method no bodies that move.
+/// Throws InputError where a method cannot solve what the scene asks for (the mesh method: see mesh_motion.h).
 void refuse_unsolved(const Scene& scene, const std::string& method);
 /// The checked scene in words: hull, domain, resolution, sampling, effects with reasons, predicted cost.
 std::string to_text(const Scene& scene, const Prediction& prediction);

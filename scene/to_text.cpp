@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "scene/box_walls.h"
 #include "scene/defaults.h"
 #include "scene/edge_refinement.h"
+#include "scene/mesh_motion.h"
 #include "scene/particle_levels.h"
 #include "scene/scene.h"
 #include "scene/tank_walls.h"
@@ -103,6 +105,8 @@ std::string to_text(const Scene& scene, const Prediction& p) {
         out += fmt::format("obstacle    {}: {} to {} m\n", o.name, place(b.min), place(b.max));
     }
     for (const MovingBody& b : scene.bodies) out += body_text(b, scene);
+    if (std::ranges::find(scene.run.methods, "fvm") != scene.run.methods.end())
+        if (const std::string mesh = mesh_motion(scene).sentence(); !mesh.empty()) out += "  fvm       " + mesh + "\n";
     for (const Box& b : scene.water_blocks)
         out += fmt::format("water       block {} to {} m\n", place(b.min), place(b.max));
     const Water& w = scene.water;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <tuple>
 
 #include "compare/align/time_bins.h"
 #include "compare/metrics/splash.h"
@@ -194,6 +195,20 @@ Figures draw_figures(const Comparison& c) {
             f.probes.push_back(series_figure(
                 c, table, name, fmt::format("{} at {}", table == "height" ? "Water height" : "Pressure", name),
                 fmt::format("{} [{}]", table, unit), "", fmt::format("probe_{}", probe++)));
+    }
+    std::set<std::string> bodies;
+    for (const RunRecord& r : c.sources)
+        for (const auto& [table, content] : r.tables)
+            if (table.starts_with("body_") && content.find("q0")) bodies.insert(table);
+    int body = 0;
+    for (const std::string& table : bodies) {
+        const std::string name = table.substr(5);
+        for (const auto& [column, title, unit] : {std::tuple{"z", "Height of the centre of mass", "z [m]"},
+                                                  std::tuple{"vz", "Vertical velocity", "velocity [m/s]"},
+                                                  std::tuple{"fz", "Vertical force of the water", "force"}})
+            f.bodies.push_back(series_figure(c, table, column, fmt::format("{} of {}", title, name), unit, "",
+                                             fmt::format("body_{}_{}", body, column)));
+        ++body;
     }
     if (!frames) return f;
     const ColourScale scale = elevation_scale(elevation_half_range(c), c.analyses.front().still_level);

@@ -12,8 +12,8 @@ struct Figure {
     std::string file, svg;
 };
 struct Figures {
-    std::vector<Figure> forces, splash, wetting, cuts, probes;  ///< plots over time and along cuts
-    std::vector<Figure> maps;                                   ///< mean elevation from above, one per source
+    std::vector<Figure> forces, splash, wetting, cuts, probes, bodies;  ///< plots over time and along cuts
+    std::vector<Figure> maps;                                           ///< mean elevation from above, one per source
     std::string elevation_legend, pressure_legend;
     Pictures pictures;
 };

@@ -108,6 +108,15 @@ std::string reproduce(const Comparison& c) {
     return out;
 }
 
+/// How a mesh followed its body, and what that leaves out.
+std::string mesh_motion_note(const Comparison& c) {
+    std::string out;
+    for (std::size_t i = 0; i < c.sources.size(); ++i)
+        if (const std::string how = text_of(c.sources[i], "mesh_motion"); !how.empty())
+            out += "<p class=\"note\">" + escaped(c.names[i] + ": " + how + ".") + "</p>";
+    return out;
+}
+
 std::string settling(const Comparison& c) {
     const std::string table = html_of(settling_table(c));
     if (table.empty()) return {};
@@ -153,6 +162,7 @@ std::string report_html(const Comparison& c, const Figures& f, const std::string
     if (!f.splash.empty()) out += "<h2>Splash</h2>" + figure_list(f.splash);
     if (!f.wetting.empty() || !f.cuts.empty())
         out += "<h2>Wetted length and free surface</h2>" + figure_list(f.wetting) + figure_list(f.cuts);
+    if (!f.bodies.empty()) out += "<h2>Bodies that move</h2>" + figure_list(f.bodies) + mesh_motion_note(c);
     if (!f.probes.empty()) out += "<h2>Probes</h2>" + figure_list(f.probes);
     out += html_of(quantities_table(c, false)) + html_of(checks_table(c.gates, false)) + html_of(effects_table(c)) +
            hull_section(c) + html_of(cost_table(c)) + html_of(provenance_table(c)) + "<h2>Definitions</h2>" +

@@ -27,8 +27,8 @@ ReportFiles write_report(const Comparison& comparison, const fs::path& folder, c
     fs::create_directories(folder / "figures", error);
     if (error) throw RunError((folder / "figures").string() + ": cannot be created: " + error.message());
     const Figures figures = draw_figures(comparison);
-    for (const auto* list :
-         {&figures.forces, &figures.splash, &figures.wetting, &figures.cuts, &figures.probes, &figures.maps})
+    for (const auto* list : {&figures.forces, &figures.splash, &figures.wetting, &figures.cuts, &figures.probes,
+                             &figures.bodies, &figures.maps})
         for (const Figure& f : *list)
             if (const std::string text = standalone(f.svg); !text.empty())
                 write_text_atomically(folder / "figures" / (f.file + ".svg"), text);

@@ -46,11 +46,11 @@ std::string block_mesh_dict(const CasePlan& plan) {
                 const auto at = [&](std::size_t di, std::size_t dj, std::size_t dk) {
                     return Value(vertex(plan, i + di, j + dj, k + dk));
                 };
-                blocks.push_back(
-                    Value::sequence({Word("hex"),
-                                     List{at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(0, 1, 0), at(0, 0, 1), at(1, 0, 1),
-                                          at(1, 1, 1), at(0, 1, 1)},
-                                     List{x.cells[i], y.cells[j], z.cells[k]}, Word("simpleGrading (1 1 1)")}));
+                blocks.push_back(Value::sequence({Word("hex"),
+                                                  List{at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(0, 1, 0), at(0, 0, 1),
+                                                       at(1, 0, 1), at(1, 1, 1), at(0, 1, 1)},
+                                                  List{x.cells[i], y.cells[j], z.cells[k]}, Word("simpleGrading"),
+                                                  List{1, 1, k + 1 == z.cells.size() ? z.last_grows : 1.0}}));
             }
     for (std::size_t s = 0; s < plan.sides.size(); ++s) {
         const Patch& p = plan.sides[s];

@@ -32,6 +32,8 @@ std::vector<CaseFile> phase_files(const CasePlan& plan);  ///< transportProperti
 std::string alpha_water(const CasePlan& plan);
 std::string velocity_field(const CasePlan& plan);
 std::string p_rgh(const CasePlan& plan);
+/// constant/dynamicMeshDict, 0.orig/pointDisplacement and the table of a prescribed motion; none where nothing moves.
+std::vector<CaseFile> mesh_motion_files(const CasePlan& plan);
 std::vector<CaseFile> turbulence_fields(const CasePlan& plan);  ///< k, omega, nut; none in laminar flow
 
 std::string allrun_script(const CasePlan& plan, int ranks);

@@ -9,14 +9,29 @@ Dictionary every_write(int nth = 1) {
     return {{"log", false}, {"writeControl", Word("writeTime")}, {"writeInterval", nth}};
 }
 
-/// Pressure and viscous force of water and air together on the hull, every step.
-Dictionary forces(const CasePlan& plan) {
+/// Pressure and viscous force of water and air together on the hull or the body that moves, every step.
+Dictionary forces(const CasePlan& plan, const std::string& patch) {
     Dictionary d{{"type", Word("forces")},
                  {"libs", plan.flavour.library("forces")},
-                 {"patches", List{Word("hull")}},
+                 {"patches", List{Word(patch)}},
                  {"rho", Word("rho")},  // the solver's own density field
                  {"CofR", moment_reference(*plan.scene)}};
     return d.add(every_step());
+}
+
+/// Place, attitude and velocity of a free body, every step.
+Dictionary body_state() {
+    Dictionary d{{"type", Word("sixDoFRigidBodyState")},
+                 {"libs", List{Word("sixDoFRigidBodyState")}},
+                 {"angleFormat", Word("radians")},
+                 {"writePrecision", 14}};
+    return d.add(every_step());
+}
+
+/// Where the cells of a mesh that moves are, and how large.
+Dictionary cells_now(const CasePlan& plan, const char* type) {
+    Dictionary d{{"type", Word(type)}, {"libs", plan.flavour.library("fieldFunctionObjects")}};
+    return d.add(every_write());
 }
 
 Dictionary fastest(const CasePlan& plan) {
@@ -81,7 +96,13 @@ Dictionary probes(const CasePlan& plan, const char* field, const std::vector<Vec
 
 Dictionary functions(const CasePlan& plan) {
     Dictionary f;
-    if (plan.scene->hull) f.add("forces", forces(plan));
+    if (plan.scene->hull) f.add("forces", forces(plan, "hull"));
+    if (!plan.body.empty()) {
+        f.add("bodyForces", forces(plan, plan.body));
+        if (!plan.moving().motion.law) f.add("bodyState", body_state());
+        f.add("cellCentres", cells_now(plan, "writeCellCentres"));
+        f.add("cellVolumes", cells_now(plan, "writeCellVolumes"));
+    }
     f.add("fastest", fastest(plan));
     if (plan.scene->hull && plan.viscous) f.add("wallShear", wall_shear(plan));  // before hullSurface, which writes it
     if (plan.scene->hull) f.add("hullSurface", hull_surface(plan));
@@ -115,7 +136,7 @@ std::string control_dict(const CasePlan& plan) {
            {"writeInterval", plan.write_interval},
            {"purgeWrite", 0},
            {"writeFormat", Word("binary")},
-           {"writePrecision", 8},
+           {"writePrecision", plan.body.empty() ? 8 : 14},
            {"writeCompression", Word("off")},
            {"timeFormat", Word("general")},
            {"timePrecision", plan.time_precision},

@@ -9,13 +9,14 @@ Value uniform(double v) { return Value::sequence({Word("uniform"), v}); }
 Value uniform(const Vec3& v) { return Value::sequence({Word("uniform"), v}); }
 
 /// A field of 0.orig: `open` gives the entries of an inlet, outlet or atmosphere, `wall` those of a solid and of a
-/// tank's wall that holds the water. Plane sides are the same in every field.
+/// tank's wall that holds the water, `moving_wall` those of a body that moves. Plane sides are the same in every field.
 std::string field(const CasePlan& plan, const char* foam_class, const char* name, const Dimensions& dimensions,
-                  const Value& inside, const std::function<Dictionary(Side)>& open, const Dictionary& wall) {
+                  const Value& inside, const std::function<Dictionary(const Patch&)>& open, const Dictionary& wall,
+                  const Dictionary& moving_wall = {}) {
     Dictionary boundary;
     for (const Patch& p : plan.sides)
-        boundary.add(p.name, p.plane() ? Dictionary{{"type", Word(p.mesh_type())}} : p.holds ? wall : open(p.side));
-    for (const Solid& s : plan.solids) boundary.add(s.name, wall);
+        boundary.add(p.name, p.plane() ? Dictionary{{"type", Word(p.mesh_type())}} : p.holds ? wall : open(p));
+    for (const Solid& s : plan.solids) boundary.add(s.name, s.moves && !moving_wall.empty() ? moving_wall : wall);
     return foam_file(foam_class, name,
                      {{"dimensions", dimensions}, {"internalField", inside}, {"boundaryField", boundary}});
 }
@@ -24,7 +25,12 @@ std::string field(const CasePlan& plan, const char* foam_class, const char* name
 
 /// 0/alpha.water: the volume fraction of water; setFields pours it in.
 std::string alpha_water(const CasePlan& plan) {
-    const auto open = [](Side side) -> Dictionary {
+    const auto open = [](const Patch& p) -> Dictionary {
+        if (p.open == Patch::Open::resting_water)
+            return {{"type", Word("inletOutlet")}, {"inletValue", uniform(1.0)}, {"value", uniform(1.0)}};
+        if (p.open == Patch::Open::water_and_air)  // still water is z = 0
+            return {{"type", Word("exprFixedValue")}, {"valueExpr", Quoted("neg(pos().z())")}, {"value", uniform(0.0)}};
+        const Side side = p.side;
         if (side == Side::inlet) return {{"type", Word("fixedValue")}, {"value", uniform(0.0)}};
         if (side == Side::outlet)  // keeps what arrives, within 0..1
             return {{"type", Word("variableHeightFlowRate")},
@@ -44,7 +50,12 @@ std::string alpha_water(const CasePlan& plan) {
 std::string velocity_field(const CasePlan& plan) {
     const double speed = plan.stream ? plan.scene->motion.speed : 0;
     const Value stream = uniform(Vec3(speed, 0, 0));
-    const auto open = [&](Side side) -> Dictionary {
+    const auto open = [&](const Patch& p) -> Dictionary {
+        const Side side = p.side;
+        if (p.open == Patch::Open::resting_water)
+            return {{"type", Word("fixedValue")}, {"value", uniform(Vec3::Zero())}};
+        if (p.open == Patch::Open::water_and_air)
+            return {{"type", Word("pressureInletOutletVelocity")}, {"value", uniform(Vec3::Zero())}};
         if (side == Side::inlet) return {{"type", Word("fixedValue")}, {"value", stream}};
         if (side == Side::outlet)  // Umean in v1912, UnMean later and at openfoam.org
             return {{"type", Word("outletPhaseMeanVelocity")},
@@ -55,13 +66,17 @@ std::string velocity_field(const CasePlan& plan) {
         return {{"type", Word("pressureInletOutletVelocity")}, {"tangentialVelocity", stream}, {"value", stream}};
     };
     return field(plan, "volVectorField", "U", velocity, stream, open,
-                 {{"type", Word(plan.no_slip ? "noSlip" : "slip")}});
+                 {{"type", Word(plan.no_slip ? "noSlip" : "slip")}},
+                 // slip would let the water through a wall that moves
+                 {{"type", Word("movingWallVelocity")}, {"value", uniform(Vec3::Zero())}});
 }
 
 /// 0/p_rgh: pressure less the hydrostatic part rho g z.
 std::string p_rgh(const CasePlan& plan) {
-    const auto open = [](Side side) -> Dictionary {
-        if (side == Side::inlet) return {{"type", Word("fixedFluxPressure")}, {"value", uniform(0.0)}};
+    const auto open = [](const Patch& p) -> Dictionary {
+        const Side side = p.side;
+        if (side == Side::inlet || p.open == Patch::Open::resting_water)
+            return {{"type", Word("fixedFluxPressure")}, {"value", uniform(0.0)}};
         if (side == Side::outlet) return {{"type", Word("zeroGradient")}};
         return {{"type", Word("totalPressure")}, {"p0", uniform(0.0)}, {"value", uniform(0.0)}};
     };
@@ -74,12 +89,14 @@ std::string p_rgh(const CasePlan& plan) {
 std::vector<CaseFile> turbulence_fields(const CasePlan& plan) {
     if (!plan.turbulent) return {};
     const auto clean_stream = [](double v) {
-        return [v](Side side) -> Dictionary {
-            if (side == Side::inlet) return {{"type", Word("fixedValue")}, {"value", uniform(v)}};
+        return [v](const Patch& p) -> Dictionary {
+            if (p.side == Side::inlet) return {{"type", Word("fixedValue")}, {"value", uniform(v)}};
             return {{"type", Word("inletOutlet")}, {"inletValue", uniform(v)}, {"value", uniform(v)}};
         };
     };
-    const auto calculated = [](Side) -> Dictionary { return {{"type", Word("calculated")}, {"value", uniform(0.0)}}; };
+    const auto calculated = [](const Patch&) -> Dictionary {
+        return {{"type", Word("calculated")}, {"value", uniform(0.0)}};
+    };
     const auto wall = [](const char* type, double v) {
         return Dictionary{{"type", Word(type)}, {"value", uniform(v)}};
     };

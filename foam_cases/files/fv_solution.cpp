@@ -9,7 +9,7 @@ std::string fv_solution(const CasePlan& plan) {
                      {"nAlphaSubCycles", 1},
                      {"MULESCorr", true},
                      {"nLimiterIter", 8},
-                     {"alphaApplyPrevCorr", true},
+                     {"alphaApplyPrevCorr", plan.body.empty()},
                      {"solver", Word("smoothSolver")},
                      {"smoother", Word("symGaussSeidel")},
                      {"tolerance", 1e-8},
@@ -18,13 +18,18 @@ std::string fv_solution(const CasePlan& plan) {
     if (!plan.flavour.compression_in_scheme())
         alpha.add({{"cAlpha", plan.scene->fvm.interface_compression},
                    {"icAlpha", 0}});  // 1 lets twice the air under a hull (measured)
+    Dictionary solvers;
     const auto pressure_solver = [](double relative) {
         return Dictionary{
             {"solver", Word("GAMG")}, {"smoother", Word("DIC")}, {"tolerance", 1e-7}, {"relTol", relative}};
     };
+    if (plan.mesh_motion.kind == MeshMotion::Kind::morphing && plan.moving().motion.law)
+        solvers.add(
+            Key::pattern("cellDisplacement.*"),
+            Dictionary{
+                {"solver", Word("GAMG")}, {"smoother", Word("GaussSeidel")}, {"tolerance", 1e-8}, {"relTol", 0}});
     const Dictionary preconditioner{
         {"preconditioner", Word("GAMG")}, {"smoother", Word("GaussSeidel")}, {"tolerance", 1e-5}, {"relTol", 0}};
-    Dictionary solvers;
     solvers.add(Key::pattern("alpha.water.*"), alpha);
     solvers.add(
         Key::pattern("pcorr.*"),
@@ -39,15 +44,19 @@ std::string fv_solution(const CasePlan& plan) {
                                                           {"minIter", 1}});
     Dictionary equations;
     equations.add(Key::pattern(".*"), 1);
+    Dictionary pimple{{"momentumPredictor", false},
+                      {"nOuterCorrectors", plan.outer_correctors},
+                      {"nCorrectors", plan.body.empty() ? plan.scene->fvm.correctors : 1},
+                      {"nNonOrthogonalCorrectors", 0},
+                      // asked for only where no side is open to the air: zero in the top corner
+                      {"pRefPoint", Vec3(box.max - 0.01 * box.size())},
+                      {"pRefValue", 0}};
+    if (!plan.body.empty())
+        pimple.add(
+            {{"moveMeshOuterCorrectors", true}, {"correctPhi", plan.mesh_motion.kind == MeshMotion::Kind::morphing}});
     return foam_file("dictionary", "fvSolution",
                      {{"solvers", solvers},
-                      {"PIMPLE", Dictionary{{"momentumPredictor", false},
-                                            {"nOuterCorrectors", 1},
-                                            {"nCorrectors", plan.scene->fvm.correctors},
-                                            {"nNonOrthogonalCorrectors", 0},
-                                            // asked for only where no side is open to the air: zero in the top corner
-                                            {"pRefPoint", Vec3(box.max - 0.01 * box.size())},
-                                            {"pRefValue", 0}}},
+                      {"PIMPLE", pimple},
                       {"relaxationFactors", Dictionary{{"equations", equations}}},
                       {"cache", Dictionary{{"grad(U)", Word("true")}}}});
 }

@@ -54,16 +54,18 @@ void keep_picture(const HullPatch& patch, bool half, RunRecord& record) {
 
 FrameReader::FrameReader(const CasePlan& plan, const fs::path& case_folder)
     : plan_(plan), case_(case_folder), folders_(case_folder) {
-    for (const fs::path& root : folders_.roots()) {
-        const FieldFile centres = read_field(root / "0" / "C"), volumes = read_field(root / "0" / "V");
-        Part part;
-        const std::size_t n = std::max(centres.uniform ? 0 : centres.cells(), volumes.uniform ? 0 : volumes.cells());
-        for (std::size_t i = 0; i < n; ++i) {
-            part.centres.push_back(centres.vector(i));
-            part.volumes.push_back(volumes.scalar(i));
-        }
-        parts_.push_back(std::move(part));
+    for (const fs::path& root : folders_.roots()) parts_.push_back(read_part(root / "0"));
+}
+
+FrameReader::Part FrameReader::read_part(const fs::path& folder) {
+    const FieldFile centres = read_field(folder / "C"), volumes = read_field(folder / "V");
+    Part part;
+    const std::size_t n = std::max(centres.uniform ? 0 : centres.cells(), volumes.uniform ? 0 : volumes.cells());
+    for (std::size_t i = 0; i < n; ++i) {
+        part.centres.push_back(centres.vector(i));
+        part.volumes.push_back(volumes.scalar(i));
     }
+    return part;
 }
 
 std::size_t FrameReader::cells() const {
@@ -89,7 +91,8 @@ void FrameReader::read_water(const TimeFolders::Moment& moment, const SolverLog&
     for (std::size_t k = 0; k < parts_.size(); ++k) {
         const fs::path folder = folders_.roots()[k] / moment.name;
         const FieldFile alpha = read_field(folder / "alpha.water"), speed = read_field(folder / "U");
-        const Part& part = parts_[k];
+        const Part moved = plan_.body.empty() ? Part{} : read_part(folder);
+        const Part& part = plan_.body.empty() ? parts_[k] : moved;
         for (std::size_t i = 0; i < part.volumes.size(); ++i) {
             const double share = alpha.scalar(i), water = share * part.volumes[i];
             volume += water;
@@ -104,10 +107,12 @@ void FrameReader::read_water(const TimeFolders::Moment& moment, const SolverLog&
     if (to_raster) record.frames.push_back(raster.frame(moment.time));
     const SolverLog::Step* step = log.at(moment.time);
     const double unknown = std::nan("");
+    // Through a mesh that moves as a whole water comes and goes: what is in it tells nothing.
+    const double keeps_water = plan_.mesh_motion.whole_mesh() ? unknown : 1;
     append(record.table("samples"), moment.time,
-           {{"mass", scene.spanwise_unit("kg"), factor * density * volume},
-            {"kinetic_energy", scene.spanwise_unit("J"), factor * kinetic},
-            {"potential_energy", scene.spanwise_unit("J"), factor * potential},
+           {{"mass", scene.spanwise_unit("kg"), keeps_water * factor * density * volume},
+            {"kinetic_energy", scene.spanwise_unit("J"), keeps_water * factor * kinetic},
+            {"potential_energy", scene.spanwise_unit("J"), keeps_water * factor * potential},
             {"dt", "s", step != nullptr ? step->step : unknown},
             {"max_courant", "-", step != nullptr ? step->courant : unknown},
             {"max_speed", "m/s", std::sqrt(fastest)},
@@ -120,7 +125,7 @@ void FrameReader::read_water(const TimeFolders::Moment& moment, const SolverLog&
     if (scene.motion.speed > 0)
         note_worst(record,
                    {"water speed over stream", "-", std::sqrt(fastest) / scene.motion.speed, 3, moment.time, nowhere});
-    watch_energy(record);
+    if (plan_.body.empty()) watch_energy(record);  // a body does work on the water
 }
 
 void FrameReader::read_hull(const TimeFolders::Moment& moment, RunRecord& record) const {

@@ -31,6 +31,7 @@ private:
     const CasePlan& plan_;
     std::filesystem::path case_;
     TimeFolders folders_;
+    static Part read_part(const std::filesystem::path& folder);
     std::vector<Part> parts_;
 };
 

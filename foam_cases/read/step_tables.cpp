@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "foam_cases/read/body_rows.h"
 #include "foam_cases/read/frame_reader.h"
 #include "foam_cases/read/number_rows.h"
 #include "foam_cases/read/step_loads.h"
@@ -95,6 +96,7 @@ void read_heights(const CasePlan& plan, const fs::path& post, RunRecord& record)
 void read_step_tables(const CasePlan& plan, const fs::path& case_folder, RunRecord& record) {
     if (plan.scene->hull) read_forces(plan, case_folder, record);
     const fs::path post = case_folder / "postProcessing";
+    if (!plan.body.empty()) read_body(plan, post, record);
     read_pressure(plan, post, record);
     read_heights(plan, post, record);
 }

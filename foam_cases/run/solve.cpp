@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "base/atomic_file.h"
+#include "foam_cases/run/body_guard.h"
 #include "foam_cases/run/watchdog.h"
 
 namespace tw {
@@ -83,6 +84,7 @@ SolverOutcome solve(const CasePlan& plan, const CasePrograms& programs, int rank
             const double time = now.steps().empty() ? 0 : now.steps().back().time;
             std::optional<std::string> wrong =
                 trouble(now, latest_fastest(programs.case_folder() / "postProcessing", time), limits);
+            if (!wrong) wrong = body_trouble(plan, now);
             // Two more write times and the record have to fit.
             if (!wrong) wrong = disk_trouble(programs.case_folder(), 50e6);
             if (wrong) {

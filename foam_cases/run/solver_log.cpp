@@ -73,6 +73,14 @@ void SolverLog::line(std::string_view text) {
         if (!steps_.empty()) steps_.back().water = number_after(text, "fraction =").value_or(steps_.back().water);
     } else if (text.rfind("ExecutionTime", 0) == 0) {
         if (!steps_.empty()) steps_.back().cpu = number_after(text, "ExecutionTime =").value_or(steps_.back().cpu);
+    } else if (text.find("Centre of mass: ") != std::string_view::npos) {
+        if (const auto n = numbers_in(text); n.size() == 3)
+            (body_ ? *body_ : body_.emplace()).centre = {n[0], n[1], n[2]};
+    } else if (text.find("Linear velocity: ") != std::string_view::npos) {
+        if (const auto n = numbers_in(text); body_ && n.size() == 3) body_->velocity = {n[0], n[1], n[2]};
+    } else if (text.find("Orientation: ") != std::string_view::npos) {
+        if (const auto n = numbers_in(text); body_ && n.size() == 9)
+            body_->attitude << n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8];
     } else if (text == "End") {
         ended_ = true;
     }

@@ -1,7 +1,10 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "base/vec3.h"
 
 namespace tw {
 
@@ -15,9 +18,15 @@ public:
         double water = 0;                       ///< volume fraction of the domain; NaN before the first solution
         double cpu = 0;                         ///< ExecutionTime since this start of the solver [s]
     };
+    /// The free body as the last outer corrector left it.
+    struct Body {
+        Vec3 centre = Vec3::Zero(), velocity = Vec3::Zero();  ///< of mass [m], [m/s]
+        Eigen::Matrix3d attitude = Eigen::Matrix3d::Identity();
+    };
     void feed(std::string_view text);
 
     const std::vector<Step>& steps() const { return steps_; }
+    const std::optional<Body>& body() const { return body_; }
     bool ended() const { return ended_; }                ///< "End" was reached
     const std::string& fatal() const { return fatal_; }  ///< OpenFOAM's own error message; empty: none
     /// The step that was current at `time`: the last one not later; nullptr before the first.
@@ -31,6 +40,7 @@ private:
     std::vector<std::string> recent_;
     std::vector<Step> steps_;
     Step next_;
+    std::optional<Body> body_;
     bool ended_ = false;
     int fatal_lines_ = 0;
     std::string fatal_;

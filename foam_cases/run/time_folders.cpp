@@ -36,6 +36,8 @@ TimeFolders::TimeFolders(fs::path case_folder)
     }
     for (const auto& [n, path] : processors) roots_.push_back(path);
     if (roots_.empty()) roots_ = {case_};
+    if (fs::exists(case_ / "0.orig" / "pointDisplacement"))  // cells that move are written anew each time
+        for (const char* name : {"C", "V", "polyMesh/points"}) fields_.emplace_back(name);
     for (const char* name : {"k", "omega", "nut"})
         if (fs::exists(case_ / "0.orig" / name)) fields_.push_back(name);
 }

@@ -1,7 +1,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/errors.h"
 #include "scene/hash.h"
+#include "scene/mesh_motion.h"
 #include "scene_text.h"
 
 namespace tw::test {
@@ -93,17 +95,46 @@ TEST(BodyScene, WarnsOfACentreOfMassOutside) {
     EXPECT_EQ(s.bodies.at(0).findings[0].name, "centre_outside");
 }
 
-TEST(BodyScene, IsRefusedForTheMeshMethod) {
-    const Scene s = scene_of(afloat);
-    EXPECT_NO_THROW(refuse_unsolved(s, "sph"));
-    try {
-        refuse_unsolved(s, "fvm");
-        FAIL();
-    } catch (const InputError& e) {
-        EXPECT_NE(std::string(e.what()).find("[run] methods = [\"sph\"]: body body1 moves, and this version moves"),
-                  std::string::npos)
-            << e.what();
-    }
+TEST(BodyScene, TheMeshGoesWithABodyAsItMayMove) {
+    using Kind = MeshMotion::Kind;
+    // Afloat at its draft it stays where it is: half of the way to the walls is far more than it needs.
+    const MeshMotion rests = mesh_motion(scene_of(afloat));
+    EXPECT_EQ(rests.kind, Kind::morphing);
+    EXPECT_LT(rests.down + rests.up, 1e-3);
+    EXPECT_NEAR(rests.outer, 0.98 * 0.8, 1e-9) << "the sides are nearest";
+    // 10 mm above it, it swings 20 mm down: weight and buoyancy are its only forces, and its sides stand upright.
+    const MeshMotion swings = mesh_motion(scene_of(with(afloat, "draft = \"0.05 m\"", "draft = \"0.04 m\"")));
+    EXPECT_NEAR(swings.down, 0.02, 2e-4);
+    // As heavy as lead and free to fall alone, it takes the whole mesh along; free to turn, in open water.
+    const std::string lead = with(afloat, "500 kg", "11000 kg");
+    const std::string down =
+        with(lead, "[motion]", "locked = [\"surge\", \"sway\", \"roll\", \"pitch\", \"yaw\"]\n[motion]");
+    EXPECT_EQ(mesh_motion(scene_of(down)).kind, Kind::sliding);
+    EXPECT_EQ(mesh_motion(scene_of(lead)).kind, Kind::open_water);
+    EXPECT_GT(mesh_motion(scene_of(lead)).down, 2) << "in a second";
+    EXPECT_EQ(mesh_motion(scene_of(with(lead, "[motion]", "[fvm]\nbody_mesh = \"morphing\"\n[motion]"))).kind,
+              Kind::morphing);
+}
+
+TEST(BodyScene, WhatTheMeshCannotMoveIsRefused) {
+    const auto message = [](const std::string& text) -> std::string {
+        const Scene s = scene_of(text);
+        EXPECT_NO_THROW(refuse_unsolved(s, "sph"));
+        try {
+            refuse_unsolved(s, "fvm");
+        } catch (const InputError& e) { return e.what(); }
+        return {};
+    };
+    EXPECT_EQ(message(afloat), "");
+    const std::string another =
+        "[[body]]\nshape = \"box\"\nlength = 0.1\nbeam = 0.1\nheight = 0.1\ndraft = 0\n"
+        "position = [0.5, 0.5]\ndensity = \"500 kg/m3\"\n[motion]";
+    EXPECT_NE(message(with(afloat, "[motion]", another)).find("moves one body"), std::string::npos);
+    EXPECT_NE(message(with(afloat, "[motion]", "locked = [\"yaw\"]\n[motion]")).find("two of the three axes"),
+              std::string::npos);
+    const std::string post = "[[obstacle]]\nmin = [0.6, -0.1, -1]\nmax = [0.7, 0.1, -0.2]\n[motion]";
+    EXPECT_EQ(message(with(afloat, "[motion]", post)), "") << "a mesh that is morphed leaves obstacles where they are";
+    EXPECT_NE(message(with(with(afloat, "500 kg", "11000 kg"), "[motion]", post)).find("obstacle"), std::string::npos);
 }
 
 struct Bad {
@@ -128,18 +159,21 @@ INSTANTIATE_TEST_SUITE_P(
             "scene.toml:5:1: [[body]] mass: missing; a free body needs its mass or its density"},
         Bad{"[motion]", "mass = 3\n[motion]", "scene.toml:12:8: [[body]] mass = 3: given twice: also density"},
         Bad{"[motion]", "inertia = [1, 1, 3]\n[motion]",
-            "scene.toml:12:11: [[body]] inertia = [1, 1, 3]: no body has principal moments of inertia 1, 1, 3 kg m2, of "
+            "scene.toml:12:11: [[body]] inertia = [1, 1, 3]: no body has principal moments of inertia 1, 1, 3 kg m2, "
+            "of "
             "which "
             "the last is larger than the sum of the others"},
         Bad{"[motion]", "inertia = [1, 0, 1]\n[motion]",
             "scene.toml:12:11: [[body]] inertia = [1, 0, 1]: no body has principal moments"},
         Bad{"[motion]", "locked = [\"surge\", \"sway\", \"heave\", \"roll\", \"pitch\", \"yaw\"]\n[motion]",
-            "scene.toml:12:10: [[body]] locked = [\"surge\", \"sway\", \"heave\", \"roll\", \"pitch\", \"yaw\"]: nothing "
+            "scene.toml:12:10: [[body]] locked = [\"surge\", \"sway\", \"heave\", \"roll\", \"pitch\", \"yaw\"]: "
+            "nothing "
             "is left"},
         Bad{"[motion]", "locked = [\"heave\"]\nvelocity = [0, 0, -1]\n[motion]",
             "scene.toml:13:12: [[body]] velocity = [0, 0, -1]: has a part in heave, which is locked"},
         Bad{"draft = \"0.05 m\"", "draft = 1.2",
-            "scene.toml:10:9: [[body]] draft = 1.2: body body1 starts in a wall of the tank or outside it: in z it spans "
+            "scene.toml:10:9: [[body]] draft = 1.2: body body1 starts in a wall of the tank or outside it: in z it "
+            "spans "
             "-1.2 to -1.1 m, the tank -1 to 1 m"},
         Bad{"draft = \"0.05 m\"", "draft = 0.05\nposition = [0.9, 0]",
             "scene.toml:11:12: [[body]] position = [0.9, 0]: body body1 starts in a wall of the tank"},

@@ -181,6 +181,7 @@ std::map<std::string, Change> changes() {
         {"water.vapour_pressure", set(cavitating, "water", "vapour_pressure", "1e3", "2e3")},
         {"fvm.openfoam", set(fixed, "fvm", "openfoam", "\"/a\"", "\"/b\"")},
         {"fvm.correctors", set(fixed, "fvm", "correctors", "3", "4")},
+        {"fvm.body_mesh", set(fixed, "fvm", "body_mesh", "\"auto\"", "\"whole\"")},
         {"run.threads", set(fixed, "run", "threads", "1", "2")},
     };
     for (const char* key : {"density", "viscosity", "surface_tension", "gravity", "air_density", "air_viscosity"})

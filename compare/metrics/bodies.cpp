@@ -1,0 +1,175 @@
+#include "compare/metrics/bodies.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "compare/align/time_bins.h"
+#include "compare/metrics/probe_peaks.h"
+#include "compare/metrics/quantity.h"
+#include "compare/read/record_numbers.h"
+#include "compare/verdict/judge.h"
+
+namespace tw {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double peak_window = 5e-3;  // [s], as of the probes
+constexpr double arrival_share = 0.1;
+
+/// One body in one record, up to the end of the time that all records cover.
+struct History {
+    const Table* table = nullptr;
+    double end = 0;  ///< [s]
+
+    bool has(const char* column) const { return table && table->find(column); }
+    const std::vector<double>& of(const char* column) const { return table->find(column)->values; }
+    double at_end(const char* column) const { return has(column) ? value_at(table->time, of(column), end) : nan; }
+    std::size_t rows() const {
+        return static_cast<std::size_t>(std::ranges::upper_bound(table->time, end) - table->time.begin());
+    }
+    std::span<const double> times() const { return {table->time.data(), rows()}; }
+    std::span<const double> values(const char* column) const { return {of(column).data(), rows()}; }
+};
+
+/// The first value: bodies are released where all records have them, and their first rows are a step later.
+double start_of(const History& h, const char* column) { return h.has(column) ? h.of(column).front() : nan; }
+
+double impulse_of(const History& h) {
+    if (!h.has("fz")) return nan;
+    const auto t = h.times(), f = h.values("fz");
+    double sum = 0;
+    for (std::size_t i = 1; i < t.size(); ++i)
+        if (std::isfinite(f[i] + f[i - 1])) sum += (t[i] - t[i - 1]) * (f[i] + f[i - 1]) / 2;
+    return sum;
+}
+
+double peak_of(const History& h) {
+    return h.has("fz") ? largest_window_mean(h.times(), h.values("fz"), peak_window) : nan;
+}
+
+double arrival_of(const History& h) {
+    const double peak = peak_of(h);
+    if (!(peak > 0)) return nan;
+    return arrival_time(h.times(), h.values("fz"), arrival_share * peak);
+}
+
+double turn_of(const History& h) {
+    const double q0 = h.at_end("q0");
+    return std::isfinite(q0) ? 2 * std::acos(std::clamp(std::abs(q0), 0.0, 1.0)) * 180 / std::numbers::pi : nan;
+}
+
+/// Mean square of b(t + lag) - a(t) over the times of `a` at which both are known; NaN with fewer than half of them.
+double mean_square(std::span<const double> ta, std::span<const double> a, std::span<const double> tb,
+                   std::span<const double> b, double lag) {
+    double sum = 0;
+    std::size_t known = 0;
+    for (std::size_t i = 0; i < ta.size(); ++i) {
+        const double d = value_at(tb, b, ta[i] + lag) - a[i];
+        if (!std::isfinite(d)) continue;
+        sum += d * d;
+        ++known;
+    }
+    return 2 * known >= ta.size() && known > 0 ? sum / static_cast<double>(known) : nan;
+}
+
+std::string rms_of_depths(const History& a, const History& b) {
+    if (!a.has("z") || !b.has("z")) return {};
+    const auto z = a.values("z");
+    const auto [low, high] = std::ranges::minmax(z);
+    const double squares = mean_square(a.times(), z, b.times(), b.values("z"), 0);
+    if (!(high > low) || !std::isfinite(squares)) return {};
+    return fmt::format("depths differ by {:.2g} % of their range (root mean square)",
+                       100 * std::sqrt(squares) / (high - low));
+}
+
+}  // namespace
+
+double lag_of(std::span<const double> ta, std::span<const double> a, std::span<const double> tb,
+              std::span<const double> b) {
+    if (ta.empty() || tb.empty()) return nan;
+    const double shared = std::min(ta.back(), tb.back()) - std::max(ta.front(), tb.front());
+    double best = nan, least = HUGE_VAL;
+    constexpr int steps = 200;
+    for (int k = -steps; k <= steps; ++k) {
+        const double lag = 0.1 * shared * k / steps, squares = mean_square(ta, a, tb, b, lag);
+        if (squares < least) least = squares, best = lag;
+    }
+    return best;
+}
+
+void add_bodies(Comparison& comparison) {
+    std::set<std::string> names;
+    for (const RunRecord& r : comparison.sources)
+        for (const auto& [table, content] : r.tables)
+            if (table.starts_with("body_") && content.find("q0") && !content.time.empty())
+                names.insert(table.substr(5));
+    for (const std::string& name : names) {
+        std::vector<History> histories;
+        double end = HUGE_VAL;
+        for (const RunRecord& r : comparison.sources) {
+            const auto found = r.tables.find(body_table(name));
+            History h;
+            if (found != r.tables.end() && !found->second.time.empty()) {
+                h.table = &found->second;
+                end = std::min({end, h.table->time.back(), number_of(r, "duration", HUGE_VAL)});
+            }
+            histories.push_back(h);
+        }
+        for (History& h : histories) h.end = end;
+        const auto unit_of = [&](const char* column) -> std::string {
+            for (const History& h : histories)
+                if (h.has(column)) return h.table->find(column)->unit;
+            return {};
+        };
+        const auto add = [&](const char* kind, std::string label, std::string unit, std::string definition,
+                             const std::function<double(const History&)>& value_of) -> Quantity& {
+            Quantity q = new_quantity(fmt::format("body_{}:{}", kind, name), std::move(label), std::move(unit),
+                                      std::move(definition));
+            for (const History& h : histories) {
+                MeanValue m;
+                m.value = h.table ? value_of(h) : nan;
+                m.known = std::isfinite(m.value);
+                if (m.known)
+                    m.half_width = 0, m.from = h.table->time.front(), m.to = end;
+                else
+                    m.why_not = h.table ? "its record has no value" : not_given;
+                q.values.push_back(m);
+            }
+            beside(q);
+            q.judged_in_ladder = true;
+            comparison.quantities.push_back(std::move(q));
+            return comparison.quantities.back();
+        };
+        const std::string N = unit_of("fz"), at = fmt::format("{} at {:.4g} s", name, end);
+        Quantity& depth = add("depth", "Way down of " + at, "m", "how far its centre of mass has come down",
+                              [](const History& h) { return start_of(h, "z") - h.at_end("z"); });
+        if (histories.size() >= 2 && histories[0].table && histories[1].table)
+            depth.remark = rms_of_depths(histories[0], histories[1]);
+        Quantity& speed = add("speed", "Velocity downward of " + at, "m/s", "of its centre of mass",
+                              [](const History& h) { return -h.at_end("vz"); });
+        if (histories.size() >= 2 && histories[0].has("vz") && histories[1].has("vz"))
+            speed.remark =
+                fmt::format("{} comes {:.3g} s later than {} (least difference of the velocities)", comparison.names[1],
+                            lag_of(histories[0].times(), histories[0].values("vz"), histories[1].times(),
+                                   histories[1].values("vz")),
+                            comparison.names[0]);
+        add("peak", "Largest force on " + name + ", mean over 5 ms", N,
+            "largest mean of the water's vertical force over 5 ms: shorter peaks are sound and sampling", peak_of);
+        add("arrival", "Arrival of the force on " + name, "s",
+            "when the water's vertical force has risen to a tenth of its largest mean over 5 ms", arrival_of);
+        Quantity& impulse =
+            add("impulse", "Impulse on " + at, N + " s", "integral of the water's vertical force", impulse_of);
+        if (impulse.values.size() >= 2 && impulse.values[0].known && impulse.values[1].known)
+            impulse.remark = fmt::format("ratio {:.3g}", impulse.values[1].value / impulse.values[0].value);
+        if (std::ranges::any_of(histories, [](const History& h) { return turn_of(h) > 0.01; }))
+            add("turn", "Turn of " + at, "deg", "angle between its attitude and that at the start", turn_of);
+    }
+}
+
+}  // namespace tw

@@ -1,0 +1,156 @@
+#include <cmath>
+#include <numbers>
+
+#include "foam_cases/body_axes.h"
+#include "foam_cases/files/case_files.h"
+
+// Recipe and measurements: docs/decisions/034-moving-bodies-in-interfoam.md.
+
+namespace tw {
+namespace {
+
+using Kind = MeshMotion::Kind;
+
+Value tensor(const Eigen::Matrix3d& m) {
+    return List{m(0, 0), m(0, 1), m(0, 2), m(1, 0), m(1, 1), m(1, 2), m(2, 0), m(2, 1), m(2, 2)};
+}
+
+/// Motions that are locked. OpenFOAM's line, plane, point and axis are through the centre of mass.
+Dictionary constraints(const Freedoms& free) {
+    Dictionary all;
+    const auto count = [](const std::array<bool, 3>& f) { return f[0] + f[1] + f[2]; };
+    const auto axis_where = [](const std::array<bool, 3>& f, bool value) {
+        Vec3 axis = Vec3::Zero();
+        for (std::size_t a = 0; a < 3; ++a)
+            if (f[a] == value) axis[static_cast<Eigen::Index>(a)] = 1;
+        return axis;
+    };
+    const auto add = [&](const char* name, const char* type, const char* key, const Vec3& axis) {
+        Dictionary d{{"sixDoFRigidBodyMotionConstraint", Word(type)}};
+        if (key != nullptr) d.add(key, axis);
+        all.add(name, d);
+    };
+    switch (count(free.along)) {
+        case 0: add("place", "point", nullptr, {}); break;
+        case 1: add("place", "line", "direction", axis_where(free.along, true)); break;
+        case 2: add("place", "plane", "normal", axis_where(free.along, false)); break;
+        default: break;
+    }
+    switch (count(free.about)) {
+        case 0: add("attitude", "orientation", nullptr, {}); break;
+        case 1: add("attitude", "axis", "axis", axis_where(free.about, true)); break;
+        default: break;
+    }
+    return all;
+}
+
+/// A free body, moved by OpenFOAM's own rigid-body solver.
+Dictionary free_body(const CasePlan& plan) {
+    const RigidBodySetup& motion = plan.moving().motion;
+    const double share = plan.scene->span();  // masses of a section are per metre, and the mesh is that thick
+    const BodyAxes own_axes = body_axes(motion);
+    const bool gravity = motion.free.along[2];
+    const bool morphs = plan.mesh_motion.kind == Kind::morphing;
+    const Box& box = plan.scene->domain.box;
+    const double beyond = 100 * box.size().norm();
+    const bool tumbles = motion.free.about[0] && motion.free.about[1] && motion.free.about[2];
+    const double own = plan.scene->water.density * mass_properties(plan.moving().surface).volume;
+    // Newmark leaves out the gyroscopic term; the explicit solver has it and is unstable for light bodies.
+    const bool symplectic = tumbles && motion.mass.mass > 0.7 * own;
+    Dictionary body{
+        {"patches", List{Word(plan.body)}},
+        {"innerDistance", morphs ? plan.mesh_motion.inner : beyond},
+        {"outerDistance", morphs ? plan.mesh_motion.outer : 1.01 * beyond},
+        {"mass", share * motion.mass.mass},
+        {"centreOfMass", motion.mass.centre},
+        {"orientation", tensor(own_axes.axes)},
+        {"momentOfInertia", Vec3(share * own_axes.moments)},
+        {"velocity", motion.velocity},
+        {"angularMomentum", Vec3(share * own_axes.moments.cwiseProduct(own_axes.axes.transpose() * motion.spin))},
+        {"acceleration", gravity ? Vec3(0, 0, -plan.scene->water.gravity) : Vec3(Vec3::Zero())},
+        {"report", true},
+        {"accelerationRelaxation", symplectic ? 1.0 : plan.relaxation},
+        {"accelerationDamping", 1},  // anything else scales gravity too
+        {"solver", Dictionary{{"type", Word(symplectic ? "symplectic" : "Newmark")}}},
+        {"constraints", constraints(motion.free)}};
+    return {{"dynamicFvMesh", Word("dynamicMotionSolverFvMesh")},
+            {"motionSolverLibs", plan.flavour.library("sixDoFRigidBodyMotion")},
+            {"motionSolver", Word("sixDoFRigidBodyMotion")},
+            {"sixDoFRigidBodyMotionCoeffs", body}};
+}
+
+/// A table of the prescribed motion, which OpenFOAM reads as its own spline: rows every hundredth of the run or finer.
+std::string motion_table(const CasePlan& plan) {
+    const MotionLaw& law = *plan.moving().motion.law;
+    const double T = plan.scene->run.duration;
+    double shortest = T / 100;
+    if (law.kind == MotionLaw::Kind::sinusoid) shortest = std::min(shortest, law.period / 50);
+    if (law.kind == MotionLaw::Kind::ramp) shortest = std::min(shortest, law.ramp / 50);
+    for (std::size_t i = 1; i < law.times.size(); ++i)
+        shortest = std::min(shortest, (law.times[i] - law.times[i - 1]) / 10);
+    const int rows = std::min(20000, static_cast<int>(std::ceil(T / shortest)) + 1);
+    List table;
+    for (int i = -1; i <= rows + 1; ++i) {  // a row before and behind: the solver looks a step ahead
+        const double t = T * i / rows, path = law.at(t).path;
+        const Vec3 along = law.turns ? Vec3(Vec3::Zero()) : Vec3(path * law.axis);
+        const Vec3 about = law.turns ? Vec3(path * law.axis * 180 / std::numbers::pi) : Vec3(Vec3::Zero());
+        table.push_back(List{t, List{along, about}});
+    }
+    return Value(table).text() + "\n";
+}
+
+Dictionary table_of_motion(const CasePlan& plan) {
+    return {
+        {"solidBodyMotionFunction", Word("tabulated6DoFMotion")},
+        {"tabulated6DoFMotionCoeffs", Dictionary{{"CofG", plan.moving().motion.mass.centre},
+                                                 {"timeDataFileName", Quoted("<case>/constant/motionOfBody.dat")}}}};
+}
+
+Dictionary moved_body(const CasePlan& plan) {
+    if (plan.mesh_motion.whole_mesh())
+        return {{"dynamicFvMesh", Word("dynamicMotionSolverFvMesh")},
+                {"motionSolver", Word("solidBody")},
+                {"solidBodyCoeffs", table_of_motion(plan)}};
+    return {{"dynamicFvMesh", Word("dynamicMotionSolverFvMesh")},
+            {"motionSolverLibs", plan.flavour.library("fvMotionSolvers")},
+            {"motionSolver", Word("displacementLaplacian")},
+            {"displacementLaplacianCoeffs",
+             Dictionary{{"diffusivity", Value::sequence({Word("quadratic inverseDistance"), List{Word(plan.body)}})}}}};
+}
+
+/// 0/pointDisplacement: where the mesh is morphed, walls, floor and top stay; else every point goes with the body.
+/// Points of plane sides stay in their planes.
+std::string point_displacement(const CasePlan& plan) {
+    const Value nothing = Value::sequence({Word("uniform"), Vec3(Vec3::Zero())});
+    const bool morphs = plan.mesh_motion.kind == Kind::morphing;
+    const auto of_type = [&](const char* type) { return Dictionary{{"type", Word(type)}, {"value", nothing}}; };
+    Dictionary boundary;
+    for (const Patch& p : plan.sides)  // along planes the points slide
+        boundary.add(p.name, p.plane() ? Dictionary{{"type", Word(p.mesh_type())}}
+                                       : of_type(morphs ? "fixedValue" : "calculated"));
+    for (const Solid& s : plan.solids) {
+        if (s.moves && morphs && plan.moving().motion.law) {
+            Dictionary table = table_of_motion(plan);
+            boundary.add(s.name,
+                         Dictionary{{"type", Word("solidBodyMotionDisplacement")}}.add(table).add("value", nothing));
+        } else {
+            boundary.add(s.name, of_type(s.moves || !morphs ? "calculated" : "fixedValue"));
+        }
+    }
+    return foam_file("pointVectorField", "pointDisplacement",
+                     {{"dimensions", metres}, {"internalField", nothing}, {"boundaryField", boundary}});
+}
+
+}  // namespace
+
+std::vector<CaseFile> mesh_motion_files(const CasePlan& plan) {
+    if (plan.body.empty()) return {};
+    const bool moved = plan.moving().motion.law.has_value();
+    std::vector<CaseFile> files{{"constant/dynamicMeshDict", foam_file("dictionary", "dynamicMeshDict",
+                                                                       moved ? moved_body(plan) : free_body(plan))},
+                                {"0.orig/pointDisplacement", point_displacement(plan)}};
+    if (moved) files.push_back({"constant/motionOfBody.dat", motion_table(plan)});
+    return files;
+}
+
+}  // namespace tw

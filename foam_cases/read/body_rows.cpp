@@ -1,0 +1,97 @@
+#include "foam_cases/read/body_rows.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "foam_cases/body_axes.h"
+#include "foam_cases/read/number_rows.h"
+#include "foam_cases/read/step_loads.h"
+
+namespace tw {
+namespace {
+
+constexpr std::size_t false_starts = 3;  // rows whose force is that of the impulsive start
+
+/// A prescribed body is where its law has it.
+std::vector<BodyPlace> prescribed_places(const CasePlan& plan, const std::vector<double>& times) {
+    RigidBody body(plan.moving().motion);
+    std::vector<BodyPlace> places;
+    for (const double t : times) {
+        body.drift(t - body.state().time);
+        const RigidBody::State& s = body.state();
+        places.push_back({t, s.centre, s.velocity, body.spin(), s.attitude});
+    }
+    return places;
+}
+
+}  // namespace
+
+// Columns: time, centre of rotation, centre of mass, angles of R = Rx Ry Rz, velocity, angular velocity.
+std::vector<BodyPlace> free_places(const CasePlan& plan, const std::filesystem::path& post) {
+    const Eigen::Matrix3d at_start = body_axes(plan.moving().motion).axes;
+    std::vector<BodyPlace> places;
+    for (const auto& r : joined_rows(post / "bodyState", "sixDoFRigidBodyState.dat")) {
+        if (r.size() != 16) continue;
+        const auto vec = [&](std::size_t k) { return Vec3(r[k], r[k + 1], r[k + 2]); };
+        const Vec3 angles = vec(7);
+        const Eigen::Matrix3d turned =
+            (Eigen::AngleAxisd(angles.x(), Vec3::UnitX()) * Eigen::AngleAxisd(angles.y(), Vec3::UnitY()) *
+             Eigen::AngleAxisd(angles.z(), Vec3::UnitZ()))
+                .toRotationMatrix();
+        places.push_back({r[0], vec(4), vec(10), vec(13), Eigen::Quaterniond(turned * at_start.transpose())});
+    }
+    return places;
+}
+
+void read_body(const CasePlan& plan, const std::filesystem::path& post, RunRecord& record) {
+    const Scene& scene = *plan.scene;
+    const MovingBody& body = plan.moving();
+    const StepLoads loads = read_loads(post / "bodyForces");
+    const std::vector<BodyPlace> places =
+        body.motion.law ? prescribed_places(plan, loads.time) : free_places(plan, post);
+    const Vec3 reference = moment_reference(scene);
+    const double share = 1 / scene.span();
+
+    Table& t = record.table(body_table(body.name));
+    t.time.clear();
+    for (Column& c : t.columns) c.values.clear();
+    const auto put = [&](const std::string& name, const std::string& unit, double value) {
+        t.column(name, unit).values.push_back(value + 0.0);
+    };
+    const auto put_all = [&](const char* name, const std::string& unit, const Vec3& v) {
+        for (int a = 0; a < 3; ++a) put(fmt::format(fmt::runtime(name), "xyz"[a]), unit, v[a]);
+    };
+    const std::string N = scene.spanwise_unit("N"), Nm = scene.spanwise_unit("N m");
+    std::size_t at = 0;
+    for (const BodyPlace& p : places) {
+        while (at < loads.time.size() && loads.time[at] < p.time * (1 - 1e-9)) ++at;
+        if (at == loads.time.size()) break;
+        if (loads.time[at] > p.time * (1 + 1e-9)) continue;
+        Vec3 force, moment;
+        for (int a = 0; a < 3; ++a) {
+            const auto k = static_cast<std::size_t>(a);
+            force[a] = share * (loads.pressure[at][k] + loads.viscous[at][k]);
+            moment[a] = share * (loads.pressure[at][k + 3] + loads.viscous[at][k + 3]);
+        }
+        if (at < false_starts) force = moment = Vec3::Constant(std::nan(""));
+        moment -= (p.centre - reference).cross(force);
+        const Eigen::Quaterniond q = p.attitude.w() < 0 ? Eigen::Quaterniond(-p.attitude.coeffs()) : p.attitude;
+        double lowest = HUGE_VAL;
+        for (const Vec3& corner : body.surface.points)
+            lowest = std::min(lowest, (p.centre + q * (corner - body.motion.mass.centre)).z());
+        t.time.push_back(p.time);
+        put_all("{}", "m", p.centre);
+        put("lowest", "m", lowest);
+        put("q0", "-", q.w());
+        put_all("q{}", "-", q.vec());
+        put_all("v{}", "m/s", p.velocity);
+        put_all("spin_{}", "rad/s", p.spin);
+        put_all("f{}", N, force);
+        put_all("m{}", Nm, moment);
+        put_all("f{}_body", N, q.conjugate() * force);
+        put_all("m{}_body", Nm, q.conjugate() * moment);
+    }
+}
+
+}  // namespace tw

@@ -1,0 +1,24 @@
+#pragma once
+#include <filesystem>
+#include <vector>
+
+#include "foam_cases/case_plan.h"
+#include "record/run_record.h"
+
+namespace tw {
+
+/// Where a body is and how it moves.
+struct BodyPlace {
+    double time = 0;                                                           ///< [s]
+    Vec3 centre = Vec3::Zero(), velocity = Vec3::Zero(), spin = Vec3::Zero();  ///< of mass [m], [m/s], [rad/s]
+    Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();  ///< turns it from how it stood at the start
+};
+/// Of a free body, every step, from the function object bodyState below `post` (postProcessing), starts joined.
+std::vector<BodyPlace> free_places(const CasePlan& plan, const std::filesystem::path& post);
+
+/// Makes the table of the body that moves anew from what the solver has left below `post` (postProcessing): the columns
+/// that every method's record has (record/run_record.h), one row per step. The force is that of water and air together. The
+/// first three rows of a run have none: an impulsive start gives a false one.
+void read_body(const CasePlan& plan, const std::filesystem::path& post, RunRecord& record);
+
+}  // namespace tw

@@ -1,0 +1,181 @@
+#include "scene/mesh_motion.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/errors.h"
+#include "meshes/query.h"
+
+namespace tw {
+namespace {
+
+using Kind = MeshMotion::Kind;
+
+/// Buoyancy of the body, by how far it has come down from where it starts: `count` places `step` apart from `from` on.
+struct Buoyancy {
+    double from = 0, step = 1;
+    std::vector<double> force;  ///< [N], of a section per metre of span
+
+    double at(double lowered) const {
+        const double place = std::clamp((lowered - from) / step, 0.0, static_cast<double>(force.size()) - 1.001);
+        const auto k = static_cast<std::size_t>(place);
+        return force[k] + (place - static_cast<double>(k)) * (force[k + 1] - force[k]);
+    }
+};
+
+Buoyancy buoyancy_of(const MovingBody& body, const Water& water) {
+    const Box box = body.surface.bounds();
+    constexpr int count = 60;
+    Buoyancy b;
+    b.from = std::min(0.0, box.min.z());  // lowered by less it is dry, by more than the highest point it is drowned
+    b.step = std::max(box.max.z() - b.from, 1e-9) / (count - 1);
+    for (int k = 0; k < count; ++k) {
+        Surface lowered = body.surface;
+        for (Vec3& p : lowered.points) p.z() -= b.from + k * b.step;
+        b.force.push_back(water.density * water.gravity * hydrostatics(lowered).volume);
+    }
+    return b;
+}
+
+/// The way that a free body takes up and down under its weight and its buoyancy alone: water takes energy from it and
+/// gives none, so that it does not go farther.
+void fall_freely(const MovingBody& body, const Scene& scene, MeshMotion& m) {
+    const Buoyancy buoyancy = buoyancy_of(body, scene.water);
+    const double mass = body.motion.mass.mass, g = scene.water.gravity, T = scene.run.duration;
+    constexpr int steps = 20000;
+    double lowered = 0, speed = -body.motion.velocity.z();
+    const double dt = T / steps;
+    for (int i = 0; i < steps; ++i) {
+        speed += dt * (g - buoyancy.at(lowered) / mass);
+        lowered += dt * speed;
+        m.down = std::max(m.down, lowered);
+        m.up = std::max(m.up, -lowered);
+    }
+}
+
+double reach_of(const MovingBody& body, bool flat) {
+    double reach = 0;
+    for (const Vec3& p : body.surface.points) {
+        Vec3 arm = p - body.motion.mass.centre;
+        if (flat) arm.y() = 0;
+        reach = std::max(reach, arm.norm());
+    }
+    return reach;
+}
+
+void bound_travel(const MovingBody& body, const Scene& scene, MeshMotion& m) {
+    const double T = scene.run.duration, reach = reach_of(body, scene.domain.dimensions == 2);
+    if (body.motion.law) {
+        const MotionLaw& law = *body.motion.law;
+        for (int i = 0; i <= 2000; ++i) {
+            const double path = law.at(T * i / 2000).path;
+            if (law.turns) {
+                m.aside = std::max(m.aside, std::min(std::abs(path), 2.0) * reach);
+            } else {
+                m.down = std::max(m.down, -path * law.axis.z());
+                m.up = std::max(m.up, path * law.axis.z());
+                m.aside = std::max(m.aside, std::abs(path) * law.axis.head<2>().norm());
+            }
+        }
+        return;
+    }
+    if (body.motion.free.along[2]) fall_freely(body, scene, m);
+    m.aside = body.motion.velocity.head<2>().norm() * T + std::min(body.motion.spin.norm() * T, 2.0) * reach;
+}
+
+/// Up and down only: the mesh slides along the tank's vertical sides.
+bool moves_vertically(const MovingBody& body) {
+    if (const auto& law = body.motion.law) return !law->turns && law->axis.head<2>().norm() < 1e-12;
+    const Freedoms& f = body.motion.free;
+    return !f.along[0] && !f.along[1] && !f.about[0] && !f.about[1] && !f.about[2];
+}
+
+/// Distance from the body to what stays where it is while the mesh is morphed: floor, top, obstacles, and, unless the
+/// body moves along them, the sides [m].
+double clearance_of(const MovingBody& body, const Scene& scene) {
+    const Box at = body.surface.bounds(), &box = scene.domain.box;
+    double nearest = std::min(at.min.z() - box.min.z(), box.max.z() - at.max.z());
+    if (!moves_vertically(body)) {
+        nearest = std::min({nearest, at.min.x() - box.min.x(), box.max.x() - at.max.x()});
+        if (scene.domain.dimensions == 3)
+            nearest = std::min({nearest, at.min.y() - box.min.y(), box.max.y() - at.max.y()});
+    }
+    for (const Obstacle& o : scene.obstacles) {
+        const SurfaceQuery query(o.surface);
+        for (const Vec3& p : body.surface.points) nearest = std::min(nearest, query.nearest(p).distance);
+        const SurfaceQuery back(body.surface);
+        for (const Vec3& p : o.surface.points) nearest = std::min(nearest, back.nearest(p).distance);
+    }
+    return nearest;
+}
+
+[[noreturn]] void refuse(const Scene& scene, const std::string& key, const std::string& why) {
+    throw InputError(fmt::format("{}: {}", scene.place_of(key), why));
+}
+
+}  // namespace
+
+std::string MeshMotion::sentence() const {
+    switch (kind) {
+        case Kind::none: return {};
+        case Kind::morphing:
+            return fmt::format(
+                "the mesh is morphed between the body and the walls, which stay where they are; the body "
+                "may move by {:.3g} m",
+                stretch());
+        case Kind::sliding:
+            return "the whole mesh moves up and down with the body, along the tank's sides: there is no floor, the "
+                   "water "
+                   "below the body stays as deep as it was at the start";
+        case Kind::open_water: break;
+    }
+    return "the whole mesh moves and turns with the body: there are no walls and no floor, all sides are open to water "
+           "at rest";
+}
+
+MeshMotion mesh_motion(const Scene& scene) {
+    MeshMotion m;
+    if (scene.bodies.empty()) return m;
+    const MovingBody& body = scene.bodies.front();
+    if (scene.bodies.size() > 1)
+        refuse(scene, "run.methods",
+               fmt::format("{} and {} move, and the mesh method moves one body; expected methods = [\"sph\"], or "
+                           "--method sph",
+                           body.name, scene.bodies[1].name));
+    const Freedoms& f = body.motion.free;
+    if (!body.motion.law && f.about[0] + f.about[1] + f.about[2] == 2)
+        refuse(scene, "run.methods",
+               fmt::format("body {} is free to turn about two of the three axes, which OpenFOAM has no constraint for; "
+                           "lock one more of roll, pitch and yaw, or free the third",
+                           body.name));
+    bound_travel(body, scene, m);
+    const double clearance = clearance_of(body, scene);
+    m.outer = 0.98 * clearance;
+    m.inner = 0.05 * m.outer;
+    const std::string& asked = scene.fvm.body_mesh;
+    const double way = std::hypot(std::max(m.down, m.up), m.aside);
+    const bool room = m.outer > 4 * scene.resolution.near_hull;
+    if (asked == "morphing" || (asked == "auto" && room && way <= 0.5 * (m.outer - m.inner))) {
+        if (!room)
+            refuse(scene, "fvm.body_mesh",
+                   fmt::format("body {} stands {:.3g} m from what stays where it is; a mesh is morphed over four cells "
+                               "({:.3g} m) or more",
+                               body.name, clearance, 4 * scene.resolution.near_hull));
+        m.kind = Kind::morphing;
+        return m;
+    }
+    m.kind = moves_vertically(body) ? Kind::sliding : Kind::open_water;
+    if (!scene.obstacles.empty() || !scene.water_blocks.empty())
+        refuse(scene, "fvm.body_mesh",
+               fmt::format("body {} may move by {:.3g} m, more than half of the {:.3g} m to the nearest wall, so the "
+                           "whole mesh has to move with it, and {}; expected methods = [\"sph\"], or body_mesh = "
+                           "\"morphing\", whose run is stopped where the body comes too far",
+                           body.name, way, clearance,
+                           scene.obstacles.empty() ? "blocks of water cannot: it is open to water at rest"
+                                                   : "the obstacle " + scene.obstacles.front().name + " with it"));
+    return m;
+}
+
+}  // namespace tw

@@ -1,0 +1,221 @@
+// Bodies that move, through the real interFoam.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/atomic_file.h"
+#include "base/errors.h"
+#include "foam_cases/dictionary.h"
+#include "foam_cases/read/body_rows.h"
+#include "foam_cases/run/case_programs.h"
+#include "foam_cases/write_case.h"
+#include "foam_test.h"
+#include "motion/rigid_body.h"
+
+namespace tw {
+namespace {
+
+using MovingBodies = FoamTest;
+
+double last(const Table& t, const char* column) { return t.find(column)->values.back(); }
+
+/// A box 0.2 m wide and 0.1 m high in a tank of two dimensions, ten cells wide.
+std::string box_in_tank(const std::string& body, const std::string& duration, const std::string& more = "") {
+    return R"(
+[tank]
+min = ["-0.5 m", 0, "-0.4 m"]
+max = ["0.5 m", "20 mm", "0.3 m"]
+[domain]
+dimensions = 2
+[[body]]
+name = "box"
+shape = "box"
+length = "0.2 m"
+height = "0.1 m"
+)" + body + R"(
+[motion]
+kind = "none"
+[resolution]
+near_hull = "20 mm"
+[run]
+duration = ")" +
+           duration + "\"\n" + more;
+}
+
+TEST_F(MovingBodies, AFloatingBoxStaysAtArchimedesDraft) {
+    const RunRecord r = run_fvm(scene(box_in_tank("density = \"500 kg/m3\"\ndraft = \"50 mm\"", "1 s")), options());
+    ASSERT_EQ(r.state, "finished") << r.reason;
+    EXPECT_NE(r.attributes.at("mesh_motion").find("morphed"), std::string::npos) << r.attributes.at("mesh_motion");
+    const Table& t = r.tables.at("body_box");
+    EXPECT_NEAR(last(t, "lowest"), -0.05, 0.005 * 0.05);
+    EXPECT_NEAR(last(t, "fz"), 0.2 * 0.1 * 500 * 9.81, 0.01 * 98.1) << "per metre of span";
+}
+
+TEST_F(MovingBodies, WhatTheWaterGivesAFallingBodyIsItsChangeOfMomentum) {
+    // It falls from 20 mm, through half of the tank: the whole mesh goes with it.
+    const RunRecord r =
+        run_fvm(scene(box_in_tank("density = \"1500 kg/m3\"\ndraft = \"-20 mm\"\nvelocity = [0, 0, -1]\n"
+                                  "locked = [\"surge\", \"pitch\"]",
+                                  "0.25 s")),
+                options());
+    ASSERT_EQ(r.state, "finished") << r.reason;
+    EXPECT_NE(r.attributes.at("mesh_motion").find("no floor"), std::string::npos) << r.attributes.at("mesh_motion");
+    const Table& t = r.tables.at("body_box");
+    const auto &v = t.find("vz")->values, &f = t.find("fz")->values;
+    const double m = 1500 * 0.2 * 0.1, g = 9.81;
+    const std::size_t from = 10, to = t.time.size() - 1;
+    double impulse = 0;
+    for (std::size_t i = from + 1; i <= to; ++i) impulse += (t.time[i] - t.time[i - 1]) * (f[i] + f[i - 1]) / 2;
+    const double gained = m * (v[to] - v[from]) + m * g * (t.time[to] - t.time[from]);
+    EXPECT_GT(gained, 0.5 * m) << "the water slows it by half a metre per second at least";
+    EXPECT_NEAR(impulse / gained, 1, 0.01);
+    EXPECT_EQ(last(t, "x"), 0);
+    EXPECT_EQ(last(t, "q0"), 1);
+}
+
+TEST_F(MovingBodies, APrescribedBodyIsWhereItsLawHasItAndItsMeshToo) {
+    const RunRecord r = run_fvm(scene(box_in_tank("draft = \"50 mm\"\nmotion = \"prescribed\"\nlaw = \"sinusoid\"\n"
+                                                  "along = [0, 0, 1]\namplitude = \"5 mm\"\nperiod = 0.8",
+                                                  "0.2 s", "[sampling]\ninterval = \"0.1 s\"\n")),
+                                options());
+    ASSERT_EQ(r.state, "finished") << r.reason;
+    const Table& t = r.tables.at("body_box");
+    EXPECT_NEAR(last(t, "z"), 0.005 * std::sin(2 * std::numbers::pi * t.time.back() / 0.8), 1e-12);
+    // A quarter of a period up: the box displaces a tenth less water, which stays in the tank all the same.
+    const auto& mass = r.tables.at("samples").find("mass")->values;
+    EXPECT_NEAR(mass.back() / mass.front(), 1, 1e-4);
+    const double hydrostatic = 1000 * 9.81 * 0.2 * 0.045, added = last(t, "fz") - hydrostatic;
+    EXPECT_GT(added, 0) << "it is slowed on its way up, and the water with it";
+    EXPECT_LT(added, 0.5 * hydrostatic);
+}
+
+TEST_F(MovingBodies, ThatReachTheFloorEndTheRunWithAMessage) {
+    const Scene s =
+        scene(box_in_tank("density = \"4000 kg/m3\"\ndraft = \"200 mm\"\nvelocity = [0, 0, -2]\n"
+                          "locked = [\"surge\", \"pitch\"]",
+                          "0.5 s"));
+    try {
+        run_fvm(s, options());
+        FAIL();
+    } catch (const RunError& e) {
+        EXPECT_NE(std::string(e.what()).find("touches a wall or the floor"), std::string::npos) << e.what();
+    }
+    EXPECT_EQ(read_record(options().folder / "record.h5").state, "failed");
+}
+
+TEST_F(MovingBodies, GoOnWhereTheyWereStopped) {
+    const std::string text = "density = \"700 kg/m3\"\ndraft = \"40 mm\"\ntrim = \"5 deg\"";
+    const auto with_duration = [&](const char* s) {
+        return scene(box_in_tank(text, s, "[sampling]\ninterval = 0.02\n"));
+    };
+    const RunRecord whole = run_fvm(with_duration("0.3 s"), options());
+    RunOptions parts = options();
+    parts.folder = folder / "parts";
+    run_fvm(with_duration("0.1 s"), parts);
+    parts.resume = true;
+    const RunRecord resumed = run_fvm(with_duration("0.3 s"), parts);
+    ASSERT_EQ(resumed.state, "finished") << resumed.reason;
+    const Table &a = whole.tables.at("body_box"), &b = resumed.tables.at("body_box");
+    EXPECT_TRUE(std::ranges::is_sorted(b.time, std::less_equal<>()));
+    EXPECT_LT(b.time.front(), 0.001) << "the rows before the stop are there";
+    for (const char* column : {"x", "z", "qy"}) EXPECT_NEAR(last(a, column), last(b, column), 0.02 * 0.05) << column;
+    EXPECT_GT(std::abs(last(a, "qy")), 0.001) << "it turns";
+}
+
+/// OpenFOAM's rigid body alone, without water (`test`), in `steps` equal steps.
+Table without_water(const Scene& s, const std::filesystem::path& folder, int steps) {
+    const OpenFoam foam = sound_openfoam();
+    const CasePlan plan = plan_case(s, Flavour::from_version(foam.vendor, foam.version));
+    write_case(plan, folder, 1);
+    const auto replace = [&](const char* file, const std::string& from, const std::string& to) {
+        std::string text = read_text(folder / file);
+        const std::size_t at = text.find(from);
+        ASSERT_NE(at, std::string::npos) << from;
+        write_text_atomically(folder / file, text.replace(at, from.size(), to));
+    };
+    replace("constant/dynamicMeshDict", "report ", "test yes; g (0 0 -9.81); report ");
+    const double T = s.run.duration;
+    write_text_atomically(
+        folder / "system/controlDict",
+        foam_file("dictionary", "controlDict",
+                  {{"application", Word("moveDynamicMesh")},
+                   {"startTime", 0},
+                   {"startFrom", Word("startTime")},
+                   {"stopAt", Word("endTime")},
+                   {"endTime", T},
+                   {"deltaT", T / steps},
+                   {"writeControl", Word("timeStep")},
+                   {"writeInterval", steps},
+                   {"writePrecision", 14},
+                   {"timePrecision", 10},
+                   {"functions", Dictionary{{"bodyState", Dictionary{{"type", Word("sixDoFRigidBodyState")},
+                                                                     {"libs", List{Word("sixDoFRigidBodyState")}},
+                                                                     {"angleFormat", Word("radians")},
+                                                                     {"writePrecision", 14},
+                                                                     {"log", false},
+                                                                     {"writeControl", Word("timeStep")},
+                                                                     {"writeInterval", 1}}}}}}));
+    const CasePrograms programs(foam, folder);
+    programs.run("blockMesh", {}, {});
+    programs.run("surfaceFeatureExtract", {}, {});
+    programs.run("snappyHexMesh", {"-overwrite"}, {});
+    std::filesystem::copy(folder / "0.orig", folder / "0", std::filesystem::copy_options::recursive);
+    programs.run("moveDynamicMesh", {}, {});
+    Table t;
+    for (const BodyPlace& p : free_places(plan, folder / "postProcessing")) {
+        t.time.push_back(p.time);
+        const auto put = [&](const char* name, double v) { t.column(name, "").values.push_back(v); };
+        put("x", p.centre.x()), put("z", p.centre.z()), put("vz", p.velocity.z());
+        put("q0", p.attitude.w()), put("qx", p.attitude.x()), put("qy", p.attitude.y()), put("qz", p.attitude.z());
+        put("spin_x", p.spin.x()), put("spin_y", p.spin.y()), put("spin_z", p.spin.z());
+    }
+    return t;
+}
+
+// A brick of three different moments of inertia, skewed in its tank, shot upwards with a spin about no axis of its own. The
+// rules of motion/ are exact here to their own step.
+TEST_F(MovingBodies, WithoutWaterMoveAsTheRulesOfMotionSay) {
+    const Scene s = scene(R"(
+[tank]
+min = ["-1 m", "-1 m", "-0.5 m"]
+max = ["1 m", "1 m", "3 m"]
+[[body]]
+name = "brick"
+shape = "box"
+length = "0.4 m"
+beam = "0.3 m"
+height = "0.1 m"
+trim = "20 deg"
+heel = "30 deg"
+draft = "-1.5 m"
+density = "3000 kg/m3"
+spin = [1, 4, 2]
+velocity = [0.5, 0, 2]
+[motion]
+kind = "none"
+[resolution]
+near_hull = "100 mm"
+[run]
+duration = "0.4 s"
+)");
+    const Table t = without_water(s, folder / "dry", 400);
+    ASSERT_EQ(t.time.size(), 400u);
+    RigidBody exact(s.bodies.at(0).motion);
+    const double T = t.time.back(), dt = T / 20000;
+    const Vec3 weight(0, 0, -9.81 * exact.mass().mass);
+    for (int i = 0; i < 20000; ++i) {
+        exact.kick(weight, Vec3::Zero(), dt / 2);
+        exact.drift(dt);
+        exact.kick(weight, Vec3::Zero(), dt / 2);
+    }
+    const RigidBody::State& state = exact.state();
+    EXPECT_NEAR(last(t, "x"), state.centre.x(), 1e-6);
+    EXPECT_NEAR(last(t, "z"), state.centre.z(), 1e-6);
+    EXPECT_NEAR(last(t, "vz"), state.velocity.z(), 1e-6);
+    const Eigen::Quaterniond found(last(t, "q0"), last(t, "qx"), last(t, "qy"), last(t, "qz"));
+    EXPECT_LT(found.angularDistance(state.attitude), 1e-4) << "radians, of " << 4.6 * T;
+    EXPECT_LT((Vec3(last(t, "spin_x"), last(t, "spin_y"), last(t, "spin_z")) - exact.spin()).norm(), 1e-3);
+}
+
+}  // namespace
+}  // namespace tw

@@ -1,0 +1,77 @@
+// What is compared of a body that moves.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "compare/compare.h"
+#include "compare/metrics/bodies.h"
+
+namespace tw {
+namespace {
+
+/// A ball that falls with speed 2 m/s for 0.1 s, then is braked by 3000 N for 0.1 s; rows every `step`, all `late`.
+RunRecord falling(const std::string& method, double step, double late = 0, double factor = 1) {
+    RunRecord r;
+    r.attributes = {{"method", method}, {"motion", "none"}, {"scene_hash", "s"}, {"hull_hash", ""}};
+    r.numbers = {{"duration", 0.2}, {"gravity", 9.81}, {"density", 1000}};
+    r.state = "finished";
+    Table& t = r.table("body_ball");
+    for (int i = 0; i * step <= 0.2001; ++i) {
+        const double time = i * step, hit = std::max(0.0, time - 0.1 - late);
+        t.time.push_back(time);
+        t.column("z", "m").values.push_back(1 - 2 * time + 5 * hit * hit);
+        t.column("vz", "m/s").values.push_back(-2 + 10 * hit);
+        t.column("fz", "N").values.push_back(i < 3 && method == "fvm" ? std::nan("") : hit > 0 ? factor * 3000 : 0);
+        t.column("q0", "-").values.push_back(std::cos(std::numbers::pi / 36));  // turned by ten degrees
+    }
+    return r;
+}
+
+double value(const Comparison& c, const char* name, std::size_t source = 0) {
+    const Quantity* q = c.find(name);
+    return q && source < q->values.size() ? q->values[source].value : std::nan("");
+}
+
+TEST(Bodies, AreMeasuredByDepthSpeedPeakArrivalAndImpulse) {
+    const Comparison c = compare_records({falling("sph", 1e-3)});
+    EXPECT_NEAR(value(c, "body_depth:ball"), 0.35, 1e-9);
+    EXPECT_NEAR(value(c, "body_speed:ball"), 1, 1e-9);
+    EXPECT_NEAR(value(c, "body_peak:ball"), 3000, 1e-6);
+    EXPECT_NEAR(value(c, "body_arrival:ball"), 0.1, 1.1e-3);
+    EXPECT_NEAR(value(c, "body_impulse:ball"), 300, 3);
+    EXPECT_NEAR(value(c, "body_turn:ball"), 10, 1e-6);
+    EXPECT_EQ(c.find("body_depth:ball")->unit, "m");
+    EXPECT_EQ(c.find("body_impulse:ball")->unit, "N s");
+    EXPECT_TRUE(c.find("body_depth:ball")->judged_in_ladder);
+}
+
+TEST(Bodies, StepsAndFalseStartsDoNotCount) {
+    const Comparison c = compare_records({falling("sph", 1e-3), falling("fvm", 3.7e-4)});
+    EXPECT_NEAR(value(c, "body_depth:ball", 1) / value(c, "body_depth:ball", 0), 1, 1e-3);
+    EXPECT_NEAR(value(c, "body_impulse:ball", 1) / value(c, "body_impulse:ball", 0), 1, 0.02)
+        << "a row apart at the blow";
+    EXPECT_NE(c.find("body_impulse:ball")->remark.find("ratio"), std::string::npos);
+}
+
+TEST(Bodies, TheLagIsThatOfTheLaterHistory) {
+    const RunRecord a = falling("sph", 1e-3), b = falling("fvm", 1e-3, 0.012);
+    const auto lag = [](const RunRecord& x, const RunRecord& y) {
+        const Table &s = x.tables.at("body_ball"), &t = y.tables.at("body_ball");
+        return lag_of(s.time, s.find("vz")->values, t.time, t.find("vz")->values);
+    };
+    EXPECT_NEAR(lag(a, b), 0.012, 2e-4);
+    EXPECT_NEAR(lag(b, a), -0.012, 2e-4);
+    EXPECT_NEAR(lag(a, a), 0, 1e-12);
+}
+
+TEST(Bodies, ARecordWithoutTheBodySaysSo) {
+    RunRecord none = falling("fvm", 1e-3);
+    none.tables.clear();
+    const Comparison c = compare_records({falling("sph", 1e-3), none});
+    EXPECT_FALSE(c.find("body_depth:ball")->values[1].known);
+    EXPECT_FALSE(c.find("body_depth:ball")->values[1].why_not.empty());
+}
+
+}  // namespace
+}  // namespace tw
