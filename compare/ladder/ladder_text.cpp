@@ -6,6 +6,7 @@
 #include "compare/ladder/ladder_tables.h"
 #include "compare/report/escape.h"
 #include "compare/report/numbers.h"
+#include "compare/verdict/sentence.h"
 
 namespace tw {
 
@@ -74,9 +75,7 @@ std::string text_of_all(const std::vector<ReportTable>& tables) {
 
 std::string ladder_summary(const Ladder& ladder) {
     std::string out;
-    for (const char* name : {"drag", "lift", "trim_moment", "splash_sheet_height"})
-        for (const LadderQuantity& q : ladder.quantities)
-            if (q.name == name) out += ladder_sentence(ladder, q) + "\n";
+    for (const LadderQuantity* q : main_quantities(ladder.quantities)) out += ladder_sentence(ladder, *q) + "\n";
     out += text_of_all({ladder_verdicts(ladder), ladder_held(ladder), ladder_checks(ladder)});
     for (const std::string& line : ladder_banners(ladder)) out += "\n! " + for_terminal(line) + "\n";
     return out;

@@ -138,6 +138,11 @@ void add_sph_measures(Comparison& comparison, const CompareOptions& options, con
 void add_forces(Comparison& comparison, const CompareOptions& options) {
     const auto& sources = comparison.sources;
     if (std::ranges::none_of(sources, [](const RunRecord& r) { return r.tables.contains("forces"); })) return;
+    // The load on a body that moves does not settle; metrics/bodies.h has its measures.
+    const auto has_bodies = [](const RunRecord& r) {
+        return std::ranges::any_of(r.tables, [](const auto& t) { return t.first.starts_with(body_table("")); });
+    };
+    if (std::ranges::any_of(sources, has_bodies)) return;
     const auto has_drag = [](const RunRecord& r) { return r.series("forces", "fx") != nullptr; };
     const auto with_drag = std::ranges::count_if(sources, has_drag);
     const auto with_friction =

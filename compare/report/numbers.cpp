@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/verdict/sentence.h"
+
 namespace tw {
 
 namespace {
@@ -51,12 +53,12 @@ std::string per_cent_text(double per_cent) {
 
 std::string per_cent_text(double per_cent, double interval) {
     if (!std::isfinite(per_cent)) return "–";
-    if (!std::isfinite(interval)) return per_cent_text(per_cent) + ", no interval";
+    if (!std::isfinite(interval) || interval == 0) return per_cent_text(per_cent) + ", no interval";
     const int places = std::max(std::abs(per_cent), interval) < 10 ? 1 : 0;
     const double least = 0.5 * std::pow(10.0, -places);
     const char* sign = std::abs(per_cent) < least ? "" : per_cent < 0 ? "−" : "+";
     return fmt::format("{}{:.{}f} ± {:.{}f} %", sign, std::abs(per_cent), places, interval,
-                       interval < least && interval > 0 ? places + 1 : places);
+                       interval < least ? places + 1 : places);
 }
 
 std::string share_text(double per_cent) {
@@ -93,7 +95,8 @@ std::string limit_of(const Quantity& q) {
 
 /// "Lift: apart by 2.8 % at this size (fvm lower), ± 0.2 % ...; discretisation error not estimated."
 std::string apart_sentence(const Comparison& comparison, const Quantity& q) {
-    if (q.verdict != Verdict::not_estimated || !std::isfinite(q.per_cent))
+    const bool without_verdict = q.verdict == Verdict::not_estimated || q.judged_in_ladder;
+    if (!without_verdict || !std::isfinite(q.per_cent))
         return q.label + ": " + verdict_label(q.verdict) + (q.remark.empty() ? "" : " (" + q.remark + ")") + ".";
     std::string text = fmt::format("{}: apart by {:.1f} % at this size", q.label, std::abs(q.per_cent));
     if (comparison.sources.size() == 2 && q.difference != 0)
@@ -105,9 +108,7 @@ std::string apart_sentence(const Comparison& comparison, const Quantity& q) {
 
 std::vector<std::string> verdict_sentences(const Comparison& comparison) {
     std::vector<std::string> sentences;
-    for (const char* name : {"drag", "lift", "trim_moment", "splash_sheet_height"}) {
-        const Quantity* q = comparison.find(name);
-        if (!q) continue;
+    for (const Quantity* q : main_quantities(comparison.quantities)) {
         if (!q->sentence.empty())
             sentences.push_back(q->sentence);
         else if (comparison.sources.size() > 1)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "compare/report/numbers.h"
 
@@ -80,8 +81,11 @@ std::string method_title(const std::string& method) {
     return method == "sph" ? "SPH" : method == "fvm" ? "interFoam" : method;
 }
 
-bool is_main_quantity(const std::string& name) {
-    return name == "drag" || name == "lift" || name == "trim_moment" || name == "splash_sheet_height";
+int main_rank(const std::string& name) {
+    static constexpr std::string_view main[] = {"drag",       "lift",      "trim_moment",        "body_depth",
+                                                "body_speed", "body_peak", "splash_sheet_height"};
+    const auto* found = std::ranges::find(main, std::string_view(name).substr(0, name.find(':')));
+    return found == std::end(main) ? -1 : static_cast<int>(found - std::begin(main));
 }
 
 std::string sentence_of(const Statement& s) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <vector>
@@ -29,8 +30,19 @@ struct Statement {
 /// that it has none.
 std::string sentence_of(const Statement& statement);
 
-/// The quantities that stand first: drag, lift, trim moment, splash height.
-bool is_main_quantity(const std::string& name);
+/// Where a quantity stands among those that a first page speaks of, by its name; negative: it is not one of them. Drag,
+/// lift and trim moment of a hull; way, velocity and largest force of a body that moves; the splash sheet.
+int main_rank(const std::string& name);
+inline bool is_main_quantity(const std::string& name) { return main_rank(name) >= 0; }
+/// Those of a list, in that order.
+template <class Quantities>
+auto main_quantities(const Quantities& all) {
+    std::vector<decltype(all.data())> of_all;
+    for (const auto& q : all)
+        if (is_main_quantity(q.name)) of_all.push_back(&q);
+    std::ranges::stable_sort(of_all, {}, [](const auto* q) { return main_rank(q->name); });
+    return of_all;
+}
 /// "SPH", "interFoam"; others as they are.
 std::string method_title(const std::string& method);
 

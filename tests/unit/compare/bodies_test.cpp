@@ -6,6 +6,7 @@
 
 #include "compare/compare.h"
 #include "compare/metrics/bodies.h"
+#include "compare/report/numbers.h"
 
 namespace tw {
 namespace {
@@ -63,6 +64,24 @@ TEST(Bodies, TheLagIsThatOfTheLaterHistory) {
     EXPECT_NEAR(lag(a, b), 0.012, 2e-4);
     EXPECT_NEAR(lag(b, a), -0.012, 2e-4);
     EXPECT_NEAR(lag(a, a), 0, 1e-12);
+}
+
+// The first page of a fall speaks of the fall: a body that moves has no settled drag and lift.
+TEST(Bodies, StandFirstAndHaveNoSettledLoad) {
+    std::vector<RunRecord> two{falling("sph", 1e-3), falling("fvm", 1e-3, 0.012)};
+    for (RunRecord& r : two) {
+        Table& forces = r.table("forces");
+        forces.time = r.tables.at("body_ball").time;
+        for (const char* column : {"fx", "fz", "my"}) forces.column(column, "N").values.assign(forces.time.size(), 1);
+    }
+    const Comparison c = compare_records(std::move(two));
+    EXPECT_EQ(c.find("lift"), nullptr);
+    const std::vector<std::string> sentences = verdict_sentences(c);
+    ASSERT_EQ(sentences.size(), 3u);
+    EXPECT_EQ(sentences[0].find("Way down of ball at 0.2 s: apart by"), 0u) << sentences[0];
+    EXPECT_NE(sentences[0].find("discretisation error not estimated"), std::string::npos);
+    EXPECT_EQ(sentences[1].find("Velocity downward of ball"), 0u);
+    EXPECT_EQ(sentences[2].find("Largest force on ball"), 0u);
 }
 
 TEST(Bodies, ARecordWithoutTheBodySaysSo) {
