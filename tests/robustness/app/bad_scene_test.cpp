@@ -56,9 +56,10 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"title = \"planing\"", "title = \"planing", "bad.toml:1:17: not valid TOML: "}),
     case_name);
 
-TEST_F(Command, BodiesThatMoveAreRefusedForTheMeshMethodAndNothingIsWritten) {
+TEST_F(Command, TwoBodiesThatMoveAreRefusedForTheMeshMethodAndNothingIsWritten) {
     const std::string scene =
-        "[tank]\nmin = [-1, -1, -1]\nmax = [1, 1, 1]\n[[body]]\nshape = \"sphere\"\ndiameter = 0.5\ndraft = 0.2\n"
+        "[tank]\nmin = [-2, -1, -1]\nmax = [2, 1, 1]\n[[body]]\nshape = \"sphere\"\ndiameter = 0.5\ndraft = 0.2\n"
+        "density = 500\n[[body]]\nshape = \"sphere\"\ndiameter = 0.5\ndraft = 0.2\nposition = [1.2, 0]\n"
         "density = 500\n[motion]\nkind = \"none\"\n[resolution]\nnear_hull = 0.05\n[run]\nduration = 1\n";
     write("body.toml", scene);  // both methods, as is the default
     for (const std::vector<std::string>& command :
@@ -66,7 +67,7 @@ TEST_F(Command, BodiesThatMoveAreRefusedForTheMeshMethodAndNothingIsWritten) {
           {"case", "body.toml", "case"}}) {
         const Outcome o = twinwake(command);
         EXPECT_EQ(o.status, 2) << command[0] << o.err;
-        EXPECT_NE(o.err.find("body body1 moves, and this version moves bodies with the particle method only"),
+        EXPECT_NE(o.err.find("body1 and body2 move, and the mesh method moves one body; expected methods = [\"sph\"]"),
                   std::string::npos)
             << o.err;
     }
