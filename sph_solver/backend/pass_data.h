@@ -112,9 +112,9 @@ struct alignas(16) WallNormalRecord {
 };
 inline constexpr WallNormalRecord no_wall{0, 0, 0, 1e30f};
 
-/// Unit vector along which a particle beyond an edge of the nearest wall leaves it; zero elsewhere.
+/// The way past the nearest wall of a particle beyond an edge: unit vector, and squared speed [m2/s2]; zero elsewhere.
 struct alignas(16) LeavingRecord {
-    float x, y, z;
+    float x, y, z, speed2;
 };
 
 /// How much of the pressure the pair forces carry along each axis: m_aa of m = sum_j r_ji (x) grad_i W_ij V_j. In the

@@ -109,16 +109,17 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
     }
 }
 
-/// The ways off an edge of a group's particles that lack support; zero for the others.
-inline V3<Real> leaving_edges(const PassData& d, const Group& g) {
-    V3<Real> e{};
-    for (int l = 0; l < g.size; ++l) {
+/// Of those of a group's particles that are beyond an edge and lack support.
+inline EdgeRelease<Real> release_at_edges(const PassData& d, const Group& g) {
+    EdgeRelease<Real> r{};
+    for (int l = 0; l < g.size && g.wall_list.size > 0; ++l) {
         const int i = g.first + l;
-        if ((d.surface[i / 32] >> (i % 32) & 1) == 0) continue;
-        const LeavingRecord& r = d.leaving[i];
-        e.x[l] = r.x, e.y[l] = r.y, e.z[l] = r.z;
+        const LeavingRecord& way = d.leaving[i];
+        if (way.speed2 == 0 || (d.surface[i / 32] >> (i % 32) & 1) == 0) continue;
+        r.e.x[l] = way.x, r.e.y[l] = way.y, r.e.z[l] = way.z;
+        r.s[l] = released_share(d.stress[i].p, d.rho0, way.speed2);
     }
-    return e;
+    return r;
 }
 
 /// Second sweep: pressure, artificial viscosity and density diffusion. Walls press, and do not rub (slip).
@@ -154,7 +155,7 @@ void forces(const PassData& d, const Group* groups, int count) {
         const Real inv_rho = V_i * d.inv_mass;
         const Real drho = d.diffusion * diffusion;
         V3<Real> a_wall{};
-        const EdgeRelease<Real> edge_release{g.wall_list.size > 0 ? leaving_edges(d, g) : V3<Real>{}};
+        const EdgeRelease<Real> edge_release = release_at_edges(d, g);
         for_each_body(d, g, [&](const ListRef& part, std::int32_t slot, std::int32_t body) {
             V3<Real> wall{};
             for_each_neighbour(d.wall_place, d.wall_list, part, g, frame, x_i, [&](std::int32_t j, const Met& ij) {

@@ -168,7 +168,7 @@ Walls::Nearest Walls::nearest(const Vec3& x, const Vec3& u, double reach) const 
             found.on_face() ? Eigen::Vector3f::Zero().eval() : relative.stableNormalized().cast<float>().eval();
         r = {{static_cast<float>(n.x()), static_cast<float>(n.y()), static_cast<float>(n.z()),
               static_cast<float>(found.distance)},
-             {e.x(), e.y(), e.z()},
+             {e.x(), e.y(), e.z(), found.on_face() ? 0 : static_cast<float>(relative.squaredNorm())},
              b};
     }
     return r;

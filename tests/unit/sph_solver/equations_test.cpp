@@ -76,15 +76,20 @@ TEST(WallTouch, AFilmIsTouchedAsDeepWaterIsAndAVoidIsSeen) {
     EXPECT_LT(touch_in_film(5, 0.005f), 0.7);
 }
 
-// What a wall does to water beyond its edge: no push along its way, all else as it was.
+// What a wall does to water beyond its edge: no push along its way into the open, all else as it was.
 TEST(EdgeRelease, TakesThePushAlongTheWayAndNothingElse) {
-    const auto released = [](V3<float> a, V3<float> e) {
-        EdgeRelease<float>{e}.apply(a);
+    const auto released = [](V3<float> a, V3<float> e, float s) {
+        EdgeRelease<float>{e, s}.apply(a);
         return std::array{a.x, a.y, a.z};
     };
-    EXPECT_EQ(released({3, 0, 4}, {1, 0, 0}), (std::array{0.0f, 0.0f, 4.0f}));
-    EXPECT_EQ(released({-3, 0, 4}, {1, 0, 0}), (std::array{-3.0f, 0.0f, 4.0f})) << "a wall may stop what comes nearer";
-    EXPECT_EQ(released({3, 0, 4}, {0, 0, 0}), (std::array{3.0f, 0.0f, 4.0f})) << "no edge";
+    EXPECT_EQ(released({3, 0, 4}, {1, 0, 0}, 1), (std::array{0.0f, 0.0f, 4.0f}));
+    EXPECT_EQ(released({3, 0, 4}, {1, 0, 0}, 0.5f), (std::array{1.5f, 0.0f, 4.0f}));
+    EXPECT_EQ(released({-3, 0, 4}, {1, 0, 0}, 1), (std::array{-3.0f, 0.0f, 4.0f})) << "what comes nearer is stopped";
+    EXPECT_EQ(released({3, 0, 4}, {0, 0, 0}, 1), (std::array{3.0f, 0.0f, 4.0f})) << "no edge";
+    EXPECT_EQ(released_share(0, 1000, 64), 1);
+    EXPECT_EQ(released_share(16000, 1000, 64), 0.5f);
+    EXPECT_EQ(released_share(40000, 1000, 64), 0) << "deep in the water";
+    EXPECT_EQ(released_share(-100, 1000, 64), 1);
 }
 
 TEST(FirstMoment, SolvesWhatItWasMadeOfAndLeavesSprayAlone) {
