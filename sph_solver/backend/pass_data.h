@@ -137,7 +137,7 @@ struct PassData {
     const std::int32_t* body_end = nullptr;
     int bodies = 1;
     const WallNormalRecord* normal = nullptr;
-    const LeavingRecord* leaving = nullptr;  ///< of the particles, see edge_release.h
+    const LeavingRecord* leaving = nullptr;  ///< of the particles, see edge_release.h; null: none leaves an edge
     /// Bit i % 32 of word i / 32: place i is at the free surface. One word more than that at the end.
     const std::uint32_t* surface = nullptr;
     ShiftSupportRecord* shift = nullptr;

@@ -112,7 +112,8 @@ void continuity_and_gradient(const PassData& d, const Group* groups, int count) 
 /// Of those of a group's particles that are beyond an edge and lack support.
 inline EdgeRelease<Real> release_at_edges(const PassData& d, const Group& g) {
     EdgeRelease<Real> r{};
-    for (int l = 0; l < g.size && g.wall_list.size > 0; ++l) {
+    if (g.wall_list.size == 0 || d.leaving == nullptr) return r;
+    for (int l = 0; l < g.size; ++l) {
         const int i = g.first + l;
         const LeavingRecord& way = d.leaving[i];
         if (way.speed2 == 0 || (d.surface[i / 32] >> (i % 32) & 1) == 0) continue;
