@@ -108,7 +108,8 @@ void follow_spacing(Scene& scene, const std::function<void()>& make_domain) {
     if (scene.hull && scene.motion.kind == Motion::Kind::stream && scene.sph.scheme == "kick_drift_kick")
         levels = std::min(most_levels, 1 + static_cast<int>(std::lround(std::log2(r.spacing / r.near_hull))));
     make_domain();
-    for (int fit = 0; (fit = 1 + zones_that_fit(scene, hull_zones(scene))) < levels; make_domain()) levels = fit;
+    for (int fit = 0; levels > 1 && (fit = 1 + zones_that_fit(scene, hull_zones(scene))) < levels; make_domain())
+        levels = fit;
 }
 
 std::vector<std::vector<Box>> particle_zones(const Scene& scene) {
