@@ -10,7 +10,7 @@ namespace tw {
 
 Walls::Walls(const std::vector<Body>& bodies, const Surroundings& around, const LevelSetup& level,
              double kernel_support, const ColumnGrid& grid, const Quanta& quanta, int lanes)
-    : loads(bodies.size()), bodies_(bodies) {
+    : loads(bodies.size()), bodies_(bodies), two_dimensional_(around.dimensions == 2) {
     Box region = around.domain;
     region.min.array() -= kernel_support;
     region.max.array() += kernel_support;
@@ -163,7 +163,9 @@ Walls::Nearest Walls::nearest(const Vec3& x, const Vec3& u, double reach) const 
         const SurfaceQuery::Nearest found = body.query().nearest(body.at_start(x), reach);
         if (found.triangle < 0 || found.distance >= r.normal.distance) continue;
         const Vec3 relative = body.fixed() ? u : Vec3(u - velocity_at(b, x));
-        const Vec3 n = body.turned(slip_normal(body.query(), found, body.turned_back(relative)));
+        Vec3 n = body.turned(slip_normal(body.query(), found, body.turned_back(relative)));
+        // the rounding of a normal would be enough: water pressed in a plane buckles out of it
+        if (two_dimensional_) n.y() = 0;
         const Eigen::Vector3f e =
             found.on_face() ? Eigen::Vector3f::Zero().eval() : relative.stableNormalized().cast<float>().eval();
         r = {{static_cast<float>(n.x()), static_cast<float>(n.y()), static_cast<float>(n.z()),

@@ -85,6 +85,7 @@ private:
     double reach_of(std::size_t body) const;
 
     const std::vector<Body>& bodies_;
+    bool two_dimensional_;
     std::vector<PlaceRecord> place_;  // body after body, each sorted by column
     std::vector<float> p_;
     std::vector<VelocityDensityRecord> sliding_;
