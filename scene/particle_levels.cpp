@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -17,19 +18,52 @@ namespace {
 constexpr double between = 10, from_openings = 8;  ///< spacings
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// A box of finer particles than `coarse_dp`, on the coarse lattice, and through what is too near to leave room.
-Box zone_box(const Box& what, double width, double coarse_dp, const Box& domain) {
-    const double clear = from_openings * coarse_dp;
+/// What finer particles stand round.
+struct Root {
     Box box;
-    for (int a = 0; a < 3; ++a) {
-        box.min[a] = std::floor((what.min[a] - width) / coarse_dp) * coarse_dp;
-        box.max[a] = std::ceil((what.max[a] + width) / coarse_dp) * coarse_dp;
+    bool moves = false;
+};
+
+/// What of the hull the water may reach: of a dry bow what it may rise to.
+Box reached_hull(const Scene& scene) {
+    Box hull = scene.hull->surface.bounds();
+    if (!scene.hull->section && scene.motion.kind == Motion::Kind::stream)
+        hull.min.x() = std::max(hull.min.x(), scene.hull->still.wet_bounds.min.x() - 0.25 * scene.hull->length);
+    return hull;
+}
+
+/// The solids: hull, obstacles, and bodies that move where `moving` says that they are.
+std::vector<Root> roots(const Scene& scene, std::span<const Box> moving) {
+    std::vector<Root> all;
+    if (scene.hull) all.push_back({reached_hull(scene)});
+    for (const Obstacle& o : scene.obstacles) all.push_back({o.surface.bounds()});
+    for (const Box& box : moving) all.push_back({box, true});
+    return all;
+}
+
+std::vector<Box> bodies_at_start(const Scene& scene) {
+    std::vector<Box> boxes;
+    for (const MovingBody& b : scene.bodies) boxes.push_back(b.surface.bounds());
+    return boxes;
+}
+
+/// A box of finer particles than `coarse_dp`, on the coarse lattice (unless it goes with a body), and through what is
+/// too near to leave room. In a tank it goes on through the sky: a splash and a cavity stand above what makes them.
+Box zone_box(const Root& what, double width, double coarse_dp, const Scene& scene) {
+    const Box& domain = scene.domain.box;
+    const bool stream = scene.motion.kind == Motion::Kind::stream;
+    const double clear = from_openings * coarse_dp;
+    Box box{what.box.min - Vec3::Constant(width), what.box.max + Vec3::Constant(width)};
+    if (!what.moves) {
+        box.min = (box.min / coarse_dp).array().floor() * coarse_dp;
+        box.max = (box.max / coarse_dp).array().ceil() * coarse_dp;
     }
-    for (int a = 1; a < 3; ++a) {
+    for (int a = stream ? 1 : 0; a < 3; ++a) {
         if (box.min[a] < domain.min[a] + clear) box.min[a] = -infinite;
         if (box.max[a] > domain.max[a] - clear) box.max[a] = infinite;
     }
-    if (box.max.z() > -clear) box.max.z() = infinite;
+    if (!stream || box.max.z() > -clear) box.max.z() = infinite;
+    if (!stream) return box;
     if (box.max.x() > domain.max.x() - clear) box.max.x() = infinite;
     box.min.x() = std::max(box.min.x(), domain.min.x() + clear);
     return box;
@@ -68,34 +102,53 @@ double volume_of(const std::vector<Box>& boxes) {
     return sum;
 }
 
-/// What of the hull the water may reach: of a dry bow what it may rise to.
-Box reached_hull(const Scene& scene) {
-    Box hull = scene.hull->surface.bounds();
-    if (!scene.hull->section)
-        hull.min.x() = std::max(hull.min.x(), scene.hull->still.wet_bounds.min.x() - 0.25 * scene.hull->length);
-    return hull;
-}
-
-/// The boxes round the hull, the finest first.
-std::vector<Box> hull_zones(const Scene& scene) {
+/// The boxes round the solids, the finest first: for each size one box a solid.
+std::vector<std::vector<Box>> boxes_round(const std::vector<Root>& solids, const Scene& scene) {
     const double dp = scene.resolution.near_hull;
     double width = scene.sph.zone * dp;
-    std::vector<Box> boxes;
+    std::vector<std::vector<Box>> boxes;
     for (int k = 1; k < scene.sph.levels; ++k) {
         const double coarse_dp = std::ldexp(dp, k);
-        boxes.push_back(zone_box(reached_hull(scene), width, coarse_dp, scene.domain.box));
+        std::vector<Box>& of_size = boxes.emplace_back();
+        for (const Root& solid : solids) of_size.push_back(zone_box(solid, width, coarse_dp, scene));
         width += between * coarse_dp;
     }
     return boxes;
 }
 
-/// How many of those boxes leave room ahead of the hull and of one another.
-int zones_that_fit(const Scene& scene, const std::vector<Box>& boxes) {
-    double x = reached_hull(scene).min.x(), dp = scene.resolution.near_hull;
-    int fit = 0;
-    for (const Box& box : boxes) {
-        if (box.min.x() > x - from_openings * dp) break;
-        x = box.min.x(), dp *= 2, ++fit;
+/// Whether coarser particles have no place left in the tank.
+bool fills_the_domain(const Box& box, const Scene& scene) {
+    const Box& domain = scene.domain.box;
+    return box.contains(domain.min) && box.contains(domain.max);
+}
+
+/// Whether each block of water is a whole number of particles of `coarse_dp` long, to half a particle of `dp`.
+bool divides_the_water(const Scene& scene, double coarse_dp, double dp) {
+    std::vector<Vec3> sizes;
+    for (const Box& block : scene.water_blocks) sizes.push_back(block.size());
+    if (sizes.empty()) {
+        sizes.push_back(scene.domain.box.size());
+        sizes.back().z() = -scene.domain.box.min.z();
+    }
+    return std::ranges::all_of(sizes, [&](Vec3 size) {
+        if (scene.domain.dimensions == 2) size.y() = 0;
+        return ((size / coarse_dp).array().round() * coarse_dp - size.array()).abs().maxCoeff() <= 0.5 * dp;
+    });
+}
+
+/// How many of those sizes have room: ahead of the solids and of one another in a stream, within the tank else.
+int zones_that_fit(const Scene& scene, const std::vector<Root>& solids, const std::vector<std::vector<Box>>& boxes) {
+    const bool stream = scene.motion.kind == Motion::Kind::stream;
+    int fit = static_cast<int>(boxes.size());
+    for (std::size_t i = 0; i < solids.size(); ++i) {
+        double x = solids[i].box.min.x(), dp = scene.resolution.near_hull;
+        for (int k = 0; k < fit; ++k, dp *= 2) {
+            const Box& box = boxes[static_cast<std::size_t>(k)][i];
+            if (stream ? box.min.x() > x - from_openings * dp
+                       : fills_the_domain(box, scene) || !divides_the_water(scene, 2 * dp, dp))
+                fit = k;
+            x = box.min.x();
+        }
     }
     return fit;
 }
@@ -105,37 +158,32 @@ int zones_that_fit(const Scene& scene, const std::vector<Box>& boxes) {
 void follow_spacing(Scene& scene, const std::function<void()>& make_domain) {
     int& levels = scene.sph.levels;
     const Resolution& r = scene.resolution;
-    if (scene.hull && scene.motion.kind == Motion::Kind::stream && scene.sph.scheme == "kick_drift_kick")
+    const bool solids = scene.hull || !scene.obstacles.empty() || !scene.bodies.empty();
+    const bool stream = scene.motion.kind == Motion::Kind::stream;
+    if ((stream ? scene.hull.has_value() : solids) && scene.sph.scheme == "kick_drift_kick")
         levels = std::min(most_levels, 1 + static_cast<int>(std::lround(std::log2(r.spacing / r.near_hull))));
     make_domain();
-    for (int fit = 0; levels > 1 && (fit = 1 + zones_that_fit(scene, hull_zones(scene))) < levels; make_domain())
+    while (levels > 1) {
+        const std::vector<Root> all = roots(scene, bodies_at_start(scene));
+        const int fit = 1 + zones_that_fit(scene, all, boxes_round(all, scene));
+        if (fit == levels) return;
         levels = fit;
+        make_domain();
+    }
 }
 
-std::vector<std::vector<Box>> particle_zones(const Scene& scene) {
-    std::vector<std::vector<Box>> zones;
-    if (scene.sph.levels == 1) return zones;
-    const auto refuse = [&](const std::string& why) {
-        throw InputError(scene.place_of("sph.levels") + ": " + why);
-    };
-    if (!scene.hull || scene.motion.kind != Motion::Kind::stream)
-        refuse("several sizes of particles are for a hull in a stream so far; leave it out");
-    const Box& domain = scene.domain.box;
+std::vector<std::vector<Box>> particle_zones(const Scene& scene, std::span<const Box> moving) {
     const double dp = scene.resolution.near_hull;
-    const std::vector<Box> round_hull = hull_zones(scene);
-    if (const int fit = zones_that_fit(scene, round_hull); fit + 1 < scene.sph.levels)
-        refuse(fmt::format("particles of {:.4g} m do not fit between the inlet and the hull; at most {} here, or a "
-                           "longer domain ahead",
-                           std::ldexp(dp, fit + 1), fit + 1));
+    std::vector<std::vector<Box>> round = boxes_round(roots(scene, moving), scene), zones;
     // how far a zone reaches beyond the places of each size
     std::vector<double> width(static_cast<std::size_t>(scene.sph.levels), 0.0);
     for (int k = 1; k < scene.sph.levels; ++k) {
         const double coarse_dp = std::ldexp(dp, k);
-        std::vector<Box> boxes{round_hull[static_cast<std::size_t>(k - 1)]};
+        std::vector<Box>& boxes = round[static_cast<std::size_t>(k - 1)];
         for (const RefinedPlace& place : scene.refined)
             if (place.halvings_short < k) {
                 double& reach = width[static_cast<std::size_t>(place.halvings_short)];
-                const Box box = zone_box(place.box, reach, coarse_dp, domain);
+                const Box box = zone_box({place.box}, reach, coarse_dp, scene);
                 if (box.min.x() < box.max.x()) boxes.push_back(box);
             }
         join_near(boxes, from_openings * coarse_dp);
@@ -145,13 +193,52 @@ std::vector<std::vector<Box>> particle_zones(const Scene& scene) {
     return zones;
 }
 
+std::vector<std::vector<Box>> particle_zones(const Scene& scene) {
+    if (scene.sph.levels == 1) return {};
+    const auto refuse = [&](const std::string& why) {
+        throw InputError(scene.place_of("sph.levels") + ": " + why);
+    };
+    const bool stream = scene.motion.kind == Motion::Kind::stream;
+    const std::vector<Box> moving = bodies_at_start(scene);
+    const std::vector<Root> solids = roots(scene, moving);
+    if (solids.empty() || (stream && !scene.hull))
+        refuse("several sizes of particles stand round a hull, an obstacle or a body; leave it out");
+    if (const int fit = zones_that_fit(scene, solids, boxes_round(solids, scene)); fit + 1 < scene.sph.levels)
+        refuse(stream ? fmt::format("particles of {:.4g} m do not fit between the inlet and the hull; at most {} here, "
+                                    "or a longer domain ahead",
+                                    std::ldexp(scene.resolution.near_hull, fit + 1), fit + 1)
+                      : fmt::format("particles of {:.4g} m have no room in this tank, or do not divide its water into "
+                                    "whole particles; at most {} here",
+                                    std::ldexp(scene.resolution.near_hull, fit + 1), fit + 1));
+    return particle_zones(scene, moving);
+}
+
+namespace {
+
+/// Where bodies are that go half their way with their first velocity, at most as far as the domain goes.
+std::vector<Box> bodies_half_way(const Scene& scene) {
+    std::vector<Box> boxes = bodies_at_start(scene);
+    for (std::size_t b = 0; b < boxes.size(); ++b) {
+        if (scene.bodies[b].motion.law) continue;
+        const Box& domain = scene.domain.box;
+        const Vec3 way = (0.5 * scene.run.duration * scene.bodies[b].motion.velocity)
+                             .cwiseMax(0.5 * (domain.min - boxes[b].min))
+                             .cwiseMin(0.5 * (domain.max - boxes[b].max));
+        boxes[b] = {boxes[b].min + way, boxes[b].max + way};
+    }
+    return boxes;
+}
+
+}  // namespace
+
 std::vector<double> particles_of_sizes(const Scene& scene) {
     constexpr double guards = 4.5;  // spacings
     const bool flat = scene.domain.dimensions == 2;
     Box water = scene.domain.box;
     water.max.z() = std::min(0.0, water.max.z());
     const double hull = water.volume() - water_volume(scene);
-    const std::vector<std::vector<Box>> zones = particle_zones(scene);
+    std::vector<std::vector<Box>> zones = particle_zones(scene);
+    if (!zones.empty() && !scene.bodies.empty()) zones = particle_zones(scene, bodies_half_way(scene));
     std::vector<double> counts;
     for (std::size_t k = 0; k <= zones.size(); ++k) {
         const double dp = std::ldexp(scene.resolution.near_hull, static_cast<int>(zones.size() - k));

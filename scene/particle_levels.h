@@ -1,22 +1,26 @@
 #pragma once
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "scene/scene.h"
 
 namespace tw {
 
-/// Where the particles of each finer size stand, the widest zone first, each a union of boxes: the first round what of
-/// the hull the water may reach, then those that the scene asks for ([[refine]]). Faces are at infinity where a zone
-/// goes on through the sky, a wall, a symmetry plane or the outlet, because no coarser particles fit between; others
-/// lie on the coarse lattice. Edges are ten spacings of the level between them apart, and eight of the coarser side
-/// from the inlet; boxes with less than eight between them become one. Empty with `[sph] levels = 1`. Throws InputError
-/// where there is no hull in a stream, or no room ahead of it.
+/// Where the particles of each finer size stand at the start, the widest zone first, each a union of boxes: the first
+/// round the solids (of a hull in a stream round what the water may reach), then those that the scene asks for
+/// ([[refine]]). Faces are at infinity where a zone goes on through the sky, a wall, a symmetry plane or the outlet,
+/// because no coarser particles fit between; others lie on the coarse lattice, but for boxes round bodies that move.
+/// Edges are ten spacings of the level between them apart, and eight of the coarser side from the inlet; boxes with
+/// less than eight between them become one. Empty with `[sph] levels = 1`. Throws InputError where there is no solid,
+/// or no room ahead of it or within the tank.
 std::vector<std::vector<Box>> particle_zones(const Scene& scene);
+/// The same with the bodies that move in these boxes, in the scene's order; asks nothing.
+std::vector<std::vector<Box>> particle_zones(const Scene& scene, std::span<const Box> moving);
 
-/// Gives the particles of a hull in a stream the sizes between the scene's near_hull and its spacing: as many as there
-/// may be, and as fit between the inlet and the hull of the domain that `make_domain` makes for them. Without such a
-/// hull one size is left. The domain is made in any case.
+/// Gives the particles round the scene's solids the sizes between its near_hull and its spacing: as many as there may
+/// be, and as have room in the domain that `make_domain` makes for them. Without a solid one size is left. The domain
+/// is made in any case.
 void follow_spacing(Scene& scene, const std::function<void()>& make_domain);
 
 /// How many particles each size takes, coarsest first: those of its zone, the guards round it, and those of a finer

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "base/errors.h"
 #include "meshes/section.h"
@@ -122,6 +123,12 @@ SphSetup sph_setup(const Scene& scene, int threads) {
         s.moment_reference = moment_reference(scene);
     }
     for (const std::vector<Box>& boxes : particle_zones(scene)) s.zones.emplace_back(boxes);
+    if (!s.zones.empty() && !scene.bodies.empty())
+        s.zones_round = [of = std::make_shared<const Scene>(scene)](std::span<const Box> moving) {
+            std::vector<Zone> zones;
+            for (const std::vector<Box>& boxes : particle_zones(*of, moving)) zones.emplace_back(boxes);
+            return zones;
+        };
     if (scene.hull) setup.control_volume = control_box(scene, s);
     s.effects = effect_options(scene, s);
     s.tension_control = scene.effect_on("tension_control");

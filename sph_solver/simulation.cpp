@@ -35,13 +35,12 @@ Simulation::Simulation(const SimulationSetup& setup, std::span<const Fluid> flui
     refinements_.reserve(finest);
     for (std::size_t k = 0; k < finest; ++k) refinements_.emplace_back(*levels_[k], *levels_[k + 1], setup.zones[k]);
     if (std::ranges::all_of(*bodies_, [](const Body& body) { return body.fixed(); })) return;
-    if (finest > 0) throw InputError("bodies that move need particles of one size: [sph] levels = 1");
     if (!schedule_.stages().empty())
         throw InputError("bodies that move need a time step of one evaluation: [sph] scheme \"kick_drift_kick\"");
     contacts_.emplace(*bodies_, *around_, setup.dp);
     for (std::size_t b = 0; b < bodies_->size(); ++b) {
         if ((*bodies_)[b].fixed()) continue;
-        WaterShell shell = level(0).walls().shell(b, setup.rho0);
+        WaterShell shell = this->finest().walls().shell(b, setup.rho0);
         shell.spacing = setup.dp;
         shell.sound_speed = setup.state_equation.c0;
         (*bodies_)[b].set_shell(shell);
@@ -66,7 +65,8 @@ void Simulation::step() {
         loads_over_ = 0;
         step_level(0, 0);
         for (Load& load : loads_) load = (1 / loads_over_) * load;
-        return;
+        follow_bodies();
+        return refuse_contact();
     }
     if (lists_outlived()) make_lists_due();
     if (!schedule_.stages().empty()) return step_in_stages();
@@ -81,6 +81,10 @@ void Simulation::step() {
     for (const auto& level : schedule_.due(levels_)) level->advance(move, setup_.moment_reference);
     strike_bodies(pressed, move.kick);
     take_loads();
+    refuse_contact();
+}
+
+void Simulation::refuse_contact() const {
     if (!contacts_) return;
     if (const std::string contact = contacts_->found(); !contact.empty())
         throw RunError(
@@ -92,7 +96,7 @@ void Simulation::step() {
 void Simulation::move_bodies(const Schedule::Move& move) {
     for (std::size_t b = 0; b < bodies_->size(); ++b) {
         Body& body = (*bodies_)[b];
-        const Load& load = level(0).walls().loads[b];
+        const Load& load = finest().walls().loads[b];
         body.kick(load.force, load.moment, setup_.moment_reference, setup_.gravity, move.kick);
         body.drift(move.drift);
     }
@@ -100,7 +104,7 @@ void Simulation::move_bodies(const Schedule::Move& move) {
 
 void Simulation::strike_bodies(const std::vector<Load>& before, double kick) {
     for (std::size_t b = 0; b < bodies_->size(); ++b) {
-        const Load& load = level(0).walls().loads[b];
+        const Load& load = finest().walls().loads[b];
         (*bodies_)[b].strike(kick * (load.force - before[b].force), kick * (load.moment - before[b].moment),
                              setup_.moment_reference);
     }
@@ -120,17 +124,24 @@ void Simulation::step_level(std::size_t k, double dt) {
     if (!is_finest) refinements_[k].relabel();
     const double t = level.time() + after;
     level.first_sweep(t, compress, drift, nullptr);
+    if (is_finest)
+        for (Body& body : *bodies_) body.drift(drift);
     level.second_sweep(t);
     level.gather_loads(setup_.moment_reference);
     if (dt == 0) {
         dt = stable_step(level, setup_.cfl);
         for (std::size_t j = 1; j < levels_.size(); ++j)
             dt = std::min(dt, std::ldexp(stable_step(*levels_[j], setup_.cfl), static_cast<int>(j)));
+        for (const Body& body : *bodies_)
+            dt = std::min(dt, std::ldexp(body.stable_step(), static_cast<int>(refinements_.size())));
     }
     level.set_step(dt);
     const Schedule::Move move = schedule_.move(before, dt);
+    const std::vector<Load> pressed = level.walls().loads;
+    if (is_finest) move_bodies(move);
     level.advance(move, setup_.moment_reference);
     if (is_finest) {
+        strike_bodies(pressed, move.kick);
         for (std::size_t b = 0; b < loads_.size(); ++b) loads_[b] += move.kick * level.walls().loads[b];
         loads_over_ += move.kick;
         return;
@@ -207,6 +218,15 @@ void Simulation::make_lists_due() {
 
 void Simulation::mark_restart_point() { make_lists_due(); }
 
+void Simulation::follow_bodies() {
+    if (!setup_.zones_round) return;
+    std::vector<Box> moving;
+    for (const Body& body : *bodies_)
+        if (!body.fixed()) moving.push_back(body.bounds());
+    std::vector<Zone> zones = setup_.zones_round(moving);
+    for (std::size_t k = 0; k < refinements_.size(); ++k) refinements_[k].set_zone(std::move(zones[k]));
+}
+
 Load Simulation::load() const {
     Load sum;
     for (const Load& load : loads_) sum += load;
@@ -231,8 +251,8 @@ void Simulation::sample_levels(PointSamples& points) {
         std::vector<std::size_t> who;
         for (std::size_t i = 0; i < n; ++i) {
             const Vec3& x = points.places[i];
-            const bool reached = k == 0 || setup_.zones[k - 1].outside(x) < 0;
-            if (reached && (k == setup_.zones.size() || setup_.zones[k].outside(x) >= 0))
+            const bool reached = k == 0 || refinements_[k - 1].zone().outside(x) < 0;
+            if (reached && (k == refinements_.size() || refinements_[k].zone().outside(x) >= 0))
                 own.places.push_back(x), who.push_back(i);
         }
         levels_[k]->sample(own);

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -18,11 +19,14 @@ namespace tw {
 /// stepping. SI units.
 struct SimulationSetup : Surroundings, LevelSetup, TimeOptions {
     std::vector<BodySetup> bodies;
-    /// Where the water belongs to finer particles, the widest zone first; each halves the spacing, dp is that in the
-    /// last. The last zone holds what the water does to the bodies: other levels let no water through a body and their
-    /// load on it is not counted. No edge is within 8 spacings of the coarse side of another edge, of an
+    /// Where the water belongs to finer particles at the start, the widest zone first; each halves the spacing, dp is
+    /// that in the last. The last zone holds what the water does to the bodies: other levels let no water through a
+    /// body and their load on it is not counted. No edge is within 8 spacings of the coarse side of another edge, of an
     /// inlet, or (unless the zone goes on through it) of an outlet. Empty: all particles have one size.
     std::vector<Zone> zones;
+    /// As many zones for the moving bodies' bounding boxes as they are at some time, in the order of `bodies`. Asked
+    /// after each step of the coarsest level. Not given: the zones stay.
+    std::function<std::vector<Zone>(std::span<const Box> moving)> zones_round;
     Vec3 moment_reference = Vec3::Zero();
     int threads = 0;  ///< 0: as OpenMP chooses
 };
@@ -41,7 +45,7 @@ public:
     /// One level of particles of the setup's material, whose setup has no zones. `passes`: the instruction set.
     Simulation(const SimulationSetup& setup, const Fluid& fluid, const Passes& passes = tw::passes());
     /// Levels of several sizes of particles, see SimulationSetup::zones and `fill_levels`. Throws InputError for
-    /// another scheme than kick-drift-kick. Bodies that move need particles of one size and a scheme of one evaluation.
+    /// another scheme than kick-drift-kick. Bodies that move need a scheme of one evaluation.
     Simulation(const SimulationSetup& setup, std::span<const Fluid> levels, const Passes& passes = tw::passes());
 
     /// Puts another material beside the levels that are there, on particles of the same size; before the first step.
@@ -99,6 +103,8 @@ public:
 
     /// A restart goes on bitwise the same when this was called at that moment in both.
     void mark_restart_point();
+    /// Puts the zones round the bodies where those are now. Called by each step and after a restart.
+    void follow_bodies();
 
 private:
     /// Both sweeps at the present state of all levels, as of the time `t`. On the way the density changes for the time
@@ -111,6 +117,8 @@ private:
     void take_loads();
     /// Lets the water of the last evaluation kick the bodies, and moves them on.
     void move_bodies(const Schedule::Move& move);
+    /// Throws RunError where a body touches another solid.
+    void refuse_contact() const;
     /// What particles held at walls did to the bodies in Level::advance, which adds it to the loads `before`.
     void strike_bodies(const std::vector<Load>& before, double kick);
     void choose_time_step();

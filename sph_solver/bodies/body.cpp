@@ -20,6 +20,13 @@ Vec3 Body::at_start(const Vec3& x) const {
     return rigid_->mass().centre + turned_back(x - rigid_->state().centre);
 }
 
+Box Body::bounds() const {
+    Box box{Vec3::Constant(std::numeric_limits<double>::infinity()),
+            Vec3::Constant(-std::numeric_limits<double>::infinity())};
+    for (const Vec3& x : surface().points) box.min = box.min.cwiseMin(now(x)), box.max = box.max.cwiseMax(now(x));
+    return box;
+}
+
 BodyMotion Body::motion() const {
     if (!rigid_) return {};
     const RigidBody::State& s = rigid_->state();

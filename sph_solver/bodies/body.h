@@ -58,6 +58,7 @@ public:
     /// Where a point of the body is now that was at `x` at the start, and back [m].
     Vec3 now(const Vec3& x) const;
     Vec3 at_start(const Vec3& x) const;
+    Box bounds() const;  ///< of the surface now
     /// Directions likewise.
     Vec3 turned(const Vec3& v) const { return rigid_ ? Vec3(rigid_->state().attitude * v) : v; }
     Vec3 turned_back(const Vec3& v) const { return rigid_ ? Vec3(rigid_->state().attitude.conjugate() * v) : v; }

@@ -49,6 +49,8 @@ public:
     void restrict_over(double moved, double density_before);
 
     const Zone& zone() const { return zone_; }
+    /// From the next relabelling on. An edge that comes nearer than a fine spacing a step leaves the guards whole.
+    void set_zone(Zone zone) { zone_ = std::move(zone); }
     const Level& coarse() const { return coarse_; }
     const Level& fine() const { return fine_; }
 

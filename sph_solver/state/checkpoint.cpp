@@ -206,6 +206,7 @@ void restore(Simulation& simulation, Checkpoint checkpoint) {
     checkpoint.levels[simulation.water().size() - 1].state.control = checkpoint.control;
     for (std::size_t k = 0; k < levels; ++k)
         simulation.level(k).restore(checkpoint.levels[k].state, std::move(checkpoint.levels[k].particles));
+    simulation.follow_bodies();
 }
 
 }  // namespace tw
