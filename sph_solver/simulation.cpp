@@ -219,6 +219,7 @@ void Simulation::make_lists_due() {
 void Simulation::mark_restart_point() { make_lists_due(); }
 
 void Simulation::follow_bodies() {
+    for (const auto& level : levels_) level->follow_bodies();
     if (!setup_.zones_round) return;
     std::vector<Box> moving;
     for (const Body& body : *bodies_)

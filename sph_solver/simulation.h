@@ -103,7 +103,8 @@ public:
 
     /// A restart goes on bitwise the same when this was called at that moment in both.
     void mark_restart_point();
-    /// Puts the zones round the bodies where those are now. Called by each step and after a restart.
+    /// Puts dummies and zones where the bodies are now, so that the next time step is chosen by how fast those are.
+    /// Called after a restart, and by each step of levels of several sizes.
     void follow_bodies();
 
 private:

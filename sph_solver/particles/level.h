@@ -99,6 +99,7 @@ public:
     double wall_travel_ahead() const;
     bool lists_due() const { return life_.over; }
     void make_lists_due() { life_.over = true; }
+    void follow_bodies() { walls_.follow(quanta_); }
     void refresh(double drift);
     /// `other`: sums over another level's particles, one entry a particle; null: there is none.
     void first_sweep(double t, double compress, double drift, const OtherSums* other);

@@ -6,57 +6,11 @@
 #include <vector>
 
 #include "base/errors.h"
-#include "meshes/generate.h"
-#include "meshes/section.h"
-#include "sph_solver/simulation.h"
+#include "bodies.h"
 #include "sph_solver/state/checkpoint.h"
 
 namespace tw {
 namespace {
-
-/// A tank in the plane y = 0, water below z = 0, walls all round but above.
-SimulationSetup tank(double dp, double half_width, double depth, double above, double c0) {
-    SimulationSetup s;
-    s.dimensions = 2;
-    s.dp = dp;
-    s.state_equation.c0 = c0;
-    s.domain = {Vec3(-half_width, -dp / 2, -depth), Vec3(half_width, dp / 2, above)};
-    s.mirrors.on = {{{true, true}, {false, false}, {true, false}}};
-    s.threads = 1;
-    return s;
-}
-
-/// A body whose section with the plane is that of `solid`, in the x-z plane. Masses are per metre of span.
-BodySetup section_body(const Surface& solid, double density) {
-    const Surface prism = section_prism(solid);
-    BodySetup body(with_span(prism, endless_span(prism)));
-    body.moving = RigidBodySetup{};
-    body.moving->mass = solid_mass(prism, density);
-    body.moving->free = {{true, false, true}, {false, true, false}};
-    return body;
-}
-
-BodySetup box_body(double width, double height, double draft, double density) {
-    const Surface box = make_hull("box", {{"length", width}, {"beam", 1}, {"height", height}});
-    return section_body(posed(box, {.draft = draft}), density);
-}
-
-Fluid water(const SimulationSetup& s) {
-    Box below = s.domain;
-    below.max.z() = 0;
-    return fill_with_fluid(s, {below});
-}
-
-Vec3 centre_of(const Simulation& s) { return s.bodies()[0].rigid().state().centre; }
-double turned_by(const Simulation& s) { return Eigen::AngleAxisd(s.bodies()[0].rigid().state().attitude).angle(); }
-void run_to(Simulation& s, double time) {
-    while (s.time() < time) s.step();
-}
-double speed_up(const Simulation& s) { return s.bodies()[0].rigid().state().velocity.z(); }
-
-BodySetup circle_body(double diameter, double draft, double density) {
-    return section_body(posed(make_hull("cylinder", {{"diameter", diameter}, {"span", 1}}), {.draft = draft}), density);
-}
 
 TEST(Bodies, AfloatAtArchimedesDraftStayThere) {
     const double dp = 0.01, height = 0.2, draft = 0.1;

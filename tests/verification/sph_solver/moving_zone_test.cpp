@@ -1,0 +1,136 @@
+// Zones of finer particles that move: through water at rest nothing is to move, and round a body that enters water the
+// motion is to be that of particles of one size.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <limits>
+#include <memory>
+
+#include "bodies.h"
+#include "sph_solver/state/checkpoint.h"
+
+namespace tw {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+double fastest_over_wave_speed(const Simulation& s, double depth) {
+    double most = 0;
+    for (const auto& level : s.levels()) {
+        const Particles& p = level->particles();
+        for (std::size_t i = 0; i < p.size(); ++i)
+            if (is_active(p.kind[i])) most = std::max(most, double(std::hypot(p.u[i], p.w[i])));
+    }
+    return most / std::sqrt(9.81 * depth);
+}
+
+// A box of finer water goes at 0.5 m/s through a tank at rest, 0.15 m and more from its surface and floor. Each edge
+// passes over two coarse particles in 0.16 s, and so eight times over each place of the fine lattice.
+TEST(MovingZone, ThroughStillWaterMovesNothing) {
+  for (const double speed : {0.0, 0.05, 0.5}) {
+    const double dp = 0.01, depth = 0.8;
+    SimulationSetup s = tank(dp, 0.8, depth, 0.2, 10 * std::sqrt(9.81 * depth));
+    const auto zone = [](double x) { return Zone({Box{Vec3(x - 0.2, -infinite, -0.6), Vec3(x + 0.2, infinite, -0.2)}}); };
+    s.zones = {zone(-0.4)};
+    double time = 0;
+    s.zones_round = [&](std::span<const Box>) { return std::vector<Zone>{zone(-0.4 + speed * std::min(time, 1.6))}; };
+    Box below = s.domain;
+    below.max.z() = 0;
+    SimulationSetup still = s;
+    still.zones.clear(), still.zones_round = {}, still.dp = 2 * dp;
+    Simulation moving(s, fill_levels(s, {below})), one(still, fill_with_fluid(still, {below}));
+    double most = 0, of_one_size = 0;
+    while (moving.time() < 1.6) {
+        moving.step(), time = moving.time();
+        most = std::max(most, fastest_over_wave_speed(moving, depth));
+    }
+    while (one.time() < 1.6) one.step(), of_one_size = std::max(of_one_size, fastest_over_wave_speed(one, depth));
+    const Refinement& edge = moving.refinements()[0];
+    std::printf("still water: fastest %.4f sqrt(gH) with a zone that moves, %.4f with one size; surplus %.2f %%\n", most,
+                of_one_size, 100 * edge.surplus() / (1000 * 0.4 * 0.4));
+    EXPECT_GT(edge.ledger().births, 2 * 80 * 40) << "or the zone has not moved twice its length";
+    EXPECT_LT(most, 2 * of_one_size);
+    EXPECT_LT(std::abs(edge.surplus()), 0.005 * 1000 * 0.4 * 0.4);
+    EXPECT_EQ(edge.ledger().orphans, 0);
+  }
+}
+
+/// A cylinder of 1000 kg/m3 at 2.955 m/s on the surface; sizes of particles: one or three.
+SimulationSetup cylinder(bool levels, int threads = 1) {
+    const double dp = 0.01;
+    SimulationSetup s = tank(dp, 0.96, 0.64, 0.4, 40);
+    s.threads = threads;
+    s.bodies = {circle_body(0.11, 0, 1000)};
+    s.bodies[0].moving->velocity = Vec3(0, 0, -2.955);
+    s.bodies[0].moving->free = {{false, false, true}, {false, false, false}};
+    if (!levels) return s;
+    s.zones_round = [dp](std::span<const Box> moving) {
+        std::vector<Zone> zones;
+        for (const double width : {26 * dp, 12 * dp}) {
+            const Box& body = moving[0];
+            zones.emplace_back(std::vector<Box>{{Vec3(body.min.x() - width, -infinite, body.min.z() - width),
+                                                 Vec3(body.max.x() + width, infinite, infinite)}});
+        }
+        return zones;
+    };
+    s.zones = s.zones_round(std::vector<Box>{Body(s.bodies[0]).bounds()});
+    return s;
+}
+
+Simulation entering(const SimulationSetup& s) {
+    Box below = s.domain;
+    below.max.z() = 0;
+    return Simulation(s, fill_levels(s, {below}));
+}
+
+TEST(MovingZone, RoundACylinderLetsItEnterAsParticlesOfOneSizeDo) {
+    Simulation one = entering(cylinder(false)), three = entering(cylinder(true));
+    const double start = centre_of(one).z();
+    std::size_t most = 0;
+    for (const double time : {0.01, 0.05, 0.1}) {
+        run_to(one, time), run_to(three, time);
+        std::size_t particles = 0;
+        for (const auto& level : three.levels()) particles += level->particles().size();
+        most = std::max(most, particles);
+        // steps of the two do not end at the same time
+        const auto way_of = [&](const Simulation& s) { return start - centre_of(s).z() + speed_up(s) * (s.time() - time); };
+        const double way = way_of(one), way3 = way_of(three);
+        std::printf("cylinder at %.2f s: way %.4f m, velocity %.3f m/s; with three sizes %.4f m, %.3f m/s\n", time, way,
+                    speed_up(one), way3, speed_up(three));
+        EXPECT_NEAR(way3 / way, 1, 0.01);
+        EXPECT_NEAR(speed_up(three) / speed_up(one), 1, 0.04);
+    }
+    EXPECT_LT(most, 0.6 * double(one.particles().size()));
+}
+
+TEST(MovingZone, GivesTheSameBitsWithAnyNumberOfThreadsAndAfterARestart) {
+    const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "moving_zone_test.h5";
+    Simulation whole = entering(cylinder(true)), three = entering(cylinder(true, 3));
+    const auto same = [](const Simulation& a, const Simulation& b) {
+        for (std::size_t k = 0; k < a.levels().size(); ++k) {
+            const Particles &p = a.level(k).particles(), &q = b.level(k).particles();
+            if (p.id != q.id || p.x != q.x || p.z != q.z || p.u != q.u || p.w != q.w || p.drho != q.drho ||
+                p.kind != q.kind)
+                return false;
+        }
+        return centre_of(a) == centre_of(b) && speed_up(a) == speed_up(b);
+    };
+    for (int k = 0; k < 20; ++k) whole.step(), three.step();
+    EXPECT_TRUE(same(whole, three));
+    write_checkpoint(file, "a scene", whole, 1);
+    whole.mark_restart_point();
+    Simulation resumed = entering(cylinder(true, 2));
+    restore(resumed, read_checkpoint(file, "a scene"));
+    for (int k = 0; k < 20; ++k) whole.step(), resumed.step();
+    EXPECT_TRUE(same(whole, resumed));
+    PointSamples here{{Vec3(0.3, 0, -0.3), Vec3(0.08, 0, -0.1)}, false, {}, {}, {}}, there = here;
+    whole.sample(here), resumed.sample(there);
+    EXPECT_EQ(here.p, there.p);
+    EXPECT_GT(whole.refinements()[1].ledger().births, 0);
+    std::filesystem::remove(file);
+}
+
+}  // namespace
+}  // namespace tw
