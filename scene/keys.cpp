@@ -105,7 +105,7 @@ Rows resolution_keys() {
          .meaning = "Particle spacing, and size of the mesh cells at the wetted hull: the finest size."},
         {.name = "spacing", .unit = "m", .range = positive, .hashed = Hashed::scene,
          .fallback = "near_hull 2^n, at most L/12, n at most 4",
-         .meaning = "Size of the largest mesh cells; rounded to near_hull times a power of two."},
+         .meaning = "Size of the largest cells, and of the particles farthest from solids as far as there is room for them; rounded to near_hull times a power of two."},
     };
 }
 
@@ -325,11 +325,11 @@ Rows sph_keys() {
          .meaning = "Exponent of the Tait equation of state."},
         {.name = "levels", .kind = Kind::whole, .range = {1, most_levels}, .hashed = Hashed::sph,
          .slot = slot(&Scene::sph, &SphOptions::levels),
-         .fallback = "in a stream round a hull, where spacing is written: up to that; else 1",
-         .meaning = "Sizes of particles in a stream round a hull: near_hull at the hull, twice that farther away, and so on.",
+         .fallback = "round solids, where spacing is written: up to that; else 1",
+         .meaning = "Sizes of particles: near_hull round hull, obstacles and moving bodies, twice that farther away, and so on.",
          .later = true},
         {.name = "zone", .range = {8, 200}, .hashed = Hashed::sph, .slot = slot(&Scene::sph, &SphOptions::zone),
-         .meaning = "With several levels: how far the finest particles reach from the hull's bounding box, in their spacings.",
+         .meaning = "With several levels: how far the finest particles reach from the bounding boxes of hull, obstacles and bodies, in their spacings.",
          .later = true},
         {.name = "touch_support", .range = {0.5, 0.999}, .hashed = Hashed::sph,
          .slot = slot(&Scene::sph, &SphOptions::touch_support),

@@ -98,7 +98,7 @@ TEST(ParticleLevels, OneSizeLeavesTheHashesOfEarlierRecordsAlone) {
     EXPECT_NE(run_hash(scene_of(with_levels(2)), "sph"), run_hash(said, "sph"));
 }
 
-TEST(ParticleLevels, AreRefusedWhereTheyHaveNoRoomOrNoStream) {
+TEST(ParticleLevels, AreRefusedWhereTheyHaveNoRoomOrNoSolid) {
     const auto refused = [](const std::string& text) {
         try {
             particle_zones(scene_of(text));
@@ -106,9 +106,46 @@ TEST(ParticleLevels, AreRefusedWhereTheyHaveNoRoomOrNoStream) {
         return std::string();
     };
     EXPECT_NE(refused(with_levels(5)).find("do not fit between the inlet and the hull"), std::string::npos);
-    const std::string tank = "[tank]\nsize = [1, 0.5, 0.8]\n[[water_block]]\nmin = [0, 0, 0]\nmax = [0.5, 0.5, 0.4]\n"
-                             "[resolution]\nnear_hull = 0.05\n[run]\nduration = 1\n[sph]\nlevels = 2\n";
-    EXPECT_NE(refused(tank).find("hull in a stream"), std::string::npos);
+    const auto pool = [](const std::string& rest) {
+        return "[tank]\nsize = [4, 2, 1.6]\n[[water_block]]\nmin = [0, 0, 0]\nmax = [2, 2, 1.2]\n[motion]\nkind = "
+               "\"none\"\n[resolution]\nnear_hull = 0.05\n[run]\nduration = 1\n" +
+               rest;
+    };
+    EXPECT_NE(refused(pool("[sph]\nlevels = 2\n")).find("stand round a hull, an obstacle or a body"), std::string::npos);
+    const std::string post = "[[obstacle]]\nmin = [3, 0.9, 0]\nmax = [3.2, 1.1, 1]\n[sph]\nzone = 8\nlevels = ";
+    EXPECT_EQ(refused(pool(post + "2\n")), "");
+    EXPECT_NE(refused(pool(post + "4\n")).find("have no room in this tank"), std::string::npos);
+}
+
+const std::string falling =
+    "[tank]\nmin = [-3, -3, -3]\nmax = [3, 3, 1]\n[[body]]\nname = \"ball\"\nshape = \"cylinder\"\n"
+    "diameter = 0.4\nspan = 0.4\ndraft = 0\ndensity = 1500\nvelocity = [0, 0, -3]\n[motion]\nkind = \"none\"\n"
+    "[run]\nduration = 0.2\n[sph]\nzone = 8\n";
+
+// A body takes its zones along; they reach the sky, and a wall that leaves no room for coarser particles.
+TEST(ParticleLevels, GoWithABodyThroughATank) {
+    const Scene scene = scene_of(falling + "[resolution]\nnear_hull = 0.05\nspacing = 0.1\n");
+    ASSERT_EQ(scene.sph.levels, 2);
+    const Box start = particle_zones(scene)[0][0], body = scene.bodies[0].surface.bounds();
+    EXPECT_NEAR(start.min.z(), body.min.z() - 8 * 0.05, 1e-9);
+    EXPECT_NEAR(start.max.x(), body.max.x() + 8 * 0.05, 1e-9);
+    EXPECT_EQ(start.max.z(), INFINITY);
+    const Vec3 way(0.3, 0, -1.1);
+    const Box later = particle_zones(scene, std::vector<Box>{{body.min + way, body.max + way}})[0][0];
+    EXPECT_NEAR(later.min.x(), start.min.x() + 0.3, 1e-9);
+    EXPECT_NEAR(later.min.z(), start.min.z() - 1.1, 1e-9);
+    const Vec3 deep(0, 0, -2);
+    EXPECT_EQ(particle_zones(scene, std::vector<Box>{{body.min + deep, body.max + deep}})[0][0].min.z(), -INFINITY);
+}
+
+TEST(ParticleLevels, OfATankDivideItsWater) {
+    const auto levels_of = [](const std::string& text) { return scene_of(text).sph.levels; };
+    const std::string sizes = "[resolution]\nnear_hull = 0.05\nspacing = 0.2\n";
+    EXPECT_EQ(levels_of(falling + sizes), 3);
+    std::string odd = falling;
+    odd.replace(odd.find("[3, 3, 1]"), 9, "[3.1, 3, 1]");  // 30.5 particles of 0.2 m
+    EXPECT_EQ(levels_of(odd + sizes), 2);
+    EXPECT_EQ(levels_of(falling + "scheme = \"symplectic_euler\"\n" + sizes), 1);
 }
 
 }  // namespace
