@@ -8,24 +8,23 @@
 namespace tw {
 namespace {
 
-/// Where the box ends [m].
-struct Reach {
-    double side, depth;
-};
+constexpr double of_sides = 0.139, of_floor = 0.0148;
 
-Reach reach_of(const Scene& scene) {
+double wetted_length(const Hull& hull) { return hull.still.wet_bounds.size().x(); }
+
+WallReach reach_of(const Scene& scene) {
     const Box& box = scene.domain.box;
     const bool half = scene.hull->half;
     return {half ? box.max.y() : std::min(box.max.y(), -box.min.y()), -box.min.z()};
 }
 
-WallEffect effect_at(const Scene& scene, const Reach& reach) {
+WallEffect effect_at(const Scene& scene, const WallReach& reach) {
     const Hull& hull = *scene.hull;
     const double U = scene.motion.speed, g = scene.water.gravity;
-    const double length = hull.still.wet_bounds.size().x();
+    const double length = wetted_length(hull);
     if (U >= std::sqrt(g * hull.length)) {
-        const double side = 0.139 * length * hull.beam * hull.beam / std::pow(reach.side, 3);
-        const double floor = 0.0148 * length * hull.beam / (reach.depth * reach.depth);
+        const double side = of_sides * length * hull.beam * hull.beam / std::pow(reach.side, 3);
+        const double floor = of_floor * length * hull.beam / (reach.depth * reach.depth);
         return {side + (scene.domain.floor_ends_the_box ? floor : 0), "lift"};
     }
     const double froude2 = U * U / (g * reach.depth);
@@ -41,12 +40,18 @@ WallEffect wall_effect(const Scene& scene) {
     return effect_at(scene, reach_of(scene));
 }
 
+WallReach reach_for_lift(const Hull& hull, double change) {
+    const double length = wetted_length(hull);
+    return {std::cbrt(of_sides * length * hull.beam * hull.beam / (change / 2)),
+            std::sqrt(of_floor * length * hull.beam / (change / 2))};
+}
+
 std::string wall_warning(const Scene& scene) {
     const WallEffect effect = wall_effect(scene);
     if (effect.of.empty() || effect.change <= noticed_wall_effect) return {};
-    const Reach here = reach_of(scene);
+    const WallReach here = reach_of(scene);
     const bool deeper = scene.domain.floor_ends_the_box;
-    Reach wide = here;
+    WallReach wide = here;
     const WallEffect* left = &effect;
     WallEffect now;
     for (int k = 0; k < 60 && left->change > noticed_wall_effect; ++k) {

@@ -23,6 +23,13 @@ struct WallEffect {
 };
 WallEffect wall_effect(const Scene& scene);
 
+/// Where the box ends: half width and depth [m].
+struct WallReach {
+    double side = 0, depth = 0;
+};
+/// Where sides and floor raise the lift of a planing hull by half of `change` each, by the first line.
+WallReach reach_for_lift(const Hull& hull, double change);
+
 /// Above this `check` warns.
 inline constexpr double noticed_wall_effect = 0.02;
 /// "the walls of the box (1.5 m to the side, 1.25 m below) are expected to raise the lift by 12 %; ...": empty where they

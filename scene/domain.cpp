@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "scene/box_walls.h"
 #include "scene/defaults.h"
 
 namespace tw {
@@ -19,6 +20,17 @@ double snapped_face(double face, bool given, bool high, const Scene& scene) {
     if (given) return std::round(face / dp) * dp;
     const double size = std::max(r.spacing, dp);
     return (high ? std::ceil(face / size - 1e-6) : std::floor(face / size + 1e-6)) * size;
+}
+
+/// Where coarser particles far away make room cheap, a planing hull's walls are worth one per cent of its lift.
+Margins margins(const Scene& scene) {
+    const Hull& hull = *scene.hull;
+    Margins m = default_margins(hull, scene.motion.speed, scene.water.gravity);
+    const bool planes = scene.motion.speed >= std::sqrt(scene.water.gravity * hull.length);
+    if (scene.sph.levels == 1 || !planes || hull.section) return m;
+    const WallReach reach = reach_for_lift(hull, 0.01);
+    m.side = std::max(m.side, reach.side), m.below = std::max(m.below, reach.depth);
+    return m;
 }
 
 /// Moves the faces of a hull's box away from the hull; the floor at most to the bed, `deepest` below still water.
@@ -36,7 +48,7 @@ Domain stream_domain(const DomainOptions& o, const Scene& scene, std::optional<d
     bool floor_given = o.z || o.below;
     if (scene.hull) {
         const Box hull = scene.hull->surface.bounds();
-        const Margins m = default_margins(*scene.hull, scene.motion.speed, scene.water.gravity);
+        const Margins m = margins(scene);
         const double side = o.side.value_or(m.side);
         const double below = o.below.value_or(std::min(water_depth.value_or(m.below), m.below));
         floor_given = floor_given || (water_depth && *water_depth <= m.below);

@@ -129,10 +129,12 @@ Rows domain_keys() {
     return {
         distance("ahead", "0.6 L ahead of the keel's entry, at least 0.15 L", "Distance from the bow to the inlet."),
         distance("behind", "L", "Distance from the stern to the outlet."),
-        distance("side", "2 B; at length Froude numbers below 1 at least L/2", "Distance from y = 0 to the sides."),
+        distance("side", "2 B; below Froude number 1 at least L/2; above it, with particles of several sizes, where the sides are worth "
+                 "0.5 % of the lift", "Distance from y = 0 to the sides."),
         distance("below",
                  "the larger of 1.6 B and 4 D (of a submerged body D and three of its heights); below Froude number 1 "
-                 "also half a wavelength, at most L/2",
+                 "also half a wavelength, at most L/2; above it, with particles of several sizes, where the floor is worth 0.5 % of "
+                 "the lift",
                  "Depth of the floor below still water."),
         distance("above", "the largest of L/2, L/4 above the deck and U^2/(8 g) (at most L)",
                  "Height of the top above still water."),

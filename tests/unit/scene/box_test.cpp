@@ -76,6 +76,18 @@ TEST(Box, WallsOfThePrismAreExpectedToBeWorthWhatWasMeasured) {
         << "a bed is no wall of the box";
 }
 
+// Coarser particles far away make room cheap.
+TEST(Box, WithSeveralSizesOfParticlesIsSoWideThatItsWallsAreWorthOnePerCent) {
+    const auto prism_of = [](const std::string& resolution) {
+        std::string text = prism("ahead = 2\n");
+        return scene_of(text + "[sph]\n" + resolution);
+    };
+    const Scene one = prism_of("levels = 1\n"), several = prism_of("levels = 2\n");
+    EXPECT_GT(wall_effect(one).change, 0.04);
+    EXPECT_LE(wall_effect(several).change, 0.0101);
+    EXPECT_GT(wall_effect(several).change, 0.008) << "or the box is larger than it need be";
+}
+
 TEST(Box, AShipHasItsBlockage) {
     const Scene ship = scene_of(prism("side = 2\nbelow = 2\n", "", "1 m/s"));
     const WallEffect effect = wall_effect(ship);

@@ -82,10 +82,12 @@ TEST(ParticleLevels, AWrittenSpacingIsThatOfBothMethods) {
 }
 
 TEST(ParticleLevels, TakeFewerParticlesAndLessTimeThanOneSize) {
-    const Prediction one = predict(scene_of(planing)), two = predict(scene_of(with_levels(2)));
+    const std::string box = "[domain]\nside = \"2 m\"\nbelow = \"1.6 m\"\n";
+    const Scene fine = scene_of(planing + box), both = scene_of(with_levels(2) + box);
+    const Prediction one = predict(fine), two = predict(both);
     EXPECT_LT(two.particles, 0.6 * one.particles);
     EXPECT_LT(two.sph_seconds, 0.7 * one.sph_seconds);
-    const std::vector<double> counts = particles_of_sizes(scene_of(with_levels(2)));
+    const std::vector<double> counts = particles_of_sizes(both);
     ASSERT_EQ(counts.size(), 2u);
     EXPECT_NEAR(counts[0] + counts[1], two.particles, 1e-6 * two.particles);
 }
