@@ -68,10 +68,11 @@ struct alignas(64) GroupReach {
 };
 
 /// Who is on a list: within `far`, so that the list lasts a while; live at first: within `now`; never asked again:
-/// within `sure`, because nobody goes so far before the list is made anew. Lengths in whatever unit their user says.
+/// within `sure`, because nobody goes so far before the list is made anew. `stale`: how far the sources may have moved
+/// since they were sorted. Lengths in whatever unit their user says.
 struct Reaches {
-    double far, now, sure;
-    Reaches operator/(double unit) const { return {far / unit, now / unit, sure / unit}; }
+    double far, now, sure, stale = 0;
+    Reaches operator/(double unit) const { return {far / unit, now / unit, sure / unit, stale / unit}; }
 };
 struct Reached {
     std::uint32_t far, now, sure;

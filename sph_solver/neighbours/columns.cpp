@@ -206,7 +206,7 @@ void NeighbourLists::build(const Passes& pass, const ColumnGrid& grid, const Qua
         for (std::size_t k = 0; k < chunks; ++k) {
             scratch.clear();
             if (searches.empty())
-                for (const Source& s : sources) searches.emplace_back(grid, in_quanta.far, s);
+                for (const Source& s : sources) searches.emplace_back(grid, in_quanta.far + in_quanta.stale, s);
             const std::size_t first = k * per_chunk, last = std::min(groups.size(), first + per_chunk);
             const std::vector<std::int32_t>& start = *targets.start;
             const auto after = std::upper_bound(start.begin(), start.end(), groups[first].first);

@@ -14,7 +14,8 @@ struct SortedPlaces {
     std::vector<Group> groups;
     NeighbourLists lists;
 
-    SortedPlaces(const std::vector<Vec3>& points, const Level& level, const std::vector<Source>& sources) {
+    /// `travel`: how far the sources have moved since they were sorted [m].
+    SortedPlaces(const std::vector<Vec3>& points, const Level& level, const std::vector<Source>& sources, double travel) {
         std::vector<WidePlace> raw(points.size());
         for (std::size_t k = 0; k < raw.size(); ++k) raw[k] = level.quanta().wide(points[k]);
         sort_by_column(level.grid(), raw, order, start);
@@ -22,10 +23,10 @@ struct SortedPlaces {
         for (std::size_t k = 0; k < raw.size(); ++k) places[k] = raw[static_cast<std::size_t>(order[k])].record(0);
         const Source sorted{places.data(), &start, 0};
         make_groups(level.grid(), sorted, level.passes().lanes, groups);
-        // the particles were sorted a few steps ago and have moved by up to the skin since: twice that keeps the search
-        // complete
-        const double reach = level.kernel().support() + 2 * ListLife::wall_skin_over_dp * level.setup().dp;
-        lists.build(level.passes(), level.grid(), level.quanta(), sorted, groups, sources, {reach, reach, reach});
+        // a margin, because the travel is that of particles that the water's equations move
+        const double support = level.kernel().support(), margin = ListLife::skin_over_dp * level.setup().dp;
+        lists.build(level.passes(), level.grid(), level.quanta(), sorted, groups, sources,
+                    {support, support, support, travel + margin});
     }
 };
 
@@ -51,7 +52,7 @@ void Level::sample(PointSamples& points) const {
     points.support.assign(n, 0);
     if (points.want_flux) points.flux.assign(3 * n, 0);
     if (n == 0) return;
-    const SortedPlaces sorted(points.places, *this, sources());
+    const SortedPlaces sorted(points.places, *this, sources(), life_.travel);
     std::vector<float> p(n), support(n), flux(points.want_flux ? 3 * n : 0);
     ExtrapolateData e = extrapolation();
     e.list = sorted.lists.view();
@@ -99,7 +100,7 @@ void Level::interpolate(FieldsAt& at) {
         records_.velocity_density[i].drho -=
             static_cast<float>(row * at.without.of(double(known_support[i])));
     });
-    const SortedPlaces sorted(at.places, *this, sources());
+    const SortedPlaces sorted(at.places, *this, sources(), life_.travel);
     std::vector<VelocityDensityRecord> value(n);
     std::vector<float> support(n), mean_support(n), compression(rate.empty() ? 0 : n);
     at.compression.resize(compression.size());
