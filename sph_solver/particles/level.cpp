@@ -126,7 +126,7 @@ void Level::first_sweep(double t, double compress, double drift, const OtherSums
     }
     const Stopwatch watch(timers_.update);
     mark_surface();
-    if (!particles_.trend.empty()) records_.compression.assign(particles_.size(), 0);
+    if (particles_.has_coarser) records_.compression.assign(particles_.size(), 0);
     Particles& p = particles_;
     Records& r = records_;
     for (std::size_t i = 0; i < stages_.compression.size(); ++i) stages_.compression[i] = r.rate[i].drho;
@@ -266,7 +266,8 @@ void Level::restore(const State& s, Particles particles) {
     time_ = s.time, dt_ = s.dt, steps_ = s.steps;
     ledger_ = s.ledger, extremes_ = s.extremes;
     if (control_) control_->set_state(s.control);
-    if (!particles_.trend.empty()) particles.trend.resize(particles.size());  // made anew in every step
+    particles.has_coarser = particles_.has_coarser, particles.has_finer = particles_.has_finer;
+    if (particles.has_coarser) particles.trend.resize(particles.size());  // made anew in every step
     particles_ = std::move(particles);
     const double stream = stream_velocity(time_);
     life_.relative_speed = 0;

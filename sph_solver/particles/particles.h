@@ -33,8 +33,11 @@ struct Particles {
     std::vector<float> drho;       ///< rho - rho0 [kg/m3]
     std::vector<std::int64_t> id;  ///< never reused
     std::vector<Kind> kind;
-    // of levels that meet others of another size, else empty
-    std::vector<Trend> trend;          ///< meaningful for guards
+    // of a level that has a coarser one, else empty
+    bool has_coarser = false;
+    std::vector<Trend> trend;  ///< meaningful for guards
+    // of a level that has a finer one, else empty
+    bool has_finer = false;
     std::vector<std::uint8_t> parent;  ///< 1: the finer level has its children
     std::vector<float> compression;    ///< of band: rate of the finer level's density there [kg/m3/s]
 
@@ -44,15 +47,15 @@ struct Particles {
     template <class Function>
     void for_each_array(Function f) {
         f(x), f(y), f(z), f(u), f(v), f(w), f(drho), f(id), f(kind);
-        if (!trend.empty()) f(trend);
-        if (!parent.empty()) f(parent), f(compression);
+        if (has_coarser) f(trend);
+        if (has_finer) f(parent), f(compression);
     }
     void add(double px, double py, double pz, float pu, float pdrho, std::int64_t pid, Kind pkind) {
         x.push_back(px), y.push_back(py), z.push_back(pz);
         u.push_back(pu), v.push_back(0), w.push_back(0);
         drho.push_back(pdrho), id.push_back(pid), kind.push_back(pkind);
-        if (!trend.empty()) trend.emplace_back();
-        if (!parent.empty()) parent.push_back(0), compression.push_back(0);
+        if (has_coarser) trend.emplace_back();
+        if (has_finer) parent.push_back(0), compression.push_back(0);
     }
     /// New order: particle k becomes what particle order[k] was; particles not named are dropped.
     void reorder(const std::vector<std::int32_t>& order) {

@@ -62,6 +62,7 @@ Refinement::Refinement(Level& coarse, Level& fine, Zone zone)
       dp_(fine.setup().dp),
       excess_(coarse.kernel(), coarse.setup().dp, coarse.dimensions()) {
     Particles &c = coarse.particles(), &f = fine.particles();
+    f.has_coarser = c.has_finer = true;
     f.trend.assign(f.size(), {});
     c.compression.assign(c.size(), 0);
     c.parent.assign(c.size(), 0);

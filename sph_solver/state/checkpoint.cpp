@@ -45,7 +45,7 @@ void write_level(hid_t at, const Level& level) {
         h5::write_vector(at, name, type, values, false);
     };
     for_each_named(level.particles(), write);
-    if (!level.particles().parent.empty()) for_each_named_under_finer(level.particles(), write);
+    if (level.particles().has_finer) for_each_named_under_finer(level.particles(), write);
 }
 
 Checkpoint::OfLevel read_level(hid_t at) {
