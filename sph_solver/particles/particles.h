@@ -18,6 +18,13 @@ enum class Kind : std::uint8_t {
 constexpr bool is_active(Kind k) { return k <= Kind::outlet; }
 constexpr bool follows_the_equations(Kind k) { return k == Kind::fluid || k == Kind::band; }
 
+/// What a particle has of particles of half the spacing in its place.
+enum class Children : std::uint8_t {
+    none = 0,
+    all = 1,
+    some = 2  ///< has been out of their reach; those may be there still
+};
+
 /// How the fields of a guard change in time, from the coarser level, and what that level knows of its surroundings.
 struct Trend {
     float u = 0, v = 0, w = 0;  ///< [m/s2]
@@ -38,8 +45,8 @@ struct Particles {
     std::vector<Trend> trend;  ///< meaningful for guards
     // of a level that has a finer one, else empty
     bool has_finer = false;
-    std::vector<std::uint8_t> parent;  ///< 1: the finer level has its children
-    std::vector<float> compression;    ///< of band: rate of the finer level's density there [kg/m3/s]
+    std::vector<Children> children;
+    std::vector<float> compression;  ///< of band: rate of the finer level's density there [kg/m3/s]
 
     std::size_t size() const { return x.size(); }
 
@@ -48,14 +55,14 @@ struct Particles {
     void for_each_array(Function f) {
         f(x), f(y), f(z), f(u), f(v), f(w), f(drho), f(id), f(kind);
         if (has_coarser) f(trend);
-        if (has_finer) f(parent), f(compression);
+        if (has_finer) f(children), f(compression);
     }
     void add(double px, double py, double pz, float pu, float pdrho, std::int64_t pid, Kind pkind) {
         x.push_back(px), y.push_back(py), z.push_back(pz);
         u.push_back(pu), v.push_back(0), w.push_back(0);
         drho.push_back(pdrho), id.push_back(pid), kind.push_back(pkind);
         if (has_coarser) trend.emplace_back();
-        if (has_finer) parent.push_back(0), compression.push_back(0);
+        if (has_finer) children.push_back(Children::none), compression.push_back(0);
     }
     /// New order: particle k becomes what particle order[k] was; particles not named are dropped.
     void reorder(const std::vector<std::int32_t>& order) {

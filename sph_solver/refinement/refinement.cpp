@@ -65,8 +65,9 @@ Refinement::Refinement(Level& coarse, Level& fine, Zone zone)
     f.has_coarser = c.has_finer = true;
     f.trend.assign(f.size(), {});
     c.compression.assign(c.size(), 0);
-    c.parent.assign(c.size(), 0);
-    for (std::size_t i = 0; i < c.size(); ++i) c.parent[i] = belongs(zone_, place(c, i), dp_);
+    c.children.assign(c.size(), Children::none);
+    for (std::size_t i = 0; i < c.size(); ++i)
+        if (belongs(zone_, place(c, i), dp_)) c.children[i] = Children::all;
     for (std::size_t i = 0; i < f.size(); ++i)
         if (zone_.outside(place(f, i)) >= 0) f.kind[i] = Kind::guard;
     label_coarse();
@@ -88,7 +89,10 @@ void Refinement::label_coarse() {
             kind = s > -band_over_dp * dp_ ? Kind::band : Kind::carried;
         else if (s >= 0 && under)
             kind = Kind::fluid;
-        if (s > again_over_dp * dp_) c.parent[i] = 0;
+        if (s > barren_over_dp * dp_)
+            c.children[i] = Children::none;
+        else if (s > again_over_dp * dp_ && c.children[i] == Children::all)
+            c.children[i] = Children::some;
     });
 }
 
@@ -132,29 +136,34 @@ void Refinement::relabel() {
 void Refinement::give_birth() {
     Particles &c = coarse_.particles(), &f = fine_.particles();
     const int dimensions = coarse_.dimensions();
+    struct Birth {
+        std::size_t parent;
+        bool first;
+    };
     FieldsAt children;
-    std::vector<std::size_t> parents;
+    std::vector<Birth> births;
     for (std::size_t i = 0; i < c.size(); ++i) {
         const bool may = c.kind[i] == Kind::fluid || c.kind[i] == Kind::band || c.kind[i] == Kind::carried;
-        if (!may || c.parent[i] || !belongs(zone_, place(c, i), dp_)) continue;
-        c.parent[i] = 1;
+        if (!may || c.children[i] == Children::all || !belongs(zone_, place(c, i), dp_)) continue;
+        const bool first = c.children[i] == Children::none;
+        c.children[i] = Children::all;
         for (int octant = 0; octant < (dimensions == 3 ? 8 : 4); ++octant) {
             const double half = dp_ / 2;
             const Vec3 to(octant & 1 ? half : -half, dimensions == 2 ? 0 : octant & 4 ? half : -half,
                           octant & 2 ? half : -half);
             children.places.push_back(place(c, i) + to);
-            parents.push_back(i);
+            births.push_back({i, first});
         }
     }
-    if (parents.empty()) return;
+    if (births.empty()) return;
     coarse_.interpolate(children);
     Crowd crowd(0.6 * dp_, dimensions);
     for (std::size_t i = 0; i < f.size(); ++i)
         if (const Vec3 x = place(f, i); zone_.outside(x) > (guard_over_dp - 2) * dp_) crowd.add(x);
-    for (std::size_t k = 0; k < parents.size(); ++k) {
+    for (std::size_t k = 0; k < births.size(); ++k) {
         const Vec3& x = children.places[k];
-        if (crowd.has_near(x)) continue;
-        const std::size_t i = parents[k];
+        if (!births[k].first && crowd.has_near(x)) continue;
+        const std::size_t i = births[k].parent;
         f.add(x.x(), x.y(), x.z(), 0, 0, fine_.next_id(), zone_.outside(x) < 0 ? Kind::fluid : Kind::guard);
         const bool known = children.support[k] >= no_water;
         set_fields(f, f.size() - 1,

@@ -17,9 +17,11 @@ namespace tw {
 /// sizes differ there; elsewhere by its own, which reflects less sound.
 ///
 /// So the coarse level is whole everywhere: its mass changes at inlet and outlet only. A coarse particle that comes
-/// within 4 dp of the zone has four (in three dimensions eight) children, guards at first, and may have others only
-/// after it was 4.5 dp away and where no fine particle is near; one that leaves the zone is active again with the
-/// fields that it was given last. Nothing is merged.
+/// within 4 dp of the zone has four (in three dimensions eight) children, guards at first, all of them however near to
+/// others: where the flow stretches, parents come near each other in one direction and part in another, and children left
+/// out for lack of room would be lost mass. One that was 4.5 dp away has them anew where no fine particle is near; one
+/// that was 6 dp away, where guards are gone, all of them. A coarse particle that leaves the zone is active again with
+/// the fields that it was given last. Nothing is merged.
 ///
 /// A step of the coarse level comes first, with the band moved by its own equations; then two steps of the fine level,
 /// with the guards' fields linear in time between the coarse level's; then the fine level's fields go to band and
@@ -65,7 +67,8 @@ public:
     double surplus() const;
 
 private:
-    static constexpr double guard_over_dp = 4, again_over_dp = 4.5, gone_over_dp = 5, band_over_dp = 8;
+    static constexpr double guard_over_dp = 4, again_over_dp = 4.5, gone_over_dp = 5, barren_over_dp = 6,
+                            band_over_dp = 8;
 
     /// As the coarse level has them there, with the excess of a fine surface in place of a coarse one's.
     VelocityDensityRecord for_fine(const FieldsAt& from_coarse, std::size_t k) const;

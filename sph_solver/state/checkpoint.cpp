@@ -18,7 +18,7 @@ std::string edge_name(std::size_t k) { return fmt::format("edge_{}", k); }
 /// What only levels that have a finer one keep.
 template <class P, class Function>
 void for_each_named_under_finer(P& p, Function f) {
-    f("parent", H5T_NATIVE_UINT8, p.parent), f("compression", H5T_NATIVE_FLOAT, p.compression);
+    f("children", H5T_NATIVE_UINT8, p.children), f("compression", H5T_NATIVE_FLOAT, p.compression);
 }
 
 /// The arrays of the particles under their names, the same list for writing and reading.
@@ -65,7 +65,7 @@ Checkpoint::OfLevel read_level(hid_t at) {
             throw h5::Failure{std::string(name) + " has another length than x"};
     };
     for_each_named(level.particles, read);
-    if (h5::has(at, "parent")) for_each_named_under_finer(level.particles, read);
+    if (h5::has(at, "children")) for_each_named_under_finer(level.particles, read);
     return level;
 }
 
@@ -193,6 +193,10 @@ void restore(Simulation& simulation, Checkpoint checkpoint) {
                 fmt::format("level {} of the checkpoint is {}, the scene's is {}; start anew with "
                             "--overwrite",
                             k, checkpoint.levels[k].material, simulation.level(k).setup().material));
+    for (std::size_t k = 0; k < levels; ++k)
+        if (const Particles& p = checkpoint.levels[k].particles;
+            simulation.level(k).particles().has_finer && p.children.size() != p.size())
+            throw InputError("the checkpoint was written by an earlier version of twinwake; start anew with --overwrite");
     if (checkpoint.edges.size() != simulation.refinements().size())
         throw InputError("the checkpoint's water has another number of particle sizes; start anew with --overwrite");
     for (std::size_t k = 0; k < checkpoint.edges.size(); ++k)

@@ -105,7 +105,7 @@ Simulation make(int threads) {
     for (std::size_t k = 0; k < a.levels().size(); ++k) {
         const Particles &p = a.level(k).particles(), &q = b.level(k).particles();
         if (p.id != q.id || p.x != q.x || p.z != q.z || p.u != q.u || p.w != q.w || p.drho != q.drho ||
-            p.kind != q.kind || p.parent != q.parent)
+            p.kind != q.kind || p.children != q.children)
             return ::testing::AssertionFailure() << "level " << k << " differs";
     }
     return ::testing::AssertionSuccess();
