@@ -115,18 +115,17 @@ void follow_spacing(Scene& scene, const std::function<void()>& make_domain) {
 std::vector<std::vector<Box>> particle_zones(const Scene& scene) {
     std::vector<std::vector<Box>> zones;
     if (scene.sph.levels == 1) return zones;
-    const auto refuse = [&](const std::string& why) {
-        throw InputError(scene.place_of("sph.levels") + ": " + why);
-    };
+    const auto refuse = [&](const std::string& why) { throw InputError(scene.place_of("sph.levels") + ": " + why); };
     if (!scene.hull || scene.motion.kind != Motion::Kind::stream)
         refuse("several sizes of particles are for a hull in a stream so far; leave it out");
     const Box& domain = scene.domain.box;
     const double dp = scene.resolution.near_hull;
     const std::vector<Box> round_hull = hull_zones(scene);
     if (const int fit = zones_that_fit(scene, round_hull); fit + 1 < scene.sph.levels)
-        refuse(fmt::format("particles of {:.4g} m do not fit between the inlet and the hull; at most {} here, or a "
-                           "longer domain ahead",
-                           std::ldexp(dp, fit + 1), fit + 1));
+        refuse(
+            fmt::format("particles of {:.4g} m do not fit between the inlet and the hull; at most {} here, or a "
+                        "longer domain ahead",
+                        std::ldexp(dp, fit + 1), fit + 1));
     // how far a zone reaches beyond the places of each size
     std::vector<double> width(static_cast<std::size_t>(scene.sph.levels), 0.0);
     for (int k = 1; k < scene.sph.levels; ++k) {
@@ -145,28 +144,32 @@ std::vector<std::vector<Box>> particle_zones(const Scene& scene) {
     return zones;
 }
 
-std::vector<double> particles_of_sizes(const Scene& scene) {
+std::vector<ParticlesOfSize> particles_of_sizes(const Scene& scene) {
     constexpr double guards = 4.5;  // spacings
     const bool flat = scene.domain.dimensions == 2;
     Box water = scene.domain.box;
     water.max.z() = std::min(0.0, water.max.z());
     const double hull = water.volume() - water_volume(scene);
     const std::vector<std::vector<Box>> zones = particle_zones(scene);
-    std::vector<double> counts;
-    for (std::size_t k = 0; k <= zones.size(); ++k) {
-        const double dp = std::ldexp(scene.resolution.near_hull, static_cast<int>(zones.size() - k));
-        double volume = water_volume(scene);
-        if (k > 0) {
-            std::vector<Box> boxes = zones[k - 1];
-            for (Box& box : boxes) {
-                box.min = (box.min.array() - guards * dp).matrix().cwiseMax(water.min);
-                box.max = (box.max.array() + guards * dp).matrix().cwiseMin(water.max);
-            }
-            volume = volume_of(boxes) - hull;
+    const auto water_within = [&](std::vector<Box> boxes, double further) {
+        for (Box& box : boxes) {
+            box.min = (box.min.array() - further).matrix().cwiseMax(water.min);
+            box.max = (box.max.array() + further).matrix().cwiseMin(water.max);
         }
-        counts.push_back(volume / (flat ? dp * dp * water.size().y() : dp * dp * dp));
+        return volume_of(boxes) - hull;
+    };
+    std::vector<ParticlesOfSize> sizes;
+    for (std::size_t k = 0; k <= zones.size(); ++k) {
+        ParticlesOfSize& size = sizes.emplace_back();
+        const double dp = size.spacing = std::ldexp(scene.resolution.near_hull, static_cast<int>(zones.size() - k));
+        const double particle = flat ? dp * dp * water.size().y() : dp * dp * dp;
+        const double own = k > 0 ? water_within(zones[k - 1], 0) : water_volume(scene),
+                     finer = k < zones.size() ? water_within(zones[k], 0) : 0;
+        size.active = (own - finer) / particle;
+        size.parents = finer / particle;
+        if (k > 0) size.guards = (water_within(zones[k - 1], guards * dp) - own) / particle;
     }
-    return counts;
+    return sizes;
 }
 
 }  // namespace tw
