@@ -30,8 +30,8 @@ Plot view(std::span<const RunRecord> runs, const std::vector<std::string>& names
     plot.x_label = "x, to the stern [m]";
     plot.y_label = up == 2 ? "z [m]" : "y [m]";
     const bool stream = text_of(runs.front(), "motion", "") == "stream";
-    plot.title =
-        up == 2 ? fmt::format("Side view{}; dotted: still water", stream ? ", stream from the left" : "") : "Plan view";
+    plot.title = up == 1 ? "Plan view" : stream ? "Side view, stream from the left; dotted: still water" : "Side view";
+    if (!runs.front().hull.triangles.empty()) plot.title += "; grey: hull";
     if (up == 1 && number_of_text(runs.front(), "symmetry_factor", 1) > 1)
         plot.title += "; y = 0 is a plane of symmetry";
     if (up == 2 && stream) plot.levels.push_back({"", 0});

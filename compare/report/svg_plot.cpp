@@ -125,13 +125,13 @@ std::vector<LabelBox> areas_of(const std::vector<PlotBox>& boxes, const auto& X,
     return areas;
 }
 
-/// One upright stroke for each x.
+/// One upright stroke for each x, as wide as two steps so that no light falls between.
 std::string shadow_path(const PlotShadow& shadow, const auto& X, const auto& Y) {
     if (shadow.x.empty()) return {};
     std::string d;
     for (std::size_t i = 0; i < shadow.x.size(); ++i)
         d += fmt::format("M{:.1f},{:.1f}V{:.1f}", X(shadow.x[i]), Y(shadow.low[i]), Y(shadow.high[i]));
-    return fmt::format("<path class=\"shadow\" stroke-width=\"{:.2f}\" d=\"{}\"/>", 1.1 * (X(shadow.step) - X(0)), d);
+    return fmt::format("<path class=\"shadow\" stroke-width=\"{:.2f}\" d=\"{}\"/>", 2 * (X(shadow.step) - X(0)), d);
 }
 
 /// A plot between its <svg> and </svg>; without an area where it has no data.
@@ -198,13 +198,13 @@ Drawing draw(const Plot& plot) {
             out += fmt::format("<line class=\"grid\" y1=\"{0:.1f}\" y2=\"{0:.1f}\" x1=\"{1}\" x2=\"{2:.1f}\"/>", Y(v),
                                left, left + plot_width);
     }
+    out += shadow_path(p.shadow, X, Y);
     const std::vector<LabelBox> areas = areas_of(p.boxes, X, Y);
     for (std::size_t i = 0; i < p.boxes.size(); ++i)
         out += fmt::format(
             "<rect class=\"box s{0} f{0}{1}\" x=\"{2:.1f}\" y=\"{3:.1f}\" width=\"{4:.1f}\" height=\"{5:.1f}\"/>",
             p.boxes[i].source, p.boxes[i].dashed ? " dashed" : "", areas[i].left, areas[i].top,
             areas[i].right - areas[i].left, areas[i].bottom - areas[i].top);
-    out += shadow_path(p.shadow, X, Y);
     for (const PlotBand& b : p.bands) {
         const double h = std::max(1.0, Y(b.value - b.half_width) - Y(b.value + b.half_width));
         out += fmt::format("<rect class=\"band f{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>",

@@ -28,7 +28,8 @@ struct PlotImage {
     double x_min = 0, x_max = 0, y_min = 0, y_max = 0;
 };
 
-/// A box in data coordinates: its edges in the source's colour over a pale filling, its label where there is room.
+/// A box in data coordinates: its edges in the source's colour over a pale filling (none where dashed), its label where
+/// there is room.
 struct PlotBox {
     std::string label;
     std::size_t source = 0;
