@@ -2,8 +2,29 @@
 #include "app/output.h"
 #include "app/run_method.h"
 #include "app/twins.h"
+#include "base/errors.h"
+#include "compare/report/resolution_picture.h"
+#include "compare/report/svg_plot.h"
+#include "record/run_record.h"
 
 namespace tw::app {
+
+namespace {
+
+void draw_sizes(const Scene& scene, const std::filesystem::path& file) {
+    std::vector<RunRecord> runs;
+    std::vector<std::string> names;
+    for (const std::string& method : scene.run.methods) {
+        runs.push_back(new_record(scene, method));
+        names.push_back(method == "sph" ? "particles (sph)" : "cells (fvm)");
+    }
+    const std::string picture = resolution_picture(runs, names);
+    if (picture.empty())
+        throw InputError("--picture: particles and cells have one size everywhere in this scene; leave the option out");
+    write_file(file, svg_file(picture));
+}
+
+}  // namespace
 
 int run_check(const CheckCommand& command, const Common& common) {
     const auto [scene, prediction] = plan_run(command.scene.file, command.scene.overrides(), "", command.threads);
@@ -12,6 +33,7 @@ int run_check(const CheckCommand& command, const Common& common) {
     for (const std::string& method : scene.run.methods) own += plan.seconds(method);
     const Twins twins(command.scene.file, command.scene.overrides(), "", command.threads, {});
     say(common, to_text(scene, prediction) + twins.prediction_text(own));
+    if (!command.picture.empty()) draw_sizes(scene, command.picture);
     write_json(common, check_json(scene, prediction));
     return done;
 }

@@ -42,7 +42,8 @@ void refuse_unknown_effect(const std::string& option, const std::string& name);
 
 struct CheckCommand {
     SceneArguments scene;
-    int threads = 0;  ///< 0: the scene's
+    int threads = 0;                ///< 0: the scene's
+    std::filesystem::path picture;  ///< SVG file of the sizes of particles and cells; empty: none
 };
 int run_check(const CheckCommand& command, const Common& common);
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/box_walls.h"
+#include "scene/cost_of_sizes.h"
 
 namespace tw::app {
 namespace {
@@ -86,6 +87,17 @@ std::string check_json(const Scene& scene, const Prediction& p) {
     Json refinement = Json::array();
     for (const RefinementBox& r : scene.refinement)
         refinement.push_back({{"name", r.name}, {"level", r.level}, {"box", box(r.box)}});
+    Json sizes = Json::array();
+    for (const CostOfSize& s : cost_of_sizes(scene, p))
+        sizes.push_back({{"spacing", s.particles.spacing},
+                         {"active", std::round(s.particles.active)},
+                         {"guards", std::round(s.particles.guards)},
+                         {"parents", std::round(s.particles.parents)},
+                         {"bytes", s.bytes},
+                         {"seconds", s.seconds},
+                         {"dt", s.dt}});
+    const Json sph{
+        {"seconds", p.sph_seconds}, {"bytes", p.sph_bytes}, {"steps", std::round(p.sph_steps)}, {"sizes", sizes}};
     const WallEffect walls = wall_effect(scene);
     return written({{"title", scene.title},
                     {"scene_hash", scene.hash},
@@ -104,9 +116,7 @@ std::string check_json(const Scene& scene, const Prediction& p) {
                     {"ramp", scene.motion.ramp},
                     {"c0", scene.sph.c0},
                     {"effects", effects},
-                    {"predicted",
-                     {{"sph", {{"seconds", p.sph_seconds}, {"bytes", p.sph_bytes}, {"steps", std::round(p.sph_steps)}}},
-                      {"fvm", {{"seconds", p.fvm_seconds}, {"bytes", p.fvm_bytes}}}}}});
+                    {"predicted", {{"sph", sph}, {"fvm", {{"seconds", p.fvm_seconds}, {"bytes", p.fvm_bytes}}}}}});
 }
 
 std::string hull_json(const HullFacts& f) {

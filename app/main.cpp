@@ -173,6 +173,9 @@ int dispatch(int argc, char** argv) {
                   "predict for this many threads (particles) and ranks (mesh); all cores unless given")
         ->check(CLI::Range(1, 4096));
 
+    c->add_option("--picture", check.picture,
+                  "SVG file to write: side and plan view of the sizes of particles and cells round the hull");
+
     ReferenceCommand reference;
     c = subcommand(
         &app, "reference", "every section, key, effect and shape of a scene file, as Markdown",

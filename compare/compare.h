@@ -72,6 +72,7 @@ struct Gate {
     double value = 0, limit = 0;
     bool pass = false;
     std::string remark;
+    bool warns = false;  ///< what is not met is a warning
 };
 
 /// Free-surface elevation over a straight cut, mean over the settled frames.

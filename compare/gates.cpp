@@ -10,6 +10,7 @@
 #include "compare/read/record_numbers.h"
 #include "compare/reference/prismatic_hull.h"
 #include "compare/statistics/settled_mean.h"
+#include "record/certificate.h"
 
 namespace tw {
 
@@ -164,7 +165,7 @@ std::vector<Gate> check_gates(const RunRecord& record, const std::string& name) 
         std::string remark = fmt::format("stability certificate: worst of the whole run, at {:.4g} s", line.time);
         if (line.place.allFinite())
             remark += fmt::format(", ({:.3g}, {:.3g}, {:.3g}) m", line.place.x(), line.place.y(), line.place.z());
-        gates.push_back({line.name, name, line.unit, line.value, line.limit, line.met(), remark});
+        gates.push_back({line.name, name, line.unit, line.value, line.limit, line.met(), remark, only_warns(line)});
     }
     return gates;
 }

@@ -3,6 +3,13 @@
 
 namespace tw {
 
+/// Lines of runs with several sizes of particles: the mass of the finer side of an edge against that of the coarse
+/// particles that stand for it, and the share of an edge's particles without water of the other size near.
+inline constexpr const char* mass_drift_line = "mass drift of a finer zone";
+inline constexpr const char* orphans_line = "orphans at a zone's edge";
+/// Whether a line that is not met warns only: the run's other numbers may be used, with this in mind.
+bool only_warns(const CertificateLine& line);
+
 /// Keeps the worst of the record's line of this name and this one; a value that is not a number is the worst.
 void note_worst(RunRecord& record, const CertificateLine& line);
 

@@ -78,6 +78,11 @@ void check_values(const std::string& file, const RunRecord& record) {
     check.at_least_zero("cost/peak_memory", record.peak_memory);
     check.at_least_zero("cost/elements", record.elements);
     check.at_least_zero("cost/steps", record.steps);
+    for (const ResolvedBox& r : record.resolution) {
+        check.above_zero("resolution/size", r.size);
+        for (const Vec3& corner : {r.box.min, r.box.max})
+            for (const double x : corner) check.finite("resolution/box", x);
+    }
     for (const EffectChoice& effect : record.effects) check.finite("effects/" + effect.name + "/cost", effect.cost);
     for (const CertificateLine& line : record.certificate) {
         const std::string key = "certificate/" + line.name;

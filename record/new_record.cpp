@@ -7,6 +7,7 @@
 #include "record/code_version.h"
 #include "record/this_machine.h"
 #include "scene/hash.h"
+#include "scene/particle_levels.h"
 
 namespace tw {
 
@@ -36,6 +37,23 @@ std::string surface_cells(const Scene& scene) {
                 fmt::format("{}{} {} {} {} {}", text.empty() ? "" : " ", scene.resolution.spacing / std::exp2(r.level),
                             r.box.min.x(), r.box.max.x(), r.box.min.y(), r.box.max.y());
     return text.empty() ? "none" : text;
+}
+
+/// As set up: the particles' zones, or the mesh's boxes.
+std::vector<ResolvedBox> resolution_of(const Scene& scene, const std::string& method) {
+    std::vector<ResolvedBox> finer;
+    double largest = scene.resolution.spacing;
+    if (method == "fvm")
+        for (const RefinementBox& r : scene.refinement) finer.push_back({largest / std::exp2(r.level), r.box});
+    if (method == "sph") {
+        const std::vector<std::vector<Box>> zones = particle_zones(scene);
+        double size = largest = std::ldexp(scene.resolution.near_hull, static_cast<int>(zones.size()));
+        for (const std::vector<Box>& zone : zones) {
+            size /= 2;
+            for (const Box& box : zone) finer.push_back({size, box});
+        }
+    }
+    return resolution_within({largest, scene.domain.box}, finer);
 }
 
 }  // namespace
@@ -123,6 +141,7 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
     record.scene_text = scene.text;
     record.raster = scene.sampling.raster;
     record.effects = scene.effects;
+    if (method == "sph" || method == "fvm") record.resolution = resolution_of(scene, method);
     return record;
 }
 

@@ -153,6 +153,19 @@ void read_certificate(hid_t file, RunRecord& record) {
         record.certificate.push_back({name[i], unit[i], value[i], limit[i], time[i], {x[i], y[i], z[i]}});
 }
 
+void read_resolution(hid_t file, RunRecord& record) {
+    if (!h5::has(file, layout::resolution)) return;  // records had none at first
+    const h5::Handle group = h5::open_group(file, layout::resolution);
+    const auto size = h5::read_vector<double>(group, "size", H5T_NATIVE_DOUBLE);
+    const auto dims = h5::dimensions(group, "box");
+    if (dims.size() != 3 || dims[0] != size.size() || dims[1] != 2 || dims[2] != 3)
+        throw h5::Failure{"the boxes of resolution are not two corners for each size"};
+    std::vector<double> corners(6 * size.size());
+    h5::read_array(group, "box", H5T_NATIVE_DOUBLE, corners.data(), corners.size());
+    for (std::size_t i = 0; i < size.size(); ++i)
+        record.resolution.push_back({size[i], {Vec3(&corners[6 * i]), Vec3(&corners[6 * i + 3])}});
+}
+
 RunRecord read_contents(hid_t file) {
     RunRecord record;
     record.state = h5::read_text_attribute(file, "state");
@@ -170,6 +183,7 @@ RunRecord read_contents(hid_t file) {
     read_cost(file, record);
     read_effects(file, record);
     read_certificate(file, record);
+    read_resolution(file, record);
     return record;
 }
 

@@ -16,6 +16,7 @@ inline constexpr const char* hull = "hull";
 inline constexpr const char* cost = "cost";
 inline constexpr const char* effects = "effects";
 inline constexpr const char* certificate = "certificate";
+inline constexpr const char* resolution = "resolution";
 
 /// Behind the HDF5 bytes: this label, 64 hexadecimal digits, a line end.
 inline const std::string checksum_label = "\ntwinwake sha256 ";

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "record/resolution.h"
 #include "scene/run_options.h"
 #include "scene/scene.h"
 
@@ -62,6 +63,10 @@ struct CertificateLine {
 ///            lowest point [m]; q0, qx, qy, qz, the quaternion that turns it from how it stood at first; vx.. [m/s],
 ///            spin_x.. [rad/s]; fx.., mx.. force of the water and its moment about the centre of mass [N, N m], earth
 ///            axes, and fx_body.., mx_body.. the same in axes that turn with the body and were the earth's at the start
+///   level_0, level_1, ...: of each of several sizes of particles, coarsest first, one row per frame: spacing [m], dt
+///            [s]; active particles; band and carried, which stand for finer ones; guards, which stand for coarser
+///            ones; births and deaths at the edge of its zone since the start; spray beyond that edge; orphans, particles
+///            of its edge without water of the other size near; mass_drift of the zone since the start [%]
 /// A value that a method does not know at some time is NaN; a column it never knows is absent.
 struct RunRecord {
     static constexpr int format_version = 1;
@@ -70,6 +75,7 @@ struct RunRecord {
     /// ranks, isa, openfoam, started, symmetry_factor, moment_reference, calibrated, ...
     std::map<std::string, std::string> attributes;
     /// spacing h, length, beam, draft, trim, speed, density, gravity, duration, mean_from, h_over_dp, c0, alpha, ...
+    /// level_0_seconds, ...: wall time of the sweeps of each size of particles since the run was begun or resumed
     std::map<std::string, double> numbers;
     std::string scene_text;
 
@@ -84,6 +90,8 @@ struct RunRecord {
     double elements = 0, steps = 0;  ///< particles or cells; time steps
     std::vector<EffectChoice> effects;
     std::vector<CertificateLine> certificate;  ///< of the whole run, begun and resumed; empty in older records
+    /// The domain with its largest size, and where the run was finer at its end; empty where it is not known.
+    std::vector<ResolvedBox> resolution;
 
     std::string state = "running";  ///< "running", "finished", "stopped", "failed"
     std::string reason;             ///< why it stopped or failed
@@ -94,6 +102,8 @@ struct RunRecord {
 
 /// The table of a body that moves.
 inline std::string body_table(const std::string& name) { return "body_" + name; }
+/// The table of one of several sizes of particles, coarsest first.
+inline std::string level_table(std::size_t k) { return "level_" + std::to_string(k); }
 
 /// The point moments are taken about: the middle of the posed hull's bounding box in x and y, at still water (z = 0)
 /// [m].

@@ -144,6 +144,19 @@ void write_certificate(hid_t file, const RunRecord& record) {
         h5::write_vector(group, column, H5T_NATIVE_DOUBLE, *values, false);
 }
 
+void write_resolution(hid_t file, const RunRecord& record) {
+    const h5::Handle group = h5::create_group(file, layout::resolution);
+    std::vector<double> size, corners;
+    for (const ResolvedBox& r : record.resolution) {
+        size.push_back(r.size);
+        for (const Vec3& corner : {r.box.min, r.box.max})
+            corners.insert(corners.end(), corner.data(), corner.data() + 3);
+    }
+    h5::write_vector(group, "size", H5T_NATIVE_DOUBLE, size, false);
+    const std::array<hsize_t, 3> dims{size.size(), 2, 3};
+    h5::write_array(group, "box", H5T_NATIVE_DOUBLE, corners.data(), dims, false);
+}
+
 std::string record_bytes(const RunRecord& record) {
     const h5::Handle file = h5::create_in_memory();
     h5::write_attribute(file, layout::kind_attribute, layout::kind);
@@ -165,6 +178,7 @@ std::string record_bytes(const RunRecord& record) {
     write_cost(file, record);
     write_effects(file, record);
     write_certificate(file, record);
+    write_resolution(file, record);
     return h5::image(file);
 }
 

@@ -188,9 +188,9 @@ Prediction predict(const Scene& scene, const MachinePace& pace) {
     const bool flat = scene.domain.dimensions == 2;
     const double particle = flat ? dp * dp * scene.domain.box.size().y() : dp * dp * dp;
     double steps_of_finest = 0;  // of as many particles as are due in a step of the finest size
-    for (const double count : particles_of_sizes(scene)) {
-        p.particles = count + p.particles;
-        steps_of_finest = count + steps_of_finest / 2;
+    for (const ParticlesOfSize& size : particles_of_sizes(scene)) {
+        p.particles += size.all();
+        steps_of_finest = size.all() + steps_of_finest / 2;
     }
     double solid_area = scene.hull ? scene.hull->mass.area / scene.symmetry_factor() : 0;
     for (const Obstacle& o : scene.obstacles) solid_area += mass_properties(o.surface).area;

@@ -231,29 +231,39 @@ std::vector<Box> bodies_half_way(const Scene& scene) {
 
 }  // namespace
 
-std::vector<double> particles_of_sizes(const Scene& scene) {
+std::vector<ParticlesOfSize> particles_of_sizes(const Scene& scene) {
     constexpr double guards = 4.5;  // spacings
     const bool flat = scene.domain.dimensions == 2;
-    Box water = scene.domain.box;
-    water.max.z() = std::min(0.0, water.max.z());
-    const double hull = water.volume() - water_volume(scene);
+    std::vector<Box> blocks = scene.water_blocks;
+    if (blocks.empty()) {
+        blocks.push_back(scene.domain.box);
+        blocks[0].max.z() = std::min(0.0, blocks[0].max.z());
+    }
+    const double span = scene.domain.box.size().y(), solids = volume_of(blocks) - water_volume(scene);
     std::vector<std::vector<Box>> zones = particle_zones(scene);
     if (!zones.empty() && !scene.bodies.empty()) zones = particle_zones(scene, bodies_half_way(scene));
-    std::vector<double> counts;
-    for (std::size_t k = 0; k <= zones.size(); ++k) {
-        const double dp = std::ldexp(scene.resolution.near_hull, static_cast<int>(zones.size() - k));
-        double volume = water_volume(scene);
-        if (k > 0) {
-            std::vector<Box> boxes = zones[k - 1];
-            for (Box& box : boxes) {
-                box.min = (box.min.array() - guards * dp).matrix().cwiseMax(water.min);
-                box.max = (box.max.array() + guards * dp).matrix().cwiseMin(water.max);
+    const auto water_within = [&](const std::vector<Box>& boxes, double further) {
+        std::vector<Box> wet;
+        for (const Box& box : boxes)
+            for (const Box& block : blocks) {
+                const Box both{(box.min.array() - further).matrix().cwiseMax(block.min),
+                               (box.max.array() + further).matrix().cwiseMin(block.max)};
+                if ((both.size().array() > 0).all()) wet.push_back(both);
             }
-            volume = volume_of(boxes) - hull;
-        }
-        counts.push_back(volume / (flat ? dp * dp * water.size().y() : dp * dp * dp));
+        return std::max(0.0, volume_of(wet) - solids);
+    };
+    std::vector<ParticlesOfSize> sizes;
+    for (std::size_t k = 0; k <= zones.size(); ++k) {
+        ParticlesOfSize& size = sizes.emplace_back();
+        const double dp = size.spacing = std::ldexp(scene.resolution.near_hull, static_cast<int>(zones.size() - k));
+        const double particle = flat ? dp * dp * span : dp * dp * dp;
+        const double own = k > 0 ? water_within(zones[k - 1], 0) : water_volume(scene),
+                     finer = k < zones.size() ? water_within(zones[k], 0) : 0;
+        size.active = (own - finer) / particle;
+        size.parents = finer / particle;
+        if (k > 0) size.guards = (water_within(zones[k - 1], guards * dp) - own) / particle;
     }
-    return counts;
+    return sizes;
 }
 
 }  // namespace tw

@@ -23,8 +23,13 @@ std::vector<std::vector<Box>> particle_zones(const Scene& scene, std::span<const
 /// is made in any case.
 void follow_spacing(Scene& scene, const std::function<void()>& make_domain);
 
-/// How many particles each size takes, coarsest first: those of its zone, the guards round it, and those of a finer
-/// zone that stand for finer particles.
-std::vector<double> particles_of_sizes(const Scene& scene);
+/// Particles of one size: those that are the water of their zone, and those that stand for water of the next larger
+/// and the next smaller size.
+struct ParticlesOfSize {
+    double spacing = 0, active = 0, guards = 0, parents = 0;
+    double all() const { return active + guards + parents; }
+};
+/// How many particles each size takes, coarsest first.
+std::vector<ParticlesOfSize> particles_of_sizes(const Scene& scene);
 
 }  // namespace tw

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "scene/box_walls.h"
+#include "scene/cost_of_sizes.h"
 #include "scene/defaults.h"
 #include "scene/edge_refinement.h"
 #include "scene/mesh_motion.h"
@@ -95,6 +96,20 @@ std::string body_text(const MovingBody& b, const Scene& scene) {
     return out;
 }
 
+/// One line for each of several sizes of particles.
+std::string sizes_text(const Scene& scene, const Prediction& p) {
+    const std::vector<CostOfSize> sizes = cost_of_sizes(scene, p);
+    if (sizes.size() < 2) return {};
+    std::string out = "       particles      all = active + guards + parents      memory  of the time     time step\n";
+    for (const CostOfSize& s : sizes) {
+        const ParticlesOfSize& n = s.particles;
+        out += fmt::format("       {:7.4g} m {:8.3g} {:8.3g} {:8.3g}  {:8.3g} {:8.3g} MB {:10.0f} % {:11.3g} s\n",
+                           n.spacing, n.all(), n.active, n.guards, n.parents, s.bytes / 1e6,
+                           100 * s.seconds / p.sph_seconds, s.dt);
+    }
+    return out;
+}
+
 }  // namespace
 
 std::string to_text(const Scene& scene, const Prediction& p) {
@@ -164,6 +179,7 @@ std::string to_text(const Scene& scene, const Prediction& p) {
     out += fmt::format("  sph  {:.3g} particles{} + {:.3g} in walls, {:.3g} steps, {:.2g} GB, {}\n", p.particles,
                        p.air_particles > 0 ? fmt::format(" + {:.3g} of air", p.air_particles) : "", p.wall_particles,
                        p.sph_steps, p.sph_bytes / 1e9, time_in_words(p.sph_seconds));
+    out += sizes_text(scene, p);
     out +=
         fmt::format("  fvm  {:.3g} cells, {:.2g} GB, {}\n", p.cells, p.fvm_bytes / 1e9, time_in_words(p.fvm_seconds));
     out += "\nscene hash  " + scene.hash + "\n";

@@ -18,6 +18,7 @@
 #include "scene/hash.h"
 #include "sph_solver/backend/choose_passes.h"
 #include "sph_solver/measure/certificate.h"
+#include "sph_solver/measure/level_ledger.h"
 #include "sph_solver/measure/recorder.h"
 #include "sph_solver/scene_setup.h"
 #include "sph_solver/state/checkpoint.h"
@@ -257,6 +258,9 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
         record.elements = double(count() + gas);
         if (gas > 0) record.numbers["air_particles"] = double(gas);
         record.steps = double(simulation->steps());
+        record.resolution = resolution_of(*simulation);
+        for (std::size_t k = 0; k < simulation->water().size() && scene.sph.levels > 1; ++k)
+            record.numbers[level_table(k) + "_seconds"] = level_ledger(*simulation, k).seconds;
         record.peak_memory = std::max(record.peak_memory, peak_memory());
         record.numbers["bytes_per_particle"] = simulation->bytes() / record.elements;
         write_record(record_file, record);

@@ -18,12 +18,12 @@ _twinwake() {
         --effect) COMPREPLY=($(compgen -W "$(printf '%s=on ' $(_twinwake_names effects); printf '%s=off ' $(_twinwake_names effects))" -- "$word")); return ;;
         --names) COMPREPLY=($(compgen -W "effects shapes" -- "$word")); return ;;
         --unit) COMPREPLY=($(compgen -W "m mm cm ft in" -- "$word")); return ;;
-        --hull | --hulls | --measured | --json | --out | -o | --openfoam) COMPREPLY=($(compgen -f -- "$word")); return ;;
+        --hull | --hulls | --measured | --json | --out | --picture | -o | --openfoam) COMPREPLY=($(compgen -f -- "$word")); return ;;
     esac
     case $command in
         new) words="--overwrite --quiet --help"
              [ "$COMP_CWORD" -eq 2 ] && words="planing seaplane tank own" ;;
-        check) words="$scene --threads --json --quiet --help" ;;
+        check) words="$scene --threads --picture --json --quiet --help" ;;
         reference) words="--out --names --quiet --help" ;;
         run) words="$scene --method --out --resume --overwrite --no-twins --require --threads --json --quiet --help" ;;
         compare) words="--out --ladder --measured --force --require --json --quiet --help" ;;

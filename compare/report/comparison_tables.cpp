@@ -36,6 +36,11 @@ std::string missing_text(const Comparison& c, const Quantity& q) {
 /// Of the difference in per cent of the values.
 double relative_interval(const Quantity& q) { return q.size > 0 ? 100 * q.interval / q.size : std::nan(""); }
 
+ReportCell mark_of(const Gate& g) {
+    if (g.pass) return {"met", Mark::good};
+    return g.warns ? ReportCell("warning", Mark::open) : ReportCell("not met", Mark::bad);
+}
+
 std::string phases_text(double seconds) { return seconds > 0 ? fmt::format("{:.4g} s", seconds) : "–"; }
 
 }  // namespace
@@ -131,8 +136,8 @@ ReportTable checks_table(const std::vector<Gate>& gates, bool failed_only) {
         {words("Check"), words("run"), numbers("value"), words("unit"), numbers("limit"), words(""), words("remark")}};
     for (const Gate& g : gates)
         if (!failed_only || !g.pass)
-            table.rows.push_back({{g.name, g.source, g.value, g.unit == "-" ? "" : g.unit, g.limit,
-                                   ReportCell(g.pass ? "met" : "not met", g.pass ? Mark::good : Mark::bad), g.remark}});
+            table.rows.push_back(
+                {{g.name, g.source, g.value, g.unit == "-" ? "" : g.unit, g.limit, mark_of(g), g.remark}});
     return table;
 }
 

@@ -11,6 +11,7 @@
 #include "compare/metrics/splash.h"
 #include "compare/read/record_numbers.h"
 #include "compare/report/base64.h"
+#include "compare/report/resolution_picture.h"
 #include "compare/report/svg_plot.h"
 
 namespace tw {
@@ -168,6 +169,8 @@ Figures draw_figures(const Comparison& c) {
     for (const Trace& t : {Trace{"lift", "Lift", "fz", "lift [N]"}, Trace{"drag", "Drag", "fx", "drag [N]"},
                            Trace{"trim_moment", "Trim moment, bow up", "my", "moment [N m]"}})
         if (any("forces", t.column)) f.forces.push_back(force_figure(c, t));
+    if (const std::string picture = resolution_picture(c.sources, c.names); !picture.empty())
+        f.resolution.push_back({"resolution", picture});
     const bool frames = std::ranges::any_of(c.sources, [](const RunRecord& r) { return !r.frames.empty(); });
     if (frames) {
         f.splash.push_back(splash_figure(c, "splash_sheet", "Highest connected water", "height [m]", "sheet_height",

@@ -14,6 +14,7 @@ struct Figure {
 struct Figures {
     std::vector<Figure> forces, splash, wetting, cuts, probes, bodies;  ///< plots over time and along cuts
     std::vector<Figure> maps;                                           ///< mean elevation from above, one per source
+    std::vector<Figure> resolution;                                     ///< where the runs are how fine; one or none
     std::string elevation_legend, pressure_legend;
     Pictures pictures;
 };

@@ -11,6 +11,7 @@
 #include "compare/report/base64.h"
 #include "compare/report/comparison_tables.h"
 #include "compare/report/escape.h"
+#include "compare/report/levels_table.h"
 #include "compare/report/numbers.h"
 #include "compare/report/page.h"
 #include "compare/report/view3d.h"
@@ -79,6 +80,17 @@ std::string hull_section(const Comparison& c) {
                number_of(r, "beam", 0), number_of(r, "trim", 0) * 180 / M_PI, number_of(r, "draft", 0)) +
            (items.empty() ? "<p class=\"note\">Nothing was found wrong with its surface.</p>"
                           : "<ul>" + items + "</ul>");
+}
+
+std::string resolution_section(const Comparison& c, const Figures& f) {
+    if (f.resolution.empty()) return {};
+    return "<h2>Resolution</h2><figure>" + f.resolution.front().svg +
+           "</figure><p class=\"note\">Sizes of particles and cells: each holds in its box but for smaller boxes "
+           "within; "
+           "cells along edges and on the hull may be smaller still. Zones of particles are as they were at the end of "
+           "the "
+           "run.</p>" +
+           html_of(levels_table(c), 3);
 }
 
 std::string definitions(const Comparison& c) {
@@ -165,8 +177,8 @@ std::string report_html(const Comparison& c, const Figures& f, const std::string
     if (!f.bodies.empty()) out += "<h2>Bodies that move</h2>" + figure_list(f.bodies) + mesh_motion_note(c);
     if (!f.probes.empty()) out += "<h2>Probes</h2>" + figure_list(f.probes);
     out += html_of(quantities_table(c, false)) + html_of(checks_table(c.gates, false)) + html_of(effects_table(c)) +
-           hull_section(c) + html_of(cost_table(c)) + html_of(provenance_table(c)) + "<h2>Definitions</h2>" +
-           definitions(c) + reproduce(c);
+           hull_section(c) + resolution_section(c, f) + html_of(cost_table(c)) + html_of(provenance_table(c)) +
+           "<h2>Definitions</h2>" + definitions(c) + reproduce(c);
     return out + page_end;
 }
 

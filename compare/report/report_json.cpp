@@ -98,6 +98,7 @@ std::string comparison_json(const Comparison& comparison) {
                          {"value", number(g.value)},
                          {"limit", number(g.limit)},
                          {"pass", g.pass},
+                         {"warns", g.warns},
                          {"remark", g.remark}});
     const Json all = {{"agree_within", comparison.agree_within},
                       {"discretisation_from", comparison.discretisation_from},

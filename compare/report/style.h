@@ -29,7 +29,8 @@ svg text{fill:var(--text);font:12px system-ui,-apple-system,"Segoe UI",Roboto,"D
 svg .plot-title{font-size:13.5px;font-weight:600}svg .tick{font-size:11px;fill:var(--soft)}svg .mid{text-anchor:middle}svg .end{text-anchor:end}
 svg .frame{fill:none;stroke:var(--soft);stroke-width:1}svg .grid{stroke:var(--line);stroke-width:1}svg .line{fill:none;stroke-width:1.7;stroke-linejoin:round}
 svg .faint{stroke-width:.8;opacity:.32}svg .dashed{stroke-dasharray:5 3}svg .mean{stroke-width:2.2}svg .band{opacity:.22}svg .level{stroke:var(--soft);stroke-dasharray:2 3}svg .level-text{fill:var(--soft);font-size:11px}
-svg .outline{fill:none;stroke:var(--text);stroke-width:1.2}
+svg .outline{fill:none;stroke:var(--text);stroke-width:1.2}svg .box{fill-opacity:.08;stroke-width:1.4}svg .box.dashed{fill-opacity:0}svg .shadow{fill:none;stroke:var(--soft);opacity:.8}
+svg .box-text{font-size:11px;font-weight:600;paint-order:stroke;stroke:var(--bg);stroke-width:3px;stroke-linejoin:round}
 svg .s0{stroke:var(--s0)}svg .s1{stroke:var(--s1)}svg .s2{stroke:var(--s2)}svg .s3{stroke:var(--s3)}svg .f0{fill:var(--s0)}svg .f1{fill:var(--s1)}svg .f2{fill:var(--s2)}svg .f3{fill:var(--s3)}
 details{margin:8px 0}summary{cursor:pointer;color:var(--soft)}pre{background:var(--panel);padding:12px;border-radius:4px;overflow-x:auto;font-size:13px;line-height:1.4}code{font-family:ui-monospace,"DejaVu Sans Mono",monospace;font-size:.93em}
 dl{display:grid;grid-template-columns:max-content 1fr;gap:2px 16px;font-size:14px}dt{color:var(--soft)}dd{margin:0;overflow-wrap:anywhere}

@@ -7,6 +7,8 @@
 #include <optional>
 
 #include "compare/report/escape.h"
+#include "compare/report/label_places.h"
+#include "compare/report/style.h"
 
 namespace tw {
 
@@ -34,6 +36,7 @@ Range x_range(const Plot& p) {
         for (const PlotLine& l : *lines)
             for (const double v : l.x) r.add(v);
     for (const PlotImage& i : p.images) r.add(i.x_min), r.add(i.x_max);
+    for (const PlotBox& b : p.boxes) r.add(b.x_min), r.add(b.x_max);
     return r;
 }
 
@@ -51,6 +54,7 @@ Range y_range(const Plot& p) {
     for (const PlotBand& b : p.bands) r.add(b.value - b.half_width), r.add(b.value + b.half_width);
     for (const PlotLevel& l : p.levels) r.add(l.value);
     for (const PlotImage& i : p.images) r.add(i.y_min), r.add(i.y_max);
+    for (const PlotBox& b : p.boxes) r.add(b.y_min), r.add(b.y_max);
     if (p.include_zero && !r.empty()) r.add(0);
     return r;
 }
@@ -114,33 +118,34 @@ std::string tick_text(double v, double step, bool logarithmic) {
     return std::abs(v) >= 1e6 ? fmt::format("{:.4g}", v) : fmt::format("{:.{}f}", v, places);
 }
 
-}  // namespace
-
-std::vector<double> ticks(double low, double high, int about) {
-    std::vector<double> list;
-    if (!(high > low) || about < 1) return list;
-    const double raw = (high - low) / about, power = std::pow(10, std::floor(std::log10(raw)));
-    const double step = power * (raw / power < 1.5 ? 1 : raw / power < 3.5 ? 2 : raw / power < 7.5 ? 5 : 10);
-    for (double k = std::ceil(low / step - 1e-9); k <= high / step + 1e-9; ++k) list.push_back(k * step);
-    return list;
+std::vector<LabelBox> areas_of(const std::vector<PlotBox>& boxes, const auto& X, const auto& Y) {
+    std::vector<LabelBox> areas;
+    for (const PlotBox& b : boxes)
+        areas.push_back({X(b.x_min), Y(b.y_max), X(b.x_max), Y(b.y_min), 7.0 * static_cast<double>(b.label.size())});
+    return areas;
 }
 
-std::vector<double> log_ticks(double low, double high) {
-    const std::vector<double> within =
-        std::log10(high / low) < 4 ? std::vector<double>{1, 2, 5} : std::vector<double>{1};
-    std::vector<double> list;
-    for (double power = std::floor(std::log10(low)); power <= std::log10(high); ++power)
-        for (const double digit : within)
-            if (const double v = digit * std::pow(10, power); v >= low * (1 - 1e-9) && v <= high * (1 + 1e-9))
-                list.push_back(v);
-    return list;
+/// One upright stroke for each x, as wide as two steps so that no light falls between.
+std::string shadow_path(const PlotShadow& shadow, const auto& X, const auto& Y) {
+    if (shadow.x.empty()) return {};
+    std::string d;
+    for (std::size_t i = 0; i < shadow.x.size(); ++i)
+        d += fmt::format("M{:.1f},{:.1f}V{:.1f}", X(shadow.x[i]), Y(shadow.low[i]), Y(shadow.high[i]));
+    return fmt::format("<path class=\"shadow\" stroke-width=\"{:.2f}\" d=\"{}\"/>", 2 * (X(shadow.step) - X(0)), d);
 }
 
-std::string svg(const Plot& plot) {
+/// A plot between its <svg> and </svg>; without an area where it has no data.
+struct Drawing {
+    std::string content;
+    int width = 0, height = 0;
+};
+
+Drawing draw(const Plot& plot) {
     const Plot p = in_logarithms(plot);
     Range xr = x_range(p), yr = y_range(p);
-    if (xr.empty() || yr.empty()) return fmt::format("<p class=\"note\">{}: no data.</p>", escaped(p.title));
-    if (p.images.empty()) yr.widen(0.06);
+    if (xr.empty() || yr.empty()) return {};
+    if (p.images.empty()) yr.widen(p.boxes.empty() ? 0.06 : 0.02);
+    if (!p.boxes.empty()) xr.widen(0.02);
     if (!(xr.high > xr.low)) xr.widen(0.05);
     if (std::ranges::any_of(p.lines, &PlotLine::points)) xr.widen(0.04);
 
@@ -172,11 +177,8 @@ std::string svg(const Plot& plot) {
     const auto X = [&](double v) { return left + plot_width * (v - xr.low) / (xr.high - xr.low); };
     const auto Y = [&](double v) { return top + plot_height * (yr.high - v) / (yr.high - yr.low); };
 
-    std::string out = fmt::format(
-        "<svg class=\"plot\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\" "
-        "xmlns=\"http://www.w3.org/2000/svg\">",
-        p.width, height, escaped(p.title));
-    out += fmt::format("<text class=\"plot-title\" x=\"{}\" y=\"16\">{}</text>{}", left, escaped(p.title), legend);
+    std::string out =
+        fmt::format("<text class=\"plot-title\" x=\"{}\" y=\"16\">{}</text>{}", left, escaped(p.title), legend);
 
     // A nested <svg> clips what reaches beyond the axes and needs no id, which would have to be unique in the page.
     out += fmt::format("<svg x=\"{}\" y=\"{}\" width=\"{:.0f}\" height=\"{:.0f}\" viewBox=\"{} {} {:.0f} {:.0f}\">",
@@ -196,6 +198,13 @@ std::string svg(const Plot& plot) {
             out += fmt::format("<line class=\"grid\" y1=\"{0:.1f}\" y2=\"{0:.1f}\" x1=\"{1}\" x2=\"{2:.1f}\"/>", Y(v),
                                left, left + plot_width);
     }
+    out += shadow_path(p.shadow, X, Y);
+    const std::vector<LabelBox> areas = areas_of(p.boxes, X, Y);
+    for (std::size_t i = 0; i < p.boxes.size(); ++i)
+        out += fmt::format(
+            "<rect class=\"box s{0} f{0}{1}\" x=\"{2:.1f}\" y=\"{3:.1f}\" width=\"{4:.1f}\" height=\"{5:.1f}\"/>",
+            p.boxes[i].source, p.boxes[i].dashed ? " dashed" : "", areas[i].left, areas[i].top,
+            areas[i].right - areas[i].left, areas[i].bottom - areas[i].top);
     for (const PlotBand& b : p.bands) {
         const double h = std::max(1.0, Y(b.value - b.half_width) - Y(b.value + b.half_width));
         out += fmt::format("<rect class=\"band f{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>",
@@ -217,6 +226,11 @@ std::string svg(const Plot& plot) {
             "<line class=\"level\" x1=\"{}\" x2=\"{:.1f}\" y1=\"{:.1f}\" y2=\"{:.1f}\"/><text class=\"level-text end\" "
             "x=\"{:.1f}\" y=\"{:.1f}\">{}</text>",
             left, left + plot_width, Y(l.value), Y(l.value), left + plot_width - 6, Y(l.value) - 4, escaped(l.name));
+    const auto places = label_places(areas, {left + 2.0, top + 2.0, left + plot_width - 2, top + plot_height - 2});
+    for (std::size_t i = 0; i < p.boxes.size(); ++i)
+        if (places[i])
+            out += fmt::format("<text class=\"box-text f{}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", p.boxes[i].source,
+                               places[i]->left, places[i]->bottom - 3, escaped(p.boxes[i].label));
     out += "</svg>";
 
     out += fmt::format("<rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{:.0f}\" height=\"{:.0f}\"/>", left, top,
@@ -232,7 +246,62 @@ std::string svg(const Plot& plot) {
                        top + plot_height + 34, escaped(p.x_label));
     out += fmt::format("<text class=\"mid\" transform=\"translate(14 {:.1f}) rotate(-90)\">{}</text>",
                        top + 0.5 * plot_height, escaped(p.y_label));
-    return out + "</svg>";
+    return {out, p.width, height};
+}
+
+std::string framed(const std::string& content, int width, int height, const std::string& title) {
+    return fmt::format(
+        "<svg class=\"plot\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\" "
+        "xmlns=\"http://www.w3.org/2000/svg\">{}</svg>",
+        width, height, escaped(title), content);
+}
+
+}  // namespace
+
+std::string svg(const Plot& plot) {
+    const Drawing d = draw(plot);
+    if (d.content.empty()) return fmt::format("<p class=\"note\">{}: no data.</p>", escaped(plot.title));
+    return framed(d.content, d.width, d.height, plot.title);
+}
+
+std::string svg_column(const std::vector<Plot>& plots) {
+    std::string content, title;
+    int width = 0, height = 0;
+    for (const Plot& plot : plots) {
+        const Drawing d = draw(plot);
+        content += fmt::format("<g transform=\"translate(0 {})\">{}</g>", height, d.content);
+        title += (title.empty() ? "" : "; ") + plot.title;
+        width = std::max(width, d.width);
+        height += d.height;
+    }
+    return framed(content, width, height, title);
+}
+
+std::string svg_file(const std::string& plot) {
+    const auto end = plot.find('>');
+    if (!plot.starts_with("<svg") || end == std::string::npos) return {};
+    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + plot.substr(0, end + 1) + "<style>" + report_style +
+           "</style>" + plot.substr(end + 1) + "\n";
+}
+
+std::vector<double> ticks(double low, double high, int about) {
+    std::vector<double> list;
+    if (!(high > low) || about < 1) return list;
+    const double raw = (high - low) / about, power = std::pow(10, std::floor(std::log10(raw)));
+    const double step = power * (raw / power < 1.5 ? 1 : raw / power < 3.5 ? 2 : raw / power < 7.5 ? 5 : 10);
+    for (double k = std::ceil(low / step - 1e-9); k <= high / step + 1e-9; ++k) list.push_back(k * step);
+    return list;
+}
+
+std::vector<double> log_ticks(double low, double high) {
+    const std::vector<double> within =
+        std::log10(high / low) < 4 ? std::vector<double>{1, 2, 5} : std::vector<double>{1};
+    std::vector<double> list;
+    for (double power = std::floor(std::log10(low)); power <= std::log10(high); ++power)
+        for (const double digit : within)
+            if (const double v = digit * std::pow(10, power); v >= low * (1 - 1e-9) && v <= high * (1 + 1e-9))
+                list.push_back(v);
+    return list;
 }
 
 }  // namespace tw

@@ -28,12 +28,28 @@ struct PlotImage {
     double x_min = 0, x_max = 0, y_min = 0, y_max = 0;
 };
 
+/// A box in data coordinates: its edges in the source's colour over a pale filling (none where dashed), its label where
+/// there is room.
+struct PlotBox {
+    std::string label;
+    std::size_t source = 0;
+    bool dashed = false;
+    double x_min = 0, x_max = 0, y_min = 0, y_max = 0;
+};
+/// A solid's shadow: at each x, `step` apart, it covers [low, high]; an x may come several times.
+struct PlotShadow {
+    double step = 0;
+    std::vector<double> x, low, high;
+};
+
 struct Plot {
     std::string title = {}, x_label = {}, y_label = {};
     std::vector<PlotLine> lines = {};
     std::vector<PlotBand> bands = {};
     std::vector<PlotLevel> levels = {};
     std::vector<PlotImage> images = {};
+    std::vector<PlotBox> boxes = {};
+    PlotShadow shadow = {};
     std::vector<PlotLine> outlines = {};  ///< drawn in the text's colour, e.g. the hull's plan view
     bool include_zero = false;
     bool equal_scales = false;  ///< metres alike on both axes: the height follows from the width
@@ -45,6 +61,11 @@ struct Plot {
 
 /// The plot as one <svg> element without scripts; colours come from the page's style sheet. "no data" when it has none.
 std::string svg(const Plot& plot);
+/// Several plots below each other in one <svg>.
+std::string svg_column(const std::vector<Plot>& plots);
+
+/// A plot as a file of its own, with the style sheet that the page would give it; empty for what is no plot.
+std::string svg_file(const std::string& svg);
 
 /// 1-2-5 ticks that cover [low, high].
 std::vector<double> ticks(double low, double high, int about);

@@ -5,22 +5,10 @@
 #include "compare/compare.h"
 #include "compare/report/csv.h"
 #include "compare/report/report_html.h"
-#include "compare/report/style.h"
+#include "compare/report/svg_plot.h"
 
 namespace tw {
 namespace fs = std::filesystem;
-
-namespace {
-
-/// A plot as a file of its own carries the style sheet that the page would give it.
-std::string standalone(const std::string& svg) {
-    const auto end = svg.find('>');
-    if (!svg.starts_with("<svg") || end == std::string::npos) return {};
-    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + svg.substr(0, end + 1) + "<style>" + report_style +
-           "</style>" + svg.substr(end + 1) + "\n";
-}
-
-}  // namespace
 
 ReportFiles write_report(const Comparison& comparison, const fs::path& folder, const std::string& details) {
     std::error_code error;
@@ -28,9 +16,9 @@ ReportFiles write_report(const Comparison& comparison, const fs::path& folder, c
     if (error) throw RunError((folder / "figures").string() + ": cannot be created: " + error.message());
     const Figures figures = draw_figures(comparison);
     for (const auto* list : {&figures.forces, &figures.splash, &figures.wetting, &figures.cuts, &figures.probes,
-                             &figures.bodies, &figures.maps})
+                             &figures.bodies, &figures.maps, &figures.resolution})
         for (const Figure& f : *list)
-            if (const std::string text = standalone(f.svg); !text.empty())
+            if (const std::string text = svg_file(f.svg); !text.empty())
                 write_text_atomically(folder / "figures" / (f.file + ".svg"), text);
     for (std::size_t s = 0; s < figures.pictures.free_surface.size(); ++s) {
         if (!figures.pictures.free_surface[s].empty())

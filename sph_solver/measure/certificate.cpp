@@ -1,12 +1,27 @@
 #include "sph_solver/measure/certificate.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "record/certificate.h"
 #include "sph_solver/effects/air.h"
+#include "sph_solver/measure/level_ledger.h"
 
 namespace tw {
+
+namespace {
+
+void watch_edges(const Simulation& simulation, RunRecord& record) {
+    for (std::size_t k = 1; k < simulation.water().size(); ++k) {
+        const LevelLedger fine = level_ledger(simulation, k), coarse = level_ledger(simulation, k - 1);
+        const double t = simulation.time(), dependent = double(fine.guards + coarse.band + coarse.carried);
+        note_worst(record, {mass_drift_line, "%", 100 * std::abs(fine.mass_drift), 0.5, t});
+        note_worst(record, {orphans_line, "%", dependent > 0 ? 100 * double(fine.edge.orphans) / dependent : 0, 1, t});
+    }
+}
+
+}  // namespace
 
 void watch_stability(const Simulation& simulation, RunRecord& record) {
     const LevelSetup& setup = simulation.setup();
@@ -32,6 +47,7 @@ void watch_stability(const Simulation& simulation, RunRecord& record) {
         note_worst(record, {"Mach number of the air", "-", air->extremes().speed / air->setup().state_equation.c0,
                             trusted_air_mach, t, air->extremes().fastest_place});
     note_worst(record, {"particles lost", "-", lost, 0, t, nowhere});
+    watch_edges(simulation, record);
 }
 
 }  // namespace tw

@@ -11,6 +11,11 @@ namespace tw {
 ///   rarefaction            max (rho0 - rho) / rho0                   30 %
 ///   step held down         acoustic time step over the step taken    20 (told, not stopped)
 ///   particles lost         through walls                             0 (told, not stopped)
+///
+/// and, with several sizes of particles, the worst of all edges between them,
+///
+///   mass drift             |Refinement::mass_drift|                  0.5 % (a warning)
+///   orphans                of the guards and parents of an edge      1 % (a warning)
 void watch_stability(const Simulation& simulation, RunRecord& record);
 
 }  // namespace tw

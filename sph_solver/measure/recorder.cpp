@@ -10,6 +10,7 @@
 #include "record/raster.h"
 #include "sph_solver/effects/air.h"
 #include "sph_solver/measure/certificate.h"
+#include "sph_solver/measure/level_ledger.h"
 
 namespace tw {
 
@@ -180,7 +181,6 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
     set(t, k, "particles_out", "-", double(ledger.out));
     set(t, k, "particles_lost", "-", double(ledger.lost));
     set(t, k, "held_at_wall", "-", double(ledger.held));
-    record_levels(simulation, t, k);
     if (const Level* air = air_of(simulation)) {
         set(t, k, "air_particles", "-", double(air->particles().size()));
         set(t, k, "air_energy", per_span("J"), factor_ * gas_energy(*air, s.gravity));
@@ -193,6 +193,7 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
         set(t, k, "wetted_length", "m", hull_->wetted_length(scene_.hull->beam));
     }
     if (!height_points_.places.empty()) probe_height(simulation);
+    record_levels(simulation);
 }
 
 /// Of each body that moves, in a table of its own: where it is, how it moves, and the water's force on it.
@@ -223,18 +224,30 @@ void Recorder::record_bodies(const Simulation& simulation) {
     }
 }
 
-/// Of each edge between two sizes of particles: who is there, and how far the mass of the fine side has drifted.
-void Recorder::record_levels(const Simulation& simulation, Table& t, std::size_t row) const {
-    for (std::size_t k = 0; k < simulation.refinements().size(); ++k) {
-        const Refinement& edge = simulation.refinements()[k];
-        const auto put = [&](const char* name, const std::string& unit, double value) {
-            set(t, row, fmt::format("level_{}_{}", k + 1, name), unit, value);
+/// Of each size of particles, in a table of its own: who is there, and what has passed the edge of its zone.
+void Recorder::record_levels(const Simulation& simulation) {
+    const std::size_t edges = simulation.refinements().size();
+    for (std::size_t k = 0; k <= edges && edges > 0; ++k) {
+        const LevelLedger l = level_ledger(simulation, k);
+        Table& t = record_.table(level_table(k));
+        const std::size_t row = append_row(t, simulation.time());
+        const auto put = [&](const char* name, double value, const char* unit = "-") {
+            set(t, row, name, unit, value);
         };
-        put("particles", "-", double(edge.fine().particles().size()));
-        put("surplus", per_span("kg"), factor_ * edge.surplus());
-        put("births", "-", double(edge.ledger().births));
-        put("spray", "-", double(edge.ledger().spray));
-        put("orphans", "-", double(edge.ledger().orphans));
+        put("spacing", l.spacing, "m");
+        put("dt", l.dt, "s");
+        put("active", double(l.active));
+        if (k < edges) {
+            put("band", double(l.band));
+            put("carried", double(l.carried));
+        }
+        if (k == 0) continue;
+        put("guards", double(l.guards));
+        put("births", double(l.edge.births));
+        put("deaths", double(l.edge.deaths));
+        put("spray", double(l.edge.spray));
+        put("orphans", double(l.edge.orphans));
+        put("mass_drift", 100 * l.mass_drift, "%");
     }
 }
 

@@ -10,7 +10,7 @@ namespace tw {
 
 /// Turns the running simulation into the run record: forces and the motions of bodies at every step, surface pressure
 /// every few steps, pressure probes every half millisecond or at every longer step, and at every frame the raster, the
-/// control volume's balance, all probes and the ledger. Half-model loads become the whole hull's here, once.
+/// control volume's balance, all probes and the ledgers. Half-model loads become the whole hull's here, once.
 class Recorder {
 public:
     Recorder(const Scene& scene, const Simulation& simulation, RunRecord record);
@@ -25,7 +25,7 @@ public:
 private:
     void sample_surface(Simulation& simulation, std::size_t row);
     void sample_frame(Simulation& simulation, std::size_t row);
-    void record_levels(const Simulation& simulation, Table& table, std::size_t row) const;
+    void record_levels(const Simulation& simulation);
     void record_bodies(const Simulation& simulation);
     void probe_pressure(Simulation& simulation);
     void probe_height(Simulation& simulation);

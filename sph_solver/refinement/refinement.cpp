@@ -1,5 +1,6 @@
 #include "sph_solver/refinement/refinement.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <unordered_map>
@@ -71,6 +72,7 @@ Refinement::Refinement(Level& coarse, Level& fine, Zone zone)
     for (std::size_t i = 0; i < f.size(); ++i)
         if (zone_.outside(place(f, i)) >= 0) f.kind[i] = Kind::guard;
     label_coarse();
+    surplus_at_start_ = surplus();
 }
 
 VelocityDensityRecord Refinement::for_fine(const FieldsAt& from_coarse, std::size_t k) const {
@@ -235,11 +237,19 @@ void Refinement::restrict_over(double moved, double density_before) {
     }
 }
 
+double Refinement::mass_under() const {
+    const auto stands_for_finer = [](Kind k) { return k == Kind::band || k == Kind::carried; };
+    return coarse_.mass() * double(std::ranges::count_if(coarse_.particles().kind, stands_for_finer));
+}
+
 double Refinement::surplus() const {
-    double fine = 0, coarse = 0;
-    for (const Kind k : fine_.particles().kind) fine += k != Kind::guard;
-    for (const Kind k : coarse_.particles().kind) coarse += k == Kind::band || k == Kind::carried;
-    return fine * fine_.mass() - coarse * coarse_.mass();
+    const auto is_water = [](Kind k) { return k != Kind::guard; };
+    return fine_.mass() * double(std::ranges::count_if(fine_.particles().kind, is_water)) - mass_under();
+}
+
+double Refinement::mass_drift() const {
+    const double mass = mass_under();
+    return mass > 0 ? (surplus() - surplus_at_start_) / mass : 0;
 }
 
 }  // namespace tw

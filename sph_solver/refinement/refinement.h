@@ -65,6 +65,9 @@ public:
     void set_ledger(const Ledger& ledger) { ledger_ = ledger; }
     /// Mass of the fine level's particles without guards less that of the coarse particles under the zone [kg].
     double surplus() const;
+    /// How far the surplus has come from what it was at the start (where a solid cuts the two lattices differently it
+    /// is not zero), as a share of the mass of the coarse particles under the zone.
+    double mass_drift() const;
 
 private:
     static constexpr double guard_over_dp = 4, again_over_dp = 4.5, gone_over_dp = 5, barren_over_dp = 6,
@@ -74,6 +77,7 @@ private:
     VelocityDensityRecord for_fine(const FieldsAt& from_coarse, std::size_t k) const;
     void label_coarse();
     void give_birth();
+    double mass_under() const;  ///< of the coarse particles under the zone [kg]
 
     Level& coarse_;
     Level& fine_;
@@ -81,6 +85,7 @@ private:
     double dp_;  ///< of the fine level
     SurfaceExcess excess_;  ///< in weights of a row the same for both
     Ledger ledger_;
+    double surplus_at_start_ = 0;  ///< [kg]
 };
 
 }  // namespace tw

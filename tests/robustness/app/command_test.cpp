@@ -138,6 +138,18 @@ TEST_F(Command, CheckGivesItsFactsToPrograms) {
     EXPECT_EQ(twinwake({"check", "a.toml", "--json", "no/such/folder/facts.json"}).status, 2);
 }
 
+TEST_F(Command, CheckDrawsTheSizesOfParticlesAndCells) {
+    write("a.toml", planing + "\n[sph]\nlevels = 2\nzone = 8\n");
+    const Outcome o = twinwake({"check", "a.toml", "--picture", "sizes.svg"});
+    EXPECT_EQ(o.status, 0) << o.err;
+    EXPECT_NE(o.out.find("guards"), std::string::npos) << "a line for each size";
+    const std::string picture = content(folder_ / "sizes.svg");
+    EXPECT_EQ(picture.substr(0, 5), "<?xml");
+    for (const char* drawn : {"particles (sph)", "cells (fvm)", "Side view", "Plan view"})
+        EXPECT_NE(picture.find(drawn), std::string::npos) << drawn;
+    EXPECT_EQ(twinwake({"check", "a.toml", "--picture", "no/such/folder/sizes.svg"}).status, 2);
+}
+
 TEST_F(Command, LostOutputIsNoSuccess) {
     write("a.toml", planing);
     write("table.csv", "h,drag\n1,1\n2,1.1\n4,1.4\n");

@@ -64,12 +64,16 @@ TEST(BadRecords, AFormatThatNeverWasIsDamage) {
     EXPECT_TRUE(says(refusal(otherwise(folder, [](hid_t file) { set_version(file, 0); })), "the first was 1"));
 }
 
-TEST(BadRecords, ARecordFromBeforeTheCertificateIsRead) {
+TEST(BadRecords, ARecordFromBeforeCertificateAndResolutionIsRead) {
     const ScratchFolder folder;
     ASSERT_FALSE(example_record().certificate.empty());
-    const auto path = otherwise(folder, [](hid_t file) { ASSERT_GE(H5Ldelete(file, "certificate", H5P_DEFAULT), 0); });
+    ASSERT_FALSE(example_record().resolution.empty());
+    const auto path = otherwise(folder, [](hid_t file) {
+        for (const char* group : {"certificate", "resolution"}) ASSERT_GE(H5Ldelete(file, group, H5P_DEFAULT), 0);
+    });
     const RunRecord old = read_record(path);
     EXPECT_TRUE(old.certificate.empty());
+    EXPECT_TRUE(old.resolution.empty());
     EXPECT_EQ(old.tables.size(), example_record().tables.size());
 }
 
@@ -148,6 +152,8 @@ TEST(BadRecords, ScalarsThatCannotBeAreRefusedByTheirKey) {
     expect(refusal_of([&](RunRecord& r) { r.certificate[0].limit = nan; }), "certificate/Mach number/limit = nan");
     expect(refusal_of([&](RunRecord& r) { r.certificate[0].time = inf; }), "certificate/Mach number/time = inf");
     expect(refusal_of([&](RunRecord& r) { r.certificate[0].value = nan; }), "certificate/Mach number/value = nan");
+    expect(refusal_of([&](RunRecord& r) { r.resolution[1].size = 0; }), "resolution/size = 0; expected");
+    expect(refusal_of([&](RunRecord& r) { r.resolution[1].box.max.z() = inf; }), "resolution/box = inf; expected");
     EXPECT_EQ(refusal_of([&](RunRecord& r) { r.certificate[0].value = nan, r.state = "failed"; }), "")
         << "what a run failed of may be no number";
 }

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "record/run_record.h"
 #include "scene/hash.h"
 
@@ -43,6 +45,18 @@ TEST(NewRecord, CarriesWhatTheSceneSays) {
     EXPECT_EQ(r.effects.size(), 1u);
     EXPECT_EQ(r.scene_text, scene.text);
     EXPECT_EQ(r.state, "running");
+}
+
+// A scene's boxes may go on through the sky or lie half outside: what is recorded can be drawn.
+TEST(Resolution, IsTheDomainAndWhatOfTheFinerBoxesLiesInIt) {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    const Box domain{{-2, 0, -1}, {4, 2, 1}};
+    const std::vector<ResolvedBox> r = resolution_within(
+        {0.2, domain}, {{0.1, {{-1, -infinite, -0.5}, {1, 1, infinite}}}, {0.05, {{5, 0, 0}, {6, 1, 1}}}});
+    ASSERT_EQ(r.size(), 2u);
+    EXPECT_EQ(r[0].size, 0.2);
+    EXPECT_EQ(r[1].box.min, Vec3(-1, 0, -0.5));
+    EXPECT_EQ(r[1].box.max, Vec3(1, 1, 1));
 }
 
 }  // namespace

@@ -64,6 +64,10 @@ TEST(RunRecordFile, GivesBackEveryFieldBitForBit) {
     EXPECT_EQ(in.certificate[0].place, Vec3(1, 2, -0.5));
     EXPECT_EQ(in.certificate[1].unit, "-");
     EXPECT_TRUE(std::isnan(in.certificate[1].place.x()));
+    ASSERT_EQ(in.resolution.size(), 2u);
+    EXPECT_EQ(in.resolution[0].size, 0.4);
+    EXPECT_EQ(in.resolution[1].box.min, out.resolution[1].box.min);
+    EXPECT_EQ(in.resolution[1].box.max, out.resolution[1].box.max);
     ASSERT_EQ(in.effects.size(), 2u);
     EXPECT_EQ(in.effects[0].name, "air");
     EXPECT_FALSE(in.effects[0].on);

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/cost_of_sizes.h"
+#include "scene/defaults.h"
 #include "scene/hash.h"
 #include "scene/particle_levels.h"
 #include "scene_text.h"
@@ -44,15 +46,15 @@ TEST(ParticleLevels, ABoxOfTheSceneIsAZoneOfItsOwnAndFinerCells) {
     const auto box = std::ranges::find(scene.refinement, "crest", &RefinementBox::name);
     ASSERT_NE(box, scene.refinement.end());
     EXPECT_DOUBLE_EQ(scene.resolution.spacing / std::exp2(box->level), 0.1);
-    const std::vector<double> with_box = particles_of_sizes(scene),
-                              without = particles_of_sizes(scene_of(with_levels(3) + wide_domain));
-    EXPECT_GT(with_box[1], without[1] + 0.6 * 0.4 * 0.5 / 0.001);
-    EXPECT_EQ(with_box[2], without[2]);
+    const std::vector<ParticlesOfSize> with_box = particles_of_sizes(scene),
+                                       without = particles_of_sizes(scene_of(with_levels(3) + wide_domain));
+    EXPECT_GT(with_box[1].active, without[1].active + 0.6 * 0.4 * 0.5 / 0.001);
+    EXPECT_EQ(with_box[2].all(), without[2].all());
 }
 
 TEST(ParticleLevels, BoxesWithoutRoomForCoarseParticlesBetweenBecomeOne) {
-    const Scene scene = scene_of(with_levels(2) + wide_domain +
-                                 "\n[[refine]]\nmin = [2.7, 0, -0.5]\nmax = [4.2, 0.5, 0.2]\n");
+    const Scene scene =
+        scene_of(with_levels(2) + wide_domain + "\n[[refine]]\nmin = [2.7, 0, -0.5]\nmax = [4.2, 0.5, 0.2]\n");
     ASSERT_EQ(particle_zones(scene)[0].size(), 1u);
     EXPECT_GE(particle_zones(scene)[0][0].max.x(), 4.2);
 }
@@ -87,9 +89,31 @@ TEST(ParticleLevels, TakeFewerParticlesAndLessTimeThanOneSize) {
     const Prediction one = predict(fine), two = predict(both);
     EXPECT_LT(two.particles, 0.6 * one.particles);
     EXPECT_LT(two.sph_seconds, 0.7 * one.sph_seconds);
-    const std::vector<double> counts = particles_of_sizes(both);
-    ASSERT_EQ(counts.size(), 2u);
-    EXPECT_NEAR(counts[0] + counts[1], two.particles, 1e-6 * two.particles);
+}
+
+// Every place in the water has one owner, and what stands under a zone of half the spacing is an eighth of what it
+// stands for.
+TEST(ParticleLevels, ThePredictionAddsUpOverTheSizes) {
+    const Scene scene = scene_of(with_levels(3) + wide_domain);
+    const Prediction p = predict(scene);
+    const std::vector<CostOfSize> sizes = cost_of_sizes(scene, p);
+    ASSERT_EQ(sizes.size(), 3u);
+    double water = 0, particles = 0, seconds = 0, bytes = 0;
+    for (const CostOfSize& s : sizes) {
+        water += s.particles.active * std::pow(s.particles.spacing, 3);
+        particles += s.particles.all();
+        seconds += s.seconds;
+        bytes += s.bytes;
+    }
+    EXPECT_NEAR(water, water_volume(scene), 1e-9 * water);
+    EXPECT_NEAR(particles, p.particles, 1e-9 * particles);
+    EXPECT_NEAR(seconds, p.sph_seconds, 1e-9 * seconds);
+    EXPECT_NEAR(bytes, p.sph_bytes - p.raster_bytes, 1e-9 * bytes);
+    EXPECT_EQ(sizes[0].particles.guards, 0);
+    EXPECT_EQ(sizes[2].particles.parents, 0);
+    EXPECT_NEAR(8 * sizes[1].particles.parents, sizes[2].particles.active, 1e-9 * sizes[2].particles.active);
+    EXPECT_DOUBLE_EQ(sizes[0].dt, 4 * sizes[2].dt);
+    EXPECT_GT(sizes[1].particles.guards, 0);
 }
 
 TEST(ParticleLevels, OneSizeLeavesTheHashesOfEarlierRecordsAlone) {

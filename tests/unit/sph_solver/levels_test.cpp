@@ -66,8 +66,7 @@ TEST(Interpolation, IsExactForLinearFieldsInsideAtTheSurfaceAndInCorners) {
             FieldsAt at;
             const double top = surface ? 0.79 : 1.55;
             for (const double x : {0.04, 0.33, 0.8, 1.56})
-                for (const double z : {0.04, 0.4, top})
-                    at.places.emplace_back(x, dimensions == 2 ? 0 : 0.77, z);
+                for (const double z : {0.04, 0.4, top}) at.places.emplace_back(x, dimensions == 2 ? 0 : 0.77, z);
             simulation.level(0).interpolate(at);
             for (std::size_t k = 0; k < at.places.size(); ++k) {
                 const Vec3& x = at.places[k];
@@ -99,6 +98,19 @@ std::vector<Fluid> water_of(const SimulationSetup& s) {
 Simulation make(int threads) {
     const SimulationSetup s = three_levels(threads);
     return Simulation(s, water_of(s));
+}
+
+/// The same stream in a wider and deeper box, four sizes of particles: two zones beside each other in the second.
+Simulation four_levels(int threads) {
+    SimulationSetup s = three_levels(threads);
+    s.domain = {Vec3(-4.48, -1, -3.2), Vec3(4.48, 1, 1.6)};
+    s.stream = Stream{1, 0.1, 6 * 0.16};
+    const Zone wide = zone_between(-2.88, 2.88, -1.92, infinite);
+    const Box beside{Vec3(1.92, -infinite, -0.96), Vec3(2.4, infinite, infinite)};
+    s.zones.insert(s.zones.begin(), wide);
+    s.zones[1] = Zone({s.zones[1].boxes().front(), beside});
+    const Box water{Vec3(-4.48 - s.stream->buffer, -1, -3.2), Vec3(4.48 + s.stream->buffer, 1, 0)};
+    return Simulation(s, fill_levels(s, {water}));
 }
 
 ::testing::AssertionResult same_bits(const Simulation& a, const Simulation& b) {
@@ -163,21 +175,33 @@ TEST(Levels, TheCoarsestKeepsItsMassButForInletAndOutlet) {
     EXPECT_EQ(simulation.level(2).steps(), 4 * simulation.steps());
 }
 
-TEST(Levels, AnyNumberOfThreadsAndARestartGiveTheSameBits) {
+/// Two runs of `make` with other numbers of threads, one of them begun anew in the middle.
+void expect_same_bits_after_a_restart(Simulation (*make_with)(int threads), int steps) {
     const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "restart_levels_test.h5";
-    Simulation whole = make(1), three = make(3);
-    for (int k = 0; k < 25; ++k) whole.step(), three.step();
-    EXPECT_TRUE(same_bits(whole, three));
+    Simulation whole = make_with(1), other = make_with(3);
+    for (int k = 0; k < steps; ++k) whole.step(), other.step();
+    EXPECT_TRUE(same_bits(whole, other));
     write_checkpoint(file, "a scene", whole, 1);
     whole.mark_restart_point();
-    Simulation resumed = make(2);
+    Simulation resumed = make_with(2);
     restore(resumed, read_checkpoint(file, "a scene"));
-    for (int k = 0; k < 25; ++k) whole.step(), resumed.step();
+    for (int k = 0; k < steps; ++k) whole.step(), resumed.step();
     EXPECT_TRUE(same_bits(whole, resumed));
     EXPECT_EQ(whole.load().force, resumed.load().force);
-    EXPECT_EQ(whole.refinements()[1].ledger().births, resumed.refinements()[1].ledger().births);
     EXPECT_GT(whole.load().force.norm(), 0);
+    for (std::size_t k = 0; k < whole.refinements().size(); ++k) {
+        const Refinement &a = whole.refinements()[k], &b = resumed.refinements()[k];
+        EXPECT_GT(a.ledger().births, 0) << k;
+        EXPECT_EQ(a.ledger().births, b.ledger().births) << k;
+        EXPECT_EQ(a.ledger().deaths, b.ledger().deaths) << k;
+        EXPECT_EQ(a.ledger().orphans, b.ledger().orphans) << k;
+        EXPECT_EQ(a.mass_drift(), b.mass_drift()) << k;
+    }
 }
+
+TEST(Levels, AnyNumberOfThreadsAndARestartGiveTheSameBits) { expect_same_bits_after_a_restart(make, 25); }
+
+TEST(Levels, FourSizesWithTwoZonesOfOneKeepTheirBitsToo) { expect_same_bits_after_a_restart(four_levels, 12); }
 
 TEST(Levels, RefuseSchemesThatTheyHaveNoCouplingFor) {
     SimulationSetup s = three_levels(1);

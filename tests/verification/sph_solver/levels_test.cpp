@@ -103,8 +103,10 @@ Crossing pulse(int levels, double width, bool into_fine) {
 }
 
 TEST(LevelEdge, ReflectsLittleOfASoundPulse) {
-    std::printf("a pulse of sound across an edge 2:1; density of what comes back and what goes through, over the pulse's\n");
-    std::printf("  width/dp coarse   one size: back  through | into fine: back  through | out of fine: back  through\n");
+    std::printf(
+        "a pulse of sound across an edge 2:1; density of what comes back and what goes through, over the pulse's\n");
+    std::printf(
+        "  width/dp coarse   one size: back  through | into fine: back  through | out of fine: back  through\n");
     for (const double width : {3.0, 6.0, 12.0}) {
         const Crossing uniform = pulse(1, width, true), in = pulse(2, width, true), out = pulse(2, width, false);
         std::printf("  %8.0f           %14.5f  %7.4f | %15.5f  %7.4f | %17.5f  %7.4f\n", width, uniform.back,
@@ -175,9 +177,10 @@ TEST(LevelEdge, AWaveCrossesItAsItCrossesWaterOfOneSize) {
         }
     }
     const double error = std::sqrt(sum / n), deep = std::sqrt(sum_deep / n_deep);
-    std::printf("a wave of 0.3 m/s across an edge: mean square difference from one size %.4f m/s under the surface, "
-                "%.4f m/s below\n",
-                error, deep);
+    std::printf(
+        "a wave of 0.3 m/s across an edge: mean square difference from one size %.4f m/s under the surface, "
+        "%.4f m/s below\n",
+        error, deep);
     EXPECT_LT(error, 0.015);
     EXPECT_LT(deep, 0.006);
 }
@@ -206,6 +209,136 @@ TEST(LevelEdge, StillWaterAcrossTheSurfaceStaysSlow) {
     EXPECT_LT(fastest / std::sqrt(9.81), 0.12);  // found 0.06
     EXPECT_LT(std::abs(drift), 0.04);            // found -1.7 %
     for (const auto& level : simulation.levels()) EXPECT_EQ(level->ledger().lost, 0);
+}
+
+struct Swing {
+    double largest_drift = 0, last_drift = 0;  ///< of the zone's mass
+    double shortfall = 0;                      ///< of the mean velocity behind U sin(omega t), largest, over U
+    std::int64_t births = 0, most_orphans = 0;
+};
+
+/// Water between slip walls, periodic along x, that a uniform force rho U omega cos(omega t) swings to and fro across
+/// both edges of a zone, 4 coarse spacings to either side. Vortices of `vortices` U stir it at the start.
+Swing swing(int periods, double vortices) {
+    constexpr double U = 0.5, coarse = 0.02, omega = U / (4 * coarse), length = 0.8, height = 0.32;
+    SimulationSetup s;
+    s.dp = coarse / 2;
+    s.state_equation.c0 = 5;
+    s.domain = {Vec3(0, -1, 0), Vec3(length, 1, height)};
+    s.mirrors.on = {{{false, false}, {false, false}, {true, true}}};
+    s.mirrors.periodic = {true, false, false};
+    s.zones = {zone_between(0.24, 0.56, -infinite, infinite)};
+    Simulation simulation = weightless(s);
+    for (const auto& level : simulation.levels()) {
+        Particles& p = level->particles();
+        const double kx = 4 * std::numbers::pi / length, kz = std::numbers::pi / height;
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            p.u[i] = static_cast<float>(vortices * U * std::sin(kx * p.x[i]) * std::cos(kz * p.z[i]));
+            p.w[i] = static_cast<float>(-vortices * U * kx / kz * std::cos(kx * p.x[i]) * std::sin(kz * p.z[i]));
+        }
+    }
+    const Refinement& edge = simulation.refinements()[0];
+    Swing r;
+    double impulse = 0;  // of the force that was felt, over the mass
+    while (simulation.time() < 2 * std::numbers::pi / omega * periods) {
+        const double before = simulation.time(), force = U * omega * std::cos(omega * before);
+        simulation.surroundings().gravity.x() = force;
+        simulation.step();
+        impulse += force * (simulation.time() - before);
+        r.last_drift = edge.mass_drift();
+        r.largest_drift = std::max(r.largest_drift, std::abs(r.last_drift));
+        r.most_orphans = std::max(r.most_orphans, edge.ledger().orphans);
+        const std::vector<float>& u = simulation.level(0).particles().u;
+        const double mean = std::accumulate(u.begin(), u.end(), 0.0) / double(u.size());
+        r.shortfall = std::max(r.shortfall, std::abs(mean - impulse) / U);
+    }
+    r.births = edge.ledger().births;
+    return r;
+}
+
+// A zone is to keep its mass in a flow that turns round between the places where children are born and where they die:
+// 0.5 % are asked for. It does not: in water that nothing presses together the particles that die outside are not all
+// born again (docs/results/levels.md). The bounds say that the loss ends and that the water goes on to follow the force.
+TEST(LevelEdge, AFlowThatTurnsRoundLeavesMostOfAZonesMass) {
+    const Swing r = swing(20, 0.3);
+    std::printf(
+        "20 swings across an edge: mass of the zone %+.1f %% at the end, %.1f %% at most; mean velocity off by "
+        "%.3f U; %ld births, %ld orphans at once at most\n",
+        100 * r.last_drift, 100 * r.largest_drift, r.shortfall, long(r.births), long(r.most_orphans));
+    EXPECT_GT(r.births, 10000);
+    EXPECT_LT(r.largest_drift, 0.16);  // found 0.11
+    EXPECT_LT(r.most_orphans, 30);     // found 5
+    EXPECT_LT(r.shortfall, 0.12);      // found 0.07
+}
+
+TEST(LevelEdge, DISABLED_TableOfAHundredSwings) {
+    std::printf("vortices/U   mass of the zone at the end, at most [%%]   mean velocity off by [U]   births\n");
+    for (const double vortices : {0.1, 0.3}) {
+        const Swing r = swing(100, vortices);
+        std::printf("%8.1f   %+.2f  %.2f   %.3f   %ld\n", vortices, 100 * r.last_drift, 100 * r.largest_drift,
+                    r.shortfall, long(r.births));
+    }
+}
+
+struct Vortex {
+    double energy = 0;    ///< of what moves beside the stream, over that at the start
+    double x = 0, z = 0;  ///< centre of that energy [m]
+};
+
+/// A vortex without circulation, u_theta = 0.3 U (r / R) exp((1 - r^2 / R^2) / 2), R = 0.08 m, that a stream of U = 1 m/s
+/// carries from x = 0.4 to 1.2 m, right through the zone where there is one.
+Vortex carried_vortex(double dp, std::vector<Zone> zones) {
+    constexpr double U = 1, R = 0.08;
+    SimulationSetup s;
+    s.dp = dp;
+    s.state_equation.c0 = 10;
+    s.domain = {Vec3(0, -1, 0), Vec3(1.6, 1, 0.8)};
+    s.mirrors.on = {{{false, false}, {false, false}, {true, true}}};
+    s.mirrors.periodic = {true, false, false};
+    s.zones = std::move(zones);
+    Simulation simulation = weightless(s);
+    const auto now = [&] {
+        Vortex v;
+        for (const auto& level : simulation.levels()) {
+            const Particles& p = level->particles();
+            for (std::size_t i = 0; i < p.size(); ++i) {
+                if (!is_active(p.kind[i])) continue;
+                const double e = level->mass() * (std::pow(p.u[i] - U, 2) + std::pow(double(p.w[i]), 2));
+                v.energy += e, v.x += e * p.x[i], v.z += e * p.z[i];
+            }
+        }
+        v.x /= v.energy, v.z /= v.energy;
+        return v;
+    };
+    for (const auto& level : simulation.levels()) {
+        Particles& p = level->particles();
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            const double x = p.x[i] - 0.4, z = p.z[i] - 0.4;
+            const double turn = 0.3 * U / R * std::exp((1 - (x * x + z * z) / (R * R)) / 2);
+            p.u[i] = static_cast<float>(U - turn * z), p.w[i] = static_cast<float>(turn * x);
+        }
+    }
+    const double at_start = now().energy;
+    while (simulation.time() < 0.8 / U) simulation.step();
+    Vortex v = now();
+    v.energy /= at_start;
+    return v;
+}
+
+// A vortex that goes in at one edge and out at the other keeps its way. The interpolation smooths it at each edge: waves
+// of number k lose 0.133 (k h)^2 of their amplitude, h that of the side that lends, which is about 9 % of the energy of a
+// vortex whose radius is four coarse spacings.
+TEST(LevelEdge, AVortexIsCarriedThroughAZone) {
+    const Vortex coarse = carried_vortex(0.02, {}), fine = carried_vortex(0.01, {}),
+                 both = carried_vortex(0.01, {zone_between(0.6, 1, 0.2, 0.6)});
+    std::printf("a vortex carried through a zone: energy left, centre [m]\n");
+    for (const auto& [name, v] : {std::pair{"one size, coarse", coarse}, std::pair{"one size, fine", fine},
+                                  std::pair{"fine in the zone", both}})
+        std::printf("  %s  %.3f  %.4f  %.4f\n", name, v.energy, v.x, v.z);
+    EXPECT_GT(both.energy, coarse.energy - 0.14);  // found 0.10 below
+    EXPECT_LT(both.energy, fine.energy);
+    EXPECT_NEAR(both.x, coarse.x, 0.01);  // half a coarse spacing; found 0.005
+    EXPECT_NEAR(both.z, coarse.z, 0.01);  // found 0.006
 }
 
 }  // namespace

@@ -1,0 +1,63 @@
+#include "compare/report/levels_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/read/record_numbers.h"
+
+namespace tw {
+
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+double last(const RunRecord& run, const std::string& table, const char* name) {
+    const Column* column = run.series(table, name);
+    return column && !column->values.empty() ? column->values.back() : unknown;
+}
+
+double largest_drift(const RunRecord& run, const std::string& table) {
+    double largest = unknown;
+    if (const Column* drift = run.series(table, "mass_drift"))
+        for (const double d : drift->values) largest = std::fmax(largest, std::abs(d));
+    return largest;
+}
+
+}  // namespace
+
+ReportTable levels_table(const Comparison& c) {
+    ReportTable table{"Sizes of particles at the last frame",
+                      {words("Run"), numbers("size", "m"), numbers("time step", "s"), numbers("active", "", 9),
+                       numbers("guards", "", 9), numbers("parents", "", 9), numbers("births", "", 9),
+                       numbers("deaths", "", 9), numbers("spray", "", 9), numbers("orphans", "", 9),
+                       numbers("mass drift", "%", 2), numbers("largest", "%", 2), numbers("time", "%", 2)}};
+    for (std::size_t s = 0; s < c.sources.size(); ++s) {
+        const RunRecord& run = c.sources[s];
+        std::vector<std::string> levels;
+        double all_seconds = 0;
+        while (run.tables.contains(level_table(levels.size()))) {
+            levels.push_back(level_table(levels.size()));
+            all_seconds += number_of(run, levels.back() + "_seconds", unknown);
+        }
+        for (const std::string& level : levels) {
+            ReportRow row{{run_cell(c.names[s], s), last(run, level, "spacing"), last(run, level, "dt"),
+                           last(run, level, "active"), last(run, level, "guards"),
+                           last(run, level, "band") + last(run, level, "carried")}};
+            for (const char* name : {"births", "deaths", "spray", "orphans", "mass_drift"})
+                row.cells.emplace_back(last(run, level, name));
+            row.cells.emplace_back(largest_drift(run, level));
+            row.cells.emplace_back(100 * number_of(run, level + "_seconds", unknown) / all_seconds);
+            table.rows.push_back(std::move(row));
+        }
+    }
+    if (table.rows.empty()) return {};
+    table.notes = {
+        "Guards and parents stand for water of the next larger and the next smaller size. Births, deaths and mass "
+        "drift "
+        "are counted since the start: the mass of a zone against the larger particles that stand for it.",
+        "Spray is active beyond the edge of its zone; orphans are guards and parents without water of the other size "
+        "near. The time is that of the sweeps over pairs and their lists, without the interpolation between sizes."};
+    return table;
+}
+
+}  // namespace tw

@@ -1,0 +1,66 @@
+#include "compare/report/resolution_picture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compare/read/record_numbers.h"
+#include "compare/report/silhouette.h"
+#include "compare/report/svg_plot.h"
+
+namespace tw {
+
+namespace {
+
+constexpr int width = 900;  ///< [px]
+
+/// The same box of the same run twice on the picture, as boxes above each other are in a plan view, is one.
+bool is_drawn(const std::vector<PlotBox>& boxes, const PlotBox& box) {
+    return std::ranges::any_of(boxes, [&](const PlotBox& b) {
+        return b.source == box.source && b.label == box.label && b.x_min == box.x_min && b.x_max == box.x_max &&
+               b.y_min == box.y_min && b.y_max == box.y_max;
+    });
+}
+
+/// `up`: 2 from the side, 1 from above.
+Plot view(std::span<const RunRecord> runs, const std::vector<std::string>& names, int up) {
+    Plot plot;
+    plot.equal_scales = true;
+    plot.width = width;
+    plot.x_label = "x, to the stern [m]";
+    plot.y_label = up == 2 ? "z [m]" : "y [m]";
+    const bool stream = text_of(runs.front(), "motion", "") == "stream";
+    plot.title = up == 1 ? "Plan view" : stream ? "Side view, stream from the left; dotted: still water" : "Side view";
+    if (!runs.front().hull.triangles.empty()) plot.title += "; grey: hull";
+    if (up == 1 && number_of_text(runs.front(), "symmetry_factor", 1) > 1)
+        plot.title += "; y = 0 is a plane of symmetry";
+    if (up == 2 && stream) plot.levels.push_back({"", 0});
+    for (std::size_t s = 0; s < runs.size(); ++s) {
+        if (runs[s].resolution.empty()) continue;
+        plot.lines.push_back({.name = names[s], .source = s, .x = {}, .y = {}, .dashed = s % 2 == 1});
+        for (const ResolvedBox& r : runs[s].resolution) {
+            const PlotBox box{fmt::format("{:.3g} m", r.size),
+                              s,
+                              s % 2 == 1,
+                              r.box.min.x(),
+                              r.box.max.x(),
+                              r.box.min[up],
+                              r.box.max[up]};
+            if (!is_drawn(plot.boxes, box)) plot.boxes.push_back(box);
+        }
+    }
+    const double across = plot.boxes.front().x_max - plot.boxes.front().x_min;
+    plot.shadow = silhouette(runs.front().hull, up, across / (2 * width));
+    return plot;
+}
+
+}  // namespace
+
+std::string resolution_picture(std::span<const RunRecord> runs, const std::vector<std::string>& names) {
+    if (std::ranges::none_of(runs, [](const RunRecord& r) { return r.resolution.size() > 1; })) return {};
+    std::vector<Plot> plots{view(runs, names, 2)};
+    if (number_of(runs.front(), "dimensions", 3) > 2) plots.push_back(view(runs, names, 1));
+    return svg_column(plots);
+}
+
+}  // namespace tw

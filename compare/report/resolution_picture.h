@@ -1,0 +1,15 @@
+#pragma once
+#include <span>
+#include <string>
+#include <vector>
+
+#include "record/run_record.h"
+
+namespace tw {
+
+/// Where runs of one scene are how fine: side view and, in three dimensions, plan view of the domain with the hull's
+/// silhouette, still water, and every box in which particles or cells are smaller, with its size. One <svg> element;
+/// empty where all runs have one size everywhere. `names`: of the runs, for the legend.
+std::string resolution_picture(std::span<const RunRecord> runs, const std::vector<std::string>& names);
+
+}  // namespace tw

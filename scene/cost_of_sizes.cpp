@@ -1,0 +1,25 @@
+#include "scene/cost_of_sizes.h"
+
+#include <cmath>
+
+namespace tw {
+
+std::vector<CostOfSize> cost_of_sizes(const Scene& scene, const Prediction& p) {
+    std::vector<CostOfSize> sizes;
+    for (const ParticlesOfSize& particles : particles_of_sizes(scene)) sizes.emplace_back().particles = particles;
+    const double in_memory = p.particles + p.wall_particles;
+    double visits = 0;  // of particles in a step of the finest size
+    for (std::size_t k = 0; k < sizes.size(); ++k) {
+        CostOfSize& size = sizes[k];
+        const bool finest = k + 1 == sizes.size();
+        const double steps_of_finest = std::exp2(sizes.size() - 1 - k);
+        const double all = size.particles.all() + (finest ? p.wall_particles : 0);
+        size.dt = scene.run.duration / p.sph_steps * steps_of_finest;
+        size.bytes = (p.sph_bytes - p.raster_bytes) * all / in_memory;
+        visits += size.seconds = all / steps_of_finest;
+    }
+    for (CostOfSize& size : sizes) size.seconds *= p.sph_seconds / visits;
+    return sizes;
+}
+
+}  // namespace tw

@@ -1,0 +1,31 @@
+#include "sph_solver/measure/level_ledger.h"
+
+namespace tw {
+
+LevelLedger level_ledger(const Simulation& simulation, std::size_t k) {
+    const Level& level = simulation.level(k);
+    LevelLedger l;
+    l.spacing = level.setup().dp, l.dt = level.dt();
+    for (const Kind kind : level.particles().kind) {
+        l.active += is_active(kind);
+        l.guards += kind == Kind::guard;
+        l.band += kind == Kind::band;
+        l.carried += kind == Kind::carried;
+    }
+    const Timers& t = level.timers();
+    l.seconds = t.lists + t.gradient + t.walls + t.forces + t.effects + t.update;
+    if (k == 0) return l;
+    const Refinement& edge = simulation.refinements()[k - 1];
+    l.edge = edge.ledger();
+    l.mass_drift = edge.mass_drift();
+    return l;
+}
+
+std::vector<ResolvedBox> resolution_of(const Simulation& simulation) {
+    std::vector<ResolvedBox> finer;
+    for (const Refinement& edge : simulation.refinements())
+        for (const Box& box : edge.zone().boxes()) finer.push_back({edge.fine().setup().dp, box});
+    return resolution_within({simulation.level(0).setup().dp, simulation.setup().domain}, finer);
+}
+
+}  // namespace tw

@@ -1,0 +1,138 @@
+// What a run with several sizes of particles tells of each of them.
+#include "sph_solver/measure/level_ledger.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include "record/certificate.h"
+#include "sph_solver/measure/certificate.h"
+#include "sph_solver/run_sph.h"
+
+namespace tw {
+namespace {
+
+/// Weightless water, periodic along x, that streams through a zone of half the spacing.
+Simulation stream_through_a_zone() {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    SimulationSetup s;
+    s.dimensions = 2;
+    s.dp = 0.01;
+    s.state_equation.c0 = 10;
+    s.gravity = Vec3::Zero();
+    s.domain = {Vec3(0, -1, 0), Vec3(1.2, 1, 0.8)};
+    s.mirrors.on = {{{false, false}, {false, false}, {true, true}}};
+    s.mirrors.periodic = {true, false, false};
+    s.zones = {Zone({Box{Vec3(0.4, -infinite, 0.2), Vec3(0.8, infinite, 0.6)}})};
+    std::vector<Fluid> water = fill_levels(s, {s.domain});
+    for (Fluid& fluid : water) fluid.depth.assign(fluid.depth.size(), 0);
+    Simulation simulation(s, water);
+    for (const auto& level : simulation.levels()) std::ranges::fill(level->particles().u, 1.0f);
+    return simulation;
+}
+
+TEST(LevelLedger, CountsEveryParticleOnceAndBalancesBirthsAndDeaths) {
+    Simulation simulation = stream_through_a_zone();
+    const std::size_t at_start = simulation.level(1).particles().size();
+    for (int k = 0; k < 30; ++k) simulation.step();
+    for (std::size_t k = 0; k < 2; ++k) {
+        const LevelLedger l = level_ledger(simulation, k);
+        EXPECT_EQ(l.active + l.guards + l.band + l.carried,
+                  static_cast<std::int64_t>(simulation.level(k).particles().size()));
+        EXPECT_EQ(l.guards > 0, k == 1);
+        EXPECT_EQ(l.band + l.carried > 0, k == 0);
+    }
+    const LevelLedger coarse = level_ledger(simulation, 0), fine = level_ledger(simulation, 1);
+    EXPECT_EQ(fine.dt, coarse.dt / 2);
+    EXPECT_EQ(fine.spacing, coarse.spacing / 2);
+    ASSERT_GT(fine.edge.births, 0);
+    ASSERT_GT(fine.edge.deaths, 0);
+    EXPECT_EQ(static_cast<std::int64_t>(simulation.level(1).particles().size()),
+              static_cast<std::int64_t>(at_start) + fine.edge.births - fine.edge.deaths);
+}
+
+// A zone of 20 x 20 coarse particles that loses eight fine ones, two coarse ones' mass, has lost 1/200 of its mass.
+TEST(LevelLedger, MassThatAZoneLosesIsTold) {
+    Simulation simulation = stream_through_a_zone();
+    EXPECT_EQ(level_ledger(simulation, 1).mass_drift, 0);
+    int taken = 0;
+    for (Kind& kind : simulation.level(1).particles().kind)
+        if (kind == Kind::fluid && taken < 8) kind = Kind::guard, ++taken;
+    EXPECT_NEAR(level_ledger(simulation, 1).mass_drift, -1.0 / 200, 1e-12);
+    RunRecord record;
+    watch_stability(simulation, record);
+    const auto line = std::ranges::find(record.certificate, mass_drift_line, &CertificateLine::name);
+    ASSERT_NE(line, record.certificate.end());
+    EXPECT_NEAR(line->value, 0.5, 1e-9);
+    EXPECT_TRUE(only_warns(*line));
+}
+
+/// A short run of a planing prism.
+RunRecord prism_run(int levels, const std::filesystem::path& folder) {
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / "scene.toml") << R"(
+[hull]
+shape = "prismatic"
+length = "4 m"
+beam = "1 m"
+deadrise = "20 deg"
+trim = "5 deg"
+draft = "0.2 m"
+half = true
+[motion]
+speed = "8 m/s"
+ramp = "0.15 s"
+[resolution]
+near_hull = "0.2 m"
+[domain]
+x = ["-9.6 m", "6.4 m"]
+y = ["-4.8 m", "4.8 m"]
+z = ["-4.8 m", "1.6 m"]
+[run]
+duration = "0.02 s"
+[sampling]
+interval = "0.01 s"
+[sph]
+zone = 8
+levels = )" << levels << "\n";
+    RunOptions options;
+    options.folder = folder / "sph";
+    options.threads = 1;
+    run_sph(read_scene(folder / "scene.toml"), options);
+    return read_record(options.folder / "record.h5");
+}
+
+TEST(LevelLedger, StandsInTheRecordAtEveryFrameWithTheZonesOfTheEnd) {
+    const auto folder = std::filesystem::path(testing::TempDir()) / "level_ledger_test";
+    const RunRecord two = prism_run(2, folder), one = prism_run(1, folder);
+    for (const std::size_t k : {0u, 1u}) {
+        const Table& t = two.tables.at(level_table(k));
+        EXPECT_EQ(t.time, two.tables.at("samples").time);
+        EXPECT_EQ(t.find("spacing")->values.back(), k == 0 ? 0.4 : 0.2);
+        EXPECT_EQ(t.find("guards") != nullptr, k == 1);  // the coarsest has no edge
+        EXPECT_EQ(t.find("carried") != nullptr, k == 0);
+    }
+    const auto active = [&](std::size_t k) { return two.series(level_table(k), "active")->values.back(); };
+    EXPECT_EQ(two.series("samples", "particles")->values.back(), active(0) + active(1));
+    ASSERT_EQ(two.resolution.size(), 2u);
+    EXPECT_EQ(two.resolution[0].size, 0.4);
+    EXPECT_EQ(two.resolution[1].size, 0.2);
+    EXPECT_EQ(two.resolution[1].box.max.z(), two.resolution[0].box.max.z());  // through the sky
+    EXPECT_FALSE(one.tables.contains(level_table(0)));
+    EXPECT_EQ(one.resolution.size(), 1u);
+    const auto has_line = [](const RunRecord& r, const char* name) {
+        return std::ranges::find(r.certificate, name, &CertificateLine::name) != r.certificate.end();
+    };
+    for (const char* line : {mass_drift_line, orphans_line}) {
+        EXPECT_TRUE(has_line(two, line)) << line;
+        EXPECT_FALSE(has_line(one, line)) << line;
+    }
+    std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace tw
