@@ -115,17 +115,18 @@ void follow_spacing(Scene& scene, const std::function<void()>& make_domain) {
 std::vector<std::vector<Box>> particle_zones(const Scene& scene) {
     std::vector<std::vector<Box>> zones;
     if (scene.sph.levels == 1) return zones;
-    const auto refuse = [&](const std::string& why) { throw InputError(scene.place_of("sph.levels") + ": " + why); };
+    const auto refuse = [&](const std::string& why) {
+        throw InputError(scene.place_of("sph.levels") + ": " + why);
+    };
     if (!scene.hull || scene.motion.kind != Motion::Kind::stream)
         refuse("several sizes of particles are for a hull in a stream so far; leave it out");
     const Box& domain = scene.domain.box;
     const double dp = scene.resolution.near_hull;
     const std::vector<Box> round_hull = hull_zones(scene);
     if (const int fit = zones_that_fit(scene, round_hull); fit + 1 < scene.sph.levels)
-        refuse(
-            fmt::format("particles of {:.4g} m do not fit between the inlet and the hull; at most {} here, or a "
-                        "longer domain ahead",
-                        std::ldexp(dp, fit + 1), fit + 1));
+        refuse(fmt::format("particles of {:.4g} m do not fit between the inlet and the hull; at most {} here, or a "
+                           "longer domain ahead",
+                           std::ldexp(dp, fit + 1), fit + 1));
     // how far a zone reaches beyond the places of each size
     std::vector<double> width(static_cast<std::size_t>(scene.sph.levels), 0.0);
     for (int k = 1; k < scene.sph.levels; ++k) {
