@@ -91,7 +91,7 @@ near_hull = "0.2 m"
 [domain]
 x = ["-9.6 m", "6.4 m"]
 y = ["-4.8 m", "4.8 m"]
-z = ["-4.8 m", "1.6 m"]
+z = ["-4.8 m", "2.4 m"]
 [run]
 duration = "0.02 s"
 [sampling]
