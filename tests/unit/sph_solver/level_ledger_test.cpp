@@ -90,12 +90,12 @@ ramp = "0.15 s"
 near_hull = "0.2 m"
 [domain]
 x = ["-9.6 m", "6.4 m"]
-y = ["-4.8 m", "4.8 m"]
-z = ["-4.8 m", "1.6 m"]
+y = ["-2.4 m", "2.4 m"]
+z = ["-3.2 m", "2.4 m"]
 [run]
-duration = "0.02 s"
+duration = "0.01 s"
 [sampling]
-interval = "0.01 s"
+interval = "0.005 s"
 [sph]
 zone = 8
 levels = )" << levels << "\n";
