@@ -168,7 +168,9 @@ private:
         const double of_water = u.x() * n.x + u.y() * n.y + u.z() * n.z;
         if (records_.wall_body.empty()) return of_water;
         const Particles& p = particles_;
-        return of_water - walls_.velocity_at(records_.wall_body[i], {p.x[i], p.y[i], p.z[i]}).dot(Vec3(n.x, n.y, n.z));
+        const std::int32_t triangle = records_.wall_triangle.empty() ? -1 : records_.wall_triangle[i];
+        return of_water -
+               walls_.velocity_at(records_.wall_body[i], {p.x[i], p.y[i], p.z[i]}, triangle).dot(Vec3(n.x, n.y, n.z));
     }
     PlaceRecord place_record(std::size_t i) const {
         const Particles& p = particles_;
@@ -186,7 +188,10 @@ private:
     struct Held {
         Vec3 impulse;
         std::size_t body;
+        std::int32_t triangle;
     };
+    /// Takes what is nearest as the wall of particle i.
+    void note_wall(std::size_t i, const Walls::Nearest& near);
     std::optional<Held> hold_at_wall(std::size_t i);
     [[noreturn]] void fail_at(std::size_t i, const std::string& what) const;
     void check_density() const;
