@@ -40,9 +40,11 @@ Simulation::Simulation(const SimulationSetup& setup, std::span<const Fluid> flui
     if (finest > 0) throw InputError("bodies that move need particles of one size: [sph] levels = 1");
     if (!schedule_.stages().empty())
         throw InputError("bodies that move need a time step of one evaluation: [sph] scheme \"kick_drift_kick\"");
-    if (setup.scheme != Scheme::kick_drift_kick &&
-        std::ranges::any_of(*bodies_, [](const Body& body) { return body.elastic() != nullptr; }))
-        throw InputError("elastic bodies need [sph] scheme \"kick_drift_kick\"");
+    if (std::ranges::any_of(*bodies_, [](const Body& body) { return body.elastic() != nullptr; })) {
+        if (finest > 0) throw InputError("elastic bodies need particles of one size: [sph] levels = 1");
+        if (setup.scheme != Scheme::kick_drift_kick)
+            throw InputError("elastic bodies need [sph] scheme \"kick_drift_kick\"");
+    }
     contacts_.emplace(*bodies_, *around_, setup.dp);
     for (std::size_t b = 0; b < bodies_->size(); ++b) {
         if ((*bodies_)[b].fixed()) continue;

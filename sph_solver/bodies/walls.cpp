@@ -195,7 +195,9 @@ Walls::Nearest Walls::nearest(const Vec3& x, const Vec3& u, double reach) const 
         const SurfaceQuery::Nearest found = body.query().nearest(body.at_start(x), reach);
         if (found.triangle < 0 || found.distance >= r.normal.distance) continue;
         const Vec3 relative = body.fixed() ? u : Vec3(u - velocity_at(b, x, found.triangle));
-        const Vec3 n = body.turned(slip_normal(body.query(), found, body.turned_back(relative)));
+        Vec3 n = body.turned(slip_normal(body.query(), found, body.turned_back(relative)));
+        // rounding on long thin triangles would push particles out of the plane, and their pressure would drive them on
+        if (body.elastic() && body.elastic()->in_plane()) n = Vec3(n.x(), 0, n.z()).normalized();
         const bool no_edge = found.on_face() || body.elastic();  // of these the forces on dummies know none
         const Eigen::Vector3f e =
             no_edge ? Eigen::Vector3f::Zero().eval() : relative.stableNormalized().cast<float>().eval();

@@ -40,7 +40,7 @@ ElasticBody::ElasticBody(std::shared_ptr<const ElasticSetup> setup)
     const int all = setup_->freedoms.all();
     nodes_.resize(setup_->shell.mesh().nodes.size());
     relaxation_.assign(nodes_.size(), 1.0);
-    accelerations_ = VectorXd::Zero(setup_->shell.freedoms());
+    accelerations_ = VectorXd::Zero(setup_->shell.freedoms() / 2);
     last_acceleration_ = force_ = impulses_ = VectorXd::Zero(all);
     u_ = shell_->displacement();
     v_ = shell_->velocity();
@@ -81,7 +81,7 @@ Vec3 ElasticBody::velocity(const Tie& tie) const {
     Vec3 v = Vec3::Zero();
     for (std::size_t i = 0; i < 4; ++i) {
         const Node& n = nodes_[static_cast<std::size_t>(tie.nodes[i])];
-        v += tie.shares[i] * (n.v + n.spin.cross(n.R * tie.arm));
+        v += tie.shares[i] * n.v;
     }
     return v;
 }
@@ -90,8 +90,7 @@ Vec3 ElasticBody::acceleration(const Tie& tie) const {
     Vec3 a = Vec3::Zero();
     for (std::size_t i = 0; i < 4; ++i) {
         const Node& n = nodes_[static_cast<std::size_t>(tie.nodes[i])];
-        const Vec3 arm = n.R * tie.arm;
-        a += tie.shares[i] * (n.a + n.turn.cross(arm) + n.spin.cross(n.spin.cross(arm)));
+        a += tie.shares[i] * n.a;
     }
     return a;
 }
@@ -102,11 +101,9 @@ void ElasticBody::note_nodes(double ahead) {
         const auto first = static_cast<Eigen::Index>(6 * k);
         Node& n = nodes_[k];
         n.v = v_.segment<3>(first);
-        n.spin = v_.segment<3>(first + 3);
         n.x = setup_->shell.mesh().nodes[k] + u_.segment<3>(first) + ahead * n.v;
-        n.R = turn_by(ahead * n.spin) * turn_by(u_.segment<3>(first + 3));
-        n.a = accelerations_.segment<3>(first);
-        n.turn = accelerations_.segment<3>(first + 3);
+        n.R = turn_by(ahead * v_.segment<3>(first + 3)) * turn_by(u_.segment<3>(first + 3));
+        n.a = accelerations_.segment<3>(static_cast<Eigen::Index>(3 * k));
     }
     skin_at_.resize(skin_.points.size());
     skin_velocity_.resize(skin_.points.size());
@@ -200,14 +197,9 @@ void ElasticBody::look_ahead(double dt) {
 }
 
 void ElasticBody::push(const Tie& tie, const Vec3& force) {
-    const Vec3 whole = setup_->width * force;
+    const Vec3 whole = width() * force;
     power_ += whole.dot(velocity(tie));
-    for (std::size_t i = 0; i < 4; ++i) {
-        const Vec3 share = tie.shares[i] * whole;
-        force_.segment<3>(6 * tie.nodes[i]) += share;
-        force_.segment<3>(6 * tie.nodes[i] + 3) +=
-            (nodes_[static_cast<std::size_t>(tie.nodes[i])].R * tie.arm).cross(share);
-    }
+    for (std::size_t i = 0; i < 4; ++i) force_.segment<3>(6 * tie.nodes[i]) += tie.shares[i] * whole;
 }
 
 void ElasticBody::strike(int triangle, const Vec3& x, const Vec3& impulse) {
@@ -215,19 +207,15 @@ void ElasticBody::strike(int triangle, const Vec3& x, const Vec3& impulse) {
     const auto& corners = skin_.triangles[static_cast<std::size_t>(triangle)];
     for (int k = 0; k < 3; ++k) {
         const Tie& tie = skin_ties_[static_cast<std::size_t>(corners[static_cast<std::size_t>(k)])];
-        for (std::size_t i = 0; i < 4; ++i) {
-            const Vec3 share = setup_->width * shares[k] * tie.shares[i] * impulse;
-            impulses_.segment<3>(6 * tie.nodes[i]) += share;
-            impulses_.segment<3>(6 * tie.nodes[i] + 3) +=
-                (nodes_[static_cast<std::size_t>(tie.nodes[i])].R * tie.arm).cross(share);
-        }
+        for (std::size_t i = 0; i < 4; ++i)
+            impulses_.segment<3>(6 * tie.nodes[i]) += width() * shares[k] * tie.shares[i] * impulse;
     }
 }
 
 void ElasticBody::relax(const VectorXd& acceleration) {
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
-        auto relaxed = accelerations_.segment<6>(static_cast<Eigen::Index>(6 * k));
-        relaxed += relaxation_[k] * (acceleration.segment<6>(static_cast<Eigen::Index>(6 * k)) - relaxed);
+        auto relaxed = accelerations_.segment<3>(static_cast<Eigen::Index>(3 * k));
+        relaxed += relaxation_[k] * (acceleration.segment<3>(static_cast<Eigen::Index>(6 * k)) - relaxed);
     }
 }
 
@@ -239,10 +227,10 @@ void ElasticBody::advance(double dt, double felt, const Vec3& gravity) {
         load.segment<3>(freedoms.first_of_part(static_cast<int>(p))) += freedoms.parts()[p].mass * gravity;
     if (setup_->damping > 0) load -= setup_->damping * (freedoms.mass(setup_->shell.mass()) * v_);
     const VectorXd before = v_;
-    shell_->step(dt, load);
+    const VectorXd change = shell_->step(dt, load);
     u_ = shell_->displacement();
     v_ = shell_->velocity();
-    const double taken = dt / 2 * water.dot(before + v_);
+    const double taken = water.dot(change);
     work_taken_ += taken;
     work_exchanged_ += std::abs(taken);
     work_given_ += felt / 2 * (power_before_ + power_) + impulses_.dot(before);

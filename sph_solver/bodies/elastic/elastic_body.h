@@ -15,10 +15,12 @@ namespace tw {
 /// A point of the body hangs on the foot of its perpendicular on the shell, with the foot's shares N of the element's
 /// four nodes and an arm r, so that
 ///
-///   x = sum_n N_n (X_n + u_n + R_n r),   v = sum_n N_n (v_n + omega_n x R_n r)
-///   f_n += N_n F,   m_n += N_n R_n r x F                               what a force F on the point does to the nodes
+///   x = sum_n N_n (X_n + u_n + R_n r),   v = sum_n N_n v_n
+///   f_n += N_n F                                                       what a force F on the point does to the nodes
 ///
-/// The second line is the transpose of the first: force, moment and power pass over to rounding.
+/// The last is the transpose of the velocity, so force and power pass over to rounding. The arm stands across the
+/// shell: what a turn adds to v is along it, where walls let water slip, and a moment is left out only of forces along
+/// it. Both would come from the skin, which may be many times thicker than the shell: its arms bent a thin plate.
 ///
 /// A step is cut where the water's is. The structure stands at the begin of a step while the water looks half a step
 /// ahead (`look_ahead`, with the present velocities); the forces found there act through the whole step.
@@ -70,7 +72,8 @@ public:
     void advance(double dt, double felt, const Vec3& gravity);
 
     // --- what is recorded; energies of the whole width [J]
-    double width() const { return setup_->width; }
+    bool in_plane() const { return setup_->width > 0; }
+    double width() const { return in_plane() ? setup_->width : 1; }
     double kinetic_energy() const { return shell_->kinetic_energy(); }
     double elastic_energy() const { return shell_->elastic_energy(); }
     /// Work of the water on the structure so far, on both sides of the interface: taken, f . (u' - u) of each step, and
@@ -94,7 +97,7 @@ public:
 
 private:
     struct Node {
-        Vec3 x, v, spin, a, turn;  ///< place; velocity; of rotation; relaxed acceleration and angular acceleration
+        Vec3 x, v, a;  ///< place, velocity, relaxed acceleration
         Eigen::Matrix3d R;
     };
     void note_nodes(double ahead);
@@ -114,7 +117,7 @@ private:
 
     std::vector<Node> nodes_;
     Eigen::VectorXd u_, v_;              ///< of all freedoms
-    Eigen::VectorXd accelerations_;      ///< relaxed, of the nodes' freedoms
+    Eigen::VectorXd accelerations_;      ///< relaxed, three for each node
     Eigen::VectorXd last_acceleration_;  ///< of all freedoms, over the last step
     Eigen::VectorXd force_, impulses_;   ///< that wait for `advance`, of all freedoms
     double power_ = 0;                   ///< of the forces in force_, with the velocities that the water felt [W]

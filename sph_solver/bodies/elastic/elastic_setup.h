@@ -20,8 +20,8 @@ struct ElasticSetup {
     structure::Freedoms freedoms;
     /// Of the closed surface that the water sees, about the shell's mid-surface; at least the laminate's [m].
     double skin = 0;
-    /// Two dimensions: the shell is a strip about the plane y = 0, so wide [m]; forces are per metre of it. Else 1.
-    double width = 1;
+    /// Two dimensions: the shell is a strip about the plane y = 0, so wide [m]; forces are per metre of it. Else 0.
+    double width = 0;
     bool large_rotations = true;
     /// Of linear shells: share of its amplitude that an infinitely fast mode keeps each step (1: energy is kept).
     double kept = 1;

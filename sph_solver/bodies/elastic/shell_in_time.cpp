@@ -4,6 +4,7 @@
 #include <functional>
 #include <stdexcept>
 
+#include "base/errors.h"
 #include "structure/time/generalised_alpha.h"
 #include "structure/time/nonlinear_alpha.h"
 
@@ -77,12 +78,14 @@ public:
         state_ = any.state();
     }
 
-    void step(double dt, const VectorXd& load) override {
+    VectorXd step(double dt, const VectorXd& load) override {
         Integrator& time = steppers_.of(dt);
+        const VectorXd before = displacement();
         state_.f = basis_.transpose() * load;
         time.set_state(state_);
         time.step(load);
         state_ = time.state();
+        return displacement() - before;
     }
     VectorXd displacement() const override { return basis_ * state_.q; }
     VectorXd velocity() const override { return basis_ * state_.v; }
@@ -121,12 +124,16 @@ public:
         state_ = any.state();
     }
 
-    void step(double dt, const VectorXd& load) override {
-        Integrator& time = steppers_.of(dt);
+    VectorXd step(double dt, const VectorXd& load) override {
+        constexpr int most = 256;
         state_.f = basis_.transpose() * load;
-        time.set_state(state_);
-        time.step(load);
-        state_ = time.state();
+        const Integrator::State start = state_;
+        for (;; parts_ *= 2) try {
+                return step_in_parts(dt, load);
+            } catch (const RunError&) {
+                if (parts_ == most) throw;
+                state_ = start;
+            }
     }
     VectorXd displacement() const override { return state_.u; }
     VectorXd velocity() const override { return basis_ * state_.v; }
@@ -138,15 +145,39 @@ public:
     double strain(const structure::GaugeReader& gauge) const override {
         return gauge.strain(elastic_.deformation(state_.u.head(shell_->freedoms()), gauge.element()));
     }
-    std::vector<double> state() const override { return joined({&state_.u, &state_.v, &state_.a, &state_.F}); }
-    void restore(std::span<const double> state) override { split(state, {&state_.u, &state_.v, &state_.a, &state_.F}); }
+    std::vector<double> state() const override {
+        const VectorXd parts = VectorXd::Constant(1, parts_);
+        return joined({&parts, &state_.u, &state_.v, &state_.a, &state_.F});
+    }
+    void restore(std::span<const double> state) override {
+        VectorXd parts(1);
+        split(state, {&parts, &state_.u, &state_.v, &state_.a, &state_.F});
+        parts_ = static_cast<int>(parts[0]);
+    }
 
 private:
+    VectorXd step_in_parts(double dt, const VectorXd& load) {
+        constexpr int easy = 12;  // iterations
+        Integrator& time = steppers_.of(dt / parts_);
+        VectorXd change = VectorXd::Zero(state_.v.size());
+        int hardest = 0;
+        for (int part = 0; part < parts_; ++part) {
+            const VectorXd before = state_.v;
+            time.set_state(state_);
+            hardest = std::max(hardest, time.step(load));
+            state_ = time.state();
+            change += dt / parts_ / 2 * (before + state_.v);
+        }
+        if (hardest <= easy && parts_ > 1) parts_ /= 2;
+        return basis_ * change;
+    }
+
     const structure::Shell* shell_;
     structure::Corotational elastic_;
     structure::SparseMatrix basis_, M_;
     Steppers<Integrator> steppers_;
     Integrator::State state_;
+    int parts_ = 1;  ///< of a step
 };
 
 }  // namespace

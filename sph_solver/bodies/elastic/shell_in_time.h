@@ -13,13 +13,15 @@ namespace tw {
 ///
 /// (average acceleration with f at both ends of the step; structure/time). The work of a load over a step is
 /// f . (u' - u), and the energy of shell and load is conserved: exactly where F is linear. A length of step costs one
-/// factorisation, and the last few are kept.
+/// factorisation, and the last few are kept. At large rotations a step that does not balance is made of equal parts,
+/// under the same load: twice as many as the step before, and half as many again where balancing has become easy.
 class ShellInTime {
 public:
     virtual ~ShellInTime() = default;
 
-    /// `load`: on all freedoms [N], [N m]. Throws RunError where a step at large rotations does not balance.
-    virtual void step(double dt, const Eigen::VectorXd& load) = 0;
+    /// `load`: on all freedoms [N], [N m]. Returns u' - u of all freedoms, turns as the sum of small ones, so that its
+    /// product with a load is the load's work. Throws RunError where 256 parts of a step do not balance.
+    virtual Eigen::VectorXd step(double dt, const Eigen::VectorXd& load) = 0;
     /// Of all freedoms: [m] and rotation vectors, [m/s] and spins.
     virtual Eigen::VectorXd displacement() const = 0;
     virtual Eigen::VectorXd velocity() const = 0;
