@@ -28,10 +28,11 @@ std::string outcome_of_elastic(const MovingBody& body, const Table& t, const Sce
         else
             for (const char* axis : {"_x", "_y", "_z"}) out += most(g.name + axis, " m");
     const auto last = [&](const char* column) { return t.find(column)->values.back(); };
-    out += fmt::format("  water's work on it {:.4g} {}, of {:.4g} exchanged to and fro; the interface made {:+.2g} % of "
-                       "that\n",
-                       last("work_taken"), scene.spanwise_unit("J"), last("work_exchanged"),
-                       100 * (last("work_taken") - last("work_given")) / std::max(1e-300, last("work_exchanged")));
+    out += fmt::format(
+        "  water's work on it {:.4g} {}, of {:.4g} exchanged to and fro; the interface made {:+.2g} % of "
+        "that\n",
+        last("work_taken"), scene.spanwise_unit("J"), last("work_exchanged"),
+        100 * (last("work_taken") - last("work_given")) / std::max(1e-300, last("work_exchanged")));
     return out;
 }
 

@@ -53,8 +53,7 @@ void check_elastic(const Scene& scene, Sections& s) {
         if (!scene.bodies[b].elastic) continue;
         if (scene.sph.scheme != "kick_drift_kick")
             s.sph.fail("scheme", "elastic bodies are advanced with the water; expected \"kick_drift_kick\"");
-        if (scene.sph.levels > 1)
-            s.sph.fail("levels", "elastic bodies need particles of one size; expected 1");
+        if (scene.sph.levels > 1) s.sph.fail("levels", "elastic bodies need particles of one size; expected 1");
         if (scene.effect_on("no_slip"))
             s.effects.fail("no_slip", "friction is not handed over to elastic bodies; expected \"off\"");
     }

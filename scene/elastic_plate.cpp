@@ -97,9 +97,10 @@ structure::Freedoms freedoms_of(const ElasticPlate& plate, const structure::Shel
     if (frame.nodes.empty()) return freedoms;
     frame.mass = width * plate.total_mass - own;
     if (!(frame.mass > 0))
-        throw InputError(fmt::format("the plate alone has {:.4g} kg; expected a larger mass, that of plate and frame "
-                                     "together",
-                                     own / width));
+        throw InputError(
+            fmt::format("the plate alone has {:.4g} kg; expected a larger mass, that of plate and frame "
+                        "together",
+                        own / width));
     // a ring over the carried edges
     frame.centre = plate.middle;
     for (const int n : frame.nodes) {

@@ -28,16 +28,16 @@ struct ElasticPlate {
     std::array<int, 2> cells{};      ///< along and across
     std::vector<structure::Ply> plies;
     Vec3 middle = Vec3::Zero();
-    double trim = 0;                                     ///< [rad]
-    std::vector<std::string> clamped, hinged, carried;   ///< edges: x_min, x_max, y_min, y_max
-    double total_mass = 0;                               ///< of plate and carrying frame; 0: no frame [kg]
-    std::array<bool, 6> locked{};                        ///< freedoms of the frame
-    Vec3 velocity = Vec3::Zero();                        ///< at the start [m/s]
-    double skin = 0;             ///< thickness of the surface that the water sees [m]
-    double margin = 0;           ///< by which the plate goes on, held, beyond clamped edges [m]
+    double trim = 0;                                    ///< [rad]
+    std::vector<std::string> clamped, hinged, carried;  ///< edges: x_min, x_max, y_min, y_max
+    double total_mass = 0;                              ///< of plate and carrying frame; 0: no frame [kg]
+    std::array<bool, 6> locked{};                       ///< freedoms of the frame
+    Vec3 velocity = Vec3::Zero();                       ///< at the start [m/s]
+    double skin = 0;                                    ///< thickness of the surface that the water sees [m]
+    double margin = 0;                                  ///< by which the plate goes on, held, beyond clamped edges [m]
     bool large_rotations = true;
-    double damping = 0;          ///< [1/s]
-    double largest_step = 0;     ///< of the structure [s]; 0: the water's
+    double damping = 0;       ///< [1/s]
+    double largest_step = 0;  ///< of the structure [s]; 0: the water's
     std::vector<ElasticGauge> gauges;
 
     double thickness() const { return structure::Laminate(plies).thickness(); }

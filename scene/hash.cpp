@@ -47,9 +47,10 @@ void add_keys(Lines& t, const Scene& scene, SceneKey::Hashed hashed) {
         with_value(key, readable, [&](const auto& value) {
             using Value = std::decay_t<decltype(value)>;
             bool as_ever = false;
-            if (key.later) with_value(key, fresh, [&](const auto& other) {
-                if constexpr (std::is_same_v<std::decay_t<decltype(other)>, Value>) as_ever = other == value;
-            });
+            if (key.later)
+                with_value(key, fresh, [&](const auto& other) {
+                    if constexpr (std::is_same_v<std::decay_t<decltype(other)>, Value>) as_ever = other == value;
+                });
             if (as_ever) return;
             if constexpr (std::is_arithmetic_v<Value>)
                 t.add(name, {static_cast<double>(value)});
@@ -91,8 +92,8 @@ void add_body(Lines& t, const MovingBody& body) {
     if (body.elastic) add_plate(t, *body.elastic);
     if (!m.law) return;
     const MotionLaw& law = *m.law;
-    t.add("law", {static_cast<double>(law.kind), double(law.turns), law.rate, law.ramp, law.amplitude, law.period,
-                  law.phase})
+    t.add("law",
+          {static_cast<double>(law.kind), double(law.turns), law.rate, law.ramp, law.amplitude, law.period, law.phase})
         .add("axis", law.axis);
     for (std::size_t k = 0; k < law.times.size(); ++k) t.add("row", {law.times[k], law.values[k]});
 }

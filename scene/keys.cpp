@@ -499,7 +499,8 @@ const std::vector<SceneSection>& scene_sections() {
          "`[sph] levels` above 1 finer particles stand there. With a hull in three dimensions."},
         {"obstacle", true, "A fixed closed solid: a box (min and max), a file or a shape."},
         {"body", true,
-         "A closed solid that moves in a tank, freely or as prescribed, or an elastic plate; the mesh method moves one, "
+         "A closed solid that moves in a tank, freely or as prescribed, or an elastic plate; the mesh method moves "
+         "one, "
          "rigid."},
         {"ply", true, "A layer of a laminate, for the layups of elastic bodies."},
         {"gauge", true, "A place on an elastic body at which its displacement or a strain is recorded."},

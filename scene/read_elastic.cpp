@@ -34,7 +34,8 @@ Materials read_plies(std::vector<Section>& sections) {
         if (const std::string why = structure::impossible(m); !why.empty())
             s.fail("E1", fmt::format("no material has the constants of ply {}: {}", name, why));
         for (const auto& [other, known] : materials)
-            if (other == name) s.fail("name", fmt::format("ply {} is there already; give every ply its own name", name));
+            if (other == name)
+                s.fail("name", fmt::format("ply {} is there already; give every ply its own name", name));
         materials.emplace_back(name, ply);
         s.finish();
     }
@@ -52,8 +53,10 @@ std::vector<structure::Ply> read_section(Section& s, const Materials& materials)
     }
     const auto E = s.number("youngs_modulus"), nu = s.number("poisson"), t = s.number("thickness"),
                rho = s.number("density");
-    for (const auto& [key, value] : {std::pair{"youngs_modulus", E}, {"poisson", nu}, {"thickness", t}, {"density", rho}})
-        if (!value) s.fail(key, "missing; an elastic plate needs its layup, or youngs_modulus, poisson, thickness and density");
+    for (const auto& [key, value] :
+         {std::pair{"youngs_modulus", E}, {"poisson", nu}, {"thickness", t}, {"density", rho}})
+        if (!value)
+            s.fail(key, "missing; an elastic plate needs its layup, or youngs_modulus, poisson, thickness and density");
     const structure::PlyMaterial material = structure::isotropic(*E, *nu, *rho);
     if (const std::string why = structure::impossible(material); !why.empty())
         s.fail("poisson", "no material has these constants: " + why);
@@ -74,13 +77,14 @@ void read_supports(Section& s, ElasticPlate& plate) {
         }
     const auto mass = s.number("mass");
     if (plate.carried.empty() != !mass)
-        s.fail("mass", plate.carried.empty() ? "is that of a plate and the frame that carries it: name its edges in carried"
-                                             : "missing; a carried plate needs the mass of plate and frame together");
+        s.fail("mass", plate.carried.empty()
+                           ? "is that of a plate and the frame that carries it: name its edges in carried"
+                           : "missing; a carried plate needs the mass of plate and frame together");
     plate.total_mass = mass.value_or(0);
-    if (plate.clamped.empty() && plate.hinged.empty() && plate.carried.empty() &&
-        !s.has("velocity"))
-        s.fail("clamped", "the plate has neither support nor frame nor velocity; name edges in clamped, hinged or "
-                          "carried, or say with velocity that it flies");
+    if (plate.clamped.empty() && plate.hinged.empty() && plate.carried.empty() && !s.has("velocity"))
+        s.fail("clamped",
+               "the plate has neither support nor frame nor velocity; name edges in clamped, hinged or "
+               "carried, or say with velocity that it flies");
 }
 
 }  // namespace
@@ -165,7 +169,8 @@ void stand_elastic(MovingBody& body, double dp, Section& s) {
         const structure::Shell shell = shell_of(plate, 1);
         freedoms_of(plate, shell, 1).basis();
         for (const ElasticGauge& g : plate.gauges)
-            structure::GaugeReader(shell, {g.name, g.position, g.direction.value_or(plate.turned(Vec3::UnitX())), g.top});
+            structure::GaugeReader(shell,
+                                   {g.name, g.position, g.direction.value_or(plate.turned(Vec3::UnitX())), g.top});
         body.surface = structure::Skin(shell, plate.skin).reference();
         RigidBodySetup& m = body.motion;
         double own = 0;

@@ -107,10 +107,25 @@ Sections split_sections(const std::filesystem::path& file, const SceneValue& doc
         }
         return all;
     };
-    Sections s{root,          one("hull"),    one("water"),     one("motion"), one("resolution"),
-               one("domain"), one("run"),     one("sampling"),  one("tank"),   one("sph"),
-               one("fvm"),    one("effects"), many("obstacle"), many("body"), many("probe"), many("water_block"),
-               many("refine"), many("ply"),     many("gauge")};
+    Sections s{root,
+               one("hull"),
+               one("water"),
+               one("motion"),
+               one("resolution"),
+               one("domain"),
+               one("run"),
+               one("sampling"),
+               one("tank"),
+               one("sph"),
+               one("fvm"),
+               one("effects"),
+               many("obstacle"),
+               many("body"),
+               many("probe"),
+               many("water_block"),
+               many("refine"),
+               many("ply"),
+               many("gauge")};
     s.root = root;
     s.root.know("title");
     s.root.finish();

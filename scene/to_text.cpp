@@ -98,10 +98,11 @@ std::string plate_text(const MovingBody& b, const Scene& scene) {
         sound, spring, p.largest_step > 0 ? fmt::format(", structure_step {:.3g} s", p.largest_step) : "",
         explicit_step);
     for (const ElasticGauge& g : p.gauges)
-        out += fmt::format("  gauge     {}: {} at {} m\n", g.name,
-                           g.direction ? fmt::format("strain along {}, {}", place(*g.direction), g.top ? "top" : "bottom")
-                                       : "displacement",
-                           place(g.position));
+        out +=
+            fmt::format("  gauge     {}: {} at {} m\n", g.name,
+                        g.direction ? fmt::format("strain along {}, {}", place(*g.direction), g.top ? "top" : "bottom")
+                                    : "displacement",
+                        place(g.position));
     return out + findings_text(b.findings);
 }
 

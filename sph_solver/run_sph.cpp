@@ -149,7 +149,8 @@ private:
     /// The surface of a body where it is now; a section as thick as the water.
     void write_body(const Simulation& simulation, const Body& body, const std::string& stamp) {
         const SimulationSetup& s = simulation.setup();
-        Surface now = s.dimensions == 2 && !body.elastic() ? with_span(body.surface(), s.domain.size().y()) : body.surface();
+        Surface now =
+            s.dimensions == 2 && !body.elastic() ? with_span(body.surface(), s.domain.size().y()) : body.surface();
         if (body.elastic())
             now = body.elastic()->surface();
         else

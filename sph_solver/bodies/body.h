@@ -22,7 +22,7 @@ struct BodySetup {
     Vec3 sliding = Vec3::Zero();
     std::optional<RigidBodySetup> moving = {};  ///< none: fixed, or elastic
     std::shared_ptr<const ElasticSetup> elastic = {};
-    std::string name = "body";                  ///< in messages
+    std::string name = "body";  ///< in messages
 
     BodySetup() = default;
     BodySetup(Surface s, const Vec3& along = Vec3::Zero()) : surface(std::move(s)), sliding(along) {}

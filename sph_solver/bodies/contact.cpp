@@ -76,8 +76,7 @@ std::string Contacts::of_elastic(std::size_t body) const {
         const Vec3 x = own.place(tie);
         if (const std::string wall = wall_at(x, around_, 0); !wall.empty()) return "touches " + wall;
         for (std::size_t other = 0; other < bodies_.size(); ++other)
-            if (other != body &&
-                bodies_[other].query().nearest(bodies_[other].at_start(x), dp_).distance < dp_ / 2)
+            if (other != body && bodies_[other].query().nearest(bodies_[other].at_start(x), dp_).distance < dp_ / 2)
                 return "touches " + bodies_[other].name();
     }
     return {};

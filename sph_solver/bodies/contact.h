@@ -28,7 +28,7 @@ private:
     const Surroundings& around_;
     double dp_;
     std::vector<std::vector<Vec3>> skin_;  ///< of each rigid body places on its surface at the start; else empty
-    std::vector<std::vector<Tie>> ties_;  ///< of each elastic body such places; else empty
+    std::vector<std::vector<Tie>> ties_;   ///< of each elastic body such places; else empty
 };
 
 }  // namespace tw

@@ -104,10 +104,9 @@ void Walls::follow(const Quanta& quanta) {
         const ElasticBody* const elastic = bodies_[b].elastic();
         for (std::size_t k = parts_[b].first; k < static_cast<std::size_t>(body_end_[b]); ++k) {
             const Vec3 x = place_of(b, k);
-            const Eigen::Vector3f u =
-                                      (elastic ? elastic->velocity(ties_[k]) : motions_[b].velocity_at(x)).cast<float>(),
-                                  a = (elastic ? elastic->acceleration(ties_[k]) : motions_[b].acceleration_at(x))
-                                          .cast<float>();
+            const Eigen::Vector3f
+                u = (elastic ? elastic->velocity(ties_[k]) : motions_[b].velocity_at(x)).cast<float>(),
+                a = (elastic ? elastic->acceleration(ties_[k]) : motions_[b].acceleration_at(x)).cast<float>();
             place_[k] = quanta.wide(x).record(place_[k].volume);
             velocity_[k] = {u.x(), u.y(), u.z()};
             acceleration_[k] = {a.x(), a.y(), a.z()};
@@ -212,8 +211,8 @@ Walls::Nearest Walls::nearest(const Vec3& x, const Vec3& u, double reach) const 
 
 std::size_t Walls::bytes() const {
     const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-    std::size_t sum =
-        of(place_) + of(p_) + of(velocity_) + of(acceleration_) + of(at_start_) + of(ties_) + of(group_loads_) + lists_.bytes();
+    std::size_t sum = of(place_) + of(p_) + of(velocity_) + of(acceleration_) + of(at_start_) + of(ties_) +
+                      of(group_loads_) + lists_.bytes();
     for (const Part& part : parts_) sum += of(part.start) + of(part.groups) + of(part.near_water) + part.water.bytes();
     return sum;
 }

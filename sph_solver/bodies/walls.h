@@ -72,8 +72,8 @@ public:
 
     struct Nearest {
         WallNormalRecord normal;
-        LeavingRecord leaving{};  ///< the water's way past the wall, beyond an edge
-        std::size_t body = 0;     ///< meaningful where `normal` is not `no_wall`
+        LeavingRecord leaving{};     ///< the water's way past the wall, beyond an edge
+        std::size_t body = 0;        ///< meaningful where `normal` is not `no_wall`
         std::int32_t triangle = -1;  ///< of the body's surface; likewise
     };
     /// The wall nearest to a place `x` within `reach` [m], where bodies are now, as it acts on water of velocity `u`.
@@ -107,7 +107,7 @@ private:
     std::vector<WallVelocity> velocity_;
     std::vector<WallAcceleration> acceleration_;
     std::vector<Vec3> at_start_;       // places of the dummies at the start
-    std::vector<Tie> ties_;  // of the dummies of elastic bodies; empty where there is none
+    std::vector<Tie> ties_;            // of the dummies of elastic bodies; empty where there is none
     std::vector<BodyMotion> motions_;  // of each body
     std::vector<double> reach_;        // of each body
 

@@ -249,13 +249,13 @@ void Recorder::record_elastic(const Simulation& simulation, std::size_t b) {
     for (const Vec3& p : elastic.surface().points) lowest = std::min(lowest, p.z());
     set(t, k, "lowest", "m", lowest);
     put("f{}", per_span("N"), simulation.load(b).force);
-    for (std::size_t n = 0; n < setup.points.size(); ++n)
-        put(setup.points[n].name + "_{}", "m", elastic.deflection(n));
+    for (std::size_t n = 0; n < setup.points.size(); ++n) put(setup.points[n].name + "_{}", "m", elastic.deflection(n));
     for (std::size_t n = 0; n < setup.gauges.size(); ++n) set(t, k, setup.gauges[n].name, "-", elastic.strain(n));
-    for (const auto& [name, value] :
-         {std::pair{"kinetic_energy", elastic.kinetic_energy()}, {"elastic_energy", elastic.elastic_energy()},
-          {"work_taken", elastic.work_taken()}, {"work_given", elastic.work_given()},
-          {"work_exchanged", elastic.work_exchanged()}})
+    for (const auto& [name, value] : {std::pair{"kinetic_energy", elastic.kinetic_energy()},
+                                      {"elastic_energy", elastic.elastic_energy()},
+                                      {"work_taken", elastic.work_taken()},
+                                      {"work_given", elastic.work_given()},
+                                      {"work_exchanged", elastic.work_exchanged()}})
         set(t, k, name, per_span("J"), value / elastic.width());
 }
 

@@ -31,7 +31,7 @@ struct FieldsAt {
     std::vector<Vec3> places;
     double density_before = 0;  ///< the density as it was so long before the last evaluation [s], by its rate there
     bool want_compression = false;
-    SurfaceExcess without;      ///< taken off the densities of the particles
+    SurfaceExcess without;  ///< taken off the densities of the particles
     /// Of which particles: the level's own water; that and what stands for a finer level's; all, guards included.
     enum class Of { active, not_guards, all } of = Of::active;
     std::vector<VelocityDensityRecord> value;

@@ -93,8 +93,8 @@ void Level::advance(const Schedule::Move& move, const Vec3& moment_reference) {
                 case Kind::band: {
                     const RateRecord& r = records.rate[i];
                     if (p.kind[i] == Kind::fluid)
-                        part.acceleration2 = std::max(part.acceleration2, double(r.ax) * r.ax + double(r.ay) * r.ay +
-                                                                              double(r.az) * r.az);
+                        part.acceleration2 = std::max(part.acceleration2,
+                                                      double(r.ax) * r.ax + double(r.ay) * r.ay + double(r.az) * r.az);
                     p.u[i] = static_cast<float>(u0 + dt * r.ax);
                     p.v[i] = static_cast<float>(v0 + dt * r.ay);
                     p.w[i] = static_cast<float>(w0 + dt * r.az);

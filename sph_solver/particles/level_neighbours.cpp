@@ -17,9 +17,7 @@ bool Level::lists_outlived() const {
     return 2 * relative > skin || travel_ahead() + wall_travel_ahead() > wall_skin;
 }
 
-double Level::wall_travel_ahead() const {
-    return life_.wall_travel + schedule_.looks_ahead() * dt_ * walls_.fastest();
-}
+double Level::wall_travel_ahead() const { return life_.wall_travel + schedule_.looks_ahead() * dt_ * walls_.fastest(); }
 
 void Level::refresh(double drift) {
     if (life_.over) return rebuild(drift);

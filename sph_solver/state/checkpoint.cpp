@@ -228,9 +228,8 @@ void restore(Simulation& simulation, Checkpoint checkpoint) {
     for (std::size_t b = 0; b < elastic.size(); ++b) try {
             elastic[b]->restore(checkpoint.elastic[b]);
         } catch (const std::invalid_argument& e) {
-            throw InputError(
-                fmt::format("elastic body {} of the checkpoint is not the scene's: {}; start anew with --overwrite", b,
-                            e.what()));
+            throw InputError(fmt::format(
+                "elastic body {} of the checkpoint is not the scene's: {}; start anew with --overwrite", b, e.what()));
         }
     checkpoint.levels[simulation.water().size() - 1].state.control = checkpoint.control;
     for (std::size_t k = 0; k < levels; ++k)

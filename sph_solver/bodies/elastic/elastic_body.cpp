@@ -246,9 +246,7 @@ void ElasticBody::advance(double dt, double felt, const Vec3& gravity) {
 
 // --- what is recorded -----------------------------------------------------------------------------------------------
 
-Vec3 ElasticBody::deflection(std::size_t point) const {
-    return place(points_[point]) - setup_->points[point].position;
-}
+Vec3 ElasticBody::deflection(std::size_t point) const { return place(points_[point]) - setup_->points[point].position; }
 
 double ElasticBody::strain(std::size_t gauge) const { return shell_->strain(gauges_[gauge]); }
 
@@ -261,7 +259,8 @@ std::vector<double> ElasticBody::state() const {
     std::vector<double> all;
     for (const VectorXd* part : {&accelerations_, &last_acceleration_, &impulses_})
         all.insert(all.end(), part->begin(), part->end());
-    all.insert(all.end(), {power_before_, work_taken_, work_given_, work_exchanged_, impulse_.x(), impulse_.y(), impulse_.z()});
+    all.insert(all.end(),
+               {power_before_, work_taken_, work_given_, work_exchanged_, impulse_.x(), impulse_.y(), impulse_.z()});
     const std::vector<double> shell = shell_->state();
     all.insert(all.end(), shell.begin(), shell.end());
     return all;

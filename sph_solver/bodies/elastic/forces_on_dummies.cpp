@@ -26,7 +26,8 @@ std::vector<Vec3> forces_on_dummies(Level& level, std::size_t body) {
                 const Vec3 r = quantum * Vec3(difference(at.x, of.x), difference(at.y, of.y), difference(at.z, of.z));
                 const double r2 = r.squaredNorm(), support = d.kernel.support();
                 if (r2 >= support * support) continue;
-                sum += double(of.volume) * (double(d.stress[i].p) + double(d.wall_p[j])) * d.kernel.F(std::sqrt(r2)) * r;
+                sum +=
+                    double(of.volume) * (double(d.stress[i].p) + double(d.wall_p[j])) * d.kernel.F(std::sqrt(r2)) * r;
             }
         return Vec3(double(at.volume) * sum);
     };

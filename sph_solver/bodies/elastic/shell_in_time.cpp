@@ -69,9 +69,8 @@ public:
         : basis_(setup.freedoms.basis()),
           K_(setup.freedoms.widened(setup.shell.stiffness())),
           M_(setup.freedoms.mass(setup.shell.mass())),
-          steppers_([this, &setup](double dt) {
-              return std::make_unique<Integrator>(K_, M_, basis_, dt, setup.kept);
-          }) {
+          steppers_(
+              [this, &setup](double dt) { return std::make_unique<Integrator>(K_, M_, basis_, dt, setup.kept); }) {
         Integrator& any = steppers_.of(no_step);
         const VectorXd none = VectorXd::Zero(setup.freedoms.all());
         any.start(none, velocities_at_start(setup), none);
@@ -116,9 +115,7 @@ public:
           elastic_(setup.shell),
           basis_(setup.freedoms.basis()),
           M_(setup.freedoms.mass(setup.shell.mass())),
-          steppers_([&setup](double dt) {
-              return std::make_unique<Integrator>(setup.shell, setup.freedoms, dt);
-          }) {
+          steppers_([&setup](double dt) { return std::make_unique<Integrator>(setup.shell, setup.freedoms, dt); }) {
         Integrator& any = steppers_.of(no_step);
         any.start(velocities_at_start(setup), VectorXd::Zero(setup.freedoms.all()));
         state_ = any.state();

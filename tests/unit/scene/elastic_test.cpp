@@ -58,8 +58,9 @@ TEST(ElasticScene, HasItsPlateAndTheSurfaceThatTheWaterSees) {
 }
 
 TEST(ElasticScene, OfTwoDimensionsIsAStripPerMetre) {
-    const std::string flat = with(with(with(dropped, "[motion]", "[domain]\ndimensions = 2\n[motion]"),
-                                       "\"y_min\", \"y_max\"", ""), ", \"x_max\", ", ", \"x_max\"");
+    const std::string flat =
+        with(with(with(dropped, "[motion]", "[domain]\ndimensions = 2\n[motion]"), "\"y_min\", \"y_max\"", ""),
+             ", \"x_max\", ", ", \"x_max\"");
     const MovingBody b = scene_of(flat).bodies.at(0);
     EXPECT_NEAR(b.surface.bounds().size().y(), 1, 1e-12);
     EXPECT_FALSE(b.motion.free.along[1]);
@@ -96,7 +97,8 @@ TEST(ElasticScene, RefusesWhatIsNoPlate) {
 
 TEST(ElasticScene, WarnsOfElementsMuchCoarserThanTheParticles) {
     const auto warns = [](const std::string& text) {
-        for (const Finding& f : scene_of(text).bodies.at(0).findings)
+        const Scene scene = scene_of(text);
+        for (const Finding& f : scene.bodies.at(0).findings)
             if (f.name == "coarse_elements") return true;
         return false;
     };
