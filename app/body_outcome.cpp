@@ -8,12 +8,46 @@
 
 namespace tw::app {
 
+namespace {
+
+/// The largest of each gauge and of the frame's acceleration, and what the interface made of the energy.
+std::string outcome_of_elastic(const MovingBody& body, const Table& t, const Scene& scene) {
+    const auto most = [&](const std::string& column, const char* unit) {
+        const Column* c = t.find(column);
+        if (!c || c->values.empty()) return std::string();
+        std::size_t at = 0;
+        for (std::size_t k = 0; k < c->values.size(); ++k)
+            if (std::abs(c->values[k]) > std::abs(c->values[at])) at = k;
+        return fmt::format("  {} at most {:.4g}{} at {:.4g} s\n", column, c->values[at], unit, t.time[at]);
+    };
+    std::string out = fmt::format("elastic body {} at {:.4g} s:\n", body.name, t.time.back()) + most("az", " m/s2") +
+                      most("fx", scene.spanwise_unit(" N").c_str()) + most("fz", scene.spanwise_unit(" N").c_str());
+    for (const ElasticGauge& g : body.elastic->gauges)
+        if (g.direction)
+            out += most(g.name, "");
+        else
+            for (const char* axis : {"_x", "_y", "_z"}) out += most(g.name + axis, " m");
+    const auto last = [&](const char* column) { return t.find(column)->values.back(); };
+    out += fmt::format(
+        "  water's work on it {:.4g} {}, of {:.4g} exchanged to and fro; the interface made {:+.2g} % of "
+        "that\n",
+        last("work_taken"), scene.spanwise_unit("J"), last("work_exchanged"),
+        100 * (last("work_taken") - last("work_given")) / std::max(1e-300, last("work_exchanged")));
+    return out;
+}
+
+}  // namespace
+
 std::string outcome_of_bodies(const Scene& scene, const RunRecord& record) {
     std::string out;
     for (const MovingBody& body : scene.bodies) {
         const auto found = record.tables.find(body_table(body.name));
         if (found == record.tables.end() || found->second.time.empty()) continue;
         const Table& t = found->second;
+        if (body.elastic) {
+            out += outcome_of_elastic(body, t, scene);
+            continue;
+        }
         const auto last = [&](const char* column) {
             const Column* c = t.find(column);
             return c && !c->values.empty() ? c->values.back() : std::numeric_limits<double>::quiet_NaN();

@@ -134,6 +134,12 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
     }
     for (const MovingBody& b : scene.bodies) {
         record.numbers["mass_" + b.name] = b.motion.mass.mass;
+        if (b.elastic)
+            record.attributes["compliance"] =
+                method == "sph"
+                    ? "body " + b.name + " bends here"
+                    : "body " + b.name +
+                          " is rigid here: a difference from a run in which it bends contains its compliance";
         for (std::size_t k = 0; k < b.findings.size(); ++k)
             record.attributes[fmt::format("finding_{}_{:02}", b.name, k)] =
                 b.findings[k].name + ": " + b.findings[k].message;

@@ -48,6 +48,17 @@ void refuse_unsolved(const Scene& scene, const std::string& method) {
     if (method == "fvm") mesh_motion(scene);
 }
 
+void check_elastic(const Scene& scene, Sections& s) {
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+        if (!scene.bodies[b].elastic) continue;
+        if (scene.sph.scheme != "kick_drift_kick")
+            s.sph.fail("scheme", "elastic bodies are advanced with the water; expected \"kick_drift_kick\"");
+        if (scene.sph.levels > 1) s.sph.fail("levels", "elastic bodies need particles of one size; expected 1");
+        if (scene.effect_on("no_slip"))
+            s.effects.fail("no_slip", "friction is not handed over to elastic bodies; expected \"off\"");
+    }
+}
+
 void check_bodies(Scene& scene, Sections& s) {
     if (scene.bodies.empty()) return;
     if (scene.motion.kind == Motion::Kind::stream)
@@ -60,13 +71,14 @@ void check_bodies(Scene& scene, Sections& s) {
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         MovingBody& body = scene.bodies[i];
         Section& section = s.bodies[i];
-        check_domain(body, scene, section);
+        const bool supported = body.elastic && body.motion.law;  // then its ends may stand in what holds it
+        if (!supported) check_domain(body, scene, section);
         const auto refuse = [&](const std::string& other) {
             section.fail(where_key(section),
                          fmt::format("body {} starts in {} or within half a particle of it", body.name, other));
         };
         for (const Obstacle& o : scene.obstacles)
-            if (meet(body.surface, o.surface, gap)) refuse("obstacle " + o.name);
+            if (!supported && meet(body.surface, o.surface, gap)) refuse("obstacle " + o.name);
         for (std::size_t j = 0; j < i; ++j)
             if (meet(body.surface, scene.bodies[j].surface, gap)) refuse("body " + scene.bodies[j].name);
         if (SurfaceQuery(body.surface).nearest(body.motion.mass.centre).distance > 0)

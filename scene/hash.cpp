@@ -47,9 +47,10 @@ void add_keys(Lines& t, const Scene& scene, SceneKey::Hashed hashed) {
         with_value(key, readable, [&](const auto& value) {
             using Value = std::decay_t<decltype(value)>;
             bool as_ever = false;
-            if (key.later) with_value(key, fresh, [&](const auto& other) {
-                if constexpr (std::is_same_v<std::decay_t<decltype(other)>, Value>) as_ever = other == value;
-            });
+            if (key.later)
+                with_value(key, fresh, [&](const auto& other) {
+                    if constexpr (std::is_same_v<std::decay_t<decltype(other)>, Value>) as_ever = other == value;
+                });
             if (as_ever) return;
             if constexpr (std::is_arithmetic_v<Value>)
                 t.add(name, {static_cast<double>(value)});
@@ -69,6 +70,18 @@ Vec3 flattened(Vec3 p, double middle) {
     return p;
 }
 
+void add_plate(Lines& t, const ElasticPlate& plate) {
+    t.add("plate", {plate.length, plate.breadth, double(plate.cells[0]), double(plate.cells[1]), plate.trim, plate.skin,
+                    plate.margin, double(plate.large_rotations), plate.damping, plate.largest_step})
+        .add("supports", plate.supports());
+    for (const structure::Ply& p : plate.plies) {
+        const structure::PlyMaterial& m = p.material;
+        t.add("ply", {p.angle, p.thickness, m.E1, m.E2, m.nu12, m.G12, m.G13, m.G23, m.density});
+    }
+    for (const ElasticGauge& g : plate.gauges)
+        t.add("gauge", g.position).add("along", g.direction.value_or(Vec3::Zero())).add("top", {double(g.top)});
+}
+
 void add_body(Lines& t, const MovingBody& body) {
     const RigidBodySetup& m = body.motion;
     t.add("body", surface_hash(body.surface)).add("mass", {m.mass.mass}).add("centre", m.mass.centre);
@@ -76,10 +89,11 @@ void add_body(Lines& t, const MovingBody& body) {
     for (const auto& free : {m.free.along, m.free.about})
         t.add("free", {double(free[0]), double(free[1]), double(free[2])});
     t.add("velocity", m.velocity).add("spin", m.spin);
+    if (body.elastic) add_plate(t, *body.elastic);
     if (!m.law) return;
     const MotionLaw& law = *m.law;
-    t.add("law", {static_cast<double>(law.kind), double(law.turns), law.rate, law.ramp, law.amplitude, law.period,
-                  law.phase})
+    t.add("law",
+          {static_cast<double>(law.kind), double(law.turns), law.rate, law.ramp, law.amplitude, law.period, law.phase})
         .add("axis", law.axis);
     for (std::size_t k = 0; k < law.times.size(); ++k) t.add("row", {law.times[k], law.values[k]});
 }

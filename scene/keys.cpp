@@ -299,9 +299,78 @@ Rows body_keys() {
          .meaning = "Times of the table; they rise. The body rests before the first and after the last."},
         {.name = "values", .kind = Kind::list, .hashed = Hashed::scene, .fallback = "required of table",
          .meaning = "Places along `along` [m], or angles about `about` [rad]."},
+        {.name = "elastic", .kind = Kind::choice, .choices = {"plate"}, .hashed = Hashed::scene,
+         .fallback = "none: the body is rigid",
+         .meaning = "A rectangular plate that bends; of the keys above it has name, trim, density, mass (of plate and frame), locked (of the frame) and velocity."},
+        {.name = "plate", .kind = Kind::place2, .unit = "m", .hashed = Hashed::scene, .fallback = "required of a plate",
+         .meaning = "Length along its own x and breadth along its own y; in two dimensions the breadth counts for nothing."},
+        {.name = "cells", .kind = Kind::place2, .hashed = Hashed::scene, .fallback = "required of a plate",
+         .meaning = "Elements along and across; in two dimensions one across, whatever stands here."},
+        {.name = "middle", .kind = Kind::place3, .unit = "m", .hashed = Hashed::scene, .fallback = "[0, 0, 0]",
+         .meaning = "Middle of the plate's mid-surface; its normal is z, turned by trim."},
+        {.name = "thickness", .unit = "m", .range = positive, .hashed = Hashed::scene, .fallback = "from `layup`",
+         .meaning = "Thickness of an isotropic plate."},
+        {.name = "youngs_modulus", .unit = "Pa", .range = positive, .hashed = Hashed::scene, .fallback = "from `layup`",
+         .meaning = "Young's modulus of an isotropic plate."},
+        {.name = "poisson", .range = {-1, 0.5}, .hashed = Hashed::scene, .fallback = "from `layup`",
+         .meaning = "Poisson's ratio of an isotropic plate."},
+        {.name = "layup", .kind = Kind::text, .hashed = Hashed::scene, .fallback = "an isotropic plate",
+         .meaning = "Stacking sequence, bottom first, as \"[45 C1/0 2*C2/90 C2]s\" with plies of the [[ply]] sections."},
+        {.name = "clamped", .kind = Kind::choices, .choices = {"x_min", "x_max", "y_min", "y_max"},
+         .hashed = Hashed::scene, .fallback = "none", .meaning = "Edges that neither move nor turn."},
+        {.name = "hinged", .kind = Kind::choices, .choices = {"x_min", "x_max", "y_min", "y_max"},
+         .hashed = Hashed::scene, .fallback = "none", .meaning = "Edges that do not move."},
+        {.name = "carried", .kind = Kind::choices, .choices = {"x_min", "x_max", "y_min", "y_max"},
+         .hashed = Hashed::scene, .fallback = "none", .meaning = "Edges clamped in a rigid frame, which moves."},
+        {.name = "skin", .unit = "m", .range = positive, .hashed = Hashed::scene,
+         .fallback = "6 near_hull, or the plate's thickness if larger",
+         .meaning = "Thickness of the surface that the water sees, about the plate's middle."},
+        {.name = "margin", .unit = "m", .range = not_negative, .hashed = Hashed::scene, .fallback = "4 near_hull",
+         .meaning = "How far the plate goes on, held, beyond clamped edges: a wall there needs it for its particles."},
+        {.name = "rotations", .kind = Kind::choice, .choices = {"large", "small"}, .hashed = Hashed::scene,
+         .fallback = "large", .meaning = "Small: a linear plate, for deflections up to half a thickness."},
+        {.name = "damping", .unit = "Hz", .range = not_negative, .hashed = Hashed::scene, .fallback = "0 Hz",
+         .meaning = "Rate c of a structural damping -c M v."},
+        {.name = "structure_step", .unit = "s", .range = positive, .hashed = Hashed::scene,
+         .fallback = "the water's", .meaning = "Longest time step of plate and water."},
     };
     rows.insert(rows.end(), own.begin(), own.end());
     return rows;
+}
+
+Rows ply_keys() {
+    return {
+        {.name = "name", .kind = Kind::name, .fallback = "required", .meaning = "Name in layups."},
+        {.name = "thickness", .unit = "m", .range = positive, .hashed = Hashed::scene, .fallback = "required",
+         .meaning = "Thickness."},
+        {.name = "E1", .unit = "Pa", .range = positive, .hashed = Hashed::scene, .fallback = "required",
+         .meaning = "Young's modulus along the fibres."},
+        {.name = "E2", .unit = "Pa", .range = positive, .hashed = Hashed::scene, .fallback = "required",
+         .meaning = "Young's modulus across them."},
+        {.name = "nu12", .hashed = Hashed::scene, .fallback = "required", .meaning = "Larger Poisson's ratio."},
+        {.name = "G12", .unit = "Pa", .range = positive, .hashed = Hashed::scene, .fallback = "required",
+         .meaning = "Shear modulus in the plane."},
+        {.name = "G13", .unit = "Pa", .range = positive, .hashed = Hashed::scene, .fallback = "G12",
+         .meaning = "Shear modulus across the thickness, along the fibres."},
+        {.name = "G23", .unit = "Pa", .range = positive, .hashed = Hashed::scene, .fallback = "G12",
+         .meaning = "Shear modulus across the thickness, across the fibres."},
+        {.name = "density", .unit = "kg/m3", .range = positive, .hashed = Hashed::scene, .fallback = "required",
+         .meaning = "Density."},
+    };
+}
+
+Rows gauge_keys() {
+    return {
+        {.name = "name", .kind = Kind::name, .fallback = "gauge1, gauge2, ...",
+         .meaning = "Name of its columns in the body's table of the record."},
+        {.name = "body", .kind = Kind::text, .fallback = "the only elastic body", .meaning = "The body it belongs to."},
+        {.name = "position", .kind = Kind::place3, .unit = "m", .hashed = Hashed::scene, .fallback = "required",
+         .meaning = "Place on the plate's mid-surface at the start."},
+        {.name = "direction", .kind = Kind::place3, .hashed = Hashed::scene, .fallback = "the displacement is recorded",
+         .meaning = "Direction of a strain gauge."},
+        {.name = "face", .kind = Kind::choice, .choices = {"top", "bottom"}, .hashed = Hashed::scene,
+         .fallback = "top", .meaning = "Face of a strain gauge; the plate's normal points out of the top."},
+    };
 }
 
 Rows sph_keys() {
@@ -391,6 +460,8 @@ std::vector<SceneKey> all_keys() {
         {"refine", refine_keys()},
         {"obstacle", obstacle_keys()},
         {"body", body_keys()},
+        {"ply", ply_keys()},
+        {"gauge", gauge_keys()},
         {"effects", effect_keys()},
         {"sph", sph_keys()},
         {"fvm", fvm_keys()}};
@@ -430,7 +501,11 @@ const std::vector<SceneSection>& scene_sections() {
          "`[sph] levels` above 1 finer particles stand there. With a hull in three dimensions."},
         {"obstacle", true, "A fixed closed solid: a box (min and max), a file or a shape."},
         {"body", true,
-         "A closed solid that moves in a tank, freely or as prescribed; the mesh method moves one."},
+         "A closed solid that moves in a tank, freely or as prescribed, or an elastic plate; the mesh method moves "
+         "one, "
+         "rigid."},
+        {"ply", true, "A layer of a laminate, for the layups of elastic bodies."},
+        {"gauge", true, "A place on an elastic body at which its displacement or a strain is recorded."},
         {"effects", false,
          "Physical effects: \"auto\" (the plan decides), \"on\" or \"off\". `--effect NAME=on` on the command line "
          "takes "

@@ -139,6 +139,11 @@ MeshMotion mesh_motion(const Scene& scene) {
     MeshMotion m;
     if (scene.bodies.empty()) return m;
     const MovingBody& body = scene.bodies.front();
+    if (body.elastic && body.motion.law)
+        refuse(scene, "run.methods",
+               fmt::format("body {} is held at its edges and bends, which the mesh method does not solve; expected "
+                           "methods = [\"sph\"], or --method sph",
+                           body.name));
     if (scene.bodies.size() > 1)
         refuse(scene, "run.methods",
                fmt::format("{} and {} move, and the mesh method moves one body; expected methods = [\"sph\"], or "

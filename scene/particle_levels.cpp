@@ -158,7 +158,8 @@ int zones_that_fit(const Scene& scene, const std::vector<Root>& solids, const st
 void follow_spacing(Scene& scene, const std::function<void()>& make_domain) {
     int& levels = scene.sph.levels;
     const Resolution& r = scene.resolution;
-    const bool solids = scene.hull || !scene.obstacles.empty() || !scene.bodies.empty();
+    const bool elastic = std::ranges::any_of(scene.bodies, [](const MovingBody& b) { return b.elastic.has_value(); });
+    const bool solids = !elastic && (scene.hull || !scene.obstacles.empty() || !scene.bodies.empty());
     const bool stream = scene.motion.kind == Motion::Kind::stream;
     if ((stream ? scene.hull.has_value() : solids) && scene.sph.scheme == "kick_drift_kick")
         levels = std::min(most_levels, 1 + static_cast<int>(std::lround(std::log2(r.spacing / r.near_hull))));

@@ -13,7 +13,7 @@ namespace tw {
 /// All sections of one scene file; kept while the scene is being checked so that a later finding names its key.
 struct Sections {
     Section root, hull, water, motion, resolution, domain, run, sampling, tank, sph, fvm, effects;
-    std::vector<Section> obstacles, bodies, probes, water_blocks, refined;
+    std::vector<Section> obstacles, bodies, probes, water_blocks, refined, plies, gauges;
 };
 Sections split_sections(const std::filesystem::path& file, const SceneValue& document);
 
@@ -51,6 +51,12 @@ HullOptions read_hull(Section& s);
 Surface read_solid(Section& s, std::string& source, std::string& key);
 /// The `number`-th body, from 1.
 MovingBody read_body(Section& s, std::size_t number, int dimensions);
+/// The elastic ones among the bodies, each with its plies and gauges; nothing for the others.
+std::vector<std::optional<ElasticPlate>> read_elastic(std::vector<Section>& bodies, std::vector<Section>& plies,
+                                                      std::vector<Section>& gauges, int dimensions);
+MovingBody elastic_body(Section& s, std::size_t number, ElasticPlate plate);
+/// Gives an elastic body what follows from the particle spacing: skin, margin, surface and rigid counterpart.
+void stand_elastic(MovingBody& body, double dp, Section& s);
 /// A solid from a file, a shape or a box (min, max).
 Obstacle read_obstacle(Section& s, std::size_t number);
 std::vector<Box> read_water_blocks(std::vector<Section>& sections);

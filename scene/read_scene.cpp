@@ -107,10 +107,25 @@ Sections split_sections(const std::filesystem::path& file, const SceneValue& doc
         }
         return all;
     };
-    Sections s{root,          one("hull"),    one("water"),     one("motion"), one("resolution"),
-               one("domain"), one("run"),     one("sampling"),  one("tank"),   one("sph"),
-               one("fvm"),    one("effects"), many("obstacle"), many("body"), many("probe"), many("water_block"),
-               many("refine")};
+    Sections s{root,
+               one("hull"),
+               one("water"),
+               one("motion"),
+               one("resolution"),
+               one("domain"),
+               one("run"),
+               one("sampling"),
+               one("tank"),
+               one("sph"),
+               one("fvm"),
+               one("effects"),
+               many("obstacle"),
+               many("body"),
+               many("probe"),
+               many("water_block"),
+               many("refine"),
+               many("ply"),
+               many("gauge")};
     s.root = root;
     s.root.know("title");
     s.root.finish();
@@ -141,8 +156,10 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     for (std::size_t i = 0; i < s.obstacles.size(); ++i)
         scene.obstacles.push_back(read_obstacle(s.obstacles[i], i + 1));
     refuse_same_names(scene.obstacles, s.obstacles);
+    std::vector<std::optional<ElasticPlate>> elastic = read_elastic(s.bodies, s.plies, s.gauges, domain.dimensions);
     for (std::size_t i = 0; i < s.bodies.size(); ++i)
-        scene.bodies.push_back(read_body(s.bodies[i], i + 1, domain.dimensions));
+        scene.bodies.push_back(elastic[i] ? elastic_body(s.bodies[i], i + 1, std::move(*elastic[i]))
+                                          : read_body(s.bodies[i], i + 1, domain.dimensions));
     refuse_same_names(scene.bodies, s.bodies);
 
     std::optional<HullOptions> hull;
@@ -171,6 +188,8 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     } else {
         scene.resolution = resolution_of(resolution, nullptr, s.resolution, overrides.scale_resolution.value_or(1));
     }
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+        if (scene.bodies[i].elastic) stand_elastic(scene.bodies[i], scene.resolution.near_hull, s.bodies[i]);
     // A stream without a hull has no length to settle over: its ramp is the domain's, so the domain comes first.
     const auto make_domain = [&] { scene.domain = domain_of(domain, tank, scene, s, depth); };
     if (resolution.spacing && !s.sph.has("levels") && !s.effects.on_off("air").value_or(false))
@@ -220,6 +239,7 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     scene.effects = plan_effects(scene, s.effects);
     if (!scene.bodies.empty() && scene.effect_on("air"))
         s.effects.fail("air", "bodies that move are solved in water alone; remove this effect");
+    check_elastic(scene, s);
     scene.hash = scene_hash(scene);
     return scene;
 }

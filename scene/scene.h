@@ -11,6 +11,7 @@
 #include "meshes/mass_properties.h"
 #include "meshes/surface.h"
 #include "motion/rigid_body.h"
+#include "scene/elastic_plate.h"
 #include "scene/sph_options.h"
 
 namespace tw {
@@ -104,6 +105,8 @@ struct MovingBody {
     Surface surface;        ///< as it stands at the start [m]
     RigidBodySetup motion;  ///< a prescribed body without a mass has zeros there, but for the centre
     std::vector<Finding> findings;
+    /// Of an elastic body, whose surface is that which the water sees and whose motion that of its rigid counterpart.
+    std::optional<ElasticPlate> elastic = {};
 
     /// An upper bound of the speed of its surface until it touches still water, z = 0, at gravity `g` [m/s].
     double fastest(double g) const;

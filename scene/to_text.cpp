@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include "structure/shell/shell.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -71,10 +73,45 @@ std::string start_up_text(const Scene& scene, const Prediction& p) {
                      100 * rest, time_in_words(rest * p.sph_seconds), time_in_words(rest * p.fvm_seconds));
 }
 
+std::string findings_text(const std::vector<Finding>& findings) {
+    std::string out;
+    for (const Finding& f : findings)
+        out += fmt::format("  {:9} {}\n", f.level == Finding::Level::warning ? "warning" : "note", f.message);
+    return out;
+}
+
+std::string plate_text(const MovingBody& b, const Scene& scene) {
+    const ElasticPlate& p = *b.elastic;
+    const structure::Laminate laminate(p.plies);
+    const double explicit_step = shell_of(p, p.cell()).explicit_step(), dp = scene.resolution.near_hull,
+                 sound = scene.sph.cfl * scene.sph.h_over_dp * dp / scene.sph.c0,
+                 spring = 2 * dp / (scene.sph.c0 * std::sqrt(scene.water.density * dp / laminate.areal_mass()));
+    std::string out = fmt::format(
+        "  elastic   {} elements of at most {:.3g} m, {:.4g} kg/m2, D11 {:.4g}, D22 {:.4g} N m; {}; {} rotations\n",
+        p.two_dimensional() ? p.cells[0] : p.cells[0] * p.cells[1], p.cell(), laminate.areal_mass(), laminate.D()(0, 0),
+        laminate.D()(1, 1), p.supports(), p.large_rotations ? "large" : "small");
+    if (p.total_mass > 0)
+        out += fmt::format("  mass      {:.5g} {} with the frame; at the start {} m/s\n", p.total_mass,
+                           scene.spanwise_unit("kg"), place(p.velocity));
+    out += fmt::format(
+        "  time      average acceleration, implicit, in the water's steps: sound allows {:.3g} s, water on the plate "
+        "{:.3g} s{}; explicit steps could be no longer than {:.3g} s\n",
+        sound, spring, p.largest_step > 0 ? fmt::format(", structure_step {:.3g} s", p.largest_step) : "",
+        explicit_step);
+    for (const ElasticGauge& g : p.gauges)
+        out +=
+            fmt::format("  gauge     {}: {} at {} m\n", g.name,
+                        g.direction ? fmt::format("strain along {}, {}", place(*g.direction), g.top ? "top" : "bottom")
+                                    : "displacement",
+                        place(g.position));
+    return out + findings_text(b.findings);
+}
+
 std::string body_text(const MovingBody& b, const Scene& scene) {
     const RigidBodySetup& m = b.motion;
     const Box at = b.surface.bounds();
     std::string out = fmt::format("body        {}: {}, {} to {} m\n", b.name, b.source, place(at.min), place(at.max));
+    if (b.elastic) return out + plate_text(b, scene);
     if (m.law) {
         static constexpr const char* kinds[] = {"constant rate", "ramp", "sinusoid", "table"};
         out += fmt::format("  moves     as prescribed ({}) {} {}, at most {:.4g} {}\n",
@@ -91,9 +128,7 @@ std::string body_text(const MovingBody& b, const Scene& scene) {
                        m.mass.inertia(2, 2), scene.spanwise_unit("kg m2"));
     out += fmt::format("  moves     freely in {}; at the start {} m/s, spin {} rad/s\n", free, place(m.velocity),
                        place(m.spin));
-    for (const Finding& f : b.findings)
-        out += fmt::format("  {:9} {}\n", f.level == Finding::Level::warning ? "warning" : "note", f.message);
-    return out;
+    return out + findings_text(b.findings);
 }
 
 /// One line for each of several sizes of particles.

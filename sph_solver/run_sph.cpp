@@ -17,6 +17,7 @@
 #include "record/water_surface.h"
 #include "scene/hash.h"
 #include "sph_solver/backend/choose_passes.h"
+#include "sph_solver/bodies/elastic/elastic_body.h"
 #include "sph_solver/measure/certificate.h"
 #include "sph_solver/measure/level_ledger.h"
 #include "sph_solver/measure/recorder.h"
@@ -149,8 +150,12 @@ private:
     /// The surface of a body where it is now; a section as thick as the water.
     void write_body(const Simulation& simulation, const Body& body, const std::string& stamp) {
         const SimulationSetup& s = simulation.setup();
-        Surface now = s.dimensions == 2 ? with_span(body.surface(), s.domain.size().y()) : body.surface();
-        for (Vec3& p : now.points) p = body.now(p);
+        Surface now =
+            s.dimensions == 2 && !body.elastic() ? with_span(body.surface(), s.domain.size().y()) : body.surface();
+        if (body.elastic())
+            now = body.elastic()->surface();
+        else
+            for (Vec3& p : now.points) p = body.now(p);
         const std::string name = body_table(body.name()), file = name + "_" + stamp + ".vtp";
         write_surface(folder_ / file, now, {});
         bodies_[name].emplace_back(file, simulation.time());

@@ -9,6 +9,7 @@
 #include "record/run_record.h"
 #include "scene/particle_levels.h"
 #include "scene/tank_walls.h"
+#include "sph_solver/bodies/elastic/elastic_setup.h"
 
 namespace tw {
 
@@ -60,6 +61,24 @@ DampingLayers damping_layers(const Scene& scene, const SimulationSetup& s) {
     const double speed = s.stream ? s.stream->speed : std::sqrt(scene.water.gravity * scene.water.depth);
     d.strength = 3 * 5 * speed / widest;  // the mean of s^2 is a third
     return d;
+}
+
+ElasticSetup elastic_setup(const ElasticPlate& plate) {
+    structure::Shell shell = shell_of(plate, plate.strip());
+    structure::Freedoms freedoms = freedoms_of(plate, shell, plate.strip());
+    ElasticSetup s{.shell = std::move(shell), .freedoms = std::move(freedoms)};
+    s.skin = plate.skin;
+    s.width = plate.two_dimensional() ? plate.strip() : 0;
+    s.large_rotations = plate.large_rotations;
+    s.damping = plate.damping;
+    s.largest_step = plate.largest_step;
+    s.velocity = plate.velocity;
+    for (const ElasticGauge& g : plate.gauges)
+        if (g.direction)
+            s.gauges.push_back({g.name, g.position, *g.direction, g.top});
+        else
+            s.points.push_back({g.name, g.position});
+    return s;
 }
 
 EffectOptions effect_options(const Scene& scene, const SimulationSetup& s) {
@@ -134,6 +153,10 @@ SphSetup sph_setup(const Scene& scene, int threads) {
     s.tension_control = scene.effect_on("tension_control");
     for (const Obstacle& o : scene.obstacles) s.bodies.emplace_back(o.surface).name = o.name;
     for (const MovingBody& b : scene.bodies) {
+        if (b.elastic) {
+            s.bodies.emplace_back(std::make_shared<const ElasticSetup>(elastic_setup(*b.elastic))).name = b.name;
+            continue;
+        }
         BodySetup& body =
             s.bodies.emplace_back(s.dimensions == 2 ? with_span(b.surface, endless_span(b.surface)) : b.surface);
         body.moving = b.motion;

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
+#include "sph_solver/bodies/elastic/elastic_body.h"
+#include "sph_solver/bodies/elastic/forces_on_dummies.h"
 #include "sph_solver/time/limits.h"
 
 namespace tw {
@@ -37,9 +39,18 @@ Simulation::Simulation(const SimulationSetup& setup, std::span<const Fluid> flui
     if (std::ranges::all_of(*bodies_, [](const Body& body) { return body.fixed(); })) return;
     if (!schedule_.stages().empty())
         throw InputError("bodies that move need a time step of one evaluation: [sph] scheme \"kick_drift_kick\"");
+    if (std::ranges::any_of(*bodies_, [](const Body& body) { return body.elastic() != nullptr; })) {
+        if (finest > 0) throw InputError("elastic bodies need particles of one size: [sph] levels = 1");
+        if (setup.scheme != Scheme::kick_drift_kick)
+            throw InputError("elastic bodies need [sph] scheme \"kick_drift_kick\"");
+    }
     contacts_.emplace(*bodies_, *around_, setup.dp);
     for (std::size_t b = 0; b < bodies_->size(); ++b) {
         if ((*bodies_)[b].fixed()) continue;
+        if (ElasticBody* elastic = (*bodies_)[b].elastic()) {
+            elastic->set_water(setup.rho0, setup.dp, setup.state_equation.c0);
+            continue;
+        }
         WaterShell shell = this->finest().walls().shell(b, setup.rho0);
         shell.spacing = setup.dp;
         shell.sound_speed = setup.state_equation.c0;
@@ -96,6 +107,11 @@ void Simulation::refuse_contact() const {
 void Simulation::move_bodies(const Schedule::Move& move) {
     for (std::size_t b = 0; b < bodies_->size(); ++b) {
         Body& body = (*bodies_)[b];
+        if (ElasticBody* elastic = body.elastic()) {
+            level(0).walls().push(*elastic, b, forces_on_dummies(level(0), b));
+            elastic->advance(move.kick, 2 * move.drifted, setup_.gravity);
+            continue;
+        }
         const Load& load = finest().walls().loads[b];
         body.kick(load.force, load.moment, setup_.moment_reference, setup_.gravity, move.kick);
         body.drift(move.drift);
@@ -103,6 +119,9 @@ void Simulation::move_bodies(const Schedule::Move& move) {
 }
 
 void Simulation::strike_bodies(const std::vector<Load>& before, double kick) {
+    for (const Walls::Blow& blow : level(0).walls().blows)
+        if (ElasticBody* elastic = (*bodies_)[blow.body].elastic())
+            elastic->strike(blow.triangle, blow.place, blow.impulse);
     for (std::size_t b = 0; b < bodies_->size(); ++b) {
         const Load& load = finest().walls().loads[b];
         (*bodies_)[b].strike(kick * (load.force - before[b].force), kick * (load.moment - before[b].moment),
@@ -157,7 +176,10 @@ void Simulation::step_level(std::size_t k, double dt) {
 void Simulation::evaluate(double t, double compress, double drift) {
     const auto due = schedule_.due(levels_);
     const bool lists_due = std::ranges::any_of(due, [](const auto& level) { return level->lists_due(); });
-    if (lists_due) make_lists_due();
+    if (lists_due) {
+        make_lists_due();
+        for (Body& body : *bodies_) body.note_surface();
+    }
     for (const auto& level : due) level->refresh(drift);
     for (LevelPair& pair : pairs_) {
         if (lists_due) pair.find_neighbours();
@@ -204,6 +226,7 @@ void Simulation::choose_time_step() {
     double dt = stable_step(*levels_.front(), setup_.cfl);
     for (const auto& level : levels_) dt = std::min(dt, stable_step(*level, setup_.cfl));
     for (const Body& body : *bodies_) dt = std::min(dt, body.stable_step());
+    for (const Body& body : *bodies_) dt = body.step_within(dt);
     for (const auto& level : levels_) level->set_step(dt);
 }
 

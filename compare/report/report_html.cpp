@@ -120,12 +120,13 @@ std::string reproduce(const Comparison& c) {
     return out;
 }
 
-/// How a mesh followed its body, and what that leaves out.
+/// How a mesh followed its body, and who bends: what each leaves out.
 std::string mesh_motion_note(const Comparison& c) {
     std::string out;
     for (std::size_t i = 0; i < c.sources.size(); ++i)
-        if (const std::string how = text_of(c.sources[i], "mesh_motion"); !how.empty())
-            out += "<p class=\"note\">" + escaped(c.names[i] + ": " + how + ".") + "</p>";
+        for (const char* note : {"mesh_motion", "compliance"})
+            if (const std::string how = text_of(c.sources[i], note); !how.empty())
+                out += "<p class=\"note\">" + escaped(c.names[i] + ": " + how + ".") + "</p>";
     return out;
 }
 

@@ -4,18 +4,35 @@
 #include <cmath>
 #include <limits>
 
+#include "sph_solver/bodies/elastic/elastic_body.h"
+#include "structure/shell/skin.h"
+
 namespace tw {
+
+BodySetup::BodySetup(std::shared_ptr<const ElasticSetup> setup)
+    : surface(structure::Skin(setup->shell, setup->skin).reference()), elastic(std::move(setup)) {}
 
 Body::Body(BodySetup setup) : setup_(std::move(setup)), query_(setup_.surface) {
     if (setup_.moving) rigid_.emplace(*setup_.moving);
+    if (setup_.elastic) elastic_ = std::make_unique<ElasticBody>(setup_.elastic);
+}
+Body::~Body() = default;
+Body::Body(Body&&) noexcept = default;
+
+void Body::note_surface() {
+    if (elastic_) elastic_->note_surface();
 }
 
+const SurfaceQuery& Body::query() const { return elastic_ ? elastic_->query() : query_; }
+
 Vec3 Body::now(const Vec3& x) const {
+    if (elastic_) return elastic_->place(elastic_->tie(x));
     if (!rigid_) return x;
     return rigid_->state().centre + rigid_->state().attitude * (x - rigid_->mass().centre);
 }
 
 Vec3 Body::at_start(const Vec3& x) const {
+    if (elastic_) return elastic_->as_noted(x);
     if (!rigid_) return x;
     return rigid_->mass().centre + turned_back(x - rigid_->state().centre);
 }
@@ -55,10 +72,13 @@ double Body::shell_over_inertia() const {
 /// and a step made of kicks and drifts is stable below 2 / omega. A wall's area counts in full here, whatever its
 /// direction, so this is on the safe side: twice the step was still stable at a density of a hundredth of water's.
 double Body::stable_step() const {
+    if (elastic_) return elastic_->stable_step();
     if (!rigid_ || rigid_->prescribed()) return std::numeric_limits<double>::infinity();
     const double ratio = std::max(shell_.mass / rigid_->mass().mass, shell_over_inertia());
     return 2 * shell_.spacing / (shell_.sound_speed * std::sqrt(ratio / 3));
 }
+
+double Body::step_within(double dt) const { return elastic_ ? ElasticBody::rung(dt) : dt; }
 
 void Body::kick(const Vec3& force, const Vec3& moment, const Vec3& reference, const Vec3& gravity, double dt) {
     if (!rigid_ || rigid_->prescribed()) return;
@@ -75,6 +95,7 @@ void Body::strike(const Vec3& impulse, const Vec3& turn, const Vec3& reference) 
 
 void Body::drift(double dt) {
     if (rigid_) rigid_->drift(dt);
+    if (elastic_) elastic_->look_ahead(dt);
 }
 
 void Body::restore(const State& state) {

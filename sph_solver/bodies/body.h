@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,17 +11,23 @@
 
 namespace tw {
 
+class ElasticBody;
+struct ElasticSetup;
+
 /// A closed solid in the water.
 struct BodySetup {
     Surface surface;  ///< as it stands at the start
     /// Velocity of the surface along itself, as of a belt [m/s]. Felt by water that the walls hold (effect viscosity,
     /// no slip).
     Vec3 sliding = Vec3::Zero();
-    std::optional<RigidBodySetup> moving = {};  ///< none: fixed
-    std::string name = "body";                  ///< in messages
+    std::optional<RigidBodySetup> moving = {};  ///< none: fixed, or elastic
+    std::shared_ptr<const ElasticSetup> elastic = {};
+    std::string name = "body";  ///< in messages
 
     BodySetup() = default;
     BodySetup(Surface s, const Vec3& along = Vec3::Zero()) : surface(std::move(s)), sliding(along) {}
+    /// With the surface that the water sees.
+    explicit BodySetup(std::shared_ptr<const ElasticSetup> setup);
 };
 
 /// The dummies of a body with water's density: a measure of the water that answers to its accelerations at once.
@@ -30,7 +37,7 @@ struct WaterShell {
     double spacing = 0, sound_speed = 0;                ///< of the water [m], [m/s]
 };
 
-/// A solid's surface and motion. What a level of particles sees of it are dummies (walls.h); what it feels of a level
+/// A solid's surface and motion: fixed, rigid or elastic (elastic/elastic_body.h). What a level of particles sees of it are dummies (walls.h); what it feels of a level
 /// is a Load.
 ///
 /// The body of a free motion and the water are advanced in turn, in the same kick-drift-kick: the water's last forces
@@ -45,30 +52,39 @@ struct WaterShell {
 class Body {
 public:
     explicit Body(BodySetup setup);
+    ~Body();
+    Body(Body&&) noexcept;
 
     const Surface& surface() const { return setup_.surface; }  ///< at the start
     const std::string& name() const { return setup_.name; }
     const Vec3& sliding() const { return setup_.sliding; }
-    bool fixed() const { return !rigid_; }
-    /// Throws std::bad_optional_access for a fixed body.
+    bool fixed() const { return !rigid_ && !elastic_; }
+    /// Throws std::bad_optional_access for a body that is not rigid.
     const RigidBody& rigid() const { return rigid_.value(); }
-    /// With the relaxed acceleration of a free body.
+    /// Null for a body that is not elastic.
+    ElasticBody* elastic() { return elastic_.get(); }
+    const ElasticBody* elastic() const { return elastic_.get(); }
+    /// Of a rigid body, with the relaxed acceleration of a free one.
     BodyMotion motion() const;
 
-    /// Where a point of the body is now that was at `x` at the start, and back [m].
+    /// Where a point of the body is now that was at `x` at the start, and back [m]; of an elastic body back to where
+    /// `query` sees its surface.
     Vec3 now(const Vec3& x) const;
     Vec3 at_start(const Vec3& x) const;
     Box bounds() const;  ///< of the surface now
     /// Directions likewise.
     Vec3 turned(const Vec3& v) const { return rigid_ ? Vec3(rigid_->state().attitude * v) : v; }
     Vec3 turned_back(const Vec3& v) const { return rigid_ ? Vec3(rigid_->state().attitude.conjugate() * v) : v; }
-    /// Of the surface as it stood at the start.
-    const SurfaceQuery& query() const { return query_; }
+    /// Of the surface as it stood at the start; of an elastic body as it stood when the lists were made.
+    const SurfaceQuery& query() const;
+    void note_surface();  ///< for `query`; rigid bodies need it not
 
     /// Before the first step: see above.
     void set_shell(const WaterShell& shell);
     /// So that neither the body on the spring of compressible water nor its turning is unstable [s], see body.cpp.
     double stable_step() const;
+    /// The step that the body takes where `dt` is allowed [s].
+    double step_within(double dt) const;
 
     /// `moment`: about `reference` [m]. Weight is added here.
     void kick(const Vec3& force, const Vec3& moment, const Vec3& reference, const Vec3& gravity, double dt);
@@ -81,6 +97,7 @@ public:
         RigidBody::State rigid;
         Vec3 acceleration = Vec3::Zero(), angular_acceleration = Vec3::Zero();  ///< relaxed
     };
+    /// Of a rigid body; an elastic one has its own.
     State state() const { return {rigid().state(), acceleration_, angular_acceleration_}; }
     void restore(const State& state);
 
@@ -90,6 +107,7 @@ private:
     BodySetup setup_;
     SurfaceQuery query_;
     std::optional<RigidBody> rigid_;
+    std::unique_ptr<ElasticBody> elastic_;
     Vec3 acceleration_ = Vec3::Zero(), angular_acceleration_ = Vec3::Zero();
     WaterShell shell_;
 };

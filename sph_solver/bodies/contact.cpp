@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "sph_solver/bodies/elastic/elastic_body.h"
 #include "sph_solver/bodies/samples.h"
 
 namespace tw {
@@ -18,6 +19,21 @@ Box bounds_of(const Body& body) {
     return box;
 }
 
+/// The wall of the tank that a place [m] has come to within `gap` of; empty: none.
+std::string wall_at(const Vec3& x, const Surroundings& around, double gap) {
+    static constexpr const char* sides[3][2] = {{"the wall at low x", "the wall at high x"},
+                                                {"the wall at low y", "the wall at high y"},
+                                                {"the floor", "the lid"}};
+    const auto& on = around.mirrors.on;
+    for (std::size_t a = 0; a < 3; ++a) {
+        if (a == 1 && around.dimensions == 2) continue;
+        const auto axis = static_cast<int>(a);
+        if (on[a][0] && x[axis] <= around.domain.min[axis] + gap) return sides[a][0];
+        if (on[a][1] && x[axis] >= around.domain.max[axis] - gap) return sides[a][1];
+    }
+    return {};
+}
+
 bool apart(const Box& a, const Box& b, double gap) {
     return ((a.min - b.max).array() > gap).any() || ((b.min - a.max).array() > gap).any();
 }
@@ -25,25 +41,53 @@ bool apart(const Box& a, const Box& b, double gap) {
 }  // namespace
 
 Contacts::Contacts(const std::vector<Body>& bodies, const Surroundings& around, double dp)
-    : bodies_(bodies), around_(around), dp_(dp), skin_(bodies.size()) {
+    : bodies_(bodies), around_(around), dp_(dp), skin_(bodies.size()), ties_(bodies.size()) {
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         if (bodies[b].fixed()) continue;
+        if (bodies[b].elastic()) {
+            note_elastic(b);
+            continue;
+        }
         const Surface& surface = bodies[b].surface();
         skin_[b] = around.dimensions == 2 ? SurfaceSamples::of_section(surface, dp).points.places
                                           : SurfaceSamples(surface, dp, surface.bounds()).points.places;
     }
 }
 
+/// Places on the surface that are clear of walls and of the other solids at the start.
+void Contacts::note_elastic(std::size_t body) {
+    const Body& own = bodies_[body];
+    const Surface& surface = own.surface();
+    const auto places = around_.dimensions == 2 ? SurfaceSamples::of_section(surface, dp_).points.places
+                                                : SurfaceSamples(surface, dp_, surface.bounds()).points.places;
+    const auto beside = [&](const Vec3& x) {
+        if (!wall_at(x, around_, dp_).empty()) return true;
+        for (std::size_t other = 0; other < bodies_.size(); ++other)
+            if (other != body && bodies_[other].query().nearest(x, 2 * dp_).distance < dp_) return true;
+        return false;
+    };
+    for (const Vec3& x : places)
+        if (!beside(x)) ties_[body].push_back(own.elastic()->tie(x));
+}
+
+std::string Contacts::of_elastic(std::size_t body) const {
+    const ElasticBody& own = *bodies_[body].elastic();
+    for (const Tie& tie : ties_[body]) {
+        const Vec3 x = own.place(tie);
+        if (const std::string wall = wall_at(x, around_, 0); !wall.empty()) return "touches " + wall;
+        for (std::size_t other = 0; other < bodies_.size(); ++other)
+            if (other != body && bodies_[other].query().nearest(bodies_[other].at_start(x), dp_).distance < dp_ / 2)
+                return "touches " + bodies_[other].name();
+    }
+    return {};
+}
+
 std::string Contacts::with_domain(const Body& body) const {
-    static constexpr const char* sides[3][2] = {{"the wall at low x", "the wall at high x"},
-                                                {"the wall at low y", "the wall at high y"},
-                                                {"the floor", "the lid"}};
     const Box box = bounds_of(body), &domain = around_.domain;
+    for (const Vec3& corner : {box.min, box.max})
+        if (const std::string wall = wall_at(corner, around_, 0); !wall.empty()) return "touches " + wall;
     for (int a = 0; a < 3; ++a) {
         if (a == 1 && around_.dimensions == 2) continue;
-        const auto axis = static_cast<std::size_t>(a);
-        if (around_.mirrors.on[axis][0] && box.min[a] <= domain.min[a]) return "touches " + std::string(sides[axis][0]);
-        if (around_.mirrors.on[axis][1] && box.max[a] >= domain.max[a]) return "touches " + std::string(sides[axis][1]);
         if (box.max[a] < domain.min[a] || box.min[a] > domain.max[a]) return "has left the domain";
     }
     return {};
@@ -52,6 +96,11 @@ std::string Contacts::with_domain(const Body& body) const {
 std::string Contacts::found() const {
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         if (bodies_[b].fixed()) continue;
+        if (bodies_[b].elastic()) {
+            if (const std::string contact = of_elastic(b); !contact.empty())
+                return fmt::format("body {} {}", bodies_[b].name(), contact);
+            continue;
+        }
         if (const std::string wall = with_domain(bodies_[b]); !wall.empty())
             return fmt::format("body {} {}", bodies_[b].name(), wall);
         const Box own = bounds_of(bodies_[b]);

@@ -3,13 +3,15 @@
 #include <vector>
 
 #include "sph_solver/bodies/body.h"
+#include "sph_solver/bodies/elastic/tie.h"
 #include "sph_solver/particles/level_setup.h"
 
 namespace tw {
 
 /// Whether bodies that move touch a wall of the tank, a fixed solid or each other, or have left the domain. Contact is
 /// not solved: a run ends there. Particles cannot enter a gap below half a spacing between solids, so that is contact
-/// already; a wall of the tank is touched at its face.
+/// already; a wall of the tank is touched at its face. Where an elastic body stands within a spacing of another solid
+/// or a wall at the start, as at its supports, it may touch them.
 class Contacts {
 public:
     /// Both must outlive this.
@@ -19,11 +21,14 @@ public:
 
 private:
     std::string with_domain(const Body& body) const;
+    void note_elastic(std::size_t body);
+    std::string of_elastic(std::size_t body) const;
 
     const std::vector<Body>& bodies_;
     const Surroundings& around_;
     double dp_;
-    std::vector<std::vector<Vec3>> skin_;  ///< of each body places on its surface at the start; empty of fixed ones
+    std::vector<std::vector<Vec3>> skin_;  ///< of each rigid body places on its surface at the start; else empty
+    std::vector<std::vector<Tie>> ties_;   ///< of each elastic body such places; else empty
 };
 
 }  // namespace tw

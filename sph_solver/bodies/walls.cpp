@@ -4,6 +4,7 @@
 
 #include "sph_solver/backend/for_particles.h"
 #include "sph_solver/bodies/dummies.h"
+#include "sph_solver/bodies/elastic/elastic_body.h"
 #include "sph_solver/bodies/slip_normal.h"
 
 namespace tw {
@@ -50,11 +51,17 @@ Walls::Walls(const std::vector<Body>& bodies, const Surroundings& around, const 
     acceleration_.resize(place_.size());
     motions_.resize(bodies_.size());
     for (std::size_t b = 0; b < bodies_.size(); ++b) reach_.push_back(reach_of(b));
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        if (!bodies_[b].elastic()) continue;
+        ties_.resize(place_.size());
+        for (std::size_t k = parts_[b].first; k < static_cast<std::size_t>(body_end_[b]); ++k)
+            ties_[k] = bodies_[b].elastic()->tie(at_start_[k]);
+    }
     follow(quanta);
 }
 
 double Walls::reach_of(std::size_t body) const {
-    if (bodies_[body].fixed()) return 0;
+    if (bodies_[body].fixed() || bodies_[body].elastic()) return 0;
     double reach = 0;
     for (std::size_t k = parts_[body].first; k < static_cast<std::size_t>(body_end_[body]); ++k)
         reach = std::max(reach, (at_start_[k] - bodies_[body].rigid().mass().centre).norm());
@@ -64,7 +71,9 @@ double Walls::reach_of(std::size_t body) const {
 double Walls::fastest() const {
     double most = 0;
     for (std::size_t b = 0; b < motions_.size(); ++b)
-        most = std::max(most, motions_[b].velocity.norm() + motions_[b].rotation.norm() * reach_[b]);
+        most = std::max(most, bodies_[b].elastic()
+                                  ? bodies_[b].elastic()->fastest()
+                                  : motions_[b].velocity.norm() + motions_[b].rotation.norm() * reach_[b]);
     return most;
 }
 
@@ -72,15 +81,32 @@ void Walls::note_motions() {
     for (std::size_t b = 0; b < motions_.size(); ++b) motions_[b] = bodies_[b].motion();
 }
 
+Vec3 Walls::place_of(std::size_t body, std::size_t dummy) const {
+    return bodies_[body].elastic() ? bodies_[body].elastic()->place(ties_[dummy]) : bodies_[body].now(at_start_[dummy]);
+}
+
+Vec3 Walls::velocity_at(std::size_t body, const Vec3& x, std::int32_t triangle) const {
+    if (const ElasticBody* elastic = bodies_[body].elastic())
+        return triangle < 0 ? Vec3(Vec3::Zero()) : elastic->velocity_on(triangle, x);
+    return motions_[body].velocity_at(x);
+}
+
+void Walls::push(ElasticBody& elastic, std::size_t body, const std::vector<Vec3>& forces) const {
+    for (std::size_t k = 0; k < forces.size(); ++k)
+        if (!forces[k].isZero(0)) elastic.push(ties_[parts_[body].first + k], forces[k]);
+}
+
 void Walls::follow(const Quanta& quanta) {
     if (!move()) return;
     note_motions();
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         if (bodies_[b].fixed()) continue;
+        const ElasticBody* const elastic = bodies_[b].elastic();
         for (std::size_t k = parts_[b].first; k < static_cast<std::size_t>(body_end_[b]); ++k) {
-            const Vec3 x = bodies_[b].now(at_start_[k]);
-            const Eigen::Vector3f u = motions_[b].velocity_at(x).cast<float>(),
-                                  a = motions_[b].acceleration_at(x).cast<float>();
+            const Vec3 x = place_of(b, k);
+            const Eigen::Vector3f
+                u = (elastic ? elastic->velocity(ties_[k]) : motions_[b].velocity_at(x)).cast<float>(),
+                a = (elastic ? elastic->acceleration(ties_[k]) : motions_[b].acceleration_at(x)).cast<float>();
             place_[k] = quanta.wide(x).record(place_[k].volume);
             velocity_[k] = {u.x(), u.y(), u.z()};
             acceleration_[k] = {a.x(), a.y(), a.z()};
@@ -95,17 +121,22 @@ void Walls::sort(const ColumnGrid& grid, const Quanta& quanta, int lanes) {
         Part& part = parts_[b];
         const auto end = static_cast<std::size_t>(body_end_[b]);
         std::vector<WidePlace> raw;
-        for (std::size_t k = part.first; k < end; ++k) raw.push_back(quanta.wide(bodies_[b].now(at_start_[k])));
+        for (std::size_t k = part.first; k < end; ++k) raw.push_back(quanta.wide(place_of(b, k)));
         std::vector<std::int32_t> order;
         sort_by_column(grid, raw, order, part.start);
         const std::vector<PlaceRecord> place(place_.begin() + static_cast<std::ptrdiff_t>(part.first),
                                              place_.begin() + static_cast<std::ptrdiff_t>(end));
         const std::vector<Vec3> at_start(at_start_.begin() + static_cast<std::ptrdiff_t>(part.first),
                                          at_start_.begin() + static_cast<std::ptrdiff_t>(end));
+        std::vector<Tie> ties;
+        if (bodies_[b].elastic())
+            ties.assign(ties_.begin() + static_cast<std::ptrdiff_t>(part.first),
+                        ties_.begin() + static_cast<std::ptrdiff_t>(end));
         for (std::size_t k = 0; k < order.size(); ++k) {
             const auto from = static_cast<std::size_t>(order[k]);
             place_[part.first + k] = raw[from].record(place[from].volume);
             at_start_[part.first + k] = at_start[from];
+            if (bodies_[b].elastic()) ties_[part.first + k] = ties[from];
         }
         make_groups(grid, {place_.data() + part.first, &part.start, 0}, lanes, part.groups);
     }
@@ -162,24 +193,26 @@ Walls::Nearest Walls::nearest(const Vec3& x, const Vec3& u, double reach) const 
         const Body& body = bodies_[b];
         const SurfaceQuery::Nearest found = body.query().nearest(body.at_start(x), reach);
         if (found.triangle < 0 || found.distance >= r.normal.distance) continue;
-        const Vec3 relative = body.fixed() ? u : Vec3(u - velocity_at(b, x));
+        const Vec3 relative = body.fixed() ? u : Vec3(u - velocity_at(b, x, found.triangle));
         Vec3 n = body.turned(slip_normal(body.query(), found, body.turned_back(relative)));
         // the rounding of a normal would be enough: water pressed in a plane buckles out of it
-        if (two_dimensional_) n.y() = 0;
+        if (two_dimensional_) n = Vec3(n.x(), 0, n.z()).normalized();
+        const bool no_edge = found.on_face() || body.elastic();  // of these the forces on dummies know none
         const Eigen::Vector3f e =
-            found.on_face() ? Eigen::Vector3f::Zero().eval() : relative.stableNormalized().cast<float>().eval();
+            no_edge ? Eigen::Vector3f::Zero().eval() : relative.stableNormalized().cast<float>().eval();
         r = {{static_cast<float>(n.x()), static_cast<float>(n.y()), static_cast<float>(n.z()),
               static_cast<float>(found.distance)},
-             {e.x(), e.y(), e.z(), found.on_face() ? 0 : static_cast<float>(relative.squaredNorm())},
-             b};
+             {e.x(), e.y(), e.z(), no_edge ? 0 : static_cast<float>(relative.squaredNorm())},
+             b,
+             found.triangle};
     }
     return r;
 }
 
 std::size_t Walls::bytes() const {
     const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-    std::size_t sum =
-        of(place_) + of(p_) + of(velocity_) + of(acceleration_) + of(at_start_) + of(group_loads_) + lists_.bytes();
+    std::size_t sum = of(place_) + of(p_) + of(velocity_) + of(acceleration_) + of(at_start_) + of(ties_) +
+                      of(group_loads_) + lists_.bytes();
     for (const Part& part : parts_) sum += of(part.start) + of(part.groups) + of(part.near_water) + part.water.bytes();
     return sum;
 }

@@ -5,6 +5,7 @@
 
 #include "sph_solver/backend/pass_data.h"
 #include "sph_solver/bodies/body.h"
+#include "sph_solver/bodies/elastic/tie.h"
 #include "sph_solver/bodies/load.h"
 #include "sph_solver/neighbours/columns.h"
 #include "sph_solver/particles/level_setup.h"
@@ -47,8 +48,12 @@ public:
     bool move() const { return !at_start_.empty(); }  ///< some body is not fixed
     /// The largest speed of a dummy now [m/s].
     double fastest() const;
-    /// Of the surface of a body at a place, as `note_motions` found it [m/s].
-    Vec3 velocity_at(std::size_t body, const Vec3& x) const { return motions_[body].velocity_at(x); }
+    /// Whether some body is elastic.
+    bool give_way() const { return !ties_.empty(); }
+    /// Of the surface of a body at a place, as `note_motions` found it [m/s]. `triangle`: of the surface, there.
+    Vec3 velocity_at(std::size_t body, const Vec3& x, std::int32_t triangle) const;
+    /// Hands the forces of the water on the dummies of an elastic body to it; see forces_on_dummies.h.
+    void push(ElasticBody& elastic, std::size_t body, const std::vector<Vec3>& forces) const;
     /// Looks at how the bodies move now.
     void note_motions();
     /// Puts the dummies of bodies that move where those are now, with their velocities and accelerations.
@@ -67,8 +72,9 @@ public:
 
     struct Nearest {
         WallNormalRecord normal;
-        LeavingRecord leaving{};  ///< the water's way past the wall, beyond an edge
-        std::size_t body = 0;     ///< meaningful where `normal` is not `no_wall`
+        LeavingRecord leaving{};     ///< the water's way past the wall, beyond an edge
+        std::size_t body = 0;        ///< meaningful where `normal` is not `no_wall`
+        std::int32_t triangle = -1;  ///< of the body's surface; likewise
     };
     /// The wall nearest to a place `x` within `reach` [m], where bodies are now, as it acts on water of velocity `u`.
     Nearest nearest(const Vec3& x, const Vec3& u, double reach) const;
@@ -80,9 +86,18 @@ public:
 
     std::vector<Load> loads;  ///< on each body, of the last step
 
+    /// An impulse that a particle held at an elastic body's wall gave to it.
+    struct Blow {
+        std::size_t body;
+        std::int32_t triangle;
+        Vec3 place, impulse;  ///< [m], [N s]
+    };
+    std::vector<Blow> blows;  ///< of the last step
+
 private:
-    /// How far the dummies of a body reach from its centre [m].
+    /// How far the dummies of a rigid body reach from its centre [m].
     double reach_of(std::size_t body) const;
+    Vec3 place_of(std::size_t body, std::size_t dummy) const;  ///< of a body that moves, now [m]
 
     const std::vector<Body>& bodies_;
     bool two_dimensional_;
@@ -93,6 +108,7 @@ private:
     std::vector<WallVelocity> velocity_;
     std::vector<WallAcceleration> acceleration_;
     std::vector<Vec3> at_start_;       // places of the dummies at the start
+    std::vector<Tie> ties_;            // of the dummies of elastic bodies; empty where there is none
     std::vector<BodyMotion> motions_;  // of each body
     std::vector<double> reach_;        // of each body
 

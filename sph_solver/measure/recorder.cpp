@@ -8,6 +8,7 @@
 
 #include "record/certificate.h"
 #include "record/raster.h"
+#include "sph_solver/bodies/elastic/elastic_body.h"
 #include "sph_solver/effects/air.h"
 #include "sph_solver/measure/certificate.h"
 #include "sph_solver/measure/level_ledger.h"
@@ -201,6 +202,10 @@ void Recorder::record_bodies(const Simulation& simulation) {
     for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {
         const Body& body = simulation.bodies()[b];
         if (body.fixed()) continue;
+        if (body.elastic()) {
+            record_elastic(simulation, b);
+            continue;
+        }
         Table& t = record_.table(body_table(body.name()));
         const std::size_t k = append_row(t, simulation.time());
         const auto put = [&](const char* name, const std::string& unit, const Vec3& v) {
@@ -222,6 +227,37 @@ void Recorder::record_bodies(const Simulation& simulation) {
         put("f{}_body", per_span("N"), body.turned_back(load.force));
         put("m{}_body", per_span("N m"), body.turned_back(moment));
     }
+}
+
+/// Of an elastic body: its frame or, without one, nothing of a place of its own; the water's force; its gauges; what it
+/// stores, and the water's work on both sides of the interface.
+void Recorder::record_elastic(const Simulation& simulation, std::size_t b) {
+    const Body& body = simulation.bodies()[b];
+    const ElasticBody& elastic = *body.elastic();
+    const ElasticSetup& setup = elastic.setup();
+    Table& t = record_.table(body_table(body.name()));
+    const std::size_t k = append_row(t, simulation.time());
+    const auto put = [&](const std::string& name, const std::string& unit, const Vec3& v) {
+        for (int a = 0; a < 3; ++a) set(t, k, fmt::format(fmt::runtime(name), "xyz"[a]), unit, v[a] + 0.0);
+    };
+    if (!setup.freedoms.parts().empty()) {
+        const ElasticBody::PartMotion frame = elastic.part(0);
+        put("{}", "m", setup.freedoms.parts()[0].centre + frame.displacement);
+        put("v{}", "m/s", frame.velocity);
+        put("a{}", "m/s2", frame.acceleration);
+    }
+    double lowest = HUGE_VAL;
+    for (const Vec3& p : elastic.surface().points) lowest = std::min(lowest, p.z());
+    set(t, k, "lowest", "m", lowest);
+    put("f{}", per_span("N"), simulation.load(b).force);
+    for (std::size_t n = 0; n < setup.points.size(); ++n) put(setup.points[n].name + "_{}", "m", elastic.deflection(n));
+    for (std::size_t n = 0; n < setup.gauges.size(); ++n) set(t, k, setup.gauges[n].name, "-", elastic.strain(n));
+    for (const auto& [name, value] : {std::pair{"kinetic_energy", elastic.kinetic_energy()},
+                                      {"elastic_energy", elastic.elastic_energy()},
+                                      {"work_taken", elastic.work_taken()},
+                                      {"work_given", elastic.work_given()},
+                                      {"work_exchanged", elastic.work_exchanged()}})
+        set(t, k, name, per_span("J"), value / elastic.width());
 }
 
 /// Of each size of particles, in a table of its own: who is there, and what has passed the edge of its zone.

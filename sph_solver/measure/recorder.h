@@ -27,6 +27,7 @@ private:
     void sample_frame(Simulation& simulation, std::size_t row);
     void record_levels(const Simulation& simulation);
     void record_bodies(const Simulation& simulation);
+    void record_elastic(const Simulation& simulation, std::size_t body);
     void probe_pressure(Simulation& simulation);
     void probe_height(Simulation& simulation);
     Table& forces() { return record_.table("forces"); }

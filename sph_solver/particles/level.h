@@ -31,7 +31,7 @@ struct FieldsAt {
     std::vector<Vec3> places;
     double density_before = 0;  ///< the density as it was so long before the last evaluation [s], by its rate there
     bool want_compression = false;
-    SurfaceExcess without;      ///< taken off the densities of the particles
+    SurfaceExcess without;  ///< taken off the densities of the particles
     /// Of which particles: the level's own water; that and what stands for a finer level's; all, guards included.
     enum class Of { active, not_guards, all } of = Of::active;
     std::vector<VelocityDensityRecord> value;
@@ -169,7 +169,9 @@ private:
         const double of_water = u.x() * n.x + u.y() * n.y + u.z() * n.z;
         if (records_.wall_body.empty()) return of_water;
         const Particles& p = particles_;
-        return of_water - walls_.velocity_at(records_.wall_body[i], {p.x[i], p.y[i], p.z[i]}).dot(Vec3(n.x, n.y, n.z));
+        const std::int32_t triangle = records_.wall_triangle.empty() ? -1 : records_.wall_triangle[i];
+        return of_water -
+               walls_.velocity_at(records_.wall_body[i], {p.x[i], p.y[i], p.z[i]}, triangle).dot(Vec3(n.x, n.y, n.z));
     }
     PlaceRecord place_record(std::size_t i) const {
         const Particles& p = particles_;
@@ -187,7 +189,10 @@ private:
     struct Held {
         Vec3 impulse;
         std::size_t body;
+        std::int32_t triangle;
     };
+    /// Takes what is nearest as the wall of particle i.
+    void note_wall(std::size_t i, const Walls::Nearest& near);
     std::optional<Held> hold_at_wall(std::size_t i);
     [[noreturn]] void fail_at(std::size_t i, const std::string& what) const;
     void check_density() const;

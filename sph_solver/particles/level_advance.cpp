@@ -26,6 +26,7 @@ struct Part {
         Vec3 impulse = Vec3::Zero(), turn = Vec3::Zero();  ///< [N s], [N m s]
     };
     std::vector<Blow> blows;  ///< given to each body by particles held at its wall; empty: none
+    std::vector<Walls::Blow> on_elastic;
     std::int64_t held = 0;
     bool broken = false;
 };
@@ -40,9 +41,7 @@ std::optional<Level::Held> Level::hold_at_wall(std::size_t i) {
     WallNormalRecord& r = records_.wall_normal[i];
     const Walls::Nearest found = walls_.nearest(Vec3(p.x[i], p.y[i], p.z[i]), Vec3(p.u[i], p.v[i], p.w[i]), setup_.dp);
     if (found.normal.distance < no_wall.distance) {
-        r = found.normal;
-        records_.wall_leaving[i] = found.leaving;
-        if (walls_.move()) records_.wall_body[i] = static_cast<std::uint16_t>(found.body);
+        note_wall(i, found);
     } else {
         r.distance = static_cast<float>(setup_.dp);
     }
@@ -58,7 +57,7 @@ std::optional<Level::Held> Level::hold_at_wall(std::size_t i) {
     p.u[i] -= static_cast<float>(approach * r.x);
     p.v[i] -= static_cast<float>(approach * r.y);
     p.w[i] -= static_cast<float>(approach * r.z);
-    return Held{mass_ * (before - Vec3(p.u[i], p.v[i], p.w[i])), found.body};
+    return Held{mass_ * (before - Vec3(p.u[i], p.v[i], p.w[i])), found.body, found.triangle};
 }
 
 void Level::advance(const Schedule::Move& move, const Vec3& moment_reference) {
@@ -71,6 +70,7 @@ void Level::advance(const Schedule::Move& move, const Vec3& moment_reference) {
     const double stream_before = stream_velocity(time_), stream_after = stream_velocity(time_ + dt);
     const ShiftStep shift_step(s.shifting, dt, h_, s.dp);
     walls_.note_motions();
+    walls_.blows.clear();
 
     const auto move_range = [&](Part& part, std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
@@ -93,8 +93,8 @@ void Level::advance(const Schedule::Move& move, const Vec3& moment_reference) {
                 case Kind::band: {
                     const RateRecord& r = records.rate[i];
                     if (p.kind[i] == Kind::fluid)
-                        part.acceleration2 = std::max(part.acceleration2, double(r.ax) * r.ax + double(r.ay) * r.ay +
-                                                                              double(r.az) * r.az);
+                        part.acceleration2 = std::max(part.acceleration2,
+                                                      double(r.ax) * r.ax + double(r.ay) * r.ay + double(r.az) * r.az);
                     p.u[i] = static_cast<float>(u0 + dt * r.ax);
                     p.v[i] = static_cast<float>(v0 + dt * r.ay);
                     p.w[i] = static_cast<float>(w0 + dt * r.az);
@@ -129,7 +129,10 @@ void Level::advance(const Schedule::Move& move, const Vec3& moment_reference) {
                     part.blows.resize(walls_.loads.size());
                     Part::Blow& blow = part.blows[held->body];
                     blow.impulse += held->impulse;
-                    blow.turn += (Vec3(p.x[i], p.y[i], p.z[i]) - moment_reference).cross(held->impulse);
+                    const Vec3 place(p.x[i], p.y[i], p.z[i]);
+                    blow.turn += (place - moment_reference).cross(held->impulse);
+                    if (walls_.give_way())
+                        part.on_elastic.push_back({held->body, held->triangle, place, held->impulse});
                 }
             }
             const double u = p.u[i], v = p.v[i], w = p.w[i], speed2 = u * u + v * v + w * w;
@@ -170,6 +173,7 @@ void Level::advance(const Schedule::Move& move, const Vec3& moment_reference) {
             extremes_.density_deviation_high = part.high, extremes_.densest_place = place(part.densest);
         crossed += part.crossed;
         ledger_.held += part.held;
+        walls_.blows.insert(walls_.blows.end(), part.on_elastic.begin(), part.on_elastic.end());
         for (std::size_t b = 0; b < part.blows.size(); ++b) {
             walls_.loads[b].force += part.blows[b].impulse / dt;
             walls_.loads[b].moment += part.blows[b].turn / dt;

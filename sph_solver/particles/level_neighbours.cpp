@@ -17,9 +17,7 @@ bool Level::lists_outlived() const {
     return 2 * relative > skin || travel_ahead() + wall_travel_ahead() > wall_skin;
 }
 
-double Level::wall_travel_ahead() const {
-    return life_.wall_travel + schedule_.looks_ahead() * dt_ * walls_.fastest();
-}
+double Level::wall_travel_ahead() const { return life_.wall_travel + schedule_.looks_ahead() * dt_ * walls_.fastest(); }
 
 void Level::refresh(double drift) {
     if (life_.over) return rebuild(drift);
@@ -103,9 +101,17 @@ void Level::rebuild(double drift) {
     life_.over = false;
 }
 
+void Level::note_wall(std::size_t i, const Walls::Nearest& near) {
+    records_.wall_normal[i] = near.normal;
+    records_.wall_leaving[i] = near.leaving;
+    if (walls_.move()) records_.wall_body[i] = static_cast<std::uint16_t>(near.body);
+    if (walls_.give_way()) records_.wall_triangle[i] = near.triangle;
+}
+
 void Level::find_normals() {
     const double reach = 2 * kernel_.support() + setup_.dp;
     if (walls_.move()) records_.wall_body.resize(particles_.size());
+    if (walls_.give_way()) records_.wall_triangle.resize(particles_.size());
     std::int64_t through = -1;
     for_groups(groups_, [&](const Group& g) {
         for (int l = 0; l < g.size; ++l) {
@@ -115,9 +121,7 @@ void Level::find_normals() {
             Walls::Nearest near{no_wall};
             if (g.wall_list.size > 0)
                 near = walls_.nearest(Vec3(p.x[i], p.y[i], p.z[i]), Vec3(p.u[i], p.v[i], p.w[i]), reach);
-            r = near.normal;
-            records_.wall_leaving[i] = near.leaving;
-            if (walls_.move()) records_.wall_body[i] = static_cast<std::uint16_t>(near.body);
+            note_wall(i, near);
             if (r.distance < -setup_.dp && is_active(p.kind[i])) {
 #pragma omp critical
                 through = std::max(through, static_cast<std::int64_t>(i));

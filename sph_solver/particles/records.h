@@ -17,6 +17,7 @@ struct Records {
     std::vector<WallNormalRecord> wall_normal;  ///< only where there are walls
     std::vector<LeavingRecord> wall_leaving;    ///< off its edges; only where there are walls
     std::vector<std::uint16_t> wall_body;       ///< whose normal that is; only where bodies move
+    std::vector<std::int32_t> wall_triangle;    ///< and on which triangle of it; only where bodies are elastic
     std::vector<CarriedShare> carried;          ///< and images; only with a control volume
     std::vector<std::uint32_t> surface;         ///< a bit for each place, see PassData
     std::vector<float> compression;             ///< -rho div u of the last first sweep; only where levels meet

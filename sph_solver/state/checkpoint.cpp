@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <stdexcept>
+
 #include "base/atomic_file.h"
 #include "base/errors.h"
 #include "record/hdf5_file.h"
+#include "sph_solver/bodies/elastic/elastic_body.h"
 
 namespace tw {
 
@@ -12,6 +15,7 @@ namespace {
 
 constexpr double version = 2;
 constexpr const char* bodies_group = "bodies";
+constexpr const char* elastic_group = "elastic";
 /// Births and deaths at the edge between levels k and k + 1.
 std::string edge_name(std::size_t k) { return fmt::format("edge_{}", k); }
 
@@ -131,9 +135,16 @@ void write_checkpoint(const std::filesystem::path& path, const std::string& run_
             write_control_volume(h5::create_group(file, "control_volume"), control->state());
         std::size_t moving = 0;
         for (const Body& body : simulation.bodies()) {
-            if (body.fixed()) continue;
+            if (body.fixed() || body.elastic()) continue;
             if (moving == 0) h5::create_group(file, bodies_group);
             write_body(h5::open_group(file, bodies_group), std::to_string(moving++), body.state());
+        }
+        std::size_t elastic = 0;
+        for (const Body& body : simulation.bodies()) {
+            if (!body.elastic()) continue;
+            if (elastic == 0) h5::create_group(file, elastic_group);
+            h5::write_vector(h5::open_group(file, elastic_group), std::to_string(elastic++).c_str(), H5T_NATIVE_DOUBLE,
+                             body.elastic()->state(), false);
         }
         write_text_atomically(path, h5::image(file));
     } catch (const h5::Failure& f) { throw RunError(path.string() + ": cannot be written: " + f.what); }
@@ -174,6 +185,11 @@ Checkpoint read_checkpoint(const std::filesystem::path& path, const std::string&
             for (std::size_t k = 0; h5::has_attribute(bodies, std::to_string(k).c_str()); ++k)
                 c.bodies.push_back(read_body(bodies, std::to_string(k)));
         }
+        if (h5::has(file, elastic_group)) {
+            const h5::Handle bodies = h5::open_group(file, elastic_group);
+            for (std::size_t k = 0; h5::has(bodies, std::to_string(k).c_str()); ++k)
+                c.elastic.push_back(h5::read_vector<double>(bodies, std::to_string(k).c_str(), H5T_NATIVE_DOUBLE));
+        }
         return c;
     } catch (const h5::Failure& f) {
         throw InputError(path.string() + ": cannot be resumed from: " + f.what + "; start anew with --overwrite");
@@ -202,11 +218,23 @@ void restore(Simulation& simulation, Checkpoint checkpoint) {
     for (std::size_t k = 0; k < checkpoint.edges.size(); ++k)
         simulation.refinements()[k].set_ledger({checkpoint.edges[k].births, checkpoint.edges[k].deaths});
     std::vector<Body*> moving;
+    std::vector<ElasticBody*> elastic;
     for (Body& body : simulation.bodies())
-        if (!body.fixed()) moving.push_back(&body);
+        if (body.elastic())
+            elastic.push_back(body.elastic());
+        else if (!body.fixed())
+            moving.push_back(&body);
     if (checkpoint.bodies.size() != moving.size())
         throw InputError("the checkpoint has another number of bodies that move; start anew with --overwrite");
     for (std::size_t b = 0; b < moving.size(); ++b) moving[b]->restore(checkpoint.bodies[b]);
+    if (checkpoint.elastic.size() != elastic.size())
+        throw InputError("the checkpoint has another number of elastic bodies; start anew with --overwrite");
+    for (std::size_t b = 0; b < elastic.size(); ++b) try {
+            elastic[b]->restore(checkpoint.elastic[b]);
+        } catch (const std::invalid_argument& e) {
+            throw InputError(fmt::format(
+                "elastic body {} of the checkpoint is not the scene's: {}; start anew with --overwrite", b, e.what()));
+        }
     checkpoint.levels[simulation.water().size() - 1].state.control = checkpoint.control;
     for (std::size_t k = 0; k < levels; ++k)
         simulation.level(k).restore(checkpoint.levels[k].state, std::move(checkpoint.levels[k].particles));

@@ -27,7 +27,8 @@ struct Checkpoint {
     };
     std::vector<Edge> edges;  ///< between levels of particle size, coarsest first
     ControlVolume::State control;
-    std::vector<Body::State> bodies;  ///< those that are not fixed
+    std::vector<Body::State> bodies;           ///< those that are rigid and move
+    std::vector<std::vector<double>> elastic;  ///< ElasticBody::state of those that are elastic
 };
 
 /// Written atomically (raw, no compression). The caller marks the restart point in the running simulation too, so that

@@ -1,0 +1,61 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/vec3.h"
+#include "structure/laminate.h"
+
+namespace tw {
+namespace structure {
+class Freedoms;
+class Shell;
+}  // namespace structure
+
+/// A place on an elastic body at which its displacement or, with a direction, the strain of a face is recorded.
+struct ElasticGauge {
+    std::string name;
+    Vec3 position = Vec3::Zero();   ///< at the start [m]
+    std::optional<Vec3> direction;  ///< none: the displacement is recorded
+    bool top = true;                ///< the face out of which the plate's normal points
+};
+
+/// An elastic rectangular plate: its mid-surface about `middle`, its own x and y along length and breadth, turned by
+/// `trim` about the earth's y axis (bow up, the bow at its low x). In two dimensions a strip that bends in the plane.
+struct ElasticPlate {
+    double length = 0, breadth = 0;  ///< between its edges [m]
+    std::array<int, 2> cells{};      ///< along and across
+    std::vector<structure::Ply> plies;
+    Vec3 middle = Vec3::Zero();
+    double trim = 0;                                    ///< [rad]
+    std::vector<std::string> clamped, hinged, carried;  ///< edges: x_min, x_max, y_min, y_max
+    double total_mass = 0;                              ///< of plate and carrying frame; 0: no frame [kg]
+    std::array<bool, 6> locked{};                       ///< freedoms of the frame
+    Vec3 velocity = Vec3::Zero();                       ///< at the start [m/s]
+    double skin = 0;                                    ///< thickness of the surface that the water sees [m]
+    double margin = 0;                                  ///< by which the plate goes on, held, beyond clamped edges [m]
+    bool large_rotations = true;
+    double damping = 0;       ///< [1/s]
+    double largest_step = 0;  ///< of the structure [s]; 0: the water's
+    std::vector<ElasticGauge> gauges;
+
+    double thickness() const { return structure::Laminate(plies).thickness(); }
+    bool two_dimensional() const { return breadth == 0; }
+    double cell() const;  ///< the larger edge of its elements [m]
+    /// Where a place of the flat plate about its middle stands, and directions [m].
+    Vec3 placed(const Vec3& x) const { return middle + turned(x); }
+    Vec3 turned(const Vec3& v) const;
+    /// In two dimensions the width of the strip by which forces per metre are multiplied; so large that its ends are
+    /// far from the plane. Else 1 [m].
+    double strip() const { return two_dimensional() ? 4 * (length + 2 * margin + skin) : 1; }
+    std::string supports() const;  ///< in words
+};
+
+/// The plate as it stands at the start, in two dimensions as a strip of this width [m]. Throws InputError: see
+/// structure/shell.
+structure::Shell shell_of(const ElasticPlate& plate, double width);
+/// What supports and frame leave it; `width` as above. Throws InputError where a frame is lighter than nothing.
+structure::Freedoms freedoms_of(const ElasticPlate& plate, const structure::Shell& shell, double width);
+
+}  // namespace tw

@@ -1,0 +1,204 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/errors.h"
+#include "meshes/mass_properties.h"
+#include "scene/read.h"
+#include "structure/freedoms.h"
+#include "structure/material.h"
+#include "structure/shell/gauge.h"
+#include "structure/shell/skin.h"
+
+namespace tw {
+namespace {
+using Materials = std::vector<std::pair<std::string, structure::Ply>>;
+
+/// Every ply by its name, with material and thickness.
+Materials read_plies(std::vector<Section>& sections) {
+    Materials materials;
+    for (Section& s : sections) {
+        const auto needed = [&](const char* key) {
+            const auto value = s.number(key);
+            if (!value) s.fail(key, "missing; a ply needs it");
+            return *value;
+        };
+        if (!s.has("name")) s.fail("name", "missing; layups name their plies");
+        const std::string name = s.identifier("name", "ply");
+        structure::Ply ply;
+        ply.thickness = needed("thickness");
+        structure::PlyMaterial& m = ply.material;
+        m.E1 = needed("E1"), m.E2 = needed("E2"), m.nu12 = needed("nu12"), m.G12 = needed("G12");
+        m.G13 = s.number("G13", m.G12), m.G23 = s.number("G23", m.G12);
+        m.density = needed("density");
+        if (const std::string why = structure::impossible(m); !why.empty())
+            s.fail("E1", fmt::format("no material has the constants of ply {}: {}", name, why));
+        for (const auto& [other, known] : materials)
+            if (other == name)
+                s.fail("name", fmt::format("ply {} is there already; give every ply its own name", name));
+        materials.emplace_back(name, ply);
+        s.finish();
+    }
+    return materials;
+}
+
+std::vector<structure::Ply> read_section(Section& s, const Materials& materials) {
+    const auto layup = s.text("layup");
+    if (layup) {
+        for (const char* of_isotropic : {"youngs_modulus", "poisson", "thickness", "density"})
+            if (s.has(of_isotropic)) s.fail(of_isotropic, "stands beside layup, whose plies have their own; keep one");
+        try {
+            return structure::read_layup(*layup, materials);
+        } catch (const InputError& e) { s.fail("layup", fmt::format("{}; plies are the [[ply]] sections", e.what())); }
+    }
+    const auto E = s.number("youngs_modulus"), nu = s.number("poisson"), t = s.number("thickness"),
+               rho = s.number("density");
+    for (const auto& [key, value] :
+         {std::pair{"youngs_modulus", E}, {"poisson", nu}, {"thickness", t}, {"density", rho}})
+        if (!value)
+            s.fail(key, "missing; an elastic plate needs its layup, or youngs_modulus, poisson, thickness and density");
+    const structure::PlyMaterial material = structure::isotropic(*E, *nu, *rho);
+    if (const std::string why = structure::impossible(material); !why.empty())
+        s.fail("poisson", "no material has these constants: " + why);
+    return {{material, 0, *t}};
+}
+
+void read_supports(Section& s, ElasticPlate& plate) {
+    for (const auto& [key, edges] :
+         {std::pair{"clamped", &plate.clamped}, {"hinged", &plate.hinged}, {"carried", &plate.carried}})
+        *edges = s.choices(key).value_or(std::vector<std::string>{});
+    for (const auto* edges : {&plate.clamped, &plate.hinged, &plate.carried})
+        for (const std::string& edge : *edges) {
+            const auto times = [&](const std::vector<std::string>& of) { return std::ranges::count(of, edge); };
+            if (times(plate.clamped) + times(plate.hinged) + times(plate.carried) > 1)
+                s.fail("clamped", fmt::format("edge {} is supported twice; name it once", edge));
+            if (plate.two_dimensional() && edge[0] == 'y')
+                s.fail("clamped", fmt::format("{}: a strip of two dimensions has the edges x_min and x_max", edge));
+        }
+    const auto mass = s.number("mass");
+    if (plate.carried.empty() != !mass)
+        s.fail("mass", plate.carried.empty()
+                           ? "is that of a plate and the frame that carries it: name its edges in carried"
+                           : "missing; a carried plate needs the mass of plate and frame together");
+    plate.total_mass = mass.value_or(0);
+    if (plate.clamped.empty() && plate.hinged.empty() && plate.carried.empty() && !s.has("velocity"))
+        s.fail("clamped",
+               "the plate has neither support nor frame nor velocity; name edges in clamped, hinged or "
+               "carried, or say with velocity that it flies");
+}
+
+}  // namespace
+
+std::vector<std::optional<ElasticPlate>> read_elastic(std::vector<Section>& bodies, std::vector<Section>& plies,
+                                                      std::vector<Section>& gauges, int dimensions) {
+    const Materials materials = read_plies(plies);
+    std::vector<std::optional<ElasticPlate>> plates(bodies.size());
+    std::vector<std::size_t> elastic;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        Section& s = bodies[b];
+        if (!s.choice("elastic")) continue;
+        elastic.push_back(b);
+        ElasticPlate& plate = plates[b].emplace();
+        const auto size = s.numbers("plate");
+        const auto cells = s.numbers("cells");
+        if (!size) s.fail("plate", "missing; an elastic plate needs its length and breadth");
+        if (!cells) s.fail("cells", "missing; an elastic plate needs its number of elements along and across");
+        if (!((*size)[0] > 0 && (*size)[1] > 0)) s.fail("plate", "has no area; expected [length, breadth] above zero");
+        plate.length = (*size)[0], plate.breadth = dimensions == 2 ? 0 : (*size)[1];
+        for (std::size_t k = 0; k < 2; ++k) {
+            plate.cells[k] = static_cast<int>((*cells)[k]);
+            if (plate.cells[k] != (*cells)[k] || plate.cells[k] < 1 || plate.cells[k] > 1000)
+                s.fail("cells", fmt::format("{} elements; expected whole numbers from 1 to 1000", (*cells)[k]));
+        }
+        plate.plies = read_section(s, materials);
+        plate.middle = s.vector("middle").value_or(Vec3::Zero());
+        if (dimensions == 2 && plate.middle.y() != 0)
+            s.fail("middle", "leaves the plane y = 0 of two dimensions; expected [x, 0, z]");
+        plate.trim = s.number("trim", 0.0);
+        plate.velocity = s.vector("velocity").value_or(Vec3::Zero());
+        read_supports(s, plate);
+        plate.skin = s.number("skin", 0.0);
+        plate.margin = s.number("margin", -1.0);
+        plate.large_rotations = s.choice("rotations").value_or("large") == "large";
+        plate.damping = s.number("damping", 0.0);
+        plate.largest_step = s.number("structure_step", 0.0);
+    }
+    for (std::size_t g = 0; g < gauges.size(); ++g) {
+        Section& s = gauges[g];
+        ElasticGauge gauge;
+        gauge.name = s.identifier("name", fmt::format("gauge{}", g + 1));
+        const std::string body = s.text("body", "");
+        const auto of = std::ranges::find_if(elastic, [&](std::size_t b) {
+            return body.empty() ? elastic.size() == 1 : bodies[b].text("name", fmt::format("body{}", b + 1)) == body;
+        });
+        if (of == elastic.end()) s.fail("body", fmt::format("'{}' is no elastic body of this scene", body));
+        const auto at = s.vector("position");
+        if (!at) s.fail("position", "missing; a gauge lies somewhere on its plate");
+        gauge.position = *at;
+        gauge.direction = s.vector("direction");
+        gauge.top = s.choice("face").value_or("top") == "top";
+        s.finish();
+        plates[*of]->gauges.push_back(gauge);
+    }
+    return plates;
+}
+
+MovingBody elastic_body(Section& s, std::size_t number, ElasticPlate plate) {
+    MovingBody b;
+    b.name = s.identifier("name", fmt::format("body{}", number));
+    static constexpr const char* names[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
+    for (const std::string& word : s.choices("locked").value_or(std::vector<std::string>{})) {
+        if (plate.carried.empty()) s.fail("locked", "is for a frame; name the edges that it carries in carried");
+        plate.locked[static_cast<std::size_t>(std::ranges::find(names, word) - std::begin(names))] = true;
+    }
+    b.source = fmt::format("elastic plate of {:.4g} mm", 1000 * plate.thickness());
+    b.elastic = std::move(plate);
+    s.finish();
+    return b;
+}
+
+void stand_elastic(MovingBody& body, double dp, Section& s) {
+    ElasticPlate& plate = *body.elastic;
+    const double thickness = plate.thickness();
+    if (plate.skin == 0) plate.skin = std::max(thickness, 6 * dp);
+    if (plate.margin < 0) plate.margin = 4 * dp;
+    if (plate.skin < thickness)
+        s.fail("skin", fmt::format("is thinner than the plate, {:.4g} m; expected no less", thickness));
+    try {
+        // what is reported of two dimensions is per metre of span
+        const structure::Shell shell = shell_of(plate, 1);
+        freedoms_of(plate, shell, 1).basis();
+        for (const ElasticGauge& g : plate.gauges)
+            structure::GaugeReader(shell,
+                                   {g.name, g.position, g.direction.value_or(plate.turned(Vec3::UnitX())), g.top});
+        body.surface = structure::Skin(shell, plate.skin).reference();
+        RigidBodySetup& m = body.motion;
+        double own = 0;
+        for (int n = 0; 6 * n < shell.freedoms(); ++n) own += shell.mass()[6 * n];
+        m.mass.mass = plate.total_mass > 0 ? plate.total_mass : own;
+        const RigidMass uniform = solid_mass(body.surface, 1);
+        m.mass.centre = plate.middle;
+        m.mass.inertia = m.mass.mass / uniform.mass * uniform.inertia;
+        m.velocity = plate.velocity;
+        for (std::size_t a = 0; a < 3; ++a) {
+            const bool flat = plate.two_dimensional();
+            m.free.along[a] = !plate.locked[a] && !(flat && a == 1);
+            m.free.about[a] = !plate.locked[a + 3] && !(flat && a != 1);
+        }
+        if (!plate.clamped.empty() || !plate.hinged.empty()) m.law = MotionLaw{};  // it stays
+    } catch (const InputError& e) { s.fail("elastic", e.what()); }
+    if (plate.cell() > 4 * dp)
+        body.findings.push_back({Finding::Level::warning, "coarse_elements",
+                                 fmt::format("elements of {:.3g} m, {:.2g} particle spacings: water of one element "
+                                             "pushes as a whole; expected at most 4",
+                                             plate.cell(), plate.cell() / dp),
+                                 plate.middle});
+    if (plate.skin > thickness * 1.01)
+        body.findings.push_back({Finding::Level::note, "thick_skin",
+                                 fmt::format("the water sees a surface of {:.4g} m about the plate of {:.4g} m: its "
+                                             "faces stand {:.4g} m further out than the plate's",
+                                             plate.skin, thickness, (plate.skin - thickness) / 2),
+                                 plate.middle});
+}
+
+}  // namespace tw

@@ -1,0 +1,185 @@
+#include "sph_solver/bodies/elastic/shell_in_time.h"
+
+#include <algorithm>
+#include <functional>
+#include <stdexcept>
+
+#include "base/errors.h"
+#include "structure/time/generalised_alpha.h"
+#include "structure/time/nonlinear_alpha.h"
+
+namespace tw {
+namespace {
+using Eigen::VectorXd;
+
+/// Integrators by their length of step, the last used first.
+template <class Integrator>
+class Steppers {
+public:
+    explicit Steppers(std::function<std::unique_ptr<Integrator>(double dt)> make) : make_(std::move(make)) {}
+
+    Integrator& of(double dt) {
+        constexpr std::size_t most = 6;
+        auto at = std::ranges::find(known_, dt, &Known::first);
+        if (at == known_.end()) {
+            if (known_.size() == most) known_.pop_back();
+            at = known_.emplace(known_.end(), dt, make_(dt));
+        }
+        std::rotate(known_.begin(), at, at + 1);
+        return *known_.front().second;
+    }
+
+private:
+    using Known = std::pair<double, std::unique_ptr<Integrator>>;
+    std::function<std::unique_ptr<Integrator>(double dt)> make_;
+    std::vector<Known> known_;
+};
+
+std::vector<double> joined(std::initializer_list<const VectorXd*> parts) {
+    std::vector<double> all;
+    for (const VectorXd* part : parts) all.insert(all.end(), part->begin(), part->end());
+    return all;
+}
+
+void split(std::span<const double> all, std::initializer_list<VectorXd*> parts) {
+    std::size_t at = 0;
+    for (VectorXd* part : parts) {
+        const auto size = static_cast<std::size_t>(part->size());
+        if (at + size > all.size()) throw std::invalid_argument("too few numbers");
+        std::ranges::copy(all.subspan(at, size), part->begin());
+        at += size;
+    }
+    if (at != all.size()) throw std::invalid_argument("too many numbers");
+}
+
+VectorXd velocities_at_start(const ElasticSetup& setup) {
+    VectorXd v = VectorXd::Zero(setup.freedoms.all());
+    for (int n = 0; 6 * n < v.size(); ++n) v.segment<3>(6 * n) = setup.velocity;
+    return v;
+}
+
+/// Any length serves where nothing is stepped.
+constexpr double no_step = 1;
+
+class LinearShell : public ShellInTime {
+public:
+    using Integrator = structure::GeneralisedAlpha;
+
+    explicit LinearShell(const ElasticSetup& setup)
+        : basis_(setup.freedoms.basis()),
+          K_(setup.freedoms.widened(setup.shell.stiffness())),
+          M_(setup.freedoms.mass(setup.shell.mass())),
+          steppers_(
+              [this, &setup](double dt) { return std::make_unique<Integrator>(K_, M_, basis_, dt, setup.kept); }) {
+        Integrator& any = steppers_.of(no_step);
+        const VectorXd none = VectorXd::Zero(setup.freedoms.all());
+        any.start(none, velocities_at_start(setup), none);
+        state_ = any.state();
+    }
+
+    VectorXd step(double dt, const VectorXd& load) override {
+        Integrator& time = steppers_.of(dt);
+        const VectorXd before = displacement();
+        state_.f = basis_.transpose() * load;
+        time.set_state(state_);
+        time.step(load);
+        state_ = time.state();
+        return displacement() - before;
+    }
+    VectorXd displacement() const override { return basis_ * state_.q; }
+    VectorXd velocity() const override { return basis_ * state_.v; }
+    double kinetic_energy() const override {
+        const VectorXd v = velocity();
+        return v.dot(M_ * v) / 2;
+    }
+    double elastic_energy() const override {
+        const VectorXd u = displacement();
+        return u.dot(K_ * u) / 2;
+    }
+    double strain(const structure::GaugeReader& gauge) const override { return gauge.strain(displacement()); }
+    std::vector<double> state() const override { return joined({&state_.q, &state_.v, &state_.a}); }
+    void restore(std::span<const double> state) override { split(state, {&state_.q, &state_.v, &state_.a}); }
+
+private:
+    structure::SparseMatrix basis_, K_, M_;
+    Steppers<Integrator> steppers_;
+    Integrator::State state_;
+};
+
+class TurningShell : public ShellInTime {
+public:
+    using Integrator = structure::NonlinearAlpha;
+
+    explicit TurningShell(const ElasticSetup& setup)
+        : shell_(&setup.shell),
+          elastic_(setup.shell),
+          basis_(setup.freedoms.basis()),
+          M_(setup.freedoms.mass(setup.shell.mass())),
+          steppers_([&setup](double dt) { return std::make_unique<Integrator>(setup.shell, setup.freedoms, dt); }) {
+        Integrator& any = steppers_.of(no_step);
+        any.start(velocities_at_start(setup), VectorXd::Zero(setup.freedoms.all()));
+        state_ = any.state();
+    }
+
+    VectorXd step(double dt, const VectorXd& load) override {
+        constexpr int most = 256;
+        state_.f = basis_.transpose() * load;
+        const Integrator::State start = state_;
+        for (;; parts_ *= 2) try {
+                return step_in_parts(dt, load);
+            } catch (const RunError&) {
+                if (parts_ == most) throw;
+                state_ = start;
+            }
+    }
+    VectorXd displacement() const override { return state_.u; }
+    VectorXd velocity() const override { return basis_ * state_.v; }
+    double kinetic_energy() const override {
+        const VectorXd v = velocity();
+        return v.dot(M_ * v) / 2;
+    }
+    double elastic_energy() const override { return elastic_.energy(state_.u.head(shell_->freedoms())); }
+    double strain(const structure::GaugeReader& gauge) const override {
+        return gauge.strain(elastic_.deformation(state_.u.head(shell_->freedoms()), gauge.element()));
+    }
+    std::vector<double> state() const override {
+        const VectorXd parts = VectorXd::Constant(1, parts_);
+        return joined({&parts, &state_.u, &state_.v, &state_.a, &state_.F});
+    }
+    void restore(std::span<const double> state) override {
+        VectorXd parts(1);
+        split(state, {&parts, &state_.u, &state_.v, &state_.a, &state_.F});
+        parts_ = static_cast<int>(parts[0]);
+    }
+
+private:
+    VectorXd step_in_parts(double dt, const VectorXd& load) {
+        constexpr int easy = 12;  // iterations
+        Integrator& time = steppers_.of(dt / parts_);
+        VectorXd change = VectorXd::Zero(state_.v.size());
+        int hardest = 0;
+        for (int part = 0; part < parts_; ++part) {
+            const VectorXd before = state_.v;
+            time.set_state(state_);
+            hardest = std::max(hardest, time.step(load));
+            state_ = time.state();
+            change += dt / parts_ / 2 * (before + state_.v);
+        }
+        if (hardest <= easy && parts_ > 1) parts_ /= 2;
+        return basis_ * change;
+    }
+
+    const structure::Shell* shell_;
+    structure::Corotational elastic_;
+    structure::SparseMatrix basis_, M_;
+    Steppers<Integrator> steppers_;
+    Integrator::State state_;
+    int parts_ = 1;  ///< of a step
+};
+
+}  // namespace
+
+std::unique_ptr<ShellInTime> linear_shell(const ElasticSetup& setup) { return std::make_unique<LinearShell>(setup); }
+std::unique_ptr<ShellInTime> turning_shell(const ElasticSetup& setup) { return std::make_unique<TurningShell>(setup); }
+
+}  // namespace tw

@@ -1,0 +1,120 @@
+#include <gtest/gtest.h>
+
+#include "base/errors.h"
+#include "scene/hash.h"
+#include "scene/mesh_motion.h"
+#include "scene_text.h"
+
+namespace tw::test {
+namespace {
+
+const std::string dropped = R"(title = "dropped plate"
+[tank]
+min = [-1, -1, -1]
+max = [1, 1, 1]
+[[ply]]
+name = "C"
+thickness = "1 mm"
+E1 = "60 GPa"
+E2 = "10 GPa"
+nu12 = 0.25
+G12 = "4 GPa"
+density = "1500 kg/m3"
+[[body]]
+name = "laminate"
+elastic = "plate"
+plate = ["0.4 m", "0.2 m"]
+cells = [8, 4]
+middle = [0, 0, "0.5 m"]
+layup = "[0 C/90 C]s"
+carried = ["x_min", "x_max", "y_min", "y_max"]
+mass = "5 kg"
+velocity = [0, 0, "-2 m/s"]
+[[gauge]]
+name = "strain"
+position = ["30 mm", 0, "0.5 m"]
+direction = [1, 0, 0]
+[motion]
+kind = "none"
+[resolution]
+near_hull = "20 mm"
+[run]
+duration = 1
+methods = ["sph"]
+)";
+
+TEST(ElasticScene, HasItsPlateAndTheSurfaceThatTheWaterSees) {
+    const Scene scene = scene_of(dropped);
+    const MovingBody& b = scene.bodies.at(0);
+    ASSERT_TRUE(b.elastic);
+    EXPECT_NEAR(b.elastic->thickness(), 0.004, 1e-15);
+    EXPECT_NEAR(b.elastic->skin, 6 * 0.02, 1e-15);
+    const Vec3 size = b.surface.bounds().size();
+    EXPECT_LT((size - Vec3(0.4, 0.2, 0.12)).norm(), 1e-12);
+    EXPECT_NEAR(b.motion.mass.mass, 5, 1e-12);
+    EXPECT_EQ(b.motion.velocity, Vec3(0, 0, -2));
+    EXPECT_NE(scene_hash(scene), scene_hash(scene_of(with(dropped, "60 GPa", "50 GPa"))));
+    EXPECT_NE(scene_hash(scene), scene_hash(scene_of(with(dropped, "[0 C/90 C]s", "[90 C/0 C]s"))));
+}
+
+TEST(ElasticScene, OfTwoDimensionsIsAStripPerMetre) {
+    const std::string flat =
+        with(with(with(dropped, "[motion]", "[domain]\ndimensions = 2\n[motion]"), "\"y_min\", \"y_max\"", ""),
+             ", \"x_max\", ", ", \"x_max\"");
+    const MovingBody b = scene_of(flat).bodies.at(0);
+    EXPECT_NEAR(b.surface.bounds().size().y(), 1, 1e-12);
+    EXPECT_FALSE(b.motion.free.along[1]);
+}
+
+/// What was found and what to do, at the key's place; nothing is written.
+TEST(ElasticScene, RefusesWhatIsNoPlate) {
+    const struct {
+        std::string from, to, message;
+    } wrong[] = {
+        {"layup = \"[0 C/90 C]s\"", "layup = \"[0 C/90 D]s\"", "D"},
+        {"nu12 = 0.25", "nu12 = 3", "no material has the constants of ply C"},
+        {"mass = \"5 kg\"", "mass = \"0.1 kg\"", "the plate alone has 0.48 kg"},
+        {"mass = \"5 kg\"\n", "", "needs the mass of plate and frame"},
+        {"cells = [8, 4]", "cells = [8, 0]", "expected whole numbers"},
+        {"plate = [\"0.4 m\", \"0.2 m\"]", "plate = [0, \"0.2 m\"]", "no area"},
+        {"carried = [\"x_min\"", "clamped = [\"x_min\"]\ncarried = [\"x_min\"", "supported twice"},
+        {"velocity = [0, 0, \"-2 m/s\"]", "skin = \"1 mm\"", "thinner than the plate"},
+        {"position = [\"30 mm\", 0, \"0.5 m\"]", "position = [\"30 mm\", 0, \"0.6 m\"]", "gauge strain"},
+        {"near_hull = \"20 mm\"", "near_hull = \"20 mm\"\n[sph]\nscheme = \"symplectic_euler\"", "kick_drift_kick"},
+        {"near_hull = \"20 mm\"", "near_hull = \"20 mm\"\n[effects]\nviscosity = \"on\"\nno_slip = \"on\"", "friction"},
+    };
+    for (const auto& [from, to, message] : wrong) {
+        const std::string found = complaint(with(dropped, from, to));
+        EXPECT_NE(found.find(message), std::string::npos) << to << ": '" << found << "'";
+        EXPECT_EQ(found.find("scene.toml:"), 0u) << found;
+    }
+    const std::string unsupported =
+        with(dropped, "carried = [\"x_min\", \"x_max\", \"y_min\", \"y_max\"]\nmass = \"5 kg\"\n", "");
+    EXPECT_EQ(complaint(unsupported), "") << "a plate with a velocity may fly";
+    EXPECT_NE(complaint(with(unsupported, "velocity = [0, 0, \"-2 m/s\"]\n", "")).find("neither support nor frame"),
+              std::string::npos);
+}
+
+TEST(ElasticScene, WarnsOfElementsMuchCoarserThanTheParticles) {
+    const auto warns = [](const std::string& text) {
+        const Scene scene = scene_of(text);
+        for (const Finding& f : scene.bodies.at(0).findings)
+            if (f.name == "coarse_elements") return true;
+        return false;
+    };
+    EXPECT_FALSE(warns(dropped));
+    EXPECT_TRUE(warns(with(dropped, "cells = [8, 4]", "cells = [4, 2]")));
+}
+
+/// The mesh method moves the rigid counterpart of a plate on a frame, and refuses a plate that is held.
+TEST(ElasticScene, IsRigidForTheMeshMethod) {
+    EXPECT_NO_THROW(refuse_unsolved(scene_of(dropped), "sph"));
+    const std::string held =
+        with(with(dropped, "carried = [\"x_min\", \"x_max\", \"y_min\", \"y_max\"]\nmass = \"5 kg\"",
+                  "clamped = [\"x_min\"]"),
+             "velocity = [0, 0, \"-2 m/s\"]\n", "");
+    EXPECT_THROW(mesh_motion(scene_of(held)), InputError);
+}
+
+}  // namespace
+}  // namespace tw::test
