@@ -70,10 +70,13 @@ Vec3 flattened(Vec3 p, double middle) {
     return p;
 }
 
-void add_plate(Lines& t, const ElasticPlate& plate) {
-    t.add("plate", {plate.length, plate.breadth, double(plate.cells[0]), double(plate.cells[1]), plate.trim, plate.skin,
-                    plate.margin, double(plate.large_rotations), plate.damping, plate.largest_step})
+/// Skin and margin follow from the particles' size unless they are written, so a family of sizes does not count them.
+void add_plate(Lines& t, const ElasticPlate& plate, bool sizes) {
+    t.add("plate", {plate.length, plate.breadth, double(plate.cells[0]), double(plate.cells[1]), plate.trim,
+                    double(plate.large_rotations), plate.damping, plate.largest_step})
+        .add("middle", plate.middle)
         .add("supports", plate.supports());
+    if (sizes) t.add("skin", {plate.skin, plate.margin});
     for (const structure::Ply& p : plate.plies) {
         const structure::PlyMaterial& m = p.material;
         t.add("ply", {p.angle, p.thickness, m.E1, m.E2, m.nu12, m.G12, m.G13, m.G23, m.density});
@@ -82,14 +85,18 @@ void add_plate(Lines& t, const ElasticPlate& plate) {
         t.add("gauge", g.position).add("along", g.direction.value_or(Vec3::Zero())).add("top", {double(g.top)});
 }
 
-void add_body(Lines& t, const MovingBody& body) {
+void add_body(Lines& t, const MovingBody& body, bool sizes) {
     const RigidBodySetup& m = body.motion;
+    if (body.elastic) {
+        t.add("mass", {m.mass.mass}).add("velocity", m.velocity);
+        for (const bool locked : body.elastic->locked) t.add("locked", {double(locked)});
+        return add_plate(t, *body.elastic, sizes);
+    }
     t.add("body", surface_hash(body.surface)).add("mass", {m.mass.mass}).add("centre", m.mass.centre);
     for (int a = 0; a < 3; ++a) t.add("inertia", Vec3(m.mass.inertia.col(a)));
     for (const auto& free : {m.free.along, m.free.about})
         t.add("free", {double(free[0]), double(free[1]), double(free[2])});
     t.add("velocity", m.velocity).add("spin", m.spin);
-    if (body.elastic) add_plate(t, *body.elastic);
     if (!m.law) return;
     const MotionLaw& law = *m.law;
     t.add("law",
@@ -115,7 +122,7 @@ void add_geometry(Lines& t, const Scene& scene, bool sizes) {
             for (Vec3& p : surface.points) p = flattened(p, middle);
         t.add("obstacle", surface_hash(surface));
     }
-    for (const MovingBody& body : scene.bodies) add_body(t, body);
+    for (const MovingBody& body : scene.bodies) add_body(t, body, sizes);
     for (const Box& block : scene.water_blocks)
         t.add("block", flat ? Box{flattened(block.min, middle), flattened(block.max, middle)} : block);
     for (const PressureProbe& p : scene.sampling.pressure) t.add("pressure", p.place);

@@ -12,7 +12,8 @@ namespace tw {
 ///   /simulation        run hash, instruction set, mass at the start
 ///   /levels/0, 1, ...  time, step, ledger, extremes and the particles of each level; births and deaths at their edges
 ///   /control_volume    its running sums, where there is one
-///   /bodies/0, 1, ...  how the bodies stand and move that are not fixed, in their order
+///   /bodies/0, 1, ...  how the rigid bodies that move stand and move, in their order
+///   /elastic/0, 1, ... how the elastic bodies do, see ElasticBody::state
 struct Checkpoint {
     std::string isa;           ///< of the pair loops: another one may give other last digits
     double mass_at_start = 0;  ///< of the water [kg]
