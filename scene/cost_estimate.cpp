@@ -20,7 +20,7 @@ namespace {
 
 // Throughput, measured on AVX-512 server cores of about 3 GHz; one place for all of them.
 constexpr double particle_steps_per_core_second = 1.1e6;  // delta-SPH with renormalised diffusion, h/dp = 1.5
-constexpr double bytes_per_particle = 240;
+constexpr double bytes_per_particle = 240, of_several_sizes = 420;  // the prism at beam/20
 constexpr double bytes_per_open_voxel = 8;  // while a frame is filled; afterwards it keeps one byte
 constexpr double wall_layers = 4;
 // One halving along the chine and transom of half a prism, meshes of 6 to 33 thousand cells: 68, 89 and 65 further cells
@@ -218,7 +218,7 @@ Prediction predict(const Scene& scene, const MachinePace& pace) {
     p.raster_bytes = voxels(sampling.raster) * (p.frames + bytes_per_open_voxel);
     if (sampling.snapshot_interval > 0) p.snapshots = std::floor(scene.run.duration / sampling.snapshot_interval) + 1;
     p.sph_bytes = p.raster_bytes + (p.particles + p.air_particles + p.wall_particles * (p.air_particles > 0 ? 2 : 1)) *
-                                       bytes_per_particle;
+                                       (scene.sph.levels > 1 ? of_several_sizes : bytes_per_particle);
 
     const double courant_rate = steps_per_cell_crossing * speed / dp * 4 / scene.fvm.max_courant *
                                 (shedding.edges.empty() ? 1 : steps_of_shedding_edges);

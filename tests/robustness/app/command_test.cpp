@@ -139,7 +139,7 @@ TEST_F(Command, CheckGivesItsFactsToPrograms) {
 }
 
 TEST_F(Command, CheckDrawsTheSizesOfParticlesAndCells) {
-    write("a.toml", planing + "\n[sph]\nlevels = 2\nzone = 8\n");
+    write("a.toml", planing + "[domain]\nahead = \"4 m\"\n[sph]\nlevels = 2\nzone = 8\n");
     const Outcome o = twinwake({"check", "a.toml", "--picture", "sizes.svg"});
     EXPECT_EQ(o.status, 0) << o.err;
     EXPECT_NE(o.out.find("guards"), std::string::npos) << "a line for each size";

@@ -8,41 +8,6 @@
 namespace tw::test {
 namespace {
 
-const std::string dropped = R"(title = "dropped plate"
-[tank]
-min = [-1, -1, -1]
-max = [1, 1, 1]
-[[ply]]
-name = "C"
-thickness = "1 mm"
-E1 = "60 GPa"
-E2 = "10 GPa"
-nu12 = 0.25
-G12 = "4 GPa"
-density = "1500 kg/m3"
-[[body]]
-name = "laminate"
-elastic = "plate"
-plate = ["0.4 m", "0.2 m"]
-cells = [8, 4]
-middle = [0, 0, "0.5 m"]
-layup = "[0 C/90 C]s"
-carried = ["x_min", "x_max", "y_min", "y_max"]
-mass = "5 kg"
-velocity = [0, 0, "-2 m/s"]
-[[gauge]]
-name = "strain"
-position = ["30 mm", 0, "0.5 m"]
-direction = [1, 0, 0]
-[motion]
-kind = "none"
-[resolution]
-near_hull = "20 mm"
-[run]
-duration = 1
-methods = ["sph"]
-)";
-
 TEST(ElasticScene, HasItsPlateAndTheSurfaceThatTheWaterSees) {
     const Scene scene = scene_of(dropped);
     const MovingBody& b = scene.bodies.at(0);

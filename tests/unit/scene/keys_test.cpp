@@ -77,6 +77,16 @@ std::map<std::string, Change> changes() {
     const std::string distances =
         with(stream, "[motion]", "[domain]\nahead = 1\nbehind = 4\nside = 2\nbelow = 2\nabove = 2\n[motion]");
     const std::string boxed = fixed + "[[refine]]\nmin = [2, -0.5, -0.4]\nmax = [3, 0.5, 0.2]\nspacing = 0.05\n";
+    const std::string held =
+        with(with(dropped, "[[gauge]]\nname = \"strain\"\nposition = [\"30 mm\", 0, \"0.5 m\"]\ndirection = [1, 0, 0]\n", ""),
+             "carried = [\"x_min\", \"x_max\", \"y_min\", \"y_max\"]\nmass = \"5 kg\"\nvelocity = [0, 0, \"-2 m/s\"]",
+             "clamped = [\"x_min\"]");
+    const std::string isotropic =
+        with(with(dropped,
+                  "[[ply]]\nname = \"C\"\nthickness = \"1 mm\"\nE1 = \"60 GPa\"\nE2 = \"10 GPa\"\nnu12 = 0.25\n"
+                  "G12 = \"4 GPa\"\ndensity = \"1500 kg/m3\"\n",
+                  ""),
+             "layup = \"[0 C/90 C]s\"", "thickness = 0.004\nyoungs_modulus = 6e10\npoisson = 0.3\ndensity = 2000");
     std::map<std::string, Change> all{
         {".title", replaced(fixed, "title = \"planing\"", "title = \"other\"")},
         {"hull.file", replaced(from_file, "a.stl", "b.stl")},
@@ -168,6 +178,36 @@ std::map<std::string, Change> changes() {
         {"body.phase", replaced(swaying, "phase = 0", "phase = 0.1")},
         {"body.times", replaced(tabled, "times = [0, 1]", "times = [0, 1.1]")},
         {"body.values", replaced(tabled, "values = [0, 0.1]", "values = [0, 0.11]")},
+        {"body.elastic", {afloat, dropped}},
+        {"body.plate", replaced(dropped, "\"0.2 m\"]", "\"0.24 m\"]")},
+        {"body.cells", replaced(dropped, "[8, 4]", "[8, 6]")},
+        {"body.middle", replaced(held, "[0, 0, \"0.5 m\"]\nlayup", "[0, 0, \"0.49 m\"]\nlayup")},
+        {"body.thickness", replaced(isotropic, "thickness = 0.004", "thickness = 0.005")},
+        {"body.youngs_modulus", replaced(isotropic, "6e10", "7e10")},
+        {"body.poisson", replaced(isotropic, "poisson = 0.3", "poisson = 0.25")},
+        {"body.layup", replaced(dropped, "[0 C/90 C]s", "[90 C/0 C]s")},
+        {"body.clamped", replaced(held, "clamped = [\"x_min\"]", "clamped = [\"x_max\"]")},
+        {"body.hinged", replaced(held, "clamped = [\"x_min\"]", "clamped = [\"x_min\"]\nhinged = [\"x_max\"]")},
+        {"body.carried", replaced(dropped, ", \"y_min\", \"y_max\"]", "]")},
+        {"body.skin", replaced(dropped, "[8, 4]", "[8, 4]\nskin = 0.13")},
+        {"body.margin", replaced(held, "[8, 4]", "[8, 4]\nmargin = 0.1")},
+        {"body.rotations", replaced(dropped, "[8, 4]", "[8, 4]\nrotations = \"small\"")},
+        {"body.damping", replaced(dropped, "[8, 4]", "[8, 4]\ndamping = 3")},
+        {"body.structure_step", replaced(dropped, "[8, 4]", "[8, 4]\nstructure_step = 1e-5")},
+        {"ply.name", {dropped, with(with(dropped, "name = \"C\"", "name = \"D\""), "[0 C/90 C]s", "[0 D/90 D]s")}},
+        {"ply.thickness", replaced(dropped, "\"1 mm\"", "\"2 mm\"")},
+        {"ply.E1", replaced(dropped, "60 GPa", "61 GPa")},
+        {"ply.E2", replaced(dropped, "10 GPa", "11 GPa")},
+        {"ply.nu12", replaced(dropped, "nu12 = 0.25", "nu12 = 0.26")},
+        {"ply.G12", replaced(dropped, "\"4 GPa\"", "\"5 GPa\"")},
+        {"ply.G13", replaced(dropped, "\"4 GPa\"", "\"4 GPa\"\nG13 = 3e9")},
+        {"ply.G23", replaced(dropped, "\"4 GPa\"", "\"4 GPa\"\nG23 = 3e9")},
+        {"ply.density", replaced(dropped, "1500", "1600")},
+        {"gauge.name", replaced(dropped, "name = \"strain\"", "name = \"other\"")},
+        {"gauge.body", replaced(dropped, "name = \"strain\"", "name = \"strain\"\nbody = \"laminate\"")},
+        {"gauge.position", replaced(dropped, "30 mm", "40 mm")},
+        {"gauge.direction", replaced(dropped, "direction = [1, 0, 0]", "direction = [0, 1, 0]")},
+        {"gauge.face", replaced(dropped, "direction = [1, 0, 0]", "direction = [1, 0, 0]\nface = \"bottom\"")},
         {"sph.levels", set(fixed, "sph", "levels", "1", "2")},
         {"sph.zone", set(fixed, "sph", "zone", "16", "10")},
         {"sph.scheme", set(fixed, "sph", "scheme", "\"kick_drift_kick\"", "\"symplectic_euler\"")},
@@ -217,7 +257,7 @@ TEST(Keys, EachKeyIsCoveredByTheHashThatTheTableNames) {
         EXPECT_EQ(run_hash(a, "sph") != run_hash(b, "sph"), in_scene || hashed == SceneKey::Hashed::sph) << name;
         EXPECT_EQ(run_hash(a, "fvm") != run_hash(b, "fvm"), in_scene || hashed == SceneKey::Hashed::fvm) << name;
         // The family's hash covers the same, but for the sizes.
-        const bool size = key.section == "resolution";
+        const bool size = key.section == "resolution" || name == "body.skin" || name == "body.margin";
         EXPECT_EQ(family_hash(a, "sph") != family_hash(b, "sph"), !size && run_hash(a, "sph") != run_hash(b, "sph"))
             << name;
         EXPECT_EQ(family_hash(a, "fvm") != family_hash(b, "fvm"), !size && run_hash(a, "fvm") != run_hash(b, "fvm"))
@@ -228,7 +268,8 @@ TEST(Keys, EachKeyIsCoveredByTheHashThatTheTableNames) {
 TEST(Keys, OnlyWhatChangesNothingThatIsSolvedIsInNoHash) {
     const std::set<std::string> in_none{".title",      "motion.ramp",    "run.duration",       "run.methods",
                                         "run.threads", "run.checkpoint", "probe.name",         "obstacle.name",
-                                        "body.name",   "fvm.openfoam",   "sampling.snapshots", "refine.name"};
+                                        "body.name",   "fvm.openfoam",   "sampling.snapshots", "refine.name",
+                                        "ply.name",    "gauge.name",     "gauge.body"};
     for (const SceneKey& key : scene_keys()) {
         const std::string name = key.section + "." + key.name;
         const auto expected = in_none.contains(name) ? SceneKey::Hashed::nowhere
