@@ -196,9 +196,7 @@ std::vector<std::vector<Box>> particle_zones(const Scene& scene, std::span<const
 
 std::vector<std::vector<Box>> particle_zones(const Scene& scene) {
     if (scene.sph.levels == 1) return {};
-    const auto refuse = [&](const std::string& why) {
-        throw InputError(scene.place_of("sph.levels") + ": " + why);
-    };
+    const auto refuse = [&](const std::string& why) { throw InputError(scene.place_of("sph.levels") + ": " + why); };
     const bool stream = scene.motion.kind == Motion::Kind::stream;
     const std::vector<Box> moving = bodies_at_start(scene);
     const std::vector<Root> solids = roots(scene, moving);

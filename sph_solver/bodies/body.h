@@ -37,8 +37,8 @@ struct WaterShell {
     double spacing = 0, sound_speed = 0;                ///< of the water [m], [m/s]
 };
 
-/// A solid's surface and motion: fixed, rigid or elastic (elastic/elastic_body.h). What a level of particles sees of it are dummies (walls.h); what it feels of a level
-/// is a Load.
+/// A solid's surface and motion: fixed, rigid or elastic (elastic/elastic_body.h). What a level of particles sees of it
+/// are dummies (walls.h); what it feels of a level is a Load.
 ///
 /// The body of a free motion and the water are advanced in turn, in the same kick-drift-kick: the water's last forces
 /// kick the body, and its dummies hand the water an acceleration. Water near answers to that acceleration within the

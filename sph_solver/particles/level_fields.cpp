@@ -15,7 +15,8 @@ struct SortedPlaces {
     NeighbourLists lists;
 
     /// `travel`: how far the sources have moved since they were sorted [m].
-    SortedPlaces(const std::vector<Vec3>& points, const Level& level, const std::vector<Source>& sources, double travel) {
+    SortedPlaces(const std::vector<Vec3>& points, const Level& level, const std::vector<Source>& sources,
+                 double travel) {
         std::vector<WidePlace> raw(points.size());
         for (std::size_t k = 0; k < raw.size(); ++k) raw[k] = level.quanta().wide(points[k]);
         sort_by_column(level.grid(), raw, order, start);
@@ -90,15 +91,14 @@ void Level::interpolate(FieldsAt& at) {
     for_particles(place.size(), [&](std::size_t i) {
         const std::size_t of = i < own ? i : static_cast<std::size_t>(ghosts_.images()[i - own].source);
         const Kind kind = particles_.kind[of];
-        const bool counts = at.of == FieldsAt::Of::all || is_active(kind) ||
-                            (at.of == FieldsAt::Of::not_guards && kind != Kind::guard);
+        const bool counts =
+            at.of == FieldsAt::Of::all || is_active(kind) || (at.of == FieldsAt::Of::not_guards && kind != Kind::guard);
         if (!counts) place[i].volume = 0;
         known_support[i] = records_.shift_support[of].support;
         if (at.want_compression) rate[i] = records_.compression[of];
         if (at.density_before > 0)
             records_.velocity_density[i].drho -= static_cast<float>(at.density_before * records_.compression[of]);
-        records_.velocity_density[i].drho -=
-            static_cast<float>(row * at.without.of(double(known_support[i])));
+        records_.velocity_density[i].drho -= static_cast<float>(row * at.without.of(double(known_support[i])));
     });
     const SortedPlaces sorted(at.places, *this, sources(), life_.travel);
     std::vector<VelocityDensityRecord> value(n);

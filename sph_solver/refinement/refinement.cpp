@@ -151,7 +151,10 @@ void Refinement::give_birth() {
         c.children[i] = Children::all;
         for (int octant = 0; octant < (dimensions == 3 ? 8 : 4); ++octant) {
             const double half = dp_ / 2;
-            const Vec3 to(octant & 1 ? half : -half, dimensions == 2 ? 0 : octant & 4 ? half : -half,
+            const Vec3 to(octant & 1 ? half : -half,
+                          dimensions == 2 ? 0
+                          : octant & 4    ? half
+                                          : -half,
                           octant & 2 ? half : -half);
             children.places.push_back(place(c, i) + to);
             births.push_back({i, first});
@@ -232,8 +235,7 @@ void Refinement::restrict_over(double moved, double density_before) {
         }
         ++ledger_.orphans;
         c.compression[i] = 0;
-        if (c.kind[i] == Kind::carried)
-            set_fields(c, i, {c.u[i] + fall.x(), c.v[i] + fall.y(), c.w[i] + fall.z(), 0});
+        if (c.kind[i] == Kind::carried) set_fields(c, i, {c.u[i] + fall.x(), c.v[i] + fall.y(), c.w[i] + fall.z(), 0});
     }
 }
 

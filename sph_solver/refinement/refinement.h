@@ -82,7 +82,7 @@ private:
     Level& coarse_;
     Level& fine_;
     Zone zone_;
-    double dp_;  ///< of the fine level
+    double dp_;             ///< of the fine level
     SurfaceExcess excess_;  ///< in weights of a row the same for both
     Ledger ledger_;
     double surplus_at_start_ = 0;  ///< [kg]

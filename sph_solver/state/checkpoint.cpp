@@ -212,7 +212,8 @@ void restore(Simulation& simulation, Checkpoint checkpoint) {
     for (std::size_t k = 0; k < levels; ++k)
         if (const Particles& p = checkpoint.levels[k].particles;
             simulation.level(k).particles().has_finer && p.children.size() != p.size())
-            throw InputError("the checkpoint was written by an earlier version of twinwake; start anew with --overwrite");
+            throw InputError(
+                "the checkpoint was written by an earlier version of twinwake; start anew with --overwrite");
     if (checkpoint.edges.size() != simulation.refinements().size())
         throw InputError("the checkpoint's water has another number of particle sizes; start anew with --overwrite");
     for (std::size_t k = 0; k < checkpoint.edges.size(); ++k)

@@ -55,8 +55,8 @@ void collapses_over(const Zone& zone, const char* where) {
                     if (is_active(level->particles().kind[i])) front = std::max(front, level->particles().x[i]);
     }
     const Refinement& edge = run.refinements()[0];
-    std::printf("dam break over an edge %s: mass within %.2f %%, energy at most %.3f of the start's, %lld births\n", where,
-                100 * most_mass, most_energy, static_cast<long long>(edge.ledger().births));
+    std::printf("dam break over an edge %s: mass within %.2f %%, energy at most %.3f of the start's, %lld births\n",
+                where, 100 * most_mass, most_energy, static_cast<long long>(edge.ledger().births));
     EXPECT_LT(most_mass, 0.03);
     EXPECT_LT(most_energy, 1.05);  // found 1.036: 2 % more water, high up
     EXPECT_GT(front, 1.9) << "or nothing has moved";

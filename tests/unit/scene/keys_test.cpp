@@ -78,7 +78,8 @@ std::map<std::string, Change> changes() {
         with(stream, "[motion]", "[domain]\nahead = 1\nbehind = 4\nside = 2\nbelow = 2\nabove = 2\n[motion]");
     const std::string boxed = fixed + "[[refine]]\nmin = [2, -0.5, -0.4]\nmax = [3, 0.5, 0.2]\nspacing = 0.05\n";
     const std::string held =
-        with(with(dropped, "[[gauge]]\nname = \"strain\"\nposition = [\"30 mm\", 0, \"0.5 m\"]\ndirection = [1, 0, 0]\n", ""),
+        with(with(dropped,
+                  "[[gauge]]\nname = \"strain\"\nposition = [\"30 mm\", 0, \"0.5 m\"]\ndirection = [1, 0, 0]\n", ""),
              "carried = [\"x_min\", \"x_max\", \"y_min\", \"y_max\"]\nmass = \"5 kg\"\nvelocity = [0, 0, \"-2 m/s\"]",
              "clamped = [\"x_min\"]");
     const std::string isotropic =

@@ -137,7 +137,8 @@ TEST(ParticleLevels, AreRefusedWhereTheyHaveNoRoomOrNoSolid) {
                "\"none\"\n[resolution]\nnear_hull = 0.05\n[run]\nduration = 1\n" +
                rest;
     };
-    EXPECT_NE(refused(pool("[sph]\nlevels = 2\n")).find("stand round a hull, an obstacle or a body"), std::string::npos);
+    EXPECT_NE(refused(pool("[sph]\nlevels = 2\n")).find("stand round a hull, an obstacle or a body"),
+              std::string::npos);
     const std::string post = "[[obstacle]]\nmin = [3, 0.9, 0]\nmax = [3.2, 1.1, 1]\n[sph]\nzone = 8\nlevels = ";
     EXPECT_EQ(refused(pool(post + "2\n")), "");
     EXPECT_NE(refused(pool(post + "4\n")).find("have no room in this tank"), std::string::npos);

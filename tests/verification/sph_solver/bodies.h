@@ -40,7 +40,9 @@ inline Fluid water(const SimulationSetup& s) {
 }
 
 inline Vec3 centre_of(const Simulation& s) { return s.bodies()[0].rigid().state().centre; }
-inline double turned_by(const Simulation& s) { return Eigen::AngleAxisd(s.bodies()[0].rigid().state().attitude).angle(); }
+inline double turned_by(const Simulation& s) {
+    return Eigen::AngleAxisd(s.bodies()[0].rigid().state().attitude).angle();
+}
 inline void run_to(Simulation& s, double time) {
     while (s.time() < time) s.step();
 }

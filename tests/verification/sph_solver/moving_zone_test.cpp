@@ -43,7 +43,9 @@ struct Stirred {
 Stirred still_water(double speed) {
     const double dp = 0.01, depth = 0.8, way = 0.8;
     SimulationSetup s = tank(dp, 0.8, depth, 0.2, 10 * std::sqrt(9.81 * depth));
-    const auto zone = [](double x) { return Zone({Box{Vec3(x - 0.2, -infinite, -0.6), Vec3(x + 0.2, infinite, -0.2)}}); };
+    const auto zone = [](double x) {
+        return Zone({Box{Vec3(x - 0.2, -infinite, -0.6), Vec3(x + 0.2, infinite, -0.2)}});
+    };
     s.zones = {zone(-way / 2)};
     double time = 0;
     s.zones_round = [&](std::span<const Box>) {
@@ -108,7 +110,9 @@ TEST(MovingZone, RoundACylinderLetsItEnterAsParticlesOfOneSizeDo) {
         for (const auto& level : three.levels()) particles += level->particles().size();
         most = std::max(most, particles);
         // steps of the two do not end at the same time
-        const auto way_of = [&](const Simulation& s) { return start - centre_of(s).z() + speed_up(s) * (s.time() - time); };
+        const auto way_of = [&](const Simulation& s) {
+            return start - centre_of(s).z() + speed_up(s) * (s.time() - time);
+        };
         const double way = way_of(one), way3 = way_of(three);
         std::printf("cylinder at %.2f s: way %.4f m, velocity %.3f m/s; with three sizes %.4f m, %.3f m/s\n", time, way,
                     speed_up(one), way3, speed_up(three));
