@@ -22,7 +22,7 @@ WallEffect effect_at(const Scene& scene, const WallReach& reach) {
     const Hull& hull = *scene.hull;
     const double U = scene.motion.speed, g = scene.water.gravity;
     const double length = wetted_length(hull);
-    if (U >= std::sqrt(g * hull.length)) {
+    if (planes(scene)) {
         const double side = of_sides * length * hull.beam * hull.beam / std::pow(reach.side, 3);
         const double floor = of_floor * length * hull.beam / (reach.depth * reach.depth);
         return {side + (scene.domain.floor_ends_the_box ? floor : 0), "lift"};
@@ -34,6 +34,8 @@ WallEffect effect_at(const Scene& scene, const WallReach& reach) {
 }
 
 }  // namespace
+
+bool planes(const Scene& scene) { return scene.motion.speed >= std::sqrt(scene.water.gravity * scene.hull->length); }
 
 WallEffect wall_effect(const Scene& scene) {
     if (!scene.hull || scene.motion.kind != Motion::Kind::stream || scene.domain.dimensions != 3) return {};

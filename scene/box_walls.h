@@ -23,6 +23,9 @@ struct WallEffect {
 };
 WallEffect wall_effect(const Scene& scene);
 
+/// Whether the scene's hull has the first line's speed.
+bool planes(const Scene& scene);
+
 /// Where the box ends: half width and depth [m].
 struct WallReach {
     double side = 0, depth = 0;

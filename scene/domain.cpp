@@ -26,8 +26,7 @@ double snapped_face(double face, bool given, bool high, const Scene& scene) {
 Margins margins(const Scene& scene) {
     const Hull& hull = *scene.hull;
     Margins m = default_margins(hull, scene.motion.speed, scene.water.gravity);
-    const bool planes = scene.motion.speed >= std::sqrt(scene.water.gravity * hull.length);
-    if (scene.sph.levels == 1 || !planes || hull.section) return m;
+    if (scene.sph.levels == 1 || !planes(scene) || hull.section) return m;
     const WallReach reach = reach_for_lift(hull, 0.01);
     m.side = std::max(m.side, reach.side), m.below = std::max(m.below, reach.depth);
     return m;

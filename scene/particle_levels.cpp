@@ -122,15 +122,18 @@ bool fills_the_domain(const Box& box, const Scene& scene) {
     return box.contains(domain.min) && box.contains(domain.max);
 }
 
+/// The blocks of water at the start, solids in them included.
+std::vector<Box> blocks_of_water(const Scene& scene) {
+    if (!scene.water_blocks.empty()) return scene.water_blocks;
+    Box water = scene.domain.box;
+    water.max.z() = std::min(0.0, water.max.z());
+    return {water};
+}
+
 /// Whether each block of water is a whole number of particles of `coarse_dp` long, to half a particle of `dp`.
 bool divides_the_water(const Scene& scene, double coarse_dp, double dp) {
-    std::vector<Vec3> sizes;
-    for (const Box& block : scene.water_blocks) sizes.push_back(block.size());
-    if (sizes.empty()) {
-        sizes.push_back(scene.domain.box.size());
-        sizes.back().z() = -scene.domain.box.min.z();
-    }
-    return std::ranges::all_of(sizes, [&](Vec3 size) {
+    return std::ranges::all_of(blocks_of_water(scene), [&](const Box& block) {
+        Vec3 size = block.size();
         if (scene.domain.dimensions == 2) size.y() = 0;
         return ((size / coarse_dp).array().round() * coarse_dp - size.array()).abs().maxCoeff() <= 0.5 * dp;
     });
@@ -159,9 +162,9 @@ void follow_spacing(Scene& scene, const std::function<void()>& make_domain) {
     int& levels = scene.sph.levels;
     const Resolution& r = scene.resolution;
     const bool elastic = std::ranges::any_of(scene.bodies, [](const MovingBody& b) { return b.elastic.has_value(); });
-    const bool solids = !elastic && (scene.hull || !scene.obstacles.empty() || !scene.bodies.empty());
+    const bool solids = scene.hull || !scene.obstacles.empty() || !scene.bodies.empty();
     const bool stream = scene.motion.kind == Motion::Kind::stream;
-    if ((stream ? scene.hull.has_value() : solids) && scene.sph.scheme == "kick_drift_kick")
+    if ((stream ? scene.hull.has_value() : solids && !elastic) && scene.sph.scheme == "kick_drift_kick")
         levels = std::min(most_levels, 1 + static_cast<int>(std::lround(std::log2(r.spacing / r.near_hull))));
     make_domain();
     while (levels > 1) {
@@ -233,11 +236,7 @@ std::vector<Box> bodies_half_way(const Scene& scene) {
 std::vector<ParticlesOfSize> particles_of_sizes(const Scene& scene) {
     constexpr double guards = 4.5;  // spacings
     const bool flat = scene.domain.dimensions == 2;
-    std::vector<Box> blocks = scene.water_blocks;
-    if (blocks.empty()) {
-        blocks.push_back(scene.domain.box);
-        blocks[0].max.z() = std::min(0.0, blocks[0].max.z());
-    }
+    const std::vector<Box> blocks = blocks_of_water(scene);
     const double span = scene.domain.box.size().y(), solids = volume_of(blocks) - water_volume(scene);
     std::vector<std::vector<Box>> zones = particle_zones(scene);
     if (!zones.empty() && !scene.bodies.empty()) zones = particle_zones(scene, bodies_half_way(scene));

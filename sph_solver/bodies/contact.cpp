@@ -8,15 +8,10 @@
 namespace tw {
 namespace {
 
-/// Of the surface as it stands now.
-Box bounds_of(const Body& body) {
-    Box box{Vec3::Constant(1e300), Vec3::Constant(-1e300)};
-    for (const Vec3& p : body.surface().points) {
-        const Vec3 x = body.now(p);
-        box.min = box.min.cwiseMin(x);
-        box.max = box.max.cwiseMax(x);
-    }
-    return box;
+/// Where a body is asked whether it touches something: on its surface at the start.
+std::vector<Vec3> places_on(const Surface& surface, const Surroundings& around, double dp) {
+    return around.dimensions == 2 ? SurfaceSamples::of_section(surface, dp).points.places
+                                  : SurfaceSamples(surface, dp, surface.bounds()).points.places;
 }
 
 /// The wall of the tank that a place [m] has come to within `gap` of; empty: none.
@@ -48,25 +43,20 @@ Contacts::Contacts(const std::vector<Body>& bodies, const Surroundings& around, 
             note_elastic(b);
             continue;
         }
-        const Surface& surface = bodies[b].surface();
-        skin_[b] = around.dimensions == 2 ? SurfaceSamples::of_section(surface, dp).points.places
-                                          : SurfaceSamples(surface, dp, surface.bounds()).points.places;
+        skin_[b] = places_on(bodies[b].surface(), around, dp);
     }
 }
 
 /// Places on the surface that are clear of walls and of the other solids at the start.
 void Contacts::note_elastic(std::size_t body) {
     const Body& own = bodies_[body];
-    const Surface& surface = own.surface();
-    const auto places = around_.dimensions == 2 ? SurfaceSamples::of_section(surface, dp_).points.places
-                                                : SurfaceSamples(surface, dp_, surface.bounds()).points.places;
     const auto beside = [&](const Vec3& x) {
         if (!wall_at(x, around_, dp_).empty()) return true;
         for (std::size_t other = 0; other < bodies_.size(); ++other)
             if (other != body && bodies_[other].query().nearest(x, 2 * dp_).distance < dp_) return true;
         return false;
     };
-    for (const Vec3& x : places)
+    for (const Vec3& x : places_on(own.surface(), around_, dp_))
         if (!beside(x)) ties_[body].push_back(own.elastic()->tie(x));
 }
 
@@ -83,7 +73,7 @@ std::string Contacts::of_elastic(std::size_t body) const {
 }
 
 std::string Contacts::with_domain(const Body& body) const {
-    const Box box = bounds_of(body), &domain = around_.domain;
+    const Box box = body.bounds(), &domain = around_.domain;
     for (const Vec3& corner : {box.min, box.max})
         if (const std::string wall = wall_at(corner, around_, 0); !wall.empty()) return "touches " + wall;
     for (int a = 0; a < 3; ++a) {
@@ -103,9 +93,9 @@ std::string Contacts::found() const {
         }
         if (const std::string wall = with_domain(bodies_[b]); !wall.empty())
             return fmt::format("body {} {}", bodies_[b].name(), wall);
-        const Box own = bounds_of(bodies_[b]);
+        const Box own = bodies_[b].bounds();
         for (std::size_t other = 0; other < bodies_.size(); ++other) {
-            if (other == b || apart(own, bounds_of(bodies_[other]), dp_)) continue;
+            if (other == b || apart(own, bodies_[other].bounds(), dp_)) continue;
             for (const Vec3& at : skin_[b])
                 if (bodies_[other].query().nearest(bodies_[other].at_start(bodies_[b].now(at)), dp_).distance < dp_ / 2)
                     return fmt::format("body {} touches {}", bodies_[b].name(), bodies_[other].name());

@@ -13,11 +13,14 @@ namespace tw {
 namespace {
 
 void watch_edges(const Simulation& simulation, RunRecord& record) {
+    if (simulation.refinements().empty()) return;
+    LevelLedger coarse = level_ledger(simulation, 0);
     for (std::size_t k = 1; k < simulation.water().size(); ++k) {
-        const LevelLedger fine = level_ledger(simulation, k), coarse = level_ledger(simulation, k - 1);
+        const LevelLedger fine = level_ledger(simulation, k);
         const double t = simulation.time(), dependent = double(fine.guards + coarse.band + coarse.carried);
         note_worst(record, {mass_drift_line, "%", 100 * std::abs(fine.mass_drift), 0.5, t});
         note_worst(record, {orphans_line, "%", dependent > 0 ? 100 * double(fine.edge.orphans) / dependent : 0, 1, t});
+        coarse = fine;
     }
 }
 
