@@ -46,11 +46,11 @@ std::vector<ResolvedBox> resolution_of(const Scene& scene, const std::string& me
     if (method == "fvm")
         for (const RefinementBox& r : scene.refinement) finer.push_back({largest / std::exp2(r.level), r.box});
     if (method == "sph") {
-        const std::vector<std::vector<Box>> zones = particle_zones(scene);
+        const std::vector<Zone> zones = particle_zones(scene);
         double size = largest = std::ldexp(scene.resolution.near_hull, static_cast<int>(zones.size()));
-        for (const std::vector<Box>& zone : zones) {
+        for (const Zone& zone : zones) {
             size /= 2;
-            for (const Box& box : zone) finer.push_back({size, box});
+            for (const Box& box : zone.sliced()) finer.push_back({size, box});
         }
     }
     return resolution_within({largest, scene.domain.box}, finer);

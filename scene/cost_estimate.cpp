@@ -11,7 +11,7 @@
 #include "scene/defaults.h"
 #include "scene/edge_refinement.h"
 #include "scene/effects/registry.h"
-#include "scene/particle_levels.h"
+#include "scene/particles_of_sizes.h"
 #include "scene/scene.h"
 #include "scene/units.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "scene/particle_levels.h"
+#include "scene/particles_of_sizes.h"
 
 namespace tw {
 

@@ -191,6 +191,13 @@ double voxels(const RasterSpec& raster) {
     return static_cast<double>(raster.count[0]) * raster.count[1] * raster.count[2];
 }
 
+std::vector<Box> blocks_of_water(const Scene& scene) {
+    if (!scene.water_blocks.empty()) return scene.water_blocks;
+    Box water = scene.domain.box;
+    water.max.z() = std::min(0.0, water.max.z());
+    return {water};
+}
+
 double water_volume(const Scene& scene) {
     if (!scene.water_blocks.empty()) {
         double volume = 0;

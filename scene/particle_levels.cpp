@@ -1,9 +1,9 @@
 #include "scene/particle_levels.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <span>
 
 #include <fmt/format.h>
@@ -82,24 +82,21 @@ void join_near(std::vector<Box>& boxes, double gap) {
         }
 }
 
-/// Volume of a union of boxes.
-double volume_of(const std::vector<Box>& boxes) {
-    std::array<std::vector<double>, 3> cuts;
-    for (std::size_t a = 0; a < 3; ++a) {
-        for (const Box& box : boxes) cuts[a].insert(cuts[a].end(), {box.min[int(a)], box.max[int(a)]});
-        std::ranges::sort(cuts[a]);
+/// Whether zones are what is near the hull, and not a box round it.
+bool follows_its_hull(const Scene& scene) {
+    return scene.hull && !scene.hull->section && scene.motion.kind == Motion::Kind::stream;
+}
+
+/// Of the first box what is nearer to the hull than `width`, and what lies behind that towards faces at infinity.
+Zone zone_near_hull(std::vector<Box> boxes, double width, double coarse_dp, const Scene& scene) {
+    const Box& first = boxes.front();
+    const Box wet{first.min.cwiseMax(scene.domain.box.min), first.max.cwiseMin(scene.domain.box.max)};
+    auto near = std::make_shared<DistanceGrid>(scene.hull->surface, wet, coarse_dp, width + from_openings * coarse_dp);
+    for (int a = 0; a < 3; ++a) {
+        if (std::isinf(first.min[a])) near->draw_out(a, false);
+        if (std::isinf(first.max[a])) near->draw_out(a, true);
     }
-    double sum = 0;
-    for (std::size_t i = 1; i < cuts[0].size(); ++i)
-        for (std::size_t j = 1; j < cuts[1].size(); ++j)
-            for (std::size_t k = 1; k < cuts[2].size(); ++k) {
-                const Box cell{Vec3(cuts[0][i - 1], cuts[1][j - 1], cuts[2][k - 1]),
-                               Vec3(cuts[0][i], cuts[1][j], cuts[2][k])};
-                const Vec3 middle = 0.5 * (cell.min + cell.max);
-                if (std::ranges::any_of(boxes, [&](const Box& box) { return box.contains(middle); }))
-                    sum += cell.volume();
-            }
-    return sum;
+    return Zone(std::move(boxes), std::move(near), width);
 }
 
 /// The boxes round the solids, the finest first: for each size one box a solid.
@@ -122,20 +119,13 @@ bool fills_the_domain(const Box& box, const Scene& scene) {
     return box.contains(domain.min) && box.contains(domain.max);
 }
 
-/// The blocks of water at the start, solids in them included.
-std::vector<Box> blocks_of_water(const Scene& scene) {
-    if (!scene.water_blocks.empty()) return scene.water_blocks;
-    Box water = scene.domain.box;
-    water.max.z() = std::min(0.0, water.max.z());
-    return {water};
-}
-
-/// Whether each block of water is a whole number of particles of `coarse_dp` long, to half a particle of `dp`.
-bool divides_the_water(const Scene& scene, double coarse_dp, double dp) {
+/// Whether particles of `coarse_dp` fill each block of water to 2 % of its length, or to half a particle of `dp`.
+bool fills_the_water(const Scene& scene, double coarse_dp, double dp) {
     return std::ranges::all_of(blocks_of_water(scene), [&](const Box& block) {
-        Vec3 size = block.size();
+        Eigen::Array3d size = block.size();
         if (scene.domain.dimensions == 2) size.y() = 0;
-        return ((size / coarse_dp).array().round() * coarse_dp - size.array()).abs().maxCoeff() <= 0.5 * dp;
+        const Eigen::Array3d missing = ((size / coarse_dp).round() * coarse_dp - size).abs();
+        return (missing <= (0.02 * size).max(0.5 * dp)).all();
     });
 }
 
@@ -148,7 +138,7 @@ int zones_that_fit(const Scene& scene, const std::vector<Root>& solids, const st
         for (int k = 0; k < fit; ++k, dp *= 2) {
             const Box& box = boxes[static_cast<std::size_t>(k)][i];
             if (stream ? box.min.x() > x - from_openings * dp
-                       : fills_the_domain(box, scene) || !divides_the_water(scene, 2 * dp, dp))
+                       : fills_the_domain(box, scene) || !fills_the_water(scene, 2 * dp, dp))
                 fit = k;
             x = box.min.x();
         }
@@ -176,9 +166,10 @@ void follow_spacing(Scene& scene, const std::function<void()>& make_domain) {
     }
 }
 
-std::vector<std::vector<Box>> particle_zones(const Scene& scene, std::span<const Box> moving) {
+std::vector<Zone> particle_zones(const Scene& scene, std::span<const Box> moving) {
     const double dp = scene.resolution.near_hull;
-    std::vector<std::vector<Box>> round = boxes_round(roots(scene, moving), scene), zones;
+    std::vector<std::vector<Box>> round = boxes_round(roots(scene, moving), scene);
+    std::vector<Zone> zones;
     // how far a zone reaches beyond the places of each size
     std::vector<double> width(static_cast<std::size_t>(scene.sph.levels), 0.0);
     for (int k = 1; k < scene.sph.levels; ++k) {
@@ -190,14 +181,19 @@ std::vector<std::vector<Box>> particle_zones(const Scene& scene, std::span<const
                 const Box box = zone_box({place.box}, reach, coarse_dp, scene);
                 if (box.min.x() < box.max.x()) boxes.push_back(box);
             }
+        const Box first = boxes.front();
         join_near(boxes, from_openings * coarse_dp);
-        zones.insert(zones.begin(), boxes);
+        const bool alone = first.min == boxes.front().min && first.max == boxes.front().max;
+        zones.insert(zones.begin(),
+                     alone && follows_its_hull(scene)
+                         ? zone_near_hull(std::move(boxes), scene.sph.zone * dp + width[0], coarse_dp, scene)
+                         : Zone(std::move(boxes)));
         for (int size = 0; size < k; ++size) width[static_cast<std::size_t>(size)] += between * coarse_dp;
     }
     return zones;
 }
 
-std::vector<std::vector<Box>> particle_zones(const Scene& scene) {
+std::vector<Zone> particle_zones(const Scene& scene) {
     if (scene.sph.levels == 1) return {};
     const auto refuse = [&](const std::string& why) { throw InputError(scene.place_of("sph.levels") + ": " + why); };
     const bool stream = scene.motion.kind == Motion::Kind::stream;
@@ -206,62 +202,14 @@ std::vector<std::vector<Box>> particle_zones(const Scene& scene) {
     if (solids.empty() || (stream && !scene.hull))
         refuse("several sizes of particles stand round a hull, an obstacle or a body; leave it out");
     if (const int fit = zones_that_fit(scene, solids, boxes_round(solids, scene)); fit + 1 < scene.sph.levels)
-        refuse(stream ? fmt::format("particles of {:.4g} m do not fit between the inlet and the hull; at most {} here, "
-                                    "or a longer domain ahead",
-                                    std::ldexp(scene.resolution.near_hull, fit + 1), fit + 1)
-                      : fmt::format("particles of {:.4g} m have no room in this tank, or do not divide its water into "
-                                    "whole particles; at most {} here",
-                                    std::ldexp(scene.resolution.near_hull, fit + 1), fit + 1));
+        refuse(stream
+                   ? fmt::format("particles of {:.4g} m do not fit between the inlet and the hull; at most {} here, "
+                                 "or a longer domain ahead",
+                                 std::ldexp(scene.resolution.near_hull, fit + 1), fit + 1)
+                   : fmt::format("particles of {:.4g} m have no room in this tank, or fill its water only to more than "
+                                 "2 % of its length; at most {} here",
+                                 std::ldexp(scene.resolution.near_hull, fit + 1), fit + 1));
     return particle_zones(scene, moving);
-}
-
-namespace {
-
-/// Where bodies are that go half their way with their first velocity, at most as far as the domain goes.
-std::vector<Box> bodies_half_way(const Scene& scene) {
-    std::vector<Box> boxes = bodies_at_start(scene);
-    for (std::size_t b = 0; b < boxes.size(); ++b) {
-        if (scene.bodies[b].motion.law) continue;
-        const Box& domain = scene.domain.box;
-        const Vec3 way = (0.5 * scene.run.duration * scene.bodies[b].motion.velocity)
-                             .cwiseMax(0.5 * (domain.min - boxes[b].min))
-                             .cwiseMin(0.5 * (domain.max - boxes[b].max));
-        boxes[b] = {boxes[b].min + way, boxes[b].max + way};
-    }
-    return boxes;
-}
-
-}  // namespace
-
-std::vector<ParticlesOfSize> particles_of_sizes(const Scene& scene) {
-    constexpr double guards = 4.5;  // spacings
-    const bool flat = scene.domain.dimensions == 2;
-    const std::vector<Box> blocks = blocks_of_water(scene);
-    const double span = scene.domain.box.size().y(), solids = volume_of(blocks) - water_volume(scene);
-    std::vector<std::vector<Box>> zones = particle_zones(scene);
-    if (!zones.empty() && !scene.bodies.empty()) zones = particle_zones(scene, bodies_half_way(scene));
-    const auto water_within = [&](const std::vector<Box>& boxes, double further) {
-        std::vector<Box> wet;
-        for (const Box& box : boxes)
-            for (const Box& block : blocks) {
-                const Box both{(box.min.array() - further).matrix().cwiseMax(block.min),
-                               (box.max.array() + further).matrix().cwiseMin(block.max)};
-                if ((both.size().array() > 0).all()) wet.push_back(both);
-            }
-        return std::max(0.0, volume_of(wet) - solids);
-    };
-    std::vector<ParticlesOfSize> sizes;
-    for (std::size_t k = 0; k <= zones.size(); ++k) {
-        ParticlesOfSize& size = sizes.emplace_back();
-        const double dp = size.spacing = std::ldexp(scene.resolution.near_hull, static_cast<int>(zones.size() - k));
-        const double particle = flat ? dp * dp * span : dp * dp * dp;
-        const double own = k > 0 ? water_within(zones[k - 1], 0) : water_volume(scene),
-                     finer = k < zones.size() ? water_within(zones[k], 0) : 0;
-        size.active = (own - finer) / particle;
-        size.parents = finer / particle;
-        if (k > 0) size.guards = (water_within(zones[k - 1], guards * dp) - own) / particle;
-    }
-    return sizes;
 }
 
 }  // namespace tw

@@ -179,12 +179,17 @@ std::string to_text(const Scene& scene, const Prediction& p) {
     for (const RefinementBox& r : scene.refinement)
         out += fmt::format("  {:13} {:.4g} m cells in {} to {} m\n", r.name, scene.resolution.spacing / (1 << r.level),
                            place(r.box.min), place(r.box.max));
-    const std::vector<std::vector<Box>> zones = particle_zones(scene);
+    const std::vector<Zone> zones = particle_zones(scene);
     for (std::size_t k = 0; k < zones.size(); ++k)
-        for (const Box& box : zones[k])
-            out += fmt::format("  {:13} {:.4g} m in {} to {} m, twice that outside (sph only)\n", "particles",
+        for (std::size_t b = 0; b < zones[k].boxes().size(); ++b) {
+            const Box& box = zones[k].boxes()[b];
+            out += fmt::format("  {:13} {:.4g} m {}in {} to {} m, twice that outside (sph only)\n", "particles",
                                std::ldexp(scene.resolution.near_hull, static_cast<int>(zones.size() - k) - 1),
+                               b == 0 && zones[k].follows_surface()
+                                   ? fmt::format("within {:.3g} m of the hull, ", zones[k].width())
+                                   : "",
                                place(box.min.cwiseMax(d.box.min)), place(box.max.cwiseMin(d.box.max)));
+        }
     if (const EdgeRefinement shedding = edge_refinement(scene); !shedding.edges.empty())
         out += fmt::format("  {:13} {:.4g} m cells along {:.3g} m of edges from which the water leaves (fvm only)\n",
                            "edges", scene.resolution.near_hull / (1 << shedding.halvings), length_of(shedding.edges));

@@ -206,10 +206,7 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
                            checkpoint ? passes(checkpoint->isa.c_str()) : choose_passes());
         if (setup->air) add_air(*simulation, setup->air->options, setup->air->fluid);
     }
-    if (setup->control_volume) {
-        simulation->set_control_volume(*setup->control_volume);
-        simulation->control_volume()->make_faces(scene.resolution.near_hull, scene.domain.dimensions);
-    }
+    if (setup->control_volume) simulation->set_control_volume(*setup->control_volume);
     fresh.attributes["threads"] = std::to_string(threads);
     fresh.attributes["isa"] = simulation->passes().isa;
     fresh.attributes["calibrated"] =

@@ -20,7 +20,8 @@ bool is_mirror(Side side) { return side == Side::slip_wall || side == Side::symm
 /// Clear of the wet hull by half a beam below and beside it (a section: a quarter of its length; at least six spacings),
 /// a quarter of its length ahead and as far behind as half of that, and open above. In two dimensions round the whole
 /// section, because the jet under a plate wets it far ahead of still water; one metre of span, as what particles carry.
-Box control_box(const Scene& scene, const SimulationSetup& s) {
+/// With several sizes of particles within the finest ones' zone.
+ControlVolume control_volume(const Scene& scene, const SimulationSetup& s) {
     const Hull& hull = *scene.hull;
     const double near = std::max(6 * s.dp, hull.section ? 0.25 * hull.length : 0.5 * hull.beam);
     const auto on_lattice = [&](double x) { return std::round(x / s.dp) * s.dp; };
@@ -42,7 +43,9 @@ Box control_box(const Scene& scene, const SimulationSetup& s) {
     if (hull.half) box.min.y() = s.domain.min.y();
     if (hull.section) box.min.y() = -0.5, box.max.y() = 0.5;
     box.max.z() = s.domain.max.z();
-    return box;
+    if (s.zones.empty() || !s.zones.back().follows_surface()) return ControlVolume(box, s.dp, s.dimensions);
+    const double inside = 1.5 * s.dp;  // of the zone's edge, so that no particle changes its kind within
+    return ControlVolume(box, s.dp, s.dimensions, [&](const Vec3& x) { return s.zones.back().outside(x) < -inside; });
 }
 
 /// Along every outer face but inlet, symmetry, floor and top, an eighth of the domain wide; strong enough to leave e^-5
@@ -141,14 +144,12 @@ SphSetup sph_setup(const Scene& scene, int threads) {
         s.bodies.emplace_back(scene.hull->section ? with_span(hull, endless_span(hull)) : hull);
         s.moment_reference = moment_reference(scene);
     }
-    for (const std::vector<Box>& boxes : particle_zones(scene)) s.zones.emplace_back(boxes);
+    s.zones = particle_zones(scene);
     if (!s.zones.empty() && !scene.bodies.empty())
         s.zones_round = [of = std::make_shared<const Scene>(scene)](std::span<const Box> moving) {
-            std::vector<Zone> zones;
-            for (const std::vector<Box>& boxes : particle_zones(*of, moving)) zones.emplace_back(boxes);
-            return zones;
+            return particle_zones(*of, moving);
         };
-    if (scene.hull) setup.control_volume = control_box(scene, s);
+    if (scene.hull) setup.control_volume = control_volume(scene, s);
     s.effects = effect_options(scene, s);
     s.tension_control = scene.effect_on("tension_control");
     for (const Obstacle& o : scene.obstacles) s.bodies.emplace_back(o.surface).name = o.name;

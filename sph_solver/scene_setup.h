@@ -3,6 +3,7 @@
 
 #include "scene/scene.h"
 #include "sph_solver/effects/air.h"
+#include "sph_solver/measure/control_volume.h"
 #include "sph_solver/simulation.h"
 
 namespace tw {
@@ -16,7 +17,7 @@ struct SphSetup {
         Fluid fluid;
     };
     std::optional<Gas> air;             ///< when the effect is on
-    std::optional<Box> control_volume;  ///< round the hull, clear of it and inside the water's sides
+    std::optional<ControlVolume> control_volume;  ///< round the hull, clear of it and inside the water's sides
 };
 
 /// Throws InputError for what this engine does not solve (an effect forced on, refinement levels, motions).

@@ -92,7 +92,7 @@ public:
     const Extremes& extremes() const { return level(0).extremes(); }
     const Timers& timers() const { return level(0).timers(); }
     // of the finest level
-    void set_control_volume(const Box& box) { finest().set_control_volume(box); }
+    void set_control_volume(ControlVolume volume) { finest().set_control_volume(std::move(volume)); }
     ControlVolume* control_volume() { return finest().control_volume(); }
     const ControlVolume* control_volume() const { return finest().control_volume(); }
 

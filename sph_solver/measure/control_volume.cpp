@@ -5,30 +5,37 @@
 
 namespace tw {
 
-void ControlVolume::make_faces(double size, int dimensions) {
-    faces_ = {};
+ControlVolume::ControlVolume(const Box& box, double size, int dimensions, const std::function<bool(const Vec3&)>& takes)
+    : box_(box) {
+    const bool flat = dimensions == 2;
     faces_.want_flux = true;
-    area_.clear();
-    for (int axis = 0; axis < 3; ++axis) {
-        const int b = (axis + 1) % 3, c = (axis + 2) % 3;
-        if (axis == 1 && dimensions == 2) continue;
-        const auto parts = [&](int a) {
-            return a == 1 && dimensions == 2 ? 1 : std::max(1, static_cast<int>(std::round(box_.size()[a] / size)));
-        };
-        const int nb = parts(b), nc = parts(c);
-        const double patch = box_.size()[b] / nb * box_.size()[c] / nc;
-        for (int side = 0; side < 2; ++side)
-            for (int i = 0; i < nb; ++i)
-                for (int j = 0; j < nc; ++j) {
-                    Vec3 p, n = Vec3::Zero();
-                    p[axis] = side == 0 ? box_.min[axis] : box_.max[axis];
-                    p[b] = box_.min[b] + (i + 0.5) * box_.size()[b] / nb;
-                    p[c] = box_.min[c] + (j + 0.5) * box_.size()[c] / nc;
-                    n[axis] = side == 0 ? -patch : patch;
-                    faces_.places.push_back(p);
-                    area_.push_back(n);
-                }
-    }
+    count_ = (box_.size().array() / size).round().max(1).cast<int>();
+    if (flat) count_.y() = 1;
+    cell_ = box_.size().array() / count_.cast<double>();
+    const auto centre = [&](const Eigen::Array3i& c) {
+        return Vec3(box_.min + ((c.cast<double>() + 0.5).matrix().cwiseProduct(cell_)));
+    };
+    const auto for_cells = [&](const auto& f) {
+        for (int k = 0; k < count_.z(); ++k)
+            for (int j = 0; j < count_.y(); ++j)
+                for (int i = 0; i < count_.x(); ++i) f(Eigen::Array3i(i, j, k));
+    };
+    if (takes) for_cells([&](const Eigen::Array3i& c) { taken_.push_back(takes(centre(c))); });
+    for_cells([&](const Eigen::Array3i& c) {
+        if (!inside(c.x(), c.y(), c.z())) return;
+        for (int axis = 0; axis < 3; ++axis)
+            for (const int side : {-1, 1}) {
+                if (axis == 1 && flat) continue;
+                Eigen::Array3i other = c;
+                other[axis] += side;
+                if (inside(other.x(), other.y(), other.z())) continue;
+                Vec3 at = centre(c), area = Vec3::Zero();
+                at[axis] += 0.5 * side * cell_[axis];
+                area[axis] = side * cell_.prod() / cell_[axis];
+                faces_.places.push_back(at);
+                area_.push_back(area);
+            }
+    });
 }
 
 void ControlVolume::add_impulse(double mass_inside, const Vec3& body_force, double dt) {

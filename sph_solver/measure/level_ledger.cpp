@@ -24,7 +24,7 @@ LevelLedger level_ledger(const Simulation& simulation, std::size_t k) {
 std::vector<ResolvedBox> resolution_of(const Simulation& simulation) {
     std::vector<ResolvedBox> finer;
     for (const Refinement& edge : simulation.refinements())
-        for (const Box& box : edge.zone().boxes()) finer.push_back({edge.fine().setup().dp, box});
+        for (const Box& box : edge.zone().sliced()) finer.push_back({edge.fine().setup().dp, box});
     return resolution_within({simulation.level(0).setup().dp, simulation.setup().domain}, finer);
 }
 

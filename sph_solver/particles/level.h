@@ -134,8 +134,8 @@ public:
     void set_surface_support(double support) { setup_.surface_support = support; }
     bool has_records() const { return !records_.gradient_pressure.empty(); }
 
-    void set_control_volume(const Box& box) {
-        control_ = ControlVolume(box);
+    void set_control_volume(ControlVolume volume) {
+        control_ = std::move(volume);
         make_lists_due();
     }
     ControlVolume* control_volume() { return control_ ? &*control_ : nullptr; }

@@ -2,7 +2,7 @@
 #include <cstdint>
 
 #include "sph_solver/particles/level.h"
-#include "sph_solver/refinement/zone.h"
+#include "meshes/zone.h"
 
 namespace tw {
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "meshes/query.h"
 #include "scene/cost_of_sizes.h"
 #include "scene/defaults.h"
 #include "scene/hash.h"
@@ -15,9 +16,9 @@ std::string with_levels(int levels) { return planing + "\n[sph]\nlevels = " + st
 
 TEST(ParticleLevels, ZonesHoldTheHullLieOnTheCoarseLatticeAndKeepTheirDistances) {
     const Scene scene = scene_of(with_levels(3) + "[domain]\nahead = \"4 m\"\n");
-    const std::vector<std::vector<Box>> zones = particle_zones(scene);
+    const std::vector<Zone> zones = particle_zones(scene);
     ASSERT_EQ(zones.size(), 2u);
-    const Box &wide = zones[0][0], &narrow = zones[1][0], hull = scene.hull->surface.bounds();
+    const Box &wide = zones[0].boxes()[0], &narrow = zones[1].boxes()[0], hull = scene.hull->surface.bounds();
     const double dp = 0.05;
     EXPECT_LE(narrow.min.z(), hull.min.z() - 8 * dp);
     EXPECT_GE(narrow.max.y(), hull.max.y() + 8 * dp);
@@ -30,16 +31,43 @@ TEST(ParticleLevels, ZonesHoldTheHullLieOnTheCoarseLatticeAndKeepTheirDistances)
     for (int a = 0; a < 3; ++a) EXPECT_NEAR(std::remainder(scene.domain.box.min[a], 4 * dp), 0, 1e-12);
 }
 
+// Of its box a zone is what is nearer to the hull than its width, and what stands above that.
+TEST(ParticleLevels, ZonesFollowTheHull) {
+    const Scene scene = scene_of(with_levels(2) + "[domain]\nahead = \"4 m\"\nside = \"4 m\"\nbelow = \"4 m\"\n");
+    const std::vector<Zone> zones = particle_zones(scene);
+    const Zone& zone = zones[0];
+    ASSERT_TRUE(zone.follows_surface());
+    const double width = 8 * 0.05;
+    EXPECT_DOUBLE_EQ(zone.width(), width);
+    const SurfaceQuery hull(scene.hull->surface);
+    const Box& box = zone.boxes()[0];
+    int near = 0, far = 0;
+    for (double x = box.min.x() + 0.01; x < box.max.x(); x += 0.17)
+        for (double y = 0; y < box.max.y(); y += 0.11)
+            for (double z = box.min.z() + 0.01; z < -0.2; z += 0.11) {
+                const double distance = hull.nearest({x, y, z}).distance;
+                if (std::abs(distance - width) < 0.05) continue;  // half of the grid's spacing
+                distance < width ? ++near : ++far;
+                EXPECT_EQ(zone.outside({x, y, z}) < 0, distance < width) << x << " " << y << " " << z;
+            }
+    EXPECT_GT(near, 100);
+    EXPECT_GT(far, 100);
+    const Box bounds = scene.hull->surface.bounds();
+    const Vec3 beside(bounds.max.x() - 0.5, bounds.max.y() + width / 2, 0);
+    ASSERT_LT(zone.outside(beside), 0);
+    EXPECT_LT(zone.outside(beside + Vec3(0, 0, 1.5)), 0);  // spray above it
+}
+
 const std::string far_box = "\n[[refine]]\nname = \"crest\"\nmin = [3.6, 1, -0.5]\nmax = [4.2, 1.4, 0.2]\n",
                   wide_domain = "[domain]\nahead = \"4 m\"\nbehind = \"8 m\"\nside = \"5 m\"\n";
 
 // One description, both methods: the cells of the box are as fine as its particles.
 TEST(ParticleLevels, ABoxOfTheSceneIsAZoneOfItsOwnAndFinerCells) {
     const Scene scene = scene_of(with_levels(3) + wide_domain + far_box + "spacing = 0.15\n");
-    const std::vector<std::vector<Box>> zones = particle_zones(scene);
-    ASSERT_EQ(zones[0].size(), 2u);
-    EXPECT_EQ(zones[1].size(), 1u);  // particles of 0.1 m are fine enough there
-    const Box& crest = zones[0][1];
+    const std::vector<Zone> zones = particle_zones(scene);
+    ASSERT_EQ(zones[0].boxes().size(), 2u);
+    EXPECT_EQ(zones[1].boxes().size(), 1u);  // particles of 0.1 m are fine enough there
+    const Box& crest = zones[0].boxes()[1];
     EXPECT_LE(crest.min.y(), 1);
     EXPECT_GE(crest.max.y(), 1.4);
     EXPECT_EQ(crest.max.z(), INFINITY);
@@ -55,8 +83,9 @@ TEST(ParticleLevels, ABoxOfTheSceneIsAZoneOfItsOwnAndFinerCells) {
 TEST(ParticleLevels, BoxesWithoutRoomForCoarseParticlesBetweenBecomeOne) {
     const Scene scene =
         scene_of(with_levels(2) + wide_domain + "\n[[refine]]\nmin = [2.7, 0, -0.5]\nmax = [4.2, 0.5, 0.2]\n");
-    ASSERT_EQ(particle_zones(scene)[0].size(), 1u);
-    EXPECT_GE(particle_zones(scene)[0][0].max.x(), 4.2);
+    const Zone zone = particle_zones(scene)[0];
+    ASSERT_EQ(zone.boxes().size(), 1u);
+    EXPECT_GE(zone.boxes()[0].max.x(), 4.2);
 }
 
 TEST(ParticleLevels, BoxesAreRefusedWhereTheyCanDoNothing) {
@@ -153,24 +182,29 @@ const std::string falling =
 TEST(ParticleLevels, GoWithABodyThroughATank) {
     const Scene scene = scene_of(falling + "[resolution]\nnear_hull = 0.05\nspacing = 0.1\n");
     ASSERT_EQ(scene.sph.levels, 2);
-    const Box start = particle_zones(scene)[0][0], body = scene.bodies[0].surface.bounds();
+    const Box start = particle_zones(scene)[0].boxes()[0], body = scene.bodies[0].surface.bounds();
     EXPECT_NEAR(start.min.z(), body.min.z() - 8 * 0.05, 1e-9);
     EXPECT_NEAR(start.max.x(), body.max.x() + 8 * 0.05, 1e-9);
     EXPECT_EQ(start.max.z(), INFINITY);
     const Vec3 way(0.3, 0, -1.1);
-    const Box later = particle_zones(scene, std::vector<Box>{{body.min + way, body.max + way}})[0][0];
+    const Box later = particle_zones(scene, std::vector<Box>{{body.min + way, body.max + way}})[0].boxes()[0];
     EXPECT_NEAR(later.min.x(), start.min.x() + 0.3, 1e-9);
     EXPECT_NEAR(later.min.z(), start.min.z() - 1.1, 1e-9);
     const Vec3 deep(0, 0, -2);
-    EXPECT_EQ(particle_zones(scene, std::vector<Box>{{body.min + deep, body.max + deep}})[0][0].min.z(), -INFINITY);
+    EXPECT_EQ(particle_zones(scene, std::vector<Box>{{body.min + deep, body.max + deep}})[0].boxes()[0].min.z(),
+              -INFINITY);
 }
 
-TEST(ParticleLevels, OfATankDivideItsWater) {
+// To 2 % of its length, as particles of one size do without being asked.
+TEST(ParticleLevels, OfATankFillItsWater) {
     const auto levels_of = [](const std::string& text) { return scene_of(text).sph.levels; };
     const std::string sizes = "[resolution]\nnear_hull = 0.05\nspacing = 0.2\n";
     EXPECT_EQ(levels_of(falling + sizes), 3);
     std::string odd = falling;
     odd.replace(odd.find("[3, 3, 1]"), 9, "[3.1, 3, 1]");  // 30.5 particles of 0.2 m
+    EXPECT_EQ(levels_of(odd + sizes), 3);
+    odd = falling;
+    odd.replace(odd.find("[-3, -3, -3]"), 12, "[-3, -3, -2.9]");  // 14.5 of them, 3.4 % too many
     EXPECT_EQ(levels_of(odd + sizes), 2);
     EXPECT_EQ(levels_of(falling + "scheme = \"symplectic_euler\"\n" + sizes), 1);
 }

@@ -1,0 +1,35 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "base/vec3.h"
+#include "meshes/distance_grid.h"
+
+namespace tw {
+
+/// Where the water belongs to finer particles: a union of boxes, of the first of them only what is near a surface where
+/// there is one. A face at infinity is no edge: there the zone ends at a wall, a symmetry plane or the open sky.
+class Zone {
+public:
+    Zone() = default;
+    explicit Zone(std::vector<Box> boxes) : boxes_(std::move(boxes)) {}
+    /// Of the first box what is nearer than `width` [m].
+    Zone(std::vector<Box> boxes, std::shared_ptr<const DistanceGrid> surface, double width)
+        : boxes_(std::move(boxes)), surface_(std::move(surface)), width_(width) {}
+
+    /// Distance from the edge [m], positive outside, negative inside; by the edges where two faces meet up to a half
+    /// too near.
+    double outside(const Vec3& x) const;
+    const std::vector<Box>& boxes() const { return boxes_; }
+    bool follows_surface() const { return surface_ != nullptr; }
+    double width() const { return width_; }  ///< round the surface that it follows [m]
+    /// Boxes that hold the zone, closer than `boxes` where it follows a surface: cut along x, for pictures.
+    std::vector<Box> sliced() const;
+
+private:
+    std::vector<Box> boxes_;
+    std::shared_ptr<const DistanceGrid> surface_;
+    double width_ = 0;
+};
+
+}  // namespace tw

@@ -1,0 +1,88 @@
+#include "scene/particles_of_sizes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/defaults.h"
+#include "scene/particle_levels.h"
+
+namespace tw {
+
+namespace {
+
+/// Where bodies are that go half their way with their first velocity, at most as far as the domain goes.
+std::vector<Box> bodies_half_way(const Scene& scene) {
+    const Box& domain = scene.domain.box;
+    std::vector<Box> boxes;
+    for (const MovingBody& b : scene.bodies) {
+        Box& box = boxes.emplace_back(b.surface.bounds());
+        if (b.motion.law) continue;
+        const Vec3 way = (0.5 * scene.run.duration * b.motion.velocity)
+                             .cwiseMax(0.5 * (domain.min - box.min))
+                             .cwiseMin(0.5 * (domain.max - box.max));
+        box = {box.min + way, box.max + way};
+    }
+    return boxes;
+}
+
+/// Places inside a box, of which each stands for `volume`.
+struct Sampled {
+    double volume = 0;
+    std::vector<Vec3> places;
+};
+Sampled sampled(const Box& box, double spacing) {
+    constexpr double most = 2e6;
+    spacing = std::max(spacing, std::cbrt(box.volume() / most));
+    const Eigen::Array3d count = (box.size() / spacing).array().round().max(1);
+    const Vec3 cell = box.size().array() / count;
+    Sampled s{cell.prod(), {}};
+    for (double k = 0.5; k < count.z(); ++k)
+        for (double j = 0.5; j < count.y(); ++j)
+            for (double i = 0.5; i < count.x(); ++i) s.places.push_back(box.min + Vec3(i, j, k).cwiseProduct(cell));
+    return s;
+}
+
+/// Volume of what is nearer to the zone than `further`, of the blocks of water.
+double volume_near(const Zone& zone, double further, const std::vector<Box>& blocks, double spacing) {
+    Box bounds = zone.boxes().front();
+    for (const Box& box : zone.boxes()) bounds = {bounds.min.cwiseMin(box.min), bounds.max.cwiseMax(box.max)};
+    double sum = 0;
+    for (const Box& block : blocks) {
+        const Box both{(bounds.min.array() - further).matrix().cwiseMax(block.min),
+                       (bounds.max.array() + further).matrix().cwiseMin(block.max)};
+        if ((both.size().array() <= 0).any()) continue;
+        const Sampled s = sampled(both, spacing);
+        sum += s.volume *
+               double(std::ranges::count_if(s.places, [&](const Vec3& x) { return zone.outside(x) < further; }));
+    }
+    return sum;
+}
+
+}  // namespace
+
+std::vector<ParticlesOfSize> particles_of_sizes(const Scene& scene) {
+    constexpr double guards = 4.5;  // spacings
+    const bool flat = scene.domain.dimensions == 2;
+    const std::vector<Box> blocks = blocks_of_water(scene);
+    double solids = -water_volume(scene);
+    for (const Box& block : blocks) solids += block.volume();
+    std::vector<Zone> zones = particle_zones(scene);
+    if (!zones.empty() && !scene.bodies.empty()) zones = particle_zones(scene, bodies_half_way(scene));
+    std::vector<ParticlesOfSize> sizes;
+    for (std::size_t k = 0; k <= zones.size(); ++k) {
+        ParticlesOfSize& size = sizes.emplace_back();
+        const double dp = size.spacing = std::ldexp(scene.resolution.near_hull, static_cast<int>(zones.size() - k));
+        const double particle = flat ? dp * dp * scene.domain.box.size().y() : dp * dp * dp;
+        const auto water_within = [&](const Zone& zone, double further, double spacing) {
+            return std::max(0.0, volume_near(zone, further, blocks, spacing) - solids);
+        };
+        const double own = k > 0 ? water_within(zones[k - 1], 0, 2 * dp) : water_volume(scene),
+                     finer = k < zones.size() ? water_within(zones[k], 0, dp) : 0;
+        size.active = (own - finer) / particle;
+        size.parents = finer / particle;
+        if (k > 0) size.guards = (water_within(zones[k - 1], guards * dp, 2 * dp) - own) / particle;
+    }
+    return sizes;
+}
+
+}  // namespace tw
