@@ -22,6 +22,20 @@ bool is_drawn(const std::vector<PlotBox>& boxes, const PlotBox& box) {
     });
 }
 
+/// Adds a box, to the last one where it stands beside that one, as the parts of a zone do that follows a hull.
+void add_box(std::vector<PlotBox>& boxes, const PlotBox& box) {
+    PlotBox* last = boxes.empty() ? nullptr : &boxes.back();
+    if (!last || last->source != box.source || last->label != box.label || last->x_max != box.x_min) {
+        if (!is_drawn(boxes, box)) boxes.push_back(box);
+        return;
+    }
+    if (last->parts.empty()) last->parts.push_back(*last);
+    last->parts.push_back(box);
+    last->x_max = box.x_max;
+    last->y_min = std::min(last->y_min, box.y_min);
+    last->y_max = std::max(last->y_max, box.y_max);
+}
+
 /// `up`: 2 from the side, 1 from above.
 Plot view(std::span<const RunRecord> runs, const std::vector<std::string>& names, int up) {
     Plot plot;
@@ -46,7 +60,7 @@ Plot view(std::span<const RunRecord> runs, const std::vector<std::string>& names
                               r.box.max.x(),
                               r.box.min[up],
                               r.box.max[up]};
-            if (!is_drawn(plot.boxes, box)) plot.boxes.push_back(box);
+            add_box(plot.boxes, box);
         }
     }
     const double across = plot.boxes.front().x_max - plot.boxes.front().x_min;

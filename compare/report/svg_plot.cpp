@@ -125,6 +125,18 @@ std::vector<LabelBox> areas_of(const std::vector<PlotBox>& boxes, const auto& X,
     return areas;
 }
 
+/// Along the upper edges of the box's parts and back along their lower ones.
+std::string outline(const PlotBox& box, const auto& X, const auto& Y) {
+    const std::vector<PlotBox> parts = box.parts.empty() ? std::vector{box} : box.parts;
+    std::string there, back;
+    for (const PlotBox& part : parts) {
+        there += fmt::format("{}{:.1f},{:.1f}H{:.1f}", there.empty() ? 'M' : 'L', X(part.x_min), Y(part.y_max),
+                             X(part.x_max));
+        back = fmt::format("L{:.1f},{:.1f}H{:.1f}", X(part.x_max), Y(part.y_min), X(part.x_min)) + back;
+    }
+    return there + back + 'Z';
+}
+
 /// One upright stroke for each x, as wide as two steps so that no light falls between.
 std::string shadow_path(const PlotShadow& shadow, const auto& X, const auto& Y) {
     if (shadow.x.empty()) return {};
@@ -200,11 +212,9 @@ Drawing draw(const Plot& plot) {
     }
     out += shadow_path(p.shadow, X, Y);
     const std::vector<LabelBox> areas = areas_of(p.boxes, X, Y);
-    for (std::size_t i = 0; i < p.boxes.size(); ++i)
-        out += fmt::format(
-            "<rect class=\"box s{0} f{0}{1}\" x=\"{2:.1f}\" y=\"{3:.1f}\" width=\"{4:.1f}\" height=\"{5:.1f}\"/>",
-            p.boxes[i].source, p.boxes[i].dashed ? " dashed" : "", areas[i].left, areas[i].top,
-            areas[i].right - areas[i].left, areas[i].bottom - areas[i].top);
+    for (const PlotBox& box : p.boxes)
+        out += fmt::format("<path class=\"box s{0} f{0}{1}\" d=\"{2}\"/>", box.source, box.dashed ? " dashed" : "",
+                           outline(box, X, Y));
     for (const PlotBand& b : p.bands) {
         const double h = std::max(1.0, Y(b.value - b.half_width) - Y(b.value + b.half_width));
         out += fmt::format("<rect class=\"band f{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>",

@@ -35,6 +35,7 @@ struct PlotBox {
     std::size_t source = 0;
     bool dashed = false;
     double x_min = 0, x_max = 0, y_min = 0, y_max = 0;
+    std::vector<PlotBox> parts = {};  ///< boxes side by side along x, drawn as one outline in place of the box
 };
 /// A solid's shadow: at each x, `step` apart, it covers [low, high]; an x may come several times.
 struct PlotShadow {

@@ -118,10 +118,12 @@ TEST(LevelLedger, StandsInTheRecordAtEveryFrameWithTheZonesOfTheEnd) {
     }
     const auto active = [&](std::size_t k) { return two.series(level_table(k), "active")->values.back(); };
     EXPECT_EQ(two.series("samples", "particles")->values.back(), active(0) + active(1));
-    ASSERT_EQ(two.resolution.size(), 2u);
+    ASSERT_GE(two.resolution.size(), 2u);  // the zone follows the hull, piece by piece
     EXPECT_EQ(two.resolution[0].size, 0.4);
-    EXPECT_EQ(two.resolution[1].size, 0.2);
-    EXPECT_EQ(two.resolution[1].box.max.z(), two.resolution[0].box.max.z());  // through the sky
+    for (std::size_t k = 1; k < two.resolution.size(); ++k) {
+        EXPECT_EQ(two.resolution[k].size, 0.2);
+        EXPECT_EQ(two.resolution[k].box.max.z(), two.resolution[0].box.max.z());  // through the sky
+    }
     EXPECT_FALSE(one.tables.contains(level_table(0)));
     EXPECT_EQ(one.resolution.size(), 1u);
     const auto has_line = [](const RunRecord& r, const char* name) {
