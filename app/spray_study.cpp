@@ -162,6 +162,9 @@ void read_flight(Document& document, SprayStudy& study) {
     study.duration = s.number("duration", study.duration, "s", above_zero);
     study.flight.tolerance = s.number("tolerance", study.flight.tolerance, "-", {1e-12, 1e-2});
     study.flight.forces.buoyancy = s.flag("buoyancy", false);
+    study.flight.forces.drag = s.choice("drag", "schiller_naumann", {"schiller_naumann", "putnam"}) == "putnam"
+                                   ? DragLaw::putnam
+                                   : DragLaw::schiller_naumann;
     study.flight.falls_back = s.flag("falls_back", true);
     study.flight.water_level = s.number("water_level", 0, "m");
     s.finish();
@@ -253,7 +256,7 @@ const char* const spray_study_help =
     "  # outside = \"refuse\"          # droplets that leave a table of heights: refuse, or end their flight\n"
     "  [flight]\n"
     "  duration = \"1 s\"              # after the last droplet was let go; tolerance = 1e-6, buoyancy = false,\n"
-    "                                # falls_back = true, water_level = 0\n"
+    "                                # falls_back = true, water_level = 0, drag = \"schiller_naumann\" or \"putnam\"\n"
     "  [[target]]                    # any number of surfaces\n"
     "  name = \"intake\"               # file = \"intake.stl\", unit = \"mm\"; or a disc:\n"
     "  centre = [3, 0.8, 0.6]\n"

@@ -75,9 +75,7 @@ private:
 };
 
 void fly_all(const SprayStudy& study, SprayResult& result) {
-    FlightOptions options = study.flight;
-    options.water_density = study.extraction.liquid.density;
-    options.forces.gravity = study.extraction.gravity;
+    FlightOptions options = flight_of(study);
     double first = 1e300, last = -1e300;
     for (const Droplet& d : result.droplets) first = std::min(first, d.time), last = std::max(last, d.time);
     options.end_time = last + study.duration;
@@ -173,6 +171,13 @@ void load_sensor(const SprayStudy& study, SprayResult& result) {
 }
 
 }  // namespace
+
+FlightOptions flight_of(const SprayStudy& study) {
+    FlightOptions options = study.flight;
+    options.water_density = study.extraction.liquid.density;
+    options.forces.gravity = study.extraction.gravity;
+    return options;
+}
 
 SprayResult run_spray(const SprayStudy& study) {
     SprayResult result;

@@ -84,6 +84,9 @@ struct SprayResult {
     LoadCurve curve;                             ///< over all arrivals
 };
 
+/// How the study's droplets fly, but for when that ends.
+FlightOptions flight_of(const SprayStudy& study);
+
 /// Extracts, flies and loads. Throws InputError: bad options, nothing to read, a window larger than its sensor, droplets
 /// that leave the air field.
 SprayResult run_spray(const SprayStudy& study);
