@@ -7,6 +7,7 @@
 #include "import/csv_columns.h"
 #include "record/run_record.h"
 #include "scene/section.h"
+#include "spray/air/foam_air.h"
 
 namespace tw::app {
 namespace {
@@ -138,6 +139,10 @@ void read_air(Document& document, SprayStudy& study) {
     study.refuse_left_air = s.choice("outside", "refuse", {"refuse", "end"}) == "refuse";
     const auto heights = s.numbers("heights", "m", 0), along = s.numbers("along_x", "m/s", 0),
                across = s.numbers("along_y", "m/s", 0);
+    const auto openfoam = s.text("openfoam");
+    const auto time = s.number("time", "s");
+    if (openfoam && heights) s.fail("openfoam", "expected a field of OpenFOAM or a table of heights, not both");
+    if (!openfoam && time) s.fail("time", "expected the case that has this time: openfoam");
     if (!heights && (along || across)) s.fail(along ? "along_x" : "along_y", "a table needs heights");
     if (heights) {
         if (!along || along->size() != heights->size() || (across && across->size() != heights->size()))
@@ -151,6 +156,10 @@ void read_air(Document& document, SprayStudy& study) {
         try {
             study.air = std::make_shared<AirTable>(std::move(rows));
         } catch (const InputError& e) { s.fail("heights", e.what()); }
+    } else if (openfoam) {
+        try {
+            study.air = std::make_shared<FoamAir>(document.path(*openfoam), time, state);
+        } catch (const InputError& e) { s.fail("openfoam", e.what()); }
     } else {
         study.air = std::make_shared<UniformAir>(state);
     }
@@ -253,7 +262,8 @@ const char* const spray_study_help =
     "  # fewest = 1, largest_diameter = \"0.1 m\", seed = 1\n"
     "  [air]\n"
     "  velocity = [8, 0, 0]          # with density, viscosity; or heights = [...], along_x = [...], along_y = [...]\n"
-    "  # outside = \"refuse\"          # droplets that leave a table of heights: refuse, or end their flight\n"
+    "  # openfoam = \"case\"           # or the velocity U of an OpenFOAM case, at time = 2 (the last unless given)\n"
+    "  # outside = \"refuse\"          # droplets that leave a table or a case: refuse, or end their flight\n"
     "  [flight]\n"
     "  duration = \"1 s\"              # after the last droplet was let go; tolerance = 1e-6, buoyancy = false,\n"
     "                                # falls_back = true, water_level = 0, drag = \"schiller_naumann\" or \"putnam\"\n"
