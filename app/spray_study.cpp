@@ -74,12 +74,16 @@ std::vector<Droplet> read_droplets(const fs::path& file) {
 
 void read_source(Document& document, SprayStudy& study) {
     Section s = document.section("source");
-    if (!s.present()) s.fail("sph", "missing; expected [source] with sph, fvm or table");
+    if (!s.present()) s.fail("sph", "missing; expected [source] with sph, taken, fvm or table");
     if (const auto run = s.text("sph")) study.source.sph = document.path(*run);
+    if (const auto run = s.text("taken")) study.source.taken = document.path(*run);
     if (const auto run = s.text("fvm")) study.source.fvm = document.path(*run);
     if (const auto table = s.text("table")) study.source.droplets = read_droplets(document.path(*table));
-    if (s.has("sph") + s.has("fvm") + s.has("table") != 1)
-        s.fail(s.has("sph") ? "sph" : s.has("fvm") ? "fvm" : "table", "expected exactly one of sph, fvm and table");
+    std::vector<const char*> given;
+    for (const char* way : {"sph", "taken", "fvm", "table"})
+        if (s.has(way)) given.push_back(way);
+    if (given.size() != 1)
+        s.fail(given.empty() ? "sph" : given.back(), "expected exactly one of sph, taken, fvm and table");
     study.source.range.from = s.number("from", study.source.range.from, "s");
     study.source.range.to = s.number("to", study.source.range.to, "s");
     if (s.has("mirror")) study.source.mirror = s.flag("mirror", false);
@@ -87,7 +91,9 @@ void read_source(Document& document, SprayStudy& study) {
     study.source.least_share = s.number("least_share", study.source.least_share, "-", share);
     s.finish();
 
-    const fs::path run = study.source.sph.empty() ? study.source.fvm : study.source.sph;
+    const fs::path run = !study.source.sph.empty()     ? study.source.sph
+                         : !study.source.taken.empty() ? study.source.taken
+                                                       : study.source.fvm;
     if (run.empty() || !fs::exists(run / "record.h5")) return;
     const RunRecord record = read_record(run / "record.h5");
     if (const auto n = record.numbers.find("density"); n != record.numbers.end())
@@ -245,8 +251,9 @@ void read_sensor(Document& document, SprayStudy& study) {
 const char* const spray_study_help =
     "The study file (TOML; numbers in SI, or texts with a unit):\n\n"
     "  title = \"spray of the prism\"\n"
-    "  [source]                      # exactly one of sph, fvm and table\n"
+    "  [source]                      # exactly one of sph, taken, fvm and table\n"
     "  sph = \"runs/my/sph\"           # snapshots of a particle run: [sampling] snapshots = \"0.02 s\" in its scene\n"
+    "  # taken = \"runs/my/sph\"       # or what its gate took out while it ran: gate_point, gate_normal in [sph]\n"
     "  # fvm = \"runs/my/fvm\"         # or the written times of an interFoam case\n"
     "  # table = \"droplets.csv\"      # or droplets, in the columns that this command writes\n"
     "  from = \"0.6 s\"                # which frames; to = likewise\n"

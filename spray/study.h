@@ -13,9 +13,10 @@
 
 namespace tw::spray {
 
-/// Where droplets come from: exactly one of the three.
+/// Where droplets come from: exactly one of the four.
 struct Source {
     std::filesystem::path sph;      ///< RUN/sph with its snapshots
+    std::filesystem::path taken;    ///< RUN/sph, whose gate took the water out of the run
     std::filesystem::path fvm;      ///< RUN/fvm, or an OpenFOAM case
     std::vector<Droplet> droplets;  ///< given as a table
     FrameRange range;
