@@ -39,6 +39,10 @@ std::vector<std::vector<ParcelState>> read_cloud(const fs::path& folder) {
     std::vector<std::vector<ParcelState>> frames;
     for (const TimeFolders::Moment& moment : TimeFolders(folder).moments()) {
         const fs::path at = folder / moment.name / "lagrangian" / "kinematicCloud";
+        if (!fs::exists(at / "positions") && !fs::exists(at / "origId")) {  // all parcels have left the room
+            frames.emplace_back();
+            continue;
+        }
         const auto places = parcel_numbers(at / "positions", 4),  // and the cell
             velocities = parcel_numbers(at / "U", 3), ages = parcel_numbers(at / "age", 1),
                    names = parcel_numbers(at / "origId", 1);

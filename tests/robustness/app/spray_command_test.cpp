@@ -52,6 +52,7 @@ TEST_F(Command, SprayIsNotWrittenAsACloudOverOtherFiles) {
     EXPECT_NE(o.err.find("cloud: exists already and is not empty"), std::string::npos) << o.err;
     EXPECT_EQ(content(folder_ / "cloud/mine"), "text");
     EXPECT_FALSE(fs::exists(folder_ / "cloud/system"));
+    EXPECT_TRUE(fs::exists(folder_ / "spray/report.html"));
 }
 
 /// Text of a study or a table never becomes OpenFOAM's: a cloud is made of numbers.

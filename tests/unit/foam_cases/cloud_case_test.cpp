@@ -24,8 +24,7 @@ TEST(CloudCase, HasARowForEachParcelAndLetsEachGoOnce) {
     write_cloud_case(two_parcels(), folder / "");
     EXPECT_NE(read_text(folder / "constant/droplets").find("(0 0.5 0) (10 0 5) 5e-04 1000 1\n"), std::string::npos);
     // rows * step * parcelsPerSecond = 2.5 parcels, of which the whole part is injected
-    EXPECT_NE(read_text(folder / "constant/kinematicCloudProperties").find("parcelsPerSecond 1250"),
-              std::string::npos);
+    EXPECT_NE(read_text(folder / "constant/kinematicCloudProperties").find("parcelsPerSecond 1250"), std::string::npos);
     EXPECT_NE(read_text(folder / "0/U").find("uniform (0 0 0)"), std::string::npos);
 }
 
@@ -88,12 +87,26 @@ TEST(CloudTracks, AreReadWithTheirParcels) {
     EXPECT_EQ(frames[0][1].age, 0.499);
 }
 
+/// OpenFOAM writes no cloud at all once every parcel has left.
+TEST(CloudTracks, OfATimeWithoutParcelsAreEmpty) {
+    const ScratchFolder folder;
+    write_cloud(folder / "", "2(0.5 0.499)");
+    fs::create_directories(folder / "0.75/uniform");
+    const auto frames = read_cloud(folder / "");
+    ASSERT_EQ(frames.size(), 2u);
+    EXPECT_EQ(frames[0].size(), 2u);
+    EXPECT_TRUE(frames[1].empty());
+}
+
 TEST(CloudTracks, CutOffOrMissingAreRefused) {
     const ScratchFolder folder;
     EXPECT_THROW(read_cloud(folder / ""), RunError);
     write_cloud(folder / "", "2(0.5");
     EXPECT_THROW(read_cloud(folder / ""), RunError);
     write_cloud(folder / "", "3(0.5 0.5 0.5)");
+    EXPECT_THROW(read_cloud(folder / ""), RunError);
+    write_cloud(folder / "", "2(0.5 0.499)");
+    fs::remove(folder / "0.5/lagrangian/kinematicCloud/positions");
     EXPECT_THROW(read_cloud(folder / ""), RunError);
 }
 
