@@ -59,8 +59,8 @@ CloudCase cloud_of(const SprayStudy& study, std::span<const Droplet> droplets, c
     cloud.duration = flight.end_time;
     cloud.time_step = cloud_time_step(flight.end_time, shortest_relaxation(droplets, *study.air, flight));
     cloud.room = room_of_flights(droplets, *study.air, flight);
-    // No path may touch a side, also one of OpenFOAM's that is a little off. Where the air is a field that has to cover the
-    // cells' centres the margin is less than half a cell.
+    // No path may touch a side, also one of OpenFOAM's that is a little off. Where the air is a field that has to cover
+    // the cells' centres the margin is less than half a cell.
     const double share = cloud.air_velocity ? 0.02 : 0.1;
     const Vec3 margin = Vec3::Constant(share * cloud.room.size().maxCoeff() + 1e-4);
     cloud.room.min -= margin, cloud.room.max += margin;

@@ -30,8 +30,8 @@ private:
     std::vector<std::size_t> parent_;
 };
 
-/// Elements whose sizes share an octave, in cells as wide as their longest link. An element looks for partners of its own
-/// octave and of all coarser ones.
+/// Elements whose sizes share an octave, in cells as wide as their longest link. An element looks for partners of its
+/// own octave and of all coarser ones.
 struct Octave {
     double width = 0;
     std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells;

@@ -54,7 +54,8 @@ void write_cloud_case(const CloudCase& cloud, const std::filesystem::path& folde
 std::optional<OpenFoam> openfoam_with_cloud_solver();
 /// blockMesh and the solver. Throws RunError with the program's own message.
 void run_cloud_case(const OpenFoam& openfoam, const std::filesystem::path& folder);
-/// What was written after time 0, in the order of times; a frame without parcels is empty. Throws RunError naming the file: not there, or cut off.
+/// What was written after time 0, in the order of times; a frame without parcels is empty. Throws RunError naming the
+/// file: not there, or cut off.
 std::vector<std::vector<ParcelState>> read_cloud(const std::filesystem::path& folder);
 
 }  // namespace tw

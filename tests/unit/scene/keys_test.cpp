@@ -45,8 +45,7 @@ std::map<std::string, Change> changes() {
                       rough = fixed + "[effects]\nviscosity = \"on\"\nturbulence = \"on\"\n",
                       damped = fixed + "[effects]\nacoustic_damping = \"on\"\n",
                       airy = tank + "[effects]\nair = \"on\"\n";
-    const std::string gated =
-        with(fixed, "[sph]\n", "[sph]\ngate_point = [0, 0, 0.3]\ngate_normal = [0, 0, 1]\n");
+    const std::string gated = with(fixed, "[sph]\n", "[sph]\ngate_point = [0, 0, 0.3]\ngate_normal = [0, 0, 1]\n");
     const Surface hull = scene_of(planing).hull->surface;
     write_stl(scratch() / "a.stl", hull);
     write_stl(scratch() / "b.stl", scene_of(with(planing, "20 deg", "15 deg")).hull->surface);
