@@ -248,48 +248,6 @@ void read_sensor(Document& document, SprayStudy& study) {
 
 }  // namespace
 
-const char* const spray_study_help =
-    "The study file (TOML; numbers in SI, or texts with a unit):\n\n"
-    "  title = \"spray of the prism\"\n"
-    "  [source]                      # exactly one of sph, taken, fvm and table\n"
-    "  sph = \"runs/my/sph\"           # snapshots of a particle run: [sampling] snapshots = \"0.02 s\" in its scene\n"
-    "  # taken = \"runs/my/sph\"       # or what its gate took out while it ran: gate_point, gate_normal in [sph]\n"
-    "  # fvm = \"runs/my/fvm\"         # or the written times of an interFoam case\n"
-    "  # table = \"droplets.csv\"      # or droplets, in the columns that this command writes\n"
-    "  from = \"0.6 s\"                # which frames; to = likewise\n"
-    "  # mirror = true               # other side of a half model (as the run's record says)\n"
-    "  # least_share = 0.05          # fvm: water share below which a cell is left out\n"
-    "  [water]                       # density, viscosity, surface_tension, gravity\n"
-    "  [extraction]\n"
-    "  gate_point = [0, 1, 0]        # with gate_normal: a plane to pass; or gate_surface = \"closed.stl\" to leave;\n"
-    "  gate_normal = [0, 1, 0]       # without either one frame only is taken\n"
-    "  size = \"component\"            # one drop for each detached piece; particle: for each particle (the study);\n"
-    "                                # breakup: pieces above critical_weber = 12 break, spread = 3, smallest = 0.1\n"
-    "  link = 2                      # in spacings: up to where particles hang together\n"
-    "  # fewest = 1, largest_diameter = \"0.1 m\", seed = 1\n"
-    "  [air]\n"
-    "  velocity = [8, 0, 0]          # with density, viscosity; or heights = [...], along_x = [...], along_y = [...]\n"
-    "  # openfoam = \"case\"           # or the velocity U of an OpenFOAM case, at time = 2 (the last unless given)\n"
-    "  # outside = \"refuse\"          # droplets that leave a table or a case: refuse, or end their flight\n"
-    "  [flight]\n"
-    "  duration = \"1 s\"              # after the last droplet was let go; tolerance = 1e-6, buoyancy = false,\n"
-    "                                # falls_back = true, water_level = 0, drag = \"schiller_naumann\" or \"putnam\"\n"
-    "  [[target]]                    # any number of surfaces\n"
-    "  name = \"intake\"               # file = \"intake.stl\", unit = \"mm\"; or a disc:\n"
-    "  centre = [3, 0.8, 0.6]\n"
-    "  normal = [1, 0, 0]\n"
-    "  radius = \"0.3 m\"\n"
-    "  [sensor]                      # a square, whose windows carry the load\n"
-    "  centre = [0.2, 0, 0.3]\n"
-    "  normal = [1, 0, 0]\n"
-    "  extent = \"0.1 m\"\n"
-    "  window = \"10 mm\"              # edge; time_window = \"3 ms\"; windows and time_windows: lists for the "
-    "convergence\n"
-    "  # pulse = \"root\" or \"study\", outside_law = \"keep\" or \"leave\", sampling = \"0.1 ms\", repeats = 200,\n"
-    "  # draws = 400 of the bootstrap, seed = 1\n\n"
-    "Left in the folder: report.html; droplets.csv with how each flight ended; droplets.vtp and landings.vtp for\n"
-    "ParaView; ledger.csv, ends.csv, windows.csv, by_area.csv, by_length.csv, load.csv.\n\n";
-
 spray::SprayStudy read_spray_study(const fs::path& file) {
     Document document(file);
     SprayStudy study;

@@ -65,8 +65,8 @@ TEST(KillAndResume, ABodyThatFallsIntoWaterGoesOnToTheSameBits) {
     kill_and_resume("entry", scene, folder.path());
 }
 
-/// Two blocks of water in a tank, of which one falls through a gate and is taken out: what is left and what was taken are
-/// all the water at every frame.
+/// Two blocks of water in a tank, of which one falls through a gate and is taken out: what is left and what was taken
+/// are all the water at every frame.
 TEST(KillAndResume, ARunThatLosesSprayAtItsGateGoesOnToTheSameBits) {
     const ScratchFolder folder("kill_spray");
     const auto scene = folder.path() / "scene.toml";
