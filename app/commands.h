@@ -154,6 +154,7 @@ int run_stability(const StabilityCommand& command, const Common& common);
 struct SprayCommand {
     std::filesystem::path study;  ///< TOML file: source, air, surfaces, sensor
     std::filesystem::path out;    ///< empty: runs/<name of the study>_spray
+    std::filesystem::path cloud;  ///< folder of the same droplets as an OpenFOAM case; empty: none
 };
 int run_spray_command(const SprayCommand& command, const Common& common);
 

@@ -369,6 +369,8 @@ int dispatch(int argc, char** argv) {
                    [&] { return run_spray_command(spray, common); });
     c->add_option("study", spray.study, "study file (TOML): source, extraction, air, targets, sensor")->required();
     c->add_option("--out", spray.out, "folder of the results (runs/<name of the study>_spray)");
+    c->add_option("--openfoam-cloud", spray.cloud,
+                  "also write the droplets as an OpenFOAM cloud into this new folder, run it and compare its paths");
     c->footer(spray_study_help + std::string(footer));
 
     BenchCommand bench;

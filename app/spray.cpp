@@ -3,7 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/output.h"
+#include "app/spray_cloud.h"
 #include "app/spray_study.h"
+#include "base/atomic_file.h"
 #include "spray/report/write_spray.h"
 
 namespace tw::app {
@@ -55,6 +57,12 @@ int run_spray_command(const SprayCommand& command, const Common& common) {
     std::string text;
     for (const ReportTable& table : spray_tables(study, result))
         if (table.title != "Load in time") text += text_of(table) + "\n";
+    if (!command.cloud.empty()) {
+        const ReportTable cloud = fly_in_openfoam(study, result, command.cloud);
+        leaving_files([&] { write_text_atomically(out / "cloud.csv", csv_of(cloud)); });
+        text += text_of(cloud) + "\n";
+        if (cloud.empty()) text += cloud.notes.front() + "\n\n";
+    }
     say(common, text + "report: " + (out / "report.html").string() + "\n");
     write_json(common, spray_json(result));
     return done;

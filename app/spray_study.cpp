@@ -7,6 +7,7 @@
 #include "import/csv_columns.h"
 #include "record/run_record.h"
 #include "scene/section.h"
+#include "spray/air/foam_air.h"
 
 namespace tw::app {
 namespace {
@@ -73,12 +74,16 @@ std::vector<Droplet> read_droplets(const fs::path& file) {
 
 void read_source(Document& document, SprayStudy& study) {
     Section s = document.section("source");
-    if (!s.present()) s.fail("sph", "missing; expected [source] with sph, fvm or table");
+    if (!s.present()) s.fail("sph", "missing; expected [source] with sph, taken, fvm or table");
     if (const auto run = s.text("sph")) study.source.sph = document.path(*run);
+    if (const auto run = s.text("taken")) study.source.taken = document.path(*run);
     if (const auto run = s.text("fvm")) study.source.fvm = document.path(*run);
     if (const auto table = s.text("table")) study.source.droplets = read_droplets(document.path(*table));
-    if (s.has("sph") + s.has("fvm") + s.has("table") != 1)
-        s.fail(s.has("sph") ? "sph" : s.has("fvm") ? "fvm" : "table", "expected exactly one of sph, fvm and table");
+    std::vector<const char*> given;
+    for (const char* way : {"sph", "taken", "fvm", "table"})
+        if (s.has(way)) given.push_back(way);
+    if (given.size() != 1)
+        s.fail(given.empty() ? "sph" : given.back(), "expected exactly one of sph, taken, fvm and table");
     study.source.range.from = s.number("from", study.source.range.from, "s");
     study.source.range.to = s.number("to", study.source.range.to, "s");
     if (s.has("mirror")) study.source.mirror = s.flag("mirror", false);
@@ -86,7 +91,9 @@ void read_source(Document& document, SprayStudy& study) {
     study.source.least_share = s.number("least_share", study.source.least_share, "-", share);
     s.finish();
 
-    const fs::path run = study.source.sph.empty() ? study.source.fvm : study.source.sph;
+    const fs::path run = !study.source.sph.empty()     ? study.source.sph
+                         : !study.source.taken.empty() ? study.source.taken
+                                                       : study.source.fvm;
     if (run.empty() || !fs::exists(run / "record.h5")) return;
     const RunRecord record = read_record(run / "record.h5");
     if (const auto n = record.numbers.find("density"); n != record.numbers.end())
@@ -138,6 +145,10 @@ void read_air(Document& document, SprayStudy& study) {
     study.refuse_left_air = s.choice("outside", "refuse", {"refuse", "end"}) == "refuse";
     const auto heights = s.numbers("heights", "m", 0), along = s.numbers("along_x", "m/s", 0),
                across = s.numbers("along_y", "m/s", 0);
+    const auto openfoam = s.text("openfoam");
+    const auto time = s.number("time", "s");
+    if (openfoam && heights) s.fail("openfoam", "expected a field of OpenFOAM or a table of heights, not both");
+    if (!openfoam && time) s.fail("time", "expected the case that has this time: openfoam");
     if (!heights && (along || across)) s.fail(along ? "along_x" : "along_y", "a table needs heights");
     if (heights) {
         if (!along || along->size() != heights->size() || (across && across->size() != heights->size()))
@@ -151,6 +162,10 @@ void read_air(Document& document, SprayStudy& study) {
         try {
             study.air = std::make_shared<AirTable>(std::move(rows));
         } catch (const InputError& e) { s.fail("heights", e.what()); }
+    } else if (openfoam) {
+        try {
+            study.air = std::make_shared<FoamAir>(document.path(*openfoam), time, state);
+        } catch (const InputError& e) { s.fail("openfoam", e.what()); }
     } else {
         study.air = std::make_shared<UniformAir>(state);
     }
@@ -162,6 +177,9 @@ void read_flight(Document& document, SprayStudy& study) {
     study.duration = s.number("duration", study.duration, "s", above_zero);
     study.flight.tolerance = s.number("tolerance", study.flight.tolerance, "-", {1e-12, 1e-2});
     study.flight.forces.buoyancy = s.flag("buoyancy", false);
+    study.flight.forces.drag = s.choice("drag", "schiller_naumann", {"schiller_naumann", "putnam"}) == "putnam"
+                                   ? DragLaw::putnam
+                                   : DragLaw::schiller_naumann;
     study.flight.falls_back = s.flag("falls_back", true);
     study.flight.water_level = s.number("water_level", 0, "m");
     s.finish();
@@ -229,46 +247,6 @@ void read_sensor(Document& document, SprayStudy& study) {
 }
 
 }  // namespace
-
-const char* const spray_study_help =
-    "The study file (TOML; numbers in SI, or texts with a unit):\n\n"
-    "  title = \"spray of the prism\"\n"
-    "  [source]                      # exactly one of sph, fvm and table\n"
-    "  sph = \"runs/my/sph\"           # snapshots of a particle run: [sampling] snapshots = \"0.02 s\" in its scene\n"
-    "  # fvm = \"runs/my/fvm\"         # or the written times of an interFoam case\n"
-    "  # table = \"droplets.csv\"      # or droplets, in the columns that this command writes\n"
-    "  from = \"0.6 s\"                # which frames; to = likewise\n"
-    "  # mirror = true               # other side of a half model (as the run's record says)\n"
-    "  # least_share = 0.05          # fvm: water share below which a cell is left out\n"
-    "  [water]                       # density, viscosity, surface_tension, gravity\n"
-    "  [extraction]\n"
-    "  gate_point = [0, 1, 0]        # with gate_normal: a plane to pass; or gate_surface = \"closed.stl\" to leave;\n"
-    "  gate_normal = [0, 1, 0]       # without either one frame only is taken\n"
-    "  size = \"component\"            # one drop for each detached piece; particle: for each particle (the study);\n"
-    "                                # breakup: pieces above critical_weber = 12 break, spread = 3, smallest = 0.1\n"
-    "  link = 2                      # in spacings: up to where particles hang together\n"
-    "  # fewest = 1, largest_diameter = \"0.1 m\", seed = 1\n"
-    "  [air]\n"
-    "  velocity = [8, 0, 0]          # with density, viscosity; or heights = [...], along_x = [...], along_y = [...]\n"
-    "  # outside = \"refuse\"          # droplets that leave a table of heights: refuse, or end their flight\n"
-    "  [flight]\n"
-    "  duration = \"1 s\"              # after the last droplet was let go; tolerance = 1e-6, buoyancy = false,\n"
-    "                                # falls_back = true, water_level = 0\n"
-    "  [[target]]                    # any number of surfaces\n"
-    "  name = \"intake\"               # file = \"intake.stl\", unit = \"mm\"; or a disc:\n"
-    "  centre = [3, 0.8, 0.6]\n"
-    "  normal = [1, 0, 0]\n"
-    "  radius = \"0.3 m\"\n"
-    "  [sensor]                      # a square, whose windows carry the load\n"
-    "  centre = [0.2, 0, 0.3]\n"
-    "  normal = [1, 0, 0]\n"
-    "  extent = \"0.1 m\"\n"
-    "  window = \"10 mm\"              # edge; time_window = \"3 ms\"; windows and time_windows: lists for the "
-    "convergence\n"
-    "  # pulse = \"root\" or \"study\", outside_law = \"keep\" or \"leave\", sampling = \"0.1 ms\", repeats = 200,\n"
-    "  # draws = 400 of the bootstrap, seed = 1\n\n"
-    "Left in the folder: report.html; droplets.csv with how each flight ended; droplets.vtp and landings.vtp for\n"
-    "ParaView; ledger.csv, ends.csv, windows.csv, by_area.csv, by_length.csv, load.csv.\n\n";
 
 spray::SprayStudy read_spray_study(const fs::path& file) {
     Document document(file);

@@ -99,6 +99,14 @@ Value Value::sequence(const std::vector<Value>& parts) {
     return value;
 }
 
+Value Value::nonuniform(const std::vector<Vec3>& cells) {
+    Value value;
+    value.text_ = "nonuniform List<vector> " + std::to_string(cells.size()) + "\n(\n";
+    for (const Vec3& v : cells) value.text_ += Value(v).text() + '\n';
+    value.text_ += ')';
+    return value;
+}
+
 Key::Key(std::string_view word) : text(word) {
     check_characters(word, "_.:+-*(),", "a key");
     // OpenFOAM reads `div(phi,U)` as one word, but not a word that begins with a digit, a sign or a bracket.
@@ -143,10 +151,22 @@ std::string Dictionary::text() const {
     return out;
 }
 
-std::string foam_file(std::string_view foam_class, std::string_view object, const Dictionary& entries) {
+namespace {
+std::string header_of(std::string_view foam_class, std::string_view object) {
     const Dictionary header{
         {"version", Word("2.0")}, {"format", Word("ascii")}, {"class", Word(foam_class)}, {"object", Word(object)}};
-    return "FoamFile\n" + Value(header).text() + "\n\n" + entries.text();
+    return "FoamFile\n" + Value(header).text() + "\n\n";
+}
+}  // namespace
+
+std::string foam_file(std::string_view foam_class, std::string_view object, const Dictionary& entries) {
+    return header_of(foam_class, object) + entries.text();
+}
+
+std::string foam_list_file(std::string_view foam_class, std::string_view object, const List& elements) {
+    std::string text = header_of(foam_class, object) + std::to_string(elements.size()) + "\n(\n";
+    for (const Value& e : elements) text += e.text() + '\n';
+    return text + ")\n";
 }
 
 std::string word_from(std::string_view text, std::string_view fallback) {

@@ -52,6 +52,8 @@ public:
     static Value named(const Word& name, const Dictionary& dictionary);
     /// Values one behind the other: `hex (0 1 2 3 4 5 6 7) (4 5 6) simpleGrading (1 1 1)`.
     static Value sequence(const std::vector<Value>& parts);
+    /// One vector per cell: `nonuniform List<vector> 2 ((0 0 0) (1 0 0))`.
+    static Value nonuniform(const std::vector<Vec3>& cells);
 
     const std::string& text() const { return text_; }
     bool is_block() const { return block_; }  ///< ends in a brace: takes no semicolon
@@ -94,6 +96,9 @@ private:
 
 /// A whole file: the FoamFile header (version, format, class, object) and the entries.
 std::string foam_file(std::string_view foam_class, std::string_view object, const Dictionary& entries);
+
+/// A whole file that is one list, such as a table of parcels: the header and one element per line.
+std::string foam_list_file(std::string_view foam_class, std::string_view object, const List& elements);
 
 /// A word made from any text (a part's name, say): characters other than letters and digits become _, and what does not
 /// begin with a letter gets the prefix part_. Empty text gives `fallback`.

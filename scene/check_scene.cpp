@@ -138,6 +138,22 @@ void check_places(Scene& scene, Sections& s) {
     }
 }
 
+void check_gate(const Scene& scene, const Section& sph) {
+    const SphOptions& o = scene.sph;
+    if (o.gate_point.empty() && o.gate_normal.empty()) return;
+    const char* key = o.gate_point.empty() ? "gate_normal" : "gate_point";
+    if (o.gate_point.empty() || o.gate_normal.empty()) sph.fail(key, "a plane needs both gate_point and gate_normal");
+    for (const auto& [name, values] : {std::pair{"gate_point", &o.gate_point}, {"gate_normal", &o.gate_normal}})
+        if (values->size() != 3) sph.fail(name, fmt::format("{} numbers; expected three, [x, y, z]", values->size()));
+    if (!(Vec3(o.gate_normal.data()).norm() > 0)) sph.fail("gate_normal", "expected a direction, e.g. [0, 0, 1]");
+    if (scene.domain.dimensions == 2) sph.fail(key, "droplets need three dimensions; remove this key");
+    if (o.levels > 1)
+        sph.fail(key, fmt::format("water is taken out of particles of one size only, and levels is {}; write levels = "
+                                  "1, or take the droplets from snapshots afterwards",
+                                  o.levels));
+    if (scene.effect_on("air")) sph.fail(key, "the effect air would be left with holes; switch one of the two off");
+}
+
 void check_sound_speed(const Scene& scene) {
     const double fastest = 0.1 * default_sound_speed(scene);
     if (scene.sph.c0 <= fastest)

@@ -24,6 +24,8 @@ void check_places(Scene& scene, Sections& s);
 void check_bodies(Scene& scene, Sections& s);
 /// What elastic bodies cannot be solved with; after the effects are known.
 void check_elastic(const Scene& scene, Sections& s);
+/// A gate is a plane in three dimensions, and takes particles of one size in water alone; after the effects are known.
+void check_gate(const Scene& scene, const Section& sph);
 /// The run would be stopped as soon as the water moves faster than its sound.
 void check_sound_speed(const Scene& scene);
 

@@ -405,6 +405,15 @@ Rows sph_keys() {
         {.name = "touch_support", .range = {0.5, 0.999}, .hashed = Hashed::sph,
          .slot = slot(&Scene::sph, &SphOptions::touch_support),
          .meaning = "Fullness of the kernel's half towards a wall from which on the approaching wall compresses the water."},
+        {.name = "gate_point", .kind = Kind::list, .unit = "m", .hashed = Hashed::sph,
+         .slot = slot(&Scene::sph, &SphOptions::gate_point),
+         .meaning = "With gate_normal: a plane beyond which detached water is taken out of the run at every frame, as droplets for `twinwake spray`. Particles of one size, three dimensions.",
+         .later = true},
+        {.name = "gate_normal", .kind = Kind::list, .hashed = Hashed::sph,
+         .slot = slot(&Scene::sph, &SphOptions::gate_normal), .meaning = "Where beyond is.", .later = true},
+        {.name = "gate_link", .range = {1, 10}, .hashed = Hashed::sph,
+         .slot = slot(&Scene::sph, &SphOptions::gate_link),
+         .meaning = "Distance up to which particles hang together at the gate, in spacings.", .later = true},
     };
 }
 

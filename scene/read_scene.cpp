@@ -240,6 +240,7 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     if (!scene.bodies.empty() && scene.effect_on("air"))
         s.effects.fail("air", "bodies that move are solved in water alone; remove this effect");
     check_elastic(scene, s);
+    check_gate(scene, s.sph);
     scene.hash = scene_hash(scene);
     return scene;
 }

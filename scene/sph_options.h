@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 namespace tw {
 
@@ -17,12 +18,14 @@ struct SphOptions {
     std::string equation_of_state = "linear";  ///< linear, tait, mie_grueneisen
     double gamma = 7;                          ///< Tait exponent
     double shifting = 1;                       ///< coefficient; 0: off
-    int levels = 1;                 ///< sizes of particles, each half the one before; near_hull is the finest
-    double zone = 16;               ///< width of the finest level's zone round the hull, in its spacings
-    double touch_support = 0.9;     ///< how full the kernel's half towards a wall is when the wall compresses
-    double smagorinsky = 0.12;      ///< Cs of the effect "turbulence"
-    double acoustic_damping = 0.3;  ///< alpha2 of the effect "acoustic_damping"
-    double air_c0 = 343;            ///< sound speed of the effect "air" [m/s]
+    int levels = 1;              ///< sizes of particles, each half the one before; near_hull is the finest
+    double zone = 16;            ///< width of the finest level's zone round the hull, in its spacings
+    double touch_support = 0.9;  ///< how full the kernel's half towards a wall is when the wall compresses
+    std::vector<double> gate_point, gate_normal;  ///< a plane beyond which detached water leaves [m]; empty: none
+    double gate_link = 2;                         ///< distance up to which particles hang together, in spacings
+    double smagorinsky = 0.12;                    ///< Cs of the effect "turbulence"
+    double acoustic_damping = 0.3;                ///< alpha2 of the effect "acoustic_damping"
+    double air_c0 = 343;                          ///< sound speed of the effect "air" [m/s]
 };
 
 }  // namespace tw

@@ -14,6 +14,7 @@
 #include "base/errors.h"
 #include "meshes/section.h"
 #include "record/snapshot.h"
+#include "record/spray_table.h"
 #include "record/water_surface.h"
 #include "scene/hash.h"
 #include "sph_solver/backend/choose_passes.h"
@@ -237,6 +238,8 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
     Recorder recorder(scene, *simulation, std::move(fresh));
     RunRecord& record = recorder.record();
     Snapshots snapshots(options.folder);
+    const std::optional<SprayGate> gate = SprayGate::of(scene.sph);
+    if (gate) record.numbers[spray_gate_number] = 1;
     if (checkpoint) {
         restore(*simulation, std::move(*checkpoint));
         recorder.rewind(*simulation);
@@ -296,6 +299,7 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
                     if (scene.sampling.snapshot_interval > 0) snapshots.write(*simulation, record);
                     next_snapshot = next_after(simulation->time(), std::max(scene.sampling.snapshot_interval, 1e-300));
                 }
+                if (frame && gate) recorder.take_spray(*simulation, *gate);
                 // at a frame, where the control volume's sums begin anew
                 if (frame && !last && simulation->time() >= next_checkpoint) {
                     save("running", "");

@@ -6,25 +6,65 @@
 
 #include "base/errors.h"
 #include "record/run_record.h"
+#include "record/spray_table.h"
 #include "spray/study.h"
 
 namespace tw::spray {
 namespace fs = std::filesystem;
 namespace {
 
+bool is_half(const RunRecord& record) {
+    const auto factor = record.attributes.find("symmetry_factor");
+    return factor != record.attributes.end() && factor->second == "2";
+}
 /// True where a run's record says that half of the hull was solved.
 bool is_half(const fs::path& run) {
     const fs::path file = run / "record.h5";
-    if (!fs::exists(file)) return false;
-    const RunRecord record = read_record(file);
-    const auto factor = record.attributes.find("symmetry_factor");
-    return factor != record.attributes.end() && factor->second == "2";
+    return fs::exists(file) && is_half(read_record(file));
+}
+
+/// What the gate of a run took out of it, see spray_table.
+void extract_taken(const SprayStudy& study, SprayResult& result) {
+    const fs::path file = study.source.taken / "record.h5";
+    if (!fs::exists(file)) throw InputError(file.string() + ": not there; expected RUN/sph of a run with a gate");
+    RunRecord record = read_record(file);
+    if (!record.numbers.contains(spray_gate_number))
+        throw InputError(file.string() +
+                         ": the run had no gate; expected gate_point and gate_normal in [sph] of its scene, or sph = "
+                         "... to look through its snapshots");
+    if (record.tables.contains(spray_table)) {
+        Table& t = record.table(spray_table);
+        const auto column = [&t](const char* name, const char* unit) -> const std::vector<double>& {
+            std::vector<double>& values = t.column(name, unit).values;
+            values.resize(t.time.size());
+            return values;
+        };
+        const auto &x = column("x", "m"), &y = column("y", "m"), &z = column("z", "m"), &u = column("vx", "m/s"),
+                   &v = column("vy", "m/s"), &w = column("vz", "m/s"), &mass = column("mass", "kg"),
+                   &inner = column("inner_energy", "J"), &particles = column("particles", "-");
+        const bool mirror = study.source.mirror.value_or(is_half(record));
+        Extractor extractor(study.extraction, *study.air);
+        for (std::size_t i = 0; i < t.time.size(); ++i) {
+            const FrameRange& range = study.source.range;
+            if (t.time[i] < range.from || t.time[i] > range.to) continue;
+            const double volume = mass[i] / study.extraction.liquid.density;
+            TakenLump lump{{{x[i], y[i], z[i]}, {u[i], v[i], w[i]}, volume, std::cbrt(volume)},
+                           static_cast<std::size_t>(particles[i]),
+                           inner[i]};
+            extractor.take_lump(t.time[i], lump);
+            lump.water.place.y() = -lump.water.place.y(), lump.water.velocity.y() = -lump.water.velocity.y();
+            if (mirror) extractor.take_lump(t.time[i], lump);
+        }
+        result.extraction = extractor.result();
+    }
+    result.droplets = result.extraction.droplets;
 }
 
 void extract(const SprayStudy& study, SprayResult& result) {
     const Source& from = study.source;
-    const int ways = !from.sph.empty() + !from.fvm.empty() + !from.droplets.empty();
-    if (ways != 1) throw InputError("source: expected exactly one of sph, fvm and table, with droplets in it");
+    const int ways = !from.sph.empty() + !from.taken.empty() + !from.fvm.empty() + !from.droplets.empty();
+    if (ways != 1) throw InputError("source: expected exactly one of sph, taken, fvm and table, with droplets in it");
+    if (!from.taken.empty()) return extract_taken(study, result);
     if (!from.droplets.empty()) {
         result.droplets = from.droplets;
         return;
@@ -75,9 +115,7 @@ private:
 };
 
 void fly_all(const SprayStudy& study, SprayResult& result) {
-    FlightOptions options = study.flight;
-    options.water_density = study.extraction.liquid.density;
-    options.forces.gravity = study.extraction.gravity;
+    FlightOptions options = flight_of(study);
     double first = 1e300, last = -1e300;
     for (const Droplet& d : result.droplets) first = std::min(first, d.time), last = std::max(last, d.time);
     options.end_time = last + study.duration;
@@ -173,6 +211,13 @@ void load_sensor(const SprayStudy& study, SprayResult& result) {
 }
 
 }  // namespace
+
+FlightOptions flight_of(const SprayStudy& study) {
+    FlightOptions options = study.flight;
+    options.water_density = study.extraction.liquid.density;
+    options.forces.gravity = study.extraction.gravity;
+    return options;
+}
 
 SprayResult run_spray(const SprayStudy& study) {
     SprayResult result;

@@ -13,9 +13,10 @@
 
 namespace tw::spray {
 
-/// Where droplets come from: exactly one of the three.
+/// Where droplets come from: exactly one of the four.
 struct Source {
     std::filesystem::path sph;      ///< RUN/sph with its snapshots
+    std::filesystem::path taken;    ///< RUN/sph, whose gate took the water out of the run
     std::filesystem::path fvm;      ///< RUN/fvm, or an OpenFOAM case
     std::vector<Droplet> droplets;  ///< given as a table
     FrameRange range;
@@ -83,6 +84,9 @@ struct SprayResult {
     std::vector<WindowLoad> by_area, by_length;  ///< round that time
     LoadCurve curve;                             ///< over all arrivals
 };
+
+/// How the study's droplets fly, but for when that ends.
+FlightOptions flight_of(const SprayStudy& study);
 
 /// Extracts, flies and loads. Throws InputError: bad options, nothing to read, a window larger than its sensor, droplets
 /// that leave the air field.

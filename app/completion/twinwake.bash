@@ -38,7 +38,7 @@ _twinwake() {
         case) words="$scene --quiet --help" ;;
         doctor) words="--openfoam --json --quiet --help" ;;
         stability) words="--quick --out --threads --json --quiet --help" ;;
-        spray) words="--out --json --quiet --help" ;;
+        spray) words="--out --openfoam-cloud --json --quiet --help" ;;
         bench) words="--particles --h-over-dp --threads --seconds --json --quiet --help" ;;
     esac
     local IFS=$'\n'

@@ -8,6 +8,7 @@
 
 #include "record/certificate.h"
 #include "record/raster.h"
+#include "record/spray_table.h"
 #include "sph_solver/bodies/elastic/elastic_body.h"
 #include "sph_solver/effects/air.h"
 #include "sph_solver/measure/certificate.h"
@@ -182,6 +183,11 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
     set(t, k, "particles_out", "-", double(ledger.out));
     set(t, k, "particles_lost", "-", double(ledger.lost));
     set(t, k, "held_at_wall", "-", double(ledger.held));
+    if (record_.numbers.contains(spray_gate_number)) {
+        double taken = 0;  // before this frame
+        for (const double m : record_.table(spray_table).column("mass", "kg").values) taken += m;
+        set(t, k, "spray_mass", "kg", factor_ * taken);
+    }
     if (const Level* air = air_of(simulation)) {
         set(t, k, "air_particles", "-", double(air->particles().size()));
         set(t, k, "air_energy", per_span("J"), factor_ * gas_energy(*air, s.gravity));
@@ -313,6 +319,31 @@ void Recorder::probe_height(Simulation& simulation) {
     }
 }
 
+/// The control volume's sums begin anew at a frame, with what is in it then.
+void Recorder::begin_balance(const Simulation& simulation) {
+    if (!simulation.control_volume()) return;
+    double mass_inside = 0;
+    momentum_ = momentum_inside(simulation, mass_inside);
+    momentum_known_ = true;
+}
+
+void Recorder::take_spray(Simulation& simulation, const SprayGate& gate) {
+    const std::vector<SprayLump> lumps = gate.take(simulation.level(0));
+    if (lumps.empty()) return;
+    Table& t = record_.table(spray_table);
+    for (const SprayLump& lump : lumps) {
+        const std::size_t row = append_row(t, simulation.time());
+        for (int a = 0; a < 3; ++a) {
+            set(t, row, fmt::format("{}", "xyz"[a]), "m", lump.place[a]);
+            set(t, row, fmt::format("v{}", "xyz"[a]), "m/s", lump.velocity[a]);
+        }
+        set(t, row, "mass", "kg", lump.mass);
+        set(t, row, "inner_energy", "J", lump.inner_energy);
+        set(t, row, "particles", "-", double(lump.particles));
+    }
+    begin_balance(simulation);
+}
+
 void Recorder::rewind(Simulation& simulation) {
     for (auto& [name, table] : record_.tables) {
         const auto keep = static_cast<std::size_t>(
@@ -321,12 +352,7 @@ void Recorder::rewind(Simulation& simulation) {
         for (Column& c : table.columns) c.values.resize(keep);
     }
     std::erase_if(record_.frames, [&](const RasterFrame& f) { return f.time > simulation.time(); });
-    // checkpoints are made at frames, where the control volume's sums begin anew
-    if (simulation.control_volume()) {
-        double mass_inside = 0;
-        momentum_ = momentum_inside(simulation, mass_inside);
-        momentum_known_ = true;
-    }
+    begin_balance(simulation);  // checkpoints are made at frames
     last_face_sample_ = simulation.time();
 }
 

@@ -4,6 +4,7 @@
 #include "record/run_record.h"
 #include "scene/scene.h"
 #include "sph_solver/bodies/samples.h"
+#include "sph_solver/measure/spray_gate.h"
 #include "sph_solver/simulation.h"
 
 namespace tw {
@@ -17,6 +18,8 @@ public:
 
     /// After each step. `frame`: also everything that is sampled at frame times.
     void after_step(Simulation& simulation, bool frame);
+    /// Lets the gate take detached water out of the run after a frame, and writes it into the table "spray".
+    void take_spray(Simulation& simulation, const SprayGate& gate);
     /// After a restart: drops what the record holds beyond the simulation's time.
     void rewind(Simulation& simulation);
     RunRecord& record() { return record_; }
@@ -25,6 +28,7 @@ public:
 private:
     void sample_surface(Simulation& simulation, std::size_t row);
     void sample_frame(Simulation& simulation, std::size_t row);
+    void begin_balance(const Simulation& simulation);
     void record_levels(const Simulation& simulation);
     void record_bodies(const Simulation& simulation);
     void record_elastic(const Simulation& simulation, std::size_t body);

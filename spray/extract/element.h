@@ -1,18 +1,11 @@
 #pragma once
-#include <span>
 #include <vector>
 
-#include "base/vec3.h"
+#include "record/components.h"
 
 namespace tw::spray {
 
-/// A piece of water as a run leaves it: a particle, or the water of one cell.
-struct Element {
-    Vec3 place = Vec3::Zero();     ///< [m]
-    Vec3 velocity = Vec3::Zero();  ///< [m/s]
-    double volume = 0;             ///< of its water [m3]
-    double size = 0;               ///< particle spacing, or cube root of the cell's volume [m]
-};
+using Element = WaterElement;
 
 /// All water of a run at one time.
 struct WaterFrame {

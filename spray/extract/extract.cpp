@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
-#include "spray/extract/components.h"
 
 namespace tw::spray {
 
 struct Extractor::Component {
     std::vector<std::size_t> elements;
+    std::size_t pieces = 0;  ///< particles or cells
     double volume = 0;
     Vec3 centre = Vec3::Zero(), velocity = Vec3::Zero();  ///< means by volume
 };
@@ -75,6 +75,39 @@ void Extractor::take(const Component& c, const WaterFrame& frame) {
         add_droplet(places[i] + c.centre - centre, c.velocity, sphere_volume(diameters[i]), frame.time);
 }
 
+/// Sorts out what is detached and newly beyond the gate.
+void Extractor::settle(const Component& c, const Budget& sum, const WaterFrame& frame, FrameCount& count) {
+    if (sphere_diameter(c.volume) > options_.largest_diameter) {
+        result_.ledger.lumps += sum;
+    } else if (c.pieces < options_.fewest) {
+        result_.ledger.crumbs += sum;
+    } else {
+        result_.ledger.taken += sum;
+        count.taken += c.volume;
+        const std::size_t before = result_.droplets.size();
+        take(c, frame);
+        count.droplets += result_.droplets.size() - before;
+    }
+}
+
+void Extractor::take_lump(double time, const TakenLump& lump) {
+    const Element& e = lump.water;
+    const WaterFrame frame{time, {e}};
+    if (result_.frames.empty() || result_.frames.back().time < time) result_.frames.push_back({.time = time});
+    FrameCount& count = result_.frames.back();
+    Budget sum;
+    sum.add(e.volume, e.place, e.velocity, options_.liquid.density, options_.gravity);
+    sum.kinetic_energy += lump.inner_energy;
+    sum.pieces = lump.pieces;
+    result_.ledger.all += sum;
+    ++count.components;
+    count.detached += e.volume, count.beyond += e.volume;
+    const std::size_t before = result_.droplets.size();
+    settle({{0}, lump.pieces, e.volume, e.place, e.velocity}, sum, frame, count);
+    if (result_.droplets.size() > before) result_.ledger.inner_energy += lump.inner_energy;
+    result_.ledger.shifted_energy = result_.ledger.droplets.potential_energy - result_.ledger.taken.potential_energy;
+}
+
 void Extractor::look_at(const WaterFrame& frame) {
     const bool open = options_.gate.is_open();
     if (begun_ && open)
@@ -92,6 +125,7 @@ void Extractor::look_at(const WaterFrame& frame) {
         const Element& e = frame.elements[i];
         all[k].elements.push_back(i);
         all[k].volume += e.volume;
+        ++all[k].pieces;
         all[k].centre += e.volume * e.place;
         all[k].velocity += e.volume * e.velocity;
     }
@@ -99,7 +133,6 @@ void Extractor::look_at(const WaterFrame& frame) {
     Ledger& ledger = result_.ledger;
     FrameCount count;
     count.time = frame.time;
-    const auto droplets_before = result_.droplets.size();
     for (std::size_t k = 0; k < all.size(); ++k) {
         Component& c = all[k];
         Budget sum;
@@ -123,17 +156,10 @@ void Extractor::look_at(const WaterFrame& frame) {
             ledger.before_gate += sum;
         } else if (was_beyond) {
             ledger.earlier += sum;
-        } else if (sphere_diameter(c.volume) > options_.largest_diameter) {
-            ledger.lumps += sum;
-        } else if (c.elements.size() < options_.fewest) {
-            ledger.crumbs += sum;
         } else {
-            ledger.taken += sum;
-            count.taken += c.volume;
-            take(c, frame);
+            settle(c, sum, frame, count);
         }
     }
-    count.droplets = result_.droplets.size() - droplets_before;
     result_.frames.push_back(count);
     ledger.shifted_energy = ledger.droplets.potential_energy - ledger.taken.potential_energy;
     begun_ = true;

@@ -49,6 +49,13 @@ struct Ledger {
     double returned = 0;        ///< volume of detached water that came back through the gate [m3]
 };
 
+/// A lump that a run has taken out by itself.
+struct TakenLump {
+    Element water;
+    std::size_t pieces = 1;   ///< particles that it was
+    double inner_energy = 0;  ///< kinetic energy about its velocity [J]
+};
+
 /// One frame that was looked at.
 struct FrameCount {
     double time = 0;             ///< [s]
@@ -81,11 +88,14 @@ public:
     Extractor(const ExtractOptions& options, const Air& air);
     /// Throws InputError: a frame not later than the one before, a second one with an open gate, or too many droplets.
     void look_at(const WaterFrame& frame);
+    /// Takes a lump that is known to be detached and beyond. Times do not fall.
+    void take_lump(double time, const TakenLump& lump);
     const Extraction& result() const { return result_; }
 
 private:
     struct Component;
     bool beyond_before(const Component& c, double interval) const;
+    void settle(const Component& c, const Budget& sum, const WaterFrame& frame, FrameCount& count);
     void take(const Component& c, const WaterFrame& frame);
     void add_droplet(const Vec3& place, const Vec3& velocity, double volume, double time);
 

@@ -3,6 +3,7 @@
 #include "first_difference.h"
 #include "program.h"
 #include "record/run_record.h"
+#include "record/spray_table.h"
 
 namespace tw::test {
 namespace {
@@ -62,6 +63,25 @@ TEST(KillAndResume, ABodyThatFallsIntoWaterGoesOnToTheSameBits) {
     std::filesystem::copy_file(std::filesystem::path(TWINWAKE_SOURCE) / "tests/robustness/runs/small_entry.toml",
                                scene);
     kill_and_resume("entry", scene, folder.path());
+}
+
+/// Two blocks of water in a tank, of which one falls through a gate and is taken out: what is left and what was taken
+/// are all the water at every frame.
+TEST(KillAndResume, ARunThatLosesSprayAtItsGateGoesOnToTheSameBits) {
+    const ScratchFolder folder("kill_spray");
+    const auto scene = folder.path() / "scene.toml";
+    std::filesystem::copy_file(std::filesystem::path(TWINWAKE_SOURCE) / "tests/robustness/runs/small_spray.toml",
+                               scene);
+    kill_and_resume("spray", scene, folder.path());
+    RunRecord run = read_record(folder.path() / "whole" / "sph" / "record.h5");
+    ASSERT_TRUE(run.tables.contains(spray_table));
+    EXPECT_GT(run.table(spray_table).time.size(), 1u);
+    const auto& mass = run.table("samples").column("mass", "kg").values;
+    const auto& taken = run.table("samples").column("spray_mass", "kg").values;
+    EXPECT_EQ(taken.front(), 0);
+    EXPECT_GT(taken.back(), 0.02 * mass.front());
+    for (std::size_t i = 0; i < mass.size(); ++i)
+        EXPECT_NEAR(mass[i] + taken[i], mass.front(), 1e-9 * mass.front()) << i;
 }
 
 TEST(KillAndResume, DamagedCheckpointIsRefusedByName) {

@@ -45,6 +45,7 @@ std::map<std::string, Change> changes() {
                       rough = fixed + "[effects]\nviscosity = \"on\"\nturbulence = \"on\"\n",
                       damped = fixed + "[effects]\nacoustic_damping = \"on\"\n",
                       airy = tank + "[effects]\nair = \"on\"\n";
+    const std::string gated = with(fixed, "[sph]\n", "[sph]\ngate_point = [0, 0, 0.3]\ngate_normal = [0, 0, 1]\n");
     const Surface hull = scene_of(planing).hull->surface;
     write_stl(scratch() / "a.stl", hull);
     write_stl(scratch() / "b.stl", scene_of(with(planing, "20 deg", "15 deg")).hull->surface);
@@ -210,6 +211,9 @@ std::map<std::string, Change> changes() {
         {"gauge.direction", replaced(dropped, "direction = [1, 0, 0]", "direction = [0, 1, 0]")},
         {"gauge.face", replaced(dropped, "direction = [1, 0, 0]", "direction = [1, 0, 0]\nface = \"bottom\"")},
         {"sph.levels", set(fixed, "sph", "levels", "1", "2")},
+        {"sph.gate_point", replaced(gated, "[0, 0, 0.3]", "[0, 0, 0.4]")},
+        {"sph.gate_normal", replaced(gated, "[0, 0, 1]", "[1, 0, 1]")},
+        {"sph.gate_link", set(gated, "sph", "gate_link", "2", "2.5")},
         {"sph.zone", set(fixed, "sph", "zone", "16", "10")},
         {"sph.scheme", set(fixed, "sph", "scheme", "\"kick_drift_kick\"", "\"symplectic_euler\"")},
         {"sph.equation_of_state", set(fixed, "sph", "equation_of_state", "\"linear\"", "\"tait\"")},

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "base/errors.h"
-#include "spray/extract/components.h"
 #include "spray/extract/extract.h"
 
 namespace tw::spray {

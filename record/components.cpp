@@ -1,4 +1,4 @@
-#include "spray/extract/components.h"
+#include "record/components.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 
 #include "base/errors.h"
 
-namespace tw::spray {
+namespace tw {
 namespace {
 
 /// Sets that are joined; the way to the root is halved at every look.
@@ -30,8 +30,8 @@ private:
     std::vector<std::size_t> parent_;
 };
 
-/// Elements whose sizes share an octave, in cells as wide as their longest link. An element looks for partners of its own
-/// octave and of all coarser ones.
+/// Elements whose sizes share an octave, in cells as wide as their longest link. An element looks for partners of its
+/// own octave and of all coarser ones.
 struct Octave {
     double width = 0;
     std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells;
@@ -48,10 +48,10 @@ std::uint64_t key(const Vec3& place, double width, const Eigen::Vector3i& shift 
 
 }  // namespace
 
-std::vector<int> components(std::span<const Element> elements, double link) {
+std::vector<int> components(std::span<const WaterElement> elements, double link) {
     if (!(link > 0) || !std::isfinite(link))
         throw InputError(fmt::format("link = {:g}: expected above 0, in spacings", link));
-    for (const Element& e : elements)
+    for (const WaterElement& e : elements)
         if (!(e.size > 0) || !std::isfinite(e.size) || !e.place.allFinite() || !std::isfinite(e.volume))
             throw InputError("a particle or cell of the run is not finite, or has no size");
 
@@ -73,7 +73,7 @@ std::vector<int> components(std::span<const Element> elements, double link) {
 
     DisjointSets sets(elements.size());
     for (std::size_t i = 0; i < elements.size(); ++i) {
-        const Element& a = elements[i];
+        const WaterElement& a = elements[i];
         for (const Octave& o : octaves) {
             if (o.width < octaves[static_cast<std::size_t>(octave_of[i])].width) continue;
             for (int n = 0; n < 27; ++n) {
@@ -100,4 +100,4 @@ std::vector<int> components(std::span<const Element> elements, double link) {
     return result;
 }
 
-}  // namespace tw::spray
+}  // namespace tw

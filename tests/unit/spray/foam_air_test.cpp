@@ -1,0 +1,63 @@
+#include "spray/air/foam_air.h"
+
+#include <gtest/gtest.h>
+
+#include "base/errors.h"
+#include "tests/unit/record/example_record.h"
+#include "tests/unit/spray/row_of_cells.h"
+
+namespace tw::spray {
+namespace {
+namespace fs = std::filesystem;
+
+std::string complaint(const fs::path& folder, std::optional<double> time) {
+    try {
+        const FoamAir air(folder, time, {});
+    } catch (const InputError& e) { return e.what(); }
+    return "none";
+}
+
+/// U of the row's cells: (1 0 0), (2 0 0), (3 0 4). Between cells that of their face is the mean of both.
+TEST(FoamAir, IsTheFieldOfTheCellsAndContinuousBetweenThem) {
+    const ScratchFolder folder;
+    write_row_of_cells(folder / "case");
+    const FoamAir air(folder / "", 1, {.velocity = {99, 0, 0}, .density = 1.1, .viscosity = 2e-5});
+    AirState s;
+    ASSERT_TRUE(air.at({1, 0.5, 0.5}, s));
+    EXPECT_NEAR(s.velocity.x(), 1.5, 1e-6);
+    EXPECT_EQ(s.density, 1.1);
+    EXPECT_EQ(s.viscosity, 2e-5);
+    ASSERT_TRUE(air.at({2, 0.3, 0.9}, s));
+    EXPECT_LT((s.velocity - Vec3(2.5, 0, 2)).norm(), 1e-6);
+    ASSERT_TRUE(air.at({1.5, 0.5, 0.5}, s));  // half way between the faces
+    EXPECT_LT((s.velocity - Vec3(2, 0, 1)).norm(), 1e-6);
+}
+
+TEST(FoamAir, EndsWhereTheMeshEnds) {
+    const ScratchFolder folder;
+    write_row_of_cells(folder / "case");
+    const FoamAir air(folder / "", {}, {});
+    AirState s;
+    EXPECT_TRUE(air.at({2.99, 0.5, 0.5}, s));
+    s.velocity = {7, 7, 7};
+    EXPECT_FALSE(air.at({3.01, 0.5, 0.5}, s));
+    EXPECT_FALSE(air.at({1, -0.01, 0.5}, s));
+    EXPECT_EQ(s.velocity, Vec3(7, 7, 7));
+}
+
+TEST(FoamAir, ThatCannotBeReadNamesWhatIsMissing) {
+    const ScratchFolder folder;
+    write_row_of_cells(folder / "case");
+    EXPECT_EQ(complaint(folder / "", 1), "none");
+    EXPECT_NE(complaint(folder / "nowhere", 1).find("no OpenFOAM case there"), std::string::npos);
+    EXPECT_NE(complaint(folder / "", 0.5).find("no time 0.5 s is written; it has 2 from 0 to 1 s"), std::string::npos);
+    EXPECT_NE(complaint(folder / "", 0).find("field U is not there at 0 s"), std::string::npos);
+    const fs::path u = folder / "case/1/U";
+    std::string text = read_text(u);
+    write_text_atomically(u, text.replace(text.find("(2 0 0)"), 7, "(nan 0 0)"));
+    EXPECT_NE(complaint(folder / "", 1).find("U"), std::string::npos);
+    EXPECT_THROW(FoamAir(folder / "", 1, {.density = -1}), InputError);
+}
+
+}  // namespace
+}  // namespace tw::spray
