@@ -169,7 +169,9 @@ std::string run_hash(const Scene& scene, const std::string& method) {
 }
 
 std::string family_hash(const Scene& scene, const std::string& method) {
-    return sha256_hex("family\n" + text_of(scene, false) + numerics_of(scene, method));
+    Scene member = scene;
+    member.sph.levels = SphOptions{}.levels;  // how many sizes lie between near_hull and spacing follows from them
+    return sha256_hex("family\n" + text_of(member, false) + numerics_of(member, method));
 }
 
 }  // namespace tw

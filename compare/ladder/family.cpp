@@ -29,9 +29,10 @@ bool follows_from_others(const std::string& name) {
                                                 "hull_mesh_error",
                                                 "openfoam_self_test_error",
                                                 "depth",
+                                                "levels",
                                                 "mean_from"};
     return names.contains(name) || name.starts_with("predicted_") || name.starts_with("domain_") ||
-           name.starts_with("cut_") || name.starts_with("uncertainty:");
+           name.starts_with("cut_") || name.starts_with("level_") || name.starts_with("uncertainty:");
 }
 
 struct Difference {

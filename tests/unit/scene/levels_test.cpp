@@ -150,7 +150,9 @@ TEST(ParticleLevels, OneSizeLeavesTheHashesOfEarlierRecordsAlone) {
     EXPECT_EQ(scene_of(planing + "\n[sph]\nlevels = 1\n").hash, plain.hash);
     EXPECT_EQ(run_hash(scene_of(planing + "\n[sph]\nlevels = 1\n"), "sph"), run_hash(plain, "sph"));
     EXPECT_NE(run_hash(said, "sph"), run_hash(plain, "sph"));  // another zone was asked for
-    EXPECT_NE(run_hash(scene_of(with_levels(2)), "sph"), run_hash(said, "sph"));
+    const Scene two = scene_of(with_levels(2));
+    EXPECT_NE(run_hash(two, "sph"), run_hash(said, "sph"));
+    EXPECT_EQ(family_hash(two, "sph"), family_hash(said, "sph"));  // their sizes alone differ
 }
 
 TEST(ParticleLevels, AreRefusedWhereTheyHaveNoRoomOrNoSolid) {
