@@ -184,12 +184,13 @@ void plan_times(CasePlan& plan) {
 }
 
 /// Water that moves with a body, as a share of the body's mass: of a half submerged plate as long and wide as it is
-/// (pi/8 rho b^2 l), and its own volume.
+/// (pi/8 rho b^2 l), or its own volume, if larger; of a hull the plate alone, because most of its volume is dry.
 double added_mass_ratio(const MovingBody& body, const Scene& scene) {
     const Vec3 size = body.surface.bounds().size();
     const double wide = scene.domain.dimensions == 2 ? size.x() : std::min(size.x(), size.y()),
                  along = scene.domain.dimensions == 2 ? 1 : std::max(size.x(), size.y());
-    const double plate = std::numbers::pi / 8 * wide * wide * along, own = mass_properties(body.surface).volume;
+    const double plate = std::numbers::pi / 8 * wide * wide * along,
+                 own = scene.hull ? 0 : mass_properties(body.surface).volume;
     return scene.water.density * std::max(plate, own) / body.motion.mass.mass;
 }
 

@@ -1,4 +1,5 @@
 // A hull that is free in a stream, through the real interFoam.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -22,7 +23,7 @@ draft    = "0.1 m"
 half     = true
 free     = ["heave", "pitch"]
 mass     = "40 kg"
-lcg      = "0.7 m"
+lcg      = "0.5 m"
 vcg      = "0.15 m"
 pitch_gyradius = "0.5 m"
 [motion]
@@ -38,6 +39,9 @@ near_hull = "0.0625 m"
 [run]
 duration = "0.2 s"
 methods  = ["fvm"]
+[fvm]
+max_courant       = 1
+max_alpha_courant = 1
 )";
 
 TEST_F(FreeHullOnAMesh, MovesByTheForcesThatAreRecordedOfItInHeaveAndPitch) {
@@ -53,7 +57,9 @@ TEST_F(FreeHullOnAMesh, MovesByTheForcesThatAreRecordedOfItInHeaveAndPitch) {
     const Vec3 centre = scene(planing).hull->free->motion.mass.centre;
     const Vec3 reference = moment_reference(scene(planing));
     double impulse = 0, turning = 0;
-    const std::size_t from = 10, to = motion.time.size() - 1;
+    // OpenFOAM moves the hull by forces about a step old, which tells while the stream starts impulsively.
+    const auto from = static_cast<std::size_t>(std::ranges::lower_bound(motion.time, 0.03) - motion.time.begin());
+    const std::size_t to = motion.time.size() - 1;
     const auto moment = [&](std::size_t i) {
         return my[i] - (of(motion, "z")[i] - reference.z()) * fx[i] + (centre.x() - reference.x()) * fz[i];
     };
@@ -66,9 +72,9 @@ TEST_F(FreeHullOnAMesh, MovesByTheForcesThatAreRecordedOfItInHeaveAndPitch) {
                  turned = mass * gyradius * gyradius * std::numbers::pi / 180 *
                           (of(motion, "trim_rate")[to] - of(motion, "trim_rate")[from]);
     EXPECT_GT(std::abs(gained), 1) << "newton seconds, or it is held";
-    EXPECT_GT(std::abs(turned), 0.3);
-    EXPECT_NEAR(impulse / gained, 1, 0.05) << "of the whole hull, half of which is solved";
-    EXPECT_NEAR(turning / turned, 1, 0.05);
+    EXPECT_GT(std::abs(turned), 1) << "newton metre seconds";
+    EXPECT_NEAR(impulse / gained, 1, 0.1) << "of the whole hull, half of which is solved";
+    EXPECT_NEAR(turning / turned, 1, 0.1);
 }
 
 }  // namespace
