@@ -57,7 +57,8 @@ TEST_F(FreeHullOnAMesh, MovesByTheForcesThatAreRecordedOfItInHeaveAndPitch) {
     const Vec3 centre = scene(planing).hull->free->motion.mass.centre;
     const Vec3 reference = moment_reference(scene(planing));
     double impulse = 0, turning = 0;
-    // OpenFOAM moves the hull by forces about a step old, which tells while the stream starts impulsively.
+    // The stream starts impulsively. After that the force at the end of a step and that which moved the hull in its last
+    // outer corrector still differ by a tenth; a mass of the half in place of the whole would be a factor of two.
     const auto from = static_cast<std::size_t>(std::ranges::lower_bound(motion.time, 0.03) - motion.time.begin());
     const std::size_t to = motion.time.size() - 1;
     const auto moment = [&](std::size_t i) {
@@ -72,9 +73,9 @@ TEST_F(FreeHullOnAMesh, MovesByTheForcesThatAreRecordedOfItInHeaveAndPitch) {
                  turned = mass * gyradius * gyradius * std::numbers::pi / 180 *
                           (of(motion, "trim_rate")[to] - of(motion, "trim_rate")[from]);
     EXPECT_GT(std::abs(gained), 1) << "newton seconds, or it is held";
-    EXPECT_GT(std::abs(turned), 1) << "newton metre seconds";
-    EXPECT_NEAR(impulse / gained, 1, 0.1) << "of the whole hull, half of which is solved";
-    EXPECT_NEAR(turning / turned, 1, 0.1);
+    EXPECT_GT(std::abs(turned), 0.5) << "newton metre seconds";
+    EXPECT_NEAR(impulse / gained, 1, 0.2) << "of the whole hull, half of which is solved";
+    EXPECT_NEAR(turning / turned, 1, 0.2);
 }
 
 }  // namespace
