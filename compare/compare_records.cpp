@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "base/errors.h"
 #include "compare/gates.h"
 #include "compare/metrics/bodies.h"
 #include "compare/metrics/forces.h"
+#include "compare/metrics/hull_motion.h"
 #include "compare/metrics/splash_quantities.h"
 #include "compare/read/prepare.h"
 #include "compare/read/record_numbers.h"
@@ -99,26 +101,42 @@ void add_savitsky(Comparison& comparison) {
     for (const RunRecord& record : comparison.sources)
         if (!hull) hull = prismatic_hull(record);
     if (!hull || number_of(comparison.sources.front(), "dimensions", 3) == 2) return;
-    const Savitsky s = savitsky_at_draft(hull->state, hull->draft);
+    const RunRecord& first = comparison.sources.front();
+    const bool friction = std::ranges::any_of(comparison.sources, [](const RunRecord& r) {
+        const Column* c = r.series("forces", "fx_viscous");
+        return c && std::ranges::any_of(c->values, [](double v) { return std::isfinite(v) && v != 0; });
+    });
+    Savitsky s;
+    if (text_of(first, "hull_free") == "heave pitch") {
+        const PlaningMass mass{number_of(first, "hull_mass", 0) * hull->state.gravity, number_of(first, "hull_lcg", 0),
+                               number_of(first, "hull_vcg", 0), friction};
+        const auto running = savitsky_free(hull->state, mass);
+        if (!running) return;
+        s = running->second;
+        const double trim = running->first.trim * 180 / std::numbers::pi;
+        comparison.references.push_back({"running_trim", "deg", "Savitsky 1964", trim, 0.1 * trim,
+                                         "of weight and centre of gravity, towed through that", s.in_range});
+    } else if (!text_of(first, "hull_free").empty()) {
+        return;
+    } else {
+        s = savitsky_at_draft(hull->state, hull->draft);
+    }
     // a hull that would have to be longer than it is does not plane on a prism
-    const auto length = comparison.sources.front().numbers.find("length");
-    if (length != comparison.sources.front().numbers.end() && s.keel_wetted_length > length->second) return;
+    const auto length = first.numbers.find("length");
+    if (length != first.numbers.end() && s.keel_wetted_length > length->second) return;
     const std::string range = s.in_range ? "empirical, about ±10 %" : "outside the formula's range: a hint at most";
     const std::string source = "Savitsky 1964";
     const auto add = [&](const char* quantity, double value, const std::string& remark) {
         comparison.references.push_back({quantity, "N", source, value, 0.1 * std::abs(value), remark, s.in_range});
     };
     add("lift", s.lift, range);
-    const bool friction = std::ranges::any_of(comparison.sources, [](const RunRecord& r) {
-        const Column* c = r.series("forces", "fx_viscous");
-        return c && std::ranges::any_of(c->values, [](double v) { return std::isfinite(v) && v != 0; });
-    });
     if (friction)
         add("drag", s.drag, range + "; with ITTC-57 friction");
     else
         add("drag", s.pressure_drag, range + "; pressure part only, as the runs have no friction");
-    comparison.references.push_back({"wetted_length", "m", source, s.keel_wetted_length, 0.1 * s.keel_wetted_length,
-                                     "of the keel, from the draft alone", true});
+    comparison.references.push_back(
+        {"wetted_length", "m", source, s.keel_wetted_length, 0.1 * s.keel_wetted_length,
+         text_of(first, "hull_free").empty() ? "of the keel, from the draft alone" : "of the keel", true});
 }
 
 void add_planing_plate(Comparison& comparison) {
@@ -163,6 +181,7 @@ Comparison compare_records(std::vector<RunRecord> sources, const CompareOptions&
     }
     add_forces(comparison, options);
     add_wetted_length(comparison, options);
+    add_hull_motion(comparison, options);
     add_splash(comparison, options);
     add_elevation(comparison, options);
     add_probes(comparison, options);

@@ -8,6 +8,7 @@
 #include "base/errors.h"
 #include "meshes/query.h"
 #include "meshes/section.h"
+#include "record/hull_motion.h"
 #include "scene/tank_walls.h"
 
 namespace tw {
@@ -139,7 +140,7 @@ void plan_refinement(CasePlan& plan) {
     // cheap (measured: the force does not change). Without such boxes the whole surface gets the finest level.
     plan.surface_level = reached >= plan.wet_level ? std::max(0, plan.wet_level - 2) : plan.wet_level;
     plan.feature_level = std::max(plan.surface_level, plan.wet_level - 1);
-    if (!plan.body.empty() && plan.wet_level > 0) {
+    if (!plan.body.empty() && !plan.hull_is_free() && plan.wet_level > 0) {
         // The mesh goes with the body: fine cells below and beside it, and where its cavity and splash are behind it.
         RefinementBox near{word_from("near_" + plan.body, "near"), plan.moving().surface.bounds(), plan.wet_level};
         while (!names.insert(near.name).second) near.name += "_";
@@ -183,29 +184,36 @@ void plan_times(CasePlan& plan) {
 }
 
 /// Water that moves with a body, as a share of the body's mass: of a half submerged plate as long and wide as it is
-/// (pi/8 rho b^2 l), and its own volume.
+/// (pi/8 rho b^2 l), or its own volume, if larger; of a hull the plate alone, because most of its volume is dry.
 double added_mass_ratio(const MovingBody& body, const Scene& scene) {
     const Vec3 size = body.surface.bounds().size();
     const double wide = scene.domain.dimensions == 2 ? size.x() : std::min(size.x(), size.y()),
                  along = scene.domain.dimensions == 2 ? 1 : std::max(size.x(), size.y());
-    const double plate = std::numbers::pi / 8 * wide * wide * along, own = mass_properties(body.surface).volume;
+    const double plate = std::numbers::pi / 8 * wide * wide * along,
+                 own = scene.hull ? 0 : mass_properties(body.surface).volume;
     return scene.water.density * std::max(plate, own) / body.motion.mass.mass;
 }
 
 void plan_body(CasePlan& plan, std::set<std::string>& names) {
     const Scene& scene = *plan.scene;
     plan.mesh_motion = mesh_motion(scene);
-    if (scene.bodies.empty()) return;
+    plan.followed = followed_by_mesh(scene);
+    if (!plan.followed) return;
     if (plan.flavour.vendor != Flavour::Vendor::com)
         throw InputError("bodies that move were measured with OpenFOAM of openfoam.com alone, and this is " +
                          plan.flavour.vendor_name() + " " + plan.flavour.version_name() +
                          "; use the particle method, or name another installation in [fvm] openfoam");
     const MovingBody& body = plan.moving();
-    plan.body = word_from(body.name, "body");
-    while (!names.insert(plan.body).second) plan.body += "_";
-    const bool flat = scene.domain.dimensions == 2;
-    plan.solids.push_back(
-        {plan.body, flat ? with_span(body.surface, endless_span(body.surface)) : body.surface, false, true});
+    if (plan.hull_is_free()) {
+        plan.body = plan.solids.front().name;
+        plan.solids.front().moves = true;
+    } else {
+        plan.body = word_from(body.name, "body");
+        while (!names.insert(plan.body).second) plan.body += "_";
+        const bool flat = scene.domain.dimensions == 2;
+        plan.solids.push_back(
+            {plan.body, flat ? with_span(body.surface, endless_span(body.surface)) : body.surface, false, true});
+    }
     for (Patch& p : plan.sides) {
         if (p.empty || p.side == Side::symmetry) continue;
         if (plan.mesh_motion.kind == MeshMotion::Kind::open_water)
@@ -256,6 +264,8 @@ AxisCells split_axis(double low, double high, double spacing, std::vector<double
             std::max(1, static_cast<int>(std::lround((axis.planes[i] - axis.planes[i - 1]) / spacing))));
     return axis;
 }
+
+std::string CasePlan::motion_table() const { return hull_is_free() ? hull_motion_table : body_table(moving().name); }
 
 CasePlan plan_case(const Scene& scene, const Flavour& flavour) {
     CasePlan plan;

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -62,12 +63,17 @@ struct CasePlan {
     Vec3 point_in_fluid = Vec3::Zero();
     bool half_space = true;  ///< water: all below z = 0 (else the scene's water blocks)
 
-    // a body that moves
+    // a body that moves, or a hull that is free
     MeshMotion mesh_motion;
-    std::string body;          ///< its patch; empty without one
-    double relaxation = 1;     ///< of its acceleration, in each outer corrector
-    int outer_correctors = 1;  ///< in which mesh, flow and body are solved once more in each step
-    const MovingBody& moving() const { return scene->bodies.front(); }
+    std::string body;                    ///< its patch; empty without one
+    double relaxation = 1;               ///< of its acceleration, in each outer corrector
+    int outer_correctors = 1;            ///< in which mesh, flow and body are solved once more in each step
+    std::optional<MovingBody> followed;  ///< by the mesh
+    const MovingBody& moving() const { return followed.value(); }
+    bool hull_is_free() const { return scene->hull && scene->hull->free; }
+    std::string motion_table() const;  ///< of the record, in which its motion stands
+    /// Of what is solved: a half model's body weighs half, a section as much as the mesh is thick.
+    double solved_share() const { return scene->span() / scene->symmetry_factor(); }
 
     // physics
     bool stream = false, viscous = false, no_slip = false, turbulent = false;

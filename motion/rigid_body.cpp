@@ -65,14 +65,16 @@ double RigidBody::kinetic_energy() const {
 }
 
 void RigidBody::kick(const Vec3& force, const Vec3& moment, double dt) {
-    if (setup_.law) return;
+    if (setup_.law || held()) return;
     state_.velocity += kept(dt / setup_.mass.mass * force, setup_.free.along);
     state_.angular_momentum += kept(dt * moment, setup_.free.about);
 }
 
 void RigidBody::drift(double dt) {
+    const bool stays = held();
     state_.time += dt;
     if (setup_.law) return follow_law();
+    if (stays) return;
     state_.centre += dt * state_.velocity;
     Vec3 omega = spin_at(state_.attitude);
     // a fixed point; each round gains a factor of |omega dt| and more

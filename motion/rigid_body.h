@@ -21,6 +21,7 @@ struct RigidBodySetup {
     std::optional<MotionLaw> law;  ///< prescribed motion
     Vec3 velocity = Vec3::Zero();  ///< of the centre at the start [m/s]; free bodies
     Vec3 spin = Vec3::Zero();      ///< angular velocity at the start [rad/s]; free bodies
+    double release = 0;            ///< a free body is held where it stands until this time [s]
 };
 
 /// The motion of one rigid body, for both methods. Earth axes throughout.
@@ -47,6 +48,8 @@ public:
     const RigidMass& mass() const { return setup_.mass; }
     const Freedoms& freedoms() const { return setup_.free; }
     const std::optional<MotionLaw>& law() const { return setup_.law; }
+    /// Not released yet: loads do not act on it and it stays.
+    bool held() const { return state_.time < setup_.release; }
 
     /// All that changes.
     struct State {

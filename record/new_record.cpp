@@ -1,10 +1,12 @@
 #include "record/run_record.h"
 
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 #include <cmath>
 
 #include "record/code_version.h"
+#include "record/hull_motion.h"
 #include "record/this_machine.h"
 #include "scene/hash.h"
 #include "scene/particle_levels.h"
@@ -54,6 +56,21 @@ std::vector<ResolvedBox> resolution_of(const Scene& scene, const std::string& me
         }
     }
     return resolution_within({largest, scene.domain.box}, finer);
+}
+
+void note_free_hull(RunRecord& record, const Hull& hull) {
+    const RigidBodySetup& motion = hull.free->motion;
+    record.attributes["hull_free"] = motion.free.along[2] ? motion.free.about[1] ? "heave pitch" : "heave" : "pitch";
+    record.numbers["hull_mass"] = motion.mass.mass;
+    record.numbers["release"] = motion.release;
+    const Vec3 arm = Eigen::AngleAxisd(-hull.trim, Vec3::UnitY()) * (motion.mass.centre - hull.free->transom_keel);
+    record.numbers["hull_lcg"] = -arm.x();  // ahead of the transom's keel, along the hull's own axis
+    record.numbers["hull_vcg"] = arm.z();   // above it
+    const std::optional<RestingHull> rest = resting_hull(hull);
+    if (!rest) return;
+    record.numbers["rest_z"] = rest->z;
+    record.numbers["rest_trim_deg"] = rest->trim_deg;
+    record.numbers["rest_transom_draft"] = rest->transom_draft;
 }
 
 }  // namespace
@@ -125,6 +142,7 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
         record.numbers["heel"] = hull.heel;
         record.numbers["draft"] = hull.draft;
         record.numbers["displaced_volume"] = hull.still.volume;
+        if (hull.free) note_free_hull(record, hull);
         record.hull = hull.surface;
         for (std::size_t k = 0; k < hull.findings.size(); ++k)
             record.attributes[fmt::format("hull_finding_{:02}", k)] =

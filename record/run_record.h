@@ -63,6 +63,7 @@ struct CertificateLine {
 ///            lowest point [m]; q0, qx, qy, qz, the quaternion that turns it from how it stood at first; vx.. [m/s],
 ///            spin_x.. [rad/s]; fx.., mx.. force of the water and its moment about the centre of mass [N, N m], earth
 ///            axes, and fx_body.., mx_body.. the same in axes that turn with the body and were the earth's at the start
+///   hull_motion: of a hull that is free in a stream, one row per step, see record/hull_motion.h
 ///   level_0, level_1, ...: of each of several sizes of particles, coarsest first, one row per frame: spacing [m], dt
 ///            [s]; active particles; band and carried, which stand for finer ones; guards, which stand for coarser
 ///            ones; births and deaths at the edge of its zone since the start; spray beyond that edge; orphans, particles

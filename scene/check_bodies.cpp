@@ -42,6 +42,17 @@ void check_domain(const MovingBody& body, const Scene& scene, Section& s) {
     }
 }
 
+void check_scheme(const Scene& scene, Section& s) {
+    if (scene.sph.scheme != "kick_drift_kick" && scene.sph.scheme != "symplectic_euler")
+        s.fail("scheme", "bodies that move need a time step of one evaluation; expected \"kick_drift_kick\"");
+}
+
+void note_centre(const std::string& whose, const Surface& surface, const Vec3& centre, std::vector<Finding>& findings) {
+    if (SurfaceQuery(surface).nearest(centre).distance > 0)
+        findings.push_back({Finding::Level::warning, "centre_outside",
+                            fmt::format("the centre of mass of {} lies outside its surface", whose), centre});
+}
+
 }  // namespace
 
 void refuse_unsolved(const Scene& scene, const std::string& method) {
@@ -59,14 +70,39 @@ void check_elastic(const Scene& scene, Sections& s) {
     }
 }
 
+void check_free_hull(Scene& scene, Sections& s) {
+    if (!scene.hull || !scene.hull->free) return;
+    Hull& hull = *scene.hull;
+    const FreeHull& free = *hull.free;
+    if (scene.motion.kind != Motion::Kind::stream)
+        s.hull.fail("free",
+                    "a hull is free in a stream only; in a tank write it as a [[body]], or expected kind = "
+                    "\"stream\"");
+    check_scheme(scene, s.sph);
+    if (scene.sph.levels > 1)
+        s.sph.fail("levels", "a hull that is free needs particles of one size so far; expected 1");
+    if (free.motion.release >= scene.run.duration)
+        s.hull.fail("release", fmt::format("the hull would be held to the end of the run, {:.4g} s; expected a time "
+                                           "before it, or a longer [run] duration",
+                                           scene.run.duration));
+    note_centre("the hull", hull.surface, free.motion.mass.centre, hull.findings);
+    if (free.at_rest) return;
+    hull.findings.push_back(
+        {Finding::Level::warning, "does_not_float",
+         fmt::format(
+             "at rest the hull does not float within 20 degrees of how it stands: it weighs as much as {:.4g} m3 "
+             "of water, and all of it has {:.4g} m3; see mass, lcg and vcg",
+             free.motion.mass.mass / scene.water.density, hull.mass.volume),
+         free.motion.mass.centre});
+}
+
 void check_bodies(Scene& scene, Sections& s) {
     if (scene.bodies.empty()) return;
     if (scene.motion.kind == Motion::Kind::stream)
         s.motion.fail("kind", "bodies that move are solved in tanks alone; expected kind = \"none\"");
     if (scene.hull)
         s.hull.fail("shape", "a fixed hull beside bodies that move is an [[obstacle]]; remove this section");
-    if (scene.sph.scheme != "kick_drift_kick" && scene.sph.scheme != "symplectic_euler")
-        s.sph.fail("scheme", "bodies that move need a time step of one evaluation; expected \"kick_drift_kick\"");
+    check_scheme(scene, s.sph);
     const double gap = scene.resolution.near_hull / 2;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         MovingBody& body = scene.bodies[i];
@@ -81,10 +117,7 @@ void check_bodies(Scene& scene, Sections& s) {
             if (!supported && meet(body.surface, o.surface, gap)) refuse("obstacle " + o.name);
         for (std::size_t j = 0; j < i; ++j)
             if (meet(body.surface, scene.bodies[j].surface, gap)) refuse("body " + scene.bodies[j].name);
-        if (SurfaceQuery(body.surface).nearest(body.motion.mass.centre).distance > 0)
-            body.findings.push_back({Finding::Level::warning, "centre_outside",
-                                     fmt::format("the centre of mass of body {} lies outside its surface", body.name),
-                                     body.motion.mass.centre});
+        note_centre("body " + body.name, body.surface, body.motion.mass.centre, body.findings);
         const Vec3 size = body.surface.bounds().size();
         const double smallest = scene.domain.dimensions == 2 ? std::min(size.x(), size.z()) : size.minCoeff();
         if (smallest < 6 * scene.resolution.near_hull)

@@ -19,9 +19,24 @@ double breadth(const Hull& hull) { return hull.section ? hull.length : hull.beam
 /// Lowest level whose cell does not exceed `cell`.
 int level_for(double cell, double spacing) { return static_cast<int>(std::ceil(std::log2(spacing / cell) - 1e-9)); }
 
-/// Settling of a stream after its ramp [s]. Measured: the force of a planing hull is settled one L/U after the start to
-/// within 2 %.
-double settling(const Scene& scene) { return std::max(time_scale(scene), start_up_period(scene)); }
+/// Heave of a free hull, roughly [s]: m w^2 (1 + a) = rho g L B, with as much added mass as mass (a = 1) and a waterplane
+/// as long and wide as the hull; 0 of a hull that is held.
+double heave_period(const Scene& scene) {
+    if (!scene.hull || !scene.hull->free) return 0;
+    const double stiffness = scene.water.density * scene.water.gravity * scene.hull->length * scene.hull->beam;
+    return 2 * std::numbers::pi * std::sqrt(2 * scene.hull->free->motion.mass.mass / stiffness);
+}
+
+/// When the stream has its speed, and a free hull is released [s].
+double start_of(const Scene& scene) {
+    return std::max(scene.motion.ramp, scene.hull && scene.hull->free ? scene.hull->free->motion.release : 0);
+}
+
+/// Settling of a stream after its start [s]. Measured: the force of a planing hull is settled one L/U after the start to
+/// within 2 %. A free hull heaves twice before it is steady.
+double settling(const Scene& scene) {
+    return std::max(time_scale(scene), start_up_period(scene)) + 2 * heave_period(scene);
+}
 
 }  // namespace
 
@@ -129,7 +144,7 @@ double start_up_period(const Scene& scene) {
 double default_duration(const Scene& scene) {
     const double T = time_scale(scene);
     if (scene.motion.kind != Motion::Kind::stream) return 10 * T;
-    return scene.motion.ramp + settling(scene) + std::max(2 * T, 3 * start_up_period(scene));
+    return start_of(scene) + settling(scene) + std::max({2 * T, 3 * start_up_period(scene), 3 * heave_period(scene)});
 }
 
 double default_interval(const Scene& scene) { return time_scale(scene) / 25; }
@@ -140,7 +155,7 @@ void fill_times(Scene& scene) {
     if (scene.run.duration == 0) scene.run.duration = default_duration(scene);
     if (scene.sampling.interval == 0) scene.sampling.interval = default_interval(scene);
     if (scene.sampling.mean_from == 0 && (stream || scene.hull))
-        scene.sampling.mean_from = stream ? scene.motion.ramp + settling(scene) : 5 * T;
+        scene.sampling.mean_from = stream ? start_of(scene) + settling(scene) : 5 * T;
     if (scene.run.checkpoint == 0) scene.run.checkpoint = scene.run.duration / 20;
 }
 

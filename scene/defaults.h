@@ -43,7 +43,8 @@ double time_scale(const Scene& scene);
 /// = 0.5 on, where a hull begins to plane, the period of F = 0.5 is taken: three true ones are above 20 L/U.
 double start_up_period(const Scene& scene);
 /// Simulated time that a scene is run for unless it says otherwise [s]: in a stream the ramp, one L/U or start-up
-/// period, whichever is longer, to settle, and two L/U or three whole periods for the means; in a tank 10 sqrt(H/g).
+/// period, whichever is longer, to settle, and two L/U or three whole periods for the means; a free hull two of its heaves to
+/// settle and three for the means; in a tank 10 sqrt(H/g).
 double default_duration(const Scene& scene);
 double default_interval(const Scene& scene);  ///< between samples [s]
 /// Fills what is still zero or empty in run, sampling and the sound speed; domain, resolution and motion are known.

@@ -105,6 +105,13 @@ void add_body(Lines& t, const MovingBody& body, bool sizes) {
     for (std::size_t k = 0; k < law.times.size(); ++k) t.add("row", {law.times[k], law.values[k]});
 }
 
+void add_free_hull(Lines& t, const FreeHull& free) {
+    const RigidBodySetup& m = free.motion;
+    t.add("free", {double(m.free.along[2]), double(m.free.about[1])})
+        .add("mass", {m.mass.mass, m.mass.inertia(1, 1)})
+        .add("centre", m.mass.centre);
+}
+
 /// What a run is made from besides the keys that stand in the scene as they are written. `sizes`: with the resolution
 /// and what follows from it.
 void add_geometry(Lines& t, const Scene& scene, bool sizes) {
@@ -114,6 +121,7 @@ void add_geometry(Lines& t, const Scene& scene, bool sizes) {
     for (const Side side : {d.x_min, d.x_max, d.y_min, d.y_max, d.z_min, d.z_max})
         t.add("side", {static_cast<double>(side)});
     if (scene.hull) t.add("hull", scene.hull->hash).add("half", {scene.hull->half ? 1.0 : 0.0});
+    if (scene.hull && scene.hull->free) add_free_hull(t, *scene.hull->free);
     const bool flat = d.dimensions == 2 && !sizes;
     const double middle = 0.5 * (d.box.min.y() + d.box.max.y());
     for (const Obstacle& o : scene.obstacles) {

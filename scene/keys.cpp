@@ -60,6 +60,20 @@ Rows hull_keys() {
          .meaning = "The hull is symmetric about y = 0: the half at y > 0 is solved and the whole is reported."},
         {.name = "repair", .kind = Kind::flag, .hashed = Hashed::scene, .fallback = "false",
          .meaning = "Repair what can be repaired safely before the hull is used; every repair is reported."},
+        {.name = "free", .kind = Kind::choices, .choices = {"heave", "pitch"}, .hashed = Hashed::scene,
+         .fallback = "none: the hull is held",
+         .meaning = "Motions in which water and weight carry a hull in a stream; `trim` and `draft` are then those at the start."},
+        {.name = "mass", .unit = "kg", .range = positive, .hashed = Hashed::scene, .fallback = "required of a free hull",
+         .meaning = "Mass of the whole hull, also of a half model; of a section per metre of span."},
+        {.name = "lcg", .unit = "m", .hashed = Hashed::scene, .fallback = "required of a hull free in pitch",
+         .meaning = "Centre of gravity ahead of the hull's aftmost point, along its own axis."},
+        {.name = "vcg", .unit = "m", .hashed = Hashed::scene, .fallback = "required of a hull free in pitch",
+         .meaning = "Centre of gravity above the hull's lowest point at zero trim."},
+        {.name = "pitch_gyradius", .unit = "m", .range = positive, .hashed = Hashed::scene,
+         .fallback = "a quarter of the hull's length",
+         .meaning = "Radius of gyration in pitch, about the centre of gravity."},
+        {.name = "release", .unit = "s", .range = not_negative, .fallback = "when the stream has its speed",
+         .meaning = "The particle method holds a free hull until this time; the mesh method, whose stream has its speed at once, does not."},
     };
     rows.insert(rows.end(), own.begin(), own.end());
     return rows;
@@ -89,7 +103,7 @@ Rows motion_keys() {
     return {
         {.name = "kind", .kind = Kind::choice, .choices = {"stream", "none"}, .hashed = Hashed::scene,
          .fallback = "stream with a hull, else none",
-         .meaning = "A fixed hull in a uniform stream, or still water (a tank)."},
+         .meaning = "A hull in a uniform stream, or still water (a tank)."},
         {.name = "speed", .unit = "m/s", .range = {0, 1000, true}, .hashed = Hashed::scene,
          .slot = slot(&Scene::motion, &Motion::speed), .fallback = "required in a stream",
          .meaning = "Speed of the stream, along +x.", .hint = "for still water write kind = \"none\""},
@@ -149,7 +163,7 @@ Rows domain_keys() {
 Rows run_keys() {
     return {
         {.name = "duration", .unit = "s", .range = positive, .slot = slot(&Scene::run, &Run::duration),
-         .fallback = "ramp + 3 L/U, below Froude number 1 at least ramp + 32 pi U/g (check tells); 10 sqrt(H/g) in a tank "
+         .fallback = "ramp + 3 L/U, below Froude number 1 at least ramp + 32 pi U/g, of a free hull five heaves more (check tells); 10 sqrt(H/g) in a tank "
                      "of water height H",
          .meaning = "Simulated time; a longer run of the same scene has the same hash."},
         {.name = "methods", .kind = Kind::choices, .choices = {"sph", "fvm"},
@@ -171,7 +185,7 @@ Rows sampling_keys() {
                     "are sampled more often."},
         {.name = "mean_from", .unit = "s", .range = positive, .hashed = Hashed::scene,
          .slot = slot(&Scene::sampling, &Sampling::mean_from),
-         .fallback = "ramp + L/U or 8 pi U/g, the longer; 5 sqrt(H/g) for a hull in still water; none in a tank without a hull",
+         .fallback = "ramp + L/U or 8 pi U/g, the longer, and two heaves of a free hull; 5 sqrt(H/g) for a hull in still water; none in a tank without a hull",
          .meaning = "Settled means do not begin before this time."},
         {.name = "snapshots", .unit = "s", .range = not_negative,
          .slot = slot(&Scene::sampling, &Sampling::snapshot_interval),

@@ -92,15 +92,17 @@ bool moves_vertically(const MovingBody& body) {
     return !f.along[0] && !f.along[1] && !f.about[0] && !f.about[1] && !f.about[2];
 }
 
-/// Distance from the body to what stays where it is while the mesh is morphed: floor, top, obstacles, and, unless the
-/// body moves along them, the sides [m].
+/// Distance from the body to what stays where it is while the mesh is morphed: floor, top, obstacles, inlet and outlet,
+/// and, unless the body moves along them, the sides [m].
 double clearance_of(const MovingBody& body, const Scene& scene) {
     const Box at = body.surface.bounds(), &box = scene.domain.box;
     double nearest = std::min(at.min.z() - box.min.z(), box.max.z() - at.max.z());
-    if (!moves_vertically(body)) {
+    const bool along_walls = moves_vertically(body);
+    if (!along_walls || scene.motion.kind == Motion::Kind::stream)
         nearest = std::min({nearest, at.min.x() - box.min.x(), box.max.x() - at.max.x()});
-        if (scene.domain.dimensions == 3)
-            nearest = std::min({nearest, at.min.y() - box.min.y(), box.max.y() - at.max.y()});
+    if (!along_walls && scene.domain.dimensions == 3) {
+        nearest = std::min(nearest, box.max.y() - at.max.y());
+        if (scene.domain.y_min != Side::symmetry) nearest = std::min(nearest, at.min.y() - box.min.y());
     }
     for (const Obstacle& o : scene.obstacles) {
         const SurfaceQuery query(o.surface);
@@ -135,10 +137,23 @@ std::string MeshMotion::sentence() const {
            "at rest";
 }
 
+std::optional<MovingBody> followed_by_mesh(const Scene& scene) {
+    if (scene.hull && scene.hull->free)
+        return MovingBody{
+            .name = "hull",
+            .source = scene.hull->source,
+            .surface = scene.hull->surface,
+            .motion = scene.hull->free->motion,
+            .findings = {},
+        };
+    return scene.bodies.empty() ? std::nullopt : std::optional(scene.bodies.front());
+}
+
 MeshMotion mesh_motion(const Scene& scene) {
     MeshMotion m;
-    if (scene.bodies.empty()) return m;
-    const MovingBody& body = scene.bodies.front();
+    const std::optional<MovingBody> followed = followed_by_mesh(scene);
+    if (!followed) return m;
+    const MovingBody& body = *followed;
     if (body.elastic && body.motion.law)
         refuse(scene, "run.methods",
                fmt::format("body {} is held at its edges and bends, which the mesh method does not solve; expected "
@@ -155,14 +170,18 @@ MeshMotion mesh_motion(const Scene& scene) {
                fmt::format("body {} is free to turn about two of the three axes, which OpenFOAM has no constraint for; "
                            "lock one more of roll, pitch and yaw, or free the third",
                            body.name));
-    bound_travel(body, scene, m);
+    const bool stream = scene.motion.kind == Motion::Kind::stream;
+    if (!stream) bound_travel(body, scene, m);  // what a stream makes of a hull is what the run is for
     const double clearance = clearance_of(body, scene);
     m.outer = 0.98 * clearance;
     m.inner = 0.05 * m.outer;
     const std::string& asked = scene.fvm.body_mesh;
     const double way = std::hypot(std::max(m.down, m.up), m.aside);
     const bool room = m.outer > 4 * scene.resolution.near_hull;
-    if (asked == "morphing" || (asked == "auto" && room && way <= 0.5 * (m.outer - m.inner))) {
+    if (stream && asked == "whole")
+        refuse(scene, "fvm.body_mesh",
+               "a mesh that moves as a whole with the hull would take the inlet with it; expected \"morphing\"");
+    if (stream || asked == "morphing" || (asked == "auto" && room && way <= 0.5 * (m.outer - m.inner))) {
         if (!room)
             refuse(scene, "fvm.body_mesh",
                    fmt::format("body {} stands {:.3g} m from what stays where it is; a mesh is morphed over four cells "

@@ -38,14 +38,26 @@ std::optional<Box> read_tank(Section& s);  ///< nothing when there is no [tank]
 std::optional<double> read_sampling(Section& s, std::vector<Section>& probes, Scene& scene);
 
 /// The hull as it stands in the water; health is checked later, when the particle spacing is known.
+struct FreeHullOptions {
+    Freedoms free;
+    double mass = 0;  ///< [kg]
+    std::optional<double> lcg, vcg, gyradius, release;
+};
 struct HullOptions {
     Hull hull;
     Surface as_read;  ///< before posing [m]: what the health check looks at
     Pose pose;
     bool repair = false;
     std::string key;  ///< "file" or "shape": where findings about the surface are reported
+    std::optional<FreeHullOptions> free;
 };
 HullOptions read_hull(Section& s);
+/// The keys of a hull that is free; nothing for one that is held.
+std::optional<FreeHullOptions> read_free_hull(Section& s);
+/// Gives such a hull its mass and centre where it stands.
+void stand_free_hull(HullOptions& o, double water_density);
+/// The turn from the shape's own axes to those in which it stands.
+Eigen::Matrix3d turn_of(const Pose& pose);
 /// The surface of [hull], [[obstacle]] or [[body]] in metres, before it is posed: from `file` or from `shape` and its
 /// parameters. `source`: that file or shape as written; `key`: which of the two it was.
 Surface read_solid(Section& s, std::string& source, std::string& key);

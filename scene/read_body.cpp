@@ -78,15 +78,6 @@ MotionLaw read_law(Section& s, bool flat) {
     return law;
 }
 
-/// The turn from the shape's own axes to those in which it stands.
-Eigen::Matrix3d turn_of(const Pose& pose) {
-    const Surface frame{{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()}, {}};
-    const Surface turned = posed(frame, pose);
-    Eigen::Matrix3d turn;
-    for (int a = 0; a < 3; ++a) turn.col(a) = turned.points[static_cast<std::size_t>(a) + 1] - turned.points[0];
-    return turn;
-}
-
 RigidMass read_mass(Section& s, const Surface& surface, const Eigen::Matrix3d& turn, bool free) {
     const auto density = s.number("density"), mass = s.number("mass");
     if (density && mass) s.fail("mass", "given twice: also density; keep one of the two");
@@ -117,6 +108,14 @@ RigidMass read_mass(Section& s, const Surface& surface, const Eigen::Matrix3d& t
 }
 
 }  // namespace
+
+Eigen::Matrix3d turn_of(const Pose& pose) {
+    const Surface frame{{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()}, {}};
+    const Surface turned = posed(frame, pose);
+    Eigen::Matrix3d turn;
+    for (int a = 0; a < 3; ++a) turn.col(a) = turned.points[static_cast<std::size_t>(a) + 1] - turned.points[0];
+    return turn;
+}
 
 MovingBody read_body(Section& s, std::size_t number, int dimensions) {
     MovingBody b;

@@ -52,6 +52,7 @@ HullOptions read_hull(Section& s) {
     if (hull.half && pose.position.y() != 0)
         s.fail("half", "a hull beside y = 0 is not symmetric about it; expected position = [x, 0]");
     o.as_read = read_solid(s, hull.source, o.key);
+    o.free = read_free_hull(s);
     s.finish();
     // Without a draft the hull keeps the height it has in its own file.
     hull.draft = draft.value_or(-o.as_read.bounds().min.z());

@@ -46,8 +46,9 @@ void apply(const SceneOverrides& o, SceneValue& document) {
         // keys.
         if (SceneValue* hull = document.find("hull"))
             std::erase_if(hull->members, [](const auto& m) {
-                static const std::set<std::string> kept{"trim", "heel",   "draft", "position",
-                                                        "half", "repair", "unit",  "axes"};
+                static const std::set<std::string> kept{"trim",   "heel", "draft",          "position", "half",
+                                                        "repair", "unit", "axes",           "free",     "mass",
+                                                        "lcg",    "vcg",  "pitch_gyradius", "release"};
                 return !kept.contains(m.first);
             });
         SceneValue file;
@@ -184,6 +185,7 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
         hull->hull.hash = surface_hash(hull->hull.surface);
         hull->hull.mass = mass_properties(hull->hull.surface);
         hull->hull.still = hydrostatics(hull->hull.surface);
+        if (hull->free) stand_free_hull(*hull, scene.water.density);
         scene.hull = hull->hull;
     } else {
         scene.resolution = resolution_of(resolution, nullptr, s.resolution, overrides.scale_resolution.value_or(1));
@@ -192,7 +194,8 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
         if (scene.bodies[i].elastic) stand_elastic(scene.bodies[i], scene.resolution.near_hull, s.bodies[i]);
     // A stream without a hull has no length to settle over: its ramp is the domain's, so the domain comes first.
     const auto make_domain = [&] { scene.domain = domain_of(domain, tank, scene, s, depth); };
-    if (resolution.spacing && !s.sph.has("levels") && !s.effects.on_off("air").value_or(false))
+    const bool free_hull = scene.hull && scene.hull->free;
+    if (resolution.spacing && !free_hull && !s.sph.has("levels") && !s.effects.on_off("air").value_or(false))
         follow_spacing(scene, make_domain);
     else
         make_domain();
@@ -211,7 +214,9 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     check_bodies(scene, s);
 
     scene.motion.ramp = ramp.value_or(default_ramp(scene));
+    if (free_hull) scene.hull->free->motion.release = hull->free->release.value_or(scene.motion.ramp);
     fill_times(scene);
+    check_free_hull(scene, s);
     // Measured with the entry of a body (docs/decisions/034-moving-bodies-in-interfoam.md).
     if (scene.fvm.max_alpha_courant == 0 && !scene.bodies.empty()) scene.fvm.max_alpha_courant = 0.5;
     for (double* courant : {&scene.fvm.max_courant, &scene.fvm.max_alpha_courant})

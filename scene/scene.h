@@ -10,6 +10,7 @@
 #include "meshes/health.h"
 #include "meshes/mass_properties.h"
 #include "meshes/surface.h"
+#include "motion/floating_attitude.h"
 #include "motion/rigid_body.h"
 #include "scene/elastic_plate.h"
 #include "scene/sph_options.h"
@@ -30,6 +31,14 @@ struct Water {
     double atmospheric_pressure = 101325, vapour_pressure = 2340;  ///< [Pa], for cavitation
 };
 
+/// What a hull in a stream needs to rise and trim freely in heave and pitch; its surge is held, as by the carriage of a
+/// towing tank.
+struct FreeHull {
+    RigidBodySetup motion;                    ///< of the whole hull
+    Vec3 transom_keel = Vec3::Zero();         ///< lowest point of the transom as the hull stands at the start [m]
+    std::optional<FloatingAttitude> at_rest;  ///< none: it does not float
+};
+
 struct Hull {
     std::string source;  ///< file name or generator name, as the user wrote it
     Surface surface;     ///< posed, in world coordinates [m]
@@ -41,7 +50,8 @@ struct Hull {
     double trim = 0, heel = 0, draft = 0;
     double length = 0, beam = 0;  ///< of the posed bounding box; of a section the beam is its metre of span
     MassProperties mass;
-    Hydrostatics still;  ///< of the part below z = 0
+    Hydrostatics still;            ///< of the part below z = 0
+    std::optional<FreeHull> free;  ///< none: held as it stands
     std::vector<Finding> findings;
     std::vector<std::string> repairs;
 };
@@ -50,7 +60,7 @@ struct Motion {
     enum class Kind {
         none,
         stream
-    } kind = Kind::none;  ///< none: still water (tank); stream: fixed hull in a uniform stream
+    } kind = Kind::none;  ///< none: still water (tank); stream: a hull, held or free, in a uniform stream
     double speed = 0;     ///< [m/s], along +x
     double ramp = 0;      ///< start-up ramp of the stream [s] (SPH); 0: impulsive
 };

@@ -32,8 +32,24 @@ std::string side_name(Side side, bool holds_water) {
     return "";
 }
 
+constexpr double degrees = 180 / std::numbers::pi;
+
+std::string free_hull_text(const FreeHull& free, const std::string& unit_of_mass) {
+    const RigidBodySetup& m = free.motion;
+    std::string out = fmt::format(
+        "  free      in {}{}{} from {:.4g} s on, surge held: mass {:.5g} {}, centre at {} m, radius of gyration {:.4g} "
+        "m\n",
+        m.free.along[2] ? "heave" : "", m.free.along[2] && m.free.about[1] ? " and " : "",
+        m.free.about[1] ? "pitch" : "", m.release, m.mass.mass, unit_of_mass, place(m.mass.centre),
+        std::sqrt(m.mass.inertia(1, 1) / m.mass.mass));
+    if (free.at_rest)
+        out += fmt::format("  at rest   it floats {:.4g} m {} where it stands, its bow turned {} by {:.3g} deg\n",
+                           std::abs(free.at_rest->rise), free.at_rest->rise < 0 ? "below" : "above",
+                           free.at_rest->turn < 0 ? "down" : "up", degrees * std::abs(free.at_rest->turn));
+    return out;
+}
+
 std::string hull_text(const Hull& h) {
-    constexpr double degrees = 180 / std::numbers::pi;
     std::string out = fmt::format(
         "hull        {}: {:.4g} m long, {}; trim {:.3g} deg, draft {:.4g} m{}\n", h.source, h.length,
         h.section ? "its section with y = 0, results are per metre of span" : fmt::format("{:.4g} m wide", h.beam),
@@ -42,6 +58,7 @@ std::string hull_text(const Hull& h) {
         "            it displaces {:.4g} {} at rest and is wetted from x = {:.4g} to {:.4g} m; {} triangles\n",
         h.still.volume, h.section ? "m3 per metre" : "m3", h.still.wet_bounds.min.x(), h.still.wet_bounds.max.x(),
         h.surface.triangles.size());
+    if (h.free) out += free_hull_text(*h.free, h.section ? "kg/m" : "kg");
     for (const std::string& r : h.repairs) out += "  repaired  " + r + "\n";
     for (const Finding& f : h.findings)
         out += fmt::format("  {:9} {}: {}\n", f.level == Finding::Level::note ? "note" : "warning", f.name, f.message);

@@ -77,9 +77,10 @@ public:
         write_levels(simulation.water(), "particles", particles_, stamp);
         if (air_of(simulation)) write_levels(simulation.levels().last(1), "air", air_, stamp);
         write_water(record);
-        for (const Body& body : simulation.bodies())
+        const bool has_hull = !record.hull_pressure.empty();  // the first body, written with its pressure
+        for (const Body& body : std::span(simulation.bodies()).subspan(has_hull ? 1 : 0))
             if (!body.fixed()) write_body(simulation, body, stamp);
-        if (record.hull_pressure.empty()) return;
+        if (!has_hull) return;
         const std::string hull = "hull_" + stamp + ".vtp";
         write_surface(folder_ / hull, record.hull,
                       {{"pressure", 1, record.hull_pressure}, {"wet", 1, record.hull_wet}});

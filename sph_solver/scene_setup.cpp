@@ -20,12 +20,13 @@ bool is_mirror(Side side) { return side == Side::slip_wall || side == Side::symm
 /// Clear of the wet hull by half a beam below and beside it (a section: a quarter of its length; at least six spacings),
 /// a quarter of its length ahead and as far behind as half of that, and open above. In two dimensions round the whole
 /// section, because the jet under a plate wets it far ahead of still water; one metre of span, as what particles carry.
-/// With several sizes of particles within the finest ones' zone.
+/// With several sizes of particles within the finest ones' zone. Round the whole of a hull that is free: it may dip all
+/// of its length, and moves within the box.
 ControlVolume control_volume(const Scene& scene, const SimulationSetup& s) {
     const Hull& hull = *scene.hull;
     const double near = std::max(6 * s.dp, hull.section ? 0.25 * hull.length : 0.5 * hull.beam);
     const auto on_lattice = [&](double x) { return std::round(x / s.dp) * s.dp; };
-    Box box = hull.section ? hull.surface.bounds() : hull.still.wet_bounds;
+    Box box = hull.section || hull.free ? hull.surface.bounds() : hull.still.wet_bounds;
     box.min -= Vec3(std::max(near, 0.25 * hull.length), near, near);
     box.max += Vec3(std::max(near, 0.125 * hull.length), near, 0);
     const double clear = 2 * s.dp;  // of the domain's sides
@@ -141,7 +142,13 @@ SphSetup sph_setup(const Scene& scene, int threads) {
     }
     if (scene.hull) {
         const Surface& hull = scene.hull->surface;
-        s.bodies.emplace_back(scene.hull->section ? with_span(hull, endless_span(hull)) : hull);
+        BodySetup& body = s.bodies.emplace_back(scene.hull->section ? with_span(hull, endless_span(hull)) : hull);
+        body.name = "hull";
+        if (scene.hull->free) {
+            body.moving = scene.hull->free->motion;
+            body.moving->mass.mass /= scene.symmetry_factor();
+            body.moving->mass.inertia /= scene.symmetry_factor();
+        }
         s.moment_reference = moment_reference(scene);
     }
     s.zones = particle_zones(scene);

@@ -2,13 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "compare/read/record_numbers.h"
+#include "record/hull_motion.h"
 
 namespace tw {
 
 std::optional<PrismaticHull> prismatic_hull(const RunRecord& record) {
-    const double trim = number_of(record, "trim", 0), heel = number_of(record, "heel", 0);
+    const Column* running = record.series(hull_motion_table, "trim");
+    const double trim = running && !running->values.empty() ? running->values.back() * std::numbers::pi / 180
+                                                            : number_of(record, "trim", 0),
+                 heel = number_of(record, "heel", 0);
     PrismaticHull hull;
     hull.draft = number_of(record, "draft", 0);
     PlaningState& s = hull.state;

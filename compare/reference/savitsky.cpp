@@ -36,6 +36,37 @@ Savitsky savitsky(const PlaningState& s, double lambda) {
     return r;
 }
 
+std::optional<std::pair<PlaningState, Savitsky>> savitsky_free(PlaningState s, const PlaningMass& mass) {
+    constexpr double degree = std::numbers::pi / 180, least_trim = 0.5 * degree, most_trim = 15 * degree;
+    constexpr double shortest = 0.05, longest = 6;  // wetted lengths over the beam
+    constexpr int halvings = 60;
+    const auto carried = [&](double trim) -> std::optional<Savitsky> {  // the lift grows with the wetted length
+        s.trim = trim;
+        double low = shortest, high = longest;
+        if (savitsky(s, low).lift > mass.weight || savitsky(s, high).lift < mass.weight) return {};
+        for (int k = 0; k < halvings; ++k)
+            (savitsky(s, (low + high) / 2).lift < mass.weight ? low : high) = (low + high) / 2;
+        return savitsky(s, (low + high) / 2);
+    };
+    const auto bow_up = [&](const Savitsky& at) {
+        const double rubbing = mass.friction ? at.friction_drag * (mass.vcg - s.beam / 4 * std::tan(s.deadrise)) : 0;
+        return at.lift / std::cos(s.trim) * (at.pressure_centre - mass.lcg) - rubbing;
+    };
+    // With more trim less of the bottom is wet, and the pressure moves aft. Too little trim does not carry the weight on
+    // six beams; there the bow goes up, too.
+    double low = least_trim, high = most_trim;
+    for (int k = 0; k < halvings; ++k) {
+        const double middle = (low + high) / 2;
+        s.trim = middle;
+        const bool sinks = savitsky(s, longest).lift < mass.weight;
+        const std::optional<Savitsky> at = carried(middle);
+        (sinks || (at && bow_up(*at) > 0) ? low : high) = middle;
+    }
+    const std::optional<Savitsky> found = carried(low);
+    if (!found || std::abs(bow_up(*found)) > 1e-3 * mass.weight * s.beam) return {};
+    return std::pair(s, *found);
+}
+
 Savitsky savitsky_at_draft(const PlaningState& s, double draft) {
     const double keel = draft / std::sin(s.trim);
     const double chine = keel - s.beam * std::tan(s.deadrise) / (std::numbers::pi * std::tan(s.trim));

@@ -1,8 +1,10 @@
 #pragma once
+#include <optional>
+#include <utility>
 
 namespace tw {
 
-/// A prismatic planing hull held at fixed trim in fresh or sea water.
+/// A prismatic planing hull in fresh or sea water.
 struct PlaningState {
     double beam = 0;                ///< [m]
     double deadrise = 0, trim = 0;  ///< [rad]
@@ -31,5 +33,20 @@ Savitsky savitsky(const PlaningState& state, double lambda);
 /// From the draft of the keel at the transom [m]: keel wet over draft / sin(trim), chine shorter by b tan(beta) / (pi
 /// tan(trim)).
 Savitsky savitsky_at_draft(const PlaningState& state, double draft);
+
+/// Where the hull's weight and centre of gravity stand along and above the keel.
+struct PlaningMass {
+    double weight = 0;        ///< [N]
+    double lcg = 0, vcg = 0;  ///< ahead of the transom, above the keel [m]
+    bool friction = true;     ///< counts in the moment
+};
+/// The running attitude of a free hull that is towed through its centre of gravity, `state.trim` set aside: the trim from
+/// half a degree to 15 and the wetted length up to six beams at which the lift carries the weight and the moments about
+/// the centre of gravity cancel,
+///
+///   lift / cos(trim) (Lp - lcg) = Df (vcg - b/4 tan(beta)),   Lp: pressure_centre
+///
+/// (the friction acts half way up the bottom). Nothing where no trim balances it.
+std::optional<std::pair<PlaningState, Savitsky>> savitsky_free(PlaningState state, const PlaningMass& mass);
 
 }  // namespace tw

@@ -13,6 +13,7 @@
 #include "compare/report/base64.h"
 #include "compare/report/resolution_picture.h"
 #include "compare/report/svg_plot.h"
+#include "record/hull_motion.h"
 
 namespace tw {
 
@@ -93,7 +94,7 @@ Figure series_figure(const Comparison& c, const std::string& table, const std::s
     for (std::size_t s = 0; s < c.sources.size(); ++s)
         if (const Column* v = c.sources[s].series(table, column))
             plot.lines.push_back({c.names[s], s, c.sources[s].tables.at(table).time, v->values, false, false});
-    if (const Quantity* q = c.find(quantity); q && table == "samples")
+    if (const Quantity* q = c.find(quantity))
         for (std::size_t s = 0; s < q->values.size(); ++s)
             if (q->values[s].known)
                 plot.bands.push_back(
@@ -169,6 +170,13 @@ Figures draw_figures(const Comparison& c) {
     for (const Trace& t : {Trace{"lift", "Lift", "fz", "lift [N]"}, Trace{"drag", "Drag", "fx", "drag [N]"},
                            Trace{"trim_moment", "Trim moment, bow up", "my", "moment [N m]"}})
         if (any("forces", t.column)) f.forces.push_back(force_figure(c, t));
+    for (const auto& [column, title, unit, quantity] :
+         {std::tuple{"trim", "Running trim", "trim, bow up [deg]", "running_trim"},
+          std::tuple{"z", "Height of the centre of gravity", "above still water [m]", ""},
+          std::tuple{"transom_draft", "Draft of the transom's keel", "below still water [m]", ""}})
+        if (any(hull_motion_table, column))
+            f.forces.push_back(
+                series_figure(c, hull_motion_table, column, title, unit, quantity, fmt::format("hull_{}", column)));
     if (const std::string picture = resolution_picture(c.sources, c.names); !picture.empty())
         f.resolution.push_back({"resolution", picture});
     const bool frames = std::ranges::any_of(c.sources, [](const RunRecord& r) { return !r.frames.empty(); });

@@ -98,7 +98,7 @@ Dictionary functions(const CasePlan& plan) {
     Dictionary f;
     if (plan.scene->hull) f.add("forces", forces(plan, "hull"));
     if (!plan.body.empty()) {
-        f.add("bodyForces", forces(plan, plan.body));
+        if (!plan.hull_is_free()) f.add("bodyForces", forces(plan, plan.body));
         if (!plan.moving().motion.law) f.add("bodyState", body_state());
         f.add("cellCentres", cells_now(plan, "writeCellCentres"));
         f.add("cellVolumes", cells_now(plan, "writeCellVolumes"));

@@ -3,12 +3,12 @@
 namespace tw {
 
 /// system/fvSchemes: second-order upwind for momentum, van Leer with interface compression for the water fraction. Round
-/// a body that moves first-order upwind: with the second order the water of an entry does not leave the body reliably
+/// a body that enters the water first-order upwind: with the second order the water of an entry does not leave the body reliably
 /// (docs/decisions/034-moving-bodies-in-interfoam.md).
 std::string fv_schemes(const CasePlan& plan) {
     Dictionary divergence{
         {"default", Word("none")},
-        {"div(rhoPhi,U)", Word(plan.body.empty() ? "Gauss linearUpwind limitedGrad" : "Gauss upwind")}};
+        {"div(rhoPhi,U)", Word(plan.body.empty() || plan.stream ? "Gauss linearUpwind limitedGrad" : "Gauss upwind")}};
     if (!plan.body.empty()) divergence.add("div(U)", Word("Gauss linear"));
     if (plan.flavour.compression_in_scheme()) {
         divergence.add("div(phi,alpha)", Value::sequence({Word("Gauss interfaceCompression vanLeer"),

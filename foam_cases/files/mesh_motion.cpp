@@ -47,7 +47,7 @@ Dictionary constraints(const Freedoms& free) {
 /// A free body, moved by OpenFOAM's own rigid-body solver.
 Dictionary free_body(const CasePlan& plan) {
     const RigidBodySetup& motion = plan.moving().motion;
-    const double share = plan.scene->span();  // masses of a section are per metre, and the mesh is that thick
+    const double share = plan.solved_share();
     const BodyAxes own_axes = body_axes(motion);
     const bool gravity = motion.free.along[2];
     const bool morphs = plan.mesh_motion.kind == Kind::morphing;

@@ -7,6 +7,7 @@
 #include "foam_cases/body_axes.h"
 #include "foam_cases/read/number_rows.h"
 #include "foam_cases/read/step_loads.h"
+#include "record/hull_motion.h"
 
 namespace tw {
 namespace {
@@ -42,6 +43,28 @@ std::vector<BodyPlace> free_places(const CasePlan& plan, const std::filesystem::
         places.push_back({r[0], vec(4), vec(10), vec(13), Eigen::Quaterniond(turned * at_start.transpose())});
     }
     return places;
+}
+
+void read_free_hull(const CasePlan& plan, const std::filesystem::path& post, RunRecord& record) {
+    Table& t = record.table(hull_motion_table);
+    t.time.clear();
+    t.columns.clear();
+    for (const BodyPlace& p : free_places(plan, post)) {
+        RigidBody::State state;
+        state.centre = p.centre, state.attitude = p.attitude, state.velocity = p.velocity;
+        append_hull_motion(t, p.time, *plan.scene->hull, state, p.spin);
+    }
+}
+
+Surface free_hull_at(const CasePlan& plan, const std::filesystem::path& post, double time) {
+    Surface surface = plan.moving().surface;
+    const Vec3& start = plan.moving().motion.mass.centre;
+    BodyPlace at;
+    at.centre = start;
+    for (const BodyPlace& p : free_places(plan, post))
+        if (p.time <= time * (1 + 1e-9)) at = p;
+    for (Vec3& x : surface.points) x = at.centre + at.attitude * (x - start);
+    return surface;
 }
 
 void read_body(const CasePlan& plan, const std::filesystem::path& post, RunRecord& record) {

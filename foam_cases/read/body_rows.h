@@ -16,6 +16,11 @@ struct BodyPlace {
 /// Of a free body, every step, from the function object bodyState below `post` (postProcessing), starts joined.
 std::vector<BodyPlace> free_places(const CasePlan& plan, const std::filesystem::path& post);
 
+/// The same of a hull that is free (record/hull_motion.h).
+void read_free_hull(const CasePlan& plan, const std::filesystem::path& post, RunRecord& record);
+/// Its surface as it stood at the time, or at the last row before it [m].
+Surface free_hull_at(const CasePlan& plan, const std::filesystem::path& post, double time);
+
 /// Makes the table of the body that moves anew from what the solver has left below `post` (postProcessing): the columns
 /// that every method's record has (record/run_record.h), one row per step. The force is that of water and air together. The
 /// first three rows of a run have none: an impulsive start gives a false one.

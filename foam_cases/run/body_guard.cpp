@@ -22,14 +22,14 @@ std::optional<std::string> body_trouble(const CasePlan& plan, const SolverLog& l
             "motion "
             "has become unstable, most often because the water that moves with it is many times as heavy as the body",
             body.name, speed, time, fastest);
-    const bool flat = plan.scene->domain.dimensions == 2;
+    const bool across = plan.scene->domain.dimensions == 2 || plan.scene->symmetry_factor() > 1;  // a plane of symmetry
     const Eigen::Matrix3d turned = now.attitude * body_axes(body.motion).axes.transpose();
     double farthest = 0;
     for (const Vec3& p : body.surface.points) {
         const Vec3 at = now.centre + turned * (p - body.motion.mass.centre);
         farthest = std::max(farthest, (at - p).norm());
         for (int a = 0; a < 3; ++a) {
-            if (flat && a == 1) continue;
+            if (across && a == 1) continue;
             if (at[a] < tank.min[a] || (at[a] > tank.max[a] && a != 2))
                 return fmt::format(
                     "body {} touches a wall or the floor of the tank at t = {:.4g} s, at ({:.4g}, {:.4g}, "

@@ -25,6 +25,13 @@ void Body::note_surface() {
 
 const SurfaceQuery& Body::query() const { return elastic_ ? elastic_->query() : query_; }
 
+bool Body::stays_along(int axis) const {
+    if (!rigid_ || rigid_->prescribed()) return fixed();
+    const Freedoms& free = rigid_->freedoms();
+    const auto a = static_cast<std::size_t>(axis);
+    return !free.along[a] && !free.about[(a + 1) % 3] && !free.about[(a + 2) % 3];
+}
+
 Vec3 Body::now(const Vec3& x) const {
     if (elastic_) return elastic_->place(elastic_->tie(x));
     if (!rigid_) return x;

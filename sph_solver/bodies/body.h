@@ -59,6 +59,8 @@ public:
     const std::string& name() const { return setup_.name; }
     const Vec3& sliding() const { return setup_.sliding; }
     bool fixed() const { return !rigid_ && !elastic_; }
+    /// Whether no point of it ever moves along an axis (0..2), as of a hull free in heave and pitch across its length.
+    bool stays_along(int axis) const;
     /// Throws std::bad_optional_access for a body that is not rigid.
     const RigidBody& rigid() const { return rigid_.value(); }
     /// Null for a body that is not elastic.

@@ -73,7 +73,10 @@ std::string Contacts::of_elastic(std::size_t body) const {
 }
 
 std::string Contacts::with_domain(const Body& body) const {
-    const Box box = body.bounds(), &domain = around_.domain;
+    const Box& domain = around_.domain;
+    Box box = body.bounds();
+    for (int a = 0; a < 3; ++a)  // across a plane of symmetry, or clear of the walls as at the start
+        if (body.stays_along(a)) box.min[a] = box.max[a] = 0.5 * (domain.min[a] + domain.max[a]);
     for (const Vec3& corner : {box.min, box.max})
         if (const std::string wall = wall_at(corner, around_, 0); !wall.empty()) return "touches " + wall;
     for (int a = 0; a < 3; ++a) {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "record/wetted_line.h"
+#include "sph_solver/bodies/body.h"
 
 namespace tw {
 
@@ -55,6 +56,14 @@ SurfaceSamples SurfaceSamples::of_section(const Surface& prism, double size) {
         }
     }
     return out;
+}
+
+SurfaceSamples SurfaceSamples::moved_with(const Body& body) const {
+    SurfaceSamples moved;
+    for (std::size_t k = 0; k < area.size(); ++k) moved.add(body.now(points.places[k]), body.turned(area[k]));
+    moved.patches_ = patches_;
+    for (Vec3& p : moved.patches_.points) p = body.now(p);
+    return moved;
 }
 
 void SurfaceSamples::add(const Vec3& place, const Vec3& part) {

@@ -6,6 +6,8 @@
 
 namespace tw {
 
+class Body;
+
 /// Points at which the solver is asked for pressure, kernel support and (when wanted) the pressure that pairs carry.
 struct PointSamples {
     std::vector<Vec3> places;
@@ -28,6 +30,8 @@ struct SurfaceSamples {
     /// Two dimensions: of a prism along y (meshes/section.h) its sides alone, in strips across the whole span no wider
     /// than `size`, with their centres at y = 0. Each strip is two patches.
     static SurfaceSamples of_section(const Surface& prism, double size);
+    /// The same patches where a body has taken them from where they stood at its start.
+    SurfaceSamples moved_with(const Body& body) const;
 
     /// A quarter of the full support, half of what a flat wetted wall sees: water enough within reach for a pressure.
     static constexpr float has_pressure = 0.25f;

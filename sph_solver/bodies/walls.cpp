@@ -18,10 +18,10 @@ Walls::Walls(const std::vector<Body>& bodies, const Surroundings& around, const 
     std::vector<Vec3> places;
     for (const Body& body : bodies) {
         Box wanted = region;
-        if (!body.fixed()) {  // it may come in from outside
-            wanted = body.surface().bounds();
-            wanted.min.array() -= level.dp;
-            wanted.max.array() += level.dp;
+        for (int a = 0; a < 3; ++a) {
+            if (body.stays_along(a)) continue;  // else it may come in from outside
+            wanted.min[a] = body.surface().bounds().min[a] - level.dp;
+            wanted.max[a] = body.surface().bounds().max[a] + level.dp;
         }
         const Dummies d = make_dummies(body.query(), body.surface().bounds(), level.dp, kernel_support + level.dp,
                                        wanted, around.dimensions);

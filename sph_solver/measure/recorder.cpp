@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "record/certificate.h"
+#include "record/hull_motion.h"
 #include "record/raster.h"
 #include "record/spray_table.h"
 #include "sph_solver/bodies/elastic/elastic_body.h"
@@ -59,8 +60,9 @@ Recorder::Recorder(const Scene& scene, const Simulation& simulation, RunRecord r
         region.min.array() -= s.dp;
         region.max.array() += s.dp;
         if (scene.hull->half) region.min.y() = 0;
-        hull_ = s.dimensions == 2 ? SurfaceSamples::of_section(scene.hull->surface, s.dp)
-                                  : SurfaceSamples(scene.hull->surface, s.dp, region);
+        hull_at_start_ = s.dimensions == 2 ? SurfaceSamples::of_section(scene.hull->surface, s.dp)
+                                           : SurfaceSamples(scene.hull->surface, s.dp, region);
+        hull_ = hull_at_start_;
     }
     for (const PressureProbe& p : scene.sampling.pressure) pressure_points_.places.push_back(p.place);
     height_step_ = s.dp / 2;
@@ -101,9 +103,15 @@ void Recorder::after_step(Simulation& simulation, bool frame) {
     if (frame) watch_energy(record_);
 }
 
+/// The hull is the first of the bodies.
+void Recorder::sample_hull(Simulation& simulation) {
+    if (scene_.hull->free) hull_ = hull_at_start_->moved_with(simulation.bodies().front());
+    simulation.sample(hull_->points);
+}
+
 void Recorder::sample_surface(Simulation& simulation, std::size_t row) {
     if (hull_) {
-        simulation.sample(hull_->points);
+        sample_hull(simulation);
         Vec3 moment;
         const Vec3 force = factor_ * hull_->pressure_force(simulation.setup().moment_reference, moment);
         set(forces(), row, "fx_surface", per_span("N"), force.x());
@@ -210,6 +218,11 @@ void Recorder::record_bodies(const Simulation& simulation) {
         if (body.fixed()) continue;
         if (body.elastic()) {
             record_elastic(simulation, b);
+            continue;
+        }
+        if (b == 0 && scene_.hull) {
+            append_hull_motion(record_.table(hull_motion_table), simulation.time(), *scene_.hull, body.rigid().state(),
+                               body.rigid().spin());
             continue;
         }
         Table& t = record_.table(body_table(body.name()));
@@ -358,7 +371,7 @@ void Recorder::rewind(Simulation& simulation) {
 
 void Recorder::fill_hull_pressure(Simulation& simulation) {
     if (!hull_) return;
-    simulation.sample(hull_->points);
+    sample_hull(simulation);
     record_.hull = hull_->patches();
     record_.hull_pressure.clear();
     record_.hull_wet.clear();

@@ -26,6 +26,7 @@ public:
     void fill_hull_pressure(Simulation& simulation);
 
 private:
+    void sample_hull(Simulation& simulation);
     void sample_surface(Simulation& simulation, std::size_t row);
     void sample_frame(Simulation& simulation, std::size_t row);
     void begin_balance(const Simulation& simulation);
@@ -40,7 +41,7 @@ private:
     const Scene& scene_;
     RunRecord record_;
     int factor_ = 1;
-    std::optional<SurfaceSamples> hull_;
+    std::optional<SurfaceSamples> hull_at_start_, hull_;  ///< the second where the hull is now
     PointSamples pressure_points_, height_points_;
     int heights_per_gauge_ = 0;
     double height_step_ = 0;

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "base/atomic_file.h"
 #include "first_difference.h"
 #include "program.h"
 #include "record/run_record.h"
@@ -55,6 +58,20 @@ TEST(KillAndResume, HullInAStreamGoesOnToTheSameBits) {
     std::filesystem::copy_file(std::filesystem::path(TWINWAKE_SOURCE) / "tests/robustness/runs/small_planing.toml",
                                scene);
     kill_and_resume("stream", scene, folder.path());
+}
+
+TEST(KillAndResume, AHullFreeInAStreamGoesOnToTheSameBits) {
+    const ScratchFolder folder("kill_free");
+    const auto scene = folder.path() / "scene.toml";
+    std::string text = read_text(std::filesystem::path(TWINWAKE_SOURCE) / "tests/robustness/runs/small_planing.toml");
+    const std::string half = "half     = true\n";
+    text.insert(text.find(half) + half.size(),
+                "free = [\"heave\", \"pitch\"]\nmass = 40\nlcg = 0.7\nvcg = 0.15\nrelease = 0.1\n");
+    write_text_atomically(scene, text);
+    kill_and_resume("free", scene, folder.path());
+    const RunRecord whole = read_record(folder.path() / "whole" / "sph" / "record.h5");
+    const std::vector<double>& trim = whole.tables.at("hull_motion").find("trim")->values;
+    EXPECT_GT(std::abs(trim.back() - trim.front()), 0.01) << "or it was held";
 }
 
 TEST(KillAndResume, ABodyThatFallsIntoWaterGoesOnToTheSameBits) {

@@ -49,6 +49,27 @@ TEST(SavitskyFormula, HandCaseAtFixedDraft) {
     EXPECT_FALSE(savitsky_at_draft(state, 0.05).in_range);  // chines dry
 }
 
+// The worked example of Savitsky 1964: 60 000 lb, beam 14 ft, deadrise 10 deg, LCG 29 ft, VCG 2 ft, 40 knots. Its trim
+// is 2.3 deg, with a thrust slightly off the centre of gravity and a roughness allowance.
+TEST(SavitskyFormula, BalancesWeightAndMomentsOfTheWorkedExample) {
+    constexpr double foot = 0.3048, pound = 4.44822;
+    const PlaningState state{.beam = 14 * foot,
+                             .deadrise = 10 * degree,
+                             .speed = 40 * 0.514444,
+                             .density = 1026,
+                             .kinematic_viscosity = 1.19e-6,
+                             .gravity = 9.80665};
+    const PlaningMass mass{60000 * pound, 29 * foot, 2 * foot, true};
+    const auto found = savitsky_free(state, mass);
+    ASSERT_TRUE(found);
+    const auto& [running, s] = *found;
+    EXPECT_NEAR(running.trim / degree, 2.3, 0.15);
+    EXPECT_NEAR(s.lift / mass.weight, 1, 1e-6);
+    const double normal = s.lift / std::cos(running.trim), lever = mass.vcg - state.beam / 4 * std::tan(state.deadrise);
+    EXPECT_NEAR(normal * (s.pressure_centre - mass.lcg) / (s.friction_drag * lever), 1, 1e-3);
+    EXPECT_FALSE(savitsky_free(state, {60000 * pound, 60 * foot, 2 * foot, true})) << "farther ahead than six beams";
+}
+
 TEST(PrismaticHull, DeadriseAndBeamAreReadOffTheSurface) {
     const auto hull = prismatic_hull(synthetic_run({.duration = 0.1, .frames = false}));
     ASSERT_TRUE(hull);

@@ -137,6 +137,29 @@ TEST(CaseFiles, TheInviscidTwinSlipsAndTheViscousOneHasWallFunctions) {
     EXPECT_SAYS(control_dict(viscous), "wallShearStress");
 }
 
+TEST(CaseFiles, AFreeHullMovesItsMeshWithHalfItsMassAndLetsNoWaterThrough) {
+    Scene scene = planing_scene();
+    FreeHull& free = scene.hull->free.emplace();
+    free.motion.mass = {300, Vec3(2.4, 0, 0.2), 300 * Eigen::Matrix3d::Identity()};
+    free.motion.free = {{false, false, true}, {false, true, false}};
+    const CasePlan plan = plan_case(scene, v1912);
+    EXPECT_EQ(plan.body, "hull");
+    EXPECT_EQ(plan.solids.size(), 1u) << "the hull itself, no body beside it";
+    EXPECT_EQ(plan.motion_table(), "hull_motion");
+    const std::vector<CaseFile> motion = mesh_motion_files(plan);
+    ASSERT_EQ(motion.size(), 2u);
+    EXPECT_SAYS(motion[0].text, "mass 150;");
+    EXPECT_SAYS(motion[0].text, "momentOfInertia (150 150 150);");
+    EXPECT_SAYS(motion[0].text, "sixDoFRigidBodyMotionConstraint line; direction (0 0 1);");
+    EXPECT_SAYS(motion[0].text, "sixDoFRigidBodyMotionConstraint axis; axis (0 1 0);");
+    EXPECT_SAYS(motion[1].text, "midPlane { type symmetryPlane; }");
+    EXPECT_SAYS(velocity_field(plan), "hull { type movingWallVelocity;");  // slip would let it through
+    EXPECT_SAYS(fv_schemes(plan), "linearUpwind");                         // as of a hull that is held
+    EXPECT_SAYS(control_dict(plan), "bodyState");
+    EXPECT_SILENT(control_dict(plan), "bodyForces");  // its forces are recorded as the hull's
+    EXPECT_TRUE(mesh_motion_files(plan_case(planing_scene(), v1912)).empty());
+}
+
 TEST(CaseFiles, ATanksWallsHoldTheWaterWhereItSticksAndAStreamsSidesNeverDo) {
     Scene tank = dam_break_scene();
     EXPECT_SAYS(velocity_field(plan_case(tank, v1912)), "bottom { type symmetryPlane; }");

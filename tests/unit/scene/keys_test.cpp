@@ -89,6 +89,9 @@ std::map<std::string, Change> changes() {
                   "G12 = \"4 GPa\"\ndensity = \"1500 kg/m3\"\n",
                   ""),
              "layup = \"[0 C/90 C]s\"", "thickness = 0.004\nyoungs_modulus = 6e10\npoisson = 0.3\ndensity = 2000");
+    const std::string free_hull = with(fixed, "half     = true\n",
+                                       "half     = true\nfree = [\"heave\", \"pitch\"]\nmass = 300\nlcg = 1.6\n"
+                                       "vcg = 0.3\npitch_gyradius = 1\n");
     std::map<std::string, Change> all{
         {".title", replaced(fixed, "title = \"planing\"", "title = \"other\"")},
         {"hull.file", replaced(from_file, "a.stl", "b.stl")},
@@ -104,6 +107,12 @@ std::map<std::string, Change> changes() {
         {"hull.draft", replaced(fixed, "draft    = \"0.2 m\"", "draft    = \"0.21 m\"")},
         {"hull.position", set(fixed, "hull", "position", "[0, 0]", "[0.1, 0]")},
         {"hull.half", replaced(fixed, "half     = true", "half     = false")},
+        {"hull.free", replaced(free_hull, "[\"heave\", \"pitch\"]", "[\"heave\"]")},
+        {"hull.mass", replaced(free_hull, "mass = 300", "mass = 301")},
+        {"hull.lcg", replaced(free_hull, "lcg = 1.6", "lcg = 1.61")},
+        {"hull.vcg", replaced(free_hull, "vcg = 0.3", "vcg = 0.31")},
+        {"hull.pitch_gyradius", replaced(free_hull, "gyradius = 1", "gyradius = 1.1")},
+        {"hull.release", {with(free_hull, "lcg", "release = 0.2\nlcg"), with(free_hull, "lcg", "release = 0.3\nlcg")}},
         {"water.depth", set(planing, "water", "depth", "0.9", "1")},
         {"motion.kind", {planing, with(planing, "kind  = \"stream\"\nspeed = \"8 m/s\"", "kind = \"none\"")}},
         {"motion.speed", replaced(fixed, "8 m/s", "8.1 m/s")},
@@ -274,7 +283,7 @@ TEST(Keys, OnlyWhatChangesNothingThatIsSolvedIsInNoHash) {
     const std::set<std::string> in_none{".title",      "motion.ramp",    "run.duration",       "run.methods",
                                         "run.threads", "run.checkpoint", "probe.name",         "obstacle.name",
                                         "body.name",   "fvm.openfoam",   "sampling.snapshots", "refine.name",
-                                        "ply.name",    "gauge.name",     "gauge.body"};
+                                        "ply.name",    "gauge.name",     "gauge.body",         "hull.release"};
     for (const SceneKey& key : scene_keys()) {
         const std::string name = key.section + "." + key.name;
         const auto expected = in_none.contains(name) ? SceneKey::Hashed::nowhere

@@ -8,7 +8,7 @@ namespace {
 TEST(SceneErrors, AMisspeltKeyNamesThePlaceTheKnownKeysAndTheNearest) {
     EXPECT_EQ(complaint(with(planing, "draft    =", "darft    =")),
               "scene.toml:8:1: [hull] darft = \"0.2 m\": unknown key; this section knows: axes, beam, deadrise, draft, "
-              "file, half, heel, height, length, "
+              "file, free, half, heel, height, length, "
               "position, rake, repair, shape, trim, unit; did you mean 'draft'?");
     EXPECT_EQ(complaint(with(planing, "[motion]", "[motoin]")).substr(0, 66),
               "scene.toml:11:2: [motoin]: unknown section or key; the file knows:");

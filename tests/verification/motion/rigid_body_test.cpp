@@ -127,6 +127,19 @@ TEST(RigidBody, WithOneFreeAxisTurnsAsThePlaneFormulaSays) {
     EXPECT_LT(exact.angularDistance(body.state().attitude), 1e-7);
 }
 
+TEST(RigidBody, StaysUntilItIsReleasedAndFallsFromThenOn) {
+    RigidBodySetup s = brick();
+    s.release = 0.5;
+    RigidBody body(s);
+    const auto weight = [&](const RigidBody&) { return Loads(Vec3(0, 0, -9.81 * s.mass.mass), Vec3(0, 0.1, 0)); };
+    for (int k = 0; k < 50; ++k) step(body, 1e-2, weight);
+    EXPECT_EQ(body.state().centre, s.mass.centre);
+    EXPECT_EQ(body.state().attitude.w(), 1);
+    for (int k = 0; k < 50; ++k) step(body, 1e-2, weight);
+    EXPECT_NEAR(body.state().centre.z() - s.mass.centre.z(), -9.81 / 2 * 0.25, 0.02) << "to one step of free fall";
+    EXPECT_LT(body.state().attitude.w(), 1);
+}
+
 TEST(RigidBody, FollowsAPrescribedMotionWhateverTheLoads) {
     RigidBodySetup s = brick();
     s.law = MotionLaw{

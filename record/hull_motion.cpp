@@ -1,0 +1,42 @@
+#include "record/hull_motion.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace tw {
+namespace {
+
+constexpr double degrees = 180 / std::numbers::pi;
+
+/// Heave and pitch alone: the turn about y, bow up [rad].
+double turn_of(const RigidBody::State& state) { return 2 * std::atan2(state.attitude.y(), state.attitude.w()); }
+
+/// Depth of the transom's keel when the centre stands at height z and the hull is turned [m].
+double transom_draft(const FreeHull& free, double z, double turn) {
+    const Vec3 arm = free.transom_keel - free.motion.mass.centre;
+    return -(z + std::cos(turn) * arm.z() - std::sin(turn) * arm.x());
+}
+
+}  // namespace
+
+void append_hull_motion(Table& table, double time, const Hull& hull, const RigidBody::State& state, const Vec3& spin) {
+    const double z = state.centre.z(), turn = turn_of(state);
+    table.time.push_back(time);
+    const auto put = [&](const char* name, const char* unit, double value) {
+        table.column(name, unit).values.push_back(value + 0.0);
+    };
+    put("z", "m", z);
+    put("vz", "m/s", state.velocity.z());
+    put("trim", "deg", degrees * (hull.trim + turn));
+    put("trim_rate", "deg/s", degrees * spin.y());
+    put("transom_draft", "m", transom_draft(hull.free.value(), z, turn));
+}
+
+std::optional<RestingHull> resting_hull(const Hull& hull) {
+    if (!hull.free || !hull.free->at_rest) return {};
+    const auto& [rise, turn] = *hull.free->at_rest;
+    const double z = hull.free->motion.mass.centre.z() + rise;
+    return RestingHull{z, degrees * (hull.trim + turn), transom_draft(*hull.free, z, turn)};
+}
+
+}  // namespace tw

@@ -1,0 +1,179 @@
+// A hull in a stream, free in heave and pitch, through whole runs of the particle method.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "base/atomic_file.h"
+#include "record/hull_motion.h"
+#include "sph_solver/run_sph.h"
+
+namespace tw {
+namespace {
+
+std::filesystem::path folder_of(const std::string& name) {
+    const auto folder = std::filesystem::temp_directory_path() / "twinwake_free_hull" / name;
+    std::filesystem::create_directories(folder);
+    return folder;
+}
+RunRecord run(const std::string& name, const Scene& scene, int threads) {
+    RunOptions options;
+    options.folder = folder_of(name) / fmt::format("{}_threads", threads);
+    options.overwrite = true;
+    options.threads = threads;
+    return run_sph(scene, options);
+}
+RunRecord run(const std::string& name, const std::string& text, int threads) {
+    write_text_atomically(folder_of(name) / "scene.toml", text);
+    return run(name, read_scene(folder_of(name) / "scene.toml"), threads);
+}
+
+const std::vector<double>& column(const RunRecord& r, const char* name) {
+    return r.tables.at(hull_motion_table).find(name)->values;
+}
+double mean_from(const RunRecord& r, const char* name, double from) {
+    const Table& t = r.tables.at(hull_motion_table);
+    double sum = 0, time = 0;
+    for (std::size_t i = 1; i < t.time.size(); ++i)
+        if (t.time[i] >= from) {
+            const double dt = t.time[i] - t.time[i - 1];
+            sum += dt * t.find(name)->values[i];
+            time += dt;
+        }
+    return sum / time;
+}
+
+/// A box 0.4 m long and 0.2 m high as heavy as 0.1 m of draft, its mass 8 mm aft of its middle: it floats with its bow up
+/// by 2 degrees. It starts level, and the stream is so slow that its dynamic pressure is below a hundredth of the draft.
+TEST(FreeHull, InASlowStreamSwingsRoundArchimedesDraftAndTrim) {
+    const RunRecord r = run("archimedes", R"(
+[hull]
+shape  = "box"
+length = "0.4 m"
+beam   = "0.3 m"
+height = "0.2 m"
+draft  = "0.1 m"
+free   = ["heave", "pitch"]
+mass   = 40
+lcg    = "0.192 m"
+vcg    = "0.08 m"
+pitch_gyradius = "0.12 m"
+[motion]
+kind  = "stream"
+speed = "0.1 m/s"
+ramp  = "0.2 s"
+[domain]
+dimensions = 2
+x = ["-0.6 m", "1 m"]
+z = ["-0.5 m", "0.4 m"]
+[resolution]
+near_hull = "0.0125 m"
+[run]
+duration = "3.5 s"
+methods  = ["sph"]
+[sampling]
+mean_from = "1 s"
+)",
+                            1);
+    ASSERT_EQ(r.state, "finished") << r.reason;
+    ASSERT_GT(r.numbers.at("rest_trim_deg"), 1.5);
+    EXPECT_NEAR(mean_from(r, "trim", 1) / r.numbers.at("rest_trim_deg"), 1, 0.1);
+    EXPECT_NEAR(mean_from(r, "z", 1), r.numbers.at("rest_z"), 0.02 * 0.1);
+    EXPECT_NEAR(mean_from(r, "transom_draft", 1), r.numbers.at("rest_transom_draft"), 0.03 * 0.1);
+    EXPECT_EQ(column(r, "trim").front(), 0) << "held until the stream has its speed";
+}
+
+std::string planing(const std::string& half) {
+    return R"(
+[hull]
+shape    = "prismatic"
+length   = "2 m"
+beam     = "0.5 m"
+deadrise = "20 deg"
+trim     = "5 deg"
+draft    = "0.1 m"
+half     = )" +
+           half + R"(
+free     = ["heave", "pitch"]
+mass     = "40 kg"
+lcg      = "0.7 m"
+vcg      = "0.15 m"
+release  = "0.1 s"
+[motion]
+kind  = "stream"
+speed = "5 m/s"
+[domain]
+ahead  = "0.4 m"
+behind = "0.4 m"
+side   = "0.5 m"
+below  = "0.4 m"
+[resolution]
+near_hull = "0.05 m"
+[run]
+duration = "0.5 s"
+methods  = ["sph"]
+)";
+}
+
+TEST(FreeHull, AHalfModelMovesAsTheWholeHullDoes) {
+    const RunRecord half = run("half", planing("true"), 1), whole = run("whole", planing("false"), 1);
+    ASSERT_EQ(half.state, "finished") << half.reason;
+    ASSERT_EQ(whole.state, "finished") << whole.reason;
+    const double lifted = column(whole, "z").back() - column(whole, "z").front(),
+                 trimmed = column(whole, "trim").back() - column(whole, "trim").front();
+    EXPECT_GT(std::abs(lifted), 0.005);
+    EXPECT_GT(std::abs(trimmed), 0.2);
+    EXPECT_NEAR((column(half, "z").back() - column(half, "z").front()) / lifted, 1, 0.1);
+    EXPECT_NEAR((column(half, "trim").back() - column(half, "trim").front()) / trimmed, 1, 0.1);
+}
+
+TEST(FreeHull, GivesTheSameBitsWithAnyNumberOfThreads) {
+    const RunRecord one = run("threads", planing("true"), 1), three = run("threads", planing("true"), 3);
+    ASSERT_EQ(one.state, "finished") << one.reason;
+    for (const char* name : {"z", "vz", "trim", "trim_rate", "transom_draft"})
+        EXPECT_EQ(column(one, name), column(three, name)) << name;
+    EXPECT_EQ(one.tables.at("forces").find("fz")->values, three.tables.at("forces").find("fz")->values);
+}
+
+/// Samples left at the start attitude would lie in the water or in the hull by half a spacing and more.
+TEST(FreeHull, ItsWettedLengthAndSurfacePressureGoWithIt) {
+    const RunRecord r = run("half", planing("true"), 1);
+    const Table &f = r.tables.at("forces"), &s = r.tables.at("samples");
+    double of_pairs = 0, of_surface = 0;
+    const std::vector<double>&pairs = f.find("fz")->values, &surface = f.find("fz_surface")->values;
+    for (std::size_t i = 0; i < f.time.size(); ++i)
+        if (f.time[i] > 0.25 && std::isfinite(surface[i])) of_pairs += pairs[i], of_surface += surface[i];
+    EXPECT_NEAR(of_surface / of_pairs, 1, 0.15) << "ten particles across the beam";
+    const double keel = column(r, "transom_draft").back() / std::sin(column(r, "trim").back() * M_PI / 180);
+    EXPECT_NEAR(s.find("wetted_length")->values.back(), std::min(keel, 2.0), 0.25);
+}
+
+/// The study of a model whose measured trim is 4.17 degrees, at beam/8; docs/results/planing_free.md has its numbers.
+TEST(FreeHull, ThatIsReleasedPlaningFindsASteadyTrimAndALiftThatCarriesIt) {
+    SceneOverrides coarse;
+    coarse.scale_resolution = 1.5;
+    coarse.duration = 1.6;
+    const RunRecord r =
+        run("planing", read_scene(std::filesystem::path(TWINWAKE_SOURCE) / "studies/planing_free.toml", coarse), 1);
+    ASSERT_EQ(r.state, "finished") << r.reason;
+    const std::vector<double>& time = r.tables.at(hull_motion_table).time;
+    double low = 90, high = -90, lift = 0, span = 0;
+    for (std::size_t i = 1; i < time.size(); ++i) {
+        if (time[i] < 1.2) continue;
+        low = std::min(low, column(r, "trim")[i]), high = std::max(high, column(r, "trim")[i]);
+        const double dt = time[i] - time[i - 1];
+        lift += dt * r.tables.at("forces").find("fz")->values[i];
+        span += dt;
+    }
+    EXPECT_LT(high - low, 0.1) << "it started 0.5 degrees away";
+    EXPECT_GT(low, 3);
+    EXPECT_LT(high, 4.17);
+    EXPECT_NEAR(lift / span / (9.81 * r.numbers.at("hull_mass")), 1, 0.01);
+    EXPECT_GT(mean_from(r, "z", 1.2), r.numbers.at("rest_z") + 0.02) << "it has risen";
+}
+
+}  // namespace
+}  // namespace tw
