@@ -9,6 +9,7 @@
 #include "meshes/query.h"
 #include "meshes/section.h"
 #include "record/hull_motion.h"
+#include "scene/defaults.h"
 #include "scene/tank_walls.h"
 
 namespace tw {
@@ -180,6 +181,7 @@ void plan_times(CasePlan& plan) {
     // Gravity acts explicitly on the surface: still water would otherwise be taken in steps that shake it.
     plan.largest_step = g > 0 ? 0.5 * std::sqrt(plan.finest_cell / g) : plan.write_interval;
     const double length = scene.hull ? scene.hull->length : height;
+    plan.start_up = std::max(scene.motion.ramp, default_ramp(scene));
     plan.speed_limit = 10 * (scene.motion.speed + std::sqrt(g * length) + fall);
 }
 

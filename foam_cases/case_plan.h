@@ -89,6 +89,7 @@ struct CasePlan {
     int snapshot_every = 0;  ///< ParaView surfaces are kept at every n-th write; 0: of the last one only
     double first_step = 0, largest_step = 0;  ///< [s]
     double speed_limit = 0;                   ///< [m/s]; faster water or air stops the run
+    double start_up = 0;                      ///< of the flow [s], in which the air may be faster than that
 
     // probes
     std::vector<Vec3> pressure_places;  ///< [m], moved into the flow by 5 % of a cell where a wall is near

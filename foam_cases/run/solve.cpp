@@ -58,6 +58,7 @@ SolverOutcome solve(const CasePlan& plan, const CasePrograms& programs, int rank
     Limits limits;
     limits.smallest_step = std::min(1e-8, 1e-4 * plan.first_step);
     limits.speed = plan.speed_limit;
+    limits.start_up = plan.start_up;
 
     const auto child = programs.start(programs.openfoam().solver, plan.flavour.solver_arguments(), "solver", ranks);
     SolverOutcome out;

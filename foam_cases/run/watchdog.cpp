@@ -36,12 +36,13 @@ std::optional<std::string> trouble(const SolverLog& log, double largest_speed, c
                 "the flow has become unstable, often at a bad cell of the mesh (see log.checkMesh)",
                 limits.collapse, usual, limits.collapsed_steps, last.time);
     }
-    if (largest_speed > limits.speed)
+    const double speed = limits.speed * (last.time < limits.start_up ? 10 : 1);
+    if (largest_speed > speed)
         return fmt::format(
             "velocity reached {:.4g} m/s at t = {:.4g} s, more than the {:.4g} m/s that this scene can explain: the "
             "flow has "
             "become unstable, most often in the air at a sharp edge; a smaller max_courant or near_hull helps",
-            largest_speed, last.time, limits.speed);
+            largest_speed, last.time, speed);
     if (std::isnan(last.water) && last.cpu > 0 && steps.size() > 2)
         return fmt::format("the water's volume is no number at t = {:.4g} s: the flow has become unstable", last.time);
     return std::nullopt;

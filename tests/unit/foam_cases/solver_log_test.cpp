@@ -111,6 +111,16 @@ TEST(Watchdog, BarksAtAStepThatStaysFarBelowTheUsualOne) {
     EXPECT_TRUE(trouble(log, 1, Limits{}));
 }
 
+// The air between a flat bottom and the water that rises under it at the start is fast for a while.
+TEST(Watchdog, LetsTheAirBeFasterWhileTheStreamStarts) {
+    SolverLog log;
+    log.feed(many_steps(10, 1e-3));
+    const double now = log.steps().back().time;
+    EXPECT_FALSE(trouble(log, 900, {.speed = 100, .start_up = 2 * now}));
+    EXPECT_TRUE(trouble(log, 1100, {.speed = 100, .start_up = 2 * now}));
+    EXPECT_TRUE(trouble(log, 900, {.speed = 100, .start_up = now / 2}));
+}
+
 TEST(Watchdog, BarksAtVelocitiesBeyondReasonAndWaterThatIsNoNumber) {
     SolverLog log;
     log.feed(many_steps(10, 1e-3));
