@@ -28,7 +28,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         BadScene{"draft =", "darft =",
                  "bad.toml:5:1: [hull] darft = \"0.2 m\": unknown key; this section knows: axes, beam, deadrise, "
-                 "draft, file, half, heel, height, length, position, "
+                 "draft, file, free, half, heel, height, length, position, "
                  "rake, repair, shape, trim, unit; did you mean 'draft'?\n"},
         BadScene{"near_hull = \"0.1 m\"", "near_hull = -0.1",
                  "bad.toml:11:13: [resolution] near_hull = -0.1: out of range; expected greater than 0 m\n"},
