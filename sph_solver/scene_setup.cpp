@@ -67,6 +67,20 @@ DampingLayers damping_layers(const Scene& scene, const SimulationSetup& s) {
     return d;
 }
 
+/// A solid that stands flush against a mirror plane goes on through it, as a hull does through its plane of symmetry.
+/// Else no dummies stand beyond the plane, and the water creeps in between the plane and the solid's face on it.
+Surface through_mirrors(Surface surface, const SimulationSetup& s, double coarsest_dp) {
+    const double flush = 1e-6 * s.domain.size().maxCoeff(), through = 4 * coarsest_dp;
+    for (Vec3& p : surface.points)
+        for (int a = 0; a < 3; ++a) {
+            if (s.mirrors.on[static_cast<std::size_t>(a)][0] && std::abs(p[a] - s.domain.min[a]) < flush)
+                p[a] -= through;
+            else if (s.mirrors.on[static_cast<std::size_t>(a)][1] && std::abs(p[a] - s.domain.max[a]) < flush)
+                p[a] += through;
+        }
+    return surface;
+}
+
 ElasticSetup elastic_setup(const ElasticPlate& plate) {
     structure::Shell shell = shell_of(plate, plate.strip());
     structure::Freedoms freedoms = freedoms_of(plate, shell, plate.strip());
@@ -159,7 +173,9 @@ SphSetup sph_setup(const Scene& scene, int threads) {
     if (scene.hull) setup.control_volume = control_volume(scene, s);
     s.effects = effect_options(scene, s);
     s.tension_control = scene.effect_on("tension_control");
-    for (const Obstacle& o : scene.obstacles) s.bodies.emplace_back(o.surface).name = o.name;
+    const double coarsest_dp = std::ldexp(s.dp, scene.sph.levels - 1);
+    for (const Obstacle& o : scene.obstacles)
+        s.bodies.emplace_back(through_mirrors(o.surface, s, coarsest_dp)).name = o.name;
     for (const MovingBody& b : scene.bodies) {
         if (b.elastic) {
             s.bodies.emplace_back(std::make_shared<const ElasticSetup>(elastic_setup(*b.elastic))).name = b.name;
