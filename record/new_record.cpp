@@ -10,6 +10,7 @@
 #include "record/this_machine.h"
 #include "scene/hash.h"
 #include "scene/particle_levels.h"
+#include "scene/refined_places.h"
 
 namespace tw {
 
@@ -49,7 +50,7 @@ std::vector<ResolvedBox> resolution_of(const Scene& scene, const std::string& me
         for (const RefinementBox& r : scene.refinement) finer.push_back({largest / std::exp2(r.level), r.box});
     if (method == "sph") {
         const std::vector<Zone> zones = particle_zones(scene);
-        double size = largest = std::ldexp(scene.resolution.near_hull, static_cast<int>(zones.size()));
+        double size = largest = std::ldexp(finest_spacing(scene), static_cast<int>(zones.size()));
         for (const Zone& zone : zones) {
             size /= 2;
             for (const Box& box : zone.sliced()) finer.push_back({size, box});

@@ -56,7 +56,12 @@ void note_centre(const std::string& whose, const Surface& surface, const Vec3& c
 }  // namespace
 
 void refuse_unsolved(const Scene& scene, const std::string& method) {
-    if (method == "fvm") mesh_motion(scene);
+    if (method != "fvm") return;
+    mesh_motion(scene);
+    if (scene.hull && scene.hull->section && !scene.refined.empty())
+        throw InputError(scene.file.string() +
+                         ": the mesh of a section has cells of one size away from the hull; remove [[refine]], or run "
+                         "the particles alone (methods = [\"sph\"])");
 }
 
 void check_elastic(const Scene& scene, Sections& s) {

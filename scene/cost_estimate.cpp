@@ -12,6 +12,7 @@
 #include "scene/edge_refinement.h"
 #include "scene/effects/registry.h"
 #include "scene/particles_of_sizes.h"
+#include "scene/refined_places.h"
 #include "scene/scene.h"
 #include "scene/units.h"
 
@@ -19,7 +20,7 @@ namespace tw {
 namespace {
 
 // Throughput, measured on AVX-512 server cores of about 3 GHz; one place for all of them.
-constexpr double particle_steps_per_core_second = 1.1e6;  // delta-SPH with renormalised diffusion, h/dp = 1.5
+constexpr double particle_steps_per_core_second = 1.1e6;            // delta-SPH with renormalised diffusion, h/dp = 1.5
 constexpr double bytes_per_particle = 240, of_several_sizes = 420;  // the prism at beam/20
 constexpr double bytes_per_open_voxel = 8;  // while a frame is filled; afterwards it keeps one byte
 constexpr double wall_layers = 4;
@@ -184,7 +185,7 @@ void refuse_too_many_samples(const Scene& scene, const Prediction& p) {
 
 Prediction predict(const Scene& scene, const MachinePace& pace) {
     Prediction p;
-    const double dp = scene.resolution.near_hull;
+    const double dp = finest_spacing(scene);
     const bool flat = scene.domain.dimensions == 2;
     const double particle = flat ? dp * dp * scene.domain.box.size().y() : dp * dp * dp;
     double steps_of_finest = 0;  // of as many particles as are due in a step of the finest size
@@ -200,13 +201,14 @@ Prediction predict(const Scene& scene, const MachinePace& pace) {
     p.cells = count_cells(scene) + cells_at_edges(scene, shedding);
 
     const double h = scene.sph.h_over_dp * dp;
-    const double speed = scene.motion.kind == Motion::Kind::stream ? scene.motion.speed : 0.1 * default_sound_speed(scene);
+    const double speed =
+        scene.motion.kind == Motion::Kind::stream ? scene.motion.speed : 0.1 * default_sound_speed(scene);
     p.sph_steps = scene.run.duration * (scene.sph.c0 + speed) / (scene.sph.cfl * h);
     const double n = cores(scene);
     // Work grows with the number of neighbours: the throughput above is that of h/dp = 1.5.
     const double neighbours = std::pow(scene.sph.h_over_dp / 1.5, flat ? 2 : 3) * (flat ? 0.3 : 1);
-    p.sph_seconds =
-        pace.sph * (steps_of_finest + p.wall_particles) * p.sph_steps * neighbours / (particle_steps_per_core_second * n);
+    p.sph_seconds = pace.sph * (steps_of_finest + p.wall_particles) * p.sph_steps * neighbours /
+                    (particle_steps_per_core_second * n);
     for (const EffectChoice& e : scene.effects)
         if (e.on && !effect_part(e.name).in_the_throughput) p.sph_seconds *= 1 + e.cost;
     if (scene.effect_on("air")) {
@@ -218,7 +220,7 @@ Prediction predict(const Scene& scene, const MachinePace& pace) {
     p.raster_bytes = voxels(sampling.raster) * (p.frames + bytes_per_open_voxel);
     if (sampling.snapshot_interval > 0) p.snapshots = std::floor(scene.run.duration / sampling.snapshot_interval) + 1;
     p.sph_bytes = p.raster_bytes + (p.particles + p.air_particles + p.wall_particles * (p.air_particles > 0 ? 2 : 1)) *
-                                       (scene.sph.levels > 1 ? of_several_sizes : bytes_per_particle);
+                                       (sizes_of_particles(scene) > 1 ? of_several_sizes : bytes_per_particle);
 
     const double courant_rate = steps_per_cell_crossing * speed / dp * 4 / scene.fvm.max_courant *
                                 (shedding.edges.empty() ? 1 : steps_of_shedding_edges);

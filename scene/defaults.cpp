@@ -81,7 +81,7 @@ std::vector<RefinementBox> default_refinement(const Scene& scene) {
     const int finest = static_cast<int>(std::lround(std::log2(scene.resolution.spacing / scene.resolution.near_hull)));
     const double unscaled = scene.resolution.spacing / scene.resolution.scale;
     std::vector<RefinementBox> boxes;
-    if (!scene.hull || scene.hull->section || finest == 0) return boxes;
+    if (!scene.hull || scene.hull->section) return boxes;
 
     // Distances as fractions of length and beam, and the cells of each box, measured on the reference case (74 thousand
     // cells, lift within 0.5 % of a mesh that is fine all over): a box is never coarser than `cell`. The forces need no
@@ -106,8 +106,12 @@ std::vector<RefinementBox> default_refinement(const Scene& scene) {
         {stern + 0.025 * L, 0.55 * B, 0.06 * B});
     for (const RefinedPlace& place : scene.refined) {
         const int level = finest - place.halvings_short;
-        const Box box{place.box.min.cwiseMax(scene.domain.box.min), place.box.max.cwiseMin(scene.domain.box.max)};
-        if (level > 0) boxes.push_back({place.name, box, level});
+        for (std::size_t b = 0; b < place.boxes.size() && level > 0; ++b) {
+            const Box box{place.boxes[b].min.cwiseMax(scene.domain.box.min),
+                          place.boxes[b].max.cwiseMin(scene.domain.box.max)};
+            const std::string part = place.boxes.size() > 1 ? std::to_string(b + 1) : "";
+            if ((box.size().array() > 0).all()) boxes.push_back({place.name + part, box, level});
+        }
     }
     std::stable_sort(boxes.begin(), boxes.end(), [](const auto& a, const auto& b) { return a.level < b.level; });
     return boxes;

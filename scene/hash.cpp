@@ -135,8 +135,14 @@ void add_geometry(Lines& t, const Scene& scene, bool sizes) {
         t.add("block", flat ? Box{flattened(block.min, middle), flattened(block.max, middle)} : block);
     for (const PressureProbe& p : scene.sampling.pressure) t.add("pressure", p.place);
     for (const HeightProbe& p : scene.sampling.height) t.add("height", {p.x, p.y});
-    for (const RefinedPlace& place : scene.refined)
-        t.add("refined", place.box).add("halvings_short", {static_cast<double>(place.halvings_short)});
+    for (const RefinedPlace& place : scene.refined) {
+        if (place.around == RefinedPlace::Around::box)
+            t.add("refined", place.boxes.front());
+        else
+            t.add("refined_around",
+                  {static_cast<double>(place.around), place.width.value_or(0), place.length.value_or(0)});
+        t.add("halvings_short", {static_cast<double>(place.halvings_short)});
+    }
     for (const EffectChoice& e : scene.effects) t.add("effect." + e.name, {e.on ? 1.0 : 0.0});
     const RasterSpec& raster = scene.sampling.raster;
     if (sizes) {

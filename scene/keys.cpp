@@ -234,12 +234,22 @@ Rows water_block_keys() {
 Rows refine_keys() {
     return {
         {.name = "name", .kind = Kind::name, .fallback = "refine1, refine2, ...", .meaning = "Name in messages and meshes."},
-        {.name = "min", .kind = Kind::place3, .unit = "m", .hashed = Hashed::scene, .fallback = "required",
-         .meaning = "Low corner."},
-        {.name = "max", .kind = Kind::place3, .unit = "m", .hashed = Hashed::scene, .fallback = "required",
-         .meaning = "High corner."},
+        {.name = "around", .kind = Kind::choice, .choices = {"box", "wake", "free_surface", "spray_root"},
+         .hashed = Hashed::scene, .fallback = "\"box\"",
+         .meaning = "What is finer: a box; the wake behind the middle of the hull, half as wide again as it and down to "
+                    "its draft; the still water's surface; or where jets leave the hull's bottom, between still water "
+                    "and the height to which it rises on a wedge."},
+        {.name = "min", .kind = Kind::place3, .unit = "m", .hashed = Hashed::scene, .fallback = "required of a box",
+         .meaning = "Low corner of a box."},
+        {.name = "max", .kind = Kind::place3, .unit = "m", .hashed = Hashed::scene, .fallback = "required of a box",
+         .meaning = "High corner of a box."},
+        {.name = "width", .unit = "m", .range = positive, .hashed = Hashed::scene, .fallback = "eight of its spacings",
+         .meaning = "How far it reaches beyond what it is around; not of a box."},
+        {.name = "length", .unit = "m", .range = positive, .hashed = Hashed::scene, .fallback = "to the outlet",
+         .meaning = "Of a wake, behind the hull."},
         {.name = "spacing", .unit = "m", .range = positive, .hashed = Hashed::scene, .fallback = "near_hull",
-         .meaning = "Largest particles and cells there: near_hull or the next smaller of its doubles."},
+         .meaning = "Largest particles and cells there: near_hull, the next smaller of its doubles, or down to an "
+                    "eighth of it."},
     };
 }
 
@@ -520,8 +530,9 @@ const std::vector<SceneSection>& scene_sections() {
         {"tank", false, "A tank instead of a domain: walls all around, open above."},
         {"water_block", true, "A box of water in a tank; without any, all below z = 0 is water."},
         {"refine", true,
-         "A box to be resolved finer than what lies round it, in both methods: cells are halved there, and with "
-         "`[sph] levels` above 1 finer particles stand there. With a hull in three dimensions."},
+         "A place to be resolved finer than what lies round it, in both methods: cells are halved there, and finer "
+         "particles stand there where those round it are coarser. With a hull in a stream; of a section, by particles "
+         "alone."},
         {"obstacle", true, "A fixed closed solid: a box (min and max), a file or a shape."},
         {"body", true,
          "A closed solid that moves in a tank, freely or as prescribed, or an elastic plate; the mesh method moves "

@@ -10,6 +10,7 @@
 
 #include "base/errors.h"
 #include "scene/defaults.h"
+#include "scene/refined_places.h"
 
 namespace tw {
 
@@ -69,14 +70,21 @@ Box zone_box(const Root& what, double width, double coarse_dp, const Scene& scen
     return box;
 }
 
-/// Until all boxes are at least `gap` apart or overlap: coarse particles need room between two edges.
-void join_near(std::vector<Box>& boxes, double gap) {
+/// A box of a zone, and the number of the solid or place that it stands round.
+struct ZoneBox {
+    Box box;
+    std::size_t round;
+};
+
+/// Until the boxes round different things are at least `gap` apart or overlap: coarse particles need room between two
+/// edges. A chain of boxes round one place is one piece.
+void join_near(std::vector<ZoneBox>& boxes, double gap) {
     for (std::size_t i = 0; i < boxes.size(); ++i)
         for (std::size_t j = i + 1; j < boxes.size(); ++j) {
-            const Vec3 apart = (boxes[j].min - boxes[i].max).cwiseMax(boxes[i].min - boxes[j].max);
-            const double most = apart.maxCoeff();
-            if (most <= 0 || most >= gap) continue;
-            boxes[i] = {boxes[i].min.cwiseMin(boxes[j].min), boxes[i].max.cwiseMax(boxes[j].max)};
+            Box &a = boxes[i].box, &b = boxes[j].box;
+            const double apart = (b.min - a.max).cwiseMax(a.min - b.max).maxCoeff();
+            if (boxes[i].round == boxes[j].round || apart <= 0 || apart >= gap) continue;
+            a = {a.min.cwiseMin(b.min), a.max.cwiseMax(b.max)};
             boxes.erase(boxes.begin() + static_cast<std::ptrdiff_t>(j));
             return join_near(boxes, gap);
         }
@@ -167,34 +175,44 @@ void follow_spacing(Scene& scene, const std::function<void()>& make_domain) {
 }
 
 std::vector<Zone> particle_zones(const Scene& scene, std::span<const Box> moving) {
-    const double dp = scene.resolution.near_hull;
-    std::vector<std::vector<Box>> round = boxes_round(roots(scene, moving), scene);
+    const int below = sizes_below_near_hull(scene), finer = below + scene.sph.levels - 1;
+    const std::vector<Root> solids = roots(scene, moving);
+    const std::vector<std::vector<Box>> round = boxes_round(solids, scene);
     std::vector<Zone> zones;
-    // how far a zone reaches beyond the places of each size
-    std::vector<double> width(static_cast<std::size_t>(scene.sph.levels), 0.0);
-    for (int k = 1; k < scene.sph.levels; ++k) {
-        const double coarse_dp = std::ldexp(dp, k);
-        std::vector<Box>& boxes = round[static_cast<std::size_t>(k - 1)];
-        for (const RefinedPlace& place : scene.refined)
-            if (place.halvings_short < k) {
-                double& reach = width[static_cast<std::size_t>(place.halvings_short)];
-                const Box box = zone_box({place.box}, reach, coarse_dp, scene);
-                if (box.min.x() < box.max.x()) boxes.push_back(box);
+    std::vector<double> reach(static_cast<std::size_t>(finer), 0.0);  // of a zone beyond the places of each size
+    for (int k = 1; k <= finer; ++k) {
+        const double coarse_dp = std::ldexp(finest_spacing(scene), k);
+        std::vector<ZoneBox> boxes;
+        if (k > below)
+            for (const Box& box : round[static_cast<std::size_t>(k - below - 1)]) boxes.push_back({box, boxes.size()});
+        for (std::size_t p = 0; p < scene.refined.size(); ++p) {
+            const RefinedPlace& place = scene.refined[p];
+            if (place.halvings_short + below >= k) continue;
+            for (const Box& part : place.boxes) {
+                const double more = reach[static_cast<std::size_t>(place.halvings_short + below)];
+                const Box box = zone_box({part}, more, coarse_dp, scene);
+                if (box.min.x() < box.max.x()) boxes.push_back({box, solids.size() + p});
             }
-        const Box first = boxes.front();
+        }
+        const Box first = boxes.front().box;
         join_near(boxes, from_openings * coarse_dp);
-        const bool alone = first.min == boxes.front().min && first.max == boxes.front().max;
-        zones.insert(zones.begin(),
-                     alone && follows_its_hull(scene)
-                         ? zone_near_hull(std::move(boxes), scene.sph.zone * dp + width[0], coarse_dp, scene)
-                         : Zone(std::move(boxes)));
-        for (int size = 0; size < k; ++size) width[static_cast<std::size_t>(size)] += between * coarse_dp;
+        std::vector<Box> parts;
+        for (const ZoneBox& b : boxes) parts.push_back(b.box);
+        const bool alone = k > below && first.min == parts.front().min && first.max == parts.front().max;
+        zones.insert(zones.begin(), alone && follows_its_hull(scene)
+                                        ? zone_near_hull(std::move(parts),
+                                                         scene.sph.zone * scene.resolution.near_hull +
+                                                             reach[static_cast<std::size_t>(below)],
+                                                         coarse_dp, scene)
+                                        : Zone(std::move(parts)));
+        for (int size = 0; size < k && size < finer; ++size)
+            reach[static_cast<std::size_t>(size)] += between * coarse_dp;
     }
     return zones;
 }
 
 std::vector<Zone> particle_zones(const Scene& scene) {
-    if (scene.sph.levels == 1) return {};
+    if (sizes_of_particles(scene) == 1) return {};
     const auto refuse = [&](const std::string& why) { throw InputError(scene.place_of("sph.levels") + ": " + why); };
     const bool stream = scene.motion.kind == Motion::Kind::stream;
     const std::vector<Box> moving = bodies_at_start(scene);

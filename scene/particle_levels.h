@@ -10,7 +10,7 @@ namespace tw {
 
 /// Where the particles of each finer size stand at the start, the widest zone first: what is near a three-dimensional
 /// hull in a stream, as far as the water may reach; boxes round other solids; boxes that the scene asks for
-/// ([[refine]]). Faces are at infinity where a zone goes on through the sky, a wall, a symmetry plane or the outlet,
+/// ([[refine]]), which alone may hold particles finer than near_hull. Faces are at infinity where a zone goes on through the sky, a wall, a symmetry plane or the outlet,
 /// because no coarser particles fit between; others of boxes lie on the coarse lattice, but for those round bodies that
 /// move. Edges are ten spacings of the level between them apart, and eight of the coarser side from the inlet; boxes
 /// with less than eight between them become one. Empty with `[sph] levels = 1`. Throws InputError where there is no

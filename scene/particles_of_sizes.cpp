@@ -5,6 +5,7 @@
 
 #include "scene/defaults.h"
 #include "scene/particle_levels.h"
+#include "scene/refined_places.h"
 
 namespace tw {
 
@@ -71,7 +72,7 @@ std::vector<ParticlesOfSize> particles_of_sizes(const Scene& scene) {
     std::vector<ParticlesOfSize> sizes;
     for (std::size_t k = 0; k <= zones.size(); ++k) {
         ParticlesOfSize& size = sizes.emplace_back();
-        const double dp = size.spacing = std::ldexp(scene.resolution.near_hull, static_cast<int>(zones.size() - k));
+        const double dp = size.spacing = std::ldexp(finest_spacing(scene), static_cast<int>(zones.size() - k));
         const double particle = flat ? dp * dp * scene.domain.box.size().y() : dp * dp * dp;
         const auto water_within = [&](const Zone& zone, double further, double spacing) {
             return std::max(0.0, volume_near(zone, further, blocks, spacing) - solids);

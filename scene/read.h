@@ -72,7 +72,7 @@ void stand_elastic(MovingBody& body, double dp, Section& s);
 /// A solid from a file, a shape or a box (min, max).
 Obstacle read_obstacle(Section& s, std::size_t number);
 std::vector<Box> read_water_blocks(std::vector<Section>& sections);
-/// After hull, domain and resolution are known.
-std::vector<RefinedPlace> read_refined(std::vector<Section>& sections, const Scene& scene);
+/// `min` and `max` of a section, both required.
+Box read_box(Section& s);
 
 }  // namespace tw

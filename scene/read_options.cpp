@@ -17,7 +17,8 @@ std::optional<double> read_motion(Section& s, Scene& scene, bool has_hull) {
     const std::string asked = s.text("kind", "");
     if (asked == "prescribed" || asked == "free")
         s.fail("kind",
-               "this version solves a fixed hull only; expected \"stream\" (uniform stream) or \"none\" (still water; solids "
+               "this version solves a fixed hull only; expected \"stream\" (uniform stream) or \"none\" (still water; "
+               "solids "
                "that move are [[body]])");
     const bool stream = s.choice("kind").value_or(has_hull ? "stream" : "none") == "stream";
     scene.motion.kind = stream ? Motion::Kind::stream : Motion::Kind::none;
@@ -108,18 +109,13 @@ std::optional<double> read_sampling(Section& s, std::vector<Section>& probes, Sc
     return raster_spacing;
 }
 
-namespace {
-
 Box read_box(Section& s) {
     const auto min = s.vector("min"), max = s.vector("max");
     if (!min || !max) s.fail(min ? "max" : "min", "missing; expected min = [x, y, z] and max = [x, y, z]");
     const Box box{*min, *max};
-    if (!(box.size().array() > 0).all())
-        s.fail("max", "the box has no volume; expected max > min in every direction");
+    if (!(box.size().array() > 0).all()) s.fail("max", "the box has no volume; expected max > min in every direction");
     return box;
 }
-
-}  // namespace
 
 std::vector<Box> read_water_blocks(std::vector<Section>& sections) {
     std::vector<Box> blocks;
@@ -128,32 +124,6 @@ std::vector<Box> read_water_blocks(std::vector<Section>& sections) {
         s.finish();
     }
     return blocks;
-}
-
-std::vector<RefinedPlace> read_refined(std::vector<Section>& sections, const Scene& scene) {
-    std::vector<RefinedPlace> places;
-    for (Section& s : sections) {
-        if (!scene.hull || scene.hull->section)
-            s.fail("min", "finer boxes are for a hull in three dimensions so far; remove [[refine]]");
-        RefinedPlace place;
-        place.name = s.identifier("name", fmt::format("refine{}", places.size() + 1));
-        place.box = read_box(s);
-        const double finest = scene.resolution.near_hull / scene.resolution.scale;
-        const double size = s.number("spacing").value_or(finest);
-        if (size < finest)
-            s.fail("spacing", fmt::format("finer than near_hull = {:.6g} m, the finest size; expected at least that",
-                                          finest));
-        place.halvings_short = static_cast<int>(std::floor(std::log2(size / finest) + 1e-9));
-        const Box& domain = scene.domain.box;
-        if (((place.box.max - domain.min).array() <= 0).any() || ((domain.max - place.box.min).array() <= 0).any())
-            s.fail("min", fmt::format("outside the domain, which spans ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, "
-                                      "{:.6g}) m",
-                                      domain.min.x(), domain.min.y(), domain.min.z(), domain.max.x(), domain.max.y(),
-                                      domain.max.z()));
-        places.push_back(place);
-        s.finish();
-    }
-    return places;
 }
 
 }  // namespace tw

@@ -13,6 +13,7 @@
 #include "scene/hash.h"
 #include "scene/particle_levels.h"
 #include "scene/read.h"
+#include "scene/refined_places.h"
 
 namespace tw {
 namespace {

@@ -90,8 +90,11 @@ struct Resolution {
 /// A place that the scene wants finer than what lies round it, in both methods ([[refine]]).
 struct RefinedPlace {
     std::string name;
-    Box box;
-    int halvings_short = 0;  ///< of near_hull: size = near_hull 2^halvings_short, the same at all scales
+    enum class Around { box, wake, free_surface, spray_root } around = Around::box;
+    std::optional<double> width, length;  ///< as written [m]
+    std::vector<Box> boxes;               ///< that hold it: one, or a chain of overlapping ones
+    /// Of near_hull: size = near_hull 2^halvings_short, the same at all scales; negative: finer than the hull.
+    int halvings_short = 0;
 };
 
 /// Boxes of successively finer resolution, coarsest first; the FVM mesh refines in them.

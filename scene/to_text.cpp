@@ -1,10 +1,9 @@
-#include <fmt/format.h>
-
-#include "structure/shell/shell.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
+
+#include <fmt/format.h>
 
 #include "scene/box_walls.h"
 #include "scene/cost_of_sizes.h"
@@ -12,8 +11,10 @@
 #include "scene/edge_refinement.h"
 #include "scene/mesh_motion.h"
 #include "scene/particle_levels.h"
+#include "scene/refined_places.h"
 #include "scene/scene.h"
 #include "scene/tank_walls.h"
+#include "structure/shell/shell.h"
 #include "scene/units.h"
 
 namespace tw {
@@ -162,6 +163,12 @@ std::string sizes_text(const Scene& scene, const Prediction& p) {
     return out;
 }
 
+/// `where`: how much of the box.
+std::string zone_line(double size, const std::string& where, const Box& box, const Domain& d) {
+    return fmt::format("  {:13} {:.4g} m {}in {} to {} m, twice that outside (sph only)\n", "particles", size, where,
+                       place(box.min.cwiseMax(d.box.min)), place(box.max.cwiseMin(d.box.max)));
+}
+
 }  // namespace
 
 std::string to_text(const Scene& scene, const Prediction& p) {
@@ -197,16 +204,18 @@ std::string to_text(const Scene& scene, const Prediction& p) {
         out += fmt::format("  {:13} {:.4g} m cells in {} to {} m\n", r.name, scene.resolution.spacing / (1 << r.level),
                            place(r.box.min), place(r.box.max));
     const std::vector<Zone> zones = particle_zones(scene);
-    for (std::size_t k = 0; k < zones.size(); ++k)
-        for (std::size_t b = 0; b < zones[k].boxes().size(); ++b) {
-            const Box& box = zones[k].boxes()[b];
-            out += fmt::format("  {:13} {:.4g} m {}in {} to {} m, twice that outside (sph only)\n", "particles",
-                               std::ldexp(scene.resolution.near_hull, static_cast<int>(zones.size() - k) - 1),
-                               b == 0 && zones[k].follows_surface()
-                                   ? fmt::format("within {:.3g} m of the hull, ", zones[k].width())
-                                   : "",
-                               place(box.min.cwiseMax(d.box.min)), place(box.max.cwiseMin(d.box.max)));
+    for (std::size_t k = 0; k < zones.size(); ++k) {
+        const std::vector<Box>& boxes = zones[k].boxes();
+        const bool follows = zones[k].follows_surface();
+        const double size = std::ldexp(finest_spacing(scene), static_cast<int>(zones.size() - k) - 1);
+        if (follows)
+            out += zone_line(size, fmt::format("within {:.3g} m of the hull, ", zones[k].width()), boxes[0], d);
+        if (const std::span<const Box> rest = std::span(boxes).subspan(follows ? 1 : 0); !rest.empty()) {
+            Box all = rest.front();
+            for (const Box& box : rest) all = {all.min.cwiseMin(box.min), all.max.cwiseMax(box.max)};
+            out += zone_line(size, rest.size() > 1 ? fmt::format("in {} boxes ", rest.size()) : "", all, d);
         }
+    }
     if (const EdgeRefinement shedding = edge_refinement(scene); !shedding.edges.empty())
         out += fmt::format("  {:13} {:.4g} m cells along {:.3g} m of edges from which the water leaves (fvm only)\n",
                            "edges", scene.resolution.near_hull / (1 << shedding.halvings), length_of(shedding.edges));

@@ -17,6 +17,7 @@
 #include "record/spray_table.h"
 #include "record/water_surface.h"
 #include "scene/hash.h"
+#include "scene/refined_places.h"
 #include "sph_solver/backend/choose_passes.h"
 #include "sph_solver/bodies/elastic/elastic_body.h"
 #include "sph_solver/measure/certificate.h"
@@ -216,7 +217,10 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
         "shifting, on a planing plate, jets that meet, an elliptic drop and Taylor-Green vortices";
     fresh.numbers["spacing"] = scene.resolution.near_hull;
     fresh.numbers["wall_particles"] = double(simulation->finest().walls().size());
-    if (scene.sph.levels > 1) fresh.numbers["levels"] = scene.sph.levels;
+    if (const int sizes = sizes_of_particles(scene); sizes > 1) {
+        fresh.numbers["levels"] = sizes;
+        fresh.numbers["finest_spacing"] = finest_spacing(scene);
+    }
     const auto count = [&] {
         std::size_t n = 0;
         for (const auto& level : simulation->water()) n += level->particles().size();
@@ -265,7 +269,7 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
         if (gas > 0) record.numbers["air_particles"] = double(gas);
         record.steps = double(simulation->steps());
         record.resolution = resolution_of(*simulation);
-        for (std::size_t k = 0; k < simulation->water().size() && scene.sph.levels > 1; ++k)
+        for (std::size_t k = 0; k < simulation->water().size() && !simulation->refinements().empty(); ++k)
             record.numbers[level_table(k) + "_seconds"] = level_ledger(*simulation, k).seconds;
         record.peak_memory = std::max(record.peak_memory, peak_memory());
         record.numbers["bytes_per_particle"] = simulation->bytes() / record.elements;

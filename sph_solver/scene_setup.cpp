@@ -8,6 +8,7 @@
 #include "meshes/section.h"
 #include "record/run_record.h"
 #include "scene/particle_levels.h"
+#include "scene/refined_places.h"
 #include "scene/tank_walls.h"
 #include "sph_solver/bodies/elastic/elastic_setup.h"
 
@@ -20,22 +21,24 @@ bool is_mirror(Side side) { return side == Side::slip_wall || side == Side::symm
 /// Clear of the wet hull by half a beam below and beside it (a section: a quarter of its length; at least six spacings),
 /// a quarter of its length ahead and as far behind as half of that, and open above. In two dimensions round the whole
 /// section, because the jet under a plate wets it far ahead of still water; one metre of span, as what particles carry.
-/// With several sizes of particles within the finest ones' zone. Round the whole of a hull that is free: it may dip all
-/// of its length, and moves within the box.
+/// With several sizes of particles within the zone of those at the hull. Round the whole of a hull that is free: it may
+/// dip all of its length, and moves within the box.
 ControlVolume control_volume(const Scene& scene, const SimulationSetup& s) {
     const Hull& hull = *scene.hull;
-    const double near = std::max(6 * s.dp, hull.section ? 0.25 * hull.length : 0.5 * hull.beam);
-    const auto on_lattice = [&](double x) { return std::round(x / s.dp) * s.dp; };
+    const double dp = scene.resolution.near_hull;
+    const Zone* zone = s.zones.size() > s.partial_zones ? &s.zones[s.zones.size() - s.partial_zones - 1] : nullptr;
+    const double near = std::max(6 * dp, hull.section ? 0.25 * hull.length : 0.5 * hull.beam);
+    const auto on_lattice = [&](double x) { return std::round(x / dp) * dp; };
     Box box = hull.section || hull.free ? hull.surface.bounds() : hull.still.wet_bounds;
     box.min -= Vec3(std::max(near, 0.25 * hull.length), near, near);
     box.max += Vec3(std::max(near, 0.125 * hull.length), near, 0);
-    const double clear = 2 * s.dp;  // of the domain's sides
+    const double clear = 2 * dp;  // of the domain's sides
     box.min = box.min.cwiseMax(s.domain.min + Vec3::Constant(clear));
     box.max = box.max.cwiseMin(s.domain.max - Vec3::Constant(clear));
-    if (!s.zones.empty()) {
-        const Box& zone = s.zones.back().boxes().front();
-        box.min = box.min.cwiseMax(zone.min + Vec3::Constant(2 * clear));
-        box.max = box.max.cwiseMin(zone.max - Vec3::Constant(2 * clear));
+    if (zone) {
+        const Box& round_hull = zone->boxes().front();
+        box.min = box.min.cwiseMax(round_hull.min + Vec3::Constant(2 * clear));
+        box.max = box.max.cwiseMin(round_hull.max - Vec3::Constant(2 * clear));
     }
     for (int a = 0; a < 3; ++a) {
         box.min[a] = on_lattice(box.min[a]);
@@ -44,9 +47,9 @@ ControlVolume control_volume(const Scene& scene, const SimulationSetup& s) {
     if (hull.half) box.min.y() = s.domain.min.y();
     if (hull.section) box.min.y() = -0.5, box.max.y() = 0.5;
     box.max.z() = s.domain.max.z();
-    if (s.zones.empty() || !s.zones.back().follows_surface()) return ControlVolume(box, s.dp, s.dimensions);
-    const double inside = 1.5 * s.dp;  // of the zone's edge, so that no particle changes its kind within
-    return ControlVolume(box, s.dp, s.dimensions, [&](const Vec3& x) { return s.zones.back().outside(x) < -inside; });
+    if (!zone || !zone->follows_surface()) return ControlVolume(box, dp, s.dimensions);
+    const double inside = 1.5 * dp;  // of the zone's edge, so that no particle changes its kind within
+    return ControlVolume(box, dp, s.dimensions, [&](const Vec3& x) { return zone->outside(x) < -inside; });
 }
 
 /// Along every outer face but inlet, symmetry, floor and top, an eighth of the domain wide; strong enough to leave e^-5
@@ -119,7 +122,7 @@ SphSetup sph_setup(const Scene& scene, int threads) {
     SphSetup setup;
     SimulationSetup& s = setup.simulation;
     s.dimensions = scene.domain.dimensions;
-    s.dp = scene.resolution.near_hull;
+    s.dp = finest_spacing(scene);
     s.h_over_dp = scene.sph.h_over_dp;
     s.rho0 = scene.water.density;
     s.gravity = Vec3(0, 0, -scene.water.gravity);
@@ -151,7 +154,7 @@ SphSetup sph_setup(const Scene& scene, int threads) {
         stream.ramp = scene.motion.ramp;
         // the inlet must fill every support that reaches back over its plane, and outlast the steps between two list
         // builds
-        stream.buffer = std::ceil(2 * s.h_over_dp + 2) * std::ldexp(s.dp, scene.sph.levels - 1);
+        stream.buffer = std::ceil(2 * s.h_over_dp + 2) * std::ldexp(s.dp, sizes_of_particles(scene) - 1);
         s.stream = stream;
     }
     if (scene.hull) {
@@ -166,6 +169,7 @@ SphSetup sph_setup(const Scene& scene, int threads) {
         s.moment_reference = moment_reference(scene);
     }
     s.zones = particle_zones(scene);
+    s.partial_zones = static_cast<std::size_t>(sizes_below_near_hull(scene));
     if (!s.zones.empty() && !scene.bodies.empty())
         s.zones_round = [of = std::make_shared<const Scene>(scene)](std::span<const Box> moving) {
             return particle_zones(*of, moving);
@@ -173,7 +177,7 @@ SphSetup sph_setup(const Scene& scene, int threads) {
     if (scene.hull) setup.control_volume = control_volume(scene, s);
     s.effects = effect_options(scene, s);
     s.tension_control = scene.effect_on("tension_control");
-    const double coarsest_dp = std::ldexp(s.dp, scene.sph.levels - 1);
+    const double coarsest_dp = std::ldexp(s.dp, sizes_of_particles(scene) - 1);
     for (const Obstacle& o : scene.obstacles)
         s.bodies.emplace_back(through_mirrors(o.surface, s, coarsest_dp)).name = o.name;
     for (const MovingBody& b : scene.bodies) {

@@ -37,6 +37,9 @@ Simulation::Simulation(const SimulationSetup& setup, std::span<const Fluid> flui
     refinements_.reserve(finest);
     for (std::size_t k = 0; k < finest; ++k) refinements_.emplace_back(*levels_[k], *levels_[k + 1], setup.zones[k]);
     if (std::ranges::all_of(*bodies_, [](const Body& body) { return body.fixed(); })) return;
+    if (setup.partial_zones > 0)
+        throw InputError(
+            "beside bodies that move no particles are finer than theirs: a [[refine]] finer than near_hull");
     if (!schedule_.stages().empty())
         throw InputError("bodies that move need a time step of one evaluation: [sph] scheme \"kick_drift_kick\"");
     if (std::ranges::any_of(*bodies_, [](const Body& body) { return body.elastic() != nullptr; })) {
@@ -72,10 +75,12 @@ Level& Simulation::add_level(LevelSetup setup, const Fluid& fluid) {
 
 void Simulation::step() {
     if (!refinements_.empty()) {
-        for (Load& load : loads_) load = {};
-        loads_over_ = 0;
+        of_levels_.assign(refinements_.size() + 1, {std::vector<Load>(loads_.size()), 0});
         step_level(0, 0);
-        for (Load& load : loads_) load = (1 / loads_over_) * load;
+        for (std::size_t b = 0; b < loads_.size(); ++b) {
+            loads_[b] = {};
+            for (const LevelLoads& level : of_levels_) loads_[b] += (1 / level.over) * level.sum[b];
+        }
         follow_bodies();
         return refuse_contact();
     }
@@ -159,12 +164,9 @@ void Simulation::step_level(std::size_t k, double dt) {
     const std::vector<Load> pressed = level.walls().loads;
     if (is_finest) move_bodies(move);
     level.advance(move, setup_.moment_reference);
-    if (is_finest) {
-        strike_bodies(pressed, move.kick);
-        for (std::size_t b = 0; b < loads_.size(); ++b) loads_[b] += move.kick * level.walls().loads[b];
-        loads_over_ += move.kick;
-        return;
-    }
+    for (std::size_t b = 0; b < loads_.size(); ++b) of_levels_[k].sum[b] += move.kick * level.walls().loads[b];
+    of_levels_[k].over += move.kick;
+    if (is_finest) return strike_bodies(pressed, move.kick);
     // The fine level's last evaluation was half its step before its present places, the coarse level's half its step.
     const double fine_before = levels_[k + 1]->dt(), first = move.kick / 2, second = dt / 2;
     refinements_[k].prolong(move.kick, (before + fine_before) / 2);

@@ -20,10 +20,12 @@ namespace tw {
 struct SimulationSetup : Surroundings, LevelSetup, TimeOptions {
     std::vector<BodySetup> bodies;
     /// Where the water belongs to finer particles at the start, the widest zone first; each halves the spacing, dp is
-    /// that in the last. The last zone holds what the water does to the bodies: other levels let no water through a
-    /// body and their load on it is not counted. No edge is within 8 spacings of the coarse side of another edge, of an
-    /// inlet, or (unless the zone goes on through it) of an outlet. Empty: all particles have one size.
+    /// that in the last. A body's load is that of each level's active particles. No edge is within 8 spacings of the
+    /// coarse side of another edge, of an inlet, or (unless the zone goes on through it) of an outlet. Empty: all
+    /// particles have one size.
     std::vector<Zone> zones;
+    /// The last so many of them hold only parts of what is round the bodies; 0 where a body moves.
+    std::size_t partial_zones = 0;
     /// As many zones for the moving bodies' bounding boxes as they are at some time, in the order of `bodies`. Asked
     /// after each step of the coarsest level. Not given: the zones stay.
     std::function<std::vector<Zone>(std::span<const Box> moving)> zones_round;
@@ -68,14 +70,16 @@ public:
     std::int64_t steps() const { return level(0).steps(); }
     /// Levels of water, coarsest first: those before any other material.
     std::span<const std::unique_ptr<Level>> water() const { return {levels_.data(), refinements_.size() + 1}; }
-    /// The level in which the bodies stand.
     const Level& finest() const { return *levels_[refinements_.size()]; }
     Level& finest() { return *levels_[refinements_.size()]; }
+    /// The finest level that holds all that is round the bodies.
+    const Level& at_bodies() const { return *levels_[refinements_.size() - setup_.partial_zones]; }
+    Level& at_bodies() { return *levels_[refinements_.size() - setup_.partial_zones]; }
     std::span<const Refinement> refinements() const { return refinements_; }
     std::span<Refinement> refinements() { return refinements_; }
 
     /// What the water does to a body, and to all of them together, in the last step; with levels of several sizes the
-    /// mean over the finest level's steps in it.
+    /// sum over the levels of the mean over each one's steps in it.
     const Load& load(std::size_t body) const { return loads_[body]; }
     Load load() const;
     /// What level k did in its last step.
@@ -91,10 +95,9 @@ public:
     const Ledger& ledger() const { return level(0).ledger(); }
     const Extremes& extremes() const { return level(0).extremes(); }
     const Timers& timers() const { return level(0).timers(); }
-    // of the finest level
-    void set_control_volume(ControlVolume volume) { finest().set_control_volume(std::move(volume)); }
-    ControlVolume* control_volume() { return finest().control_volume(); }
-    const ControlVolume* control_volume() const { return finest().control_volume(); }
+    void set_control_volume(ControlVolume volume) { at_bodies().set_control_volume(std::move(volume)); }
+    ControlVolume* control_volume() { return at_bodies().control_volume(); }
+    const ControlVolume* control_volume() const { return at_bodies().control_volume(); }
 
     /// Fields at points from the present particles; valid until the next step. Not part of the time integration. The
     /// pressure is that of all levels, relative to that under the lid where a level is shut in; the support is the
@@ -137,7 +140,12 @@ private:
     std::vector<Refinement> refinements_;  // the k-th joins levels k and k + 1
     std::optional<Contacts> contacts_;     // where a body moves
     std::vector<Load> loads_;
-    double loads_over_ = 0;  // time of the sums in `loads_` while a step is made [s]
+    /// Time integrals of the loads by each level of water in the present step [N s], and their time [s].
+    struct LevelLoads {
+        std::vector<Load> sum;
+        double over = 0;
+    };
+    std::vector<LevelLoads> of_levels_;
 };
 
 }  // namespace tw

@@ -30,6 +30,7 @@ bool follows_from_others(const std::string& name) {
                                                 "openfoam_self_test_error",
                                                 "depth",
                                                 "levels",
+                                                "finest_spacing",
                                                 "mean_from"};
     return names.contains(name) || name.starts_with("predicted_") || name.starts_with("domain_") ||
            name.starts_with("cut_") || name.starts_with("level_") || name.starts_with("uncertainty:");

@@ -157,12 +157,14 @@ template <class Function>
     }
 }
 
-/// Sum of the accelerations a of a group's particles by the walls of a body, and of their moments about its centre.
-inline WallLoad load_of(const V3<Real>& x_i, float support_length, const V3<Real>& a, int size, std::int32_t body) {
-    const V3<Real> m = cross(support_length * x_i, a);
+/// Sum of the accelerations a of a group's active particles by the walls of a body, and of their moments about its
+/// centre.
+inline WallLoad load_of(const PassData& d, const Group& g, const V3<Real>& x_i, const V3<Real>& a, std::int32_t body) {
+    const V3<Real> m = cross(d.kernel.support_length * x_i, a);
     WallLoad sum;
     sum.body = body;
-    for (int l = 0; l < size; ++l) {
+    for (int l = 0; l < g.size; ++l) {
+        if (d.kind && !is_active(d.kind[g.first + l])) continue;
         sum.ax += a.x[l], sum.ay += a.y[l], sum.az += a.z[l];
         sum.mx += m.x[l], sum.my += m.y[l], sum.mz += m.z[l];
     }

@@ -2,6 +2,7 @@
 #include <cstdint>
 
 #include "sph_solver/equations/kernel.h"
+#include "sph_solver/particles/kind.h"
 
 namespace tw {
 
@@ -145,6 +146,8 @@ struct PassData {
     RateRecord* rate = nullptr;
     WallLoad* wall_load =
         nullptr;  ///< from Group::wall_load on one for each body that the group has in reach, in order
+    /// Of the particles: only active ones load a body; null: all of them are.
+    const Kind* kind = nullptr;
     CarriedShare* carried = nullptr;   ///< may be null
     const OtherSums* other = nullptr;  ///< null: there is one phase
 

@@ -165,7 +165,7 @@ void forces(const PassData& d, const Group* groups, int count) {
             V3<Real> a_body = inv_rho * wall;
             edge_release.apply(a_body);
             a_wall += a_body;
-            if (slot >= 0) d.wall_load[slot] = load_of(x_i, d.kernel.support_length, a_body, g.size, body);
+            if (slot >= 0) d.wall_load[slot] = load_of(d, g, x_i, a_body, body);
         });
         const V3<Real> a{water.x * inv_rho + a_wall.x + d.gx, water.y * inv_rho + a_wall.y + d.gy,
                          water.z * inv_rho + a_wall.z + d.gz};
@@ -366,8 +366,8 @@ void interpolate(const InterpolateData&, const Group*, int);
 extern const Passes table;
 #ifdef TW_WITHOUT_EFFECTS
 const Passes table = {
-    TW_ISA_NAME, lanes, prune, continuity_and_gradient, forces, extrapolate, reach_of, reached, {}, {}, {}, {},
-    {},          {},    {},                      {}};
+    TW_ISA_NAME, lanes, prune, continuity_and_gradient, forces, extrapolate, reach_of, reached, {}, {}, {}, {}, {},
+    {},          {},    {}};
 #else
 const Passes table = {TW_ISA_NAME,
                       lanes,

@@ -50,7 +50,7 @@ void viscous_forces(const ViscousData& v, const Group* groups, int count) {
             });
             const V3<Real> a_body = inv_rho * wall;
             a_wall += a_body;
-            if (slot >= 0) v.wall_load[slot] = load_of(x_i, d.kernel.support_length, a_body, g.size, body);
+            if (slot >= 0) v.wall_load[slot] = load_of(d, g, x_i, a_body, body);
         };
         if (v.wall_velocity) for_each_body(d, g, hold);
         for (int l = 0; l < g.size; ++l) {

@@ -54,7 +54,7 @@ Vec3 ControlVolume::momentum_inside(const ControlVolume& cv, const Particles& p,
     Vec3 sum = Vec3::Zero();
     mass_inside = 0;
     for (std::size_t i = 0; i < p.size(); ++i) {
-        if (!is_active(p.kind[i]) || !cv.inside(p.x[i], p.y[i], p.z[i])) continue;
+        if (p.kind[i] == Kind::guard || !cv.inside(p.x[i], p.y[i], p.z[i])) continue;
         sum += m * Vec3(p.u[i], p.v[i], p.w[i]);
         mass_inside += m;
     }

@@ -44,9 +44,9 @@ void set(Table& table, std::size_t row, const std::string& name, const std::stri
     c.values[row] = value;
 }
 
-/// Of the water in the control volume, which lies in the finest level [N s], [kg].
+/// Of the water in the control volume [N s], [kg].
 Vec3 momentum_inside(const Simulation& simulation, double& mass_inside) {
-    const Level& level = simulation.finest();
+    const Level& level = simulation.at_bodies();
     return ControlVolume::momentum_inside(*simulation.control_volume(), level.particles(), level.mass(), mass_inside);
 }
 

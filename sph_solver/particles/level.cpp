@@ -45,8 +45,7 @@ Level::Level(const Surroundings& around, LevelSetup setup, const Schedule& sched
       mass_(setup_.rho0 * std::pow(setup_.dp, around.dimensions)),
       kernel_(h_, around.dimensions),
       quanta_(quanta_of(around, setup_.dp)),
-      grid_(column_area(around, kernel_.support(), setup_.dp), setup_.dp, around.dimensions, quanta_,
-            passes.lanes),
+      grid_(column_area(around, kernel_.support(), setup_.dp), setup_.dp, around.dimensions, quanta_, passes.lanes),
       ghosts_(around, setup_, quanta_),
       walls_(bodies, around, setup_, kernel_.support(), grid_, quanta_, passes.lanes) {
     particles_.for_each_array([&](auto& array) { array.reserve(fluid.places.size()); });
@@ -98,6 +97,7 @@ PassData Level::pass_data(double t) {
     d.body_end = walls_.body_end().data();
     d.bodies = static_cast<int>(walls_.body_end().size());
     d.wall_load = walls_.group_loads().data();
+    d.kind = particles_.has_coarser || particles_.has_finer ? particles_.kind.data() : nullptr;
     d.kernel = kernel_;
     d.quantum = static_cast<float>(quanta_.size);
     d.rho0 = static_cast<float>(s.rho0);

@@ -119,12 +119,13 @@ void Level::advance(const Schedule::Move& move, const Vec3& moment_reference) {
             p.x[i] += drift * along.x() + shift.x();
             p.y[i] += drift * along.y() + shift.y();
             p.z[i] += drift * along.z() + shift.z();
-            if (!records.wall_normal.empty() && p.kind[i] == Kind::fluid) {
+            // what stands for another level's water is kept out of solids as well: it may become active there
+            if (!records.wall_normal.empty() && p.kind[i] != Kind::inlet && p.kind[i] != Kind::outlet) {
                 WallNormalRecord& r = records.wall_normal[i];
                 r.distance +=
                     static_cast<float>(drift * leaving(i, along) + shift.x() * r.x + shift.y() * r.y + shift.z() * r.z);
                 const bool too_near = r.distance < held_at_wall_over_dp * s.dp;
-                if (const auto held = too_near ? hold_at_wall(i) : std::nullopt) {
+                if (const auto held = too_near ? hold_at_wall(i) : std::nullopt; held && p.kind[i] == Kind::fluid) {
                     ++part.held;
                     part.blows.resize(walls_.loads.size());
                     Part::Blow& blow = part.blows[held->body];

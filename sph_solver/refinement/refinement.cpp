@@ -86,7 +86,7 @@ void Refinement::label_coarse() {
     for_particles(c.size(), [&](std::size_t i) {
         const double s = zone_.outside(place(c, i));
         Kind& kind = c.kind[i];
-        const bool under = kind == Kind::band || kind == Kind::carried;
+        const bool under = stands_for_finer(kind);
         if (s < 0 && (under || kind == Kind::fluid))
             kind = s > -band_over_dp * dp_ ? Kind::band : Kind::carried;
         else if (s >= 0 && under)
@@ -145,7 +145,7 @@ void Refinement::give_birth() {
     FieldsAt children;
     std::vector<Birth> births;
     for (std::size_t i = 0; i < c.size(); ++i) {
-        const bool may = c.kind[i] == Kind::fluid || c.kind[i] == Kind::band || c.kind[i] == Kind::carried;
+        const bool may = c.kind[i] == Kind::fluid || stands_for_finer(c.kind[i]);
         if (!may || c.children[i] == Children::all || !belongs(zone_, place(c, i), dp_)) continue;
         const bool first = c.children[i] == Children::none;
         c.children[i] = Children::all;
@@ -218,7 +218,7 @@ void Refinement::restrict_over(double moved, double density_before) {
     under.of = FieldsAt::Of::not_guards;
     std::vector<std::size_t> who;
     for (std::size_t i = 0; i < c.size(); ++i)
-        if (c.kind[i] == Kind::band || c.kind[i] == Kind::carried) {
+        if (stands_for_finer(c.kind[i])) {
             under.places.push_back(place(c, i));
             who.push_back(i);
         }
@@ -240,7 +240,6 @@ void Refinement::restrict_over(double moved, double density_before) {
 }
 
 double Refinement::mass_under() const {
-    const auto stands_for_finer = [](Kind k) { return k == Kind::band || k == Kind::carried; };
     return coarse_.mass() * double(std::ranges::count_if(coarse_.particles().kind, stands_for_finer));
 }
 

@@ -78,6 +78,7 @@ std::map<std::string, Change> changes() {
     const std::string distances =
         with(stream, "[motion]", "[domain]\nahead = 1\nbehind = 4\nside = 2\nbelow = 2\nabove = 2\n[motion]");
     const std::string boxed = fixed + "[[refine]]\nmin = [2, -0.5, -0.4]\nmax = [3, 0.5, 0.2]\nspacing = 0.05\n";
+    const std::string around = fixed + "[[refine]]\naround = \"wake\"\nspacing = 0.05\n";
     const std::string held =
         with(with(dropped,
                   "[[gauge]]\nname = \"strain\"\nposition = [\"30 mm\", 0, \"0.5 m\"]\ndirection = [1, 0, 0]\n", ""),
@@ -148,6 +149,9 @@ std::map<std::string, Change> changes() {
         {"refine.name", {boxed, with(boxed, "[[refine]]\n", "[[refine]]\nname = \"a\"\n")}},
         {"refine.min", replaced(boxed, "min = [2, -0.5, -0.4]", "min = [2.2, -0.5, -0.4]")},
         {"refine.max", replaced(boxed, "max = [3, 0.5, 0.2]", "max = [3.2, 0.5, 0.2]")},
+        {"refine.around", replaced(around, "around = \"wake\"", "around = \"free_surface\"")},
+        {"refine.width", {around, around + "width = 0.3\n"}},
+        {"refine.length", {around, around + "length = 1\n"}},
         {"refine.spacing", replaced(boxed, "spacing = 0.05", "spacing = 0.11")},
         {"obstacle.name",
          {with(tank, "[[obstacle]]\n", "[[obstacle]]\nname = \"A\"\n"),

@@ -1,12 +1,15 @@
 // Sizes of particles in a scene: where their zones lie, and what a run is predicted to take.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "meshes/query.h"
 #include "scene/cost_of_sizes.h"
 #include "scene/defaults.h"
 #include "scene/hash.h"
 #include "scene/particle_levels.h"
+#include "scene/particles_of_sizes.h"
+#include "scene/refined_places.h"
 #include "scene_text.h"
 
 namespace tw::test {
@@ -92,8 +95,53 @@ TEST(ParticleLevels, BoxesAreRefusedWhereTheyCanDoNothing) {
     const auto complaint_of = [](const std::string& box) { return complaint(planing + "\n[[refine]]\n" + box); };
     EXPECT_NE(complaint_of("min = [50, 0, 0]\nmax = [51, 1, 1]\n").find("outside the domain"), std::string::npos);
     EXPECT_NE(complaint_of("min = [2, 0, 0]\nmax = [1, 1, 1]\n").find("has no volume"), std::string::npos);
-    EXPECT_NE(complaint_of("min = [2, 0, 0]\nmax = [3, 1, 1]\nspacing = 0.01\n").find("finer than near_hull"),
+    EXPECT_NE(
+        complaint_of("min = [2, 0, 0]\nmax = [3, 1, 1]\nspacing = 0.0032\n").find("16 times finer than near_hull"),
+        std::string::npos);
+    EXPECT_NE(complaint_of("around = \"wake\"\nmin = [2, 0, 0]\n").find("does not belong to around = \"wake\""),
               std::string::npos);
+    EXPECT_NE(complaint_of("around = \"spray_root\"\nlength = 2\n").find("does not belong"), std::string::npos);
+}
+
+// Wagner's root of the jet on a wedge that enters water: pi/2 as far out as where still water meets it.
+TEST(ParticleLevels, TheSprayRootIsFinerThanTheHull) {
+    const Scene scene = scene_of(planing + "\n[[refine]]\nname = \"root\"\naround = \"spray_root\"\nspacing = 0.025\n" +
+                                 "width = 0.15\n");
+    EXPECT_EQ(scene.sph.levels, 1);
+    EXPECT_EQ(finest_spacing(scene), 0.025);
+    const std::vector<Zone> zones = particle_zones(scene);
+    ASSERT_EQ(zones.size(), 1u);
+    const double trim = std::numbers::pi / 36, deadrise = std::numbers::pi / 9,
+                 stern = scene.hull->still.wet_bounds.max.x();
+    for (double ahead = 1.3; ahead < 2.2; ahead += 0.1) {
+        const double deep = 0.2 - ahead * std::tan(trim), y = std::numbers::pi / 2 * deep / std::tan(deadrise),
+                     z = (std::numbers::pi / 2 - 1) * deep;
+        EXPECT_LT(zones[0].outside({stern - ahead, y, z}), -0.1) << ahead;
+    }
+    EXPECT_GT(zones[0].outside({stern - 0.2, 0.1, -0.3}), 0.1);  // under the stern the hull's own size is enough
+    int boxes = 0;
+    for (const RefinementBox& r : scene.refinement)
+        if (r.name.starts_with("root")) {
+            ++boxes;
+            EXPECT_DOUBLE_EQ(scene.resolution.spacing / std::exp2(r.level), 0.025);
+        }
+    EXPECT_GT(boxes, 4);
+    EXPECT_EQ(particles_of_sizes(scene).back().spacing, 0.025);
+}
+
+TEST(ParticleLevels, WakeAndFreeSurfaceArePlacesWithNames) {
+    const auto zone_of = [](const std::string& place) {
+        return particle_zones(scene_of(with_levels(2) + wide_domain + "\n[[refine]]\n" + place)).front();
+    };
+    const Vec3 behind(8, 0.2, -0.1), beside(1, 3, -0.1);
+    EXPECT_GT(zone_of("min = [2, 0, -0.1]\nmax = [2.1, 0.1, 0.1]\n").outside(behind), 0);
+    const Zone wake = zone_of("around = \"wake\"\nwidth = 0.3\nlength = 6\n"),
+               surface = zone_of("around = \"free_surface\"\nwidth = 0.3\n");
+    EXPECT_LT(wake.outside(behind), 0);
+    EXPECT_GT(wake.outside(beside), 0);
+    EXPECT_LT(surface.outside(behind), 0);
+    EXPECT_LT(surface.outside(beside), 0);
+    EXPECT_GT(surface.outside({1, 3, -1}), 0);
 }
 
 // What a user calls the size far away holds for the particles as for the cells, as far as there is room for them.

@@ -10,7 +10,7 @@
 
 #include <Eigen/Dense>
 
-#include "sph_solver/simulation.h"
+#include "bodies.h"
 
 namespace tw {
 namespace {
@@ -209,6 +209,31 @@ TEST(LevelEdge, StillWaterAcrossTheSurfaceStaysSlow) {
     EXPECT_LT(fastest / std::sqrt(9.81), 0.12);  // found 0.06
     EXPECT_LT(std::abs(drift), 0.04);            // found -1.7 %
     for (const auto& level : simulation.levels()) EXPECT_EQ(level->ledger().lost, 0);
+}
+
+// Archimedes for a body that an edge cuts in two: each size bears the water that it has, and none is counted twice.
+TEST(LevelEdge, ABodyAcrossItIsBorneByBothSizes) {
+    SimulationSetup s = tank(0.01, 0.8, 0.8, 0.3, 25);
+    s.bodies = {box_body(0.4, 0.24, 0.48, 1000)};
+    s.bodies[0].moving.reset();
+    s.zones = {zone_between(0.04, infinite, -infinite, infinite)};
+    s.partial_zones = 1;
+    Box below = s.domain;
+    below.max.z() = 0;
+    Simulation still(s, fill_levels(s, {below}));
+    Vec3 sum = Vec3::Zero();
+    int steps = 0;
+    while (still.time() < 0.3) {
+        still.step();
+        if (still.time() < 0.1) continue;
+        sum += still.load().force;
+        ++steps;
+    }
+    const double lift = sum.z() / steps, weight = 1000 * 9.81 * 0.4 * 0.24;
+    std::printf("a body across an edge: lift %.4f of the weight of its water, sideways %.4f\n", lift / weight,
+                sum.x() / steps / weight);
+    EXPECT_NEAR(lift / weight, 1, 0.03);
+    EXPECT_NEAR(sum.x() / steps / weight, 0, 0.03);
 }
 
 struct Swing {

@@ -1,0 +1,17 @@
+#pragma once
+#include <vector>
+
+#include "scene/section.h"
+
+namespace tw {
+
+/// The places of the scene's [[refine]] sections, after its domain is made. Throws InputError at the key that is wrong.
+std::vector<RefinedPlace> read_refined(std::vector<Section>& sections, const Scene& scene);
+
+/// Spacing of the finest particles [m]: near_hull, or what a place of the scene asks for below it.
+double finest_spacing(const Scene& scene);
+/// How many sizes of particles are finer than near_hull, and how many there are in all.
+int sizes_below_near_hull(const Scene& scene);
+inline int sizes_of_particles(const Scene& scene) { return scene.sph.levels + sizes_below_near_hull(scene); }
+
+}  // namespace tw
