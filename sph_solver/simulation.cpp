@@ -265,15 +265,14 @@ Load Simulation::load_of_level(std::size_t k) const {
     return sum;
 }
 
-/// Each point by the level that owns its place.
+/// Each point by the level that owns its place; a flux by the one that has the control volume.
 void Simulation::sample_levels(PointSamples& points) {
+    if (points.want_flux) return at_bodies().sample(points);
     const std::size_t n = points.places.size();
     points.p.assign(n, 0);
     points.support.assign(n, 0);
-    if (points.want_flux) points.flux.assign(3 * n, 0);
     for (std::size_t k = 0; k < levels_.size(); ++k) {
         PointSamples own;
-        own.want_flux = points.want_flux;
         std::vector<std::size_t> who;
         for (std::size_t i = 0; i < n; ++i) {
             const Vec3& x = points.places[i];
@@ -285,7 +284,6 @@ void Simulation::sample_levels(PointSamples& points) {
         for (std::size_t j = 0; j < who.size(); ++j) {
             points.p[who[j]] = own.p[j];
             points.support[who[j]] = own.support[j];
-            for (std::size_t a = 0; a < 3 && points.want_flux; ++a) points.flux[3 * who[j] + a] = own.flux[3 * j + a];
         }
     }
 }

@@ -74,6 +74,31 @@ TEST(KillAndResume, AHullFreeInAStreamGoesOnToTheSameBits) {
     EXPECT_GT(std::abs(trim.back() - trim.front()), 0.01) << "or it was held";
 }
 
+// Three sizes, of which the finest stands round a part of the hull only: the hull's load is that of all of them.
+TEST(KillAndResume, AFinerSprayRootGoesOnToTheSameBits) {
+    const ScratchFolder folder("kill_root");
+    const auto scene = folder.path() / "scene.toml";
+    std::string text = read_text(std::filesystem::path(TWINWAKE_SOURCE) / "tests/robustness/runs/small_planing.toml");
+    const std::string ahead = "ahead  = \"0.4 m\"";
+    text.replace(text.find(ahead), ahead.size(), "ahead  = \"1.2 m\"");
+    write_text_atomically(scene, text +
+                                     "\n[sph]\nlevels = 2\nzone = 8\n"
+                                     "[[refine]]\naround = \"spray_root\"\nspacing = 0.025\n");
+    kill_and_resume("root", scene, folder.path());
+    RunRecord run = read_record(folder.path() / "whole" / "sph" / "record.h5");
+    EXPECT_EQ(run.numbers.at("levels"), 3);
+    Table& forces = run.table("forces");
+    double by_pairs = 0, by_surface = 0;
+    for (std::size_t i = 0; i < forces.time.size(); ++i) {
+        const double surface = forces.column("fz_surface", "N").values[i];
+        if (forces.time[i] < 0.2 || std::isnan(surface)) continue;
+        by_pairs += forces.column("fz", "N").values[i];
+        by_surface += surface;
+    }
+    EXPECT_GT(by_pairs, 0);
+    EXPECT_NEAR(by_surface / by_pairs, 1, 0.05);
+}
+
 TEST(KillAndResume, ABodyThatFallsIntoWaterGoesOnToTheSameBits) {
     const ScratchFolder folder("kill_body");
     const auto scene = folder.path() / "scene.toml";
