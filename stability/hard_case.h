@@ -24,7 +24,10 @@ struct HardCase {
     double h_over_dp = 1.5;      ///< smoothing length over spacing
     double cfl = 0.7;            ///< acoustic Courant number
     double c0_over_speed = 20;   ///< sound speed over `speed`; in the tank over sqrt(2 g depth)
-    double spacings_per_m = 40;  ///< 1 / dp
+    double spacings_per_m = 40;  ///< 1 / dp, of the finest particles
+    /// Particles of dp within so many dp of section or plate, or of the tank's middle, and of 2 dp elsewhere; 0: of one
+    /// size. At least 8.
+    double zone = 0;
     bool operator==(const HardCase&) const = default;
 
     double reference_speed() const;  ///< what c0 is a multiple of [m/s]

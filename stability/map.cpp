@@ -45,7 +45,10 @@ std::vector<StabilityMap> stability_maps(bool quick) {
     const MapAxis speed{"speed U [m/s]", &HardCase::speed, speeds},
         deadrise{"deadrise [deg]", &HardCase::deadrise_deg, {0, 2, 10, 20, 30, 45}},
         trim{"trim [deg]", &HardCase::deadrise_deg, {2, 5, 10, 20}}, h{"h/dp", &HardCase::h_over_dp, lengths},
-        cfl{"Courant number", &HardCase::cfl, courants};
+        cfl{"Courant number", &HardCase::cfl, courants},
+        zone{"zone [dp], 0: one size", &HardCase::zone, {0, 8, 16, 32}};
+    MapAxis zone_of_tank = zone;
+    zone_of_tank.values = {0, 8, 12, 16};  // wider, it fills the tank
     const auto c0 = [](const char* name, std::vector<double> values) {
         return MapAxis{name, &HardCase::c0_over_speed, std::move(values)};
     };
@@ -56,7 +59,10 @@ std::vector<StabilityMap> stability_maps(bool quick) {
         map_of("Plate in a stream: time step and sound speed", stream, cfl, c0("c0/U", {2, 4, 7, 10, 20})),
         map_of("Plate in a stream: trim and speed", stream, trim, speed),
         map_of("Still tank: time step and kernel", tank, cfl, h),
-        map_of("Still tank: time step and sound speed", tank, cfl, c0("c0/sqrt(2gH)", {4, 7, 10, 20}))};
+        map_of("Still tank: time step and sound speed", tank, cfl, c0("c0/sqrt(2gH)", {4, 7, 10, 20})),
+        map_of("Impact, two sizes of particles: deadrise and zone", impact, deadrise, zone),
+        map_of("Plate in a stream, two sizes of particles: trim and zone", stream, trim, zone),
+        map_of("Still tank, two sizes of particles: time step and zone", tank, cfl, zone_of_tank)};
 }
 
 bool run_stability_maps(std::vector<StabilityMap>& maps, int threads,
@@ -130,10 +136,12 @@ bool run_stability_maps(std::vector<StabilityMap>& maps, int threads,
 }
 
 std::string describe(const HardCase& c) {
+    const std::string sizes = c.zone > 0 ? fmt::format(", two sizes, zone {:g} dp", c.zone) : "";
     if (c.kind == HardCaseKind::tank)
-        return fmt::format("tank, h/dp {:g}, CFL {:g}, c0/sqrt(2gH) {:g}", c.h_over_dp, c.cfl, c.c0_over_speed);
-    return fmt::format("{}, {:g} m/s, {:g} deg, h/dp {:g}, CFL {:g}, c0/U {:g}", to_string(c.kind), c.speed,
-                       c.deadrise_deg, c.h_over_dp, c.cfl, c.c0_over_speed);
+        return fmt::format("tank, h/dp {:g}, CFL {:g}, c0/sqrt(2gH) {:g}{}", c.h_over_dp, c.cfl, c.c0_over_speed,
+                           sizes);
+    return fmt::format("{}, {:g} m/s, {:g} deg, h/dp {:g}, CFL {:g}, c0/U {:g}{}", to_string(c.kind), c.speed,
+                       c.deadrise_deg, c.h_over_dp, c.cfl, c.c0_over_speed, sizes);
 }
 
 }  // namespace tw

@@ -28,6 +28,7 @@ Json cell_json(const MapCell& cell) {
             {"cfl", c.cfl},
             {"c0_over_speed", c.c0_over_speed},
             {"spacing", 1 / c.spacings_per_m},
+            {"zone", c.zone},
             {"stability", to_string(cell.judgement.stability)},
             {"reason", cell.judgement.reason},
             {"label", cell.judgement.label},

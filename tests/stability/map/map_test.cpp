@@ -44,6 +44,16 @@ TEST(StabilityMap, UsualNumbersAreStableUpToTheStatedCourantNumber) {
     expect_no_more_than_an_edge(judged(HardCaseKind::stream, limit));
 }
 
+// An edge between two sizes through the jets of an impact, behind a plate and across still water.
+TEST(StabilityMap, TwoSizesOfParticlesAreAsStableAsOne) {
+    const auto zone = [](HardCase& c) { c.zone = 8; };
+    for (const double deadrise : {2, 30})
+        EXPECT_EQ(judged(HardCaseKind::impact, [&](HardCase& c) { c.zone = 8, c.deadrise_deg = deadrise; }).stability,
+                  Stability::stable);
+    expect_no_more_than_an_edge(judged(HardCaseKind::stream, zone));
+    EXPECT_NE(judged(HardCaseKind::tank, zone).stability, Stability::failed);
+}
+
 TEST(StabilityMap, BeyondItNothingPassesAsStable) {
     EXPECT_EQ(judged(HardCaseKind::impact, [](HardCase& c) { c.cfl = 1.8; }).stability, Stability::failed);
     EXPECT_EQ(judged(HardCaseKind::tank, [](HardCase& c) { c.cfl = 1.8; }).stability, Stability::failed);
