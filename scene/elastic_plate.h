@@ -36,8 +36,11 @@ struct ElasticPlate {
     double skin = 0;                                    ///< thickness of the surface that the water sees [m]
     double margin = 0;                                  ///< by which the plate goes on, held, beyond clamped edges [m]
     bool large_rotations = true;
-    double damping = 0;       ///< [1/s]
-    double largest_step = 0;  ///< of the structure [s]; 0: the water's
+    std::string coupling = "pressure";  ///< pressure, penalty or background: how it and the water meet
+    std::string contact = "linear";     ///< law of a penalty contact: linear, nonlinear or adaptive
+    double contact_factor = 0.01;       ///< of its stiffness
+    double damping = 0;                 ///< [1/s]
+    double largest_step = 0;            ///< of the structure [s]; 0: the water's
     std::vector<ElasticGauge> gauges;
 
     double thickness() const { return structure::Laminate(plies).thickness(); }

@@ -76,6 +76,8 @@ void add_plate(Lines& t, const ElasticPlate& plate, bool sizes) {
                     double(plate.large_rotations), plate.damping, plate.largest_step})
         .add("middle", plate.middle)
         .add("supports", plate.supports());
+    if (plate.coupling != "pressure") t.add("coupling", plate.coupling);
+    if (plate.coupling == "penalty") t.add("contact", plate.contact).add("contact_factor", {plate.contact_factor});
     if (sizes) t.add("skin", {plate.skin, plate.margin});
     for (const structure::Ply& p : plate.plies) {
         const structure::PlyMaterial& m = p.material;

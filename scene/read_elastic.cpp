@@ -120,6 +120,14 @@ std::vector<std::optional<ElasticPlate>> read_elastic(std::vector<Section>& bodi
         plate.skin = s.number("skin", 0.0);
         plate.margin = s.number("margin", -1.0);
         plate.large_rotations = s.choice("rotations").value_or("large") == "large";
+        plate.coupling = s.choice("coupling").value_or(plate.coupling);
+        plate.contact = s.choice("contact").value_or(plate.contact);
+        plate.contact_factor = s.number("contact_factor", plate.contact_factor);
+        for (const char* key : {"contact", "contact_factor"})
+            if (s.has(key) && plate.coupling != "penalty")
+                s.fail(key, "belongs to coupling = \"penalty\"; leave it out, or write that");
+        if (plate.coupling == "background" && dimensions == 2)
+            s.fail("coupling", "nodes stand beside the plane of two dimensions; expected \"pressure\" or \"penalty\"");
         plate.damping = s.number("damping", 0.0);
         plate.largest_step = s.number("structure_step", 0.0);
     }

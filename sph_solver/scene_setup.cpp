@@ -84,6 +84,18 @@ Surface through_mirrors(Surface surface, const SimulationSetup& s, double coarse
     return surface;
 }
 
+Coupling coupling_of(const ElasticPlate& plate) {
+    Coupling c;
+    c.kind = plate.coupling == "penalty"      ? Coupling::Kind::penalty
+             : plate.coupling == "background" ? Coupling::Kind::background
+                                              : Coupling::Kind::pressure;
+    c.law = plate.contact == "nonlinear"  ? Coupling::Law::nonlinear
+            : plate.contact == "adaptive" ? Coupling::Law::adaptive
+                                          : Coupling::Law::linear;
+    c.factor = plate.contact_factor;
+    return c;
+}
+
 ElasticSetup elastic_setup(const ElasticPlate& plate) {
     structure::Shell shell = shell_of(plate, plate.strip());
     structure::Freedoms freedoms = freedoms_of(plate, shell, plate.strip());
@@ -91,6 +103,7 @@ ElasticSetup elastic_setup(const ElasticPlate& plate) {
     s.skin = plate.skin;
     s.width = plate.two_dimensional() ? plate.strip() : 0;
     s.large_rotations = plate.large_rotations;
+    s.coupling = coupling_of(plate);
     s.damping = plate.damping;
     s.largest_step = plate.largest_step;
     s.velocity = plate.velocity;

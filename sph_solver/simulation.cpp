@@ -114,6 +114,8 @@ void Simulation::move_bodies(const Schedule::Move& move) {
         Body& body = (*bodies_)[b];
         if (ElasticBody* elastic = body.elastic()) {
             level(0).walls().push(*elastic, b, forces_on_dummies(level(0), b));
+            for (const Walls::Contact& c : level(0).walls().contacts)
+                if (c.body == b) elastic->press(c.triangle, c.place, c.force);
             elastic->advance(move.kick, 2 * move.drifted, setup_.gravity);
             continue;
         }

@@ -23,8 +23,15 @@ Walls::Walls(const std::vector<Body>& bodies, const Surroundings& around, const 
             wanted.min[a] = body.surface().bounds().min[a] - level.dp;
             wanted.max[a] = body.surface().bounds().max[a] + level.dp;
         }
-        const Dummies d = make_dummies(body.query(), body.surface().bounds(), level.dp, kernel_support + level.dp,
+        const Coupling coupling = body.elastic() ? body.elastic()->setup().coupling : Coupling{};
+        Dummies d = coupling.kind == Coupling::Kind::background
+                        ? body.elastic()->wet_nodes(level.dp)
+                        : make_dummies(body.query(), body.surface().bounds(), level.dp, kernel_support + level.dp,
                                        wanted, around.dimensions);
+        if (coupling.kind == Coupling::Kind::penalty) {  // the kernel sees no body; where it is near is found by them
+            std::ranges::fill(d.volumes, 0.0);
+            penalised_ = true;
+        }
         Part& part = parts_.emplace_back();
         part.first = place_.size();
         std::vector<WidePlace> raw(d.places.size());

@@ -50,6 +50,8 @@ public:
     double fastest() const;
     /// Whether some body is elastic.
     bool give_way() const { return !ties_.empty(); }
+    /// Whether some body is met by penalty contact.
+    bool penalised() const { return penalised_; }
     /// Of the surface of a body at a place, as `note_motions` found it [m/s]. `triangle`: of the surface, there.
     Vec3 velocity_at(std::size_t body, const Vec3& x, std::int32_t triangle) const;
     /// Hands the forces of the water on the dummies of an elastic body to it; see forces_on_dummies.h.
@@ -93,6 +95,13 @@ public:
         Vec3 place, impulse;  ///< [m], [N s]
     };
     std::vector<Blow> blows;  ///< of the last step
+    /// A force of water in penalty contact with an elastic body.
+    struct Contact {
+        std::size_t body;
+        std::int32_t triangle;
+        Vec3 place, force;  ///< [m], [N]
+    };
+    std::vector<Contact> contacts;  ///< of the last evaluation
 
 private:
     /// How far the dummies of a rigid body reach from its centre [m].
@@ -100,7 +109,7 @@ private:
     Vec3 place_of(std::size_t body, std::size_t dummy) const;  ///< of a body that moves, now [m]
 
     const std::vector<Body>& bodies_;
-    bool two_dimensional_;
+    bool two_dimensional_, penalised_ = false;
     std::vector<PlaceRecord> place_;  // body after body, each sorted by column
     std::vector<float> p_;
     std::vector<VelocityDensityRecord> sliding_;

@@ -9,6 +9,7 @@
 #include "base/errors.h"
 #include "sph_solver/backend/for_particles.h"
 #include "sph_solver/backend/stopwatch.h"
+#include "sph_solver/bodies/elastic/penalty_contact.h"
 
 namespace tw {
 
@@ -39,6 +40,7 @@ Level::Level(const Surroundings& around, LevelSetup setup, const Schedule& sched
     : around_(around),
       setup_(std::move(setup)),
       schedule_(schedule),
+      bodies_(bodies),
       passes_(passes),
       effects_(make_effects(setup_.effects)),
       h_(setup_.h_over_dp * setup_.dp),
@@ -229,6 +231,8 @@ void Level::gather_loads(const Vec3& moment_reference) {
     for (const auto& effect : effects_)
         if (!effect->wall_loads().empty()) gather(effect->wall_loads(), &Load::friction);
     for (Load& load : walls_.loads) load.force += load.friction;
+    if (walls_.penalised())
+        add_penalty_contact(bodies_, particles_, records_, walls_, setup_.dp, mass_, moment_reference);
 }
 
 // --- state ----------------------------------------------------------------------------------------------------------

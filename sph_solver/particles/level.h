@@ -200,6 +200,7 @@ private:
     const Surroundings& around_;
     LevelSetup setup_;
     Schedule schedule_;
+    const std::vector<Body>& bodies_;
     const Passes& passes_;
     std::vector<std::unique_ptr<Effect>> effects_;
 

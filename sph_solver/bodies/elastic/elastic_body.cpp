@@ -114,6 +114,19 @@ void ElasticBody::note_nodes(double ahead) {
     moved_since_noted_ = true;
 }
 
+Dummies ElasticBody::wet_nodes(double dp) const {
+    std::vector<Vec3> area(skin_.points.size(), Vec3::Zero());  // twice, of the triangles round each
+    for (std::size_t t = 0; t < skin_.triangles.size(); ++t)
+        for (const int n : skin_.triangles[t])
+            area[static_cast<std::size_t>(n)] += skin_.area_vector2(static_cast<int>(t));
+    Dummies d;
+    for (std::size_t n = 0; n < area.size(); ++n) {
+        d.places.push_back(skin_.points[n] - dp / 2 * area[n].normalized());
+        d.volumes.push_back(area[n].norm() / 6 * dp);
+    }
+    return d;
+}
+
 // --- the closed surface ---------------------------------------------------------------------------------------------
 
 Surface ElasticBody::surface() const { return {skin_at_, skin_.triangles}; }
@@ -183,10 +196,14 @@ void ElasticBody::set_water(double rho0, double dp, double c0) {
     }
     lightest_ = *std::ranges::max_element(ratio);
     for (std::size_t k = 0; k < nodes_.size(); ++k) relaxation_[k] = 1 / (1 + ratio[k]);
+    const Coupling& coupling = setup_->coupling;
+    if (coupling.kind == Coupling::Kind::penalty)  // omega^2 of a particle and of the lightest node on the contact
+        contact_step_ =
+            1 / std::sqrt(coupling.steepness() * coupling.stiffness(dp) / (rho0 * dp * dp * dp) * (1 + lightest_));
 }
 
 double ElasticBody::stable_step() const {
-    const double of_water = 2 * dp_ / (c0_ * std::sqrt(lightest_));
+    const double of_water = std::min(2 * dp_ / (c0_ * std::sqrt(lightest_)), contact_step_);
     return setup_->largest_step > 0 ? std::min(of_water, setup_->largest_step) : of_water;
 }
 
@@ -200,6 +217,13 @@ void ElasticBody::push(const Tie& tie, const Vec3& force) {
     const Vec3 whole = width() * force;
     power_ += whole.dot(velocity(tie));
     for (std::size_t i = 0; i < 4; ++i) force_.segment<3>(6 * tie.nodes[i]) += tie.shares[i] * whole;
+}
+
+void ElasticBody::press(int triangle, const Vec3& x, const Vec3& force) {
+    const Vec3 shares = barycentric(triangle, as_noted(x));
+    const auto& corners = skin_.triangles[static_cast<std::size_t>(triangle)];
+    for (int k = 0; k < 3; ++k)
+        push(skin_ties_[static_cast<std::size_t>(corners[static_cast<std::size_t>(k)])], shares[k] * force);
 }
 
 void ElasticBody::strike(int triangle, const Vec3& x, const Vec3& impulse) {

@@ -1,9 +1,11 @@
 #pragma once
+#include <cmath>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "meshes/query.h"
+#include "sph_solver/bodies/dummies.h"
 #include "sph_solver/bodies/elastic/elastic_setup.h"
 #include "sph_solver/bodies/elastic/shell_in_time.h"
 #include "sph_solver/bodies/elastic/tie.h"
@@ -44,6 +46,10 @@ public:
     Vec3 velocity(const Tie& tie) const;      ///< [m/s]
     Vec3 acceleration(const Tie& tie) const;  ///< relaxed [m/s2]
 
+    /// Its nodes as a layer of particles half a spacing under each of its two wet faces, with the volume of their area of
+    /// that layer. Three dimensions.
+    Dummies wet_nodes(double dp) const;
+
     // --- the closed surface
     /// Looks at where the surface is now, for `query`.
     void note_surface();
@@ -66,6 +72,8 @@ public:
     void look_ahead(double dt);
     /// A force of the water on a point [N] (per metre of width in two dimensions); it acts in the next `advance`.
     void push(const Tie& tie, const Vec3& force);
+    /// A force [N] by the place `x` on a triangle of the surface; likewise.
+    void press(int triangle, const Vec3& x, const Vec3& force);
     /// An impulse [N s] by the place `x` on a triangle of the surface; likewise.
     void strike(int triangle, const Vec3& x, const Vec3& impulse);
     /// `felt`: for how long the water has been compressed with the velocities that the dummies had till now [s].
@@ -125,6 +133,7 @@ private:
     std::vector<double> relaxation_;     ///< theta of each node
     double lightest_ = 0;                ///< the largest rho0 dp A / m of a node that may move [-]
     double dp_ = 0, c0_ = 0;
+    double contact_step_ = HUGE_VAL;  ///< half of what a penalty contact allows [s]
     double work_taken_ = 0, work_given_ = 0, work_exchanged_ = 0;
     Vec3 impulse_ = Vec3::Zero();
 };

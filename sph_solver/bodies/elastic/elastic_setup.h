@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "sph_solver/bodies/elastic/coupling.h"
 #include "structure/freedoms.h"
 #include "structure/shell/gauge.h"
 #include "structure/shell/shell.h"
@@ -25,6 +26,7 @@ struct ElasticSetup {
     bool large_rotations = true;
     /// Of linear shells: share of its amplitude that an infinitely fast mode keeps each step (1: energy is kept).
     double kept = 1;
+    Coupling coupling = {};
     double damping = 0;            ///< f = -damping M v [1/s]
     double largest_step = 0;       ///< of the structure [s]; 0: the water's
     Vec3 velocity = Vec3::Zero();  ///< at the start [m/s]

@@ -101,6 +101,35 @@ TEST(Elastic, WaterOnAPlateBendsItAsTheFormula) {
     EXPECT_LT(std::abs(error[1]), 0.6 * std::abs(error[0]));
 }
 
+/// By penalty contact it rests on forces between particles and surface alone; how stiff they are moves where it rests, not
+/// how heavy it is.
+TEST(Elastic, APenaltyContactBearsTheWaterWhateverItsStiffness) {
+    const ColumnOnPlate column{0.01};
+    for (const Coupling::Law law : {Coupling::Law::linear, Coupling::Law::nonlinear, Coupling::Law::adaptive})
+        for (const double factor : {1e-4, 1e-3}) {
+            SimulationSetup s = column.setup();
+            auto setup = std::make_shared<ElasticSetup>(*s.bodies[0].elastic);
+            setup->coupling = {Coupling::Kind::penalty, law, factor};
+            s.bodies[0] = BodySetup(setup);
+            Simulation run(s, column.water(s));
+            const double T = 0.4;
+            double sum = 0, weight = 0, upward = 0;
+            while (run.time() < T) {
+                const double time = run.time();
+                run.step();
+                const double bell = (run.time() - time) * std::pow(std::sin(std::numbers::pi * time / T), 2);
+                sum += bell * plate_of(run).deflection(0).z(), weight += bell;
+                upward += bell * run.load(0).force.z();
+            }
+            const double of_weight = -upward / weight / (1000 * column.g * column.span * column.depth);
+            std::printf("penalty law %d, factor %.0e: load %.4f of the weight, deflection %.4f of the exact one\n",
+                        static_cast<int>(law), factor, of_weight, -sum / weight / column.exact());
+            EXPECT_NEAR(of_weight, 1, 0.02);
+            EXPECT_NEAR(-sum / weight / column.exact(), 1, 0.05);
+            EXPECT_EQ(run.ledger().lost, 0);
+        }
+}
+
 /// Work that the water gives is work that the plate takes. Looked at where the plate turns back: there the half step by
 /// which the water's density lags does not matter. Without artificial viscosity, diffusion and shifting the energy of
 /// water and plate together is nearly kept too; what is missing the water's own walls lose.
