@@ -84,10 +84,9 @@ Surface through_mirrors(Surface surface, const SimulationSetup& s, double coarse
 ElasticSetup elastic_setup(const ElasticPlate& plate) {
     structure::Shell shell = shell_of(plate, plate.strip());
     structure::Freedoms freedoms = freedoms_of(plate, shell, plate.strip());
-    ElasticSetup s{.shell = std::move(shell), .freedoms = std::move(freedoms)};
-    s.skin = plate.skin;
+    ElasticSetup s{.structure = ElasticShell{.shell = std::move(shell), .skin = plate.skin, .large_rotations = plate.large_rotations},
+                   .freedoms = std::move(freedoms)};
     s.width = plate.two_dimensional() ? plate.strip() : 0;
-    s.large_rotations = plate.large_rotations;
     s.damping = plate.damping;
     s.largest_step = plate.largest_step;
     s.velocity = plate.velocity;
