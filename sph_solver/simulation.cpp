@@ -109,7 +109,7 @@ void Simulation::move_bodies(const Schedule::Move& move) {
         Body& body = (*bodies_)[b];
         if (ElasticBody* elastic = body.elastic()) {
             level(0).walls().push(*elastic, b, forces_on_dummies(level(0), b));
-            elastic->advance(move.kick, 2 * move.drifted, setup_.gravity);
+            elastic->advance(move.kick, 2 * move.drifted, move.drift, setup_.gravity);
             continue;
         }
         const Load& load = finest().walls().loads[b];

@@ -13,7 +13,7 @@ CentralDifference::CentralDifference(const SparseMatrix& mass, SparseMatrix basi
     : basis_(std::move(basis)), M_(basis_.transpose() * mass * basis_), inertia_(M_), force_(std::move(force)) {
     if (inertia_.info() != Eigen::Success || !(inertia_.vectorD().minCoeff() > 0))
         throw RunError("the structure has a freedom without mass");
-    state_.q = state_.v = load_ = Eigen::VectorXd::Zero(basis_.cols());
+    state_.q = state_.v = Eigen::VectorXd::Zero(basis_.cols());
     state_.f = basis_.transpose() * force_(basis_ * state_.q, 0);
 }
 
@@ -32,15 +32,19 @@ void CentralDifference::set_displacement(const Eigen::VectorXd& u_all) {
 
 void CentralDifference::set_velocity(const Eigen::VectorXd& v_all) { state_.v = unknowns(basis_, v_all); }
 
+void CentralDifference::strike(const Eigen::VectorXd& impulse_all) {
+    state_.v += inertia_.solve(basis_.transpose() * impulse_all);
+}
+
 int CentralDifference::advance(double interval, double longest) {
     const int steps = std::max(1, static_cast<int>(std::ceil(interval / longest * (1 - 1e-12))));
     const double dt = interval / steps;
     for (int k = 0; k < steps; ++k) {
-        state_.v += dt / 2 * inertia_.solve(state_.f + load_);
+        state_.v += dt / 2 * inertia_.solve(state_.f);
         state_.q += dt * state_.v;
         state_.t += dt;
         state_.f = basis_.transpose() * force_(basis_ * state_.q, state_.t);
-        state_.v += dt / 2 * inertia_.solve(state_.f + load_);
+        state_.v += dt / 2 * inertia_.solve(state_.f);
         if (!state_.v.allFinite())
             throw RunError(
                 fmt::format("the structure left all bounds at t = {:.6g} s with sub-steps of {:.3g} s; often a "

@@ -15,8 +15,7 @@ class CentralDifference {
 public:
     /// Net force on all freedoms (loads less internal forces) [N], by displacements [m] and time [s].
     using Force = std::function<Eigen::VectorXd(const Eigen::VectorXd& u, double t)>;
-    /// Of the unknown freedoms: place, velocity, the force there without `set_load`'s, and time. A restart needs these
-    /// alone.
+    /// Of the unknown freedoms: place, velocity, the force there, and time. A restart needs these alone.
     struct State {
         Eigen::VectorXd q, v, f;
         double t = 0;
@@ -27,9 +26,8 @@ public:
 
     void set_displacement(const Eigen::VectorXd& u_all);  ///< of all freedoms [m]
     void set_velocity(const Eigen::VectorXd& v_all);      ///< of all freedoms [m/s]
-    /// A further force on all freedoms [N], the same from now on in every sub-step, as that of a fluid whose own steps
-    /// are longer. No part of the state.
-    void set_load(const Eigen::VectorXd& load_all) { load_ = basis_.transpose() * load_all; }
+    /// An impulse on all freedoms [N s], at once.
+    void strike(const Eigen::VectorXd& impulse_all);
     /// Over `interval` [s] in equal sub-steps no longer than `longest` [s]; returns their number. Throws RunError with
     /// the time when the state is no longer finite.
     int advance(double interval, double longest);
@@ -45,7 +43,6 @@ private:
     SparseMatrix basis_, M_;
     Eigen::SimplicialLDLT<SparseMatrix> inertia_;
     Force force_;
-    Eigen::VectorXd load_;
     State state_;
 };
 

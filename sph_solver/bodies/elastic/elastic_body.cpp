@@ -162,7 +162,7 @@ void ElasticBody::relax(const VectorXd& acceleration) {
     }
 }
 
-void ElasticBody::advance(double dt, double felt, const Vec3& gravity) {
+void ElasticBody::advance(double dt, double felt, double drift, const Vec3& gravity) {
     const structure::Freedoms& freedoms = setup_->freedoms;
     const VectorXd water = force_ + impulses_ / dt;
     VectorXd load = water;
@@ -172,7 +172,7 @@ void ElasticBody::advance(double dt, double felt, const Vec3& gravity) {
         load.segment<3>(freedoms.first_of_part(static_cast<int>(p))) += freedoms.parts()[p].mass * gravity;
     if (setup_->damping > 0) load -= setup_->damping * (freedoms.mass(mass) * v_);
     const VectorXd before = v_;
-    const VectorXd change = structure_->step(dt, load);
+    const VectorXd change = structure_->step(dt, drift, load);
     u_ = structure_->displacement();
     v_ = structure_->velocity();
     const double taken = water.dot(change);

@@ -23,7 +23,8 @@ namespace tw {
 /// it. Both would come from the skin, which may be many times thicker than the shell: its arms bent a thin plate.
 ///
 /// A step is cut where the water's is. The structure stands at the begin of a step while the water looks half a step
-/// ahead (`look_ahead`, with the present velocities); the forces found there act through the whole step.
+/// ahead (`look_ahead`: shells with their present velocities, solids where they will be); the forces found there act
+/// through the whole step of a shell (shell_in_time.h), and as a blow in its middle on a solid (solid_in_time.h).
 ///
 /// Added mass: as of rigid bodies (bodies/body.h) water answers to a wall's acceleration within the same evaluation,
 /// with the mass of 0.62 dp of water where h = 1.55 dp (docs/decisions/038-coupling.md). So each node hands over a
@@ -68,8 +69,9 @@ public:
     void push(const Tie& tie, const Vec3& force);
     /// An impulse [N s] by the place `x` on a triangle of the surface; likewise.
     void strike(int triangle, const Vec3& x, const Vec3& impulse);
-    /// `felt`: for how long the water has been compressed with the velocities that the dummies had till now [s].
-    void advance(double dt, double felt, const Vec3& gravity);
+    /// `felt`: for how long the water has been compressed with the velocities that the dummies had till now; `drift`: how
+    /// far the next evaluation looks ahead [s].
+    void advance(double dt, double felt, double drift, const Vec3& gravity);
 
     // --- what is recorded; energies of the whole width [J]
     bool in_plane() const { return setup_->width > 0; }

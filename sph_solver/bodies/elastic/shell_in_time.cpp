@@ -149,7 +149,7 @@ public:
         state_ = any.state();
     }
 
-    VectorXd step(double dt, const VectorXd& load) override {
+    VectorXd step(double dt, double, const VectorXd& load) override {
         Integrator& time = steppers_.of(dt);
         const VectorXd before = displacement();
         state_.f = basis_.transpose() * load;
@@ -193,7 +193,7 @@ public:
         state_ = any.state();
     }
 
-    VectorXd step(double dt, const VectorXd& load) override {
+    VectorXd step(double dt, double, const VectorXd& load) override {
         constexpr int most = 256;
         state_.f = basis_.transpose() * load;
         const Integrator::State start = state_;

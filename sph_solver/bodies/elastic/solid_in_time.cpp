@@ -29,6 +29,8 @@ public:
             floor_.emplace(solid_.solid, solid_.wet, solid_.floor->height, solid_.floor->stiffness);
         time_.set_displacement(freedoms_.widened(solid_.start));
         time_.set_velocity(velocities_at_start(setup));
+        at_end_ = time_.displacement();
+        shown_ = time_.velocity();
         const double own = 2 / solid_.solid.explicit_step(solid_.start),
                      of_floor = floor_ ? floor_->highest_frequency() : 0;
         longest_ = solid_.of_limit * 2 / std::hypot(own, of_floor);
@@ -44,25 +46,27 @@ public:
     const VectorXd& mass() const override { return solid_.solid.mass(); }
 
     double step_within(double dt) const override { return dt; }
-    VectorXd step(double dt, const VectorXd& load) override {
-        const VectorXd before = time_.displacement();
-        time_.set_load(load);
-        time_.advance(dt, longest_);
-        return time_.displacement() - before;
+    VectorXd step(double kick, double drift, const VectorXd& load) override {
+        const VectorXd before = time_.velocity();
+        time_.strike(kick * load);
+        const VectorXd way = kick / 2 * (before + time_.velocity());
+        const VectorXd found = time_.displacement();
+        time_.advance(drift, longest_);
+        at_end_ = time_.displacement();
+        time_.advance(drift, longest_);
+        shown_ = (time_.displacement() - found) / (2 * drift);
+        return way;
     }
-    VectorXd displacement() const override { return time_.displacement(); }
-    VectorXd velocity() const override { return time_.velocity(); }
+    VectorXd displacement() const override { return at_end_; }
+    VectorXd velocity() const override { return shown_; }
     void place(double ahead, std::vector<Node>& nodes) const override {
-        const VectorXd u = time_.displacement(), v = time_.velocity();
+        const VectorXd u = ahead > 0 ? time_.displacement() : at_end_;
         std::vector<Vec3> x = solid_.solid.mesh().nodes;
-        for (std::size_t n = 0; n < x.size(); ++n) {
-            const auto first = static_cast<Eigen::Index>(3 * n);
-            x[n] += u.segment<3>(first) + ahead * v.segment<3>(first);
-        }
+        for (std::size_t n = 0; n < x.size(); ++n) x[n] += u.segment<3>(static_cast<Eigen::Index>(3 * n));
         const std::vector<Eigen::Matrix3d> turns = surface_.turns(x);
         nodes.resize(x.size());
         for (std::size_t n = 0; n < x.size(); ++n)
-            nodes[n] = {x[n], v.segment<3>(static_cast<Eigen::Index>(3 * n)),
+            nodes[n] = {x[n], shown_.segment<3>(static_cast<Eigen::Index>(3 * n)),
                         carried_[n] ? Eigen::Matrix3d(Eigen::Matrix3d::Identity()) : turns[n]};
     }
 
@@ -72,21 +76,21 @@ public:
         return solid_.solid.energy(u) - solid_.pressure * (filled(u) - filled_at_start_) + (floor_ ? floor_->energy(u) : 0);
     }
     double strain(std::size_t) const override { return 0; }
-    double floor_force() const override { return floor_ ? floor_->total(of_nodes(time_.displacement())) : 0; }
+    double floor_force() const override { return floor_ ? floor_->total(of_nodes(at_end_)) : 0; }
 
     std::vector<double> state() const override {
         const structure::CentralDifference::State& s = time_.state();
         std::vector<double> all{s.t};
-        for (const VectorXd* part : {&s.q, &s.v, &s.f}) all.insert(all.end(), part->begin(), part->end());
+        for (const VectorXd* part : {&s.q, &s.v, &s.f, &at_end_, &shown_}) all.insert(all.end(), part->begin(), part->end());
         return all;
     }
     void restore(std::span<const double> state) override {
         structure::CentralDifference::State s = time_.state();
-        const auto size = static_cast<std::size_t>(s.q.size());
-        if (state.size() != 3 * size + 1) throw std::invalid_argument("another number of unknowns");
+        if (state.size() != static_cast<std::size_t>(1 + 3 * s.q.size() + 2 * shown_.size())) throw std::invalid_argument("another number of unknowns");
         s.t = state[0];
         std::size_t at = 1;
-        for (VectorXd* part : {&s.q, &s.v, &s.f}) {
+        for (VectorXd* part : {&s.q, &s.v, &s.f, &at_end_, &shown_}) {
+            const auto size = static_cast<std::size_t>(part->size());
             std::ranges::copy(state.subspan(at, size), part->begin());
             at += size;
         }
@@ -122,6 +126,8 @@ private:
     std::optional<structure::PlaneContact> floor_;
     structure::CentralDifference time_;
     double longest_ = 0;  ///< sub-step [s]
+    VectorXd at_end_;     ///< displacement at the end of the water's last step, of all freedoms [m]
+    VectorXd shown_;      ///< velocities that the water is shown, likewise [m/s]
     double filled_at_start_ = 0;
 };
 

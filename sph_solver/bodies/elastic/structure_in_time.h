@@ -25,17 +25,19 @@ public:
     // --- time
     /// The step of the water that the structure takes where `dt` is allowed [s].
     virtual double step_within(double dt) const = 0;
-    /// `load`: on all freedoms [N], [N m]. Returns u' - u of all freedoms, turns as the sum of small ones, so that its
-    /// product with a load is the load's work. Throws RunError where the step cannot be made.
-    virtual Eigen::VectorXd step(double dt, const Eigen::VectorXd& load) = 0;
-    /// Of all freedoms: [m] and rotation vectors since the mesh's places, [m/s] and spins.
+    /// Through a step of the water: `load` on all freedoms [N], [N m], which the water has found where the structure
+    /// looked ahead to, acts for `kick`; the water finds the next `drift` after the step's end [s]. Returns the way of
+    /// all freedoms under the load, turns as the sum of small ones, so that its product with the load is the load's
+    /// work. Throws RunError where the step cannot be made.
+    virtual Eigen::VectorXd step(double kick, double drift, const Eigen::VectorXd& load) = 0;
+    /// Of all freedoms: [m] and rotation vectors since the mesh's places; [m/s] and spins, as the water is shown them.
     virtual Eigen::VectorXd displacement() const = 0;
     virtual Eigen::VectorXd velocity() const = 0;
     struct Node {
         Vec3 x, v;          ///< [m], [m/s]
         Eigen::Matrix3d R;  ///< turn since the start
     };
-    /// The nodes a time `ahead` from now, with the present velocities [s].
+    /// The nodes a time `ahead` from the end of the last step, 0 or its `drift` [s].
     virtual void place(double ahead, std::vector<Node>& nodes) const = 0;
 
     virtual double kinetic_energy() const = 0;  ///< [J]
