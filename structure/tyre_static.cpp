@@ -45,14 +45,11 @@ std::vector<Eigen::Vector2d> blown_up_section(const Tyre& tyre, const std::vecto
     VectorXd u = VectorXd::Zero(s.freedoms());
     for (int part = 1; part <= parts; ++part) {
         const double p = pressure * part / parts;
-        u = equilibrium(u, basis,
-                        {[&](const VectorXd& at) -> VectorXd {
-                             return s.pressure_load(at, "inside", p) - s.internal_force(at);
-                         },
-                         [&](const VectorXd& at) -> SparseMatrix {
-                             return s.tangent(at) - s.pressure_tangent(at, "inside", p);
-                         }},
-                        1e-7);
+        u = equilibrium(
+            u, basis,
+            {[&](const VectorXd& at) -> VectorXd { return s.pressure_load(at, "inside", p) - s.internal_force(at); },
+             [&](const VectorXd& at) -> SparseMatrix { return s.tangent(at) - s.pressure_tangent(at, "inside", p); }},
+            1e-7);
     }
     std::vector<Eigen::Vector2d> section;
     for (int n = 0; 3 * n < s.freedoms(); n += 2) section.emplace_back(u[3 * n], u[3 * n + 1]);

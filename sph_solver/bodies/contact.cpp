@@ -66,7 +66,8 @@ std::string Contacts::of_elastic(std::size_t body) const {
     const ElasticBody& own = *bodies_[body].elastic();
     for (const Tie& tie : ties_[body]) {
         const Vec3 x = own.place(tie);
-        if (const std::string wall = wall_at(x, around_, 0); !wall.empty() && !(own.meets_floor() && wall == floor_name))
+        if (const std::string wall = wall_at(x, around_, 0);
+            !wall.empty() && !(own.meets_floor() && wall == floor_name))
             return "touches " + wall;
         for (std::size_t other = 0; other < bodies_.size(); ++other)
             if (other != body && bodies_[other].query().nearest(bodies_[other].at_start(x), dp_).distance < dp_ / 2)

@@ -49,9 +49,7 @@ Eigen::Vector2d nearest_within(const std::array<Vec3, 4>& x, const Vec3& p) {
 }  // namespace
 
 WetSurface::WetSurface(const Solid& solid, const std::string& name, const Eigen::VectorXd& start)
-    : start_(solid.mesh().nodes),
-      towards_(start_.size(), -1),
-      areas_(start_.size(), 0.0) {
+    : start_(solid.mesh().nodes), towards_(start_.size(), -1), areas_(start_.size(), 0.0) {
     const auto found = solid.mesh().surfaces.find(name);
     if (found == solid.mesh().surfaces.end())
         throw InputError(fmt::format("the mesh has no surface named \"{}\"", name));
@@ -61,7 +59,8 @@ WetSurface::WetSurface(const Solid& solid, const std::string& name, const Eigen:
         for (std::size_t i = 0; i < 4; ++i) {
             const auto n = static_cast<std::size_t>(faces_[f][i]);
             if (towards_[n] < 0) towards_[n] = faces_[f][(i + 1) % 4];
-            const Vec3 to = corner(start_, f, (i + 1) % 4) - start_[n], from = corner(start_, f, (i + 3) % 4) - start_[n];
+            const Vec3 to = corner(start_, f, (i + 1) % 4) - start_[n],
+                       from = corner(start_, f, (i + 3) % 4) - start_[n];
             areas_[n] += to.cross(from).norm() / 4;
         }
     close();

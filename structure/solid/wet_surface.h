@@ -16,7 +16,7 @@ public:
     /// As the solid stands with the displacements `start`. Throws InputError for a surface that the mesh has not.
     WetSurface(const Solid& solid, const std::string& name, const Eigen::VectorXd& start);
 
-    const Surface& closed() const { return closed_; }           ///< triangles outward, at the start [m]
+    const Surface& closed() const { return closed_; }            ///< triangles outward, at the start [m]
     const std::vector<double>& areas() const { return areas_; }  ///< of the surface about each node of the solid [m2]
 
     /// The place of the faces that is nearest to a point, by its shares of a face's four nodes, and what is left.

@@ -142,7 +142,8 @@ void ElasticBody::look_ahead(double dt) {
 void ElasticBody::push(const Tie& tie, const Vec3& force) {
     const Vec3 whole = width() * force;
     power_ += whole.dot(velocity(tie));
-    for (std::size_t i = 0; i < 4; ++i) force_.segment<3>(setup_->freedoms.per_node() * tie.nodes[i]) += tie.shares[i] * whole;
+    for (std::size_t i = 0; i < 4; ++i)
+        force_.segment<3>(setup_->freedoms.per_node() * tie.nodes[i]) += tie.shares[i] * whole;
 }
 
 void ElasticBody::strike(int triangle, const Vec3& x, const Vec3& impulse) {
@@ -151,7 +152,8 @@ void ElasticBody::strike(int triangle, const Vec3& x, const Vec3& impulse) {
     for (int k = 0; k < 3; ++k) {
         const Tie& tie = skin_ties_[static_cast<std::size_t>(corners[static_cast<std::size_t>(k)])];
         for (std::size_t i = 0; i < 4; ++i)
-            impulses_.segment<3>(setup_->freedoms.per_node() * tie.nodes[i]) += width() * shares[k] * tie.shares[i] * impulse;
+            impulses_.segment<3>(setup_->freedoms.per_node() * tie.nodes[i]) +=
+                width() * shares[k] * tie.shares[i] * impulse;
     }
 }
 

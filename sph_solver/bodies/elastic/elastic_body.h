@@ -84,11 +84,11 @@ public:
     double work_taken() const { return work_taken_; }
     double work_given() const { return work_given_; }
     double work_exchanged() const { return work_exchanged_; }  ///< the sum of the magnitudes, step by step
-    bool meets_floor() const;  ///< whether its contact with the tank's floor is solved
+    bool meets_floor() const;                                  ///< whether its contact with the tank's floor is solved
     double floor_force() const { return structure_->floor_force(); }  ///< of a rigid floor that it meets, upward [N]
-    const Vec3& impulse() const { return impulse_; }           ///< of the water's forces so far [N s]
-    Vec3 deflection(std::size_t point) const;                  ///< [m]
-    double strain(std::size_t gauge) const;                    ///< [-]
+    const Vec3& impulse() const { return impulse_; }                  ///< of the water's forces so far [N s]
+    Vec3 deflection(std::size_t point) const;                         ///< [m]
+    double strain(std::size_t gauge) const;                           ///< [-]
     /// Of a rigid part, or of node sets alike: displacement, velocity and, over the last step, acceleration.
     struct PartMotion {
         Vec3 displacement, velocity, acceleration;

@@ -50,9 +50,9 @@ struct ElasticSetup {
     structure::Freedoms freedoms;
     /// Two dimensions: the structure is a strip about the plane y = 0, so wide [m]; forces are per metre of it. Else 0.
     double width = 0;
-    double damping = 0;            ///< f = -damping M v [1/s]
-    double largest_step = 0;       ///< of the structure [s]; 0: the water's
-    Vec3 velocity = Vec3::Zero();  ///< at the start [m/s]
+    double damping = 0;                         ///< f = -damping M v [1/s]
+    double largest_step = 0;                    ///< of the structure [s]; 0: the water's
+    Vec3 velocity = Vec3::Zero();               ///< at the start [m/s]
     std::vector<structure::Gauge> gauges = {};  ///< of shells
     std::vector<DeflectionPoint> points = {};
 

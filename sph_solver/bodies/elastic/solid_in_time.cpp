@@ -25,8 +25,7 @@ public:
         if (!setup.gauges.empty()) throw InputError("strain gauges are glued to shells; a solid has none");
         for (const structure::RigidPart& part : freedoms_.parts())
             for (const int n : part.nodes) carried_[static_cast<std::size_t>(n)] = true;
-        if (solid_.floor)
-            floor_.emplace(solid_.solid, solid_.wet, solid_.floor->height, solid_.floor->stiffness);
+        if (solid_.floor) floor_.emplace(solid_.solid, solid_.wet, solid_.floor->height, solid_.floor->stiffness);
         time_.set_displacement(freedoms_.widened(solid_.start));
         time_.set_velocity(velocities_at_start(setup));
         at_end_ = time_.displacement();
@@ -73,7 +72,8 @@ public:
     double kinetic_energy() const override { return time_.kinetic_energy(); }
     double elastic_energy() const override {
         const VectorXd u = of_nodes(time_.displacement());
-        return solid_.solid.energy(u) - solid_.pressure * (filled(u) - filled_at_start_) + (floor_ ? floor_->energy(u) : 0);
+        return solid_.solid.energy(u) - solid_.pressure * (filled(u) - filled_at_start_) +
+               (floor_ ? floor_->energy(u) : 0);
     }
     double strain(std::size_t) const override { return 0; }
     double floor_force() const override { return floor_ ? floor_->total(of_nodes(at_end_)) : 0; }
@@ -81,12 +81,14 @@ public:
     std::vector<double> state() const override {
         const structure::CentralDifference::State& s = time_.state();
         std::vector<double> all{s.t};
-        for (const VectorXd* part : {&s.q, &s.v, &s.f, &at_end_, &shown_}) all.insert(all.end(), part->begin(), part->end());
+        for (const VectorXd* part : {&s.q, &s.v, &s.f, &at_end_, &shown_})
+            all.insert(all.end(), part->begin(), part->end());
         return all;
     }
     void restore(std::span<const double> state) override {
         structure::CentralDifference::State s = time_.state();
-        if (state.size() != static_cast<std::size_t>(1 + 3 * s.q.size() + 2 * shown_.size())) throw std::invalid_argument("another number of unknowns");
+        if (state.size() != static_cast<std::size_t>(1 + 3 * s.q.size() + 2 * shown_.size()))
+            throw std::invalid_argument("another number of unknowns");
         s.t = state[0];
         std::size_t at = 1;
         for (VectorXd* part : {&s.q, &s.v, &s.f, &at_end_, &shown_}) {
