@@ -22,7 +22,8 @@ std::string outcome_of_elastic(const MovingBody& body, const Table& t, const Sce
     };
     std::string out = fmt::format("elastic body {} at {:.4g} s:\n", body.name, t.time.back()) + most("az", " m/s2") +
                       most("fx", scene.spanwise_unit(" N").c_str()) + most("fz", scene.spanwise_unit(" N").c_str());
-    for (const ElasticGauge& g : body.elastic->gauges)
+    out += most("floor_force", " N");
+    for (const ElasticGauge& g : std::visit([](const auto& part) { return part.gauges; }, *body.elastic))
         if (g.direction)
             out += most(g.name, "");
         else

@@ -87,12 +87,24 @@ void add_plate(Lines& t, const ElasticPlate& plate, bool sizes) {
         t.add("gauge", g.position).add("along", g.direction.value_or(Vec3::Zero())).add("top", {double(g.top)});
 }
 
+void add_tyre(Lines& t, const ElasticTyre& tyre) {
+    const structure::Tyre& s = tyre.shape;
+    t.add("tyre", {s.outer_diameter, s.rim_diameter, s.width, s.tread_thickness, s.side_thickness, s.inner_thickness,
+                   double(s.around), double(s.across), double(s.through_rubber)})
+        .add("axle", tyre.axle)
+        .add("inside", {tyre.pressure, tyre.damping, tyre.largest_step, tyre.contact_depth})
+        .add("locked", {double(tyre.locked[0]), double(tyre.locked[1]), double(tyre.locked[2])});
+    for (const structure::Hyperelastic& m : tyre.rubber) t.add("rubber", {m.C10, m.C01, m.bulk, m.density});
+    for (const ElasticGauge& g : tyre.gauges) t.add("gauge", g.position);
+}
+
 void add_body(Lines& t, const MovingBody& body, bool sizes) {
     const RigidBodySetup& m = body.motion;
     if (body.elastic) {
         t.add("mass", {m.mass.mass}).add("velocity", m.velocity);
-        for (const bool locked : body.elastic->locked) t.add("locked", {double(locked)});
-        return add_plate(t, *body.elastic, sizes);
+        if (const ElasticTyre* tyre = body.tyre()) return add_tyre(t, *tyre);
+        for (const bool locked : body.plate()->locked) t.add("locked", {double(locked)});
+        return add_plate(t, *body.plate(), sizes);
     }
     t.add("body", surface_hash(body.surface)).add("mass", {m.mass.mass}).add("centre", m.mass.centre);
     for (int a = 0; a < 3; ++a) t.add("inertia", Vec3(m.mass.inertia.col(a)));

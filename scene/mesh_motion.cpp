@@ -154,6 +154,12 @@ MeshMotion mesh_motion(const Scene& scene) {
     const std::optional<MovingBody> followed = followed_by_mesh(scene);
     if (!followed) return m;
     const MovingBody& body = *followed;
+    if (body.tyre())
+        refuse(scene, "run.methods",
+               fmt::format(
+                   "body {} is a tyre that is pressed on the floor, which the mesh method does not solve; expected "
+                   "methods = [\"sph\"], or --method sph",
+                   body.name));
     if (body.elastic && body.motion.law)
         refuse(scene, "run.methods",
                fmt::format("body {} is held at its edges and bends, which the mesh method does not solve; expected "

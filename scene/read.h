@@ -64,10 +64,13 @@ Surface read_solid(Section& s, std::string& source, std::string& key);
 /// The `number`-th body, from 1.
 MovingBody read_body(Section& s, std::size_t number, int dimensions);
 /// The elastic ones among the bodies, each with its plies and gauges; nothing for the others.
-std::vector<std::optional<ElasticPlate>> read_elastic(std::vector<Section>& bodies, std::vector<Section>& plies,
-                                                      std::vector<Section>& gauges, int dimensions);
+std::vector<std::optional<ElasticPart>> read_elastic(std::vector<Section>& bodies, std::vector<Section>& plies,
+                                                     std::vector<Section>& gauges, int dimensions, double gravity);
 MovingBody elastic_body(Section& s, std::size_t number, ElasticPlate plate);
-/// Gives an elastic body what follows from the particle spacing: skin, margin, surface and rigid counterpart.
+ElasticTyre read_tyre(Section& s, int dimensions, double gravity);
+/// With the surface of the tyre as it stands at the start, blown up.
+MovingBody tyre_body(Section& s, std::size_t number, ElasticTyre tyre);
+/// Gives an elastic plate what follows from the particle spacing: skin, margin, surface and rigid counterpart.
 void stand_elastic(MovingBody& body, double dp, Section& s);
 /// A solid from a file, a shape or a box (min, max).
 Obstacle read_obstacle(Section& s, std::size_t number);

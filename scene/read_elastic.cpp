@@ -89,16 +89,21 @@ void read_supports(Section& s, ElasticPlate& plate) {
 
 }  // namespace
 
-std::vector<std::optional<ElasticPlate>> read_elastic(std::vector<Section>& bodies, std::vector<Section>& plies,
-                                                      std::vector<Section>& gauges, int dimensions) {
+std::vector<std::optional<ElasticPart>> read_elastic(std::vector<Section>& bodies, std::vector<Section>& plies,
+                                                     std::vector<Section>& gauges, int dimensions, double gravity) {
     const Materials materials = read_plies(plies);
-    std::vector<std::optional<ElasticPlate>> plates(bodies.size());
+    std::vector<std::optional<ElasticPart>> parts(bodies.size());
     std::vector<std::size_t> elastic;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         Section& s = bodies[b];
-        if (!s.choice("elastic")) continue;
+        const auto kind = s.choice("elastic");
+        if (!kind) continue;
         elastic.push_back(b);
-        ElasticPlate& plate = plates[b].emplace();
+        if (*kind == "tyre") {
+            parts[b] = read_tyre(s, dimensions, gravity);
+            continue;
+        }
+        ElasticPlate& plate = std::get<ElasticPlate>(parts[b].emplace());
         const auto size = s.numbers("plate");
         const auto cells = s.numbers("cells");
         if (!size) s.fail("plate", "missing; an elastic plate needs its length and breadth");
@@ -146,9 +151,9 @@ std::vector<std::optional<ElasticPlate>> read_elastic(std::vector<Section>& bodi
         gauge.direction = s.vector("direction");
         gauge.top = s.choice("face").value_or("top") == "top";
         s.finish();
-        plates[*of]->gauges.push_back(gauge);
+        std::visit([&](auto& part) { part.gauges.push_back(gauge); }, *parts[*of]);
     }
-    return plates;
+    return parts;
 }
 
 MovingBody elastic_body(Section& s, std::size_t number, ElasticPlate plate) {
@@ -166,7 +171,7 @@ MovingBody elastic_body(Section& s, std::size_t number, ElasticPlate plate) {
 }
 
 void stand_elastic(MovingBody& body, double dp, Section& s) {
-    ElasticPlate& plate = *body.elastic;
+    ElasticPlate& plate = std::get<ElasticPlate>(*body.elastic);
     const double thickness = plate.thickness();
     if (plate.skin == 0) plate.skin = std::max(thickness, 6 * dp);
     if (plate.margin < 0) plate.margin = 4 * dp;

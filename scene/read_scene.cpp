@@ -158,10 +158,13 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     for (std::size_t i = 0; i < s.obstacles.size(); ++i)
         scene.obstacles.push_back(read_obstacle(s.obstacles[i], i + 1));
     refuse_same_names(scene.obstacles, s.obstacles);
-    std::vector<std::optional<ElasticPlate>> elastic = read_elastic(s.bodies, s.plies, s.gauges, domain.dimensions);
+    std::vector<std::optional<ElasticPart>> elastic =
+        read_elastic(s.bodies, s.plies, s.gauges, domain.dimensions, scene.water.gravity);
     for (std::size_t i = 0; i < s.bodies.size(); ++i)
-        scene.bodies.push_back(elastic[i] ? elastic_body(s.bodies[i], i + 1, std::move(*elastic[i]))
-                                          : read_body(s.bodies[i], i + 1, domain.dimensions));
+        scene.bodies.push_back(!elastic[i] ? read_body(s.bodies[i], i + 1, domain.dimensions)
+                               : std::holds_alternative<ElasticTyre>(*elastic[i])
+                                   ? tyre_body(s.bodies[i], i + 1, std::get<ElasticTyre>(std::move(*elastic[i])))
+                                   : elastic_body(s.bodies[i], i + 1, std::get<ElasticPlate>(std::move(*elastic[i]))));
     refuse_same_names(scene.bodies, s.bodies);
 
     std::optional<HullOptions> hull;
@@ -192,7 +195,7 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
         scene.resolution = resolution_of(resolution, nullptr, s.resolution, overrides.scale_resolution.value_or(1));
     }
     for (std::size_t i = 0; i < scene.bodies.size(); ++i)
-        if (scene.bodies[i].elastic) stand_elastic(scene.bodies[i], scene.resolution.near_hull, s.bodies[i]);
+        if (scene.bodies[i].plate()) stand_elastic(scene.bodies[i], scene.resolution.near_hull, s.bodies[i]);
     // A stream without a hull has no length to settle over: its ramp is the domain's, so the domain comes first.
     const auto make_domain = [&] { scene.domain = domain_of(domain, tank, scene, s, depth); };
     const bool free_hull = scene.hull && scene.hull->free;

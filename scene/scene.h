@@ -12,7 +12,7 @@
 #include "meshes/surface.h"
 #include "motion/floating_attitude.h"
 #include "motion/rigid_body.h"
-#include "scene/elastic_plate.h"
+#include "scene/elastic_tyre.h"
 #include "scene/sph_options.h"
 
 namespace tw {
@@ -119,7 +119,11 @@ struct MovingBody {
     RigidBodySetup motion;  ///< a prescribed body without a mass has zeros there, but for the centre
     std::vector<Finding> findings;
     /// Of an elastic body, whose surface is that which the water sees and whose motion that of its rigid counterpart.
-    std::optional<ElasticPlate> elastic = {};
+    std::optional<ElasticPart> elastic = {};
+
+    /// Null where it is no plate, or no tyre.
+    const ElasticPlate* plate() const { return elastic ? std::get_if<ElasticPlate>(&*elastic) : nullptr; }
+    const ElasticTyre* tyre() const { return elastic ? std::get_if<ElasticTyre>(&*elastic) : nullptr; }
 
     /// An upper bound of the speed of its surface until it touches still water, z = 0, at gravity `g` [m/s].
     double fastest(double g) const;

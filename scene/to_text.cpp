@@ -99,7 +99,7 @@ std::string findings_text(const std::vector<Finding>& findings) {
 }
 
 std::string plate_text(const MovingBody& b, const Scene& scene) {
-    const ElasticPlate& p = *b.elastic;
+    const ElasticPlate& p = *b.plate();
     const structure::Laminate laminate(p.plies);
     const double explicit_step = shell_of(p, p.cell()).explicit_step(), dp = scene.resolution.near_hull,
                  sound = scene.sph.cfl * scene.sph.h_over_dp * dp / scene.sph.c0,
@@ -125,10 +125,25 @@ std::string plate_text(const MovingBody& b, const Scene& scene) {
     return out + findings_text(b.findings);
 }
 
+std::string tyre_text(const MovingBody& b) {
+    const ElasticTyre& t = *b.tyre();
+    const structure::Solid solid = solid_of(t);
+    const double height = b.surface.bounds().size().z();
+    std::string out = fmt::format(
+        "  elastic   {} hexahedra; blown up by {:.4g} Pa to {:.4g} mm from {:.4g} mm\n"
+        "  mass      {:.5g} kg with rim and load; at the start {} m/s\n"
+        "  time      explicit, the water's steps cut into sub-steps below {:.3g} s, the elements' limit\n"
+        "  floor     met without friction; 1 MPa presses the rubber {:.3g} mm into it\n",
+        solid.elements().size(), t.pressure, 1000 * height, 1000 * t.shape.outer_diameter, t.total_mass,
+        place(t.velocity), solid.explicit_step(Eigen::VectorXd::Zero(solid.freedoms())), 1000 * t.contact_depth);
+    return out + findings_text(b.findings);
+}
+
 std::string body_text(const MovingBody& b, const Scene& scene) {
     const RigidBodySetup& m = b.motion;
     const Box at = b.surface.bounds();
     std::string out = fmt::format("body        {}: {}, {} to {} m\n", b.name, b.source, place(at.min), place(at.max));
+    if (b.tyre()) return out + tyre_text(b);
     if (b.elastic) return out + plate_text(b, scene);
     if (m.law) {
         static constexpr const char* kinds[] = {"constant rate", "ramp", "sinusoid", "table"};

@@ -11,6 +11,7 @@
 #include "scene/refined_places.h"
 #include "scene/tank_walls.h"
 #include "sph_solver/bodies/elastic/elastic_setup.h"
+#include "structure/tyre_static.h"
 
 namespace tw {
 
@@ -99,10 +100,11 @@ Coupling coupling_of(const ElasticPlate& plate) {
 ElasticSetup elastic_setup(const ElasticPlate& plate) {
     structure::Shell shell = shell_of(plate, plate.strip());
     structure::Freedoms freedoms = freedoms_of(plate, shell, plate.strip());
-    ElasticSetup s{.shell = std::move(shell), .freedoms = std::move(freedoms)};
-    s.skin = plate.skin;
+    ElasticSetup s{
+        .structure =
+            ElasticShell{.shell = std::move(shell), .skin = plate.skin, .large_rotations = plate.large_rotations},
+        .freedoms = std::move(freedoms)};
     s.width = plate.two_dimensional() ? plate.strip() : 0;
-    s.large_rotations = plate.large_rotations;
     s.coupling = coupling_of(plate);
     s.damping = plate.damping;
     s.largest_step = plate.largest_step;
@@ -112,6 +114,23 @@ ElasticSetup elastic_setup(const ElasticPlate& plate) {
             s.gauges.push_back({g.name, g.position, *g.direction, g.top});
         else
             s.points.push_back({g.name, g.position});
+    return s;
+}
+
+ElasticSetup elastic_setup(const ElasticTyre& tyre, double floor) {
+    structure::Solid solid = solid_of(tyre);
+    structure::Freedoms freedoms = freedoms_of(tyre, solid);
+    ElasticSetup s{.structure = ElasticSolid{.solid = std::move(solid),
+                                             .wet = "outside",
+                                             .start = structure::blown_up(tyre.shape, tyre.rubbers(), tyre.pressure),
+                                             .pressed = "inside",
+                                             .pressure = tyre.pressure,
+                                             .floor = FloorContact{floor, tyre.contact_stiffness()}},
+                   .freedoms = std::move(freedoms)};
+    s.damping = tyre.damping;
+    s.largest_step = tyre.largest_step;
+    s.velocity = tyre.velocity;
+    for (const ElasticGauge& g : tyre.gauges) s.points.push_back({g.name, g.position});
     return s;
 }
 
@@ -195,7 +214,10 @@ SphSetup sph_setup(const Scene& scene, int threads) {
         s.bodies.emplace_back(through_mirrors(o.surface, s, coarsest_dp)).name = o.name;
     for (const MovingBody& b : scene.bodies) {
         if (b.elastic) {
-            s.bodies.emplace_back(std::make_shared<const ElasticSetup>(elastic_setup(*b.elastic))).name = b.name;
+            s.bodies
+                .emplace_back(std::make_shared<const ElasticSetup>(b.tyre() ? elastic_setup(*b.tyre(), s.domain.min.z())
+                                                                            : elastic_setup(*b.plate())))
+                .name = b.name;
             continue;
         }
         BodySetup& body =

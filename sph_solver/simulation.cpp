@@ -116,7 +116,7 @@ void Simulation::move_bodies(const Schedule::Move& move) {
             level(0).walls().push(*elastic, b, forces_on_dummies(level(0), b));
             for (const Walls::Contact& c : level(0).walls().contacts)
                 if (c.body == b) elastic->press(c.triangle, c.place, c.force);
-            elastic->advance(move.kick, 2 * move.drifted, setup_.gravity);
+            elastic->advance(move.kick, 2 * move.drifted, move.drift, setup_.gravity);
             continue;
         }
         const Load& load = finest().walls().loads[b];

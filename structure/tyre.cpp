@@ -8,8 +8,9 @@
 #include "structure/generate.h"
 
 namespace tw::structure {
+namespace {
 
-SolidMesh tyre_mesh(const Tyre& t) {
+void refuse_impossible(const Tyre& t) {
     const double height = (t.outer_diameter - t.rim_diameter) / 2, thickest = t.tread_thickness + t.inner_thickness;
     if (!(t.rim_diameter > 0 && height > 2 * thickest && t.width > 4 * thickest && t.side_thickness > 0 &&
           t.tread_thickness >= t.side_thickness && t.inner_thickness > 0))
@@ -21,10 +22,16 @@ SolidMesh tyre_mesh(const Tyre& t) {
         throw InputError(
             "a tyre's wall turns in by more than a quarter of a circle, less than half; its tread ends before "
             "a quarter; it takes 8 cells or more around and across");
-    const double a = t.width / 2, b = height / (1 - std::cos(t.bead_angle)), middle = t.outer_diameter / 2 - b;
+}
+
+/// `cells` of t.around, the first at the angle `from`.
+SolidMesh cut_mesh(const Tyre& t, int cells, double from) {
+    refuse_impossible(t);
+    const double a = t.width / 2, b = (t.outer_diameter - t.rim_diameter) / 2 / (1 - std::cos(t.bead_angle)),
+                 middle = t.outer_diameter / 2 - b, arc = 2 * std::numbers::pi * cells / t.around;
     const int layers = t.through_rubber + 1;
     const auto place = [&](const Vec3& p) {
-        const double theta = -2 * std::numbers::pi * p.x(), phi = (2 * p.y() - 1) * t.bead_angle;
+        const double theta = from - arc * p.x(), phi = (2 * p.y() - 1) * t.bead_angle;
         // From the tread's thickness to the side wall's over 0.16 rad about the tread's end.
         const double s = std::clamp((std::abs(phi) - t.tread_angle) / 0.16 + 0.5, 0.0, 1.0);
         const double rubber = t.tread_thickness + (t.side_thickness - t.tread_thickness) * s * s * (3 - 2 * s);
@@ -36,11 +43,11 @@ SolidMesh tyre_mesh(const Tyre& t) {
         const Eigen::Vector2d q = outside - depth * normal;
         return Vec3(q[1] * std::cos(theta), q[0], q[1] * std::sin(theta));
     };
-    SolidMesh m = block_mesh({t.around, t.across, layers}, place, true);
+    SolidMesh m = block_mesh({cells, t.across, layers}, place, cells == t.around);
     std::size_t e = 0;
     for (int k = 0; k < layers; ++k)
         for (int j = 0; j < t.across; ++j)
-            for (int i = 0; i < t.around; ++i) {
+            for (int i = 0; i < cells; ++i) {
                 const double phi = ((2.0 * j + 1) / t.across - 1) * t.bead_angle;
                 m.material[e++] = k == 0 ? 0 : std::abs(phi) < t.tread_angle ? 2 : 1;
             }
@@ -52,6 +59,16 @@ SolidMesh tyre_mesh(const Tyre& t) {
         m.sets.erase(name);
         m.surfaces.erase(name);
     }
+    return m;
+}
+}  // namespace
+
+SolidMesh tyre_mesh(const Tyre& t) { return cut_mesh(t, t.around, 0); }
+
+SolidMesh tyre_sector(const Tyre& t, int cells, double from) {
+    SolidMesh m = cut_mesh(t, cells, from);
+    m.sets["begin"] = m.sets.at("x_min");
+    m.sets["end"] = m.sets.at("x_max");
     return m;
 }
 

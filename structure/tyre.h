@@ -19,4 +19,8 @@ struct Tyre {
 /// beads. Surfaces: inside, where the air presses, and outside. Throws InputError for dimensions that no tyre has.
 SolidMesh tyre_mesh(const Tyre& tyre);
 
+/// Only `cells` of the cells around, from the angle `from` about the axle on, both within the plane of x and z [rad],
+/// against the sense from x to z. Further node sets: begin and end, the cut sections.
+SolidMesh tyre_sector(const Tyre& tyre, int cells, double from);
+
 }  // namespace tw::structure

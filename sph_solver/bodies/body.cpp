@@ -5,12 +5,11 @@
 #include <limits>
 
 #include "sph_solver/bodies/elastic/elastic_body.h"
-#include "structure/shell/skin.h"
 
 namespace tw {
 
 BodySetup::BodySetup(std::shared_ptr<const ElasticSetup> setup)
-    : surface(structure::Skin(setup->shell, setup->skin).reference()), elastic(std::move(setup)) {}
+    : surface(skin_of(*setup)), elastic(std::move(setup)) {}
 
 Body::Body(BodySetup setup) : setup_(std::move(setup)), query_(setup_.surface) {
     if (setup_.moving) rigid_.emplace(*setup_.moving);
@@ -85,7 +84,7 @@ double Body::stable_step() const {
     return 2 * shell_.spacing / (shell_.sound_speed * std::sqrt(ratio / 3));
 }
 
-double Body::step_within(double dt) const { return elastic_ ? ElasticBody::rung(dt) : dt; }
+double Body::step_within(double dt) const { return elastic_ ? elastic_->step_within(dt) : dt; }
 
 void Body::kick(const Vec3& force, const Vec3& moment, const Vec3& reference, const Vec3& gravity, double dt) {
     if (!rigid_ || rigid_->prescribed()) return;

@@ -14,11 +14,13 @@ std::vector<Vec3> places_on(const Surface& surface, const Surroundings& around, 
                                   : SurfaceSamples(surface, dp, surface.bounds()).points.places;
 }
 
+constexpr const char* floor_name = "the floor";
+
 /// The wall of the tank that a place [m] has come to within `gap` of; empty: none.
 std::string wall_at(const Vec3& x, const Surroundings& around, double gap) {
     static constexpr const char* sides[3][2] = {{"the wall at low x", "the wall at high x"},
                                                 {"the wall at low y", "the wall at high y"},
-                                                {"the floor", "the lid"}};
+                                                {floor_name, "the lid"}};
     const auto& on = around.mirrors.on;
     for (std::size_t a = 0; a < 3; ++a) {
         if (a == 1 && around.dimensions == 2) continue;
@@ -64,7 +66,9 @@ std::string Contacts::of_elastic(std::size_t body) const {
     const ElasticBody& own = *bodies_[body].elastic();
     for (const Tie& tie : ties_[body]) {
         const Vec3 x = own.place(tie);
-        if (const std::string wall = wall_at(x, around_, 0); !wall.empty()) return "touches " + wall;
+        if (const std::string wall = wall_at(x, around_, 0);
+            !wall.empty() && !(own.meets_floor() && wall == floor_name))
+            return "touches " + wall;
         for (std::size_t other = 0; other < bodies_.size(); ++other)
             if (other != body && bodies_[other].query().nearest(bodies_[other].at_start(x), dp_).distance < dp_ / 2)
                 return "touches " + bodies_[other].name();

@@ -11,7 +11,8 @@ namespace tw {
 /// Whether bodies that move touch a wall of the tank, a fixed solid or each other, or have left the domain. Contact is
 /// not solved: a run ends there. Particles cannot enter a gap below half a spacing between solids, so that is contact
 /// already; a wall of the tank is touched at its face. Where an elastic body stands within a spacing of another solid
-/// or a wall at the start, as at its supports, it may touch them.
+/// or a wall at the start, as at its supports, it may touch them; and an elastic
+/// body whose contact with the floor is solved (elastic/elastic_setup.h) may touch that.
 class Contacts {
 public:
     /// Both must outlive this.

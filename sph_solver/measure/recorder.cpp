@@ -269,6 +269,7 @@ void Recorder::record_elastic(const Simulation& simulation, std::size_t b) {
     for (const Vec3& p : elastic.surface().points) lowest = std::min(lowest, p.z());
     set(t, k, "lowest", "m", lowest);
     put("f{}", per_span("N"), simulation.load(b).force);
+    if (elastic.meets_floor()) set(t, k, "floor_force", per_span("N"), elastic.floor_force() / elastic.width());
     for (std::size_t n = 0; n < setup.points.size(); ++n) put(setup.points[n].name + "_{}", "m", elastic.deflection(n));
     for (std::size_t n = 0; n < setup.gauges.size(); ++n) set(t, k, setup.gauges[n].name, "-", elastic.strain(n));
     for (const auto& [name, value] : {std::pair{"kinetic_energy", elastic.kinetic_energy()},

@@ -17,9 +17,23 @@ CentralDifference::CentralDifference(const SparseMatrix& mass, SparseMatrix basi
     state_.f = basis_.transpose() * force_(basis_ * state_.q, 0);
 }
 
-void CentralDifference::set_velocity(const Eigen::VectorXd& v_all) {
-    const SparseMatrix normal = basis_.transpose() * basis_;
-    state_.v = Eigen::SimplicialLDLT<SparseMatrix>(normal).solve(basis_.transpose() * v_all);
+namespace {
+/// The unknowns of which all freedoms follow: exact where supports and rigid parts allow them.
+Eigen::VectorXd unknowns(const SparseMatrix& basis, const Eigen::VectorXd& all) {
+    const SparseMatrix normal = basis.transpose() * basis;
+    return Eigen::SimplicialLDLT<SparseMatrix>(normal).solve(basis.transpose() * all);
+}
+}  // namespace
+
+void CentralDifference::set_displacement(const Eigen::VectorXd& u_all) {
+    state_.q = unknowns(basis_, u_all);
+    state_.f = basis_.transpose() * force_(basis_ * state_.q, state_.t);
+}
+
+void CentralDifference::set_velocity(const Eigen::VectorXd& v_all) { state_.v = unknowns(basis_, v_all); }
+
+void CentralDifference::strike(const Eigen::VectorXd& impulse_all) {
+    state_.v += inertia_.solve(basis_.transpose() * impulse_all);
 }
 
 int CentralDifference::advance(double interval, double longest) {

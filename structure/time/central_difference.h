@@ -24,7 +24,10 @@ public:
     /// Throws RunError for a freedom without mass.
     CentralDifference(const SparseMatrix& mass, SparseMatrix basis, Force force);
 
-    void set_velocity(const Eigen::VectorXd& v_all);  ///< of all freedoms [m/s]
+    void set_displacement(const Eigen::VectorXd& u_all);  ///< of all freedoms [m]
+    void set_velocity(const Eigen::VectorXd& v_all);      ///< of all freedoms [m/s]
+    /// An impulse on all freedoms [N s], at once.
+    void strike(const Eigen::VectorXd& impulse_all);
     /// Over `interval` [s] in equal sub-steps no longer than `longest` [s]; returns their number. Throws RunError with
     /// the time when the state is no longer finite.
     int advance(double interval, double longest);

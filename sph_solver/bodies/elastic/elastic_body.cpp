@@ -2,76 +2,33 @@
 
 #include <algorithm>
 #include <cmath>
-#include <Eigen/Geometry>
-#include <limits>
 #include <stdexcept>
-
-#include "structure/shell/skin.h"
 
 namespace tw {
 namespace {
 using Eigen::VectorXd;
-
-Eigen::Matrix3d turn_by(const Vec3& rotation) {
-    const double angle = rotation.norm();
-    if (angle == 0) return Eigen::Matrix3d::Identity();
-    return Eigen::AngleAxisd(angle, rotation / angle).toRotationMatrix();
-}
-
-/// Area of the shell about each node [m2].
-std::vector<double> node_areas(const structure::Shell& shell) {
-    std::vector<double> areas(shell.mesh().nodes.size(), 0.0);
-    for (std::size_t e = 0; e < shell.elements().size(); ++e)
-        for (std::size_t i = 0; i < 4; ++i)
-            areas[static_cast<std::size_t>(shell.mesh().quads[e][i])] +=
-                shell.elements()[e].node_area()[static_cast<int>(i)];
-    return areas;
-}
-
 }  // namespace
 
 ElasticBody::ElasticBody(std::shared_ptr<const ElasticSetup> setup)
-    : setup_(std::move(setup)),
-      shell_(setup_->large_rotations ? turning_shell(*setup_) : linear_shell(*setup_)),
-      skin_(structure::Skin(setup_->shell, setup_->skin).reference()) {
-    for (const structure::Gauge& gauge : setup_->gauges) gauges_.emplace_back(setup_->shell, gauge);
+    : setup_(std::move(setup)), structure_(structure_in_time(*setup_)), skin_(structure_->skin()) {
     for (const DeflectionPoint& point : setup_->points) points_.push_back(tie(point.position));
     for (const Vec3& p : skin_.points) skin_ties_.push_back(tie(p));
-    const int all = setup_->freedoms.all();
-    nodes_.resize(setup_->shell.mesh().nodes.size());
-    relaxation_.assign(nodes_.size(), 1.0);
-    accelerations_ = VectorXd::Zero(setup_->shell.freedoms() / 2);
-    last_acceleration_ = force_ = impulses_ = VectorXd::Zero(all);
-    u_ = shell_->displacement();
-    v_ = shell_->velocity();
     note_nodes(0);
+    const int all = setup_->freedoms.all();
+    relaxation_.assign(nodes_.size(), 1.0);
+    accelerations_ = VectorXd::Zero(static_cast<Eigen::Index>(3 * nodes_.size()));
+    last_acceleration_ = force_ = impulses_ = VectorXd::Zero(all);
+    u_ = structure_->displacement();
+    v_ = structure_->velocity();
     note_surface();
 }
 
-Tie ElasticBody::tie(const Vec3& at_start) const {
-    const auto& elements = setup_->shell.elements();
-    double nearest = std::numeric_limits<double>::max();
-    std::size_t element = 0;
-    Eigen::Vector2d at = Eigen::Vector2d::Zero();
-    for (std::size_t e = 0; e < elements.size(); ++e) {
-        const Eigen::Vector2d within = elements[e].coordinates(at_start).cwiseMax(-1).cwiseMin(1);
-        const double distance = (elements[e].place(within[0], within[1]) - at_start).squaredNorm();
-        if (distance < nearest) nearest = distance, element = e, at = within;
-    }
-    Tie tie;
-    tie.nodes = setup_->shell.mesh().quads[element];
-    tie.shares = {(1 - at[0]) * (1 - at[1]) / 4, (1 + at[0]) * (1 - at[1]) / 4, (1 + at[0]) * (1 + at[1]) / 4,
-                  (1 - at[0]) * (1 + at[1]) / 4};
-    tie.arm = at_start;
-    for (std::size_t i = 0; i < 4; ++i)
-        tie.arm -= tie.shares[i] * setup_->shell.mesh().nodes[static_cast<std::size_t>(tie.nodes[i])];
-    return tie;
-}
+Tie ElasticBody::tie(const Vec3& at_start) const { return structure_->tie(at_start); }
 
 Vec3 ElasticBody::place(const Tie& tie) const {
     Vec3 x = Vec3::Zero();
     for (std::size_t i = 0; i < 4; ++i) {
-        const Node& n = nodes_[static_cast<std::size_t>(tie.nodes[i])];
+        const StructureInTime::Node& n = nodes_[static_cast<std::size_t>(tie.nodes[i])];
         x += tie.shares[i] * (n.x + n.R * tie.arm);
     }
     return x;
@@ -79,32 +36,19 @@ Vec3 ElasticBody::place(const Tie& tie) const {
 
 Vec3 ElasticBody::velocity(const Tie& tie) const {
     Vec3 v = Vec3::Zero();
-    for (std::size_t i = 0; i < 4; ++i) {
-        const Node& n = nodes_[static_cast<std::size_t>(tie.nodes[i])];
-        v += tie.shares[i] * n.v;
-    }
+    for (std::size_t i = 0; i < 4; ++i) v += tie.shares[i] * nodes_[static_cast<std::size_t>(tie.nodes[i])].v;
     return v;
 }
 
 Vec3 ElasticBody::acceleration(const Tie& tie) const {
     Vec3 a = Vec3::Zero();
-    for (std::size_t i = 0; i < 4; ++i) {
-        const Node& n = nodes_[static_cast<std::size_t>(tie.nodes[i])];
-        a += tie.shares[i] * n.a;
-    }
+    for (std::size_t i = 0; i < 4; ++i) a += tie.shares[i] * accelerations_.segment<3>(3 * tie.nodes[i]);
     return a;
 }
 
 /// The nodes a time `ahead` from where the structure stands [s].
 void ElasticBody::note_nodes(double ahead) {
-    for (std::size_t k = 0; k < nodes_.size(); ++k) {
-        const auto first = static_cast<Eigen::Index>(6 * k);
-        Node& n = nodes_[k];
-        n.v = v_.segment<3>(first);
-        n.x = setup_->shell.mesh().nodes[k] + u_.segment<3>(first) + ahead * n.v;
-        n.R = turn_by(ahead * v_.segment<3>(first + 3)) * turn_by(u_.segment<3>(first + 3));
-        n.a = accelerations_.segment<3>(static_cast<Eigen::Index>(3 * k));
-    }
+    structure_->place(ahead, nodes_);
     skin_at_.resize(skin_.points.size());
     skin_velocity_.resize(skin_.points.size());
     for (std::size_t k = 0; k < skin_ties_.size(); ++k) {
@@ -181,16 +125,17 @@ double ElasticBody::fastest() const {
 
 void ElasticBody::set_water(double rho0, double dp, double c0) {
     dp_ = dp, c0_ = c0;
-    const std::vector<double> areas = node_areas(setup_->shell);
-    const VectorXd& mass = setup_->shell.mass();
+    const std::vector<double>& areas = structure_->wet_areas();
+    const VectorXd& mass = structure_->mass();
+    const int per_node = setup_->freedoms.per_node();
     std::vector<double> ratio(nodes_.size());
     for (std::size_t k = 0; k < nodes_.size(); ++k)
-        ratio[k] = rho0 * dp * areas[k] / mass[static_cast<Eigen::Index>(6 * k)];
+        ratio[k] = rho0 * dp * areas[k] / mass[static_cast<Eigen::Index>(k) * per_node];
     for (const structure::RigidPart& part : setup_->freedoms.parts()) {
         double area = 0, carried = part.mass;
         for (const int n : part.nodes) {
             area += areas[static_cast<std::size_t>(n)];
-            carried += mass[6 * n];
+            carried += mass[per_node * n];
         }
         for (const int n : part.nodes) ratio[static_cast<std::size_t>(n)] = rho0 * dp * area / carried;
     }
@@ -207,8 +152,6 @@ double ElasticBody::stable_step() const {
     return setup_->largest_step > 0 ? std::min(of_water, setup_->largest_step) : of_water;
 }
 
-double ElasticBody::rung(double dt) { return std::exp2(std::floor(4 * std::log2(dt)) / 4); }
-
 void ElasticBody::look_ahead(double dt) {
     if (dt != 0) note_nodes(dt);
 }
@@ -216,7 +159,8 @@ void ElasticBody::look_ahead(double dt) {
 void ElasticBody::push(const Tie& tie, const Vec3& force) {
     const Vec3 whole = width() * force;
     power_ += whole.dot(velocity(tie));
-    for (std::size_t i = 0; i < 4; ++i) force_.segment<3>(6 * tie.nodes[i]) += tie.shares[i] * whole;
+    for (std::size_t i = 0; i < 4; ++i)
+        force_.segment<3>(setup_->freedoms.per_node() * tie.nodes[i]) += tie.shares[i] * whole;
 }
 
 void ElasticBody::press(int triangle, const Vec3& x, const Vec3& force) {
@@ -232,34 +176,37 @@ void ElasticBody::strike(int triangle, const Vec3& x, const Vec3& impulse) {
     for (int k = 0; k < 3; ++k) {
         const Tie& tie = skin_ties_[static_cast<std::size_t>(corners[static_cast<std::size_t>(k)])];
         for (std::size_t i = 0; i < 4; ++i)
-            impulses_.segment<3>(6 * tie.nodes[i]) += width() * shares[k] * tie.shares[i] * impulse;
+            impulses_.segment<3>(setup_->freedoms.per_node() * tie.nodes[i]) +=
+                width() * shares[k] * tie.shares[i] * impulse;
     }
 }
 
 void ElasticBody::relax(const VectorXd& acceleration) {
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
         auto relaxed = accelerations_.segment<3>(static_cast<Eigen::Index>(3 * k));
-        relaxed += relaxation_[k] * (acceleration.segment<3>(static_cast<Eigen::Index>(6 * k)) - relaxed);
+        relaxed += relaxation_[k] * (acceleration.segment<3>(first_of(k)) - relaxed);
     }
 }
 
-void ElasticBody::advance(double dt, double felt, const Vec3& gravity) {
+void ElasticBody::advance(double dt, double felt, double drift, const Vec3& gravity) {
     const structure::Freedoms& freedoms = setup_->freedoms;
     const VectorXd water = force_ + impulses_ / dt;
-    VectorXd load = water + freedoms.widened(setup_->shell.weight(gravity));
+    VectorXd load = water;
+    const VectorXd& mass = structure_->mass();
+    for (std::size_t k = 0; k < nodes_.size(); ++k) load.segment<3>(first_of(k)) += mass[first_of(k)] * gravity;
     for (std::size_t p = 0; p < freedoms.parts().size(); ++p)
         load.segment<3>(freedoms.first_of_part(static_cast<int>(p))) += freedoms.parts()[p].mass * gravity;
-    if (setup_->damping > 0) load -= setup_->damping * (freedoms.mass(setup_->shell.mass()) * v_);
+    if (setup_->damping > 0) load -= setup_->damping * (freedoms.mass(mass) * v_);
     const VectorXd before = v_;
-    const VectorXd change = shell_->step(dt, load);
-    u_ = shell_->displacement();
-    v_ = shell_->velocity();
+    const VectorXd change = structure_->step(dt, drift, load);
+    u_ = structure_->displacement();
+    v_ = structure_->velocity();
     const double taken = water.dot(change);
     work_taken_ += taken;
     work_exchanged_ += std::abs(taken);
     work_given_ += felt / 2 * (power_before_ + power_) + impulses_.dot(before);
     power_before_ = force_.dot(v_);
-    for (std::size_t k = 0; k < nodes_.size(); ++k) impulse_ += dt * water.segment<3>(static_cast<Eigen::Index>(6 * k));
+    for (std::size_t k = 0; k < nodes_.size(); ++k) impulse_ += dt * water.segment<3>(first_of(k));
     last_acceleration_ = (v_ - before) / dt;
     relax(last_acceleration_);
     force_.setZero();
@@ -268,11 +215,16 @@ void ElasticBody::advance(double dt, double felt, const Vec3& gravity) {
     note_nodes(0);
 }
 
+bool ElasticBody::meets_floor() const {
+    const auto* solid = std::get_if<ElasticSolid>(&setup_->structure);
+    return solid && solid->floor;
+}
+
 // --- what is recorded -----------------------------------------------------------------------------------------------
 
 Vec3 ElasticBody::deflection(std::size_t point) const { return place(points_[point]) - setup_->points[point].position; }
 
-double ElasticBody::strain(std::size_t gauge) const { return shell_->strain(gauges_[gauge]); }
+double ElasticBody::strain(std::size_t gauge) const { return structure_->strain(gauge); }
 
 ElasticBody::PartMotion ElasticBody::part(std::size_t part) const {
     const int first = setup_->freedoms.first_of_part(static_cast<int>(part));
@@ -285,8 +237,8 @@ std::vector<double> ElasticBody::state() const {
         all.insert(all.end(), part->begin(), part->end());
     all.insert(all.end(),
                {power_before_, work_taken_, work_given_, work_exchanged_, impulse_.x(), impulse_.y(), impulse_.z()});
-    const std::vector<double> shell = shell_->state();
-    all.insert(all.end(), shell.begin(), shell.end());
+    const std::vector<double> own = structure_->state();
+    all.insert(all.end(), own.begin(), own.end());
     return all;
 }
 
@@ -302,9 +254,9 @@ void ElasticBody::restore(std::span<const double> state) {
     const auto sums = next(7);
     power_before_ = sums[0], work_taken_ = sums[1], work_given_ = sums[2], work_exchanged_ = sums[3];
     impulse_ = Vec3(sums[4], sums[5], sums[6]);
-    shell_->restore(state.subspan(at));
-    u_ = shell_->displacement();
-    v_ = shell_->velocity();
+    structure_->restore(state.subspan(at));
+    u_ = structure_->displacement();
+    v_ = structure_->velocity();
     note_nodes(0);
     note_surface();
 }

@@ -7,25 +7,26 @@
 #include "meshes/query.h"
 #include "sph_solver/bodies/dummies.h"
 #include "sph_solver/bodies/elastic/elastic_setup.h"
-#include "sph_solver/bodies/elastic/shell_in_time.h"
+#include "sph_solver/bodies/elastic/structure_in_time.h"
 #include "sph_solver/bodies/elastic/tie.h"
 
 namespace tw {
 
-/// A shell in the water: how it moves under what its dummies hand to it, and how they follow it.
+/// A shell or a solid in the water: how it moves under what its dummies hand to it, and how they follow it.
 ///
-/// A point of the body hangs on the foot of its perpendicular on the shell, with the foot's shares N of the element's
-/// four nodes and an arm r, so that
+/// A point of the body hangs on the foot of its perpendicular on the shell, or on the wet faces of the solid, with the
+/// foot's shares N of the element's four nodes and an arm r, so that
 ///
 ///   x = sum_n N_n (X_n + u_n + R_n r),   v = sum_n N_n v_n
 ///   f_n += N_n F                                                       what a force F on the point does to the nodes
 ///
-/// The last is the transpose of the velocity, so force and power pass over to rounding. The arm stands across the
-/// shell: what a turn adds to v is along it, where walls let water slip, and a moment is left out only of forces along
+/// The last is the transpose of the velocity, so force and power pass over to rounding. R_n is the node's turn: a
+/// shell's own, a solid's by the faces about it. The arm stands across the shell: what a turn adds to v is along it, where walls let water slip, and a moment is left out only of forces along
 /// it. Both would come from the skin, which may be many times thicker than the shell: its arms bent a thin plate.
 ///
 /// A step is cut where the water's is. The structure stands at the begin of a step while the water looks half a step
-/// ahead (`look_ahead`, with the present velocities); the forces found there act through the whole step.
+/// ahead (`look_ahead`: shells with their present velocities, solids where they will be); the forces found there act
+/// through the whole step of a shell (shell_in_time.h), and as a blow in its middle on a solid (solid_in_time.h).
 ///
 /// Added mass: as of rigid bodies (bodies/body.h) water answers to a wall's acceleration within the same evaluation,
 /// with the mass of 0.62 dp of water where h = 1.55 dp (docs/decisions/038-coupling.md). So each node hands over a
@@ -66,8 +67,8 @@ public:
     void set_water(double rho0, double dp, double c0);
     /// Water on a wall is a spring of rho0 c0^2 / dp to a unit of area; below 2 / omega of the lightest node on it [s].
     double stable_step() const;
-    /// The longest of the lengths 2^(k/4) s that is not above `dt`: a new length costs a factorisation.
-    static double rung(double dt);
+    /// The length of step that the structure takes where `dt` is allowed [s].
+    double step_within(double dt) const { return structure_->step_within(dt); }
 
     void look_ahead(double dt);
     /// A force of the water on a point [N] (per metre of width in two dimensions); it acts in the next `advance`.
@@ -76,23 +77,26 @@ public:
     void press(int triangle, const Vec3& x, const Vec3& force);
     /// An impulse [N s] by the place `x` on a triangle of the surface; likewise.
     void strike(int triangle, const Vec3& x, const Vec3& impulse);
-    /// `felt`: for how long the water has been compressed with the velocities that the dummies had till now [s].
-    void advance(double dt, double felt, const Vec3& gravity);
+    /// `felt`: for how long the water has been compressed with the velocities that the dummies had till now; `drift`: how
+    /// far the next evaluation looks ahead [s].
+    void advance(double dt, double felt, double drift, const Vec3& gravity);
 
     // --- what is recorded; energies of the whole width [J]
     bool in_plane() const { return setup_->width > 0; }
     double width() const { return in_plane() ? setup_->width : 1; }
-    double kinetic_energy() const { return shell_->kinetic_energy(); }
-    double elastic_energy() const { return shell_->elastic_energy(); }
+    double kinetic_energy() const { return structure_->kinetic_energy(); }
+    double elastic_energy() const { return structure_->elastic_energy(); }
     /// Work of the water on the structure so far, on both sides of the interface: taken, f . (u' - u) of each step, and
     /// given, F_j . v_j over the time in which the water felt the dummies' velocities v_j, with the mean of the forces
     /// before and after. Their difference is the energy that the interface makes or loses.
     double work_taken() const { return work_taken_; }
     double work_given() const { return work_given_; }
     double work_exchanged() const { return work_exchanged_; }  ///< the sum of the magnitudes, step by step
-    const Vec3& impulse() const { return impulse_; }           ///< of the water's forces so far [N s]
-    Vec3 deflection(std::size_t point) const;                  ///< [m]
-    double strain(std::size_t gauge) const;                    ///< [-]
+    bool meets_floor() const;                                  ///< whether its contact with the tank's floor is solved
+    double floor_force() const { return structure_->floor_force(); }  ///< of a rigid floor that it meets, upward [N]
+    const Vec3& impulse() const { return impulse_; }                  ///< of the water's forces so far [N s]
+    Vec3 deflection(std::size_t point) const;                         ///< [m]
+    double strain(std::size_t gauge) const;                           ///< [-]
     /// Of a rigid part, or of node sets alike: displacement, velocity and, over the last step, acceleration.
     struct PartMotion {
         Vec3 displacement, velocity, acceleration;
@@ -104,17 +108,16 @@ public:
     void restore(std::span<const double> state);
 
 private:
-    struct Node {
-        Vec3 x, v, a;  ///< place, velocity, relaxed acceleration
-        Eigen::Matrix3d R;
-    };
     void note_nodes(double ahead);
     Vec3 barycentric(int triangle, const Vec3& x) const;
     void relax(const Eigen::VectorXd& acceleration);
+    /// Of a node's freedoms.
+    Eigen::Index first_of(std::size_t node) const {
+        return static_cast<Eigen::Index>(node) * setup_->freedoms.per_node();
+    }
 
     std::shared_ptr<const ElasticSetup> setup_;
-    std::unique_ptr<ShellInTime> shell_;
-    std::vector<structure::GaugeReader> gauges_;
+    std::unique_ptr<StructureInTime> structure_;
     std::vector<Tie> points_;
 
     Surface skin_;                ///< at the start
@@ -123,7 +126,7 @@ private:
     std::unique_ptr<SurfaceQuery> query_;
     bool moved_since_noted_ = false;
 
-    std::vector<Node> nodes_;
+    std::vector<StructureInTime::Node> nodes_;
     Eigen::VectorXd u_, v_;              ///< of all freedoms
     Eigen::VectorXd accelerations_;      ///< relaxed, three for each node
     Eigen::VectorXd last_acceleration_;  ///< of all freedoms, over the last step

@@ -1,10 +1,14 @@
 #include "sph_solver/bodies/elastic/shell_in_time.h"
 
 #include <algorithm>
+#include <cmath>
+#include <Eigen/Geometry>
 #include <functional>
+#include <limits>
 #include <stdexcept>
 
 #include "base/errors.h"
+#include "structure/shell/skin.h"
 #include "structure/time/generalised_alpha.h"
 #include "structure/time/nonlinear_alpha.h"
 
@@ -52,11 +56,77 @@ void split(std::span<const double> all, std::initializer_list<VectorXd*> parts) 
     if (at != all.size()) throw std::invalid_argument("too many numbers");
 }
 
-VectorXd velocities_at_start(const ElasticSetup& setup) {
-    VectorXd v = VectorXd::Zero(setup.freedoms.all());
-    for (int n = 0; 6 * n < v.size(); ++n) v.segment<3>(6 * n) = setup.velocity;
-    return v;
+Eigen::Matrix3d turn_by(const Vec3& rotation) {
+    const double angle = rotation.norm();
+    if (angle == 0) return Eigen::Matrix3d::Identity();
+    return Eigen::AngleAxisd(angle, rotation / angle).toRotationMatrix();
 }
+
+/// Area of the shell about each node [m2].
+std::vector<double> node_areas(const structure::Shell& shell) {
+    std::vector<double> areas(shell.mesh().nodes.size(), 0.0);
+    for (std::size_t e = 0; e < shell.elements().size(); ++e)
+        for (std::size_t i = 0; i < 4; ++i)
+            areas[static_cast<std::size_t>(shell.mesh().quads[e][i])] +=
+                shell.elements()[e].node_area()[static_cast<int>(i)];
+    return areas;
+}
+
+/// What the two kinds of shell have in common.
+class ShellInTime : public StructureInTime {
+public:
+    explicit ShellInTime(const ElasticSetup& setup)
+        : shell_(setup.shell().shell),
+          skin_(structure::Skin(shell_, setup.shell().skin).reference()),
+          areas_(node_areas(shell_)) {
+        for (const structure::Gauge& gauge : setup.gauges) gauges_.emplace_back(shell_, gauge);
+    }
+
+    const Surface& skin() const override { return skin_; }
+    const std::vector<double>& wet_areas() const override { return areas_; }
+    const VectorXd& mass() const override { return shell_.mass(); }
+    double step_within(double dt) const override { return std::exp2(std::floor(4 * std::log2(dt)) / 4); }
+
+    Tie tie(const Vec3& at_start) const override {
+        const auto& elements = shell_.elements();
+        double nearest = std::numeric_limits<double>::max();
+        std::size_t element = 0;
+        Eigen::Vector2d at = Eigen::Vector2d::Zero();
+        for (std::size_t e = 0; e < elements.size(); ++e) {
+            const Eigen::Vector2d within = elements[e].coordinates(at_start).cwiseMax(-1).cwiseMin(1);
+            const double distance = (elements[e].place(within[0], within[1]) - at_start).squaredNorm();
+            if (distance < nearest) nearest = distance, element = e, at = within;
+        }
+        Tie tie;
+        tie.nodes = shell_.mesh().quads[element];
+        tie.shares = {(1 - at[0]) * (1 - at[1]) / 4, (1 + at[0]) * (1 - at[1]) / 4, (1 + at[0]) * (1 + at[1]) / 4,
+                      (1 - at[0]) * (1 + at[1]) / 4};
+        tie.arm = at_start;
+        for (std::size_t i = 0; i < 4; ++i)
+            tie.arm -= tie.shares[i] * shell_.mesh().nodes[static_cast<std::size_t>(tie.nodes[i])];
+        return tie;
+    }
+
+    void place(double ahead, std::vector<Node>& nodes) const override {
+        const VectorXd u = displacement(), v = velocity();
+        nodes.resize(shell_.mesh().nodes.size());
+        for (std::size_t k = 0; k < nodes.size(); ++k) {
+            const auto first = static_cast<Eigen::Index>(6 * k);
+            Node& n = nodes[k];
+            n.v = v.segment<3>(first);
+            n.x = shell_.mesh().nodes[k] + u.segment<3>(first) + ahead * n.v;
+            n.R = turn_by(ahead * v.segment<3>(first + 3)) * turn_by(u.segment<3>(first + 3));
+        }
+    }
+
+protected:
+    const structure::Shell& shell_;
+    std::vector<structure::GaugeReader> gauges_;
+
+private:
+    Surface skin_;
+    std::vector<double> areas_;
+};
 
 /// Any length serves where nothing is stepped.
 constexpr double no_step = 1;
@@ -66,18 +136,20 @@ public:
     using Integrator = structure::GeneralisedAlpha;
 
     explicit LinearShell(const ElasticSetup& setup)
-        : basis_(setup.freedoms.basis()),
-          K_(setup.freedoms.widened(setup.shell.stiffness())),
-          M_(setup.freedoms.mass(setup.shell.mass())),
-          steppers_(
-              [this, &setup](double dt) { return std::make_unique<Integrator>(K_, M_, basis_, dt, setup.kept); }) {
+        : ShellInTime(setup),
+          basis_(setup.freedoms.basis()),
+          K_(setup.freedoms.widened(shell_.stiffness())),
+          M_(setup.freedoms.mass(shell_.mass())),
+          steppers_([this, kept = setup.shell().kept](double dt) {
+              return std::make_unique<Integrator>(K_, M_, basis_, dt, kept);
+          }) {
         Integrator& any = steppers_.of(no_step);
         const VectorXd none = VectorXd::Zero(setup.freedoms.all());
         any.start(none, velocities_at_start(setup), none);
         state_ = any.state();
     }
 
-    VectorXd step(double dt, const VectorXd& load) override {
+    VectorXd step(double dt, double, const VectorXd& load) override {
         Integrator& time = steppers_.of(dt);
         const VectorXd before = displacement();
         state_.f = basis_.transpose() * load;
@@ -96,7 +168,7 @@ public:
         const VectorXd u = displacement();
         return u.dot(K_ * u) / 2;
     }
-    double strain(const structure::GaugeReader& gauge) const override { return gauge.strain(displacement()); }
+    double strain(std::size_t gauge) const override { return gauges_[gauge].strain(displacement()); }
     std::vector<double> state() const override { return joined({&state_.q, &state_.v, &state_.a}); }
     void restore(std::span<const double> state) override { split(state, {&state_.q, &state_.v, &state_.a}); }
 
@@ -111,17 +183,17 @@ public:
     using Integrator = structure::NonlinearAlpha;
 
     explicit TurningShell(const ElasticSetup& setup)
-        : shell_(&setup.shell),
-          elastic_(setup.shell),
+        : ShellInTime(setup),
+          elastic_(shell_),
           basis_(setup.freedoms.basis()),
-          M_(setup.freedoms.mass(setup.shell.mass())),
-          steppers_([&setup](double dt) { return std::make_unique<Integrator>(setup.shell, setup.freedoms, dt); }) {
+          M_(setup.freedoms.mass(shell_.mass())),
+          steppers_([this, &setup](double dt) { return std::make_unique<Integrator>(shell_, setup.freedoms, dt); }) {
         Integrator& any = steppers_.of(no_step);
         any.start(velocities_at_start(setup), VectorXd::Zero(setup.freedoms.all()));
         state_ = any.state();
     }
 
-    VectorXd step(double dt, const VectorXd& load) override {
+    VectorXd step(double dt, double, const VectorXd& load) override {
         constexpr int most = 256;
         state_.f = basis_.transpose() * load;
         const Integrator::State start = state_;
@@ -138,9 +210,10 @@ public:
         const VectorXd v = velocity();
         return v.dot(M_ * v) / 2;
     }
-    double elastic_energy() const override { return elastic_.energy(state_.u.head(shell_->freedoms())); }
-    double strain(const structure::GaugeReader& gauge) const override {
-        return gauge.strain(elastic_.deformation(state_.u.head(shell_->freedoms()), gauge.element()));
+    double elastic_energy() const override { return elastic_.energy(state_.u.head(shell_.freedoms())); }
+    double strain(std::size_t gauge) const override {
+        const structure::GaugeReader& of = gauges_[gauge];
+        return of.strain(elastic_.deformation(state_.u.head(shell_.freedoms()), of.element()));
     }
     std::vector<double> state() const override {
         const VectorXd parts = VectorXd::Constant(1, parts_);
@@ -169,7 +242,6 @@ private:
         return basis_ * change;
     }
 
-    const structure::Shell* shell_;
     structure::Corotational elastic_;
     structure::SparseMatrix basis_, M_;
     Steppers<Integrator> steppers_;
@@ -179,7 +251,11 @@ private:
 
 }  // namespace
 
-std::unique_ptr<ShellInTime> linear_shell(const ElasticSetup& setup) { return std::make_unique<LinearShell>(setup); }
-std::unique_ptr<ShellInTime> turning_shell(const ElasticSetup& setup) { return std::make_unique<TurningShell>(setup); }
+std::unique_ptr<StructureInTime> linear_shell(const ElasticSetup& setup) {
+    return std::make_unique<LinearShell>(setup);
+}
+std::unique_ptr<StructureInTime> turning_shell(const ElasticSetup& setup) {
+    return std::make_unique<TurningShell>(setup);
+}
 
 }  // namespace tw

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "base/errors.h"
 #include "scene/hash.h"
 #include "scene/mesh_motion.h"
@@ -11,9 +13,9 @@ namespace {
 TEST(ElasticScene, HasItsPlateAndTheSurfaceThatTheWaterSees) {
     const Scene scene = scene_of(dropped);
     const MovingBody& b = scene.bodies.at(0);
-    ASSERT_TRUE(b.elastic);
-    EXPECT_NEAR(b.elastic->thickness(), 0.004, 1e-15);
-    EXPECT_NEAR(b.elastic->skin, 6 * 0.02, 1e-15);
+    ASSERT_TRUE(b.plate());
+    EXPECT_NEAR(b.plate()->thickness(), 0.004, 1e-15);
+    EXPECT_NEAR(b.plate()->skin, 6 * 0.02, 1e-15);
     const Vec3 size = b.surface.bounds().size();
     EXPECT_LT((size - Vec3(0.4, 0.2, 0.12)).norm(), 1e-12);
     EXPECT_NEAR(b.motion.mass.mass, 5, 1e-12);
@@ -79,6 +81,39 @@ TEST(ElasticScene, IsRigidForTheMeshMethod) {
                   "clamped = [\"x_min\"]"),
              "velocity = [0, 0, \"-2 m/s\"]\n", "");
     EXPECT_THROW(mesh_motion(scene_of(held)), InputError);
+}
+
+TEST(TyreScene, StandsBlownUpWithItsLowestPointAtItsDraft) {
+    const Scene scene = scene_of(with(tyre_scene, "cells", "drop_height = 0.3\ncells"));
+    const MovingBody& b = scene.bodies.at(0);
+    ASSERT_TRUE(b.tyre());
+    EXPECT_NEAR(b.surface.bounds().min.z(), 0.004, 1e-12);
+    EXPECT_GT(b.surface.bounds().size().z(), 0.2505) << "the pressure has not blown it up";
+    EXPECT_NEAR(b.motion.velocity.z(), -std::sqrt(2 * 9.81 * 0.3), 1e-12);
+    EXPECT_FALSE(b.motion.free.about[1]) << "a rim does not turn";
+    EXPECT_THROW(mesh_motion(scene), InputError);
+}
+
+TEST(TyreScene, RefusesWhatIsNoTyre) {
+    const struct {
+        std::string from, to, message;
+    } wrong[] = {
+        {"mass = \"10 kg\"\n", "", "needs the mass of tyre, rim and load"},
+        {"mass = \"10 kg\"", "mass = \"1 kg\"", "the rubber alone has"},
+        {"draft = \"-4 mm\"\n", "", "depth of the tyre's lowest point"},
+        {"cells", "tread = [-1e6, 1e6, 1e8]\ncells", "no rubber has these constants"},
+        {"cells", "pressure = 2e7\ncells", "bursts the tyre"},
+        {"cells", "tyre = [0.25, 0.24, 0.08]\ncells", "a tyre's rim is smaller"},
+        {"cells", "locked = [\"roll\"]\ncells", "rim does not turn"},
+        {"cells", "velocity = [0, 0, -1]\ndrop_height = 0.3\ncells", "keep one of the two"},
+        {"position = [0", "direction = [1, 0, 0]\nposition = [0", "no strain gauges"},
+        {"cells", "thickness = 0.01\ncells", "thickness"},
+    };
+    for (const auto& [from, to, message] : wrong) {
+        const std::string found = complaint(with(tyre_scene, from, to));
+        EXPECT_NE(found.find(message), std::string::npos) << to << ": '" << found << "'";
+        EXPECT_EQ(found.find("scene.toml:"), 0u) << found;
+    }
 }
 
 }  // namespace

@@ -72,6 +72,31 @@ inline std::string with(std::string text, const std::string& from, const std::st
 }
 
 /// A laminate in a frame that falls, with a strain gauge.
+inline const std::string tyre_scene = R"(title = "tyre"
+[tank]
+min = [-0.3, -0.3, -0.02]
+max = [0.3, 0.3, 0.4]
+[[water_block]]
+min = [-0.1, -0.1, -0.02]
+max = [0.1, 0.1, 0]
+[[body]]
+name = "tyre"
+elastic = "tyre"
+mass = "10 kg"
+draft = "-4 mm"
+cells = [16, 8]
+[[gauge]]
+name = "crown"
+position = [0, 0, "4 mm"]
+[motion]
+kind = "none"
+[resolution]
+near_hull = "4 mm"
+[run]
+duration = 0.03
+methods = ["sph"]
+)";
+
 inline const std::string dropped = R"(title = "dropped plate"
 [tank]
 min = [-1, -1, -1]

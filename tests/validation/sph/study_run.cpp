@@ -6,10 +6,11 @@
 
 namespace tw::test {
 
-StudyRun run_study(const std::string& study, std::optional<double> duration) {
+StudyRun run_study(const std::string& study, std::optional<double> duration, double scale) {
     StudyRun run;
     SceneOverrides overrides;
     overrides.duration = duration;
+    if (scale != 1) overrides.scale_resolution = scale;
     run.scene = read_scene(std::filesystem::path(TWINWAKE_SOURCE) / "studies" / (study + ".toml"), overrides);
     RunOptions options;
     options.folder = std::filesystem::temp_directory_path() / ("twinwake_" + std::to_string(getpid()) + "_" + study);

@@ -12,7 +12,8 @@ struct StudyRun {
     Scene scene;
     RunRecord record;
 };
-/// `study`: name of a file in studies/, without .toml; `duration` [s] in place of the study's own.
-StudyRun run_study(const std::string& study, std::optional<double> duration = {});
+/// `study`: name of a file in studies/, without .toml; `duration` [s] in place of the study's own; `scale`
+/// multiplies its sizes of particles.
+StudyRun run_study(const std::string& study, std::optional<double> duration = {}, double scale = 1);
 
 }  // namespace tw::test

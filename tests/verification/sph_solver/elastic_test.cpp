@@ -30,7 +30,9 @@ ElasticSetup strip(double from, double to, double z, int cells, const structure:
         freedoms.hold(node, {1, 3, 5});
         if (supported(mesh.nodes[static_cast<std::size_t>(n)].x())) freedoms.clamp(node);
     }
-    return {.shell = std::move(shell), .freedoms = std::move(freedoms), .skin = thickness, .width = width};
+    return {.structure = ElasticShell{.shell = std::move(shell), .skin = thickness},
+            .freedoms = std::move(freedoms),
+            .width = width};
 }
 
 /// A tank whose floor is a plate, clamped in its walls.
@@ -50,8 +52,9 @@ struct ColumnOnPlate {
         const int cells = static_cast<int>(std::lround(2 * end / dp));
         ElasticSetup plate = strip(-end, end, -skin / 2, cells, structure::isotropic(E, nu, rho), thickness,
                                    [&](double x) { return std::abs(x) > span / 2 - 1e-9; });
-        plate.skin = skin;
-        plate.large_rotations = large_rotations;
+        auto& shell = std::get<ElasticShell>(plate.structure);
+        shell.skin = skin;
+        shell.large_rotations = large_rotations;
         plate.points = {{"middle", Vec3(0, 0, -skin / 2)}};
         s.bodies.emplace_back(std::make_shared<ElasticSetup>(std::move(plate)));
         return s;
@@ -146,9 +149,9 @@ TEST(Elastic, InterfaceKeepsMomentumAndEnergy) {
             const double u2 = double(p.u[i]) * p.u[i] + double(p.v[i]) * p.v[i] + double(p.w[i]) * p.w[i];
             sum += run.mass() * (u2 / 2 + column.g * p.z[i] + c0 * c0 * p.drho[i] * p.drho[i] / 2e6);
         }
-        const structure::ShellMesh& mesh = plate_of(run).setup().shell.mesh();
+        const structure::ShellMesh& mesh = plate_of(run).setup().shell().shell.mesh();
         for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
-            sum += column.g * plate_of(run).setup().shell.mass()[static_cast<Eigen::Index>(6 * n)] *
+            sum += column.g * plate_of(run).setup().shell().shell.mass()[static_cast<Eigen::Index>(6 * n)] *
                    plate_of(run).place(plate_of(run).tie(mesh.nodes[n])).z();
         return sum + plate_of(run).kinetic_energy() + plate_of(run).elastic_energy();
     };
