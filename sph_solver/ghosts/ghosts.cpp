@@ -5,7 +5,7 @@
 namespace tw {
 
 Ghosts::Ghosts(const Surroundings& around, const LevelSetup& level, const Quanta& quanta)
-    : still_{around.gravity, level.rho0, level.state_equation.c0}, planes_(around.domain, quanta) {}
+    : around_(around), still_{level.rho0, level.state_equation.c0}, planes_(around.domain, quanta) {}
 
 void Ghosts::find(const Surroundings& around, const Particles& p, const ColumnGrid& grid, const Quanta& quanta,
                   double reach) {
@@ -21,8 +21,9 @@ void Ghosts::find(const Surroundings& around, const Particles& p, const ColumnGr
     for (std::size_t k = 0; k < found.size(); ++k) images_[k] = found[static_cast<std::size_t>(order[k])];
 }
 
-void Ghosts::refresh(Records& r, std::size_t n, const Quanta& quanta, What what) const {
-    const Eigen::Vector3f gradient = still_.gradient().cast<float>();
+void Ghosts::refresh(Records& r, const Particles& p, double t, const Quanta& quanta, What what) const {
+    const std::size_t n = p.size();
+    const FrameForce force = around_.force(t);
     for_particles(images_.size(), [&](std::size_t k) {
         const MirrorImage& image = images_[k];
         const auto i = static_cast<std::size_t>(image.source);
@@ -30,14 +31,17 @@ void Ghosts::refresh(Records& r, std::size_t n, const Quanta& quanta, What what)
         Vec3 step = quanta.size * Vec3(difference(to.x, from.x), difference(to.y, from.y), difference(to.z, from.z));
         for (int a = 0; a < 3; ++a)
             if (image.moved(a)) step[a] = 0;  // a periodic flow has the same pressure one length on
+        Vec3 g = around_.gravity;
+        if (around_.frame) g = force.at(Vec3(p.x[i], p.y[i], p.z[i]) + step / 2, Vec3(p.u[i], p.v[i], p.w[i]));
         r.velocity_density[n + k] = mirrored(r.velocity_density[i], image);
-        r.velocity_density[n + k].drho += static_cast<float>(still_.deviation(step));
+        r.velocity_density[n + k].drho += static_cast<float>(still_.deviation(g, step));
         if (what != What::all) return;
+        const Eigen::Vector3f gradient = still_.gradient(g).cast<float>();
         GradientPressureRecord s = r.gradient_pressure[i];
         s.gx -= gradient.x(), s.gy -= gradient.y(), s.gz -= gradient.z();
         s = mirrored(s, image);
         s.gx += gradient.x(), s.gy += gradient.y(), s.gz += gradient.z();
-        s.p += static_cast<float>(still_.pressure(step));
+        s.p += static_cast<float>(still_.pressure(g, step));
         r.gradient_pressure[n + k] = s;
         if (!r.carried.empty()) r.carried[n + k] = r.carried[i];
     });
