@@ -273,7 +273,7 @@ std::vector<Row> judge_sloshing(const Scene& scene, const RunRecord& record, con
     }
     return {{"crest", "%", 100 * (high - crest) / crest, 15},
             {"trough", "% of the crest", 100 * (low - trough) / crest, 10},
-            {"elevation, rms", "% of the crest", 100 * std::sqrt(squares / count), 20}};
+            {"elevation, rms", "% of the crest", 100 * std::sqrt(squares / count) / crest, 20}};
 }
 
 }  // namespace tw::test

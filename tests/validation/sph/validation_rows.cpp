@@ -15,7 +15,8 @@ int main(int argc, char** argv) {
     using namespace tw::test;
     if (argc < 4) {
         std::fputs(
-            "usage: validation_rows still|buoyancy|channel|front|spheric2|entry|sloshing scene.toml record.h5 [measured.csv]\n",
+            "usage: validation_rows still|buoyancy|channel|front|spheric2|entry|sloshing scene.toml record.h5 "
+            "[measured.csv]\n",
             stderr);
         return 2;
     }
