@@ -171,6 +171,31 @@ TEST(MovingTank, ThatHeavesMakesItsWaterHeavierAndLighter) {
     EXPECT_LT((centre_of_mass(run) - before).norm(), 0.001);
 }
 
+/// Water whose pressure balances gravity and a tank's acceleration of 3 m/s2 rests, at the walls as elsewhere.
+TEST(MovingTank, LeavesWaterInBalanceAloneAtItsWalls) {
+    const double w = 2 * pi, across = 3;
+    MovingFrame frame;
+    frame.law = {.kind = MotionLaw::Kind::sinusoid,
+                 .axis = Vec3::UnitX(),
+                 .amplitude = across / (w * w),
+                 .period = 1,
+                 .phase = pi / 2};  // at the start the tank is accelerated to -x
+    SimulationSetup s = swaying_tank(0.02, frame);
+    s.state_equation.c0 = 200;  // so that the water is nearly as dense below as above
+    Simulation run(s, water(s));
+    Particles& p = run.particles();
+    const double c2 = s.state_equation.c0 * s.state_equation.c0;
+    for (std::size_t i = 0; i < p.size(); ++i)
+        p.drho[i] = static_cast<float>(1000 / c2 * (across * (p.x[i] + 0.5) - g * p.z[i]));
+    run.step();
+    double most = 0;
+    for (std::size_t i = 0; i < p.size(); ++i)
+        if (p.z[i] < -0.12)  // clear of the surface, where this pressure is not zero
+            most = std::max(most, std::hypot(double(p.u[i]), double(p.w[i])) / run.time());
+    std::printf("largest acceleration %.3g m/s2\n", most);
+    EXPECT_LT(most, 0.03 * across);
+}
+
 TEST(MovingTank, GivesTheSameBitsWithAnyNumberOfThreads) {
     MovingFrame frame;
     frame.law = {.kind = MotionLaw::Kind::sinusoid,
