@@ -46,7 +46,7 @@ TEST_F(MovingTanks, ThatHeelSlowlyKeepTheirSurfaceLevel) {
     const RunRecord r =
         run("law = \"table\"\nabout = [0, 1, 0]\npivot = [0.8, 0, -0.5]\ntimes = [0, 3]\nvalues = [0, " +
                 std::to_string(angle) + "]\n",
-            4.2);  // a swing of the water takes 1.33 s
+            4.2);  // a swing of the water takes 1.32 s
     const Table& t = r.tables.at("height");
     const double slope = (mean_after(t, "right", 2.87) - mean_after(t, "left", 2.87)) / 0.95;
     EXPECT_NEAR(slope, std::tan(angle), 0.05 * std::tan(angle));
