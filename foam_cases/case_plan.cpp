@@ -297,6 +297,10 @@ CasePlan plan_case(const Scene& scene, const Flavour& flavour) {
         plan.solids.push_back({name, o.surface, false});
     }
 
+    if (scene.tank_motion && flavour.vendor != Flavour::Vendor::com)
+        throw InputError("tanks that move were measured with OpenFOAM of openfoam.com alone, and this is " +
+                         flavour.vendor_name() + " " + flavour.version_name() +
+                         "; use the particle method, or name another installation in [fvm] openfoam");
     plan_body(plan, names);
     const bool uniform = scene.domain.dimensions == 2 || (!scene.hull && plan.body.empty() && scene.refinement.empty());
     plan.background_cell = plan.finest_cell = uniform ? scene.resolution.near_hull : scene.resolution.spacing;

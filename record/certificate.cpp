@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "record/tank_table.h"
+
 namespace tw {
 
 bool only_warns(const CertificateLine& line) { return line.name == mass_drift_line || line.name == orphans_line; }
@@ -20,11 +22,12 @@ void watch_energy(RunRecord& record) {
     if (motion == record.attributes.end() || motion->second != "none") return;
     const Column *kinetic = record.series("samples", "kinetic_energy"),
                  *potential = record.series("samples", "potential_energy"),
-                 *elastic = record.series("samples", "elastic_energy"), *air = record.series("samples", "air_energy");
+                 *elastic = record.series("samples", "elastic_energy"), *air = record.series("samples", "air_energy"),
+                 *work = record.series(tank_table, tank_work);
     if (!kinetic || !potential || kinetic->values.empty()) return;
     const auto energy = [&](std::size_t i) {
         return kinetic->values[i] + potential->values[i] + (elastic ? elastic->values[i] : 0) +
-               (air ? air->values[i] : 0);
+               (air ? air->values[i] : 0) - (work ? work->values[i] : 0);
     };
     const double scale = std::abs(potential->values.front());
     if (!(scale > 0)) return;

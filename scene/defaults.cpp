@@ -173,7 +173,7 @@ double default_sound_speed(const Scene& scene) {
     const double fall = std::sqrt(2 * scene.water.gravity * water_height(scene));
     double body = 0;
     for (const MovingBody& b : scene.bodies) body = std::max(body, b.fastest(scene.water.gravity));
-    return 10 * std::max({scene.motion.speed, fall, body});
+    return 10 * std::max({scene.motion.speed, fall + fastest_wall(scene), body});
 }
 
 RasterSpec default_raster(const Scene& scene, double spacing) {

@@ -56,6 +56,8 @@ inline constexpr double most_voxels = 1e9;
 /// Largest Courant number of the FVM run.
 double default_courant(const Scene& scene);
 double default_sound_speed(const Scene& scene);
+/// Largest speed of a place in a tank that moves, seen from the earth [m/s]; 0 where it rests.
+double fastest_wall(const Scene& scene);
 
 /// Bounds of the water at rest [m]: depth below the surface of the deepest place, by the domain as it was asked for:
 /// what follows from it (sound speed, times) is the same at every resolution.

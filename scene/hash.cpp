@@ -98,6 +98,13 @@ void add_tyre(Lines& t, const ElasticTyre& tyre) {
     for (const ElasticGauge& g : tyre.gauges) t.add("gauge", g.position);
 }
 
+void add_law(Lines& t, const MotionLaw& law) {
+    t.add("law",
+          {static_cast<double>(law.kind), double(law.turns), law.rate, law.ramp, law.amplitude, law.period, law.phase})
+        .add("axis", law.axis);
+    for (std::size_t k = 0; k < law.times.size(); ++k) t.add("row", {law.times[k], law.values[k]});
+}
+
 void add_body(Lines& t, const MovingBody& body, bool sizes) {
     const RigidBodySetup& m = body.motion;
     if (body.elastic) {
@@ -111,12 +118,7 @@ void add_body(Lines& t, const MovingBody& body, bool sizes) {
     for (const auto& free : {m.free.along, m.free.about})
         t.add("free", {double(free[0]), double(free[1]), double(free[2])});
     t.add("velocity", m.velocity).add("spin", m.spin);
-    if (!m.law) return;
-    const MotionLaw& law = *m.law;
-    t.add("law",
-          {static_cast<double>(law.kind), double(law.turns), law.rate, law.ramp, law.amplitude, law.period, law.phase})
-        .add("axis", law.axis);
-    for (std::size_t k = 0; k < law.times.size(); ++k) t.add("row", {law.times[k], law.values[k]});
+    if (m.law) add_law(t, *m.law);
 }
 
 void add_free_hull(Lines& t, const FreeHull& free) {
@@ -145,6 +147,10 @@ void add_geometry(Lines& t, const Scene& scene, bool sizes) {
         t.add("obstacle", surface_hash(surface));
     }
     for (const MovingBody& body : scene.bodies) add_body(t, body, sizes);
+    if (scene.tank_motion) {
+        t.add("tank_pivot", scene.tank_motion->pivot);
+        add_law(t, scene.tank_motion->law);
+    }
     for (const Box& block : scene.water_blocks)
         t.add("block", flat ? Box{flattened(block.min, middle), flattened(block.max, middle)} : block);
     for (const PressureProbe& p : scene.sampling.pressure) t.add("pressure", p.place);

@@ -30,6 +30,33 @@ std::vector<std::string> shape_names() {
 // clang-format off
 using Rows = std::vector<SceneKey>;
 
+/// What [[body]] and [tank] share: a prescribed motion of `who`, turns of which are about an axis `through` a point.
+Rows motion_law_keys(const std::string& required, const std::string& who, const std::string& through) {
+    return {
+        {.name = "law", .kind = Kind::choice, .choices = {"constant", "ramp", "sinusoid", "table"},
+         .hashed = Hashed::scene, .fallback = required,
+         .meaning = "Path s(t) along `along` or about `about`: rate t; a rate that rises from 0 over `ramp`; amplitude (sin(2 pi t / period + phase) - sin(phase)); a smooth curve through `times` and `values`."},
+        {.name = "along", .kind = Kind::place3, .hashed = Hashed::scene, .fallback = "none",
+         .meaning = "Direction of a prescribed motion."},
+        {.name = "about", .kind = Kind::place3, .hashed = Hashed::scene, .fallback = "none",
+         .meaning = "Axis of a prescribed rotation, through " + through + "."},
+        {.name = "rate", .hashed = Hashed::scene, .fallback = "required of constant and ramp",
+         .meaning = "Velocity along `along` [m/s], or about `about` [rad/s]."},
+        {.name = "ramp", .unit = "s", .range = positive, .hashed = Hashed::scene, .fallback = "required of ramp",
+         .meaning = "How long the rate rises."},
+        {.name = "amplitude", .hashed = Hashed::scene, .fallback = "required of sinusoid",
+         .meaning = "Amplitude along `along` [m], or about `about` [rad]."},
+        {.name = "period", .unit = "s", .range = positive, .hashed = Hashed::scene, .fallback = "required of sinusoid",
+         .meaning = "Period."},
+        {.name = "phase", .unit = "rad", .hashed = Hashed::scene, .fallback = "0 deg",
+         .meaning = "Phase at the start; 90 deg: from rest."},
+        {.name = "times", .kind = Kind::list, .unit = "s", .hashed = Hashed::scene, .fallback = "required of table",
+         .meaning = "Times of the table; they rise. " + who + " rests before the first and after the last."},
+        {.name = "values", .kind = Kind::list, .hashed = Hashed::scene, .fallback = "required of table",
+         .meaning = "Places along `along` [m], or angles about `about` [rad]."},
+    };
+}
+
 /// What [hull], [[obstacle]] and [[body]] share.
 Rows solid_keys() {
     return {
@@ -212,14 +239,19 @@ Rows probe_keys() {
 }
 
 Rows tank_keys() {
-    return {
+    Rows rows{
         {.name = "size", .kind = Kind::place3, .unit = "m", .hashed = Hashed::scene, .fallback = "from min and max",
          .meaning = "Length, width and height; the low corner is the origin."},
         {.name = "min", .kind = Kind::place3, .unit = "m", .hashed = Hashed::scene, .fallback = "from size",
          .meaning = "Low corner."},
         {.name = "max", .kind = Kind::place3, .unit = "m", .hashed = Hashed::scene, .fallback = "from size",
          .meaning = "High corner."},
+        {.name = "pivot", .kind = Kind::place3, .unit = "m", .hashed = Hashed::scene, .fallback = "[0, 0, 0]",
+         .meaning = "Point of the axis `about`, which stays in the earth while the tank turns."},
     };
+    const Rows law = motion_law_keys("none: the tank rests", "The tank", "`pivot`");
+    rows.insert(rows.end(), law.begin(), law.end());
+    return rows;
 }
 
 Rows water_block_keys() {
@@ -302,27 +334,9 @@ Rows body_keys() {
          .meaning = "The same along the body's own axis, bow first, instead of `velocity`."},
         {.name = "spin", .kind = Kind::place3, .unit = "rad/s", .hashed = Hashed::scene, .fallback = "[0, 0, 0]",
          .meaning = "Angular velocity at the start, earth axes."},
-        {.name = "law", .kind = Kind::choice, .choices = {"constant", "ramp", "sinusoid", "table"},
-         .hashed = Hashed::scene, .fallback = "required of a prescribed motion",
-         .meaning = "Path s(t) along `along` or about `about`: rate t; a rate that rises from 0 over `ramp`; amplitude (sin(2 pi t / period + phase) - sin(phase)); a smooth curve through `times` and `values`."},
-        {.name = "along", .kind = Kind::place3, .hashed = Hashed::scene, .fallback = "none",
-         .meaning = "Direction of a prescribed motion."},
-        {.name = "about", .kind = Kind::place3, .hashed = Hashed::scene, .fallback = "none",
-         .meaning = "Axis of a prescribed rotation, through `centre`."},
-        {.name = "rate", .hashed = Hashed::scene, .fallback = "required of constant and ramp",
-         .meaning = "Velocity along `along` [m/s], or about `about` [rad/s]."},
-        {.name = "ramp", .unit = "s", .range = positive, .hashed = Hashed::scene, .fallback = "required of ramp",
-         .meaning = "How long the rate rises."},
-        {.name = "amplitude", .hashed = Hashed::scene, .fallback = "required of sinusoid",
-         .meaning = "Amplitude along `along` [m], or about `about` [rad]."},
-        {.name = "period", .unit = "s", .range = positive, .hashed = Hashed::scene, .fallback = "required of sinusoid",
-         .meaning = "Period."},
-        {.name = "phase", .unit = "rad", .hashed = Hashed::scene, .fallback = "0 deg",
-         .meaning = "Phase at the start; 90 deg: from rest."},
-        {.name = "times", .kind = Kind::list, .unit = "s", .hashed = Hashed::scene, .fallback = "required of table",
-         .meaning = "Times of the table; they rise. The body rests before the first and after the last."},
-        {.name = "values", .kind = Kind::list, .hashed = Hashed::scene, .fallback = "required of table",
-         .meaning = "Places along `along` [m], or angles about `about` [rad]."},
+    };
+    const Rows law = motion_law_keys("required of a prescribed motion", "The body", "`centre`");
+    const Rows plate{
         {.name = "elastic", .kind = Kind::choice, .choices = {"plate", "tyre"}, .hashed = Hashed::scene,
          .fallback = "none: the body is rigid",
          .meaning = "A rectangular plate that bends; of the keys above it has name, trim, density, mass (of plate and frame), locked (of the frame) and velocity. Or a tyre on a rigid rim, its axle along y, that meets the floor; of those above it has name, draft, position, density (of its rubber, 1100 kg/m3), mass (of tyre, rim and load), locked (of the rim, which never turns) and velocity."},
@@ -385,7 +399,7 @@ Rows body_keys() {
         {.name = "contact_depth", .unit = "m", .range = positive, .hashed = Hashed::scene, .fallback = "0.1 mm",
          .meaning = "How deep 1 MPa presses a tyre's rubber into the rigid floor: the stiffness of the contact."},
     };
-    rows.insert(rows.end(), own.begin(), own.end());
+    for (const Rows& more : {own, law, plate}) rows.insert(rows.end(), more.begin(), more.end());
     return rows;
 }
 
@@ -554,7 +568,9 @@ const std::vector<SceneSection>& scene_sections() {
         {"run", false, "How long and how the scene is run."},
         {"sampling", false, "What is recorded, and when."},
         {"probe", true, "A place at which pressure or height is recorded; exactly one of the two is given."},
-        {"tank", false, "A tank instead of a domain: walls all around, open above."},
+        {"tank", false,
+         "A tank instead of a domain: walls all around, open above. With `law` it moves, and all places and velocities "
+         "are in its own axes."},
         {"water_block", true, "A box of water in a tank; without any, all below z = 0 is water."},
         {"refine", true,
          "A place to be resolved finer than what lies round it, in both methods: cells are halved there, and finer "

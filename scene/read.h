@@ -33,6 +33,10 @@ struct DomainOptions {
 };
 DomainOptions read_domain(Section& s);
 std::optional<Box> read_tank(Section& s);  ///< nothing when there is no [tank]
+/// Before `read_tank`: the motion of a tank that has one.
+std::optional<MovingFrame> read_tank_motion(Section& s, int dimensions);
+/// The keys from `law` on, of a body or a tank. `flat`: in the plane y = 0.
+MotionLaw read_motion_law(Section& s, bool flat);
 
 /// Edge of the raster's voxels [m].
 std::optional<double> read_sampling(Section& s, std::vector<Section>& probes, Scene& scene);

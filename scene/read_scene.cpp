@@ -153,6 +153,7 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     }
     const ResolutionOptions resolution = read_resolution(s.resolution);
     const DomainOptions domain = read_domain(s.domain);
+    scene.tank_motion = read_tank_motion(s.tank, domain.dimensions);
     const std::optional<Box> tank = read_tank(s.tank);
     scene.water_blocks = read_water_blocks(s.water_blocks);
     for (std::size_t i = 0; i < s.obstacles.size(); ++i)
@@ -199,7 +200,8 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     // A stream without a hull has no length to settle over: its ramp is the domain's, so the domain comes first.
     const auto make_domain = [&] { scene.domain = domain_of(domain, tank, scene, s, depth); };
     const bool free_hull = scene.hull && scene.hull->free;
-    if (resolution.spacing && !free_hull && !s.sph.has("levels") && !s.effects.on_off("air").value_or(false))
+    if (resolution.spacing && !free_hull && !scene.tank_motion && !s.sph.has("levels") &&
+        !s.effects.on_off("air").value_or(false))
         follow_spacing(scene, make_domain);
     else
         make_domain();
@@ -250,6 +252,7 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
         s.effects.fail("air", "bodies that move are solved in water alone; remove this effect");
     check_elastic(scene, s);
     check_gate(scene, s.sph);
+    check_tank_motion(scene, s);
     scene.hash = scene_hash(scene);
     return scene;
 }

@@ -11,6 +11,7 @@
 #include "meshes/mass_properties.h"
 #include "meshes/surface.h"
 #include "motion/floating_attitude.h"
+#include "motion/moving_frame.h"
 #include "motion/rigid_body.h"
 #include "scene/elastic_tyre.h"
 #include "scene/sph_options.h"
@@ -192,7 +193,8 @@ struct Scene {
     std::optional<Hull> hull;
     std::vector<Obstacle> obstacles;
     std::vector<MovingBody> bodies;
-    WaterBlocks water_blocks;  ///< empty in a stream scene: all below z = 0 outside the hull
+    std::optional<MovingFrame> tank_motion;  ///< the scene's axes are the tank's; none: it rests in the earth
+    WaterBlocks water_blocks;                ///< empty in a stream scene: all below z = 0 outside the hull
     Water water;
     Motion motion;
     Domain domain;

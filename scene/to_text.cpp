@@ -139,19 +139,19 @@ std::string tyre_text(const MovingBody& b) {
     return out + findings_text(b.findings);
 }
 
+std::string law_text(const MotionLaw& law) {
+    static constexpr const char* kinds[] = {"constant rate", "ramp", "sinusoid", "table"};
+    return fmt::format("  moves     as prescribed ({}) {} {}, at most {:.4g} {}\n", kinds[static_cast<int>(law.kind)],
+                       law.turns ? "about" : "along", place(law.axis), law.fastest(), law.turns ? "rad/s" : "m/s");
+}
+
 std::string body_text(const MovingBody& b, const Scene& scene) {
     const RigidBodySetup& m = b.motion;
     const Box at = b.surface.bounds();
     std::string out = fmt::format("body        {}: {}, {} to {} m\n", b.name, b.source, place(at.min), place(at.max));
     if (b.tyre()) return out + tyre_text(b);
     if (b.elastic) return out + plate_text(b, scene);
-    if (m.law) {
-        static constexpr const char* kinds[] = {"constant rate", "ramp", "sinusoid", "table"};
-        out += fmt::format("  moves     as prescribed ({}) {} {}, at most {:.4g} {}\n",
-                           kinds[static_cast<int>(m.law->kind)], m.law->turns ? "about" : "along", place(m.law->axis),
-                           m.law->fastest(), m.law->turns ? "rad/s" : "m/s");
-        return out;
-    }
+    if (m.law) return out + law_text(*m.law);
     static constexpr const char* names[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
     std::string free;
     for (std::size_t k = 0; k < 6; ++k)
@@ -192,6 +192,11 @@ std::string to_text(const Scene& scene, const Prediction& p) {
     for (const Obstacle& o : scene.obstacles) {
         const Box b = o.surface.bounds();
         out += fmt::format("obstacle    {}: {} to {} m\n", o.name, place(b.min), place(b.max));
+    }
+    if (scene.tank_motion) {
+        out += "tank        places, velocities and forces are in its own axes\n" + law_text(scene.tank_motion->law);
+        if (scene.tank_motion->law.turns)
+            out += fmt::format("            through {} m\n", place(scene.tank_motion->pivot));
     }
     for (const MovingBody& b : scene.bodies) out += body_text(b, scene);
     if (std::ranges::find(scene.run.methods, "fvm") != scene.run.methods.end())

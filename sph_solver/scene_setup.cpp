@@ -144,6 +144,7 @@ EffectOptions effect_options(const Scene& scene, const SimulationSetup& s) {
     if (scene.effect_on("acoustic_damping")) on.acoustic_damping = AcousticDamping{scene.sph.acoustic_damping};
     if (scene.effect_on("cavitation"))
         on.cavitation = Cavitation{scene.water.vapour_pressure - scene.water.atmospheric_pressure};
+    on.moving_tank = scene.tank_motion.has_value();
     if (scene.effect_on("damping_layers")) on.damping_layers = damping_layers(scene, s);
     return on;
 }
@@ -200,6 +201,7 @@ SphSetup sph_setup(const Scene& scene, int threads) {
         }
         s.moment_reference = moment_reference(scene);
     }
+    s.frame = scene.tank_motion;
     s.zones = particle_zones(scene);
     s.partial_zones = static_cast<std::size_t>(sizes_below_near_hull(scene));
     if (!s.zones.empty() && !scene.bodies.empty())

@@ -34,6 +34,8 @@ std::string velocity_field(const CasePlan& plan);
 std::string p_rgh(const CasePlan& plan);
 /// constant/dynamicMeshDict, 0.orig/pointDisplacement and the table of a prescribed motion; none where nothing moves.
 std::vector<CaseFile> mesh_motion_files(const CasePlan& plan);
+/// constant/fvOptions and its table; none where the tank rests.
+std::vector<CaseFile> tank_motion_files(const CasePlan& plan);
 std::vector<CaseFile> turbulence_fields(const CasePlan& plan);  ///< k, omega, nut; none in laminar flow
 
 std::string allrun_script(const CasePlan& plan, int ranks);

@@ -50,6 +50,8 @@ std::string alpha_water(const CasePlan& plan) {
 std::string velocity_field(const CasePlan& plan) {
     const double speed = plan.stream ? plan.scene->motion.speed : 0;
     const Value stream = uniform(Vec3(speed, 0, 0));
+    const auto& tank = plan.scene->tank_motion;
+    const Value inside = tank ? uniform(tank->velocity_of_rest()) : stream;
     const auto open = [&](const Patch& p) -> Dictionary {
         const Side side = p.side;
         if (p.open == Patch::Open::resting_water)
@@ -65,7 +67,7 @@ std::string velocity_field(const CasePlan& plan) {
                     {"value", stream}};
         return {{"type", Word("pressureInletOutletVelocity")}, {"tangentialVelocity", stream}, {"value", stream}};
     };
-    return field(plan, "volVectorField", "U", velocity, stream, open,
+    return field(plan, "volVectorField", "U", velocity, inside, open,
                  {{"type", Word(plan.no_slip ? "noSlip" : "slip")}},
                  // slip would let the water through a wall that moves
                  {{"type", Word("movingWallVelocity")}, {"value", uniform(Vec3::Zero())}});

@@ -3,6 +3,7 @@
 
 #include "foam_cases/body_axes.h"
 #include "foam_cases/files/case_files.h"
+#include "foam_cases/files/times_of_table.h"
 
 // Recipe and measurements: docs/decisions/034-moving-bodies-in-interfoam.md.
 
@@ -79,19 +80,12 @@ Dictionary free_body(const CasePlan& plan) {
             {"sixDoFRigidBodyMotionCoeffs", body}};
 }
 
-/// A table of the prescribed motion, which OpenFOAM reads as its own spline: rows every hundredth of the run or finer.
+/// A table of the prescribed motion.
 std::string motion_table(const CasePlan& plan) {
     const MotionLaw& law = *plan.moving().motion.law;
-    const double T = plan.scene->run.duration;
-    double shortest = T / 100;
-    if (law.kind == MotionLaw::Kind::sinusoid) shortest = std::min(shortest, law.period / 50);
-    if (law.kind == MotionLaw::Kind::ramp) shortest = std::min(shortest, law.ramp / 50);
-    for (std::size_t i = 1; i < law.times.size(); ++i)
-        shortest = std::min(shortest, (law.times[i] - law.times[i - 1]) / 10);
-    const int rows = std::min(20000, static_cast<int>(std::ceil(T / shortest)) + 1);
     List table;
-    for (int i = -1; i <= rows + 1; ++i) {  // a row before and behind: the solver looks a step ahead
-        const double t = T * i / rows, path = law.at(t).path;
+    for (const double t : times_of_table(law, plan.scene->run.duration)) {
+        const double path = law.at(t).path;
         const Vec3 along = law.turns ? Vec3(Vec3::Zero()) : Vec3(path * law.axis);
         const Vec3 about = law.turns ? Vec3(path * law.axis * 180 / std::numbers::pi) : Vec3(Vec3::Zero());
         table.push_back(List{t, List{along, about}});

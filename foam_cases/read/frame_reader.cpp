@@ -126,7 +126,8 @@ void FrameReader::read_water(const TimeFolders::Moment& moment, const SolverLog&
     if (scene.motion.speed > 0)
         note_worst(record,
                    {"water speed over stream", "-", std::sqrt(fastest) / scene.motion.speed, 3, moment.time, nowhere});
-    if (plan_.body.empty()) watch_energy(record);  // a body does work on the water
+    // a body or a tank that moves does work on the water
+    if (plan_.body.empty() && !scene.tank_motion) watch_energy(record);
 }
 
 void FrameReader::read_hull(const TimeFolders::Moment& moment, RunRecord& record) const {

@@ -55,7 +55,8 @@ void SolverLog::line(std::string_view text) {
     } else if (const auto start = number_after(text, "Create mesh for time = ")) {
         const double gone_on_from = *start * (1 + time_name_precision);
         std::erase_if(steps_, [&](const Step& s) { return s.time > gone_on_from; });
-    } else if (text.rfind("Time = ", 0) == 0) {  // not the header's "Time   : 12:00:00"; openfoam.org writes "0.1s"
+    } else if (text.rfind("Time = ", 0) == 0 && text.find("accelerations") == std::string_view::npos) {
+        // not the header's "Time   : 12:00:00", nor what a tank that moves says in a step; openfoam.org writes "0.1s"
         const auto time = number_after(text, "Time = ");
         if (!time) return;
         while (!steps_.empty() && steps_.back().time >= *time) steps_.pop_back();

@@ -52,10 +52,12 @@ Walls::Walls(const std::vector<Body>& bodies, const Surroundings& around, const 
             const Eigen::Vector3f along = bodies_[b].sliding().cast<float>();
             sliding_.resize(static_cast<std::size_t>(body_end_[b]), {along.x(), along.y(), along.z(), 0});
         }
-    if (std::ranges::all_of(bodies_, [](const Body& body) { return body.fixed(); })) return;
+    const bool fixed = std::ranges::all_of(bodies_, [](const Body& body) { return body.fixed(); });
+    if (fixed && !around.frame) return;
     at_start_ = std::move(places);
-    velocity_.resize(place_.size());
     acceleration_.resize(place_.size());
+    if (fixed) return;
+    velocity_.resize(place_.size());
     motions_.resize(bodies_.size());
     for (std::size_t b = 0; b < bodies_.size(); ++b) reach_.push_back(reach_of(b));
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
@@ -118,6 +120,13 @@ void Walls::follow(const Quanta& quanta) {
             velocity_[k] = {u.x(), u.y(), u.z()};
             acceleration_[k] = {a.x(), a.y(), a.z()};
         }
+    }
+}
+
+void Walls::feel(const FrameForce& f, const Vec3& gravity) {
+    for (std::size_t k = 0; k < at_start_.size(); ++k) {
+        const Eigen::Vector3f a = (gravity - f.at(at_start_[k], Vec3::Zero())).cast<float>();
+        acceleration_[k] = {a.x(), a.y(), a.z()};
     }
 }
 

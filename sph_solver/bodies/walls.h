@@ -45,7 +45,7 @@ public:
     };
     const std::vector<Part>& parts() const { return parts_; }
 
-    bool move() const { return !at_start_.empty(); }  ///< some body is not fixed
+    bool move() const { return !velocity_.empty(); }  ///< some body is not fixed
     /// The largest speed of a dummy now [m/s].
     double fastest() const;
     /// Whether some body is elastic.
@@ -60,6 +60,9 @@ public:
     void note_motions();
     /// Puts the dummies of bodies that move where those are now, with their velocities and accelerations.
     void follow(const Quanta& quanta);
+    /// Gives the dummies of fixed bodies the acceleration gravity - f, so that water at rest against them presses as
+    /// under the force f of a tank that moves.
+    void feel(const FrameForce& f, const Vec3& gravity);
     /// The same, with the dummies sorted anew; lists are due after it.
     void sort(const ColumnGrid& grid, const Quanta& quanta, int lanes);
     /// The body's dummies as water of density `rho0` [kg/m3].
@@ -113,7 +116,7 @@ private:
     std::vector<PlaceRecord> place_;  // body after body, each sorted by column
     std::vector<float> p_;
     std::vector<VelocityDensityRecord> sliding_;
-    // empty where all bodies are fixed
+    // empty where all bodies are fixed; accelerations and places are there in a tank that moves, too
     std::vector<WallVelocity> velocity_;
     std::vector<WallAcceleration> acceleration_;
     std::vector<Vec3> at_start_;       // places of the dummies at the start

@@ -13,6 +13,7 @@ namespace tw {
 /// behind those of the particles.
 class Ghosts {
 public:
+    /// `around` must outlive this.
     Ghosts(const Surroundings& around, const LevelSetup& level, const Quanta& quanta);
 
     /// Which particles have images within `reach` [m] of a plane, in the order of the columns.
@@ -23,14 +24,15 @@ public:
         places_and_velocities,  ///< before the first sweep
         all                     ///< before the second: density, pressure and density gradient too
     };
-    /// Gives the images what their `n` sources have now.
-    void refresh(Records& records, std::size_t n, const Quanta& quanta, What what) const;
+    /// Gives the images what their sources have at time `t`.
+    void refresh(Records& records, const Particles& sources, double t, const Quanta& quanta, What what) const;
 
     const std::vector<MirrorImage>& images() const { return images_; }
     const std::vector<std::int32_t>& start() const { return start_; }  ///< first image of each column
     std::size_t bytes() const { return images_.capacity() * sizeof(MirrorImage); }
 
 private:
+    const Surroundings& around_;
     Hydrostatic still_;
     MirrorPlanes planes_;
     std::vector<MirrorImage> images_;

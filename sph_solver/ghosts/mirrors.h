@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "base/vec3.h"
-#include "sph_solver/neighbours/columns.h"
 #include "sph_solver/backend/pass_data.h"
+#include "sph_solver/neighbours/columns.h"
 #include "sph_solver/particles/particles.h"
 
 namespace tw {
@@ -81,13 +81,12 @@ inline GradientPressureRecord mirrored(const GradientPressureRecord& s, const Mi
 /// Water presses on a wall with dp/dn = rho g . n, not with dp/dn = 0: the mirrored field is the pressure less the
 /// hydrostatic one. So an image carries on the source's hydrostatic line over `step` = image - source; without it the
 /// pressure has a kink at a floor, which the diffusion turns into layers of alternating pressure (5 % of rho g H at the
-/// floor of a channel).
+/// floor of a channel). In a tank that moves g is all that the water feels there.
 struct Hydrostatic {
-    Vec3 gravity;
     double rho0, c0;
-    double pressure(const Vec3& step) const { return rho0 * gravity.dot(step); }
-    double deviation(const Vec3& step) const { return pressure(step) / (c0 * c0); }
-    Vec3 gradient() const { return rho0 / (c0 * c0) * gravity; }  ///< of the density [kg/m4]
+    double pressure(const Vec3& g, const Vec3& step) const { return rho0 * g.dot(step); }
+    double deviation(const Vec3& g, const Vec3& step) const { return pressure(g, step) / (c0 * c0); }
+    Vec3 gradient(const Vec3& g) const { return rho0 / (c0 * c0) * g; }  ///< of the density [kg/m4]
 };
 
 /// A particle that has crossed a plane or periodic face has changed places with its own image: puts it back. Returns

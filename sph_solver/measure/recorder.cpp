@@ -10,6 +10,7 @@
 #include "record/hull_motion.h"
 #include "record/raster.h"
 #include "record/spray_table.h"
+#include "record/tank_table.h"
 #include "sph_solver/bodies/elastic/elastic_body.h"
 #include "sph_solver/effects/air.h"
 #include "sph_solver/measure/certificate.h"
@@ -70,6 +71,7 @@ Recorder::Recorder(const Scene& scene, const Simulation& simulation, RunRecord r
     for (const HeightProbe& g : scene.sampling.height)
         for (int k = 0; k < heights_per_gauge_; ++k)
             height_points_.places.emplace_back(g.x, g.y, s.domain.min.z() + (k + 0.5) * height_step_);
+    if (scene.tank_motion) tank_.emplace().begin(simulation);
 }
 
 void Recorder::after_step(Simulation& simulation, bool frame) {
@@ -93,6 +95,7 @@ void Recorder::after_step(Simulation& simulation, bool frame) {
             set(t, row, "fz_air", per_span("N"), air.z());
         }
     }
+    if (tank_) tank_->after_step(simulation);
     record_bodies(simulation);
     if (frame || simulation.steps() % surface_every == 0) sample_surface(simulation, row);
     if (frame) sample_frame(simulation, row);
@@ -208,6 +211,7 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
         set(t, k, "wetted_length", "m", hull_->wetted_length(scene_.hull->beam));
     }
     if (!height_points_.places.empty()) probe_height(simulation);
+    if (tank_) tank_->record(simulation, record_.table(tank_table), per_span("N"), per_span("J"));
     record_levels(simulation);
 }
 
@@ -335,6 +339,7 @@ void Recorder::probe_height(Simulation& simulation) {
 
 /// The control volume's sums begin anew at a frame, with what is in it then.
 void Recorder::begin_balance(const Simulation& simulation) {
+    if (tank_) tank_->begin(simulation);
     if (!simulation.control_volume()) return;
     double mass_inside = 0;
     momentum_ = momentum_inside(simulation, mass_inside);

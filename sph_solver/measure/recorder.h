@@ -5,6 +5,7 @@
 #include "scene/scene.h"
 #include "sph_solver/bodies/samples.h"
 #include "sph_solver/measure/spray_gate.h"
+#include "sph_solver/measure/tank_balance.h"
 #include "sph_solver/simulation.h"
 
 namespace tw {
@@ -48,6 +49,7 @@ private:
     Vec3 momentum_ = Vec3::Zero();  ///< in the control volume at the last frame
     bool momentum_known_ = false;
     double last_face_sample_ = 0;
+    std::optional<TankBalance> tank_;  ///< of one that moves
 };
 
 }  // namespace tw

@@ -60,6 +60,10 @@ Level::Level(const Surroundings& around, LevelSetup setup, const Schedule& sched
         particles_.add(p.x(), p.y(), p.z(), static_cast<float>(stream_velocity(0)),
                        setup_.state_equation.deviation(setup_.rho0, depth_pressure), ledger_.next_id++, kind);
     }
+    if (!around.frame) return;
+    const Eigen::Vector3f u = around.frame->velocity_of_rest().cast<float>();
+    for (std::size_t i = 0; i < particles_.size(); ++i)
+        particles_.u[i] = u.x(), particles_.v[i] = u.y(), particles_.w[i] = u.z();
 }
 
 double Level::reference_speed() const { return std::max(extremes_.speed, stream_velocity(time_)); }
@@ -158,7 +162,7 @@ void Level::first_sweep(double t, double compress, double drift, const OtherSums
     });
     const StepView view = step_view(d, t);
     for (const auto& effect : effects_) effect->change_pressure(view);
-    ghosts_.refresh(r, p.size(), quanta_, Ghosts::What::all);
+    ghosts_.refresh(r, p, t, quanta_, Ghosts::What::all);
 }
 
 void Level::mark_surface() {
@@ -177,6 +181,7 @@ void Level::second_sweep(double t) {
         const Stopwatch watch(timers_.walls);
         wall_speed_ = walls_.fastest();
         walls_.follow(quanta_);
+        if (around_.frame) walls_.feel(around_.force(t), around_.gravity);
         for (const Walls::Part& part : walls_.parts()) {
             ExtrapolateData e = extrapolation();
             e.list = part.water.view();

@@ -35,7 +35,7 @@ void Level::update_records() {
         records_.place[i] = place_record(i);
         records_.velocity_density[i] = {p.u[i], p.v[i], p.w[i], p.drho[i]};
     });
-    ghosts_.refresh(records_, p.size(), quanta_, Ghosts::What::places_and_velocities);
+    ghosts_.refresh(records_, p, time_, quanta_, Ghosts::What::places_and_velocities);
 }
 
 /// Leaves in the lists who is within reach now, or may be after `drift` [s] with the present velocities.

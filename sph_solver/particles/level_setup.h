@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "motion/moving_frame.h"
 #include "scene/scene.h"
 #include "sph_solver/effects/effects.h"
 #include "sph_solver/equations/state_equation.h"
@@ -20,6 +21,10 @@ struct Surroundings {
     Box domain;
     Mirrors mirrors;
     std::optional<Stream> stream;
+    /// The axes are those of a tank that moves; none: they rest. Bodies are fixed in it.
+    std::optional<MovingFrame> frame;
+    /// What water feels at time `t`, but for the stream's ramp.
+    FrameForce force(double t) const { return frame ? frame->force(t, gravity) : FrameForce{.at_pivot = gravity}; }
 };
 
 /// One material on particles of one size. SI units.

@@ -107,6 +107,20 @@ TEST(KillAndResume, ABodyThatFallsIntoWaterGoesOnToTheSameBits) {
     kill_and_resume("entry", scene, folder.path());
 }
 
+TEST(KillAndResume, ATankThatRollsGoesOnToTheSameBits) {
+    const ScratchFolder folder("kill_tank_that_moves");
+    const auto scene = write_small_scene(folder.path() / "scene.toml", 0.6);
+    std::string text = read_text(scene);
+    const std::string tank = "[tank]\n";
+    text.insert(text.find(tank) + tank.size(),
+                "law = \"sinusoid\"\nabout = [0, 1, 0]\npivot = [0.2, 0, 0.1]\namplitude = \"10 deg\"\nperiod = 1\n"
+                "phase = \"90 deg\"\n");
+    write_text_atomically(scene, text);
+    kill_and_resume("rolling tank", scene, folder.path());
+    const RunRecord whole = read_record(folder.path() / "whole" / "sph" / "record.h5");
+    EXPECT_GT(std::abs(whole.tables.at("tank").find("work")->values.back()), 0) << "or it rested";
+}
+
 /// Two blocks of water in a tank, of which one falls through a gate and is taken out: what is left and what was taken
 /// are all the water at every frame.
 TEST(KillAndResume, ARunThatLosesSprayAtItsGateGoesOnToTheSameBits) {

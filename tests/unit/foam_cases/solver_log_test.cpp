@@ -43,6 +43,18 @@ TEST(SolverLog, ReadsStepsWhateverThePiecesItIsFed) {
     }
 }
 
+// OpenFOAM's source for a tank that moves says in each step, after the water's volume, at which time it has looked.
+TEST(SolverLog, DoesNotTakeTheTalkOfATankThatMovesForAStep) {
+    std::string text = header + step(0.1, 0.1, 1.5, 0.41);
+    const std::string execution = "ExecutionTime";
+    text.insert(text.find(execution), "Time = 0.1 accelerations: ((0 0 0) (0 0.1 0) (0 0 0))\n");
+    SolverLog log;
+    log.feed(text);
+    ASSERT_EQ(log.steps().size(), 1u);
+    EXPECT_DOUBLE_EQ(log.steps()[0].water, 0.41);
+    EXPECT_DOUBLE_EQ(log.steps()[0].cpu, 1.5);
+}
+
 TEST(SolverLog, AfterARestartTheLaterStartWins) {
     SolverLog log;
     log.feed(header + step(0.1, 0.1) + step(0.2, 0.1) + step(0.3, 0.1));  // killed here

@@ -1,4 +1,5 @@
 #include "record/certificate.h"
+#include "record/tank_table.h"
 
 #include <gtest/gtest.h>
 
@@ -47,6 +48,16 @@ TEST(Certificate, EnergyFromNothingIsToldWithItsTime) {
     EXPECT_NEAR(r.certificate[0].value, 3, 1e-12);
     EXPECT_NEAR(r.certificate[0].time, 0.2, 1e-12);
     EXPECT_FALSE(r.certificate[0].met());
+}
+
+TEST(Certificate, WhatATankThatMovesHasGivenIsNotMade) {
+    RunRecord r = tank({0, 20, 40}, 3);
+    Table& t = r.table(tank_table);
+    t.time = r.tables.at("samples").time;
+    t.column(tank_work, "J").values = {1, 1, 4};  // 3 J between the first frame and the last
+    r.certificate.clear();
+    watch_energy(r);
+    EXPECT_NEAR(r.certificate[0].value, 0, 1e-12);
 }
 
 TEST(Certificate, AStreamBringsItsOwnEnergy) {

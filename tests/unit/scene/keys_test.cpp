@@ -72,6 +72,19 @@ std::map<std::string, Change> changes() {
                       swaying =
                           moved + "law = \"sinusoid\"\nalong = [1, 0, 0]\namplitude = 0.1\nperiod = 2\nphase = 0\n",
                       tabled = moved + "law = \"table\"\nalong = [1, 0, 0]\ntimes = [0, 1]\nvalues = [0, 0.1]\n";
+    const auto tank_with = [](const std::string& motion) {
+        return with(tank, "size = [1, 0.5, 0.8]\n", "size = [1, 0.5, 0.8]\n" + motion) + "[sph]\nc0 = 100\n";
+    };
+    const std::string tank_constant = tank_with("law = \"constant\"\nalong = [1, 0, 0]\nrate = 1\n"),
+                      tank_ramped = tank_with("law = \"ramp\"\nalong = [1, 0, 0]\nrate = 1\nramp = 0.1\n"),
+                      tank_rolling = tank_with(
+                          "law = \"ramp\"\nabout = [1, 0, 0]\nrate = 1\nramp = 0.1\n"
+                          "pivot = [0, 0, 0]\n"),
+                      tank_swaying = tank_with(
+                          "law = \"sinusoid\"\nalong = [1, 0, 0]\namplitude = 0.1\nperiod = 2\n"
+                          "phase = 0\n"),
+                      tank_tabled =
+                          tank_with("law = \"table\"\nalong = [1, 0, 0]\ntimes = [0, 1]\nvalues = [0, 0.1]\n");
     const auto more = [&](const std::string& key, const std::string& before, const std::string& after) {
         return Change{afloat + key + " = " + before + "\n", afloat + key + " = " + after + "\n"};
     };
@@ -143,6 +156,17 @@ std::map<std::string, Change> changes() {
         {"tank.size", replaced(tank, "size = [1, 0.5, 0.8]", "size = [1, 0.5, 0.9]")},
         {"tank.min", replaced(lifted, "min = [0, 0, 0]\nmax = [1, 0.5", "min = [-0.1, 0, 0]\nmax = [1, 0.5")},
         {"tank.max", replaced(lifted, "max = [1, 0.5, 0.8]", "max = [1.1, 0.5, 0.8]")},
+        {"tank.law", {tank_constant, tank_ramped}},
+        {"tank.along", replaced(tank_constant, "along = [1, 0, 0]", "along = [0, 0, 1]")},
+        {"tank.about", replaced(tank_rolling, "about = [1, 0, 0]", "about = [0, 1, 0]")},
+        {"tank.pivot", replaced(tank_rolling, "pivot = [0, 0, 0]", "pivot = [0, 0, 0.1]")},
+        {"tank.rate", replaced(tank_constant, "rate = 1", "rate = 1.1")},
+        {"tank.ramp", replaced(tank_ramped, "ramp = 0.1", "ramp = 0.2")},
+        {"tank.amplitude", replaced(tank_swaying, "amplitude = 0.1", "amplitude = 0.11")},
+        {"tank.period", replaced(tank_swaying, "period = 2", "period = 2.1")},
+        {"tank.phase", replaced(tank_swaying, "phase = 0", "phase = 0.1")},
+        {"tank.times", replaced(tank_tabled, "times = [0, 1]", "times = [0, 1.1]")},
+        {"tank.values", replaced(tank_tabled, "values = [0, 0.1]", "values = [0, 0.11]")},
         {"water_block.min",
          replaced(tank, "min = [0, 0, 0]\nmax = [0.5, 0.5, 0.4]", "min = [0.1, 0, 0]\nmax = [0.5, 0.5, 0.4]")},
         {"water_block.max", replaced(tank, "max = [0.5, 0.5, 0.4]", "max = [0.4, 0.5, 0.4]")},

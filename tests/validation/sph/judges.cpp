@@ -243,4 +243,37 @@ std::vector<Row> judge_entry(const Scene& scene, const RunRecord& record, const 
     return rows;
 }
 
+std::vector<Row> judge_sloshing(const Scene& scene, const RunRecord& record, const std::filesystem::path& measured) {
+    const double period = scene.tank_motion.value().law.period;
+    const Table& height = record.tables.at("height");
+    const Column& run = *height.find(scene.sampling.height.at(0).name);
+    const Csv csv = read_csv(measured);
+    const auto times = csv.numbers("t_s_as_stored"), values = csv.numbers("eta_m_as_stored");
+    const auto [trough, crest] = std::ranges::minmax(values);
+    const double front = arrival(times, values, crest / 2);
+    const double periods = std::ceil(times.back() - front);  // that the run's end has to hold
+    std::vector<double> late_times, late;
+    for (std::size_t i = 0; i < height.time.size(); ++i) {
+        const double t = height.time[i] / period;
+        if (t < height.time.back() / period - periods - 1) continue;
+        late_times.push_back(t), late.push_back(run.values[i]);
+    }
+    const double low = *std::ranges::min_element(late), high = *std::ranges::max_element(late);
+    std::size_t before = 0;  // the front is steep: what stands high at the window's begin is not it
+    while (before < late.size() && late[before] > 0) ++before;
+    const std::vector<double> from_times(late_times.begin() + static_cast<std::ptrdiff_t>(before), late_times.end()),
+        from(late.begin() + static_cast<std::ptrdiff_t>(before), late.end());
+    const double shift = arrival(from_times, from, crest / 2) - front;
+    double squares = 0;
+    int count = 0;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        if (times[i] + shift < late_times.front() || times[i] + shift > late_times.back()) continue;
+        const double d = value_at(late_times, late, times[i] + shift) - values[i];
+        squares += d * d, ++count;
+    }
+    return {{"crest", "%", 100 * (high - crest) / crest, 15},
+            {"trough", "% of the crest", 100 * (low - trough) / crest, 10},
+            {"elevation, rms", "% of the crest", 100 * std::sqrt(squares / count) / crest, 20}};
+}
+
 }  // namespace tw::test

@@ -41,4 +41,10 @@ std::vector<Row> judge_spheric2(const Scene& scene, const RunRecord& record, con
 /// tests/data/cylinder_2d_entry.csv for its density, measured and by a boundary element method [%].
 std::vector<Row> judge_entry(const Scene& scene, const RunRecord& record, const std::filesystem::path& measured);
 
+/// Sloshing: elevation at the first height probe over one period or more at the end of the run against
+/// tests/data/sloshing_bouscasse_2013.csv, whose times are in periods of the motion and have no common zero with it: the
+/// two are laid upon each other where the front rises through half of the measured crest. Crest, trough and root mean
+/// square [% of the measured crest].
+std::vector<Row> judge_sloshing(const Scene& scene, const RunRecord& record, const std::filesystem::path& measured);
+
 }  // namespace tw::test

@@ -1,0 +1,39 @@
+#include "foam_cases/files/case_files.h"
+#include "foam_cases/files/times_of_table.h"
+
+// Why this and not a mesh that moves: docs/decisions/042-moving-tanks.md.
+
+namespace tw {
+namespace {
+
+/// Rows of time, acceleration, spin and angular acceleration. OpenFOAM takes the acceleration off gravity, so that its
+/// part is balanced at the faces as gravity is, and adds, with r from the origin of the axes,
+///
+///   - (2 omega x U + omega x (omega x r) + alpha x r)
+///
+/// So the acceleration is that of the origin, and holds the turn of gravity in the tank's axes as well.
+std::string acceleration_table(const CasePlan& plan) {
+    const MovingFrame& frame = *plan.scene->tank_motion;
+    const Vec3 gravity(0, 0, -plan.scene->water.gravity);
+    List table;
+    for (const double t : times_of_table(frame.law, plan.scene->run.duration)) {
+        const Vec3 origin = gravity - frame.force(t, gravity).at(Vec3::Zero(), Vec3::Zero());
+        const MotionLaw::At now = frame.law.at(t);
+        const Vec3 turn = frame.law.turns ? frame.law.axis : Vec3(Vec3::Zero());
+        table.push_back(List{t, List{origin, Vec3(now.rate * turn), Vec3(now.acceleration * turn)}});
+    }
+    return Value(table).text() + "\n";
+}
+
+}  // namespace
+
+std::vector<CaseFile> tank_motion_files(const CasePlan& plan) {
+    if (!plan.scene->tank_motion) return {};
+    const Dictionary source{{"type", Word("tabulatedAccelerationSource")},
+                            {"active", true},
+                            {"timeDataFileName", Quoted("<case>/constant/accelerationOfTank.dat")}};
+    return {{"constant/fvOptions", foam_file("dictionary", "fvOptions", {{"tank", source}})},
+            {"constant/accelerationOfTank.dat", acceleration_table(plan)}};
+}
+
+}  // namespace tw

@@ -1,0 +1,64 @@
+// A tank that moves as prescribed: its keys, and what cannot be solved in one.
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "scene/check_scene.h"
+#include "scene/defaults.h"
+
+namespace tw {
+
+std::optional<MovingFrame> read_tank_motion(Section& s, int dimensions) {
+    if (!s.has("law")) {
+        for (const SceneKey& key : scene_keys())
+            if (key.section == "tank" && s.has(key.name) && key.name != "size" && key.name != "min" &&
+                key.name != "max")
+                s.fail(key.name,
+                       "says how a tank moves, and law is missing; expected law = \"constant\", \"ramp\", "
+                       "\"sinusoid\" or \"table\", or a tank at rest without this key");
+        return {};
+    }
+    MovingFrame frame;
+    frame.law = read_motion_law(s, dimensions == 2);
+    const auto pivot = s.vector("pivot");
+    if (pivot && !frame.law.turns)
+        s.fail("pivot", "is a point of the axis of a rotation, and this tank moves along a direction; remove it");
+    frame.pivot = pivot.value_or(Vec3::Zero());
+    if (frame.law.kind == MotionLaw::Kind::sinusoid && frame.law.amplitude == 0)
+        s.fail("amplitude", "a tank with this amplitude does not move; expected another one, or no law");
+    if (frame.law.turns && std::abs(frame.law.at(0).rate) > 1e-9 * frame.law.fastest())
+        s.fail(frame.law.kind == MotionLaw::Kind::sinusoid ? "phase" : "law",
+               fmt::format("the rotation begins with {:.4g} rad/s, and water at rest cannot follow at once; expected "
+                           "one that begins from rest: law = \"ramp\" or \"table\", or a sinusoid with phase = \"90 "
+                           "deg\"",
+                           frame.law.at(0).rate));
+    return frame;
+}
+
+void check_tank_motion(const Scene& scene, Sections& s) {
+    if (!scene.tank_motion) return;
+    if (scene.hull)
+        s.hull.fail("shape", "a hull in a tank that moves is not solved; write a fixed solid as an [[obstacle]]");
+    if (!scene.bodies.empty())
+        s.bodies[0].fail("name", "bodies that move are not solved in a tank that moves; write [tank] without law");
+    if (scene.sph.levels > 1) s.sph.fail("levels", "a tank that moves needs particles of one size so far; expected 1");
+    if (scene.effect_on("air"))
+        s.effects.fail("air", "a tank that moves is solved with water alone; remove this effect");
+    if (scene.effect_on("damping_layers"))
+        s.effects.fail("damping_layers", "they hold the water to a tank at rest; remove this effect");
+}
+
+double fastest_wall(const Scene& scene) {
+    if (!scene.tank_motion) return 0;
+    const MotionLaw& law = scene.tank_motion->law;
+    if (!law.turns) return law.fastest();
+    double reach = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        Vec3 p;
+        for (int a = 0; a < 3; ++a) p[a] = (corner >> a & 1 ? scene.domain.as_asked.max : scene.domain.as_asked.min)[a];
+        reach = std::max(reach, (p - scene.tank_motion->pivot).cross(law.axis).norm());
+    }
+    return reach * law.fastest();
+}
+
+}  // namespace tw

@@ -1,0 +1,220 @@
+// Water in a tank that moves, in the tank's axes, against linear theory and against what holds for any motion.
+//
+// Linear sloshing of water of depth h in a tank of length L that sways with the acceleration a(t) (Faltinsen & Timokha,
+// Sloshing, 2009, sec. 5.4): the surface is sum_n b_n cos k_n (x + L/2), k_n = n pi / L, and for odd n
+//
+//   b_n'' + w_n^2 b_n = 4 tanh(k_n h) / (n pi) a(t),   w_n^2 = g k_n tanh(k_n h)
+//
+// (even ones stay zero; a(t) constant gives the slope -a/g). The centre of mass is then at
+//
+//   x_c = 1/(h L) int x eta dx = - sum_n 2 b_n / (h L k_n^2)
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "bodies.h"
+#include "meshes/generate.h"
+
+namespace tw {
+namespace {
+
+constexpr double g = 9.81, pi = std::numbers::pi;
+
+/// Water of depth 0.3 m in a tank of 1 m.
+SimulationSetup swaying_tank(double dp, const MovingFrame& frame) {
+    SimulationSetup s = tank(dp, 0.5, 0.3, 0.2, 20);
+    s.frame = frame;
+    s.effects.moving_tank = true;
+    return s;
+}
+
+Vec3 centre_of_mass(const Simulation& s) {
+    Vec3 sum = Vec3::Zero();
+    const Particles& p = s.particles();
+    for (std::size_t i = 0; i < p.size(); ++i) sum += Vec3(p.x[i], p.y[i], p.z[i]);
+    return sum / double(p.size());
+}
+
+/// The tank goes 20 mm to the right within 0.6 s and stays.
+MovingFrame nudge() {
+    MovingFrame f;
+    f.law = {.kind = MotionLaw::Kind::table, .axis = Vec3::UnitX(), .times = {0, 0.6}, .values = {0, 0.02}};
+    return f;
+}
+
+double frequency(int n) {
+    const double k = n * pi;
+    return std::sqrt(g * k * std::tanh(k * 0.3));
+}
+
+/// x_c of linear theory by small steps, up to `end`.
+std::vector<double> linear_centre(const MovingFrame& frame, double end, double dt) {
+    std::vector<double> x(static_cast<std::size_t>(end / dt) + 2, 0.0);
+    for (int n = 1; n <= 9; n += 2) {
+        const double k = n * pi, w = frequency(n), by_a = 4 * std::tanh(k * 0.3) / (n * pi);
+        double b = 0, rate = 0;
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            x[i] -= 2 * b / (0.3 * k * k);
+            const int parts = 20;
+            for (int j = 0; j < parts; ++j) {
+                const double t = (double(i) + (j + 0.5) / parts) * dt, h = dt / parts;
+                b += h / 2 * rate;
+                rate += h * (by_a * frame.law.at(t).acceleration - w * w * b);
+                b += h / 2 * rate;
+            }
+        }
+    }
+    return x;
+}
+
+struct Swung {
+    double history = 0;    ///< largest difference of x_c from linear theory's over its largest value
+    double frequency = 0;  ///< of the swings after the tank has stopped, over linear theory's
+};
+
+Swung swing(double dp) {
+    const SimulationSetup s = swaying_tank(dp, nudge());
+    Simulation run(s, water(s));
+    const double x0 = centre_of_mass(run).x(), end = 4.5, sample = 0.005;
+    const std::vector<double> exact = linear_centre(*s.frame, end, sample);
+    Swung r;
+    double most = 0, before = 0, before_time = 0;
+    std::vector<double> crossings;
+    for (std::size_t i = 1; double(i) * sample < end; ++i) {
+        run_to(run, double(i) * sample);
+        const double t = run.time(), x = centre_of_mass(run).x() - x0, at = t / sample;
+        const auto k = std::min(static_cast<std::size_t>(at), exact.size() - 2);
+        const double theory = exact[k] + (at - double(k)) * (exact[k + 1] - exact[k]);
+        if (t < 1.5) r.history = std::max(r.history, std::abs(x - theory));
+        most = std::max(most, std::abs(theory));
+        if (t > 0.7 && before * x < 0) crossings.push_back(before_time + (t - before_time) * before / (before - x));
+        before = x, before_time = t;
+    }
+    r.history /= most;
+    r.frequency = pi * double(crossings.size() - 1) / (crossings.back() - crossings.front()) / frequency(1);
+    return r;
+}
+
+TEST(MovingTank, SwingsAsLinearTheorySays) {
+    std::printf("dp [m]  frequency - 1 [%%]  centre of mass, up to 1.5 s [%%]  time [s]\n");
+    std::vector<Swung> found;
+    for (const double dp : {0.025, 0.0125}) {
+        const auto start = std::chrono::steady_clock::now();
+        found.push_back(swing(dp));
+        std::printf("%.3f  %7.2f  %7.2f  %.1f\n", dp, 100 * (found.back().frequency - 1), 100 * found.back().history,
+                    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    }
+    // How near the frequency comes is set by the lattice as much as by its spacing, see standing_wave_test.cpp.
+    for (const Swung& s : found) EXPECT_LT(std::abs(s.frequency - 1), 0.01);
+    EXPECT_LT(found[0].history, 0.07);
+    EXPECT_LT(found[1].history, std::min(0.05, found[0].history));
+}
+
+/// Heeled slowly by 5 degrees about a place beside the tank the water stands level in the earth: its centre of mass
+/// moves by L^2 tan(5 deg) / (12 h) along the tank's floor.
+TEST(MovingTank, ThatHeelsSlowlyKeepsItsSurfaceLevel) {
+    MovingFrame frame;
+    const double angle = 5 * pi / 180;
+    frame.law = {
+        .kind = MotionLaw::Kind::table, .turns = true, .axis = Vec3::UnitY(), .times = {0, 3}, .values = {0, angle}};
+    frame.pivot = Vec3(0.8, 0, -0.5);
+    const SimulationSetup s = swaying_tank(0.02, frame);
+    Simulation run(s, water(s));
+    run_to(run, 3);
+    double mean = 0;  // over the first swing after it
+    int count = 0;
+    for (; run.time() < 3 + 2 * pi / frequency(1); ++count) {
+        mean += centre_of_mass(run).x();
+        run_to(run, run.time() + 0.02);
+    }
+    // turned about y the bow, at -x, goes up: the water runs to +x
+    EXPECT_NEAR(mean / count, std::tan(angle) / (12 * 0.3), 0.03 * std::tan(angle) / (12 * 0.3));
+}
+
+/// Up and down the water stays as it is and weighs g + a: on the floor, and on a block that stands in it. The motion
+/// begins and ends smoothly, so that it makes no sound.
+TEST(MovingTank, ThatHeavesMakesItsWaterHeavierAndLighter) {
+    MovingFrame frame;
+    frame.law = {.kind = MotionLaw::Kind::ramp, .axis = Vec3::UnitZ(), .rate = 2, .ramp = 1};
+    SimulationSetup s = swaying_tank(0.02, frame);
+    const Surface block =
+        section_prism(posed(make_hull("box", {{"length", 0.2}, {"beam", 1}, {"height", 0.12}}), {.draft = 0.22}));
+    s.bodies.emplace_back(with_span(block, endless_span(block)));
+    Simulation run(s, water(s));
+    const double most = frame.law.at(0.5).acceleration, volume = 0.2 * 0.12;  // a third of g
+    const Vec3 before = centre_of_mass(run);
+    PointSamples floor;
+    floor.places = {Vec3(-0.35, 0, -0.29)};
+    double floor_error = 0, lift_error = 0;
+    while (run.time() < 1) {
+        const double from = run.time(), at = from + 0.02;
+        double lift = 0, exact_lift = 0;
+        while (run.time() < at) {
+            const double began = run.time();
+            run.step();
+            const double dt = run.time() - began, heavier = g + frame.law.at(run.time()).acceleration;
+            lift += dt * run.load().force.z();
+            exact_lift += dt * 1000 * heavier * volume;
+        }
+        run.sample(floor);
+        const double heavier = g + frame.law.at(run.time()).acceleration;
+        floor_error = std::max(floor_error, std::abs(double(floor.p[0]) - 1000 * heavier * 0.29));
+        lift_error = std::max(lift_error, std::abs(lift - exact_lift) / (run.time() - from));
+    }
+    std::printf("a is at most %.3g m/s2; largest errors: floor %.3g of rho a h, buoyancy %.3g of rho a V\n", most,
+                floor_error / (1000 * most * 0.29), lift_error / (1000 * most * volume));
+    EXPECT_LT(floor_error, 0.1 * 1000 * most * 0.29);
+    EXPECT_LT(lift_error, 0.25 * 1000 * most * volume);
+    EXPECT_LT((centre_of_mass(run) - before).norm(), 0.001);
+}
+
+/// Water whose pressure balances gravity and a tank's acceleration of 3 m/s2 rests, at the walls as elsewhere.
+TEST(MovingTank, LeavesWaterInBalanceAloneAtItsWalls) {
+    const double w = 2 * pi, across = 3;
+    MovingFrame frame;
+    frame.law = {.kind = MotionLaw::Kind::sinusoid,
+                 .axis = Vec3::UnitX(),
+                 .amplitude = across / (w * w),
+                 .period = 1,
+                 .phase = pi / 2};  // at the start the tank is accelerated to -x
+    SimulationSetup s = swaying_tank(0.02, frame);
+    s.state_equation.c0 = 200;  // so that the water is nearly as dense below as above
+    Simulation run(s, water(s));
+    Particles& p = run.particles();
+    const double c2 = s.state_equation.c0 * s.state_equation.c0;
+    for (std::size_t i = 0; i < p.size(); ++i)
+        p.drho[i] = static_cast<float>(1000 / c2 * (across * (p.x[i] + 0.5) - g * p.z[i]));
+    run.step();
+    double most = 0;
+    for (std::size_t i = 0; i < p.size(); ++i)
+        if (p.z[i] < -0.12)  // clear of the surface, where this pressure is not zero
+            most = std::max(most, std::hypot(double(p.u[i]), double(p.w[i])) / run.time());
+    std::printf("largest acceleration %.3g m/s2\n", most);
+    EXPECT_LT(most, 0.03 * across);
+}
+
+TEST(MovingTank, GivesTheSameBitsWithAnyNumberOfThreads) {
+    MovingFrame frame;
+    frame.law = {.kind = MotionLaw::Kind::sinusoid,
+                 .turns = true,
+                 .axis = Vec3::UnitY(),
+                 .amplitude = 0.2,
+                 .period = 1,
+                 .phase = pi / 2};
+    const auto end = [&](int threads) {
+        SimulationSetup s = swaying_tank(0.03, frame);
+        s.threads = threads;
+        Simulation run(s, water(s));
+        run_to(run, 0.3);
+        return run.particles().x;
+    };
+    const auto one = end(1);
+    EXPECT_EQ(one, end(2));
+    EXPECT_EQ(one, end(3));
+}
+
+}  // namespace
+}  // namespace tw
