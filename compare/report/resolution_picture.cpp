@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <set>
 
 #include "compare/read/record_numbers.h"
 #include "compare/report/silhouette.h"
@@ -22,15 +24,37 @@ bool is_drawn(const std::vector<PlotBox>& boxes, const PlotBox& box) {
     });
 }
 
-/// Adds a box, to the last one where it stands beside that one, as the parts of a zone do that follows a hull.
+/// Cuts boxes that overlap along x into parts side by side: over each stretch from the lowest to the highest of them.
+std::vector<PlotBox> side_by_side(const std::vector<PlotBox>& boxes) {
+    std::set<double> edges;
+    for (const PlotBox& b : boxes) edges.insert({b.x_min, b.x_max});
+    std::vector<PlotBox> parts;
+    for (auto low = edges.begin(); std::next(low) != edges.end(); ++low) {
+        PlotBox part = boxes.front();
+        part.parts.clear();
+        part.x_min = *low, part.x_max = *std::next(low);
+        part.y_min = HUGE_VAL, part.y_max = -HUGE_VAL;
+        for (const PlotBox& b : boxes)
+            if (b.x_min < part.x_max && b.x_max > part.x_min)
+                part.y_min = std::min(part.y_min, b.y_min), part.y_max = std::max(part.y_max, b.y_max);
+        if (part.y_min < part.y_max) parts.push_back(part);
+    }
+    return parts;
+}
+
+/// Adds a box, to the last one where it goes on from that one, as the parts of a zone do that follows a hull and the
+/// chain of boxes along a spray root.
 void add_box(std::vector<PlotBox>& boxes, const PlotBox& box) {
     PlotBox* last = boxes.empty() ? nullptr : &boxes.back();
-    if (!last || last->source != box.source || last->label != box.label || last->x_max != box.x_min) {
+    const bool goes_on = last && last->source == box.source && last->label == box.label && last->x_min < box.x_min &&
+                         box.x_min <= last->x_max && last->x_max <= box.x_max;
+    if (!goes_on) {
         if (!is_drawn(boxes, box)) boxes.push_back(box);
         return;
     }
-    if (last->parts.empty()) last->parts.push_back(*last);
-    last->parts.push_back(box);
+    std::vector<PlotBox> all = last->parts.empty() ? std::vector{*last} : last->parts;
+    all.push_back(box);
+    last->parts = side_by_side(all);
     last->x_max = box.x_max;
     last->y_min = std::min(last->y_min, box.y_min);
     last->y_max = std::max(last->y_max, box.y_max);
