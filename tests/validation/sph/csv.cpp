@@ -34,9 +34,13 @@ Csv read_csv(const std::filesystem::path& file) {
     if (!in) throw std::runtime_error(file.string() + ": cannot be read");
     Csv csv;
     std::string line;
-    std::getline(in, line);
-    csv.names = cells_of(line);
-    while (std::getline(in, line)) csv.rows.push_back(cells_of(line));
+    while (std::getline(in, line)) {
+        if (line.starts_with('#')) continue;  // where the data are from
+        if (csv.names.empty())
+            csv.names = cells_of(line);
+        else
+            csv.rows.push_back(cells_of(line));
+    }
     return csv;
 }
 
