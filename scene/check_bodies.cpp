@@ -84,8 +84,6 @@ void check_free_hull(Scene& scene, Sections& s) {
                     "a hull is free in a stream only; in a tank write it as a [[body]], or expected kind = "
                     "\"stream\"");
     check_scheme(scene, s.sph);
-    if (scene.sph.levels > 1)
-        s.sph.fail("levels", "a hull that is free needs particles of one size so far; expected 1");
     if (free.motion.release >= scene.run.duration)
         s.hull.fail("release", fmt::format("the hull would be held to the end of the run, {:.4g} s; expected a time "
                                            "before it, or a longer [run] duration",

@@ -25,11 +25,12 @@ struct Root {
     bool moves = false;
 };
 
-/// What of the hull the water may reach: of a dry bow what it may rise to.
+/// What of the hull the water may reach: of a dry bow what it may rise to, or of a hull that is free dip to.
 Box reached_hull(const Scene& scene) {
     Box hull = scene.hull->surface.bounds();
+    const double ahead = (scene.hull->free ? 0.5 : 0.25) * scene.hull->length;
     if (!scene.hull->section && scene.motion.kind == Motion::Kind::stream)
-        hull.min.x() = std::max(hull.min.x(), scene.hull->still.wet_bounds.min.x() - 0.25 * scene.hull->length);
+        hull.min.x() = std::max(hull.min.x(), scene.hull->still.wet_bounds.min.x() - ahead);
     return hull;
 }
 

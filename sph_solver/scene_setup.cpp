@@ -117,6 +117,8 @@ ElasticSetup elastic_setup(const ElasticPlate& plate) {
     return s;
 }
 
+/// The tyre meets its floor one spacing above that of the tank: water under it is a particle thick, and could not leave
+/// a narrower gap (decision 041).
 ElasticSetup elastic_setup(const ElasticTyre& tyre, double floor) {
     structure::Solid solid = solid_of(tyre);
     structure::Freedoms freedoms = freedoms_of(tyre, solid);
@@ -217,7 +219,7 @@ SphSetup sph_setup(const Scene& scene, int threads) {
     for (const MovingBody& b : scene.bodies) {
         if (b.elastic) {
             s.bodies
-                .emplace_back(std::make_shared<const ElasticSetup>(b.tyre() ? elastic_setup(*b.tyre(), s.domain.min.z())
+                .emplace_back(std::make_shared<const ElasticSetup>(b.tyre() ? elastic_setup(*b.tyre(), s.domain.min.z() + s.dp)
                                                                             : elastic_setup(*b.plate())))
                 .name = b.name;
             continue;

@@ -48,6 +48,7 @@ Simulation::Simulation(const SimulationSetup& setup, std::span<const Fluid> flui
             throw InputError("elastic bodies need [sph] scheme \"kick_drift_kick\"");
     }
     contacts_.emplace(*bodies_, *around_, setup.dp);
+    if (finest > 0 && !setup.zones_round) contacts_->stay_within(setup_.zones.back());
     for (std::size_t b = 0; b < bodies_->size(); ++b) {
         if ((*bodies_)[b].fixed()) continue;
         if (ElasticBody* elastic = (*bodies_)[b].elastic()) {
@@ -104,7 +105,7 @@ void Simulation::refuse_contact() const {
     if (!contacts_) return;
     if (const std::string contact = contacts_->found(); !contact.empty())
         throw RunError(
-            fmt::format("{} at t = {:.6g} s (step {}); contact between solids is not solved: end the run "
+            fmt::format("{} at t = {:.6g} s (step {}), and what comes then is not solved: end the run "
                         "before it, or give the body more room",
                         contact, time(), steps()));
 }

@@ -90,6 +90,16 @@ std::string Contacts::with_domain(const Body& body) const {
     return {};
 }
 
+std::string Contacts::with_edge(std::size_t body) const {
+    constexpr double nearest = 6;  // spacings: what guards and dummies fill on both sides of an edge
+    if (!zone_) return {};
+    for (const Vec3& at : skin_[body])
+        if (const Vec3 x = bodies_[body].now(at); x.z() < 0 && zone_->outside(x) > -nearest * dp_)
+            return fmt::format("has moved to within {:g} spacings of the edge of the finest particles ([sph] zone)",
+                               nearest);
+    return {};
+}
+
 std::string Contacts::found() const {
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         if (bodies_[b].fixed()) continue;
@@ -100,6 +110,8 @@ std::string Contacts::found() const {
         }
         if (const std::string wall = with_domain(bodies_[b]); !wall.empty())
             return fmt::format("body {} {}", bodies_[b].name(), wall);
+        if (const std::string edge = with_edge(b); !edge.empty())
+            return fmt::format("body {} {}", bodies_[b].name(), edge);
         const Box own = bodies_[b].bounds();
         for (std::size_t other = 0; other < bodies_.size(); ++other) {
             if (other == b || apart(own, bodies_[other].bounds(), dp_)) continue;

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "meshes/zone.h"
 #include "sph_solver/bodies/body.h"
 #include "sph_solver/bodies/elastic/tie.h"
 #include "sph_solver/particles/level_setup.h"
@@ -17,17 +18,22 @@ class Contacts {
 public:
     /// Both must outlive this.
     Contacts(const std::vector<Body>& bodies, const Surroundings& around, double dp);
+    /// The zone of the finest particles, which stands while a body moves in it (must outlive this): a body that comes
+    /// nearer to its edge below still water, z = 0, than the guards of that edge reach is found as well.
+    void stay_within(const Zone& zone) { zone_ = &zone; }
     /// The first contact in words; empty: none.
     std::string found() const;
 
 private:
     std::string with_domain(const Body& body) const;
+    std::string with_edge(std::size_t body) const;
     void note_elastic(std::size_t body);
     std::string of_elastic(std::size_t body) const;
 
     const std::vector<Body>& bodies_;
     const Surroundings& around_;
     double dp_;
+    const Zone* zone_ = nullptr;
     std::vector<std::vector<Vec3>> skin_;  ///< of each rigid body places on its surface at the start; else empty
     std::vector<std::vector<Tie>> ties_;   ///< of each elastic body such places; else empty
 };

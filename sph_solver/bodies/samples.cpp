@@ -78,7 +78,7 @@ Vec3 SurfaceSamples::pressure_force(const Vec3& moment_reference, Vec3& moment) 
     Vec3 force = Vec3::Zero();
     moment.setZero();
     for (std::size_t k = 0; k < area.size(); ++k) {
-        if (points.support[k] < has_pressure) continue;
+        if (!presses(k)) continue;
         const Vec3 f = -double(points.p[k]) * area[k];
         force += f;
         moment += (points.places[k] - moment_reference).cross(f);

@@ -35,6 +35,7 @@ struct SurfaceSamples {
 
     /// A quarter of the full support, half of what a flat wetted wall sees: water enough within reach for a pressure.
     static constexpr float has_pressure = 0.25f;
+    bool presses(std::size_t patch) const { return points.support[patch] >= has_pressure; }
     /// Force of the pressure on the patches that have one, and its moment.
     Vec3 pressure_force(const Vec3& moment_reference, Vec3& moment) const;
 

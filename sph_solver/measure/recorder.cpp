@@ -383,7 +383,7 @@ void Recorder::fill_hull_pressure(Simulation& simulation) {
     record_.hull_wet.clear();
     for (std::size_t k = 0; k < hull_->area.size(); ++k) {
         record_.hull_wet.push_back(hull_->wet(k) ? 1.0f : 0.0f);
-        record_.hull_pressure.push_back(hull_->wet(k) ? hull_->points.p[k] : 0.0f);
+        record_.hull_pressure.push_back(hull_->presses(k) ? hull_->points.p[k] : 0.0f);
     }
 }
 

@@ -68,7 +68,6 @@ TEST(FreeHull, IsRefusedWithWhatIsMissingOrCannotBe) {
     refused(with(free_planing, "free = [\"heave\", \"pitch\"]\n", ""), "[hull] mass", "for a hull that is free");
     refused(with(free_planing, "\"pitch\"]", "\"surge\"]"), "[hull] free", "pitch");
     refused(with(free_planing, "kind  = \"stream\"\nspeed = \"8 m/s\"", "kind = \"none\""), "[hull] free", "[[body]]");
-    refused(free_planing + "[sph]\nlevels = 2\n", "[sph] levels", "one size");
     refused(free_planing + "[sph]\nscheme = \"rk4_frozen_diffusion\"\n", "[sph] scheme", "kick_drift_kick");
     refused(with(free_planing, keys, keys + "release = 2\n"), "[hull] release", "held to the end");
 }

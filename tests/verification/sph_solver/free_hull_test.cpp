@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/atomic_file.h"
+#include "base/errors.h"
 #include "record/hull_motion.h"
 #include "sph_solver/run_sph.h"
 
@@ -34,11 +35,11 @@ RunRecord run(const std::string& name, const std::string& text, int threads) {
 const std::vector<double>& column(const RunRecord& r, const char* name) {
     return r.tables.at(hull_motion_table).find(name)->values;
 }
-double mean_from(const RunRecord& r, const char* name, double from) {
+double mean_between(const RunRecord& r, const char* name, double from, double to) {
     const Table& t = r.tables.at(hull_motion_table);
     double sum = 0, time = 0;
     for (std::size_t i = 1; i < t.time.size(); ++i)
-        if (t.time[i] >= from) {
+        if (t.time[i] >= from && t.time[i] < to) {
             const double dt = t.time[i] - t.time[i - 1];
             sum += dt * t.find(name)->values[i];
             time += dt;
@@ -46,10 +47,12 @@ double mean_from(const RunRecord& r, const char* name, double from) {
     return sum / time;
 }
 
+double mean_from(const RunRecord& r, const char* name, double from) { return mean_between(r, name, from, 1e300); }
+
 /// A box 0.4 m long and 0.2 m high as heavy as 0.1 m of draft, its mass 8 mm aft of its middle: it floats with its bow up
 /// by 2 degrees. It starts level, and the stream is so slow that its dynamic pressure is below a hundredth of the draft.
-TEST(FreeHull, InASlowStreamSwingsRoundArchimedesDraftAndTrim) {
-    const RunRecord r = run("archimedes", R"(
+std::string box_in_a_slow_stream(const std::string& spacing, double mass, double duration) {
+    return fmt::format(R"(
 [hull]
 shape  = "box"
 length = "0.4 m"
@@ -57,7 +60,7 @@ beam   = "0.3 m"
 height = "0.2 m"
 draft  = "0.1 m"
 free   = ["heave", "pitch"]
-mass   = 40
+mass   = {}
 lcg    = "0.192 m"
 vcg    = "0.08 m"
 pitch_gyradius = "0.12 m"
@@ -71,19 +74,54 @@ x = ["-0.6 m", "1 m"]
 z = ["-0.5 m", "0.4 m"]
 [resolution]
 near_hull = "0.0125 m"
+{}
 [run]
-duration = "3.5 s"
+duration = {}
 methods  = ["sph"]
 [sampling]
-mean_from = "1 s"
+mean_from = {}
 )",
-                            1);
+                       mass, spacing, duration, 0.3 * duration);
+}
+
+TEST(FreeHull, InASlowStreamSwingsRoundArchimedesDraftAndTrim) {
+    const RunRecord r = run("archimedes", box_in_a_slow_stream("", 40, 3.5), 1);
     ASSERT_EQ(r.state, "finished") << r.reason;
     ASSERT_GT(r.numbers.at("rest_trim_deg"), 1.5);
     EXPECT_NEAR(mean_from(r, "trim", 1) / r.numbers.at("rest_trim_deg"), 1, 0.1);
     EXPECT_NEAR(mean_from(r, "z", 1), r.numbers.at("rest_z"), 0.02 * 0.1);
     EXPECT_NEAR(mean_from(r, "transom_draft", 1), r.numbers.at("rest_transom_draft"), 0.03 * 0.1);
     EXPECT_EQ(column(r, "trim").front(), 0) << "held until the stream has its speed";
+}
+
+TEST(FreeHull, MovesAmongTwoSizesOfParticlesAsInOne) {
+    const std::string two = box_in_a_slow_stream("spacing = 0.025", 50, 1.2);
+    const RunRecord one = run("one_size", box_in_a_slow_stream("", 50, 1.2), 1), levels = run("two_sizes", two, 1),
+                    threads = run("two_sizes", two, 3);
+    ASSERT_EQ(one.state, "finished") << one.reason;
+    ASSERT_EQ(levels.state, "finished") << levels.reason;
+    EXPECT_EQ(levels.tables.count("level_1"), 1u);
+    for (const char* name : {"z", "trim"}) {
+        const auto [low, high] = std::ranges::minmax(column(one, name));
+        double apart = 0;
+        for (double t = 0.1; t < 1.2; t += 0.1)
+            apart =
+                std::max(apart, std::abs(mean_between(levels, name, t - 0.1, t) - mean_between(one, name, t - 0.1, t)));
+        std::printf("%s: moves over %.4g, two sizes %.2g of that away\n", name, high - low, apart / (high - low));
+        EXPECT_LT(apart, 0.1 * (high - low)) << name;
+        EXPECT_EQ(column(levels, name), column(threads, name)) << name;
+    }
+}
+
+/// Half as heavy again as it stands, it falls through the particles that were set round it.
+TEST(FreeHull, ThatLeavesItsFineParticlesStopsTheRunAndSaysSo) {
+    try {
+        run("narrow_zone", box_in_a_slow_stream("spacing = 0.025\n[sph]\nzone = 8", 60, 1.2), 1);
+        FAIL() << "the run went on";
+    } catch (const RunError& e) {
+        EXPECT_NE(std::string(e.what()).find("edge of the finest particles ([sph] zone)"), std::string::npos)
+            << e.what();
+    }
 }
 
 std::string planing(const std::string& half) {
