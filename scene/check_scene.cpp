@@ -148,10 +148,6 @@ void check_gate(const Scene& scene, const Section& sph) {
         if (values->size() != 3) sph.fail(name, fmt::format("{} numbers; expected three, [x, y, z]", values->size()));
     if (!(Vec3(o.gate_normal.data()).norm() > 0)) sph.fail("gate_normal", "expected a direction, e.g. [0, 0, 1]");
     if (scene.domain.dimensions == 2) sph.fail(key, "droplets need three dimensions; remove this key");
-    if (const int sizes = sizes_of_particles(scene); sizes > 1)
-        sph.fail(key, fmt::format("water is taken out of particles of one size only, and there are {}; write levels = "
-                                  "1, or take the droplets from snapshots afterwards",
-                                  sizes));
     if (scene.effect_on("air")) sph.fail(key, "the effect air would be left with holes; switch one of the two off");
 }
 

@@ -472,7 +472,7 @@ Rows sph_keys() {
          .meaning = "Fullness of the kernel's half towards a wall from which on the approaching wall compresses the water."},
         {.name = "gate_point", .kind = Kind::list, .unit = "m", .hashed = Hashed::sph,
          .slot = slot(&Scene::sph, &SphOptions::gate_point),
-         .meaning = "With gate_normal: a plane beyond which detached water is taken out of the run at every frame, as droplets for `twinwake spray`. Particles of one size, three dimensions.",
+         .meaning = "With gate_normal: a plane beyond which detached water is taken out of the run at every frame, as droplets for `twinwake spray`. Three dimensions.",
          .later = true},
         {.name = "gate_normal", .kind = Kind::list, .hashed = Hashed::sph,
          .slot = slot(&Scene::sph, &SphOptions::gate_normal), .meaning = "Where beyond is.", .later = true},

@@ -347,7 +347,7 @@ void Recorder::begin_balance(const Simulation& simulation) {
 }
 
 void Recorder::take_spray(Simulation& simulation, const SprayGate& gate) {
-    const std::vector<SprayLump> lumps = gate.take(simulation.level(0));
+    const std::vector<SprayLump> lumps = gate.take(simulation);
     if (lumps.empty()) return;
     Table& t = record_.table(spray_table);
     for (const SprayLump& lump : lumps) {

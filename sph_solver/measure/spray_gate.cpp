@@ -3,58 +3,126 @@
 #include <algorithm>
 
 #include "record/components.h"
+#include "sph_solver/simulation.h"
 
 namespace tw {
+namespace {
+
+Vec3 place(const Particles& p, std::size_t i) { return {p.x[i], p.y[i], p.z[i]}; }
+Vec3 velocity(const Particles& p, std::size_t i) { return {p.u[i], p.v[i], p.w[i]}; }
+
+/// The run's water: the active particles of all its sizes, and which particle each is.
+struct ActiveWater {
+    std::vector<WaterElement> elements;
+    std::vector<std::pair<std::size_t, std::size_t>> who;  ///< level, particle
+};
+
+ActiveWater water_of(const Simulation& simulation) {
+    ActiveWater water;
+    for (std::size_t k = 0; k < simulation.levels().size(); ++k) {
+        const Particles& p = simulation.level(k).particles();
+        const double dp = simulation.level(k).setup().dp;
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            if (!is_active(p.kind[i])) continue;
+            water.elements.push_back({place(p, i), velocity(p, i), dp * dp * dp, dp});
+            water.who.emplace_back(k, i);
+        }
+    }
+    return water;
+}
+
+/// Whether a particle that stands for the water of another size stands for what is taken: within a spacing and a half
+/// of its own or of theirs it has water that is, and none that stays.
+class Bereft {
+public:
+    Bereft(const ActiveWater& water, const std::vector<char>& taken) : water_(water), taken_(taken) {
+        for (std::size_t n = 0; n < taken.size(); ++n) {
+            if (!taken[n]) continue;
+            const Vec3 reach = Vec3::Constant(1.5 * water.elements[n].size);
+            round_.extend(water.elements[n].place - reach);
+            round_.extend(water.elements[n].place + reach);
+        }
+    }
+    bool operator()(const Vec3& x, double dp) const {
+        if (round_.exteriorDistance(x) > 1.5 * dp) return false;
+        bool any = false;
+        for (std::size_t n = 0; n < taken_.size(); ++n) {
+            const WaterElement& e = water_.elements[n];
+            if ((e.place - x).norm() > 1.5 * std::max(dp, e.size)) continue;
+            if (!taken_[n]) return false;
+            any = true;
+        }
+        return any;
+    }
+
+private:
+    const ActiveWater& water_;
+    const std::vector<char>& taken_;
+    Eigen::AlignedBox3d round_;
+};
+
+}  // namespace
 
 std::optional<SprayGate> SprayGate::of(const SphOptions& o) {
     if (o.gate_point.empty()) return {};
     return SprayGate(Vec3(o.gate_point.data()), Vec3(o.gate_normal.data()), o.gate_link);
 }
 
-std::vector<SprayLump> SprayGate::take(Level& level) const {
-    const Particles& p = level.particles();
-    const double dp = level.setup().dp, mass = level.mass();
-    const auto place = [&](std::size_t i) { return Vec3(p.x[i], p.y[i], p.z[i]); };
-    const auto velocity = [&](std::size_t i) { return Vec3(p.u[i], p.v[i], p.w[i]); };
+std::vector<SprayLump> SprayGate::take(Simulation& simulation) const {
+    const ActiveWater water = water_of(simulation);
     const auto is_beyond = [&](const Vec3& x) { return (x - point_).dot(normal_) > 0; };
+    const auto is_inner = [&](std::size_t n) {
+        const auto [k, i] = water.who[n];
+        return simulation.level(k).particles().kind[i] == Kind::fluid;
+    };
     bool any = false;
-    for (std::size_t i = 0; i < p.size() && !any; ++i) any = p.kind[i] == Kind::fluid && is_beyond(place(i));
+    for (std::size_t n = 0; n < water.who.size() && !any; ++n) any = is_inner(n) && is_beyond(water.elements[n].place);
     if (!any) return {};  // the search for components costs as much as a step
 
-    std::vector<WaterElement> elements(p.size());
-    for (std::size_t i = 0; i < p.size(); ++i) elements[i] = {place(i), velocity(i), dp * dp * dp, dp};
-    const std::vector<int> number = components(elements, link_);
+    const std::vector<int> number = components(water.elements, link_);
     const auto count = static_cast<std::size_t>(*std::ranges::max_element(number)) + 1;
     std::vector<SprayLump> all(count);
-    std::vector<char> taken(count, 1);
-    taken[0] = 0;  // the body of water
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        const auto k = static_cast<std::size_t>(number[i]);
-        if (p.kind[i] != Kind::fluid) taken[k] = 0;
-        all[k].place += place(i), all[k].velocity += velocity(i);
-        all[k].mass += mass;
-        ++all[k].particles;
+    std::vector<char> leaves(count, 1), taken(water.who.size(), 0);
+    leaves[0] = 0;  // the body of water
+    const auto mass_of = [&](std::size_t n) { return simulation.level(water.who[n].first).mass(); };
+    for (std::size_t n = 0; n < water.who.size(); ++n) {
+        SprayLump& lump = all[static_cast<std::size_t>(number[n])];
+        if (!is_inner(n)) leaves[static_cast<std::size_t>(number[n])] = 0;
+        lump.place += mass_of(n) * water.elements[n].place, lump.velocity += mass_of(n) * water.elements[n].velocity;
+        lump.mass += mass_of(n);
+        ++lump.particles;
     }
-    for (std::size_t k = 0; k < count; ++k) {
-        all[k].place /= static_cast<double>(all[k].particles);
-        all[k].velocity /= static_cast<double>(all[k].particles);
-        taken[k] = taken[k] && is_beyond(all[k].place);
-    }
-    std::vector<std::int32_t> staying;
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        SprayLump& lump = all[static_cast<std::size_t>(number[i])];
-        if (!taken[static_cast<std::size_t>(number[i])]) staying.push_back(static_cast<std::int32_t>(i));
-        lump.inner_energy += 0.5 * mass * (velocity(i) - lump.velocity).squaredNorm();
+    for (std::size_t c = 0; c < count; ++c) {
+        all[c].place /= all[c].mass, all[c].velocity /= all[c].mass;
+        leaves[c] = leaves[c] && is_beyond(all[c].place);
     }
     std::vector<SprayLump> lumps;
-    for (std::size_t k = 0; k < count; ++k)
-        if (taken[k]) lumps.push_back(all[k]);
+    for (std::size_t n = 0; n < water.who.size(); ++n) {
+        SprayLump& lump = all[static_cast<std::size_t>(number[n])];
+        lump.inner_energy += 0.5 * mass_of(n) * (water.elements[n].velocity - lump.velocity).squaredNorm();
+        taken[n] = leaves[static_cast<std::size_t>(number[n])];
+    }
+    for (std::size_t c = 0; c < count; ++c)
+        if (leaves[c]) lumps.push_back(all[c]);
     if (lumps.empty()) return {};
-    Level::State state = level.state();
-    state.ledger.out += static_cast<std::int64_t>(p.size() - staying.size());
-    Particles rest = p;
-    rest.reorder(staying);
-    level.restore(state, std::move(rest));
+
+    const Bereft bereft(water, taken);
+    std::size_t n = 0;
+    for (std::size_t k = 0; k < simulation.levels().size(); ++k) {
+        Level& level = simulation.level(k);
+        const Particles& p = level.particles();
+        Level::State state = level.state();
+        std::vector<std::int32_t> staying;
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            const bool active = is_active(p.kind[i]), goes = active ? taken[n] : bereft(place(p, i), level.setup().dp);
+            if (active) state.ledger.out += taken[n++];
+            if (!goes) staying.push_back(static_cast<std::int32_t>(i));
+        }
+        if (staying.size() == p.size()) continue;
+        Particles rest = p;
+        rest.reorder(staying);
+        level.restore(state, std::move(rest));
+    }
     return lumps;
 }
 

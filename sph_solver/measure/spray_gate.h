@@ -4,9 +4,11 @@
 #include <vector>
 
 #include "scene/sph_options.h"
-#include "sph_solver/particles/level.h"
+#include "base/vec3.h"
 
 namespace tw {
+
+class Simulation;
 
 /// Detached water that has left a run, as one lump.
 struct SprayLump {
@@ -24,9 +26,10 @@ public:
     /// Nothing where the options have none.
     static std::optional<SprayGate> of(const SphOptions& options);
 
-    /// Takes the lumps whose centre is beyond out of the level, whose particles count as out. Between two steps, when
-    /// nothing looks at the last evaluation any more: the level goes on as after a restart.
-    std::vector<SprayLump> take(Level& level) const;
+    /// Takes the lumps whose centre is beyond out of the run, whose particles count as out; with several sizes of
+    /// particles also those that stand for them in another size. Between two steps, when nothing looks at the last
+    /// evaluation any more: levels that lose any go on as after a restart.
+    std::vector<SprayLump> take(Simulation& simulation) const;
 
 private:
     SprayGate(const Vec3& point, const Vec3& normal, double link) : point_(point), normal_(normal), link_(link) {}

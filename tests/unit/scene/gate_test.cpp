@@ -27,7 +27,6 @@ TEST(Gate, ThatCannotBeNamesTheKeyAndWhatToDo) {
         {tank + gate + "gate_link = 0.5\n", "gate_link"},
         {tank + gate + "[domain]\ndimensions = 2\n", "droplets need three dimensions"},
         {tank + gate + "[effects]\nair = \"on\"\n", "switch one of the two off"},
-        {planing + gate + "levels = 2\n", "particles of one size only"},
     };
     for (const auto& [text, said] : wrong) {
         const std::string message = complaint(text);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "sph_solver/simulation.h"
 
@@ -58,7 +59,7 @@ TEST(SprayGate, TakesADetachedLumpWithItsMassMomentumAndEnergy) {
 
     const auto gate = SprayGate::of(gate_at({0.5, 0, 0}, {-1, 0, 0}));  // beyond: x < 0.5
     ASSERT_TRUE(gate);
-    const std::vector<SprayLump> lumps = gate->take(simulation.level(0));
+    const std::vector<SprayLump> lumps = gate->take(simulation);
     ASSERT_EQ(lumps.size(), 1u);
     EXPECT_EQ(lumps[0].particles, 8);
     EXPECT_NEAR(lumps[0].place.x(), 0.25, 0.01);
@@ -74,8 +75,8 @@ TEST(SprayGate, TakesADetachedLumpWithItsMassMomentumAndEnergy) {
     EXPECT_LT((after.momentum + lumps[0].mass * lumps[0].velocity - before.momentum).norm(),
               1e-12 * before.momentum.norm());
     EXPECT_NEAR(after.kinetic + lump_energy, before.kinetic, 1e-12 * before.kinetic);
-    EXPECT_TRUE(gate->take(simulation.level(0)).empty());  // once
-    for (int n = 0; n < 20; ++n) simulation.step();        // and the rest goes on
+    EXPECT_TRUE(gate->take(simulation).empty());     // once
+    for (int n = 0; n < 20; ++n) simulation.step();  // and the rest goes on
     EXPECT_EQ(simulation.particles().size(), count - 8);
 }
 
@@ -83,16 +84,40 @@ TEST(SprayGate, LeavesTheBodyOfWaterAndWhatHangsOnIt) {
     Simulation simulation(tank(), sea_with_two_lumps(tank()));
     simulation.step();
     const std::size_t count = simulation.particles().size();
-    EXPECT_TRUE(SprayGate::of(gate_at({0, 0, 0.9}, {0, 0, 1}))->take(simulation.level(0)).empty());
+    EXPECT_TRUE(SprayGate::of(gate_at({0, 0, 0.9}, {0, 0, 1}))->take(simulation).empty());
     // all water is beyond: the lumps go, the largest component never does
-    EXPECT_EQ(SprayGate::of(gate_at({0, 0, -1}, {0, 0, 1}))->take(simulation.level(0)).size(), 2u);
+    EXPECT_EQ(SprayGate::of(gate_at({0, 0, -1}, {0, 0, 1}))->take(simulation).size(), 2u);
     EXPECT_EQ(simulation.particles().size(), count - 16);
     SphOptions far = gate_at({0, 0, 0.5}, {0, 0, 1});
     far.gate_link = 9;  // the lumps are eight spacings above the water
     Simulation linked(tank(), sea_with_two_lumps(tank()));
     linked.step();
-    EXPECT_TRUE(SprayGate::of(far)->take(linked.level(0)).empty());
+    EXPECT_TRUE(SprayGate::of(far)->take(linked).empty());
     EXPECT_FALSE(SprayGate::of(SphOptions{}));
+}
+
+/// A lump across the edge between two sizes leaves as one, with the guards and parents that stand for it: what stays
+/// behind of either size is what a run without the lump has.
+TEST(SprayGate, TakesALumpOfTwoSizesWithAllThatStandsForIt) {
+    SimulationSetup s = tank();
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    s.dp = dp / 2;
+    s.zones = {Zone({Box{{-infinite, -infinite, -infinite}, {0.5, infinite, infinite}}})};
+    const Box sea{{0, 0, 0}, {1, 0.3, 0.3}}, lump{{0.4, 0.1, 0.7}, {0.6, 0.2, 0.8}};
+    const auto water = [&](const std::vector<Box>& boxes) { return fill_levels(s, boxes); };
+    Simulation simulation(s, water({sea, lump})), without(s, water({sea}));
+    for (int n = 0; n < 2; ++n) simulation.step(), without.step();
+    const auto gate = SprayGate::of(gate_at({0, 0, 0.6}, {0, 0, 1}));
+    const std::vector<SprayLump> lumps = gate->take(simulation);
+    ASSERT_EQ(lumps.size(), 1u);
+    EXPECT_EQ(lumps[0].particles, 8 + 8 * 8);
+    EXPECT_NEAR(lumps[0].mass, 1000 * 0.2 * 0.1 * 0.1, 1e-9);
+    EXPECT_NEAR(lumps[0].place.x(), 0.5, 1e-3);
+    for (std::size_t k = 0; k < 2; ++k)
+        EXPECT_EQ(simulation.level(k).particles().size(), without.level(k).particles().size());
+    for (int n = 0; n < 20; ++n) simulation.step();
+    for (std::size_t k = 0; k < 2; ++k)
+        EXPECT_LT(std::ranges::max(simulation.level(k).particles().z), 0.35) << "nothing of it is left in size " << k;
 }
 
 /// What is left after water was taken out does not depend on threads, nor on whether it was saved and read.
@@ -101,7 +126,7 @@ TEST(SprayGate, AnyNumberOfThreadsAndARestartGiveTheSameBits) {
         Simulation simulation(tank(threads), sea_with_two_lumps(tank(threads)));
         const auto gate = SprayGate::of(gate_at({0.5, 0, 0}, {1, 0, 0}));
         for (int n = 0; n < 10; ++n) simulation.step();
-        EXPECT_EQ(gate->take(simulation.level(0)).size(), 1u);
+        EXPECT_EQ(gate->take(simulation).size(), 1u);
         Level& level = simulation.level(0);
         if (restart) level.restore(level.state(), Particles(level.particles()));
         for (int n = 0; n < 30; ++n) simulation.step();
