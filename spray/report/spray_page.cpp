@@ -143,6 +143,15 @@ std::string convergence(const std::string& title, const std::string& label, cons
         p, "At the time of the largest average. Values of fewer than 30 droplets are not drawn, their interval is.");
 }
 
+/// Windows that no droplet meets say nothing on a page.
+void leave_out_empty(ReportTable& t) {
+    const std::size_t droplets = 3, all = t.rows.size();
+    std::erase_if(t.rows, [&](const ReportRow& row) { return row.cells.at(droplets).number == 0; });
+    if (t.rows.size() < all)
+        t.notes.push_back(fmt::format("{} of {} windows have no droplet and are left out; windows.csv has all.",
+                                      all - t.rows.size(), all));
+}
+
 }  // namespace
 
 std::string spray_html(const SprayStudy& study, const SprayResult& r) {
@@ -152,11 +161,13 @@ std::string spray_html(const SprayStudy& study, const SprayResult& r) {
         fmt::format("<p class=\"sub\">twinwake {}, {} droplets</p>", escaped(TWINWAKE_CODE_VERSION), r.droplets.size());
     std::vector<ReportTable> tables = spray_tables(study, r);
     constexpr std::size_t first_rows = 200;  // of a table on the page; the CSV file has them all
-    for (ReportTable& t : tables)
+    for (ReportTable& t : tables) {
+        if (t.title == "Load in time") leave_out_empty(t);
         if (t.rows.size() > first_rows) {
             t.notes.push_back(fmt::format("The first {} of {} rows; windows.csv has all.", first_rows, t.rows.size()));
             t.rows.resize(first_rows);
         }
+    }
     for (const ReportTable& t : tables) out += html_of(t);
     if (r.droplets.empty()) return out + "<p>No droplets: nothing to draw.</p>" + page_end;
     out += "<h2>The spray</h2>";
