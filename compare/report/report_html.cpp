@@ -47,8 +47,11 @@ std::string free_surfaces(const Comparison& c, const Figures& f, const std::stri
         out +=
             "<h2>The water</h2><p class=\"note\">Surfaces are where the water share of the common raster is one half, "
             "drawn by the same code, from "
-            "the same place, on the same scale. Half models are mirrored.</p>" +
-            pictures;
+            "the same place, on the same scale. Half models are mirrored." +
+            std::string(std::ranges::any_of(c.sources, [](const RunRecord& r) { return !r.bodies.empty(); })
+                            ? " Where a body moves in a tank, the nearer half of the water is left out."
+                            : "") +
+            "</p>" + pictures;
         if (!f.maps.empty()) {
             out += std::string(is_stream(c.sources.front()) ? "<h3>Mean elevation seen from above</h3>"
                                                             : "<h3>Elevation of the last frame seen from above</h3>") +
