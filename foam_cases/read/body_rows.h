@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "foam_cases/case_plan.h"
+#include "foam_cases/run/solver_log.h"
 #include "record/run_record.h"
 
 namespace tw {
@@ -24,6 +25,8 @@ Surface free_hull_at(const CasePlan& plan, const std::filesystem::path& post, do
 /// Makes the table of the body that moves anew from what the solver has left below `post` (postProcessing): the columns
 /// that every method's record has (record/run_record.h), one row per step. The force is that of water and air together. The
 /// first three rows of a run have none: an impulsive start gives a false one.
-void read_body(const CasePlan& plan, const std::filesystem::path& post, RunRecord& record);
+/// Of several bodies the log says where they were.
+void read_body(const CasePlan& plan, const BodyInMesh& which, const std::filesystem::path& post, const SolverLog& log,
+               RunRecord& record);
 
 }  // namespace tw
