@@ -23,7 +23,7 @@ RunRecord ball_in(const std::function<bool(const Vec3&, double)>& wet, double ho
     r.attributes = {{"method", "sph"}, {"motion", "none"}, {"scene_hash", "s"}, {"hull_hash", ""}};
     r.numbers = {{"duration", 0.3}, {"gravity", 9.81}, {"density", 1000}};
     r.state = "finished";
-    r.raster = {{-1, -1, -3.5}, edge, {40, 40, 100}};
+    r.raster = {{-0.7, -0.7, -3.5}, edge, {28, 28, 100}};
     Surface ball = make_hull("sphere", {{"diameter", 0.4}});
     const Box box = ball.bounds();
     for (Vec3& p : ball.points) p += Vec3(0, 0, 0.2) - (box.min + box.max) / 2;
@@ -40,8 +40,8 @@ RunRecord ball_in(const std::function<bool(const Vec3&, double)>& wet, double ho
         put("q0", "-", 1), put("qx", "-", 0), put("qy", "-", 0), put("qz", "-", 0);
         Raster raster(r.raster);
         for (int k = 0; k < 100; ++k)
-            for (int j = 0; j < 40; ++j)
-                for (int i = 0; i < 40; ++i) {
+            for (int j = 0; j < 28; ++j)
+                for (int i = 0; i < 28; ++i) {
                     const Vec3 x = r.raster.origin + edge * Vec3(i + 0.5, j + 0.5, k + 0.5);
                     if ((x - centre).norm() > hole && wet(x, time)) raster.pour(x, edge, edge * edge * edge);
                 }
