@@ -85,7 +85,7 @@ Dictionary free_body(const CasePlan& plan) {
 std::string motion_table(const CasePlan& plan) {
     const MotionLaw& law = *plan.moving().motion.law;
     List table;
-    for (const double t : times_of_table(law, plan.scene->run.duration)) {
+    for (const double t : times_of_table(law, plan.scene->run.duration, plan.largest_step)) {
         const double path = law.at(t).path;
         const Vec3 along = law.turns ? Vec3(Vec3::Zero()) : Vec3(path * law.axis);
         const Vec3 about = law.turns ? Vec3(path * law.axis * 180 / std::numbers::pi) : Vec3(Vec3::Zero());

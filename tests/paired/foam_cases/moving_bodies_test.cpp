@@ -165,7 +165,9 @@ TEST_F(MovingBodies, TwoBoxesThatFallSideBySideAreEachOthersMirrorImage) {
         run_fvm(scene(two_boxes(falls + "trim = \"4 deg\"\n", falls + "trim = \"-4 deg\"\n", "0.3 s")), options());
     ASSERT_EQ(r.state, "finished") << r.reason;
     const Table &a = r.tables.at("body_port"), &b = r.tables.at("body_starboard");
-    EXPECT_NEAR(a.find("vz")->values.front(), -0.2, 0.01) << "as they were released";
+    // Released in water at rest, each shares its momentum with the water that a half submerged plate moves.
+    const double mass = 500 * 0.02, water = std::numbers::pi / 8 * 1000 * 0.2 * 0.2;
+    EXPECT_NEAR(a.find("vz")->values.front(), -0.2 * mass / (mass + water), 0.01);
     EXPECT_LT(last(a, "z"), 0.025) << "they have fallen from 0.03";
     EXPECT_NEAR(last(a, "z"), last(b, "z"), 5e-4);
     EXPECT_NEAR(last(a, "x"), -last(b, "x"), 5e-4);

@@ -5,6 +5,7 @@
 
 #include "base/errors.h"
 #include "foam_cases/files/case_files.h"
+#include "foam_cases/files/times_of_table.h"
 #include "scenes.h"
 
 namespace tw {
@@ -191,6 +192,18 @@ TEST(CaseFiles, SeveralBodiesAreJointsOfOneSystem) {
     const std::string control = control_dict(plan);
     EXPECT_SAYS(control, "forces_crate");
     EXPECT_SILENT(control, "bodyState");
+}
+
+// A sphere driven in for 10 ms took a last step to 10.4 ms, beyond a table that ended at 10.1 ms.
+TEST(CaseFiles, ATableOfMotionReachesAsFarAsTheLastStepMayLead) {
+    MotionLaw law;
+    law.kind = MotionLaw::Kind::constant;
+    for (const double step : {1e-4, 22e-3}) {
+        const std::vector<double> times = times_of_table(law, 10e-3, step);
+        EXPECT_LT(times.front(), 0);
+        EXPECT_GE(times.back(), 10e-3 + step);
+        EXPECT_LT(times.back(), 10e-3 + step + 3e-4);
+    }
 }
 
 TEST(CaseFiles, ATanksWallsHoldTheWaterWhereItSticksAndAStreamsSidesNeverDo) {
