@@ -95,10 +95,12 @@ std::string motion_table(const CasePlan& plan) {
 }
 
 Dictionary table_of_motion(const CasePlan& plan) {
-    return {
-        {"solidBodyMotionFunction", Word("tabulated6DoFMotion")},
-        {"tabulated6DoFMotionCoeffs", Dictionary{{"CofG", plan.moving().motion.mass.centre},
-                                                 {"timeDataFileName", Quoted("<case>/constant/motionOfBody.dat")}}}};
+    const Value type = Word("tabulated6DoFMotion");
+    // the coefficients name the function once more: they alone are read again when a case is split for several cores
+    const Dictionary coefficients{{"solidBodyMotionFunction", type},
+                                  {"CofG", plan.moving().motion.mass.centre},
+                                  {"timeDataFileName", Quoted("<case>/constant/motionOfBody.dat")}};
+    return {{"solidBodyMotionFunction", type}, {"tabulated6DoFMotionCoeffs", coefficients}};
 }
 
 Dictionary moved_body(const CasePlan& plan) {

@@ -89,6 +89,19 @@ TEST_F(MovingBodies, APrescribedBodyIsWhereItsLawHasItAndItsMeshToo) {
     EXPECT_LT(added, 0.5 * hydrostatic);
 }
 
+// The case is split for two cores, and with it the condition that moves the body's points.
+TEST_F(MovingBodies, APrescribedBodyMovesOnTwoCoresToo) {
+    RunOptions two = options();
+    two.threads = 2;
+    const RunRecord r = run_fvm(scene(box_in_tank("draft = \"50 mm\"\nmotion = \"prescribed\"\nlaw = \"constant\"\n"
+                                                  "along = [0, 0, 1]\nrate = 0.1",
+                                                  "20 ms")),
+                                two);
+    ASSERT_EQ(r.state, "finished") << r.reason;
+    const Table& t = r.tables.at("body_box");
+    EXPECT_NEAR(last(t, "z"), 0.1 * t.time.back(), 1e-12);
+}
+
 TEST_F(MovingBodies, ThatReachTheFloorEndTheRunWithAMessage) {
     const Scene s =
         scene(box_in_tank("density = \"4000 kg/m3\"\ndraft = \"200 mm\"\nvelocity = [0, 0, -2]\n"
