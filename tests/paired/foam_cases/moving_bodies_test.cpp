@@ -172,6 +172,30 @@ TEST_F(MovingBodies, TwoBoxesEachAnswerToTheForcesOnThemselves) {
     EXPECT_EQ(r.bodies.size(), 2u);
 }
 
+// Their state lies beside the fields, and the log of both starts says where they were.
+TEST_F(MovingBodies, TwoBoxesGoOnWhereTheyWereStopped) {
+    const auto run = [&](const char* duration, const RunOptions& how) {
+        const std::string falls = "density = \"400 kg/m3\"\ndraft = \"0 mm\"\n";
+        return run_fvm(scene(two_boxes("density = \"500 kg/m3\"\ndraft = \"45 mm\"\n", falls, duration) +
+                             "[sampling]\ninterval = 0.02\n"),
+                       how);
+    };
+    const RunRecord whole = run("0.12 s", options());
+    RunOptions parts = options();
+    parts.folder = folder / "parts";
+    run("0.06 s", parts);
+    parts.resume = true;
+    const RunRecord resumed = run("0.12 s", parts);
+    ASSERT_EQ(resumed.state, "finished") << resumed.reason;
+    for (const char* body : {"body_port", "body_starboard"}) {
+        const Table &a = whole.tables.at(body), &b = resumed.tables.at(body);
+        EXPECT_TRUE(std::ranges::is_sorted(b.time, std::less_equal<>()));
+        EXPECT_LT(b.time.front(), 0.001) << "the rows before the stop are there";
+        const double later = b.time.back() - a.time.back();  // the last steps end at different times
+        EXPECT_NEAR(last(a, "z") + later * last(a, "vz"), last(b, "z"), 1e-4) << body;
+    }
+}
+
 TEST_F(MovingBodies, TwoBoxesThatFallSideBySideAreEachOthersMirrorImage) {
     const std::string falls = "density = \"500 kg/m3\"\ndraft = \"20 mm\"\nvelocity = [0, 0, -0.2]\n";
     const RunRecord r =
