@@ -3,11 +3,11 @@
 
 namespace tw {
 
-/// What a body that enters water leaves behind it and throws up, in every raster frame: the same for any source, because
-/// only the common raster and the body's recorded place are read. A table "entry_NAME" with one row per frame.
+/// What a body that enters water leaves behind it and throws up, in every raster frame: the same for any source,
+/// because only the common raster and the body's recorded place are read. A table "entry_NAME", one row per frame.
 ///
-/// Kinds of closure as Aristoff & Bush 2009 (doi:10.1017/S0022112008004382) and Truscott, Epps & Belden 2014
-/// (doi:10.1146/annurev-fluid-011212-140753) name them; what they see on photographs is counted in voxels here:
+/// Kinds of closure as Aristoff & Bush 2009 (doi:10.1017/S0022112008004382) name them; what is seen on photographs
+/// there is counted in voxels here:
 ///
 ///   air      a voxel with a water share below 1/2 whose centre is more than a voxel edge outside the body: narrower
 ///            gaps are not seen

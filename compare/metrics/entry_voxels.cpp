@@ -18,8 +18,8 @@ Place place_of(const RasterGrid& grid, std::size_t voxel) {
     return {column % grid.nx, column / grid.nx, static_cast<int>(voxel / grid.columns())};
 }
 
-/// Visits `seeds` and all that hangs together with them through the faces of voxels that `enters(voxel, layer)` accepts;
-/// `visited` is marked.
+/// Visits `seeds` and all that hangs together with them through the faces of voxels that `enters(voxel, layer)`
+/// accepts; `visited` is marked.
 template <class Enters>
 std::vector<std::size_t> connected(const RasterGrid& grid, std::vector<std::size_t> seeds,
                                    std::vector<std::uint8_t>& visited, Enters enters) {

@@ -1,8 +1,8 @@
 // The report's view in three dimensions: free surfaces and hulls over time, drawn with WebGL 1 and nothing else.
 // The page gives, in the JSON block view3d-data:
 //   box      low and high corner of everything drawn [m]; subject: the same of the hull or the bodies, for the camera
-//   ship     the subject is a hull, seen from astern; cut: where bodies move in a tank, y of the plane at which the water
-//            can be cut open [m], or null
+//   ship     the subject is a hull, seen from astern
+//   cut      where bodies move in a tank, y of the plane at which the water can be cut open [m], or null
 //   scale    low, high [m] and evenly spaced colours of the heights
 //   time     times of the slider's steps [s]
 //   sources  name, mirror (half model: draw the other side too), time of each surface, step -> number of its surface,
