@@ -85,7 +85,8 @@ struct Cut {
 
 /// What is worked out of one record before anything is compared.
 struct Analysis {
-    Table splash;  ///< splash measures per raster frame, see metrics/splash.h
+    Table splash;                ///< splash measures per raster frame, see metrics/splash.h
+    std::vector<Table> entries;  ///< cavity and crown of each body that moves, per raster frame, see metrics/entry.h
     std::vector<Cut> cuts;
     std::vector<float> mean_elevation;  ///< per raster column, x fastest; NaN under the hull [m]
     std::vector<float> envelope;        ///< highest connected water per raster column over the settled frames [m]

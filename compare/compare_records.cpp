@@ -10,6 +10,7 @@
 #include "base/errors.h"
 #include "compare/gates.h"
 #include "compare/metrics/bodies.h"
+#include "compare/metrics/entry.h"
 #include "compare/metrics/forces.h"
 #include "compare/metrics/hull_motion.h"
 #include "compare/metrics/splash_quantities.h"
@@ -186,6 +187,7 @@ Comparison compare_records(std::vector<RunRecord> sources, const CompareOptions&
     add_elevation(comparison, options);
     add_probes(comparison, options);
     add_bodies(comparison);
+    add_entries(comparison);
     add_savitsky(comparison);
     add_planing_plate(comparison);
     for (std::size_t i = 0; i < comparison.sources.size(); ++i)

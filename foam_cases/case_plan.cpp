@@ -119,7 +119,7 @@ constexpr int section_levels = 2;
 void plan_refinement(CasePlan& plan) {
     const Scene& scene = *plan.scene;
     if (scene.domain.dimensions == 2) {  // cells of one size, but at the hull: its edges need more
-        if (!scene.hull && plan.body.empty()) return;
+        if (!scene.hull && !plan.mesh_moves()) return;
         plan.surface_level = plan.feature_level = section_levels;
         plan.extrude = plan.surface_level > 0;  // snappyHexMesh halves the slab across as well
         plan.finest_cell = plan.background_cell / std::pow(2.0, plan.surface_level);
@@ -141,16 +141,18 @@ void plan_refinement(CasePlan& plan) {
     // cheap (measured: the force does not change). Without such boxes the whole surface gets the finest level.
     plan.surface_level = reached >= plan.wet_level ? std::max(0, plan.wet_level - 2) : plan.wet_level;
     plan.feature_level = std::max(plan.surface_level, plan.wet_level - 1);
-    if (!plan.body.empty() && !plan.hull_is_free() && plan.wet_level > 0) {
-        // The mesh goes with the body: fine cells below and beside it, and where its cavity and splash are behind it.
-        RefinementBox near{word_from("near_" + plan.body, "near"), plan.moving().surface.bounds(), plan.wet_level};
-        while (!names.insert(near.name).second) near.name += "_";
-        const Vec3 size = near.box.size();
-        const double width = std::min(size.x(), size.y());
-        near.box.min -= Vec3::Constant(width);
-        near.box.max += Vec3(width, width, 2.5 * width);
-        reached = std::max(reached, near.level);
-        plan.boxes.push_back(near);
+    if (plan.mesh_moves() && !plan.hull_is_free() && plan.wet_level > 0) {
+        // The mesh goes with a body: fine cells below and beside it, and where its cavity and splash are behind it.
+        for (const BodyInMesh& b : plan.bodies) {
+            RefinementBox near{word_from("near_" + b.patch, "near"), b.body.surface.bounds(), plan.wet_level};
+            while (!names.insert(near.name).second) near.name += "_";
+            const Vec3 size = near.box.size();
+            const double width = std::min(size.x(), size.y());
+            near.box.min -= Vec3::Constant(width);
+            near.box.max += Vec3(width, width, 2.5 * width);
+            reached = std::max(reached, near.level);
+            plan.boxes.push_back(near);
+        }
     }
     plan.finest_cell =
         plan.background_cell / std::pow(2.0, std::max(reached, plan.solids.empty() ? 0 : plan.surface_level));
@@ -175,7 +177,8 @@ void plan_times(CasePlan& plan) {
         plan.snapshot_every =
             std::max(1, static_cast<int>(std::lround(scene.sampling.snapshot_interval / plan.write_interval)));
     const double falls = std::sqrt(2 * g * height);
-    const double fall = plan.body.empty() ? falls : std::max(falls, plan.moving().fastest(g));
+    double fall = falls;
+    for (const BodyInMesh& b : plan.bodies) fall = std::max(fall, b.body.fastest(g));
     plan.first_step = 0.05 * plan.finest_cell / std::max({scene.motion.speed, fall, 1e-6});
     plan.first_step = std::min(plan.first_step, 0.1 * plan.write_interval);
     // Gravity acts explicitly on the surface: still water would otherwise be taken in steps that shake it.
@@ -199,22 +202,24 @@ double added_mass_ratio(const MovingBody& body, const Scene& scene) {
 void plan_body(CasePlan& plan, std::set<std::string>& names) {
     const Scene& scene = *plan.scene;
     plan.mesh_motion = mesh_motion(scene);
-    plan.followed = followed_by_mesh(scene);
-    if (!plan.followed) return;
+    const std::vector<MovingBody> followed = followed_by_mesh(scene);
+    if (followed.empty()) return;
     if (plan.flavour.vendor != Flavour::Vendor::com)
         throw InputError("bodies that move were measured with OpenFOAM of openfoam.com alone, and this is " +
                          plan.flavour.vendor_name() + " " + plan.flavour.version_name() +
                          "; use the particle method, or name another installation in [fvm] openfoam");
-    const MovingBody& body = plan.moving();
     if (plan.hull_is_free()) {
-        plan.body = plan.solids.front().name;
+        plan.bodies.push_back({plan.solids.front().name, followed.front()});
         plan.solids.front().moves = true;
     } else {
-        plan.body = word_from(body.name, "body");
-        while (!names.insert(plan.body).second) plan.body += "_";
-        const bool flat = scene.domain.dimensions == 2;
-        plan.solids.push_back(
-            {plan.body, flat ? with_span(body.surface, endless_span(body.surface)) : body.surface, false, true});
+        for (const MovingBody& body : followed) {
+            std::string patch = word_from(body.name, "body");
+            while (!names.insert(patch).second) patch += "_";
+            const bool flat = scene.domain.dimensions == 2;
+            plan.solids.push_back(
+                {patch, flat ? with_span(body.surface, endless_span(body.surface)) : body.surface, false, true});
+            plan.bodies.push_back({patch, body});
+        }
     }
     for (Patch& p : plan.sides) {
         if (p.empty || p.side == Side::symmetry) continue;
@@ -223,13 +228,15 @@ void plan_body(CasePlan& plan, std::set<std::string>& names) {
         else if (plan.mesh_motion.kind == MeshMotion::Kind::sliding && &p == &plan.sides[4])
             p.open = Patch::Open::resting_water, p.holds = false;
     }
-    if (body.motion.law) {
+    if (plan.moving().motion.law) {
         plan.outer_correctors = 2;
         return;
     }
     // Body and water answer each other once in each outer corrector; the errors of the accelerations swing with the
     // added mass over four masses (Newmark, beta 1/4) and are damped by half the largest relaxation that is stable.
-    plan.relaxation = std::clamp(1 / (1 + added_mass_ratio(body, scene) / 4), 0.1, 0.9);
+    double added = 0;
+    for (const BodyInMesh& b : plan.bodies) added = std::max(added, added_mass_ratio(b.body, scene));
+    plan.relaxation = std::clamp(1 / (1 + added / 4), 0.1, 0.9);
     plan.outer_correctors = plan.relaxation >= 0.7 ? 2 : 3;
 }
 
@@ -267,7 +274,9 @@ AxisCells split_axis(double low, double high, double spacing, std::vector<double
     return axis;
 }
 
-std::string CasePlan::motion_table() const { return hull_is_free() ? hull_motion_table : body_table(moving().name); }
+std::string CasePlan::motion_table(const BodyInMesh& body) const {
+    return hull_is_free() ? hull_motion_table : body_table(body.body.name);
+}
 
 CasePlan plan_case(const Scene& scene, const Flavour& flavour) {
     CasePlan plan;
@@ -302,7 +311,8 @@ CasePlan plan_case(const Scene& scene, const Flavour& flavour) {
                          flavour.vendor_name() + " " + flavour.version_name() +
                          "; use the particle method, or name another installation in [fvm] openfoam");
     plan_body(plan, names);
-    const bool uniform = scene.domain.dimensions == 2 || (!scene.hull && plan.body.empty() && scene.refinement.empty());
+    const bool uniform =
+        scene.domain.dimensions == 2 || (!scene.hull && !plan.mesh_moves() && scene.refinement.empty());
     plan.background_cell = plan.finest_cell = uniform ? scene.resolution.near_hull : scene.resolution.spacing;
     plan_refinement(plan);
     plan.snappy = !plan.solids.empty() || !plan.boxes.empty();

@@ -1,6 +1,5 @@
 #pragma once
 #include <array>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,6 +42,14 @@ struct Solid {
     bool is_hull = false, moves = false;
 };
 
+/// A body that the mesh follows.
+struct BodyInMesh {
+    std::string patch;  ///< an OpenFOAM word
+    MovingBody body;
+    /// Name of the function object that writes its forces.
+    std::string forces() const { return "forces_" + patch; }
+};
+
 /// Everything that follows from the scene and that more than one OpenFOAM file needs. It points into the scene, which
 /// must outlive it.
 struct CasePlan {
@@ -63,15 +70,17 @@ struct CasePlan {
     Vec3 point_in_fluid = Vec3::Zero();
     bool half_space = true;  ///< water: all below z = 0 (else the scene's water blocks)
 
-    // a body that moves, or a hull that is free
+    // bodies that move, or a hull that is free
     MeshMotion mesh_motion;
-    std::string body;                    ///< its patch; empty without one
-    double relaxation = 1;               ///< of its acceleration, in each outer corrector
-    int outer_correctors = 1;            ///< in which mesh, flow and body are solved once more in each step
-    std::optional<MovingBody> followed;  ///< by the mesh
-    const MovingBody& moving() const { return followed.value(); }
+    std::vector<BodyInMesh> bodies;  ///< that the mesh follows
+    double relaxation = 1;           ///< of their accelerations, in each outer corrector
+    int outer_correctors = 1;        ///< in which mesh, flow and bodies are solved once more in each step
+    bool mesh_moves() const { return !bodies.empty(); }
+    bool several_bodies() const { return bodies.size() > 1; }
+    /// The only one, or the first of several.
+    const MovingBody& moving() const { return bodies.at(0).body; }
     bool hull_is_free() const { return scene->hull && scene->hull->free; }
-    std::string motion_table() const;  ///< of the record, in which its motion stands
+    std::string motion_table(const BodyInMesh& body) const;  ///< of the record, in which its motion stands
     /// Of what is solved: a half model's body weighs half, a section as much as the mesh is thick.
     double solved_share() const { return scene->span() / scene->symmetry_factor(); }
 

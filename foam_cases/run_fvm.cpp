@@ -102,7 +102,7 @@ private:
         record_.numbers["raster_every"] = plan_.raster_every;
         record_.numbers["cell_far"] = plan_.background_cell;
         record_.numbers["cell_finest"] = plan_.finest_cell;
-        if (plan_.body.empty()) return;
+        if (!plan_.mesh_moves()) return;
         record_.attributes["mesh_motion"] = plan_.mesh_motion.sentence();
         record_.numbers["body_relaxation"] = plan_.relaxation;
         record_.numbers["outer_correctors"] = plan_.outer_correctors;
@@ -235,7 +235,7 @@ private:
         RunRecord left;
         left.numbers = record_.numbers;
         left.tables = record_.tables;
-        read_step_tables(plan_, case_, left);
+        read_step_tables(plan_, case_, log, left);
         std::vector<double>&samples = left.table("samples").time, &forces = left.table("forces").time;
         const double read_to = samples.empty() ? 0 : samples.back() * (1 + 1e-9);
         for (const TimeFolders::Moment& m : moments) {
@@ -268,7 +268,7 @@ private:
     /// Saves the record; only then are time folders that it holds removed, but for the last two and the kept pictures.
     void save(const TimeFolders& folders) {
         const double began = wall_clock(), cpu = own_cpu();
-        read_step_tables(plan_, case_, record_);
+        read_step_tables(plan_, case_, log_, record_);
         write_record(record_file_, record_);
         const auto moments = folders.moments();
         const std::vector<double>& known = record_.table("samples").time;

@@ -71,6 +71,12 @@ void check_values(const std::string& file, const RunRecord& record) {
     check.at_least_zero("raster/spacing", record.raster.voxel);
     for (const Vec3& p : record.hull.points)
         for (const double x : p) check.finite("hull/points", x);
+    for (const BodyShape& body : record.bodies) {
+        const std::string key = "bodies/" + body.table;
+        for (const double x : body.centre) check.finite(key + "/centre", x);
+        for (const Vec3& p : body.surface.points)
+            for (const double x : p) check.finite(key + "/points", x);
+    }
     for (const Phase& phase : record.phases) {
         check.at_least_zero("cost/" + phase.name + "/wall", phase.wall);
         check.at_least_zero("cost/" + phase.name + "/cpu", phase.cpu);

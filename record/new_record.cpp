@@ -143,7 +143,10 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
         record.numbers["heel"] = hull.heel;
         record.numbers["draft"] = hull.draft;
         record.numbers["displaced_volume"] = hull.still.volume;
-        if (hull.free) note_free_hull(record, hull);
+        if (hull.free) {
+            note_free_hull(record, hull);
+            record.bodies.push_back({hull_motion_table, hull.surface, hull.free->motion.mass.centre});
+        }
         record.hull = hull.surface;
         for (std::size_t k = 0; k < hull.findings.size(); ++k)
             record.attributes[fmt::format("hull_finding_{:02}", k)] =
@@ -153,6 +156,8 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
     }
     for (const MovingBody& b : scene.bodies) {
         record.numbers["mass_" + b.name] = b.motion.mass.mass;
+        if (!b.elastic || method != "sph")  // that bends
+            record.bodies.push_back({body_table(b.name), b.surface, b.motion.mass.centre});
         if (b.elastic)
             record.attributes["compliance"] =
                 method == "sph"

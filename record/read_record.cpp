@@ -90,21 +90,40 @@ void read_raster(hid_t file, RunRecord& record) {
     }
 }
 
-void read_hull(hid_t file, RunRecord& record) {
-    const h5::Handle group = h5::open_group(file, layout::hull);
+/// `what`: whose surface it is, for messages.
+Surface read_triangles(hid_t group, const std::string& what) {
     const auto point_dims = h5::dimensions(group, "points"), triangle_dims = h5::dimensions(group, "triangles");
     if (point_dims.size() != 2 || point_dims[1] != 3 || triangle_dims.size() != 2 || triangle_dims[1] != 3)
-        throw h5::Failure{"the hull's points or triangles are not threes"};
+        throw h5::Failure{what + ": its points or triangles are not threes"};
+    Surface surface;
     std::vector<double> points(point_dims[0] * 3);
     h5::read_array(group, "points", H5T_NATIVE_DOUBLE, points.data(), points.size());
     for (std::size_t i = 0; i < points.size(); i += 3)
-        record.hull.points.emplace_back(points[i], points[i + 1], points[i + 2]);
-    record.hull.triangles.resize(triangle_dims[0]);
-    h5::read_array(group, "triangles", H5T_NATIVE_INT, record.hull.triangles.data(), record.hull.triangles.size() * 3);
-    for (const auto& t : record.hull.triangles)
+        surface.points.emplace_back(points[i], points[i + 1], points[i + 2]);
+    surface.triangles.resize(triangle_dims[0]);
+    h5::read_array(group, "triangles", H5T_NATIVE_INT, surface.triangles.data(), surface.triangles.size() * 3);
+    for (const auto& t : surface.triangles)
         for (const int corner : t)
-            if (corner < 0 || static_cast<std::size_t>(corner) >= record.hull.points.size())
-                throw h5::Failure{"a hull triangle names a point that is not there"};
+            if (corner < 0 || static_cast<std::size_t>(corner) >= surface.points.size())
+                throw h5::Failure{what + ": a triangle names a point that is not there"};
+    return surface;
+}
+
+void read_bodies(hid_t file, RunRecord& record) {
+    if (!h5::has(file, layout::bodies)) return;  // records had none at first
+    const h5::Handle bodies = h5::open_group(file, layout::bodies);
+    for (const std::string& link : h5::member_names(bodies)) {
+        const h5::Handle group = h5::open_group(bodies, link.c_str());
+        const std::string table = h5::read_text_attribute(group, "table");
+        const auto centre = h5::read_numbers_attribute(group, "centre");
+        if (centre.size() != 3) throw h5::Failure{table + ": its centre of mass is not three numbers"};
+        record.bodies.push_back({table, read_triangles(group, table), Vec3(centre.data())});
+    }
+}
+
+void read_hull(hid_t file, RunRecord& record) {
+    const h5::Handle group = h5::open_group(file, layout::hull);
+    record.hull = read_triangles(group, "the hull");
     record.hull_pressure = h5::read_vector<float>(group, "pressure", H5T_NATIVE_FLOAT);
     record.hull_wet = h5::read_vector<float>(group, "wet", H5T_NATIVE_FLOAT);
     for (const auto* values : {&record.hull_pressure, &record.hull_wet})
@@ -180,6 +199,7 @@ RunRecord read_contents(hid_t file) {
     read_tables(file, record);
     read_raster(file, record);
     read_hull(file, record);
+    read_bodies(file, record);
     read_cost(file, record);
     read_effects(file, record);
     read_certificate(file, record);

@@ -13,6 +13,7 @@ inline constexpr const char* scene_text = "scene_text";
 inline constexpr const char* tables = "tables";
 inline constexpr const char* raster = "raster";
 inline constexpr const char* hull = "hull";
+inline constexpr const char* bodies = "bodies";
 inline constexpr const char* cost = "cost";
 inline constexpr const char* effects = "effects";
 inline constexpr const char* certificate = "certificate";

@@ -48,6 +48,13 @@ struct CertificateLine {
     bool met() const { return value <= limit; }
 };
 
+/// A body that moves, as it stood at the start; where it was later says the table of its motion (body_pose.h).
+struct BodyShape {
+    std::string table;           ///< "body_NAME", or "hull_motion" of a hull that is free in a stream
+    Surface surface;             ///< [m]; of two dimensions a metre wide
+    Vec3 centre = Vec3::Zero();  ///< of mass [m]
+};
+
 /// What one run leaves: the same layout for SPH, FVM and any other source. One HDF5 file, written atomically.
 ///
 /// Tables every source fills as far as it can (whole hull: symmetry already applied, see attribute symmetry_factor):
@@ -86,6 +93,7 @@ struct RunRecord {
     /// Pressure on the hull at the last frame, for the pictures: triangles of the posed hull and one value each.
     Surface hull;
     std::vector<float> hull_pressure, hull_wet;  ///< per triangle [Pa], [0..1]; empty when unknown
+    std::vector<BodyShape> bodies;               ///< that move and keep their shape; none in older records
     std::vector<Phase> phases;
     double peak_memory = 0;          ///< [bytes]
     double elements = 0, steps = 0;  ///< particles or cells; time steps

@@ -77,14 +77,28 @@ void write_raster(hid_t file, const RunRecord& record) {
     h5::write_array(group, "water", H5T_NATIVE_UINT8, water.data(), dims, true);
 }
 
+void write_triangles(hid_t group, const Surface& surface) {
+    std::vector<double> points;
+    for (const Vec3& p : surface.points) points.insert(points.end(), p.data(), p.data() + 3);
+    const std::array<hsize_t, 2> point_dims{surface.points.size(), 3}, triangle_dims{surface.triangles.size(), 3};
+    h5::write_array(group, "points", H5T_NATIVE_DOUBLE, points.data(), point_dims, true);
+    h5::write_array(group, "triangles", H5T_NATIVE_INT, surface.triangles.data(), triangle_dims, true);
+}
+
+void write_bodies(hid_t file, const RunRecord& record) {
+    const h5::Handle bodies = h5::create_group(file, layout::bodies);
+    std::set<std::string> links;
+    for (const BodyShape& body : record.bodies) {
+        const h5::Handle group = h5::create_group(bodies, link_name(body.table, links).c_str());
+        h5::write_attribute(group, "table", body.table);
+        h5::write_attribute(group, "centre", std::span<const double>(body.centre.data(), 3));
+        write_triangles(group, body.surface);
+    }
+}
+
 void write_hull(hid_t file, const RunRecord& record) {
     const h5::Handle group = h5::create_group(file, layout::hull);
-    std::vector<double> points;
-    for (const Vec3& p : record.hull.points) points.insert(points.end(), p.data(), p.data() + 3);
-    const std::array<hsize_t, 2> point_dims{record.hull.points.size(), 3},
-        triangle_dims{record.hull.triangles.size(), 3};
-    h5::write_array(group, "points", H5T_NATIVE_DOUBLE, points.data(), point_dims, true);
-    h5::write_array(group, "triangles", H5T_NATIVE_INT, record.hull.triangles.data(), triangle_dims, true);
+    write_triangles(group, record.hull);
     h5::write_vector(group, "pressure", H5T_NATIVE_FLOAT, record.hull_pressure);
     h5::write_vector(group, "wet", H5T_NATIVE_FLOAT, record.hull_wet);
 }
@@ -175,6 +189,7 @@ std::string record_bytes(const RunRecord& record) {
     write_tables(file, record);
     write_raster(file, record);
     write_hull(file, record);
+    write_bodies(file, record);
     write_cost(file, record);
     write_effects(file, record);
     write_certificate(file, record);

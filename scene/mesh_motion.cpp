@@ -92,6 +92,18 @@ bool moves_vertically(const MovingBody& body) {
     return !f.along[0] && !f.along[1] && !f.about[0] && !f.about[1] && !f.about[2];
 }
 
+/// From the corners of either surface to the other one [m].
+double gap_between(const Surface& a, const Surface& b) {
+    double nearest = HUGE_VAL;
+    const auto look = [&](const Surface& from, const Surface& to) {
+        const SurfaceQuery query(to);
+        for (const Vec3& p : from.points) nearest = std::min(nearest, query.nearest(p).distance);
+    };
+    look(a, b);
+    look(b, a);
+    return nearest;
+}
+
 /// Distance from the body to what stays where it is while the mesh is morphed: floor, top, obstacles, inlet and outlet,
 /// and, unless the body moves along them, the sides [m].
 double clearance_of(const MovingBody& body, const Scene& scene) {
@@ -104,12 +116,7 @@ double clearance_of(const MovingBody& body, const Scene& scene) {
         nearest = std::min(nearest, box.max.y() - at.max.y());
         if (scene.domain.y_min != Side::symmetry) nearest = std::min(nearest, at.min.y() - box.min.y());
     }
-    for (const Obstacle& o : scene.obstacles) {
-        const SurfaceQuery query(o.surface);
-        for (const Vec3& p : body.surface.points) nearest = std::min(nearest, query.nearest(p).distance);
-        const SurfaceQuery back(body.surface);
-        for (const Vec3& p : o.surface.points) nearest = std::min(nearest, back.nearest(p).distance);
-    }
+    for (const Obstacle& o : scene.obstacles) nearest = std::min(nearest, gap_between(body.surface, o.surface));
     return nearest;
 }
 
@@ -137,23 +144,22 @@ std::string MeshMotion::sentence() const {
            "at rest";
 }
 
-std::optional<MovingBody> followed_by_mesh(const Scene& scene) {
+std::vector<MovingBody> followed_by_mesh(const Scene& scene) {
     if (scene.hull && scene.hull->free)
-        return MovingBody{
+        return {MovingBody{
             .name = "hull",
             .source = scene.hull->source,
             .surface = scene.hull->surface,
             .motion = scene.hull->free->motion,
             .findings = {},
-        };
-    return scene.bodies.empty() ? std::nullopt : std::optional(scene.bodies.front());
+        }};
+    return scene.bodies;
 }
 
-MeshMotion mesh_motion(const Scene& scene) {
-    MeshMotion m;
-    const std::optional<MovingBody> followed = followed_by_mesh(scene);
-    if (!followed) return m;
-    const MovingBody& body = *followed;
+namespace {
+
+/// What the mesh method cannot move however the mesh follows.
+void check_body(const MovingBody& body, const Scene& scene) {
     if (body.tyre())
         refuse(scene, "run.methods",
                fmt::format(
@@ -165,17 +171,71 @@ MeshMotion mesh_motion(const Scene& scene) {
                fmt::format("body {} is held at its edges and bends, which the mesh method does not solve; expected "
                            "methods = [\"sph\"], or --method sph",
                            body.name));
-    if (scene.bodies.size() > 1)
-        refuse(scene, "run.methods",
-               fmt::format("{} and {} move, and the mesh method moves one body; expected methods = [\"sph\"], or "
-                           "--method sph",
-                           body.name, scene.bodies[1].name));
     const Freedoms& f = body.motion.free;
     if (!body.motion.law && f.about[0] + f.about[1] + f.about[2] == 2)
         refuse(scene, "run.methods",
                fmt::format("body {} is free to turn about two of the three axes, which OpenFOAM has no constraint for; "
                            "lock one more of roll, pitch and yaw, or free the third",
                            body.name));
+}
+
+/// Several free bodies: morphed regions that do not overlap, alike round all of them.
+MeshMotion motion_of_several(const std::vector<MovingBody>& bodies, const Scene& scene) {
+    MeshMotion m;
+    m.kind = Kind::morphing;
+    double room = HUGE_VAL, way = 0;
+    std::string tightest, between, farthest;
+    const auto limit = [&](double to, const std::string& name, const std::string& what) {
+        if (to < room) room = to, tightest = name, between = what;
+    };
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const MovingBody& body = bodies[i];
+        if (body.motion.law)
+            refuse(scene, "run.methods",
+                   fmt::format("body {} has a prescribed motion beside another body, and the mesh method moves several "
+                               "bodies only where all are free; expected motion = \"free\", one body, or methods = "
+                               "[\"sph\"]",
+                               body.name));
+        MeshMotion own;
+        bound_travel(body, scene, own);
+        const double most = std::hypot(std::max(own.down, own.up), own.aside);
+        if (most >= way) way = most, farthest = body.name;
+        limit(clearance_of(body, scene), body.name, "what stays where it is");
+        for (std::size_t j = 0; j < i; ++j)
+            limit(gap_between(body.surface, bodies[j].surface) / 2, body.name,
+                  "the middle between it and body " + bodies[j].name);
+    }
+    m.outer = 0.98 * room;
+    m.inner = 0.05 * m.outer;
+    if (scene.fvm.body_mesh == "whole")
+        refuse(scene, "fvm.body_mesh",
+               "a mesh that moves as a whole follows one body, and there are several; expected \"morphing\"");
+    if (!(m.outer > 4 * scene.resolution.near_hull))
+        refuse(
+            scene, "run.methods",
+            fmt::format("body {} stands {:.3g} m from {}; a mesh is morphed over four cells ({:.3g} m) or more: move "
+                        "the bodies apart, make the cells smaller, or expected methods = [\"sph\"]",
+                        tightest, room, between, 4 * scene.resolution.near_hull));
+    if (scene.fvm.body_mesh == "auto" && way > 0.5 * (m.outer - m.inner))
+        refuse(scene, "run.methods",
+               fmt::format(
+                   "body {} may move by {:.3g} m, and round several bodies the mesh is morphed, here within {:.3g} "
+                   "m of each, which bears half of that; move bodies and walls apart, shorten the run, expected "
+                   "methods = [\"sph\"], or body_mesh = \"morphing\", whose run is stopped where a body comes "
+                   "too far",
+                   farthest, way, m.outer));
+    return m;
+}
+
+}  // namespace
+
+MeshMotion mesh_motion(const Scene& scene) {
+    MeshMotion m;
+    const std::vector<MovingBody> followed = followed_by_mesh(scene);
+    for (const MovingBody& body : followed) check_body(body, scene);
+    if (followed.empty()) return m;
+    if (followed.size() > 1) return motion_of_several(followed, scene);
+    const MovingBody& body = followed.front();
     const bool stream = scene.motion.kind == Motion::Kind::stream;
     if (!stream) bound_travel(body, scene, m);  // what a stream makes of a hull is what the run is for
     const double clearance = clearance_of(body, scene);

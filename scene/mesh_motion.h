@@ -26,13 +26,16 @@ struct MeshMotion {
     std::string sentence() const;  ///< for people: the technique and what it leaves out; empty where nothing moves
 };
 
-/// What the mesh follows: the first of the scene's bodies, or, as a body named hull, a hull that is free.
-std::optional<MovingBody> followed_by_mesh(const Scene& scene);
+/// What the mesh follows: the scene's bodies, or, as a body named hull, a hull that is free.
+std::vector<MovingBody> followed_by_mesh(const Scene& scene);
 
-/// Of what the mesh follows: round a hull in a stream it is morphed. Of a body, by [fvm] body_mesh; with "auto" the mesh is morphed where the body's way is known to be shorter
-/// than half of what lies between the body and the nearest wall, because that keeps walls and floor; else it moves as a
-/// whole. Throws InputError for what the mesh method cannot move: several bodies, two free rotations, a body too near
-/// to a wall to morph the mesh between them, a mesh that would move as a whole in a stream, obstacles or blocks of water beside a mesh that moves as a whole.
+/// Of what the mesh follows: round a hull in a stream it is morphed. Of a body, by [fvm] body_mesh; with "auto" the mesh
+/// is morphed where the body's way is known to be shorter than half of what lies between the body and the nearest wall,
+/// because that keeps walls and floor; else it moves as a whole. Round several free bodies it is morphed within half of
+/// the shortest distance between two of them. Throws InputError for what the mesh method cannot move: two free
+/// rotations, a body too near to a wall or another body to morph the mesh between them, several bodies of which one is
+/// prescribed or may come too far, a mesh that would move as a whole in a stream, obstacles or blocks of water beside
+/// a mesh that moves as a whole.
 MeshMotion mesh_motion(const Scene& scene);
 
 }  // namespace tw

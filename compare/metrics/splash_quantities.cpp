@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "compare/metrics/elevation.h"
+#include "compare/metrics/entry.h"
 #include "compare/metrics/forces.h"
 #include "compare/metrics/quantity.h"
 #include "compare/metrics/splash.h"
@@ -14,6 +15,7 @@
 #include "compare/statistics/settled_mean.h"
 #include "compare/statistics/student_t.h"
 #include "compare/verdict/judge.h"
+#include "record/hull_motion.h"
 
 namespace tw {
 
@@ -25,6 +27,8 @@ Analysis analyse(const RunRecord& record) {
     // A record that ends before its means begin still shows its last frame.
     const double from = std::min(a.settled_from, record.frames.back().time);
     a.splash = splash_series(record, a.still_level);
+    for (const BodyShape& body : record.bodies)
+        if (body.table != hull_motion_table) a.entries.push_back(entry_series(record, body, a.still_level));
     // A tank's surface has no mean worth a name: its last frame is shown.
     a.surface_from = is_stream(record) ? from : record.frames.back().time;
     const ElevationMap map = mean_elevation(record, a.surface_from);

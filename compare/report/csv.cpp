@@ -61,6 +61,7 @@ std::string series_csv(const Comparison& comparison) {
     for (std::size_t s = 0; s < comparison.sources.size(); ++s) {
         for (const auto& [name, table] : comparison.sources[s].tables) add(comparison.names[s], table);
         add(comparison.names[s], comparison.analyses[s].splash);
+        for (const Table& entry : comparison.analyses[s].entries) add(comparison.names[s], entry);
     }
     return fmt::to_string(out);
 }

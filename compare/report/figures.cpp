@@ -11,6 +11,7 @@
 #include "compare/metrics/splash.h"
 #include "compare/read/record_numbers.h"
 #include "compare/report/base64.h"
+#include "compare/report/drawn_bodies.h"
 #include "compare/report/resolution_picture.h"
 #include "compare/report/svg_plot.h"
 #include "record/hull_motion.h"
@@ -81,6 +82,28 @@ Figure splash_figure(const Comparison& c, const std::string& file, const std::st
                 plot.bands.push_back(
                     {s, q->values[s].from, q->values[s].to, q->values[s].value, q->values[s].half_width});
     return {file, svg(plot)};
+}
+
+/// The open cavity or the crown of a body, of all sources over the frames; nothing where the body left none.
+std::vector<Figure> entry_figures(const Comparison& c, const std::string& name, int number) {
+    std::vector<Figure> figures;
+    if (!c.find("crown_height:" + name)) return figures;
+    for (const auto& [column, title] : {std::pair{"open_depth", "Deepest open cavity at"},
+                                        {"crown_height", "Height of the crown of"},
+                                        {"crown_volume", "Water above still water,"}}) {
+        Plot plot;
+        plot.title = fmt::format("{} {}", title, name);
+        plot.x_label = "time [s]";
+        plot.include_zero = true;
+        for (std::size_t s = 0; s < c.sources.size(); ++s)
+            for (const Table& entry : c.analyses[s].entries)
+                if (const Column* v = entry.name == "entry_" + name ? entry.find(column) : nullptr) {
+                    plot.y_label = fmt::format("[{}]", v->unit);
+                    plot.lines.push_back({c.names[s], s, entry.time, v->values, false, false});
+                }
+        figures.push_back({fmt::format("entry_{}_{}", number, column), svg(plot)});
+    }
+    return figures;
 }
 
 /// A column of any table of all sources over time.
@@ -157,6 +180,8 @@ Figure map_figure(const Comparison& c, std::size_t s, const ColourScale& scale) 
     plot.width = 560;
     plot.images.push_back({base64(picture.png), picture.x_min, picture.x_max, picture.y_min, picture.y_max});
     if (!c.sources[s].hull.points.empty()) plot.outlines.push_back(plan_outline(c.sources[s].hull));
+    for (const Surface& body : bodies_at(c.sources[s], c.sources[s].frames.back().time))
+        plot.outlines.push_back(plan_outline(body));
     return {fmt::format("elevation_map_{}", s), svg(plot)};
 }
 
@@ -219,6 +244,7 @@ Figures draw_figures(const Comparison& c) {
                                                   std::tuple{"fz", "Vertical force of the water", "force"}})
             f.bodies.push_back(series_figure(c, table, column, fmt::format("{} of {}", title, name), unit, "",
                                              fmt::format("body_{}_{}", body, column)));
+        std::ranges::move(entry_figures(c, name, body), std::back_inserter(f.bodies));
         ++body;
     }
     if (!frames) return f;

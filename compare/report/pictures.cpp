@@ -8,6 +8,7 @@
 #include <vtkFlyingEdges3D.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkPlane.h>
 #include <vtkPNGWriter.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -25,6 +26,7 @@
 #include "base/errors.h"
 #include "compare/metrics/raster_columns.h"
 #include "compare/read/record_numbers.h"
+#include "compare/report/drawn_bodies.h"
 #include "compare/report/egl_window.h"
 #include "record/vtk_surface.h"
 
@@ -54,8 +56,7 @@ vtkSmartPointer<vtkPolyData> free_surface(const RunRecord& record, const ColourS
     const int mirrored = mirror ? grid.ny : 0, ny = flat ? 2 : grid.ny + mirrored;
     vtkNew<vtkImageData> image;
     image->SetDimensions(grid.nx, ny, grid.nz);
-    image->SetSpacing(grid.spec.voxel, flat ? 0.2 * grid.nx * grid.spec.voxel : grid.spec.voxel,
-                      grid.spec.voxel);
+    image->SetSpacing(grid.spec.voxel, flat ? 0.2 * grid.nx * grid.spec.voxel : grid.spec.voxel, grid.spec.voxel);
     image->SetOrigin(grid.x(0), mirror ? -grid.y(grid.ny - 1) : grid.y(0), grid.z_low(0) + 0.5 * grid.spec.voxel);
     vtkNew<vtkFloatArray> share;
     share->SetNumberOfTuples(static_cast<vtkIdType>(grid.nx) * ny * grid.nz);
@@ -99,6 +100,16 @@ vtkSmartPointer<vtkActor> actor(vtkPolyData* data) {
     return a;
 }
 
+/// Leaves out the side of the water on which the eye is, up to the middle of the bodies: they stand below the surface.
+void cut_open(vtkActor* water, const std::vector<Surface>& bodies) {
+    double middle = 0;
+    for (const Surface& body : bodies) middle += (body.bounds().min.y() + body.bounds().max.y()) / 2;
+    vtkNew<vtkPlane> plane;
+    plane->SetOrigin(0, middle / static_cast<double>(bodies.size()), 0);
+    plane->SetNormal(0, -1, 0);
+    water->GetMapper()->AddClippingPlane(plane);
+}
+
 /// Hull's bounds, or the raster's where there is no hull.
 Box subject(const RunRecord& record) {
     Box b;
@@ -131,11 +142,15 @@ std::string surface_picture(EglWindow& window, const RunRecord& record, const Bo
     water_actor->GetProperty()->SetSpecular(0.2);
     water_actor->GetProperty()->SetSpecularPower(30);
     renderer->AddActor(water_actor);
-    if (!record.hull.triangles.empty()) {
-        const auto hull = actor(poly_data_of(record.hull));
-        hull->GetProperty()->SetColor(0.62, 0.63, 0.65);
-        renderer->AddActor(hull);
-    }
+    const auto add_solid = [&](const Surface& surface) {
+        const auto solid = actor(poly_data_of(surface));
+        solid->GetProperty()->SetColor(0.62, 0.63, 0.65);
+        renderer->AddActor(solid);
+    };
+    if (!record.hull.triangles.empty()) add_solid(record.hull);
+    const std::vector<Surface> bodies = bodies_at(record, record.frames.back().time);
+    for (const Surface& body : bodies) add_solid(body);
+    if (!bodies.empty() && record.raster.count[1] > 1) cut_open(water_actor, bodies);
     const Vec3 size = view.size(), middle = 0.5 * (view.min + view.max);
     const double reach = std::max(size.x(), 2 * size.y());
     // From astern, to one side and above: the wake lies in front, the hull behind it.

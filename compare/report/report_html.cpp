@@ -10,6 +10,7 @@
 #include "compare/read/record_numbers.h"
 #include "compare/report/base64.h"
 #include "compare/report/comparison_tables.h"
+#include "compare/report/drawn_bodies.h"
 #include "compare/report/escape.h"
 #include "compare/report/levels_table.h"
 #include "compare/report/numbers.h"
@@ -47,8 +48,13 @@ std::string free_surfaces(const Comparison& c, const Figures& f, const std::stri
         out +=
             "<h2>The water</h2><p class=\"note\">Surfaces are where the water share of the common raster is one half, "
             "drawn by the same code, from "
-            "the same place, on the same scale. Half models are mirrored.</p>" +
-            pictures;
+            "the same place, on the same scale. Half models are mirrored." +
+            std::string(
+                std::ranges::any_of(
+                    c.sources, [](const RunRecord& r) { return r.raster.count[1] > 1 && !bodies_at(r, 0).empty(); })
+                    ? " Where a body moves in a tank, the nearer half of the water is left out."
+                    : "") +
+            "</p>" + pictures;
         if (!f.maps.empty()) {
             out += std::string(is_stream(c.sources.front()) ? "<h3>Mean elevation seen from above</h3>"
                                                             : "<h3>Elevation of the last frame seen from above</h3>") +

@@ -13,6 +13,7 @@
 #include "compare/read/record_numbers.h"
 #include "compare/report/base64.h"
 #include "compare/report/colours.h"
+#include "compare/report/drawn_bodies.h"
 #include "compare/report/escape.h"
 #include "compare/report/pictures.h"
 #include "compare/report/view3d_mesh.h"
@@ -28,6 +29,7 @@ using Json = nlohmann::json;
 constexpr std::size_t most_steps = 60, fewest_steps = 24, most_hull_triangles = 16000, most_points = 65536;
 /// Script, markup, legend and times need less than this of the section.
 constexpr std::size_t markup_bytes = 100'000;
+constexpr std::size_t pose_bytes = 16 * 26;  ///< sixteen numbers with all their digits
 
 /// The frames of a source that can be drawn, in order of time.
 std::vector<const RasterFrame*> drawable_frames(const RunRecord& record) {
@@ -53,24 +55,34 @@ Box raster_box(const RunRecord& record) {
     return box;
 }
 
-struct StageHull {
-    Surface surface;
-    std::vector<std::size_t> sources;  ///< that have it
-};
-
 /// What is drawn, whichever frames are chosen.
 struct Stage {
     std::vector<std::vector<const RasterFrame*>> frames;  ///< per source
-    std::vector<StageHull> hulls;  ///< one for sources of one scene; records compared by force may have different ones
-    Box box;                       ///< of everything drawn
+    std::vector<DrawnSolid> solids;                       ///< hulls and bodies
+    Box box;                                              ///< of everything drawn
+    Box path;  ///< of all that moves, over the frames; without volume where nothing does
     double first = std::numeric_limits<double>::infinity(), last = -first;  ///< ends of the slider [s]
     std::size_t most_frames = 0;                                            ///< of one source
 };
 
+void widen(Box& box, const Box& by) {
+    box.min = box.min.cwiseMin(by.min);
+    box.max = box.max.cwiseMax(by.max);
+}
+
+/// Where a solid is seen at the start and in each frame of its sources.
+Box path_of(const Comparison& c, const Stage& stage, const DrawnSolid& solid) {
+    Box path = solid.surface.bounds();
+    for (std::size_t k = 0; k < solid.sources.size() && solid.moves(); ++k)
+        for (const RasterFrame* frame : stage.frames[solid.sources[k]])
+            if (const auto pose = body_pose(c.sources[solid.sources[k]], *solid.motions[k], frame->time))
+                widen(path, (*pose)(solid.surface).bounds());
+    return path;
+}
+
 Stage make_stage(const Comparison& c) {
     Stage stage;
-    std::vector<Box> boxes;
-    std::vector<std::string> hashes;
+    std::vector<Box> boxes, paths;
     for (std::size_t s = 0; s < c.sources.size(); ++s) {
         const RunRecord& r = c.sources[s];
         const auto& frames = stage.frames.emplace_back(drawable_frames(r));
@@ -80,24 +92,17 @@ Stage make_stage(const Comparison& c) {
             stage.most_frames = std::max(stage.most_frames, frames.size());
             boxes.push_back(raster_box(r));
         }
-        if (r.hull.triangles.empty()) continue;
-        const std::string hash = text_of(r, "hull_hash");
-        if (const auto same = std::ranges::find(hashes, hash); same != hashes.end()) {
-            stage.hulls[static_cast<std::size_t>(same - hashes.begin())].sources.push_back(s);
-            continue;
-        }
-        Surface light = light_surface(r.hull, most_hull_triangles);
-        if (light.triangles.empty()) continue;
-        boxes.push_back(light.bounds());
-        hashes.push_back(hash);
-        stage.hulls.push_back({std::move(light), {s}});
+    }
+    stage.solids = drawn_solids(c, most_hull_triangles);
+    for (const DrawnSolid& solid : stage.solids) {
+        boxes.push_back(path_of(c, stage, solid));
+        if (solid.is_body()) paths.push_back(boxes.back());
     }
     if (boxes.empty()) return stage;
     stage.box = boxes.front();
-    for (const Box& b : boxes) {
-        stage.box.min = stage.box.min.cwiseMin(b.min);
-        stage.box.max = stage.box.max.cwiseMax(b.max);
-    }
+    for (const Box& b : boxes) widen(stage.box, b);
+    if (!paths.empty()) stage.path = paths.front();
+    for (const Box& b : paths) widen(stage.path, b);
     if (!stage.box.size().allFinite()) stage.most_frames = 0;  // senseless numbers: nothing is drawn
     return stage;
 }
@@ -168,12 +173,48 @@ View fitting_view(const Comparison& c, const Stage& stage, std::size_t budget) {
     }
 }
 
+/// The rigid motion as the 16 numbers of a matrix, columns first; as at the start where it is not known.
+Json pose_json(const std::optional<BodyPose>& pose) {
+    Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
+    if (pose) {
+        m.topLeftCorner<3, 3>() = pose->turn.toRotationMatrix();
+        m.topRightCorner<3, 1>() = (*pose)(Vec3::Zero());
+    }
+    return std::vector<double>(m.data(), m.data() + 16);
+}
+
+/// What the camera looks at: the hull, or the way of the bodies with as much water around, or everything.
+Box subject_of(const Stage& stage) {
+    if (!stage.solids.empty() && !stage.solids.front().is_body()) return stage.solids.front().surface.bounds();
+    if (stage.solids.empty()) return stage.box;
+    const Vec3 round = Vec3::Constant(0.4 * stage.path.size().maxCoeff());
+    return {(stage.path.min - round).cwiseMax(stage.box.min), (stage.path.max + round).cwiseMin(stage.box.max)};
+}
+
+/// Surfaces of hulls and bodies, and of those that move one pose per surface of water of each source.
+Json solids_json(const Comparison& c, const Stage& stage, const View& view) {
+    Json solids = Json::array();
+    for (const DrawnSolid& solid : stage.solids) {
+        Json json = {{"sources", solid.sources},
+                     {"points", packed_points(solid.surface, stage.box)},
+                     {"triangles", packed_triangles(solid.surface)}};
+        for (std::size_t k = 0; k < solid.sources.size() && solid.moves(); ++k) {
+            const std::size_t s = solid.sources[k];
+            Json poses = Json::array();
+            for (const std::size_t frame : view.films[s].frame)
+                poses.push_back(pose_json(body_pose(c.sources[s], *solid.motions[k], stage.frames[s][frame]->time)));
+            json["poses"].push_back(poses);
+        }
+        solids.push_back(json);
+    }
+    return solids;
+}
+
 Json point_json(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 Json box_json(const Box& box) { return {point_json(box.min), point_json(box.max)}; }
 
 /// The block that the script reads. JSON within markup: no character of it can end the block or begin an element.
-std::string data_block(const Comparison& c, const Stage& stage, const View& view, const Json& hulls,
-                       const ColourScale& scale) {
+std::string data_block(const Comparison& c, const Stage& stage, const View& view, const ColourScale& scale) {
     Json sources = Json::array(), stops = Json::array();
     for (std::size_t s = 0; s < c.sources.size(); ++s) {
         Json times = Json::array();
@@ -188,12 +229,16 @@ std::string data_block(const Comparison& c, const Stage& stage, const View& view
     constexpr int segments = 6;  // of the scale of elevations
     for (int k = 0; k <= segments; ++k)
         stops.push_back(scale(scale.low() + (scale.high() - scale.low()) * k / segments));
+    const bool bodies = std::ranges::any_of(stage.solids, &DrawnSolid::is_body);
+    const bool cut = bodies && std::ranges::any_of(c.sources, [](const RunRecord& r) { return r.raster.count[1] > 1; });
     const Json data = {{"box", box_json(stage.box)},
-                       {"subject", box_json(stage.hulls.empty() ? stage.box : stage.hulls.front().surface.bounds())},
+                       {"subject", box_json(subject_of(stage))},
+                       {"ship", !stage.solids.empty() && !stage.solids.front().is_body()},
+                       {"cut", cut ? Json((stage.path.min.y() + stage.path.max.y()) / 2) : Json()},
                        {"scale", {{"low", scale.low()}, {"high", scale.high()}, {"stops", stops}}},
                        {"time", view.times},
                        {"sources", sources},
-                       {"hulls", hulls}};
+                       {"hulls", solids_json(c, stage, view)}};
     std::string text;
     for (const char ch : data.dump(-1, ' ', true, Json::error_handler_t::replace))
         if (ch == '<' || ch == '>' || ch == '&')
@@ -240,13 +285,10 @@ constexpr const char* markup =
 std::string view3d_section(const Comparison& c) {
     const Stage stage = make_stage(c);
     if (stage.most_frames == 0) return {};
-    Json hulls = Json::array();
     std::size_t used = markup_bytes;
-    for (const StageHull& hull : stage.hulls) {
-        hulls.push_back({{"sources", hull.sources},
-                         {"points", packed_points(hull.surface, stage.box)},
-                         {"triangles", packed_triangles(hull.surface)}});
-        used += 8 * (hull.surface.points.size() + hull.surface.triangles.size());  // six bytes as base64
+    for (const DrawnSolid& solid : stage.solids) {
+        used += 8 * (solid.surface.points.size() + solid.surface.triangles.size());  // six bytes as base64
+        if (solid.moves()) used += solid.sources.size() * most_steps * pose_bytes;
     }
     const View view = fitting_view(c, stage, view3d_most_bytes - std::min(used, view3d_most_bytes / 2));
     const ColourScale scale = elevation_scale(elevation_half_range(c), c.analyses.front().still_level);
@@ -255,8 +297,7 @@ std::string view3d_section(const Comparison& c) {
            "the common raster is one half, to turn and to play. " +
            what_is_shown(c, stage, view) + (mirrored ? " Half models are mirrored." : "") + "</p>\n" + markup +
            scale.legend(is_stream(c.sources.front()) ? "height above still water [m]" : "height z [m]") +
-           "</div></div>\n" + data_block(c, stage, view, hulls, scale) + "\n<script>" + view3d_script +
-           "</script></section>";
+           "</div></div>\n" + data_block(c, stage, view, scale) + "\n<script>" + view3d_script + "</script></section>";
 }
 
 std::string view3d_script_hash() {

@@ -1,11 +1,14 @@
 // The report's view in three dimensions: free surfaces and hulls over time, drawn with WebGL 1 and nothing else.
 // The page gives, in the JSON block view3d-data:
-//   box      low and high corner of everything drawn [m]; subject: the same of the hull, for the camera
+//   box      low and high corner of everything drawn [m]; subject: the same of the hull or the bodies, for the camera
+//   ship     the subject is a hull, seen from astern
+//   cut      where bodies move in a tank, y of the plane at which the water can be cut open [m], or null
 //   scale    low, high [m] and evenly spaced colours of the heights
 //   time     times of the slider's steps [s]
 //   sources  name, mirror (half model: draw the other side too), time of each surface, step -> number of its surface,
 //            points (base64 of three 16-bit numbers each, 0..65535 over the box) and triangles (16-bit point numbers)
-//   hulls    sources (numbers of those it belongs to), points, triangles
+//   hulls    sources (numbers of those it belongs to), points, triangles; of what moves also poses, for each of its
+//            sources one matrix per surface of that source, columns first
 (function () {
   'use strict';
 
@@ -25,12 +28,12 @@
   // ---- shaders: one light a little above the eye, both sides of a triangle alike -----------------------------------
   const vertexShader = `
     attribute vec3 position, normal;
-    uniform mat4 view;
+    uniform mat4 view, pose;
     uniform float side;  // -1: mirror image in y = 0
     varying vec3 at, n;
     void main() {
-      at = position * vec3(1.0, side, 1.0);
-      n = normal * vec3(1.0, side, 1.0);
+      at = (pose * vec4(position, 1.0)).xyz * vec3(1.0, side, 1.0);
+      n = (pose * vec4(normal, 0.0)).xyz * vec3(1.0, side, 1.0);
       gl_Position = view * vec4(at, 1.0);
     }`;
   const segments = data.scale.stops.length - 1;
@@ -41,10 +44,11 @@
     precision mediump float;
     #endif
     uniform vec3 eye, colour, stops[${segments + 1}];
-    uniform vec2 range;
+    uniform vec2 range, cut;  // cut: y of a plane, and on which side of it nothing is drawn: 1, -1, or 0 for neither
     uniform bool by_height;
     varying vec3 at, n;
     void main() {
+      if ((at.y - cut.x) * cut.y > 0.0) discard;
       vec3 c = colour;
       if (by_height) {
         float t = (at.z - range.x) / (range.y - range.x) * ${segments}.0;
@@ -74,7 +78,7 @@
       place[name] = gl.getAttribLocation(program, name);
       gl.enableVertexAttribArray(place[name]);
     }
-    for (const name of ['view', 'side', 'eye', 'colour', 'stops', 'range', 'by_height'])
+    for (const name of ['view', 'pose', 'side', 'eye', 'colour', 'stops', 'range', 'cut', 'by_height'])
       place[name] = gl.getUniformLocation(program, name);
     gl.uniform3fv(place.stops, [].concat(...data.scale.stops));
     gl.uniform2f(place.range, data.scale.low, data.scale.high);
@@ -131,7 +135,7 @@
 
   // ---- what is shown -----------------------------------------------------------------------------------------------
   const sources = data.sources.map((source, s) => ({source, s, shown: true})).filter(x => x.source.step.length > 0);
-  const view = {step: data.time.length - 1, hull: true, colour: 'height', layout: 'beside', playing: false};
+  const view = {step: data.time.length - 1, hull: true, cut: data.cut !== null, colour: 'height', layout: 'beside', playing: false};
   const camera = {};
   const opening = 32 * Math.PI / 180;  // of the camera, as in the pictures [rad]
   const narrow = 1.3;                  // pictures narrower than this, width over height, are seen from farther off
@@ -140,12 +144,12 @@
     Math.cos(camera.pitch) * Math.sin(camera.yaw), Math.sin(camera.pitch)];
   const toTheRight = () => [-Math.sin(camera.yaw), Math.cos(camera.yaw), 0];
 
-  /// A hull from astern, to one side and above, as in the pictures; a tank as a whole, x to the right.
+  /// A hull from astern, to one side and above, as in the pictures; a tank, or the way of its bodies, x to the right.
   function resetCamera() {
-    const s = size(data.subject), ship = data.hulls.length > 0;
+    const s = size(data.subject), ship = data.ship;
     camera.target = add(middle(data.subject), ship ? [0.35 * s[0], 0, -0.35 * s[2]] : [0, 0, 0], 1);
     camera.yaw = ship ? 0.65 : -1.1;
-    camera.pitch = ship ? 0.445 : 0.5;
+    camera.pitch = ship ? 0.445 : data.cut === null ? 0.5 : 0.25;
     const back = towardsEye(), right = toTheRight(), up = cross(back, right), f = 1.05 / Math.tan(opening / 2);
     const corners = [0, 1, 2, 3, 4, 5, 6, 7].map(k => s.map((edge, axis) => (k >> axis & 1 ? 0.5 : -0.5) * edge));
     const clear = v => dot(back, v) + f * Math.max(Math.abs(dot(right, v)) / narrow, Math.abs(dot(up, v)));
@@ -165,6 +169,7 @@
     m.push(-f / aspect * dot(right, eye), -f * dot(up, eye), -a * dot(back, eye) + b, dot(back, eye));
     gl.uniformMatrix4fv(place.view, false, m);
     gl.uniform3fv(place.eye, eye);
+    return eye;
   }
 
   /// A colour of the style sheet (#rgb or #rrggbb), 0..1: light and dark come with it.
@@ -173,27 +178,35 @@
     if (hex.length === 3) hex = [...hex].map(c => c + c).join('');
     return [0, 2, 4].map(k => parseInt(hex.slice(k, k + 2), 16) / 255);
   }
-  function drawBuffers(b, side) {
+  const atRest = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+  function drawBuffers(b, side, pose) {
     for (const name of ['position', 'normal']) {
       gl.bindBuffer(gl.ARRAY_BUFFER, b[name]);
       gl.vertexAttribPointer(place[name], 3, gl.FLOAT, false, 0, 0);
     }
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, b.triangles);
     gl.uniform1f(place.side, side);
+    gl.uniformMatrix4fv(place.pose, false, pose);
     gl.drawElements(gl.TRIANGLES, b.count, gl.UNSIGNED_SHORT, 0);
   }
-  function drawScene(shown) {
+  function drawScene(shown, eye) {
     gl.uniform1i(place.by_height, 0);
+    gl.uniform2f(place.cut, 0, 0);
     gl.uniform3fv(place.colour, [0.62, 0.63, 0.65]);
     data.hulls.forEach((h, number) => {
-      if (view.hull && (!shown.length || shown.some(x => h.sources.includes(x.s)))) drawBuffers(hull(number), 1);
+      if (!view.hull) return;
+      const having = shown.filter(x => h.sources.includes(x.s));
+      if (!h.poses && (having.length || !shown.length)) drawBuffers(hull(number), 1, atRest);
+      for (const {source, s} of h.poses ? having : [])
+        drawBuffers(hull(number), 1, h.poses[h.sources.indexOf(s)][source.step[view.step]]);
     });
+    if (view.cut) gl.uniform2f(place.cut, data.cut, Math.sign(eye[1] - data.cut));
     for (const {source, s} of shown) {
       gl.uniform1i(place.by_height, view.colour === 'height' ? 1 : 0);
       gl.uniform3fv(place.colour, styled('--s' + s % 4));
       const b = water(s, source.step[view.step]);
-      drawBuffers(b, 1);
-      if (source.mirror) drawBuffers(b, -1);
+      drawBuffers(b, 1, atRest);
+      if (source.mirror) drawBuffers(b, -1, atRest);
     }
   }
 
@@ -223,8 +236,7 @@
     panels.forEach((panel, k) => {
       const w = width / across, h = height / down, left = k % across * w, top = Math.floor(k / across) * h;
       gl.viewport(left, height - top - h, w, h);
-      lookThrough(w / h);
-      drawScene(panel);
+      drawScene(panel, lookThrough(w / h));
       panel.forEach((x, line) => {
         const label = labels.appendChild(document.createElement('div'));
         label.className = 'view3d-label';
@@ -324,7 +336,8 @@
     label.append(text);  // as text, whatever it holds
   }
   for (const x of sources) addToggle(x.source.name, 'k' + x.s % 4, on => { x.shown = on; });
-  if (data.hulls.length > 0) addToggle('hull', '', on => { view.hull = on; });
+  if (data.hulls.length > 0) addToggle(data.ship ? 'hull' : 'bodies', '', on => { view.hull = on; });
+  if (data.cut !== null) addToggle('water cut open', '', on => { view.cut = on; });
   element('layout-label').hidden = sources.length < 2;
   slider.max = data.time.length - 1;
   slider.addEventListener('input', () => { setPlaying(false); setStep(Number(slider.value)); });

@@ -97,9 +97,11 @@ Dictionary probes(const CasePlan& plan, const char* field, const std::vector<Vec
 Dictionary functions(const CasePlan& plan) {
     Dictionary f;
     if (plan.scene->hull) f.add("forces", forces(plan, "hull"));
-    if (!plan.body.empty()) {
-        if (!plan.hull_is_free()) f.add("bodyForces", forces(plan, plan.body));
-        if (!plan.moving().motion.law) f.add("bodyState", body_state());
+    if (plan.mesh_moves()) {
+        for (const BodyInMesh& b : plan.bodies)
+            if (!plan.hull_is_free()) f.add(b.forces(), forces(plan, b.patch));
+        // the log says where several bodies are
+        if (!plan.several_bodies() && !plan.moving().motion.law) f.add("bodyState", body_state());
         f.add("cellCentres", cells_now(plan, "writeCellCentres"));
         f.add("cellVolumes", cells_now(plan, "writeCellVolumes"));
     }
@@ -136,7 +138,7 @@ std::string control_dict(const CasePlan& plan) {
            {"writeInterval", plan.write_interval},
            {"purgeWrite", 0},
            {"writeFormat", Word("binary")},
-           {"writePrecision", plan.body.empty() ? 8 : 14},
+           {"writePrecision", !plan.mesh_moves() ? 8 : 14},
            {"writeCompression", Word("off")},
            {"timeFormat", Word("general")},
            {"timePrecision", plan.time_precision},

@@ -8,8 +8,8 @@ namespace tw {
 std::string fv_schemes(const CasePlan& plan) {
     Dictionary divergence{
         {"default", Word("none")},
-        {"div(rhoPhi,U)", Word(plan.body.empty() || plan.stream ? "Gauss linearUpwind limitedGrad" : "Gauss upwind")}};
-    if (!plan.body.empty()) divergence.add("div(U)", Word("Gauss linear"));
+        {"div(rhoPhi,U)", Word(!plan.mesh_moves() || plan.stream ? "Gauss linearUpwind limitedGrad" : "Gauss upwind")}};
+    if (plan.mesh_moves()) divergence.add("div(U)", Word("Gauss linear"));
     if (plan.flavour.compression_in_scheme()) {
         divergence.add("div(phi,alpha)", Value::sequence({Word("Gauss interfaceCompression vanLeer"),
                                                           plan.scene->fvm.interface_compression}));

@@ -9,7 +9,7 @@ std::string fv_solution(const CasePlan& plan) {
                      {"nAlphaSubCycles", 1},
                      {"MULESCorr", true},
                      {"nLimiterIter", 8},
-                     {"alphaApplyPrevCorr", plan.body.empty()},
+                     {"alphaApplyPrevCorr", !plan.mesh_moves()},
                      {"solver", Word("smoothSolver")},
                      {"smoother", Word("symGaussSeidel")},
                      {"tolerance", 1e-8},
@@ -46,12 +46,12 @@ std::string fv_solution(const CasePlan& plan) {
     equations.add(Key::pattern(".*"), 1);
     Dictionary pimple{{"momentumPredictor", false},
                       {"nOuterCorrectors", plan.outer_correctors},
-                      {"nCorrectors", plan.body.empty() ? plan.scene->fvm.correctors : 1},
+                      {"nCorrectors", !plan.mesh_moves() ? plan.scene->fvm.correctors : 1},
                       {"nNonOrthogonalCorrectors", 0},
                       // asked for only where no side is open to the air: zero in the top corner
                       {"pRefPoint", Vec3(box.max - 0.01 * box.size())},
                       {"pRefValue", 0}};
-    if (!plan.body.empty())
+    if (plan.mesh_moves())
         pimple.add(
             {{"moveMeshOuterCorrectors", true}, {"correctPhi", plan.mesh_motion.kind == MeshMotion::Kind::morphing}});
     return foam_file("dictionary", "fvSolution",

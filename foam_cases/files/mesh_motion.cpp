@@ -3,6 +3,7 @@
 
 #include "foam_cases/body_axes.h"
 #include "foam_cases/files/case_files.h"
+#include "foam_cases/files/several_bodies.h"
 #include "foam_cases/files/times_of_table.h"
 
 // Recipe and measurements: docs/decisions/034-moving-bodies-in-interfoam.md.
@@ -59,7 +60,7 @@ Dictionary free_body(const CasePlan& plan) {
     // Newmark leaves out the gyroscopic term; the explicit solver has it and is unstable for light bodies.
     const bool symplectic = tumbles && motion.mass.mass > 0.7 * own;
     Dictionary body{
-        {"patches", List{Word(plan.body)}},
+        {"patches", List{Word(plan.bodies.front().patch)}},
         {"innerDistance", morphs ? plan.mesh_motion.inner : beyond},
         {"outerDistance", morphs ? plan.mesh_motion.outer : 1.01 * beyond},
         {"mass", share * motion.mass.mass},
@@ -84,7 +85,7 @@ Dictionary free_body(const CasePlan& plan) {
 std::string motion_table(const CasePlan& plan) {
     const MotionLaw& law = *plan.moving().motion.law;
     List table;
-    for (const double t : times_of_table(law, plan.scene->run.duration)) {
+    for (const double t : times_of_table(law, plan.scene->run.duration, plan.largest_step)) {
         const double path = law.at(t).path;
         const Vec3 along = law.turns ? Vec3(Vec3::Zero()) : Vec3(path * law.axis);
         const Vec3 about = law.turns ? Vec3(path * law.axis * 180 / std::numbers::pi) : Vec3(Vec3::Zero());
@@ -94,10 +95,12 @@ std::string motion_table(const CasePlan& plan) {
 }
 
 Dictionary table_of_motion(const CasePlan& plan) {
-    return {
-        {"solidBodyMotionFunction", Word("tabulated6DoFMotion")},
-        {"tabulated6DoFMotionCoeffs", Dictionary{{"CofG", plan.moving().motion.mass.centre},
-                                                 {"timeDataFileName", Quoted("<case>/constant/motionOfBody.dat")}}}};
+    const Value type = Word("tabulated6DoFMotion");
+    // the coefficients name the function once more: they alone are read again when a case is split for several cores
+    const Dictionary coefficients{{"solidBodyMotionFunction", type},
+                                  {"CofG", plan.moving().motion.mass.centre},
+                                  {"timeDataFileName", Quoted("<case>/constant/motionOfBody.dat")}};
+    return {{"solidBodyMotionFunction", type}, {"tabulated6DoFMotionCoeffs", coefficients}};
 }
 
 Dictionary moved_body(const CasePlan& plan) {
@@ -109,7 +112,8 @@ Dictionary moved_body(const CasePlan& plan) {
             {"motionSolverLibs", plan.flavour.library("fvMotionSolvers")},
             {"motionSolver", Word("displacementLaplacian")},
             {"displacementLaplacianCoeffs",
-             Dictionary{{"diffusivity", Value::sequence({Word("quadratic inverseDistance"), List{Word(plan.body)}})}}}};
+             Dictionary{{"diffusivity", Value::sequence({Word("quadratic inverseDistance"),
+                                                         List{Word(plan.bodies.front().patch)}})}}}};
 }
 
 /// 0/pointDisplacement: where the mesh is morphed, walls, floor and top stay; else every point goes with the body.
@@ -138,10 +142,10 @@ std::string point_displacement(const CasePlan& plan) {
 }  // namespace
 
 std::vector<CaseFile> mesh_motion_files(const CasePlan& plan) {
-    if (plan.body.empty()) return {};
+    if (!plan.mesh_moves()) return {};
     const bool moved = plan.moving().motion.law.has_value();
-    std::vector<CaseFile> files{{"constant/dynamicMeshDict", foam_file("dictionary", "dynamicMeshDict",
-                                                                       moved ? moved_body(plan) : free_body(plan))},
+    const Dictionary motion = plan.several_bodies() ? several_bodies(plan) : moved ? moved_body(plan) : free_body(plan);
+    std::vector<CaseFile> files{{"constant/dynamicMeshDict", foam_file("dictionary", "dynamicMeshDict", motion)},
                                 {"0.orig/pointDisplacement", point_displacement(plan)}};
     if (moved) files.push_back({"constant/motionOfBody.dat", motion_table(plan)});
     return files;

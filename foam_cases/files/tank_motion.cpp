@@ -16,7 +16,7 @@ std::string acceleration_table(const CasePlan& plan) {
     const MovingFrame& frame = *plan.scene->tank_motion;
     const Vec3 gravity(0, 0, -plan.scene->water.gravity);
     List table;
-    for (const double t : times_of_table(frame.law, plan.scene->run.duration)) {
+    for (const double t : times_of_table(frame.law, plan.scene->run.duration, plan.largest_step)) {
         const Vec3 origin = gravity - frame.force(t, gravity).at(Vec3::Zero(), Vec3::Zero());
         const MotionLaw::At now = frame.law.at(t);
         const Vec3 turn = frame.law.turns ? frame.law.axis : Vec3(Vec3::Zero());

@@ -6,7 +6,8 @@
 namespace tw {
 
 /// The rows of a table of a prescribed motion, which OpenFOAM reads as its own spline: every hundredth of the run or
-/// finer, and one before and one behind, because the solver looks a step ahead [s].
-std::vector<double> times_of_table(const MotionLaw& law, double duration);
+/// finer, one before, and behind as far as the longest step leads, because the last one may begin just before the end
+/// and a table that ends earlier ends the run [s].
+std::vector<double> times_of_table(const MotionLaw& law, double duration, double longest_step);
 
 }  // namespace tw

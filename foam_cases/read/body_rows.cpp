@@ -26,6 +26,16 @@ std::vector<BodyPlace> prescribed_places(const CasePlan& plan, const std::vector
     return places;
 }
 
+/// One of several bodies, where each step of the log has left it.
+std::vector<BodyPlace> places_in_log(const SolverLog& log, const std::string& patch) {
+    std::vector<BodyPlace> places;
+    for (const SolverLog::Step& step : log.steps())
+        for (const SolverLog::Body& b : step.bodies)
+            if (b.name == patch)
+                places.push_back({step.time, b.centre, b.velocity, b.spin, Eigen::Quaterniond(b.attitude)});
+    return places;
+}
+
 }  // namespace
 
 // Columns: time, centre of rotation, centre of mass, angles of R = Rx Ry Rz, velocity, angular velocity.
@@ -67,12 +77,14 @@ Surface free_hull_at(const CasePlan& plan, const std::filesystem::path& post, do
     return surface;
 }
 
-void read_body(const CasePlan& plan, const std::filesystem::path& post, RunRecord& record) {
+void read_body(const CasePlan& plan, const BodyInMesh& which, const std::filesystem::path& post, const SolverLog& log,
+               RunRecord& record) {
     const Scene& scene = *plan.scene;
-    const MovingBody& body = plan.moving();
-    const StepLoads loads = read_loads(post / "bodyForces");
-    const std::vector<BodyPlace> places =
-        body.motion.law ? prescribed_places(plan, loads.time) : free_places(plan, post);
+    const MovingBody& body = which.body;
+    const StepLoads loads = read_loads(post / which.forces());
+    const std::vector<BodyPlace> places = plan.several_bodies() ? places_in_log(log, which.patch)
+                                          : body.motion.law     ? prescribed_places(plan, loads.time)
+                                                                : free_places(plan, post);
     const Vec3 reference = moment_reference(scene);
     const double share = 1 / scene.span();
 
@@ -86,11 +98,13 @@ void read_body(const CasePlan& plan, const std::filesystem::path& post, RunRecor
         for (int a = 0; a < 3; ++a) put(fmt::format(fmt::runtime(name), "xyz"[a]), unit, v[a]);
     };
     const std::string N = scene.spanwise_unit("N"), Nm = scene.spanwise_unit("N m");
+    // the log has times as folders are named, function objects with all their digits
+    const double same_time = plan.several_bodies() ? std::pow(10, 1 - plan.time_precision) : 1e-9;
     std::size_t at = 0;
     for (const BodyPlace& p : places) {
-        while (at < loads.time.size() && loads.time[at] < p.time * (1 - 1e-9)) ++at;
+        while (at < loads.time.size() && loads.time[at] < p.time * (1 - same_time)) ++at;
         if (at == loads.time.size()) break;
-        if (loads.time[at] > p.time * (1 + 1e-9)) continue;
+        if (loads.time[at] > p.time * (1 + same_time)) continue;
         Vec3 force, moment;
         for (int a = 0; a < 3; ++a) {
             const auto k = static_cast<std::size_t>(a);

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "foam_cases/case_plan.h"
+#include "foam_cases/run/solver_log.h"
 #include "record/run_record.h"
 
 namespace tw {
@@ -21,9 +22,11 @@ void read_free_hull(const CasePlan& plan, const std::filesystem::path& post, Run
 /// Its surface as it stood at the time, or at the last row before it [m].
 Surface free_hull_at(const CasePlan& plan, const std::filesystem::path& post, double time);
 
-/// Makes the table of the body that moves anew from what the solver has left below `post` (postProcessing): the columns
-/// that every method's record has (record/run_record.h), one row per step. The force is that of water and air together. The
-/// first three rows of a run have none: an impulsive start gives a false one.
-void read_body(const CasePlan& plan, const std::filesystem::path& post, RunRecord& record);
+/// Makes the table of a body that moves anew from what the solver has left below `post` (postProcessing): the columns
+/// that every method's record has (record/run_record.h), one row per step. The force is that of water and air together.
+/// The first three rows of a run have none: an impulsive start gives a false one. Of several bodies the log says where
+/// they were.
+void read_body(const CasePlan& plan, const BodyInMesh& which, const std::filesystem::path& post, const SolverLog& log,
+               RunRecord& record);
 
 }  // namespace tw

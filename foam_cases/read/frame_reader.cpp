@@ -92,8 +92,8 @@ void FrameReader::read_water(const TimeFolders::Moment& moment, const SolverLog&
     for (std::size_t k = 0; k < parts_.size(); ++k) {
         const fs::path folder = folders_.roots()[k] / moment.name;
         const FieldFile alpha = read_field(folder / "alpha.water"), speed = read_field(folder / "U");
-        const Part moved = plan_.body.empty() ? Part{} : read_part(folder);
-        const Part& part = plan_.body.empty() ? parts_[k] : moved;
+        const Part moved = !plan_.mesh_moves() ? Part{} : read_part(folder);
+        const Part& part = !plan_.mesh_moves() ? parts_[k] : moved;
         for (std::size_t i = 0; i < part.volumes.size(); ++i) {
             const double share = alpha.scalar(i), water = share * part.volumes[i];
             volume += water;
@@ -127,7 +127,7 @@ void FrameReader::read_water(const TimeFolders::Moment& moment, const SolverLog&
         note_worst(record,
                    {"water speed over stream", "-", std::sqrt(fastest) / scene.motion.speed, 3, moment.time, nowhere});
     // a body or a tank that moves does work on the water
-    if (plan_.body.empty() && !scene.tank_motion) watch_energy(record);
+    if (!plan_.mesh_moves() && !scene.tank_motion) watch_energy(record);
 }
 
 void FrameReader::read_hull(const TimeFolders::Moment& moment, RunRecord& record) const {

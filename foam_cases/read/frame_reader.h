@@ -37,7 +37,8 @@ private:
 
 /// Tables that hold every step: forces_total (water and air together), pressure and height of the probes. They are made
 /// anew from the files each time, and fx_total, fz_total and the air's part are added to the table forces.
-void read_step_tables(const CasePlan& plan, const std::filesystem::path& case_folder, RunRecord& record);
+void read_step_tables(const CasePlan& plan, const std::filesystem::path& case_folder, const SolverLog& log,
+                      RunRecord& record);
 
 /// Drops rows and frames later than `time`: the run goes on from there.
 void forget_after(RunRecord& record, double time);

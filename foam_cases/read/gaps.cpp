@@ -85,7 +85,7 @@ std::optional<Gap> first_gap(const CasePlan& plan, const SolverLog& log, const R
         if (wanted) keep_earlier(gap_in(record, table, due, kind));
     };
     look(scene.hull.has_value(), "forces_total", steps, "time steps");
-    if (!plan.body.empty()) look(true, plan.motion_table().c_str(), steps, "time steps");
+    for (const BodyInMesh& b : plan.bodies) look(true, plan.motion_table(b).c_str(), steps, "time steps");
     look(!scene.sampling.pressure.empty(), "pressure", steps, "time steps");
     look(!scene.sampling.height.empty(), "height", steps, "time steps");
     for (const char* table : {"samples", "forces"}) {

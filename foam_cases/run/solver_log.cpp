@@ -73,17 +73,43 @@ void SolverLog::line(std::string_view text) {
     } else if (text.rfind("Phase-1 volume fraction", 0) == 0) {
         if (!steps_.empty()) steps_.back().water = number_after(text, "fraction =").value_or(steps_.back().water);
     } else if (text.rfind("ExecutionTime", 0) == 0) {
-        if (!steps_.empty()) steps_.back().cpu = number_after(text, "ExecutionTime =").value_or(steps_.back().cpu);
-    } else if (text.find("Centre of mass: ") != std::string_view::npos) {
-        if (const auto n = numbers_in(text); n.size() == 3)
-            (body_ ? *body_ : body_.emplace()).centre = {n[0], n[1], n[2]};
-    } else if (text.find("Linear velocity: ") != std::string_view::npos) {
-        if (const auto n = numbers_in(text); body_ && n.size() == 3) body_->velocity = {n[0], n[1], n[2]};
-    } else if (text.find("Orientation: ") != std::string_view::npos) {
-        if (const auto n = numbers_in(text); body_ && n.size() == 9)
-            body_->attitude << n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8];
+        if (steps_.empty()) return;
+        steps_.back().cpu = number_after(text, "ExecutionTime =").value_or(steps_.back().cpu);
+        if (bodies_.size() > 1) steps_.back().bodies = bodies_;
     } else if (text == "End") {
         ended_ = true;
+    } else {
+        body_line(text);
+    }
+}
+
+void SolverLog::turn_to(std::string_view body) {
+    body_ = 0;
+    while (body_ < bodies_.size() && bodies_[body_].name != body) ++body_;
+    if (body_ == bodies_.size()) bodies_.push_back({.name = std::string(body)});
+}
+
+/// What sixDoFRigidBodyMotion and, of several bodies, rigidBodyMotion report; the latter names each body, reports its
+/// centre of mass as the one that it turns about, and writes the orientation as that of the earth seen from the body.
+void SolverLog::body_line(std::string_view text) {
+    constexpr std::string_view several = "Rigid-body motion of the ";
+    if (text == "6-DoF rigid body motion") return turn_to("");
+    if (text.starts_with(several)) return turn_to(text.substr(several.size()));
+    const auto numbers = [&](std::string_view label, std::size_t count) {
+        const std::size_t at = text.find(label);
+        std::vector<double> n = at == std::string_view::npos ? std::vector<double>{} : numbers_in(text.substr(at));
+        return n.size() == count && body_ < bodies_.size() ? n : std::vector<double>{};
+    };
+    const bool named = body_ < bodies_.size() && !bodies_[body_].name.empty();
+    if (const auto n = numbers(named ? "Centre of rotation: " : "Centre of mass: ", 3); !n.empty())
+        bodies_[body_].centre = Vec3(n.data());
+    else if (const auto v = numbers("Linear velocity: ", 3); !v.empty())
+        bodies_[body_].velocity = Vec3(v.data());
+    else if (const auto w = numbers("Angular velocity: ", 3); !w.empty())
+        bodies_[body_].spin = Vec3(w.data());
+    else if (const auto r = numbers("Orientation: ", 9); !r.empty()) {
+        const Eigen::Matrix3d columns(r.data());  // Eigen reads columns first, OpenFOAM writes rows
+        bodies_[body_].attitude = named ? columns : columns.transpose();
     }
 }
 

@@ -89,6 +89,19 @@ TEST_F(MovingBodies, APrescribedBodyIsWhereItsLawHasItAndItsMeshToo) {
     EXPECT_LT(added, 0.5 * hydrostatic);
 }
 
+// The case is split for two cores, and with it the condition that moves the body's points.
+TEST_F(MovingBodies, APrescribedBodyMovesOnTwoCoresToo) {
+    RunOptions two = options();
+    two.threads = 2;
+    const RunRecord r = run_fvm(scene(box_in_tank("draft = \"50 mm\"\nmotion = \"prescribed\"\nlaw = \"constant\"\n"
+                                                  "along = [0, 0, 1]\nrate = 0.1",
+                                                  "20 ms")),
+                                two);
+    ASSERT_EQ(r.state, "finished") << r.reason;
+    const Table& t = r.tables.at("body_box");
+    EXPECT_NEAR(last(t, "z"), 0.1 * t.time.back(), 1e-12);
+}
+
 TEST_F(MovingBodies, ThatReachTheFloorEndTheRunWithAMessage) {
     const Scene s =
         scene(box_in_tank("density = \"4000 kg/m3\"\ndraft = \"200 mm\"\nvelocity = [0, 0, -2]\n"
@@ -120,6 +133,83 @@ TEST_F(MovingBodies, GoOnWhereTheyWereStopped) {
     EXPECT_LT(b.time.front(), 0.001) << "the rows before the stop are there";
     for (const char* column : {"x", "z", "qy"}) EXPECT_NEAR(last(a, column), last(b, column), 0.02 * 0.05) << column;
     EXPECT_GT(std::abs(last(a, "qy")), 0.001) << "it turns";
+}
+
+/// Two boxes of 0.2 x 0.1 m, 0.4 m to each side of the middle of a tank of two dimensions.
+std::string two_boxes(const std::string& left, const std::string& right, const std::string& duration) {
+    const auto box = [](const char* name, const char* x, const std::string& more) {
+        return std::string("[[body]]\nname = \"") + name +
+               "\"\nshape = \"box\"\nlength = \"0.2 m\"\nheight = \"0.1 m\"\nposition = [" + x + ", 0]\n" + more;
+    };
+    return "[tank]\nmin = [\"-0.8 m\", 0, \"-0.5 m\"]\nmax = [\"0.8 m\", \"20 mm\", \"0.4 m\"]\n[domain]\ndimensions = "
+           "2\n" +
+           box("port", "\"-0.4 m\"", left) + box("starboard", "\"0.4 m\"", right) +
+           "[motion]\nkind = \"none\"\n[resolution]\nnear_hull = \"20 mm\"\n[run]\nduration = \"" + duration + "\"\n";
+}
+
+// The one that floats stays but for the other's waves; what the water gives each of them is its change of momentum, so
+// neither feels the forces of the other.
+TEST_F(MovingBodies, TwoBoxesEachAnswerToTheForcesOnThemselves) {
+    const std::string floats = "density = \"500 kg/m3\"\ndraft = \"50 mm\"\n";
+    const std::string falls = "density = \"400 kg/m3\"\ndraft = \"0 mm\"\nlocked = [\"surge\", \"pitch\"]\n";
+    const RunRecord r = run_fvm(scene(two_boxes(floats, falls, "0.3 s")), options());
+    ASSERT_EQ(r.state, "finished") << r.reason;
+    const auto gained_and_impulse = [&](const char* table, double m) {
+        const Table& t = r.tables.at(table);
+        const auto &v = t.find("vz")->values, &f = t.find("fz")->values;
+        const std::size_t from = 10, to = t.time.size() - 1;
+        double impulse = 0;
+        for (std::size_t i = from + 1; i <= to; ++i) impulse += (t.time[i] - t.time[i - 1]) * (f[i] + f[i - 1]) / 2;
+        return std::pair{m * (v[to] - v[from]) + m * 9.81 * (t.time[to] - t.time[from]), impulse};
+    };
+    const auto [fell, pushed] = gained_and_impulse("body_starboard", 400 * 0.02);
+    EXPECT_NEAR(pushed / fell, 1, 0.01);
+    const auto [stayed, held] = gained_and_impulse("body_port", 500 * 0.02);
+    EXPECT_NEAR(held / stayed, 1, 0.01);
+    EXPECT_LT(last(r.tables.at("body_starboard"), "z"), 0.03) << "from 0.05";
+    EXPECT_EQ(last(r.tables.at("body_starboard"), "x"), 0.4) << "surge is locked";
+    EXPECT_NEAR(last(r.tables.at("body_port"), "lowest"), -0.05, 0.005);
+    EXPECT_EQ(r.bodies.size(), 2u);
+}
+
+// Their state lies beside the fields, and the log of both starts says where they were.
+TEST_F(MovingBodies, TwoBoxesGoOnWhereTheyWereStopped) {
+    const auto run = [&](const char* duration, const RunOptions& how) {
+        const std::string falls = "density = \"400 kg/m3\"\ndraft = \"0 mm\"\n";
+        return run_fvm(scene(two_boxes("density = \"500 kg/m3\"\ndraft = \"45 mm\"\n", falls, duration) +
+                             "[sampling]\ninterval = 0.02\n"),
+                       how);
+    };
+    const RunRecord whole = run("0.12 s", options());
+    RunOptions parts = options();
+    parts.folder = folder / "parts";
+    run("0.06 s", parts);
+    parts.resume = true;
+    const RunRecord resumed = run("0.12 s", parts);
+    ASSERT_EQ(resumed.state, "finished") << resumed.reason;
+    for (const char* body : {"body_port", "body_starboard"}) {
+        const Table &a = whole.tables.at(body), &b = resumed.tables.at(body);
+        EXPECT_TRUE(std::ranges::is_sorted(b.time, std::less_equal<>()));
+        EXPECT_LT(b.time.front(), 0.001) << "the rows before the stop are there";
+        const double later = b.time.back() - a.time.back();  // the last steps end at different times
+        EXPECT_NEAR(last(a, "z") + later * last(a, "vz"), last(b, "z"), 1e-4) << body;
+    }
+}
+
+TEST_F(MovingBodies, TwoBoxesThatFallSideBySideAreEachOthersMirrorImage) {
+    const std::string falls = "density = \"500 kg/m3\"\ndraft = \"20 mm\"\nvelocity = [0, 0, -0.2]\n";
+    const RunRecord r =
+        run_fvm(scene(two_boxes(falls + "trim = \"4 deg\"\n", falls + "trim = \"-4 deg\"\n", "0.3 s")), options());
+    ASSERT_EQ(r.state, "finished") << r.reason;
+    const Table &a = r.tables.at("body_port"), &b = r.tables.at("body_starboard");
+    // Released in water at rest, each shares its momentum with the water that a half submerged plate moves.
+    const double mass = 500 * 0.02, water = std::numbers::pi / 8 * 1000 * 0.2 * 0.2;
+    EXPECT_NEAR(a.find("vz")->values.front(), -0.2 * mass / (mass + water), 0.01);
+    EXPECT_LT(last(a, "z"), 0.025) << "they have fallen from 0.03";
+    EXPECT_NEAR(last(a, "z"), last(b, "z"), 5e-4);
+    EXPECT_NEAR(last(a, "x"), -last(b, "x"), 5e-4);
+    EXPECT_NEAR(last(a, "qy"), -last(b, "qy"), 5e-3);
+    EXPECT_GT(std::abs(last(a, "qy")), 1e-3) << "they turn";
 }
 
 /// OpenFOAM's rigid body alone, without water (`test`), in `steps` equal steps.

@@ -44,5 +44,29 @@ TEST(Browser, TheReportsViewRunsOfflineUnderItsOwnPolicy) {
     EXPECT_EQ(log.find("Content Security Policy"), std::string::npos) << log;
 }
 
+// Shaders, too, are compiled there alone: a body on its way through the water, with the water cut open.
+TEST(Browser, TheViewDrawsABodyThatMovesAndOffersToCutTheWaterOpen) {
+    if (!installed()) GTEST_SKIP() << "no chromium here";
+    RunRecord r = synthetic_run({});
+    r.bodies.push_back({"body_buoy", r.hull, Vec3::Zero()});
+    r.attributes["motion"] = "none";
+    r.hull = {};
+    r.hull_pressure.clear();
+    r.hull_wet.clear();
+    Table& t = r.table("body_buoy");
+    for (const double time : {0.0, 2.0}) {
+        t.time.push_back(time);
+        for (const char* column : {"x", "y", "z", "qx", "qy", "qz"}) t.column(column, "").values.push_back(0.1 * time);
+        t.column("q0", "-").values.push_back(1);
+    }
+    const ScratchFolder folder;
+    const auto [markup, log] = opened(write_report(compare_records({r}), folder.path()).html, folder / "profile");
+    EXPECT_NE(markup.find("<div id=\"view3d-stage\">"), std::string::npos) << log;
+    EXPECT_NE(markup.find("water cut open</label>"), std::string::npos);
+    EXPECT_NE(markup.find("bodies</label>"), std::string::npos);
+    EXPECT_EQ(log.find("Uncaught"), std::string::npos) << log;
+    EXPECT_EQ(log.find("INVALID_"), std::string::npos) << log;  // what WebGL says of wrong calls
+}
+
 }  // namespace
 }  // namespace tw

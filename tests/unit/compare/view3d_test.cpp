@@ -154,6 +154,68 @@ TEST(View3d, TheHullIsThereOnceForBothMethods) {
     EXPECT_EQ(forced["hulls"].size(), 2u);
 }
 
+/// What the script draws of a body: the packed surface, moved by the pose of one surface of water.
+std::vector<Vec3> drawn(const Json& data, const Json& body, std::size_t source, std::size_t surface) {
+    std::vector<Vec3> all = points(data, body["points"]);
+    const std::vector<double> m = body["poses"][source][surface];
+    for (Vec3& p : all)
+        p = Vec3(m[0] * p.x() + m[4] * p.y() + m[8] * p.z() + m[12], m[1] * p.x() + m[5] * p.y() + m[9] * p.z() + m[13],
+                 m[2] * p.x() + m[6] * p.y() + m[10] * p.z() + m[14]);
+    return all;
+}
+
+/// A tank with a brick of 0.4 x 0.2 x 0.2 m that falls at `speed` and turns about y by 90 degrees in 0.1 s.
+RunRecord falling_brick(double speed, int rows = 12) {
+    RunRecord r = flat_water({40, rows, 10}, 5, 3);
+    r.hull = {};
+    r.hull_pressure.clear();
+    r.hull_wet.clear();
+    r.attributes["symmetry_factor"] = "1";
+    r.attributes["motion"] = "none";
+    if (rows == 1) r.numbers["dimensions"] = 2;
+    Surface brick = make_hull("box", {{"length", 0.4}, {"beam", 0.2}, {"height", 0.2}});
+    const Box box = brick.bounds();
+    for (Vec3& p : brick.points) p += Vec3(1, rows == 1 ? 0 : 0.5, 0.2) - (box.min + box.max) / 2;
+    r.bodies.push_back({"body_brick", brick, {1, rows == 1 ? 0 : 0.5, 0.2}});
+    Table& t = r.table("body_brick");
+    for (int k = 1; k <= 20; ++k) {
+        const double time = 0.01 * k, angle = time / 0.1 * std::numbers::pi / 2;
+        t.time.push_back(time);
+        const auto put = [&](const char* name, const char* unit, double value) {
+            t.column(name, unit).values.push_back(value);
+        };
+        put("x", "m", 1), put("y", "m", r.bodies[0].centre.y()), put("z", "m", 0.2 - speed * time);
+        put("q0", "-", std::cos(angle / 2)), put("qx", "-", 0), put("qy", "-", std::sin(angle / 2)), put("qz", "-", 0);
+    }
+    return r;
+}
+
+TEST(View3d, BodiesStandWhereEachMethodHasThemInTheFrameThatIsShown) {
+    RunRecord a = falling_brick(2), b = falling_brick(4);
+    b.attributes["method"] = "fvm";
+    const Json data = data_of(view3d_section(compare_records({a, b})));
+    ASSERT_EQ(data["hulls"].size(), 1u) << "one body, drawn at two places";
+    const Json& brick = data["hulls"][0];
+    for (std::size_t s = 0; s < 2; ++s)
+        for (std::size_t f = 0; f < 3; ++f) {
+            const double time = data["sources"][s]["time"][f];
+            const Box box = bounds(drawn(data, brick, s, f));
+            EXPECT_NEAR((box.min.z() + box.max.z()) / 2, 0.2 - (s == 0 ? 2 : 4) * time, 2 * tolerance(data, 2));
+            if (f == 0) { EXPECT_NEAR(box.size().z(), 0.4, 4 * tolerance(data, 0)) << "on end after a quarter turn"; }
+        }
+    EXPECT_FALSE(data["ship"].get<bool>());
+    EXPECT_NEAR(data["cut"].get<double>(), 0.5, 1e-9) << "through the middle of the body";
+}
+
+TEST(View3d, ABodyOfTwoDimensionsIsAsWideAsItsWater) {
+    const Json data = data_of(view3d_section(compare_records({falling_brick(2, 1)})));
+    const Box water = bounds(points(data, data["sources"][0]["points"][0]));
+    const Box body = bounds(drawn(data, data["hulls"][0], 0, 0));
+    EXPECT_NEAR(body.min.y(), water.min.y(), 3 * tolerance(data, 1));
+    EXPECT_NEAR(body.max.y(), water.max.y(), 3 * tolerance(data, 1));
+    EXPECT_TRUE(data["cut"].is_null()) << "a slab is open at its sides";
+}
+
 TEST(View3d, AFineHullBecomesLighterAndKeepsItsShape) {
     const Surface prism = synthetic_run({.duration = 0.1, .frames = false}).hull;
     const Surface fine = refined(prism, 0.06);

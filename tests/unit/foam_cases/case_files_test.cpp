@@ -5,6 +5,7 @@
 
 #include "base/errors.h"
 #include "foam_cases/files/case_files.h"
+#include "foam_cases/files/times_of_table.h"
 #include "scenes.h"
 
 namespace tw {
@@ -143,9 +144,9 @@ TEST(CaseFiles, AFreeHullMovesItsMeshWithHalfItsMassAndLetsNoWaterThrough) {
     free.motion.mass = {300, Vec3(2.4, 0, 0.2), 300 * Eigen::Matrix3d::Identity()};
     free.motion.free = {{false, false, true}, {false, true, false}};
     const CasePlan plan = plan_case(scene, v1912);
-    EXPECT_EQ(plan.body, "hull");
+    EXPECT_EQ(plan.bodies.at(0).patch, "hull");
     EXPECT_EQ(plan.solids.size(), 1u) << "the hull itself, no body beside it";
-    EXPECT_EQ(plan.motion_table(), "hull_motion");
+    EXPECT_EQ(plan.motion_table(plan.bodies[0]), "hull_motion");
     const std::vector<CaseFile> motion = mesh_motion_files(plan);
     ASSERT_EQ(motion.size(), 2u);
     EXPECT_SAYS(motion[0].text, "mass 150;");
@@ -156,8 +157,53 @@ TEST(CaseFiles, AFreeHullMovesItsMeshWithHalfItsMassAndLetsNoWaterThrough) {
     EXPECT_SAYS(velocity_field(plan), "hull { type movingWallVelocity;");  // slip would let it through
     EXPECT_SAYS(fv_schemes(plan), "linearUpwind");                         // as of a hull that is held
     EXPECT_SAYS(control_dict(plan), "bodyState");
-    EXPECT_SILENT(control_dict(plan), "bodyForces");  // its forces are recorded as the hull's
+    EXPECT_SILENT(control_dict(plan), "forces_hull");  // its forces are recorded as the hull's
     EXPECT_TRUE(mesh_motion_files(plan_case(planing_scene(), v1912)).empty());
+}
+
+// Both bodies hang on joints of their own, with their share of the mass and their first motion, in the order of joints.
+TEST(CaseFiles, SeveralBodiesAreJointsOfOneSystem) {
+    Scene scene = dam_break_scene();
+    scene.domain.box = {Vec3(0, 0, 0), Vec3(3, 0.01, 1)};
+    scene.water_blocks.clear();
+    for (const double x : {1.0, 2.0}) {
+        MovingBody b;
+        b.name = x < 1.5 ? "left" : "crate";
+        const Box box{{x - 0.1, -0.05, 0.25}, {x + 0.1, 0.05, 0.35}};
+        b.surface = make_hull("box", {{"length", 0.2}, {"beam", 0.1}, {"height", 0.1}});
+        const Box own = b.surface.bounds();
+        for (Vec3& p : b.surface.points) p += box.min - own.min;
+        b.motion.mass = {8, Vec3(x, 0, 0.3), Eigen::Matrix3d(Vec3(0.1, 0.2, 0.3).asDiagonal())};
+        b.motion.free = {{x < 1.5, false, true}, {false, true, false}};
+        b.motion.velocity = {x < 1.5 ? 0.25 : 0.0, 0, -0.5 * x};
+        scene.bodies.push_back(b);
+    }
+    scene.fvm.body_mesh = "morphing";
+    const CasePlan plan = plan_case(scene, v1912);
+    ASSERT_EQ(plan.bodies.size(), 2u);
+    EXPECT_NE(plan.bodies[0].patch, "left") << "a side of the tank has that name";
+    const std::string motion = mesh_motion_files(plan)[0].text;
+    EXPECT_SAYS(motion, "motionSolver rigidBodyMotion;");
+    EXPECT_SAYS(motion, "joints ( { type Px; } { type Pz; } { type Ry; } );");
+    EXPECT_SAYS(motion, "joints ( { type Pz; } { type Ry; } );");
+    EXPECT_SAYS(motion, "qDot (0.25 -0.5 0 -1 0);");
+    EXPECT_SAYS(motion, "qDdot (0 -9.81 0 -9.81 0);");
+    EXPECT_SAYS(motion, "patches (crate);");
+    const std::string control = control_dict(plan);
+    EXPECT_SAYS(control, "forces_crate");
+    EXPECT_SILENT(control, "bodyState");
+}
+
+// A sphere driven in for 10 ms took a last step to 10.4 ms, beyond a table that ended at 10.1 ms.
+TEST(CaseFiles, ATableOfMotionReachesAsFarAsTheLastStepMayLead) {
+    MotionLaw law;
+    law.kind = MotionLaw::Kind::constant;
+    for (const double step : {1e-4, 22e-3}) {
+        const std::vector<double> times = times_of_table(law, 10e-3, step);
+        EXPECT_LT(times.front(), 0);
+        EXPECT_GE(times.back(), 10e-3 + step);
+        EXPECT_LT(times.back(), 10e-3 + step + 3e-4);
+    }
 }
 
 TEST(CaseFiles, ATanksWallsHoldTheWaterWhereItSticksAndAStreamsSidesNeverDo) {

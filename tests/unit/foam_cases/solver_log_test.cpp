@@ -26,6 +26,39 @@ std::string step(double time, double dt, double courant = 1.5, double water = 0.
            "  Min(alpha.water) = -1e-7  Max(alpha.water) = 1.00001\nExecutionTime = 1.5 s  ClockTime = 2 s\n\n";
 }
 
+std::string report_of(const std::string& name, double x, double angle) {
+    const auto n = [](double v) { return std::to_string(v); };
+    const std::string c = n(std::cos(angle)), s = n(std::sin(angle));
+    return "Rigid-body motion of the " + name + "\n    Centre of rotation: (" + n(x) + " 0 0.5)\n    Orientation: (" +
+           c + " 0 -" + s + " 0 1 0 " + s + " 0 " + c + ")\n    Linear velocity: (1 0 -2)\n    Angular velocity: (0 " +
+           n(angle) + " 0)\n";
+}
+
+// rigidBodyMotion writes how the earth lies in the body: a turn about +y by `angle` has -sin at the top right.
+TEST(SolverLog, HoldsEachOfSeveralBodiesAtEachStepAsItsLastCorrectorLeftIt) {
+    std::string text = header;
+    for (int k = 1; k <= 2; ++k) {
+        std::string one = step(0.1 * k, 0.1);
+        const std::string motion = report_of("left", 7, 1) + report_of("right", 8, 1) + report_of("left", k, 0.1 * k) +
+                                   report_of("right", -k, 0.2 * k);
+        text += one.insert(one.find("ExecutionTime"), motion);
+    }
+    SolverLog log;
+    log.feed(text);
+    ASSERT_EQ(log.steps().size(), 2u);
+    for (int k = 1; k <= 2; ++k) {
+        const auto& bodies = log.steps()[static_cast<std::size_t>(k) - 1].bodies;
+        ASSERT_EQ(bodies.size(), 2u);
+        EXPECT_EQ(bodies[1].name, "right");
+        EXPECT_EQ(bodies[0].centre, Vec3(k, 0, 0.5));
+        EXPECT_EQ(bodies[1].centre, Vec3(-k, 0, 0.5));
+        EXPECT_EQ(bodies[1].velocity, Vec3(1, 0, -2));
+        EXPECT_NEAR(bodies[1].spin.y(), 0.2 * k, 1e-6);
+        const Eigen::Matrix3d turn(Eigen::AngleAxisd(0.2 * k, Vec3::UnitY()));
+        EXPECT_LT((bodies[1].attitude - turn).norm(), 1e-5);
+    }
+}
+
 TEST(SolverLog, ReadsStepsWhateverThePiecesItIsFed) {
     const std::string text = header + step(0.1, 0.1) + step(0.25, 0.15, 2.5, 0.41) + "End\n";
     for (const std::size_t piece : {std::size_t{1}, std::size_t{7}, text.size()}) {

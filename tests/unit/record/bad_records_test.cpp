@@ -148,6 +148,11 @@ TEST(BadRecords, ScalarsThatCannotBeAreRefusedByTheirKey) {
     expect(refusal_of([&](RunRecord& r) { r.frames[2].time = 0.1; }), "raster/time[2] = 0.1; expected");
     expect(refusal_of([&](RunRecord& r) { r.raster.voxel = nan; }), "raster/spacing = nan; expected");
     expect(refusal_of([&](RunRecord& r) { r.hull.points[1].y() = inf; }), "hull/points = inf; expected");
+    expect(refusal_of([&](RunRecord& r) { r.bodies[0].surface.points[1].y() = inf; }),
+           "bodies/body_torpedo/points = inf; expected");
+    expect(refusal_of([&](RunRecord& r) { r.bodies[1].centre.x() = nan; }), "bodies/body_buoy/centre = nan; expected");
+    EXPECT_TRUE(says(refusal_of([](RunRecord& r) { r.bodies[1].surface.triangles[0][2] = 4; }),
+                     "body_buoy: a triangle names a point that is not there"));
     expect(refusal_of([&](RunRecord& r) { r.effects[0].cost = nan; }), "effects/air/cost = nan; expected");
     expect(refusal_of([&](RunRecord& r) { r.certificate[0].limit = nan; }), "certificate/Mach number/limit = nan");
     expect(refusal_of([&](RunRecord& r) { r.certificate[0].time = inf; }), "certificate/Mach number/time = inf");

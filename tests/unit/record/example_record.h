@@ -34,6 +34,8 @@ inline RunRecord example_record() {
     r.hull.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
     r.hull_pressure = {1.5f, -2.25f, 1e5f, std::numeric_limits<float>::quiet_NaN()};
     r.hull_wet = {0, 1, 0.5f, 0.25f};
+    r.bodies = {{"body_torpedo", r.hull, {0.25, 1.0 / 3.0, 0}}, {"body_buoy", r.hull, {0, 0, -1}}};
+    r.bodies[1].surface.points[3].z() = 0.1;
     r.phases = {{"set-up", 0.1, 0.2}, {"solving", 100.5, 199.75}};
     r.peak_memory = 1.5e9;
     r.elements = 123456;

@@ -47,6 +47,27 @@ TEST(NewRecord, CarriesWhatTheSceneSays) {
     EXPECT_EQ(r.state, "running");
 }
 
+// Both methods show the body that the scene has, from the same surface; one that bends has none that could be moved.
+TEST(NewRecord, HoldsTheBodiesThatKeepTheirShape) {
+    Scene scene;
+    MovingBody body;
+    body.name = "ball";
+    body.surface.points = {{0, 0, 1}, {1, 0, 1}, {0, 1, 1}};
+    body.surface.triangles = {{0, 1, 2}};
+    body.motion.mass.centre = {0.25, 0, 1};
+    scene.bodies.push_back(body);
+    for (const char* method : {"sph", "fvm"}) {
+        const RunRecord r = new_record(scene, method);
+        ASSERT_EQ(r.bodies.size(), 1u);
+        EXPECT_EQ(r.bodies[0].table, "body_ball");
+        EXPECT_EQ(r.bodies[0].surface.points, body.surface.points);
+        EXPECT_EQ(r.bodies[0].centre, body.motion.mass.centre);
+    }
+    scene.bodies[0].elastic = ElasticPlate{};
+    EXPECT_TRUE(new_record(scene, "sph").bodies.empty());
+    EXPECT_EQ(new_record(scene, "fvm").bodies.size(), 1u) << "interFoam's counterpart is rigid";
+}
+
 // A scene's boxes may go on through the sky or lie half outside: what is recorded can be drawn.
 TEST(Resolution, IsTheDomainAndWhatOfTheFinerBoxesLiesInIt) {
     constexpr double infinite = std::numeric_limits<double>::infinity();

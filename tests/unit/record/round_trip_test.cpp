@@ -49,6 +49,13 @@ TEST(RunRecordFile, GivesBackEveryFieldBitForBit) {
     EXPECT_EQ(in.hull.triangles, out.hull.triangles);
     EXPECT_TRUE(same_bits(in.hull_pressure, out.hull_pressure));
     EXPECT_TRUE(same_bits(in.hull_wet, out.hull_wet));
+    ASSERT_EQ(in.bodies.size(), 2u);
+    for (std::size_t b = 0; b < 2; ++b) {
+        EXPECT_EQ(in.bodies[b].table, out.bodies[b].table);
+        EXPECT_EQ(in.bodies[b].centre, out.bodies[b].centre);
+        EXPECT_EQ(in.bodies[b].surface.points, out.bodies[b].surface.points);
+        EXPECT_EQ(in.bodies[b].surface.triangles, out.bodies[b].surface.triangles);
+    }
     ASSERT_EQ(in.phases.size(), 2u);
     EXPECT_EQ(in.phases[1].name, "solving");
     EXPECT_EQ(in.phases[1].wall, 100.5);

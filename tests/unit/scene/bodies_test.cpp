@@ -116,6 +116,19 @@ TEST(BodyScene, TheMeshGoesWithABodyAsItMayMove) {
               Kind::morphing);
 }
 
+// Regions that overlapped would not move with either body.
+TEST(BodyScene, TheMeshIsMorphedRoundSeveralBodiesUpToTheMiddleBetweenThem) {
+    const Scene s = scene_of(with(afloat, "[motion]",
+                                  "[[body]]\nshape = \"box\"\nlength = 0.2\nbeam = 0.2\nheight = 0.1\ndraft = 0.05\n"
+                                  "position = [0.7, 0]\ndensity = \"500 kg/m3\"\n[motion]"));
+    const MeshMotion m = mesh_motion(s);
+    EXPECT_EQ(m.kind, MeshMotion::Kind::morphing);
+    const double gap = s.bodies[1].surface.bounds().min.x() - s.bodies[0].surface.bounds().max.x();
+    EXPECT_LT(m.outer, gap / 2);
+    const double wall = s.domain.box.max.x() - s.bodies[1].surface.bounds().max.x();
+    EXPECT_NEAR(m.outer, 0.98 * std::min(gap / 2, wall), 1e-9);
+}
+
 TEST(BodyScene, WhatTheMeshCannotMoveIsRefused) {
     const auto message = [](const std::string& text) -> std::string {
         const Scene s = scene_of(text);
@@ -126,10 +139,24 @@ TEST(BodyScene, WhatTheMeshCannotMoveIsRefused) {
         return {};
     };
     EXPECT_EQ(message(afloat), "");
-    const std::string another =
-        "[[body]]\nshape = \"box\"\nlength = 0.1\nbeam = 0.1\nheight = 0.1\ndraft = 0\n"
-        "position = [0.5, 0.5]\ndensity = \"500 kg/m3\"\n[motion]";
-    EXPECT_NE(message(with(afloat, "[motion]", another)).find("moves one body"), std::string::npos);
+    const auto another = [](const std::string& place, const std::string& more = "density = \"500 kg/m3\"") {
+        return with(afloat, "[motion]",
+                    "[[body]]\nshape = \"box\"\nlength = 0.1\nbeam = 0.1\nheight = 0.1\ndraft = 0.05\nposition = [" +
+                        place + "]\n" + more + "\n[motion]");
+    };
+    EXPECT_EQ(message(another("0.5, 0.5")), "");
+    EXPECT_NE(message(another("0, 0.19"))
+                  .find("from the middle between it and body body1; a mesh is morphed over four cells"),
+              std::string::npos)
+        << message(another("0, 0.19"));
+    EXPECT_NE(message(another("0.5, 0.5", "density = \"9000 kg/m3\"")).find("body2 may move by"), std::string::npos);
+    EXPECT_NE(
+        message(another("0.5, 0.5", "motion = \"prescribed\"\nlaw = \"constant\"\nalong = [0, 0, 1]\nrate = 0.01"))
+            .find("only where all are free"),
+        std::string::npos);
+    EXPECT_NE(message(with(another("0.5, 0.5"), "[motion]", "[fvm]\nbody_mesh = \"whole\"\n[motion]"))
+                  .find("follows one body, and there are several"),
+              std::string::npos);
     EXPECT_NE(message(with(afloat, "[motion]", "locked = [\"yaw\"]\n[motion]")).find("two of the three axes"),
               std::string::npos);
     const std::string post = "[[obstacle]]\nmin = [0.6, -0.1, -1]\nmax = [0.7, 0.1, -0.2]\n[motion]";
