@@ -11,6 +11,7 @@
 
 #include "foam_cases/doctor.h"
 #include "foam_cases/run_fvm.h"
+#include "test_paths.h"
 
 namespace tw {
 

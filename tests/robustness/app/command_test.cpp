@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "program.h"
+#include "test_paths.h"
 
 namespace tw::test {
 namespace {

@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "test_paths.h"
+
 namespace tw::test {
 
 namespace fs = std::filesystem;

@@ -7,6 +7,7 @@
 #include "program.h"
 #include "record/run_record.h"
 #include "record/spray_table.h"
+#include "test_paths.h"
 
 namespace tw::test {
 namespace {

@@ -1,4 +1,5 @@
 #include "program.h"
+#include "test_paths.h"
 
 #include <fcntl.h>
 #include <signal.h>

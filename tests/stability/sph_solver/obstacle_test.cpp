@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "sph_solver/scene_setup.h"
+#include "test_paths.h"
 
 namespace tw {
 namespace {

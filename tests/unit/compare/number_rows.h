@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "test_paths.h"
+
 namespace tw {
 
 /// A table of tests/data that holds numbers only: its rows without the head.

@@ -11,6 +11,7 @@
 #include "record/water_surface.h"
 #include "tests/unit/compare/synthetic_pair.h"
 #include "tests/unit/record/example_record.h"
+#include "test_paths.h"
 
 namespace tw {
 namespace {

@@ -1,6 +1,7 @@
 #include <set>
 
 #include "scene_text.h"
+#include "test_paths.h"
 
 namespace tw::test {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "csv.h"
 #include "study_run.h"
+#include "test_paths.h"
 
 namespace tw::test {
 namespace {

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include "sph_solver/run_sph.h"
+#include "test_paths.h"
 
 namespace tw::test {
 

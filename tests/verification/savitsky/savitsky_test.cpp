@@ -1,5 +1,6 @@
 // Savitsky's regression against an independently computed table.
 #include "compare/reference/savitsky.h"
+#include "test_paths.h"
 
 #include <gtest/gtest.h>
 

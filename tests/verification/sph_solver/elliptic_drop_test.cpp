@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "elliptic_drop.h"
+#include "test_paths.h"
 
 namespace tw {
 namespace {

@@ -11,6 +11,7 @@
 #include "base/errors.h"
 #include "record/hull_motion.h"
 #include "sph_solver/run_sph.h"
+#include "test_paths.h"
 
 namespace tw {
 namespace {

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "sph_solver/simulation.h"
+#include "test_paths.h"
 
 namespace tw {
 namespace {

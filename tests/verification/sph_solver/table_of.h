@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "test_paths.h"
+
 namespace tw {
 
 /// One row of a table: column name -> what stands there ("" where empty).

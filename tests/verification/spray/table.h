@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "test_paths.h"
+
 namespace tw::spray {
 
 /// The columns of a table in tests/data by the names in its first line; nan where a cell says so.

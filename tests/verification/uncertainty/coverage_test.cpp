@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "tests/verification/uncertainty/coverage.h"
+#include "test_paths.h"
 
 namespace tw::test {
 namespace {
