@@ -87,6 +87,12 @@ SparseMatrix Freedoms::basis() const {
     return T;
 }
 
+Eigen::VectorXd Freedoms::translation(const Vec3& v) const {
+    Eigen::VectorXd moved = Eigen::VectorXd::Zero(all());
+    for (int first = 0; first < all(); first += per_node_) moved.segment<3>(first) = v;
+    return moved;
+}
+
 Eigen::VectorXd Freedoms::widened(const Eigen::VectorXd& of_nodes) const {
     Eigen::VectorXd wide = Eigen::VectorXd::Zero(all());
     wide.head(of_nodes.size()) = of_nodes;

@@ -46,6 +46,9 @@ public:
     /// All = basis * unknown. Throws InputError if nothing is unknown.
     SparseMatrix basis() const;
 
+    /// Of all: that of a translation by `v`, or with the velocity `v`.
+    Eigen::VectorXd translation(const Vec3& v) const;
+
     /// Loads or a stiffness of the nodes' freedoms, with zeros for those of the parts.
     Eigen::VectorXd widened(const Eigen::VectorXd& of_nodes) const;
     SparseMatrix widened(const SparseMatrix& of_nodes) const;

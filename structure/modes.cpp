@@ -4,8 +4,10 @@
 #include <cmath>
 #include <Eigen/Eigenvalues>
 #include <Eigen/SparseCholesky>
+#include <numbers>
 
 #include "base/errors.h"
+#include "structure/shell/shell.h"
 
 namespace tw::structure {
 
@@ -37,6 +39,18 @@ Modes lowest_modes(const SparseMatrix& K, const SparseMatrix& M, int count) {
         if (change < 1e-10) return {(now.head(wanted).array() - shift).max(0).sqrt().matrix(), X.leftCols(wanted)};
     }
     throw RunError("the modes of the structure did not settle in 200 sweeps");
+}
+
+double first_period(const Shell& shell, const Freedoms& freedoms) {
+    const SparseMatrix basis = freedoms.basis();
+    const SparseMatrix K = basis.transpose() * freedoms.widened(shell.stiffness()) * basis,
+                       M = basis.transpose() * freedoms.mass(shell.mass()) * basis;
+    constexpr int rigid = 6;  // motions at most, and one mode more
+    const Modes modes = lowest_modes(K, M, std::min(rigid + 1, static_cast<int>(K.rows())));
+    const double highest = modes.omega.maxCoeff();
+    for (const double omega : modes.omega)
+        if (omega > 1e-4 * highest) return 2 * std::numbers::pi / omega;
+    throw RunError("the shell has no mode that strains it");
 }
 
 }  // namespace tw::structure

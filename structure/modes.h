@@ -2,6 +2,7 @@
 #include "structure/freedoms.h"
 
 namespace tw::structure {
+class Shell;
 
 struct Modes {
     Eigen::VectorXd omega;   ///< angular frequencies, rising [rad/s]
@@ -11,5 +12,8 @@ struct Modes {
 /// The lowest modes of K x = omega^2 M x by subspace iteration (Bathe 1996, Finite Element Procedures, 11.6), K and M
 /// symmetric, M positive definite, K with or without rigid motions. Throws RunError if it does not settle to 1e-10.
 Modes lowest_modes(const SparseMatrix& K, const SparseMatrix& M, int count);
+
+/// Period of the lowest mode of a shell that strains it, with what holds and carries it, in vacuum [s].
+double first_period(const Shell& shell, const Freedoms& freedoms);
 
 }  // namespace tw::structure

@@ -6,9 +6,9 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
-#include <map>
 
 #include "base/errors.h"
+#include "structure/mesh_builder.h"
 
 namespace tw::structure {
 namespace {
@@ -38,7 +38,7 @@ public:
         if (!in_) throw InputError(fmt::format("{}: cannot be read", file.string()));
     }
 
-    InpMesh read() {
+    MeshFile read() {
         std::string line;
         while (std::getline(in_, line)) {
             ++number_;
@@ -56,13 +56,8 @@ public:
         }
         if (!pending_.empty())
             refuse(fmt::format("the last element has {} nodes; expected {}", pending_.size() - 1, corners_));
-        if (quads_.empty() && hexahedra_.empty()) refuse("no elements S4 or C3D8 in this file");
-        InpMesh mesh;
-        mesh.shell.quads = used(quads_, mesh.shell.nodes, mesh.shell.sets);
-        mesh.solid.hexahedra = used(hexahedra_, mesh.solid.nodes, mesh.solid.sets);
-        mesh.solid.material = material_;
-        mesh.materials = materials_;
-        return mesh;
+        if (!mesh_.has_elements()) refuse("no elements S4 or C3D8 in this file");
+        return mesh_.finish();
     }
 
 private:
@@ -108,8 +103,8 @@ private:
         const int id = number<int>(fields[0]);
         Vec3 p;
         for (int k = 0; k < 3; ++k) p[k] = scale_ * number<double>(fields[static_cast<std::size_t>(k + 1)]);
-        if (!nodes_.emplace(id, p).second) refuse(fmt::format("node {} is given twice", id));
-        if (!name_.empty()) sets_[name_].push_back(id);
+        if (!mesh_.add_node(id, p)) refuse(fmt::format("node {} is given twice", id));
+        if (!name_.empty()) mesh_.set(name_).push_back(id);
     }
 
     void element(const std::vector<std::string>& fields) {
@@ -118,23 +113,20 @@ private:
         if (static_cast<int>(pending_.size()) > corners_ + 1)
             refuse(fmt::format("an element of {} nodes; expected {}", pending_.size() - 1, corners_));
         for (std::size_t k = 1; k < pending_.size(); ++k)
-            if (!nodes_.contains(pending_[k]))
+            if (!mesh_.has_node(pending_[k]))
                 refuse(fmt::format("element {}: node {} is not given above", pending_[0], pending_[k]));
-        if (corners_ == 4) {
-            quads_.emplace_back();
-            std::copy(pending_.begin() + 1, pending_.end(), quads_.back().begin());
-        } else {
-            hexahedra_.emplace_back();
-            std::copy(pending_.begin() + 1, pending_.end(), hexahedra_.back().begin());
-            const auto found = std::find(materials_.begin(), materials_.end(), name_);
-            material_.push_back(static_cast<int>(found - materials_.begin()));
-            if (found == materials_.end()) materials_.push_back(name_);
-        }
+        const auto corner = [&](std::size_t k) { return pending_[k + 1]; };
+        if (corners_ == 4)
+            mesh_.add_quad(pending_[0], {corner(0), corner(1), corner(2), corner(3)});
+        else
+            mesh_.add_hexahedron(
+                pending_[0], {corner(0), corner(1), corner(2), corner(3), corner(4), corner(5), corner(6), corner(7)},
+                name_);
         pending_.clear();
     }
 
     void set(const std::vector<std::string>& fields) {
-        auto& nodes = sets_[name_];
+        auto& nodes = mesh_.set(name_);
         if (generate_) {
             if (fields.size() < 2) refuse("a generated set takes its first and last node and a step");
             const int first = number<int>(fields[0]), last = number<int>(fields[1]),
@@ -145,7 +137,7 @@ private:
             return;
         }
         for (const std::string& f : fields) {
-            if (const auto other = sets_.find(upper(f)); other != sets_.end() && other->first != name_)
+            if (const auto other = mesh_.sets().find(upper(f)); other != mesh_.sets().end() && other->first != name_)
                 nodes.insert(nodes.end(), other->second.begin(), other->second.end());
             else
                 into(nodes, number<int>(f));
@@ -153,27 +145,8 @@ private:
     }
 
     void into(std::vector<int>& nodes, int id) const {
-        if (!nodes_.contains(id)) refuse(fmt::format("set {}: node {} is not given above", name_, id));
+        if (!mesh_.has_node(id)) refuse(fmt::format("set {}: node {} is not given above", name_, id));
         nodes.push_back(id);
-    }
-
-    /// The elements with their nodes numbered anew, in the order of the file's numbers.
-    template <std::size_t N>
-    std::vector<std::array<int, N>> used(std::vector<std::array<int, N>> elements, std::vector<Vec3>& nodes,
-                                         NodeSets& sets) const {
-        std::map<int, int> to;
-        for (const auto& e : elements)
-            for (const int id : e) to[id] = 0;
-        for (auto& [id, index] : to) {
-            index = static_cast<int>(nodes.size());
-            nodes.push_back(nodes_.at(id));
-        }
-        for (auto& e : elements)
-            for (int& id : e) id = to.at(id);
-        for (const auto& [name, ids] : sets_)
-            for (const int id : ids)
-                if (to.contains(id)) sets[name].push_back(to.at(id));
-        return elements;
     }
 
     std::filesystem::path file_;
@@ -184,16 +157,11 @@ private:
     bool generate_ = false;
     int corners_ = 0;
     std::vector<int> pending_;  // of the element that is being read
-    std::map<int, Vec3> nodes_;
-    std::map<std::string, std::vector<int>> sets_;
-    std::vector<std::array<int, 4>> quads_;
-    std::vector<std::array<int, 8>> hexahedra_;
-    std::vector<int> material_;
-    std::vector<std::string> materials_;
+    MeshBuilder mesh_;
 };
 }  // namespace
 
-InpMesh read_inp(const std::filesystem::path& file, double metres_per_unit) {
+MeshFile read_inp(const std::filesystem::path& file, double metres_per_unit) {
     return Reader(file, metres_per_unit).read();
 }
 

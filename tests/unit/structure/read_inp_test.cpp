@@ -45,7 +45,7 @@ const std::string cube = R"(** a brick and a plate beside it
 )";
 
 TEST(Inp, IsReadWithItsSetsAndUnits) {
-    const InpMesh m = read_inp(written(cube), 1e-3);
+    const MeshFile m = read_inp(written(cube), 1e-3);
     ASSERT_EQ(m.solid.hexahedra.size(), 1u);
     ASSERT_EQ(m.shell.quads.size(), 1u);
     EXPECT_EQ(m.solid.nodes.size(), 8u);
