@@ -7,7 +7,9 @@
 
 namespace tw {
 
-bool only_warns(const CertificateLine& line) { return line.name == mass_drift_line || line.name == orphans_line; }
+bool only_warns(const CertificateLine& line) {
+    return line.name == mass_drift_line || line.name == orphans_line || line.name == interface_line;
+}
 
 void note_worst(RunRecord& record, const CertificateLine& line) {
     const auto known = std::ranges::find(record.certificate, line.name, &CertificateLine::name);

@@ -7,6 +7,8 @@ namespace tw {
 /// particles that stand for it, and the share of an edge's particles without water of the other size near.
 inline constexpr const char* mass_drift_line = "mass drift of a finer zone";
 inline constexpr const char* orphans_line = "orphans at a zone's edge";
+/// Of runs with bodies that bend: the energy that the interface of water and body has made lately, of that exchanged.
+inline constexpr const char* interface_line = "energy made at an elastic body (added mass)";
 /// Whether a line that is not met warns only: the run's other numbers may be used, with this in mind.
 bool only_warns(const CertificateLine& line);
 

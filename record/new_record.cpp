@@ -158,15 +158,16 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
         record.numbers["mass_" + b.name] = b.motion.mass.mass;
         if (!b.elastic || method != "sph")  // that bends
             record.bodies.push_back({body_table(b.name), b.surface, b.motion.mass.centre});
-        if (b.elastic)
-            record.attributes["compliance"] =
-                method == "sph"
-                    ? "body " + b.name + " bends here"
-                    : "body " + b.name +
-                          " is rigid here: a difference from a run in which it bends contains its compliance";
         for (std::size_t k = 0; k < b.findings.size(); ++k)
             record.attributes[fmt::format("finding_{}_{:02}", b.name, k)] =
                 b.findings[k].name + ": " + b.findings[k].message;
+        if (!b.elastic) continue;
+        const bool bends = method == "sph";
+        record.attributes["structure"] = bends ? "elastic" : "rigid";
+        record.attributes["compliance"] =
+            "body " + b.name +
+            (bends ? " bends here"
+                   : " is rigid here: a difference from a run in which it bends contains its compliance");
     }
     record.scene_text = scene.text;
     record.raster = scene.sampling.raster;

@@ -70,6 +70,9 @@ struct BodyShape {
 ///            lowest point [m]; q0, qx, qy, qz, the quaternion that turns it from how it stood at first; vx.. [m/s],
 ///            spin_x.. [rad/s]; fx.., mx.. force of the water and its moment about the centre of mass [N, N m], earth
 ///            axes, and fx_body.., mx_body.. the same in axes that turn with the body and were the earth's at the start
+///            of a plate that bends also its gauges: strains under the gauge's name, displacements NAME_x.. [m]; of its
+///            rigid counterpart in a method that cannot bend it the same, found one way (attribute one_way)
+///   plate_pressure_NAME: pressures on that counterpart, one column per element of the plate [Pa]
 ///   hull_motion: of a hull that is free in a stream, one row per step, see record/hull_motion.h
 ///   level_0, level_1, ...: of each of several sizes of particles, coarsest first, one row per frame: spacing [m], dt
 ///            [s]; active particles; band and carried, which stand for finer ones; guards, which stand for coarser
@@ -80,7 +83,8 @@ struct RunRecord {
     static constexpr int format_version = 1;
 
     /// method ("sph", "fvm", ...), title, scene_hash, hull_hash, hull_source, code_version, compiler, machine, threads,
-    /// ranks, isa, openfoam, started, symmetry_factor, moment_reference, calibrated, ...
+    /// ranks, isa, openfoam, started, symmetry_factor, moment_reference, calibrated,
+    /// structure ("elastic", "rigid", "rigid, strains one way": of a scene with a body that bends), ...
     std::map<std::string, std::string> attributes;
     /// spacing h, length, beam, draft, trim, speed, density, gravity, duration, mean_from, h_over_dp, c0, alpha, ...
     /// level_0_seconds, ...: wall time of the sweeps of each size of particles since the run was begun or resumed

@@ -10,6 +10,7 @@
 #include "base/errors.h"
 #include "structure/freedoms.h"
 #include "structure/generate.h"
+#include "structure/modes.h"
 #include "structure/shell/shell.h"
 
 namespace tw {
@@ -51,11 +52,46 @@ bool beyond(const ElasticPlate& p, const std::vector<std::string>& edges, const 
            (has(edges, "y_max") && x.y() > p.breadth / 2 - little);
 }
 
+/// Which nodes of the shell belong to these edges or, of a mesh, node sets.
+std::vector<bool> supported(const ElasticPlate& p, const std::vector<std::string>& edges,
+                            const structure::ShellMesh& mesh, double width) {
+    std::vector<bool> of(mesh.nodes.size(), false);
+    if (p.mesh) {
+        for (const std::string& set : edges)
+            for (const int n : mesh.sets.at(set)) of[static_cast<std::size_t>(n)] = true;
+        return of;
+    }
+    const Lattice lattice(p, width);
+    for (std::size_t n = 0; n < of.size(); ++n) of[n] = beyond(p, edges, lattice.place(static_cast<int>(n)));
+    return of;
+}
+
 }  // namespace
 
 double ElasticPlate::cell() const {
+    if (mesh) {
+        double longest = 0;
+        for (const auto& quad : mesh->quads)
+            for (std::size_t k = 0; k < 4; ++k)
+                longest = std::max(longest, (mesh->nodes[static_cast<std::size_t>(quad[k])] -
+                                             mesh->nodes[static_cast<std::size_t>(quad[(k + 1) % 4])])
+                                                .norm());
+        return longest;
+    }
     const double along = length / cells[0];
     return two_dimensional() ? along : std::max(along, breadth / cells[1]);
+}
+
+int ElasticPlate::elements() const {
+    if (mesh) return static_cast<int>(mesh->quads.size());
+    return two_dimensional() ? cells[0] : cells[0] * cells[1];
+}
+
+Vec3 ElasticPlate::centre() const {
+    if (!mesh) return middle;
+    Vec3 low = mesh->nodes.front(), high = low;
+    for (const Vec3& x : mesh->nodes) low = low.cwiseMin(x), high = high.cwiseMax(x);
+    return placed((low + high) / 2);
 }
 
 /// Bow up: the low end of the plate's own x axis rises.
@@ -68,7 +104,19 @@ std::string ElasticPlate::supports() const {
     return out.empty() ? "free" : out;
 }
 
+double ElasticPlate::first_period() const {
+    ElasticPlate held = *this;  // a frame's own motions strain nothing
+    if (!carried.empty()) held.locked.fill(true);
+    const structure::Shell shell = shell_of(held, strip());
+    return structure::first_period(shell, freedoms_of(held, shell, strip()));
+}
+
 structure::Shell shell_of(const ElasticPlate& plate, double width) {
+    if (plate.mesh) {
+        structure::ShellMesh mesh = *plate.mesh;
+        for (Vec3& x : mesh.nodes) x = plate.placed(x);
+        return structure::Shell(std::move(mesh), structure::Laminate(plate.plies), plate.turned(Vec3::UnitX()));
+    }
     const Lattice lattice(plate, width);
     structure::ShellMesh mesh =
         structure::plate_mesh(lattice.nx * lattice.dx, lattice.ny * lattice.dy, lattice.nx, lattice.ny);
@@ -78,19 +126,22 @@ structure::Shell shell_of(const ElasticPlate& plate, double width) {
 }
 
 structure::Freedoms freedoms_of(const ElasticPlate& plate, const structure::Shell& shell, double width) {
-    const Lattice lattice(plate, width);
-    structure::Freedoms freedoms(shell.mesh().nodes, 6);
+    const structure::ShellMesh& mesh = shell.mesh();
+    structure::Freedoms freedoms(mesh.nodes, 6);
+    const std::vector<bool> clamped = supported(plate, plate.clamped, mesh, width),
+                            carried = supported(plate, plate.carried, mesh, width),
+                            hinged = supported(plate, plate.hinged, mesh, width);
     structure::RigidPart frame;
     double own = 0;
-    for (int n = 0; n < static_cast<int>(shell.mesh().nodes.size()); ++n) {
+    for (int n = 0; n < static_cast<int>(mesh.nodes.size()); ++n) {
         const int node[] = {n};
-        const Vec3 x = lattice.place(n);
+        const auto k = static_cast<std::size_t>(n);
         own += shell.mass()[6 * n];
-        if (beyond(plate, plate.clamped, x))
+        if (clamped[k])
             freedoms.clamp(node);
-        else if (beyond(plate, plate.carried, x))
+        else if (carried[k])
             frame.nodes.push_back(n);
-        else if (beyond(plate, plate.hinged, x))
+        else if (hinged[k])
             freedoms.hinge(node);
         if (plate.two_dimensional()) freedoms.hold(node, {1, 3, 5});
     }
@@ -102,9 +153,9 @@ structure::Freedoms freedoms_of(const ElasticPlate& plate, const structure::Shel
                         "together",
                         own / width));
     // a ring over the carried edges
-    frame.centre = plate.middle;
+    frame.centre = plate.centre();
     for (const int n : frame.nodes) {
-        const Vec3 r = shell.mesh().nodes[static_cast<std::size_t>(n)] - frame.centre;
+        const Vec3 r = mesh.nodes[static_cast<std::size_t>(n)] - frame.centre;
         frame.inertia += frame.mass / static_cast<double>(frame.nodes.size()) *
                          (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
     }

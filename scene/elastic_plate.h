@@ -1,11 +1,13 @@
 #pragma once
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/vec3.h"
 #include "structure/laminate.h"
+#include "structure/mesh.h"
 
 namespace tw {
 namespace structure {
@@ -23,13 +25,16 @@ struct ElasticGauge {
 
 /// An elastic rectangular plate: its mid-surface about `middle`, its own x and y along length and breadth, turned by
 /// `trim` about the earth's y axis (bow up, the bow at its low x). In two dimensions a strip that bends in the plane.
+/// Or any shell by its mesh, in the same axes.
 struct ElasticPlate {
-    double length = 0, breadth = 0;  ///< between its edges [m]
-    std::array<int, 2> cells{};      ///< along and across
+    double length = 0, breadth = 0;  ///< between its edges, of a mesh those of the box about it [m]
+    std::array<int, 2> cells{};      ///< along and across; of a mesh none
+    /// From a file, as it lies there [m]; null: the rectangle. Supports then name its node sets.
+    std::shared_ptr<const structure::ShellMesh> mesh;
     std::vector<structure::Ply> plies;
     Vec3 middle = Vec3::Zero();
     double trim = 0;                                    ///< [rad]
-    std::vector<std::string> clamped, hinged, carried;  ///< edges: x_min, x_max, y_min, y_max
+    std::vector<std::string> clamped, hinged, carried;  ///< edges x_min, x_max, y_min, y_max, or node sets
     double total_mass = 0;                              ///< of plate and carrying frame; 0: no frame [kg]
     std::array<bool, 6> locked{};                       ///< freedoms of the frame
     Vec3 velocity = Vec3::Zero();                       ///< at the start [m/s]
@@ -39,13 +44,16 @@ struct ElasticPlate {
     std::string coupling = "pressure";  ///< pressure, penalty or background: how it and the water meet
     std::string contact = "linear";     ///< law of a penalty contact: linear, nonlinear or adaptive
     double contact_factor = 0.01;       ///< of its stiffness
+    int coupling_iterations = 1;        ///< of water and plate in each step
     double damping = 0;                 ///< [1/s]
     double largest_step = 0;            ///< of the structure [s]; 0: the water's
     std::vector<ElasticGauge> gauges;
 
     double thickness() const { return structure::Laminate(plies).thickness(); }
     bool two_dimensional() const { return breadth == 0; }
-    double cell() const;  ///< the larger edge of its elements [m]
+    double cell() const;   ///< the longest edge of its elements [m]
+    int elements() const;  ///< between its edges
+    Vec3 centre() const;   ///< of the box about it, as it stands at the start [m]
     /// Where a place of the flat plate about its middle stands, and directions [m].
     Vec3 placed(const Vec3& x) const { return middle + turned(x); }
     Vec3 turned(const Vec3& v) const;
@@ -53,6 +61,7 @@ struct ElasticPlate {
     /// far from the plane. Else 1 [m].
     double strip() const { return two_dimensional() ? 4 * (length + 2 * margin + skin) : 1; }
     std::string supports() const;  ///< in words
+    double first_period() const;   ///< of the lowest mode that strains it, its frame at rest, in vacuum [s]
 };
 
 /// The plate as it stands at the start, in two dimensions as a strip of this width [m]. Throws InputError: see

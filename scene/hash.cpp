@@ -76,6 +76,14 @@ void add_plate(Lines& t, const ElasticPlate& plate, bool sizes) {
                     double(plate.large_rotations), plate.damping, plate.largest_step})
         .add("middle", plate.middle)
         .add("supports", plate.supports());
+    if (plate.mesh) {
+        for (const Vec3& x : plate.mesh->nodes) t.add("node", x);
+        for (const auto& q : plate.mesh->quads) t.add("quad", {double(q[0]), double(q[1]), double(q[2]), double(q[3])});
+        for (const auto* names : {&plate.clamped, &plate.hinged, &plate.carried})
+            for (const std::string& name : *names)
+                for (const int n : plate.mesh->sets.at(name)) t.add("supported", {double(n)});
+    }
+    if (plate.coupling_iterations > 1) t.add("coupling_iterations", {double(plate.coupling_iterations)});
     if (plate.coupling != "pressure") t.add("coupling", plate.coupling);
     if (plate.coupling == "penalty") t.add("contact", plate.contact).add("contact_factor", {plate.contact_factor});
     if (sizes) t.add("skin", {plate.skin, plate.margin});

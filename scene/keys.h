@@ -43,7 +43,7 @@ struct SceneKey {
         text,     ///< text in quotes
         name,     ///< letters, digits and '_', beginning with a letter
         choice,   ///< one of `choices`
-        choices,  ///< list of some of `choices`
+        choices,  ///< list of some of `choices`; of names where there are none
         pair,     ///< [low, high] with low < high
         place2,   ///< [x, y]
         place3,   ///< [x, y, z]

@@ -1,12 +1,15 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "base/errors.h"
 #include "meshes/mass_properties.h"
+#include "meshes/surface.h"
 #include "scene/read.h"
 #include "structure/freedoms.h"
 #include "structure/material.h"
+#include "structure/read_mesh.h"
 #include "structure/shell/gauge.h"
 #include "structure/shell/skin.h"
 
@@ -63,10 +66,62 @@ std::vector<structure::Ply> read_section(Section& s, const Materials& materials)
     return {{material, 0, *t}};
 }
 
+void read_rectangle(Section& s, int dimensions, ElasticPlate& plate) {
+    const auto size = s.numbers("plate");
+    const auto cells = s.numbers("cells");
+    if (!size) s.fail("plate", "missing; an elastic plate needs its length and breadth, or a mesh");
+    if (!cells) s.fail("cells", "missing; an elastic plate needs its number of elements along and across");
+    if (!((*size)[0] > 0 && (*size)[1] > 0)) s.fail("plate", "has no area; expected [length, breadth] above zero");
+    plate.length = (*size)[0], plate.breadth = dimensions == 2 ? 0 : (*size)[1];
+    for (std::size_t k = 0; k < 2; ++k) {
+        plate.cells[k] = static_cast<int>((*cells)[k]);
+        if (plate.cells[k] != (*cells)[k] || plate.cells[k] < 1 || plate.cells[k] > 1000)
+            s.fail("cells", fmt::format("{} elements; expected whole numbers from 1 to 1000", (*cells)[k]));
+    }
+}
+
+void read_shell_mesh(Section& s, int dimensions, ElasticPlate& plate) {
+    const std::string name = s.text("mesh", ""), unit = s.choice("unit").value_or("m");
+    for (const char* of_rectangle : {"plate", "cells"})
+        if (s.has(of_rectangle)) s.fail(of_rectangle, "stands beside mesh, which says where the plate lies; keep one");
+    if (dimensions == 2) s.fail("mesh", "meshes are of three dimensions; expected plate and cells");
+    const std::filesystem::path path =
+        s.from_option("mesh") ? std::filesystem::path(name) : s.file().parent_path() / name;
+    try {
+        structure::MeshFile file = structure::read_mesh(path, metres_per(unit));
+        if (file.shell.quads.empty())
+            s.fail("mesh", path.string() + " holds hexahedra alone; expected the quadrilaterals of a mid-surface");
+        Vec3 low = file.shell.nodes.front(), high = low;
+        for (const Vec3& x : file.shell.nodes) low = low.cwiseMin(x), high = high.cwiseMax(x);
+        plate.length = high.x() - low.x(), plate.breadth = high.y() - low.y();
+        plate.mesh = std::make_shared<const structure::ShellMesh>(std::move(file.shell));
+    } catch (const InputError& e) {
+        if (std::string(e.what()).starts_with(s.file().string() + ":")) throw;
+        s.fail("mesh", e.what());
+    }
+}
+
+/// Names the edges of a rectangle, or node sets of a mesh.
+void check_edge(Section& s, const char* key, const std::string& edge, const ElasticPlate& plate) {
+    static constexpr const char* edges[] = {"x_min", "x_max", "y_min", "y_max"};
+    if (!plate.mesh) {
+        if (std::ranges::find(edges, edge) == std::end(edges))
+            s.fail(key, fmt::format("'{}' is not known; expected a list of: {}", edge, fmt::join(edges, ", ")));
+        return;
+    }
+    if (plate.mesh->sets.contains(edge)) return;
+    std::vector<std::string> known;
+    for (const auto& [name, nodes] : plate.mesh->sets) known.push_back(name);
+    s.fail(key, fmt::format("'{}' is no node set of the mesh; it has: {}", edge,
+                            known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "))));
+}
+
 void read_supports(Section& s, ElasticPlate& plate) {
     for (const auto& [key, edges] :
-         {std::pair{"clamped", &plate.clamped}, {"hinged", &plate.hinged}, {"carried", &plate.carried}})
+         {std::pair{"clamped", &plate.clamped}, {"hinged", &plate.hinged}, {"carried", &plate.carried}}) {
         *edges = s.choices(key).value_or(std::vector<std::string>{});
+        for (const std::string& edge : *edges) check_edge(s, key, edge, plate);
+    }
     for (const auto* edges : {&plate.clamped, &plate.hinged, &plate.carried})
         for (const std::string& edge : *edges) {
             const auto times = [&](const std::vector<std::string>& of) { return std::ranges::count(of, edge); };
@@ -104,17 +159,10 @@ std::vector<std::optional<ElasticPart>> read_elastic(std::vector<Section>& bodie
             continue;
         }
         ElasticPlate& plate = std::get<ElasticPlate>(parts[b].emplace());
-        const auto size = s.numbers("plate");
-        const auto cells = s.numbers("cells");
-        if (!size) s.fail("plate", "missing; an elastic plate needs its length and breadth");
-        if (!cells) s.fail("cells", "missing; an elastic plate needs its number of elements along and across");
-        if (!((*size)[0] > 0 && (*size)[1] > 0)) s.fail("plate", "has no area; expected [length, breadth] above zero");
-        plate.length = (*size)[0], plate.breadth = dimensions == 2 ? 0 : (*size)[1];
-        for (std::size_t k = 0; k < 2; ++k) {
-            plate.cells[k] = static_cast<int>((*cells)[k]);
-            if (plate.cells[k] != (*cells)[k] || plate.cells[k] < 1 || plate.cells[k] > 1000)
-                s.fail("cells", fmt::format("{} elements; expected whole numbers from 1 to 1000", (*cells)[k]));
-        }
+        if (s.has("mesh"))
+            read_shell_mesh(s, dimensions, plate);
+        else
+            read_rectangle(s, dimensions, plate);
         plate.plies = read_section(s, materials);
         plate.middle = s.vector("middle").value_or(Vec3::Zero());
         if (dimensions == 2 && plate.middle.y() != 0)
@@ -135,6 +183,7 @@ std::vector<std::optional<ElasticPart>> read_elastic(std::vector<Section>& bodie
             s.fail("coupling", "nodes stand beside the plane of two dimensions; expected \"pressure\" or \"penalty\"");
         plate.damping = s.number("damping", 0.0);
         plate.largest_step = s.number("structure_step", 0.0);
+        plate.coupling_iterations = s.whole("coupling_iterations").value_or(plate.coupling_iterations);
     }
     for (std::size_t g = 0; g < gauges.size(); ++g) {
         Section& s = gauges[g];
@@ -174,7 +223,7 @@ void stand_elastic(MovingBody& body, double dp, Section& s) {
     ElasticPlate& plate = std::get<ElasticPlate>(*body.elastic);
     const double thickness = plate.thickness();
     if (plate.skin == 0) plate.skin = std::max(thickness, 6 * dp);
-    if (plate.margin < 0) plate.margin = 4 * dp;
+    if (plate.margin < 0) plate.margin = plate.mesh ? 0 : 4 * dp;
     if (plate.skin < thickness)
         s.fail("skin", fmt::format("is thinner than the plate, {:.4g} m; expected no less", thickness));
     try {
@@ -190,7 +239,7 @@ void stand_elastic(MovingBody& body, double dp, Section& s) {
         for (int n = 0; 6 * n < shell.freedoms(); ++n) own += shell.mass()[6 * n];
         m.mass.mass = plate.total_mass > 0 ? plate.total_mass : own;
         const RigidMass uniform = solid_mass(body.surface, 1);
-        m.mass.centre = plate.middle;
+        m.mass.centre = plate.centre();
         m.mass.inertia = m.mass.mass / uniform.mass * uniform.inertia;
         m.velocity = plate.velocity;
         for (std::size_t a = 0; a < 3; ++a) {
@@ -205,13 +254,13 @@ void stand_elastic(MovingBody& body, double dp, Section& s) {
                                  fmt::format("elements of {:.3g} m, {:.2g} particle spacings: water of one element "
                                              "pushes as a whole; expected at most 4",
                                              plate.cell(), plate.cell() / dp),
-                                 plate.middle});
+                                 plate.centre()});
     if (plate.skin > thickness * 1.01)
         body.findings.push_back({Finding::Level::note, "thick_skin",
                                  fmt::format("the water sees a surface of {:.4g} m about the plate of {:.4g} m: its "
                                              "faces stand {:.4g} m further out than the plate's",
                                              plate.skin, thickness, (plate.skin - thickness) / 2),
-                                 plate.middle});
+                                 plate.centre()});
 }
 
 }  // namespace tw

@@ -23,7 +23,9 @@ std::string accepted(const SceneKey& key) {
         case Kind::text: return "text";
         case Kind::name: return "name (letters, digits, `_`)";
         case Kind::choice: return fmt::format("`\"{}\"`", fmt::join(key.choices, "\"`, `\""));
-        case Kind::choices: return fmt::format("list of `\"{}\"`", fmt::join(key.choices, "\"`, `\""));
+        case Kind::choices:
+            if (key.choices.empty()) return "list of names";
+            return fmt::format("list of `\"{}\"`", fmt::join(key.choices, "\"`, `\""));
         case Kind::pair: return "[low, high]" + unit;
         case Kind::place2: return "[x, y]" + unit;
         case Kind::place3: return "[x, y, z]" + unit;
@@ -76,7 +78,8 @@ std::string effects_section(const SceneSection& section) {
 
 std::string shapes_section() {
     std::string out =
-        "## Shapes\n\nParametric shapes for `[hull]`, `[[obstacle]]` and `[[body]]`. The parameters stand as keys beside "
+        "## Shapes\n\nParametric shapes for `[hull]`, `[[obstacle]]` and `[[body]]`. The parameters stand as keys "
+        "beside "
         "`shape`.\n";
     for (const HullShape& shape : hull_shapes()) {
         out += fmt::format("\n### `{}`\n\n{}\n\n| key | value | default | meaning |\n|---|---|---|---|\n", shape.name,

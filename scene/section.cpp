@@ -179,10 +179,12 @@ std::optional<std::vector<std::string>> Section::choices(const std::string& key)
     const SceneValue* value = ask(key);
     if (!value) return {};
     std::vector<std::string> words;
-    if (value->kind != SceneValue::Kind::list || value->list.empty()) fail(key, "expected a list of: " + joined(known));
+    const std::string expected = "expected a list of" + (known.empty() ? " names in quotes" : ": " + joined(known));
+    if (value->kind != SceneValue::Kind::list || value->list.empty()) fail(key, expected);
     for (const SceneValue& item : value->list) {
-        if (item.kind != SceneValue::Kind::text || std::ranges::find(known, item.text) == known.end())
-            fail(key, item.shown() + " is not known; expected a list of: " + joined(known));
+        if (item.kind != SceneValue::Kind::text ||
+            (!known.empty() && std::ranges::find(known, item.text) == known.end()))
+            fail(key, item.shown() + " is not known; " + expected);
         if (std::ranges::find(words, item.text) == words.end()) words.push_back(item.text);
     }
     return words;

@@ -106,8 +106,8 @@ std::string plate_text(const MovingBody& b, const Scene& scene) {
                  spring = 2 * dp / (scene.sph.c0 * std::sqrt(scene.water.density * dp / laminate.areal_mass()));
     std::string out = fmt::format(
         "  elastic   {} elements of at most {:.3g} m, {:.4g} kg/m2, D11 {:.4g}, D22 {:.4g} N m; {}; {} rotations\n",
-        p.two_dimensional() ? p.cells[0] : p.cells[0] * p.cells[1], p.cell(), laminate.areal_mass(), laminate.D()(0, 0),
-        laminate.D()(1, 1), p.supports(), p.large_rotations ? "large" : "small");
+        p.elements(), p.cell(), laminate.areal_mass(), laminate.D()(0, 0), laminate.D()(1, 1), p.supports(),
+        p.large_rotations ? "large" : "small");
     if (p.total_mass > 0)
         out += fmt::format("  mass      {:.5g} {} with the frame; at the start {} m/s\n", p.total_mass,
                            scene.spanwise_unit("kg"), place(p.velocity));

@@ -94,6 +94,7 @@ Coupling coupling_of(const ElasticPlate& plate) {
             : plate.contact == "adaptive" ? Coupling::Law::adaptive
                                           : Coupling::Law::linear;
     c.factor = plate.contact_factor;
+    c.iterations = plate.coupling_iterations;
     return c;
 }
 

@@ -53,6 +53,7 @@ Simulation::Simulation(const SimulationSetup& setup, std::span<const Fluid> flui
         if ((*bodies_)[b].fixed()) continue;
         if (ElasticBody* elastic = (*bodies_)[b].elastic()) {
             elastic->set_water(setup.rho0, setup.dp, setup.state_equation.c0);
+            coupling_iterations_ = std::max(coupling_iterations_, elastic->setup().coupling.iterations);
             continue;
         }
         WaterShell shell = this->finest().walls().shell(b, setup.rho0);
@@ -93,6 +94,11 @@ void Simulation::step() {
     gather_loads();
     choose_time_step();
     const Schedule::Move move = schedule_.move(before, dt());
+    for (int k = 1; k < coupling_iterations_; ++k) {
+        rehearse_bodies(move);
+        press(time() + after);
+        gather_loads();
+    }
     const std::vector<Load> pressed = level(0).walls().loads;
     move_bodies(move);
     for (const auto& level : schedule_.due(levels_)) level->advance(move, setup_.moment_reference);
@@ -110,13 +116,26 @@ void Simulation::refuse_contact() const {
                         contact, time(), steps()));
 }
 
+void Simulation::push(ElasticBody& elastic, std::size_t b) {
+    level(0).walls().push(elastic, b, forces_on_dummies(level(0), b));
+    for (const Walls::Contact& c : level(0).walls().contacts)
+        if (c.body == b) elastic.press(c.triangle, c.place, c.force);
+}
+
+void Simulation::rehearse_bodies(const Schedule::Move& move) {
+    for (std::size_t b = 0; b < bodies_->size(); ++b) {
+        ElasticBody* elastic = (*bodies_)[b].elastic();
+        if (!elastic || elastic->setup().coupling.iterations == 1) continue;
+        push(*elastic, b);
+        elastic->rehearse(move.kick, move.drift, setup_.gravity);
+    }
+}
+
 void Simulation::move_bodies(const Schedule::Move& move) {
     for (std::size_t b = 0; b < bodies_->size(); ++b) {
         Body& body = (*bodies_)[b];
         if (ElasticBody* elastic = body.elastic()) {
-            level(0).walls().push(*elastic, b, forces_on_dummies(level(0), b));
-            for (const Walls::Contact& c : level(0).walls().contacts)
-                if (c.body == b) elastic->press(c.triangle, c.place, c.force);
+            push(*elastic, b);
             elastic->advance(move.kick, 2 * move.drifted, move.drift, setup_.gravity);
             continue;
         }
@@ -197,7 +216,11 @@ void Simulation::evaluate(double t, double compress, double drift) {
         level->first_sweep(t, compress, drift, other);
     }
     for (Body& body : *bodies_) body.drift(drift);
-    for (const auto& level : due) level->second_sweep(t);
+    press(t);
+}
+
+void Simulation::press(double t) {
+    for (const auto& level : schedule_.due(levels_)) level->second_sweep(t);
     for (LevelPair& pair : pairs_) pair.press(t);
 }
 

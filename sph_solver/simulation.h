@@ -114,11 +114,17 @@ private:
     /// Both sweeps at the present state of all levels, as of the time `t`. On the way the density changes for the time
     /// `compress` by the continuity equation, and the places for `drift` [s].
     void evaluate(double t, double compress, double drift);
+    /// Its second sweep: pressures on walls, and forces.
+    void press(double t);
     void step_in_stages();
     /// A step of level k, then two of the next finer one. `dt`: given by the coarser level; 0: to be chosen.
     void step_level(std::size_t k, double dt);
     void gather_loads();
     void take_loads();
+    /// Hands the water's forces of the last evaluation to an elastic body.
+    void push(ElasticBody& elastic, std::size_t body);
+    /// Lets elastic bodies that ask for it try the step and hand over their acceleration (ElasticBody::rehearse).
+    void rehearse_bodies(const Schedule::Move& move);
     /// Lets the water of the last evaluation kick the bodies, and moves them on.
     void move_bodies(const Schedule::Move& move);
     /// Throws RunError where a body touches another solid.
@@ -139,6 +145,7 @@ private:
     std::vector<LevelPair> pairs_;
     std::vector<Refinement> refinements_;  // the k-th joins levels k and k + 1
     std::optional<Contacts> contacts_;     // where a body moves
+    int coupling_iterations_ = 1;          // the most that an elastic body asks for
     std::vector<Load> loads_;
     /// Time integrals of the loads by each level of water in the present step [N s], and their time [s].
     struct LevelLoads {

@@ -16,6 +16,10 @@ namespace tw {
 ///
 ///   mass drift             |Refinement::mass_drift|                  0.5 % (a warning)
 ///   orphans                of the guards and parents of an edge      1 % (a warning)
+///
+/// and, with elastic bodies,
+///
+///   energy made            ElasticBody::energy_made_lately           50 % (a warning: unstable by its added mass)
 void watch_stability(const Simulation& simulation, RunRecord& record);
 
 }  // namespace tw

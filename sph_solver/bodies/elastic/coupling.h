@@ -10,6 +10,12 @@ struct Coupling {
         background  ///< by the nodes of the wet faces as particles that the water alone sees, with its pressure
     } kind = Kind::pressure;
 
+    /// How often water and body answer each other in each step (ElasticBody::rehearse).
+    int iterations = 1;
+    /// Whether the water feels relaxed accelerations (elastic_body.h). Without it the scheme is the conventional staggered
+    /// one, which a body lighter than the water that moves with it makes unstable.
+    bool relaxed = true;
+
     // of penalty alone
     /// How the force F grows with the penetration g, over k g, where `s = g / reach`:
     enum class Law {

@@ -140,7 +140,7 @@ void ElasticBody::set_water(double rho0, double dp, double c0) {
         for (const int n : part.nodes) ratio[static_cast<std::size_t>(n)] = rho0 * dp * area / carried;
     }
     lightest_ = *std::ranges::max_element(ratio);
-    for (std::size_t k = 0; k < nodes_.size(); ++k) relaxation_[k] = 1 / (1 + ratio[k]);
+    for (std::size_t k = 0; k < nodes_.size(); ++k) relaxation_[k] = setup_->coupling.relaxed ? 1 / (1 + ratio[k]) : 1;
     const Coupling& coupling = setup_->coupling;
     if (coupling.kind == Coupling::Kind::penalty)  // omega^2 of a particle and of the lightest node on the contact
         contact_step_ =
@@ -188,23 +188,40 @@ void ElasticBody::relax(const VectorXd& acceleration) {
     }
 }
 
-void ElasticBody::advance(double dt, double felt, double drift, const Vec3& gravity) {
+VectorXd ElasticBody::load_of(const VectorXd& water, const Vec3& gravity) const {
     const structure::Freedoms& freedoms = setup_->freedoms;
-    const VectorXd water = force_ + impulses_ / dt;
     VectorXd load = water;
     const VectorXd& mass = structure_->mass();
     for (std::size_t k = 0; k < nodes_.size(); ++k) load.segment<3>(first_of(k)) += mass[first_of(k)] * gravity;
     for (std::size_t p = 0; p < freedoms.parts().size(); ++p)
         load.segment<3>(freedoms.first_of_part(static_cast<int>(p))) += freedoms.parts()[p].mass * gravity;
     if (setup_->damping > 0) load -= setup_->damping * (freedoms.mass(mass) * v_);
+    return load;
+}
+
+void ElasticBody::rehearse(double dt, double drift, const Vec3& gravity) {
+    const std::vector<double> now = structure_->state();
+    structure_->step(dt, drift, load_of(force_ + impulses_ / dt, gravity));
+    relax((structure_->velocity() - v_) / dt);
+    structure_->restore(now);
+    force_.setZero();
+    power_ = 0;
+}
+
+void ElasticBody::advance(double dt, double felt, double drift, const Vec3& gravity) {
+    const VectorXd water = force_ + impulses_ / dt;
     const VectorXd before = v_;
-    const VectorXd change = structure_->step(dt, drift, load);
+    const VectorXd change = structure_->step(dt, drift, load_of(water, gravity));
     u_ = structure_->displacement();
     v_ = structure_->velocity();
     const double taken = water.dot(change);
+    const double given = felt / 2 * (power_before_ + power_) + impulses_.dot(before);
     work_taken_ += taken;
     work_exchanged_ += std::abs(taken);
-    work_given_ += felt / 2 * (power_before_ + power_) + impulses_.dot(before);
+    work_given_ += given;
+    constexpr double kept = 15. / 16;
+    made_lately_ = kept * made_lately_ + taken - given;
+    exchanged_lately_ = kept * exchanged_lately_ + std::abs(taken);
     power_before_ = force_.dot(v_);
     for (std::size_t k = 0; k < nodes_.size(); ++k) impulse_ += dt * water.segment<3>(first_of(k));
     last_acceleration_ = (v_ - before) / dt;
@@ -213,6 +230,11 @@ void ElasticBody::advance(double dt, double felt, double drift, const Vec3& grav
     impulses_.setZero();
     power_ = 0;
     note_nodes(0);
+}
+
+double ElasticBody::energy_made_lately() const {
+    const double exchanged = std::max(exchanged_lately_, 0.01 * work_exchanged_);
+    return exchanged > 0 ? std::abs(made_lately_) / exchanged : 0;
 }
 
 bool ElasticBody::meets_floor() const {
@@ -235,8 +257,8 @@ std::vector<double> ElasticBody::state() const {
     std::vector<double> all;
     for (const VectorXd* part : {&accelerations_, &last_acceleration_, &impulses_})
         all.insert(all.end(), part->begin(), part->end());
-    all.insert(all.end(),
-               {power_before_, work_taken_, work_given_, work_exchanged_, impulse_.x(), impulse_.y(), impulse_.z()});
+    all.insert(all.end(), {power_before_, work_taken_, work_given_, work_exchanged_, impulse_.x(), impulse_.y(),
+                           impulse_.z(), made_lately_, exchanged_lately_});
     const std::vector<double> own = structure_->state();
     all.insert(all.end(), own.begin(), own.end());
     return all;
@@ -251,9 +273,10 @@ void ElasticBody::restore(std::span<const double> state) {
     };
     for (VectorXd* part : {&accelerations_, &last_acceleration_, &impulses_})
         std::ranges::copy(next(static_cast<std::size_t>(part->size())), part->begin());
-    const auto sums = next(7);
+    const auto sums = next(9);
     power_before_ = sums[0], work_taken_ = sums[1], work_given_ = sums[2], work_exchanged_ = sums[3];
     impulse_ = Vec3(sums[4], sums[5], sums[6]);
+    made_lately_ = sums[7], exchanged_lately_ = sums[8];
     structure_->restore(state.subspan(at));
     u_ = structure_->displacement();
     v_ = structure_->velocity();

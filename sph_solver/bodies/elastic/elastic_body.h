@@ -12,6 +12,9 @@
 
 namespace tw {
 
+/// Energy made lately at the interface, of that exchanged, beyond which a run's interface is not trusted [-].
+inline constexpr double trusted_interface_energy = 0.5;
+
 /// A shell or a solid in the water: how it moves under what its dummies hand to it, and how they follow it.
 ///
 /// A point of the body hangs on the foot of its perpendicular on the shell, or on the wet faces of the solid, with the
@@ -77,6 +80,10 @@ public:
     void press(int triangle, const Vec3& x, const Vec3& force);
     /// An impulse [N s] by the place `x` on a triangle of the surface; likewise.
     void strike(int triangle, const Vec3& x, const Vec3& impulse);
+    /// Makes the step that `advance` would make, takes it back, and hands over the relaxed acceleration that it had: the
+    /// forces on the body are then found anew. So water and body answer each other again within one step; each time the
+    /// error of that acceleration falls by 1 - theta (1 + c rho0 dp A/m), see above.
+    void rehearse(double dt, double drift, const Vec3& gravity);
     /// `felt`: for how long the water has been compressed with the velocities that the dummies had till now; `drift`: how
     /// far the next evaluation looks ahead [s].
     void advance(double dt, double felt, double drift, const Vec3& gravity);
@@ -92,7 +99,10 @@ public:
     double work_taken() const { return work_taken_; }
     double work_given() const { return work_given_; }
     double work_exchanged() const { return work_exchanged_; }  ///< the sum of the magnitudes, step by step
-    bool meets_floor() const;                                  ///< whether its contact with the tank's floor is solved
+    /// The same over the last sixteen steps or so, over the work exchanged in them or, if larger, a hundredth of all: water
+    /// and body that throw their accelerations to and fro (added mass) make as much energy as they exchange [-].
+    double energy_made_lately() const;
+    bool meets_floor() const;  ///< whether its contact with the tank's floor is solved
     double floor_force() const { return structure_->floor_force(); }  ///< of a rigid floor that it meets, upward [N]
     const Vec3& impulse() const { return impulse_; }                  ///< of the water's forces so far [N s]
     Vec3 deflection(std::size_t point) const;                         ///< [m]
@@ -111,6 +121,7 @@ private:
     void note_nodes(double ahead);
     Vec3 barycentric(int triangle, const Vec3& x) const;
     void relax(const Eigen::VectorXd& acceleration);
+    Eigen::VectorXd load_of(const Eigen::VectorXd& water, const Vec3& gravity) const;
     /// Of a node's freedoms.
     Eigen::Index first_of(std::size_t node) const {
         return static_cast<Eigen::Index>(node) * setup_->freedoms.per_node();
@@ -138,6 +149,7 @@ private:
     double dp_ = 0, c0_ = 0;
     double contact_step_ = HUGE_VAL;  ///< half of what a penalty contact allows [s]
     double work_taken_ = 0, work_given_ = 0, work_exchanged_ = 0;
+    double made_lately_ = 0, exchanged_lately_ = 0;  ///< [J]
     Vec3 impulse_ = Vec3::Zero();
 };
 

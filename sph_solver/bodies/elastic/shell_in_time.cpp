@@ -4,10 +4,10 @@
 #include <cmath>
 #include <Eigen/Geometry>
 #include <functional>
-#include <limits>
 #include <stdexcept>
 
 #include "base/errors.h"
+#include "structure/shell/shell_place.h"
 #include "structure/shell/skin.h"
 #include "structure/time/generalised_alpha.h"
 #include "structure/time/nonlinear_alpha.h"
@@ -88,19 +88,10 @@ public:
     double step_within(double dt) const override { return std::exp2(std::floor(4 * std::log2(dt)) / 4); }
 
     Tie tie(const Vec3& at_start) const override {
-        const auto& elements = shell_.elements();
-        double nearest = std::numeric_limits<double>::max();
-        std::size_t element = 0;
-        Eigen::Vector2d at = Eigen::Vector2d::Zero();
-        for (std::size_t e = 0; e < elements.size(); ++e) {
-            const Eigen::Vector2d within = elements[e].coordinates(at_start).cwiseMax(-1).cwiseMin(1);
-            const double distance = (elements[e].place(within[0], within[1]) - at_start).squaredNorm();
-            if (distance < nearest) nearest = distance, element = e, at = within;
-        }
+        const structure::ShellPlace place = structure::nearest_place(shell_, at_start);
         Tie tie;
-        tie.nodes = shell_.mesh().quads[element];
-        tie.shares = {(1 - at[0]) * (1 - at[1]) / 4, (1 + at[0]) * (1 - at[1]) / 4, (1 + at[0]) * (1 + at[1]) / 4,
-                      (1 - at[0]) * (1 + at[1]) / 4};
+        tie.nodes = shell_.mesh().quads[static_cast<std::size_t>(place.element)];
+        tie.shares = place.shares();
         tie.arm = at_start;
         for (std::size_t i = 0; i < 4; ++i)
             tie.arm -= tie.shares[i] * shell_.mesh().nodes[static_cast<std::size_t>(tie.nodes[i])];
@@ -145,7 +136,7 @@ public:
           }) {
         Integrator& any = steppers_.of(no_step);
         const VectorXd none = VectorXd::Zero(setup.freedoms.all());
-        any.start(none, velocities_at_start(setup), none);
+        any.start(none, setup.freedoms.translation(setup.velocity), none);
         state_ = any.state();
     }
 
@@ -189,7 +180,7 @@ public:
           M_(setup.freedoms.mass(shell_.mass())),
           steppers_([this, &setup](double dt) { return std::make_unique<Integrator>(shell_, setup.freedoms, dt); }) {
         Integrator& any = steppers_.of(no_step);
-        any.start(velocities_at_start(setup), VectorXd::Zero(setup.freedoms.all()));
+        any.start(setup.freedoms.translation(setup.velocity), VectorXd::Zero(setup.freedoms.all()));
         state_ = any.state();
     }
 

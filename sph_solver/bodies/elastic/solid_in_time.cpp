@@ -27,7 +27,7 @@ public:
             for (const int n : part.nodes) carried_[static_cast<std::size_t>(n)] = true;
         if (solid_.floor) floor_.emplace(solid_.solid, solid_.wet, solid_.floor->height, solid_.floor->stiffness);
         time_.set_displacement(freedoms_.widened(solid_.start));
-        time_.set_velocity(velocities_at_start(setup));
+        time_.set_velocity(setup.freedoms.translation(setup.velocity));
         at_end_ = time_.displacement();
         shown_ = time_.velocity();
         const double own = 2 / solid_.solid.explicit_step(solid_.start),

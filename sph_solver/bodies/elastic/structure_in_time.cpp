@@ -18,10 +18,4 @@ Surface skin_of(const ElasticSetup& setup) {
     return structure::Skin(setup.shell().shell, setup.shell().skin).reference();
 }
 
-Eigen::VectorXd velocities_at_start(const ElasticSetup& setup) {
-    Eigen::VectorXd v = Eigen::VectorXd::Zero(setup.freedoms.all());
-    for (int first = 0; first < v.size(); first += setup.freedoms.per_node()) v.segment<3>(first) = setup.velocity;
-    return v;
-}
-
 }  // namespace tw

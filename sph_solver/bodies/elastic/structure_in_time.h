@@ -56,7 +56,4 @@ std::unique_ptr<StructureInTime> structure_in_time(const ElasticSetup& setup);
 /// The surface that the water sees at the start.
 Surface skin_of(const ElasticSetup& setup);
 
-/// The setup's velocity, of all freedoms.
-Eigen::VectorXd velocities_at_start(const ElasticSetup& setup);
-
 }  // namespace tw

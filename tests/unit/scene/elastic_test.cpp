@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/atomic_file.h"
 #include "base/errors.h"
 #include "scene/hash.h"
 #include "scene/mesh_motion.h"
@@ -60,6 +61,41 @@ TEST(ElasticScene, RefusesWhatIsNoPlate) {
     EXPECT_EQ(complaint(unsupported), "") << "a plate with a velocity may fly";
     EXPECT_NE(complaint(with(unsupported, "velocity = [0, 0, \"-2 m/s\"]\n", "")).find("neither support nor frame"),
               std::string::npos);
+}
+
+/// The sheet of a file is the rectangle of the same elements, to the bit of its mass.
+TEST(ElasticScene, TakesItsMeshFromAFile) {
+    write_text_atomically(scratch() / "sheet.inp", sheet_mesh(0.2));
+    const std::string meshed =
+        with(with(dropped, "plate = [\"0.4 m\", \"0.2 m\"]\ncells = [8, 4]", "mesh = \"sheet.inp\""),
+             "\"x_min\", \"x_max\", \"y_min\", \"y_max\"", "\"ENDS\"");
+    const std::string drawn =
+        with(with(dropped, "[8, 4]", "[4, 2]"), "\"x_min\", \"x_max\", \"y_min\", \"y_max\"", "\"x_min\", \"x_max\"");
+    const MovingBody file = scene_of(meshed).bodies.at(0), rectangle = scene_of(drawn).bodies.at(0);
+    ASSERT_TRUE(file.plate() && file.plate()->mesh);
+    EXPECT_EQ(file.plate()->elements(), 8);
+    EXPECT_LT((file.surface.bounds().size() - rectangle.surface.bounds().size()).norm(), 1e-12);
+    EXPECT_NEAR(file.plate()->first_period() / rectangle.plate()->first_period(), 1, 1e-9);
+    EXPECT_NEAR(file.plate()->cell(), rectangle.plate()->cell(), 1e-12);
+
+    const struct {
+        std::string from, to, message;
+    } wrong[] = {
+        {"sheet.inp", "none.inp", "cannot be read"},
+        {"\"ENDS\"", "\"ENDS\", \"TIP\"", "'TIP' is no node set of the mesh; it has: ENDS"},
+        {"mesh =", "plate = [1, 1]\nmesh =", "keep one"},
+        {"[motion]", "[domain]\ndimensions = 2\n[motion]", "three dimensions"},
+        {"mesh =", "unit = \"mm\"\nmesh =", "gauge strain"},
+    };
+    for (const auto& [from, to, message] : wrong) {
+        const std::string found = complaint(with(meshed, from, to));
+        EXPECT_NE(found.find(message), std::string::npos) << to << ": '" << found << "'";
+        EXPECT_EQ(found.find("scene.toml:"), 0u) << found;
+    }
+    write_text_atomically(scratch() / "sheet.inp", with(sheet_mesh(0.2), "101, 1, 2, 7, 6", "101, 1, 6, 7, 2"));
+    const std::string turned = complaint(meshed);
+    EXPECT_NE(turned.find("sheet.inp: element 102 is turned the other way than element 101"), std::string::npos)
+        << turned;
 }
 
 TEST(ElasticScene, WarnsOfElementsMuchCoarserThanTheParticles) {

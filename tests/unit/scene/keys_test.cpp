@@ -8,6 +8,7 @@
 #include "scene/hash.h"
 #include "scene/reference.h"
 #include "scene_text.h"
+#include "test_paths.h"
 
 namespace tw::test {
 namespace {
@@ -97,6 +98,10 @@ std::map<std::string, Change> changes() {
                   "[[gauge]]\nname = \"strain\"\nposition = [\"30 mm\", 0, \"0.5 m\"]\ndirection = [1, 0, 0]\n", ""),
              "carried = [\"x_min\", \"x_max\", \"y_min\", \"y_max\"]\nmass = \"5 kg\"\nvelocity = [0, 0, \"-2 m/s\"]",
              "clamped = [\"x_min\"]");
+    for (const char* name : {"a.inp", "b.inp"})
+        write_text_atomically(scratch() / name, sheet_mesh(name[0] == 'a' ? 0.2 : 0.3));
+    const std::string meshed = with(with(dropped, "plate = [\"0.4 m\", \"0.2 m\"]\ncells = [8, 4]", "mesh = \"a.inp\""),
+                                    "\"x_min\", \"x_max\", \"y_min\", \"y_max\"", "\"ENDS\"");
     const std::string isotropic =
         with(with(dropped,
                   "[[ply]]\nname = \"C\"\nthickness = \"1 mm\"\nE1 = \"60 GPa\"\nE2 = \"10 GPa\"\nnu12 = 0.25\n"
@@ -218,6 +223,8 @@ std::map<std::string, Change> changes() {
         {"body.times", replaced(tabled, "times = [0, 1]", "times = [0, 1.1]")},
         {"body.values", replaced(tabled, "values = [0, 0.1]", "values = [0, 0.11]")},
         {"body.elastic", {afloat, dropped}},
+        {"body.mesh", replaced(meshed, "a.inp", "b.inp")},
+        {"body.coupling_iterations", replaced(dropped, "[8, 4]", "[8, 4]\ncoupling_iterations = 2")},
         {"body.plate", replaced(dropped, "\"0.2 m\"]", "\"0.24 m\"]")},
         {"body.cells", replaced(dropped, "[8, 4]", "[8, 6]")},
         {"body.middle", replaced(held, "[0, 0, \"0.5 m\"]\nlayup", "[0, 0, \"0.49 m\"]\nlayup")},

@@ -71,7 +71,22 @@ inline std::string with(std::string text, const std::string& from, const std::st
     return text.replace(at, from.size(), to);
 }
 
-/// A laminate in a frame that falls, with a strain gauge.
+/// A sheet of 0.4 m by `breadth` about the origin in Abaqus's format, 4 by 2 elements; its short ends are the set ENDS.
+inline std::string sheet_mesh(double breadth) {
+    std::string nodes = "*NODE\n", elements = "*ELEMENT, TYPE=S4\n", ends = "*NSET, NSET=ENDS\n";
+    for (int j = 0; j < 3; ++j)
+        for (int i = 0; i < 5; ++i) {
+            const int n = 1 + i + 5 * j;
+            nodes += std::to_string(n) + ", " + std::to_string(0.1 * i - 0.2) + ", " +
+                     std::to_string(breadth * (j - 1) / 2) + ", 0\n";
+            if (i == 0 || i == 4) ends += std::to_string(n) + "\n";
+            if (i < 4 && j < 2)
+                elements += std::to_string(100 + n) + ", " + std::to_string(n) + ", " + std::to_string(n + 1) + ", " +
+                            std::to_string(n + 6) + ", " + std::to_string(n + 5) + "\n";
+        }
+    return nodes + elements + ends;
+}
+
 inline const std::string tyre_scene = R"(title = "tyre"
 [tank]
 min = [-0.3, -0.3, -0.02]
@@ -97,6 +112,7 @@ duration = 0.03
 methods = ["sph"]
 )";
 
+/// A laminate in a frame that falls, with a strain gauge.
 inline const std::string dropped = R"(title = "dropped plate"
 [tank]
 min = [-1, -1, -1]
