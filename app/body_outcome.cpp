@@ -28,6 +28,7 @@ std::string outcome_of_elastic(const MovingBody& body, const Table& t, const Sce
             out += most(g.name, "");
         else
             for (const char* axis : {"_x", "_y", "_z"}) out += most(g.name + axis, " m");
+    if (!t.find("work_taken")) return out;  // rigid in this method's run
     const auto last = [&](const char* column) { return t.find(column)->values.back(); };
     out += fmt::format(
         "  water's work on it {:.4g} {}, of {:.4g} exchanged to and fro; the interface made {:+.2g} % of "
@@ -47,6 +48,8 @@ std::string outcome_of_bodies(const Scene& scene, const RunRecord& record) {
         const Table& t = found->second;
         if (body.elastic) {
             out += outcome_of_elastic(body, t, scene);
+            if (const auto how = record.attributes.find("one_way"); how != record.attributes.end())
+                out += "  " + how->second + "\n";
             continue;
         }
         const auto last = [&](const char* column) {

@@ -50,6 +50,7 @@ struct Quantity {
     double per_cent = std::numeric_limits<double>::quiet_NaN();  ///< difference over the size, in per cent
     Verdict verdict = Verdict::not_comparable;
     std::string remark;
+    std::string caveat;    ///< what the difference contains besides that of the methods
     std::string sentence;  ///< the verdict to be forwarded, where runs of several sizes gave one
     bool judged = true;    ///< raw maxima are shown beside, and no ladder judges them
     /// Judged by a ladder all the same: a history's mean has no interval of its own, but its resolution gives it one.

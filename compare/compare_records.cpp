@@ -12,6 +12,7 @@
 #include "compare/metrics/bodies.h"
 #include "compare/metrics/entry.h"
 #include "compare/metrics/forces.h"
+#include "compare/metrics/gauges.h"
 #include "compare/metrics/hull_motion.h"
 #include "compare/metrics/splash_quantities.h"
 #include "compare/read/prepare.h"
@@ -188,6 +189,7 @@ Comparison compare_records(std::vector<RunRecord> sources, const CompareOptions&
     add_probes(comparison, options);
     add_bodies(comparison);
     add_entries(comparison);
+    add_gauges(comparison);
     add_savitsky(comparison);
     add_planing_plate(comparison);
     for (std::size_t i = 0; i < comparison.sources.size(); ++i)

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/errors.h"
+#include "foam_cases/one_way.h"
 #include "meshes/query.h"
 #include "meshes/section.h"
 #include "record/hull_motion.h"
@@ -338,6 +339,10 @@ CasePlan plan_case(const Scene& scene, const Flavour& flavour) {
     plan.inlet_k = 10 * scene.water.kinematic_viscosity * plan.inlet_omega;
 
     plan_times(plan);
+    if (!plan.bodies.empty() && !plan.hull_is_free() && plan.moving().plate()) {
+        plan.plate_interval = plan.moving().plate()->first_period() / pressures_per_period;
+        plan.largest_step = std::min(plan.largest_step, plan.plate_interval);  // or there would be no pressures at it
+    }
     plan_probes(plan);
     return plan;
 }

@@ -93,9 +93,10 @@ struct CasePlan {
     /// A tank: written at the step nearest to each write time. In a stream each write time is met exactly, for which
     /// OpenFOAM splits the time between two of them evenly; where that is a few steps only, sampling sets the time step.
     bool writes_at_steps = false;
-    int time_precision = 8;  ///< digits in a write time's name
-    int raster_every = 1;    ///< water is poured into the raster at every n-th write
-    int snapshot_every = 0;  ///< ParaView surfaces are kept at every n-th write; 0: of the last one only
+    int time_precision = 8;     ///< digits in a write time's name
+    int raster_every = 1;       ///< water is poured into the raster at every n-th write
+    int snapshot_every = 0;     ///< ParaView surfaces are kept at every n-th write; 0: of the last one only
+    double plate_interval = 0;  ///< at which pressures on an elastic plate are kept [s]; 0: there is none
     double first_step = 0, largest_step = 0;  ///< [s]
     double speed_limit = 0;                   ///< [m/s]; faster water or air stops the run
     double start_up = 0;                      ///< of the flow [s], in which the air may be faster than that

@@ -12,10 +12,12 @@
 #include "foam_cases/doctor.h"
 #include "foam_cases/files/case_files.h"
 #include "foam_cases/mesh/make_mesh.h"
+#include "foam_cases/one_way.h"
 #include "foam_cases/read/frame_reader.h"
 #include "foam_cases/read/gaps.h"
 #include "foam_cases/read/hull_patch.h"
 #include "foam_cases/read/number_rows.h"
+#include "foam_cases/read/plate_pressures.h"
 #include "foam_cases/run/solve.h"
 #include "foam_cases/run/watchdog.h"
 #include "foam_cases/write_case.h"
@@ -173,6 +175,7 @@ private:
         folders.forget_output_after(restart);
         FrameReader reader(plan_, case_);
         record_.elements = static_cast<double>(reader.cells());
+        if (plan_.plate_interval > 0) plate_.emplace(plan_, case_);
 
         const double began = wall_clock(), earlier_wall = phase("solving").wall, earlier_cpu = phase("solving").cpu;
         double saved = began;
@@ -252,6 +255,7 @@ private:
 
     /// Reads the write times that are not in the record yet and lie before `limit`.
     void read_new(const TimeFolders& folders, FrameReader& reader, double limit) {
+        if (plate_) plate_->read_before(limit, record_);
         for (const TimeFolders::Moment& moment : folders.moments()) {
             const std::vector<double>& known = record_.table("samples").time;
             if (moment.time >= limit || (!known.empty() && moment.time <= known.back() * (1 + 1e-9)) ||
@@ -289,6 +293,7 @@ private:
     RunRecord end(const std::string& state, const std::string& reason) {
         record_.state = state;
         record_.reason = reason;
+        add_one_way_strains(*plan_.scene, record_);
         write_record(record_file_, record_);
         return record_;
     }
@@ -313,6 +318,7 @@ private:
     OpenFoam openfoam_;
     RunRecord record_;
     SolverLog log_;
+    std::optional<PlatePressures> plate_;
 };
 
 }  // namespace

@@ -67,6 +67,7 @@ ReportTable quantities_table(const Comparison& c, bool judged) {
     for (const Quantity& q : c.quantities) {
         if (q.judged != judged) continue;
         ReportRow row{{q.label, q.unit}, q.remark};
+        if (!q.caveat.empty()) row.remark += (row.remark.empty() ? "" : "; ") + q.caveat;
         if (const std::string missing = missing_text(c, q); !missing.empty())
             row.remark += (row.remark.empty() ? "" : "; ") + missing;
         for (const MeanValue& m : q.values) row.cells.emplace_back(mean_text(m));

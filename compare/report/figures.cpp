@@ -247,6 +247,14 @@ Figures draw_figures(const Comparison& c) {
         std::ranges::move(entry_figures(c, name, body), std::back_inserter(f.bodies));
         ++body;
     }
+    int gauge = 0;
+    for (const Quantity& q : c.quantities) {
+        if (!q.name.starts_with("strain_peak:")) continue;
+        const auto colon = q.name.find(':', 12);
+        const std::string name = q.name.substr(12, colon - 12), column = q.name.substr(colon + 1);
+        f.bodies.push_back(series_figure(c, body_table(name), column, fmt::format("Strain {} of {}", column, name),
+                                         "strain [-]", "", fmt::format("gauge_{}", gauge++)));
+    }
     if (!frames) return f;
     const ColourScale scale = elevation_scale(elevation_half_range(c), c.analyses.front().still_level);
     f.elevation_legend = scale.legend(is_stream(c.sources.front()) ? "height above still water [m]" : "height z [m]");

@@ -109,10 +109,9 @@ std::string apart_sentence(const Comparison& comparison, const Quantity& q) {
 std::vector<std::string> verdict_sentences(const Comparison& comparison) {
     std::vector<std::string> sentences;
     for (const Quantity* q : main_quantities(comparison.quantities)) {
-        if (!q->sentence.empty())
-            sentences.push_back(q->sentence);
-        else if (comparison.sources.size() > 1)
-            sentences.push_back(apart_sentence(comparison, *q));
+        if (q->sentence.empty() && comparison.sources.size() < 2) continue;
+        sentences.push_back(q->sentence.empty() ? apart_sentence(comparison, *q) : q->sentence);
+        if (!q->caveat.empty()) sentences.back() += " (" + q->caveat + ")";
     }
     if (sentences.empty())
         sentences.push_back(comparison.sources.size() < 2 ? "One run only: there is nothing to compare it with."

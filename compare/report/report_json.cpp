@@ -45,6 +45,7 @@ Json quantity_json(const Comparison& comparison, const Quantity& q) {
             {"interval", number(q.interval)},
             {"per_cent", number(q.per_cent)},
             {"verdict", to_string(q.verdict)},
+            {"caveat", q.caveat},
             {"sentence", q.sentence},
             {"remark", q.remark},
             {"sources", sources}};

@@ -31,7 +31,7 @@ struct Statement {
 std::string sentence_of(const Statement& statement);
 
 /// Where a quantity stands among those that a first page speaks of, by its name; negative: it is not one of them. Drag,
-/// lift and trim moment of a hull; way, velocity and largest force of a body that moves; the splash sheet.
+/// lift and trim moment of a hull; way, velocity, largest force and strains of a body that moves; the splash sheet.
 int main_rank(const std::string& name);
 inline bool is_main_quantity(const std::string& name) { return main_rank(name) >= 0; }
 /// Those of a list, in that order.

@@ -5,6 +5,7 @@ namespace tw {
 namespace {
 
 Dictionary every_step() { return {{"log", false}, {"writeControl", Word("timeStep")}, {"writeInterval", 1}}; }
+/// An interval of its own would be counted from the time of a restart.
 Dictionary every_write(int nth = 1) {
     return {{"log", false}, {"writeControl", Word("writeTime")}, {"writeInterval", nth}};
 }
@@ -53,9 +54,9 @@ Dictionary wall_shear(const CasePlan& plan) {
             {"writeControl", Word("none")}};  // a field for the surfaces below, never a file of its own
 }
 
-Dictionary surface_output(const CasePlan& plan, const List& fields, const List& surfaces, int nth) {
+Dictionary surface_output(const CasePlan& plan, const List& fields, const List& surfaces, const Dictionary& when) {
     Dictionary d{{"type", Word("surfaces")}, {"libs", plan.flavour.library("sampling")}};
-    d.add(every_write(nth));  // an interval of its own would be counted from the time of a restart
+    d.add(when);
     d.add({{"surfaceFormat", Word("vtk")},
            {"formatOptions",
             Dictionary{{"vtk", Dictionary{{"format", Word("binary")}, {"legacy", false}, {"precision", 7}}}}},
@@ -65,12 +66,22 @@ Dictionary surface_output(const CasePlan& plan, const List& fields, const List& 
     return d;
 }
 
+/// The faces of a patch as they are.
+Dictionary faces_of(const std::string& patch) {
+    return {{"type", Word("patch")}, {"patches", List{Word(patch)}}, {"interpolate", false}, {"triangulate", false}};
+}
+
 Dictionary hull_surface(const CasePlan& plan) {
     List fields{Word("p"), Word("alpha.water")};
     if (plan.viscous) fields.push_back(Word("wallShearStress"));
-    const Dictionary hull{
-        {"type", Word("patch")}, {"patches", List{Word("hull")}}, {"interpolate", false}, {"triangulate", false}};
-    return surface_output(plan, fields, {Value::named(Word("hull"), hull)}, 1);
+    return surface_output(plan, fields, {Value::named(Word("hull"), faces_of("hull"))}, every_write());
+}
+
+/// The rigid counterpart of an elastic plate, for the strains (one_way.h).
+Dictionary plate_surface(const CasePlan& plan) {
+    const Dictionary when{{"log", false}, {"writeControl", Word("runTime")}, {"writeInterval", plan.plate_interval}};
+    return surface_output(plan, {Word("p"), Word("alpha.water")},
+                          {Value::named(Word("plate"), faces_of(plan.bodies.at(0).patch))}, when);
 }
 
 Dictionary free_surface(const CasePlan& plan) {
@@ -79,7 +90,8 @@ Dictionary free_surface(const CasePlan& plan) {
                          {"isoValue", 0.5},
                          {"interpolate", true},
                          {"regularise", true}};
-    return surface_output(plan, {Word("U")}, {Value::named(Word("freeSurface"), iso)}, plan.snapshot_every);
+    return surface_output(plan, {Word("U")}, {Value::named(Word("freeSurface"), iso)},
+                          every_write(plan.snapshot_every));
 }
 
 Dictionary probes(const CasePlan& plan, const char* field, const std::vector<Vec3>& places, const char* interpolation) {
@@ -102,6 +114,7 @@ Dictionary functions(const CasePlan& plan) {
             if (!plan.hull_is_free()) f.add(b.forces(), forces(plan, b.patch));
         // the log says where several bodies are
         if (!plan.several_bodies() && !plan.moving().motion.law) f.add("bodyState", body_state());
+        if (plan.plate_interval > 0) f.add("plateSurface", plate_surface(plan));
         f.add("cellCentres", cells_now(plan, "writeCellCentres"));
         f.add("cellVolumes", cells_now(plan, "writeCellVolumes"));
     }

@@ -90,7 +90,7 @@ void read_body(const CasePlan& plan, const BodyInMesh& which, const std::filesys
 
     Table& t = record.table(body_table(body.name));
     t.time.clear();
-    for (Column& c : t.columns) c.values.clear();
+    t.columns.clear();
     const auto put = [&](const std::string& name, const std::string& unit, double value) {
         t.column(name, unit).values.push_back(value + 0.0);
     };

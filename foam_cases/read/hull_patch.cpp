@@ -37,16 +37,17 @@ vtkSmartPointer<vtkPolyData> read_with(const fs::path& file) {
     return reader->GetErrorCode() == 0 ? reader->GetOutput() : nullptr;
 }
 
-vtkSmartPointer<vtkPolyData> read_poly_data(const fs::path& folder) {
-    if (fs::exists(folder / "hull.vtp")) return read_with<vtkXMLPolyDataReader>(folder / "hull.vtp");
-    if (fs::exists(folder / "hull.vtk")) return read_with<vtkPolyDataReader>(folder / "hull.vtk");
+vtkSmartPointer<vtkPolyData> read_poly_data(const fs::path& folder, const std::string& name) {
+    const fs::path xml = folder / (name + ".vtp"), legacy = folder / (name + ".vtk");
+    if (fs::exists(xml)) return read_with<vtkXMLPolyDataReader>(xml);
+    if (fs::exists(legacy)) return read_with<vtkPolyDataReader>(legacy);
     return nullptr;
 }
 
 }  // namespace
 
-std::optional<HullPatch> read_hull_patch(const fs::path& folder) {
-    const vtkSmartPointer<vtkPolyData> data = read_poly_data(folder);
+std::optional<HullPatch> read_hull_patch(const fs::path& folder, const std::string& name) {
+    const vtkSmartPointer<vtkPolyData> data = read_poly_data(folder, name);
     if (!data || data->GetNumberOfPolys() == 0) return std::nullopt;
     vtkCellData* cells = data->GetCellData();
     vtkDataArray* p = cells->GetArray("p");

@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "base/vec3.h"
@@ -23,8 +24,8 @@ struct HullPatch {
     std::vector<int> face_of_triangle;
 };
 
-/// Reads hull.vtp (openfoam.com) or hull.vtk (openfoam.org) below `folder`; nothing when neither is there or whole.
-std::optional<HullPatch> read_hull_patch(const std::filesystem::path& folder);
+/// Reads NAME.vtp (openfoam.com) or NAME.vtk (openfoam.org) below `folder`; nothing when neither is there or whole.
+std::optional<HullPatch> read_hull_patch(const std::filesystem::path& folder, const std::string& name = "hull");
 
 /// How well the mesh shows the hull: the largest distance from a corner of its surface that lies at y >= `y_min` and
 /// below `z_max` to the patch [m]. A keel or transom edge that snapping has cut off shows here, and in the force.
