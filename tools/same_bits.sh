@@ -55,6 +55,8 @@ all_runs() {
     run planing_prism        "$(study planing_prism)" --scale 4 --duration 0.15s
     run whole_hull_2_threads "$(prism | sed 's/^half .*/half = false/')" --threads 2
     run seaplane             "$(study seaplane_30)" --scale 5.6569 --duration 0.25s
+    run levels_hull          "$(study planing_prism_levels)" --scale 2 --duration 0.03s --threads 2
+    run levels_body          "$(study cylinder_entry)" --near-hull 20mm --duration 0.02s
     run spheric02            "$(study spheric02)" --near-hull 80mm --duration 1s
     run spheric02_2_threads  "$(study spheric02)" --near-hull 60mm --duration 0.3s --threads 2
     run still_tank           "$(study still_tank)" --near-hull 70mm --duration 0.5s

@@ -276,7 +276,9 @@ void Level::restore(const State& s, Particles particles) {
     ledger_ = s.ledger, extremes_ = s.extremes;
     if (control_) control_->set_state(s.control);
     particles.has_coarser = particles_.has_coarser, particles.has_finer = particles_.has_finer;
-    if (particles.has_coarser) particles.trend.resize(particles.size());  // made anew in every step
+    // made anew: the trend in every step, distances where they are asked for
+    if (particles.has_coarser) particles.trend.resize(particles.size()), particles.from_edge.resize(particles.size());
+    if (particles.has_finer) particles.from_finer_edge.resize(particles.size());
     particles_ = std::move(particles);
     const double stream = stream_velocity(time_);
     life_.relative_speed = 0;

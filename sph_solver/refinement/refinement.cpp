@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <span>
 #include <unordered_map>
 
 #include "sph_solver/backend/for_particles.h"
@@ -20,6 +22,22 @@ Vec3 place(const Particles& p, std::size_t i) { return {p.x[i], p.y[i], p.z[i]};
 
 void set_fields(Particles& p, std::size_t i, const VelocityDensityRecord& r) {
     p.u[i] = r.u, p.v[i] = r.v, p.w[i] = r.w, p.drho[i] = r.drho;
+}
+
+/// A particle's distance from the zone's edge, worked out again only where the particle may have passed a `limit` since:
+/// it compares with every limit as the true distance does. The distance changes by no more than sqrt(3) of the way (it is
+/// linear between the nodes of a grid along each axis), and places are kept to 2^-24 of them.
+double ask_edge(const Zone& zone, const Vec3& x, EdgeDistance& known, std::span<const double> limits) {
+    constexpr double steepest = 1.75, rounding = 2e-7;
+    double gap = std::numeric_limits<double>::infinity();
+    for (const double limit : limits) gap = std::min(gap, std::abs(double(known.outside) - limit));
+    const Vec3 from(known.x, known.y, known.z);
+    if (steepest * ((x - from).norm() + rounding * x.lpNorm<1>()) + rounding * std::abs(double(known.outside)) < gap)
+        return double(known.outside);
+    const double outside = zone.outside(x);
+    known = {static_cast<float>(x.x()), static_cast<float>(x.y()), static_cast<float>(x.z()),
+             static_cast<float>(outside)};
+    return outside;
 }
 
 /// Points in cells, to ask whether one is near.
@@ -65,6 +83,8 @@ Refinement::Refinement(Level& coarse, Level& fine, Zone zone)
     Particles &c = coarse.particles(), &f = fine.particles();
     f.has_coarser = c.has_finer = true;
     f.trend.assign(f.size(), {});
+    f.from_edge.assign(f.size(), {});
+    c.from_finer_edge.assign(c.size(), {});
     c.compression.assign(c.size(), 0);
     c.children.assign(c.size(), Children::none);
     for (std::size_t i = 0; i < c.size(); ++i)
@@ -75,6 +95,12 @@ Refinement::Refinement(Level& coarse, Level& fine, Zone zone)
     surplus_at_start_ = surplus();
 }
 
+void Refinement::set_zone(Zone zone) {
+    zone_ = std::move(zone);
+    std::ranges::fill(fine_.particles().from_edge, EdgeDistance{});
+    std::ranges::fill(coarse_.particles().from_finer_edge, EdgeDistance{});
+}
+
 VelocityDensityRecord Refinement::for_fine(const FieldsAt& from_coarse, std::size_t k) const {
     VelocityDensityRecord r = from_coarse.value[k];
     r.drho += static_cast<float>(fine_.density_of_row() * excess_.of_child(double(from_coarse.mean_support[k])));
@@ -83,8 +109,10 @@ VelocityDensityRecord Refinement::for_fine(const FieldsAt& from_coarse, std::siz
 
 void Refinement::label_coarse() {
     Particles& c = coarse_.particles();
+    const std::array limits{-band_over_dp * dp_, 0.0, guard_over_dp * dp_, again_over_dp * dp_, barren_over_dp * dp_};
+    outside_coarse_.resize(c.size());
     for_particles(c.size(), [&](std::size_t i) {
-        const double s = zone_.outside(place(c, i));
+        const double s = outside_coarse_[i] = ask_edge(zone_, place(c, i), c.from_finer_edge[i], limits);
         Kind& kind = c.kind[i];
         const bool under = stands_for_finer(kind);
         if (s < 0 && (under || kind == Kind::fluid))
@@ -101,12 +129,16 @@ void Refinement::label_coarse() {
 void Refinement::relabel() {
     label_coarse();
     Particles& f = fine_.particles();
+    const std::array limits{0.0, crowd_over_dp * dp_, gone_over_dp * dp_};
+    outside_fine_.resize(f.size());
+    for_particles(f.size(),
+                  [&](std::size_t i) { outside_fine_[i] = ask_edge(zone_, place(f, i), f.from_edge[i], limits); });
     std::vector<char> gone(f.size(), 0);
     FieldsAt leaving;
     leaving.of = FieldsAt::Of::all;
     std::vector<std::size_t> who;
     for (std::size_t i = 0; i < f.size(); ++i) {
-        const double s = zone_.outside(place(f, i));
+        const double s = outside_fine_[i];
         if (f.kind[i] == Kind::guard && s < 0) f.kind[i] = Kind::fluid;
         if (f.kind[i] == Kind::fluid && s >= 0) leaving.places.push_back(place(f, i)), who.push_back(i);
         gone[i] = f.kind[i] == Kind::guard && s > gone_over_dp * dp_;
@@ -121,7 +153,7 @@ void Refinement::relabel() {
         }
         f.kind[i] = Kind::guard;
         f.trend[i].support = leaving.mean_support[k];
-        gone[i] = zone_.outside(leaving.places[k]) > gone_over_dp * dp_;
+        gone[i] = outside_fine_[i] > gone_over_dp * dp_;
     }
     std::vector<std::int32_t> kept;
     for (std::size_t i = 0; i < f.size(); ++i)
@@ -130,6 +162,8 @@ void Refinement::relabel() {
     ledger_.deaths += deaths;
     if (deaths > 0) {
         f.reorder(kept);
+        for (std::size_t k = 0; k < kept.size(); ++k)
+            outside_fine_[k] = outside_fine_[static_cast<std::size_t>(kept[k])];
         fine_.make_lists_due();
     }
     give_birth();
@@ -146,7 +180,7 @@ void Refinement::give_birth() {
     std::vector<Birth> births;
     for (std::size_t i = 0; i < c.size(); ++i) {
         const bool may = c.kind[i] == Kind::fluid || stands_for_finer(c.kind[i]);
-        if (!may || c.children[i] == Children::all || !belongs(zone_, place(c, i), dp_)) continue;
+        if (!may || c.children[i] == Children::all || outside_coarse_[i] >= guard_over_dp * dp_) continue;
         const bool first = c.children[i] == Children::none;
         c.children[i] = Children::all;
         for (int octant = 0; octant < (dimensions == 3 ? 8 : 4); ++octant) {
@@ -164,7 +198,7 @@ void Refinement::give_birth() {
     coarse_.interpolate(children);
     Crowd crowd(0.6 * dp_, dimensions);
     for (std::size_t i = 0; i < f.size(); ++i)
-        if (const Vec3 x = place(f, i); zone_.outside(x) > (guard_over_dp - 2) * dp_) crowd.add(x);
+        if (outside_fine_[i] > crowd_over_dp * dp_) crowd.add(place(f, i));
     for (std::size_t k = 0; k < births.size(); ++k) {
         const Vec3& x = children.places[k];
         if (!births[k].first && crowd.has_near(x)) continue;

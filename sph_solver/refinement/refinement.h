@@ -1,8 +1,8 @@
 #pragma once
 #include <cstdint>
 
-#include "sph_solver/particles/level.h"
 #include "meshes/zone.h"
+#include "sph_solver/particles/level.h"
 
 namespace tw {
 
@@ -52,7 +52,7 @@ public:
 
     const Zone& zone() const { return zone_; }
     /// From the next relabelling on. An edge that comes nearer than a fine spacing a step leaves the guards whole.
-    void set_zone(Zone zone) { zone_ = std::move(zone); }
+    void set_zone(Zone zone);
     const Level& coarse() const { return coarse_; }
     const Level& fine() const { return fine_; }
 
@@ -71,7 +71,7 @@ public:
 
 private:
     static constexpr double guard_over_dp = 4, again_over_dp = 4.5, gone_over_dp = 5, barren_over_dp = 6,
-                            band_over_dp = 8;
+                            band_over_dp = 8, crowd_over_dp = 2;
 
     /// As the coarse level has them there, with the excess of a fine surface in place of a coarse one's.
     VelocityDensityRecord for_fine(const FieldsAt& from_coarse, std::size_t k) const;
@@ -82,8 +82,9 @@ private:
     Level& coarse_;
     Level& fine_;
     Zone zone_;
-    double dp_;             ///< of the fine level
-    SurfaceExcess excess_;  ///< in weights of a row the same for both
+    std::vector<double> outside_coarse_, outside_fine_;  ///< of each particle since the last relabelling [m]
+    double dp_;                                          ///< of the fine level
+    SurfaceExcess excess_;                               ///< in weights of a row the same for both
     Ledger ledger_;
     double surplus_at_start_ = 0;  ///< [kg]
 };

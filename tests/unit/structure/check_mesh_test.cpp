@@ -25,7 +25,7 @@ TEST(CheckMesh, NamesElementsWithoutAreaOrTurnedInsideOut) {
 }
 
 TEST(CheckMesh, NamesElementsThatAreTurnedTheOtherWay) {
-    EXPECT_EQ(shell("7, 1, 2, 3, 4\n8, 2, 3, 6, 5\n").substr(0, 58),
+    EXPECT_EQ(shell("7, 1, 2, 3, 4\n8, 2, 3, 6, 5\n").substr(0, 59),
               ": element 8 is turned the other way than element 7 beside i");
 }
 
