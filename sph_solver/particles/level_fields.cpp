@@ -24,8 +24,9 @@ struct SortedPlaces {
         for (std::size_t k = 0; k < raw.size(); ++k) places[k] = raw[static_cast<std::size_t>(order[k])].record(0);
         const Source sorted{places.data(), &start, 0};
         make_groups(level.grid(), sorted, level.passes().lanes, groups);
-        // a margin, because the travel is that of particles that the water's equations move
-        const double support = level.kernel().support(), margin = ListLife::skin_over_dp * level.setup().dp;
+        // a margin, because the travel is that of particles that the water's equations move: what others come farther
+        // is missing at the rim of the kernel, where it weighs (0.1 dp / 2h)^4 at most
+        const double support = level.kernel().support(), margin = 0.1 * level.setup().dp;
         lists.build(level.passes(), level.grid(), level.quanta(), sorted, groups, sources,
                     {support, support, support, travel + margin});
     }
