@@ -53,7 +53,7 @@ TEST(Elastic, APenaltyContactBearsTheWaterWhateverItsStiffness) {
         for (const double factor : {1e-4, 1e-3}) {
             SimulationSetup s = column.setup();
             auto setup = std::make_shared<ElasticSetup>(*s.bodies[0].elastic);
-            setup->coupling = {Coupling::Kind::penalty, law, factor};
+            setup->coupling = {.kind = Coupling::Kind::penalty, .law = law, .factor = factor};
             s.bodies[0] = BodySetup(setup);
             Simulation run(s, column.water(s));
             const double T = 0.4;
