@@ -78,6 +78,61 @@ std::string distribution(const std::string& title, const std::string& label, con
     return figure(p, "In 30 classes of equal width.");
 }
 
+/// Where droplets met a surface, seen along its mean normal, through the middle of its box.
+std::string target_map(const SprayResult& r, const TargetSurface& target, int number) {
+    Vec3 normal = Vec3::Zero();
+    Box box{Vec3::Constant(1e300), Vec3::Constant(-1e300)};
+    for (const auto& t : target.surface.triangles) {
+        const auto point = [&](std::size_t k) { return target.surface.points[static_cast<std::size_t>(t[k])]; };
+        normal += (point(1) - point(0)).cross(point(2) - point(0));
+        for (std::size_t k = 0; k < 3; ++k) box.min = box.min.cwiseMin(point(k)), box.max = box.max.cwiseMax(point(k));
+    }
+    // the areas of a closed surface cancel: it is seen from the side
+    const bool closed = !(normal.norm() > 1e-6 * box.size().squaredNorm());
+    const Sensor plane{0.5 * (box.min + box.max), closed ? Vec3(Vec3::UnitY()) : normal, 1};
+    Plot p;
+    p.title = "Arrivals on " + target.name, p.x_label = "across [m]", p.y_label = "along [m]", p.equal_scales = true;
+    PlotLine places = dots("", 0);
+    std::size_t hits = 0;
+    for (const Landing& l : r.landings) hits += l.fate == Fate::hit && l.target == number;
+    const std::size_t stride = 1 + hits / 3000;
+    std::size_t seen = 0;
+    for (const Landing& l : r.landings) {
+        if (l.fate != Fate::hit || l.target != number || seen++ % stride != 0) continue;
+        const Vec3 from = l.place - plane.centre;
+        places.x.insert(places.x.end(), {from.dot(plane.across()), std::nan("")});
+        places.y.insert(places.y.end(), {from.dot(plane.along()), std::nan("")});
+    }
+    if (hits == 0) return {};
+    p.lines = {places};
+    return figure(p, fmt::format("Every {} of {} droplets, seen {}; from the middle of the surface's box.", stride,
+                                 hits, closed ? "along y" : "along the surface's mean normal"));
+}
+
+/// The study's Figure 13: the force of one droplet in time, here of the sensor's mean droplet.
+std::string pulse_figure(const SprayStudy& study, const SprayResult& r) {
+    double volume = 0, speed = 0;
+    for (const Arrival& a : r.arrivals)
+        volume += sphere_volume(a.diameter), speed += sphere_volume(a.diameter) * a.normal_speed;
+    const double V = speed / volume, d = sphere_diameter(volume / static_cast<double>(r.arrivals.size()));
+    const Liquid& liquid = study.extraction.liquid;
+    const double F = peak_force(V, d, liquid), I = impulse(V, d, liquid);
+    Plot p;
+    p.title = "Force of one droplet", p.x_label = "t [ms]", p.y_label = "F [N]", p.include_zero = true;
+    PlotLine root = curve("root of time", 0), printed = dashed("the study's polynomial", 1);
+    const Pulse a(PulseShape::root, F, I), b(PulseShape::study, F, I);
+    const double end = std::max(a.duration(), b.duration());
+    for (int k = 0; k <= 300; ++k) {
+        const double t = end * k / 300;
+        root.x.push_back(1e3 * t), root.y.push_back(a.force(t));
+        if (t < b.duration()) printed.x.push_back(1e3 * t), printed.y.push_back(b.force(t));
+    }
+    p.lines = {root, printed};
+    return figure(p, fmt::format("A droplet of {:.3g} mm at {:.3g} m/s, the means of the arrivals: peak {:.3g} N, "
+                                 "impulse {:.3g} N s. The polynomial is drawn as far as its printed digits carry.",
+                                 1e3 * d, V, F, I));
+}
+
 std::string arrival_map(const SprayStudy& study, const SprayResult& r) {
     Plot p;
     p.title = "Arrivals on the sensor", p.x_label = "across [mm]", p.y_label = "along [mm]", p.equal_scales = true;
@@ -94,7 +149,14 @@ std::string arrival_map(const SprayStudy& study, const SprayResult& r) {
     PlotLine square = curve("", 0);
     square.x = {-e, e, e, -e, -e}, square.y = {-e, -e, e, e, -e};
     p.outlines = {square};
-    return figure(p, fmt::format("Every {} of {} droplets; the square is the window.", stride, r.arrivals.size()));
+    const Window& w = r.anywhere->window;
+    PlotLine fullest = square;
+    for (double& x : fullest.x) x += 1e3 * w.across;
+    for (double& y : fullest.y) y += 1e3 * w.along;
+    if (w.across != 0 || w.along != 0) p.outlines.push_back(fullest);
+    return figure(p, fmt::format("Every {} of {} droplets; the squares are the window in the middle and the one with "
+                                 "the largest average.",
+                                 stride, r.arrivals.size()));
 }
 
 std::string load_in_time(const SprayResult& r) {
@@ -118,6 +180,7 @@ std::string load_in_time(const SprayResult& r) {
         direct.y.push_back(r.curve.pressure[k]);
     }
     p.lines = {direct, peak, average, corrected, low, high};
+    if (r.measured) p.levels = {{"measured", r.measured->kept_mean}};
     return figure(p, "Windows side by side in time; the dashed lines are the bootstrap's 95 % of the average.");
 }
 
@@ -174,8 +237,11 @@ std::string spray_html(const SprayStudy& study, const SprayResult& r) {
     out += envelope("Envelope from the side", "x [m]", r.side) + envelope("Envelope from the front", "y [m]", r.front);
     out += distribution("Sizes", "d [mm]", r, [](const Droplet& d) { return 1e3 * d.diameter; });
     out += distribution("Speeds when let go", "speed [m/s]", r, [](const Droplet& d) { return d.velocity.norm(); });
+    std::string maps;
+    for (std::size_t t = 0; t < study.targets.size(); ++t) maps += target_map(r, study.targets[t], static_cast<int>(t));
+    if (!maps.empty()) out += "<h2>Arrivals</h2>" + maps;
     if (study.sensor && !r.arrivals.empty()) {
-        out += "<h2>The load on the sensor</h2>" + arrival_map(study, r) + load_in_time(r);
+        out += "<h2>The load on the sensor</h2>" + arrival_map(study, r) + load_in_time(r) + pulse_figure(study, r);
         out += convergence("Over the window's area", "area [mm2]", r.by_area,
                            [](const Window& w) { return 1e6 * w.area(); });
         out += convergence("Over the window's length", "length [ms]", r.by_length,
