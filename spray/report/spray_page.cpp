@@ -58,7 +58,8 @@ std::string distribution(const std::string& title, const std::string& label, con
         volumes += sphere_volume(d.diameter);
     }
     constexpr int classes = 30;
-    if (!(high > low)) high = low + 1e-3 * (1 + low);
+    if (!(high > low * (1 + 1e-9)))
+        return "<p>" + escaped(fmt::format("{}: all droplets have the same, {} = {:.4g}.", title, label, low)) + "</p>";
     std::vector<double> number(classes), volume(classes);
     for (const Droplet& d : r.droplets) {
         const auto k =
@@ -76,6 +77,10 @@ std::string distribution(const std::string& title, const std::string& label, con
     }
     p.lines = {by_number, by_volume};
     return figure(p, "In 30 classes of equal width.");
+}
+
+std::string drawn(std::size_t stride, std::size_t all) {
+    return stride == 1 ? fmt::format("All {} droplets", all) : fmt::format("One in {} of {} droplets", stride, all);
 }
 
 /// Where droplets met a surface, seen along its mean normal, through the middle of its box.
@@ -105,8 +110,8 @@ std::string target_map(const SprayResult& r, const TargetSurface& target, int nu
     }
     if (hits == 0) return {};
     p.lines = {places};
-    return figure(p, fmt::format("Every {} of {} droplets, seen {}; from the middle of the surface's box.", stride,
-                                 hits, closed ? "along y" : "along the surface's mean normal"));
+    return figure(p, fmt::format("{}, seen {}; from the middle of the surface's box.", drawn(stride, hits),
+                                 closed ? "along y" : "along the surface's mean normal"));
 }
 
 /// The study's Figure 13: the force of one droplet in time, here of the sensor's mean droplet.
@@ -154,40 +159,43 @@ std::string arrival_map(const SprayStudy& study, const SprayResult& r) {
     for (double& x : fullest.x) x += 1e3 * w.across;
     for (double& y : fullest.y) y += 1e3 * w.along;
     if (w.across != 0 || w.along != 0) p.outlines.push_back(fullest);
-    return figure(p, fmt::format("Every {} of {} droplets; the squares are the window in the middle and the one with "
-                                 "the largest average.",
-                                 stride, r.arrivals.size()));
+    return figure(p, fmt::format("{}; the squares are the window in the middle and the one with the largest average.",
+                                 drawn(stride, r.arrivals.size())));
 }
 
 std::string load_in_time(const SprayResult& r) {
     Plot p;
-    p.title = "Load against time", p.x_label = "t [s]", p.y_label = "p [Pa]", p.include_zero = true;
-    PlotLine peak = curve("peak (study)", 1), average = curve("average (study)", 2),
-             corrected = curve("corrected (study)", 3), direct = faint("direct", 0), low = dashed("average, 95 %", 2),
+    p.title = "Load against time", p.x_label = "t [s]", p.y_label = "p [kPa]", p.include_zero = true;
+    PlotLine peak = dots("peak (study)", 1), average = dots("average (study)", 2),
+             corrected = dots("corrected (study)", 3), direct = faint("direct", 0), low = dashed("average, 95 %", 2),
              high = dashed("", 2);
     for (const WindowLoad& w : r.windows) {
-        const double t = w.window.from + 0.5 * w.window.length;
-        for (auto [line, value] : {std::pair{&peak, w.estimate.peak},
-                                   {&average, w.estimate.average},
-                                   {&corrected, w.estimate.corrected},
+        const double t = w.window.from + 0.5 * w.window.length,
+                     hide = w.estimate.droplets > 0 && w.estimate.droplets < Estimate::enough ? std::nan("") : 0;
+        for (auto [line, value] : {std::pair{&peak, w.estimate.peak + hide},
+                                   {&average, w.estimate.average + hide},
+                                   {&corrected, w.estimate.corrected + hide},
                                    {&low, w.droplets.average.low},
                                    {&high, w.droplets.average.high}})
-            line->x.push_back(t), line->y.push_back(value);
+            line->x.push_back(t), line->y.push_back(1e-3 * value);
     }
     const std::size_t stride = 1 + r.curve.pressure.size() / 4000;
     for (std::size_t k = 0; k < r.curve.pressure.size(); k += stride) {
         direct.x.push_back(r.curve.from + (static_cast<double>(k) + 0.5) * r.curve.step);
-        direct.y.push_back(r.curve.pressure[k]);
+        direct.y.push_back(1e-3 * r.curve.pressure[k]);
     }
     p.lines = {direct, peak, average, corrected, low, high};
-    if (r.measured) p.levels = {{"measured", r.measured->kept_mean}};
-    return figure(p, "Windows side by side in time; the dashed lines are the bootstrap's 95 % of the average.");
+    if (r.measured) p.levels = {{"measured", 1e-3 * r.measured->kept_mean}};
+    return figure(
+        p,
+        "Windows side by side in time, in the middle of the sensor; the dashed lines are the bootstrap's 95 % of the "
+        "average. Values of windows with fewer than 30 droplets are not drawn.");
 }
 
 std::string convergence(const std::string& title, const std::string& label, const std::vector<WindowLoad>& loads,
                         const std::function<double(const Window&)>& at) {
     Plot p;
-    p.title = title, p.x_label = label, p.y_label = "p [Pa]", p.log_x = true, p.include_zero = true;
+    p.title = title, p.x_label = label, p.y_label = "p [kPa]", p.log_x = true, p.include_zero = true;
     PlotLine peak = dots("peak (study)", 1), average = dots("average (study)", 2),
              corrected = dots("corrected (study)", 3), direct = dots("direct peak", 0),
              low = dashed("average, 95 %", 2), high = dashed("", 2);
@@ -199,7 +207,7 @@ std::string convergence(const std::string& title, const std::string& label, cons
                                    {&direct, w.estimate.direct_peak + hide},
                                    {&low, w.droplets.average.low},
                                    {&high, w.droplets.average.high}})
-            line->x.push_back(x), line->y.push_back(value);
+            line->x.push_back(x), line->y.push_back(1e-3 * value);
     }
     p.lines = {peak, average, corrected, direct, low, high};
     return figure(

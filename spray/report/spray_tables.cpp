@@ -79,20 +79,23 @@ ReportTable fates_table(const SprayResult& r, const Liquid& liquid) {
     return t;
 }
 
-/// A pressure, or what an estimate of few droplets is worth.
+constexpr double kilo = 1e-3;  ///< kPa in a Pa
+
+/// A pressure in kPa, or what an estimate of few droplets is worth.
 ReportCell pressure(const Estimate& e, double value) {
-    if (e.droplets >= Estimate::enough || e.droplets == 0) return value;
+    if (e.droplets >= Estimate::enough || e.droplets == 0) return kilo * value;
     return std::string("too few");
 }
-std::string interval(const Interval& i) { return fmt::format("{:.3g} to {:.3g}", i.low, i.high); }
+std::string interval(const Interval& i) { return fmt::format("{:.3g} to {:.3g}", kilo * i.low, kilo * i.high); }
 
 ReportTable loads_table(const std::string& title, const std::vector<WindowLoad>& loads,
                         std::span<const Arrival> arrivals) {
-    ReportTable t{title,
-                  {numbers("window", "mm2", 4), numbers("from", "s", 6), numbers("length", "ms", 4),
-                   numbers("droplets", "", 9), numbers("outside", "%"), numbers("peak", "Pa"), numbers("average", "Pa"),
-                   numbers("Monte Carlo", "Pa"), numbers("corrected", "Pa"), numbers("direct mean", "Pa"),
-                   numbers("direct peak", "Pa"), words("average, 95 %", "Pa"), words("direct peak, 95 %", "Pa")}};
+    ReportTable t{
+        title,
+        {numbers("window", "mm2", 4), numbers("from", "s", 6), numbers("length", "ms", 4), numbers("droplets", "", 9),
+         numbers("outside", "%"), numbers("peak", "kPa"), numbers("average", "kPa"), numbers("Monte Carlo", "kPa"),
+         numbers("corrected", "kPa"), numbers("direct mean", "kPa"), numbers("direct peak", "kPa"),
+         words("average, 95 %", "kPa"), words("direct peak, 95 %", "kPa")}};
     for (const WindowLoad& w : loads) {
         const Estimate& e = w.estimate;
         ReportRow row{{1e6 * w.window.area(), w.window.from, 1e3 * w.window.length, e.droplets,
@@ -127,9 +130,10 @@ ReportTable reach_table(const SprayResult& r) {
 ReportTable face_table(const SensorStudy& s, const SprayResult& r) {
     ReportTable t{"A small face, hit by one droplet at a time",
                   {numbers("face", "mm2", 4), numbers("droplets that touch it", ""), numbers("chance of one", "%"),
-                   numbers("pressure of one, median", "Pa"), numbers("95 % below", "Pa"), numbers("largest", "Pa")}};
+                   numbers("pressure of one, median", "kPa"), numbers("95 % below", "kPa"), numbers("largest", "kPa")}};
     const FaceHits& f = r.face;
-    t.rows.push_back({{1e6 * s.face * s.face, f.touches, 100 * f.chance, f.median, f.high, f.largest}});
+    t.rows.push_back(
+        {{1e6 * s.face * s.face, f.touches, 100 * f.chance, kilo * f.median, kilo * f.high, kilo * f.largest}});
     t.notes.emplace_back(
         "The droplets on the whole sensor, as if spread evenly over it. One that is wider than the face presses with "
         "1.07 rho V^2, however wide it is: the largest reading of such a face says how fast one droplet is, and not "
@@ -141,9 +145,10 @@ ReportTable face_table(const SensorStudy& s, const SprayResult& r) {
 ReportTable measured_table(const SprayResult& r) {
     const Repeats& m = *r.measured;
     ReportTable t{"Against the measurement",
-                  {words("estimate"), numbers("value", "Pa", 4), words("95 % over droplets", "Pa"),
-                   words("95 % over droplets and windows", "Pa"), numbers("over measured - 1", "%")}};
-    t.rows.push_back({{fmt::format("measured, {} repeats", m.values.size() - m.left_out), m.kept_mean, "", "", ""}});
+                  {words("estimate"), numbers("value", "kPa", 4), words("95 % over droplets", "kPa"),
+                   words("95 % over droplets and windows", "kPa"), numbers("over measured - 1", "%")}};
+    t.rows.push_back(
+        {{fmt::format("measured, {} repeats", m.values.size() - m.left_out), kilo * m.kept_mean, "", "", ""}});
     const auto row = [&](const char* name, double Estimate::*value, Interval Intervals::*interval_of) {
         if (!r.peak) {
             t.rows.push_back({{name, 0, "", "", -100}});
@@ -164,11 +169,11 @@ ReportTable measured_table(const SprayResult& r) {
     row("direct peak", &Estimate::direct_peak, &Intervals::direct_peak);
     if (!r.peak) t.rows.back().remark = "No droplet reaches the sensor: its load is zero.";
     t.notes.push_back(fmt::format(
-        "Measured: mean of all {} repeats {:.4g} Pa, standard deviation {:.4g} Pa (n - 1). The farthest is {:.2f} of "
-        "them away; Pauta's criterion leaves out what is farther than 3: {}. Mean of the rest {:.4g} Pa with a "
-        "standard error of {:.3g} Pa.",
-        m.values.size(), m.mean, m.deviation, m.farthest,
-        m.left_out == 0 ? std::string("none") : fmt::format("{}", m.left_out), m.kept_mean, m.error));
+        "Measured: mean of all {} repeats {:.4g} kPa, standard deviation {:.3g} kPa (n - 1). The farthest is {:.2f} of "
+        "them away; Pauta's criterion leaves out what is farther than 3: {}. Mean of the rest {:.4g} kPa with a "
+        "standard error of {:.3g} kPa.",
+        m.values.size(), kilo * m.mean, kilo * m.deviation, m.farthest,
+        m.left_out == 0 ? std::string("none") : fmt::format("{}", m.left_out), kilo * m.kept_mean, kilo * m.error));
     t.notes.emplace_back("The window is the one in the sensor's middle with the largest average.");
     return t;
 }
@@ -188,8 +193,8 @@ std::vector<ReportTable> spray_tables(const SprayStudy& study, const SprayResult
     tables.push_back(loads_table("Largest load on the sensor", {*r.peak}, r.arrivals));
     const Intervals& i = r.over_windows;
     tables.back().notes.push_back(fmt::format(
-        "Bootstrap over the {} windows of this size on the sensor and over their droplets, 95 %: peak {} Pa, "
-        "average {} Pa, corrected {} Pa, direct peak {} Pa.",
+        "Bootstrap over the {} windows of this size on the sensor and over their droplets, 95 %: peak {} kPa, "
+        "average {} kPa, corrected {} kPa, direct peak {} kPa.",
         r.tiles, interval(i.peak), interval(i.average), interval(i.corrected), interval(i.direct_peak)));
     tables.push_back(loads_table("Largest load anywhere on the sensor", {*r.anywhere}, r.arrivals));
     tables.back().notes.push_back(

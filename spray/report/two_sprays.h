@@ -17,7 +17,8 @@ struct NamedSpray {
 /// of two methods have no names in common, so no more than their statistics can be compared.
 ReportTable two_sprays(const NamedSpray& one, const NamedSpray& other, const Liquid& liquid);
 
-/// Largest difference between the shares of two samples that lie below any value [-]; both sorted, neither empty.
+/// Largest difference between the shares of two samples that lie below any value [-]; both sorted, neither empty, none
+/// negative. Values within a millionth count as equal.
 double largest_share_difference(std::span<const double> a, std::span<const double> b);
 
 }  // namespace tw::spray

@@ -48,7 +48,9 @@ TEST(TwoSprays, SharesDifferAsCounted) {
     EXPECT_EQ(largest_share_difference(a, a), 0);
     EXPECT_EQ(largest_share_difference(a, b), 0.5);
     EXPECT_EQ(largest_share_difference(b, a), 0.5);
+    EXPECT_EQ(largest_share_difference(std::vector<double>{1.00000001}, std::vector<double>{1}), 0);
     EXPECT_EQ(largest_share_difference(std::vector<double>{1, 1}, std::vector<double>{2}), 1);
+    EXPECT_EQ(largest_share_difference(std::vector<double>{10}, std::vector<double>{1, 2, 3}), 1);
 }
 
 }  // namespace
