@@ -152,9 +152,10 @@ struct StabilityCommand {
 int run_stability(const StabilityCommand& command, const Common& common);
 
 struct SprayCommand {
-    std::filesystem::path study;  ///< TOML file: source, air, surfaces, sensor
-    std::filesystem::path out;    ///< empty: runs/<name of the study>_spray
-    std::filesystem::path cloud;  ///< folder of the same droplets as an OpenFOAM case; empty: none
+    std::filesystem::path study;    ///< TOML file: source, air, surfaces, sensor
+    std::filesystem::path out;      ///< empty: runs/<name of the study>_spray
+    std::filesystem::path cloud;    ///< folder of the same droplets as an OpenFOAM case; empty: none
+    std::filesystem::path against;  ///< results of another spray to compare droplets with; empty: none
 };
 int run_spray_command(const SprayCommand& command, const Common& common);
 

@@ -371,6 +371,8 @@ int dispatch(int argc, char** argv) {
     c->add_option("--out", spray.out, "folder of the results (runs/<name of the study>_spray)");
     c->add_option("--openfoam-cloud", spray.cloud,
                   "also write the droplets as an OpenFOAM cloud into this new folder, run it and compare its paths");
+    c->add_option("--against", spray.against,
+                  "results of another spray, e.g. of the other method: statistics of both sprays' droplets");
     c->footer(spray_study_help + std::string(footer));
 
     BenchCommand bench;

@@ -48,7 +48,11 @@ std::string spray_json(const spray::SprayResult& r) {
 }  // namespace
 
 int run_spray_command(const SprayCommand& command, const Common& common) {
-    const spray::SprayStudy study = read_spray_study(command.study);
+    spray::SprayStudy study = read_spray_study(command.study);
+    if (!command.against.empty()) {
+        study.against_name = std::filesystem::weakly_canonical(command.against).filename().string();
+        study.against = read_droplets(command.against / "droplets.csv");
+    }
     const std::filesystem::path out =
         command.out.empty() ? std::filesystem::path("runs") / (command.study.stem().string() + "_spray") : command.out;
     const spray::SprayResult result = spray::run_spray(study);

@@ -50,28 +50,6 @@ private:
     Section root_;
 };
 
-/// Droplets from a table with the columns that `twinwake spray` writes.
-std::vector<Droplet> read_droplets(const fs::path& file) {
-    const CsvColumns csv(read_text(file), file.string());
-    const auto column = [&](const char* name) -> const std::vector<double>& {
-        const auto found = csv.find(name);
-        if (found.size() != 1)
-            throw InputError(
-                fmt::format("{}: expected one column \"{}\"; it has: {}", file.string(), name, csv.header_list()));
-        return csv.values(found.front());
-    };
-    const auto &x = column("x [m]"), &y = column("y [m]"), &z = column("z [m]"), &u = column("u [m/s]"),
-               &v = column("v [m/s]"), &w = column("w [m/s]"), &d = column("diameter [m]"), &t = column("time [s]");
-    std::vector<Droplet> droplets;
-    for (std::size_t i = 0; i < csv.rows(); ++i) {
-        if (!(d[i] > 0))
-            throw InputError(
-                fmt::format("{}:{}: a diameter of {:g} m; expected above 0", file.string(), csv.line(i), d[i]));
-        droplets.push_back({{x[i], y[i], z[i]}, {u[i], v[i], w[i]}, d[i], t[i]});
-    }
-    return droplets;
-}
-
 void read_source(Document& document, SprayStudy& study) {
     Section s = document.section("source");
     if (!s.present()) s.fail("sph", "missing; expected [source] with sph, taken, fvm or table");
@@ -125,6 +103,9 @@ void read_extraction(Document& document, SprayStudy& study) {
     if (point && surface) s.fail("gate_surface", "expected a plane or a surface, not both");
     if (point) o.gate = Gate::plane(*point, *normal);
     if (surface) o.gate = Gate::surface(read_surface(document.path(*surface)));
+    o.attached = s.flag("attached", o.attached);
+    o.already_beyond = s.flag("already_beyond", o.already_beyond);
+    if (o.already_beyond && !point && !surface) s.fail("already_beyond", "expected a gate: gate_point, gate_normal");
     const std::string size = s.choice("size", "component", {"component", "particle", "breakup"});
     o.size = size == "component"  ? DropletSize::component
              : size == "particle" ? DropletSize::element
@@ -242,11 +223,37 @@ void read_sensor(Document& document, SprayStudy& study) {
     sensor.load.sampling = s.number("sampling", sensor.load.sampling, "s", above_zero);
     sensor.load.repeats = static_cast<int>(s.number("repeats", sensor.load.repeats, "-", {1, 1e6}));
     sensor.load.seed = static_cast<std::uint64_t>(s.number("seed", 1, "-", {0, 1e15}));
+    sensor.face = s.number("face", sensor.face, "m", above_zero);
+    sensor.measured = s.numbers("measured", "Pa", 0).value_or(sensor.measured);
+    if (sensor.measured.size() == 1) s.fail("measured", "expected two repeats or more");
+    for (const double p : sensor.measured)
+        if (!(p > 0)) s.fail("measured", "expected pressures above 0");
     sensor.draws = static_cast<int>(s.number("draws", sensor.draws, "-", {40, 1e6}));
     s.finish();
 }
 
 }  // namespace
+
+std::vector<Droplet> read_droplets(const fs::path& file) {
+    const CsvColumns csv(read_text(file), file.string());
+    const auto column = [&](const char* name) -> const std::vector<double>& {
+        const auto found = csv.find(name);
+        if (found.size() != 1)
+            throw InputError(
+                fmt::format("{}: expected one column \"{}\"; it has: {}", file.string(), name, csv.header_list()));
+        return csv.values(found.front());
+    };
+    const auto &x = column("x [m]"), &y = column("y [m]"), &z = column("z [m]"), &u = column("u [m/s]"),
+               &v = column("v [m/s]"), &w = column("w [m/s]"), &d = column("diameter [m]"), &t = column("time [s]");
+    std::vector<Droplet> droplets;
+    for (std::size_t i = 0; i < csv.rows(); ++i) {
+        if (!(d[i] > 0))
+            throw InputError(
+                fmt::format("{}:{}: a diameter of {:g} m; expected above 0", file.string(), csv.line(i), d[i]));
+        droplets.push_back({{x[i], y[i], z[i]}, {u[i], v[i], w[i]}, d[i], t[i]});
+    }
+    return droplets;
+}
 
 spray::SprayStudy read_spray_study(const fs::path& file) {
     Document document(file);

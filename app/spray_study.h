@@ -9,6 +9,9 @@ namespace tw::app {
 /// half model come from the run's record where the file does not give them. Throws InputError `file:line:column: ...`.
 spray::SprayStudy read_spray_study(const std::filesystem::path& file);
 
+/// Droplets from a table with the columns that `twinwake spray` writes. Throws InputError naming the line.
+std::vector<spray::Droplet> read_droplets(const std::filesystem::path& file);
+
 /// Every section and key with its meaning, for --help.
 extern const char* const spray_study_help;
 

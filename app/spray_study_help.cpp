@@ -20,6 +20,8 @@ const char* const spray_study_help =
     "  size = \"component\"            # one drop for each detached piece; particle: for each particle (the study);\n"
     "                                # breakup: pieces above critical_weber = 12 break, spread = 3, smallest = 0.1\n"
     "  link = 2                      # in spacings: up to where particles hang together\n"
+    "  # attached = true             # every particle beyond the gate is a droplet, even where it hangs on the water\n"
+    "  # already_beyond = true       # what is beyond the gate at the first frame is taken too\n"
     "  # fewest = 1, largest_diameter = \"0.1 m\", seed = 1\n"
     "  [air]\n"
     "  velocity = [8, 0, 0]          # with density, viscosity; or heights = [...], along_x = [...], along_y = [...]\n"
@@ -40,8 +42,11 @@ const char* const spray_study_help =
     "  window = \"10 mm\"              # edge; time_window = \"3 ms\"; windows and time_windows: lists for the "
     "convergence\n"
     "  # pulse = \"root\" or \"study\", outside_law = \"keep\" or \"leave\", sampling = \"0.1 ms\", repeats = 200,\n"
-    "  # draws = 400 of the bootstrap, seed = 1\n\n"
+    "  # draws = 400 of the bootstrap, seed = 1\n"
+    "  # face = \"1 mm\"               # edge of what really measures; measured = [10580, 9812]: repeats, in Pa\n\n"
     "Left in the folder: report.html; droplets.csv with how each flight ended; droplets.vtp and landings.vtp for\n"
-    "ParaView; ledger.csv, ends.csv, windows.csv, by_area.csv, by_length.csv, load.csv.\n\n";
+    "ParaView; ledger.csv, ends.csv, reach.csv, windows.csv, by_area.csv, by_length.csv, face.csv, measured.csv, "
+    "load.csv;\n"
+    "with --against two_sprays.csv.\n\n";
 
 }  // namespace tw::app

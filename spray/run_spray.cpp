@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <mutex>
 
 #include "base/errors.h"
@@ -139,6 +141,17 @@ void fly_all(const SprayStudy& study, SprayResult& result) {
                             std::ranges::count_if(result.landings, outside), result.landings.size(), out->place.x(),
                             out->place.y(), out->place.z(), out->time));
 
+    const Vec3& gravity = options.forces.gravity;
+    for (std::size_t t = 0; t < targets.size(); ++t) {
+        const Box box = surfaces[t].bounds();
+        result.reaches.push_back(reach(result.droplets, 0.5 * (box.min + box.max), gravity));
+    }
+    for (std::size_t i = 0; i < result.droplets.size(); ++i) {
+        const Landing& l = result.landings[i];
+        Budget& end = l.fate == Fate::hit ? result.landed : l.fate == Fate::fell_back ? result.back : result.away;
+        end.add(sphere_volume(result.droplets[i].diameter), l.place, l.velocity, options.water_density, gravity);
+    }
+
     // The envelope is filled on a second way over the same paths, when the room that they take is known.
     Box room{Vec3::Constant(1e300), Vec3::Constant(-1e300)};
     for (std::size_t i = 0; i < result.droplets.size(); ++i) {
@@ -161,6 +174,28 @@ void fly_all(const SprayStudy& study, SprayResult& result) {
     result.front = front.filled();
 }
 
+/// The window of the study's edge and length that has the largest average, of all that lie side by side on the sensor
+/// and in time.
+Window fullest(std::span<const Arrival> arrivals, const SensorStudy& s, double begin) {
+    const double edge = s.window.edge;
+    const auto side = std::lround(std::sqrt(static_cast<double>(tiled(s.sensor, s.window).size())) - 1) / 2;
+    std::map<std::array<long, 3>, double> impulses;
+    for (const Arrival& a : arrivals) {
+        const long i = std::lround(a.across / edge), j = std::lround(a.along / edge);
+        if (std::abs(i) > side || std::abs(j) > side) continue;
+        if (!s.load.keep_outside && !within_law(a.normal_speed, a.diameter, s.load.liquid)) continue;
+        const auto k = static_cast<long>(std::floor((a.time - begin) / s.window.length));
+        impulses[{i, j, k}] += impulse(a.normal_speed, a.diameter, s.load.liquid);
+    }
+    Window w = s.window;
+    w.from = begin;
+    if (impulses.empty()) return w;
+    const auto best = std::ranges::max_element(impulses, {}, [](const auto& one) { return one.second; })->first;
+    w.across = static_cast<double>(best[0]) * edge, w.along = static_cast<double>(best[1]) * edge;
+    w.from = begin + static_cast<double>(best[2]) * s.window.length;
+    return w;
+}
+
 WindowLoad load_of(std::span<const Arrival> arrivals, const Window& window, const SensorStudy& s) {
     return {window, estimate(arrivals, window, s.load), bootstrap(arrivals, {&window, 1}, s.load, s.draws)};
 }
@@ -173,6 +208,8 @@ void load_sensor(const SprayStudy& study, SprayResult& result) {
     if (s.window.edge > s.sensor.extent)
         throw InputError(fmt::format("sensor: a window of {:g} m does not fit on an extent of {:g} m", s.window.edge,
                                      s.sensor.extent));
+    if (!(s.face > 0)) throw InputError("sensor: face is above 0");
+    if (!s.measured.empty()) result.measured = repeats_of(s.measured);
     const auto sensor = static_cast<int>(result.target_names.size()) - 1;
     result.arrivals = arrivals(s.sensor, sensor, result.droplets, result.landings);
     if (result.arrivals.empty()) return;
@@ -190,6 +227,8 @@ void load_sensor(const SprayStudy& study, SprayResult& result) {
         result.windows.push_back(load_of(result.arrivals, w, s));
     }
     result.peak = *std::ranges::max_element(result.windows, {}, [](const WindowLoad& w) { return w.estimate.average; });
+    result.anywhere = load_of(result.arrivals, fullest(result.arrivals, s, begin), s);
+    result.face = face_hits(result.arrivals, s.sensor.extent, s.face, s.load.liquid);
     const Window& best = result.peak->window;
     const auto tiles = tiled(s.sensor, best);
     result.tiles = tiles.size();

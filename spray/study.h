@@ -9,7 +9,10 @@
 #include "spray/extract/extract.h"
 #include "spray/extract/read_frames.h"
 #include "spray/flight/fly.h"
+#include "spray/flight/reach.h"
 #include "spray/load/estimate.h"
+#include "spray/load/repeats.h"
+#include "spray/load/small_face.h"
 
 namespace tw::spray {
 
@@ -37,7 +40,9 @@ struct SensorStudy {
     std::vector<double> edges{1e-3, 2e-3, 5e-3, 0.01, 0.02};    ///< for the convergence [m]; 1 to 400 mm2
     std::vector<double> lengths{1e-4, 3e-4, 1e-3, 3e-3, 0.01};  ///< for the convergence [s]
     LoadOptions load;
-    int draws = 400;  ///< of the bootstrap
+    int draws = 400;               ///< of the bootstrap
+    double face = 1e-3;            ///< edge of what really measures [m]
+    std::vector<double> measured;  ///< repeats to compare with [Pa]; empty: none
 };
 
 /// What `twinwake spray` computes.
@@ -51,6 +56,8 @@ struct SprayStudy {
     FlightOptions flight;         ///< end_time, water_density and gravity are filled in
     std::vector<TargetSurface> targets;
     std::optional<SensorStudy> sensor;
+    std::string against_name;  ///< another spray, whose statistics stand beside this one's; empty: none
+    std::vector<Droplet> against;
 };
 
 /// Highest way and its middle in one slice of the room.
@@ -74,11 +81,16 @@ struct SprayResult {
     std::vector<Landing> landings;
     double left_out = 0;                    ///< water of cells below the least share, over all frames [m3]
     std::vector<std::string> target_names;  ///< "sensor" the last, where there is one
+    std::vector<Reach> reaches;             ///< what the middle of each of them asks for
+    Budget back, landed, away;              ///< droplets as they fell back, met a surface, or flew on
     std::vector<EnvelopeSlice> side, front;
     // of the sensor
     std::vector<Arrival> arrivals;
-    std::vector<WindowLoad> windows;             ///< side by side in time, over all arrivals
-    std::optional<WindowLoad> peak;              ///< the window with the largest average
+    std::vector<WindowLoad> windows;     ///< side by side in time, over all arrivals
+    std::optional<WindowLoad> peak;      ///< the window with the largest average
+    std::optional<WindowLoad> anywhere;  ///< the same over all windows side by side on the sensor
+    FaceHits face;                       ///< of all arrivals
+    std::optional<Repeats> measured;
     Intervals over_windows;                      ///< at that time, over droplets and windows of the sensor
     std::size_t tiles = 0;                       ///< how many those are
     std::vector<WindowLoad> by_area, by_length;  ///< round that time

@@ -2,9 +2,22 @@
 
 #include <fmt/format.h>
 
+#include <numeric>
+
 #include "base/errors.h"
 
 namespace tw::spray {
+
+namespace {
+
+/// Numbers of components of which each is one element.
+std::vector<int> each_alone(std::size_t count) {
+    std::vector<int> number(count);
+    std::iota(number.begin(), number.end(), 0);
+    return number;
+}
+
+}  // namespace
 
 struct Extractor::Component {
     std::vector<std::size_t> elements;
@@ -117,7 +130,8 @@ void Extractor::look_at(const WaterFrame& frame) {
             fmt::format("a frame at {:g} s after one at {:g} s; expected rising times", frame.time, last_time_));
     const double interval = frame.time - last_time_;
 
-    const auto number = components(frame.elements, options_.link);
+    const auto number =
+        options_.attached ? each_alone(frame.elements.size()) : components(frame.elements, options_.link);
     std::vector<Component> all;
     for (std::size_t i = 0; i < frame.elements.size(); ++i) {
         const auto k = static_cast<std::size_t>(number[i]);
@@ -141,7 +155,7 @@ void Extractor::look_at(const WaterFrame& frame) {
             sum.add(e.volume, e.place, e.velocity, options_.liquid.density, options_.gravity);
         }
         ledger.all += sum;
-        if (k == 0 || !(c.volume > 0)) {
+        if ((k == 0 && !options_.attached) || !(c.volume > 0)) {
             ledger.body += sum;
             continue;
         }
@@ -149,7 +163,7 @@ void Extractor::look_at(const WaterFrame& frame) {
         ++count.components;
         count.detached += c.volume;
         const bool beyond = options_.gate.beyond(c.centre);
-        const bool was_beyond = !open && (!begun_ || beyond_before(c, interval));
+        const bool was_beyond = !open && (begun_ ? beyond_before(c, interval) : !options_.already_beyond);
         if (!beyond && begun_ && was_beyond) ledger.returned += c.volume;
         if (beyond) count.beyond += c.volume;
         if (!beyond) {

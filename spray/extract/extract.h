@@ -24,6 +24,11 @@ struct ExtractOptions {
     std::size_t fewest = 1;          ///< elements of a component; smaller ones stay in the ledger
     double largest_diameter = 1e30;  ///< of the sphere of a component's volume [m]; larger ones are lumps, not droplets
     Gate gate;
+    /// Every particle or cell beyond the gate counts, whether or not it hangs on the body of water, as a piece of its
+    /// own: more than can be droplets, an upper bound.
+    bool attached = false;
+    /// What is beyond the gate at the first frame is taken too; false: that frame only begins the first interval.
+    bool already_beyond = false;
     DropletSize size = DropletSize::component;
     BreakupOptions breakup;
     std::uint64_t seed = 1;         ///< of the fragments
@@ -37,8 +42,8 @@ struct ExtractOptions {
 /// rounding, and so is the kinetic energy with `inner_energy`.
 struct Ledger {
     Budget all;                 ///< all water that was looked at, frame by frame
-    Budget body;                ///< the largest component
-    Budget before_gate;         ///< detached, and not beyond the gate
+    Budget body;                ///< the largest component; none where attached water counts
+    Budget before_gate;         ///< detached (or attached water counts), and not beyond the gate
     Budget lumps;               ///< beyond it, and too large
     Budget crumbs;              ///< beyond it, and of too few elements
     Budget earlier;             ///< beyond it already at the frame before
@@ -81,7 +86,7 @@ struct Extraction {
 ///   x(t - dt) = x - v dt + g dt^2 / 2
 ///
 /// was not. This counts every freely flying component once, without names of particles; the first frame only begins the
-/// interval. Components that merge, part or are pushed within an interval can be missed or doubled: FrameCount shows it.
+/// interval, unless `already_beyond` says otherwise. Components that merge, part or are pushed within an interval can be missed or doubled: FrameCount shows it.
 class Extractor {
 public:
     /// Throws InputError naming the option that cannot be.

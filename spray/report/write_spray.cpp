@@ -106,6 +106,10 @@ void write_spray(const fs::path& folder, const SprayStudy& study, const SprayRes
         for (auto [title, file] : {std::pair{"Ledger of the water", "ledger.csv"},
                                    {"Where the droplets went", "ends.csv"},
                                    {"Load in time", "windows.csv"},
+                                   {"Two sprays", "two_sprays.csv"},
+                                   {"Speed that the way to a surface asks for", "reach.csv"},
+                                   {"Against the measurement", "measured.csv"},
+                                   {"A small face, hit by one droplet at a time", "face.csv"},
                                    {"Convergence over the window's area", "by_area.csv"},
                                    {"Convergence over the window's length", "by_length.csv"}})
             if (t.title == title) write_text_atomically(folder / file, csv_of(t));

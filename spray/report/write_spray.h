@@ -15,7 +15,8 @@ std::vector<ReportTable> spray_tables(const SprayStudy& study, const SprayResult
 ///   report.html      tables and figures
 ///   droplets.csv     every droplet with where it was let go and how its flight ended
 ///   droplets.vtp, landings.vtp   the same for ParaView
-///   ledger.csv, windows.csv, by_area.csv, by_length.csv, load.csv
+///   ledger.csv, ends.csv, reach.csv, windows.csv, by_area.csv, by_length.csv, face.csv, measured.csv, two_sprays.csv,
+///   load.csv         the tables, as far as there are any
 void write_spray(const std::filesystem::path& folder, const SprayStudy& study, const SprayResult& result);
 
 /// The page alone.

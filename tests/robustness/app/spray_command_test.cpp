@@ -32,6 +32,10 @@ TEST_F(Command, SprayThatIsWrongIsRefusedAndNothingIsWritten) {
         {study + "[target]\nname = \"x\"\n", "expected sections [[target]]"},
         {study + "[air]\nheights = [0, 0.1]\nalong_x = [1, 2]\n", "expected a field that covers the flight"},
         {study + sensor + "window = \"0.2 m\"\n", "is wider than the sensor's extent"},
+        {study + sensor + "face = 0\n", "face = 0"},
+        {study + sensor + "measured = [10280]\n", "expected two repeats or more"},
+        {study + sensor + "measured = [10280, -1]\n", "expected pressures above 0"},
+        {study + "[extraction]\nalready_beyond = true\n", "expected a gate"},
     };
     for (const auto& [text, complaint] : wrong) {
         write("study.toml", text);
@@ -67,6 +71,20 @@ TEST_F(Command, SprayAsACloudHoldsNumbersOnly) {
         EXPECT_EQ(content(file.path()).find("calc"), std::string::npos) << file.path();
     }
     EXPECT_FALSE(fs::exists(folder_ / "cloud/own"));
+}
+
+TEST_F(Command, SprayIsComparedWithAnotherOne) {
+    write("drops.csv", std::string(columns) + "0,0,0,1,10,0,2,0.001\n");
+    write("study.toml", study);
+    ASSERT_EQ(twinwake({"spray", "study.toml", "--out", "first"}).status, 0);
+    const Outcome o = twinwake({"spray", "study.toml", "--out", "second", "--against", "first"});
+    EXPECT_EQ(o.status, 0) << o.err;
+    EXPECT_NE(o.out.find("mean speed, by volume"), std::string::npos) << o.out;
+    EXPECT_NE(content(folder_ / "second/two_sprays.csv").find("first"), std::string::npos);
+    const Outcome absent = twinwake({"spray", "study.toml", "--out", "third", "--against", "nowhere"});
+    EXPECT_EQ(absent.status, 2);
+    EXPECT_NE(absent.err.find("nowhere/droplets.csv: cannot be read"), std::string::npos) << absent.err;
+    EXPECT_FALSE(fs::exists(folder_ / "third"));
 }
 
 TEST_F(Command, SprayThatReachesNothingHasNoLoadAndSaysSo) {

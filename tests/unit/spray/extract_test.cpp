@@ -179,6 +179,44 @@ TEST(Gate, FreelyFlyingWaterIsTakenOnce) {
     EXPECT_GT(back, 0);
 }
 
+/// 400 particles of the sea stand above z = 0.055, and the eleven of the spray.
+TEST(Extraction, AttachedWaterBeyondTheGateIsTakenParticleByParticle) {
+    ExtractOptions o = options();
+    o.gate = Gate::plane({0, 0, 0.055}, {0, 0, 1});
+    o.already_beyond = true;
+    Extractor detached(o, still_air);
+    detached.look_at(sea_with_spray());
+    EXPECT_EQ(detached.result().droplets.size(), 3u);
+    o.attached = true;
+    Extractor attached(o, still_air);
+    attached.look_at(sea_with_spray());
+    const Ledger& l = attached.result().ledger;
+    EXPECT_EQ(attached.result().droplets.size(), 411u);
+    EXPECT_EQ(l.taken.pieces, 411u);
+    EXPECT_EQ(l.before_gate.pieces, 600u);
+    EXPECT_EQ(l.body.pieces, 0u);
+    expect_equal(l.droplets, l.taken, 1000);
+    EXPECT_NEAR(l.droplets.kinetic_energy, l.taken.kinetic_energy, 1e-12);
+    EXPECT_EQ(l.inner_energy, 0);
+}
+
+/// What stands beyond the gate from the start counts once or never, as is asked.
+TEST(Gate, WhatIsBeyondAtTheFirstFrameIsTakenOnlyIfAsked) {
+    for (const bool asked : {false, true}) {
+        ExtractOptions o = options();
+        o.gate = Gate::plane({0, 0, 0.15}, {0, 0, 1});
+        o.gravity = Vec3::Zero();
+        o.already_beyond = asked;
+        Extractor extractor(o, still_air);
+        extractor.look_at(sea_with_spray(0));
+        EXPECT_EQ(extractor.result().droplets.size(), asked ? 3u : 0u);
+        WaterFrame later = sea_with_spray(0.01);
+        for (Element& e : later.elements) e.place += 0.01 * e.velocity;
+        extractor.look_at(later);
+        EXPECT_EQ(extractor.result().droplets.size(), asked ? 3u : 0u);
+    }
+}
+
 TEST(Gate, ASurfaceIsPassedFromInside) {
     const Surface box{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
                       {{0, 2, 1},

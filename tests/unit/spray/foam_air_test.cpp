@@ -33,6 +33,42 @@ TEST(FoamAir, IsTheFieldOfTheCellsAndContinuousBetweenThem) {
     EXPECT_LT((s.velocity - Vec3(2, 0, 1)).norm(), 1e-6);
 }
 
+/// The cell asked last is remembered by each thread: neither the order of places nor another field may show.
+TEST(FoamAir, DoesNotDependOnWhatWasAskedBefore) {
+    const ScratchFolder folder;
+    write_row_of_cells(folder / "case");
+    const fs::path points = folder / "case/constant/polyMesh/points";
+    std::string corners = read_text(points);  // the last cube is bent out of shape: another way to find a place in it
+    write_text_atomically(points, corners.replace(corners.find("(3 1 1)"), 7, "(3.4 1.2 1.3)"));
+    std::vector<Vec3> places;
+    for (int i = 0; i < 300; ++i) places.emplace_back(0.01 * i + 0.003, 0.2 + 0.002 * i, 0.9 - 0.002 * i);
+    std::vector<Vec3> forth(300), back(300), other(300);
+    AirState s;
+    {
+        const FoamAir air(folder / "", 1, {});
+        for (std::size_t i = 0; i < 300; ++i) {
+            EXPECT_TRUE(air.at(places[i], s));
+            forth[i] = s.velocity;
+        }
+        for (std::size_t i = 300; i-- > 0;) {
+            EXPECT_TRUE(air.at(places[i], s));
+            back[i] = s.velocity;
+        }
+    }
+    const fs::path u = folder / "case/1/U";
+    std::string text = read_text(u);
+    write_text_atomically(u, text.replace(text.find("(1 0 0)"), 7, "(5 0 0)"));
+    const FoamAir changed(folder / "", 1, {});
+    for (std::size_t i = 0; i < 300; ++i) {
+        ASSERT_TRUE(changed.at(places[i], s));
+        other[i] = s.velocity;
+        EXPECT_EQ(forth[i], back[i]) << i;
+    }
+    EXPECT_NEAR(forth.front().x(), 1 + 0.5 * 0.003, 1e-6);
+    EXPECT_NEAR(other.front().x(), 5 - 1.5 * 0.003, 1e-6);
+    EXPECT_EQ(other.back(), forth.back());
+}
+
 TEST(FoamAir, EndsWhereTheMeshEnds) {
     const ScratchFolder folder;
     write_row_of_cells(folder / "case");

@@ -60,5 +60,62 @@ TEST(Windows, WiderThanTheSensorAreRefused) {
     EXPECT_THROW(run_spray(study), InputError);
 }
 
+/// A thin stream that meets the sensor 30 mm beside its middle and 20 mm below it.
+TEST(Windows, TheFullestAnywhereIsFoundWhereTheSprayIs) {
+    SprayStudy study = stream_at_sensor(400, 0.008);
+    study.sensor->window = {.edge = 0.01, .length = 3e-3};
+    const Sensor& sensor = study.sensor->sensor;
+    const Vec3 beside = 0.03 * sensor.across() - 0.02 * sensor.along();
+    for (Droplet& d : study.source.droplets) d.place += beside;
+    const SprayResult r = run_spray(study);
+    ASSERT_TRUE(r.anywhere);
+    EXPECT_NEAR(r.anywhere->window.across, 0.03, 1e-12);
+    EXPECT_NEAR(r.anywhere->window.along, -0.02, 1e-12);
+    EXPECT_EQ(r.peak->estimate.droplets, 0u);
+    // the same as a sensor that stands there, but for where its windows begin in time
+    study.sensor->sensor.centre += beside;
+    const SprayResult there = run_spray(study);
+    EXPECT_NEAR(r.anywhere->estimate.average, there.peak->estimate.average, 1e-9 * there.peak->estimate.average);
+    EXPECT_GT(r.anywhere->estimate.droplets, 100u);
+}
+
+TEST(Report, ComparesWithRepeatsOfAMeasurement) {
+    SprayStudy study = stream_at_sensor(400, 0.04);
+    study.sensor->measured = {10580, 9812, 10212, 7473, 10512};
+    const SprayResult r = run_spray(study);
+    const auto tables = spray_tables(study, r);
+    const ReportTable& t = table(tables, "Against the measurement");
+    EXPECT_NEAR(t.rows.at(0).cells.at(1).number, 9.7178, 1e-9);
+    EXPECT_NEAR(t.rows.at(1).cells.at(1).number, 1e-3 * r.peak->estimate.average, 1e-9);
+    EXPECT_NEAR(t.rows.at(3).cells.at(4).number, 100 * (r.peak->estimate.peak / 9717.8 - 1), 1e-9);
+    const std::string page = spray_html(study, r);
+    for (const char* part : {"Force of one droplet", "measured", "A small face", "Load against time"})
+        EXPECT_NE(page.find(part), std::string::npos) << part;
+}
+
+TEST(Report, SaysThatNothingReachesASensorThatWasMeasured) {
+    SprayStudy study = stream_at_sensor(40, 0.04);
+    study.sensor->measured = {10580, 9812};
+    study.sensor->sensor.centre.y() = 50;
+    const SprayResult r = run_spray(study);
+    const auto tables = spray_tables(study, r);
+    EXPECT_EQ(table(tables, "Against the measurement").rows.at(1).cells.at(1).number, 0);
+    EXPECT_NE(spray_html(study, r).find("No droplet reaches the sensor: its load is zero."), std::string::npos);
+}
+
+/// Droplets that end are in the ledger as they end, and those at their end add up to those at their start.
+TEST(Ledger, HoldsHowDropletsEnd) {
+    SprayStudy study = stream_at_sensor(300, 0.2);  // wider than the sensor
+    study.flight.water_level = 9.97;                // and partly below the water: those end where they begin
+    study.duration = 0.05;
+    const SprayResult r = run_spray(study);
+    EXPECT_GT(r.landed.pieces, 0u);
+    EXPECT_GT(r.back.pieces, 0u);
+    EXPECT_GT(r.away.pieces, 0u);
+    EXPECT_EQ(r.landed.pieces + r.back.pieces + r.away.pieces, 300u);
+    EXPECT_NEAR(r.landed.volume + r.back.volume + r.away.volume, 300 * sphere_volume(2e-3), 1e-18);
+    EXPECT_LT(r.landed.momentum.x(), 10 * 1000 * r.landed.volume);  // the air has slowed them
+}
+
 }  // namespace
 }  // namespace tw::spray
