@@ -14,10 +14,11 @@ namespace {
 std::string outcome_of_elastic(const MovingBody& body, const Table& t, const Scene& scene) {
     const auto most = [&](const std::string& column, const char* unit) {
         const Column* c = t.find(column);
-        if (!c || c->values.empty()) return std::string();
-        std::size_t at = 0;
+        if (!c) return std::string();
+        std::size_t at = c->values.size();  // where a method knows nothing stands NaN
         for (std::size_t k = 0; k < c->values.size(); ++k)
-            if (std::abs(c->values[k]) > std::abs(c->values[at])) at = k;
+            if (std::isfinite(c->values[k]) && !(at < k && std::abs(c->values[k]) <= std::abs(c->values[at]))) at = k;
+        if (at == c->values.size()) return std::string();
         return fmt::format("  {} at most {:.4g}{} at {:.4g} s\n", column, c->values[at], unit, t.time[at]);
     };
     std::string out = fmt::format("elastic body {} at {:.4g} s:\n", body.name, t.time.back()) + most("az", " m/s2") +

@@ -88,6 +88,8 @@ struct RunRecord {
     std::map<std::string, std::string> attributes;
     /// spacing h, length, beam, draft, trim, speed, density, gravity, duration, mean_from, h_over_dp, c0, alpha, ...
     /// level_0_seconds, ...: wall time of the sweeps of each size of particles since the run was begun or resumed
+    /// structure_seconds: processor time of bodies that bend, the water's forces on their dummies and their own steps,
+    /// since then
     std::map<std::string, double> numbers;
     std::string scene_text;
 

@@ -271,6 +271,8 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
         record.resolution = resolution_of(*simulation);
         for (std::size_t k = 0; k < simulation->water().size() && !simulation->refinements().empty(); ++k)
             record.numbers[level_table(k) + "_seconds"] = level_ledger(*simulation, k).seconds;
+        if (std::ranges::any_of(scene.bodies, [](const MovingBody& b) { return b.elastic.has_value(); }))
+            record.numbers["structure_seconds"] = simulation->structure_seconds();
         record.peak_memory = std::max(record.peak_memory, peak_memory());
         record.numbers["bytes_per_particle"] = simulation->bytes() / record.elements;
         write_record(record_file, record);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 
 #include <fmt/format.h>
 
@@ -122,10 +123,26 @@ void Simulation::push(ElasticBody& elastic, std::size_t b) {
         if (c.body == b) elastic.press(c.triangle, c.place, c.force);
 }
 
+namespace {
+/// Adds the processor time of a scope, all threads together [s].
+class ProcessorTime {
+public:
+    explicit ProcessorTime(double& sum) : sum_(sum) {}
+    ~ProcessorTime() { sum_ += double(std::clock() - from_) / CLOCKS_PER_SEC; }
+    ProcessorTime(const ProcessorTime&) = delete;
+    ProcessorTime& operator=(const ProcessorTime&) = delete;
+
+private:
+    double& sum_;
+    std::clock_t from_ = std::clock();
+};
+}  // namespace
+
 void Simulation::rehearse_bodies(const Schedule::Move& move) {
     for (std::size_t b = 0; b < bodies_->size(); ++b) {
         ElasticBody* elastic = (*bodies_)[b].elastic();
         if (!elastic || elastic->setup().coupling.iterations == 1) continue;
+        const ProcessorTime spent(structure_seconds_);
         push(*elastic, b);
         elastic->rehearse(move.kick, move.drift, setup_.gravity);
     }
@@ -135,6 +152,7 @@ void Simulation::move_bodies(const Schedule::Move& move) {
     for (std::size_t b = 0; b < bodies_->size(); ++b) {
         Body& body = (*bodies_)[b];
         if (ElasticBody* elastic = body.elastic()) {
+            const ProcessorTime spent(structure_seconds_);
             push(*elastic, b);
             elastic->advance(move.kick, 2 * move.drifted, move.drift, setup_.gravity);
             continue;

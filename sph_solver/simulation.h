@@ -85,6 +85,9 @@ public:
     /// What level k did in its last step.
     Load load_of_level(std::size_t k) const;
     double bytes() const;
+    /// Processor time that elastic bodies took since the start or the restart, all threads together: the water's forces
+    /// on their dummies and their own steps [s].
+    double structure_seconds() const { return structure_seconds_; }
 
     // of the first level: all the water where particles have one size
     const Particles& particles() const { return level(0).particles(); }
@@ -146,6 +149,7 @@ private:
     std::vector<Refinement> refinements_;  // the k-th joins levels k and k + 1
     std::optional<Contacts> contacts_;     // where a body moves
     int coupling_iterations_ = 1;          // the most that an elastic body asks for
+    double structure_seconds_ = 0;
     std::vector<Load> loads_;
     /// Time integrals of the loads by each level of water in the present step [N s], and their time [s].
     struct LevelLoads {

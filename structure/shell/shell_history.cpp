@@ -37,9 +37,10 @@ struct Case {
         ShellHistory out;
         out.strains.resize(gauges.size());
         out.displacements.resize(points.size());
-        const auto steps = static_cast<long>(std::ceil(pressure.time.back() / dt - 1e-9));
+        const double from = pressure.time.front();
+        const auto steps = static_cast<long>(std::ceil((pressure.time.back() - from) / dt - 1e-9));
         for (long k = 0; k <= steps; ++k) {
-            const double t = static_cast<double>(k) * dt;
+            const double t = from + static_cast<double>(k) * dt;
             if (k > 0) time.step(load(t, mass, basis * time.state().v));
             const VectorXd u = time.displacement();
             out.time.push_back(t);
@@ -56,7 +57,7 @@ struct Case {
 
     ShellHistory in_steps(double dt) const {
         const SparseMatrix mass = freedoms.mass(shell.mass());
-        const VectorXd v = freedoms.translation(conditions.velocity), first = load(0, mass, v);
+        const VectorXd v = freedoms.translation(conditions.velocity), first = load(pressure.time.front(), mass, v);
         if (conditions.large_rotations) {
             NonlinearAlpha time(shell, freedoms, dt);
             time.start(v, first);

@@ -18,7 +18,7 @@ struct PressureHistory {
 
 /// What a shell undergoes besides the pressure, and how it is stepped.
 struct ShellConditions {
-    Vec3 velocity = Vec3::Zero();  ///< of all of it at the start [m/s]
+    Vec3 velocity = Vec3::Zero();  ///< of all of it at the first time, unstrained [m/s]
     Vec3 gravity = Vec3::Zero();   ///< [m/s2]
     double damping = 0;            ///< f = -damping M v [1/s]
     bool large_rotations = true;
@@ -32,8 +32,8 @@ struct ShellHistory {
     std::vector<std::vector<Vec3>> displacements;  ///< of each point [m]
 };
 
-/// The shell under a pressure that does not feel how it moves, from time 0 to the history's end, along the normals of
-/// the reference state. A step that does not balance at large rotations makes all of them half as long, 64 times as
+/// The shell under a pressure that does not feel how it moves, from the history's first time to its last, along the
+/// normals of the reference state. A step that does not balance at large rotations makes all of them half as long, 64 times as
 /// short at most. Throws InputError for a history without times or of another number of elements, for a step that is
 /// not positive and for a gauge that is not on the shell; RunError where the shortest steps do not balance.
 ShellHistory shell_history(const Shell& shell, const Freedoms& freedoms, const PressureHistory& pressure,

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <Eigen/QR>
 #include <vector>
@@ -43,6 +44,17 @@ private:
     Eigen::VectorXd weight_, x_, step_;
     std::vector<Eigen::VectorXd> dx_, dg_;  ///< changes from guess to guess, and of the steps from there
 };
+
+/// Errors of 1e-15 in places, by the extent of the mesh [m], and in turns.
+Eigen::VectorXd rounding_of_places(const Shell& shell) {
+    Vec3 low = shell.mesh().nodes.front(), high = low, far = low.cwiseAbs();
+    for (const Vec3& x : shell.mesh().nodes)
+        low = low.cwiseMin(x), high = high.cwiseMax(x), far = far.cwiseMax(x.cwiseAbs());
+    const double size = std::max((high - low).norm(), far.norm());
+    Eigen::VectorXd errors = Eigen::VectorXd::Constant(shell.freedoms(), 1e-15);
+    for (int n = 0; n < errors.size(); n += 6) errors.segment<3>(n) *= size;
+    return errors;
+}
 }  // namespace
 
 NonlinearAlpha::NonlinearAlpha(const Shell& shell, const Freedoms& freedoms, double dt)
@@ -53,7 +65,11 @@ NonlinearAlpha::NonlinearAlpha(const Shell& shell, const Freedoms& freedoms, dou
       M_(basis_.transpose() * freedoms.mass(shell.mass()) * basis_),
       dt_(dt) {
     if (!(std::isfinite(dt) && dt > 0)) throw InputError(fmt::format("time step {} s; expected a positive one", dt));
-    const SparseMatrix K = basis_.transpose() * freedoms.widened(shell.stiffness()) * basis_;
+    const SparseMatrix of_nodes = shell.stiffness();
+    const SparseMatrix K = basis_.transpose() * freedoms.widened(of_nodes) * basis_;
+    rounding_ =
+        (basis_.transpose() * freedoms.widened(Eigen::VectorXd(of_nodes.cwiseAbs() * rounding_of_places(shell))))
+            .norm();
     solver_.compute(2 / (dt * dt) * M_ + 0.5 * K);
     if (solver_.info() != Eigen::Success || !(solver_.vectorD().minCoeff() > 0))
         throw RunError("the structure has a freedom with neither mass nor stiffness");
@@ -96,7 +112,7 @@ int NonlinearAlpha::step(const Eigen::VectorXd& load) {
         const Eigen::VectorXd r = (s.f + f) / 2 - (s.F + F) / 2 - inertial;
         left = r.norm();
         const double scale = F.norm() + s.F.norm() + inertial.norm() + f.norm();
-        if (left <= 1e-8 * scale) {
+        if (left <= std::max(1e-8 * scale, rounding_)) {
             s.v += dt_ / 2 * (s.a + a);
             s.a = a;
             s.u = u;

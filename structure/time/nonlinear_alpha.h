@@ -29,7 +29,7 @@ public:
     /// At rest in the reference state, with velocities of all freedoms and a load.
     void start(const Eigen::VectorXd& v, const Eigen::VectorXd& load);
     /// One step of dt to where `load`, of all freedoms [N], acts; returns the number of iterations. Throws RunError if
-    /// 60 do not balance it to 1e-8 of the forces: the step is too long.
+    /// 60 do not balance it to 1e-8 of the forces, or to what rounding makes of them: the step is too long.
     int step(const Eigen::VectorXd& load);
 
     const Eigen::VectorXd& displacement() const { return state_.u; }
@@ -50,6 +50,9 @@ private:
     Corotational elastic_;
     SparseMatrix basis_, M_;
     double dt_;
+    /// Forces that places known to 1e-15 of the structure's extent make: what no iteration balances. It decides where
+    /// next to nothing loads a structure at rest [N].
+    double rounding_ = 0;
     Eigen::SimplicialLDLT<SparseMatrix> solver_;
     State state_;
 };

@@ -56,6 +56,63 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"title = \"planing\"", "title = \"planing", "bad.toml:1:17: not valid TOML: "}),
     case_name);
 
+/// A sheet of two elements on a frame: `elements` are the corners of both.
+std::string sheet(const std::string& elements) {
+    return "*NODE\n1, 0, 0, 0\n2, 0.2, 0, 0\n3, 0.4, 0, 0\n4, 0, 0.2, 0\n5, 0.2, 0.2, 0\n6, 0.4, 0.2, 0\n"
+           "7, 0.6, 0, 0\n8, 0.6, 0.2, 0\n*ELEMENT, TYPE=S4\n" +
+           elements + "*NSET, NSET=ENDS\n1, 4\n";
+}
+
+TEST_F(Command, ElasticBodiesThatCannotBeAreRefusedByCheckAndRunAndNothingIsWritten) {
+    const std::string scene = R"(title = "sheet"
+[tank]
+min = [-1, -1, -1]
+max = [1, 1, 1]
+[[body]]
+name = "sheet"
+elastic = "plate"
+mesh = "sheet.inp"
+middle = [0, 0, 0.5]
+thickness = "4 mm"
+youngs_modulus = 7e10
+poisson = 0.3
+density = 2700
+carried = ["ENDS"]
+mass = "5 kg"
+[motion]
+kind = "none"
+[resolution]
+near_hull = "50 mm"
+[run]
+duration = 0.01
+methods = ["sph"]
+)";
+    const std::string sound = sheet("1, 1, 2, 5, 4\n2, 2, 3, 6, 5\n");
+    const struct {
+        std::string mesh, scene, message;
+    } wrong[] = {
+        {sheet("1, 1, 2, 5, 4\n2, 2, 3, 3, 2\n"), scene, "element 2 has no area"},
+        {sheet("1, 1, 2, 5, 4\n2, 2, 5, 6, 3\n"), scene, "element 2 is turned the other way than element 1"},
+        {sheet("1, 1, 2, 5, 4\n2, 3, 7, 8, 6\n"), scene, "element 2 hangs together with element 1 by no node"},
+        {sound, with(scene, "poisson = 0.3", "poisson = 0.5"), "no material has these constants"},
+        {sound, with(scene, "carried = [\"ENDS\"]\nmass = \"5 kg\"\n", ""), "neither support nor frame nor velocity"},
+    };
+    write("sheet.inp", sound);
+    write("bad.toml", scene);
+    EXPECT_EQ(twinwake({"check", "bad.toml"}).status, 0) << "or nothing below is seen";
+    for (const auto& [mesh, text, message] : wrong) {
+        write("sheet.inp", mesh);
+        write("bad.toml", text);
+        for (const char* command : {"check", "run"}) {
+            const Outcome o = twinwake({command, "bad.toml"});
+            EXPECT_EQ(o.status, 2) << command << o.err;
+            EXPECT_EQ(o.err.find("bad.toml:"), 0u) << o.err;
+            EXPECT_NE(o.err.find(message), std::string::npos) << o.err;
+        }
+    }
+    EXPECT_EQ(files(), (std::set<std::string>{"bad.toml", "sheet.inp"}));
+}
+
 TEST_F(Command, TwoBodiesTooNearToMorphAMeshBetweenThemAreRefusedForTheMeshMethodAndNothingIsWritten) {
     const std::string scene =
         "[tank]\nmin = [-2, -1, -1]\nmax = [2, 1, 1]\n[[body]]\nshape = \"sphere\"\ndiameter = 0.5\ndraft = 0.2\n"

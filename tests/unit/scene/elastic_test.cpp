@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/atomic_file.h"
@@ -63,6 +64,32 @@ TEST(ElasticScene, RefusesWhatIsNoPlate) {
               std::string::npos);
 }
 
+TEST(ElasticScene, RefusesWhatNoMaterialIsAndBodiesThatOverlap) {
+    const std::string isotropic = with(dropped, "layup = \"[0 C/90 C]s\"",
+                                       "thickness = 0.01\nyoungs_modulus = 7e10\npoisson = 0.3\ndensity = 2700");
+    ASSERT_EQ(complaint(isotropic), "") << "or nothing below is seen";
+    const std::string beside = with(dropped, "[[gauge]]",
+                                    "[[body]]\nname = \"box\"\nshape = \"box\"\nlength = 0.2\nbeam = 0.2\n"
+                                    "height = 0.2\ndraft = \"-0.7 m\"\nmass = 1\n[[gauge]]");
+    ASSERT_EQ(complaint(beside), "");
+    const struct {
+        std::string scene, message;
+    } wrong[] = {
+        {with(isotropic, "poisson = 0.3", "poisson = 0.5"),
+         "poisson = 0.5: no material has these constants: Poisson's"},
+        {with(isotropic, "poisson = 0.3", "poisson = -1"), "poisson = -1: no material has these constants"},
+        {with(isotropic, "poisson = 0.3", "poisson = 0.6"), "poisson = 0.6: out of range"},
+        {with(isotropic, "youngs_modulus = 7e10\n", ""), "youngs_modulus: missing"},
+        {with(dropped, "layup = \"[0 C/90 C]s\"", "layup = \"[0/90]s\""), "layup = \"[0/90]s\": "},
+        {with(beside, "-0.7 m", "-0.5 m"), "body box starts in body laminate or within half a particle of it"},
+    };
+    for (const auto& [scene, message] : wrong) {
+        const std::string found = complaint(scene);
+        EXPECT_NE(found.find(message), std::string::npos) << message << ": '" << found << "'";
+        EXPECT_EQ(found.find("scene.toml:"), 0u) << found;
+    }
+}
+
 /// The sheet of a file is the rectangle of the same elements, to the bit of its mass.
 TEST(ElasticScene, TakesItsMeshFromAFile) {
     write_text_atomically(scratch() / "sheet.inp", sheet_mesh(0.2));
@@ -98,15 +125,21 @@ TEST(ElasticScene, TakesItsMeshFromAFile) {
         << turned;
 }
 
+/// Whether the first body of a scene has a finding of that name.
+bool warns(const std::string& text, const std::string& name) {
+    const Scene scene = scene_of(text);
+    return std::ranges::any_of(scene.bodies.at(0).findings, [&](const Finding& f) { return f.name == name; });
+}
+
 TEST(ElasticScene, WarnsOfElementsMuchCoarserThanTheParticles) {
-    const auto warns = [](const std::string& text) {
-        const Scene scene = scene_of(text);
-        for (const Finding& f : scene.bodies.at(0).findings)
-            if (f.name == "coarse_elements") return true;
-        return false;
-    };
-    EXPECT_FALSE(warns(dropped));
-    EXPECT_TRUE(warns(with(dropped, "cells = [8, 4]", "cells = [4, 2]")));
+    EXPECT_FALSE(warns(dropped, "coarse_elements"));
+    EXPECT_TRUE(warns(with(dropped, "cells = [8, 4]", "cells = [4, 2]"), "coarse_elements"));
+}
+
+/// Water on both sides sees through a surface thinner than its kernels.
+TEST(ElasticScene, WarnsOfASurfaceThinnerThanAWallOfParticlesNeeds) {
+    EXPECT_FALSE(warns(dropped, "few_particles"));
+    EXPECT_TRUE(warns(with(dropped, "mass = \"5 kg\"", "mass = \"5 kg\"\nskin = \"60 mm\""), "few_particles"));
 }
 
 /// The mesh method moves the rigid counterpart of a plate on a frame, and refuses a plate that is held.
