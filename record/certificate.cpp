@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "record/body_work.h"
 #include "record/tank_table.h"
 
 namespace tw {
@@ -19,6 +20,22 @@ void note_worst(RunRecord& record, const CertificateLine& line) {
         *known = line;
 }
 
+namespace {
+
+/// Work of the water on the bodies that move, up to a time [J].
+double given_to_bodies(const RunRecord& record, double time) {
+    double sum = 0;
+    for (const auto& [name, table] : record.tables) {
+        const Column* work = name.starts_with("body_") ? table.find(body_work) : nullptr;
+        const auto after = std::ranges::upper_bound(table.time, time);
+        if (work && after != table.time.begin())
+            sum += work->values[static_cast<std::size_t>(after - table.time.begin()) - 1];
+    }
+    return sum;
+}
+
+}  // namespace
+
 void watch_energy(RunRecord& record) {
     const auto motion = record.attributes.find("motion");
     if (motion == record.attributes.end() || motion->second != "none") return;
@@ -27,9 +44,10 @@ void watch_energy(RunRecord& record) {
                  *elastic = record.series("samples", "elastic_energy"), *air = record.series("samples", "air_energy"),
                  *work = record.series(tank_table, tank_work);
     if (!kinetic || !potential || kinetic->values.empty()) return;
+    const std::vector<double>& times = record.tables.at("samples").time;
     const auto energy = [&](std::size_t i) {
         return kinetic->values[i] + potential->values[i] + (elastic ? elastic->values[i] : 0) +
-               (air ? air->values[i] : 0) - (work ? work->values[i] : 0);
+               (air ? air->values[i] : 0) - (work ? work->values[i] : 0) + given_to_bodies(record, times[i]);
     };
     const double scale = std::abs(potential->values.front());
     if (!(scale > 0)) return;

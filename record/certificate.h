@@ -21,7 +21,8 @@ void note_worst(RunRecord& record, const CertificateLine& line);
 ///   energy made = (E(t) - E(0)) / |E_p(0)|   [%],  limit 1 %,  E: kinetic, potential and, where known, elastic and the
 ///   air's
 ///
-/// Walls at rest do no work, so nothing but a fault of the method makes energy. A stream brings its own: no line.
+/// and the work of the water on bodies that move (free or prescribed) less that of a tank that moves. Walls at rest do no
+/// work, so nothing but a fault of the method makes energy. A stream brings its own: no line.
 void watch_energy(RunRecord& record);
 
 }  // namespace tw

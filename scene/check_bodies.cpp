@@ -1,3 +1,5 @@
+#include <Eigen/Geometry>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -39,6 +41,30 @@ void check_domain(const MovingBody& body, const Scene& scene, Section& s) {
         s.fail(where_key(s), fmt::format("body {} starts in a wall of the tank or outside it: in {} it spans {:.6g} to "
                                          "{:.6g} m, the tank {:.6g} to {:.6g} m",
                                          body.name, axes[a], at.min[a], at.max[a], domain.min[a], domain.max[a]));
+    }
+}
+
+/// A prescribed motion is known beforehand, and so is where it leaves the tank.
+void check_way(const MovingBody& body, const Scene& scene, Section& s) {
+    if (!body.motion.law || body.elastic) return;
+    const MotionLaw& law = *body.motion.law;
+    const Vec3& centre = body.motion.mass.centre;
+    constexpr int moments = 400;
+    for (int k = 1; k <= moments; ++k) {
+        const double t = scene.run.duration * k / moments, path = law.at(t).path;
+        const Eigen::AngleAxisd turn(law.turns ? path : 0, law.axis);
+        const Vec3 shift = law.turns ? Vec3::Zero() : Vec3(path * law.axis);
+        for (const Vec3& p : body.surface.points) {
+            const Vec3 at = centre + turn * (p - centre) + shift;
+            for (int a = 0; a < 3; ++a) {
+                if (a == 1 && scene.domain.dimensions == 2) continue;
+                if (at[a] > scene.domain.box.min[a] && at[a] < scene.domain.box.max[a]) continue;
+                s.fail("law",
+                       fmt::format("takes body {} out of the tank: at {:.4g} s it reaches {} = {:.4g} m, the tank "
+                                   "{:.4g} to {:.4g} m; expected a shorter way, or a shorter [run] duration",
+                                   body.name, t, "xyz"[a], at[a], scene.domain.box.min[a], scene.domain.box.max[a]));
+            }
+        }
     }
 }
 
@@ -112,6 +138,7 @@ void check_bodies(Scene& scene, Sections& s) {
         Section& section = s.bodies[i];
         const bool supported = body.elastic && body.motion.law;  // then its ends may stand in what holds it
         if (!supported) check_domain(body, scene, section);
+        check_way(body, scene, section);
         const auto refuse = [&](const std::string& other) {
             section.fail(where_key(section),
                          fmt::format("body {} starts in {} or within half a particle of it", body.name, other));

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "record/body_work.h"
 #include "record/certificate.h"
 #include "record/hull_motion.h"
 #include "record/raster.h"
@@ -49,6 +50,18 @@ void set(Table& table, std::size_t row, const std::string& name, const std::stri
 Vec3 momentum_inside(const Simulation& simulation, double& mass_inside) {
     const Level& level = simulation.at_bodies();
     return ControlVolume::momentum_inside(*simulation.control_volume(), level.particles(), level.mass(), mass_inside);
+}
+
+/// What the water has done on a body up to a row of its table [J]: a step's load kicks it from the velocity of the row
+/// before to that of its own.
+double work_up_to(const Table& t, std::size_t row) {
+    if (row == 0) return 0;
+    const auto column = [&](const char* name) -> const std::vector<double>& { return t.find(name)->values; };
+    double power = 0;
+    for (const auto& [load, rate] :
+         {std::pair{"fx", "vx"}, {"fy", "vy"}, {"fz", "vz"}, {"mx", "spin_x"}, {"my", "spin_y"}, {"mz", "spin_z"}})
+        power += column(load)[row] * (column(rate)[row - 1] + column(rate)[row]) / 2;
+    return column(body_work)[row - 1] + (t.time[row] - t.time[row - 1]) * power;
 }
 
 }  // namespace
@@ -249,6 +262,7 @@ void Recorder::record_bodies(const Simulation& simulation) {
         put("m{}", per_span("N m"), moment);
         put("f{}_body", per_span("N"), body.turned_back(load.force));
         put("m{}_body", per_span("N m"), body.turned_back(moment));
+        set(t, k, body_work, per_span("J"), work_up_to(t, k));
     }
 }
 

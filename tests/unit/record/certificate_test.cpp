@@ -1,4 +1,5 @@
 #include "record/certificate.h"
+#include "record/body_work.h"
 #include "record/tank_table.h"
 
 #include <gtest/gtest.h>
@@ -58,6 +59,20 @@ TEST(Certificate, WhatATankThatMovesHasGivenIsNotMade) {
     r.certificate.clear();
     watch_energy(r);
     EXPECT_NEAR(r.certificate[0].value, 0, 1e-12);
+}
+
+TEST(Certificate, WhatBodiesHaveGivenTheWaterIsNotMade) {
+    RunRecord r = tank({0, 20, 40}, 3);
+    Table& body = r.table(body_table("stone"));
+    body.time = {0.0, 0.05, 0.15, 0.2};  // rows of its own, one at each frame but the second
+    body.column(body_work, "J").values = {1, 0, -1, -2};
+    r.certificate.clear();
+    watch_energy(r);
+    EXPECT_NEAR(r.certificate[0].value, 0, 1e-12);
+    r.certificate.clear();
+    body.column(body_work, "J").values.back() = 1;  // it has not slowed
+    watch_energy(r);
+    EXPECT_NEAR(r.certificate[0].value, 3, 1e-12);
 }
 
 TEST(Certificate, AStreamBringsItsOwnEnergy) {

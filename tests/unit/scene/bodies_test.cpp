@@ -73,7 +73,7 @@ TEST(BodyScene, ReadsPrescribedMotions) {
     EXPECT_TRUE(roll.turns);
     EXPECT_EQ(roll.axis, Vec3::UnitX());
     EXPECT_NEAR(roll.amplitude, 6 * std::numbers::pi / 180, 1e-15);
-    EXPECT_EQ(law("law = \"ramp\"\nalong = [1, 0, 0]\nrate = \"2 m/s\"\nramp = 0.5").ramp, 0.5);
+    EXPECT_EQ(law("law = \"ramp\"\nalong = [1, 0, 0]\nrate = \"0.5 m/s\"\nramp = 0.5").ramp, 0.5);
     EXPECT_EQ(law("law = \"table\"\nalong = [0, 0, 1]\ntimes = [0, 1]\nvalues = [0, \"20 mm\"]").values[1], 0.02);
 }
 
@@ -87,6 +87,14 @@ TEST(BodyScene, FastBodiesNeedAFasterSound) {
     const double slow = scene_of(afloat).sph.c0;
     EXPECT_NEAR(scene_of(with(afloat, "[motion]", "velocity = [0, 0, 8]\n[motion]")).sph.c0, 80, 1e-9);
     EXPECT_LT(slow, 50);
+}
+
+// As of a hull that floats: the water where it stands is left out, and no error.
+TEST(BodyScene, TakesThePlaceOfTheWaterInWhichItStarts) {
+    const Scene s =
+        scene_of(with(afloat, "[motion]", "[[water_block]]\nmin = [-1, -1, -1]\nmax = [1, 1, 0]\n[motion]"));
+    EXPECT_EQ(s.bodies.size(), 1u);
+    EXPECT_TRUE(s.bodies[0].findings.empty());
 }
 
 TEST(BodyScene, WarnsOfACentreOfMassOutside) {
@@ -184,6 +192,17 @@ INSTANTIATE_TEST_SUITE_P(
             "scene.toml:11:8: [[body]] mass = -2: out of range; expected greater than 0 kg"},
         Bad{"density = \"500 kg/m3\"", "",
             "scene.toml:5:1: [[body]] mass: missing; a free body needs its mass or its density"},
+        Bad{"density = \"500 kg/m3\"", "density = \"-500 kg/m3\"",
+            "scene.toml:11:11: [[body]] density = \"-500 kg/m3\": out of range; expected greater than 0 kg/m3"},
+        Bad{"[motion]", "inertia = [1, 1, -1]\n[motion]",
+            "scene.toml:12:11: [[body]] inertia = [1, 1, -1]: no body has principal moments"},
+        Bad{"[motion]", "motion = \"prescribed\"\nlaw = \"constant\"\nalong = [0, 0, -1]\nrate = 2\n[motion]",
+            "scene.toml:13:7: [[body]] law = \"constant\": takes body body1 out of the tank: at 0.475 s it reaches z = "
+            "-1 m, the tank -1 to 1 m"},
+        Bad{"[motion]",
+            "motion = \"prescribed\"\nlaw = \"table\"\nalong = [1, 0, 0]\ntimes = [0, 0.5]\nvalues = [0, "
+            "0.9]\n[motion]",
+            "scene.toml:13:7: [[body]] law = \"table\": takes body body1 out of the tank"},
         Bad{"[motion]", "mass = 3\n[motion]", "scene.toml:12:8: [[body]] mass = 3: given twice: also density"},
         Bad{"[motion]", "inertia = [1, 1, 3]\n[motion]",
             "scene.toml:12:11: [[body]] inertia = [1, 1, 3]: no body has principal moments of inertia 1, 1, 3 kg m2, "

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <tuple>
 
 #include "csv.h"
 
@@ -274,6 +276,99 @@ std::vector<Row> judge_sloshing(const Scene& scene, const RunRecord& record, con
     return {{"crest", "%", 100 * (high - crest) / crest, 15},
             {"trough", "% of the crest", 100 * (low - trough) / crest, 10},
             {"elevation, rms", "% of the crest", 100 * std::sqrt(squares / count) / crest, 20}};
+}
+
+std::vector<Row> judge_cubes(const Scene& scene, const RunRecord& record, const std::filesystem::path& measured) {
+    const MovingBody& body = scene.bodies.at(0);
+    const bool falls = body.motion.mass.mass > scene.water.density * mass_properties(body.surface).volume;
+    const Table& t = record.tables.at(body_table(body.name));
+    std::vector<double> height, times, heights;
+    for (const double z : t.find("z")->values) height.push_back(z - scene.domain.box.min.z());
+    const Csv csv = read_csv(measured);
+    const auto all_times = csv.numbers("t_s"), all_heights = csv.numbers("z_m_as_stored");
+    for (std::size_t i = 0; i < csv.rows.size(); ++i)
+        if (csv.rows[i][0] == (falls ? "falling" : "floating"))
+            times.push_back(all_times[i]), heights.push_back(all_heights[i]);
+    const double shift =
+        falls ? 0 : times[static_cast<std::size_t>(std::ranges::max_element(heights) - heights.begin())];
+    std::vector<Row> rows;
+    double sum = 0;
+    int count = 0;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        const double z = value_at(t.time, height, times[i] - shift);
+        if (std::isnan(z)) continue;
+        char name[96];
+        std::snprintf(name, sizeof name, "height at %.3f s (%.3f s of the run), measured %.1f mm", times[i],
+                      times[i] - shift, 1000 * heights[i]);
+        rows.push_back({name, "mm", 1000 * (z - heights[i]), 2});
+        sum += (z - heights[i]) * (z - heights[i]), ++count;
+    }
+    rows.push_back({"height, rms", "mm", 1000 * std::sqrt(sum / count), 2});
+    return rows;
+}
+
+namespace {
+
+/// Mean over whole periods of the largest less the smallest value in each.
+double range_of(const std::vector<double>& times, const std::vector<double>& values, double from, double period,
+                int periods) {
+    double sum = 0;
+    for (int k = 0; k < periods; ++k) {
+        double low = nan, high = nan;
+        for (std::size_t i = 0; i < times.size(); ++i) {
+            if (times[i] < from + k * period || times[i] >= from + (k + 1) * period || std::isnan(values[i])) continue;
+            if (!(low <= values[i])) low = values[i];
+            if (!(high >= values[i])) high = values[i];
+        }
+        sum += high - low;
+    }
+    return sum / periods;
+}
+
+}  // namespace
+
+std::vector<Row> judge_box_in_waves(const Scene& scene, const RunRecord& record,
+                                    const std::filesystem::path& measured) {
+    const MotionLaw& piston = scene.bodies.at(0).motion.law.value();
+    const double period = piston.period, wave = piston.amplitude > 0.025 ? 0.10 : 0.04;
+    const Csv csv = read_csv(measured);
+    const auto heights = csv.numbers("wave_height_m"), times = csv.numbers("t_s_arbitrary_origin"),
+               values = csv.numbers("value");
+    const Table& t = record.tables.at(body_table(scene.bodies.at(1).name));
+    const Table& gauge = record.tables.at("height");
+    const int periods = 3;
+    const double from = t.time.back() - periods * period - 1e-6;
+    std::vector<double> pitch;  // about y, in degrees: (q0, qy) of a turn in the plane
+    for (std::size_t i = 0; i < t.time.size(); ++i)
+        pitch.push_back(2 * std::atan2(t.find("qy")->values[i], t.find("q0")->values[i]) * 180 / std::numbers::pi);
+    std::vector<Row> rows;
+    for (const auto& [quantity, run_times, run] :
+         {std::tuple<std::string, const std::vector<double>&, const std::vector<double>&>{"wavegauge", gauge.time,
+                                                                                          gauge.columns.at(0).values},
+          {"heave", t.time, t.find("z")->values},
+          {"pitch", t.time, pitch},
+          {"surge", t.time, t.find("x")->values}}) {
+        std::vector<double> ts, xs;
+        for (std::size_t i = 0; i < csv.rows.size(); ++i)
+            if (csv.rows[i][1] == quantity && std::abs(heights[i] - wave) < 1e-3)
+                ts.push_back(times[i]), xs.push_back(values[i]);
+        const int all = static_cast<int>((ts.back() - ts.front()) / period);
+        const auto drift = [&](const std::vector<double>& time, const std::vector<double>& x, double begin, int n) {
+            return (value_at(time, x, begin + n * period) - value_at(time, x, begin)) / (n * period);
+        };
+        const bool surge = quantity == "surge";
+        const double found =
+                         surge ? drift(run_times, run, from, periods) : range_of(run_times, run, from, period, periods),
+                     truth = surge ? drift(ts, xs, ts.front(), all) : range_of(ts, xs, ts.front(), period, all);
+        char name[120];
+        std::snprintf(name, sizeof name, "%s, %s: %.4g, measured %.4g %s", quantity.c_str(),
+                      surge ? "drift" : "highest to lowest in a period", found, truth,
+                      surge                 ? "m/s"
+                      : quantity == "pitch" ? "deg"
+                                            : "m");
+        rows.push_back({name, "%", 100 * (found / truth - 1), 20});
+    }
+    return rows;
 }
 
 }  // namespace tw::test

@@ -47,4 +47,14 @@ std::vector<Row> judge_entry(const Scene& scene, const RunRecord& record, const 
 /// square [% of the measured crest].
 std::vector<Row> judge_sloshing(const Scene& scene, const RunRecord& record, const std::filesystem::path& measured);
 
+/// Bodies of Qiu et al. 2017 in a tank: height of the centre over the floor at the times of tests/data/cubes_in_tank.csv
+/// [mm from the measured one], of the case "falling" (heavier than water) or "floating", which
+/// starts at the measurement's first crest.
+std::vector<Row> judge_cubes(const Scene& scene, const RunRecord& record, const std::filesystem::path& measured);
+
+/// A body that floats in waves (the scene's second one): wave at the first height probe and heave, from crest to trough,
+/// range of the pitch and drift in surge, over the last three periods of the piston (the scene's first body), against the
+/// same of all whole periods of tests/data/box_in_waves.csv of this wave height.
+std::vector<Row> judge_box_in_waves(const Scene& scene, const RunRecord& record, const std::filesystem::path& measured);
+
 }  // namespace tw::test

@@ -2,9 +2,11 @@
 // from the same studies and the same judges (see validation_rows.cpp).
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "judges.h"
+#include "record/body_work.h"
 #include "study_run.h"
 #include "test_paths.h"
 
@@ -64,6 +66,20 @@ TEST(CylinderEntry, IsAsDeepAsABoundaryElementMethodSaysWhileItIsSlowed) {
     const Table& t = run.record.tables.at(body_table("cylinder"));
     EXPECT_LT(std::abs(t.find("x")->values.back()), 1e-3 * run.scene.resolution.near_hull);
     EXPECT_GT(t.find("vz")->values.back(), -2.5);
+
+    // What the water has done on it is what its motion and its weight have lost, and the water has got no more.
+    const RigidMass& mass = run.scene.bodies[0].motion.mass;
+    const auto energy = [&](std::size_t row) {
+        const double v = t.find("vz")->values[row];
+        return mass.mass * (v * v / 2 + run.scene.water.gravity * t.find("z")->values[row]);
+    };
+    const double lost = energy(0) - energy(t.time.size() - 1);
+    EXPECT_GT(lost, 10) << "J/m; or no water slows it";
+    EXPECT_NEAR(-t.find(body_work)->values.back() / lost, 1, 0.01);
+    const auto made = std::ranges::find(run.record.certificate, "energy made", &CertificateLine::name);
+    ASSERT_NE(made, run.record.certificate.end());
+    EXPECT_TRUE(made->met());
+    EXPECT_LT(made->value, 0.01) << "% of the potential energy";
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 //
 //   validation_rows JUDGE scene.toml record.h5 [measured.csv]
 //
-// JUDGE: still, buoyancy, channel, front, spheric2, entry, sloshing. Any method's record. Exit status 0 when every row passes, 1 when
+// JUDGE: still, buoyancy, channel, front, spheric2, entry, sloshing, cubes, waves. Any method's record. Exit status 0 when every row passes, 1 when
 // one does not, 2 for wrong usage.
 #include <cstdio>
 #include <exception>
@@ -15,7 +15,8 @@ int main(int argc, char** argv) {
     using namespace tw::test;
     if (argc < 4) {
         std::fputs(
-            "usage: validation_rows still|buoyancy|channel|front|spheric2|entry|sloshing scene.toml record.h5 "
+            "usage: validation_rows still|buoyancy|channel|front|spheric2|entry|sloshing|cubes|waves scene.toml "
+            "record.h5 "
             "[measured.csv]\n",
             stderr);
         return 2;
@@ -41,6 +42,10 @@ int main(int argc, char** argv) {
             rows = judge_entry(scene, record, measured);
         else if (judge == "sloshing")
             rows = judge_sloshing(scene, record, measured);
+        else if (judge == "cubes")
+            rows = judge_cubes(scene, record, measured);
+        else if (judge == "waves")
+            rows = judge_box_in_waves(scene, record, measured);
         else {
             std::fprintf(stderr, "validation_rows: unknown judge '%s'\n", argv[1]);
             return 2;
