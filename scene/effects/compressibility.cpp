@@ -8,10 +8,8 @@ namespace {
 EffectChoice plan(const EffectQuestion& q) {
     const FlowNumbers& n = q.flow;
     EffectChoice c = q.choice(false);
-    c.reason = fmt::format(
-        "Ma = {:.2g} in real water (1480 m/s), {:.2g} in the particle method ({} equation of state); structures are "
-        "rigid",
-        n.speed / 1480, n.mach, q.scene.sph.equation_of_state);
+    c.reason = fmt::format("Ma = {:.2g} in real water (1480 m/s), {:.2g} in the particle method ({} equation of state)",
+                           n.speed / 1480, n.mach, q.scene.sph.equation_of_state);
     const std::string share = per_cent(n.mach * n.mach);
     c.influence = influence(share, share, share,
                             n.mach > 0.11 ? "density error of the particle method above 1 %: raise [sph] c0"
