@@ -179,7 +179,7 @@ provide_openfoam() {
 # --- commands --------------------------------------------------------------------------------------------------------
 
 run_tests() {
-    # Those that start a solver use one core but for a few, which say so by RUN_SERIAL.
+    # Side by side, those that start a solver as well: most of them use one core, and none asserts a speed.
     # The test programs lie deeper than build/twinwake, beside which the mended solvers are looked for.
     if [ -d .openfoam/bin ]; then export TWINWAKE_OPENFOAM_BIN=$root/.openfoam/bin; fi
     say "tests, $jobs at a time"

@@ -220,8 +220,8 @@ SphSetup sph_setup(const Scene& scene, int threads) {
     for (const MovingBody& b : scene.bodies) {
         if (b.elastic) {
             s.bodies
-                .emplace_back(std::make_shared<const ElasticSetup>(b.tyre() ? elastic_setup(*b.tyre(), s.domain.min.z() + s.dp)
-                                                                            : elastic_setup(*b.plate())))
+                .emplace_back(std::make_shared<const ElasticSetup>(
+                    b.tyre() ? elastic_setup(*b.tyre(), s.domain.min.z() + s.dp) : elastic_setup(*b.plate())))
                 .name = b.name;
             continue;
         }

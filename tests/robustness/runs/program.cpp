@@ -15,9 +15,11 @@
 
 namespace tw::test {
 
-Program::Program(const std::vector<std::string>& arguments, const std::filesystem::path& working_folder, long largest_file) {
+Program::Program(const std::vector<std::string>& arguments, const std::filesystem::path& working_folder,
+                 long largest_file) {
     static int number = 0;
-    output_ = std::filesystem::temp_directory_path() / ("twinwake_output_" + std::to_string(getpid()) + "_" + std::to_string(++number));
+    output_ = std::filesystem::temp_directory_path() /
+              ("twinwake_output_" + std::to_string(getpid()) + "_" + std::to_string(++number));
     std::vector<std::string> words{TWINWAKE_PROGRAM};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
@@ -33,7 +35,7 @@ Program::Program(const std::vector<std::string>& arguments, const std::filesyste
     dup2(out, 2);
     if (chdir(working_folder.c_str()) != 0) _exit(126);
     if (largest_file > 0) {
-        signal(SIGXFSZ, SIG_IGN);   // a full disk is an error of write(), not a signal
+        signal(SIGXFSZ, SIG_IGN);  // a full disk is an error of write(), not a signal
         const rlimit limit{static_cast<rlim_t>(largest_file), static_cast<rlim_t>(largest_file)};
         setrlimit(RLIMIT_FSIZE, &limit);
     }

@@ -9,9 +9,9 @@
 #include "base/atomic_file.h"
 #include "compare/report/view3d_mesh.h"
 #include "record/water_surface.h"
+#include "test_paths.h"
 #include "tests/unit/compare/synthetic_pair.h"
 #include "tests/unit/record/example_record.h"
-#include "test_paths.h"
 
 namespace tw {
 namespace {

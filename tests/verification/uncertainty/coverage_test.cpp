@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "tests/verification/uncertainty/coverage.h"
 #include "test_paths.h"
+#include "tests/verification/uncertainty/coverage.h"
 
 namespace tw::test {
 namespace {
