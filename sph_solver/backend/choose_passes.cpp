@@ -39,9 +39,9 @@ public:
         motion_.resize(n), stress_.resize(n), shift_.resize(n), rate_.resize(n), surface_.resize(n / 32 + 2);
         const Kernel kernel(1.5 * dp, 3);
         const double support = kernel.support(), skin = 0.3 * dp;
-        const Source source{place_.data(), &start, 0};
-        make_groups(grid, source, passes.lanes, groups_);
-        lists_.build(passes, grid, quanta, source, groups_, {source}, {support + skin, support, support - skin});
+        const Source source{&grid, place_.data(), &start, 0};
+        make_groups(source, passes.lanes, groups_);
+        lists_.build(passes, quanta, source, groups_, {source}, {support + skin, support, support - skin});
         data_.list = lists_.view();
         data_.place = place_.data(), data_.motion = motion_.data(), data_.stress = stress_.data();
         data_.shift = shift_.data(), data_.rate = rate_.data(), data_.surface = surface_.data();

@@ -44,7 +44,7 @@ Walls::Walls(const std::vector<Body>& bodies, const Surroundings& around, const 
             places.push_back(d.places[k]);
         }
         body_end_.push_back(static_cast<std::int32_t>(place_.size()));
-        make_groups(grid, {place_.data() + part.first, &part.start, 0}, lanes, part.groups);
+        make_groups({&grid, place_.data() + part.first, &part.start, 0}, lanes, part.groups);
     }
     p_.assign(place_.size(), 0);
     if (!std::ranges::all_of(bodies_, [](const Body& body) { return body.sliding().isZero(0); }))
@@ -154,7 +154,7 @@ void Walls::sort(const ColumnGrid& grid, const Quanta& quanta, int lanes) {
             at_start_[part.first + k] = at_start[from];
             if (bodies_[b].elastic()) ties_[part.first + k] = ties[from];
         }
-        make_groups(grid, {place_.data() + part.first, &part.start, 0}, lanes, part.groups);
+        make_groups({&grid, place_.data() + part.first, &part.start, 0}, lanes, part.groups);
     }
     follow(quanta);
 }
@@ -174,11 +174,11 @@ void Walls::find_neighbours(const Passes& passes, const ColumnGrid& grid, const 
                             std::vector<Group>& groups, const std::vector<Source>& sources, const Reaches& reaches) {
     std::vector<Source> dummies;
     for (const Part& part : parts_)
-        dummies.push_back({place_.data() + part.first, &part.start, static_cast<std::int32_t>(part.first)});
-    lists_.build(passes, grid, quanta, sources.front(), groups, dummies, reaches, &Group::wall_list);
+        dummies.push_back({&grid, place_.data() + part.first, &part.start, static_cast<std::int32_t>(part.first)});
+    lists_.build(passes, quanta, sources.front(), groups, dummies, reaches, &Group::wall_list);
     for (Part& part : parts_) {
         part.near_water = part.groups;
-        part.water.build(passes, grid, quanta, {place_.data() + part.first, &part.start, 0}, part.near_water, sources,
+        part.water.build(passes, quanta, {&grid, place_.data() + part.first, &part.start, 0}, part.near_water, sources,
                          reaches);
         std::erase_if(part.near_water, [](const Group& g) { return g.list.size == 0; });
     }

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "base/errors.h"
+#include "sph_solver/backend/for_particles.h"
 
 namespace tw {
 
@@ -30,6 +31,14 @@ ColumnGrid::ColumnGrid(const Box& area, double dp, int dimensions, const Quanta&
     y0 = dimensions == 3 ? quanta.wide(area.min.y(), 1) : -width / 2;
     z0 = quanta.wide(area.min.z(), 2);
     nx = static_cast<int>(x), ny = static_cast<int>(y), nz = static_cast<int>(z);
+}
+
+ColumnGrid ColumnGrid::scaled(double factor) const {
+    ColumnGrid to = *this;
+    to.width = std::max<std::int64_t>(1, std::llround(double(width) * factor));
+    const auto columns = [&](int n) { return n == 1 ? 1 : static_cast<int>((n * width + to.width - 1) / to.width); };
+    to.nx = columns(nx), to.ny = columns(ny);
+    return to;
 }
 
 void sort_by_column(const ColumnGrid& grid, const std::vector<WidePlace>& places, std::vector<std::int32_t>& order,
@@ -88,23 +97,25 @@ Bounds bounds(const PlaceRecord* places, const Group& g, const WidePlace& from) 
 
 }  // namespace
 
-void make_groups(const ColumnGrid& grid, const Source& source, int lanes, std::vector<Group>& groups) {
+void make_groups(const Source& source, int lanes, std::vector<Group>& groups) {
     const std::vector<std::int32_t>& start = *source.start;
     groups.clear();
-    for (std::size_t c = 0; c + 1 < start.size(); ++c) {
-        if (start[c] == start[c + 1]) continue;
-        const WidePlace from = grid.centre(static_cast<int>(c));
+    std::vector<int> column;
+    for (std::size_t c = 0; c + 1 < start.size(); ++c)
         for (std::int32_t i = start[c]; i < start[c + 1]; i += lanes) {
             Group g;
             g.first = i;
             g.size = std::min(lanes, start[c + 1] - i);
-            const Bounds box = bounds(source.places, g, from);
-            g.x = static_cast<std::int32_t>((box.lo[0] + box.hi[0]) / 2);
-            g.y = static_cast<std::int32_t>((box.lo[1] + box.hi[1]) / 2);
-            g.z = static_cast<std::int32_t>((box.lo[2] + box.hi[2]) / 2);
             groups.push_back(g);
+            column.push_back(static_cast<int>(c));
         }
-    }
+    for_particles(groups.size(), [&](std::size_t n) {
+        Group& g = groups[n];
+        const Bounds box = bounds(source.places, g, source.grid->centre(column[n]));
+        g.x = static_cast<std::int32_t>((box.lo[0] + box.hi[0]) / 2);
+        g.y = static_cast<std::int32_t>((box.lo[1] + box.hi[1]) / 2);
+        g.z = static_cast<std::int32_t>((box.lo[2] + box.hi[2]) / 2);
+    });
 }
 
 namespace {
@@ -113,17 +124,16 @@ namespace {
 /// one group is too low for the next, and no column is searched from its ends again.
 class Search {
 public:
-    Search(const ColumnGrid& grid, double reach, const Source& source)
-        : grid_(grid), source_(source), reach_(reach), cursors_(static_cast<std::size_t>(grid.count())) {}
+    Search(double reach, const Source& source)
+        : grid_(*source.grid), source_(source), reach_(reach), cursors_(static_cast<std::size_t>(grid_.count())) {}
 
     /// What comes next is not above what came last.
     void start_anew() { ++run_; }
 
-    /// Adds to `out` the places within reach of the group's particles. `column`: the group's own.
-    void collect(const Bounds& box, int column, const GroupReach& group, const Passes& pass,
+    /// Adds to `out` the places within reach of the group's particles. `own`: a height in full near the group's.
+    void collect(const Bounds& box, std::int64_t own, const GroupReach& group, const Passes& pass,
                  std::vector<NeighbourBlock>& out) {
         const auto r = static_cast<std::int64_t>(std::ceil(reach_));
-        const std::int64_t own = grid_.centre(column).z;
         const std::int64_t group_z = own + difference(group.z, static_cast<std::int32_t>(own));
         const int z1 = grid_.slab(box.hi[2] + r);
         for (int cz = grid_.slab(box.lo[2] - r); cz <= z1; ++cz) collect_in_slab(cz, r, box, group_z, group, pass, out);
@@ -189,9 +199,8 @@ private:
 
 }  // namespace
 
-void NeighbourLists::build(const Passes& pass, const ColumnGrid& grid, const Quanta& quanta, const Source& targets,
-                           std::vector<Group>& groups, const std::vector<Source>& sources, const Reaches& reaches,
-                           ListRef Group::*list) {
+void NeighbourLists::build(const Passes& pass, const Quanta& quanta, const Source& targets, std::vector<Group>& groups,
+                           const std::vector<Source>& sources, const Reaches& reaches, ListRef Group::*list) {
     constexpr std::size_t per_chunk = 32;
     const std::size_t chunks = (groups.size() + per_chunk - 1) / per_chunk;
     chunks_.resize(chunks);
@@ -206,7 +215,7 @@ void NeighbourLists::build(const Passes& pass, const ColumnGrid& grid, const Qua
         for (std::size_t k = 0; k < chunks; ++k) {
             scratch.clear();
             if (searches.empty())
-                for (const Source& s : sources) searches.emplace_back(grid, in_quanta.far + in_quanta.stale, s);
+                for (const Source& s : sources) searches.emplace_back(in_quanta.far + in_quanta.stale, s);
             const std::size_t first = k * per_chunk, last = std::min(groups.size(), first + per_chunk);
             const std::vector<std::int32_t>& start = *targets.start;
             const auto after = std::upper_bound(start.begin(), start.end(), groups[first].first);
@@ -218,9 +227,10 @@ void NeighbourLists::build(const Passes& pass, const ColumnGrid& grid, const Qua
                     while (groups[n].first >= start[static_cast<std::size_t>(column) + 1]) ++column;
                     for (Search& s : searches) s.start_anew();
                 }
-                const Bounds box = bounds(targets.places, groups[n], grid.centre(column));
+                const WidePlace centre = targets.grid->centre(column);
+                const Bounds box = bounds(targets.places, groups[n], centre);
                 const GroupReach group = pass.reach_of(targets.places, groups[n], in_quanta);
-                for (Search& s : searches) s.collect(box, column, group, pass, scratch);
+                for (Search& s : searches) s.collect(box, centre.z, group, pass, scratch);
                 sizes[n - first] = static_cast<std::int32_t>(scratch.size() - before);
             }
             chunks_[k].assign(scratch.begin(), scratch.end());

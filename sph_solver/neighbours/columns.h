@@ -59,6 +59,8 @@ struct ColumnGrid {
     int slab(std::int64_t z) const { return clamp((z - z0) / height, nz); }
     int column(int cx, int cy, int cz) const { return (cz * ny + cy) * nx + cx; }
     int of(const WidePlace& p) const { return column(column_x(p.x), column_y(p.y), slab(p.z)); }
+    /// The same box in columns `factor` times as wide.
+    ColumnGrid scaled(double factor) const;
     WidePlace centre(int column) const {
         return {x0 + (column % nx) * width + width / 2, y0 + (column / nx % ny) * width + width / 2,
                 middle_of_slab(column / nx / ny)};
@@ -86,13 +88,14 @@ void sort_by_column(const ColumnGrid& grid, const std::vector<WidePlace>& places
 
 /// Sorted places in which neighbours are looked for.
 struct Source {
+    const ColumnGrid* grid;     ///< that they are sorted by
     const PlaceRecord* places;  ///< indexed by column start + offset
     const std::vector<std::int32_t>* start;
     std::int32_t offset;  ///< index of the first place in the pass's index space
 };
 
 /// Cuts each column of sorted places into groups of up to `lanes`.
-void make_groups(const ColumnGrid& grid, const Source& places, int lanes, std::vector<Group>& groups);
+void make_groups(const Source& places, int lanes, std::vector<Group>& groups);
 
 /// Gives every group with walls near its slots for loads, one for each body that it has in reach (see
 /// PassData::body_end); returns how many slots there are.
@@ -104,9 +107,8 @@ class NeighbourLists {
 public:
     /// For every group, as its `list`, source by source, the indices of all source places within `reaches` [m]. The
     /// groups are those of `targets`.
-    void build(const Passes& passes, const ColumnGrid& grid, const Quanta& quanta, const Source& targets,
-               std::vector<Group>& groups, const std::vector<Source>& sources, const Reaches& reaches,
-               ListRef Group::*list = &Group::list);
+    void build(const Passes& passes, const Quanta& quanta, const Source& targets, std::vector<Group>& groups,
+               const std::vector<Source>& sources, const Reaches& reaches, ListRef Group::*list = &Group::list);
     /// Good until the lists are built anew or moved.
     Lists view() const { return {starts_.data()}; }
     std::size_t bytes() const;

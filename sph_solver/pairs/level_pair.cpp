@@ -16,8 +16,8 @@ void LevelPair::find_neighbours() {
         const Level& level = *own.level;
         const double reach = level.kernel().support() + ListLife::wall_skin_over_dp * level.setup().dp;
         own.groups = level.groups();
-        own.lists.build(level.passes(), level.grid(), level.quanta(), level.sources().front(), own.groups,
-                        other.level->sources(), {reach, reach, reach});
+        own.lists.build(level.passes(), level.quanta(), level.sources().front(), own.groups, other.level->sources(),
+                        {reach, reach, reach});
         std::erase_if(own.groups, [](const Group& g) { return g.list.size == 0; });
         own.sums.assign(level.particles().size(), {});
     };

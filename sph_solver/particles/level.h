@@ -29,6 +29,7 @@ struct Timers {
 /// Places that are none of a level's particles, and what it is there, see Level::interpolate.
 struct FieldsAt {
     std::vector<Vec3> places;
+    double apart = 1;           ///< roughly, in spacings of the level: places near each other are worked out together
     double density_before = 0;  ///< the density as it was so long before the last evaluation [s], by its rate there
     bool want_compression = false;
     SurfaceExcess without;  ///< taken off the densities of the particles

@@ -16,6 +16,11 @@ namespace tw {
 namespace {
 
 constexpr double held_at_wall_over_dp = 0.1;  ///< nearer than this a particle is not let towards a wall
+/// A guard is shifted only where it has this share of the coarser level's kernel support. Where less of it is there the
+/// guards end within reach, and shifting would spread them outwards, because it takes the end for a void: the zone loses
+/// particles, and water whose kernel sums are a hundredth too small takes a hundredth more of pressure gradient to carry
+/// itself, so it sinks (docs/decisions/050).
+constexpr double guard_shifted_from = 0.98;
 
 /// What a range of particles adds to the step's extremes and sums.
 struct Part {
@@ -109,7 +114,8 @@ void Level::advance(const Schedule::Move& move, const Vec3& moment_reference) {
                     p.u[i] = static_cast<float>(u0 + dt * t.u);
                     p.v[i] = static_cast<float>(v0 + dt * t.v);
                     p.w[i] = static_cast<float>(w0 + dt * t.w);
-                    shift_towards_voids();
+                    if (double(records.shift_support[i].support) > guard_shifted_from * double(t.support))
+                        shift_towards_voids();
                     break;
                 }
                 case Kind::carried: shift_towards_voids(); break;

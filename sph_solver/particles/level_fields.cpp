@@ -1,4 +1,6 @@
 // Fields of a level at points that are none of its particles: dummies, samples, and the particles of other levels.
+#include <numeric>
+
 #include "sph_solver/backend/for_particles.h"
 #include "sph_solver/particles/level.h"
 #include "sph_solver/refinement/interpolate.h"
@@ -9,25 +11,29 @@ namespace {
 
 /// Points in the order and the groups in which the sweeps visit them.
 struct SortedPlaces {
+    ColumnGrid grid;
     std::vector<std::int32_t> order, start;  ///< order[k]: which point stands at k
     std::vector<PlaceRecord> places;
     std::vector<Group> groups;
     NeighbourLists lists;
 
-    /// `travel`: how far the sources have moved since they were sorted [m].
-    SortedPlaces(const std::vector<Vec3>& points, const Level& level, const std::vector<Source>& sources,
-                 double travel) {
+    /// `apart`: distance between points [spacings of the level]; `travel`: how far the sources have moved since they
+    /// were sorted [m].
+    SortedPlaces(const std::vector<Vec3>& points, double apart, const Kernel& kernel, const Level& level,
+                 const std::vector<Source>& sources, double travel)
+        : grid(level.grid().scaled(apart)) {
         std::vector<WidePlace> raw(points.size());
-        for (std::size_t k = 0; k < raw.size(); ++k) raw[k] = level.quanta().wide(points[k]);
-        sort_by_column(level.grid(), raw, order, start);
+        for_particles(raw.size(), [&](std::size_t k) { raw[k] = level.quanta().wide(points[k]); });
+        sort_by_column(grid, raw, order, start);
         places.resize(raw.size());
-        for (std::size_t k = 0; k < raw.size(); ++k) places[k] = raw[static_cast<std::size_t>(order[k])].record(0);
-        const Source sorted{places.data(), &start, 0};
-        make_groups(level.grid(), sorted, level.passes().lanes, groups);
+        for_particles(raw.size(),
+                      [&](std::size_t k) { places[k] = raw[static_cast<std::size_t>(order[k])].record(0); });
+        const Source sorted{&grid, places.data(), &start, 0};
+        make_groups(sorted, level.passes().lanes, groups);
         // a margin, because the travel is that of particles that the water's equations move: what others come farther
         // is missing at the rim of the kernel, where it weighs (0.1 dp / 2h)^4 at most
-        const double support = level.kernel().support(), margin = 0.1 * level.setup().dp;
-        lists.build(level.passes(), level.grid(), level.quanta(), sorted, groups, sources,
+        const double support = kernel.support(), margin = 0.1 * level.setup().dp;
+        lists.build(level.passes(), level.quanta(), sorted, groups, sources,
                     {support, support, support, travel + margin});
     }
 };
@@ -54,7 +60,7 @@ void Level::sample(PointSamples& points) const {
     points.support.assign(n, 0);
     if (points.want_flux) points.flux.assign(3 * n, 0);
     if (n == 0) return;
-    const SortedPlaces sorted(points.places, *this, sources(), life_.travel);
+    const SortedPlaces sorted(points.places, 1, kernel_, *this, sources(), life_.travel);
     std::vector<float> p(n), support(n), flux(points.want_flux ? 3 * n : 0);
     ExtrapolateData e = extrapolation();
     e.list = sorted.lists.view();
@@ -86,22 +92,53 @@ void Level::interpolate(FieldsAt& at) {
     at.mean_support.resize(n);
     if (n == 0) return;
     update_records();
-    std::vector<PlaceRecord> place = records_.place;
-    std::vector<float> known_support(place.size()), rate(at.want_compression ? place.size() : 0);
+    const auto source_of = [&](std::size_t i) {
+        return i < own ? i : static_cast<std::size_t>(ghosts_.images()[i - own].source);
+    };
+    const auto counts = [&](std::size_t i) {
+        const Kind kind = particles_.kind[source_of(i)];
+        return at.of == FieldsAt::Of::all || is_active(kind) ||
+               (at.of == FieldsAt::Of::not_guards && kind != Kind::guard);
+    };
+    // of those that count, in the order of the level's particles and then of their images
+    std::vector<PlaceRecord> place;
+    std::vector<VelocityDensityRecord> motion;
+    std::vector<float> known_support, rate;
     const double row = density_of_row();
-    for_particles(place.size(), [&](std::size_t i) {
-        const std::size_t of = i < own ? i : static_cast<std::size_t>(ghosts_.images()[i - own].source);
-        const Kind kind = particles_.kind[of];
-        const bool counts =
-            at.of == FieldsAt::Of::all || is_active(kind) || (at.of == FieldsAt::Of::not_guards && kind != Kind::guard);
-        if (!counts) place[i].volume = 0;
-        known_support[i] = records_.shift_support[of].support;
-        if (at.want_compression) rate[i] = records_.compression[of];
-        if (at.density_before > 0)
-            records_.velocity_density[i].drho -= static_cast<float>(at.density_before * records_.compression[of]);
-        records_.velocity_density[i].drho -= static_cast<float>(row * at.without.of(double(known_support[i])));
-    });
-    const SortedPlaces sorted(at.places, *this, sources(), life_.travel);
+    const auto take = [&](const std::vector<std::int32_t>& all_start, std::size_t offset) {
+        const std::size_t columns = all_start.size() - 1, before = place.size();
+        const auto each_in = [&](std::size_t column, const auto& f) {
+            for (auto k = static_cast<std::size_t>(all_start[column]);
+                 k < static_cast<std::size_t>(all_start[column + 1]); ++k)
+                if (counts(offset + k)) f(offset + k);
+        };
+        std::vector<std::int32_t> start(all_start.size(), 0);
+        for_particles(columns, [&](std::size_t c) { each_in(c, [&](std::size_t) { ++start[c + 1]; }); });
+        std::partial_sum(start.begin(), start.end(), start.begin());
+        const std::size_t end = before + static_cast<std::size_t>(start.back());
+        place.resize(end), motion.resize(end), known_support.resize(end), rate.resize(at.want_compression ? end : 0);
+        for_particles(columns, [&](std::size_t c) {
+            std::size_t k = before + static_cast<std::size_t>(start[c]);
+            each_in(c, [&](std::size_t i) {
+                const std::size_t of = source_of(i);
+                place[k] = records_.place[i];
+                known_support[k] = records_.shift_support[of].support;
+                motion[k] = records_.velocity_density[i];
+                if (at.want_compression) rate[k] = records_.compression[of];
+                if (at.density_before > 0)
+                    motion[k].drho -= static_cast<float>(at.density_before * records_.compression[of]);
+                motion[k].drho -= static_cast<float>(row * at.without.of(double(known_support[k])));
+                ++k;
+            });
+        });
+        return start;
+    };
+    const std::vector<std::int32_t> start = take(start_, 0), images_start = take(ghosts_.start(), own);
+    const auto images_from = static_cast<std::int32_t>(start.back());
+    const std::vector<Source> from{{&grid_, place.data(), &start, 0},
+                                   {&grid_, place.data() + images_from, &images_start, images_from}};
+    const Kernel kernel(interpolation_h_over_dp * setup_.dp, around_.dimensions);
+    const SortedPlaces sorted(at.places, at.apart, kernel, *this, from, life_.travel);
     std::vector<VelocityDensityRecord> value(n);
     std::vector<float> support(n), mean_support(n), compression(rate.empty() ? 0 : n);
     at.compression.resize(compression.size());
@@ -111,24 +148,24 @@ void Level::interpolate(FieldsAt& at) {
     d.list = sorted.lists.view();
     d.at = sorted.places.data();
     d.place = place.data();
-    d.motion = records_.velocity_density.data();
+    d.motion = motion.data();
     d.known_support = known_support.data();
     d.value = value.data();
     d.support = support.data();
     d.mean_support = mean_support.data();
     if (at.want_compression) d.rate = rate.data(), d.compression = compression.data();
-    d.kernel = kernel_;
+    d.kernel = kernel;
     d.quantum = static_cast<float>(quanta_.size);
     d.gx = slope.x(), d.gy = slope.y(), d.gz = slope.z();
     d.two_dimensional = around_.dimensions == 2;
     for_pairs(passes_.interpolate, d, sorted.groups);
-    for (std::size_t k = 0; k < n; ++k) {
+    for_particles(n, [&](std::size_t k) {
         const auto i = static_cast<std::size_t>(sorted.order[k]);
         at.value[i] = value[k];
         at.support[i] = support[k];
         at.mean_support[i] = mean_support[k];
         if (at.want_compression) at.compression[i] = compression[k];
-    }
+    });
 }
 
 }  // namespace tw

@@ -52,8 +52,8 @@ void Level::prune(double drift) {
 
 std::vector<Source> Level::sources() const {
     const std::size_t n = particles_.size();
-    return {{records_.place.data(), &start_, 0},
-            {records_.place.data() + n, &ghosts_.start(), static_cast<std::int32_t>(n)}};
+    return {{&grid_, records_.place.data(), &start_, 0},
+            {&grid_, records_.place.data() + n, &ghosts_.start(), static_cast<std::int32_t>(n)}};
 }
 
 /// Makes the lists anew, live as `prune` leaves them.
@@ -64,16 +64,15 @@ void Level::rebuild(double drift) {
     Particles& p = particles_;
 
     const std::vector<char> gone = cross_open_boundaries(around_, s.dp, p, ledger_);
-    std::vector<WidePlace> kept;
     std::vector<std::int32_t> index;
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        if (gone[i]) {
-            ++ledger_.out;
-            continue;
-        }
-        kept.push_back(quanta_.wide({p.x[i], p.y[i], p.z[i]}));
-        index.push_back(static_cast<std::int32_t>(i));
-    }
+    for (std::size_t i = 0; i < p.size(); ++i)
+        if (!gone[i]) index.push_back(static_cast<std::int32_t>(i));
+    ledger_.out += static_cast<std::int64_t>(p.size() - index.size());
+    std::vector<WidePlace> kept(index.size());
+    for_particles(kept.size(), [&](std::size_t k) {
+        const auto i = static_cast<std::size_t>(index[k]);
+        kept[k] = quanta_.wide({p.x[i], p.y[i], p.z[i]});
+    });
     std::vector<std::int32_t> order;
     sort_by_column(grid_, kept, order, start_);
     for (auto& k : order) k = index[static_cast<std::size_t>(k)];
@@ -90,8 +89,8 @@ void Level::rebuild(double drift) {
     update_records();
 
     const std::vector<Source> own = sources();
-    make_groups(grid_, own.front(), passes_.lanes, groups_);
-    lists_.build(passes_, grid_, quanta_, own.front(), groups_, own, among);
+    make_groups(own.front(), passes_.lanes, groups_);
+    lists_.build(passes_, quanta_, own.front(), groups_, own, among);
     if (!walls_.empty()) {
         walls_.sort(grid_, quanta_, passes_.lanes);
         walls_.find_neighbours(passes_, grid_, quanta_, groups_, own, to_walls);

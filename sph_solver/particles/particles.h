@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "sph_solver/particles/kind.h"
@@ -64,7 +65,8 @@ struct Particles {
     /// New order: particle k becomes what particle order[k] was; particles not named are dropped.
     void reorder(const std::vector<std::int32_t>& order) {
         for_each_array([&](auto& array) {
-            auto old = array;
+            auto old = std::move(array);
+            array = {};
             array.resize(order.size());
 #pragma omp parallel for schedule(static)
             for (std::size_t k = 0; k < order.size(); ++k) array[k] = old[static_cast<std::size_t>(order[k])];

@@ -3,13 +3,17 @@
 
 namespace tw {
 
+/// Smoothing length of the interpolation, narrower than that of the pairs (1.5): what goes through is damped less
+/// (0.13 (k h)^2 of a wave of number k) and half as many particles are visited; narrower still, the order of the
+/// particles shows (docs/decisions/050).
+inline constexpr double interpolation_h_over_dp = 1.2;
+
 /// Fields of one level's particles at places of another level's, see equations/first_order.h. The density is
 /// carried along the hydrostatic line to the place first.
 struct InterpolateData {
-    Lists list;                       ///< of the groups of places among the particles
-    const PlaceRecord* at = nullptr;  ///< the places, in groups as particles are
-    /// Of the particles and their images; those that do not count have no volume.
-    const PlaceRecord* place = nullptr;
+    Lists list;                                     ///< of the groups of places among the particles
+    const PlaceRecord* at = nullptr;                ///< the places, in groups as particles are
+    const PlaceRecord* place = nullptr;             ///< of the particles and images that count
     const VelocityDensityRecord* motion = nullptr;  ///< of them
     const float* known_support = nullptr;           ///< kernel support at each of them [-]; may be null
     VelocityDensityRecord* value = nullptr;         ///< at the places

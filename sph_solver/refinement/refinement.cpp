@@ -18,7 +18,19 @@ constexpr float no_water = 0.25f;
 /// From this one on it covers the place, half a fine spacing below a plane free surface included.
 constexpr float covered = 0.5f;
 
+/// Fine places among coarse particles and coarse ones among fine, in spacings of those.
+constexpr double fine_apart = 0.5, coarse_apart = 2;
+
 Vec3 place(const Particles& p, std::size_t i) { return {p.x[i], p.y[i], p.z[i]}; }
+
+/// The particles of some kinds.
+template <class Of>
+std::vector<std::size_t> those(const Particles& p, const Of& of) {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < p.size(); ++i)
+        if (of(p.kind[i])) found.push_back(i);
+    return found;
+}
 
 void set_fields(Particles& p, std::size_t i, const VelocityDensityRecord& r) {
     p.u[i] = r.u, p.v[i] = r.v, p.w[i] = r.w, p.drho[i] = r.drho;
@@ -97,6 +109,7 @@ Refinement::Refinement(Level& coarse, Level& fine, Zone zone)
 
 void Refinement::set_zone(Zone zone) {
     zone_ = std::move(zone);
+    gone_since_ = std::numeric_limits<double>::infinity();
     std::ranges::fill(fine_.particles().from_edge, EdgeDistance{});
     std::ranges::fill(coarse_.particles().from_finer_edge, EdgeDistance{});
 }
@@ -128,6 +141,8 @@ void Refinement::label_coarse() {
 
 void Refinement::relabel() {
     label_coarse();
+    if (!fine_.lists_due() && !fine_.lists_outlived() && gone_since_ + in_a_step_ < patience_over_dp * dp_) return;
+    gone_since_ = 0;
     Particles& f = fine_.particles();
     const std::array limits{0.0, crowd_over_dp * dp_, gone_over_dp * dp_};
     outside_fine_.resize(f.size());
@@ -136,6 +151,7 @@ void Refinement::relabel() {
     std::vector<char> gone(f.size(), 0);
     FieldsAt leaving;
     leaving.of = FieldsAt::Of::all;
+    leaving.apart = fine_apart;
     std::vector<std::size_t> who;
     for (std::size_t i = 0; i < f.size(); ++i) {
         const double s = outside_fine_[i];
@@ -177,6 +193,7 @@ void Refinement::give_birth() {
         bool first;
     };
     FieldsAt children;
+    children.apart = fine_apart;
     std::vector<Birth> births;
     for (std::size_t i = 0; i < c.size(); ++i) {
         const bool may = c.kind[i] == Kind::fluid || stands_for_finer(c.kind[i]);
@@ -197,8 +214,9 @@ void Refinement::give_birth() {
     if (births.empty()) return;
     coarse_.interpolate(children);
     Crowd crowd(0.6 * dp_, dimensions);
-    for (std::size_t i = 0; i < f.size(); ++i)
-        if (outside_fine_[i] > crowd_over_dp * dp_) crowd.add(place(f, i));
+    if (!std::ranges::all_of(births, &Birth::first))
+        for (std::size_t i = 0; i < f.size(); ++i)
+            if (outside_fine_[i] > crowd_over_dp * dp_) crowd.add(place(f, i));
     for (std::size_t k = 0; k < births.size(); ++k) {
         const Vec3& x = children.places[k];
         if (!births[k].first && crowd.has_near(x)) continue;
@@ -217,22 +235,26 @@ void Refinement::prolong(double moved, double compressed) {
     Particles& f = fine_.particles();
     FieldsAt guards;
     guards.without = excess_;
-    std::vector<std::size_t> who;
-    for (std::size_t i = 0; i < f.size(); ++i)
-        if (f.kind[i] == Kind::guard) {
-            guards.places.push_back(place(f, i) + moved * Vec3(f.u[i], f.v[i], f.w[i]));
-            who.push_back(i);
-        }
+    guards.apart = fine_apart;
+    const std::vector<std::size_t> who = those(f, [](Kind kind) { return kind == Kind::guard; });
+    guards.places.resize(who.size());
+    double fastest = 0;
+    for (const std::size_t i : who) fastest = std::max(fastest, Vec3(f.u[i], f.v[i], f.w[i]).norm());
+    in_a_step_ = moved * fastest;
+    gone_since_ += in_a_step_;
+    for_particles(who.size(), [&](std::size_t k) {
+        const std::size_t i = who[k];
+        guards.places[k] = place(f, i) + moved * Vec3(f.u[i], f.v[i], f.w[i]);
+    });
     coarse_.interpolate(guards);
-    ledger_.orphans = 0;
+    ledger_.orphans = std::ranges::count_if(guards.support, [](float support) { return support < no_water; });
     const Eigen::Vector3f fall = fine_.body_force().cast<float>();
-    for (std::size_t k = 0; k < who.size(); ++k) {
+    for_particles(who.size(), [&](std::size_t k) {
         const std::size_t i = who[k];
         const VelocityDensityRecord to = for_fine(guards, k);
         if (guards.support[k] < no_water) {
             f.trend[i] = {fall.x(), fall.y(), fall.z(), 0, 0};
-            ++ledger_.orphans;
-            continue;
+            return;
         }
         const auto rate = [&](float after, float now, double time) {
             return time > 0 ? static_cast<float>((double(after) - double(now)) / time) : 0;
@@ -240,7 +262,7 @@ void Refinement::prolong(double moved, double compressed) {
         if (compressed <= 0) f.drho[i] = to.drho;
         f.trend[i] = {rate(to.u, f.u[i], moved), rate(to.v, f.v[i], moved), rate(to.w, f.w[i], moved),
                       rate(to.drho, f.drho[i], compressed), guards.mean_support[k]};
-    }
+    });
 }
 
 void Refinement::restrict_over(double moved, double density_before) {
@@ -250,27 +272,25 @@ void Refinement::restrict_over(double moved, double density_before) {
     under.want_compression = true;
     under.density_before = density_before;
     under.of = FieldsAt::Of::not_guards;
-    std::vector<std::size_t> who;
-    for (std::size_t i = 0; i < c.size(); ++i)
-        if (stands_for_finer(c.kind[i])) {
-            under.places.push_back(place(c, i));
-            who.push_back(i);
-        }
+    under.apart = coarse_apart;
+    const std::vector<std::size_t> who = those(c, stands_for_finer);
+    under.places.resize(who.size());
+    for_particles(who.size(), [&](std::size_t k) { under.places[k] = place(c, who[k]); });
     fine_.interpolate(under);
+    ledger_.orphans += std::ranges::count_if(under.support, [](float support) { return support < no_water; });
     const Eigen::Vector3f fall = static_cast<float>(moved) * coarse_.body_force().cast<float>();
-    for (std::size_t k = 0; k < who.size(); ++k) {
+    for_particles(who.size(), [&](std::size_t k) {
         const std::size_t i = who[k];
         if (under.support[k] >= no_water) {
             VelocityDensityRecord r = under.value[k];
             r.drho += static_cast<float>(coarse_.density_of_row() * excess_.of(coarse_.support(i)));
             set_fields(c, i, r);
             c.compression[i] = under.compression[k];
-            continue;
+            return;
         }
-        ++ledger_.orphans;
         c.compression[i] = 0;
         if (c.kind[i] == Kind::carried) set_fields(c, i, {c.u[i] + fall.x(), c.v[i] + fall.y(), c.w[i] + fall.z(), 0});
-    }
+    });
 }
 
 double Refinement::mass_under() const {

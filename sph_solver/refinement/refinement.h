@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <limits>
 
 #include "meshes/zone.h"
 #include "sph_solver/particles/level.h"
@@ -41,7 +42,9 @@ public:
         return zone.outside(coarse_place) < guard_over_dp * fine_dp;
     }
 
-    /// Who is what; births and deaths. After the coarse lists are good, before its sweeps.
+    /// Who is what; births and deaths. After the coarse lists are good, before its sweeps. Births and deaths make the
+    /// fine level's lists due, so fine particles wait for them until those lists are due anyway, or until guards may have
+    /// come so far (3/4 dp) that the innermost would be short of neighbours.
     void relabel();
     /// After the coarse step, which has moved the places by `moved` [s]: what the guards' fields become until the fine
     /// level has moved as far; densities over `compressed` [s], from one evaluation's time to another's.
@@ -71,7 +74,7 @@ public:
 
 private:
     static constexpr double guard_over_dp = 4, again_over_dp = 4.5, gone_over_dp = 5, barren_over_dp = 6,
-                            band_over_dp = 8, crowd_over_dp = 2;
+                            band_over_dp = 8, crowd_over_dp = 2, patience_over_dp = 0.75;
 
     /// As the coarse level has them there, with the excess of a fine surface in place of a coarse one's.
     VelocityDensityRecord for_fine(const FieldsAt& from_coarse, std::size_t k) const;
@@ -84,7 +87,9 @@ private:
     Zone zone_;
     std::vector<double> outside_coarse_, outside_fine_;  ///< of each particle since the last relabelling [m]
     double dp_;                                          ///< of the fine level
-    SurfaceExcess excess_;                               ///< in weights of a row the same for both
+    double in_a_step_ = 0;  ///< how far the fastest guard goes in a step of the coarse level [m]
+    double gone_since_ = std::numeric_limits<double>::infinity();  ///< and since fine particles were labelled
+    SurfaceExcess excess_;                                         ///< in weights of a row the same for both
     Ledger ledger_;
     double surplus_at_start_ = 0;  ///< [kg]
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sph_solver/refinement/interpolate.h"
+
 namespace tw {
 
 SurfaceExcess::SurfaceExcess(const Kernel& kernel, double dp, int dimensions) {
@@ -29,10 +31,12 @@ SurfaceExcess::SurfaceExcess(const Kernel& kernel, double dp, int dimensions) {
     }
     S_0_ = support(0) / support(reach);
     e_0_ = first_moment / (2 * A) - 1;
+    const Kernel interpolation(interpolation_h_over_dp * dp, dimensions);
+    const auto share_of = [&](double r) { return interpolation.W(r); };
     const auto mean_support = [&](double depth) {
         double sum = 0, weight = 0;
         for (int k = 0; k <= reach + 1; ++k) {
-            const double share = row((k + 0.5) * dp - depth, W);
+            const double share = row((k + 0.5) * dp - depth, share_of);
             sum += share * support(k), weight += share;
         }
         return sum / weight / support(reach);

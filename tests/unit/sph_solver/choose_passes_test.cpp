@@ -118,9 +118,9 @@ Sums sums_with(const Passes& passes) {
     const std::vector<std::uint32_t> surface(place.size() / 32 + 2, 0);
     std::vector<Group> groups;
     NeighbourLists lists;
-    const Source source{place.data(), &start, 0};
-    make_groups(grid, source, passes.lanes, groups);
-    lists.build(passes, grid, quanta, source, groups, {source}, {2.6 * h, 2.3 * h, 1.4 * h});
+    const Source source{&grid, place.data(), &start, 0};
+    make_groups(source, passes.lanes, groups);
+    lists.build(passes, quanta, source, groups, {source}, {2.6 * h, 2.3 * h, 1.4 * h});
     PassData d;
     d.list = lists.view();
     d.place = place.data(), d.motion = motion.data(), d.stress = stress.data();

@@ -30,7 +30,7 @@ struct Cloud {
         std::vector<std::int32_t> order;
         sort_by_column(grid, raw, order, start);
         for (const std::int32_t k : order) places.push_back(raw[static_cast<std::size_t>(k)].record(1));
-        make_groups(grid, {places.data(), &start, 0}, passes().lanes, groups);
+        make_groups({&grid, places.data(), &start, 0}, passes().lanes, groups);
     }
     /// Of place k from the nearest particle of the group [m].
     double distance(const Group& g, std::size_t k) const {
@@ -64,8 +64,8 @@ TEST(NeighbourLists, HoldWhoeverIsWithinReachAndNobodyElse) {
     Cloud cloud;
     const Reaches reaches{0.36, 0.31, 0.24};
     NeighbourLists lists;
-    lists.build(passes(), cloud.grid, cloud.quanta, {cloud.places.data(), &cloud.start, 0}, cloud.groups,
-                {{cloud.places.data(), &cloud.start, 0}}, reaches);
+    lists.build(passes(), cloud.quanta, {&cloud.grid, cloud.places.data(), &cloud.start, 0}, cloud.groups,
+                {{&cloud.grid, cloud.places.data(), &cloud.start, 0}}, reaches);
     const double rounding = 1e-5;
     int seen = 0;
     for (const Group& g : cloud.groups) {
@@ -88,8 +88,8 @@ TEST(NeighbourLists, PrunedAfterAMoveHoldWhoeverIsWithinReachThen) {
     Cloud cloud;
     const double support = 0.3, skin = 0.06;
     NeighbourLists lists;
-    lists.build(passes(), cloud.grid, cloud.quanta, {cloud.places.data(), &cloud.start, 0}, cloud.groups,
-                {{cloud.places.data(), &cloud.start, 0}}, {support + skin, support, support - skin});
+    lists.build(passes(), cloud.quanta, {&cloud.grid, cloud.places.data(), &cloud.start, 0}, cloud.groups,
+                {{&cloud.grid, cloud.places.data(), &cloud.start, 0}}, {support + skin, support, support - skin});
     std::mt19937 random(6);
     std::uniform_real_distribution<double> move(-0.017, 0.017);  // a distance changes by less than the skin
     for (PlaceRecord& p : cloud.places)

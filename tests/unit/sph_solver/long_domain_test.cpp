@@ -54,9 +54,9 @@ struct Row {
             place.push_back(raw[static_cast<std::size_t>(i)].record(static_cast<float>(dp * dp)));
             motion.push_back(pattern[i % (period * rows)].motion);
         }
-        const Source source{place.data(), &start, 0};
-        make_groups(grid, source, passes().lanes, groups);
-        lists.build(passes(), grid, quanta, source, groups, {source}, {2 * h, 2 * h, 2 * h});
+        const Source source{&grid, place.data(), &start, 0};
+        make_groups(source, passes().lanes, groups);
+        lists.build(passes(), quanta, source, groups, {source}, {2 * h, 2 * h, 2 * h});
         stress.resize(place.size()), shift.resize(place.size()), rate.resize(place.size());
         PassData d;
         d.list = lists.view();

@@ -63,7 +63,7 @@ struct Basin {
         body_end.push_back(static_cast<std::int32_t>(wall_place.size()));
         for (int b = 0; b < 2; ++b)
             if (const std::int32_t first = b ? body_end[0] : 0; body_end[std::size_t(b)] > first)
-                walls.push_back({wall_place.data() + first, &wall_start[b], first});
+                walls.push_back({&grid, wall_place.data() + first, &wall_start[b], first});
 
         std::uniform_real_distribution<float> any(-1, 1);
         for (std::size_t i = 0; i < n; ++i) {
@@ -74,11 +74,11 @@ struct Basin {
         }
         for (std::size_t k = 0; k < wall_place.size(); ++k) wall_p.push_back(600);
         shift.resize(n), rate.resize(n), surface.assign(n / 32 + 2, 0);
-        const Source water{place.data(), &start, 0};
-        make_groups(grid, water, passes().lanes, groups);
+        const Source water{&grid, place.data(), &start, 0};
+        make_groups(water, passes().lanes, groups);
         const Reaches reaches{2 * h, 2 * h, 2 * h};
-        lists.build(passes(), grid, quanta, water, groups, {water}, reaches);
-        wall_lists.build(passes(), grid, quanta, water, groups, walls, reaches, &Group::wall_list);
+        lists.build(passes(), quanta, water, groups, {water}, reaches);
+        wall_lists.build(passes(), quanta, water, groups, walls, reaches, &Group::wall_list);
         wall_load.resize(static_cast<std::size_t>(number_wall_loads(groups, wall_lists.view(), body_end)));
         d.list = lists.view(), d.wall_list = wall_lists.view();
         d.place = place.data(), d.motion = motion.data(), d.stress = stress.data();
@@ -188,9 +188,9 @@ struct Extrapolated {
 };
 Extrapolated to_walls(Basin& basin, const std::vector<WallAcceleration>& acceleration) {
     std::vector<Group> groups;
-    const Source walls{basin.wall_place.data(), &basin.wall_start[0], 0};
-    make_groups(basin.grid, walls, passes().lanes, groups);
-    basin.of_walls.build(passes(), basin.grid, basin.quanta, walls, groups, {{basin.place.data(), &basin.start, 0}},
+    const Source walls{&basin.grid, basin.wall_place.data(), &basin.wall_start[0], 0};
+    make_groups(walls, passes().lanes, groups);
+    basin.of_walls.build(passes(), basin.quanta, walls, groups, {{&basin.grid, basin.place.data(), &basin.start, 0}},
                          {2 * h, 2 * h, 2 * h});
     Extrapolated r;
     r.p.resize(basin.wall_place.size()), r.support.resize(basin.wall_place.size());

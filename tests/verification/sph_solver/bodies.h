@@ -43,6 +43,15 @@ inline Vec3 centre_of(const Simulation& s) { return s.bodies()[0].rigid().state(
 inline double turned_by(const Simulation& s) {
     return Eigen::AngleAxisd(s.bodies()[0].rigid().state().attitude).angle();
 }
+/// Of the active particles of a level [m2/s2].
+inline double mean_square_velocity(const Level& level) {
+    const Particles& p = level.particles();
+    double sum = 0;
+    int n = 0;
+    for (std::size_t i = 0; i < p.size(); ++i)
+        if (is_active(p.kind[i])) sum += double(p.u[i]) * p.u[i] + double(p.w[i]) * p.w[i], ++n;
+    return sum / n;
+}
 inline void run_to(Simulation& s, double time) {
     while (s.time() < time) s.step();
 }

@@ -72,10 +72,10 @@ Sweep sweep(const std::vector<Vec3>& unsorted, double h_over_dp, Field f) {
         r.places.push_back(x);
     }
     std::vector<Group> groups;
-    const Source source{sorted.data(), &start, 0};
-    make_groups(grid, source, passes().lanes, groups);
+    const Source source{&grid, sorted.data(), &start, 0};
+    make_groups(source, passes().lanes, groups);
     NeighbourLists lists;
-    lists.build(passes(), grid, quanta, source, groups, {source}, {2 * h, 2 * h, 2 * h});
+    lists.build(passes(), quanta, source, groups, {source}, {2 * h, 2 * h, 2 * h});
     r.stress.resize(sorted.size());
     r.shift.resize(sorted.size());
     std::vector<RateRecord> rate(sorted.size());

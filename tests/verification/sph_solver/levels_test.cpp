@@ -112,7 +112,7 @@ TEST(LevelEdge, ReflectsLittleOfASoundPulse) {
         std::printf("  %8.0f           %14.5f  %7.4f | %15.5f  %7.4f | %17.5f  %7.4f\n", width, uniform.back,
                     uniform.through, in.back, in.through, out.back, out.through);
         EXPECT_LT(in.back, 0.004) << width;
-        EXPECT_LT(out.back, 0.004) << width;
+        EXPECT_LT(out.back, 0.005) << width;
         EXPECT_GT(in.through, uniform.through - 0.005) << width;
     }
 }
@@ -181,12 +181,13 @@ TEST(LevelEdge, AWaveCrossesItAsItCrossesWaterOfOneSize) {
         "a wave of 0.3 m/s across an edge: mean square difference from one size %.4f m/s under the surface, "
         "%.4f m/s below\n",
         error, deep);
-    EXPECT_LT(error, 0.015);
-    EXPECT_LT(deep, 0.006);
+    EXPECT_LT(error, 0.0095);
+    EXPECT_LT(deep, 0.003);
 }
 
-// A tank of one size has a third of this from the giving way of its lattice. A twentieth of a per cent of weight more
-// or less on one side of the edge drives as much.
+// Water whose kernel sums are smaller takes a larger pressure gradient to carry itself: where one size has fewer
+// particles to a volume than the other it sinks between the other's. While guards spread outwards the fine particles'
+// rms was 0.018; one size is at 0.002 to 0.004 from the giving way of its lattice.
 TEST(LevelEdge, StillWaterAcrossTheSurfaceStaysSlow) {
     SimulationSetup s;
     s.dimensions = 2;
@@ -197,17 +198,23 @@ TEST(LevelEdge, StillWaterAcrossTheSurfaceStaysSlow) {
     s.zones = {zone_between(0.6, 1.4, -0.6, infinite)};
     Simulation simulation(s, fill_levels(s, {Box{s.domain.min, Vec3(2, 1, 0)}}));
     const double under = s.rho0 * 0.8 * 0.6, at_start = simulation.refinements()[0].surplus();
-    double fastest = 0;
+    double fastest = 0, squares = 0;
+    int times = 0;
     while (simulation.time() < 8) {
         simulation.step();
-        if (simulation.steps() % 20 == 0)
-            for (const auto& level : simulation.levels()) fastest = std::max(fastest, level->extremes().speed);
+        if (simulation.steps() % 20 != 0) continue;
+        for (const auto& level : simulation.levels()) fastest = std::max(fastest, level->extremes().speed);
+        if (simulation.time() > 3) squares += mean_square_velocity(simulation.finest()), ++times;
     }
+    const double wave_speed = std::sqrt(9.81), rms = std::sqrt(squares / times) / wave_speed;
     const double drift = (simulation.refinements()[0].surplus() - at_start) / under;
-    std::printf("still water with an edge across its surface, 8 s: fastest %.3f sqrt(g H), mass of the zone %+.1f %%\n",
-                fastest / std::sqrt(9.81), 100 * drift);
-    EXPECT_LT(fastest / std::sqrt(9.81), 0.12);  // found 0.06
-    EXPECT_LT(std::abs(drift), 0.04);            // found -1.7 %
+    std::printf(
+        "still water with an edge across its surface, 8 s, over sqrt(g H): fine particles' rms from 3 s on %.4f, "
+        "fastest "
+        "%.3f; mass of the zone %+.1f %%\n",
+        rms, fastest / wave_speed, 100 * drift);
+    EXPECT_LT(rms, 0.015);
+    EXPECT_LT(std::abs(drift), 0.04);
     for (const auto& level : simulation.levels()) EXPECT_EQ(level->ledger().lost, 0);
 }
 
@@ -351,8 +358,8 @@ Vortex carried_vortex(double dp, std::vector<Zone> zones) {
 }
 
 // A vortex that goes in at one edge and out at the other keeps its way. The interpolation smooths it at each edge: waves
-// of number k lose 0.133 (k h)^2 of their amplitude, h that of the side that lends, which is about 9 % of the energy of a
-// vortex whose radius is four coarse spacings.
+// of number k lose 0.133 (k h)^2 of their amplitude, h = 1.2 spacings of the side that lends. With h = 1.5 the energy
+// left of a vortex whose radius is four coarse spacings was 0.75.
 TEST(LevelEdge, AVortexIsCarriedThroughAZone) {
     const Vortex coarse = carried_vortex(0.02, {}), fine = carried_vortex(0.01, {}),
                  both = carried_vortex(0.01, {zone_between(0.6, 1, 0.2, 0.6)});
@@ -360,7 +367,7 @@ TEST(LevelEdge, AVortexIsCarriedThroughAZone) {
     for (const auto& [name, v] : {std::pair{"one size, coarse", coarse}, std::pair{"one size, fine", fine},
                                   std::pair{"fine in the zone", both}})
         std::printf("  %s  %.3f  %.4f  %.4f\n", name, v.energy, v.x, v.z);
-    EXPECT_GT(both.energy, coarse.energy - 0.14);  // found 0.10 below
+    EXPECT_GT(both.energy, coarse.energy - 0.055);  // found 0.03 below
     EXPECT_LT(both.energy, fine.energy);
     EXPECT_NEAR(both.x, coarse.x, 0.01);  // half a coarse spacing; found 0.005
     EXPECT_NEAR(both.z, coarse.z, 0.01);  // found 0.006
