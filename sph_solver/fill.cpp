@@ -6,20 +6,27 @@
 namespace tw {
 namespace {
 
-/// Places of spacing dp in a block, half a spacing off its faces.
-std::vector<Vec3> lattice(const SimulationSetup& s, const Box& block) {
+/// Places of spacing dp in a block, half a spacing off its faces, of those cells of twice the spacing that are
+/// `wanted(middle of the cell)`.
+template <class Wanted>
+std::vector<Vec3> lattice(const SimulationSetup& s, const Box& block, const Wanted& wanted) {
     const double dp = s.dp;
     const auto count = [&](int a) { return static_cast<long>(std::llround(block.size()[a] / dp)); };
     const long nx = count(0), ny = s.dimensions == 3 ? count(1) : 1, nz = count(2);
+    const auto place = [&](double i, double j, double k) {
+        return Vec3(block.min.x() + i * dp, s.dimensions == 3 ? block.min.y() + j * dp : 0.0, block.min.z() + k * dp);
+    };
     std::vector<Vec3> places;
     for (long k = 0; k < nz; ++k)
         for (long j = 0; j < ny; ++j)
-            for (long i = 0; i < nx; ++i)
-                places.emplace_back(block.min.x() + (double(i) + 0.5) * dp,
-                                    s.dimensions == 3 ? block.min.y() + (double(j) + 0.5) * dp : 0.0,
-                                    block.min.z() + (double(k) + 0.5) * dp);
+            for (long i = 0; i < nx; i += 2) {
+                if (!wanted(place(double(i + 1), double(j - j % 2 + 1), double(k - k % 2 + 1)))) continue;
+                for (long n = i; n < std::min(i + 2, nx); ++n)
+                    places.push_back(place(double(n) + 0.5, double(j) + 0.5, double(k) + 0.5));
+            }
     return places;
 }
+constexpr auto everywhere = [](const Vec3&) { return true; };
 
 /// Keeps what is outside the solids.
 void add_outside(const std::vector<Vec3>& places, const std::vector<SurfaceQuery>& solids, double dp, double surface,
@@ -36,12 +43,6 @@ void add_outside(const std::vector<Vec3>& places, const std::vector<SurfaceQuery
         }
 }
 
-bool in_block(const Box& block, const Vec3& x, int dimensions) {
-    for (int a = 0; a < 3; ++a)
-        if ((a != 1 || dimensions == 3) && (x[a] < block.min[a] || x[a] > block.max[a])) return false;
-    return true;
-}
-
 std::vector<SurfaceQuery> queries_of(const SimulationSetup& s) {
     std::vector<SurfaceQuery> queries;
     for (const BodySetup& body : s.bodies) queries.emplace_back(body.surface);
@@ -53,35 +54,22 @@ std::vector<SurfaceQuery> queries_of(const SimulationSetup& s) {
 Fluid fill_with_fluid(const SimulationSetup& s, const std::vector<Box>& blocks) {
     const std::vector<SurfaceQuery> solids = queries_of(s);
     Fluid out;
-    for (const Box& block : blocks) add_outside(lattice(s, block), solids, s.dp, block.max.z(), out);
+    for (const Box& block : blocks) add_outside(lattice(s, block, everywhere), solids, s.dp, block.max.z(), out);
     return out;
 }
 
 std::vector<Fluid> fill_levels(const SimulationSetup& setup, const std::vector<Box>& blocks) {
+    const std::vector<SurfaceQuery> solids = queries_of(setup);
     std::vector<Fluid> levels;
     for (std::size_t k = 0; k <= setup.zones.size(); ++k) {
         SimulationSetup level = setup;
         level.dp = std::ldexp(setup.dp, static_cast<int>(setup.zones.size() - k));
-        Fluid& fluid = levels.emplace_back(fill_with_fluid(level, blocks));
-        if (k == 0) continue;
-        // the parent's place: the lattice of twice the spacing in the same block
-        const auto parent = [&](const Vec3& x) {
-            for (const Box& block : blocks) {
-                if (!in_block(block, x, setup.dimensions)) continue;
-                Vec3 of = block.min.array() +
-                          2 * level.dp * (((x - block.min) / (2 * level.dp)).array().floor() + 0.5);
-                if (setup.dimensions == 2) of.y() = 0;
-                return of;
-            }
-            return x;
+        const auto has_children = [&](const Vec3& parent) {
+            return k == 0 || Refinement::belongs(setup.zones[k - 1], parent, level.dp);
         };
-        Fluid kept;
-        for (std::size_t i = 0; i < fluid.places.size(); ++i)
-            if (Refinement::belongs(setup.zones[k - 1], parent(fluid.places[i]), level.dp)) {
-                kept.places.push_back(fluid.places[i]);
-                kept.depth.push_back(fluid.depth[i]);
-            }
-        fluid = std::move(kept);
+        Fluid& fluid = levels.emplace_back();
+        for (const Box& block : blocks)
+            add_outside(lattice(level, block, has_children), solids, level.dp, block.max.z(), fluid);
     }
     return levels;
 }
@@ -99,7 +87,7 @@ Fluid fill_with_air(const SimulationSetup& s, const std::vector<Box>& water) {
         Box& box = taken.emplace_back(block);
         for (int a = 0; a < 3; ++a) box.max[a] = box.min[a] + s.dp * double(std::llround(block.size()[a] / s.dp));
     }
-    std::vector<Vec3> places = lattice(s, all);
+    std::vector<Vec3> places = lattice(s, all, everywhere);
     const double clear = 0.25 * s.dp;  // places are half a spacing inside their box
     std::erase_if(places, [&](const Vec3& x) {
         const auto inside = [&](const Box& box, double margin) {
