@@ -84,6 +84,43 @@ TEST(NeighbourLists, HoldWhoeverIsWithinReachAndNobodyElse) {
     EXPECT_GT(seen, 10000);
 }
 
+// As when one level's particles are looked for among another's: the groups' places are sorted by a grid of their own.
+TEST(NeighbourLists, HoldThemForPlacesSortedByColumnsOfAnotherWidth) {
+    const Cloud cloud;
+    for (const double factor : {0.5, 2.0}) {
+        const ColumnGrid grid = cloud.grid.scaled(factor);
+        std::vector<WidePlace> raw;
+        for (const PlaceRecord& p : cloud.places) raw.push_back({p.x + 1000, p.y, p.z});
+        std::vector<std::int32_t> order, start;
+        sort_by_column(grid, raw, order, start);
+        std::vector<PlaceRecord> places;
+        for (const std::int32_t k : order) places.push_back(raw[static_cast<std::size_t>(k)].record(1));
+        const Source targets{&grid, places.data(), &start, 0};
+        std::vector<Group> groups;
+        make_groups(targets, passes().lanes, groups);
+        const double reach = 0.31;
+        NeighbourLists lists;
+        lists.build(passes(), cloud.quanta, targets, groups, {{&cloud.grid, cloud.places.data(), &cloud.start, 0}},
+                    {reach, reach, reach});
+        int seen = 0;
+        for (const Group& g : groups) {
+            const std::vector<int> said = said_of_places(lists.view(), g, cloud.places.size());
+            for (std::size_t k = 0; k < said.size(); ++k) {
+                double least = 1e30;
+                for (std::int32_t i = g.first; i < g.first + g.size; ++i) {
+                    const PlaceRecord &a = places[static_cast<std::size_t>(i)], &b = cloud.places[k];
+                    least = std::min(least, std::hypot(double(a.x) - b.x, double(a.y) - b.y, double(a.z) - b.z));
+                }
+                const double d = least * cloud.quanta.size;
+                if (std::abs(d / reach - 1) < 1e-5) continue;
+                EXPECT_EQ(said[k] & 1, d < reach) << d;
+                seen += said[k] & 1;
+            }
+        }
+        EXPECT_GT(seen, 10000);
+    }
+}
+
 TEST(NeighbourLists, PrunedAfterAMoveHoldWhoeverIsWithinReachThen) {
     Cloud cloud;
     const double support = 0.3, skin = 0.06;
