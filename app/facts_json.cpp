@@ -102,6 +102,8 @@ std::string check_json(const Scene& scene, const Prediction& p) {
     return written({{"title", scene.title},
                     {"scene_hash", scene.hash},
                     {"particles", std::round(p.particles)},
+                    {"particles_at_start", std::round(p.particles_at_start)},
+                    {"most_particles", std::round(p.most_particles)},
                     {"wall_particles", std::round(p.wall_particles)},
                     {"air_particles", std::round(p.air_particles)},
                     {"cells", std::round(p.cells)},

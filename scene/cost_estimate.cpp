@@ -13,6 +13,7 @@
 #include "scene/effects/registry.h"
 #include "scene/particles_of_sizes.h"
 #include "scene/refined_places.h"
+#include "scene/running_water.h"
 #include "scene/scene.h"
 #include "scene/units.h"
 
@@ -110,8 +111,9 @@ void refuse_too_fine(const Scene& scene, const Prediction& p, const std::string&
     const double memory = 0.9 * machine_memory();
     const double bytes = (method == "sph" ? p.sph_bytes : p.fvm_bytes) - p.raster_bytes;
     if (bytes <= memory) return;
-    const std::string need = fmt::format("{:.3g} {} need {:.3g} GB of memory, and {:.3g} GB are available",
-                                         elements(p, method), element_name(method), bytes / 1e9, memory / 1e9);
+    const double most = elements(p, method) + (method == "sph" ? p.most_particles - p.particles : 0);
+    const std::string need = fmt::format("{:.3g} {} need {:.3g} GB of memory, and {:.3g} GB are available", most,
+                                         element_name(method), bytes / 1e9, memory / 1e9);
     const double enough = scene.resolution.near_hull * std::cbrt(bytes / memory) * 1.01;
     if (scene.hull && std::isfinite(enough) && enough > coarsest_particles(*scene.hull)) {
         const Vec3 size = scene.domain.box.size();
@@ -193,6 +195,9 @@ Prediction predict(const Scene& scene, const MachinePace& pace) {
         p.particles += size.all();
         steps_of_finest = size.all() + steps_of_finest / 2;
     }
+    const bool runs = sizes_of_particles(scene) > 1 && running_water(scene);
+    p.particles_at_start = runs ? all_of(particles_of_sizes(scene, During::start)) : p.particles;
+    p.most_particles = runs ? all_of(particles_of_sizes(scene, During::peak)) : p.particles;
     double solid_area = scene.hull ? scene.hull->mass.area / scene.symmetry_factor() : 0;
     for (const Obstacle& o : scene.obstacles) solid_area += mass_properties(o.surface).area;
     for (const MovingBody& b : scene.bodies) solid_area += mass_properties(b.surface).area;
@@ -219,8 +224,9 @@ Prediction predict(const Scene& scene, const MachinePace& pace) {
     p.frames = std::min(1e18, std::floor(scene.run.duration / sampling.interval) + 1);
     p.raster_bytes = voxels(sampling.raster) * (p.frames + bytes_per_open_voxel);
     if (sampling.snapshot_interval > 0) p.snapshots = std::floor(scene.run.duration / sampling.snapshot_interval) + 1;
-    p.sph_bytes = p.raster_bytes + (p.particles + p.air_particles + p.wall_particles * (p.air_particles > 0 ? 2 : 1)) *
-                                       (sizes_of_particles(scene) > 1 ? of_several_sizes : bytes_per_particle);
+    p.sph_bytes =
+        p.raster_bytes + (p.most_particles + p.air_particles + p.wall_particles * (p.air_particles > 0 ? 2 : 1)) *
+                             (sizes_of_particles(scene) > 1 ? of_several_sizes : bytes_per_particle);
 
     const double courant_rate = steps_per_cell_crossing * speed / dp * 4 / scene.fvm.max_courant *
                                 (shedding.edges.empty() ? 1 : steps_of_shedding_edges);

@@ -7,15 +7,16 @@ namespace tw {
 std::vector<CostOfSize> cost_of_sizes(const Scene& scene, const Prediction& p) {
     std::vector<CostOfSize> sizes;
     for (const ParticlesOfSize& particles : particles_of_sizes(scene)) sizes.emplace_back().particles = particles;
-    const double in_memory = p.particles + p.wall_particles;
+    const std::vector<ParticlesOfSize> most = particles_of_sizes(scene, During::peak);
+    const double in_memory = p.most_particles + p.wall_particles;
     double visits = 0;  // of particles in a step of the finest size
     for (std::size_t k = 0; k < sizes.size(); ++k) {
         CostOfSize& size = sizes[k];
         const bool finest = k + 1 == sizes.size();
         const double steps_of_finest = std::exp2(sizes.size() - 1 - k);
-        const double all = size.particles.all() + (finest ? p.wall_particles : 0);
+        const double walls = finest ? p.wall_particles : 0, all = size.particles.all() + walls;
         size.dt = scene.run.duration / p.sph_steps * steps_of_finest;
-        size.bytes = (p.sph_bytes - p.raster_bytes) * all / in_memory;
+        size.bytes = (p.sph_bytes - p.raster_bytes) * (most[k].all() + walls) / in_memory;
         visits += size.seconds = all / steps_of_finest;
     }
     for (CostOfSize& size : sizes) size.seconds *= p.sph_seconds / visits;

@@ -7,7 +7,7 @@ namespace tw {
 
 /// What one of several sizes of particles takes of a predicted run.
 struct CostOfSize {
-    ParticlesOfSize particles;
+    ParticlesOfSize particles;      ///< in the mean
     double bytes = 0, seconds = 0;  ///< its parts of the run's memory (the water raster is in none) and time
     double dt = 0;                  ///< time step [s]
 };

@@ -6,6 +6,7 @@
 #include "scene/defaults.h"
 #include "scene/particle_levels.h"
 #include "scene/refined_places.h"
+#include "scene/running_water.h"
 
 namespace tw {
 
@@ -59,31 +60,55 @@ double volume_near(const Zone& zone, double further, const std::vector<Box>& blo
     return sum;
 }
 
-}  // namespace
-
-std::vector<ParticlesOfSize> particles_of_sizes(const Scene& scene) {
+/// With the water in these blocks, of which `solids` [m3] is none.
+std::vector<ParticlesOfSize> counted(const Scene& scene, const std::vector<Zone>& zones, const std::vector<Box>& blocks,
+                                     double solids) {
     constexpr double guards = 4.5;  // spacings
     const bool flat = scene.domain.dimensions == 2;
-    const std::vector<Box> blocks = blocks_of_water(scene);
-    double solids = -water_volume(scene);
-    for (const Box& block : blocks) solids += block.volume();
-    std::vector<Zone> zones = particle_zones(scene);
-    if (!zones.empty() && !scene.bodies.empty()) zones = particle_zones(scene, bodies_half_way(scene));
     std::vector<ParticlesOfSize> sizes;
     for (std::size_t k = 0; k <= zones.size(); ++k) {
         ParticlesOfSize& size = sizes.emplace_back();
         const double dp = size.spacing = std::ldexp(finest_spacing(scene), static_cast<int>(zones.size() - k));
         const double particle = flat ? dp * dp * scene.domain.box.size().y() : dp * dp * dp;
+        const double all = water_volume(scene);
         const auto water_within = [&](const Zone& zone, double further, double spacing) {
-            return std::max(0.0, volume_near(zone, further, blocks, spacing) - solids);
+            return std::clamp(volume_near(zone, further, blocks, spacing) - solids, 0.0, all);
         };
-        const double own = k > 0 ? water_within(zones[k - 1], 0, 2 * dp) : water_volume(scene),
+        const double own = k > 0 ? water_within(zones[k - 1], 0, 2 * dp) : all,
                      finer = k < zones.size() ? water_within(zones[k], 0, dp) : 0;
         size.active = (own - finer) / particle;
         size.parents = finer / particle;
         if (k > 0) size.guards = (water_within(zones[k - 1], guards * dp, 2 * dp) - own) / particle;
     }
     return sizes;
+}
+
+}  // namespace
+
+std::vector<ParticlesOfSize> particles_of_sizes(const Scene& scene, During when) {
+    std::vector<Zone> zones = particle_zones(scene);
+    if (!zones.empty() && !scene.bodies.empty()) zones = particle_zones(scene, bodies_half_way(scene));
+    const auto at_start = [&] {
+        const std::vector<Box> blocks = blocks_of_water(scene);
+        double solids = -water_volume(scene);
+        for (const Box& block : blocks) solids += block.volume();
+        return counted(scene, zones, blocks, solids);
+    };
+    const std::optional<RunningWater> running =
+        zones.empty() || when == During::start ? std::nullopt : running_water(scene);
+    if (!running) return at_start();
+    Box filled = scene.domain.box;
+    filled.max.z() = when == During::mean ? running->level : running->highest;
+    std::vector<ParticlesOfSize> sizes = counted(scene, zones, {filled}, solids_below(scene, filled.max.z()));
+    if (when == During::mean) return sizes;
+    std::vector<ParticlesOfSize> start = at_start();
+    return all_of(start) > all_of(sizes) ? start : sizes;
+}
+
+double all_of(const std::vector<ParticlesOfSize>& sizes) {
+    double sum = 0;
+    for (const ParticlesOfSize& size : sizes) sum += size.all();
+    return sum;
 }
 
 }  // namespace tw

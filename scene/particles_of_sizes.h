@@ -11,7 +11,14 @@ struct ParticlesOfSize {
     double spacing = 0, active = 0, guards = 0, parents = 0;
     double all() const { return active + guards + parents; }
 };
+/// When particles are counted. Only water that runs into finer zones makes a difference (running_water.h).
+enum class During {
+    start,  ///< with the water where it stands then
+    mean,   ///< of the run
+    peak    ///< the most at a time, for memory
+};
 /// How many particles each size takes, coarsest first.
-std::vector<ParticlesOfSize> particles_of_sizes(const Scene& scene);
+std::vector<ParticlesOfSize> particles_of_sizes(const Scene& scene, During when = During::mean);
+double all_of(const std::vector<ParticlesOfSize>& sizes);
 
 }  // namespace tw

@@ -245,12 +245,18 @@ struct MachinePace {
 };
 /// Predicted size of a run, from the geometry and a throughput table; no solving.
 struct Prediction {
-    double particles = 0, wall_particles = 0, air_particles = 0, cells = 0;
+    /// Of water, in the mean of a run whose water runs into finer zones (scene/particles_of_sizes.h).
+    double particles = 0;
+    double particles_at_start = 0, most_particles = 0;  ///< of water: then, and for which there must be memory
+    double wall_particles = 0, air_particles = 0, cells = 0;
     double sph_seconds = 0, fvm_seconds = 0, sph_bytes = 0, fvm_bytes = 0, sph_steps = 0, fvm_steps = 0;
     double frames = 0, raster_bytes = 0;  ///< samples of the water raster, and their memory (part of each method's)
     double snapshots = 0;                 ///< moments at which ParaView files are written
 };
 Prediction predict(const Scene& scene, const MachinePace& pace = {});
+/// Peak of a whole run of 5500 particles with its report and pictures (/usr/bin/time -f %M); the solver's part of it is
+/// 54 MB, and ends before.
+inline constexpr double bytes_of_report = 164e6;
 /// Throws InputError at the key that is to blame when a run cannot be made here: more memory than this machine has,
 /// more than `longest_run` of predicted time, too many samples or snapshots. Only the methods in `scene.run.methods`
 /// count.

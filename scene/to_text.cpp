@@ -261,10 +261,17 @@ std::string to_text(const Scene& scene, const Prediction& p) {
             e.forced ? "(as requested)" : "(auto)", e.reason, "", e.influence,
             e.cost > 0 ? fmt::format("; cost {} {:.0f} % of a particle run", e.on ? "is" : "would be", 100 * e.cost)
                        : "");
-    out += "\npredicted for this machine (two significant digits at best)\n";
+    out += fmt::format(
+        "\npredicted for this machine (two significant digits at best; drawing the report takes {:.2g} GB at least)\n",
+        bytes_of_report / 1e9);
     out += fmt::format("  sph  {:.3g} particles{} + {:.3g} in walls, {:.3g} steps, {:.2g} GB, {}\n", p.particles,
                        p.air_particles > 0 ? fmt::format(" + {:.3g} of air", p.air_particles) : "", p.wall_particles,
                        p.sph_steps, p.sph_bytes / 1e9, time_in_words(p.sph_seconds));
+    if (p.most_particles > p.particles)
+        out += fmt::format(
+            "       water runs into the finer zones: {:.2g} particles at the start, {:.2g} in the mean (time), up to "
+            "{:.2g} (memory)\n",
+            p.particles_at_start, p.particles, p.most_particles);
     out += sizes_text(scene, p);
     out +=
         fmt::format("  fvm  {:.3g} cells, {:.2g} GB, {}\n", p.cells, p.fvm_bytes / 1e9, time_in_words(p.fvm_seconds));

@@ -18,6 +18,7 @@
 #include "record/water_surface.h"
 #include "scene/hash.h"
 #include "scene/refined_places.h"
+#include "scene/time_left.h"
 #include "sph_solver/backend/choose_passes.h"
 #include "sph_solver/bodies/elastic/elastic_body.h"
 #include "sph_solver/measure/certificate.h"
@@ -279,10 +280,10 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
     };
     const auto report = [&] {
         if (!options.progress) return;
-        const double wall = wall_now() - started, rate = (simulation->time() - time_at_start) / std::max(wall, 1e-9);
+        const double wall = wall_now() - started, done = (simulation->time() - time_at_start) / duration;
         Progress p;
         p.time = simulation->time(), p.duration = duration, p.wall = wall, p.steps = simulation->steps();
-        p.eta = rate > 0 ? (duration - simulation->time()) / rate : 0;
+        p.eta = time_left(done, 1 - simulation->time() / duration, wall, options.predicted_seconds);
         const Level* air = air_of(*simulation);
         p.note = fmt::format("sph {} particles{}, dt {:.3g} s", count(),
                              air ? fmt::format(" and {} of air", air->particles().size()) : "", simulation->dt());

@@ -140,7 +140,7 @@ void Level::interpolate(FieldsAt& at) {
     const Kernel kernel(interpolation_h_over_dp * setup_.dp, around_.dimensions);
     const SortedPlaces sorted(at.places, at.apart, kernel, *this, from, life_.travel);
     std::vector<VelocityDensityRecord> value(n);
-    std::vector<float> support(n), mean_support(n), compression(rate.empty() ? 0 : n);
+    std::vector<float> support(n), mean_support(n), compression(at.want_compression ? n : 0);
     at.compression.resize(compression.size());
     const Eigen::Vector3f slope =
         (setup_.rho0 / (setup_.state_equation.c0 * setup_.state_equation.c0) * around_.gravity).cast<float>();

@@ -78,6 +78,22 @@ TEST(Interpolation, IsExactForLinearFieldsInsideAtTheSurfaceAndInCorners) {
         }
 }
 
+// A zone that the water is just coming to holds guards alone.
+TEST(Interpolation, FromNothingThatCountsIsNothing) {
+    Simulation simulation = linear_water(2, true);
+    for (Kind& kind : simulation.particles().kind) kind = Kind::guard;
+    FieldsAt at;
+    at.places = {Vec3(0.8, 0, 0.4), Vec3(0.33, 0, 0.4)};
+    at.want_compression = true;
+    at.of = FieldsAt::Of::not_guards;
+    simulation.level(0).interpolate(at);
+    ASSERT_EQ(at.compression.size(), 2u);
+    for (std::size_t k = 0; k < 2; ++k) {
+        EXPECT_EQ(at.support[k], 0);
+        EXPECT_EQ(at.compression[k], 0);
+    }
+}
+
 /// A stream with a free surface past a box, three sizes of particles.
 SimulationSetup three_levels(int threads) {
     SimulationSetup s;
