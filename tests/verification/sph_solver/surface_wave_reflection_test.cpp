@@ -1,0 +1,208 @@
+// What the edge between two sizes of particles throws back of a gravity wave that runs under a free surface. Two
+// dimensions, water of depth H = lambda / 2, still surface at z = 0, the edge at x = 0 through the whole depth.
+//
+// A packet of progressive waves of linear theory (Lamb, Hydrodynamics, 6th ed. 1932, art. 228-229, 236), with
+// C = cosh k(z + H) / cosh kH, S = sinh k(z + H) / cosh kH, omega^2 = g k tanh kH, theta = k (x - x0) - omega t:
+//
+//   eta = sum_k a_k cos theta,                            a_k ~ exp(-(k - k0)^2 (3 lambda / 4)^2 / 2)
+//   u = sum (g k / omega) a_k C cos theta,                w = sum (g k / omega) a_k S sin theta
+//   displaced by  X = -sum a_k C / tanh kH sin theta,     Z = sum a_k S / tanh kH cos theta
+//
+// The pressure at a particle is  rho g sum a_k (C - S / tanh kH) cos theta  above the one at rest. The packet starts
+// 2.25 lambda before the edge; when it is 1.5 lambda behind it, what was thrown back stands 1.5 lambda before it.
+//
+// Which way a wave runs is told by elevation and potential together. In a window of length L = 3 lambda on either side
+// of the edge, weight sin^2, with whole waves in it, k = 2 pi n / L, n = 2 ... 5, so that the depth falls out:
+//
+//   eta_k = (2 / L) sum_i V_i sin^2 e^{-ikx},   phi_k = (2 / L) sum_i V_i sin^2 e^{-ikx} (S w - i C u) / tanh kH
+//   forth = (eta_k + i (omega / g) phi_k) / 2,   back = (eta_k - i (omega / g) phi_k) / 2
+//
+// Rotation, which an edge stirs in water at rest too, falls out of phi_k: it is orthogonal to C and S. (Derived here.)
+//
+// Water at rest with an edge makes waves of its own, of some hundredths of a spacing. They do not know the packet:
+// half the difference of two runs, one with the packet upside down, is what the edge does to the packet. Half the sum
+// holds the edge's own waves and what grows with the square of the packet.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstdio>
+#include <limits>
+#include <numbers>
+
+#include "sph_solver/simulation.h"
+
+namespace tw {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity(), pi = std::numbers::pi;
+constexpr double g = 9.81, coarse = 0.02;
+constexpr double start = 2.25, end = 1.5, window = 2 * end;  // of the packet before and behind the edge, in lambda
+
+enum class Sizes { all_coarse, all_fine, into_fine, out_of_fine };
+
+constexpr int first_mode = 2, modes = 4;
+/// Complex amplitudes of the waves in a window, over the packet's largest at the start.
+using Spectrum = std::array<std::complex<double>, modes>;
+
+/// (a + sign b) / 2.
+Spectrum half(const Spectrum& a, double sign, const Spectrum& b) {
+    Spectrum r;
+    for (std::size_t n = 0; n < r.size(); ++n) r[n] = (a[n] + sign * b[n]) / 2.0;
+    return r;
+}
+double rms(const Spectrum& s) {
+    double sum = 0;
+    for (const auto& a : s) sum += std::norm(a);
+    return std::sqrt(sum);
+}
+
+struct Ways {
+    Spectrum back{};   ///< before the edge
+    Spectrum forth{};  ///< behind it
+};
+
+struct Wave {
+    double k, omega, a;  ///< [1/m], [1/s], [m]
+    double C(double z, double H) const { return std::cosh(k * (z + H)) / std::cosh(k * H); }
+    double S(double z, double H) const { return std::sinh(k * (z + H)) / std::cosh(k * H); }
+};
+
+std::vector<Wave> packet(double lambda, double H, double amplitude) {
+    const double k0 = 2 * pi / lambda;
+    std::vector<Wave> waves;
+    double sum = 0;
+    for (int n = 1; n < 60; ++n) {
+        const double k = n * k0 / 18, a = std::exp(-0.5 * std::pow((k - k0) * 0.75 * lambda, 2));
+        if (a > 1e-4) waves.push_back({k, std::sqrt(g * k * std::tanh(k * H)), a}), sum += a;
+    }
+    for (Wave& wave : waves) wave.a *= amplitude / sum;
+    return waves;
+}
+
+/// A packet whose wave is `length` coarse spacings long, k a at most `steepness`; negative: upside down.
+Ways cross(Sizes sizes, double length, double steepness) {
+    const double lambda = length * coarse, H = lambda / 2, k0 = 2 * pi / lambda, amplitude = steepness / k0;
+    SimulationSetup s;
+    s.dimensions = 2;
+    s.threads = 1;
+    s.dp = sizes == Sizes::all_coarse ? coarse : coarse / 2;
+    s.state_equation.c0 = 5 * std::sqrt(g * H);  // nine times the wave's speed
+    s.domain = {Vec3(-2 * start * lambda, -1, -H), Vec3(window * lambda, 1, H)};
+    s.mirrors.on = {{{true, true}, {false, false}, {true, false}}};
+    if (sizes == Sizes::into_fine)
+        s.zones = {Zone({Box{Vec3(0, -infinite, -infinite), Vec3::Constant(infinite)}})};
+    if (sizes == Sizes::out_of_fine)
+        s.zones = {Zone({Box{Vec3::Constant(-infinite), Vec3(0, infinite, infinite)}})};
+    std::vector<Fluid> water = fill_levels(s, {Box{s.domain.min, Vec3(s.domain.max.x(), 1, 0)}});
+
+    const std::vector<Wave> waves = packet(lambda, H, amplitude);
+    std::vector<std::vector<Vec3>> velocities;  // by level and place
+    for (Fluid& fluid : water) {
+        std::vector<Vec3>& of = velocities.emplace_back(fluid.places.size(), Vec3::Zero());
+        for (std::size_t i = 0; i < of.size(); ++i) {
+            Vec3 moved = Vec3::Zero();
+            double head = 0;  // pressure over rho g
+            for (const Wave& wave : waves) {
+                const double z = fluid.places[i].z(), theta = wave.k * (fluid.places[i].x() + start * lambda),
+                             tanh = std::tanh(wave.k * H), C = wave.C(z, H), S = wave.S(z, H);
+                moved += wave.a / tanh * Vec3(-C * std::sin(theta), 0, S * std::cos(theta));
+                of[i] += g * wave.k / wave.omega * wave.a * Vec3(C * std::cos(theta), 0, S * std::sin(theta));
+                head += wave.a * (C - S / tanh) * std::cos(theta);
+            }
+            fluid.places[i] += moved, fluid.depth[i] += head;
+        }
+    }
+    Simulation run(s, water);
+    for (std::size_t n = 0; n < velocities.size(); ++n) {
+        Particles& p = run.level(n).particles();
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            const Vec3& u = velocities[n][static_cast<std::size_t>(p.id[i])];
+            p.u[i] = static_cast<float>(u.x()), p.w[i] = static_cast<float>(u.z());
+        }
+    }
+    const double kH = k0 * H, group = std::sqrt(g / k0 * std::tanh(kH)) / 2 * (1 + 2 * kH / std::sinh(2 * kH));
+    while (run.time() * group < (start + end) * lambda) run.step();
+
+    const double L = window * lambda;
+    const auto read = [&](double from, double way) {
+        Spectrum r;
+        for (int n = 0; n < modes; ++n) {
+            const double k = 2 * pi * (n + first_mode) / L;
+            const Wave wave{k, std::sqrt(g * k * std::tanh(k * H)), 0};
+            std::complex<double> eta = 0, phi = 0;
+            for (const auto& level : run.levels()) {
+                const Particles& p = level->particles();
+                for (std::size_t i = 0; i < p.size(); ++i) {
+                    if (!is_active(p.kind[i]) || p.x[i] < from || p.x[i] > from + L) continue;
+                    const double weight = std::pow(std::sin(pi * (p.x[i] - from) / L), 2);
+                    const std::complex<double> part =
+                        weight * level->mass() / (s.rho0 + p.drho[i]) * std::polar(1.0, -k * p.x[i]);
+                    eta += part;
+                    phi += part * std::complex<double>(wave.S(p.z[i], H) * p.w[i], -wave.C(p.z[i], H) * p.u[i]) /
+                           std::tanh(k * H);
+                }
+            }
+            r[static_cast<std::size_t>(n)] =
+                (eta + way * std::complex<double>(0, wave.omega / g) * phi) / (L * std::abs(amplitude));
+        }
+        return r;
+    };
+    return {read(-L, -1), read(0, 1)};
+}
+
+struct Reflection {
+    Ways of_packet;     ///< half the difference of the two runs
+    Spectrum own_back;  ///< half their sum
+};
+Reflection both_ways_up(Sizes sizes, double length, double steepness) {
+    const Ways up = cross(sizes, length, steepness), down = cross(sizes, length, -steepness);
+    return {{half(up.back, -1, down.back), half(up.forth, -1, down.forth)}, half(up.back, 1, down.back)};
+}
+
+/// Share of `back` that is the mirror image of the packet `forth`, R eta(-x): the R of least squares.
+double image(const Spectrum& back, const Spectrum& forth) {
+    std::complex<double> product = 0;
+    for (std::size_t n = 0; n < back.size(); ++n) product += back[n] * forth[n];
+    return std::abs(product) / std::pow(rms(forth), 2);
+}
+
+void print_head() {
+    std::printf(
+        "a packet of gravity waves across an edge 2:1, over what one size (that before the edge) leaves of it\n"
+        "  length   k a               leaves  its image thrown back %%   all odd in it %%   even %%   through\n");
+}
+void print_line(const char* way, double length, double steepness, const Spectrum& left, const Reflection& r) {
+    std::printf("  %6.0f  %4.2f  %-11s  %6.3f  %22.2f  %15.2f  %7.2f  %8.3f\n", length, steepness, way,
+                rms(r.of_packet.forth), 100 * image(r.of_packet.back, left), 100 * rms(r.of_packet.back) / rms(left),
+                100 * rms(r.own_back) / rms(left), rms(r.of_packet.forth) / rms(left));
+    std::fflush(stdout);
+}
+
+TEST(SurfaceWaveReflection, OfAWaveOfFortySpacings) {
+    print_head();
+    const Reflection r = both_ways_up(Sizes::into_fine, 40, 0.2);
+    print_line("into fine", 40, 0.2, r.of_packet.forth, r);
+    EXPECT_LT(image(r.of_packet.back, r.of_packet.forth), 0.02);
+}
+
+/// For docs/results/levels.md; minutes.
+TEST(SurfaceWaveReflection, DISABLED_Table) {
+    print_head();
+    const auto lines = [](double length, double steepness, bool both_ways) {
+        for (const bool in : {true, false}) {
+            if (!in && !both_ways) return;
+            const Reflection one = both_ways_up(in ? Sizes::all_coarse : Sizes::all_fine, length, steepness),
+                             two = both_ways_up(in ? Sizes::into_fine : Sizes::out_of_fine, length, steepness);
+            print_line(in ? "coarse" : "fine", length, steepness, one.of_packet.forth, one);
+            print_line(in ? "into fine" : "out of fine", length, steepness, one.of_packet.forth, two);
+        }
+    };
+    for (const double length : {40, 20})
+        for (const double steepness : {0.1, 0.2}) lines(length, steepness, true);
+    lines(80, 0.1, false);
+}
+
+}  // namespace
+}  // namespace tw
