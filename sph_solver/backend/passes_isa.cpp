@@ -82,7 +82,11 @@ void sweep_continuity_and_gradient(const PassData& d, const Group* groups, int c
                                           moment.zz[l] * support[l]};
         if (d.two_dimensional) moment.fill_second_axis();
         const V3<Real> grad = moment.solve(grad_rho.sum);
-        shift = simd::min(Shifting::b * simd::root(difference2), Real{} + d.fastest_shift) * shift;
+        Real shift_speed = simd::min(Shifting::b * simd::root(difference2), Real{} + d.fastest_shift);
+        // nothing else ties the number of those to their density: they would gather under the zone
+        for (int l = 0; d.kind && l < g.size; ++l)
+            if (d.kind[g.first + l] == Kind::carried) shift_speed[l] = d.fastest_shift;
+        shift = shift_speed * shift;
         for (int l = 0; l < g.size; ++l) {
             GradientPressureRecord& out = d.stress[g.first + l];
             out.gx = grad.x[l], out.gy = grad.y[l], out.gz = grad.z[l];

@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <span>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "sph_solver/backend/for_particles.h"
 
@@ -52,36 +54,55 @@ double ask_edge(const Zone& zone, const Vec3& x, EdgeDistance& known, std::span<
     return outside;
 }
 
-/// Points in cells, to ask whether one is near.
+/// Points in cells of a size, to ask which is nearest.
 class Crowd {
 public:
-    Crowd(double distance, int dimensions) : distance_(distance), dimensions_(dimensions) {}
-    void add(const Vec3& x) { cells_.emplace(key(cell(x)), x); }
-    bool has_near(const Vec3& x) const {
-        const Cell at = cell(x);
-        const int across = dimensions_ == 3 ? 1 : 0;
-        for (int i = -1; i <= 1; ++i)
-            for (int j = -across; j <= across; ++j)
-                for (int k = -1; k <= 1; ++k) {
-                    const auto [first, last] = cells_.equal_range(key({at[0] + i, at[1] + j, at[2] + k}));
-                    for (auto it = first; it != last; ++it)
-                        if ((it->second - x).squaredNorm() < distance_ * distance_) return true;
-                }
-        return false;
+    Crowd(double size, int dimensions) : size_(size), across_(dimensions == 3 ? 1 : 0) {}
+    void add(const Vec3& x, std::size_t which) { cells_.emplace(key(cell(x)), Point{x, which}); }
+    /// From now on `is_marked` holds within a size of x, and for some way beyond.
+    void mark(const Vec3& x) {
+        each_round(x, [&](std::uint64_t k) { marked_.insert(k); });
+    }
+    bool is_marked(const Vec3& x) const { return marked_.contains(key(cell(x))); }
+    /// The nearest point within a size of x.
+    std::optional<std::size_t> nearest(const Vec3& x) const {
+        std::optional<std::size_t> found;
+        double least = size_ * size_;
+        each_round(x, [&](std::uint64_t k) {
+            const auto [first, last] = cells_.equal_range(k);
+            for (auto it = first; it != last; ++it) {
+                const double d2 = (it->second.x - x).squaredNorm();
+                if (d2 < least || (d2 == least && found && it->second.which < *found))
+                    least = d2, found = it->second.which;
+            }
+        });
+        return found;
     }
 
 private:
+    struct Point {
+        Vec3 x;
+        std::size_t which;
+    };
     using Cell = std::array<std::int64_t, 3>;
     Cell cell(const Vec3& x) const {
-        return {std::llround(x.x() / distance_), std::llround(x.y() / distance_), std::llround(x.z() / distance_)};
+        return {std::llround(x.x() / size_), std::llround(x.y() / size_), std::llround(x.z() / size_)};
     }
     static std::uint64_t key(const Cell& c) {
         const auto bits = [](std::int64_t k) { return static_cast<std::uint64_t>(k) & 0x1fffff; };
         return bits(c[0]) << 42 | bits(c[1]) << 21 | bits(c[2]);
     }
-    double distance_;
-    int dimensions_;
-    std::unordered_multimap<std::uint64_t, Vec3> cells_;
+    template <class Function>
+    void each_round(const Vec3& x, const Function& f) const {
+        const Cell at = cell(x);
+        for (int i = -1; i <= 1; ++i)
+            for (int j = -across_; j <= across_; ++j)
+                for (int k = -1; k <= 1; ++k) f(key({at[0] + i, at[1] + j, at[2] + k}));
+    }
+    double size_;
+    int across_;
+    std::unordered_multimap<std::uint64_t, Point> cells_;
+    std::unordered_set<std::uint64_t> marked_;
 };
 
 }  // namespace
@@ -144,7 +165,7 @@ void Refinement::relabel() {
     if (!fine_.lists_due() && !fine_.lists_outlived() && gone_since_ + in_a_step_ < patience_over_dp * dp_) return;
     gone_since_ = 0;
     Particles& f = fine_.particles();
-    const std::array limits{0.0, crowd_over_dp * dp_, gone_over_dp * dp_};
+    const std::array limits{0.0, gone_over_dp * dp_};
     outside_fine_.resize(f.size());
     for_particles(f.size(),
                   [&](std::size_t i) { outside_fine_[i] = ask_edge(zone_, place(f, i), f.from_edge[i], limits); });
@@ -171,56 +192,81 @@ void Refinement::relabel() {
         f.trend[i].support = leaving.mean_support[k];
         gone[i] = outside_fine_[i] > gone_over_dp * dp_;
     }
-    std::vector<std::int32_t> kept;
-    for (std::size_t i = 0; i < f.size(); ++i)
-        if (!gone[i]) kept.push_back(static_cast<std::int32_t>(i));
-    const auto deaths = static_cast<std::int64_t>(f.size() - kept.size());
-    ledger_.deaths += deaths;
-    if (deaths > 0) {
-        f.reorder(kept);
-        for (std::size_t k = 0; k < kept.size(); ++k)
-            outside_fine_[k] = outside_fine_[static_cast<std::size_t>(kept[k])];
-        fine_.make_lists_due();
-    }
+    remove(gone);
     give_birth();
+}
+
+std::vector<Vec3> Refinement::octants(const Vec3& parent) const {
+    std::vector<Vec3> places;
+    for (int octant = 0; octant < (coarse_.dimensions() == 3 ? 8 : 4); ++octant) {
+        const double half = dp_ / 2;
+        const Vec3 to(octant & 1 ? half : -half,
+                      coarse_.dimensions() == 2 ? 0
+                      : octant & 4              ? half
+                                                : -half,
+                      octant & 2 ? half : -half);
+        places.push_back(parent + to);
+    }
+    return places;
+}
+
+std::unordered_map<std::size_t, std::vector<std::size_t>> Refinement::families_of(
+    const std::vector<std::size_t>& parents) const {
+    const Particles &c = coarse_.particles(), &f = fine_.particles();
+    std::unordered_map<std::size_t, std::vector<std::size_t>> families;
+    if (parents.empty()) return families;
+    Crowd crowd(coarse_.setup().dp, coarse_.dimensions());
+    for (const std::size_t i : parents) families[i], crowd.mark(place(c, i));
+    for (std::size_t i = 0; i < c.size(); ++i)
+        if (outside_coarse_[i] > 0 && outside_coarse_[i] < band_over_dp * dp_ && crowd.is_marked(place(c, i)))
+            crowd.add(place(c, i), i);
+    for (std::size_t i = 0; i < f.size(); ++i) {
+        if (f.kind[i] != Kind::guard || !crowd.is_marked(place(f, i))) continue;
+        const std::optional<std::size_t> parent = crowd.nearest(place(f, i));
+        if (!parent) continue;
+        if (const auto family = families.find(*parent); family != families.end()) family->second.push_back(i);
+    }
+    return families;
 }
 
 void Refinement::give_birth() {
     Particles &c = coarse_.particles(), &f = fine_.particles();
-    const int dimensions = coarse_.dimensions();
-    struct Birth {
-        std::size_t parent;
-        bool first;
-    };
-    FieldsAt children;
-    children.apart = fine_apart;
-    std::vector<Birth> births;
+    std::vector<std::size_t> parents, returning;
     for (std::size_t i = 0; i < c.size(); ++i) {
         const bool may = c.kind[i] == Kind::fluid || stands_for_finer(c.kind[i]);
         if (!may || c.children[i] == Children::all || outside_coarse_[i] >= guard_over_dp * dp_) continue;
-        const bool first = c.children[i] == Children::none;
+        parents.push_back(i);
+        if (c.children[i] == Children::some) returning.push_back(i);
         c.children[i] = Children::all;
-        for (int octant = 0; octant < (dimensions == 3 ? 8 : 4); ++octant) {
-            const double half = dp_ / 2;
-            const Vec3 to(octant & 1 ? half : -half,
-                          dimensions == 2 ? 0
-                          : octant & 4    ? half
-                                          : -half,
-                          octant & 2 ? half : -half);
-            children.places.push_back(place(c, i) + to);
-            births.push_back({i, first});
-        }
     }
-    if (births.empty()) return;
+    if (parents.empty()) return;
+    const auto families = families_of(returning);
+    FieldsAt children;
+    children.apart = fine_apart;
+    std::vector<std::size_t> parent_of, too_many;
+    for (const std::size_t i : parents) {
+        std::vector<Vec3> places = octants(place(c, i));
+        if (const auto found = families.find(i); found != families.end()) {
+            std::vector<std::size_t> family = found->second;
+            const auto from_family = [&](const Vec3& x) {
+                double least = std::numeric_limits<double>::infinity();
+                for (const std::size_t k : family) least = std::min(least, (place(f, k) - x).squaredNorm());
+                return least;
+            };
+            std::ranges::stable_sort(places, std::ranges::greater{}, from_family);
+            std::ranges::stable_sort(family, {},
+                                     [&](std::size_t k) { return (place(f, k) - place(c, i)).squaredNorm(); });
+            const std::size_t whole = places.size(), there = std::min(family.size(), whole);
+            places.resize(whole - there);
+            too_many.insert(too_many.end(), family.begin() + static_cast<std::ptrdiff_t>(there), family.end());
+        }
+        children.places.insert(children.places.end(), places.begin(), places.end());
+        parent_of.resize(children.places.size(), i);
+    }
     coarse_.interpolate(children);
-    Crowd crowd(0.6 * dp_, dimensions);
-    if (!std::ranges::all_of(births, &Birth::first))
-        for (std::size_t i = 0; i < f.size(); ++i)
-            if (outside_fine_[i] > crowd_over_dp * dp_) crowd.add(place(f, i));
-    for (std::size_t k = 0; k < births.size(); ++k) {
+    for (std::size_t k = 0; k < parent_of.size(); ++k) {
         const Vec3& x = children.places[k];
-        if (!births[k].first && crowd.has_near(x)) continue;
-        const std::size_t i = births[k].parent;
+        const std::size_t i = parent_of[k];
         f.add(x.x(), x.y(), x.z(), 0, 0, fine_.next_id(), zone_.outside(x) < 0 ? Kind::fluid : Kind::guard);
         const bool known = children.support[k] >= no_water;
         set_fields(f, f.size() - 1,
@@ -228,6 +274,20 @@ void Refinement::give_birth() {
         f.trend.back().support = known ? children.mean_support[k] : 0;
         ++ledger_.births;
     }
+    std::vector<char> gone(f.size(), 0);
+    for (const std::size_t k : too_many) gone[k] = 1;
+    remove(gone);
+    fine_.make_lists_due();
+}
+
+void Refinement::remove(const std::vector<char>& gone) {
+    std::vector<std::int32_t> kept;
+    for (std::size_t i = 0; i < gone.size(); ++i)
+        if (!gone[i]) kept.push_back(static_cast<std::int32_t>(i));
+    const auto deaths = static_cast<std::int64_t>(gone.size() - kept.size());
+    ledger_.deaths += deaths;
+    if (deaths == 0) return;
+    fine_.particles().reorder(kept);
     fine_.make_lists_due();
 }
 

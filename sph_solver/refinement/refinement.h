@@ -1,6 +1,8 @@
 #pragma once
 #include <cstdint>
 #include <limits>
+#include <unordered_map>
+#include <vector>
 
 #include "meshes/zone.h"
 #include "sph_solver/particles/level.h"
@@ -20,9 +22,10 @@ namespace tw {
 /// So the coarse level is whole everywhere: its mass changes at inlet and outlet only. A coarse particle that comes
 /// within 4 dp of the zone has four (in three dimensions eight) children, guards at first, all of them however near to
 /// others: where the flow stretches, parents come near each other in one direction and part in another, and children left
-/// out for lack of room would be lost mass. One that was 4.5 dp away has them anew where no fine particle is near; one
-/// that was 6 dp away, where guards are gone, all of them. A coarse particle that leaves the zone is active again with
-/// the fields that it was given last. Nothing is merged.
+/// out for lack of room would be lost mass. One that was 4.5 dp away has as many anew as are missing of the guards that
+/// are nearer to it than to other coarse particles (or loses what is too much); one that was 6 dp away, where guards are
+/// gone, has all of them. A coarse particle that leaves the zone is active again with the fields that it was given last.
+/// Nothing is merged.
 ///
 /// A step of the coarse level comes first, with the band moved by its own equations; then two steps of the fine level,
 /// with the guards' fields linear in time between the coarse level's; then the fine level's fields go to band and
@@ -74,13 +77,18 @@ public:
 
 private:
     static constexpr double guard_over_dp = 4, again_over_dp = 4.5, gone_over_dp = 5, barren_over_dp = 6,
-                            band_over_dp = 8, crowd_over_dp = 2, patience_over_dp = 0.75;
+                            band_over_dp = 8, patience_over_dp = 0.75;
 
     /// As the coarse level has them there, with the excess of a fine surface in place of a coarse one's.
     VelocityDensityRecord for_fine(const FieldsAt& from_coarse, std::size_t k) const;
     void label_coarse();
     void give_birth();
-    double mass_under() const;  ///< of the coarse particles under the zone [kg]
+    std::vector<Vec3> octants(const Vec3& parent) const;  ///< places of its children
+    /// The guards that have one of some coarse particles nearest of all coarse particles.
+    std::unordered_map<std::size_t, std::vector<std::size_t>> families_of(
+        const std::vector<std::size_t>& parents) const;
+    void remove(const std::vector<char>& gone);  ///< of the fine particles
+    double mass_under() const;                   ///< of the coarse particles under the zone [kg]
 
     Level& coarse_;
     Level& fine_;
