@@ -290,7 +290,8 @@ Swing swing(int periods, double vortices) {
 
 // A zone is to keep its mass in a flow that turns round between the places where children are born and where they die:
 // 0.5 % are asked for. It does not: in water that nothing presses together the particles that die outside are not all
-// born again (docs/results/levels.md). The bounds say that the loss ends and that the water goes on to follow the force.
+// born again (docs/results/levels.md). The bounds say what twenty periods take, a hundred take 16 to 26 %, and that the
+// water goes on to follow the force.
 TEST(LevelEdge, AFlowThatTurnsRoundLeavesMostOfAZonesMass) {
     const Swing r = swing(20, 0.3);
     std::printf(
@@ -298,9 +299,9 @@ TEST(LevelEdge, AFlowThatTurnsRoundLeavesMostOfAZonesMass) {
         "%.3f U; %ld births, %ld orphans at once at most\n",
         100 * r.last_drift, 100 * r.largest_drift, r.shortfall, long(r.births), long(r.most_orphans));
     EXPECT_GT(r.births, 10000);
-    EXPECT_LT(r.largest_drift, 0.09);  // found 0.055
-    EXPECT_LT(r.most_orphans, 30);     // found 5
-    EXPECT_LT(r.shortfall, 0.18);      // found 0.13
+    EXPECT_LT(r.largest_drift, 0.09);  // found 0.048
+    EXPECT_LT(r.most_orphans, 30);     // found 11
+    EXPECT_LT(r.shortfall, 0.18);      // found 0.013
 }
 
 TEST(LevelEdge, DISABLED_TableOfAHundredSwings) {
