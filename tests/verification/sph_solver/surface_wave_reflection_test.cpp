@@ -19,7 +19,7 @@
 //
 // Rotation, which an edge stirs in water at rest too, falls out of phi_k: it is orthogonal to C and S. (Derived here.)
 //
-// Water at rest with an edge makes waves of its own, of some hundredths of a spacing. They do not know the packet:
+// Water at rest with an edge makes waves of its own, of about a hundredth of a spacing. They do not know the packet:
 // half the difference of two runs, one with the packet upside down, is what the edge does to the packet. Half the sum
 // holds the edge's own waves and what grows with the square of the packet.
 #include <gtest/gtest.h>
