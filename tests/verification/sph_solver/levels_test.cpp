@@ -245,6 +245,7 @@ TEST(LevelEdge, ABodyAcrossItIsBorneByBothSizes) {
 
 struct Swing {
     double largest_drift = 0, last_drift = 0;  ///< of the zone's mass
+    double gathered = 0;                       ///< coarse particles under the zone above their number at the start
     double shortfall = 0;                      ///< of the mean velocity behind U sin(omega t), largest, over U
     std::int64_t births = 0, most_orphans = 0;
 };
@@ -254,6 +255,7 @@ struct Swing {
 Swing swing(int periods, double vortices) {
     constexpr double U = 0.5, coarse = 0.02, omega = U / (4 * coarse), length = 0.8, height = 0.32;
     SimulationSetup s;
+    s.threads = 1;  // of small loops
     s.dp = coarse / 2;
     s.state_equation.c0 = 5;
     s.domain = {Vec3(0, -1, 0), Vec3(length, 1, height)};
@@ -270,6 +272,10 @@ Swing swing(int periods, double vortices) {
         }
     }
     const Refinement& edge = simulation.refinements()[0];
+    const auto under = [&] {
+        return double(std::ranges::count_if(simulation.level(0).particles().kind, stands_for_finer));
+    };
+    const double under_at_start = under();
     Swing r;
     double impulse = 0;  // of the force that was felt, over the mass
     while (simulation.time() < 2 * std::numbers::pi / omega * periods) {
@@ -285,22 +291,26 @@ Swing swing(int periods, double vortices) {
         r.shortfall = std::max(r.shortfall, std::abs(mean - impulse) / U);
     }
     r.births = edge.ledger().births;
+    r.gathered = under() / under_at_start - 1;
     return r;
 }
 
 // A zone is to keep its mass in a flow that turns round between the places where children are born and where they die:
-// 0.5 % are asked for. It does not: in water that nothing presses together the particles that die outside are not all
-// born again (docs/results/levels.md). The bounds say that the loss ends and that the water goes on to follow the force.
+// 0.5 % are asked for. It does not: what comes back is not quite what went. While nothing but the fine level's velocities
+// told the carried particles where to go, they gathered under the zone (4 % in 30 periods, 10 % in 60), the water outside
+// thinned, and the zone with it: 16 to 26 % in a hundred.
 TEST(LevelEdge, AFlowThatTurnsRoundLeavesMostOfAZonesMass) {
-    const Swing r = swing(20, 0.3);
+    const Swing r = swing(30, 0.1);
     std::printf(
-        "20 swings across an edge: mass of the zone %+.1f %% at the end, %.1f %% at most; mean velocity off by "
-        "%.3f U; %ld births, %ld orphans at once at most\n",
-        100 * r.last_drift, 100 * r.largest_drift, r.shortfall, long(r.births), long(r.most_orphans));
+        "30 swings across an edge: mass of the zone %+.1f %% at the end, %.1f %% at most; coarse particles under it "
+        "%+.1f "
+        "%%; mean velocity off by %.3f U; %ld births, %ld orphans at once at most\n",
+        100 * r.last_drift, 100 * r.largest_drift, 100 * r.gathered, r.shortfall, long(r.births), long(r.most_orphans));
     EXPECT_GT(r.births, 10000);
-    EXPECT_LT(r.largest_drift, 0.09);  // found 0.055
-    EXPECT_LT(r.most_orphans, 30);     // found 5
-    EXPECT_LT(r.shortfall, 0.18);      // found 0.13
+    EXPECT_LT(std::abs(r.gathered), 0.03);
+    EXPECT_LT(r.largest_drift, 0.08);
+    EXPECT_LT(r.most_orphans, 30);
+    EXPECT_LT(r.shortfall, 0.1);
 }
 
 TEST(LevelEdge, DISABLED_TableOfAHundredSwings) {
