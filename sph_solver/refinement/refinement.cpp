@@ -298,7 +298,7 @@ void Refinement::prolong(double moved, double compressed) {
     guards.apart = fine_apart;
     const std::vector<std::size_t> who = those(f, [](Kind kind) { return kind == Kind::guard; });
     guards.places.resize(who.size());
-    double fastest = 0;
+    double fastest = coarse_.extremes().speed;  // of those that are to have children
     for (const std::size_t i : who) fastest = std::max(fastest, Vec3(f.u[i], f.v[i], f.w[i]).norm());
     in_a_step_ = moved * fastest;
     gone_since_ += in_a_step_;

@@ -46,7 +46,7 @@ public:
     }
 
     /// Who is what; births and deaths. After the coarse lists are good, before its sweeps. Births and deaths make the
-    /// fine level's lists due, so fine particles wait for them until those lists are due anyway, or until guards may have
+    /// fine level's lists due, so fine particles wait for them until those lists are due anyway, or until particles may have
     /// come so far (3/4 dp) that the innermost would be short of neighbours.
     void relabel();
     /// After the coarse step, which has moved the places by `moved` [s]: what the guards' fields become until the fine
@@ -95,7 +95,7 @@ private:
     Zone zone_;
     std::vector<double> outside_coarse_, outside_fine_;  ///< of each particle since the last relabelling [m]
     double dp_;                                          ///< of the fine level
-    double in_a_step_ = 0;  ///< how far the fastest guard goes in a step of the coarse level [m]
+    double in_a_step_ = 0;  ///< how far guards and coarse particles go in a step of the coarse level, at most [m]
     double gone_since_ = std::numeric_limits<double>::infinity();  ///< and since fine particles were labelled
     SurfaceExcess excess_;                                         ///< in weights of a row the same for both
     Ledger ledger_;
