@@ -414,7 +414,7 @@ int status_of(int argc, char** argv) {
 }  // namespace tw::app
 
 int main(int argc, char** argv) {
-    tw::app::wait_without_spinning(argv);
+    tw::app::spin_briefly(argv);
     // OpenFOAM believes PWD rather than the folder it is started in, and refuses one with a blank: the shell's must not
     // reach it.
     unsetenv("PWD");

@@ -8,6 +8,6 @@ namespace tw::app {
 /// and particles have several sizes, because there are many short loops (7.2 s against 6.1 s for 0.25 s of
 /// studies/planing_prism_levels.toml --scale 2 on two cores). The OpenMP runtime reads its settings when the program is
 /// loaded, so the program starts itself anew once. Whoever sets OMP_WAIT_POLICY or GOMP_SPINCOUNT is obeyed.
-void wait_without_spinning(char** argv);
+void spin_briefly(char** argv);
 
 }  // namespace tw::app

@@ -64,13 +64,13 @@ double volume_near(const Zone& zone, double further, const std::vector<Box>& blo
 std::vector<ParticlesOfSize> counted(const Scene& scene, const std::vector<Zone>& zones, const std::vector<Box>& blocks,
                                      double solids) {
     constexpr double guards = 4.5;  // spacings
+    const double all = water_volume(scene);
     const bool flat = scene.domain.dimensions == 2;
     std::vector<ParticlesOfSize> sizes;
     for (std::size_t k = 0; k <= zones.size(); ++k) {
         ParticlesOfSize& size = sizes.emplace_back();
         const double dp = size.spacing = std::ldexp(finest_spacing(scene), static_cast<int>(zones.size() - k));
         const double particle = flat ? dp * dp * scene.domain.box.size().y() : dp * dp * dp;
-        const double all = water_volume(scene);
         const auto water_within = [&](const Zone& zone, double further, double spacing) {
             return std::clamp(volume_near(zone, further, blocks, spacing) - solids, 0.0, all);
         };

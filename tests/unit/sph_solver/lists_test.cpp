@@ -32,11 +32,12 @@ struct Cloud {
         for (const std::int32_t k : order) places.push_back(raw[static_cast<std::size_t>(k)].record(1));
         make_groups({&grid, places.data(), &start, 0}, passes().lanes, groups);
     }
-    /// Of place k from the nearest particle of the group [m].
-    double distance(const Group& g, std::size_t k) const {
+    /// Of place k from the nearest particle of the group, one of `targets` [m].
+    double distance(const Group& g, std::size_t k) const { return distance(places, g, k); }
+    double distance(const std::vector<PlaceRecord>& targets, const Group& g, std::size_t k) const {
         double least = 1e30;
         for (std::int32_t i = g.first; i < g.first + g.size; ++i) {
-            const PlaceRecord &a = places[static_cast<std::size_t>(i)], &b = places[k];
+            const PlaceRecord &a = targets[static_cast<std::size_t>(i)], &b = places[k];
             least = std::min(least, std::hypot(double(a.x) - b.x, double(a.y) - b.y, double(a.z) - b.z));
         }
         return least * quanta.size;
@@ -106,12 +107,7 @@ TEST(NeighbourLists, HoldThemForPlacesSortedByColumnsOfAnotherWidth) {
         for (const Group& g : groups) {
             const std::vector<int> said = said_of_places(lists.view(), g, cloud.places.size());
             for (std::size_t k = 0; k < said.size(); ++k) {
-                double least = 1e30;
-                for (std::int32_t i = g.first; i < g.first + g.size; ++i) {
-                    const PlaceRecord &a = places[static_cast<std::size_t>(i)], &b = cloud.places[k];
-                    least = std::min(least, std::hypot(double(a.x) - b.x, double(a.y) - b.y, double(a.z) - b.z));
-                }
-                const double d = least * cloud.quanta.size;
+                const double d = cloud.distance(places, g, k);
                 if (std::abs(d / reach - 1) < 1e-5) continue;
                 EXPECT_EQ(said[k] & 1, d < reach) << d;
                 seen += said[k] & 1;
