@@ -166,16 +166,15 @@ void Refinement::relabel() {
     gone_since_ = 0;
     Particles& f = fine_.particles();
     const std::array limits{0.0, gone_over_dp * dp_};
-    outside_fine_.resize(f.size());
-    for_particles(f.size(),
-                  [&](std::size_t i) { outside_fine_[i] = ask_edge(zone_, place(f, i), f.from_edge[i], limits); });
+    std::vector<double> outside(f.size());
+    for_particles(f.size(), [&](std::size_t i) { outside[i] = ask_edge(zone_, place(f, i), f.from_edge[i], limits); });
     std::vector<char> gone(f.size(), 0);
     FieldsAt leaving;
     leaving.of = FieldsAt::Of::all;
     leaving.apart = fine_apart;
     std::vector<std::size_t> who;
     for (std::size_t i = 0; i < f.size(); ++i) {
-        const double s = outside_fine_[i];
+        const double s = outside[i];
         if (f.kind[i] == Kind::guard && s < 0) f.kind[i] = Kind::fluid;
         if (f.kind[i] == Kind::fluid && s >= 0) leaving.places.push_back(place(f, i)), who.push_back(i);
         gone[i] = f.kind[i] == Kind::guard && s > gone_over_dp * dp_;
@@ -190,7 +189,7 @@ void Refinement::relabel() {
         }
         f.kind[i] = Kind::guard;
         f.trend[i].support = leaving.mean_support[k];
-        gone[i] = outside_fine_[i] > gone_over_dp * dp_;
+        gone[i] = outside[i] > gone_over_dp * dp_;
     }
     remove(gone);
     give_birth();

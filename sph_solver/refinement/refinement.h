@@ -21,11 +21,11 @@ namespace tw {
 ///
 /// So the coarse level is whole everywhere: its mass changes at inlet and outlet only. A coarse particle that comes
 /// within 4 dp of the zone has four (in three dimensions eight) children, guards at first, all of them however near to
-/// others: where the flow stretches, parents come near each other in one direction and part in another, and children left
-/// out for lack of room would be lost mass. One that was 4.5 dp away has as many anew as are missing of the guards that
-/// are nearer to it than to other coarse particles (or loses what is too much); one that was 6 dp away, where guards are
-/// gone, has all of them. A coarse particle that leaves the zone is active again with the fields that it was given last.
-/// Nothing is merged.
+/// others: where the flow stretches, parents come near each other in one direction and part in another, and children
+/// left out for lack of room would be lost mass. One that was 4.5 dp away has as many anew as are missing of the guards
+/// that are nearer to it than to other coarse particles (or loses what is too much); one that was 6 dp away, where
+/// guards are gone, has all of them. A coarse particle that leaves the zone is active again with the fields that it was
+/// given last. Nothing is merged.
 ///
 /// A step of the coarse level comes first, with the band moved by its own equations; then two steps of the fine level,
 /// with the guards' fields linear in time between the coarse level's; then the fine level's fields go to band and
@@ -46,8 +46,8 @@ public:
     }
 
     /// Who is what; births and deaths. After the coarse lists are good, before its sweeps. Births and deaths make the
-    /// fine level's lists due, so fine particles wait for them until those lists are due anyway, or until particles may have
-    /// come so far (3/4 dp) that the innermost would be short of neighbours.
+    /// fine level's lists due, so fine particles wait for them until those lists are due anyway, or until particles may
+    /// have come so far (3/4 dp) that the innermost would be short of neighbours.
     void relabel();
     /// After the coarse step, which has moved the places by `moved` [s]: what the guards' fields become until the fine
     /// level has moved as far; densities over `compressed` [s], from one evaluation's time to another's.
@@ -93,8 +93,8 @@ private:
     Level& coarse_;
     Level& fine_;
     Zone zone_;
-    std::vector<double> outside_coarse_, outside_fine_;  ///< of each particle since the last relabelling [m]
-    double dp_;                                          ///< of the fine level
+    std::vector<double> outside_coarse_;  ///< of each coarse particle since the last relabelling [m]
+    double dp_;                           ///< of the fine level
     double in_a_step_ = 0;  ///< how far guards and coarse particles go in a step of the coarse level, at most [m]
     double gone_since_ = std::numeric_limits<double>::infinity();  ///< and since fine particles were labelled
     SurfaceExcess excess_;                                         ///< in weights of a row the same for both
