@@ -53,8 +53,8 @@ ReportTable levels_table(const Comparison& c) {
     if (table.rows.empty()) return {};
     table.notes = {
         "Guards and parents stand for water of the next larger and the next smaller size. Births, deaths and mass "
-        "drift "
-        "are counted since the start: the mass of a zone against the larger particles that stand for it.",
+        "drift are counted since the start: the mass of a zone, without spray beyond it, against the larger particles "
+        "that stand for it.",
         "Spray is active beyond the edge of its zone; orphans are guards and parents without water of the other size "
         "near. The time is that of the sweeps over pairs and their lists, without the interpolation between sizes."};
     return table;

@@ -358,7 +358,8 @@ double Refinement::mass_under() const {
 
 double Refinement::surplus() const {
     const auto is_water = [](Kind k) { return k != Kind::guard; };
-    return fine_.mass() * double(std::ranges::count_if(fine_.particles().kind, is_water)) - mass_under();
+    const auto water = std::ranges::count_if(fine_.particles().kind, is_water) - ledger_.spray;
+    return fine_.mass() * double(water) - mass_under();
 }
 
 double Refinement::mass_drift() const {

@@ -15,19 +15,20 @@
 namespace tw {
 namespace {
 
-/// Weightless water, periodic along x, that streams through a zone of half the spacing.
-Simulation stream_through_a_zone() {
+/// Weightless water, 0.8 m high and periodic along x, that streams through a zone of half the spacing.
+Simulation stream_through_a_zone(double air_above = 0) {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     SimulationSetup s;
     s.dimensions = 2;
     s.dp = 0.01;
     s.state_equation.c0 = 10;
     s.gravity = Vec3::Zero();
-    s.domain = {Vec3(0, -1, 0), Vec3(1.2, 1, 0.8)};
+    const Box water_in{Vec3(0, -1, 0), Vec3(1.2, 1, 0.8)};
+    s.domain = {water_in.min, water_in.max + Vec3(0, 0, air_above)};
     s.mirrors.on = {{{false, false}, {false, false}, {true, true}}};
     s.mirrors.periodic = {true, false, false};
     s.zones = {Zone({Box{Vec3(0.4, -infinite, 0.2), Vec3(0.8, infinite, 0.6)}})};
-    std::vector<Fluid> water = fill_levels(s, {s.domain});
+    std::vector<Fluid> water = fill_levels(s, {water_in});
     for (Fluid& fluid : water) fluid.depth.assign(fluid.depth.size(), 0);
     Simulation simulation(s, water);
     for (const auto& level : simulation.levels()) std::ranges::fill(level->particles().u, 1.0f);
@@ -68,6 +69,19 @@ TEST(LevelLedger, MassThatAZoneLosesIsTold) {
     ASSERT_NE(line, record.certificate.end());
     EXPECT_NEAR(line->value, 0.5, 1e-9);
     EXPECT_TRUE(only_warns(*line));
+}
+
+// Fine particles that fly beyond the zone, where there is no coarse water, are spray and no longer the zone's water.
+TEST(LevelLedger, SprayBeyondAZoneIsNotCountedAsItsWater) {
+    Simulation simulation = stream_through_a_zone(1);
+    Particles& p = simulation.level(1).particles();
+    std::int64_t flying = 0;
+    for (std::size_t i = 0; i < p.size() && flying < 8; ++i)
+        if (p.kind[i] == Kind::fluid) p.z[i] = 1.2 + 0.01 * double(flying++);
+    simulation.step();
+    const LevelLedger l = level_ledger(simulation, 1);
+    EXPECT_EQ(l.edge.spray, 8);
+    EXPECT_NEAR(l.mass_drift, -1.0 / 200, 1e-12);
 }
 
 /// A short run of a planing prism.
