@@ -87,7 +87,8 @@ struct RunRecord {
     /// structure ("elastic", "rigid", "rigid, strains one way": of a scene with a body that bends), ...
     std::map<std::string, std::string> attributes;
     /// spacing h, length, beam, draft, trim, speed, density, gravity, duration, mean_from, h_over_dp, c0, alpha, ...
-    /// level_0_seconds, ...: wall time of the sweeps of each size of particles since the run was begun or resumed
+    /// level_0_seconds, ...: wall time of the sweeps of each size of particles since the run was begun or resumed;
+    /// level_1_edge_seconds, ...: of what passes between it and the next larger size
     /// structure_seconds: processor time of bodies that bend, the water's forces on their dummies and their own steps,
     /// since then
     std::map<std::string, double> numbers;

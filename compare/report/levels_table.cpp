@@ -30,7 +30,7 @@ ReportTable levels_table(const Comparison& c) {
                       {words("Run"), numbers("size", "m"), numbers("time step", "s"), numbers("active", "", 9),
                        numbers("guards", "", 9), numbers("parents", "", 9), numbers("births", "", 9),
                        numbers("deaths", "", 9), numbers("spray", "", 9), numbers("orphans", "", 9),
-                       numbers("mass drift", "%", 2), numbers("largest", "%", 2), numbers("time", "%", 2)}};
+                       numbers("mass drift", "%", 2), numbers("largest", "%", 2), numbers("time", "%", 2), numbers("edge", "%", 2)}};
     for (std::size_t s = 0; s < c.sources.size(); ++s) {
         const RunRecord& run = c.sources[s];
         std::vector<std::string> levels;
@@ -38,6 +38,7 @@ ReportTable levels_table(const Comparison& c) {
         while (run.tables.contains(level_table(levels.size()))) {
             levels.push_back(level_table(levels.size()));
             all_seconds += number_of(run, levels.back() + "_seconds", unknown);
+            all_seconds += number_of(run, levels.back() + "_edge_seconds", 0);
         }
         for (const std::string& level : levels) {
             ReportRow row{{run_cell(c.names[s], s), last(run, level, "spacing"), last(run, level, "dt"),
@@ -46,7 +47,8 @@ ReportTable levels_table(const Comparison& c) {
             for (const char* name : {"births", "deaths", "spray", "orphans", "mass_drift"})
                 row.cells.emplace_back(last(run, level, name));
             row.cells.emplace_back(largest_drift(run, level));
-            row.cells.emplace_back(100 * number_of(run, level + "_seconds", unknown) / all_seconds);
+            for (const char* seconds : {"_seconds", "_edge_seconds"})
+                row.cells.emplace_back(100 * number_of(run, level + seconds, unknown) / all_seconds);
             table.rows.push_back(std::move(row));
         }
     }
@@ -56,7 +58,8 @@ ReportTable levels_table(const Comparison& c) {
         "drift are counted since the start: the mass of a zone, without spray beyond it, against the larger particles "
         "that stand for it.",
         "Spray is active beyond the edge of its zone; orphans are guards and parents without water of the other size "
-        "near. The time is that of the sweeps over pairs and their lists, without the interpolation between sizes."};
+        "near. The time is that of the sweeps over pairs and their lists; at the edge, that of births and of the fields "
+        "handed to and from the next larger size."};
     return table;
 }
 

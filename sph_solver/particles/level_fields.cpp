@@ -1,4 +1,7 @@
 // Fields of a level at points that are none of its particles: dummies, samples, and the particles of other levels.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <numeric>
 
 #include "sph_solver/backend/for_particles.h"
@@ -17,10 +20,8 @@ struct SortedPlaces {
     std::vector<Group> groups;
     NeighbourLists lists;
 
-    /// `apart`: distance between points [spacings of the level]; `travel`: how far the sources have moved since they
-    /// were sorted [m].
-    SortedPlaces(const std::vector<Vec3>& points, double apart, const Kernel& kernel, const Level& level,
-                 const std::vector<Source>& sources, double travel)
+    /// `apart`: distance between points [spacings of the level].
+    SortedPlaces(const std::vector<Vec3>& points, double apart, const Level& level)
         : grid(level.grid().scaled(apart)) {
         std::vector<WidePlace> raw(points.size());
         for_particles(raw.size(), [&](std::size_t k) { raw[k] = level.quanta().wide(points[k]); });
@@ -28,15 +29,54 @@ struct SortedPlaces {
         places.resize(raw.size());
         for_particles(raw.size(),
                       [&](std::size_t k) { places[k] = raw[static_cast<std::size_t>(order[k])].record(0); });
-        const Source sorted{&grid, places.data(), &start, 0};
-        make_groups(sorted, level.passes().lanes, groups);
-        // a margin, because the travel is that of particles that the water's equations move: what others come farther
-        // is missing at the rim of the kernel, where it weighs (0.1 dp / 2h)^4 at most
-        const double support = kernel.support(), margin = 0.1 * level.setup().dp;
-        lists.build(level.passes(), level.quanta(), sorted, groups, sources,
-                    {support, support, support, travel + margin});
+        make_groups(sorted(), level.passes().lanes, groups);
     }
+    SortedPlaces(const SortedPlaces&) = delete;
+
+    Source sorted() const { return {&grid, places.data(), &start, 0}; }
+
+    /// `travel`: how far the sources have moved since they were sorted [m].
+    void find_neighbours(const Kernel& kernel, const Level& level, const std::vector<Source>& sources, double travel) {
+        const double support = kernel.support();
+        lists.build(level.passes(), level.quanta(), sorted(), groups, sources,
+                    {support, support, support, travel + margin(level)});
+    }
+    /// Because the travel is that of particles that the water's equations move: what others come farther is missing at
+    /// the rim of the kernel, where it weighs (0.1 dp / 2h)^4 at most.
+    static double margin(const Level& level) { return 0.1 * level.setup().dp; }
 };
+
+/// The heights between which a column of a grid has something within reach of some places [quanta]; none: from > to.
+struct Span {
+    std::int64_t from = INT64_MAX, to = INT64_MIN;
+};
+std::vector<Span> within_reach(const SortedPlaces& of, const ColumnGrid& grid, double reach) {
+    const auto r = static_cast<std::int64_t>(std::ceil(reach));
+    std::vector<Span> spans(static_cast<std::size_t>(grid.count()));
+    for (int c = 0; c < of.grid.count(); ++c) {
+        const auto first = static_cast<std::size_t>(of.start[static_cast<std::size_t>(c)]),
+                   end = static_cast<std::size_t>(of.start[static_cast<std::size_t>(c) + 1]);
+        if (first == end) continue;
+        const WidePlace centre = of.grid.centre(c);
+        const std::int64_t half = of.grid.width / 2 + 1 + r;
+        const auto height = [&](std::size_t k) {
+            return centre.z + difference(of.places[k].z, static_cast<std::int32_t>(centre.z));
+        };
+        const Span span{height(first) - r, height(end - 1) + r};
+        // columns at the rim hold whatever lies beyond
+        const int cx = c % of.grid.nx, cy = c / of.grid.nx % of.grid.ny;
+        const int x0 = cx == 0 ? 0 : grid.column_x(centre.x - half), y0 = cy == 0 ? 0 : grid.column_y(centre.y - half),
+                  x1 = cx == of.grid.nx - 1 ? grid.nx - 1 : grid.column_x(centre.x + half),
+                  y1 = cy == of.grid.ny - 1 ? grid.ny - 1 : grid.column_y(centre.y + half);
+        for (int z = grid.slab(span.from); z <= grid.slab(span.to); ++z)
+            for (int y = y0; y <= y1; ++y)
+                for (int x = x0; x <= x1; ++x) {
+                    Span& known = spans[static_cast<std::size_t>(grid.column(x, y, z))];
+                    known = {std::min(known.from, span.from), std::max(known.to, span.to)};
+                }
+    }
+    return spans;
+}
 
 }  // namespace
 
@@ -60,7 +100,8 @@ void Level::sample(PointSamples& points) const {
     points.support.assign(n, 0);
     if (points.want_flux) points.flux.assign(3 * n, 0);
     if (n == 0) return;
-    const SortedPlaces sorted(points.places, 1, kernel_, *this, sources(), life_.travel);
+    SortedPlaces sorted(points.places, 1, *this);
+    sorted.find_neighbours(kernel_, *this, sources(), life_.travel);
     std::vector<float> p(n), support(n), flux(points.want_flux ? 3 * n : 0);
     ExtrapolateData e = extrapolation();
     e.list = sorted.lists.view();
@@ -92,6 +133,10 @@ void Level::interpolate(FieldsAt& at) {
     at.mean_support.resize(n);
     if (n == 0) return;
     update_records();
+    const Kernel kernel(interpolation_h_over_dp * setup_.dp, around_.dimensions);
+    SortedPlaces sorted(at.places, at.apart, *this);
+    const std::vector<Span> asked = within_reach(
+        sorted, grid_, (kernel.support() + life_.travel + SortedPlaces::margin(*this)) / quanta_.size);
     const auto source_of = [&](std::size_t i) {
         return i < own ? i : static_cast<std::size_t>(ghosts_.images()[i - own].source);
     };
@@ -100,7 +145,7 @@ void Level::interpolate(FieldsAt& at) {
         return at.of == FieldsAt::Of::all || is_active(kind) ||
                (at.of == FieldsAt::Of::not_guards && kind != Kind::guard);
     };
-    // of those that count, in the order of the level's particles and then of their images
+    // of those that count and may be asked for, in the order of the level's particles and then of their images
     std::vector<PlaceRecord> place;
     std::vector<VelocityDensityRecord> motion;
     std::vector<float> known_support, rate;
@@ -108,9 +153,15 @@ void Level::interpolate(FieldsAt& at) {
     const auto take = [&](const std::vector<std::int32_t>& all_start, std::size_t offset) {
         const std::size_t columns = all_start.size() - 1, before = place.size();
         const auto each_in = [&](std::size_t column, const auto& f) {
+            const Span& span = asked[column];
+            if (span.from > span.to) return;
+            const std::int64_t middle = grid_.centre(static_cast<int>(column)).z;
             for (auto k = static_cast<std::size_t>(all_start[column]);
-                 k < static_cast<std::size_t>(all_start[column + 1]); ++k)
-                if (counts(offset + k)) f(offset + k);
+                 k < static_cast<std::size_t>(all_start[column + 1]); ++k) {
+                const std::int64_t z =
+                    middle + difference(records_.place[offset + k].z, static_cast<std::int32_t>(middle));
+                if (z >= span.from && z <= span.to && counts(offset + k)) f(offset + k);
+            }
         };
         std::vector<std::int32_t> start(all_start.size(), 0);
         for_particles(columns, [&](std::size_t c) { each_in(c, [&](std::size_t) { ++start[c + 1]; }); });
@@ -137,8 +188,7 @@ void Level::interpolate(FieldsAt& at) {
     const auto images_from = static_cast<std::int32_t>(start.back());
     const std::vector<Source> from{{&grid_, place.data(), &start, 0},
                                    {&grid_, place.data() + images_from, &images_start, images_from}};
-    const Kernel kernel(interpolation_h_over_dp * setup_.dp, around_.dimensions);
-    const SortedPlaces sorted(at.places, at.apart, kernel, *this, from, life_.travel);
+    sorted.find_neighbours(kernel, *this, from, life_.travel);
     std::vector<VelocityDensityRecord> value(n);
     std::vector<float> support(n), mean_support(n), compression(at.want_compression ? n : 0);
     at.compression.resize(compression.size());

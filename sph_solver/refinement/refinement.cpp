@@ -10,6 +10,7 @@
 #include <unordered_set>
 
 #include "sph_solver/backend/for_particles.h"
+#include "sph_solver/backend/stopwatch.h"
 
 namespace tw {
 
@@ -161,6 +162,7 @@ void Refinement::label_coarse() {
 }
 
 void Refinement::relabel() {
+    const Stopwatch watch(ledger_.seconds);
     label_coarse();
     if (!fine_.lists_due() && !fine_.lists_outlived() && gone_since_ + in_a_step_ < patience_over_dp * dp_) return;
     gone_since_ = 0;
@@ -291,6 +293,7 @@ void Refinement::remove(const std::vector<char>& gone) {
 }
 
 void Refinement::prolong(double moved, double compressed) {
+    const Stopwatch watch(ledger_.seconds);
     Particles& f = fine_.particles();
     FieldsAt guards;
     guards.without = excess_;
@@ -325,6 +328,7 @@ void Refinement::prolong(double moved, double compressed) {
 }
 
 void Refinement::restrict_over(double moved, double density_before) {
+    const Stopwatch watch(ledger_.seconds);
     Particles& c = coarse_.particles();
     FieldsAt under;
     under.without = excess_;

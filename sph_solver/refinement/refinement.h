@@ -66,6 +66,7 @@ public:
         std::int64_t births = 0, deaths = 0;  ///< since the start
         std::int64_t spray = 0;    ///< fine particles that stayed active outside the zone (at the last relabelling)
         std::int64_t orphans = 0;  ///< band, carried and guards without water of the other level near (last step)
+        double seconds = 0;        ///< wall time of labels, births and fields handed over [s]
     };
     const Ledger& ledger() const { return ledger_; }
     void set_ledger(const Ledger& ledger) { ledger_ = ledger; }

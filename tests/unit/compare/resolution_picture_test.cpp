@@ -92,13 +92,15 @@ TEST(LevelsTable, HasARowForEverySizeAndNoneForOneSize) {
         t.column("spacing", "m").values.assign(3, k == 0 ? 0.2 : 0.1);
         if (k == 1) t.column("mass_drift", "%").values = {0.2, -1.5, 0.4};
         c.sources[0].numbers[level_table(k) + "_seconds"] = k == 0 ? 10 : 30;
+        c.sources[0].numbers[level_table(k) + "_edge_seconds"] = k == 0 ? 0 : 10;
     }
     const ReportTable table = levels_table(c);
     ASSERT_EQ(table.rows.size(), 2u);
     EXPECT_EQ(table.rows[1].cells[1].number, 0.1);
     EXPECT_EQ(table.rows[1].cells[10].number, 0.4);
     EXPECT_EQ(table.rows[1].cells[11].number, 1.5);
-    EXPECT_EQ(table.rows[1].cells[12].number, 75);
+    EXPECT_EQ(table.rows[1].cells[12].number, 60);
+    EXPECT_EQ(table.rows[1].cells[13].number, 20);
     EXPECT_TRUE(std::isnan(table.rows[0].cells[10].number));  // the coarsest has no zone
 }
 
