@@ -26,9 +26,11 @@ double snapped_face(double face, bool given, bool high, const Scene& scene) {
 Margins margins(const Scene& scene) {
     const Hull& hull = *scene.hull;
     Margins m = default_margins(hull, scene.motion.speed, scene.water.gravity);
-    if (scene.sph.levels == 1 || !planes(scene) || hull.section) return m;
+    const bool several_sizes = scene.resolution.of_particles || scene.sph.levels > 1;
+    if (!several_sizes || !planes(scene) || hull.section) return m;
     const WallReach reach = reach_for_lift(hull, 0.01);
     m.side = std::max(m.side, reach.side), m.below = std::max(m.below, reach.depth);
+    if (!hull.free) m.ahead += 0.4 * hull.length;  // where the zones of twice the sizes, a twin's, have room
     return m;
 }
 

@@ -168,7 +168,8 @@ Rows domain_keys() {
                         .meaning = meaning};
     };
     return {
-        distance("ahead", "0.6 L ahead of the keel's entry, at least 0.15 L", "Distance from the bow to the inlet."),
+        distance("ahead", "0.6 L ahead of the keel's entry, at least 0.15 L; from Froude number 1 on, with particles of "
+                 "several sizes, 0.4 L more", "Distance from the bow to the inlet."),
         distance("behind", "L", "Distance from the stern to the outlet."),
         distance("side", "2 B; below Froude number 1 at least L/2; above it, with particles of several sizes, where the sides are worth "
                  "0.5 % of the lift", "Distance from y = 0 to the sides."),
@@ -465,7 +466,7 @@ Rows sph_keys() {
          .meaning = "Exponent of the Tait equation of state."},
         {.name = "levels", .kind = Kind::whole, .range = {1, most_levels}, .hashed = Hashed::sph,
          .slot = slot(&Scene::sph, &SphOptions::levels),
-         .fallback = "round solids, where spacing is written: up to that; else 1",
+         .fallback = "up to spacing, where that is written, and round a hull held in a stream from Froude number 1 on; else 1",
          .meaning = "Sizes of particles: near_hull round hull, obstacles and moving bodies, twice that farther away, and so on.",
          .later = true},
         {.name = "zone", .range = {8, 200}, .hashed = Hashed::sph, .slot = slot(&Scene::sph, &SphOptions::zone),

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
+#include "scene/box_walls.h"
 #include "scene/defaults.h"
 #include "scene/refined_places.h"
 
@@ -17,6 +18,8 @@ namespace tw {
 namespace {
 
 constexpr double between = 10, from_openings = 8;  ///< spacings
+/// Of the grid of distances from a hull; a scene that wants more has more particles than any memory holds.
+constexpr double most_nodes = 2e7;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// What finer particles stand round.
@@ -100,7 +103,8 @@ bool follows_its_hull(const Scene& scene) {
 Zone zone_near_hull(std::vector<Box> boxes, double width, double coarse_dp, const Scene& scene) {
     const Box& first = boxes.front();
     const Box wet{first.min.cwiseMax(scene.domain.box.min), first.max.cwiseMin(scene.domain.box.max)};
-    auto near = std::make_shared<DistanceGrid>(scene.hull->surface, wet, coarse_dp, width + from_openings * coarse_dp);
+    const double nodes_apart = std::max(coarse_dp, std::cbrt(wet.volume() / most_nodes));
+    auto near = std::make_shared<DistanceGrid>(scene.hull->surface, wet, nodes_apart, width + from_openings * coarse_dp);
     for (int a = 0; a < 3; ++a) {
         if (std::isinf(first.min[a])) near->draw_out(a, false);
         if (std::isinf(first.max[a])) near->draw_out(a, true);
@@ -157,13 +161,19 @@ int zones_that_fit(const Scene& scene, const std::vector<Root>& solids, const st
 
 }  // namespace
 
+bool is_refined_unasked(const Scene& scene) {
+    return follows_its_hull(scene) && !scene.hull->free && planes(scene) && scene.hull->surface.bounds().max.z() > 0;
+}
+
 void follow_spacing(Scene& scene, const std::function<void()>& make_domain) {
     int& levels = scene.sph.levels;
-    const Resolution& r = scene.resolution;
+    Resolution& r = scene.resolution;
     const bool elastic = std::ranges::any_of(scene.bodies, [](const MovingBody& b) { return b.elastic.has_value(); });
     const bool solids = scene.hull || !scene.obstacles.empty() || !scene.bodies.empty();
     const bool stream = scene.motion.kind == Motion::Kind::stream;
-    if ((stream ? scene.hull.has_value() : solids && !elastic) && scene.sph.scheme == "kick_drift_kick")
+    const bool follows = stream ? scene.hull.has_value() : solids && !elastic;
+    r.of_particles = follows && r.spacing > r.near_hull && !(scene.hull && scene.hull->free);
+    if (follows && scene.sph.scheme == "kick_drift_kick")
         levels = std::min(most_levels, 1 + static_cast<int>(std::lround(std::log2(r.spacing / r.near_hull))));
     make_domain();
     while (levels > 1) {

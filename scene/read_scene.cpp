@@ -200,7 +200,7 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     // A stream without a hull has no length to settle over: its ramp is the domain's, so the domain comes first.
     const auto make_domain = [&] { scene.domain = domain_of(domain, tank, scene, s, depth); };
     const bool free_hull = scene.hull && scene.hull->free;
-    if (resolution.spacing && !scene.tank_motion && !s.sph.has("levels") &&
+    if ((resolution.spacing || is_refined_unasked(scene)) && !scene.tank_motion && !s.sph.has("levels") &&
         !s.effects.on_off("air").value_or(false))
         follow_spacing(scene, make_domain);
     else

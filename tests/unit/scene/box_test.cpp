@@ -65,14 +65,14 @@ TEST(Box, ATankStaysAsItIs) {
 TEST(Box, WallsOfThePrismAreExpectedToBeWorthWhatWasMeasured) {
     // 5 % at 2 and 1.6 beams, 12 % at 1.5 and 1.25 (docs/results/box.md)
     EXPECT_NEAR(wall_effect(scene_of(prism("side = 2\nbelow = 1.6\n"))).change, 0.05, 0.01);
-    const Scene demo = scene_of(prism("side = 1.5\nbelow = 1.2\n"));
+    const Scene demo = scene_of(prism("side = 1.5\nbelow = 1.2\n") + one_size);
     EXPECT_NEAR(wall_effect(demo).change, 0.12, 0.01);
     EXPECT_EQ(wall_effect(demo).of, "lift");
     EXPECT_NE(wall_warning(demo).find("raise the lift by 12 %"), std::string::npos) << wall_warning(demo);
     EXPECT_NE(to_text(demo, predict(demo)).find("warning   the walls of the box (1.5 m to the side, 1.2 m deep)"),
               std::string::npos);
     EXPECT_EQ(wall_warning(scene_of(prism("side = 4\nbelow = 3.2\n"))), "");
-    EXPECT_NEAR(wall_effect(scene_of(prism("side = 1.5\n", "[water]\ndepth = 1.2"))).change, 0.32 / 3.375, 2e-3)
+    EXPECT_NEAR(wall_effect(scene_of(prism("side = 1.5\n", "[water]\ndepth = 1.2") + one_size)).change, 0.32 / 3.375, 2e-3)
         << "a bed is no wall of the box";
 }
 

@@ -80,14 +80,14 @@ std::string refusal(const std::string& text) {
 }
 
 TEST(Cost, TheRastersFramesAreMemoryAndNamedByTheirKey) {
-    const Prediction coarse = predict(scene_of(planing)),
-                     fine = predict(scene_of(planing + "[sampling]\nraster_spacing = 0.01\n"));
+    const Prediction coarse = predict(scene_of(planing + one_size)),
+                     fine = predict(scene_of(planing + "[sampling]\nraster_spacing = 0.01\n" + one_size));
     EXPECT_NEAR(fine.raster_bytes / coarse.raster_bytes, 1000,
                 60);  // a tenth of the edge; faces go out to whole voxels
     EXPECT_GT(fine.sph_bytes - coarse.sph_bytes, 0.99 * (fine.raster_bytes - coarse.raster_bytes));
     EXPECT_GT(fine.fvm_bytes - coarse.fvm_bytes, 0.99 * (fine.raster_bytes - coarse.raster_bytes));
     const auto blamed = [](const std::string& sampling, const std::string& start) {
-        const std::string message = refusal(planing + "[sampling]\n" + sampling);
+        const std::string message = refusal(planing + "[sampling]\n" + sampling + one_size);
         EXPECT_EQ(message.substr(0, start.size()), start) << message;
     };
     blamed("raster_spacing = 0.0045\ninterval = 2e-5\n",

@@ -105,7 +105,7 @@ TEST(ParticleLevels, BoxesAreRefusedWhereTheyCanDoNothing) {
 
 // Wagner's root of the jet on a wedge that enters water: pi/2 as far out as where still water meets it.
 TEST(ParticleLevels, TheSprayRootIsFinerThanTheHull) {
-    const Scene scene = scene_of(planing + "\n[[refine]]\nname = \"root\"\naround = \"spray_root\"\nspacing = 0.025\n" +
+    const Scene scene = scene_of(planing + one_size + "\n[[refine]]\nname = \"root\"\naround = \"spray_root\"\nspacing = 0.025\n" +
                                  "width = 0.15\n");
     EXPECT_EQ(scene.sph.levels, 1);
     EXPECT_EQ(finest_spacing(scene), 0.025);
@@ -144,8 +144,9 @@ TEST(ParticleLevels, WakeAndFreeSurfaceArePlacesWithNames) {
     EXPECT_GT(surface.outside({1, 3, -1}), 0);
 }
 
-// What a user calls the size far away holds for the particles as for the cells, as far as there is room for them.
-TEST(ParticleLevels, AWrittenSpacingIsThatOfBothMethods) {
+// What a user calls the size far away, or what is taken for it where a hull is held in a fast stream, holds for the
+// particles as for the cells, as far as there is room for them.
+TEST(ParticleLevels, TheSpacingIsThatOfBothMethods) {
     const auto levels_of = [](const std::string& resolution, const std::string& rest) {
         std::string text = planing;
         const std::string size = R"(near_hull = "0.05 m")";
@@ -153,11 +154,23 @@ TEST(ParticleLevels, AWrittenSpacingIsThatOfBothMethods) {
         return scene_of(text.replace(at, size.size(), resolution) + rest).sph.levels;
     };
     const std::string coarse = "near_hull = 0.05\nspacing = 0.2";
-    EXPECT_EQ(levels_of("near_hull = 0.05", wide_domain), 1);
+    EXPECT_EQ(levels_of("near_hull = 0.05", wide_domain), 3);
+    EXPECT_EQ(scene_of(with(planing, "8 m/s", "4 m/s") + wide_domain).sph.levels, 1);  // it does not plane
     EXPECT_EQ(levels_of(coarse, wide_domain), 3);
     EXPECT_EQ(levels_of(coarse, wide_domain + "[sph]\nlevels = 2\n"), 2);
     EXPECT_EQ(levels_of(coarse, "[domain]\nahead = \"1.5 m\"\n"), 2);  // those of 0.2 m find no room ahead
     EXPECT_EQ(levels_of(coarse, wide_domain + "[sph]\nscheme = \"symplectic_euler\"\n"), 1);
+}
+
+// The coarser runs that tell the discretisation error are of one family: the same box, and room in it for their zones.
+TEST(ParticleLevels, TwinsHaveTheSameBoxAndCostLess) {
+    SceneOverrides twice;
+    twice.scale_resolution = 2;
+    const Scene fine = scene_of(planing), twin = scene_of(planing, twice);
+    EXPECT_EQ(twin.domain.as_asked.min, fine.domain.as_asked.min);
+    EXPECT_EQ(twin.domain.as_asked.max, fine.domain.as_asked.max);
+    EXPECT_EQ(twin.sph.levels, 2);
+    EXPECT_LT(predict(twin).sph_seconds, 0.4 * predict(fine).sph_seconds);
 }
 
 TEST(ParticleLevels, TakeFewerParticlesAndLessTimeThanOneSize) {
@@ -194,9 +207,10 @@ TEST(ParticleLevels, ThePredictionAddsUpOverTheSizes) {
 }
 
 TEST(ParticleLevels, OneSizeLeavesTheHashesOfEarlierRecordsAlone) {
-    const Scene plain = scene_of(planing), said = scene_of(with_levels(1));
-    EXPECT_EQ(scene_of(planing + "\n[sph]\nlevels = 1\n").hash, plain.hash);
-    EXPECT_EQ(run_hash(scene_of(planing + "\n[sph]\nlevels = 1\n"), "sph"), run_hash(plain, "sph"));
+    const std::string slow = with(planing, "8 m/s", "4 m/s");
+    EXPECT_EQ(scene_of(slow + one_size).hash, scene_of(slow).hash);
+    EXPECT_EQ(run_hash(scene_of(slow + one_size), "sph"), run_hash(scene_of(slow), "sph"));
+    const Scene plain = scene_of(planing + one_size), said = scene_of(with_levels(1));
     EXPECT_NE(run_hash(said, "sph"), run_hash(plain, "sph"));  // another zone was asked for
     const Scene two = scene_of(with_levels(2));
     EXPECT_NE(run_hash(two, "sph"), run_hash(said, "sph"));

@@ -124,14 +124,14 @@ TEST(Scene, AStreamBearsALargeCourantNumberAndASplashDoesNot) {
 
 TEST(Scene, ASwappedHullNeedsNoOtherEdit) {
     // The same hull twice as large, from a file: everything that follows from its size follows.
-    const Scene small = scene_of(planing);
+    const Scene small = scene_of(planing + one_size);
     const auto file = scratch() / "a big hull.stl";
     Surface big = small.hull->surface;
     for (Vec3& p : big.points) p *= 2;
     write_stl(file, big);
     SceneOverrides o;
     o.hull_file = file;
-    const Scene s = scene_of(with(planing, "trim     = \"5 deg\"\n", ""), o);
+    const Scene s = scene_of(with(planing, "trim     = \"5 deg\"\n", "") + one_size, o);
     EXPECT_NEAR(s.hull->length / small.hull->length, 2, 1e-6);
     EXPECT_NEAR(s.domain.box.size().y() / small.domain.box.size().y(), 2, 0.21);  // faces go out to whole cells
     EXPECT_GT(s.sampling.mean_from, 2 * small.sampling.mean_from);  // below Froude number 1 it waits for the wave too
@@ -140,7 +140,8 @@ TEST(Scene, ASwappedHullNeedsNoOtherEdit) {
 
 TEST(Scene, TheBoxUnderASubmergedBodyFollowsFromItsHeightAndNotFromItsDepth) {
     const auto floor = [](const std::string& draft) {
-        return -scene_of("[hull]\nshape = \"torpedo\"\ndraft = \"" + draft + "\"\n[motion]\nspeed = \"8 m/s\"\n")
+        return -scene_of("[hull]\nshape = \"torpedo\"\ndraft = \"" + draft + "\"\n[motion]\nspeed = \"8 m/s\"\n" +
+                         one_size)
                     .domain.as_asked.min.z();
     };
     EXPECT_NEAR(floor("2 m"), 2 + 3 * 0.32, 1e-6);  // its diameter is 0.32 m

@@ -41,6 +41,9 @@ inline std::string complaint(const std::string& text, const SceneOverrides& over
     return {};
 }
 
+/// Particles of one size, whatever the scene would have without it.
+inline const std::string one_size = "\n[sph]\nlevels = 1\n";
+
 /// The reference hull in a 20-line scene, as a user writes it.
 inline const std::string planing = R"(title = "planing"
 [hull]
