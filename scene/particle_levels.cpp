@@ -19,7 +19,7 @@ namespace {
 
 constexpr double between = 10, from_openings = 8;  ///< spacings
 /// Of the grid of distances from a hull; a scene that wants more has more particles than any memory holds.
-constexpr double most_nodes = 2e7;
+constexpr double most_nodes = 5e6;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// What finer particles stand round.
