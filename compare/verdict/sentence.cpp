@@ -16,6 +16,7 @@ namespace {
 std::string apart_text(const Statement& s) {
     const double E = s.values[1] - s.values[0], per_cent = s.size > 0 ? 100 * std::abs(E) / s.size : 0;
     const std::string a = method_title(s.methods[0]), b = method_title(s.methods[1]);
+    if (!(s.size > 0)) return fmt::format("{} and {} are both 0", a, b);
     if (s.values[0] * s.values[1] < 0)
         return fmt::format("{} and {} are {} apart, of opposite sign", a, b, share_text(per_cent));
     if (share_text(per_cent) == share_text(0))
@@ -25,22 +26,25 @@ std::string apart_text(const Statement& s) {
     return fmt::format("{} {} {} {}{}", a, share_text(per_cent), where, b, negative ? " in magnitude" : "");
 }
 
-std::string per_cent_of(double U, double size) { return "±" + share_text(size > 0 ? 100 * U / size : 0); }
+/// In per cent of the values, or in their unit where they are zero.
+std::string plus_minus(double U, const Statement& s) {
+    return s.size > 0 ? "±" + share_text(100 * U / s.size) : fmt::format("±{:.2g} {}", U, s.unit);
+}
 
 /// "discretisation error ±9 %" where nothing else matters, else "uncertainty ±9 % (discretisation error ±7 %, ...)".
 std::string interval_text(const Statement& s) {
     const std::string whose = s.borrowed.empty() ? "" : fmt::format(" as in {}", s.borrowed);
     if (s.discretisation >= 0.9 * s.interval)
-        return fmt::format("discretisation error{} {}", whose, per_cent_of(s.interval, s.size));
+        return fmt::format("discretisation error{} {}", whose, plus_minus(s.interval, s));
     std::string parts;
     const auto add = [&](const std::string& name, double U) {
         if (!(U > 0.3 * s.interval)) return;
-        parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", name, per_cent_of(U, s.size));
+        parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", name, plus_minus(U, s));
     };
     add("discretisation error" + whose, s.discretisation);
     add("scatter of the mean", s.statistics);
     add("other choices", s.choices);
-    return fmt::format("uncertainty {}{}", per_cent_of(s.interval, s.size), parts.empty() ? "" : " (" + parts + ")");
+    return fmt::format("uncertainty {}{}", plus_minus(s.interval, s), parts.empty() ? "" : " (" + parts + ")");
 }
 
 std::string one_method(const Statement& s) {

@@ -50,6 +50,15 @@ TEST(Sentence, NoPerCentIsWithoutAnIntervalOrTheWordsThatItHasNone) {
     EXPECT_EQ(per_cent_text(3.14, 0.02), "+3.1 ± 0.02 %");
 }
 
+TEST(Sentence, OfZerosHasItsIntervalInTheirUnit) {
+    Statement s = lift();
+    s.label = "Splash height", s.unit = "m", s.values = {0, 0}, s.size = 0;
+    s.interval = s.statistics = 0.14, s.discretisation = 0;
+    EXPECT_EQ(sentence_of(s),
+              "Splash height: SPH and interFoam are both 0, uncertainty ±0.14 m (scatter of the mean ±0.14 m): no "
+              "difference shown.");
+}
+
 TEST(Sentence, NegativeValuesAreComparedInMagnitude) {
     Statement s = lift();
     s.label = "Trim moment", s.values = {-2652, -2509}, s.size = 2580;

@@ -156,6 +156,8 @@ TEST(ParticleLevels, TheSpacingIsThatOfBothMethods) {
     const std::string coarse = "near_hull = 0.05\nspacing = 0.2";
     EXPECT_EQ(levels_of("near_hull = 0.05", wide_domain), 3);
     EXPECT_EQ(scene_of(with(planing, "8 m/s", "4 m/s") + wide_domain).sph.levels, 1);  // it does not plane
+    const std::string sunk = "[hull]\nshape = \"torpedo\"\ndraft = \"2 m\"\n[motion]\nspeed = \"8 m/s\"\n";
+    EXPECT_EQ(scene_of(sunk).sph.levels, 1);
     EXPECT_EQ(levels_of(coarse, wide_domain), 3);
     EXPECT_EQ(levels_of(coarse, wide_domain + "[sph]\nlevels = 2\n"), 2);
     EXPECT_EQ(levels_of(coarse, "[domain]\nahead = \"1.5 m\"\n"), 2);  // those of 0.2 m find no room ahead
