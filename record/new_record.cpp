@@ -115,6 +115,12 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
         record.numbers["domain_" + axis + "_min"] = scene.domain.box.min[static_cast<Eigen::Index>(k)];
         record.numbers["domain_" + axis + "_max"] = scene.domain.box.max[static_cast<Eigen::Index>(k)];
     }
+    if (scene.hull && scene.sampling.cuts_x.empty() && scene.sampling.cuts_y.empty()) {
+        // from the scene's hull: that of a mesh ends elsewhere at each size
+        const Box hull = scene.hull->surface.bounds();
+        record.numbers["cut_x_0"] = hull.max.x() + 0.5 * hull.size().x();
+        record.numbers["cut_y_0"] = 0.75 * scene.hull->beam;
+    }
     for (std::size_t k = 0; k < scene.sampling.cuts_x.size(); ++k)
         record.numbers[fmt::format("cut_x_{}", k)] = scene.sampling.cuts_x[k];
     for (std::size_t k = 0; k < scene.sampling.cuts_y.size(); ++k)

@@ -222,9 +222,13 @@ Rows sampling_keys() {
          .fallback = "2 near_hull; near_hull in two dimensions",
          .meaning = "Edge of the voxels in which both methods count their water, for splash heights."},
         {.name = "cuts_x", .kind = Kind::list, .unit = "m", .hashed = Hashed::scene,
-         .slot = slot(&Scene::sampling, &Sampling::cuts_x), .meaning = "Planes x = const of surface profiles."},
+         .slot = slot(&Scene::sampling, &Sampling::cuts_x),
+         .fallback = "where no cut is written: half a hull's length behind it",
+         .meaning = "Planes x = const of surface profiles."},
         {.name = "cuts_y", .kind = Kind::list, .unit = "m", .hashed = Hashed::scene,
-         .slot = slot(&Scene::sampling, &Sampling::cuts_y), .meaning = "Planes y = const of surface profiles."},
+         .slot = slot(&Scene::sampling, &Sampling::cuts_y),
+         .fallback = "where no cut is written: 3/4 of a hull's beam; the middle of a tank",
+         .meaning = "Planes y = const of surface profiles."},
     };
 }
 

@@ -101,18 +101,11 @@ std::vector<Cut> elevation_cuts(const RunRecord& record, const ElevationMap& map
     const RasterGrid grid(record.raster);
     if (grid.empty() || map.mean.empty()) return cuts;
     auto along_y = places(record, "cut_x"), along_x = places(record, "cut_y");
-    if (along_x.empty() && along_y.empty()) {
-        if (record.hull.points.empty()) {
-            // the middle of the tank, the same at every size; the raster's voxels end elsewhere at each
-            const double raster_end = grid.spec.origin.y() + grid.ny * grid.spec.voxel;
-            along_x.push_back(0.5 * (number_of(record, "domain_y_min", grid.spec.origin.y()) +
-                                     number_of(record, "domain_y_max", raster_end)));
-        } else {
-            double stern = -std::numeric_limits<double>::infinity(), bow = -stern;
-            for (const Vec3& p : record.hull.points) stern = std::max(stern, p.x()), bow = std::min(bow, p.x());
-            along_x.push_back(0.75 * number_of(record, "beam", 0));
-            along_y.push_back(stern + 0.5 * (stern - bow));
-        }
+    if (along_x.empty() && along_y.empty() && record.hull.points.empty()) {
+        // the middle of the tank, the same at every size; the raster's voxels end elsewhere at each
+        const double raster_end = grid.spec.origin.y() + grid.ny * grid.spec.voxel;
+        along_x.push_back(0.5 * (number_of(record, "domain_y_min", grid.spec.origin.y()) +
+                                 number_of(record, "domain_y_max", raster_end)));
     }
     const auto inside = [&](double place, int axis, int count) {
         const double at = (place - grid.spec.origin[axis]) / grid.spec.voxel;

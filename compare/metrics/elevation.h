@@ -12,8 +12,8 @@ struct ElevationMap {
 };
 ElevationMap mean_elevation(const RunRecord& record, double from);
 
-/// The map along the record's cuts (numbers cut_x_0.., cut_y_0..), linear between column centres; where the scene asks
-/// for none: along x at y = 3/4 beam and across the wake half a length behind the hull.
+/// The map along the record's cuts (numbers cut_x_0.., cut_y_0..), linear between column centres; of a tank without any
+/// along x in its middle.
 std::vector<Cut> elevation_cuts(const RunRecord& record, const ElevationMap& map);
 
 /// Highest and lowest point of a cut with the standard error of its mean elevation [m]; NaN when the cut holds no

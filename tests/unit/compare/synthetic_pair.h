@@ -34,6 +34,8 @@ inline RunRecord synthetic_run(const SyntheticRun& o) {
     r.numbers = {{"speed", 8},
                  {"length", 4},
                  {"beam", 1},
+                 {"cut_x_0", 4},
+                 {"cut_y_0", 0.75},
                  {"draft", 0.2},
                  {"trim", 5 * pi / 180},
                  {"density", 1000},

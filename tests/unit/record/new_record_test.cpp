@@ -8,6 +8,21 @@
 namespace tw {
 namespace {
 
+// A mesh ends elsewhere at each size, the scene's hull does not: records of a family have their cuts in one place.
+TEST(NewRecord, CutsWithoutAWordFollowFromTheScenesHull) {
+    Scene scene;
+    Hull hull;
+    hull.beam = 1;
+    hull.surface.points = {{-2, -0.5, 0}, {2, 0.5, 1}, {0, 0, -0.2}};
+    hull.surface.triangles = {{0, 1, 2}};
+    scene.hull = hull;
+    EXPECT_EQ(new_record(scene, "fvm").numbers.at("cut_x_0"), 2 + 0.5 * 4);
+    EXPECT_EQ(new_record(scene, "fvm").numbers.at("cut_y_0"), 0.75);
+    scene.sampling.cuts_y = {0.25};
+    EXPECT_EQ(new_record(scene, "fvm").numbers.at("cut_y_0"), 0.25);
+    EXPECT_FALSE(new_record(scene, "fvm").numbers.contains("cut_x_0"));
+}
+
 TEST(NewRecord, CarriesWhatTheSceneSays) {
     Scene scene;
     scene.title = "t";
