@@ -30,7 +30,8 @@ ReportTable levels_table(const Comparison& c) {
                       {words("Run"), numbers("size", "m"), numbers("time step", "s"), numbers("active", "", 9),
                        numbers("guards", "", 9), numbers("parents", "", 9), numbers("births", "", 9),
                        numbers("deaths", "", 9), numbers("spray", "", 9), numbers("orphans", "", 9),
-                       numbers("mass drift", "%", 2), numbers("largest", "%", 2), numbers("time", "%", 2), numbers("edge", "%", 2)}};
+                       numbers("mass drift", "%", 2), numbers("largest", "%", 2), numbers("time", "%", 2),
+                       numbers("edge", "%", 2)}};
     for (std::size_t s = 0; s < c.sources.size(); ++s) {
         const RunRecord& run = c.sources[s];
         std::vector<std::string> levels;
@@ -55,8 +56,8 @@ ReportTable levels_table(const Comparison& c) {
     if (table.rows.empty()) return {};
     table.notes = {
         "Guards and parents stand for water of the next larger and the next smaller size. Births, deaths and mass "
-        "drift are counted since the start: the mass of a zone, without spray beyond it, against the larger particles "
-        "that stand for it.",
+        "drift are counted since the start: the mass of a zone, without spray beyond it, against the larger "
+        "particles that stand for it.",
         "Spray is active beyond the edge of its zone; orphans are guards and parents without water of the other size "
         "near. The time is that of the sweeps over pairs and their lists; at the edge, that of births and of the fields "
         "handed to and from the next larger size."};
