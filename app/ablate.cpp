@@ -91,6 +91,13 @@ private:
             v.why_not = std::string("cannot be switched: ") + e.what();
             return;
         }
+        if (v.plan->scene.sph.levels != before.sph.levels || v.plan->scene.domain.box.min != before.domain.box.min ||
+            v.plan->scene.domain.box.max != before.domain.box.max) {
+            v.why_not = "cannot be switched alone: it takes other sizes of particles or another box with it; write "
+                        "[sph] levels = 1";
+            v.plan.reset();
+            return;
+        }
         for (const std::string method : {"sph", "fvm"}) {
             const auto& asked = v.plan->scene.run.methods;
             if (std::ranges::find(asked, method) == asked.end()) continue;

@@ -93,6 +93,18 @@ TEST_F(AblateCommand, ARunThatCannotBeMadeDoesNotStopTheOthers) {
     EXPECT_EQ(content(folder_ / "runs/column_ablation/gravity_off"), "in the way");
 }
 
+// Air wants particles of one size: switched, it would be compared with water of several.
+TEST_F(AblateCommand, AnEffectThatTakesOtherSizesWithItIsNotOneEffect) {
+    const std::string post = "[[obstacle]]\nmin = [1.4, 0, 0]\nmax = [1.5, 0.02, 0.2]\n";
+    std::string text = with(with(column, "[0.4, 0.02, 0.4]", "[2, 0.02, 0.8]"), "[[probe]]", post + "[[probe]]");
+    write("post.toml", with(text, "near_hull = 0.01", "near_hull = 0.01\nspacing = 0.02"));
+    const Outcome o = twinwake({"ablate", "post.toml", "--effects", "air"});
+    EXPECT_EQ(o.status, 2);
+    EXPECT_NE(o.err.find("air: cannot be switched alone: it takes other sizes of particles"), std::string::npos)
+        << o.err;
+    EXPECT_FALSE(fs::exists(folder_ / "runs"));
+}
+
 TEST_F(AblateCommand, StoppedItContinuesFromThere) {
     write("column.toml", with(column, "duration = 0.2", "duration = 6\ncheckpoint = 0.05"));
     const std::vector<std::string> command{"ablate", "column.toml", "--effects", "shifting"};
