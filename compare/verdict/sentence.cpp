@@ -14,9 +14,9 @@ namespace {
 
 /// "SPH 3.1 % above interFoam", in magnitude where both are negative.
 std::string apart_text(const Statement& s) {
-    const double E = s.values[1] - s.values[0], per_cent = s.size > 0 ? 100 * std::abs(E) / s.size : 0;
     const std::string a = method_title(s.methods[0]), b = method_title(s.methods[1]);
     if (!(s.size > 0)) return fmt::format("{} and {} are both 0", a, b);
+    const double per_cent = 100 * std::abs(s.values[1] - s.values[0]) / s.size;
     if (s.values[0] * s.values[1] < 0)
         return fmt::format("{} and {} are {} apart, of opposite sign", a, b, share_text(per_cent));
     if (share_text(per_cent) == share_text(0))

@@ -39,11 +39,12 @@ struct SortedPlaces {
     void find_neighbours(const Kernel& kernel, const Level& level, const std::vector<Source>& sources, double travel) {
         const double support = kernel.support();
         lists.build(level.passes(), level.quanta(), sorted(), groups, sources,
-                    {support, support, support, travel + margin(level)});
+                    {support, support, support, stale(level, travel)});
     }
-    /// Because the travel is that of particles that the water's equations move: what others come farther is missing at
-    /// the rim of the kernel, where it weighs (0.1 dp / 2h)^4 at most.
-    static double margin(const Level& level) { return 0.1 * level.setup().dp; }
+    /// How far sources may be from where they were sorted, with a margin, because the travel is that of particles that
+    /// the water's equations move: what others come farther is missing at the rim of the kernel, where it weighs
+    /// (0.1 dp / 2h)^4 at most.
+    static double stale(const Level& level, double travel) { return travel + 0.1 * level.setup().dp; }
 };
 
 /// The heights between which a column of a grid has something within reach of some places [quanta]; none: from > to.
@@ -136,7 +137,7 @@ void Level::interpolate(FieldsAt& at) {
     const Kernel kernel(interpolation_h_over_dp * setup_.dp, around_.dimensions);
     SortedPlaces sorted(at.places, at.apart, *this);
     const std::vector<Span> asked = within_reach(
-        sorted, grid_, (kernel.support() + life_.travel + SortedPlaces::margin(*this)) / quanta_.size);
+        sorted, grid_, (kernel.support() + SortedPlaces::stale(*this, life_.travel)) / quanta_.size);
     const auto source_of = [&](std::size_t i) {
         return i < own ? i : static_cast<std::size_t>(ghosts_.images()[i - own].source);
     };

@@ -72,8 +72,8 @@ TEST(Box, WallsOfThePrismAreExpectedToBeWorthWhatWasMeasured) {
     EXPECT_NE(to_text(demo, predict(demo)).find("warning   the walls of the box (1.5 m to the side, 1.2 m deep)"),
               std::string::npos);
     EXPECT_EQ(wall_warning(scene_of(prism("side = 4\nbelow = 3.2\n"))), "");
-    EXPECT_NEAR(wall_effect(scene_of(prism("side = 1.5\n", "[water]\ndepth = 1.2") + one_size)).change, 0.32 / 3.375, 2e-3)
-        << "a bed is no wall of the box";
+    const Scene over_a_bed = scene_of(prism("side = 1.5\n", "[water]\ndepth = 1.2") + one_size);
+    EXPECT_NEAR(wall_effect(over_a_bed).change, 0.32 / 3.375, 2e-3) << "a bed is no wall of the box";
 }
 
 // Coarser particles far away make room cheap.
