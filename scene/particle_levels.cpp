@@ -18,8 +18,7 @@ namespace tw {
 namespace {
 
 constexpr double between = 10, from_openings = 8;  ///< spacings
-/// Of the grid of distances from a hull; a scene that wants more has more particles than any memory holds.
-constexpr double most_nodes = 5e6;
+constexpr double most_nodes = 5e6;  ///< of the grid of distances from a hull
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// What finer particles stand round.
@@ -103,7 +102,7 @@ bool follows_its_hull(const Scene& scene) {
 Zone zone_near_hull(std::vector<Box> boxes, double width, double coarse_dp, const Scene& scene) {
     const Box& first = boxes.front();
     const Box wet{first.min.cwiseMax(scene.domain.box.min), first.max.cwiseMin(scene.domain.box.max)};
-    const double nodes_apart = std::max(coarse_dp, std::cbrt(wet.volume() / most_nodes));
+    const double nodes_apart = sampling_distance(coarse_dp, wet.volume(), most_nodes);
     auto near = std::make_shared<DistanceGrid>(scene.hull->surface, wet, nodes_apart, width + from_openings * coarse_dp);
     for (int a = 0; a < 3; ++a) {
         if (std::isinf(first.min[a])) near->draw_out(a, false);
@@ -160,6 +159,11 @@ int zones_that_fit(const Scene& scene, const std::vector<Root>& solids, const st
 }
 
 }  // namespace
+
+double sampling_distance(double asked, double volume, double most) {
+    const double needed = std::cbrt(volume / most);
+    return asked * 10 < needed ? std::cbrt(volume * 50 / most) : std::max(asked, needed);
+}
 
 bool is_refined_unasked(const Scene& scene) {
     return follows_its_hull(scene) && !scene.hull->free && planes(scene) && scene.hull->surface.bounds().max.z() > 0;

@@ -10,11 +10,11 @@ namespace tw {
 
 /// Where the particles of each finer size stand at the start, the widest zone first: what is near a three-dimensional
 /// hull in a stream, as far as the water may reach; boxes round other solids; boxes that the scene asks for
-/// ([[refine]]), which alone may hold particles finer than near_hull. Faces are at infinity where a zone goes on through
-/// the sky, a wall, a symmetry plane or the outlet, because no coarser particles fit between; others of boxes lie on the
-/// coarse lattice, but for those round bodies that move. Edges are ten spacings of the level between them apart, and eight of the coarser side from the inlet; boxes
-/// with less than eight between them become one. Empty with `[sph] levels = 1`. Throws InputError where there is no
-/// solid, or no room ahead of it or within the tank.
+/// ([[refine]]), which alone may hold particles finer than near_hull. Faces are at infinity where a zone goes on
+/// through the sky, a wall, a symmetry plane or the outlet, because no coarser particles fit between; others of boxes
+/// lie on the coarse lattice, but for those round bodies that move. Edges are ten spacings of the level between them
+/// apart, and eight of the coarser side from the inlet; boxes with less than eight between them become one. Empty with
+/// `[sph] levels = 1`. Throws InputError where there is no solid, or no room ahead of it or within the tank.
 std::vector<Zone> particle_zones(const Scene& scene);
 /// The same with the bodies that move in these boxes, in the scene's order; asks nothing.
 std::vector<Zone> particle_zones(const Scene& scene, std::span<const Box> moving);
@@ -27,5 +27,9 @@ bool is_refined_unasked(const Scene& scene);
 /// be, and as have room in the domain that `make_domain` makes for them. Without a solid one size is left. The domain
 /// is made in any case.
 void follow_spacing(Scene& scene, const std::function<void()>& make_domain);
+
+/// Between places that sample `volume` [m3]: as `asked` [m], unless that makes more than `most` places. Where it makes a
+/// thousand times as many, no machine holds the particles, and a fiftieth of `most` tells how far from that they are.
+double sampling_distance(double asked, double volume, double most);
 
 }  // namespace tw
