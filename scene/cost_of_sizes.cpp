@@ -5,9 +5,11 @@
 namespace tw {
 
 std::vector<CostOfSize> cost_of_sizes(const Scene& scene, const Prediction& p) {
+    const std::vector<ParticlesOfSize> mean = particles_of_sizes(scene);
+    const std::vector<ParticlesOfSize> most =
+        p.most_particles == p.particles ? mean : particles_of_sizes(scene, During::peak);
     std::vector<CostOfSize> sizes;
-    for (const ParticlesOfSize& particles : particles_of_sizes(scene)) sizes.emplace_back().particles = particles;
-    const std::vector<ParticlesOfSize> most = particles_of_sizes(scene, During::peak);
+    for (const ParticlesOfSize& particles : mean) sizes.emplace_back().particles = particles;
     const double in_memory = p.most_particles + p.wall_particles;
     double visits = 0;  // of particles in a step of the finest size
     for (std::size_t k = 0; k < sizes.size(); ++k) {
