@@ -70,17 +70,18 @@ std::vector<Finding> check_attitude(const Scene& scene) {
         break;
     }
     if (scene.motion.kind != Motion::Kind::stream) return findings;
-    // A transom is flat and faces the stern; a bow is sharp or round.
+    // A transom is flat and faces the stern, above the water too; a bow is sharp or round.
     const Area ahead = area_of(surface, [](const Vec3& n) { return n.x() < -0.95; });
     const Area astern = area_of(surface, [](const Vec3& n) { return n.x() > 0.95; });
-    const double section = wet.y() * wet.z();
-    if (ahead.wet > 0.3 * section && ahead.wet > 3 * astern.wet)
+    const double section = bounds.size().y() * bounds.size().z(), wet_section = wet.y() * wet.z();
+    if ((ahead.wet > 0.3 * wet_section && ahead.wet > 3 * astern.wet) ||
+        (ahead.all > 0.3 * section && ahead.all > 3 * astern.all))
         findings.push_back(
             {Level::warning, "stern_first",
-             fmt::format("{:.3g} m2 of flat wet surface face the stream and {:.3g} m2 face away from it: the "
-                         "hull may lie with its stern to the stream, which runs along +x; turn it with "
-                         "axes, e.g. \"-x-yz\"",
-                         ahead.wet, astern.wet),
+             fmt::format("{:.3g} m2 of flat surface face the stream and {:.3g} m2 face away from it ({:.3g} and {:.3g} m2 "
+                         "of them below still water): the hull may lie with its stern to the stream, which runs along "
+                         "+x; turn it with axes, e.g. \"-x-yz\"",
+                         ahead.all, astern.all, ahead.wet, astern.wet),
              ahead.lowest});
     return findings;
 }

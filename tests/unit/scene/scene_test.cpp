@@ -251,11 +251,18 @@ TEST(Scene, AHullThatStandsOddlyInTheWaterIsNamed) {
     EXPECT_EQ(names(with(with(from_file, "half ", "axes = \"-x-yz\"\nhalf "), "kind  = \"stream\"\nspeed = \"8 m/s\"",
                          "kind = \"none\"")),
               "");  // still water has no direction
-    for (const char* shape : {"seaplane", "wigley", "box", "sphere", "torpedo"}) {
-        const std::string scene = std::string("[hull]\nshape = '") + shape +
-                                  "'\ndraft = 0.15\n[motion]\nspeed = 5\n[resolution]\nnear_hull = 0.02\n";
-        EXPECT_EQ(names(scene), "") << shape;
-    }
+    const auto afloat = [](const std::string& shape) {
+        return "[hull]\n" + shape + "\ndraft = 0.15\n[motion]\nspeed = 5\n[resolution]\nnear_hull = 0.02\n";
+    };
+    for (const char* shape : {"seaplane", "wigley", "box", "sphere", "torpedo"})
+        EXPECT_EQ(names(afloat(std::string("shape = '") + shape + "'")), "") << shape;
+    Surface boat = scene_of(planing).hull->surface;
+    for (Vec3& p : boat.points)
+        if (p.x() < boat.bounds().min.x() + 0.5) p.y() *= 0.02;  // a bow
+    write_stl(scratch() / "boat.stl", boat);
+    EXPECT_EQ(names(afloat("file = 'boat.stl'")), "");
+    EXPECT_EQ(names(afloat("file = 'boat.stl'\naxes = '-x-yz'\ntrim = '12 deg'")), "stern_first ")
+        << "the transom, now ahead, is lifted out of the water";
 }
 
 TEST(Scene, NonsenseIsRefusedAtTheKeyThatIsToBlame) {
