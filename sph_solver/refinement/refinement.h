@@ -22,7 +22,7 @@ namespace tw {
 /// So the coarse level is whole everywhere: its mass changes at inlet and outlet only. A coarse particle that comes
 /// within 4 dp of the zone has four (in three dimensions eight) children, guards at first, all of them however near to
 /// others: where the flow stretches, parents come near each other in one direction and part in another, and children
-/// left out for lack of room would be lost mass. One that was 4.5 dp away has as many anew as are missing of the guards
+/// left out for lack of room would be lost mass. One that was 4.1 dp away has as many anew as are missing of the guards
 /// that are nearer to it than to other coarse particles (or loses what is too much); one that was 6 dp away, where
 /// guards are gone, has all of them. A coarse particle that leaves the zone is active again with the fields that it was
 /// given last. Nothing is merged.
@@ -78,7 +78,7 @@ public:
     double mass_drift() const;
 
 private:
-    static constexpr double guard_over_dp = 4, again_over_dp = 4.5, gone_over_dp = 5, barren_over_dp = 6,
+    static constexpr double guard_over_dp = 4, again_over_dp = 4.1, gone_over_dp = 5, barren_over_dp = 6,
                             band_over_dp = 8, patience_over_dp = 0.75;
 
     /// As the coarse level has them there, with the excess of a fine surface in place of a coarse one's.

@@ -244,7 +244,8 @@ TEST(LevelEdge, ABodyAcrossItIsBorneByBothSizes) {
 }
 
 struct Swing {
-    double largest_drift = 0, last_drift = 0;  ///< of the zone's mass
+    double largest_drift = 0;  ///< of the zone's mass at an instant: a column of its particles is 3 % of it
+    double mean_drift = 0, largest_mean = 0;  ///< of the mean over a period, the last and the largest
     double gathered = 0;                       ///< coarse particles under the zone above their number at the start
     double shortfall = 0;                      ///< of the mean velocity behind U sin(omega t), largest, over U
     std::int64_t births = 0, most_orphans = 0;
@@ -278,13 +279,21 @@ Swing swing(int periods, double vortices) {
     const double under_at_start = under();
     Swing r;
     double impulse = 0;  // of the force that was felt, over the mass
+    double sum = 0;      // of the drift, over a period
+    int counted = 0, period = 1;
     while (simulation.time() < 2 * std::numbers::pi / omega * periods) {
         const double before = simulation.time(), force = U * omega * std::cos(omega * before);
         simulation.surroundings().gravity.x() = force;
         simulation.step();
         impulse += force * (simulation.time() - before);
-        r.last_drift = edge.mass_drift();
-        r.largest_drift = std::max(r.largest_drift, std::abs(r.last_drift));
+        const double drift = edge.mass_drift();
+        r.largest_drift = std::max(r.largest_drift, std::abs(drift));
+        sum += drift, ++counted;
+        if (simulation.time() * omega >= 2 * std::numbers::pi * period) {
+            r.mean_drift = sum / counted;
+            r.largest_mean = std::max(r.largest_mean, std::abs(r.mean_drift));
+            sum = 0, counted = 0, ++period;
+        }
         r.most_orphans = std::max(r.most_orphans, edge.ledger().orphans);
         const std::vector<float>& u = simulation.level(0).particles().u;
         const double mean = std::accumulate(u.begin(), u.end(), 0.0) / double(u.size());
@@ -302,23 +311,26 @@ Swing swing(int periods, double vortices) {
 TEST(LevelEdge, AFlowThatTurnsRoundLeavesMostOfAZonesMass) {
     const Swing r = swing(30, 0.1);
     std::printf(
-        "30 swings across an edge: mass of the zone %+.1f %% at the end, %.1f %% at most; coarse particles under it "
-        "%+.1f "
-        "%%; mean velocity off by %.3f U; %ld births, %ld orphans at once at most\n",
-        100 * r.last_drift, 100 * r.largest_drift, 100 * r.gathered, r.shortfall, long(r.births), long(r.most_orphans));
+        "30 swings across an edge: mass of the zone %+.1f %% in the last, %.1f %% in a swing's mean and %.1f %% at an "
+        "instant at most; coarse particles under it %+.1f %%; mean velocity off by %.3f U; %ld births, %ld orphans at "
+        "once at most\n",
+        100 * r.mean_drift, 100 * r.largest_mean, 100 * r.largest_drift, 100 * r.gathered, r.shortfall,
+        long(r.births), long(r.most_orphans));
     EXPECT_GT(r.births, 10000);
     EXPECT_LT(std::abs(r.gathered), 0.03);
-    EXPECT_LT(r.largest_drift, 0.08);
+    EXPECT_LT(r.largest_mean, 0.025);  // 3.1 % while parents that had been 4.1 to 4.5 dp away kept lost children lost
     EXPECT_LT(r.most_orphans, 30);
     EXPECT_LT(r.shortfall, 0.1);
 }
 
 TEST(LevelEdge, DISABLED_TableOfAHundredSwings) {
-    std::printf("vortices/U   mass of the zone at the end, at most [%%]   mean velocity off by [U]   births\n");
+    std::printf(
+        "vortices/U   mass of the zone: last swing's mean, largest mean, at an instant at most [%%]   mean velocity off "
+        "by [U]   births\n");
     for (const double vortices : {0.1, 0.3}) {
         const Swing r = swing(100, vortices);
-        std::printf("%8.1f   %+.2f  %.2f   %.3f   %ld\n", vortices, 100 * r.last_drift, 100 * r.largest_drift,
-                    r.shortfall, long(r.births));
+        std::printf("%8.1f   %+.2f  %.2f  %.2f   %.3f   %ld\n", vortices, 100 * r.mean_drift, 100 * r.largest_mean,
+                    100 * r.largest_drift, r.shortfall, long(r.births));
     }
 }
 
