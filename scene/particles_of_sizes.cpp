@@ -67,6 +67,7 @@ std::vector<ParticlesOfSize> counted(const Scene& scene, const std::vector<Zone>
     const double all = water_volume(scene);
     const bool flat = scene.domain.dimensions == 2;
     std::vector<ParticlesOfSize> sizes;
+    double own = all;
     for (std::size_t k = 0; k <= zones.size(); ++k) {
         ParticlesOfSize& size = sizes.emplace_back();
         const double dp = size.spacing = std::ldexp(finest_spacing(scene), static_cast<int>(zones.size() - k));
@@ -74,11 +75,11 @@ std::vector<ParticlesOfSize> counted(const Scene& scene, const std::vector<Zone>
         const auto water_within = [&](const Zone& zone, double further, double spacing) {
             return std::clamp(volume_near(zone, further, blocks, spacing) - solids, 0.0, all);
         };
-        const double own = k > 0 ? water_within(zones[k - 1], 0, 2 * dp) : all,
-                     finer = k < zones.size() ? water_within(zones[k], 0, dp) : 0;
+        const double finer = k < zones.size() ? water_within(zones[k], 0, dp) : 0;
         size.active = (own - finer) / particle;
         size.parents = finer / particle;
         if (k > 0) size.guards = (water_within(zones[k - 1], guards * dp, 2 * dp) - own) / particle;
+        own = finer;
     }
     return sizes;
 }
