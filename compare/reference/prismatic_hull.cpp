@@ -49,10 +49,12 @@ std::optional<PrismaticHull> prismatic_hull(const RunRecord& record) {
     constexpr double steepest = 0.7;  // [rad], 40 degrees: a planing bottom, and inside the formula's data
     if (deadrise > steepest) return {};
     constexpr double tolerance = 0.01;  // of a unit normal: about half a degree
+    double otherwise = 0;  // area that faces elsewhere
     for (const auto& [a, n] : bottom) {
         const Vec3 expected(0, std::copysign(std::sin(deadrise), n.y()), -std::cos(deadrise));
-        if ((n - expected).norm() > tolerance && a > 1e-3 * area) return {};
+        if ((n - expected).norm() > tolerance) otherwise += a;
     }
+    if (otherwise > 1e-2 * area) return {};
     s.deadrise = deadrise;
     s.beam = y_max - y_min;
     return hull;

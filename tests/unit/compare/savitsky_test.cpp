@@ -78,6 +78,35 @@ TEST(PrismaticHull, DeadriseAndBeamAreReadOffTheSurface) {
     EXPECT_NEAR(savitsky_at_draft(hull->state, hull->draft).lift, 2334, 2);
 }
 
+/// The same surface of triangles cut in four, five times over, as fine as those of a run record.
+Surface cut_finely(Surface surface) {
+    for (int times = 0; times < 5; ++times) {
+        Surface finer;
+        const auto add = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+            const int first = static_cast<int>(finer.points.size());
+            finer.points.insert(finer.points.end(), {a, b, c});
+            finer.triangles.push_back({first, first + 1, first + 2});
+        };
+        for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
+            const Vec3 a = surface.corner(t, 0), b = surface.corner(t, 1), c = surface.corner(t, 2);
+            const Vec3 ab = 0.5 * (a + b), bc = 0.5 * (b + c), ca = 0.5 * (c + a);
+            add(a, ab, ca), add(ab, b, bc), add(ca, bc, c), add(ab, bc, ca);
+        }
+        surface = std::move(finer);
+    }
+    return surface;
+}
+
+TEST(PrismaticHull, OneWhoseDeadriseGrowsForwardGetsNoFormulaHoweverSmallItsTriangles) {
+    RunRecord r = synthetic_run({.duration = 0.1, .frames = false});
+    r.hull = cut_finely(r.hull);
+    ASSERT_TRUE(prismatic_hull(r));
+    const Box bounds = r.hull.bounds();
+    for (Vec3& x : r.hull.points)
+        x.z() += 0.2 * std::abs(x.y()) * (bounds.max.x() - x.x()) / bounds.size().x();  // up to 11 degrees more
+    EXPECT_FALSE(prismatic_hull(r));
+}
+
 TEST(PrismaticHull, OtherShapesGetNoFormula) {
     RunRecord r = synthetic_run({.duration = 0.1, .frames = false});
     r.hull = posed(make_hull("wigley", {}), {.trim = 5 * degree, .draft = 0.2});
