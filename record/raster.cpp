@@ -56,6 +56,20 @@ void Raster::spread(std::vector<float>& into, const Vec3& centre, double edge, d
     }
 }
 
+void Raster::take_where(const std::function<bool(const Vec3&)>& inside, const Raster& other) {
+    if (volume_.empty()) return;
+    const auto [nx, ny, nz] = spec_.count;
+    std::size_t v = 0;
+    for (int k = 0; k < nz; ++k)
+        for (int j = 0; j < ny; ++j)
+            for (int i = 0; i < nx; ++i) {
+                const float theirs = other.volume_[v];
+                if (volume_[v] != theirs && inside(spec_.origin + spec_.voxel * Vec3(i + 0.5, j + 0.5, k + 0.5)))
+                    volume_[v] = theirs;
+                ++v;
+            }
+}
+
 RasterFrame Raster::frame(double time) const {
     RasterFrame f;
     f.time = time;

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <vector>
 
 #include "record/run_record.h"
@@ -17,6 +18,8 @@ public:
     /// cubes in their place overlap here and gape there (half a per cent of the water under a hull's mesh); a voxel
     /// that they fill to within a tenth takes water over volume instead.
     void pour_cell(const Vec3& centre, double volume, double water);
+    /// Takes the water of another raster of the same voxels, in place of its own, where a voxel's centre is `inside`.
+    void take_where(const std::function<bool(const Vec3&)>& inside, const Raster& other);
     RasterFrame frame(double time) const;      ///< fractions, clamped to 1
     double poured() const { return poured_; }  ///< all water poured, inside the raster or not [m3]
 

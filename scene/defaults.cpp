@@ -181,11 +181,11 @@ RasterSpec default_raster(const Scene& scene, double spacing) {
     Box region = domain;
     if (scene.hull && scene.motion.kind == Motion::Kind::stream) {
         // From ahead of the spray root to the outlet, over the whole width (the wake opens), from below the trough
-        // behind the transom to where connected spray can be.
+        // behind the transom, which fast hulls make deeper than their keels, to where connected spray can be.
         const Hull& hull = *scene.hull;
         const double L = hull.length, B = breadth(hull), top = hull.surface.bounds().max.z();
         region.min.x() = std::max(domain.min.x(), keel_entry(hull) - 0.25 * L);
-        region.min.z() = std::max(domain.min.z(), -hull.draft - 0.25 * B);
+        region.min.z() = std::max(domain.min.z(), -hull.draft - B);
         region.max.z() = std::min(domain.max.z(), std::max(0.5 * L, top + 0.25 * L));
     }
     RasterSpec raster;

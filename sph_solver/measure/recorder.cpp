@@ -9,13 +9,13 @@
 #include "record/body_work.h"
 #include "record/certificate.h"
 #include "record/hull_motion.h"
-#include "record/raster.h"
 #include "record/spray_table.h"
 #include "record/tank_table.h"
 #include "sph_solver/bodies/elastic/elastic_body.h"
 #include "sph_solver/effects/air.h"
 #include "sph_solver/measure/certificate.h"
 #include "sph_solver/measure/level_ledger.h"
+#include "sph_solver/measure/water_raster.h"
 
 namespace tw {
 
@@ -164,8 +164,6 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
     const std::size_t k = append_row(t, simulation.time());
     double kinetic = 0, potential = 0, elastic = 0;
     std::int64_t count = 0;
-    Raster raster(scene_.sampling.raster);
-    const bool pour = scene_.sampling.raster.voxel > 0;
     const double c0 = s.state_equation.c0;
     double mass = 0, fastest = 0, low = 0, high = 0;
     Ledger ledger;
@@ -176,9 +174,6 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
         for (std::size_t i = 0; i < p.size(); ++i) {
             if (!is_active(p.kind[i])) continue;
             ++count;
-            if (pour)
-                raster.pour(Vec3(p.x[i], p.y[i], p.z[i]), level->setup().dp,
-                            m * scene_.span() / (s.rho0 + double(p.drho[i])));
             if (p.kind[i] != Kind::fluid) continue;
             ++in_level;
             kinetic += 0.5 * m * (double(p.u[i]) * p.u[i] + double(p.v[i]) * p.v[i] + double(p.w[i]) * p.w[i]);
@@ -192,7 +187,8 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
         const Ledger& l = level->ledger();
         ledger.in += l.in, ledger.out += l.out, ledger.lost += l.lost, ledger.held += l.held;
     }
-    if (pour) record_.frames.push_back(raster.frame(simulation.time()));
+    if (const RasterSpec& raster = scene_.sampling.raster; raster.voxel > 0)
+        record_.frames.push_back(water_raster(simulation, raster, scene_.span()).frame(simulation.time()));
     set(t, k, "mass", per_span("kg"), factor_ * mass);
     set(t, k, "kinetic_energy", per_span("J"), factor_ * kinetic);
     set(t, k, "potential_energy", per_span("J"), factor_ * potential);

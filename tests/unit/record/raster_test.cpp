@@ -108,5 +108,23 @@ TEST(Raster, WaterOutsideIsCountedButNotSeenAndOverfullVoxelsStopAtOne) {
     EXPECT_EQ(std::accumulate(f.water.begin(), f.water.end(), 0), 128 + 255);
 }
 
+// Each voxel has the water of one of the two, never of both.
+TEST(Raster, TakesAnothersWaterWhereItIsAsked) {
+    const double cell = voxel * voxel * voxel;
+    Raster raster(spec), other(spec);
+    const auto centre = [](double i) -> Vec3 { return spec.origin + voxel * Vec3(i + 0.5, 2.5, 3.5); };
+    raster.pour(centre(2), voxel, 0.2 * cell);
+    raster.pour(centre(6), voxel, 0.2 * cell);
+    other.pour(centre(2), voxel, cell);
+    other.pour(centre(6), voxel, cell);
+    other.pour(centre(7), voxel, cell);
+    const double edge = centre(4).x();
+    raster.take_where([&](const Vec3& at) { return at.x() > edge; }, other);
+    const RasterFrame f = raster.frame(0);
+    const auto row = f.water.begin() + (3 * 6 + 2) * 10;
+    EXPECT_EQ(std::vector<int>(row, row + 10), (std::vector<int>{0, 0, 51, 0, 0, 0, 255, 255, 0, 0}));
+    EXPECT_EQ(std::accumulate(f.water.begin(), f.water.end(), 0), 51 + 2 * 255);
+}
+
 }  // namespace
 }  // namespace tw

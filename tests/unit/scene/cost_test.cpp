@@ -91,10 +91,10 @@ TEST(Cost, TheRastersFramesAreMemoryAndNamedByTheirKey) {
         EXPECT_EQ(message.substr(0, start.size()), start) << message;
     };
     blamed("raster_spacing = 0.0045\ninterval = 2e-5\n",
-           "scene.toml:22:18: [sampling] raster_spacing = 0.0045: the water raster of 4.09e+08 voxels in 75001 frames "
+           "scene.toml:22:18: [sampling] raster_spacing = 0.0045: the water raster of 5.33e+08 voxels in 75001 frames "
            "needs ");
     blamed("raster_spacing = 0.02\ninterval = 2e-6\n",
-           "scene.toml:23:12: [sampling] interval = 2e-06: the water raster of 4.7e+06 voxels in 750001 frames needs ");
+           "scene.toml:23:12: [sampling] interval = 2e-06: the water raster of 6.09e+06 voxels in 750001 frames needs ");
 }
 
 TEST(Cost, WhatWouldTakeMonthsIsRefusedAtTheKeyThatIsToBlame) {

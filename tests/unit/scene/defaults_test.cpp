@@ -92,7 +92,7 @@ TEST(Defaults, ARasterVoxelIsTwoParticlesAndTheRasterHoldsTheWake) {
     const Vec3 high = r.origin + r.voxel * Vec3(r.count[0], r.count[1], r.count[2]);
     EXPECT_LT(r.origin.x(), s.hull->still.wet_bounds.min.x());
     EXPECT_GE(high.x(), s.domain.box.max.x() - r.voxel);
-    EXPECT_LT(r.origin.z(), -s.hull->draft);
+    EXPECT_LE(r.origin.z(), -s.hull->draft - 1 + 1e-9);  // its beam under the keel: fast hulls make deep troughs
     EXPECT_GT(high.z(), s.hull->surface.bounds().max.z());
 }
 
