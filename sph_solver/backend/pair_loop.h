@@ -132,6 +132,14 @@ template <class Body, class Which = Live>
     }
 }
 
+/// A group's list for sums that only its particles' rates want: empty where none of them follows the equations. Guards,
+/// carried particles and those of inlet and outlet are a quarter to a half of all beside a hull.
+inline ListRef list_for_rates(const PassData& d, const Group& g) {
+    bool moved = d.kind == nullptr;
+    for (int l = 0; l < g.size && !moved; ++l) moved = follows_the_equations(d.kind[g.first + l]);
+    return moved ? g.list : ListRef{};
+}
+
 /// What stands for the particles' pressures, see tension_control.h.
 inline void control_tension(const PassData& d, const Group& g, Real& p_i) {
     if (d.tension_control_from > 1.5f || g.wall_list.size > 0) return;

@@ -146,7 +146,8 @@ struct PassData {
     RateRecord* rate = nullptr;
     WallLoad* wall_load =
         nullptr;  ///< from Group::wall_load on one for each body that the group has in reach, in order
-    /// Of the particles: only active ones load a body; null: all of them are.
+    /// Of the particles: only active ones load a body, and only those that follow the equations have rates; null: all
+    /// of them are and do.
     const Kind* kind = nullptr;
     CarriedShare* carried = nullptr;   ///< may be null
     const OtherSums* other = nullptr;  ///< null: there is one phase

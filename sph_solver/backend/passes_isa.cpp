@@ -147,7 +147,7 @@ void forces(const PassData& d, const Group* groups, int count) {
         control_tension(d, g, p_i);
         Real diffusion{};
         V3<Real> water{}, towards_surface{};
-        for_each_neighbour(d.place, d.list, g.list, g, frame, x_i, [&](std::int32_t j, const Met& ij) {
+        for_each_neighbour(d.place, d.list, list_for_rates(d, g), g, frame, x_i, [&](std::int32_t j, const Met& ij) {
             const VelocityDensityRecord& r_j = d.motion[j];
             const GradientPressureRecord& s_j = d.stress[j];
             density_diffusion.add(ij, r_j.drho - drho_i, grad_i + V3<float>{s_j.gx, s_j.gy, s_j.gz}, diffusion);

@@ -38,7 +38,7 @@ void viscous_forces(const ViscousData& v, const Group* groups, int count) {
         const Real mu_i = own(g, [&](int i) { return v.mu[i]; });
         const Real V_i = own(g, [&](int i) { return d.place[i].volume; });
         V3<Real> inner{}, a_wall{};
-        for_each_neighbour(d.place, d.list, g.list, g, frame, x_i, [&](std::int32_t j, const Met& ij) {
+        for_each_neighbour(d.place, d.list, list_for_rates(d, g), g, frame, x_i, [&](std::int32_t j, const Met& ij) {
             ViscousForce::add(ij, mu_i + v.mu[j], velocity(d.motion[j]) - u_i, inner);
         });
         const Real inv_rho = V_i * (d.inv_mass * d.kernel.inv_support);

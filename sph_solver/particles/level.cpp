@@ -103,7 +103,8 @@ PassData Level::pass_data(double t) {
     d.body_end = walls_.body_end().data();
     d.bodies = static_cast<int>(walls_.body_end().size());
     d.wall_load = walls_.group_loads().data();
-    d.kind = particles_.has_coarser || particles_.has_finer ? particles_.kind.data() : nullptr;
+    const bool of_one_kind = !particles_.has_coarser && !particles_.has_finer && !around_.stream;
+    d.kind = of_one_kind ? nullptr : particles_.kind.data();
     d.kernel = kernel_;
     d.quantum = static_cast<float>(quanta_.size);
     d.rho0 = static_cast<float>(s.rho0);
