@@ -93,11 +93,6 @@ void join_near(std::vector<ZoneBox>& boxes, double gap) {
         }
 }
 
-/// Whether zones are what is near the hull, and not a box round it.
-bool follows_its_hull(const Scene& scene) {
-    return scene.hull && !scene.hull->section && scene.motion.kind == Motion::Kind::stream;
-}
-
 /// Of the first box what is nearer to the hull than `width`, and what lies behind that towards faces at infinity.
 Zone zone_near_hull(std::vector<Box> boxes, double width, double coarse_dp, const Scene& scene) {
     const Box& first = boxes.front();
@@ -158,7 +153,21 @@ int zones_that_fit(const Scene& scene, const std::vector<Root>& solids, const st
     return fit;
 }
 
+/// The scene's own places, and the hull's wake.
+std::vector<RefinedPlace> finer_places(const Scene& scene) {
+    std::vector<RefinedPlace> places = scene.refined;
+    if (scene.sph.wake == 0 || !follows_its_hull(scene)) return places;
+    RefinedPlace& wake = places.emplace_back();
+    wake.halvings_short = static_cast<int>(std::floor(std::log2(scene.sph.wake)));
+    wake.boxes = {wake_of(scene, std::ldexp(scene.resolution.near_hull, wake.halvings_short))};
+    return places;
+}
+
 }  // namespace
+
+bool follows_its_hull(const Scene& scene) {
+    return scene.hull && !scene.hull->section && scene.motion.kind == Motion::Kind::stream;
+}
 
 double sampling_distance(double asked, double volume, double most) {
     const double needed = std::cbrt(volume / most);
@@ -179,6 +188,8 @@ void follow_spacing(Scene& scene, const std::function<void()>& make_domain) {
     r.of_particles = follows && r.spacing > r.near_hull && !(scene.hull && scene.hull->free);
     if (follows && scene.sph.scheme == "kick_drift_kick")
         levels = std::min(most_levels, 1 + static_cast<int>(std::lround(std::log2(r.spacing / r.near_hull))));
+    if (!scene.places.contains("sph.wake") && follows_its_hull(scene) && scene.hull->surface.bounds().max.z() > 0)
+        scene.sph.wake = 2;  // measured: docs/decisions/055-wake-of-a-hull.md
     make_domain();
     while (levels > 1) {
         const std::vector<Root> all = roots(scene, bodies_at_start(scene));
@@ -193,6 +204,7 @@ std::vector<Zone> particle_zones(const Scene& scene, std::span<const Box> moving
     const int below = sizes_below_near_hull(scene), finer = below + scene.sph.levels - 1;
     const std::vector<Root> solids = roots(scene, moving);
     const std::vector<std::vector<Box>> round = boxes_round(solids, scene);
+    const std::vector<RefinedPlace> places = finer_places(scene);
     std::vector<Zone> zones;
     std::vector<double> reach(static_cast<std::size_t>(finer), 0.0);  // of a zone beyond the places of each size
     for (int k = 1; k <= finer; ++k) {
@@ -200,8 +212,8 @@ std::vector<Zone> particle_zones(const Scene& scene, std::span<const Box> moving
         std::vector<ZoneBox> boxes;
         if (k > below)
             for (const Box& box : round[static_cast<std::size_t>(k - below - 1)]) boxes.push_back({box, boxes.size()});
-        for (std::size_t p = 0; p < scene.refined.size(); ++p) {
-            const RefinedPlace& place = scene.refined[p];
+        for (std::size_t p = 0; p < places.size(); ++p) {
+            const RefinedPlace& place = places[p];
             if (place.halvings_short + below >= k) continue;
             for (const Box& part : place.boxes) {
                 const double more = reach[static_cast<std::size_t>(place.halvings_short + below)];

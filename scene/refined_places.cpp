@@ -16,6 +16,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr int most_sizes_below = 3;
+constexpr double default_width = 8;  ///< of a place, in its spacings
 constexpr int slices = 16;  ///< of the hull, along which the spray root is followed
 
 Box grown(const Box& box, double by) { return {box.min - Vec3::Constant(by), box.max + Vec3::Constant(by)}; }
@@ -106,7 +107,7 @@ std::vector<Box> boxes_of(Section& s, RefinedPlace& place, const Scene& scene, d
     }
     refuse("min", s.has("min"));
     refuse("max", s.has("max"));
-    const double width = place.width.value_or(8 * size);
+    const double width = place.width.value_or(default_width * size);
     if (around == "spray_root") {
         place.around = Around::spray_root;
         std::vector<Box> boxes = spray_root(*scene.hull, width);
@@ -151,6 +152,8 @@ std::vector<RefinedPlace> read_refined(std::vector<Section>& sections, const Sce
     }
     return places;
 }
+
+Box wake_of(const Scene& scene, double size) { return wake(scene, {}, default_width * size); }
 
 int sizes_below_near_hull(const Scene& scene) {
     int below = 0;

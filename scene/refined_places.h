@@ -8,6 +8,10 @@ namespace tw {
 /// The places of the scene's [[refine]] sections, after its domain is made. Throws InputError at the key that is wrong.
 std::vector<RefinedPlace> read_refined(std::vector<Section>& sections, const Scene& scene);
 
+/// The wake of the scene's hull for particles of `size` [m]: behind its middle to the outlet, half as wide again as the
+/// hull and down to its draft, and eight spacings more.
+Box wake_of(const Scene& scene, double size);
+
 /// Spacing of the finest particles [m]: near_hull, or what a place of the scene asks for below it.
 double finest_spacing(const Scene& scene);
 /// How many sizes of particles are finer than near_hull, and how many there are in all.

@@ -274,6 +274,7 @@ std::map<std::string, Change> changes() {
         {"sph.gate_normal", replaced(gated, "[0, 0, 1]", "[1, 0, 1]")},
         {"sph.gate_link", set(gated, "sph", "gate_link", "2", "2.5")},
         {"sph.zone", set(fixed, "sph", "zone", "16", "10")},
+        {"sph.wake", set(fixed, "sph", "wake", "0", "2")},
         {"sph.scheme", set(fixed, "sph", "scheme", "\"kick_drift_kick\"", "\"symplectic_euler\"")},
         {"sph.equation_of_state", set(fixed, "sph", "equation_of_state", "\"linear\"", "\"tait\"")},
         {"sph.c0", replaced(fixed, "c0 = 100", "c0 = 101")},

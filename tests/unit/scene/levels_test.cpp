@@ -144,6 +144,28 @@ TEST(ParticleLevels, WakeAndFreeSurfaceArePlacesWithNames) {
     EXPECT_GT(surface.outside({1, 3, -1}), 0);
 }
 
+// Cells of four times near_hull follow the wake to the outlet; without a zone of its own it would end where particles
+// of the hull's zones do.
+TEST(ParticleLevels, TheWakeOfAHullHasParticlesOfTwiceItsSize) {
+    const auto size_at = [](const Scene& scene, const Vec3& x) {
+        double size = std::ldexp(finest_spacing(scene), sizes_of_particles(scene) - 1);
+        for (const Zone& zone : particle_zones(scene))
+            if (zone.outside(x) < 0) size /= 2;
+        return size;
+    };
+    const Vec3 behind(8, 0.3, -0.1), beside(8, 3, -0.1), deep(8, 0.3, -1.6);
+    const Scene scene = scene_of(planing + wide_domain);
+    ASSERT_EQ(scene.sph.levels, 3);
+    EXPECT_EQ(scene.sph.wake, 2);
+    EXPECT_DOUBLE_EQ(size_at(scene, behind), 0.1);
+    EXPECT_DOUBLE_EQ(size_at(scene, beside), 0.2);
+    EXPECT_DOUBLE_EQ(size_at(scene, deep), 0.2);
+    EXPECT_DOUBLE_EQ(size_at(scene_of(planing + wide_domain + "[sph]\nwake = 0\n"), behind), 0.2);
+    EXPECT_DOUBLE_EQ(size_at(scene_of(planing + wide_domain + "[sph]\nwake = 1\n"), behind), 0.05);
+    EXPECT_DOUBLE_EQ(size_at(scene_of(planing + wide_domain + "[sph]\nlevels = 3\n"), behind), 0.2);
+    EXPECT_EQ(scene_of(planing + one_size).sph.wake, 0);
+}
+
 // What a user calls the size far away, or what is taken for it where a hull is held in a fast stream, holds for the
 // particles as for the cells, as far as there is room for them.
 TEST(ParticleLevels, TheSpacingIsThatOfBothMethods) {
