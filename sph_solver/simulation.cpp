@@ -36,7 +36,8 @@ Simulation::Simulation(const SimulationSetup& setup, std::span<const Fluid> flui
         levels_.push_back(std::make_unique<Level>(*around_, level, schedule_, *bodies_, *passes_, fluids[k]));
     }
     refinements_.reserve(finest);
-    for (std::size_t k = 0; k < finest; ++k) refinements_.emplace_back(*levels_[k], *levels_[k + 1], setup.zones[k]);
+    for (std::size_t k = 0; k < finest; ++k)
+        refinements_.emplace_back(*levels_[k], *levels_[k + 1], setup.zones[k], k > 0 ? &refinements_[k - 1] : nullptr);
     if (std::ranges::all_of(*bodies_, [](const Body& body) { return body.fixed(); })) return;
     if (setup.partial_zones > 0)
         throw InputError(

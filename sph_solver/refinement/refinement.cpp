@@ -108,9 +108,10 @@ private:
 
 }  // namespace
 
-Refinement::Refinement(Level& coarse, Level& fine, Zone zone)
+Refinement::Refinement(Level& coarse, Level& fine, Zone zone, const Refinement* outer)
     : coarse_(coarse),
       fine_(fine),
+      outer_(outer),
       zone_(std::move(zone)),
       dp_(fine.setup().dp),
       excess_(coarse.kernel(), coarse.setup().dp, coarse.dimensions()) {
@@ -183,18 +184,37 @@ void Refinement::relabel() {
     }
     coarse_.interpolate(leaving);
     ledger_.spray = 0;
+    std::vector<std::size_t> spray;
     for (std::size_t k = 0; k < who.size(); ++k) {
         const std::size_t i = who[k];
         if (leaving.support[k] < covered) {
-            ++ledger_.spray;
+            spray.push_back(i);
             continue;
         }
         f.kind[i] = Kind::guard;
         f.trend[i].support = leaving.mean_support[k];
         gone[i] = outside[i] > gone_over_dp * dp_;
     }
+    std::erase_if(spray, [&](std::size_t i) { return outside[i] <= gone_over_dp * dp_; });
+    for (const Refinement* edge = outer_; edge && !spray.empty(); edge = edge->outer_) {
+        const std::vector<char> fallen = edge->covers(f, spray);
+        for (std::size_t k = 0; k < spray.size(); ++k) gone[spray[k]] = fallen[k];
+        std::erase_if(spray, [&](std::size_t i) { return gone[i] != 0; });
+    }
+    for (std::size_t i = 0; i < f.size(); ++i) ledger_.spray += !gone[i] && f.kind[i] == Kind::fluid && outside[i] >= 0;
     remove(gone);
     give_birth();
+}
+
+std::vector<char> Refinement::covers(const Particles& p, const std::vector<std::size_t>& who) const {
+    FieldsAt at;
+    at.of = FieldsAt::Of::all;
+    at.apart = fine_apart;
+    for (const std::size_t i : who) at.places.push_back(place(p, i));
+    coarse_.interpolate(at);
+    std::vector<char> yes;
+    for (const float support : at.support) yes.push_back(support >= covered);
+    return yes;
 }
 
 std::vector<Vec3> Refinement::octants(const Vec3& parent) const {

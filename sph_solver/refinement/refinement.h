@@ -34,11 +34,13 @@ namespace tw {
 /// Densities change hands without what the uppermost row of either size has too much, see surface_excess.h.
 ///
 /// Where the coarse level has no water (kernel support below 1/2), what leaves the zone stays active: spray goes on as
-/// fine particles until coarse water covers it. Where the fine level has none, carried particles fall freely.
+/// fine particles until water of the coarse level covers it, or of one that is coarser still: it may fall far beyond the
+/// zone of the next coarser size, and the coarsest has particles for all water that is not spray. Where the fine level has none, carried particles fall freely.
 class Refinement {
 public:
-    /// `fine` holds children of the particles of `coarse` (see `belongs`). Both must outlive this.
-    Refinement(Level& coarse, Level& fine, Zone zone);
+    /// `fine` holds children of the particles of `coarse` (see `belongs`). `outer`: the edge at which `coarse` is the
+    /// fine level; null: it is the coarsest. All must outlive this.
+    Refinement(Level& coarse, Level& fine, Zone zone, const Refinement* outer = nullptr);
 
     /// Whether a coarse particle there has children at the start.
     static bool belongs(const Zone& zone, const Vec3& coarse_place, double fine_dp) {
@@ -89,11 +91,14 @@ private:
     /// The guards that have one of some coarse particles nearest of all coarse particles.
     std::unordered_map<std::size_t, std::vector<std::size_t>> families_of(
         const std::vector<std::size_t>& parents) const;
+    /// Of each of some particles whether the coarse level has water there.
+    std::vector<char> covers(const Particles& p, const std::vector<std::size_t>& who) const;
     void remove(const std::vector<char>& gone);  ///< of the fine particles
     double mass_under() const;                   ///< of the coarse particles under the zone [kg]
 
     Level& coarse_;
     Level& fine_;
+    const Refinement* outer_;
     Zone zone_;
     std::vector<double> outside_coarse_;  ///< of each coarse particle since the last relabelling [m]
     double dp_;                           ///< of the fine level

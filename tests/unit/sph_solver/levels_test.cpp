@@ -191,6 +191,26 @@ TEST(Levels, TheCoarsestKeepsItsMassButForInletAndOutlet) {
     EXPECT_EQ(simulation.level(2).steps(), 4 * simulation.steps());
 }
 
+// Spray of the finest size that flies farther than the zone of the next one comes down on water of a size that is no
+// neighbour of its own. It ends there, as spray over the next size does, and does not fall through to the floor.
+TEST(Levels, FineSprayEndsInWaterOfAnyCoarserSize) {
+    Simulation simulation = make(1);
+    Particles& p = simulation.finest().particles();
+    const std::int64_t id = p.id[0];
+    const auto drop = [&] { return std::ranges::find(p.id, id); };
+    p.kind[0] = Kind::fluid;
+    p.x[0] = -1.8, p.z[0] = 0.3, p.u[0] = 0, p.w[0] = -2;
+    double lowest = 0.3;
+    while (simulation.time() < 0.5 && drop() != p.id.end()) {
+        simulation.step();
+        if (const auto at = drop(); at != p.id.end())
+            lowest = std::min(lowest, p.z[static_cast<std::size_t>(at - p.id.begin())]);
+    }
+    EXPECT_EQ(drop(), p.id.end());
+    EXPECT_LT(lowest, 0.15);
+    EXPECT_GT(lowest, -0.2);  // 2.5 of the coarsest spacings
+}
+
 /// Two runs of `make` with other numbers of threads, one of them begun anew in the middle.
 void expect_same_bits_after_a_restart(Simulation (*make_with)(int threads), int steps) {
     const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "restart_levels_test.h5";
