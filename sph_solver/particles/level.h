@@ -100,6 +100,10 @@ public:
     double wall_travel_ahead() const;
     bool lists_due() const { return life_.over; }
     void make_lists_due() { life_.over = true; }
+    /// Whether a place is in no buffer of an inlet or outlet.
+    bool between_openings(double x) const {
+        return !around_.stream || (x >= around_.domain.min.x() && x <= around_.domain.max.x());
+    }
     void follow_bodies() { walls_.follow(quanta_); }
     void refresh(double drift);
     /// `other`: sums over another level's particles, one entry a particle; null: there is none.

@@ -377,12 +377,16 @@ void Refinement::restrict_over(double moved, double density_before) {
 }
 
 double Refinement::mass_under() const {
-    return coarse_.mass() * double(std::ranges::count_if(coarse_.particles().kind, stands_for_finer));
+    const Particles& c = coarse_.particles();
+    std::int64_t under = 0;
+    for (std::size_t i = 0; i < c.size(); ++i) under += stands_for_finer(c.kind[i]) && coarse_.between_openings(c.x[i]);
+    return coarse_.mass() * double(under);
 }
 
 double Refinement::surplus() const {
-    const auto is_water = [](Kind k) { return k != Kind::guard; };
-    const auto water = std::ranges::count_if(fine_.particles().kind, is_water) - ledger_.spray;
+    const Particles& f = fine_.particles();
+    std::int64_t water = -ledger_.spray;
+    for (std::size_t i = 0; i < f.size(); ++i) water += f.kind[i] != Kind::guard && fine_.between_openings(f.x[i]);
     return fine_.mass() * double(water) - mass_under();
 }
 

@@ -73,7 +73,8 @@ public:
     const Ledger& ledger() const { return ledger_; }
     void set_ledger(const Ledger& ledger) { ledger_ = ledger; }
     /// Mass of the fine level's particles in the zone less that of the coarse particles under it [kg]. Spray beyond the
-    /// zone is not counted: the coarse particles that it belongs to left the zone with the water it came from.
+    /// zone is not counted: the coarse particles that it belongs to left the zone with the water it came from. Nor is
+    /// what is past an outlet, where coarse particles that were there at the start stand for nobody.
     double surplus() const;
     /// How far the surplus has come from what it was at the start (where a solid cuts the two lattices differently it
     /// is not zero), as a share of the mass of the coarse particles under the zone.
