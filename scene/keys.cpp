@@ -479,7 +479,7 @@ Rows sph_keys() {
         {.name = "wake", .kind = Kind::whole, .range = {0, 32}, .hashed = Hashed::sph,
          .slot = slot(&Scene::sph, &SphOptions::wake),
          .fallback = "2 where sizes follow from spacing or the hull's speed; 0 where levels are written",
-         .meaning = "With several levels and a hull in a stream: largest particles in its wake, over near_hull (1, 2, 4, ...), where `[[refine]] around = \"wake\"` would have them; 0: as large as the wake comes.",
+         .meaning = "With several levels and a hull in a stream: largest particles in its wake, over near_hull (1, 2, 4, ...; others are rounded down to these), where `[[refine]] around = \"wake\"` would have them; 0: none of its own.",
          .later = true},
         {.name = "touch_support", .range = {0.5, 0.999}, .hashed = Hashed::sph,
          .slot = slot(&Scene::sph, &SphOptions::touch_support),

@@ -18,7 +18,7 @@ namespace tw {
 namespace {
 
 constexpr double between = 10, from_openings = 8;  ///< spacings
-constexpr double most_nodes = 5e6;  ///< of the grid of distances from a hull
+constexpr double most_nodes = 5e6;                 ///< of the grid of distances from a hull
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// What finer particles stand round.
@@ -93,12 +93,18 @@ void join_near(std::vector<ZoneBox>& boxes, double gap) {
         }
 }
 
+/// Whether zones are what is near the hull, and not a box round it.
+bool follows_its_hull(const Scene& scene) {
+    return scene.hull && !scene.hull->section && scene.motion.kind == Motion::Kind::stream;
+}
+
 /// Of the first box what is nearer to the hull than `width`, and what lies behind that towards faces at infinity.
 Zone zone_near_hull(std::vector<Box> boxes, double width, double coarse_dp, const Scene& scene) {
     const Box& first = boxes.front();
     const Box wet{first.min.cwiseMax(scene.domain.box.min), first.max.cwiseMin(scene.domain.box.max)};
     const double nodes_apart = sampling_distance(coarse_dp, wet.volume(), most_nodes);
-    auto near = std::make_shared<DistanceGrid>(scene.hull->surface, wet, nodes_apart, width + from_openings * coarse_dp);
+    auto near =
+        std::make_shared<DistanceGrid>(scene.hull->surface, wet, nodes_apart, width + from_openings * coarse_dp);
     for (int a = 0; a < 3; ++a) {
         if (std::isinf(first.min[a])) near->draw_out(a, false);
         if (std::isinf(first.max[a])) near->draw_out(a, true);
@@ -164,10 +170,6 @@ std::vector<RefinedPlace> finer_places(const Scene& scene) {
 }
 
 }  // namespace
-
-bool follows_its_hull(const Scene& scene) {
-    return scene.hull && !scene.hull->section && scene.motion.kind == Motion::Kind::stream;
-}
 
 double sampling_distance(double asked, double volume, double most) {
     const double needed = std::cbrt(volume / most);

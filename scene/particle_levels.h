@@ -10,17 +10,14 @@ namespace tw {
 
 /// Where the particles of each finer size stand at the start, the widest zone first: what is near a three-dimensional
 /// hull in a stream, as far as the water may reach, and its wake ([sph] wake); boxes round other solids; boxes that the
-/// scene asks for ([[refine]]), which alone may hold particles finer than near_hull. Faces are at infinity where a zone goes on
-/// through the sky, a wall, a symmetry plane or the outlet, because no coarser particles fit between; others of boxes
-/// lie on the coarse lattice, but for those round bodies that move. Edges are ten spacings of the level between them
-/// apart, and eight of the coarser side from the inlet; boxes with less than eight between them become one. Empty with
+/// scene asks for ([[refine]]), which alone may hold particles finer than near_hull. Faces are at infinity where a zone
+/// goes on through the sky, a wall, a symmetry plane or the outlet, because no coarser particles fit between; others of
+/// boxes lie on the coarse lattice, but for those round bodies that move. Edges are ten spacings of the level between
+/// them apart, and eight of the coarser side from the inlet; boxes with less than eight between them become one. Empty with
 /// `[sph] levels = 1`. Throws InputError where there is no solid, or no room ahead of it or within the tank.
 std::vector<Zone> particle_zones(const Scene& scene);
 /// The same with the bodies that move in these boxes, in the scene's order; asks nothing.
 std::vector<Zone> particle_zones(const Scene& scene, std::span<const Box> moving);
-
-/// Whether zones are what is near the hull, and not a box round it: of a hull in a stream in three dimensions.
-bool follows_its_hull(const Scene& scene);
 
 /// Whether a scene that does not write its spacing has particles of several sizes: where they follow a hull that is held
 /// in a stream, at planing speeds, for which their forces were compared with those of one size.

@@ -17,7 +17,7 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr int most_sizes_below = 3;
 constexpr double default_width = 8;  ///< of a place, in its spacings
-constexpr int slices = 16;  ///< of the hull, along which the spray root is followed
+constexpr int slices = 16;           ///< of the hull, along which the spray root is followed
 
 Box grown(const Box& box, double by) { return {box.min - Vec3::Constant(by), box.max + Vec3::Constant(by)}; }
 

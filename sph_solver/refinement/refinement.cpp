@@ -183,7 +183,6 @@ void Refinement::relabel() {
         gone[i] = f.kind[i] == Kind::guard && s > gone_over_dp * dp_;
     }
     coarse_.interpolate(leaving);
-    ledger_.spray = 0;
     std::vector<std::size_t> spray;
     for (std::size_t k = 0; k < who.size(); ++k) {
         const std::size_t i = who[k];
@@ -195,13 +194,13 @@ void Refinement::relabel() {
         f.trend[i].support = leaving.mean_support[k];
         gone[i] = outside[i] > gone_over_dp * dp_;
     }
+    ledger_.spray = static_cast<std::int64_t>(spray.size());
     std::erase_if(spray, [&](std::size_t i) { return outside[i] <= gone_over_dp * dp_; });
     for (const Refinement* edge = outer_; edge && !spray.empty(); edge = edge->outer_) {
         const std::vector<char> fallen = edge->covers(f, spray);
         for (std::size_t k = 0; k < spray.size(); ++k) gone[spray[k]] = fallen[k];
-        std::erase_if(spray, [&](std::size_t i) { return gone[i] != 0; });
+        ledger_.spray -= static_cast<std::int64_t>(std::erase_if(spray, [&](std::size_t i) { return gone[i] != 0; }));
     }
-    for (std::size_t i = 0; i < f.size(); ++i) ledger_.spray += !gone[i] && f.kind[i] == Kind::fluid && outside[i] >= 0;
     remove(gone);
     give_birth();
 }

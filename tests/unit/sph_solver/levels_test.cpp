@@ -218,7 +218,8 @@ TEST(Levels, AZoneThroughTheOutletKeepsItsMass) {
     s.zones = {zone_between(-1.2, infinite, -0.96, infinite), zone_between(-0.48, infinite, -0.4, infinite)};
     Simulation simulation(s, water_of(s));
     while (simulation.time() < 0.8) simulation.step();  // farther than the buffer is long
-    for (const Refinement& edge : simulation.refinements()) EXPECT_NEAR(edge.mass_drift(), 0, 0.045);  // three coarse columns
+    // three coarse columns
+    for (const Refinement& edge : simulation.refinements()) EXPECT_NEAR(edge.mass_drift(), 0, 0.045);
 }
 
 /// Two runs of `make` with other numbers of threads, one of them begun anew in the middle.
