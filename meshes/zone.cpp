@@ -20,7 +20,7 @@ double Zone::outside(const Vec3& x) const {
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t b = 0; b < boxes_.size(); ++b) {
         double distance = outside_of(boxes_[b], x);
-        if (b == 0 && surface_) distance = std::max(distance, surface_->at(x) - width_);
+        if (b == 0 && surface_) distance = std::max(distance, surface_->at(back_ * x) - width_);
         nearest = std::min(nearest, distance);
     }
     return nearest;

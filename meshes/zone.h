@@ -4,6 +4,7 @@
 
 #include "base/vec3.h"
 #include "meshes/distance_grid.h"
+#include "meshes/moved_solid.h"
 
 namespace tw {
 
@@ -16,6 +17,9 @@ public:
     /// Of the first box what is nearer than `width` [m].
     Zone(std::vector<Box> boxes, std::shared_ptr<const DistanceGrid> surface, double width)
         : boxes_(std::move(boxes)), surface_(std::move(surface)), width_(width) {}
+    /// Of the first box what is as near to the surface of `start`, which has moved on by `way` since.
+    Zone(std::vector<Box> boxes, const Zone& start, const Eigen::Isometry3d& way)
+        : boxes_(std::move(boxes)), surface_(start.surface_), width_(start.width_), back_(way.inverse()) {}
 
     /// Distance from the edge [m], positive outside, negative inside; by the edges where two faces meet up to a half
     /// too near.
@@ -30,6 +34,7 @@ private:
     std::vector<Box> boxes_;
     std::shared_ptr<const DistanceGrid> surface_;
     double width_ = 0;
+    Eigen::Isometry3d back_ = Eigen::Isometry3d::Identity();  ///< to where the surface stood at the start
 };
 
 }  // namespace tw

@@ -27,28 +27,26 @@ struct Root {
     bool moves = false;
 };
 
-/// What of the hull the water may reach: of a dry bow what it may rise to, or of a hull that is free dip to.
-Box reached_hull(const Scene& scene) {
-    Box hull = scene.hull->surface.bounds();
+/// What of the hull, with these bounds, the water may reach: of a dry bow what it may rise to, or of a hull that is free
+/// dip to.
+Box reached_hull(const Scene& scene, Box hull) {
     const double ahead = (scene.hull->free ? 0.5 : 0.25) * scene.hull->length;
     if (!scene.hull->section && scene.motion.kind == Motion::Kind::stream)
         hull.min.x() = std::max(hull.min.x(), scene.hull->still.wet_bounds.min.x() - ahead);
     return hull;
 }
 
-/// The solids: hull, obstacles, and bodies that move where `moving` says that they are.
-std::vector<Root> roots(const Scene& scene, std::span<const Box> moving) {
-    std::vector<Root> all;
-    if (scene.hull) all.push_back({reached_hull(scene)});
-    for (const Obstacle& o : scene.obstacles) all.push_back({o.surface.bounds()});
-    for (const Box& box : moving) all.push_back({box, true});
-    return all;
-}
+bool hull_is_free(const Scene& scene) { return scene.hull && scene.hull->free; }
 
-std::vector<Box> bodies_at_start(const Scene& scene) {
-    std::vector<Box> boxes;
-    for (const MovingBody& b : scene.bodies) boxes.push_back(b.surface.bounds());
-    return boxes;
+/// The solids: hull, obstacles, and bodies; what moves where `moving` says that it is.
+std::vector<Root> roots(const Scene& scene, std::span<const MovedSolid> moving) {
+    std::vector<Root> all;
+    const bool free = hull_is_free(scene);
+    if (scene.hull)
+        all.push_back({reached_hull(scene, free ? moving.front().bounds : scene.hull->surface.bounds()), free});
+    for (const Obstacle& o : scene.obstacles) all.push_back({o.surface.bounds()});
+    for (const MovedSolid& body : moving.subspan(free ? 1 : 0)) all.push_back({body.bounds, true});
+    return all;
 }
 
 /// A box of finer particles than `coarse_dp`, on the coarse lattice (unless it goes with a body), and through what is
@@ -98,7 +96,8 @@ bool follows_its_hull(const Scene& scene) {
     return scene.hull && !scene.hull->section && scene.motion.kind == Motion::Kind::stream;
 }
 
-/// Of the first box what is nearer to the hull than `width`, and what lies behind that towards faces at infinity.
+/// Of the first box what is nearer to the hull at the start than `width`, and what lies behind that towards faces at
+/// infinity.
 Zone zone_near_hull(std::vector<Box> boxes, double width, double coarse_dp, const Scene& scene) {
     const Box& first = boxes.front();
     const Box wet{first.min.cwiseMax(scene.domain.box.min), first.max.cwiseMin(scene.domain.box.max)};
@@ -194,7 +193,7 @@ void follow_spacing(Scene& scene, const std::function<void()>& make_domain) {
         scene.sph.wake = 2;  // measured: docs/decisions/055-wake-of-a-hull.md
     make_domain();
     while (levels > 1) {
-        const std::vector<Root> all = roots(scene, bodies_at_start(scene));
+        const std::vector<Root> all = roots(scene, moving_at_start(scene));
         const int fit = 1 + zones_that_fit(scene, all, boxes_round(all, scene));
         if (fit == levels) return;
         levels = fit;
@@ -202,7 +201,16 @@ void follow_spacing(Scene& scene, const std::function<void()>& make_domain) {
     }
 }
 
-std::vector<Zone> particle_zones(const Scene& scene, std::span<const Box> moving) {
+bool zones_move(const Scene& scene) { return hull_is_free(scene) || !scene.bodies.empty(); }
+
+std::vector<MovedSolid> moving_at_start(const Scene& scene) {
+    std::vector<MovedSolid> solids;
+    if (hull_is_free(scene)) solids.push_back({scene.hull->surface.bounds()});
+    for (const MovingBody& b : scene.bodies) solids.push_back({b.surface.bounds()});
+    return solids;
+}
+
+std::vector<Zone> particle_zones(const Scene& scene, std::span<const MovedSolid> moving, std::span<const Zone> start) {
     const int below = sizes_below_near_hull(scene), finer = below + scene.sph.levels - 1;
     const std::vector<Root> solids = roots(scene, moving);
     const std::vector<std::vector<Box>> round = boxes_round(solids, scene);
@@ -228,12 +236,14 @@ std::vector<Zone> particle_zones(const Scene& scene, std::span<const Box> moving
         std::vector<Box> parts;
         for (const ZoneBox& b : boxes) parts.push_back(b.box);
         const bool alone = k > below && first.min == parts.front().min && first.max == parts.front().max;
-        zones.insert(zones.begin(), alone && follows_its_hull(scene)
-                                        ? zone_near_hull(std::move(parts),
-                                                         scene.sph.zone * scene.resolution.near_hull +
-                                                             reach[static_cast<std::size_t>(below)],
-                                                         coarse_dp, scene)
-                                        : Zone(std::move(parts)));
+        const double width = scene.sph.zone * scene.resolution.near_hull + reach[static_cast<std::size_t>(below)];
+        if (!alone || !follows_its_hull(scene))
+            zones.insert(zones.begin(), Zone(std::move(parts)));
+        else if (start.empty())
+            zones.insert(zones.begin(), zone_near_hull(std::move(parts), width, coarse_dp, scene));
+        else
+            zones.insert(zones.begin(), Zone(std::move(parts), start[static_cast<std::size_t>(finer - k)],
+                                             moving.empty() ? Eigen::Isometry3d::Identity() : moving.front().way));
         for (int size = 0; size < k && size < finer; ++size)
             reach[static_cast<std::size_t>(size)] += between * coarse_dp;
     }
@@ -244,7 +254,7 @@ std::vector<Zone> particle_zones(const Scene& scene) {
     if (sizes_of_particles(scene) == 1) return {};
     const auto refuse = [&](const std::string& why) { throw InputError(scene.place_of("sph.levels") + ": " + why); };
     const bool stream = scene.motion.kind == Motion::Kind::stream;
-    const std::vector<Box> moving = bodies_at_start(scene);
+    const std::vector<MovedSolid> moving = moving_at_start(scene);
     const std::vector<Root> solids = roots(scene, moving);
     if (solids.empty() || (stream && !scene.hull))
         refuse("several sizes of particles stand round a hull, an obstacle or a body; leave it out");
@@ -256,7 +266,7 @@ std::vector<Zone> particle_zones(const Scene& scene) {
                    : fmt::format("particles of {:.4g} m have no room in this tank, or fill its water only to more than "
                                  "2 % of its length; at most {} here",
                                  std::ldexp(scene.resolution.near_hull, fit + 1), fit + 1));
-    return particle_zones(scene, moving);
+    return particle_zones(scene, moving, {});
 }
 
 }  // namespace tw

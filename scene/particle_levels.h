@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "meshes/moved_solid.h"
 #include "meshes/zone.h"
 #include "scene/scene.h"
 
@@ -12,12 +13,16 @@ namespace tw {
 /// hull in a stream, as far as the water may reach, and its wake ([sph] wake); boxes round other solids; boxes that the
 /// scene asks for ([[refine]]), which alone may hold particles finer than near_hull. Faces are at infinity where a zone
 /// goes on through the sky, a wall, a symmetry plane or the outlet, because no coarser particles fit between; others of
-/// boxes lie on the coarse lattice, but for those round bodies that move. Edges are ten spacings of the level between
+/// boxes lie on the coarse lattice, but for those round what moves. Edges are ten spacings of the level between
 /// them apart, and eight of the coarser side from the inlet; boxes with less than eight between them become one. Empty with
 /// `[sph] levels = 1`. Throws InputError where there is no solid, or no room ahead of it or within the tank.
 std::vector<Zone> particle_zones(const Scene& scene);
-/// The same with the bodies that move in these boxes, in the scene's order; asks nothing.
-std::vector<Zone> particle_zones(const Scene& scene, std::span<const Box> moving);
+/// The same with what moves where it is now: a hull that is free, then bodies, in the scene's order. `start`: the zones
+/// at the start, whose distances from the hull go with it. Asks nothing.
+std::vector<Zone> particle_zones(const Scene& scene, std::span<const MovedSolid> moving, std::span<const Zone> start);
+/// Whether zones go with something that moves; what that is, as it stands at the start.
+bool zones_move(const Scene& scene);
+std::vector<MovedSolid> moving_at_start(const Scene& scene);
 
 /// Whether a scene that does not write its spacing has particles of several sizes: where they follow a hull that is held
 /// in a stream, at planing speeds, for which their forces were compared with those of one size.

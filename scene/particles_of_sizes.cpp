@@ -13,18 +13,18 @@ namespace tw {
 namespace {
 
 /// Where bodies are that go half their way with their first velocity, at most as far as the domain goes.
-std::vector<Box> bodies_half_way(const Scene& scene) {
+std::vector<MovedSolid> bodies_half_way(const Scene& scene) {
     const Box& domain = scene.domain.box;
-    std::vector<Box> boxes;
+    std::vector<MovedSolid> solids;
     for (const MovingBody& b : scene.bodies) {
-        Box& box = boxes.emplace_back(b.surface.bounds());
+        Box& box = solids.emplace_back(MovedSolid{b.surface.bounds()}).bounds;
         if (b.motion.law) continue;
         const Vec3 way = (0.5 * scene.run.duration * b.motion.velocity)
                              .cwiseMax(0.5 * (domain.min - box.min))
                              .cwiseMin(0.5 * (domain.max - box.max));
         box = {box.min + way, box.max + way};
     }
-    return boxes;
+    return solids;
 }
 
 /// Places inside a box, of which each stands for `volume`.
@@ -88,7 +88,7 @@ std::vector<ParticlesOfSize> counted(const Scene& scene, const std::vector<Zone>
 
 std::vector<ParticlesOfSize> particles_of_sizes(const Scene& scene, During when) {
     std::vector<Zone> zones = particle_zones(scene);
-    if (!zones.empty() && !scene.bodies.empty()) zones = particle_zones(scene, bodies_half_way(scene));
+    if (!zones.empty() && !scene.bodies.empty()) zones = particle_zones(scene, bodies_half_way(scene), zones);
     const auto at_start = [&] {
         const std::vector<Box> blocks = blocks_of_water(scene);
         double solids = -water_volume(scene);

@@ -23,7 +23,7 @@ bool is_mirror(Side side) { return side == Side::slip_wall || side == Side::symm
 /// a quarter of its length ahead and as far behind as half of that, and open above. In two dimensions round the whole
 /// section, because the jet under a plate wets it far ahead of still water; one metre of span, as what particles carry.
 /// With several sizes of particles within the zone of those at the hull. Round the whole of a hull that is free: it may
-/// dip all of its length, and moves within the box.
+/// dip all of its length, and moves within the box; as its zone goes with it, the box leaves it some way to go.
 ControlVolume control_volume(const Scene& scene, const SimulationSetup& s) {
     const Hull& hull = *scene.hull;
     const double dp = scene.resolution.near_hull;
@@ -33,13 +33,14 @@ ControlVolume control_volume(const Scene& scene, const SimulationSetup& s) {
     Box box = hull.section || hull.free ? hull.surface.bounds() : hull.still.wet_bounds;
     box.min -= Vec3(std::max(near, 0.25 * hull.length), near, near);
     box.max += Vec3(std::max(near, 0.125 * hull.length), near, 0);
-    const double clear = 2 * dp;  // of the domain's sides
+    const double clear = 2 * dp;                                                         // of the domain's sides
+    const double way = hull.free ? std::clamp(scene.sph.zone - 6.5, 0.0, 3.0) * dp : 0;  // that its zone may go
     box.min = box.min.cwiseMax(s.domain.min + Vec3::Constant(clear));
     box.max = box.max.cwiseMin(s.domain.max - Vec3::Constant(clear));
     if (zone) {
         const Box& round_hull = zone->boxes().front();
-        box.min = box.min.cwiseMax(round_hull.min + Vec3::Constant(2 * clear));
-        box.max = box.max.cwiseMin(round_hull.max - Vec3::Constant(2 * clear));
+        box.min = box.min.cwiseMax(round_hull.min + Vec3::Constant(2 * clear + way));
+        box.max = box.max.cwiseMin(round_hull.max - Vec3::Constant(2 * clear + way));
     }
     for (int a = 0; a < 3; ++a) {
         box.min[a] = on_lattice(box.min[a]);
@@ -49,7 +50,7 @@ ControlVolume control_volume(const Scene& scene, const SimulationSetup& s) {
     if (hull.section) box.min.y() = -0.5, box.max.y() = 0.5;
     box.max.z() = s.domain.max.z();
     if (!zone || !zone->follows_surface()) return ControlVolume(box, dp, s.dimensions);
-    const double inside = 1.5 * dp;  // of the zone's edge, so that no particle changes its kind within
+    const double inside = 1.5 * dp + way;  // of the zone's edge, so that no particle changes its kind within
     return ControlVolume(box, dp, s.dimensions, [&](const Vec3& x) { return zone->outside(x) < -inside; });
 }
 
@@ -207,10 +208,9 @@ SphSetup sph_setup(const Scene& scene, int threads) {
     s.frame = scene.tank_motion;
     s.zones = particle_zones(scene);
     s.partial_zones = static_cast<std::size_t>(sizes_below_near_hull(scene));
-    if (!s.zones.empty() && !scene.bodies.empty())
-        s.zones_round = [of = std::make_shared<const Scene>(scene)](std::span<const Box> moving) {
-            return particle_zones(*of, moving);
-        };
+    if (!s.zones.empty() && zones_move(scene))
+        s.zones_round = [of = std::make_shared<const Scene>(scene), start = s.zones](
+                            std::span<const MovedSolid> moving) { return particle_zones(*of, moving, start); };
     if (scene.hull) setup.control_volume = control_volume(scene, s);
     s.effects = effect_options(scene, s);
     s.tension_control = scene.effect_on("tension_control");

@@ -50,7 +50,7 @@ Simulation::Simulation(const SimulationSetup& setup, std::span<const Fluid> flui
             throw InputError("elastic bodies need [sph] scheme \"kick_drift_kick\"");
     }
     contacts_.emplace(*bodies_, *around_, setup.dp);
-    if (finest > 0 && !setup.zones_round) contacts_->stay_within(setup_.zones.back());
+    if (finest > 0) contacts_->stay_within(refinements_.back().zone());
     for (std::size_t b = 0; b < bodies_->size(); ++b) {
         if ((*bodies_)[b].fixed()) continue;
         if (ElasticBody* elastic = (*bodies_)[b].elastic()) {
@@ -291,9 +291,9 @@ void Simulation::mark_restart_point() { make_lists_due(); }
 void Simulation::follow_bodies() {
     for (const auto& level : levels_) level->follow_bodies();
     if (!setup_.zones_round) return;
-    std::vector<Box> moving;
+    std::vector<MovedSolid> moving;
     for (const Body& body : *bodies_)
-        if (!body.fixed()) moving.push_back(body.bounds());
+        if (!body.fixed()) moving.push_back(body.moved());
     std::vector<Zone> zones = setup_.zones_round(moving);
     for (std::size_t k = 0; k < refinements_.size(); ++k) refinements_[k].set_zone(std::move(zones[k]));
 }

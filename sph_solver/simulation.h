@@ -26,9 +26,9 @@ struct SimulationSetup : Surroundings, LevelSetup, TimeOptions {
     std::vector<Zone> zones;
     /// The last so many of them hold only parts of what is round the bodies; 0 where a body moves.
     std::size_t partial_zones = 0;
-    /// As many zones for the moving bodies' bounding boxes as they are at some time, in the order of `bodies`. Asked
-    /// after each step of the coarsest level. Not given: the zones stay.
-    std::function<std::vector<Zone>(std::span<const Box> moving)> zones_round;
+    /// As many zones for where the moving bodies are at some time, in the order of `bodies`. Asked after each step of
+    /// the coarsest level. Not given: the zones stay.
+    std::function<std::vector<Zone>(std::span<const MovedSolid> moving)> zones_round;
     Vec3 moment_reference = Vec3::Zero();
     int threads = 0;  ///< 0: as OpenMP chooses
 };

@@ -8,8 +8,7 @@
 
 namespace tw {
 
-BodySetup::BodySetup(std::shared_ptr<const ElasticSetup> setup)
-    : surface(skin_of(*setup)), elastic(std::move(setup)) {}
+BodySetup::BodySetup(std::shared_ptr<const ElasticSetup> setup) : surface(skin_of(*setup)), elastic(std::move(setup)) {}
 
 Body::Body(BodySetup setup) : setup_(std::move(setup)), query_(setup_.surface) {
     if (setup_.moving) rigid_.emplace(*setup_.moving);
@@ -48,6 +47,15 @@ Box Body::bounds() const {
             Vec3::Constant(-std::numeric_limits<double>::infinity())};
     for (const Vec3& x : surface().points) box.min = box.min.cwiseMin(now(x)), box.max = box.max.cwiseMax(now(x));
     return box;
+}
+
+MovedSolid Body::moved() const {
+    MovedSolid solid{bounds()};
+    if (!rigid_) return solid;
+    const RigidBody::State& s = rigid_->state();
+    solid.way.linear() = s.attitude.toRotationMatrix();
+    solid.way.translation() = s.centre - s.attitude * rigid_->mass().centre;
+    return solid;
 }
 
 BodyMotion Body::motion() const {

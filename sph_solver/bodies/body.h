@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "meshes/moved_solid.h"
 #include "meshes/query.h"
 #include "meshes/surface.h"
 #include "motion/rigid_body.h"
@@ -73,7 +74,8 @@ public:
     /// `query` sees its surface.
     Vec3 now(const Vec3& x) const;
     Vec3 at_start(const Vec3& x) const;
-    Box bounds() const;  ///< of the surface now
+    Box bounds() const;        ///< of the surface now
+    MovedSolid moved() const;  ///< of an elastic body without the way
     /// Directions likewise.
     Vec3 turned(const Vec3& v) const { return rigid_ ? Vec3(rigid_->state().attitude * v) : v; }
     Vec3 turned_back(const Vec3& v) const { return rigid_ ? Vec3(rigid_->state().attitude.conjugate() * v) : v; }

@@ -18,7 +18,7 @@ class Contacts {
 public:
     /// Both must outlive this.
     Contacts(const std::vector<Body>& bodies, const Surroundings& around, double dp);
-    /// The zone of the finest particles, which stands while a body moves in it (must outlive this): a body that comes
+    /// The zone of the finest particles, which need not follow a body everywhere (must outlive this): a body that comes
     /// nearer to its edge below still water, z = 0, than the guards of that edge reach is found as well.
     void stay_within(const Zone& zone) { zone_ = &zone; }
     /// The first contact in words; empty: none.

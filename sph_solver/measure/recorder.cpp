@@ -52,6 +52,14 @@ Vec3 momentum_inside(const Simulation& simulation, double& mass_inside) {
     return ControlVolume::momentum_inside(*simulation.control_volume(), level.particles(), level.mass(), mass_inside);
 }
 
+/// Whether the particles of the control volume's size still hold all of it: their zone may have gone with a free hull.
+bool holds_control_volume(Simulation& simulation) {
+    if (!simulation.setup().zones_round) return true;
+    const Zone& zone = simulation.refinements().back().zone();
+    return std::ranges::all_of(simulation.control_volume()->faces().places,
+                               [&](const Vec3& x) { return zone.outside(x) < 0; });
+}
+
 /// What the water has done on a body up to a row of its table [J]: a step's load kicks it from the velocity of the row
 /// before to that of its own.
 double work_up_to(const Table& t, std::size_t row) {
@@ -135,6 +143,7 @@ void Recorder::sample_surface(Simulation& simulation, std::size_t row) {
     }
     if (ControlVolume* cv = simulation.control_volume()) {
         simulation.sample(cv->faces());
+        volume_held_ = volume_held_ && holds_control_volume(simulation);
         double mass_inside = 0;
         momentum_inside(simulation, mass_inside);
         Vec3 body_force = simulation.setup().gravity;
@@ -150,13 +159,14 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
         double mass_inside = 0;
         const Vec3 momentum = momentum_inside(simulation, mass_inside);
         const ControlVolume::State& sums = cv->state();
-        if (momentum_known_ && sums.since > 0) {
+        if (momentum_known_ && volume_held_ && sums.since > 0) {
             const Vec3 force = factor_ * (sums.crossed + sums.impulse - (momentum - momentum_)) / sums.since;
             set(forces(), row, "fx_volume", per_span("N"), force.x());
             set(forces(), row, "fz_volume", per_span("N"), force.z());
         }
         momentum_ = momentum;
         momentum_known_ = true;
+        volume_held_ = holds_control_volume(simulation);
         cv->set_state({});
     }
 
@@ -348,12 +358,13 @@ void Recorder::probe_height(Simulation& simulation) {
 }
 
 /// The control volume's sums begin anew at a frame, with what is in it then.
-void Recorder::begin_balance(const Simulation& simulation) {
+void Recorder::begin_balance(Simulation& simulation) {
     if (tank_) tank_->begin(simulation);
     if (!simulation.control_volume()) return;
     double mass_inside = 0;
     momentum_ = momentum_inside(simulation, mass_inside);
     momentum_known_ = true;
+    volume_held_ = holds_control_volume(simulation);
 }
 
 void Recorder::take_spray(Simulation& simulation, const SprayGate& gate) {

@@ -30,7 +30,7 @@ private:
     void sample_hull(Simulation& simulation);
     void sample_surface(Simulation& simulation, std::size_t row);
     void sample_frame(Simulation& simulation, std::size_t row);
-    void begin_balance(const Simulation& simulation);
+    void begin_balance(Simulation& simulation);
     void record_levels(const Simulation& simulation);
     void record_bodies(const Simulation& simulation);
     void record_elastic(const Simulation& simulation, std::size_t body);
@@ -48,6 +48,7 @@ private:
     double height_step_ = 0;
     Vec3 momentum_ = Vec3::Zero();  ///< in the control volume at the last frame
     bool momentum_known_ = false;
+    bool volume_held_ = true;  ///< since then, by particles of its size
     double last_face_sample_ = 0;
     std::optional<TankBalance> tank_;  ///< of one that moves
 };

@@ -61,19 +61,30 @@ TEST(KillAndResume, HullInAStreamGoesOnToTheSameBits) {
     kill_and_resume("stream", scene, folder.path());
 }
 
-TEST(KillAndResume, AHullFreeInAStreamGoesOnToTheSameBits) {
+/// With particles of so many sizes, whose zones go with the hull.
+void kill_and_resume_free_hull(int levels) {
     const ScratchFolder folder("kill_free");
     const auto scene = folder.path() / "scene.toml";
     std::string text = read_text(std::filesystem::path(TWINWAKE_SOURCE) / "tests/robustness/runs/small_planing.toml");
     const std::string half = "half     = true\n";
     text.insert(text.find(half) + half.size(),
                 "free = [\"heave\", \"pitch\"]\nmass = 40\nlcg = 0.7\nvcg = 0.15\nrelease = 0.1\n");
+    if (levels > 1) {
+        const std::string ahead = "ahead  = \"0.4 m\"";
+        text.replace(text.find(ahead), ahead.size(), "ahead  = \"1.6 m\"");
+        text += "\n[sph]\nlevels = " + std::to_string(levels) + "\nzone = 8\n";
+    }
     write_text_atomically(scene, text);
     kill_and_resume("free", scene, folder.path());
     const RunRecord whole = read_record(folder.path() / "whole" / "sph" / "record.h5");
     const std::vector<double>& trim = whole.tables.at("hull_motion").find("trim")->values;
     EXPECT_GT(std::abs(trim.back() - trim.front()), 0.01) << "or it was held";
+    EXPECT_EQ(whole.tables.contains("level_1"), levels > 1);
 }
+
+TEST(KillAndResume, AHullFreeInAStreamGoesOnToTheSameBits) { kill_and_resume_free_hull(1); }
+
+TEST(KillAndResume, AHullFreeAmongTwoSizesGoesOnToTheSameBits) { kill_and_resume_free_hull(2); }
 
 // Three sizes, of which the finest stands round a part of the hull only: the hull's load is that of all of them.
 TEST(KillAndResume, AFinerSprayRootGoesOnToTheSameBits) {

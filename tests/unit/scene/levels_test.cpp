@@ -83,6 +83,43 @@ TEST(ParticleLevels, ABoxOfTheSceneIsAZoneOfItsOwnAndFinerCells) {
     EXPECT_EQ(with_box[2].all(), without[2].all());
 }
 
+// Where the hull has dipped and pitched to, a zone is again what is near to it.
+TEST(ParticleLevels, ZonesGoWithAHullThatIsFree) {
+    const std::string free = "half     = true\nfree = [\"heave\", \"pitch\"]\nmass = 300\nlcg = 1.6\nvcg = 0.3\n";
+    const Scene scene = scene_of(with(with_levels(3), "half     = true\n", free) +
+                                 "[domain]\nahead = \"4 m\"\nside = \"4 m\"\nbelow = \"4 m\"\n");
+    ASSERT_TRUE(zones_move(scene));
+    std::vector<MovedSolid> moving = moving_at_start(scene);
+    ASSERT_EQ(moving.size(), 1u);
+    const std::vector<Zone> start = particle_zones(scene);
+    Surface moved = scene.hull->surface;
+    const Vec3 about(2.4, 0, 0.1), dip(0, 0, -0.3);
+    moving[0].way =
+        Eigen::Translation3d(about + dip) * Eigen::AngleAxisd(0.07, Vec3::UnitY()) * Eigen::Translation3d(-about);
+    for (Vec3& x : moved.points) x = moving[0].way * x;
+    moving[0].bounds = moved.bounds();
+    const std::vector<Zone> zones = particle_zones(scene, moving, start);
+    ASSERT_EQ(zones.size(), 2u);
+    const SurfaceQuery hull(moved);
+    for (const Zone& zone : zones) {
+        ASSERT_TRUE(zone.follows_surface());
+        const double width = zone.width(), coarse = &zone == &zones[0] ? 0.2 : 0.1;
+        int near = 0, far = 0, elsewhere = 0;
+        for (double x = 0; x < 4.4; x += 0.13)
+            for (double y = 0; y < 2; y += 0.11)
+                for (double z = -2; z < -0.5; z += 0.11) {
+                    const double distance = hull.nearest({x, y, z}).distance;
+                    if (std::abs(distance - width) < coarse / 2) continue;
+                    distance < width ? ++near : ++far;
+                    EXPECT_EQ(zone.outside({x, y, z}) < 0, distance < width) << x << " " << y << " " << z;
+                    elsewhere += (start[coarse == 0.2 ? 0 : 1].outside({x, y, z}) < 0) != (distance < width);
+                }
+        EXPECT_GT(near, 50);
+        EXPECT_GT(far, 100);
+        EXPECT_GT(elsewhere, 50) << "or zones that stand would do";
+    }
+}
+
 TEST(ParticleLevels, BoxesWithoutRoomForCoarseParticlesBetweenBecomeOne) {
     const Scene scene =
         scene_of(with_levels(2) + wide_domain + "\n[[refine]]\nmin = [2.7, 0, -0.5]\nmax = [4.2, 0.5, 0.2]\n");
@@ -105,8 +142,9 @@ TEST(ParticleLevels, BoxesAreRefusedWhereTheyCanDoNothing) {
 
 // Wagner's root of the jet on a wedge that enters water: pi/2 as far out as where still water meets it.
 TEST(ParticleLevels, TheSprayRootIsFinerThanTheHull) {
-    const Scene scene = scene_of(planing + one_size + "\n[[refine]]\nname = \"root\"\naround = \"spray_root\"\nspacing = 0.025\n" +
-                                 "width = 0.15\n");
+    const Scene scene =
+        scene_of(planing + one_size + "\n[[refine]]\nname = \"root\"\naround = \"spray_root\"\nspacing = 0.025\n" +
+                 "width = 0.15\n");
     EXPECT_EQ(scene.sph.levels, 1);
     EXPECT_EQ(finest_spacing(scene), 0.025);
     const std::vector<Zone> zones = particle_zones(scene);
@@ -276,12 +314,14 @@ TEST(ParticleLevels, GoWithABodyThroughATank) {
     EXPECT_NEAR(start.max.x(), body.max.x() + 8 * 0.05, 1e-9);
     EXPECT_EQ(start.max.z(), INFINITY);
     const Vec3 way(0.3, 0, -1.1);
-    const Box later = particle_zones(scene, std::vector<Box>{{body.min + way, body.max + way}})[0].boxes()[0];
+    const auto with_it = [&](const Vec3& by) {
+        return particle_zones(scene, std::vector<MovedSolid>{{{body.min + by, body.max + by}}}, {})[0].boxes()[0];
+    };
+    const Box later = with_it(way);
     EXPECT_NEAR(later.min.x(), start.min.x() + 0.3, 1e-9);
     EXPECT_NEAR(later.min.z(), start.min.z() - 1.1, 1e-9);
     const Vec3 deep(0, 0, -2);
-    EXPECT_EQ(particle_zones(scene, std::vector<Box>{{body.min + deep, body.max + deep}})[0].boxes()[0].min.z(),
-              -INFINITY);
+    EXPECT_EQ(with_it(deep).min.z(), -INFINITY);
 }
 
 // To 2 % of its length, as particles of one size do without being asked.

@@ -39,7 +39,7 @@ Stirred still_water(double speed) {
     };
     s.zones = {zone(-way / 2)};
     double time = 0;
-    s.zones_round = [&](std::span<const Box>) {
+    s.zones_round = [&](std::span<const MovedSolid>) {
         return std::vector<Zone>{zone(-way / 2 + std::min(speed * time, way))};
     };
     Simulation simulation = filled(s);
@@ -83,16 +83,16 @@ SimulationSetup cylinder(bool levels, int threads = 1) {
     s.bodies[0].moving->velocity = Vec3(0, 0, -2.955);
     s.bodies[0].moving->free = {{false, false, true}, {false, false, false}};
     if (!levels) return s;
-    s.zones_round = [dp](std::span<const Box> moving) {
+    s.zones_round = [dp](std::span<const MovedSolid> moving) {
         std::vector<Zone> zones;
         for (const double width : {26 * dp, 12 * dp}) {
-            const Box& body = moving[0];
+            const Box& body = moving[0].bounds;
             zones.emplace_back(std::vector<Box>{{Vec3(body.min.x() - width, -infinite, body.min.z() - width),
                                                  Vec3(body.max.x() + width, infinite, infinite)}});
         }
         return zones;
     };
-    s.zones = s.zones_round(std::vector<Box>{Body(s.bodies[0]).bounds()});
+    s.zones = s.zones_round(std::vector<MovedSolid>{Body(s.bodies[0]).moved()});
     return s;
 }
 
