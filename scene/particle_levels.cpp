@@ -243,7 +243,7 @@ std::vector<Zone> particle_zones(const Scene& scene, std::span<const MovedSolid>
             zones.insert(zones.begin(), zone_near_hull(std::move(parts), width, coarse_dp, scene));
         else
             zones.insert(zones.begin(), Zone(std::move(parts), start[static_cast<std::size_t>(finer - k)],
-                                             moving.empty() ? Eigen::Isometry3d::Identity() : moving.front().way));
+                                             hull_is_free(scene) ? moving.front().way : Eigen::Isometry3d::Identity()));
         for (int size = 0; size < k && size < finer; ++size)
             reach[static_cast<std::size_t>(size)] += between * coarse_dp;
     }
