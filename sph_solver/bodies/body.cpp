@@ -52,9 +52,8 @@ Box Body::bounds() const {
 MovedSolid Body::moved() const {
     MovedSolid solid{bounds()};
     if (!rigid_) return solid;
-    const RigidBody::State& s = rigid_->state();
-    solid.way.linear() = s.attitude.toRotationMatrix();
-    solid.way.translation() = s.centre - s.attitude * rigid_->mass().centre;
+    solid.way.linear() = rigid_->state().attitude.toRotationMatrix();
+    solid.way.translation() = now(Vec3::Zero());
     return solid;
 }
 

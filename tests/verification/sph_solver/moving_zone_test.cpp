@@ -7,7 +7,9 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <string>
 
+#include "base/errors.h"
 #include "bodies.h"
 #include "sph_solver/state/checkpoint.h"
 
@@ -116,6 +118,20 @@ TEST(MovingZone, RoundACylinderLetsItEnterAsParticlesOfOneSizeDo) {
         EXPECT_NEAR(speed_up(three) / speed_up(one), 1, 0.04);
     }
     EXPECT_LT(most, 0.6 * double(one.particles().size()));
+}
+
+// Where its zone does not follow, a body ends the run before it meets coarse particles.
+TEST(MovingZone, ThatStaysBehindEndsTheRunAndSaysSo) {
+    SimulationSetup s = cylinder(true);
+    s.zones_round = [start = s.zones](std::span<const MovedSolid>) { return start; };
+    Simulation simulation = filled(s);
+    try {
+        run_to(simulation, 0.1);
+        FAIL() << "the run went on";
+    } catch (const RunError& e) {
+        EXPECT_NE(std::string(e.what()).find("edge of the finest particles ([sph] zone)"), std::string::npos)
+            << e.what();
+    }
 }
 
 TEST(MovingZone, GivesTheSameBitsWithAnyNumberOfThreadsAndAfterARestart) {
