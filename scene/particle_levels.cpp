@@ -236,14 +236,15 @@ std::vector<Zone> particle_zones(const Scene& scene, std::span<const MovedSolid>
         std::vector<Box> parts;
         for (const ZoneBox& b : boxes) parts.push_back(b.box);
         const bool alone = k > below && first.min == parts.front().min && first.max == parts.front().max;
-        const double width = scene.sph.zone * scene.resolution.near_hull + reach[static_cast<std::size_t>(below)];
-        if (!alone || !follows_its_hull(scene))
+        if (!alone || !follows_its_hull(scene)) {
             zones.insert(zones.begin(), Zone(std::move(parts)));
-        else if (start.empty())
+        } else if (start.empty()) {
+            const double width = scene.sph.zone * scene.resolution.near_hull + reach[static_cast<std::size_t>(below)];
             zones.insert(zones.begin(), zone_near_hull(std::move(parts), width, coarse_dp, scene));
-        else
+        } else {
             zones.insert(zones.begin(), Zone(std::move(parts), start[static_cast<std::size_t>(finer - k)],
                                              hull_is_free(scene) ? moving.front().way : Eigen::Isometry3d::Identity()));
+        }
         for (int size = 0; size < k && size < finer; ++size)
             reach[static_cast<std::size_t>(size)] += between * coarse_dp;
     }
