@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "base/vec3.h"
@@ -24,6 +25,22 @@ public:
     /// Distance from the edge [m], positive outside, negative inside; by the edges where two faces meet up to a half
     /// too near.
     double outside(const Vec3& x) const;
+    /// `outside` changes by no more than this times the way between two places: it is linear between the nodes of a grid
+    /// along each axis.
+    static constexpr double steepest = 1.75;
+
+    /// What bounds a change of `outside` while the edge moves on: it is at most by + turn |x - pivot()| at a place x.
+    struct Shift {
+        double by = 0;    ///< [m]
+        double turn = 0;  ///< [m per m from the pivot]
+    };
+    /// The change from `before`'s; none: the two have not the same parts, so it has no bound.
+    std::optional<Shift> shift_since(const Zone& before) const;
+    /// The middle of the surface that it follows, where that is now.
+    Vec3 pivot() const;
+    /// How far from the pivot the edge reaches round that surface, at most [m].
+    double pivot_radius() const;
+
     const std::vector<Box>& boxes() const { return boxes_; }
     bool follows_surface() const { return surface_ != nullptr; }
     double width() const { return width_; }  ///< round the surface that it follows [m]

@@ -49,9 +49,10 @@ ControlVolume control_volume(const Scene& scene, const SimulationSetup& s) {
     if (hull.half) box.min.y() = s.domain.min.y();
     if (hull.section) box.min.y() = -0.5, box.max.y() = 0.5;
     box.max.z() = s.domain.max.z();
-    if (!zone || !zone->follows_surface()) return ControlVolume(box, dp, s.dimensions);
-    const double inside = 1.5 * dp + way;  // of the zone's edge, so that no particle changes its kind within
-    return ControlVolume(box, dp, s.dimensions, [&](const Vec3& x) { return zone->outside(x) < -inside; });
+    ControlVolume::Shape shape{s.dimensions, hull.half};
+    const double inside = 2 * dp + way;  // of the zone's edge, so that no particle changes its kind within
+    if (zone && zone->follows_surface()) shape.takes = [&](const Vec3& x) { return zone->outside(x) < -inside; };
+    return ControlVolume(box, dp, shape);
 }
 
 /// Along every outer face but inlet, symmetry, floor and top, an eighth of the domain wide; strong enough to leave e^-5

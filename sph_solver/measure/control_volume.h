@@ -12,11 +12,13 @@ namespace tw {
 /// Force on what stands in a fixed box, or in some of its cells, from the momentum of the water that
 /// crosses the faces:
 ///
-///   F = -d/dt (sum_inside m u) + sum_crossing m u / dt - sum_faces p n A + sum_inside m g
+///   F = -d/dt (sum_i phi m u) + sum_i m u dphi/dt - sum_faces p n A + sum_i phi m g
 ///
-/// Momentum inside and across is counted particle by particle (exact); the pressure on the faces is sampled as
-/// the pair forces carry it, p m_nn (see CarriedShare): among disordered particles that is about 1 % less than p.
-/// Means over a time much longer than a particle's passage dp/U are meaningful, single values are not.
+/// with phi the share of a particle, a cube of a cell's size, that is inside. Whole particles will not do: water by the
+/// floor keeps its layers, and one layer more or less weighs rho g dp, while the pressure on the floor is continuous
+/// (docs/decisions/058). Momentum inside and across is exact; the pressure on the faces is sampled as the pair forces
+/// carry it, p m_nn (see CarriedShare): among disordered particles that is about 1 % less than p. Means over a time much
+/// longer than a particle's passage dp/U are meaningful, single values are not.
 class ControlVolume {
 public:
     /// The running sums, part of a restart.
@@ -27,16 +29,25 @@ public:
     };
 
     ControlVolume() = default;
-    /// The box is cut into cells of about `size`, whose outer faces are the patches; faces that are symmetry planes
-    /// count like the others. In two dimensions cells reach over the whole span of the box, and their faces lie at its
-    /// middle. `takes`: which cells belong to it, by their middle; all where it is not given.
-    ControlVolume(const Box& box, double size, int dimensions, const std::function<bool(const Vec3&)>& takes = {});
+    /// The box is cut into cells of about `size`, whose outer faces are the patches. In two dimensions cells reach over
+    /// the whole span of the box, and their faces lie at its middle.
+    struct Shape {
+        int dimensions = 3;
+        bool mirrored = false;  ///< the face at low y is a symmetry plane; it counts like the others
+        std::function<bool(const Vec3&)> takes{};  ///< which cells belong to it, by their middle; empty: all
+    };
+    ControlVolume(const Box& box, double size, const Shape& shape);
     const Box& box() const { return box_; }
     PointSamples& faces() { return faces_; }
-    bool inside(double x, double y, double z) const {
-        const Vec3 at = (Vec3(x, y, z) - box_.min).cwiseQuotient(cell_);
-        if (!(at.x() >= 0 && at.y() >= 0 && at.z() >= 0)) return false;
-        return inside(static_cast<int>(at.x()), static_cast<int>(at.y()), static_cast<int>(at.z()));
+    /// Which share of a particle at a place is inside [0, 1].
+    double share(double x, double y, double z) const {
+        Vec3 at = (Vec3(x, y, z) - box_.min).cwiseQuotient(cell_).array() + 0.5;  // from the middles of cells -1
+        if (flat_) at.y() = 1;
+        if (!(at.array() >= 0).all() || (at.array() >= count_.cast<double>() + 1).any()) return 0;
+        const Eigen::Array3i first = at.array().cast<int>();
+        const std::uint8_t corners = corners_[corner(first)];
+        if (corners == 0) return 0;
+        return corners == 255 ? 1 : between(corners, at - first.cast<double>().matrix());
     }
     void add_crossed(const Vec3& momentum) { state_.crossed += momentum; }
     /// Adds the face pressure (after `faces()` were sampled) and gravity over the time `dt`.
@@ -48,15 +59,17 @@ public:
     static Vec3 momentum_inside(const ControlVolume& cv, const Particles& p, double particle_mass, double& mass_inside);
 
 private:
-    bool inside(int i, int j, int k) const {
-        if (i < 0 || j < 0 || k < 0 || i >= count_.x() || j >= count_.y() || k >= count_.z()) return false;
-        return taken_.empty() || taken_[static_cast<std::size_t>((std::int64_t{k} * count_.y() + j) * count_.x() + i)];
+    /// Index of the corner where the cells c - 1 and c meet.
+    std::size_t corner(const Eigen::Array3i& c) const {
+        return static_cast<std::size_t>((std::int64_t{c.z()} * (count_.y() + 1) + c.y()) * (count_.x() + 1) + c.x());
     }
+    static double between(std::uint8_t corners, const Vec3& part);
 
     Box box_;
     Vec3 cell_ = Vec3::Ones();
     Eigen::Array3i count_ = Eigen::Array3i::Zero();
-    std::vector<char> taken_;  ///< of the cells; empty: all
+    bool flat_ = false;
+    std::vector<std::uint8_t> corners_;  ///< of each corner which of the eight cells that meet there belong: bit x + 2 y + 4 z
     PointSamples faces_;
     std::vector<Vec3> area_;
     State state_;

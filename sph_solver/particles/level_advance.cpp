@@ -80,8 +80,8 @@ void Level::advance(const Schedule::Move& move, const Vec3& moment_reference) {
     const auto move_range = [&](Part& part, std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             const double u0 = p.u[i], v0 = p.v[i], w0 = p.w[i];
-            const bool was_inside =
-                control_ && control_->inside(p.x[i] - drifted * u0, p.y[i] - drifted * v0, p.z[i] - drifted * w0);
+            const double was_inside =
+                control_ ? control_->share(p.x[i] - drifted * u0, p.y[i] - drifted * v0, p.z[i] - drifted * w0) : 0;
             if (drifted > 0)
                 part.relative2_before =
                     std::max(part.relative2_before, (u0 - stream_before) * (u0 - stream_before) + v0 * v0 + w0 * w0);
@@ -151,8 +151,8 @@ void Level::advance(const Schedule::Move& move, const Vec3& moment_reference) {
             if (!std::isfinite(speed2 + p.drho[i] + p.x[i] + p.y[i] + p.z[i])) part.broken = true, part.fastest = i;
             if (control_) {
                 // momentum of what crosses a face, with the velocity in the middle of the step
-                const int crossing = int(control_->inside(p.x[i], p.y[i], p.z[i])) - int(was_inside);
-                if (crossing) part.crossed += crossing * mass_ * Vec3((u0 + u) / 2, (v0 + v) / 2, (w0 + w) / 2);
+                const double crossing = control_->share(p.x[i], p.y[i], p.z[i]) - was_inside;
+                if (crossing != 0) part.crossed += crossing * mass_ * Vec3((u0 + u) / 2, (v0 + v) / 2, (w0 + w) / 2);
             }
             if (part.broken) break;
         }

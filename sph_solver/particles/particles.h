@@ -22,10 +22,11 @@ struct Trend {
     float support = 1;          ///< kernel support of the coarser particles near [-]: whether it is at a free surface
 };
 
-/// Where a particle stood when its distance from the edge of a zone was last worked out.
+/// Where a particle stood when its distance from the edge of a zone was last worked out, and how far that edge had come.
 struct EdgeDistance {
     float x = std::numeric_limits<float>::quiet_NaN(), y = 0, z = 0;  ///< [m]; not a number: it never was
     float outside = 0;                                                ///< Zone::outside there [m]
+    float by = 0, turn = 0;                                           ///< sums of Zone::Shift since the start
 };
 
 /// The state of all particles, structure of arrays, kept sorted in space. Positions in double precision; density as

@@ -39,19 +39,33 @@ void set_fields(Particles& p, std::size_t i, const VelocityDensityRecord& r) {
     p.u[i] = r.u, p.v[i] = r.v, p.w[i] = r.w, p.drho[i] = r.drho;
 }
 
-/// A particle's distance from the zone's edge, worked out again only where the particle may have passed a `limit` since:
-/// it compares with every limit as the true distance does. The distance changes by no more than sqrt(3) of the way (it is
-/// linear between the nodes of a grid along each axis), and places are kept to 2^-24 of them.
-double ask_edge(const Zone& zone, const Vec3& x, EdgeDistance& known, std::span<const double> limits) {
-    constexpr double steepest = 1.75, rounding = 2e-7;
+/// A zone whose edge has moved on by the sums `shifted` since the start.
+struct MovingEdge {
+    const Zone& zone;
+    const Zone::Shift& shifted;
+    Vec3 pivot = zone.pivot();
+};
+
+/// A particle's distance from the zone's edge, worked out again only where one of the two may have come past a `limit`
+/// since: it compares with every limit as the true distance does. What is known is kept to 2^-24 of itself.
+double ask_edge(const MovingEdge& edge, const Vec3& x, EdgeDistance& known, std::span<const double> limits) {
+    constexpr double rounding = 2e-7;
     double gap = std::numeric_limits<double>::infinity();
     for (const double limit : limits) gap = std::min(gap, std::abs(double(known.outside) - limit));
     const Vec3 from(known.x, known.y, known.z);
-    if (steepest * ((x - from).norm() + rounding * x.lpNorm<1>()) + rounding * std::abs(double(known.outside)) < gap)
-        return double(known.outside);
-    const double outside = zone.outside(x);
-    known = {static_cast<float>(x.x()), static_cast<float>(x.y()), static_cast<float>(x.z()),
-             static_cast<float>(outside)};
+    double change = Zone::steepest * ((x - from).norm() + rounding * x.lpNorm<1>()) +
+                    rounding * std::abs(double(known.outside));
+    const double by = edge.shifted.by, turn = edge.shifted.turn;
+    if (by > 0 || turn > 0) {
+        const double turned = turn - double(known.turn) + rounding * turn;
+        // The place came by the shift as well while its distance from the pivot was another.
+        change += (by - double(known.by) + rounding * by + turned * (x - edge.pivot).norm()) / (1 - turned);
+        if (turned >= 1) change = std::numeric_limits<double>::infinity();
+    }
+    if (change < gap) return double(known.outside);
+    const double outside = edge.zone.outside(x);
+    known = {static_cast<float>(x.x()),     static_cast<float>(x.y()), static_cast<float>(x.z()),
+             static_cast<float>(outside), static_cast<float>(by),    static_cast<float>(turn)};
     return outside;
 }
 
@@ -131,7 +145,14 @@ Refinement::Refinement(Level& coarse, Level& fine, Zone zone, const Refinement* 
 }
 
 void Refinement::set_zone(Zone zone) {
+    const std::optional<Zone::Shift> shift = zone.shift_since(zone_);
     zone_ = std::move(zone);
+    if (shift) {
+        shifted_.by += shift->by;
+        shifted_.turn += shift->turn;
+        gone_since_ += shift->by + shift->turn * zone_.pivot_radius();
+        return;
+    }
     gone_since_ = std::numeric_limits<double>::infinity();
     std::ranges::fill(fine_.particles().from_edge, EdgeDistance{});
     std::ranges::fill(coarse_.particles().from_finer_edge, EdgeDistance{});
@@ -147,8 +168,9 @@ void Refinement::label_coarse() {
     Particles& c = coarse_.particles();
     const std::array limits{-band_over_dp * dp_, 0.0, guard_over_dp * dp_, again_over_dp * dp_, barren_over_dp * dp_};
     outside_coarse_.resize(c.size());
+    const MovingEdge edge{zone_, shifted_};
     for_particles(c.size(), [&](std::size_t i) {
-        const double s = outside_coarse_[i] = ask_edge(zone_, place(c, i), c.from_finer_edge[i], limits);
+        const double s = outside_coarse_[i] = ask_edge(edge, place(c, i), c.from_finer_edge[i], limits);
         Kind& kind = c.kind[i];
         const bool under = stands_for_finer(kind);
         if (s < 0 && (under || kind == Kind::fluid))
@@ -169,8 +191,9 @@ void Refinement::relabel() {
     gone_since_ = 0;
     Particles& f = fine_.particles();
     const std::array limits{0.0, gone_over_dp * dp_};
+    const MovingEdge own{zone_, shifted_};
     std::vector<double> outside(f.size());
-    for_particles(f.size(), [&](std::size_t i) { outside[i] = ask_edge(zone_, place(f, i), f.from_edge[i], limits); });
+    for_particles(f.size(), [&](std::size_t i) { outside[i] = ask_edge(own, place(f, i), f.from_edge[i], limits); });
     std::vector<char> gone(f.size(), 0);
     FieldsAt leaving;
     leaving.of = FieldsAt::Of::all;

@@ -101,10 +101,12 @@ private:
     Level& fine_;
     const Refinement* outer_;
     Zone zone_;
+    Zone::Shift shifted_;                 ///< of its edge, sums since the start
     std::vector<double> outside_coarse_;  ///< of each coarse particle since the last relabelling [m]
     double dp_;                           ///< of the fine level
     double in_a_step_ = 0;  ///< how far guards and coarse particles go in a step of the coarse level, at most [m]
-    double gone_since_ = std::numeric_limits<double>::infinity();  ///< and since fine particles were labelled
+    /// And since fine particles were labelled, with what the edge has come towards them.
+    double gone_since_ = std::numeric_limits<double>::infinity();
     SurfaceExcess excess_;                                         ///< in weights of a row the same for both
     Ledger ledger_;
     double surplus_at_start_ = 0;  ///< [kg]

@@ -51,5 +51,40 @@ TEST(Zone, RoundASurfaceIsAShellOfItsWidthWithinItsBox) {
     EXPECT_GT(slices[slices.size() - 2].min.z(), -0.9);  // where the ball ends the zone is less deep
 }
 
+// What is kept of distances from an edge that moves may be trusted as long as this bound allows.
+TEST(Zone, DistancesChangeByNoMoreThanTheShiftOfTheirZone) {
+    const auto distance = std::make_shared<const DistanceGrid>(ball(), around, 0.1, 1);
+    const Zone start({{Vec3(-1.5, -2, -2), Vec3(1.5, 2, infinite)}, {Vec3(3, 0, 0), Vec3(4, 1, 1)}}, distance, 0.3);
+    Zone before = start;
+    Zone::Shift all;
+    double closest = 0;
+    for (int step = 1; step <= 6; ++step) {
+        Eigen::Isometry3d way = Eigen::Isometry3d::Identity();
+        way.translation() = Vec3(0.01, 0, -0.02) * step;
+        way.rotate(Eigen::AngleAxisd(0.03 * step, Vec3::UnitY()));
+        const Vec3 box_moved = Vec3(0.02, 0, 0.01) * step;
+        const Zone now({{Vec3(-1.5, -2, -2) + box_moved, Vec3(1.5, 2, infinite) + box_moved}, start.boxes()[1]}, start, way);
+        const std::optional<Zone::Shift> shift = now.shift_since(before);
+        ASSERT_TRUE(shift);
+        all.by += shift->by;
+        all.turn += shift->turn;
+        for (double x = -2.5; x < 5; x += 0.21)
+            for (double z = -2.5; z < 8; z += 0.23) {
+                const Vec3 place(x, 0.3, z);
+                const double r = (place - now.pivot()).norm();
+                EXPECT_LE(std::abs(now.outside(place) - before.outside(place)), shift->by + shift->turn * r + 1e-12);
+                const double change = std::abs(now.outside(place) - start.outside(place)),
+                             bound = (all.by + all.turn * r) / (1 - all.turn);
+                EXPECT_LE(change, bound + 1e-12);
+                closest = std::max(closest, change / bound);
+            }
+        before = now;
+    }
+    EXPECT_GT(closest, 0.25);  // a bound without limit would never let a distance be kept
+    EXPECT_FALSE(Zone(start.boxes()).shift_since(start));
+    EXPECT_FALSE(Zone({start.boxes()[0]}, start, Eigen::Isometry3d::Identity()).shift_since(start));
+    EXPECT_EQ(start.shift_since(start)->by, 0);
+}
+
 }  // namespace
 }  // namespace tw::test

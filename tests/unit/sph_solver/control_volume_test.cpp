@@ -11,8 +11,9 @@ TEST(ControlVolume, OfStillWaterHasNoForce) {
     constexpr double rho = 1000, g = 9.81, size = 0.1;
     const Box box{Vec3(-1, -1, -1.5), Vec3(1, 1, 0.5)};
     for (const bool shaped : {false, true}) {
-        ControlVolume cv(box, size, 3,
-                         shaped ? [](const Vec3& x) { return x.norm() < 0.83; } : std::function<bool(const Vec3&)>());
+        ControlVolume::Shape shape;
+        if (shaped) shape.takes = [](const Vec3& x) { return x.norm() < 0.83; };
+        ControlVolume cv(box, size, shape);
         PointSamples& faces = cv.faces();
         const std::size_t n = faces.places.size();
         faces.support.assign(n, 1);
@@ -21,12 +22,29 @@ TEST(ControlVolume, OfStillWaterHasNoForce) {
             for (std::size_t a = 0; a < 3; ++a)
                 faces.flux[3 * k + a] = static_cast<float>(rho * g * (0.5 - faces.places[k].z()));
         double volume = 0;
-        for (double x = -1.025; x < 1.1; x += size / 2)
-            for (double y = -1.025; y < 1.1; y += size / 2)
-                for (double z = -1.525; z < 0.6; z += size / 2) volume += cv.inside(x, y, z) * size * size * size / 8;
+        for (double x = -1.075; x < 1.1; x += size / 2)
+            for (double y = -1.075; y < 1.1; y += size / 2)
+                for (double z = -1.575; z < 0.6; z += size / 2) volume += cv.share(x, y, z) * size * size * size / 8;
         EXPECT_NEAR(volume, shaped ? 4 * M_PI / 3 * 0.83 * 0.83 * 0.83 - 0.246 : 8, shaped ? 0.05 : 1e-9);
         cv.add_impulse(rho * volume, Vec3(0, 0, -g), 1);
         EXPECT_LT(cv.state().impulse.norm(), 1e-5 * rho * g * volume) << shaped;
+    }
+}
+
+// Layers of particles that have sunk or risen by part of a spacing weigh what the pressure on the floor carries: counted
+// whole, they would be up to half a layer too heavy or too light, rho g dp / 2 on the floor's area.
+TEST(ControlVolume, WeighsLayersOfWaterAsTheFloorsPressureCarriesThem) {
+    constexpr double dp = 0.1, floor = -1, edge = 0.8;
+    ControlVolume::Shape half;
+    half.mirrored = true;
+    const ControlVolume cv({Vec3(-edge, 0, floor), Vec3(edge, edge, 1)}, dp, half);
+    for (double risen = -0.45; risen < 0.5; risen += 0.1) {
+        const double surface = risen * dp;
+        double volume = 0;
+        for (double x = -2; x < 2; x += dp)
+            for (double y = dp / 2; y < 2; y += dp)
+                for (double z = surface - dp / 2; z > -2; z -= dp) volume += dp * dp * dp * cv.share(x, y, z);
+        EXPECT_NEAR(volume, 2 * edge * edge * (surface - floor), 1e-9) << risen;
     }
 }
 
