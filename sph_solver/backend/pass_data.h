@@ -119,10 +119,10 @@ struct alignas(16) LeavingRecord {
     float x, y, z, speed2;
 };
 
-/// How much of the pressure the pair forces carry along each axis: m_aa of m = sum_j r_ji (x) grad_i W_ij V_j. In the
-/// continuum it is 1; among particles the momentum flux is p m_aa, not p.
+/// How much of the pressure the pair forces carry from a particle: m = sum_j r_ji (x) grad_i W_ij V_j. In the continuum it
+/// is the unit tensor; among particles the momentum flux is the sum of V p m over those in a volume, not p of it.
 struct CarriedShare {
-    float x, y, z;
+    float xx, xy, xz, yy, yz, zz;
 };
 
 struct PassData {
@@ -178,7 +178,7 @@ struct ExtrapolateData {
     float* p = nullptr;                              ///< [Pa]
     float* support = nullptr;                        ///< sum_j V_j W_ij; may be null
     const CarriedShare* carried = nullptr;           ///< of the particles; may be null
-    float* flux = nullptr;  ///< 3 per point: carried pressure along x, y, z [Pa]; needs `carried`
+    float* flux = nullptr;  ///< 6 per point, as those of CarriedShare: sum_j p_j m V_j W [Pa]; needs `carried`
     Kernel kernel;
     float quantum = 1, rho0 = 1000;
     float gx = 0, gy = 0, gz = 0;

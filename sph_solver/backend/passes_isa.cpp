@@ -78,8 +78,8 @@ void sweep_continuity_and_gradient(const PassData& d, const Group* groups, int c
         moment.scale(d.kernel.support_length);
         if (d.carried)
             for (int l = 0; l < g.size; ++l)
-                d.carried[g.first + l] = {moment.xx[l] * support[l], moment.yy[l] * support[l],
-                                          moment.zz[l] * support[l]};
+                d.carried[g.first + l] = {moment.xx[l], moment.xy[l], moment.xz[l],
+                                          moment.yy[l], moment.yz[l], moment.zz[l]};
         if (d.two_dimensional) moment.fill_second_axis();
         const V3<Real> grad = moment.solve(grad_rho.sum);
         Real shift_speed = simd::min(Shifting::b * simd::root(difference2), Real{} + d.fastest_shift);
@@ -195,7 +195,7 @@ void extrapolate_to(const ExtrapolateData& d, const Group* groups, int count) {
             g_minus_a_2h.z[l] = to_m * (d.gz - a.z);
         }
         Real support{}, p{};
-        V3<Real> flux{};
+        FirstMoment<Real> flux;
         for_each_neighbour(d.place, d.list, g.list, g, frame, x_d, [&](std::int32_t f, const Met& ij) {
             const Real V_W = ij.V_W();
             support += V_W;
@@ -205,9 +205,13 @@ void extrapolate_to(const ExtrapolateData& d, const Group* groups, int count) {
                 carried = WallPressure::carried(ij, p_f, rho_f, g_minus_a_2h);
             else
                 carried = WallPressure::carried(ij, p_f, rho_f, g_2h);
-            const Real share = V_W * carried;
-            p += share;
-            if (d.flux) flux += share * V3<float>{d.carried[f].x, d.carried[f].y, d.carried[f].z};
+            p += V_W * carried;
+            if (d.flux) {
+                const CarriedShare& m = d.carried[f];
+                const Real V_W_p = V_W * p_f;
+                flux.xx += V_W_p * m.xx, flux.xy += V_W_p * m.xy, flux.xz += V_W_p * m.xz;
+                flux.yy += V_W_p * m.yy, flux.yz += V_W_p * m.yz, flux.zz += V_W_p * m.zz;
+            }
         });
         support *= d.kernel.W_over_G;
         p *= d.kernel.W_over_G;
@@ -216,11 +220,9 @@ void extrapolate_to(const ExtrapolateData& d, const Group* groups, int count) {
             const int i = g.first + l;
             d.p[i] = p[l] * inv[l];
             if (d.support) d.support[i] = support[l];
-            if (d.flux) {
-                d.flux[3 * i] = flux.x[l] * d.kernel.W_over_G * inv[l];
-                d.flux[3 * i + 1] = flux.y[l] * d.kernel.W_over_G * inv[l];
-                d.flux[3 * i + 2] = flux.z[l] * d.kernel.W_over_G * inv[l];
-            }
+            if (!d.flux) continue;
+            const float of_point[6] = {flux.xx[l], flux.xy[l], flux.xz[l], flux.yy[l], flux.yz[l], flux.zz[l]};
+            for (int k = 0; k < 6; ++k) d.flux[6 * i + k] = d.kernel.W_over_G * of_point[k];
         }
     }
 }

@@ -14,7 +14,8 @@ struct PointSamples {
     bool want_flux = false;
     std::vector<float> p;        ///< [Pa], hydrostatically corrected Shepard mean of the water near
     std::vector<float> support;  ///< sum_j V_j W_j: 1 inside water, 1/2 on a flat wetted wall
-    std::vector<float> flux;     ///< 3 per point: the pressure that the pair forces carry along x, y, z [Pa]
+    /// Momentum flux that the pair forces carry [Pa], xx, xy, xz, yy, yz and zz of each point; nothing out of water.
+    std::vector<float> flux;
 };
 
 /// A surface cut into patches no larger than `size`, each with a centre and an area vector, for integrals over it.

@@ -46,7 +46,7 @@ void Ghosts::refresh(Records& r, const Particles& p, double t, const Quanta& qua
             s.gx += force.gradient.x(), s.gy += force.gradient.y(), s.gz += force.gradient.z();
             s.p += static_cast<float>(still_.pressure(force.g, step));
             r.gradient_pressure[n + k] = s;
-            if (!r.carried.empty()) r.carried[n + k] = r.carried[i];
+            if (!r.carried.empty()) r.carried[n + k] = mirrored(r.carried[i], image);
         });
     };
     if (!around_.frame) {

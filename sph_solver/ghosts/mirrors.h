@@ -77,6 +77,10 @@ inline VelocityDensityRecord mirrored_by_holding(const VelocityDensityRecord& m,
 inline GradientPressureRecord mirrored(const GradientPressureRecord& s, const MirrorImage& image) {
     return {image.sign(0) * s.gx, image.sign(1) * s.gy, image.sign(2) * s.gz, s.p};
 }
+inline CarriedShare mirrored(const CarriedShare& m, const MirrorImage& image) {
+    const float x = image.sign(0), y = image.sign(1), z = image.sign(2);
+    return {m.xx, x * y * m.xy, x * z * m.xz, m.yy, y * z * m.yz, m.zz};
+}
 
 /// Water presses on a wall with dp/dn = rho g . n, not with dp/dn = 0: the mirrored field is the pressure less the
 /// hydrostatic one. So an image carries on the source's hydrostatic line over `step` = image - source; without it the

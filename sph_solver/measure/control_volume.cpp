@@ -65,10 +65,10 @@ double ControlVolume::between(std::uint8_t corners, const Vec3& part) {
 void ControlVolume::add_impulse(double mass_inside, const Vec3& body_force, double dt) {
     Vec3 force = mass_inside * body_force;
     for (std::size_t k = 0; k < area_.size(); ++k) {
-        // the share of the patch that is water: full support 1 in the interior
-        const double share = std::clamp(2.0 * faces_.support[k] - 0.5, 0.0, 1.0);
-        for (int axis = 0; axis < 3; ++axis)
-            force[axis] -= share * double(faces_.flux[3 * k + static_cast<std::size_t>(axis)]) * area_[k][axis];
+        const float* m = &faces_.flux[6 * k];
+        Eigen::Matrix3f flux;
+        flux << m[0], m[1], m[2], m[1], m[3], m[4], m[2], m[4], m[5];
+        force -= flux.cast<double>() * area_[k];
     }
     state_.impulse += force * dt;
     state_.since += dt;

@@ -99,11 +99,11 @@ void Level::sample(PointSamples& points) const {
     const std::size_t n = points.places.size();
     points.p.assign(n, 0);
     points.support.assign(n, 0);
-    if (points.want_flux) points.flux.assign(3 * n, 0);
+    if (points.want_flux) points.flux.assign(6 * n, 0);
     if (n == 0) return;
     SortedPlaces sorted(points.places, 1, *this);
     sorted.find_neighbours(kernel_, *this, sources(), life_.travel);
-    std::vector<float> p(n), support(n), flux(points.want_flux ? 3 * n : 0);
+    std::vector<float> p(n), support(n), flux(points.want_flux ? 6 * n : 0);
     ExtrapolateData e = extrapolation();
     e.list = sorted.lists.view();
     e.at = sorted.places.data();
@@ -118,7 +118,7 @@ void Level::sample(PointSamples& points) const {
         const auto i = static_cast<std::size_t>(sorted.order[k]);
         points.p[i] = p[k];
         points.support[i] = support[k];
-        for (std::size_t a = 0; a < 3 && points.want_flux; ++a) points.flux[3 * i + a] = flux[3 * k + a];
+        for (std::size_t a = 0; a < 6 && points.want_flux; ++a) points.flux[6 * i + a] = flux[6 * k + a];
     }
 }
 

@@ -16,11 +16,10 @@ TEST(ControlVolume, OfStillWaterHasNoForce) {
         ControlVolume cv(box, size, shape);
         PointSamples& faces = cv.faces();
         const std::size_t n = faces.places.size();
-        faces.support.assign(n, 1);
-        faces.flux.assign(3 * n, 0);
+        faces.flux.assign(6 * n, 0);
         for (std::size_t k = 0; k < n; ++k)
-            for (std::size_t a = 0; a < 3; ++a)
-                faces.flux[3 * k + a] = static_cast<float>(rho * g * (0.5 - faces.places[k].z()));
+            for (const std::size_t a : {0, 3, 5})
+                faces.flux[6 * k + a] = static_cast<float>(rho * g * (0.5 - faces.places[k].z()));
         double volume = 0;
         for (double x = -1.075; x < 1.1; x += size / 2)
             for (double y = -1.075; y < 1.1; y += size / 2)
@@ -29,6 +28,18 @@ TEST(ControlVolume, OfStillWaterHasNoForce) {
         cv.add_impulse(rho * volume, Vec3(0, 0, -g), 1);
         EXPECT_LT(cv.state().impulse.norm(), 1e-5 * rho * g * volume) << shaped;
     }
+}
+
+// What pulls along the faces counts: a flux P_xz that grows with z takes its slope times the volume of momentum along x.
+TEST(ControlVolume, HasTheMomentumThatPullsAlongItsFaces) {
+    constexpr double slope = 3;
+    ControlVolume cv({Vec3(-1, -1, -1), Vec3(1, 1, 1)}, 0.25, {});
+    PointSamples& faces = cv.faces();
+    faces.flux.assign(6 * faces.places.size(), 0);
+    for (std::size_t k = 0; k < faces.places.size(); ++k)
+        faces.flux[6 * k + 2] = static_cast<float>(slope * faces.places[k].z());
+    cv.add_impulse(0, Vec3::Zero(), 1);
+    EXPECT_NEAR((cv.state().impulse - Vec3(-8 * slope, 0, 0)).norm(), 0, 1e-5);
 }
 
 // Layers of particles that have sunk or risen by part of a spacing weigh what the pressure on the floor carries: counted
