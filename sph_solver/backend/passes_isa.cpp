@@ -205,12 +205,12 @@ void extrapolate_to(const ExtrapolateData& d, const Group* groups, int count) {
                 carried = WallPressure::carried(ij, p_f, rho_f, g_minus_a_2h);
             else
                 carried = WallPressure::carried(ij, p_f, rho_f, g_2h);
-            p += V_W * carried;
+            const Real share = V_W * carried;
+            p += share;
             if (d.flux) {
                 const CarriedShare& m = d.carried[f];
-                const Real V_W_p = V_W * p_f;
-                flux.xx += V_W_p * m.xx, flux.xy += V_W_p * m.xy, flux.xz += V_W_p * m.xz;
-                flux.yy += V_W_p * m.yy, flux.yz += V_W_p * m.yz, flux.zz += V_W_p * m.zz;
+                flux.xx += share * m.xx, flux.xy += share * m.xy, flux.xz += share * m.xz;
+                flux.yy += share * m.yy, flux.yz += share * m.yz, flux.zz += share * m.zz;
             }
         });
         support *= d.kernel.W_over_G;

@@ -12,7 +12,7 @@ class Body;
 struct PointSamples {
     std::vector<Vec3> places;
     bool want_flux = false;
-    std::vector<float> p;        ///< [Pa], hydrostatically corrected Shepard mean of the water near
+    std::vector<float> p;        ///< [Pa], Shepard mean of the water near, hydrostatically corrected without `want_flux`
     std::vector<float> support;  ///< sum_j V_j W_j: 1 inside water, 1/2 on a flat wetted wall
     /// Momentum flux that the pair forces carry [Pa], xx, xy, xz, yy, yz and zz of each point; nothing out of water.
     std::vector<float> flux;

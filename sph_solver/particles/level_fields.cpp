@@ -112,6 +112,7 @@ void Level::sample(PointSamples& points) const {
     if (points.want_flux) {
         e.carried = records_.carried.data();
         e.flux = flux.data();
+        e.gx = e.gy = e.gz = 0;  // pairs carry the particles' own pressure
     }
     for_pairs(passes_.extrapolate, e, sorted.groups);
     for (std::size_t k = 0; k < n; ++k) {
