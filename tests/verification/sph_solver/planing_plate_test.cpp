@@ -106,7 +106,7 @@ TEST(PlaningPlate, ASceneGivesTheEnginesForcePerMetreOfSpanByThreeMeasures) {
     EXPECT_NEAR(early / hand, 1, 0.05);  // found 0.97: the spray of the start is not the same in both
     EXPECT_NEAR(N / exact, 1, 0.1) << "12 spacings in the depth";
     EXPECT_NEAR(surface / N, 1, 0.05);
-    EXPECT_NEAR(volume / N, 1, 0.1);
+    EXPECT_NEAR(volume / N, 1, 0.03);  // found 0.998
     EXPECT_NEAR(record.hull.bounds().size().y(), 1, 1e-12);
     const Column& wet = *record.tables.at("samples").find("wetted_length");
     EXPECT_NEAR(wet.values.back(), 4 * std::cos(alpha), 1.2) << "jet and root, along the plate";
