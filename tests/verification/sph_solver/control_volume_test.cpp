@@ -3,10 +3,8 @@
 
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 
-#include "sph_solver/run_sph.h"
+#include "run_of.h"
 
 namespace tw {
 namespace {
@@ -35,14 +33,7 @@ mean_from = "0.4 s"
 // 0.64 m3 of water stand in the volume round a box of 0.064 m3. With whole layers of particles counted on its floor the
 // buoyancy came out 4.4 % too large (docs/decisions/058).
 TEST(ControlVolumeOfABox, InStillWaterHasTheBuoyancyOfArchimedes) {
-    const auto folder = std::filesystem::path(testing::TempDir()) / "control_volume_of_a_box";
-    std::filesystem::remove_all(folder);
-    std::filesystem::create_directories(folder);
-    std::ofstream(folder / "scene.toml") << still_tank;
-    RunOptions options;
-    options.folder = folder / "sph";
-    options.threads = 1;
-    const RunRecord record = run_sph(read_scene(folder / "scene.toml"), options);
+    const RunRecord record = run_of(still_tank, "control_volume_of_a_box");
     ASSERT_EQ(record.state, "finished") << record.reason;
     const Table& forces = record.tables.at("forces");
     double sum = 0;
@@ -55,7 +46,6 @@ TEST(ControlVolumeOfABox, InStillWaterHasTheBuoyancyOfArchimedes) {
     const double buoyancy = 1000 * 9.81 * 0.4 * 0.4 * 0.4;
     std::printf("by control volume %.1f N, rho g V %.1f N\n", sum / rows, buoyancy);
     EXPECT_NEAR(sum / rows / buoyancy, 1, 0.02);
-    std::filesystem::remove_all(folder);
 }
 
 }  // namespace

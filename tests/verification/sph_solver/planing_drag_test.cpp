@@ -3,11 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <numbers>
 
-#include "sph_solver/run_sph.h"
+#include "run_of.h"
 
 namespace tw {
 namespace {
@@ -37,14 +35,7 @@ interval = "0.05 s"
 )";
 
 TEST(PlaningPrism, DragIsLiftTimesTheTangentOfTheTrim) {
-    const auto folder = std::filesystem::path(testing::TempDir()) / "planing_drag";
-    std::filesystem::remove_all(folder);
-    std::filesystem::create_directories(folder);
-    std::ofstream(folder / "scene.toml") << prism_at_beam_10;
-    RunOptions options;
-    options.folder = folder / "sph";
-    options.threads = 1;
-    const RunRecord record = run_sph(read_scene(folder / "scene.toml"), options);
+    const RunRecord record = run_of(prism_at_beam_10, "planing_drag");
     ASSERT_EQ(record.state, "finished") << record.reason;
 
     const Table& forces = record.tables.at("forces");
@@ -55,7 +46,6 @@ TEST(PlaningPrism, DragIsLiftTimesTheTangentOfTheTrim) {
     const double share = drag / (lift * std::tan(5 * std::numbers::pi / 180));
     std::printf("drag over lift times tan 5 degrees: %.3f\n", share);
     EXPECT_NEAR(share, 1, 0.18) << "found 0.85 here, 0.94 at beam/20; 0.76 where edges drove what had left them";
-    std::filesystem::remove_all(folder);
 }
 
 }  // namespace
