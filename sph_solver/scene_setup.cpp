@@ -33,8 +33,10 @@ ControlVolume control_volume(const Scene& scene, const SimulationSetup& s) {
     Box box = hull.section || hull.free ? hull.surface.bounds() : hull.still.wet_bounds;
     box.min -= Vec3(std::max(near, 0.25 * hull.length), near, near);
     box.max += Vec3(std::max(near, 0.125 * hull.length), near, 0);
-    const double clear = 2 * dp;                                                         // of the domain's sides
-    const double way = hull.free ? std::clamp(scene.sph.zone - 6.5, 0.0, 3.0) * dp : 0;  // that its zone may go
+    const double clear = 2 * dp;  // of the domain's sides
+    // How far the zone of a free hull may go before the box is outside: what the hull has from its zone's edge to the six
+    // spacings at which the run ends (contact.cpp), less half of one. That it is three at most is chosen, not derived.
+    const double way = hull.free ? std::clamp(scene.sph.zone - (6 + 0.5), 0.0, 3.0) * dp : 0;
     box.min = box.min.cwiseMax(s.domain.min + Vec3::Constant(clear));
     box.max = box.max.cwiseMin(s.domain.max - Vec3::Constant(clear));
     if (zone) {

@@ -20,7 +20,7 @@ struct SphSetup {
     std::optional<ControlVolume> control_volume;  ///< round the hull, clear of it and inside the water's sides
 };
 
-/// Throws InputError for what this engine does not solve (an effect forced on, refinement levels, motions).
+/// Throws InputError where no water particle fits into the domain.
 SphSetup sph_setup(const Scene& scene, int threads);
 
 }  // namespace tw

@@ -27,13 +27,17 @@ LevelSetup air_setup(LevelSetup s, const AirOptions& air) {
     return s;
 }
 
+/// Kernel support, by water and air together, below which water lies at a void. Chosen, not derived: below the 0.75 that
+/// water alone gives at a flat surface, so that a surface short of air does not count.
+constexpr double support_at_a_void = 0.6;
+
 }  // namespace
 
 void add_air(Simulation& simulation, const AirOptions& air, const Fluid& fluid) {
     if (fluid.places.empty()) throw InputError("air: the water leaves no room for it in the domain");
     Mirrors& mirrors = simulation.surroundings().mirrors;
     if (!mirrors.periodic[2]) mirrors.on[2][1] = true;
-    simulation.level(0).set_surface_support(0.6);  // of both materials: a void, not the water's surface
+    simulation.level(0).set_surface_support(support_at_a_void);
     simulation.add_level(air_setup(simulation.level(0).setup(), air), fluid);
 }
 

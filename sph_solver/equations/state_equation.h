@@ -3,7 +3,7 @@
 
 namespace tw {
 
-/// Pressure from density, gauge (p = 0 at rho0). Negative pressures are allowed; see `surface_support` of SolverSetup
+/// Pressure from density, gauge (p = 0 at rho0). Negative pressures are allowed; see `surface_support` of LevelSetup
 /// for the free surface, effects/cavitation.h for a limit.
 ///
 /// linear:   p = c0^2 (rho - rho0)

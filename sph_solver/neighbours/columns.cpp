@@ -3,19 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
 
 #include "base/errors.h"
 #include "sph_solver/backend/for_particles.h"
 
 namespace tw {
-
-int levels_between(const Quanta& coarse, const Quanta& fine) {
-    int exponent = 0;
-    if (std::frexp(coarse.size / fine.size, &exponent) != 0.5 || exponent < 1 || coarse.origin != fine.origin)
-        throw std::logic_error("quanta of two levels are not a power of two of one another, or have different origins");
-    return exponent - 1;
-}
 
 ColumnGrid::ColumnGrid(const Box& area, double dp, int dimensions, const Quanta& quanta, int lanes) {
     constexpr double tallest = 4096;

@@ -24,7 +24,7 @@ struct WidePlace {
 /// from the columns.
 ///
 /// Levels of different spacing have the same origin and quanta that are powers of two of one another, so that a place
-/// goes from one level to the next by a shift: see levels_between.
+/// goes from one level to the next by a shift.
 struct Quanta {
     Vec3 origin = Vec3::Zero();
     double size = 1;       ///< [m]
@@ -40,9 +40,6 @@ struct Quanta {
         return origin[axis] + size * static_cast<double>(from + difference(q, static_cast<std::int32_t>(from)));
     }
 };
-/// k with fine.size = coarse.size / 2^k, so that a place q of the coarse level is q << k on the fine one, exactly.
-/// Throws std::logic_error where there is none, or where the origins differ.
-int levels_between(const Quanta& coarse, const Quanta& fine);
 
 /// Upright columns of square cross-section over a box, cut into slabs where the box is taller than 4096 dp; what lies
 /// outside belongs to the nearest column. Within a column places are compared by their 32 bits, from its centre.

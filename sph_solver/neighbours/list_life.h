@@ -3,7 +3,8 @@
 namespace tw {
 
 /// How long neighbour lists hold: upper bounds of what has moved since they were made. What moves with the stream
-/// stays beside its neighbours, so lists among particles need only the motion relative to it.
+/// stays beside its neighbours, so lists among particles need only the motion relative to it. Both slacks are chosen for
+/// speed, not derived.
 struct ListLife {
     static constexpr double skin_over_dp = 0.3;       ///< slack of the particle lists
     static constexpr double wall_skin_over_dp = 0.6;  ///< slack of the lists between particles and walls
