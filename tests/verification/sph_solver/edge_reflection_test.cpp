@@ -99,7 +99,7 @@ TEST(EdgeReflection, OfAWaveThatMeetsItAslant) {
     }
 }
 
-/// For docs/results/levels.md; minutes.
+/// For docs/results/levels_waves.md; minutes.
 TEST(EdgeReflection, DISABLED_TableOfLengthsAnglesAndEdges) {
     print_head();
     const auto lines = [](double length, double sine, int most) {

@@ -199,7 +199,7 @@ TEST(SurfaceWaveReflection, OfAWaveOfFortySpacings) {
     EXPECT_GT(rms(r.of_packet.forth), 0.2);  // and the packet has come through
 }
 
-/// For docs/results/levels.md; minutes.
+/// For docs/results/levels_waves.md; minutes.
 TEST(SurfaceWaveReflection, DISABLED_Table) {
     print_head();
     const auto line = [](const Packet& of, bool in) {
