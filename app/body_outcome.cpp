@@ -32,8 +32,8 @@ std::string outcome_of_elastic(const MovingBody& body, const Table& t, const Sce
     if (!t.find("work_taken")) return out;  // rigid in this method's run
     const auto last = [&](const char* column) { return t.find(column)->values.back(); };
     out += fmt::format(
-        "  water's work on it {:.4g} {}, of {:.4g} exchanged to and fro; the interface made {:+.2g} % of "
-        "that\n",
+        "  work of the water on it {:.4g} {}, {:.4g} exchanged in both directions; the interface generated {:+.2g} % "
+        "of the latter\n",
         last("work_taken"), scene.spanwise_unit("J"), last("work_exchanged"),
         100 * (last("work_taken") - last("work_given")) / std::max(1e-300, last("work_exchanged")));
     return out;

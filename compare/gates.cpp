@@ -110,7 +110,8 @@ std::vector<Gate> check_gates(const RunRecord& record, const std::string& name) 
     if (const auto mach = largest(record, "max_mach", settled))
         add("largest Mach number", "-", *mach, 0.15, "weakly compressible: the density varies with its square");
     if (const auto fastest = largest(record, "max_speed", settled); fastest && speed > 0)
-        add("largest speed over stream", "-", *fastest / speed, 3, "spray and air reach 1.6; more points to a fault");
+        add("largest speed over stream", "-", *fastest / speed, 3,
+            "spray and air reach 1.6; a larger value indicates a fault");
     if (const Column* mass = record.series("samples", "mass"); mass && !(speed > 0)) {
         std::vector<double> known;
         std::ranges::copy_if(mass->values, std::back_inserter(known), [](double m) { return std::isfinite(m); });
@@ -120,26 +121,25 @@ std::vector<Gate> check_gates(const RunRecord& record, const std::string& name) 
     }
     if (const auto air = time_mean(record, "samples", "ventilation"))
         add("ventilation index", "-", *air, 0.2,
-            "air smeared under the hull; friction is low in proportion, lift by 2 % at most");
+            "air smeared under the hull: friction is too low in proportion, lift by 2 % at most");
     if (const auto suction = suction_share(record); suction && speed > 0)
         add("suction on the hull", "%", *suction, 15,
             "water stays attached where it should leave the hull: a step or transom edge that the resolution misses");
     if (speed > 0)
         if (const auto pocket = deepest_suction(record, speed))
             add("suction over rho U^2 / 2", "-", pocket->coefficient, 1,
-                fmt::format(
-                    "at ({:.3g}, {:.3g}, {:.3g}) m, mostly a single bad cell at an edge; such faces make {:.3g} "
-                    "% of the drag of pressure, and take lift beside them",
-                    pocket->place.x(), pocket->place.y(), pocket->place.z(), 100 * pocket->of_drag));
+                fmt::format("at ({:.3g}, {:.3g}, {:.3g}) m, usually a single bad cell at an edge; such faces make "
+                            "{:.3g} % of the pressure drag, and the lift beside them is too low",
+                            pocket->place.x(), pocket->place.y(), pocket->place.z(), 100 * pocket->of_drag));
     if (const auto hull = prismatic_hull(record)) {
         const auto drag = time_mean(record, "forces", "fx_pressure"), lift = time_mean(record, "forces", "fz_pressure");
         const double expected = lift.value_or(0) * std::tan(hull->state.trim);
         if (drag && expected > 0)
             add("drag against lift times tan trim", "%", 100 * std::abs(*drag / expected - 1), 5,
-                fmt::format("pressure on a bottom whose sections are all alike stands square on its keel: {:.4g} N of "
-                            "drag go with this lift where the transom is dry, and {:.4g} N were found; the rest acts "
-                            "on the edges",
-                            expected, *drag));
+                fmt::format(
+                    "on a bottom of equal sections the pressure acts normal to the keel: with a dry transom {:.4g} N "
+                    "of drag belong to this lift, and {:.4g} N were found; the difference acts on the edges",
+                    expected, *drag));
     }
     const auto sum = time_mean(record, "forces", "fz"), surface = time_mean(record, "forces", "fz_surface"),
                volume = time_mean(record, "forces", "fz_volume");
@@ -153,12 +153,13 @@ std::vector<Gate> check_gates(const RunRecord& record, const std::string& name) 
         if (const auto drag = time_mean(record, "forces", "fx"); drag && *drag != 0) {
             const std::string share =
                 numerical->force < std::abs(*drag)
-                    ? fmt::format("about {:.3g} N of the {:.3g} N are", numerical->force, *drag)
-                    : fmt::format("all of the {:.3g} N may be ({:.3g} N were to be expected)", *drag, numerical->force);
+                    ? fmt::format("about {:.3g} N of the {:.3g} N are due to the resolution", numerical->force, *drag)
+                    : fmt::format("all of the {:.3g} N may be due to the resolution ({:.3g} N would be expected)",
+                                  *drag, numerical->force);
             add("numerical drag of a closed body", "%", 100 * numerical->force / std::abs(*drag), 20,
-                share + fmt::format(" of the resolution: {:.3g} on the frontal area at {:.3g} spacings of thickness, "
-                                    "where a submerged body in a flow without friction has almost none; only several "
-                                    "sizes can tell what is left",
+                share + fmt::format(": a coefficient of {:.3g} on the frontal area at a thickness of {:.3g} spacings, "
+                                    "where a submerged body in a flow without friction has almost no drag; only runs "
+                                    "of several sizes show what remains",
                                     numerical->coefficient, numerical->spacings));
         }
     for (const CertificateLine& line : record.certificate) {

@@ -76,10 +76,10 @@ struct FalseStart {
         if (!velocity) return "";
         std::string text = fmt::format(
             "; before {:.3g} ms, while the solver sets air and water in motion, nothing loads the shell: {:.0f} % of "
-            "what the fluid changes the rigid plate's velocity by is left out",
+            "the change of velocity that the fluid causes on the rigid plate is left out",
             1e3 * end, 100 * share);
         if (share > largest_false_start)
-            text += ", so this is not the answer to the blow; let the plate start farther from the water";
+            text += ", so this is not the response to the impact; let the plate start farther from the water";
         return text;
     }
 };

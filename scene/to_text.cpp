@@ -80,8 +80,8 @@ std::string start_up_text(const Scene& scene, const Prediction& p) {
         period);
     if (duration < wanted * (1 - 1e-9))
         return out + fmt::format(
-                         "means that are waited for need about {:.3g} s of run: this\n            one may refuse "
-                         "the drag; {:.2g} times its cost would not\n",
+                         "a settled mean needs a run of about {:.3g} s: this one\n            may give no drag; one "
+                         "of {:.2g} times its cost would\n",
                          wanted, wanted / duration);
     const double planing = scene.motion.ramp + 3 * L_over_U, rest = 1 - planing / duration;
     if (!(rest > 0)) return out + "the run is long enough for it\n";
@@ -130,7 +130,7 @@ std::string tyre_text(const MovingBody& b) {
     const structure::Solid solid = solid_of(t);
     const double height = b.surface.bounds().size().z();
     std::string out = fmt::format(
-        "  elastic   {} hexahedra; blown up by {:.4g} Pa to {:.4g} mm from {:.4g} mm\n"
+        "  elastic   {} hexahedra; inflated by {:.4g} Pa to {:.4g} mm from {:.4g} mm\n"
         "  mass      {:.5g} kg with rim and load; at the start {} m/s\n"
         "  time      explicit, the water's steps cut into sub-steps below {:.3g} s, the elements' limit\n"
         "  floor     met without friction; 1 MPa presses the rubber {:.3g} mm into it\n",

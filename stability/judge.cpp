@@ -39,9 +39,10 @@ const char* to_string(Stability stability) {
 const std::vector<StabilityGate>& stability_gates() {
     constexpr double density = 100 * largest_density_deviation;
     static const std::vector<StabilityGate> gates = {
-        {"particles lost", "-", 0, 0, "it breaks a law", "walls are closed"},
-        {"particles missing", "-", 0, 0, "it breaks a law", "mass is kept"},
-        {"energy made", "%", 0.1, 1, "it breaks a law", "nothing at rest gives energy; what is usual is below 0.01 %"},
+        {"particles lost", "-", 0, 0, "it violates a physical law", "walls are closed"},
+        {"particles missing", "-", 0, 0, "it violates a physical law", "mass is kept"},
+        {"energy made", "%", 0.1, 1, "it violates a physical law",
+         "nothing at rest gives energy; what is usual is below 0.01 %"},
         {"motion of still water", "-", 1e-6, 1e-4, "still water is not still",
          "kinetic energy over rho g H V after 40 sqrt(H / g): 1e-6 is asked of a still tank"},
         {"pressure error", "%", 2, 5, "still water is not still",
@@ -49,7 +50,7 @@ const std::vector<StabilityGate>& stability_gates() {
         {"Mach number", "-", trusted_mach, largest_mach, slow_sound,
          "c0 of ten times the flow's speed, and half as much again; the engine stops at 1"},
         {"compression", "%", 100 * trusted_compression, density, slow_sound,
-         "water in nineteen twentieths of its room is not nearly incompressible; the engine stops at 30 %"},
+         "water compressed to 95 % of its volume is not nearly incompressible; the engine stops at 30 %"},
         {"rarefaction", "%", 5, density, "water torn", "as for compression"},
         {"step held down", "-", 20, HUGE_VAL, "time step collapsed", "as in a run's certificate"},
     };

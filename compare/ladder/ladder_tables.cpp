@@ -61,8 +61,8 @@ ReportTable ladder_verdicts(const Ladder& ladder) {
         "the runs with other choices. Agree: the difference lies inside the joint interval, and that is at most {:g} % "
         "of the "
         "value. Differ: it lies outside. Undecided: inside, but the interval is too wide to tell. Not converged: the "
-        "values of a method run away as the sizes shrink, or have no uncertainty. What the walls of the box are worth "
-        "is in the values' intervals, and not in that of the difference: both methods solve the same box.",
+        "values of a method diverge as the sizes shrink, or have no uncertainty. The influence of the walls of the box "
+        "is part of the values' intervals and not of that of the difference, because both methods solve the same box.",
         100 * ladder.agree_within));
     return table;
 }
@@ -84,7 +84,7 @@ ReportTable ladder_held(const Ladder& ladder) {
             }
     table.notes.push_back(
         "U combines the interval of the finest value and, where one is known, that of the other value (ASME V&V 20). "
-        "These values take no part in the verdict between the methods.");
+        "These values do not enter the verdict between the methods.");
     for (const std::string& line : ladder.calibrated) table.notes.push_back("Tuned, not validated: " + line);
     return table;
 }
@@ -122,7 +122,7 @@ ReportTable ladder_values(const Ladder& ladder) {
         "U: half width of the 95 % interval. That of the discretisation is by trend and noise from three sizes on, and "
         "contains the scatter from size to size; the bound of Eça and Hoekstra, the grid convergence index and the "
         "factor "
-        "of safety stand beside it and take no part.");
+        "of safety are shown for comparison and are not used.");
     return table;
 }
 

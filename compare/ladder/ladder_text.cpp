@@ -25,7 +25,8 @@ std::vector<std::string> ladder_banners(const Ladder& ladder) {
     std::vector<std::string> lines;
     for (const LadderSide& side : ladder.sides)
         if (!side.similar)
-            lines.push_back("The " + side.method + " runs differ in more than their resolution: they are no family.");
+            lines.push_back("The " + side.method +
+                            " runs differ in more than their resolution: they do not form a family.");
     for (const auto* list : {&ladder.notes, &ladder.left_out}) lines.insert(lines.end(), list->begin(), list->end());
     return lines;
 }

@@ -109,8 +109,8 @@ ReportTable quantities_table(const Comparison& c, bool judged) {
     if (pair)
         table.notes.push_back(fmt::format(
             "Agree: the difference lies inside the joint interval, and that is at most {:g} % of the value. Differ: it "
-            "lies outside. Undecided: inside, but the interval is too wide to tell. What the walls of the box are "
-            "worth is no part of the joint interval: both methods solve the same box.",
+            "lies outside. Undecided: inside, but the interval is too wide to tell. The influence of the walls of the "
+            "box is not part of the joint interval, because both methods solve the same box.",
             100 * c.agree_within));
     return table;
 }

@@ -59,8 +59,8 @@ ReportTable levels_table(const Comparison& c) {
         "drift are counted since the start: the mass of a zone, without spray beyond it, against the larger "
         "particles that stand for it.",
         "Spray is active beyond the edge of its zone; orphans are guards and parents without water of the other size "
-        "near. The time is that of the sweeps over pairs and their lists; at the edge, that of births and of the fields "
-        "handed to and from the next larger size."};
+        "nearby. The time is that of the sweeps over pairs and of their lists; at the edge, that of births and "
+        "of the interpolation of fields to and from the next larger size."};
     return table;
 }
 

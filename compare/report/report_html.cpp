@@ -91,7 +91,8 @@ std::string hull_section(const Comparison& c) {
 std::string resolution_section(const Comparison& c, const Figures& f) {
     if (f.resolution.empty()) return {};
     return "<h2>Resolution</h2><figure>" + f.resolution.front().svg +
-           "</figure><p class=\"note\">Sizes of particles and cells: each holds in its box but for smaller boxes "
+           "</figure><p class=\"note\">Sizes of particles and cells: each size applies in its box except where a "
+           "smaller box lies "
            "within; "
            "cells along edges and on the hull may be smaller still. Zones of particles are as they were at the end of "
            "the "

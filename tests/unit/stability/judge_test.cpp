@@ -44,7 +44,8 @@ TEST(StabilityJudgement, ABrokenLawFailsAndOutweighsWarnings) {
     EXPECT_EQ(energy(0.05).reason, "c0 too low: Mach number 0.2 above 0.15");
     EXPECT_EQ(energy(0.5).stability, Stability::warned);
     EXPECT_EQ(energy(2).stability, Stability::failed);
-    EXPECT_EQ(energy(2).reason, "it breaks a law: energy made 2 % above 1 %; c0 too low: Mach number 0.2 above 0.15");
+    EXPECT_EQ(energy(2).reason,
+              "it violates a physical law: energy made 2 % above 1 %; c0 too low: Mach number 0.2 above 0.15");
 }
 
 TEST(StabilityJudgement, WhatTheEngineSaidIsTheReason) {
