@@ -42,8 +42,7 @@ class FoamTest : public testing::Test {
     EnvironmentGuard environment_;
 
 protected:
-    std::filesystem::path folder =
-        std::filesystem::path(testing::TempDir()) / ("foam_run_" + std::to_string(::getpid()));
+    std::filesystem::path folder = std::filesystem::temp_directory_path() / ("foam_run_" + std::to_string(::getpid()));
     void SetUp() override {
         ::setenv("TWINWAKE_OPENFOAM_BIN", TWINWAKE_SOURCE "/.openfoam/bin", 0);
         if (find_openfoam().empty()) GTEST_SKIP() << "no OpenFOAM is installed";

@@ -110,7 +110,7 @@ TEST_F(AblateCommand, StoppedItContinuesFromThere) {
     const std::vector<std::string> command{"ablate", "column.toml", "--effects", "shifting"};
     const Started s = start(command);
     const fs::path saved = folder_ / "runs/column_ablation/base/sph/checkpoint.h5";
-    for (int k = 0; k < 1200 && !fs::exists(saved); ++k) usleep(50000);
+    for (int k = 0; k < 2400 && !fs::exists(saved); ++k) usleep(50000);
     ASSERT_TRUE(fs::exists(saved));
     kill(s.child, SIGINT);
     const Outcome stopped = finish(s);

@@ -39,7 +39,6 @@ protected:
         fs::remove_all(folder_);
         fs::create_directories(folder_);
         setenv("XDG_CACHE_HOME", (folder_ / "cache").c_str(), 1);  // what runs teach stays in the test
-        setenv("TWINWAKE_ISA", "default", 1);                      // nothing that is measured chooses
     }
     void TearDown() override {
         if (!HasFailure()) fs::remove_all(folder_);

@@ -124,7 +124,7 @@ TEST_F(Command, AMeasuredHistoryBecomesARecordThatStandsBesideARun) {
 TEST_F(Command, AnInterruptedRunSavesItsStateAndContinues) {
     write("long.toml", longer("3"));
     const Started run = start({"run", "long.toml", "--no-twins", "--out", "out"});
-    wait_for(folder_ / "out/sph/checkpoint.h5", 60);
+    wait_for(folder_ / "out/sph/checkpoint.h5", 120);
     ASSERT_TRUE(fs::exists(folder_ / "out/sph/checkpoint.h5"));
     kill(run.child, SIGINT);
     const Outcome stopped = finish(run);
@@ -136,7 +136,7 @@ TEST_F(Command, AnInterruptedRunSavesItsStateAndContinues) {
 TEST_F(Command, TwoRunsNeverShareAFolder) {
     write("long.toml", longer("3"));
     const Started first = start({"run", "long.toml", "--no-twins", "--out", "out"});
-    wait_for(folder_ / "out/sph/checkpoint.h5", 60);
+    wait_for(folder_ / "out/sph/checkpoint.h5", 120);
     for (const char* how : {"--overwrite", "--resume"}) {
         const Outcome second = twinwake({"run", "long.toml", "--no-twins", "--out", "out", how});
         EXPECT_EQ(second.status, 2) << how << second.err;

@@ -32,7 +32,7 @@ TEST_F(StabilityCommand, AFolderThatCannotBeIsRefusedBeforeTheWork) {
 
 TEST_F(StabilityCommand, StoppedItSaysSoAndWritesNothing) {
     const Started s = start({"stability", "--quick", "--threads", "1", "--out", "map"});
-    for (int k = 0; k < 600 && !fs::exists(folder_ / "map"); ++k) usleep(50000);
+    for (int k = 0; k < 2400 && !fs::exists(folder_ / "map"); ++k) usleep(50000);
     kill(s.child, SIGINT);
     const Outcome o = finish(s);
     EXPECT_EQ(o.status, 3) << o.err;

@@ -67,7 +67,7 @@ TEST_F(Command, ARunStoppedAmongItsTwinsGoesOnThere) {
     write("column.toml", with(column, "duration = 0.3", "duration = 3"));
     const fs::path twins = folder_ / "runs/column/twins";
     const Started run = start({"run", "column.toml"});
-    for (int k = 0; k < 3000 && !fs::exists(twins / "near_hull_28.2843mm/sph/checkpoint.h5"); ++k)
+    for (int k = 0; k < 6000 && !fs::exists(twins / "near_hull_28.2843mm/sph/checkpoint.h5"); ++k)
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     kill(run.child, SIGINT);
     const Outcome stopped = finish(run);

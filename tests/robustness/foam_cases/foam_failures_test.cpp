@@ -140,7 +140,7 @@ TEST_F(FoamFailure, AKillBeforeTheFirstWriteTimeLosesNoRow) {
         ::_exit(0);
     }
     const auto rows = [&] { return joined_rows(tables / "forces", "force.dat").size(); };
-    for (int i = 0; i < 6000 && rows() < 2; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    for (int i = 0; i < 24000 && rows() < 2; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     ::kill(child, SIGKILL);
     ::waitpid(child, nullptr, 0);
     ASSERT_GE(rows(), 2u);
@@ -198,7 +198,7 @@ TEST_F(FoamFailure, AfterAKillTheRunIsTakenUpAndEndsAsIfNothingHadBeen) {
         ::_exit(0);
     }
     const fs::path run = options().folder / "case";
-    for (int i = 0; i < 600 && !has_written(run, 0.075); ++i)
+    for (int i = 0; i < 6000 && !has_written(run, 0.075); ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     ::kill(child, SIGKILL);
     ::waitpid(child, nullptr, 0);

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <chrono>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -210,7 +210,7 @@ TEST_F(BadFiles, Vtp) {
 }
 
 TEST_F(BadFiles, VtpThatPromisesMoreThanItHolds) {
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     const std::string good = vtp("0 1 2", "3");
     for (const auto& [from, to] : {std::pair("NumberOfComponents=\"3\"", "NumberOfComponents=\"1000000000\""),
                                    std::pair("NumberOfComponents=\"3\"", "NumberOfComponents = '1e300'"),
@@ -223,7 +223,7 @@ TEST_F(BadFiles, VtpThatPromisesMoreThanItHolds) {
         bad.replace(bad.find(from), std::string_view(from).size(), to);
         expect_complaint(file("promise.vtp", bad), std::string(to).substr(0, std::string(to).find_first_of(" =")));
     }
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1));
+    EXPECT_LT(std::clock() - start, 5 * CLOCKS_PER_SEC) << "of processor time: refused before it is read";
 }
 
 TEST_F(BadFiles, CompressedFiles) {

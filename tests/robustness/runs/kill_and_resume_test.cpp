@@ -32,7 +32,7 @@ void kill_and_resume(const std::string& name, const std::filesystem::path& scene
                 return !part.running() ||
                        (std::filesystem::exists(checkpoint) && std::filesystem::last_write_time(checkpoint) != before);
             },
-            60));
+            120));
         ASSERT_TRUE(part.running()) << name << ": ended before it could be killed\n" << part.output();
         part.kill_hard();
         ASSERT_EQ(part.wait(), -9);

@@ -39,7 +39,6 @@ Program::Program(const std::vector<std::string>& arguments, const std::filesyste
         const rlimit limit{static_cast<rlim_t>(largest_file), static_cast<rlim_t>(largest_file)};
         setrlimit(RLIMIT_FSIZE, &limit);
     }
-    setenv("TWINWAKE_ISA", "default", 1);  // nothing that is measured chooses
     execv(TWINWAKE_PROGRAM, argv.data());
     _exit(127);
 }

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 class ChildTest : public testing::Test {
 protected:
-    fs::path folder = fs::path(testing::TempDir()) / ("foam child $(x) " + std::to_string(::getpid()));
+    fs::path folder = fs::temp_directory_path() / ("foam child $(x) " + std::to_string(::getpid()));
     std::vector<std::string> environment{"PATH=/usr/bin:/bin", "GREETING=hello"};
     void SetUp() override { fs::create_directories(folder); }
     void TearDown() override { fs::remove_all(folder); }

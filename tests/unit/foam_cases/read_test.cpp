@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 class ReadTest : public testing::Test {
 protected:
-    fs::path folder = fs::path(testing::TempDir()) / ("foam_read_" + std::to_string(::getpid()));
+    fs::path folder = fs::temp_directory_path() / ("foam_read_" + std::to_string(::getpid()));
     void SetUp() override { fs::create_directories(folder); }
     void TearDown() override { fs::remove_all(folder); }
     fs::path write(const std::string& text) const {

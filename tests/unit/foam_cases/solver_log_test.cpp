@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <string>
 
@@ -176,8 +177,8 @@ TEST(Watchdog, BarksAtVelocitiesBeyondReasonAndWaterThatIsNoNumber) {
 }
 
 TEST(Watchdog, SeesAFullDisk) {
-    EXPECT_FALSE(disk_trouble("/tmp", 1));
-    const auto wrong = disk_trouble("/tmp", 1e30);
+    EXPECT_FALSE(disk_trouble(std::filesystem::temp_directory_path(), 1));
+    const auto wrong = disk_trouble(std::filesystem::temp_directory_path(), 1e30);
     ASSERT_TRUE(wrong);
     EXPECT_NE(wrong->find("disk is full"), std::string::npos);
 }

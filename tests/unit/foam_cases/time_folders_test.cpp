@@ -20,7 +20,7 @@ const std::string closing = "\n\n// ********************************************
 
 class TimeFoldersTest : public testing::Test {
 protected:
-    fs::path folder = fs::path(testing::TempDir()) / ("foam_times_" + std::to_string(::getpid()));
+    fs::path folder = fs::temp_directory_path() / ("foam_times_" + std::to_string(::getpid()));
     void SetUp() override { fs::create_directories(folder / "0"); }
     void TearDown() override { fs::remove_all(folder); }
 

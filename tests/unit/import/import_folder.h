@@ -15,7 +15,7 @@ namespace tw {
 class ImportTest : public testing::Test {
 protected:
     std::filesystem::path folder =
-        std::filesystem::path(testing::TempDir()) /
+        std::filesystem::temp_directory_path() /
         ("import_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + "_" +
          std::to_string(::getpid()));
 

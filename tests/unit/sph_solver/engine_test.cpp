@@ -115,7 +115,7 @@ TEST(Engine, EachBodyHasItsOwnLoadAndTheirSumIsTheWhole) {
 }
 
 TEST(Engine, ARestartGoesOnWithTheSameBitsInletAndOutletIncluded) {
-    const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "restart_test.h5";
+    const std::filesystem::path file = std::filesystem::temp_directory_path() / "restart_test.h5";
     for (const SchemeCase& c : every_scheme) {
         SCOPED_TRACE(c.evaluations);
         SimulationSetup s = with(stream(), c);
@@ -140,7 +140,7 @@ TEST(Engine, ARestartGoesOnWithTheSameBitsInletAndOutletIncluded) {
 }
 
 TEST(Engine, ARestartWithAirGoesOnWithTheSameBitsAndAnyNumberOfThreads) {
-    const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "restart_air_test.h5";
+    const std::filesystem::path file = std::filesystem::temp_directory_path() / "restart_air_test.h5";
     SimulationSetup s;
     s.dp = 0.05;
     s.state_equation.c0 = 20;
@@ -196,11 +196,12 @@ TEST(Engine, AFreeBlobKeepsItsMomentumWhateverItsParticlesDo) {
 bool has_only_the_baseline() { return !__builtin_cpu_supports("x86-64-v3"); }
 /// Calls `run` once for each variant of the passes that this processor runs.
 void with_every_instruction_set(const std::function<void()>& run) {
+    const std::string pinned = std::getenv("TWINWAKE_ISA");  // by the tests' main program
     for (const Passes* passes : runnable_passes()) {
         setenv("TWINWAKE_ISA", passes->isa, 1);
         run();
-        unsetenv("TWINWAKE_ISA");
     }
+    setenv("TWINWAKE_ISA", pinned.c_str(), 1);
 }
 
 TEST(Engine, EveryInstructionSetGivesTheSameForces) {

@@ -121,7 +121,7 @@ levels = )" << levels << "\n";
 }
 
 TEST(LevelLedger, StandsInTheRecordAtEveryFrameWithTheZonesOfTheEnd) {
-    const auto folder = std::filesystem::path(testing::TempDir()) / "level_ledger_test";
+    const auto folder = std::filesystem::temp_directory_path() / "level_ledger_test";
     const RunRecord two = prism_run(2, folder), one = prism_run(1, folder);
     for (const std::size_t k : {0u, 1u}) {
         const Table& t = two.tables.at(level_table(k));

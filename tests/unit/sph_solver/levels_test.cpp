@@ -224,7 +224,7 @@ TEST(Levels, AZoneThroughTheOutletKeepsItsMass) {
 
 /// Two runs of `make` with other numbers of threads, one of them begun anew in the middle.
 void expect_same_bits_after_a_restart(Simulation (*make_with)(int threads), int steps) {
-    const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "restart_levels_test.h5";
+    const std::filesystem::path file = std::filesystem::temp_directory_path() / "restart_levels_test.h5";
     Simulation whole = make_with(1), other = make_with(3);
     for (int k = 0; k < steps; ++k) whole.step(), other.step();
     EXPECT_TRUE(same_bits(whole, other));

@@ -12,7 +12,7 @@ namespace tw::structure {
 
 inline std::filesystem::path written(const std::string& text, const std::string& ending) {
     const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
-    const auto file = std::filesystem::path(testing::TempDir()) / (test + ending);
+    const auto file = std::filesystem::temp_directory_path() / (test + ending);
     std::ofstream(file) << text;
     return file;
 }

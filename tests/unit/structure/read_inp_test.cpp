@@ -11,7 +11,7 @@ namespace {
 
 std::filesystem::path written(const std::string& text) {
     const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
-    const auto file = std::filesystem::path(testing::TempDir()) / (test + ".inp");
+    const auto file = std::filesystem::temp_directory_path() / (test + ".inp");
     std::ofstream(file) << text;
     return file;
 }

@@ -135,7 +135,7 @@ TEST(MovingZone, ThatStaysBehindEndsTheRunAndSaysSo) {
 }
 
 TEST(MovingZone, GivesTheSameBitsWithAnyNumberOfThreadsAndAfterARestart) {
-    const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "moving_zone_test.h5";
+    const std::filesystem::path file = std::filesystem::temp_directory_path() / "moving_zone_test.h5";
     Simulation whole = filled(cylinder(true)), three = filled(cylinder(true, 3));
     const auto same = [](const Simulation& a, const Simulation& b) {
         for (std::size_t k = 0; k < a.levels().size(); ++k) {

@@ -86,7 +86,7 @@ double by_hand(double from, double to) {
 }
 
 TEST(PlaningPlate, ASceneGivesTheEnginesForcePerMetreOfSpanByThreeMeasures) {
-    const auto folder = std::filesystem::path(testing::TempDir()) / "planing_plate_scene";
+    const auto folder = std::filesystem::temp_directory_path() / "planing_plate_scene";
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
     std::ofstream(folder / "scene.toml") << text;

@@ -11,7 +11,7 @@ namespace tw {
 
 /// The whole run of a scene on one thread, in a folder of this name that is removed again.
 inline RunRecord run_of(const std::string& scene, const std::string& name) {
-    const auto folder = std::filesystem::path(testing::TempDir()) / name;
+    const auto folder = std::filesystem::temp_directory_path() / name;
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
     std::ofstream(folder / "scene.toml") << scene;

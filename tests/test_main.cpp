@@ -1,0 +1,53 @@
+// The main program of every test program. It gives a test the same surroundings on every machine, whether ctest or a
+// user starts it:
+//
+//   TWINWAKE_ISA    The variant of the pair loops: avx2 where the processor has it, else baseline; never one that was
+//                   found the fastest. A variant that the caller names is kept.
+//   TMPDIR          A new folder in the caller's, so that tests side by side, other checkouts and other users never
+//                   meet in one. It is removed at the end unless a test failed.
+//   XDG_CACHE_HOME  In that folder: what runs teach stays in the test.
+//
+// Programs that a test starts inherit all three.
+#include <gtest/gtest.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <system_error>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const char* pinned_variant() {
+#if defined(__x86_64__)
+    if (__builtin_cpu_supports("x86-64-v3")) return "avx2";
+#endif
+    return "baseline";
+}
+
+fs::path new_folder() {
+    std::string name = (fs::temp_directory_path() / "twinwake_tests_XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw fs::filesystem_error("mkdtemp", name, {errno, std::generic_category()});
+    return fs::canonical(name);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    testing::InitGoogleTest(&argc, argv);
+    setenv("TWINWAKE_ISA", pinned_variant(), 0);
+    const fs::path folder = new_folder();
+    setenv("TMPDIR", folder.c_str(), 1);
+    setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1);
+    const int status = RUN_ALL_TESTS();
+    if (status == 0) {
+        std::error_code ignored;
+        fs::remove_all(folder, ignored);
+    } else {
+        std::printf("files of the tests that failed: %s\n", folder.c_str());
+    }
+    return status;
+}
