@@ -7,8 +7,8 @@
 #include "base/errors.h"
 #include "meshes/generate.h"
 #include "meshes/surface.h"
-#include "scene/section.h"
-#include "scene/units.h"
+#include "text/did_you_mean.h"
+#include "text/units.h"
 
 namespace tw::app {
 namespace {

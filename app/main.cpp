@@ -16,7 +16,7 @@
 #include "compare/report/escape.h"
 #include "record/code_version.h"
 #include "scene/effects/registry.h"
-#include "scene/section.h"
+#include "text/did_you_mean.h"
 
 // The command line: the only file that knows CLI11. Every subcommand lives in a file of its own name.
 

@@ -6,8 +6,8 @@
 #include "app/commands.h"
 #include "base/errors.h"
 #include "scene/effects/registry.h"
-#include "scene/section.h"
-#include "scene/units.h"
+#include "text/did_you_mean.h"
+#include "text/units.h"
 
 namespace tw::app {
 

@@ -6,8 +6,8 @@
 #include "base/errors.h"
 #include "import/csv_columns.h"
 #include "record/run_record.h"
-#include "scene/section.h"
 #include "spray/air/foam_air.h"
+#include "text/section.h"
 
 namespace tw::app {
 namespace {
@@ -26,18 +26,18 @@ public:
     Section& root() { return root_; }
     Section section(const std::string& name) {
         root_.know(name);
-        const SceneValue* table = tree_.find(name);
-        if (table && table->kind != SceneValue::Kind::table) root_.fail(name, "expected a section [" + name + "]");
+        const TextValue* table = tree_.find(name);
+        if (table && table->kind != TextValue::Kind::table) root_.fail(name, "expected a section [" + name + "]");
         return {file_, name, table};
     }
     std::vector<Section> list(const std::string& name) {
         root_.know(name);
         std::vector<Section> sections;
-        const SceneValue* value = tree_.find(name);
+        const TextValue* value = tree_.find(name);
         if (!value) return sections;
-        if (value->kind != SceneValue::Kind::list) root_.fail(name, "expected sections [[" + name + "]]");
-        for (const SceneValue& one : value->list) {
-            if (one.kind != SceneValue::Kind::table) root_.fail(name, "expected sections [[" + name + "]]");
+        if (value->kind != TextValue::Kind::list) root_.fail(name, "expected sections [[" + name + "]]");
+        for (const TextValue& one : value->list) {
+            if (one.kind != TextValue::Kind::table) root_.fail(name, "expected sections [[" + name + "]]");
             sections.emplace_back(file_, "[" + name + "]", &one);
         }
         return sections;
@@ -46,7 +46,7 @@ public:
 
 private:
     fs::path file_;
-    SceneValue tree_;
+    TextValue tree_;
     Section root_;
 };
 

@@ -8,8 +8,8 @@
 #include "base/atomic_file.h"
 #include "base/errors.h"
 #include "meshes/axis_turn.h"
-#include "scene/section.h"
-#include "scene/units.h"
+#include "text/section.h"
+#include "text/units.h"
 
 namespace tw {
 namespace {
@@ -53,25 +53,25 @@ void check_name(const Section& root, const std::string& name) {
 }
 
 /// fz = "Lift", fz = 3 or fz = { column = "Lift" or 3, unit = "kN", scale = -1, offset = "0.2 N" }.
-ColumnSource read_column(const Section& parent, const std::string& key, const SceneValue& value, ColumnSource c) {
+ColumnSource read_column(const Section& parent, const std::string& key, const TextValue& value, ColumnSource c) {
     c.place = parent.where(key);
-    const auto take = [&](const Section& at, const std::string& where, const SceneValue& column) {
-        if (column.kind == SceneValue::Kind::text && !column.text.empty()) {
+    const auto take = [&](const Section& at, const std::string& where, const TextValue& column) {
+        if (column.kind == TextValue::Kind::text && !column.text.empty()) {
             c.header = column.text;
             return;
         }
-        if (column.kind != SceneValue::Kind::number || column.number != std::floor(column.number) ||
-            column.number < 1 || column.number > 100000)
+        if (column.kind != TextValue::Kind::number || column.number != std::floor(column.number) || column.number < 1 ||
+            column.number > 100000)
             at.fail(where, "expected a column: its header text, or its number from 1, e.g. \"Lift\" or 3");
         c.number = static_cast<int>(column.number);
     };
-    if (value.kind != SceneValue::Kind::table) {
+    if (value.kind != TextValue::Kind::table) {
         take(parent, key, value);
         return c;
     }
     Section s(parent.file(), parent.name().empty() ? key : parent.name() + "." + key, &value);
     s.know("column");
-    const SceneValue* column = value.find("column");
+    const TextValue* column = value.find("column");
     if (!column) s.fail("column", "missing; expected the header text of the column, or its number from 1");
     take(s, "column", *column);
     c.unit = s.text("unit", "");
@@ -89,12 +89,12 @@ ColumnSource read_column(const Section& parent, const std::string& key, const Sc
     return c;
 }
 
-void read_columns(Section& root, const SceneValue& document, Mapping& m) {
+void read_columns(Section& root, const TextValue& document, Mapping& m) {
     for (const KnownTable& table : known_tables()) {
         root.know(table.name);
-        const SceneValue* given = document.find(table.name);
+        const TextValue* given = document.find(table.name);
         if (!given) continue;
-        if (given->kind != SceneValue::Kind::table) root.fail(table.name, "expected a section [" + table.name + "]");
+        if (given->kind != TextValue::Kind::table) root.fail(table.name, "expected a section [" + table.name + "]");
         Section s(root.file(), table.name, given);
         for (const auto& [name, unit] : table.columns) s.know(name);
         for (const auto& [name, value] : given->members) {
@@ -111,7 +111,7 @@ void read_columns(Section& root, const SceneValue& document, Mapping& m) {
         s.finish();
     }
     root.know("time");
-    if (const SceneValue* time = document.find("time")) {
+    if (const TextValue* time = document.find("time")) {
         ColumnSource c;
         c.name = "time";
         c.si_unit = "s";
@@ -136,7 +136,7 @@ Eigen::Matrix3d read_axes(Section& root) {
 }  // namespace
 
 Mapping read_mapping(const std::filesystem::path& file) {
-    const SceneValue document = parse_document(read_text(file), file);
+    const TextValue document = parse_document(read_text(file), file);
     Section root(file, "", &document);
     const auto required = [&](const std::string& key, const std::string& example) {
         const auto text = root.text(key);

@@ -6,8 +6,8 @@
 #include "base/errors.h"
 #include "import/csv_columns.h"
 #include "import/readers.h"
-#include "scene/section.h"
-#include "scene/units.h"
+#include "text/did_you_mean.h"
+#include "text/units.h"
 
 namespace tw {
 namespace {

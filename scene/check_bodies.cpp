@@ -30,9 +30,11 @@ bool meet(const Surface& a, const Surface& b, double gap) {
     return reaches(a, b) || reaches(b, a);
 }
 
-std::string where_key(const Section& s) { return s.has("position") ? "position" : s.has("draft") ? "draft" : "name"; }
+std::string where_key(const SceneSection& s) {
+    return s.has("position") ? "position" : s.has("draft") ? "draft" : "name";
+}
 
-void check_domain(const MovingBody& body, const Scene& scene, Section& s) {
+void check_domain(const MovingBody& body, const Scene& scene, SceneSection& s) {
     static constexpr const char* axes[] = {"x", "y", "z"};
     const Box at = body.surface.bounds(), &domain = scene.domain.box;
     for (int a = 0; a < 3; ++a) {
@@ -45,7 +47,7 @@ void check_domain(const MovingBody& body, const Scene& scene, Section& s) {
 }
 
 /// A prescribed motion is known beforehand, and so is where it leaves the tank.
-void check_way(const MovingBody& body, const Scene& scene, Section& s) {
+void check_way(const MovingBody& body, const Scene& scene, SceneSection& s) {
     if (!body.motion.law || body.elastic) return;
     const MotionLaw& law = *body.motion.law;
     const Vec3& centre = body.motion.mass.centre;
@@ -68,7 +70,7 @@ void check_way(const MovingBody& body, const Scene& scene, Section& s) {
     }
 }
 
-void check_scheme(const Scene& scene, Section& s) {
+void check_scheme(const Scene& scene, SceneSection& s) {
     if (scene.sph.scheme != "kick_drift_kick" && scene.sph.scheme != "symplectic_euler")
         s.fail("scheme", "bodies that move need a time step of one evaluation; expected \"kick_drift_kick\"");
 }
@@ -135,7 +137,7 @@ void check_bodies(Scene& scene, Sections& s) {
     const double gap = scene.resolution.near_hull / 2;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         MovingBody& body = scene.bodies[i];
-        Section& section = s.bodies[i];
+        SceneSection& section = s.bodies[i];
         const bool supported = body.elastic && body.motion.law;  // then its ends may stand in what holds it
         if (!supported) check_domain(body, scene, section);
         check_way(body, scene, section);

@@ -13,7 +13,7 @@
 
 namespace tw {
 
-void check_health(HullOptions& o, double particle_spacing, Section& s) {
+void check_health(HullOptions& o, double particle_spacing, SceneSection& s) {
     Hull& hull = o.hull;
     hull.findings = check_surface(o.as_read, particle_spacing);
     if (o.repair) {
@@ -31,7 +31,7 @@ void check_health(HullOptions& o, double particle_spacing, Section& s) {
                                                    : ""));
 }
 
-void make_halves_alike(Hull& hull, const Resolution& resolution, Section& s) {
+void make_halves_alike(Hull& hull, const Resolution& resolution, SceneSection& s) {
     const Asymmetry off = asymmetry(hull.surface);
     const double rounding = 1e-6 * hull.length;
     if (off.distance <= rounding) return;
@@ -53,7 +53,7 @@ void make_halves_alike(Hull& hull, const Resolution& resolution, Section& s) {
     s.fail("half", "the hull is not symmetric about y = 0: " + where + "; set half = false");
 }
 
-void take_section(HullOptions& o, Section& s) {
+void take_section(HullOptions& o, SceneSection& s) {
     Hull& hull = o.hull;
     try {
         hull.surface = section_prism(hull.surface);
@@ -126,7 +126,7 @@ void check_places(Scene& scene, Sections& s) {
                                 "the obstacle lies outside the domain; " + range);
     }
     std::size_t pressure = 0, height = 0;
-    for (Section& probe : s.probes) {
+    for (SceneSection& probe : s.probes) {
         if (probe.has("pressure")) {
             Vec3& place = scene.sampling.pressure[pressure++].place;
             if (scene.domain.dimensions == 2) place.y() = 0.5 * (box.min.y() + box.max.y());
@@ -139,7 +139,7 @@ void check_places(Scene& scene, Sections& s) {
     }
 }
 
-void check_gate(const Scene& scene, const Section& sph) {
+void check_gate(const Scene& scene, const SceneSection& sph) {
     const SphOptions& o = scene.sph;
     if (o.gate_point.empty() && o.gate_normal.empty()) return;
     const char* key = o.gate_point.empty() ? "gate_normal" : "gate_point";

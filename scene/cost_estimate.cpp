@@ -15,7 +15,7 @@
 #include "scene/refined_places.h"
 #include "scene/running_water.h"
 #include "scene/scene.h"
-#include "scene/units.h"
+#include "text/units.h"
 
 namespace tw {
 namespace {

@@ -77,7 +77,7 @@ Domain stream_domain(const DomainOptions& o, const Scene& scene, std::optional<d
 }
 
 /// Of a half model the part at y > 0 is solved.
-void check_half_range(double low, double high, Section& s, const std::string& key) {
+void check_half_range(double low, double high, SceneSection& s, const std::string& key) {
     if (!(high > 0) || (low != 0 && low != -high))
         s.fail(key,
                fmt::format("a half model is solved from y = 0 on, and here y runs from {:.6g} to {:.6g} m; expected y "
@@ -87,7 +87,7 @@ void check_half_range(double low, double high, Section& s, const std::string& ke
 
 }  // namespace
 
-Resolution resolution_of(const ResolutionOptions& o, const Hull* hull, Section& s, double scale) {
+Resolution resolution_of(const ResolutionOptions& o, const Hull* hull, SceneSection& s, double scale) {
     Resolution r;
     if (!o.near_hull && !o.spacing && !hull)
         s.fail("near_hull", "missing; a scene without a hull needs its particle spacing, e.g. near_hull = \"0.02 m\"");
@@ -105,7 +105,7 @@ Resolution resolution_of(const ResolutionOptions& o, const Hull* hull, Section& 
     return r;
 }
 
-void check_sizes(const Resolution& r, std::initializer_list<double> lengths, const char* of_what, Section& s) {
+void check_sizes(const Resolution& r, std::initializer_list<double> lengths, const char* of_what, SceneSection& s) {
     const auto refuse = [&](const std::string& key, double size, double length, double most) {
         s.fail(key, fmt::format(
                         "too coarse: {:.4g} m{}, but {} is only {:.4g} m wide or long; expected at most {:.3g} m", size,

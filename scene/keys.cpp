@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <stdexcept>
 
@@ -569,8 +568,8 @@ std::vector<SceneKey> all_keys() {
 
 }  // namespace
 
-const std::vector<SceneSection>& scene_sections() {
-    static const std::vector<SceneSection> sections{
+const std::vector<SectionRow>& scene_sections() {
+    static const std::vector<SectionRow> sections{
         {"", false, "Above the first section."},
         {"hull", false, "The hull as it stands in the water. Without this section the scene has no hull."},
         {"water", false, "Water, air and gravity."},
@@ -631,23 +630,6 @@ std::string fallback_text(const SceneKey& key) {
     });
     if (text.empty()) throw std::logic_error(fmt::format("[{}] {}: no default in the table", key.section, key.name));
     return text;
-}
-
-std::string value_text(double si, std::string_view unit) {
-    if (unit == "rad") return fmt::format("{:.4g} deg", si * 180 / std::numbers::pi);
-    return fmt::format("{:.6g}{}{}", si, unit == "-" ? "" : " ", unit == "-" ? "" : unit);
-}
-
-std::string range_text(const Range& range, std::string_view unit) {
-    const bool low = std::isfinite(range.min), high = std::isfinite(range.max);
-    if (!low && !high) return "";
-    if (!low) return "at most " + value_text(range.max, unit);
-    const std::string from = (range.open_min ? "greater than "
-                              : high         ? "from "
-                                             : "at least ") +
-                             value_text(range.min, unit);
-    if (!high) return from;
-    return from + (range.open_min ? " and at most " : " to ") + value_text(range.max, unit);
 }
 
 }  // namespace tw

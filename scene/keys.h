@@ -1,6 +1,5 @@
 #pragma once
 #include <functional>
-#include <limits>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -8,6 +7,7 @@
 #include <vector>
 
 #include "scene/scene.h"
+#include "text/range.h"
 
 namespace tw {
 
@@ -15,15 +15,6 @@ namespace tw {
 // what is known and expected, the hashes which numbers belong to which, and docs/scene_reference.md is made from it.
 // A new key is one row here (the keys of an effect: in its part, see effects/), and a line in a reader only where it
 // has no slot.
-
-/// Closed range of SI values that a key accepts; `open_min`: the lower end itself is refused.
-struct Range {
-    double min = -std::numeric_limits<double>::infinity(), max = std::numeric_limits<double>::infinity();
-    bool open_min = false;
-};
-inline constexpr Range any_value{};
-inline constexpr Range positive{0, std::numeric_limits<double>::infinity(), true};
-inline constexpr Range not_negative{0, std::numeric_limits<double>::infinity(), false};
 
 /// The value of a key in the checked scene; none for a key from which a reader works something else out.
 using Slot = std::variant<std::monostate, std::function<double&(Scene&)>, std::function<int&(Scene&)>,
@@ -74,12 +65,12 @@ struct SceneKey {
 };
 
 /// A section of the scene file.
-struct SceneSection {
+struct SectionRow {
     std::string name;
     bool repeated = false;  ///< written as [[name]], any number of times
     std::string meaning;    ///< one sentence or two
 };
-const std::vector<SceneSection>& scene_sections();
+const std::vector<SectionRow>& scene_sections();
 
 /// All keys, section by section; those of [effects] and of the effects' parameters come from the registry.
 const std::vector<SceneKey>& scene_keys();
@@ -96,9 +87,5 @@ void with_value(const SceneKey& key, Scene& scene, Use use) {
 }
 /// What holds without the key, as text: its `fallback`, else its value in a new Scene with its unit.
 std::string fallback_text(const SceneKey& key);
-/// "1000 m/s"; angles in degrees.
-std::string value_text(double si, std::string_view unit);
-/// "greater than 0 m/s and at most 1000 m/s"; empty: any value.
-std::string range_text(const Range& range, std::string_view unit);
 
 }  // namespace tw

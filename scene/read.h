@@ -2,28 +2,28 @@
 #include <optional>
 
 #include "scene/scene.h"
-#include "scene/section.h"
+#include "scene/scene_section.h"
 
 namespace tw {
 
 // The readers of the sections: text -> typed values in SI. Keys that stand in the scene as they are written go there by
-// Section::read_into; what is left to be worked out is returned. Each throws InputError at the key and ends in
-// Section::finish().
+// SceneSection::read_into; what is left to be worked out is returned. Each throws InputError at the key and ends in
+// SceneSection::finish().
 
 /// All sections of one scene file; kept while the scene is being checked so that a later finding names its key.
 struct Sections {
-    Section root, hull, water, motion, resolution, domain, run, sampling, tank, sph, fvm, effects;
-    std::vector<Section> obstacles, bodies, probes, water_blocks, refined, plies, gauges;
+    SceneSection root, hull, water, motion, resolution, domain, run, sampling, tank, sph, fvm, effects;
+    std::vector<SceneSection> obstacles, bodies, probes, water_blocks, refined, plies, gauges;
 };
-Sections split_sections(const std::filesystem::path& file, const SceneValue& document);
+Sections split_sections(const std::filesystem::path& file, const TextValue& document);
 
-std::optional<double> read_water(Section& s, Scene& scene);                  ///< depth of the place [m]
-std::optional<double> read_motion(Section& s, Scene& scene, bool has_hull);  ///< ramp [s]
+std::optional<double> read_water(SceneSection& s, Scene& scene);                  ///< depth of the place [m]
+std::optional<double> read_motion(SceneSection& s, Scene& scene, bool has_hull);  ///< ramp [s]
 
 struct ResolutionOptions {
     std::optional<double> spacing, near_hull;
 };
-ResolutionOptions read_resolution(Section& s);
+ResolutionOptions read_resolution(SceneSection& s);
 
 struct DomainOptions {
     std::optional<double> ahead, behind, side, below, above;
@@ -31,15 +31,15 @@ struct DomainOptions {
     int dimensions = 3;
     bool empty() const { return !ahead && !behind && !side && !below && !above && !x && !y && !z; }
 };
-DomainOptions read_domain(Section& s);
-std::optional<Box> read_tank(Section& s);  ///< nothing when there is no [tank]
+DomainOptions read_domain(SceneSection& s);
+std::optional<Box> read_tank(SceneSection& s);  ///< nothing when there is no [tank]
 /// Before `read_tank`: the motion of a tank that has one.
-std::optional<MovingFrame> read_tank_motion(Section& s, int dimensions);
+std::optional<MovingFrame> read_tank_motion(SceneSection& s, int dimensions);
 /// The keys from `law` on, of a body or a tank. `flat`: in the plane y = 0.
-MotionLaw read_motion_law(Section& s, bool flat);
+MotionLaw read_motion_law(SceneSection& s, bool flat);
 
 /// Edge of the raster's voxels [m].
-std::optional<double> read_sampling(Section& s, std::vector<Section>& probes, Scene& scene);
+std::optional<double> read_sampling(SceneSection& s, std::vector<SceneSection>& probes, Scene& scene);
 
 /// The hull as it stands in the water; health is checked later, when the particle spacing is known.
 struct FreeHullOptions {
@@ -55,31 +55,32 @@ struct HullOptions {
     std::string key;  ///< "file" or "shape": where findings about the surface are reported
     std::optional<FreeHullOptions> free;
 };
-HullOptions read_hull(Section& s);
+HullOptions read_hull(SceneSection& s);
 /// The keys of a hull that is free; nothing for one that is held.
-std::optional<FreeHullOptions> read_free_hull(Section& s);
+std::optional<FreeHullOptions> read_free_hull(SceneSection& s);
 /// Gives such a hull its mass and centre where it stands.
 void stand_free_hull(HullOptions& o, double water_density);
 /// The turn from the shape's own axes to those in which it stands.
 Eigen::Matrix3d turn_of(const Pose& pose);
 /// The surface of [hull], [[obstacle]] or [[body]] in metres, before it is posed: from `file` or from `shape` and its
 /// parameters. `source`: that file or shape as written; `key`: which of the two it was.
-Surface read_solid(Section& s, std::string& source, std::string& key);
+Surface read_solid(SceneSection& s, std::string& source, std::string& key);
 /// The `number`-th body, from 1.
-MovingBody read_body(Section& s, std::size_t number, int dimensions);
+MovingBody read_body(SceneSection& s, std::size_t number, int dimensions);
 /// The elastic ones among the bodies, each with its plies and gauges; nothing for the others.
-std::vector<std::optional<ElasticPart>> read_elastic(std::vector<Section>& bodies, std::vector<Section>& plies,
-                                                     std::vector<Section>& gauges, int dimensions, double gravity);
-MovingBody elastic_body(Section& s, std::size_t number, ElasticPlate plate);
-ElasticTyre read_tyre(Section& s, int dimensions, double gravity);
+std::vector<std::optional<ElasticPart>> read_elastic(std::vector<SceneSection>& bodies,
+                                                     std::vector<SceneSection>& plies,
+                                                     std::vector<SceneSection>& gauges, int dimensions, double gravity);
+MovingBody elastic_body(SceneSection& s, std::size_t number, ElasticPlate plate);
+ElasticTyre read_tyre(SceneSection& s, int dimensions, double gravity);
 /// With the surface of the tyre as it stands at the start, blown up.
-MovingBody tyre_body(Section& s, std::size_t number, ElasticTyre tyre);
+MovingBody tyre_body(SceneSection& s, std::size_t number, ElasticTyre tyre);
 /// Gives an elastic plate what follows from the particle spacing: skin, margin, surface and rigid counterpart.
-void stand_elastic(MovingBody& body, double dp, Section& s);
+void stand_elastic(MovingBody& body, double dp, SceneSection& s);
 /// A solid from a file, a shape or a box (min, max).
-Obstacle read_obstacle(Section& s, std::size_t number);
-std::vector<Box> read_water_blocks(std::vector<Section>& sections);
+Obstacle read_obstacle(SceneSection& s, std::size_t number);
+std::vector<Box> read_water_blocks(std::vector<SceneSection>& sections);
 /// `min` and `max` of a section, both required.
-Box read_box(Section& s);
+Box read_box(SceneSection& s);
 
 }  // namespace tw

@@ -15,7 +15,7 @@ constexpr const char* freedom_names[] = {"surge", "sway", "heave", "roll", "pitc
 
 bool is_free(const Freedoms& free, std::size_t k) { return k < 3 ? free.along[k] : free.about[k - 3]; }
 
-Freedoms read_freedoms(Section& s, bool flat) {
+Freedoms read_freedoms(SceneSection& s, bool flat) {
     Freedoms free;
     const auto lock = [&](std::size_t k) { (k < 3 ? free.along[k] : free.about[k - 3]) = false; };
     for (const std::string& word : s.choices("locked").value_or(std::vector<std::string>{}))
@@ -29,7 +29,7 @@ Freedoms read_freedoms(Section& s, bool flat) {
     return free;
 }
 
-RigidMass read_mass(Section& s, const Surface& surface, const Eigen::Matrix3d& turn, bool free) {
+RigidMass read_mass(SceneSection& s, const Surface& surface, const Eigen::Matrix3d& turn, bool free) {
     const auto density = s.number("density"), mass = s.number("mass");
     if (density && mass) s.fail("mass", "given twice: also density; keep one of the two");
     const std::optional<Vec3> centre = s.vector("centre"), inertia = s.vector("inertia");
@@ -68,7 +68,7 @@ Eigen::Matrix3d turn_of(const Pose& pose) {
     return turn;
 }
 
-MovingBody read_body(Section& s, std::size_t number, int dimensions) {
+MovingBody read_body(SceneSection& s, std::size_t number, int dimensions) {
     MovingBody b;
     const bool flat = dimensions == 2;
     b.name = s.identifier("name", fmt::format("body{}", number));

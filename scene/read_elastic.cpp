@@ -18,9 +18,9 @@ namespace {
 using Materials = std::vector<std::pair<std::string, structure::Ply>>;
 
 /// Every ply by its name, with material and thickness.
-Materials read_plies(std::vector<Section>& sections) {
+Materials read_plies(std::vector<SceneSection>& sections) {
     Materials materials;
-    for (Section& s : sections) {
+    for (SceneSection& s : sections) {
         const auto needed = [&](const char* key) {
             const auto value = s.number(key);
             if (!value) s.fail(key, "missing; a ply needs it");
@@ -45,7 +45,7 @@ Materials read_plies(std::vector<Section>& sections) {
     return materials;
 }
 
-std::vector<structure::Ply> read_section(Section& s, const Materials& materials) {
+std::vector<structure::Ply> read_section(SceneSection& s, const Materials& materials) {
     const auto layup = s.text("layup");
     if (layup) {
         for (const char* of_isotropic : {"youngs_modulus", "poisson", "thickness", "density"})
@@ -66,7 +66,7 @@ std::vector<structure::Ply> read_section(Section& s, const Materials& materials)
     return {{material, 0, *t}};
 }
 
-void read_rectangle(Section& s, int dimensions, ElasticPlate& plate) {
+void read_rectangle(SceneSection& s, int dimensions, ElasticPlate& plate) {
     const auto size = s.numbers("plate");
     const auto cells = s.numbers("cells");
     if (!size) s.fail("plate", "missing; an elastic plate needs its length and breadth, or a mesh");
@@ -80,7 +80,7 @@ void read_rectangle(Section& s, int dimensions, ElasticPlate& plate) {
     }
 }
 
-void read_shell_mesh(Section& s, int dimensions, ElasticPlate& plate) {
+void read_shell_mesh(SceneSection& s, int dimensions, ElasticPlate& plate) {
     const std::string name = s.text("mesh", ""), unit = s.choice("unit").value_or("m");
     for (const char* of_rectangle : {"plate", "cells"})
         if (s.has(of_rectangle)) s.fail(of_rectangle, "stands beside mesh, which says where the plate lies; keep one");
@@ -102,7 +102,7 @@ void read_shell_mesh(Section& s, int dimensions, ElasticPlate& plate) {
 }
 
 /// Names the edges of a rectangle, or node sets of a mesh.
-void check_edge(Section& s, const char* key, const std::string& edge, const ElasticPlate& plate) {
+void check_edge(SceneSection& s, const char* key, const std::string& edge, const ElasticPlate& plate) {
     static constexpr const char* edges[] = {"x_min", "x_max", "y_min", "y_max"};
     if (!plate.mesh) {
         if (std::ranges::find(edges, edge) == std::end(edges))
@@ -116,7 +116,7 @@ void check_edge(Section& s, const char* key, const std::string& edge, const Elas
                             known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "))));
 }
 
-void read_supports(Section& s, ElasticPlate& plate) {
+void read_supports(SceneSection& s, ElasticPlate& plate) {
     for (const auto& [key, edges] :
          {std::pair{"clamped", &plate.clamped}, {"hinged", &plate.hinged}, {"carried", &plate.carried}}) {
         *edges = s.choices(key).value_or(std::vector<std::string>{});
@@ -144,13 +144,15 @@ void read_supports(Section& s, ElasticPlate& plate) {
 
 }  // namespace
 
-std::vector<std::optional<ElasticPart>> read_elastic(std::vector<Section>& bodies, std::vector<Section>& plies,
-                                                     std::vector<Section>& gauges, int dimensions, double gravity) {
+std::vector<std::optional<ElasticPart>> read_elastic(std::vector<SceneSection>& bodies,
+                                                     std::vector<SceneSection>& plies,
+                                                     std::vector<SceneSection>& gauges, int dimensions,
+                                                     double gravity) {
     const Materials materials = read_plies(plies);
     std::vector<std::optional<ElasticPart>> parts(bodies.size());
     std::vector<std::size_t> elastic;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
-        Section& s = bodies[b];
+        SceneSection& s = bodies[b];
         const auto kind = s.choice("elastic");
         if (!kind) continue;
         elastic.push_back(b);
@@ -186,7 +188,7 @@ std::vector<std::optional<ElasticPart>> read_elastic(std::vector<Section>& bodie
         plate.coupling_iterations = s.whole("coupling_iterations").value_or(plate.coupling_iterations);
     }
     for (std::size_t g = 0; g < gauges.size(); ++g) {
-        Section& s = gauges[g];
+        SceneSection& s = gauges[g];
         ElasticGauge gauge;
         gauge.name = s.identifier("name", fmt::format("gauge{}", g + 1));
         const std::string body = s.text("body", "");
@@ -205,7 +207,7 @@ std::vector<std::optional<ElasticPart>> read_elastic(std::vector<Section>& bodie
     return parts;
 }
 
-MovingBody elastic_body(Section& s, std::size_t number, ElasticPlate plate) {
+MovingBody elastic_body(SceneSection& s, std::size_t number, ElasticPlate plate) {
     MovingBody b;
     b.name = s.identifier("name", fmt::format("body{}", number));
     static constexpr const char* names[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
@@ -219,7 +221,7 @@ MovingBody elastic_body(Section& s, std::size_t number, ElasticPlate plate) {
     return b;
 }
 
-void stand_elastic(MovingBody& body, double dp, Section& s) {
+void stand_elastic(MovingBody& body, double dp, SceneSection& s) {
     ElasticPlate& plate = std::get<ElasticPlate>(*body.elastic);
     const double thickness = plate.thickness();
     if (plate.skin == 0) plate.skin = std::max(thickness, 6 * dp);

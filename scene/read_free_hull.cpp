@@ -22,7 +22,7 @@ Vec3 transom_keel_of(const Surface& own) {
 
 }  // namespace
 
-std::optional<FreeHullOptions> read_free_hull(Section& s) {
+std::optional<FreeHullOptions> read_free_hull(SceneSection& s) {
     const auto free = s.choices("free");
     if (!free || free->empty()) {
         for (const char* of_free : {"mass", "lcg", "vcg", "pitch_gyradius", "release"})

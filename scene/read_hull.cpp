@@ -8,7 +8,7 @@
 #include "scene/read.h"
 
 namespace tw {
-Surface read_solid(Section& s, std::string& source, std::string& key) {
+Surface read_solid(SceneSection& s, std::string& source, std::string& key) {
     const std::filesystem::path& scene_file = s.file();
     const auto file = s.text("file");
     const auto shape = s.choice("shape");
@@ -37,7 +37,7 @@ Surface read_solid(Section& s, std::string& source, std::string& key) {
     }
 }
 
-HullOptions read_hull(Section& s) {
+HullOptions read_hull(SceneSection& s) {
     HullOptions o;
     Hull& hull = o.hull;
     hull.trim = s.number("trim", hull.trim);
@@ -67,7 +67,7 @@ HullOptions read_hull(Section& s) {
     return o;
 }
 
-Obstacle read_obstacle(Section& s, std::size_t number) {
+Obstacle read_obstacle(SceneSection& s, std::size_t number) {
     Obstacle o;
     o.name = s.identifier("name", fmt::format("obstacle{}", number));
     const auto min = s.vector("min"), max = s.vector("max");

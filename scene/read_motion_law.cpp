@@ -7,7 +7,7 @@ namespace tw {
 namespace {
 
 /// Unit vector of `along` or `about`.
-Vec3 read_axis(Section& s, const std::string& key, bool flat) {
+Vec3 read_axis(SceneSection& s, const std::string& key, bool flat) {
     const Vec3 v = s.vector(key).value();
     if (!(v.norm() > 0)) s.fail(key, "has no direction; expected a vector other than zero");
     const Vec3 axis = v.normalized();
@@ -19,7 +19,7 @@ Vec3 read_axis(Section& s, const std::string& key, bool flat) {
 
 }  // namespace
 
-MotionLaw read_motion_law(Section& s, bool flat) {
+MotionLaw read_motion_law(SceneSection& s, bool flat) {
     MotionLaw law;
     const auto kind = s.choice("law");
     if (!kind)

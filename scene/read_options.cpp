@@ -6,14 +6,14 @@
 
 namespace tw {
 
-std::optional<double> read_water(Section& s, Scene& scene) {
+std::optional<double> read_water(SceneSection& s, Scene& scene) {
     const auto depth = s.number("depth");
     s.read_into(scene);
     s.finish();
     return depth;
 }
 
-std::optional<double> read_motion(Section& s, Scene& scene, bool has_hull) {
+std::optional<double> read_motion(SceneSection& s, Scene& scene, bool has_hull) {
     const std::string asked = s.text("kind", "");
     if (asked == "prescribed" || asked == "free")
         s.fail("kind",
@@ -33,7 +33,7 @@ std::optional<double> read_motion(Section& s, Scene& scene, bool has_hull) {
     return ramp;
 }
 
-ResolutionOptions read_resolution(Section& s) {
+ResolutionOptions read_resolution(SceneSection& s) {
     ResolutionOptions o;
     o.spacing = s.number("spacing");
     o.near_hull = s.number("near_hull");
@@ -45,7 +45,7 @@ ResolutionOptions read_resolution(Section& s) {
     return o;
 }
 
-DomainOptions read_domain(Section& s) {
+DomainOptions read_domain(SceneSection& s) {
     DomainOptions o;
     o.ahead = s.number("ahead");
     o.behind = s.number("behind");
@@ -67,7 +67,7 @@ DomainOptions read_domain(Section& s) {
     return o;
 }
 
-std::optional<Box> read_tank(Section& s) {
+std::optional<Box> read_tank(SceneSection& s) {
     if (!s.present()) return {};
     const auto size = s.vector("size");
     const auto min = s.vector("min"), max = s.vector("max");
@@ -81,16 +81,16 @@ std::optional<Box> read_tank(Section& s) {
     return box;
 }
 
-std::optional<double> read_sampling(Section& s, std::vector<Section>& probes, Scene& scene) {
+std::optional<double> read_sampling(SceneSection& s, std::vector<SceneSection>& probes, Scene& scene) {
     const auto raster_spacing = s.number("raster_spacing");
     s.read_into(scene);
     s.finish();
     Sampling& sampling = scene.sampling;
-    const auto refuse_taken = [](const auto& others, const std::string& name, const Section& p) {
+    const auto refuse_taken = [](const auto& others, const std::string& name, const SceneSection& p) {
         for (const auto& other : others)
             if (other.name == name) p.fail("name", fmt::format("the name {} is taken; give every probe its own", name));
     };
-    for (Section& p : probes) {
+    for (SceneSection& p : probes) {
         const auto pressure = p.vector("pressure");
         const auto height = p.numbers("height");
         if (pressure.has_value() == height.has_value())
@@ -109,7 +109,7 @@ std::optional<double> read_sampling(Section& s, std::vector<Section>& probes, Sc
     return raster_spacing;
 }
 
-Box read_box(Section& s) {
+Box read_box(SceneSection& s) {
     const auto min = s.vector("min"), max = s.vector("max");
     if (!min || !max) s.fail(min ? "max" : "min", "missing; expected min = [x, y, z] and max = [x, y, z]");
     const Box box{*min, *max};
@@ -117,9 +117,9 @@ Box read_box(Section& s) {
     return box;
 }
 
-std::vector<Box> read_water_blocks(std::vector<Section>& sections) {
+std::vector<Box> read_water_blocks(std::vector<SceneSection>& sections) {
     std::vector<Box> blocks;
-    for (Section& s : sections) {
+    for (SceneSection& s : sections) {
         blocks.push_back(read_box(s));
         s.finish();
     }

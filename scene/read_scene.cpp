@@ -19,12 +19,12 @@ namespace tw {
 namespace {
 
 /// Puts a command line option into the document as if it stood in the file; its messages name the option.
-void override_key(SceneValue& document, const std::string& section, const std::string& key, const std::string& option,
-                  SceneValue value) {
-    SceneValue* table = document.find(section);
+void override_key(TextValue& document, const std::string& section, const std::string& key, const std::string& option,
+                  TextValue value) {
+    TextValue* table = document.find(section);
     if (!table) {
-        SceneValue empty;
-        empty.kind = SceneValue::Kind::table;
+        TextValue empty;
+        empty.kind = TextValue::Kind::table;
         document.members.emplace_back(section, empty);
         table = &document.members.back().second;
     }
@@ -33,27 +33,27 @@ void override_key(SceneValue& document, const std::string& section, const std::s
     table->members.emplace_back(key, std::move(value));
 }
 
-SceneValue number_value(double number) {
-    SceneValue v;
-    v.kind = SceneValue::Kind::number;
+TextValue number_value(double number) {
+    TextValue v;
+    v.kind = TextValue::Kind::number;
     v.number = number;
     v.text = fmt::format("{:.10g}", number);
     return v;
 }
 
-void apply(const SceneOverrides& o, SceneValue& document) {
+void apply(const SceneOverrides& o, TextValue& document) {
     if (o.hull_file) {
         // Only what says how the hull stands in the water outlives a swap; a shape's own parameters would be unknown
         // keys.
-        if (SceneValue* hull = document.find("hull"))
+        if (TextValue* hull = document.find("hull"))
             std::erase_if(hull->members, [](const auto& m) {
                 static const std::set<std::string> kept{"trim",   "heel", "draft",          "position", "half",
                                                         "repair", "unit", "axes",           "free",     "mass",
                                                         "lcg",    "vcg",  "pitch_gyradius", "release"};
                 return !kept.contains(m.first);
             });
-        SceneValue file;
-        file.kind = SceneValue::Kind::text;
+        TextValue file;
+        file.kind = TextValue::Kind::text;
         file.text = o.hull_file->string();
         override_key(document, "hull", "file", "--hull", file);
     }
@@ -63,15 +63,15 @@ void apply(const SceneOverrides& o, SceneValue& document) {
     if (o.duration) override_key(document, "run", "duration", "--duration", number_value(*o.duration));
     if (o.trim) override_key(document, "hull", "trim", "--trim", number_value(*o.trim));
     for (const auto& [name, on] : o.effects) {
-        SceneValue value;
-        value.kind = SceneValue::Kind::text;
+        TextValue value;
+        value.kind = TextValue::Kind::text;
         value.text = on ? "on" : "off";
         override_key(document, "effects", name, "--effect " + name, value);
     }
 }
 
 void note_places(const Sections& s, Scene& scene) {
-    for (const Section* section :
+    for (const SceneSection* section :
          {&s.hull, &s.water, &s.motion, &s.resolution, &s.domain, &s.run, &s.sampling, &s.tank, &s.sph, &s.fvm})
         for (const SceneKey& key : scene_keys())
             if (key.section == section->name() && section->has(key.name))
@@ -79,7 +79,7 @@ void note_places(const Sections& s, Scene& scene) {
 }
 
 template <class List>
-void refuse_same_names(const List& items, std::vector<Section>& sections) {
+void refuse_same_names(const List& items, std::vector<SceneSection>& sections) {
     for (std::size_t i = 0; i < items.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             if (items[i].name == items[j].name)
@@ -89,24 +89,12 @@ void refuse_same_names(const List& items, std::vector<Section>& sections) {
 
 }  // namespace
 
-Sections split_sections(const std::filesystem::path& file, const SceneValue& document) {
-    Section root(file, "", &document);
-    const auto one = [&](const std::string& name) {
-        root.know(name);
-        const SceneValue* table = document.find(name);
-        if (table && table->kind != SceneValue::Kind::table) root.fail(name, "expected a section [" + name + "]");
-        return Section(file, name, table);
-    };
+Sections split_sections(const std::filesystem::path& file, const TextValue& document) {
+    SceneSection root(file, "", &document);
+    const auto one = [&](const std::string& name) { return SceneSection(root.section(name)); };
     const auto many = [&](const std::string& name) {
-        root.know(name);
-        std::vector<Section> all;
-        const SceneValue* list = document.find(name);
-        if (!list) return all;
-        if (list->kind != SceneValue::Kind::list) root.fail(name, "expected a list of sections [[" + name + "]]");
-        for (const SceneValue& item : list->list) {
-            if (item.kind != SceneValue::Kind::table) root.fail(name, "expected a list of sections [[" + name + "]]");
-            all.emplace_back(file, "[" + name + "]", &item);
-        }
+        std::vector<SceneSection> all;
+        for (Section& section : root.sections(name)) all.emplace_back(std::move(section));
         return all;
     };
     Sections s{root,
@@ -138,7 +126,7 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     Scene scene;
     scene.file = file;
     scene.text = read_text(file);
-    SceneValue document = parse_document(scene.text, file);
+    TextValue document = parse_document(scene.text, file);
     apply(overrides, document);
     Sections s = split_sections(file, document);
     scene.title = s.root.text("title", file.stem().string());
@@ -147,7 +135,7 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     const std::optional<double> depth = read_water(s.water, scene),
                                 ramp = read_motion(s.motion, scene, s.hull.present()),
                                 voxel = read_sampling(s.sampling, s.probes, scene);
-    for (Section* section : {&s.run, &s.sph, &s.fvm}) {
+    for (SceneSection* section : {&s.run, &s.sph, &s.fvm}) {
         section->read_into(scene);
         section->finish();
     }

@@ -12,7 +12,7 @@
 namespace tw {
 namespace {
 
-structure::Hyperelastic read_rubber(Section& s, const char* key, const Vec3& fallback, double density) {
+structure::Hyperelastic read_rubber(SceneSection& s, const char* key, const Vec3& fallback, double density) {
     const Vec3 c = s.vector(key).value_or(fallback);
     const auto rubber = structure::Hyperelastic::mooney_rivlin(c[0], c[1], c[2], density);
     if (const std::string why = structure::impossible(rubber); !why.empty())
@@ -20,7 +20,7 @@ structure::Hyperelastic read_rubber(Section& s, const char* key, const Vec3& fal
     return rubber;
 }
 
-void read_start(Section& s, ElasticTyre& tyre, double gravity) {
+void read_start(SceneSection& s, ElasticTyre& tyre, double gravity) {
     const auto fall = s.number("drop_height");
     if (fall && s.has("velocity"))
         s.fail("drop_height", "gives the velocity that a fall ends with; keep one of the two");
@@ -39,7 +39,7 @@ void read_start(Section& s, ElasticTyre& tyre, double gravity) {
 
 }  // namespace
 
-ElasticTyre read_tyre(Section& s, int dimensions, double gravity) {
+ElasticTyre read_tyre(SceneSection& s, int dimensions, double gravity) {
     if (dimensions == 2) s.fail("elastic", "a tyre has three dimensions; expected [domain] dimensions = 3");
     ElasticTyre tyre;
     structure::Tyre& shape = tyre.shape;
@@ -69,7 +69,7 @@ ElasticTyre read_tyre(Section& s, int dimensions, double gravity) {
     return tyre;
 }
 
-MovingBody tyre_body(Section& s, std::size_t number, ElasticTyre tyre) {
+MovingBody tyre_body(SceneSection& s, std::size_t number, ElasticTyre tyre) {
     MovingBody b;
     b.name = s.identifier("name", fmt::format("body{}", number));
     b.source = fmt::format("elastic tyre of {:.4g} mm", 1000 * tyre.shape.outer_diameter);

@@ -44,7 +44,7 @@ std::string hashed(const SceneKey& key) {
     return "";
 }
 
-std::string section_text(const SceneSection& section) {
+std::string section_text(const SectionRow& section) {
     const std::string header = section.name.empty() ? "Top of the file"
                                : section.repeated   ? "`[[" + section.name + "]]`"
                                                     : "`[" + section.name + "]`";
@@ -61,7 +61,7 @@ std::string section_text(const SceneSection& section) {
     return out + "\n";
 }
 
-std::string effects_section(const SceneSection& section) {
+std::string effects_section(const SectionRow& section) {
     static constexpr const char* solved[] = {"both methods", "particle method only", "neither method"};
     std::string out =
         fmt::format("## `[{}]`\n\n{}\n\n| effect | solved by | needs | parameters | meaning |\n|---|---|---|---|---|\n",
@@ -109,7 +109,7 @@ std::string scene_reference() {
         "the height of the water and g gravity. The column *hash* says which hash covers a key: `scene` keys change "
         "the\n"
         "scene hash, `sph` and `fvm` keys change only the run hash of that method, `-` keys change none.\n\n";
-    for (const SceneSection& section : scene_sections())
+    for (const SectionRow& section : scene_sections())
         out += section.name == "effects" ? effects_section(section) : section_text(section);
     return out + shapes_section();
 }

@@ -92,7 +92,7 @@ Box free_surface(const Scene& scene, double width) {
     return {Vec3(all.min.x(), all.min.y(), -width), Vec3(all.max.x(), all.max.y(), width)};
 }
 
-std::vector<Box> boxes_of(Section& s, RefinedPlace& place, const Scene& scene, double size) {
+std::vector<Box> boxes_of(SceneSection& s, RefinedPlace& place, const Scene& scene, double size) {
     using Around = RefinedPlace::Around;
     const std::string around = s.choice("around").value_or("box");
     const auto refuse = [&](const char* key, bool there) {
@@ -121,9 +121,9 @@ std::vector<Box> boxes_of(Section& s, RefinedPlace& place, const Scene& scene, d
 
 }  // namespace
 
-std::vector<RefinedPlace> read_refined(std::vector<Section>& sections, const Scene& scene) {
+std::vector<RefinedPlace> read_refined(std::vector<SceneSection>& sections, const Scene& scene) {
     std::vector<RefinedPlace> places;
-    for (Section& s : sections) {
+    for (SceneSection& s : sections) {
         if (!scene.hull || scene.motion.kind != Motion::Kind::stream)
             s.fail("around", "finer places are for a hull in a stream so far; remove [[refine]]");
         RefinedPlace place;

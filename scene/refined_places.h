@@ -1,12 +1,12 @@
 #pragma once
 #include <vector>
 
-#include "scene/section.h"
+#include "scene/scene_section.h"
 
 namespace tw {
 
 /// The places of the scene's [[refine]] sections, after its domain is made. Throws InputError at the key that is wrong.
-std::vector<RefinedPlace> read_refined(std::vector<Section>& sections, const Scene& scene);
+std::vector<RefinedPlace> read_refined(std::vector<SceneSection>& sections, const Scene& scene);
 
 /// The wake of the scene's hull for particles of `size` [m]: behind its middle to the outlet, half as wide again as the
 /// hull and down to its draft, and eight spacings more.

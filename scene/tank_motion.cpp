@@ -8,7 +8,7 @@
 
 namespace tw {
 
-std::optional<MovingFrame> read_tank_motion(Section& s, int dimensions) {
+std::optional<MovingFrame> read_tank_motion(SceneSection& s, int dimensions) {
     if (!s.has("law")) {
         for (const SceneKey& key : scene_keys())
             if (key.section == "tank" && s.has(key.name) && key.name != "size" && key.name != "min" &&

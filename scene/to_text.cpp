@@ -14,8 +14,8 @@
 #include "scene/refined_places.h"
 #include "scene/scene.h"
 #include "scene/tank_walls.h"
-#include "scene/units.h"
 #include "structure/shell/shell.h"
+#include "text/units.h"
 
 namespace tw {
 namespace {

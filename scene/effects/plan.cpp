@@ -8,7 +8,7 @@
 
 namespace tw {
 
-std::vector<EffectChoice> plan_effects(Scene& scene, Section& section) {
+std::vector<EffectChoice> plan_effects(Scene& scene, SceneSection& section) {
     const FlowNumbers flow = flow_numbers(scene);
     std::vector<EffectChoice> choices;
     for (const EffectPart& part : effects()) {

@@ -348,7 +348,7 @@ TEST(Keys, OnlyWhatChangesNothingThatIsSolvedIsInNoHash) {
 
 TEST(Keys, EachIsInTheTableOnceWithASentenceAndADefault) {
     std::set<std::string> seen, sections;
-    for (const SceneSection& s : scene_sections()) sections.insert(s.name);
+    for (const SectionRow& s : scene_sections()) sections.insert(s.name);
     for (const SceneKey& key : scene_keys()) {
         EXPECT_TRUE(seen.insert(key.section + "." + key.name).second) << key.name;
         EXPECT_TRUE(sections.contains(key.section)) << key.name;

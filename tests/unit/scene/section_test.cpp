@@ -1,4 +1,4 @@
-#include "scene/section.h"
+#include "scene/scene_section.h"
 
 #include "scene_text.h"
 

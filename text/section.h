@@ -7,20 +7,20 @@
 #include <vector>
 
 #include "base/vec3.h"
-#include "scene/document.h"
-#include "scene/keys.h"
+#include "text/document.h"
+#include "text/range.h"
 
 namespace tw {
 
-/// One [section] of a scene file. Every getter remembers its key; finish() reports keys nobody asked for. All errors
-/// are InputError in the form
+/// One [section] of a text file. Every getter remembers its key; finish() reports keys nobody asked for. All errors are
+/// InputError in the form
 ///   file:line:column: [section] key = value: what was found; what is expected
-/// Getters that take a key alone find its kind, unit, range and choices in the table (keys.h); the others serve what is
-/// in no table: parameters of shapes, and mapping files.
+/// Numbers take SI values or texts with a unit; `unit` is the SI unit ("m", "m/s", "rad", "-").
 class Section {
 public:
-    /// `table` may be null: the section is absent and every key has its fallback. `place`: of the header.
-    Section(std::filesystem::path file, std::string name, const SceneValue* table);
+    /// `table` may be null: the section is absent and every key has its fallback. It has to outlive the section. The
+    /// document itself is the section without a name.
+    Section(std::filesystem::path file, std::string name, const TextValue* table);
 
     bool present() const { return table_ != nullptr; }
     bool has(const std::string& key) const { return table_ && table_->find(key); }
@@ -29,18 +29,11 @@ public:
     const std::string& name() const { return name_; }
     const std::filesystem::path& file() const { return file_; }
 
-    /// Reads every key of the table's section that has a slot in the scene; what is not written is left as it is.
-    void read_into(Scene& scene);
-    std::optional<double> number(const std::string& key);
-    double number(const std::string& key, double fallback) { return number(key).value_or(fallback); }
-    std::optional<int> whole(const std::string& key);
-    std::optional<std::vector<double>> numbers(const std::string& key);
-    std::optional<Vec3> vector(const std::string& key);
-    std::optional<std::pair<double, double>> range(const std::string& key);
-    std::optional<std::string> choice(const std::string& key);
-    std::optional<std::vector<std::string>> choices(const std::string& key);
+    /// The section [name] below this one, present or not.
+    Section section(const std::string& name);
+    /// The sections [[name]] below this one, any number of them.
+    std::vector<Section> sections(const std::string& name);
 
-    /// Numbers take SI values or strings with a unit; `unit` is the SI unit ("m", "m/s", "rad", "-").
     /// `hint`: what follows the message that a value is out of range.
     std::optional<double> number(const std::string& key, std::string_view unit, Range range = any_value,
                                  const std::string& hint = {});
@@ -48,7 +41,10 @@ public:
     /// `count`: how many are expected; 0: any number.
     std::optional<std::vector<double>> numbers(const std::string& key, std::string_view unit, std::size_t count);
     std::optional<Vec3> vector(const std::string& key, std::string_view unit);
+    std::optional<std::pair<double, double>> range(const std::string& key, std::string_view unit);
     std::string choice(const std::string& key, const std::string& fallback, const std::vector<std::string>& known);
+    /// A list of some of `known`, each once; of any names where there are none.
+    std::optional<std::vector<std::string>> choices(const std::string& key, const std::vector<std::string>& known);
     std::optional<std::string> text(const std::string& key);
     std::string text(const std::string& key, const std::string& fallback) { return text(key).value_or(fallback); }
     bool flag(const std::string& key, bool fallback);
@@ -67,20 +63,13 @@ public:
     void know(const std::string& key) { asked_.insert(key); }
 
 private:
-    /// The row of the table: list sections stand there without their brackets.
-    const SceneKey& row(const std::string& key) const;
-    const SceneValue* ask(const std::string& key);
-    /// The spelling in which a key was written: an older one where the file has that. Throws when it has both.
-    std::string written(const SceneKey& key);
-    double as_number(const std::string& key, const SceneValue& value, std::string_view unit) const;
+    const TextValue* ask(const std::string& key);
+    double as_number(const std::string& key, const TextValue& value, std::string_view unit) const;
 
     std::filesystem::path file_;
     std::string name_;
-    const SceneValue* table_;
+    const TextValue* table_;
     std::set<std::string> asked_;
 };
-
-/// "; did you mean 'draft'?" when one of `known` is near `word`, else empty.
-std::string did_you_mean(const std::string& word, const std::vector<std::string>& known);
 
 }  // namespace tw

@@ -12,24 +12,24 @@ struct Place {
 };
 
 /// One value of a scene file with its place; tables keep their members in the order of the file.
-struct SceneValue {
+struct TextValue {
     enum class Kind { text, number, flag, list, table, other } kind = Kind::other;
     std::string text;  ///< of a text; of a number as written in canonical form
     double number = 0;
     bool flag = false;
-    std::vector<SceneValue> list;
-    std::vector<std::pair<std::string, SceneValue>> members;
+    std::vector<TextValue> list;
+    std::vector<std::pair<std::string, TextValue>> members;
     Place place;         ///< of the value
     Place key_place;     ///< of its key, when it has one
     std::string option;  ///< the command line option it came from, empty for the file
 
-    const SceneValue* find(const std::string& key) const;
-    SceneValue* find(const std::string& key);
+    const TextValue* find(const std::string& key) const;
+    TextValue* find(const std::string& key);
     /// As it may stand in a message: strings quoted, control characters escaped, long ones cut.
     std::string shown() const;
 };
 
 /// The scene file as a tree. The only place that knows TOML. Throws InputError `file:line:column: ...`.
-SceneValue parse_document(const std::string& text, const std::filesystem::path& file);
+TextValue parse_document(const std::string& text, const std::filesystem::path& file);
 
 }  // namespace tw

@@ -1,4 +1,4 @@
-#include "scene/document.h"
+#include "text/document.h"
 
 #define TOML_HEADER_ONLY 0
 #define TOML_SHARED_LIB 1
@@ -16,13 +16,13 @@ Place place_of(const toml::source_region& region) {
     return {static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
 }
 
-SceneValue converted(const toml::node& node);
+TextValue converted(const toml::node& node);
 
-SceneValue converted_table(const toml::table& table) {
-    SceneValue v;
-    v.kind = SceneValue::Kind::table;
+TextValue converted_table(const toml::table& table) {
+    TextValue v;
+    v.kind = TextValue::Kind::table;
     for (const auto& [key, node] : table) {
-        SceneValue member = converted(node);
+        TextValue member = converted(node);
         member.key_place = place_of(key.source());
         v.members.emplace_back(std::string(key.str()), std::move(member));
     }
@@ -34,26 +34,26 @@ SceneValue converted_table(const toml::table& table) {
     return v;
 }
 
-SceneValue converted(const toml::node& node) {
-    SceneValue v;
+TextValue converted(const toml::node& node) {
+    TextValue v;
     if (const auto* table = node.as_table()) {
         v = converted_table(*table);
     } else if (const auto* array = node.as_array()) {
-        v.kind = SceneValue::Kind::list;
+        v.kind = TextValue::Kind::list;
         for (const toml::node& item : *array) v.list.push_back(converted(item));
     } else if (const auto* text = node.as_string()) {
-        v.kind = SceneValue::Kind::text;
+        v.kind = TextValue::Kind::text;
         v.text = text->get();
     } else if (const auto* integer = node.as_integer()) {
-        v.kind = SceneValue::Kind::number;
+        v.kind = TextValue::Kind::number;
         v.number = static_cast<double>(integer->get());
         v.text = fmt::format("{}", integer->get());
     } else if (const auto* real = node.as_floating_point()) {
-        v.kind = SceneValue::Kind::number;
+        v.kind = TextValue::Kind::number;
         v.number = real->get();
         v.text = fmt::format("{}", real->get());
     } else if (const auto* flag = node.as_boolean()) {
-        v.kind = SceneValue::Kind::flag;
+        v.kind = TextValue::Kind::flag;
         v.flag = flag->get();
     }
     v.place = place_of(node.source());
@@ -75,13 +75,13 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
-const SceneValue* SceneValue::find(const std::string& key) const {
+const TextValue* TextValue::find(const std::string& key) const {
     const auto it = std::find_if(members.begin(), members.end(), [&](const auto& m) { return m.first == key; });
     return it == members.end() ? nullptr : &it->second;
 }
-SceneValue* SceneValue::find(const std::string& key) { return const_cast<SceneValue*>(std::as_const(*this).find(key)); }
+TextValue* TextValue::find(const std::string& key) { return const_cast<TextValue*>(std::as_const(*this).find(key)); }
 
-std::string SceneValue::shown() const {
+std::string TextValue::shown() const {
     switch (kind) {
         case Kind::text: return quoted(text);
         case Kind::number: return text;
@@ -95,7 +95,7 @@ std::string SceneValue::shown() const {
     return out + "]";
 }
 
-SceneValue parse_document(const std::string& text, const std::filesystem::path& file) {
+TextValue parse_document(const std::string& text, const std::filesystem::path& file) {
     try {
         return converted_table(toml::parse(std::string_view(text), std::string_view("scene")));
     } catch (const toml::parse_error& e) {

@@ -1,4 +1,4 @@
-#include "scene/units.h"
+#include "text/units.h"
 
 #include <gtest/gtest.h>
 
