@@ -83,10 +83,11 @@ for page in "${pages[@]}"; do
 done
 
 # --- paths named in comments of sources
+rooms=$(printf '%s\n' "${!exists[@]}" | sed -n 's|/.*||p' | sort -u | grep -E '^[a-z_]+$' | paste -sd '|')
 while IFS=: read -r source line path; do
     [ -n "${exists[$path]:-}" ] || compgen -G "$path*" >/dev/null || tell "$source:$line: no such file ($path)"
 done < <(printf '%s\n' "${!exists[@]}" | grep -E '\.(h|cpp|sh|txt|in)$' | grep -v '_test\.sh$' | sort | xargs grep -HnoE \
-    '(^|[ (])(app|base|meshes|motion|structure|scene|record|sph_solver|foam_cases|compare|import|stability|spray|tools|docs)/[a-z0-9_/]+(\.(h|cpp|sh|md)|/[0-9]{3})([^a-z0-9]|$)' |
+    "(^|[ (])($rooms)/[a-z0-9_/]+(\.(h|cpp|sh|md)|/[0-9]{3})([^a-z0-9]|\$)" |
     sed 's/:\([0-9]*\):[ (]/:\1:/; s/[^a-z0-9]$//')
 
 # --- commands
