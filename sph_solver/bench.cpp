@@ -1,12 +1,12 @@
 #include "sph_solver/bench.h"
 
-#include <omp.h>
-
 #include <chrono>
 #include <cmath>
 #include <random>
 
+#include "sph_solver/backend/for_particles.h"
 #include "sph_solver/backend/pass_data.h"
+#include "sph_solver/backend/threads.h"
 #include "sph_solver/simulation.h"
 
 namespace tw {
@@ -22,8 +22,7 @@ double kernel_peak(const Passes& passes, const PassData& like, int threads) {
     double best = 0;
     for (int trial = 0; trial < 3; ++trial) {
         const double start = now();
-#pragma omp parallel num_threads(threads)
-        {
+        on_each_of(threads, [&] {
             std::vector<PlaceRecord> place(n);
             std::vector<VelocityDensityRecord> motion(n, VelocityDensityRecord{0, 0, 0, 0});
             std::vector<GradientPressureRecord> stress(n, GradientPressureRecord{0, 0, 0, 0});
@@ -46,7 +45,7 @@ double kernel_peak(const Passes& passes, const PassData& like, int threads) {
                 passes.continuity_and_gradient(d, &g, 1);
                 passes.forces(d, &g, 1);
             }
-        }
+        });
         best = std::max(best, double(threads) * repeats * n * passes.lanes / (now() - start));
     }
     return best;
@@ -60,7 +59,7 @@ BenchResult run_bench(std::int64_t particles, double h_over_dp, int threads, dou
     s.dp = 0.01;
     s.h_over_dp = h_over_dp;
     s.state_equation.c0 = 20;
-    s.threads = threads > 0 ? threads : omp_get_num_procs();
+    s.threads = threads > 0 ? threads : processors();
     s.domain = {Vec3::Zero(), Vec3::Constant(n * s.dp)};
     for (auto& axis : s.mirrors.on) axis = {true, true};
     Fluid fluid = fill_with_fluid(s, {s.domain});

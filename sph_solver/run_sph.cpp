@@ -1,6 +1,5 @@
 #include "sph_solver/run_sph.h"
 
-#include <omp.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -20,6 +19,7 @@
 #include "scene/refined_places.h"
 #include "scene/time_left.h"
 #include "sph_solver/backend/choose_passes.h"
+#include "sph_solver/backend/threads.h"
 #include "sph_solver/bodies/elastic/elastic_body.h"
 #include "sph_solver/measure/certificate.h"
 #include "sph_solver/measure/level_ledger.h"
@@ -77,11 +77,11 @@ public:
         fs::create_directories(folder_);
         const std::string stamp = fmt::format("{:09.5f}", simulation.time());
         write_levels(simulation.water(), "particles", particles_, stamp);
-        if (air_of(simulation)) write_levels(simulation.levels().last(1), "air", air_, stamp);
+        if (simulation.gas()) write_levels(simulation.levels().last(1), "air", air_, stamp);
         write_water(record);
-        const bool has_hull = !record.hull_pressure.empty();  // the first body, written with its pressure
-        for (const Body& body : std::span(simulation.bodies()).subspan(has_hull ? 1 : 0))
-            if (!body.fixed()) write_body(simulation, body, stamp);
+        const bool has_hull = !record.hull_pressure.empty();  // written with its pressure
+        for (const Body& body : simulation.bodies())
+            if (!body.fixed() && !(has_hull && body.is_hull())) write_body(simulation, body, stamp);
         if (!has_hull) return;
         const std::string hull = "hull_" + stamp + ".vtp";
         write_surface(folder_ / hull, record.hull,
@@ -197,7 +197,8 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
 
     const int threads = options.threads > 0     ? options.threads
                         : scene.run.threads > 0 ? scene.run.threads
-                                                : omp_get_num_procs();
+                                                : processors();
+    const Threads of_run(threads);
     RunRecord fresh = new_record(scene, "sph");
     note_prediction(fresh, options);
     std::optional<SphSetup> setup;
@@ -264,7 +265,7 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
     const auto save = [&](const std::string& state, const std::string& reason) {
         record.state = state;
         record.reason = reason;
-        const Level* air = air_of(*simulation);
+        const Level* air = simulation->gas();
         const std::size_t gas = air ? air->particles().size() : 0;
         record.elements = double(count() + gas);
         if (gas > 0) record.numbers["air_particles"] = double(gas);
@@ -287,7 +288,7 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
         Progress p;
         p.time = simulation->time(), p.duration = duration, p.wall = wall, p.steps = simulation->steps();
         p.eta = time_left(done, 1 - simulation->time() / duration, wall, options.predicted_seconds);
-        const Level* air = air_of(*simulation);
+        const Level* air = simulation->gas();
         p.note = fmt::format("sph {} particles{}, dt {:.3g} s", count(),
                              air ? fmt::format(" and {} of air", air->particles().size()) : "", simulation->dt());
         options.progress(p);

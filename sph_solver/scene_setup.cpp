@@ -201,6 +201,7 @@ SphSetup sph_setup(const Scene& scene, int threads) {
         const Surface& hull = scene.hull->surface;
         BodySetup& body = s.bodies.emplace_back(scene.hull->section ? with_span(hull, endless_span(hull)) : hull);
         body.name = "hull";
+        body.is_hull = true;
         if (scene.hull->free) {
             body.moving = scene.hull->free->motion;
             body.moving->mass.mass /= scene.symmetry_factor();

@@ -7,11 +7,10 @@
 #include <vector>
 
 #include "sph_solver/bodies/body.h"
-#include "sph_solver/bodies/contact.h"
-#include "sph_solver/pairs/level_pair.h"
+#include "sph_solver/bodies/collisions.h"
 #include "sph_solver/particles/level.h"
 #include "sph_solver/refinement/refinement.h"
-#include "sph_solver/time/schedule.h"
+#include "sph_solver/time/stepper.h"
 
 namespace tw {
 
@@ -30,7 +29,7 @@ struct SimulationSetup : Surroundings, LevelSetup, TimeOptions {
     /// the coarsest level. Not given: the zones stay.
     std::function<std::vector<Zone>(std::span<const MovedSolid> moving)> zones_round;
     Vec3 moment_reference = Vec3::Zero();
-    int threads = 0;  ///< 0: as OpenMP chooses
+    int threads = 0;  ///< that make the steps; 0: as many as work already
 };
 
 /// The lattice of spacing dp in each block, outside the bodies.
@@ -50,9 +49,9 @@ public:
     /// another scheme than kick-drift-kick. Bodies that move need a scheme of one evaluation.
     Simulation(const SimulationSetup& setup, std::span<const Fluid> levels, const Passes& passes = tw::passes());
 
-    /// Puts another material beside the levels that are there, on particles of the same size; before the first step.
+    /// Puts a gas beside the water, on particles of the same size; before the first step.
     /// Throws InputError for a scheme in stages.
-    Level& add_level(LevelSetup setup, const Fluid& fluid);
+    Level& add_gas(LevelSetup setup, const Fluid& fluid);
 
     void step();  ///< throws RunError, see Level::advance; and when a body that moves touches another solid
 
@@ -64,6 +63,10 @@ public:
     const Level& level(std::size_t k) const { return *levels_[k]; }
     const std::vector<Body>& bodies() const { return *bodies_; }
     std::vector<Body>& bodies() { return *bodies_; }
+    const Body* hull() const;  ///< the body that is the scene's hull; null: there is none
+    /// The level of gas; null: there is none.
+    const Level* gas() const { return gas_; }
+    Level* gas() { return gas_; }
 
     double time() const { return level(0).time(); }
     double dt() const { return level(0).dt(); }
@@ -80,14 +83,14 @@ public:
 
     /// What the water does to a body, and to all of them together, in the last step; with levels of several sizes the
     /// sum over the levels of the mean over each one's steps in it.
-    const Load& load(std::size_t body) const { return loads_[body]; }
+    const Load& load(std::size_t body) const { return stepper_->loads()[body]; }
     Load load() const;
     /// What level k did in its last step.
     Load load_of_level(std::size_t k) const;
     double bytes() const;
     /// Processor time that elastic bodies took since the start or the restart, all threads together: the water's forces
     /// on their dummies and their own steps [s].
-    double structure_seconds() const { return structure_seconds_; }
+    double structure_seconds() const { return stepper_->structure_seconds(); }
 
     // of the first level: all the water where particles have one size
     const Particles& particles() const { return level(0).particles(); }
@@ -114,49 +117,19 @@ public:
     void follow_bodies();
 
 private:
-    /// Both sweeps at the present state of all levels, as of the time `t`. On the way the density changes for the time
-    /// `compress` by the continuity equation, and the places for `drift` [s].
-    void evaluate(double t, double compress, double drift);
-    /// Its second sweep: pressures on walls, and forces.
-    void press(double t);
-    void step_in_stages();
-    /// A step of level k, then two of the next finer one. `dt`: given by the coarser level; 0: to be chosen.
-    void step_level(std::size_t k, double dt);
-    void gather_loads();
-    void take_loads();
-    /// Hands the water's forces of the last evaluation to an elastic body.
-    void push(ElasticBody& elastic, std::size_t body);
-    /// Lets elastic bodies that ask for it try the step and hand over their acceleration (ElasticBody::rehearse).
-    void rehearse_bodies(const Schedule::Move& move);
-    /// Lets the water of the last evaluation kick the bodies, and moves them on.
-    void move_bodies(const Schedule::Move& move);
     /// Throws RunError where a body touches another solid.
-    void refuse_contact() const;
-    /// What particles held at walls did to the bodies in Level::advance, which adds it to the loads `before`.
-    void strike_bodies(const std::vector<Load>& before, double kick);
-    void choose_time_step();
+    void refuse_collisions() const;
     void sample_levels(PointSamples& points);
-    bool lists_outlived() const;
-    void make_lists_due();
 
     SimulationSetup setup_;
     const Passes* passes_;
-    Schedule schedule_;
-    std::unique_ptr<Surroundings> around_;  // levels refer to these two
+    std::unique_ptr<Surroundings> around_;  // what follows refers to these two
     std::unique_ptr<std::vector<Body>> bodies_;
     std::vector<std::unique_ptr<Level>> levels_;  // the first are the water
-    std::vector<LevelPair> pairs_;
-    std::vector<Refinement> refinements_;  // the k-th joins levels k and k + 1
-    std::optional<Contacts> contacts_;     // where a body moves
-    int coupling_iterations_ = 1;          // the most that an elastic body asks for
-    double structure_seconds_ = 0;
-    std::vector<Load> loads_;
-    /// Time integrals of the loads by each level of water in the present step [N s], and their time [s].
-    struct LevelLoads {
-        std::vector<Load> sum;
-        double over = 0;
-    };
-    std::vector<LevelLoads> of_levels_;
+    Level* gas_ = nullptr;                        // one of them
+    std::vector<Refinement> refinements_;         // the k-th joins levels k and k + 1
+    std::optional<Stepper> stepper_;
+    std::optional<Collisions> collisions_;  // where a body moves
 };
 
 }  // namespace tw

@@ -67,6 +67,13 @@ all_runs() {
     run turbulence           "$(prism)" --effect viscosity=on --effect no_slip=on --effect turbulence=on
     run cavitation_damping   "$(prism)" --speed 20m/s --duration 0.08s --effect cavitation=on --effect acoustic_damping=on
     run damping_layers       "$(prism)" --effect damping_layers=on
+    run moving_tank          "$(study sloshing)" --near-hull 5mm --duration 0.6s
+    run floating_body        "$(study floating_box)" --near-hull 10mm --duration 0.3s
+    run free_hull            "$(study planing_free)" --scale 2.8284 --duration 0.1s
+    run elastic_shell        "$(study elastic_gate)" --near-hull 2mm --duration 0.04s
+    run elastic_penalty      "$(study elastic_gate | sed 's/^skin .*/coupling = "penalty"/')" --near-hull 2mm --duration 0.02s
+    run elastic_rehearsed    "$(study elastic_gate | sed 's/^margin .*/coupling_iterations = 3/')" --near-hull 2mm --duration 0.02s
+    run elastic_solid        "$(study tyre_drop_30)" --near-hull 8mm --duration 2ms
     run tension_control      "$(prism)" --effect tension_control=on
     run no_shifting          "$(prism)" --effect shifting=off
     local scheme
@@ -77,6 +84,8 @@ all_runs() {
     run mie_grueneisen       "$(study dam_break_2d '[sph]' 'equation_of_state = "mie_grueneisen"')" --scale 2 --duration 0.2s
     resumed resumed_hull     "$(prism)" 0.2s 0.3s
     resumed resumed_air      "$(study pocket)" 0.05s 0.1s --scale 2 --effect air=on
+    resumed resumed_body     "$(study floating_box)" 0.1s 0.2s --near-hull 10mm
+    resumed resumed_elastic  "$(study elastic_gate)" 0.02s 0.03s --near-hull 2mm
     resumed resumed_effects  "$(prism)" 0.1s 0.2s --effect viscosity=on --effect turbulence=on --effect damping_layers=on
 }
 

@@ -26,6 +26,20 @@ void for_groups(const std::vector<Group>& groups, const Body& body) {
     for (std::size_t k = 0; k < groups.size(); ++k) body(groups[k]);
 }
 
+/// Calls `body(k)` for every k < n; for few, long and uneven pieces of work.
+template <class Body>
+void for_pieces(std::size_t n, const Body& body) {
+#pragma omp parallel for schedule(dynamic, 1)
+    for (std::size_t k = 0; k < n; ++k) body(k);
+}
+
+/// Calls `body()` once on each of so many threads, all at the same time.
+template <class Body>
+void on_each_of(int threads, const Body& body) {
+#pragma omp parallel num_threads(threads)
+    body();
+}
+
 /// Runs a pass over the neighbours of all groups.
 template <class Data>
 void for_pairs(void (*pass)(const Data&, const Group*, int), const Data& data, const std::vector<Group>& groups) {

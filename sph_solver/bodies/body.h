@@ -24,6 +24,7 @@ struct BodySetup {
     std::optional<RigidBodySetup> moving = {};  ///< none: fixed, or elastic
     std::shared_ptr<const ElasticSetup> elastic = {};
     std::string name = "body";  ///< in messages
+    bool is_hull = false;       ///< the hull of the scene, whose loads and motion are reported as such
 
     BodySetup() = default;
     BodySetup(Surface s, const Vec3& along = Vec3::Zero()) : surface(std::move(s)), sliding(along) {}
@@ -58,6 +59,7 @@ public:
 
     const Surface& surface() const { return setup_.surface; }  ///< at the start
     const std::string& name() const { return setup_.name; }
+    bool is_hull() const { return setup_.is_hull; }
     const Vec3& sliding() const { return setup_.sliding; }
     bool fixed() const { return !rigid_ && !elastic_; }
     /// Whether no point of it ever moves along an axis (0..2), as of a hull free in heave and pitch across its length.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sph_solver/backend/for_particles.h"
+
 namespace tw {
 
 namespace {
@@ -45,9 +47,9 @@ Dummies make_dummies(const SurfaceQuery& query, const Box& bounds, double dp, do
 
     const double half_diagonal = dp * std::sqrt(double(dimensions)) / 2;
     std::vector<Dummies> layers(static_cast<std::size_t>(nz));
-#pragma omp parallel for schedule(dynamic, 1)
-    for (long k = 0; k < nz; ++k) {
-        Dummies& out = layers[static_cast<std::size_t>(k)];
+    for_pieces(layers.size(), [&](std::size_t layer) {
+        Dummies& out = layers[layer];
+        const long k = static_cast<long>(layer);
         for (long j = 0; j < ny; ++j)
             for (long i = 0; i < nx;) {
                 const Vec3 p((double(x0 + i) + 0.5) * dp, dimensions == 3 ? (double(y0 + j) + 0.5) * dp : 0.0,
@@ -69,7 +71,7 @@ Dummies make_dummies(const SurfaceQuery& query, const Box& bounds, double dp, do
                 const double clear = d > 0 ? d - half_diagonal : -d - depth;
                 i += std::max(1L, static_cast<long>(clear / dp));
             }
-    }
+    });
     Dummies all;
     for (const Dummies& layer : layers) {
         all.places.insert(all.places.end(), layer.places.begin(), layer.places.end());

@@ -18,4 +18,9 @@ inline Load operator*(double factor, const Load& load) {
     return {factor * load.force, factor * load.friction, factor * load.moment};
 }
 
+/// A blow to a body: impulse [N s], and its moment about the run's moment reference [N m s].
+struct Impulse {
+    Vec3 impulse = Vec3::Zero(), turn = Vec3::Zero();
+};
+
 }  // namespace tw

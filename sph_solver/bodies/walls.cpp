@@ -11,7 +11,7 @@ namespace tw {
 
 Walls::Walls(const std::vector<Body>& bodies, const Surroundings& around, const LevelSetup& level,
              double kernel_support, const ColumnGrid& grid, const Quanta& quanta, int lanes)
-    : loads(bodies.size()), bodies_(bodies), two_dimensional_(around.dimensions == 2) {
+    : bodies_(bodies), two_dimensional_(around.dimensions == 2), loads_(bodies.size()) {
     Box region = around.domain;
     region.min.array() -= kernel_support;
     region.max.array() += kernel_support;

@@ -13,6 +13,19 @@
 
 namespace tw {
 
+/// An impulse that a particle held at an elastic body's wall gave to it.
+struct WallStrike {
+    std::size_t body;
+    std::int32_t triangle;
+    Vec3 place, impulse;  ///< [m], [N s]
+};
+/// A force of water that presses on a place of an elastic body.
+struct WallPush {
+    std::size_t body;
+    std::int32_t triangle;
+    Vec3 place, force;  ///< [m], [N]
+};
+
 /// The bodies as one level of particles sees them: their dummies, which of them have water near, the normals along
 /// which they act, and what the level does to each of them.
 class Walls {
@@ -89,22 +102,13 @@ public:
     std::size_t group_load_count() const { return group_loads_.size(); }
     std::size_t bytes() const;
 
-    std::vector<Load> loads;  ///< on each body, of the last step
-
-    /// An impulse that a particle held at an elastic body's wall gave to it.
-    struct Blow {
-        std::size_t body;
-        std::int32_t triangle;
-        Vec3 place, impulse;  ///< [m], [N s]
-    };
-    std::vector<Blow> blows;  ///< of the last step
-    /// A force of water in penalty contact with an elastic body.
-    struct Contact {
-        std::size_t body;
-        std::int32_t triangle;
-        Vec3 place, force;  ///< [m], [N]
-    };
-    std::vector<Contact> contacts;  ///< of the last evaluation
+    /// What the level does to each body: of the last evaluation and, after a step, with what its walls had to hold.
+    const std::vector<Load>& loads() const { return loads_; }
+    void set_loads(std::vector<Load> of_bodies) { loads_ = std::move(of_bodies); }
+    void add_load(std::size_t body, const Load& load) { loads_[body] += load; }
+    /// Forces at places of elastic bodies, of the last evaluation: those of penalty_contact.h.
+    const std::vector<WallPush>& pushes() const { return pushes_; }
+    void set_pushes(std::vector<WallPush> pushes) { pushes_ = std::move(pushes); }
 
 private:
     /// How far the dummies of a rigid body reach from its centre [m].
@@ -128,6 +132,8 @@ private:
     std::vector<Part> parts_;  // of each body
     NeighbourLists lists_;
     std::vector<WallLoad> group_loads_;
+    std::vector<Load> loads_;  // on each body
+    std::vector<WallPush> pushes_;
 };
 
 }  // namespace tw

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "base/errors.h"
 
@@ -10,10 +9,8 @@ namespace tw {
 
 namespace {
 
-const std::string material = "air";
-
 LevelSetup air_setup(LevelSetup s, const AirOptions& air) {
-    s.material = material;
+    s.material = "air";
     s.rho0 = air.density;
     s.state_equation = {};
     s.state_equation.form = StateEquation::Form::tait;
@@ -38,15 +35,8 @@ void add_air(Simulation& simulation, const AirOptions& air, const Fluid& fluid) 
     Mirrors& mirrors = simulation.surroundings().mirrors;
     if (!mirrors.periodic[2]) mirrors.on[2][1] = true;
     simulation.level(0).set_surface_support(support_at_a_void);
-    simulation.add_level(air_setup(simulation.level(0).setup(), air), fluid);
+    simulation.add_gas(air_setup(simulation.level(0).setup(), air), fluid);
 }
-
-const Level* air_of(const Simulation& simulation) {
-    for (const auto& level : simulation.levels())
-        if (level->setup().material == material) return level.get();
-    return nullptr;
-}
-Level* air_of(Simulation& simulation) { return const_cast<Level*>(air_of(std::as_const(simulation))); }
 
 double gas_energy(const Level& gas, const Vec3& gravity) {
     const LevelSetup& s = gas.setup();

@@ -21,9 +21,6 @@ struct AirOptions {
 /// Puts the gas beside the water; before the first step. What flies up bounces off the lid. Throws InputError for a
 /// scheme in stages, or where there is no room for gas.
 void add_air(Simulation& simulation, const AirOptions& air, const Fluid& fluid);
-/// The level of gas; null when there is none.
-const Level* air_of(const Simulation& simulation);
-Level* air_of(Simulation& simulation);
 
 /// Kinetic, potential and elastic energy [J], with x = rho/rho_a per mass
 ///   int p / rho^2 drho = c_a^2/gamma (x^(gamma-1)/(gamma-1) + 1/x - gamma/(gamma-1)).

@@ -47,7 +47,7 @@ void watch_stability(const Simulation& simulation, RunRecord& record) {
         note_worst(record, {"rarefaction", "%", -percent * e.density_deviation_low, deviation, t, e.thinnest_place});
     }
     note_worst(record, {"step held down", "-", held_down, 20, t, nowhere});
-    if (const Level* air = air_of(simulation))
+    if (const Level* air = simulation.gas())
         note_worst(record, {"Mach number of the air", "-", air->extremes().speed / air->setup().state_equation.c0,
                             trusted_air_mach, t, air->extremes().fastest_place});
     note_worst(record, {"particles lost", "-", lost, 0, t, nowhere});

@@ -110,7 +110,7 @@ void Recorder::after_step(Simulation& simulation, bool frame) {
         put("_pressure", load.force - load.friction);
         put("_viscous", load.friction);
         set(t, row, "my", per_span("N m"), factor_ * load.moment.y());
-        if (air_of(simulation)) {
+        if (simulation.gas()) {
             const Vec3 air = simulation.load_of_level(simulation.water().size()).force.cwiseProduct(whole);
             set(t, row, "fx_air", per_span("N"), air.x());
             set(t, row, "fz_air", per_span("N"), air.z());
@@ -127,9 +127,8 @@ void Recorder::after_step(Simulation& simulation, bool frame) {
     if (frame) watch_energy(record_);
 }
 
-/// The hull is the first of the bodies.
 void Recorder::sample_hull(Simulation& simulation) {
-    if (scene_.hull->free) hull_ = hull_at_start_->moved_with(simulation.bodies().front());
+    if (scene_.hull->free) hull_ = hull_at_start_->moved_with(*simulation.hull());
     simulation.sample(hull_->points);
 }
 
@@ -218,7 +217,7 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
         for (const double m : record_.table(spray_table).column("mass", "kg").values) taken += m;
         set(t, k, "spray_mass", "kg", factor_ * taken);
     }
-    if (const Level* air = air_of(simulation)) {
+    if (const Level* air = simulation.gas()) {
         set(t, k, "air_particles", "-", double(air->particles().size()));
         set(t, k, "air_energy", per_span("J"), factor_ * gas_energy(*air, s.gravity));
         set(t, k, "air_max_speed", "m/s", air->extremes().speed);
@@ -243,7 +242,7 @@ void Recorder::record_bodies(const Simulation& simulation) {
             record_elastic(simulation, b);
             continue;
         }
-        if (b == 0 && scene_.hull) {
+        if (body.is_hull()) {
             append_hull_motion(record_.table(hull_motion_table), simulation.time(), *scene_.hull, body.rigid().state(),
                                body.rigid().spin());
             continue;
@@ -337,7 +336,7 @@ void Recorder::probe_pressure(Simulation& simulation) {
     simulation.sample(pressure_points_);
     for (std::size_t n = 0; n < pressure_points_.places.size(); ++n)
         set(t, k, scene_.sampling.pressure[n].name.c_str(), "Pa",
-            pressure_points_.support[n] >= SurfaceSamples::has_pressure || air_of(simulation)
+            pressure_points_.support[n] >= SurfaceSamples::has_pressure || simulation.gas()
                 ? double(pressure_points_.p[n])
                 : 0.0);
 }

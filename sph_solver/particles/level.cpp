@@ -211,7 +211,7 @@ StepView Level::step_view(const PassData& d, double t) const {
 
 void Level::gather_loads(const Vec3& moment_reference) {
     // force on the bodies = minus what they exert on the water, group by group in a fixed order
-    for (Load& load : walls_.loads) load = {};
+    std::vector<Load> loads(bodies_.size());
     const auto gather = [&](const std::vector<WallLoad>& of_groups, Vec3 Load::*force_of) {
         std::size_t slot = 0;
         for (std::size_t n = 0, next = 0; n < groups_.size(); n = next) {
@@ -227,7 +227,7 @@ void Level::gather_loads(const Vec3& moment_reference) {
             for (; slot < end; ++slot) {
                 const WallLoad& w = of_groups[slot];
                 const Vec3 force = -mass_ * Vec3(w.ax, w.ay, w.az);
-                Load& load = walls_.loads[static_cast<std::size_t>(w.body)];
+                Load& load = loads[static_cast<std::size_t>(w.body)];
                 load.*force_of += force;
                 load.moment += (centre - moment_reference).cross(force) - mass_ * Vec3(w.mx, w.my, w.mz);
             }
@@ -236,9 +236,15 @@ void Level::gather_loads(const Vec3& moment_reference) {
     gather(walls_.group_loads(), &Load::force);
     for (const auto& effect : effects_)
         if (!effect->wall_loads().empty()) gather(effect->wall_loads(), &Load::friction);
-    for (Load& load : walls_.loads) load.force += load.friction;
-    if (walls_.penalised())
-        add_penalty_contact(bodies_, particles_, records_, walls_, setup_.dp, mass_, moment_reference);
+    for (Load& load : loads) load.force += load.friction;
+    if (walls_.penalised()) {
+        walls_.set_pushes(add_penalty_contact(bodies_, particles_, records_, setup_.dp, mass_));
+        for (const WallPush& p : walls_.pushes()) {
+            loads[p.body].force += p.force;
+            loads[p.body].moment += (p.place - moment_reference).cross(p.force);
+        }
+    }
+    walls_.set_loads(std::move(loads));
 }
 
 // --- state ----------------------------------------------------------------------------------------------------------

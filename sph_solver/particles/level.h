@@ -111,15 +111,20 @@ public:
     void second_sweep(double t);
     void gather_loads(const Vec3& moment_reference);
     void set_step(double dt) { dt_ = dt; }
+    /// What particles that a wall had to hold did to the bodies in a step.
+    struct Struck {
+        std::vector<Impulse> bodies;       ///< each of them
+        std::vector<WallStrike> places{};  ///< of elastic ones
+    };
     /// Throws RunError: not a number, density or Mach number out of bounds.
-    void advance(const Schedule::Move& move, const Vec3& moment_reference);
+    Struck advance(const Schedule::Move& move, const Vec3& moment_reference);
 
     // --- steps in stages (explicit Runge-Kutta) instead of one evaluation
     void begin_stages(bool freeze_diffusion);
     void go_to_stage(double since);
     void add_stage(double weight, bool first, bool freeze_diffusion);
     /// Back to the step's begin, with the mean rates and loads of all stages.
-    void end_stages(std::vector<Load> mean);
+    void end_stages();
 
     // --- what the sweeps of level pairs and effects read
     PassData pass_data(double t);
@@ -240,6 +245,7 @@ private:
         std::vector<Start> start;
         std::vector<Mean> mean;
         std::vector<float> compression, diffusion;  ///< -rho div u of this stage, D of the first [kg/m3/s]
+        std::vector<Load> loads;                    ///< mean
     } stages_;
 };
 

@@ -27,11 +27,8 @@ struct Part {
     double speed2 = 0, acceleration2 = 0, relative2 = 0, relative2_before = 0, shift2 = 0, low = 0, high = 0;
     std::size_t fastest = 0, densest = 0, thinnest = 0;
     Vec3 crossed = Vec3::Zero();  ///< momentum into the control volume [N s]
-    struct Blow {
-        Vec3 impulse = Vec3::Zero(), turn = Vec3::Zero();  ///< [N s], [N m s]
-    };
-    std::vector<Blow> blows;  ///< given to each body by particles held at its wall; empty: none
-    std::vector<Walls::Blow> on_elastic;
+    std::vector<Impulse> on_bodies;  ///< given to each of them by particles held at its wall; empty: none
+    std::vector<WallStrike> on_elastic;
     std::int64_t held = 0;
     bool broken = false;
 };
@@ -65,7 +62,7 @@ std::optional<Level::Held> Level::hold_at_wall(std::size_t i) {
     return Held{mass_ * (before - Vec3(p.u[i], p.v[i], p.w[i])), found.body, found.triangle};
 }
 
-void Level::advance(const Schedule::Move& move, const Vec3& moment_reference) {
+Level::Struck Level::advance(const Schedule::Move& move, const Vec3& moment_reference) {
     const Stopwatch watch(timers_.update);
     const auto [dt, drifted, drift] = move;
     const LevelSetup& s = setup_;
@@ -75,7 +72,8 @@ void Level::advance(const Schedule::Move& move, const Vec3& moment_reference) {
     const double stream_before = stream_velocity(time_), stream_after = stream_velocity(time_ + dt);
     const ShiftStep shift_step(s.shifting, dt, h_, s.dp);
     walls_.note_motions();
-    walls_.blows.clear();
+    const std::vector<Load> pressed = walls_.loads();
+    Struck struck{std::vector<Impulse>(pressed.size())};
 
     const auto move_range = [&](Part& part, std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
@@ -133,11 +131,11 @@ void Level::advance(const Schedule::Move& move, const Vec3& moment_reference) {
                 const bool too_near = r.distance < held_at_wall_over_dp * s.dp;
                 if (const auto held = too_near ? hold_at_wall(i) : std::nullopt; held && p.kind[i] == Kind::fluid) {
                     ++part.held;
-                    part.blows.resize(walls_.loads.size());
-                    Part::Blow& blow = part.blows[held->body];
-                    blow.impulse += held->impulse;
+                    part.on_bodies.resize(pressed.size());
+                    Impulse& on_body = part.on_bodies[held->body];
+                    on_body.impulse += held->impulse;
                     const Vec3 place(p.x[i], p.y[i], p.z[i]);
-                    blow.turn += (place - moment_reference).cross(held->impulse);
+                    on_body.turn += (place - moment_reference).cross(held->impulse);
                     if (walls_.give_way())
                         part.on_elastic.push_back({held->body, held->triangle, place, held->impulse});
                 }
@@ -180,12 +178,17 @@ void Level::advance(const Schedule::Move& move, const Vec3& moment_reference) {
             extremes_.density_deviation_high = part.high, extremes_.densest_place = place(part.densest);
         crossed += part.crossed;
         ledger_.held += part.held;
-        walls_.blows.insert(walls_.blows.end(), part.on_elastic.begin(), part.on_elastic.end());
-        for (std::size_t b = 0; b < part.blows.size(); ++b) {
-            walls_.loads[b].force += part.blows[b].impulse / dt;
-            walls_.loads[b].moment += part.blows[b].turn / dt;
+        struck.places.insert(struck.places.end(), part.on_elastic.begin(), part.on_elastic.end());
+        for (std::size_t b = 0; b < part.on_bodies.size(); ++b) {
+            Load held;
+            held.force = part.on_bodies[b].impulse / dt;
+            held.moment = part.on_bodies[b].turn / dt;
+            walls_.add_load(b, held);
         }
     }
+    for (std::size_t b = 0; b < pressed.size(); ++b)
+        struck.bodies[b] = {dt * (walls_.loads()[b].force - pressed[b].force),
+                            dt * (walls_.loads()[b].moment - pressed[b].moment)};
     extremes_.speed = std::sqrt(speed2);
     extremes_.acceleration = std::sqrt(extremes_.acceleration);
     if (fastest < p.size()) {
@@ -205,6 +208,7 @@ void Level::advance(const Schedule::Move& move, const Vec3& moment_reference) {
                                      "wall was struck too hard",
                                      extremes_.speed, extremes_.speed / c0));
     check_density();
+    return struck;
 }
 
 void Level::check_density() const {
@@ -221,12 +225,12 @@ void Level::check_density() const {
 // --- stages ---------------------------------------------------------------------------------------------------------
 
 void Level::begin_stages(bool freeze_diffusion) {
-    if (life_.over) rebuild(dt_);
     const std::size_t n = particles_.size();
     stages_.compression.resize(n);
     stages_.start.resize(n);
     stages_.mean.assign(n, {});
     if (freeze_diffusion) stages_.diffusion.resize(n);
+    stages_.loads.assign(bodies_.size(), {});
 }
 
 /// From the step's begin for the time `since`, with the velocities and rates found last.
@@ -271,10 +275,11 @@ void Level::add_stage(double weight, bool first, bool freeze_diffusion) {
         m.ax += weight * r.ax, m.ay += weight * r.ay, m.az += weight * r.az;
         m.drho += weight * r.drho;
     });
+    for (std::size_t b = 0; b < stages_.loads.size(); ++b) stages_.loads[b] += weight * walls_.loads()[b];
 }
 
-void Level::end_stages(std::vector<Load> mean) {
-    walls_.loads = std::move(mean);
+void Level::end_stages() {
+    walls_.set_loads(stages_.loads);
     Particles& p = particles_;
     for_particles(p.size(), [&](std::size_t i) {
         const auto& from = stages_.start[i];

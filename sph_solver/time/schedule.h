@@ -1,17 +1,13 @@
 #pragma once
-#include <memory>
 #include <span>
-#include <vector>
 
 #include "sph_solver/time/scheme.h"
 
 namespace tw {
 
-class Level;
-
-/// Which levels are due, and for how long what is moved in a step [s].
+/// For how long what is moved in a step [s].
 ///
-/// All levels take the same step today, so all are due. A step of symplectic Euler and one of kick-drift-kick, whose
+/// A step of symplectic Euler and one of kick-drift-kick, whose
 /// first sweep lies in the middle of the drift and which is cut there, dt' being the step before:
 ///
 ///   rho -= dt' rho div u at (x, u);   u += dt a(x, rho);   rho += dt D;   x += dt u
@@ -25,11 +21,6 @@ class Level;
 class Schedule {
 public:
     explicit Schedule(Scheme scheme) : scheme_(scheme) {}
-
-    /// The levels that take part in the evaluation and the step that come next.
-    std::span<const std::unique_ptr<Level>> due(const std::vector<std::unique_ptr<Level>>& levels) const {
-        return levels;
-    }
 
     /// When the rates are evaluated, after the step's begin; for how long the density changes by the continuity
     /// equation on the way, and the places drift between the two sweeps.

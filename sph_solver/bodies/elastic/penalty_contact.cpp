@@ -4,9 +4,9 @@
 
 namespace tw {
 
-void add_penalty_contact(const std::vector<Body>& bodies, const Particles& p, Records& records, Walls& walls, double dp,
-                         double mass, const Vec3& moment_reference) {
-    walls.contacts.clear();
+std::vector<WallPush> add_penalty_contact(const std::vector<Body>& bodies, const Particles& p, Records& records,
+                                          double dp, double mass) {
+    std::vector<WallPush> pushes;
     for (std::size_t i = 0; i < p.size(); ++i) {  // in order: the sums keep their bits
         const WallNormalRecord& n = records.wall_normal[i];
         const double penetration = Coupling::reach(dp) - double(n.distance);
@@ -20,10 +20,9 @@ void add_penalty_contact(const std::vector<Body>& bodies, const Particles& p, Re
         rate.ax += static_cast<float>(force.x() / mass);
         rate.ay += static_cast<float>(force.y() / mass);
         rate.az += static_cast<float>(force.z() / mass);
-        walls.contacts.push_back({b, records.wall_triangle[i], place, -force});
-        walls.loads[b].force -= force;
-        walls.loads[b].moment -= (place - moment_reference).cross(force);
+        pushes.push_back({b, records.wall_triangle[i], place, -force});
     }
+    return pushes;
 }
 
 }  // namespace tw

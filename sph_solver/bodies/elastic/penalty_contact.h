@@ -11,8 +11,8 @@ namespace tw {
 ///
 ///   a_i += F(g) n / m,   g = reach - distance
 ///
-/// Adds to the particles' rates and leaves what the bodies get in `walls.contacts` and in their loads.
-void add_penalty_contact(const std::vector<Body>& bodies, const Particles& particles, Records& records, Walls& walls,
-                         double dp, double mass, const Vec3& moment_reference);
+/// Adds to the particles' rates, and gives what the bodies get.
+std::vector<WallPush> add_penalty_contact(const std::vector<Body>& bodies, const Particles& particles, Records& records,
+                                          double dp, double mass);
 
 }  // namespace tw

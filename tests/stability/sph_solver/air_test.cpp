@@ -29,23 +29,23 @@ TEST(AirStability, AColumnCollapsesUnderALid) {
     AirOptions air;
     air.sound_speed = 120;
     add_air(simulation, air, fill_with_air(s, column));
-    const std::size_t water = simulation.particles().size(), gas = air_of(simulation)->particles().size();
-    const double before = water_energy(simulation) + gas_energy(*air_of(simulation), simulation.setup().gravity);
+    const std::size_t water = simulation.particles().size(), gas = simulation.gas()->particles().size();
+    const double before = water_energy(simulation) + gas_energy(*simulation.gas(), simulation.setup().gravity);
     double most = before, fastest_air = 0, highest = 0;
     while (simulation.time() < 1.2) {
         run_on(simulation, simulation.time() + 0.02, 0.5, 0.2);
         if (testing::Test::HasFatalFailure()) return;
-        most = std::max(most, water_energy(simulation) + gas_energy(*air_of(simulation), simulation.setup().gravity));
-        fastest_air = std::max(fastest_air, air_of(simulation)->extremes().speed);
+        most = std::max(most, water_energy(simulation) + gas_energy(*simulation.gas(), simulation.setup().gravity));
+        fastest_air = std::max(fastest_air, simulation.gas()->extremes().speed);
         for (const double z : simulation.particles().z) highest = std::max(highest, z);
     }
-    const double after = water_energy(simulation) + gas_energy(*air_of(simulation), simulation.setup().gravity);
+    const double after = water_energy(simulation) + gas_energy(*simulation.gas(), simulation.setup().gravity);
     std::printf(
         "collapse under a lid: energy %.1f, at most %.1f, at the end %.1f J; air at most %.1f m/s; splash to %.2f m\n",
         before, most, after, fastest_air, highest);
     EXPECT_EQ(simulation.particles().size(), water);
-    EXPECT_EQ(air_of(simulation)->particles().size(), gas);
-    EXPECT_EQ(air_of(simulation)->ledger().lost, 0);
+    EXPECT_EQ(simulation.gas()->particles().size(), gas);
+    EXPECT_EQ(simulation.gas()->ledger().lost, 0);
     EXPECT_LT(most, before * 1.001);
     EXPECT_LT(after, before);
     EXPECT_LT(fastest_air, 0.5 * air.sound_speed);
@@ -69,11 +69,11 @@ TEST(AirStability, MomentumIsKept) {
         for (float& drho : p.drho) drho = of.state_equation.deviation(of.rho0, 2e4);
     };
     press(simulation.particles(), simulation.setup());
-    press(air_of(simulation)->particles(), air_of(simulation)->setup());
+    press(simulation.gas()->particles(), simulation.gas()->setup());
     for (float& u : simulation.particles().u) u = 3;
     const double before = sums_of(simulation).x;
     while (simulation.time() < 0.05) simulation.step();
-    const double gained = sums_of(*air_of(simulation)).x, after = sums_of(simulation).x + gained;
+    const double gained = sums_of(*simulation.gas()).x, after = sums_of(simulation).x + gained;
     std::printf("momentum %.6f of %.6f N s; the air has %.2g of it\n", after, before, gained / before);
     EXPECT_NEAR(after, before, 2e-6 * before);
     EXPECT_GT(gained, 1e-5 * before);

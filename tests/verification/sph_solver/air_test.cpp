@@ -72,7 +72,7 @@ struct Cushions {
         const std::vector<Box> water{{Vec3(0, -1, -L / 2), Vec3(12 * dp, 1, L / 2)}};
         Simulation simulation(s, fill_with_fluid(s, water));
         add_air(simulation, air, fill_with_air(s, water));
-        EXPECT_EQ(air_of(simulation)->particles().size(), simulation.particles().size());
+        EXPECT_EQ(simulation.gas()->particles().size(), simulation.particles().size());
         for (float& w : simulation.particles().w) w = 0.05f;  // of the cushion's height: 0.4 %
         std::vector<double> time, momentum;
         while (simulation.time() < 2.5 * 2 * pi / exact()) {
@@ -129,7 +129,7 @@ TEST(Air, WavesAtTheInterfaceOfTwoLayers) {
             }
         };
         start(simulation.particles(), -1);
-        start(air_of(simulation)->particles(), 1);
+        start(simulation.gas()->particles(), 1);
         std::vector<double> time, share;
         while (simulation.time() < 1.75 * 2 * pi / omega) {
             simulation.step();
@@ -159,7 +159,7 @@ TEST(Air, StaysAboveWaterAtRest) {
         const double exact = -1000 * 9.81 * p.z[i];
         pressure2 += std::pow(simulation.pressure(i) - exact, 2) / double(p.size());
     }
-    const Level& air = *air_of(simulation);
+    const Level& air = *simulation.gas();
     for (std::size_t i = 0; i < air.particles().size(); ++i) {
         lowest = std::min(lowest, air.particles().z[i]);
         air2 += std::pow(double(air.particles().u[i]), 2) + std::pow(double(air.particles().w[i]), 2);

@@ -1,4 +1,4 @@
-#include "sph_solver/bodies/contact.h"
+#include "sph_solver/bodies/collisions.h"
 
 #include <fmt/format.h>
 
@@ -37,7 +37,7 @@ bool apart(const Box& a, const Box& b, double gap) {
 
 }  // namespace
 
-Contacts::Contacts(const std::vector<Body>& bodies, const Surroundings& around, double dp)
+Collisions::Collisions(const std::vector<Body>& bodies, const Surroundings& around, double dp)
     : bodies_(bodies), around_(around), dp_(dp), skin_(bodies.size()), ties_(bodies.size()) {
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         if (bodies[b].fixed()) continue;
@@ -50,7 +50,7 @@ Contacts::Contacts(const std::vector<Body>& bodies, const Surroundings& around, 
 }
 
 /// Places on the surface that are clear of walls and of the other solids at the start.
-void Contacts::note_elastic(std::size_t body) {
+void Collisions::note_elastic(std::size_t body) {
     const Body& own = bodies_[body];
     const auto beside = [&](const Vec3& x) {
         if (!wall_at(x, around_, dp_).empty()) return true;
@@ -62,7 +62,7 @@ void Contacts::note_elastic(std::size_t body) {
         if (!beside(x)) ties_[body].push_back(own.elastic()->tie(x));
 }
 
-std::string Contacts::of_elastic(std::size_t body) const {
+std::string Collisions::of_elastic(std::size_t body) const {
     const ElasticBody& own = *bodies_[body].elastic();
     for (const Tie& tie : ties_[body]) {
         const Vec3 x = own.place(tie);
@@ -76,7 +76,7 @@ std::string Contacts::of_elastic(std::size_t body) const {
     return {};
 }
 
-std::string Contacts::with_domain(const Body& body) const {
+std::string Collisions::with_domain(const Body& body) const {
     const Box& domain = around_.domain;
     Box box = body.bounds();
     for (int a = 0; a < 3; ++a)  // across a plane of symmetry, or clear of the walls as at the start
@@ -90,7 +90,7 @@ std::string Contacts::with_domain(const Body& body) const {
     return {};
 }
 
-std::string Contacts::with_edge(std::size_t body) const {
+std::string Collisions::with_edge(std::size_t body) const {
     constexpr double nearest = 6;  // spacings: what guards and dummies fill on both sides of an edge
     if (!zone_) return {};
     for (const Vec3& at : skin_[body])
@@ -100,12 +100,12 @@ std::string Contacts::with_edge(std::size_t body) const {
     return {};
 }
 
-std::string Contacts::found() const {
+std::string Collisions::found() const {
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         if (bodies_[b].fixed()) continue;
         if (bodies_[b].elastic()) {
-            if (const std::string contact = of_elastic(b); !contact.empty())
-                return fmt::format("body {} {}", bodies_[b].name(), contact);
+            if (const std::string touched = of_elastic(b); !touched.empty())
+                return fmt::format("body {} {}", bodies_[b].name(), touched);
             continue;
         }
         if (const std::string wall = with_domain(bodies_[b]); !wall.empty())

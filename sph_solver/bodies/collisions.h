@@ -9,19 +9,19 @@
 
 namespace tw {
 
-/// Whether bodies that move touch a wall of the tank, a fixed solid or each other, or have left the domain. Contact is
-/// not solved: a run ends there. Particles cannot enter a gap below half a spacing between solids, so that is contact
-/// already; a wall of the tank is touched at its face. Where an elastic body stands within a spacing of another solid
+/// Whether bodies that move touch a wall of the tank, a fixed solid or each other, or have left the domain. What comes
+/// then is not solved: a run ends there. Particles cannot enter a gap below half a spacing between solids, so solids that
+/// near touch; a wall of the tank is touched at its face. Where an elastic body stands within a spacing of another solid
 /// or a wall at the start, as at its supports, it may touch them; and an elastic
 /// body whose contact with the floor is solved (elastic/elastic_setup.h) may touch that.
-class Contacts {
+class Collisions {
 public:
     /// Both must outlive this.
-    Contacts(const std::vector<Body>& bodies, const Surroundings& around, double dp);
+    Collisions(const std::vector<Body>& bodies, const Surroundings& around, double dp);
     /// The zone of the finest particles, which need not follow a body everywhere (must outlive this): a body that comes
     /// nearer to its edge below still water, z = 0, than the guards of that edge reach is found as well.
     void stay_within(const Zone& zone) { zone_ = &zone; }
-    /// The first contact in words; empty: none.
+    /// The first in words; empty: none.
     std::string found() const;
 
 private:
