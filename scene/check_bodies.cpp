@@ -72,7 +72,9 @@ void check_way(const MovingBody& body, const Scene& scene, SceneSection& s) {
 
 void check_scheme(const Scene& scene, SceneSection& s) {
     if (scene.sph.scheme != "kick_drift_kick" && scene.sph.scheme != "symplectic_euler")
-        s.fail("scheme", "bodies that move need a time step of one evaluation; expected \"kick_drift_kick\"");
+        s.fail("scheme",
+               "bodies that the water moves answer to the water that moves with them once a step; expected "
+               "\"kick_drift_kick\"");
 }
 
 void note_centre(const std::string& whose, const Surface& surface, const Vec3& centre, std::vector<Finding>& findings) {
@@ -97,7 +99,8 @@ void check_elastic(const Scene& scene, Sections& s) {
         if (!scene.bodies[b].elastic) continue;
         if (scene.sph.scheme != "kick_drift_kick")
             s.sph.fail("scheme", "elastic bodies are advanced with the water; expected \"kick_drift_kick\"");
-        if (scene.sph.levels > 1) s.sph.fail("levels", "elastic bodies need particles of one size; expected 1");
+        if (scene.effect_on("air"))
+            s.effects.fail("air", "elastic bodies are solved in water alone so far; remove this effect");
         if (scene.effect_on("no_slip"))
             s.effects.fail("no_slip", "friction is not handed over to elastic bodies; expected \"off\"");
     }
@@ -133,7 +136,8 @@ void check_bodies(Scene& scene, Sections& s) {
         s.motion.fail("kind", "bodies that move are solved in tanks alone; expected kind = \"none\"");
     if (scene.hull)
         s.hull.fail("shape", "a fixed hull beside bodies that move is an [[obstacle]]; remove this section");
-    check_scheme(scene, s.sph);
+    if (!std::ranges::all_of(scene.bodies, [](const MovingBody& b) { return b.motion.law && !b.elastic; }))
+        check_scheme(scene, s.sph);
     const double gap = scene.resolution.near_hull / 2;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         MovingBody& body = scene.bodies[i];

@@ -236,8 +236,6 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
             fmt::format("makes a raster of more than {:.0e} voxels; expected about {:.3g} m, twice near_hull",
                         most_voxels, two_particles));
     scene.effects = plan_effects(scene, s.effects);
-    if (!scene.bodies.empty() && scene.effect_on("air"))
-        s.effects.fail("air", "bodies that move are solved in water alone; remove this effect");
     check_elastic(scene, s);
     check_gate(scene, s.sph);
     check_tank_motion(scene, s);

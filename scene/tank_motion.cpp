@@ -41,9 +41,6 @@ void check_tank_motion(const Scene& scene, Sections& s) {
         s.hull.fail("shape", "a hull in a tank that moves is not solved; write a fixed solid as an [[obstacle]]");
     if (!scene.bodies.empty())
         s.bodies[0].fail("name", "bodies that move are not solved in a tank that moves; write [tank] without law");
-    if (scene.sph.levels > 1) s.sph.fail("levels", "a tank that moves needs particles of one size so far; expected 1");
-    if (scene.effect_on("air"))
-        s.effects.fail("air", "a tank that moves is solved with water alone; remove this effect");
     if (scene.effect_on("damping_layers"))
         s.effects.fail("damping_layers", "they hold the water to a tank at rest; remove this effect");
 }

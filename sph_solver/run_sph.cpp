@@ -11,7 +11,6 @@
 
 #include "base/atomic_file.h"
 #include "base/errors.h"
-#include "meshes/section.h"
 #include "record/snapshot.h"
 #include "record/spray_table.h"
 #include "record/water_surface.h"
@@ -20,7 +19,6 @@
 #include "scene/time_left.h"
 #include "sph_solver/backend/choose_passes.h"
 #include "sph_solver/backend/threads.h"
-#include "sph_solver/bodies/elastic/elastic_body.h"
 #include "sph_solver/measure/certificate.h"
 #include "sph_solver/measure/level_ledger.h"
 #include "sph_solver/measure/recorder.h"
@@ -80,8 +78,8 @@ public:
         if (simulation.gas()) write_levels(simulation.levels().last(1), "air", air_, stamp);
         write_water(record);
         const bool has_hull = !record.hull_pressure.empty();  // written with its pressure
-        for (const Body& body : simulation.bodies())
-            if (!body.fixed() && !(has_hull && body.is_hull())) write_body(simulation, body, stamp);
+        for (const auto& body : simulation.bodies())
+            if (!body->fixed() && !(has_hull && body->is_hull())) write_body(simulation, *body, stamp);
         if (!has_hull) return;
         const std::string hull = "hull_" + stamp + ".vtp";
         write_surface(folder_ / hull, record.hull,
@@ -154,12 +152,7 @@ private:
     /// The surface of a body where it is now; a section as thick as the water.
     void write_body(const Simulation& simulation, const Body& body, const std::string& stamp) {
         const SimulationSetup& s = simulation.setup();
-        Surface now =
-            s.dimensions == 2 && !body.elastic() ? with_span(body.surface(), s.domain.size().y()) : body.surface();
-        if (body.elastic())
-            now = body.elastic()->surface();
-        else
-            for (Vec3& p : now.points) p = body.now(p);
+        const Surface now = body.surface_now(s.dimensions == 2 ? std::optional(s.domain.size().y()) : std::nullopt);
         const std::string name = body_table(body.name()), file = name + "_" + stamp + ".vtp";
         write_surface(folder_ / file, now, {});
         bodies_[name].emplace_back(file, simulation.time());

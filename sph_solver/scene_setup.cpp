@@ -89,19 +89,6 @@ Surface through_mirrors(Surface surface, const SimulationSetup& s, double coarse
     return surface;
 }
 
-Coupling coupling_of(const ElasticPlate& plate) {
-    Coupling c;
-    c.kind = plate.coupling == "penalty"      ? Coupling::Kind::penalty
-             : plate.coupling == "background" ? Coupling::Kind::background
-                                              : Coupling::Kind::pressure;
-    c.law = plate.contact == "nonlinear"  ? Coupling::Law::nonlinear
-            : plate.contact == "adaptive" ? Coupling::Law::adaptive
-                                          : Coupling::Law::linear;
-    c.factor = plate.contact_factor;
-    c.iterations = plate.coupling_iterations;
-    return c;
-}
-
 ElasticSetup elastic_setup(const ElasticPlate& plate) {
     structure::Shell shell = shell_of(plate, plate.strip());
     structure::Freedoms freedoms = freedoms_of(plate, shell, plate.strip());
@@ -110,7 +97,7 @@ ElasticSetup elastic_setup(const ElasticPlate& plate) {
             ElasticShell{.shell = std::move(shell), .skin = plate.skin, .large_rotations = plate.large_rotations},
         .freedoms = std::move(freedoms)};
     s.width = plate.two_dimensional() ? plate.strip() : 0;
-    s.coupling = coupling_of(plate);
+    s.coupling = {.interface = interface_of(plate), .iterations = plate.coupling_iterations};
     s.damping = plate.damping;
     s.largest_step = plate.largest_step;
     s.velocity = plate.velocity;

@@ -7,9 +7,40 @@
 
 #include "base/errors.h"
 #include "sph_solver/backend/threads.h"
-#include "sph_solver/bodies/elastic/elastic_body.h"
 
 namespace tw {
+namespace {
+
+/// Throws InputError for what the physics of the coupling has no answer to.
+void refuse_unsolved(const SimulationSetup& setup, const Bodies& bodies) {
+    if (!setup.zones.empty() && setup.scheme != Scheme::kick_drift_kick)
+        throw InputError(
+            "several sizes of particles need [sph] scheme \"kick_drift_kick\": fields at the edge between two sizes "
+            "are "
+            "linear in time over the coarse step, so more stages are no more accurate there, and symplectic Euler is "
+            "of "
+            "first order");
+    if (all_fixed(bodies)) return;
+    if (setup.partial_zones > 0)
+        throw InputError(
+            "beside bodies that move no particles are finer than theirs: a [[refine]] finer than near_hull; a body "
+            "takes "
+            "its steps with the one size of particles that holds all round it, and finer ones would push it between");
+    const bool stages = !Schedule(setup.scheme).stages().empty();
+    if (stages && !std::ranges::all_of(bodies, [](const auto& body) { return body->prescribed(); }))
+        throw InputError(
+            "bodies that the water moves need a time step of one evaluation, [sph] scheme \"kick_drift_kick\": they "
+            "answer "
+            "to the water that moves with them (added mass) once a step, with an acceleration relaxed from step to "
+            "step");
+    if (setup.scheme != Scheme::kick_drift_kick &&
+        std::ranges::any_of(bodies, [](const auto& body) { return body->gives_way(); }))
+        throw InputError(
+            "elastic bodies need [sph] scheme \"kick_drift_kick\": water and structure meet in the middle of its "
+            "drift");
+}
+
+}  // namespace
 
 Simulation::Simulation(const SimulationSetup& setup, const Fluid& fluid, const Passes& passes)
     : Simulation(setup, std::span<const Fluid>(&fluid, 1), passes) {}
@@ -18,16 +49,16 @@ Simulation::Simulation(const SimulationSetup& setup, std::span<const Fluid> flui
     : setup_(setup),
       passes_(&passes),
       around_(std::make_unique<Surroundings>(static_cast<const Surroundings&>(setup))),
-      bodies_(std::make_unique<std::vector<Body>>()) {
+      bodies_(std::make_unique<Bodies>()) {
     const Threads own(setup.threads);
     const std::size_t finest = setup.zones.size();
-    if (finest > 0 && setup.scheme != Scheme::kick_drift_kick)
-        throw InputError("levels of particle size need [sph] scheme \"kick_drift_kick\"");
-    for (const BodySetup& body : setup.bodies) bodies_->emplace_back(body);
+    for (const BodySetup& body : setup.bodies) bodies_->push_back(Body::of(body));
+    refuse_unsolved(setup, *bodies_);
     for (std::size_t k = 0; k <= finest; ++k) {
         LevelSetup level = setup;
         level.dp = std::ldexp(setup.dp, static_cast<int>(finest - k));
-        levels_.push_back(std::make_unique<Level>(*around_, level, Schedule(setup.scheme), *bodies_, *passes_, fluids[k]));
+        levels_.push_back(
+            std::make_unique<Level>(*around_, level, Schedule(setup.scheme), *bodies_, *passes_, fluids[k]));
     }
     refinements_.reserve(finest);
     for (std::size_t k = 0; k < finest; ++k)
@@ -37,52 +68,34 @@ Simulation::Simulation(const SimulationSetup& setup, std::span<const Fluid> flui
         tiers[k].add(*levels_[k]);
         if (k < finest) tiers[k].edge = &refinements_[k];
     }
-    stepper_.emplace(std::move(tiers), *bodies_, *around_, setup, setup.moment_reference);
-    if (std::ranges::all_of(*bodies_, [](const Body& body) { return body.fixed(); })) return;
-    if (setup.partial_zones > 0)
-        throw InputError(
-            "beside bodies that move no particles are finer than theirs: a [[refine]] finer than near_hull");
-    if (!Schedule(setup.scheme).stages().empty())
-        throw InputError("bodies that move need a time step of one evaluation: [sph] scheme \"kick_drift_kick\"");
-    if (std::ranges::any_of(*bodies_, [](const Body& body) { return body.elastic() != nullptr; })) {
-        if (finest > 0) throw InputError("elastic bodies need particles of one size: [sph] levels = 1");
-        if (setup.scheme != Scheme::kick_drift_kick)
-            throw InputError("elastic bodies need [sph] scheme \"kick_drift_kick\"");
-    }
+    stepper_.emplace(std::move(tiers), *bodies_, setup, setup.moment_reference);
+    if (all_fixed(*bodies_)) return;
     collisions_.emplace(*bodies_, *around_, setup.dp);
     if (finest > 0) collisions_->stay_within(refinements_.back().zone());
-    for (std::size_t b = 0; b < bodies_->size(); ++b) {
-        if ((*bodies_)[b].fixed()) continue;
-        if (ElasticBody* elastic = (*bodies_)[b].elastic()) {
-            elastic->set_water(setup.rho0, setup.dp, setup.state_equation.c0);
-            continue;
-        }
-        WaterShell shell = this->finest().walls().shell(b, setup.rho0);
-        shell.spacing = setup.dp;
-        shell.sound_speed = setup.state_equation.c0;
-        (*bodies_)[b].set_shell(shell);
-    }
+    const WaterNear near{setup.rho0, setup.dp, setup.state_equation.c0, setup.gravity, setup.moment_reference};
+    for (std::size_t b = 0; b < bodies_->size(); ++b)
+        if (!(*bodies_)[b]->fixed()) (*bodies_)[b]->meet(near, this->finest().walls().dummies(b));
 }
 
 Level& Simulation::add_gas(LevelSetup setup, const Fluid& fluid) {
     const Threads own(setup_.threads);
     if (!refinements_.empty())
-        throw InputError(setup.material + " beside the water needs particles of one size: [sph] levels = 1");
-    const Schedule schedule(setup_.scheme);
-    if (!schedule.stages().empty())
-        throw InputError(setup.material +
-                         " beside the water needs a time step of one evaluation: [sph] scheme \"kick_drift_kick\" or "
-                         "\"symplectic_euler\"");
+        throw InputError(
+            setup.material +
+            " beside the water needs particles of one size, [sph] levels = 1: at the edge between two sizes "
+            "fields are interpolated within one material, and density and pressure gradient jump across the "
+            "water's surface");
     gas_ = levels_
-               .emplace_back(std::make_unique<Level>(*around_, std::move(setup), schedule, *bodies_, *passes_, fluid))
+               .emplace_back(std::make_unique<Level>(*around_, std::move(setup), Schedule(setup_.scheme), *bodies_,
+                                                     *passes_, fluid))
                .get();
     stepper_->add(*gas_);
     return *gas_;
 }
 
 const Body* Simulation::hull() const {
-    const auto found = std::ranges::find_if(*bodies_, [](const Body& body) { return body.is_hull(); });
-    return found == bodies_->end() ? nullptr : &*found;
+    const auto found = std::ranges::find_if(*bodies_, [](const auto& body) { return body->is_hull(); });
+    return found == bodies_->end() ? nullptr : found->get();
 }
 
 void Simulation::step() {
@@ -109,8 +122,8 @@ void Simulation::follow_bodies() {
     for (const auto& level : levels_) level->follow_bodies();
     if (!setup_.zones_round) return;
     std::vector<MovedSolid> moving;
-    for (const Body& body : *bodies_)
-        if (!body.fixed()) moving.push_back(body.moved());
+    for (const auto& body : *bodies_)
+        if (!body->fixed()) moving.push_back(body->moved());
     std::vector<Zone> zones = setup_.zones_round(moving);
     for (std::size_t k = 0; k < refinements_.size(); ++k) refinements_[k].set_zone(std::move(zones[k]));
 }

@@ -46,11 +46,11 @@ public:
     /// One level of particles of the setup's material, whose setup has no zones. `passes`: the instruction set.
     Simulation(const SimulationSetup& setup, const Fluid& fluid, const Passes& passes = tw::passes());
     /// Levels of several sizes of particles, see SimulationSetup::zones and `fill_levels`. Throws InputError for
-    /// another scheme than kick-drift-kick. Bodies that move need a scheme of one evaluation.
+    /// what cannot be coupled.
     Simulation(const SimulationSetup& setup, std::span<const Fluid> levels, const Passes& passes = tw::passes());
 
     /// Puts a gas beside the water, on particles of the same size; before the first step.
-    /// Throws InputError for a scheme in stages.
+    /// Throws InputError where the water has several sizes.
     Level& add_gas(LevelSetup setup, const Fluid& fluid);
 
     void step();  ///< throws RunError, see Level::advance; and when a body that moves touches another solid
@@ -61,8 +61,8 @@ public:
     std::span<const std::unique_ptr<Level>> levels() const { return levels_; }
     Level& level(std::size_t k) { return *levels_[k]; }
     const Level& level(std::size_t k) const { return *levels_[k]; }
-    const std::vector<Body>& bodies() const { return *bodies_; }
-    std::vector<Body>& bodies() { return *bodies_; }
+    const Bodies& bodies() const { return *bodies_; }
+    const Body& body(std::size_t b) const { return *(*bodies_)[b]; }
     const Body* hull() const;  ///< the body that is the scene's hull; null: there is none
     /// The level of gas; null: there is none.
     const Level* gas() const { return gas_; }
@@ -124,7 +124,7 @@ private:
     SimulationSetup setup_;
     const Passes* passes_;
     std::unique_ptr<Surroundings> around_;  // what follows refers to these two
-    std::unique_ptr<std::vector<Body>> bodies_;
+    std::unique_ptr<Bodies> bodies_;
     std::vector<std::unique_ptr<Level>> levels_;  // the first are the water
     Level* gas_ = nullptr;                        // one of them
     std::vector<Refinement> refinements_;         // the k-th joins levels k and k + 1

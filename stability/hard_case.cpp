@@ -61,7 +61,7 @@ Zone zone_of(const HardCase& c, const SimulationSetup& s) {
     const double reach = c.zone * s.dp, clear = 16 * s.dp;
     Box box{Vec3(-reach, 0, 0), Vec3(reach, 0, 0)};
     if (c.kind != HardCaseKind::tank) {
-        const Box solid = Body(s.bodies.front()).bounds();
+        const Box solid = Body::of(s.bodies.front())->bounds();
         box = {solid.min - Vec3::Constant(reach), solid.max + Vec3::Constant(reach)};
     }
     box.min.y() = -endless, box.max.y() = box.max.z() = endless;

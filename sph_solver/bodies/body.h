@@ -1,6 +1,9 @@
 #pragma once
+#include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -8,11 +11,12 @@
 #include "meshes/query.h"
 #include "meshes/surface.h"
 #include "motion/rigid_body.h"
-#include "sph_solver/bodies/motion.h"
+#include "sph_solver/bodies/attached.h"
+#include "sph_solver/bodies/dummies.h"
+#include "sph_solver/bodies/load.h"
 
 namespace tw {
 
-class ElasticBody;
 struct ElasticSetup;
 
 /// A closed solid in the water.
@@ -32,90 +36,121 @@ struct BodySetup {
     explicit BodySetup(std::shared_ptr<const ElasticSetup> setup);
 };
 
-/// The dummies of a body with water's density: a measure of the water that answers to its accelerations at once.
-struct WaterShell {
-    double mass = 0;                                    ///< [kg]
-    Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< about the body's centre of mass [kg m2]
-    double spacing = 0, sound_speed = 0;                ///< of the water [m], [m/s]
+/// What a body has to know of the water round it.
+struct WaterNear {
+    double density = 0, spacing = 0, sound_speed = 0;  ///< [kg/m3], [m], [m/s]
+    Vec3 gravity = Vec3::Zero(), moment_reference = Vec3::Zero();
 };
 
-/// A solid's surface and motion: fixed, rigid or elastic (elastic/elastic_body.h). What a level of particles sees of it
-/// are dummies (walls.h); what it feels of a level is a Load.
+/// A step of the finest particles: for how long forces act, what was drifted before, and what will be at its end [s].
+struct BodyStep {
+    double kick, drifted, drift;
+};
+
+/// A solid in the water, behind one face for all kinds: it moves, its dummies show that to the water (walls.h), and it
+/// takes what the water does to them. This one is fixed; rigid_in_water.h and elastic/elastic_body.h are the others.
 ///
-/// The body of a free motion and the water are advanced in turn, in the same kick-drift-kick: the water's last forces
-/// kick the body, and its dummies hand the water an acceleration. Water near answers to that acceleration within the
-/// same evaluation, with a force -M a, where M is about the mass of the water within the kernels' reach of the body. Of
-/// a light body M > m, and a handed over as it was in the step before would grow by -M/m a step. So it is relaxed:
+/// In a step of the finest particles, the calls are
 ///
-///   a' += theta (a - a'),   theta = 1 / (1 + M_s / m),
-///
-/// M_s the mass of water that the dummies would be (WaterShell, an upper bound of M), and likewise for rotation with
-/// the inertias. The lag, (1 + M_s/m) steps of about dp/c0, vanishes with dp. Decision 032 has the measurements.
+///   look_ahead(drift)                          to where the water is found by its sweeps
+///   take(...), rehearse(step)                  as often as the body asks for; the forces are found anew after each
+///   take(...), move(step)                      through the step
+///   strike(...)                                what the walls had to hold at the step's end
 class Body {
 public:
+    /// Of the kind that the setup asks for.
+    static std::unique_ptr<Body> of(BodySetup setup);
     explicit Body(BodySetup setup);
-    ~Body();
-    Body(Body&&) noexcept;
+    virtual ~Body() = default;
+    Body(const Body&) = delete;
+    Body& operator=(const Body&) = delete;
 
     const Surface& surface() const { return setup_.surface; }  ///< at the start
     const std::string& name() const { return setup_.name; }
-    bool is_hull() const { return setup_.is_hull; }
     const Vec3& sliding() const { return setup_.sliding; }
-    bool fixed() const { return !rigid_ && !elastic_; }
+    bool is_hull() const { return setup_.is_hull; }
+    virtual bool fixed() const { return true; }
+    /// Whether the water has no part in how it moves.
+    virtual bool prescribed() const { return fixed(); }
+    /// Whether its shape changes.
+    virtual bool gives_way() const { return false; }
     /// Whether no point of it ever moves along an axis (0..2), as of a hull free in heave and pitch across its length.
-    bool stays_along(int axis) const;
-    /// Throws std::bad_optional_access for a body that is not rigid.
-    const RigidBody& rigid() const { return rigid_.value(); }
-    /// Null for a body that is not elastic.
-    ElasticBody* elastic() { return elastic_.get(); }
-    const ElasticBody* elastic() const { return elastic_.get(); }
-    /// Of a rigid body, with the relaxed acceleration of a free one.
-    BodyMotion motion() const;
+    virtual bool stays_along(int /*axis*/) const { return fixed(); }
+    /// Whether it may stand on the tank's floor, because its contact with that is solved.
+    virtual bool meets_floor() const { return false; }
 
-    /// Where a point of the body is now that was at `x` at the start, and back [m]; of an elastic body back to where
+    // --- where it is
+    /// Where a point of the body is now that was at `x` at the start, and back [m]; of one that gives way back to where
     /// `query` sees its surface.
-    Vec3 now(const Vec3& x) const;
-    Vec3 at_start(const Vec3& x) const;
-    Box bounds() const;        ///< of the surface now
-    MovedSolid moved() const;  ///< of an elastic body without the way
-    /// Directions likewise.
-    Vec3 turned(const Vec3& v) const { return rigid_ ? Vec3(rigid_->state().attitude * v) : v; }
-    Vec3 turned_back(const Vec3& v) const { return rigid_ ? Vec3(rigid_->state().attitude.conjugate() * v) : v; }
-    /// Of the surface as it stood at the start; of an elastic body as it stood when the lists were made.
-    const SurfaceQuery& query() const;
-    void note_surface();  ///< for `query`; rigid bodies need it not
+    virtual Vec3 now(const Vec3& x) const { return x; }
+    virtual Vec3 at_start(const Vec3& x) const { return x; }
+    /// Directions likewise; of one that gives way as they are.
+    virtual Vec3 turned(const Vec3& v) const { return v; }
+    virtual Vec3 turned_back(const Vec3& v) const { return v; }
+    /// Its surface now. `span`: of a section, how far its prism reaches [m].
+    virtual Surface surface_now(std::optional<double> span = {}) const;
+    Box bounds() const { return surface_now().bounds(); }
+    virtual MovedSolid moved() const { return {bounds()}; }  ///< of one that gives way without the way
+    /// Of the surface as it stood at the start; of one that gives way as it stood when it was last noted.
+    virtual const SurfaceQuery& query() const { return query_; }
+    virtual void note_surface() {}  ///< for `query`, when lists are made
 
-    /// Before the first step: see above.
-    void set_shell(const WaterShell& shell);
-    /// So that neither the body on the spring of compressible water nor its turning is unstable [s], see body.cpp.
-    double stable_step() const;
+    // --- dummies
+    virtual Dummies dummies(const DummyLattice& lattice) const;
+    /// Points that go with the body from where they are at the start.
+    virtual std::unique_ptr<Attached> attach(std::vector<Vec3> at_start) const;
+
+    // --- move
+    /// Before the first step. `dummies`: as the finest particles see it, at the start.
+    virtual void meet(const WaterNear& /*water*/, const Dummies& /*dummies*/) {}
+    virtual double stable_step() const { return std::numeric_limits<double>::infinity(); }  ///< [s]
     /// The step that the body takes where `dt` is allowed [s].
-    double step_within(double dt) const;
+    virtual double step_within(double dt) const { return dt; }
+    /// How often it wants to try a step before it makes it.
+    virtual int rehearsals() const { return 0; }
+    virtual void look_ahead(double /*drift*/) {}
+    virtual void rehearse(const BodyStep& /*step*/) {}
+    virtual void move(const BodyStep& /*step*/) {}
+    /// Blows of particles that a wall had to hold: all together, or place by place.
+    virtual void strike(const Impulse& /*all*/) {}
+    virtual void strike(const WallStrike& /*place*/) {}
 
-    /// `moment`: about `reference` [m]. Weight is added here.
-    void kick(const Vec3& force, const Vec3& moment, const Vec3& reference, const Vec3& gravity, double dt);
-    /// Blows of particles that a wall had to hold: impulse [N s] and its moment about `reference` [N m s].
-    void strike(const Vec3& impulse, const Vec3& turn, const Vec3& reference);
-    void drift(double dt);
+    // --- take: what the water does to it in the next `rehearse` or `move`
+    virtual void take(const Load& /*load*/) {}
+    virtual bool takes_forces_of_dummies() const { return false; }
+    /// Forces on points attached to it [N] (per metre of width in two dimensions), and at places of its surface.
+    virtual void take(const Attached& /*dummies*/, const std::vector<Vec3>& /*forces*/) {}
+    virtual void take(const WallPush& /*push*/) {}
+    /// Whether it presses on particles by a force of its own, and that force along the surface's normal on one whose
+    /// distance from the surface is `distance` [N].
+    virtual bool presses() const { return false; }
+    virtual double pressing(double /*distance*/, double /*dp*/) const { return 0; }
 
-    /// What a restart needs.
-    struct State {
-        RigidBody::State rigid;
-        Vec3 acceleration = Vec3::Zero(), angular_acceleration = Vec3::Zero();  ///< relaxed
-    };
-    /// Of a rigid body; an elastic one has its own.
-    State state() const { return {rigid().state(), acceleration_, angular_acceleration_}; }
-    void restore(const State& state);
+    // --- what is kept of it
+    /// Gets a name, a unit and a value; forces and energies are those of the whole width.
+    using Note = std::function<void(const std::string& name, const std::string& unit, double value)>;
+    /// Where it is and how it moves, under the water's load.
+    virtual void describe(const Load& /*load*/, const Note& /*note*/) const {}
+    /// Whether the work of the water is in that description.
+    virtual bool knows_its_work() const { return false; }
+    /// Energy that its interface with the water has made lately, over that exchanged [-]; nothing where none can be made.
+    /// Beyond `trusted_interface_energy` the interface is not trusted.
+    virtual std::optional<double> energy_made_lately() const { return {}; }
+    /// All that changes, for a restart that goes on to the same bits.
+    virtual std::vector<double> state() const { return {}; }
+    /// Throws std::invalid_argument for numbers that are those of no state of this body.
+    virtual void restore(std::span<const double> state);
 
 private:
-    double shell_over_inertia() const;
-
     BodySetup setup_;
     SurfaceQuery query_;
-    std::optional<RigidBody> rigid_;
-    std::unique_ptr<ElasticBody> elastic_;
-    Vec3 acceleration_ = Vec3::Zero(), angular_acceleration_ = Vec3::Zero();
-    WaterShell shell_;
 };
+
+inline constexpr double trusted_interface_energy = 0.5;
+
+using Bodies = std::vector<std::unique_ptr<Body>>;
+
+/// Whether all are fixed.
+bool all_fixed(const Bodies& bodies);
 
 }  // namespace tw

@@ -1,8 +1,10 @@
 #include "sph_solver/bodies/collisions.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include <fmt/format.h>
 
-#include "sph_solver/bodies/elastic/elastic_body.h"
 #include "sph_solver/bodies/samples.h"
 
 namespace tw {
@@ -37,43 +39,39 @@ bool apart(const Box& a, const Box& b, double gap) {
 
 }  // namespace
 
-Collisions::Collisions(const std::vector<Body>& bodies, const Surroundings& around, double dp)
-    : bodies_(bodies), around_(around), dp_(dp), skin_(bodies.size()), ties_(bodies.size()) {
+Collisions::Collisions(const Bodies& bodies, const Surroundings& around, double dp)
+    : bodies_(bodies), around_(around), dp_(dp), skin_(bodies.size()) {
     for (std::size_t b = 0; b < bodies.size(); ++b) {
-        if (bodies[b].fixed()) continue;
-        if (bodies[b].elastic()) {
-            note_elastic(b);
-            continue;
-        }
-        skin_[b] = places_on(bodies[b].surface(), around, dp);
+        if (bodies[b]->fixed()) continue;
+        const std::vector<Vec3> places = places_on(bodies[b]->surface(), around, dp);
+        skin_[b] = bodies[b]->attach(bodies[b]->gives_way() ? clear_at_start(b, places) : places);
     }
 }
 
-/// Places on the surface that are clear of walls and of the other solids at the start.
-void Collisions::note_elastic(std::size_t body) {
-    const Body& own = bodies_[body];
+/// Those of some places on a body that are clear of walls and of the other solids at the start.
+std::vector<Vec3> Collisions::clear_at_start(std::size_t body, const std::vector<Vec3>& places) const {
     const auto beside = [&](const Vec3& x) {
         if (!wall_at(x, around_, dp_).empty()) return true;
         for (std::size_t other = 0; other < bodies_.size(); ++other)
-            if (other != body && bodies_[other].query().nearest(x, 2 * dp_).distance < dp_) return true;
+            if (other != body && bodies_[other]->query().nearest(x, 2 * dp_).distance < dp_) return true;
         return false;
     };
-    for (const Vec3& x : places_on(own.surface(), around_, dp_))
-        if (!beside(x)) ties_[body].push_back(own.elastic()->tie(x));
+    std::vector<Vec3> clear;
+    std::ranges::remove_copy_if(places, std::back_inserter(clear), beside);
+    return clear;
 }
 
-std::string Collisions::of_elastic(std::size_t body) const {
-    const ElasticBody& own = *bodies_[body].elastic();
-    for (const Tie& tie : ties_[body]) {
-        const Vec3 x = own.place(tie);
+std::string Collisions::of_one_that_gives_way(std::size_t body) const {
+    for (std::size_t k = 0; k < skin_[body]->size(); ++k) {
+        const Vec3 x = skin_[body]->place(k);
         if (const std::string wall = wall_at(x, around_, 0);
-            !wall.empty() && !(own.meets_floor() && wall == floor_name))
+            !wall.empty() && !(bodies_[body]->meets_floor() && wall == floor_name))
             return "touches " + wall;
         for (std::size_t other = 0; other < bodies_.size(); ++other)
-            if (other != body && bodies_[other].query().nearest(bodies_[other].at_start(x), dp_).distance < dp_ / 2)
-                return "touches " + bodies_[other].name();
+            if (other != body && bodies_[other]->query().nearest(bodies_[other]->at_start(x), dp_).distance < dp_ / 2)
+                return "touches " + bodies_[other]->name();
     }
-    return {};
+    return with_edge(body);
 }
 
 std::string Collisions::with_domain(const Body& body) const {
@@ -93,32 +91,32 @@ std::string Collisions::with_domain(const Body& body) const {
 std::string Collisions::with_edge(std::size_t body) const {
     constexpr double nearest = 6;  // spacings: what guards and dummies fill on both sides of an edge
     if (!zone_) return {};
-    for (const Vec3& at : skin_[body])
-        if (const Vec3 x = bodies_[body].now(at); x.z() < 0 && zone_->outside(x) > -nearest * dp_)
+    for (std::size_t k = 0; k < skin_[body]->size(); ++k)
+        if (const Vec3 x = skin_[body]->place(k); x.z() < 0 && zone_->outside(x) > -nearest * dp_)
             return fmt::format("has moved to within {:g} spacings of the edge of the finest particles ([sph] zone)",
                                nearest);
     return {};
 }
 
+std::string Collisions::of_rigid(std::size_t b) const {
+    if (const std::string wall = with_domain(*bodies_[b]); !wall.empty()) return wall;
+    if (const std::string edge = with_edge(b); !edge.empty()) return edge;
+    const Box own = bodies_[b]->bounds();
+    for (std::size_t other = 0; other < bodies_.size(); ++other) {
+        const Body& solid = *bodies_[other];
+        if (other == b || apart(own, solid.bounds(), dp_)) continue;
+        for (std::size_t k = 0; k < skin_[b]->size(); ++k)
+            if (solid.query().nearest(solid.at_start(skin_[b]->place(k)), dp_).distance < dp_ / 2)
+                return "touches " + solid.name();
+    }
+    return {};
+}
+
 std::string Collisions::found() const {
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
-        if (bodies_[b].fixed()) continue;
-        if (bodies_[b].elastic()) {
-            if (const std::string touched = of_elastic(b); !touched.empty())
-                return fmt::format("body {} {}", bodies_[b].name(), touched);
-            continue;
-        }
-        if (const std::string wall = with_domain(bodies_[b]); !wall.empty())
-            return fmt::format("body {} {}", bodies_[b].name(), wall);
-        if (const std::string edge = with_edge(b); !edge.empty())
-            return fmt::format("body {} {}", bodies_[b].name(), edge);
-        const Box own = bodies_[b].bounds();
-        for (std::size_t other = 0; other < bodies_.size(); ++other) {
-            if (other == b || apart(own, bodies_[other].bounds(), dp_)) continue;
-            for (const Vec3& at : skin_[b])
-                if (bodies_[other].query().nearest(bodies_[other].at_start(bodies_[b].now(at)), dp_).distance < dp_ / 2)
-                    return fmt::format("body {} touches {}", bodies_[b].name(), bodies_[other].name());
-        }
+        if (bodies_[b]->fixed()) continue;
+        const std::string found = bodies_[b]->gives_way() ? of_one_that_gives_way(b) : of_rigid(b);
+        if (!found.empty()) return fmt::format("body {} {}", bodies_[b]->name(), found);
     }
     return {};
 }

@@ -4,20 +4,19 @@
 
 #include "meshes/zone.h"
 #include "sph_solver/bodies/body.h"
-#include "sph_solver/bodies/elastic/tie.h"
 #include "sph_solver/particles/level_setup.h"
 
 namespace tw {
 
 /// Whether bodies that move touch a wall of the tank, a fixed solid or each other, or have left the domain. What comes
-/// then is not solved: a run ends there. Particles cannot enter a gap below half a spacing between solids, so solids that
-/// near touch; a wall of the tank is touched at its face. Where an elastic body stands within a spacing of another solid
-/// or a wall at the start, as at its supports, it may touch them; and an elastic
-/// body whose contact with the floor is solved (elastic/elastic_setup.h) may touch that.
+/// then is not solved: a run ends there. Particles cannot enter a gap below half a spacing between solids, so solids as
+/// near as that touch; a wall of the tank is touched at its face. Where a body that gives way stands within a spacing of
+/// another solid or a wall at the start, as at its supports, it may touch them; and one whose contact with the floor is
+/// solved may touch that.
 class Collisions {
 public:
     /// Both must outlive this.
-    Collisions(const std::vector<Body>& bodies, const Surroundings& around, double dp);
+    Collisions(const Bodies& bodies, const Surroundings& around, double dp);
     /// The zone of the finest particles, which need not follow a body everywhere (must outlive this): a body that comes
     /// nearer to its edge below still water, z = 0, than the guards of that edge reach is found as well.
     void stay_within(const Zone& zone) { zone_ = &zone; }
@@ -27,15 +26,15 @@ public:
 private:
     std::string with_domain(const Body& body) const;
     std::string with_edge(std::size_t body) const;
-    void note_elastic(std::size_t body);
-    std::string of_elastic(std::size_t body) const;
+    std::vector<Vec3> clear_at_start(std::size_t body, const std::vector<Vec3>& places) const;
+    std::string of_rigid(std::size_t body) const;
+    std::string of_one_that_gives_way(std::size_t body) const;
 
-    const std::vector<Body>& bodies_;
+    const Bodies& bodies_;
     const Surroundings& around_;
     double dp_;
     const Zone* zone_ = nullptr;
-    std::vector<std::vector<Vec3>> skin_;  ///< of each rigid body places on its surface at the start; else empty
-    std::vector<std::vector<Tie>> ties_;   ///< of each elastic body such places; else empty
+    std::vector<std::unique_ptr<Attached>> skin_;  ///< places on the surface of each body that moves; else null
 };
 
 }  // namespace tw

@@ -15,6 +15,12 @@ struct Dummies {
     std::vector<Vec3> places;     ///< [m]
     std::vector<double> volumes;  ///< [m3]; [m2] in two dimensions
 };
+/// Where a level of particles asks for dummies.
+struct DummyLattice {
+    double dp, depth;  ///< [m]
+    Box region;
+    int dimensions;
+};
 /// `region`: dummies outside it are left out. In two dimensions the lattice is the plane y = 0.
 Dummies make_dummies(const SurfaceQuery& query, const Box& bounds, double dp, double depth, const Box& region,
                      int dimensions);

@@ -1,4 +1,7 @@
 #pragma once
+#include <cstddef>
+#include <cstdint>
+
 #include "base/vec3.h"
 
 namespace tw {
@@ -18,6 +21,18 @@ inline Load operator*(double factor, const Load& load) {
     return {factor * load.force, factor * load.friction, factor * load.moment};
 }
 
+/// A force of water that presses on a place of a body's surface.
+struct WallPush {
+    std::size_t body;
+    std::int32_t triangle;
+    Vec3 place, force;  ///< [m], [N]
+};
+/// An impulse that a particle held at a wall gave to a place of it.
+struct WallStrike {
+    std::size_t body;
+    std::int32_t triangle;
+    Vec3 place, impulse;  ///< [m], [N s]
+};
 /// A blow to a body: impulse [N s], and its moment about the run's moment reference [N m s].
 struct Impulse {
     Vec3 impulse = Vec3::Zero(), turn = Vec3::Zero();

@@ -1,11 +1,9 @@
 #pragma once
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "sph_solver/backend/pass_data.h"
 #include "sph_solver/bodies/body.h"
-#include "sph_solver/bodies/elastic/tie.h"
 #include "sph_solver/bodies/load.h"
 #include "sph_solver/neighbours/columns.h"
 #include "sph_solver/particles/level_setup.h"
@@ -13,25 +11,12 @@
 
 namespace tw {
 
-/// An impulse that a particle held at an elastic body's wall gave to it.
-struct WallStrike {
-    std::size_t body;
-    std::int32_t triangle;
-    Vec3 place, impulse;  ///< [m], [N s]
-};
-/// A force of water that presses on a place of an elastic body.
-struct WallPush {
-    std::size_t body;
-    std::int32_t triangle;
-    Vec3 place, force;  ///< [m], [N]
-};
-
 /// The bodies as one level of particles sees them: their dummies, which of them have water near, the normals along
 /// which they act, and what the level does to each of them.
 class Walls {
 public:
     /// `bodies` must outlive this. `kernel_support`: 2h of the level [m]; `lanes`: of its passes.
-    Walls(const std::vector<Body>& bodies, const Surroundings& around, const LevelSetup& level, double kernel_support,
+    Walls(const Bodies& bodies, const Surroundings& around, const LevelSetup& level, double kernel_support,
           const ColumnGrid& grid, const Quanta& quanta, int lanes);
 
     bool empty() const { return place_.empty(); }
@@ -61,14 +46,12 @@ public:
     bool move() const { return !velocity_.empty(); }  ///< some body is not fixed
     /// The largest speed of a dummy now [m/s].
     double fastest() const;
-    /// Whether some body is elastic.
-    bool give_way() const { return !ties_.empty(); }
-    /// Whether some body is met by penalty contact.
-    bool penalised() const { return penalised_; }
+    bool give_way() const { return give_way_; }  ///< some body changes its shape
+    bool press() const { return press_; }        ///< some body presses on particles (wall_pushes.h)
     /// Of the surface of a body at a place, as `note_motions` found it [m/s]. `triangle`: of the surface, there.
-    Vec3 velocity_at(std::size_t body, const Vec3& x, std::int32_t triangle) const;
-    /// Hands the forces of the water on the dummies of an elastic body to it; see forces_on_dummies.h.
-    void push(ElasticBody& elastic, std::size_t body, const std::vector<Vec3>& forces) const;
+    Vec3 velocity_at(std::size_t body, const Vec3& x, std::int32_t triangle) const {
+        return attached_[body]->surface_velocity(x, triangle);
+    }
     /// Looks at how the bodies move now.
     void note_motions();
     /// Puts the dummies of bodies that move where those are now, with their velocities and accelerations.
@@ -78,8 +61,9 @@ public:
     void feel(const FrameForce& f, const Vec3& gravity);
     /// The same, with the dummies sorted anew; lists are due after it.
     void sort(const ColumnGrid& grid, const Quanta& quanta, int lanes);
-    /// The body's dummies as water of density `rho0` [kg/m3].
-    WaterShell shell(std::size_t body, double rho0) const;
+    /// The body's dummies as points that go with it; null where all bodies are fixed.
+    const Attached* attached(std::size_t body) const { return attached_.empty() ? nullptr : attached_[body].get(); }
+    Dummies dummies(std::size_t body) const;  ///< as they stood at the start; of one that gives way without places
 
     /// Lists anew: of the level's `groups`, which are those of the first of its `sources`, among the dummies, and of
     /// the dummies among the sources.
@@ -106,27 +90,23 @@ public:
     const std::vector<Load>& loads() const { return loads_; }
     void set_loads(std::vector<Load> of_bodies) { loads_ = std::move(of_bodies); }
     void add_load(std::size_t body, const Load& load) { loads_[body] += load; }
-    /// Forces at places of elastic bodies, of the last evaluation: those of penalty_contact.h.
+    /// Forces on places of bodies that press on particles, of the last evaluation.
     const std::vector<WallPush>& pushes() const { return pushes_; }
     void set_pushes(std::vector<WallPush> pushes) { pushes_ = std::move(pushes); }
 
 private:
-    /// How far the dummies of a rigid body reach from its centre [m].
-    double reach_of(std::size_t body) const;
-    Vec3 place_of(std::size_t body, std::size_t dummy) const;  ///< of a body that moves, now [m]
+    /// Index of the dummy after the last of a body.
+    std::size_t end_of(std::size_t body) const { return static_cast<std::size_t>(body_end_[body]); }
 
-    const std::vector<Body>& bodies_;
-    bool two_dimensional_, penalised_ = false;
+    const Bodies& bodies_;
+    bool two_dimensional_, give_way_ = false, press_ = false;
     std::vector<PlaceRecord> place_;  // body after body, each sorted by column
     std::vector<float> p_;
     std::vector<VelocityDensityRecord> sliding_;
-    // empty where all bodies are fixed; accelerations and places are there in a tank that moves, too
+    // empty where all bodies are fixed; accelerations and points are there in a tank that moves, too
     std::vector<WallVelocity> velocity_;
     std::vector<WallAcceleration> acceleration_;
-    std::vector<Vec3> at_start_;       // places of the dummies at the start
-    std::vector<Tie> ties_;            // of the dummies of elastic bodies; empty where there is none
-    std::vector<BodyMotion> motions_;  // of each body
-    std::vector<double> reach_;        // of each body
+    std::vector<std::unique_ptr<Attached>> attached_;  // the dummies of each body
 
     std::vector<std::int32_t> body_end_;
     std::vector<Part> parts_;  // of each body

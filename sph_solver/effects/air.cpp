@@ -20,7 +20,9 @@ LevelSetup air_setup(LevelSetup s, const AirOptions& air) {
     s.largest_rarefaction = 0.95;  // 33 and 0.015 atmospheres: beyond any scene, short of nonsense
     s.tension_control = true;
     s.shut_in = true;
+    const bool tank_moves = s.effects.moving_tank;
     s.effects = {};
+    s.effects.moving_tank = tank_moves;
     return s;
 }
 

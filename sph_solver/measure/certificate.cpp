@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "record/certificate.h"
-#include "sph_solver/bodies/elastic/elastic_body.h"
 #include "sph_solver/effects/air.h"
 #include "sph_solver/measure/level_ledger.h"
 
@@ -52,10 +51,9 @@ void watch_stability(const Simulation& simulation, RunRecord& record) {
                             trusted_air_mach, t, air->extremes().fastest_place});
     note_worst(record, {"particles lost", "-", lost, 0, t, nowhere});
     watch_edges(simulation, record);
-    for (const Body& body : simulation.bodies())
-        if (body.elastic())
-            note_worst(record, {interface_line, "%", 100 * body.elastic()->energy_made_lately(),
-                                100 * trusted_interface_energy, t, nowhere});
+    for (const auto& body : simulation.bodies())
+        if (const std::optional<double> made = body->energy_made_lately())
+            note_worst(record, {interface_line, "%", 100 * *made, 100 * trusted_interface_energy, t, nowhere});
 }
 
 }  // namespace tw

@@ -11,7 +11,7 @@
 #include "record/hull_motion.h"
 #include "record/spray_table.h"
 #include "record/tank_table.h"
-#include "sph_solver/bodies/elastic/elastic_body.h"
+#include "sph_solver/bodies/rigid_in_water.h"
 #include "sph_solver/effects/air.h"
 #include "sph_solver/measure/certificate.h"
 #include "sph_solver/measure/level_ledger.h"
@@ -236,71 +236,23 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
 /// Of each body that moves, in a table of its own: where it is, how it moves, and the water's force on it.
 void Recorder::record_bodies(const Simulation& simulation) {
     for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {
-        const Body& body = simulation.bodies()[b];
+        const Body& body = simulation.body(b);
         if (body.fixed()) continue;
-        if (body.elastic()) {
-            record_elastic(simulation, b);
-            continue;
-        }
         if (body.is_hull()) {
-            append_hull_motion(record_.table(hull_motion_table), simulation.time(), *scene_.hull, body.rigid().state(),
-                               body.rigid().spin());
+            append_hull_motion(record_.table(hull_motion_table), simulation.time(), *scene_.hull,
+                               rigid_of(body).state(), rigid_of(body).spin());
             continue;
         }
         Table& t = record_.table(body_table(body.name()));
         const std::size_t k = append_row(t, simulation.time());
-        const auto put = [&](const char* name, const std::string& unit, const Vec3& v) {
-            for (int a = 0; a < 3; ++a) set(t, k, fmt::format(fmt::runtime(name), "xyz"[a]), unit, v[a] + 0.0);
-        };
-        const RigidBody::State& s = body.rigid().state();
-        put("{}", "m", s.centre);
-        double lowest = HUGE_VAL;
-        for (const Vec3& p : body.surface().points) lowest = std::min(lowest, body.now(p).z());
-        set(t, k, "lowest", "m", lowest);
-        set(t, k, "q0", "-", s.attitude.w());
-        put("q{}", "-", s.attitude.vec());
-        put("v{}", "m/s", s.velocity);
-        put("spin_{}", "rad/s", body.rigid().spin());
-        const Load& load = simulation.load(b);
-        const Vec3 moment = load.moment - (s.centre - simulation.setup().moment_reference).cross(load.force);
-        put("f{}", per_span("N"), load.force);
-        put("m{}", per_span("N m"), moment);
-        put("f{}_body", per_span("N"), body.turned_back(load.force));
-        put("m{}_body", per_span("N m"), body.turned_back(moment));
-        set(t, k, body_work, per_span("J"), work_up_to(t, k));
+        Load load = simulation.load(b);
+        if (const Level* air = simulation.gas()) load += air->walls().loads()[b];
+        body.describe(load, [&](const std::string& name, const std::string& unit, double value) {
+            const bool of_span = unit == "N" || unit == "N m" || unit == "J";
+            set(t, k, name, of_span ? per_span(unit.c_str()) : unit, value);
+        });
+        if (!body.knows_its_work()) set(t, k, body_work, per_span("J"), work_up_to(t, k));
     }
-}
-
-/// Of an elastic body: its frame or, without one, nothing of a place of its own; the water's force; its gauges; what it
-/// stores, and the water's work on both sides of the interface.
-void Recorder::record_elastic(const Simulation& simulation, std::size_t b) {
-    const Body& body = simulation.bodies()[b];
-    const ElasticBody& elastic = *body.elastic();
-    const ElasticSetup& setup = elastic.setup();
-    Table& t = record_.table(body_table(body.name()));
-    const std::size_t k = append_row(t, simulation.time());
-    const auto put = [&](const std::string& name, const std::string& unit, const Vec3& v) {
-        for (int a = 0; a < 3; ++a) set(t, k, fmt::format(fmt::runtime(name), "xyz"[a]), unit, v[a] + 0.0);
-    };
-    if (!setup.freedoms.parts().empty()) {
-        const ElasticBody::PartMotion frame = elastic.part(0);
-        put("{}", "m", setup.freedoms.parts()[0].centre + frame.displacement);
-        put("v{}", "m/s", frame.velocity);
-        put("a{}", "m/s2", frame.acceleration);
-    }
-    double lowest = HUGE_VAL;
-    for (const Vec3& p : elastic.surface().points) lowest = std::min(lowest, p.z());
-    set(t, k, "lowest", "m", lowest);
-    put("f{}", per_span("N"), simulation.load(b).force);
-    if (elastic.meets_floor()) set(t, k, "floor_force", per_span("N"), elastic.floor_force() / elastic.width());
-    for (std::size_t n = 0; n < setup.points.size(); ++n) put(setup.points[n].name + "_{}", "m", elastic.deflection(n));
-    for (std::size_t n = 0; n < setup.gauges.size(); ++n) set(t, k, setup.gauges[n].name, "-", elastic.strain(n));
-    for (const auto& [name, value] : {std::pair{"kinetic_energy", elastic.kinetic_energy()},
-                                      {"elastic_energy", elastic.elastic_energy()},
-                                      {"work_taken", elastic.work_taken()},
-                                      {"work_given", elastic.work_given()},
-                                      {"work_exchanged", elastic.work_exchanged()}})
-        set(t, k, name, per_span("J"), value / elastic.width());
 }
 
 /// Of each size of particles, in a table of its own: who is there, and what has passed the edge of its zone.

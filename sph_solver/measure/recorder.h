@@ -33,7 +33,6 @@ private:
     void begin_balance(Simulation& simulation);
     void record_levels(const Simulation& simulation);
     void record_bodies(const Simulation& simulation);
-    void record_elastic(const Simulation& simulation, std::size_t body);
     void probe_pressure(Simulation& simulation);
     void probe_height(Simulation& simulation);
     Table& forces() { return record_.table("forces"); }

@@ -14,26 +14,34 @@ struct Sums {
     double power = 0;
 };
 
+/// Of the particles that count, of all sizes and of the air.
 Sums sums_of(const Simulation& simulation) {
-    const Particles& p = simulation.particles();
     const SimulationSetup& s = simulation.setup();
     const FrameForce force = s.force(simulation.time());
-    const auto add = [&](Sums& part, std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            const Vec3 u(p.u[i], p.v[i], p.w[i]), f = force.at({p.x[i], p.y[i], p.z[i]}, u);
-            part.momentum += u;
-            part.force += f;
-            part.power += (f - s.gravity).dot(u);
+    Sums sums;
+    for (const auto& level : simulation.levels()) {
+        const Particles& p = level->particles();
+        const auto add = [&](Sums& part, std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) {
+                if (!is_active(p.kind[i])) continue;
+                const Vec3 u(p.u[i], p.v[i], p.w[i]), f = force.at({p.x[i], p.y[i], p.z[i]}, u);
+                part.momentum += u;
+                part.force += f;
+                part.power += (f - s.gravity).dot(u);
+            }
+        };
+        Sums all;
+        for (const Sums& part : in_fixed_ranges<Sums>(p.size(), add)) {
+            all.momentum += part.momentum;
+            all.force += part.force;
+            all.power += part.power;
         }
-    };
-    Sums all;
-    for (const Sums& part : in_fixed_ranges<Sums>(p.size(), add)) {
-        all.momentum += part.momentum;
-        all.force += part.force;
-        all.power += part.power;
+        const double m = level->mass();
+        sums.momentum += m * all.momentum;
+        sums.force += m * all.force;
+        sums.power += m * all.power;
     }
-    const double m = simulation.mass();
-    return {m * all.momentum, m * all.force, m * all.power};
+    return sums;
 }
 
 }  // namespace

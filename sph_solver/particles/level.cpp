@@ -9,7 +9,7 @@
 #include "base/errors.h"
 #include "sph_solver/backend/for_particles.h"
 #include "sph_solver/backend/stopwatch.h"
-#include "sph_solver/bodies/elastic/penalty_contact.h"
+#include "sph_solver/bodies/wall_pushes.h"
 
 namespace tw {
 
@@ -35,7 +35,7 @@ Box column_area(const Surroundings& around, double support, double dp) {
 
 }  // namespace
 
-Level::Level(const Surroundings& around, LevelSetup setup, const Schedule& schedule, const std::vector<Body>& bodies,
+Level::Level(const Surroundings& around, LevelSetup setup, const Schedule& schedule, const Bodies& bodies,
              const Passes& passes, const Fluid& fluid)
     : around_(around),
       setup_(std::move(setup)),
@@ -237,8 +237,8 @@ void Level::gather_loads(const Vec3& moment_reference) {
     for (const auto& effect : effects_)
         if (!effect->wall_loads().empty()) gather(effect->wall_loads(), &Load::friction);
     for (Load& load : loads) load.force += load.friction;
-    if (walls_.penalised()) {
-        walls_.set_pushes(add_penalty_contact(bodies_, particles_, records_, setup_.dp, mass_));
+    if (walls_.press()) {
+        walls_.set_pushes(add_wall_pushes(bodies_, particles_, records_, setup_.dp, mass_));
         for (const WallPush& p : walls_.pushes()) {
             loads[p.body].force += p.force;
             loads[p.body].moment += (p.place - moment_reference).cross(p.force);

@@ -59,7 +59,7 @@ class Level {
 public:
     /// The particles start at the stream's velocity at t = 0 (at rest when it is ramped), under hydrostatic pressure.
     /// `around` and `bodies` must outlive the level.
-    Level(const Surroundings& around, LevelSetup setup, const Schedule& schedule, const std::vector<Body>& bodies,
+    Level(const Surroundings& around, LevelSetup setup, const Schedule& schedule, const Bodies& bodies,
           const Passes& passes, const Fluid& fluid);
 
     const LevelSetup& setup() const { return setup_; }
@@ -210,7 +210,7 @@ private:
     const Surroundings& around_;
     LevelSetup setup_;
     Schedule schedule_;
-    const std::vector<Body>& bodies_;
+    const Bodies& bodies_;
     const Passes& passes_;
     std::vector<std::unique_ptr<Effect>> effects_;
 

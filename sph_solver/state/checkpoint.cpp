@@ -7,7 +7,6 @@
 #include "base/atomic_file.h"
 #include "base/errors.h"
 #include "record/hdf5_file.h"
-#include "sph_solver/bodies/elastic/elastic_body.h"
 
 namespace tw {
 
@@ -15,7 +14,6 @@ namespace {
 
 constexpr double version = 2;
 constexpr const char* bodies_group = "bodies";
-constexpr const char* elastic_group = "elastic";
 /// Births and deaths at the edge between levels k and k + 1.
 std::string edge_name(std::size_t k) { return fmt::format("edge_{}", k); }
 
@@ -85,30 +83,6 @@ ControlVolume::State read_control_volume(hid_t at) {
     return {Vec3(sums[0], sums[1], sums[2]), Vec3(sums[3], sums[4], sums[5]), sums[6]};
 }
 
-void write_body(hid_t at, const std::string& name, const Body::State& s) {
-    const RigidBody::State& r = s.rigid;
-    const Eigen::Quaterniond& q = r.attitude;
-    std::vector<double> numbers{r.time, q.w(), q.x(), q.y(), q.z()};
-    for (const Vec3& v : {r.centre, r.velocity, r.angular_momentum, s.acceleration, s.angular_acceleration})
-        numbers.insert(numbers.end(), v.data(), v.data() + 3);
-    h5::write_attribute(at, name.c_str(), std::span<const double>(numbers));
-}
-
-Body::State read_body(hid_t at, const std::string& name) {
-    const auto n = h5::read_numbers_attribute(at, name.c_str());
-    if (n.size() != 20) throw h5::Failure{"the state of a body is not whole"};
-    Body::State s;
-    s.rigid.time = n[0];
-    s.rigid.attitude = Eigen::Quaterniond(n[1], n[2], n[3], n[4]);
-    std::size_t k = 5;
-    for (Vec3* v :
-         {&s.rigid.centre, &s.rigid.velocity, &s.rigid.angular_momentum, &s.acceleration, &s.angular_acceleration}) {
-        *v = Vec3(n[k], n[k + 1], n[k + 2]);
-        k += 3;
-    }
-    return s;
-}
-
 }  // namespace
 
 void write_checkpoint(const std::filesystem::path& path, const std::string& run_hash, const Simulation& simulation,
@@ -134,17 +108,11 @@ void write_checkpoint(const std::filesystem::path& path, const std::string& run_
         if (const ControlVolume* control = simulation.control_volume())
             write_control_volume(h5::create_group(file, "control_volume"), control->state());
         std::size_t moving = 0;
-        for (const Body& body : simulation.bodies()) {
-            if (body.fixed() || body.elastic()) continue;
+        for (const auto& body : simulation.bodies()) {
+            if (body->fixed()) continue;
             if (moving == 0) h5::create_group(file, bodies_group);
-            write_body(h5::open_group(file, bodies_group), std::to_string(moving++), body.state());
-        }
-        std::size_t elastic = 0;
-        for (const Body& body : simulation.bodies()) {
-            if (!body.elastic()) continue;
-            if (elastic == 0) h5::create_group(file, elastic_group);
-            h5::write_vector(h5::open_group(file, elastic_group), std::to_string(elastic++).c_str(), H5T_NATIVE_DOUBLE,
-                             body.elastic()->state(), false);
+            h5::write_vector(h5::open_group(file, bodies_group), std::to_string(moving++).c_str(), H5T_NATIVE_DOUBLE,
+                             body->state(), false);
         }
         write_text_atomically(path, h5::image(file));
     } catch (const h5::Failure& f) { throw RunError(path.string() + ": cannot be written: " + f.what); }
@@ -182,13 +150,8 @@ Checkpoint read_checkpoint(const std::filesystem::path& path, const std::string&
         if (h5::has(file, "control_volume")) c.control = read_control_volume(h5::open_group(file, "control_volume"));
         if (h5::has(file, bodies_group)) {
             const h5::Handle bodies = h5::open_group(file, bodies_group);
-            for (std::size_t k = 0; h5::has_attribute(bodies, std::to_string(k).c_str()); ++k)
-                c.bodies.push_back(read_body(bodies, std::to_string(k)));
-        }
-        if (h5::has(file, elastic_group)) {
-            const h5::Handle bodies = h5::open_group(file, elastic_group);
             for (std::size_t k = 0; h5::has(bodies, std::to_string(k).c_str()); ++k)
-                c.elastic.push_back(h5::read_vector<double>(bodies, std::to_string(k).c_str(), H5T_NATIVE_DOUBLE));
+                c.bodies.push_back(h5::read_vector<double>(bodies, std::to_string(k).c_str(), H5T_NATIVE_DOUBLE));
         }
         return c;
     } catch (const h5::Failure& f) {
@@ -219,22 +182,15 @@ void restore(Simulation& simulation, Checkpoint checkpoint) {
     for (std::size_t k = 0; k < checkpoint.edges.size(); ++k)
         simulation.refinements()[k].set_ledger({checkpoint.edges[k].births, checkpoint.edges[k].deaths});
     std::vector<Body*> moving;
-    std::vector<ElasticBody*> elastic;
-    for (Body& body : simulation.bodies())
-        if (body.elastic())
-            elastic.push_back(body.elastic());
-        else if (!body.fixed())
-            moving.push_back(&body);
+    for (const auto& body : simulation.bodies())
+        if (!body->fixed()) moving.push_back(body.get());
     if (checkpoint.bodies.size() != moving.size())
         throw InputError("the checkpoint has another number of bodies that move; start anew with --overwrite");
-    for (std::size_t b = 0; b < moving.size(); ++b) moving[b]->restore(checkpoint.bodies[b]);
-    if (checkpoint.elastic.size() != elastic.size())
-        throw InputError("the checkpoint has another number of elastic bodies; start anew with --overwrite");
-    for (std::size_t b = 0; b < elastic.size(); ++b) try {
-            elastic[b]->restore(checkpoint.elastic[b]);
+    for (std::size_t b = 0; b < moving.size(); ++b) try {
+            moving[b]->restore(checkpoint.bodies[b]);
         } catch (const std::invalid_argument& e) {
-            throw InputError(fmt::format(
-                "elastic body {} of the checkpoint is not the scene's: {}; start anew with --overwrite", b, e.what()));
+            throw InputError(fmt::format("body {} of the checkpoint is not the scene's: {}; start anew with --overwrite",
+                                         moving[b]->name(), e.what()));
         }
     checkpoint.levels[simulation.water().size() - 1].state.control = checkpoint.control;
     for (std::size_t k = 0; k < levels; ++k)

@@ -12,8 +12,7 @@ namespace tw {
 ///   /simulation        run hash, instruction set, mass at the start
 ///   /levels/0, 1, ...  time, step, ledger, extremes and the particles of each level; births and deaths at their edges
 ///   /control_volume    its running sums, where there is one
-///   /bodies/0, 1, ...  how the rigid bodies that move stand and move, in their order
-///   /elastic/0, 1, ... how the elastic bodies do, see ElasticBody::state
+///   /bodies/0, 1, ...  how the bodies that move stand and move, in their order, see Body::state
 struct Checkpoint {
     std::string isa;           ///< of the pair loops: another one may give other last digits
     double mass_at_start = 0;  ///< of the water [kg]
@@ -28,8 +27,7 @@ struct Checkpoint {
     };
     std::vector<Edge> edges;  ///< between levels of particle size, coarsest first
     ControlVolume::State control;
-    std::vector<Body::State> bodies;           ///< those that are rigid and move
-    std::vector<std::vector<double>> elastic;  ///< ElasticBody::state of those that are elastic
+    std::vector<std::vector<double>> bodies;  ///< Body::state of those that move
 };
 
 /// Written atomically (raw, no compression). The caller marks the restart point in the running simulation too, so that

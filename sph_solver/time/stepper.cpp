@@ -5,7 +5,6 @@
 #include <ctime>
 #include <limits>
 
-#include "sph_solver/bodies/elastic/elastic_body.h"
 #include "sph_solver/bodies/elastic/forces_on_dummies.h"
 #include "sph_solver/time/limits.h"
 
@@ -29,18 +28,15 @@ void Tier::make_lists_due() const {
     for (Level* level : levels) level->make_lists_due();
 }
 
-Stepper::Stepper(std::vector<Tier> tiers, std::vector<Body>& bodies, const Surroundings& around,
-                 const TimeOptions& options, const Vec3& moment_reference)
+Stepper::Stepper(std::vector<Tier> tiers, const Bodies& bodies, const TimeOptions& options,
+                 const Vec3& moment_reference)
     : tiers_(std::move(tiers)),
       bodies_(bodies),
-      around_(around),
       schedule_(options.scheme),
       cfl_(options.cfl),
       moment_reference_(moment_reference),
       loads_(bodies.size()) {
-    for (const Body& body : bodies)
-        if (const ElasticBody* elastic = body.elastic())
-            rehearsals_ = std::max(rehearsals_, elastic->setup().coupling.iterations - 1);
+    for (const auto& body : bodies) rehearsals_ = std::max(rehearsals_, body->rehearsals());
 }
 
 // --- a step ---------------------------------------------------------------------------------------------------------
@@ -91,7 +87,7 @@ void Stepper::evaluate(Tier& tier, double t, double compress, double drift) {
         level->first_sweep(t, compress, drift, other);
     }
     if (!tier.edge)
-        for (Body& body : bodies_) body.drift(drift);
+        for (const auto& body : bodies_) body->look_ahead(drift);
     press(tier, t);
 }
 
@@ -106,16 +102,26 @@ void Stepper::evaluate_stages(Tier& tier, double dt) {
     const double start = tier.water().time();
     if (tier.lists_due()) find_neighbours(tier, tier.water().dt());
     for (Level* level : tier.levels) level->begin_stages(freeze);
+    std::vector<std::vector<double>> bodies_at_start;
+    for (const auto& body : bodies_) bodies_at_start.push_back(body->state());
+    const auto place_bodies = [&](double since) {
+        for (std::size_t b = 0; b < bodies_.size(); ++b) {
+            bodies_[b]->restore(bodies_at_start[b]);
+            bodies_[b]->look_ahead(since);
+        }
+    };
     for (const Stage& stage : schedule_.stages()) {
         const bool first = &stage == &schedule_.stages().front();
         const double since = first ? 0 : stage.c * tier.water().dt();
         if (!first)
             for (Level* level : tier.levels) level->go_to_stage(since);
+        place_bodies(since);
         evaluate(tier, start + since, 0, 0);
         if (first) set_step(tier, dt > 0 ? dt : longest_step());
         for (Level* level : tier.levels) level->add_stage(stage.weight, first, freeze);
     }
     for (Level* level : tier.levels) level->end_stages();
+    place_bodies(0);
 }
 
 /// Records of who is where now and, where lists are due, those lists, good for a drift of `drift` [s]. And who is what at
@@ -125,7 +131,7 @@ void Stepper::find_neighbours(Tier& tier, double drift) {
     if (due) {
         tier.make_lists_due();
         if (!tier.edge)
-            for (Body& body : bodies_) body.note_surface();
+            for (const auto& body : bodies_) body->note_surface();
     }
     for (Level* level : tier.levels) level->refresh(drift);
     if (tier.edge) tier.edge->relabel();
@@ -139,8 +145,8 @@ double Stepper::longest_step() const {
     for (std::size_t k = 0; k < tiers_.size(); ++k)
         for (const Level* level : tiers_[k].levels)
             dt = std::min(dt, std::ldexp(stable_step(*level, cfl_), static_cast<int>(k)));
-    for (const Body& body : bodies_) dt = std::min(dt, std::ldexp(body.stable_step(), finest));
-    for (const Body& body : bodies_) dt = std::ldexp(body.step_within(std::ldexp(dt, -finest)), finest);
+    for (const auto& body : bodies_) dt = std::min(dt, std::ldexp(body->stable_step(), finest));
+    for (const auto& body : bodies_) dt = std::ldexp(body->step_within(std::ldexp(dt, -finest)), finest);
     return dt;
 }
 
@@ -165,22 +171,25 @@ private:
 };
 }  // namespace
 
-void Stepper::push(const Tier& tier, ElasticBody& elastic, std::size_t b) {
+void Stepper::hand_over(const Tier& tier, Body& body, std::size_t b) {
+    Load load = tier.water().walls().loads()[b];
+    for (std::size_t other = 1; other < tier.levels.size(); ++other) load += tier.levels[other]->walls().loads()[b];
+    body.take(load);
+    if (!body.takes_forces_of_dummies()) return;
     for (Level* level : tier.levels) {
-        level->walls().push(elastic, b, forces_on_dummies(*level, b));
-        for (const WallPush& p : level->walls().pushes())
-            if (p.body == b) elastic.press(p.triangle, p.place, p.force);
+        body.take(*level->walls().attached(b), forces_on_dummies(*level, b));
+        for (const WallPush& push : level->walls().pushes())
+            if (push.body == b) body.take(push);
     }
 }
 
 void Stepper::rehearse_bodies(Tier& tier, const Schedule::Move& move, double t) {
     for (int k = 0; k < rehearsals_; ++k) {
         for (std::size_t b = 0; b < bodies_.size(); ++b) {
-            ElasticBody* elastic = bodies_[b].elastic();
-            if (!elastic || elastic->setup().coupling.iterations == 1) continue;
+            if (bodies_[b]->rehearsals() == 0) continue;
             const ProcessorTime spent(structure_seconds_);
-            push(tier, *elastic, b);
-            elastic->rehearse(move.kick, move.drift, around_.gravity);
+            hand_over(tier, *bodies_[b], b);
+            bodies_[b]->rehearse({move.kick, move.drifted, move.drift});
         }
         press(tier, t);
     }
@@ -188,27 +197,15 @@ void Stepper::rehearse_bodies(Tier& tier, const Schedule::Move& move, double t) 
 
 void Stepper::move_bodies(const Tier& tier, const Schedule::Move& move) {
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
-        Body& body = bodies_[b];
-        if (ElasticBody* elastic = body.elastic()) {
-            const ProcessorTime spent(structure_seconds_);
-            push(tier, *elastic, b);
-            elastic->advance(move.kick, 2 * move.drifted, move.drift, around_.gravity);
-            continue;
-        }
-        Load load = tier.water().walls().loads()[b];
-        for (std::size_t other = 1; other < tier.levels.size(); ++other)
-            load += tier.levels[other]->walls().loads()[b];
-        body.kick(load.force, load.moment, moment_reference_, around_.gravity, move.kick);
-        body.drift(move.drift);
+        const ProcessorTime spent(structure_seconds_);
+        hand_over(tier, *bodies_[b], b);
+        bodies_[b]->move({move.kick, move.drifted, move.drift});
     }
 }
 
 void Stepper::strike_bodies(const Level::Struck& struck) {
-    for (const WallStrike& strike : struck.places)
-        if (ElasticBody* elastic = bodies_[strike.body].elastic())
-            elastic->strike(strike.triangle, strike.place, strike.impulse);
-    for (std::size_t b = 0; b < bodies_.size(); ++b)
-        bodies_[b].strike(struck.bodies[b].impulse, struck.bodies[b].turn, moment_reference_);
+    for (const WallStrike& strike : struck.places) bodies_[strike.body]->strike(strike);
+    for (std::size_t b = 0; b < bodies_.size(); ++b) bodies_[b]->strike(struck.bodies[b]);
 }
 
 // --- loads ----------------------------------------------------------------------------------------------------------
@@ -216,8 +213,7 @@ void Stepper::strike_bodies(const Level::Struck& struck) {
 void Stepper::begin_loads() { of_tiers_.assign(tiers_.size(), {std::vector<Load>(loads_.size()), 0}); }
 
 void Stepper::add_loads(std::size_t k, double kick) {
-    for (std::size_t b = 0; b < loads_.size(); ++b)
-        of_tiers_[k].sum[b] += kick * tiers_[k].water().walls().loads()[b];
+    for (std::size_t b = 0; b < loads_.size(); ++b) of_tiers_[k].sum[b] += kick * tiers_[k].water().walls().loads()[b];
     of_tiers_[k].over += kick;
 }
 

@@ -25,12 +25,11 @@ struct Tier {
 
 /// The time integration: a step of the coarsest tier and all that belongs to it. What there is are data: tiers of one or
 /// several particle sizes, coarsest first, of one or two materials; schemes of one evaluation or of several stages; and
-/// bodies, which are fixed, rigid or elastic. Bodies move with the finest tier.
+/// bodies of all kinds. Bodies move with the finest tier.
 class Stepper {
 public:
-    /// `bodies`, `around` and all levels must outlive this.
-    Stepper(std::vector<Tier> tiers, std::vector<Body>& bodies, const Surroundings& around, const TimeOptions& options,
-            const Vec3& moment_reference);
+    /// `bodies` and all levels must outlive this.
+    Stepper(std::vector<Tier> tiers, const Bodies& bodies, const TimeOptions& options, const Vec3& moment_reference);
 
     void step() {
         begin_loads();
@@ -56,7 +55,7 @@ private:
     /// Its second sweep: pressures on walls, forces, and loads.
     void press(Tier& tier, double t);
     /// Explicit Runge-Kutta: every stage starts anew from the step's begin with the rates of the stage before, and the
-    /// step is made with the weighted mean of all; loads are that mean too.
+    /// step is made with the weighted mean of all; loads are that mean too. Bodies are where they are prescribed to be.
     void evaluate_stages(Tier& tier, double dt);
     void find_neighbours(Tier& tier, double drift);
     /// The smallest of what all levels and bodies bear, for the coarsest tier [s].
@@ -67,8 +66,8 @@ private:
     void rehearse_bodies(Tier& tier, const Schedule::Move& move, double t);
     /// Lets the water of the last evaluation kick the bodies, and moves them on.
     void move_bodies(const Tier& tier, const Schedule::Move& move);
-    /// Hands the forces of the last evaluation to an elastic body.
-    static void push(const Tier& tier, ElasticBody& elastic, std::size_t body);
+    /// Hands the forces of the last evaluation to a body.
+    static void hand_over(const Tier& tier, Body& body, std::size_t index);
     void strike_bodies(const Level::Struck& struck);
 
     void begin_loads();
@@ -76,8 +75,7 @@ private:
     void end_loads();
 
     std::vector<Tier> tiers_;
-    std::vector<Body>& bodies_;
-    const Surroundings& around_;
+    const Bodies& bodies_;
     Schedule schedule_;
     double cfl_;
     Vec3 moment_reference_;

@@ -7,10 +7,36 @@
 namespace tw {
 namespace {
 using Eigen::VectorXd;
+
+/// Points of an elastic body, tied to its nodes.
+class ElasticPoints : public Attached {
+public:
+    ElasticPoints(const ElasticBody& body, const std::vector<Vec3>& at_start) : Attached({}), body_(body) {
+        ties_.reserve(at_start.size());
+        for (const Vec3& x : at_start) ties_.push_back(body.tie(x));
+    }
+    std::size_t size() const override { return ties_.size(); }
+    Vec3 place(std::size_t k) const override { return body_.place(ties_[k]); }
+    Motion motion(std::size_t k, const Vec3&) const override {
+        return {body_.velocity(ties_[k]), body_.acceleration(ties_[k])};
+    }
+    Vec3 surface_velocity(const Vec3& x, std::int32_t triangle) const override {
+        return triangle < 0 ? Vec3(Vec3::Zero()) : body_.velocity_on(triangle, x);
+    }
+    double fastest() const override { return body_.fastest(); }
+    void reorder(const std::vector<std::int32_t>& order) override { ties_ = reordered(ties_, order); }
+    std::size_t bytes() const override { return ties_.capacity() * sizeof(Tie); }
+    const Tie& tie(std::size_t k) const { return ties_[k]; }
+
+private:
+    const ElasticBody& body_;
+    std::vector<Tie> ties_;
+};
+
 }  // namespace
 
-ElasticBody::ElasticBody(std::shared_ptr<const ElasticSetup> setup)
-    : setup_(std::move(setup)), structure_(structure_in_time(*setup_)), skin_(structure_->skin()) {
+ElasticBody::ElasticBody(BodySetup setup)
+    : Body(setup), setup_(std::move(setup.elastic)), structure_(structure_in_time(*setup_)), skin_(structure_->skin()) {
     for (const DeflectionPoint& point : setup_->points) points_.push_back(tie(point.position));
     for (const Vec3& p : skin_.points) skin_ties_.push_back(tie(p));
     note_nodes(0);
@@ -58,26 +84,21 @@ void ElasticBody::note_nodes(double ahead) {
     moved_since_noted_ = true;
 }
 
-Dummies ElasticBody::wet_nodes(double dp) const {
-    std::vector<Vec3> area(skin_.points.size(), Vec3::Zero());  // twice, of the triangles round each
-    for (std::size_t t = 0; t < skin_.triangles.size(); ++t)
-        for (const int n : skin_.triangles[t])
-            area[static_cast<std::size_t>(n)] += skin_.area_vector2(static_cast<int>(t));
-    Dummies d;
-    for (std::size_t n = 0; n < area.size(); ++n) {
-        d.places.push_back(skin_.points[n] - dp / 2 * area[n].normalized());
-        d.volumes.push_back(area[n].norm() / 6 * dp);
-    }
-    return d;
+Dummies ElasticBody::dummies(const DummyLattice& lattice) const {
+    return setup_->coupling.interface->dummies(*this, lattice);
+}
+
+std::unique_ptr<Attached> ElasticBody::attach(std::vector<Vec3> at_start) const {
+    return std::make_unique<ElasticPoints>(*this, at_start);
 }
 
 // --- the closed surface ---------------------------------------------------------------------------------------------
 
-Surface ElasticBody::surface() const { return {skin_at_, skin_.triangles}; }
+Surface ElasticBody::surface_now(std::optional<double>) const { return {skin_at_, skin_.triangles}; }
 
 void ElasticBody::note_surface() {
     noted_ = skin_at_;
-    query_ = std::make_unique<SurfaceQuery>(surface());
+    noted_query_ = std::make_unique<SurfaceQuery>(surface_now());
     moved_since_noted_ = false;
 }
 
@@ -93,9 +114,9 @@ Vec3 ElasticBody::barycentric(int triangle, const Vec3& x) const {
     return {1 - b - c, b, c};
 }
 
-Vec3 ElasticBody::as_noted(const Vec3& x) const {
+Vec3 ElasticBody::at_start(const Vec3& x) const {
     if (!moved_since_noted_) return x;
-    const SurfaceQuery::Nearest near = query_->nearest(x);
+    const SurfaceQuery::Nearest near = noted_query_->nearest(x);
     const Vec3 shares = barycentric(near.triangle, near.point);
     Vec3 back = x;
     for (int k = 0; k < 3; ++k) {
@@ -123,37 +144,41 @@ double ElasticBody::fastest() const {
 
 // --- time -----------------------------------------------------------------------------------------------------------
 
-void ElasticBody::set_water(double rho0, double dp, double c0) {
-    dp_ = dp, c0_ = c0;
+void ElasticBody::meet(const WaterNear& water, const Dummies&) {
+    water_ = water;
     const std::vector<double>& areas = structure_->wet_areas();
     const VectorXd& mass = structure_->mass();
     const int per_node = setup_->freedoms.per_node();
     std::vector<double> ratio(nodes_.size());
     for (std::size_t k = 0; k < nodes_.size(); ++k)
-        ratio[k] = rho0 * dp * areas[k] / mass[static_cast<Eigen::Index>(k) * per_node];
+        ratio[k] = water.density * water.spacing * areas[k] / mass[static_cast<Eigen::Index>(k) * per_node];
     for (const structure::RigidPart& part : setup_->freedoms.parts()) {
         double area = 0, carried = part.mass;
         for (const int n : part.nodes) {
             area += areas[static_cast<std::size_t>(n)];
             carried += mass[per_node * n];
         }
-        for (const int n : part.nodes) ratio[static_cast<std::size_t>(n)] = rho0 * dp * area / carried;
+        for (const int n : part.nodes)
+            ratio[static_cast<std::size_t>(n)] = water.density * water.spacing * area / carried;
     }
     lightest_ = *std::ranges::max_element(ratio);
     for (std::size_t k = 0; k < nodes_.size(); ++k) relaxation_[k] = setup_->coupling.relaxed ? 1 / (1 + ratio[k]) : 1;
-    const Coupling& coupling = setup_->coupling;
-    if (coupling.kind == Coupling::Kind::penalty)  // omega^2 of a particle and of the lightest node on the contact
-        contact_step_ =
-            1 / std::sqrt(coupling.steepness() * coupling.stiffness(dp) / (rho0 * dp * dp * dp) * (1 + lightest_));
+    interface_step_ = setup_->coupling.interface->stable_step(water.density, water.spacing, lightest_);
 }
 
 double ElasticBody::stable_step() const {
-    const double of_water = std::min(2 * dp_ / (c0_ * std::sqrt(lightest_)), contact_step_);
+    const double of_water = std::min(2 * water_.spacing / (water_.sound_speed * std::sqrt(lightest_)), interface_step_);
     return setup_->largest_step > 0 ? std::min(of_water, setup_->largest_step) : of_water;
 }
 
-void ElasticBody::look_ahead(double dt) {
-    if (dt != 0) note_nodes(dt);
+void ElasticBody::look_ahead(double drift) {
+    if (drift != 0) note_nodes(drift);
+}
+
+void ElasticBody::take(const Attached& dummies, const std::vector<Vec3>& forces) {
+    const auto& points = dynamic_cast<const ElasticPoints&>(dummies);
+    for (std::size_t k = 0; k < forces.size(); ++k)
+        if (!forces[k].isZero(0)) push(points.tie(k), forces[k]);
 }
 
 void ElasticBody::push(const Tie& tie, const Vec3& force) {
@@ -163,21 +188,21 @@ void ElasticBody::push(const Tie& tie, const Vec3& force) {
         force_.segment<3>(setup_->freedoms.per_node() * tie.nodes[i]) += tie.shares[i] * whole;
 }
 
-void ElasticBody::press(int triangle, const Vec3& x, const Vec3& force) {
-    const Vec3 shares = barycentric(triangle, as_noted(x));
-    const auto& corners = skin_.triangles[static_cast<std::size_t>(triangle)];
+void ElasticBody::take(const WallPush& by) {
+    const Vec3 shares = barycentric(by.triangle, at_start(by.place));
+    const auto& corners = skin_.triangles[static_cast<std::size_t>(by.triangle)];
     for (int k = 0; k < 3; ++k)
-        push(skin_ties_[static_cast<std::size_t>(corners[static_cast<std::size_t>(k)])], shares[k] * force);
+        push(skin_ties_[static_cast<std::size_t>(corners[static_cast<std::size_t>(k)])], shares[k] * by.force);
 }
 
-void ElasticBody::strike(int triangle, const Vec3& x, const Vec3& impulse) {
-    const Vec3 shares = barycentric(triangle, as_noted(x));
-    const auto& corners = skin_.triangles[static_cast<std::size_t>(triangle)];
+void ElasticBody::strike(const WallStrike& by) {
+    const Vec3 shares = barycentric(by.triangle, at_start(by.place));
+    const auto& corners = skin_.triangles[static_cast<std::size_t>(by.triangle)];
     for (int k = 0; k < 3; ++k) {
         const Tie& tie = skin_ties_[static_cast<std::size_t>(corners[static_cast<std::size_t>(k)])];
         for (std::size_t i = 0; i < 4; ++i)
             impulses_.segment<3>(setup_->freedoms.per_node() * tie.nodes[i]) +=
-                width() * shares[k] * tie.shares[i] * impulse;
+                width() * shares[k] * tie.shares[i] * by.impulse;
     }
 }
 
@@ -188,30 +213,31 @@ void ElasticBody::relax(const VectorXd& acceleration) {
     }
 }
 
-VectorXd ElasticBody::load_of(const VectorXd& water, const Vec3& gravity) const {
+VectorXd ElasticBody::load_of(const VectorXd& water) const {
     const structure::Freedoms& freedoms = setup_->freedoms;
     VectorXd load = water;
     const VectorXd& mass = structure_->mass();
-    for (std::size_t k = 0; k < nodes_.size(); ++k) load.segment<3>(first_of(k)) += mass[first_of(k)] * gravity;
+    for (std::size_t k = 0; k < nodes_.size(); ++k) load.segment<3>(first_of(k)) += mass[first_of(k)] * water_.gravity;
     for (std::size_t p = 0; p < freedoms.parts().size(); ++p)
-        load.segment<3>(freedoms.first_of_part(static_cast<int>(p))) += freedoms.parts()[p].mass * gravity;
+        load.segment<3>(freedoms.first_of_part(static_cast<int>(p))) += freedoms.parts()[p].mass * water_.gravity;
     if (setup_->damping > 0) load -= setup_->damping * (freedoms.mass(mass) * v_);
     return load;
 }
 
-void ElasticBody::rehearse(double dt, double drift, const Vec3& gravity) {
+void ElasticBody::rehearse(const BodyStep& step) {
     const std::vector<double> now = structure_->state();
-    structure_->step(dt, drift, load_of(force_ + impulses_ / dt, gravity));
-    relax((structure_->velocity() - v_) / dt);
+    structure_->step(step.kick, step.drift, load_of(force_ + impulses_ / step.kick));
+    relax((structure_->velocity() - v_) / step.kick);
     structure_->restore(now);
     force_.setZero();
     power_ = 0;
 }
 
-void ElasticBody::advance(double dt, double felt, double drift, const Vec3& gravity) {
+void ElasticBody::move(const BodyStep& step) {
+    const double dt = step.kick, felt = 2 * step.drifted;
     const VectorXd water = force_ + impulses_ / dt;
     const VectorXd before = v_;
-    const VectorXd change = structure_->step(dt, drift, load_of(water, gravity));
+    const VectorXd change = structure_->step(dt, step.drift, load_of(water));
     u_ = structure_->displacement();
     v_ = structure_->velocity();
     const double taken = water.dot(change);
@@ -232,7 +258,7 @@ void ElasticBody::advance(double dt, double felt, double drift, const Vec3& grav
     note_nodes(0);
 }
 
-double ElasticBody::energy_made_lately() const {
+std::optional<double> ElasticBody::energy_made_lately() const {
     const double exchanged = std::max(exchanged_lately_, 0.01 * work_exchanged_);
     return exchanged > 0 ? std::abs(made_lately_) / exchanged : 0;
 }
@@ -251,6 +277,31 @@ double ElasticBody::strain(std::size_t gauge) const { return structure_->strain(
 ElasticBody::PartMotion ElasticBody::part(std::size_t part) const {
     const int first = setup_->freedoms.first_of_part(static_cast<int>(part));
     return {u_.segment<3>(first), v_.segment<3>(first), last_acceleration_.segment<3>(first)};
+}
+
+void ElasticBody::describe(const Load& load, const Note& note) const {
+    const auto put = [&](const std::string& before, const std::string& unit, const Vec3& v) {
+        for (int a = 0; a < 3; ++a) note(before + "xyz"[a], unit, v[a] + 0.0);
+    };
+    if (!setup_->freedoms.parts().empty()) {
+        const PartMotion frame = part(0);
+        put("", "m", setup_->freedoms.parts()[0].centre + frame.displacement);
+        put("v", "m/s", frame.velocity);
+        put("a", "m/s2", frame.acceleration);
+    }
+    double lowest = HUGE_VAL;
+    for (const Vec3& p : skin_at_) lowest = std::min(lowest, p.z());
+    note("lowest", "m", lowest);
+    put("f", "N", load.force);
+    if (meets_floor()) note("floor_force", "N", floor_force() / width());
+    for (std::size_t n = 0; n < points_.size(); ++n) put(setup_->points[n].name + "_", "m", deflection(n));
+    for (std::size_t n = 0; n < setup_->gauges.size(); ++n) note(setup_->gauges[n].name, "-", strain(n));
+    for (const auto& [name, value] : {std::pair{"kinetic_energy", kinetic_energy()},
+                                      {"elastic_energy", elastic_energy()},
+                                      {"work_taken", work_taken()},
+                                      {"work_given", work_given()},
+                                      {"work_exchanged", work_exchanged()}})
+        note(name, "J", value / width());
 }
 
 std::vector<double> ElasticBody::state() const {

@@ -4,16 +4,12 @@
 #include <span>
 #include <vector>
 
-#include "meshes/query.h"
-#include "sph_solver/bodies/dummies.h"
+#include "sph_solver/bodies/body.h"
 #include "sph_solver/bodies/elastic/elastic_setup.h"
 #include "sph_solver/bodies/elastic/structure_in_time.h"
 #include "sph_solver/bodies/elastic/tie.h"
 
 namespace tw {
-
-/// Energy made lately at the interface, of that exchanged, beyond which a run's interface is not trusted [-].
-inline constexpr double trusted_interface_energy = 0.5;
 
 /// A shell or a solid in the water: how it moves under what its dummies hand to it, and how they follow it.
 ///
@@ -31,18 +27,21 @@ inline constexpr double trusted_interface_energy = 0.5;
 /// ahead (`look_ahead`: shells with their present velocities, solids where they will be); the forces found there act
 /// through the whole step of a shell (shell_in_time.h), and as a blow in its middle on a solid (solid_in_time.h).
 ///
-/// Added mass: as of rigid bodies (bodies/body.h) water answers to a wall's acceleration within the same evaluation,
+/// Added mass: as of rigid bodies (bodies/rigid_in_water.h) water answers to a wall's acceleration within the same evaluation,
 /// with the mass of 0.62 dp of water where h = 1.55 dp (docs/decisions/038-coupling.md). So each node hands over a
 /// relaxed acceleration,
 ///
 ///   a'_n += theta_n (a_n - a'_n),   theta_n = 1 / (1 + rho0 dp A_n / m_n)
 ///
 /// A_n the area about the node and m_n its mass, or those of all nodes that a rigid part carries.
-class ElasticBody {
+class ElasticBody : public Body {
 public:
-    explicit ElasticBody(std::shared_ptr<const ElasticSetup> setup);
+    explicit ElasticBody(BodySetup setup);
 
     const ElasticSetup& setup() const { return *setup_; }
+    bool fixed() const override { return false; }
+    bool gives_way() const override { return true; }
+    bool meets_floor() const override;  ///< whether its contact with the tank's floor is solved
 
     // --- points of the body
     Tie tie(const Vec3& at_start) const;
@@ -50,43 +49,45 @@ public:
     Vec3 velocity(const Tie& tie) const;      ///< [m/s]
     Vec3 acceleration(const Tie& tie) const;  ///< relaxed [m/s2]
 
-    /// Its nodes as a layer of particles half a spacing under each of its two wet faces, with the volume of their area of
-    /// that layer. Three dimensions.
-    Dummies wet_nodes(double dp) const;
+    Dummies dummies(const DummyLattice& lattice) const override;
+    std::unique_ptr<Attached> attach(std::vector<Vec3> at_start) const override;
 
     // --- the closed surface
-    /// Looks at where the surface is now, for `query`.
-    void note_surface();
-    const SurfaceQuery& query() const { return *query_; }  ///< of the surface as last noted
+    Vec3 now(const Vec3& x) const override { return place(tie(x)); }
     /// Where a place near the surface was when that was noted.
-    Vec3 as_noted(const Vec3& x) const;
-    Surface surface() const;  ///< now [m]
+    Vec3 at_start(const Vec3& x) const override;
+    Surface surface_now(std::optional<double> span = {}) const override;
+    void note_surface() override;
+    const SurfaceQuery& query() const override { return *noted_query_; }
     /// Velocity of the surface by the place `x` on or near a triangle of it [m/s].
     Vec3 velocity_on(int triangle, const Vec3& x) const;
     double fastest() const;  ///< speed of a point of the surface [m/s]
 
     // --- time
-    /// Before the first step.
-    void set_water(double rho0, double dp, double c0);
+    void meet(const WaterNear& water, const Dummies& dummies) override;
     /// Water on a wall is a spring of rho0 c0^2 / dp to a unit of area; below 2 / omega of the lightest node on it [s].
-    double stable_step() const;
-    /// The length of step that the structure takes where `dt` is allowed [s].
-    double step_within(double dt) const { return structure_->step_within(dt); }
+    double stable_step() const override;
+    double step_within(double dt) const override { return structure_->step_within(dt); }
+    int rehearsals() const override { return setup_->coupling.iterations - 1; }
 
-    void look_ahead(double dt);
-    /// A force of the water on a point [N] (per metre of width in two dimensions); it acts in the next `advance`.
-    void push(const Tie& tie, const Vec3& force);
-    /// A force [N] by the place `x` on a triangle of the surface; likewise.
-    void press(int triangle, const Vec3& x, const Vec3& force);
-    /// An impulse [N s] by the place `x` on a triangle of the surface; likewise.
-    void strike(int triangle, const Vec3& x, const Vec3& impulse);
-    /// Makes the step that `advance` would make, takes it back, and hands over the relaxed acceleration that it had: the
+    void look_ahead(double drift) override;
+    bool takes_forces_of_dummies() const override { return true; }
+    void take(const Load& /*load*/) override {}
+    void take(const Attached& dummies, const std::vector<Vec3>& forces) override;
+    void take(const WallPush& push) override;
+    bool presses() const override { return setup_->coupling.interface->presses(); }
+    double pressing(double distance, double dp) const override {
+        return setup_->coupling.interface->pressing(distance, dp);
+    }
+    void strike(const Impulse& /*all*/) override {}
+    void strike(const WallStrike& place) override;
+    /// Makes the step that `move` would make, takes it back, and hands over the relaxed acceleration that it had: the
     /// forces on the body are then found anew. So water and body answer each other again within one step; each time the
     /// error of that acceleration falls by 1 - theta (1 + c rho0 dp A/m), see above.
-    void rehearse(double dt, double drift, const Vec3& gravity);
-    /// `felt`: for how long the water has been compressed with the velocities that the dummies had till now; `drift`: how
-    /// far the next evaluation looks ahead [s].
-    void advance(double dt, double felt, double drift, const Vec3& gravity);
+    void rehearse(const BodyStep& step) override;
+    /// The water has been compressed with the velocities that the dummies had till now for twice what was drifted
+    /// before; what will be drifted at the end is how far the next evaluation looks ahead.
+    void move(const BodyStep& step) override;
 
     // --- what is recorded; energies of the whole width [J]
     bool in_plane() const { return setup_->width > 0; }
@@ -101,8 +102,10 @@ public:
     double work_exchanged() const { return work_exchanged_; }  ///< the sum of the magnitudes, step by step
     /// The same over the last sixteen steps or so, over the work exchanged in them or, if larger, a hundredth of all: water
     /// and body that throw their accelerations to and fro (added mass) make as much energy as they exchange [-].
-    double energy_made_lately() const;
-    bool meets_floor() const;  ///< whether its contact with the tank's floor is solved
+    std::optional<double> energy_made_lately() const override;
+    /// Its first rigid part where it has one, the water's force, its points and gauges, and energies.
+    void describe(const Load& load, const Note& note) const override;
+    bool knows_its_work() const override { return true; }
     double floor_force() const { return structure_->floor_force(); }  ///< of a rigid floor that it meets, upward [N]
     const Vec3& impulse() const { return impulse_; }                  ///< of the water's forces so far [N s]
     Vec3 deflection(std::size_t point) const;                         ///< [m]
@@ -113,15 +116,15 @@ public:
     };
     PartMotion part(std::size_t part) const;
 
-    std::vector<double> state() const;
-    /// Throws std::invalid_argument for numbers that are those of no state of this body.
-    void restore(std::span<const double> state);
+    std::vector<double> state() const override;
+    void restore(std::span<const double> state) override;
 
 private:
     void note_nodes(double ahead);
     Vec3 barycentric(int triangle, const Vec3& x) const;
     void relax(const Eigen::VectorXd& acceleration);
-    Eigen::VectorXd load_of(const Eigen::VectorXd& water, const Vec3& gravity) const;
+    void push(const Tie& tie, const Vec3& force);
+    Eigen::VectorXd load_of(const Eigen::VectorXd& water) const;
     /// Of a node's freedoms.
     Eigen::Index first_of(std::size_t node) const {
         return static_cast<Eigen::Index>(node) * setup_->freedoms.per_node();
@@ -134,20 +137,20 @@ private:
     Surface skin_;                ///< at the start
     std::vector<Tie> skin_ties_;  ///< of its points
     std::vector<Vec3> skin_at_, skin_velocity_, noted_;
-    std::unique_ptr<SurfaceQuery> query_;
+    std::unique_ptr<SurfaceQuery> noted_query_;
     bool moved_since_noted_ = false;
 
     std::vector<StructureInTime::Node> nodes_;
     Eigen::VectorXd u_, v_;              ///< of all freedoms
     Eigen::VectorXd accelerations_;      ///< relaxed, three for each node
     Eigen::VectorXd last_acceleration_;  ///< of all freedoms, over the last step
-    Eigen::VectorXd force_, impulses_;   ///< that wait for `advance`, of all freedoms
+    Eigen::VectorXd force_, impulses_;   ///< that wait for `move`, of all freedoms
     double power_ = 0;                   ///< of the forces in force_, with the velocities that the water felt [W]
     double power_before_ = 0;            ///< of the forces before, with the same velocities [W]
     std::vector<double> relaxation_;     ///< theta of each node
     double lightest_ = 0;                ///< the largest rho0 dp A / m of a node that may move [-]
-    double dp_ = 0, c0_ = 0;
-    double contact_step_ = HUGE_VAL;  ///< half of what a penalty contact allows [s]
+    WaterNear water_;
+    double interface_step_ = HUGE_VAL;  ///< what the interface allows [s]
     double work_taken_ = 0, work_given_ = 0, work_exchanged_ = 0;
     double made_lately_ = 0, exchanged_lately_ = 0;  ///< [J]
     Vec3 impulse_ = Vec3::Zero();

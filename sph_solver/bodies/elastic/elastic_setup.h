@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-#include "sph_solver/bodies/elastic/coupling.h"
+#include "sph_solver/bodies/elastic/interface.h"
 #include "structure/freedoms.h"
 #include "structure/shell/gauge.h"
 #include "structure/shell/shell.h"

@@ -246,11 +246,9 @@ INSTANTIATE_TEST_SUITE_P(
             "[domain]\ndimensions = 2\n[[body]]\nshape = \"box\"\nlength = 0.1\nbeam = 0.1\nheight = 0.1\n"
             "draft = 0.5\nmass = 1\nspin = [1, 0, 0]\n[motion]",
             "scene.toml:21:8: [[body]] spin = [1, 0, 0]: has a part in roll, which is locked (two dimensions"},
-        Bad{"[motion]\nkind = \"none\"", "[motion]\nkind = \"none\"\n[effects]\nair = \"on\"",
-            "scene.toml:15:7: [effects] air = \"on\": bodies that move are solved in water alone"},
         Bad{"[run]", "[sph]\nscheme = \"rk4_frozen_diffusion\"\n[run]",
-            "scene.toml:17:10: [sph] scheme = \"rk4_frozen_diffusion\": bodies that move need a time step of one "
-            "evaluation"}));
+            "scene.toml:17:10: [sph] scheme = \"rk4_frozen_diffusion\": bodies that the water moves answer to the "
+            "water that moves with them once a step"}));
 
 }  // namespace
 }  // namespace tw::test

@@ -60,7 +60,6 @@ TEST(TankMotion, IsRefusedWhereItCannotBeMeant) {
 
 TEST(TankMotion, IsRefusedWithWhatIsNotSolvedInIt) {
     expect_complaint(swaying + "[motion]\nkind = \"stream\"\nspeed = 1\n", "no stream");
-    expect_complaint(swaying + "[effects]\nair = \"on\"\n", "water alone");
     expect_complaint(swaying + "[effects]\ndamping_layers = \"on\"\n", "tank at rest");
     expect_complaint(swaying + "[[body]]\nshape = \"box\"\nlength = 0.2\nheight = 0.1\ndraft = 0.05\ndensity = 500\n",
                      "[tank] without law");

@@ -32,7 +32,7 @@ Outcome column_with(const ColumnOnPlate& column, bool relaxed, int iterations, d
             const double bell = (run.time() - time) * std::pow(std::sin(std::numbers::pi * time / T), 2);
             sum += bell * plate_of(run).deflection(0).z(), weight += bell;
             // the first steps are those of the release
-            if (run.steps() > 20) out.made = std::max(out.made, plate_of(run).energy_made_lately());
+            if (run.steps() > 20) out.made = std::max(out.made, *plate_of(run).energy_made_lately());
         }
     } catch (const RunError&) {  // it may not come to the end, but has to be known before
     }

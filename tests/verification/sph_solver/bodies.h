@@ -2,6 +2,7 @@
 #pragma once
 #include "meshes/generate.h"
 #include "meshes/section.h"
+#include "sph_solver/bodies/rigid_in_water.h"
 #include "sph_solver/simulation.h"
 
 namespace tw {
@@ -39,9 +40,9 @@ inline Fluid water(const SimulationSetup& s) {
     return fill_with_fluid(s, {below});
 }
 
-inline Vec3 centre_of(const Simulation& s) { return s.bodies()[0].rigid().state().centre; }
+inline Vec3 centre_of(const Simulation& s) { return rigid_of(s.body(0)).state().centre; }
 inline double turned_by(const Simulation& s) {
-    return Eigen::AngleAxisd(s.bodies()[0].rigid().state().attitude).angle();
+    return Eigen::AngleAxisd(rigid_of(s.body(0)).state().attitude).angle();
 }
 /// Of the active particles of a level [m2/s2].
 inline double mean_square_velocity(const Level& level) {
@@ -55,7 +56,7 @@ inline double mean_square_velocity(const Level& level) {
 inline void run_to(Simulation& s, double time) {
     while (s.time() < time) s.step();
 }
-inline double speed_up(const Simulation& s) { return s.bodies()[0].rigid().state().velocity.z(); }
+inline double speed_up(const Simulation& s) { return rigid_of(s.body(0)).state().velocity.z(); }
 
 inline BodySetup circle_body(double diameter, double draft, double density) {
     return section_body(posed(make_hull("cylinder", {{"diameter", diameter}, {"span", 1}}), {.draft = draft}), density);

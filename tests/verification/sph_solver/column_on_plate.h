@@ -63,6 +63,6 @@ struct ColumnOnPlate {
     }
 };
 
-inline const ElasticBody& plate_of(const Simulation& run) { return *run.bodies()[0].elastic(); }
+inline const ElasticBody& plate_of(const Simulation& run) { return dynamic_cast<const ElasticBody&>(run.body(0)); }
 
 }  // namespace tw

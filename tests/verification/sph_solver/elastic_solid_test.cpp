@@ -56,7 +56,7 @@ struct ColumnOnRubber {
     static double exact() { return (1000 * g * depth * height + rho * g * height * height / 2) / modulus(); }
 };
 
-const ElasticBody& block_of(const Simulation& run) { return *run.bodies()[0].elastic(); }
+const ElasticBody& block_of(const Simulation& run) { return dynamic_cast<const ElasticBody&>(run.body(0)); }
 
 /// Released at rest the water swings on the rubber about the compression at which it would rest; the mean is weighted by
 /// a bell over the run, which a swing of many periods leaves alone.

@@ -94,7 +94,7 @@ SimulationSetup cylinder(bool levels, int threads = 1) {
         }
         return zones;
     };
-    s.zones = s.zones_round(std::vector<MovedSolid>{Body(s.bodies[0]).moved()});
+    s.zones = s.zones_round(std::vector<MovedSolid>{Body::of(s.bodies[0])->moved()});
     return s;
 }
 

@@ -1,0 +1,16 @@
+#pragma once
+#include "sph_solver/bodies/body.h"
+#include "sph_solver/particles/particles.h"
+#include "sph_solver/particles/records.h"
+
+namespace tw {
+
+/// Lets bodies press on particles by a force of their own (Body::pressing), along the normal n of the surface:
+///
+///   a_i += F n / m
+///
+/// Only bodies nearer than a spacing. Adds to the particles' rates, and gives what the bodies get.
+std::vector<WallPush> add_wall_pushes(const Bodies& bodies, const Particles& particles, Records& records, double dp,
+                                      double mass);
+
+}  // namespace tw
