@@ -69,7 +69,7 @@ all_runs() {
     run damping_layers       "$(prism)" --effect damping_layers=on
     run moving_tank          "$(study sloshing)" --near-hull 5mm --duration 0.6s
     run floating_body        "$(study floating_box)" --near-hull 10mm --duration 0.3s
-    run free_hull            "$(study planing_free)" --scale 2.8284 --duration 0.1s
+    run free_hull            "$(prism | sed 's/^draft .*/&\nfree = ["heave"]\nmass = "150 kg"\nrelease = "0.1 s"/')"
     run elastic_shell        "$(study elastic_gate)" --near-hull 2mm --duration 0.04s
     run elastic_penalty      "$(study elastic_gate | sed 's/^skin .*/coupling = "penalty"/')" --near-hull 2mm --duration 0.02s
     run elastic_rehearsed    "$(study elastic_gate | sed 's/^margin .*/coupling_iterations = 3/')" --near-hull 2mm --duration 0.02s

@@ -33,19 +33,12 @@ SimulationSetup swaying_tank(double dp, const MovingFrame& frame) {
     return s;
 }
 
-/// Of the water's particles that count, of all sizes.
+/// Of the coarsest level, which is whole everywhere.
 Vec3 centre_of_mass(const Simulation& s) {
     Vec3 sum = Vec3::Zero();
-    double mass = 0;
-    for (const auto& level : s.water()) {
-        const Particles& p = level->particles();
-        for (std::size_t i = 0; i < p.size(); ++i) {
-            if (!is_active(p.kind[i])) continue;
-            sum += level->mass() * Vec3(p.x[i], p.y[i], p.z[i]);
-            mass += level->mass();
-        }
-    }
-    return sum / mass;
+    const Particles& p = s.particles();
+    for (std::size_t i = 0; i < p.size(); ++i) sum += Vec3(p.x[i], p.y[i], p.z[i]);
+    return sum / double(p.size());
 }
 
 /// The tank goes 20 mm to the right within 0.6 s and stays.
@@ -134,13 +127,14 @@ TEST(MovingTank, SwingsAsLinearTheorySays) {
 }
 
 /// The force of the frame acts on all sizes of particles, and the edge between them, in the middle of the tank where the
-/// water goes to and fro most, lets the swings through.
+/// water goes to and fro most, lets the swings through. The bound of the history is that of the larger size, and the 5 %
+/// of a gravity wave that an edge reflects on its way out of the smaller one (docs/results/levels.md).
 TEST(MovingTank, SwingsAsLinearTheorySaysWithTwoSizesOfParticles) {
     const Swung found = swing(0.0125, 0);
     std::printf("two sizes: frequency - 1 %.2f %%, centre of mass %.2f %%\n", 100 * (found.frequency - 1),
                 100 * found.history);
     EXPECT_LT(std::abs(found.frequency - 1), 0.01);
-    EXPECT_LT(found.history, 0.07);
+    EXPECT_LT(found.history, 0.07 + 0.05);
 }
 
 /// Heeled slowly by 5 degrees about a place beside the tank the water stands level in the earth: its centre of mass
@@ -169,8 +163,8 @@ TEST(MovingTank, SwingsAsLinearTheorySaysUnderAir) {
     const Swung found = swing(0.025, -1, true);
     std::printf("under air: frequency - 1 %.2f %%, centre of mass %.2f %%\n", 100 * (found.frequency - 1),
                 100 * found.history);
-    EXPECT_LT(std::abs(found.frequency - 1), 0.015);
-    EXPECT_LT(found.history, 0.09);
+    EXPECT_LT(std::abs(found.frequency - 1), 0.01);
+    EXPECT_LT(found.history, 0.07);
 }
 
 /// Up and down the water stays as it is and weighs g + a: on the floor, and on a block that stands in it. The motion
