@@ -57,8 +57,8 @@ Simulation::Simulation(const SimulationSetup& setup, std::span<const Fluid> flui
     for (std::size_t k = 0; k <= finest; ++k) {
         LevelSetup level = setup;
         level.dp = std::ldexp(setup.dp, static_cast<int>(finest - k));
-        levels_.push_back(
-            std::make_unique<Level>(*around_, level, Schedule(setup.scheme), *bodies_, *passes_, fluids[k]));
+        levels_.push_back(std::make_unique<Level>(*around_, level, setup.effects, Schedule(setup.scheme), *bodies_,
+                                                  *passes_, fluids[k]));
     }
     refinements_.reserve(finest);
     for (std::size_t k = 0; k < finest; ++k)
@@ -77,7 +77,7 @@ Simulation::Simulation(const SimulationSetup& setup, std::span<const Fluid> flui
         if (!(*bodies_)[b]->fixed()) (*bodies_)[b]->meet(near, this->finest().walls().dummies(b));
 }
 
-Level& Simulation::add_gas(LevelSetup setup, const Fluid& fluid) {
+Level& Simulation::add_gas(LevelSetup setup, const EffectOptions& effects, const Fluid& fluid) {
     const Threads own(setup_.threads);
     if (!refinements_.empty())
         throw InputError(
@@ -86,8 +86,8 @@ Level& Simulation::add_gas(LevelSetup setup, const Fluid& fluid) {
             "fields are interpolated within one material, and density and pressure gradient jump across the "
             "water's surface");
     gas_ = levels_
-               .emplace_back(std::make_unique<Level>(*around_, std::move(setup), Schedule(setup_.scheme), *bodies_,
-                                                     *passes_, fluid))
+               .emplace_back(std::make_unique<Level>(*around_, std::move(setup), effects, Schedule(setup_.scheme),
+                                                     *bodies_, *passes_, fluid))
                .get();
     stepper_->add(*gas_);
     return *gas_;

@@ -8,6 +8,7 @@
 
 #include "sph_solver/bodies/body.h"
 #include "sph_solver/bodies/collisions.h"
+#include "sph_solver/effects/effects.h"
 #include "sph_solver/particles/level.h"
 #include "sph_solver/refinement/refinement.h"
 #include "sph_solver/time/stepper.h"
@@ -17,6 +18,7 @@ namespace tw {
 /// Everything a run of the engine starts from: the surroundings, the first level (the water), the bodies and the time
 /// stepping. SI units.
 struct SimulationSetup : Surroundings, LevelSetup, TimeOptions {
+    EffectOptions effects;  ///< of the water
     std::vector<BodySetup> bodies;
     /// Where the water belongs to finer particles at the start, the widest zone first; each halves the spacing, dp is
     /// that in the last. A body's load is that of each level's active particles. No edge is within 8 spacings of the
@@ -51,7 +53,7 @@ public:
 
     /// Puts a gas beside the water, on particles of the same size; before the first step.
     /// Throws InputError where the water has several sizes.
-    Level& add_gas(LevelSetup setup, const Fluid& fluid);
+    Level& add_gas(LevelSetup setup, const EffectOptions& effects, const Fluid& fluid);
 
     void step();  ///< throws RunError, see Level::advance; and when a body that moves touches another solid
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <cstdint>
 
+#include "sph_solver/domain/kind.h"
 #include "sph_solver/equations/kernel.h"
-#include "sph_solver/particles/kind.h"
 
 namespace tw {
 

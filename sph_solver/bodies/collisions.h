@@ -4,7 +4,7 @@
 
 #include "meshes/zone.h"
 #include "sph_solver/bodies/body.h"
-#include "sph_solver/particles/level_setup.h"
+#include "sph_solver/domain/surroundings.h"
 
 namespace tw {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include "sph_solver/bodies/body.h"
-#include "sph_solver/particles/particles.h"
-#include "sph_solver/particles/records.h"
+#include "sph_solver/fields/particles.h"
+#include "sph_solver/fields/records.h"
 
 namespace tw {
 

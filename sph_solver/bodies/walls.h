@@ -5,9 +5,9 @@
 #include "sph_solver/backend/pass_data.h"
 #include "sph_solver/bodies/body.h"
 #include "sph_solver/bodies/load.h"
+#include "sph_solver/domain/level_setup.h"
+#include "sph_solver/domain/surroundings.h"
 #include "sph_solver/neighbours/columns.h"
-#include "sph_solver/particles/level_setup.h"
-#include "sph_solver/particles/particles.h"
 
 namespace tw {
 

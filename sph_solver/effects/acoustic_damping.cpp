@@ -1,6 +1,6 @@
 #include "sph_solver/effects/acoustic_damping.h"
 
-#include "sph_solver/particles/level_setup.h"
+#include "sph_solver/domain/level_setup.h"
 
 namespace tw {
 namespace {

@@ -20,9 +20,6 @@ LevelSetup air_setup(LevelSetup s, const AirOptions& air) {
     s.largest_rarefaction = 0.95;  // 33 and 0.015 atmospheres: beyond any scene, short of nonsense
     s.tension_control = true;
     s.shut_in = true;
-    const bool tank_moves = s.effects.moving_tank;
-    s.effects = {};
-    s.effects.moving_tank = tank_moves;
     return s;
 }
 
@@ -37,7 +34,9 @@ void add_air(Simulation& simulation, const AirOptions& air, const Fluid& fluid) 
     Mirrors& mirrors = simulation.surroundings().mirrors;
     if (!mirrors.periodic[2]) mirrors.on[2][1] = true;
     simulation.level(0).set_surface_support(support_at_a_void);
-    simulation.add_gas(air_setup(simulation.level(0).setup(), air), fluid);
+    EffectOptions effects;
+    effects.moving_tank = simulation.setup().effects.moving_tank;
+    simulation.add_gas(air_setup(simulation.level(0).setup(), air), effects, fluid);
 }
 
 double gas_energy(const Level& gas, const Vec3& gravity) {

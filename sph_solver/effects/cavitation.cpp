@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sph_solver/particles/level_setup.h"
+#include "sph_solver/domain/level_setup.h"
 
 namespace tw {
 namespace {

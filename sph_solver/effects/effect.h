@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "sph_solver/backend/pass_data.h"
+#include "sph_solver/fields/particles.h"
 #include "sph_solver/ghosts/mirrors.h"
-#include "sph_solver/particles/particles.h"
 
 namespace tw {
 

@@ -1,7 +1,7 @@
 #include "sph_solver/effects/moving_tank.h"
 
 #include "sph_solver/backend/for_particles.h"
-#include "sph_solver/particles/level_setup.h"
+#include "sph_solver/domain/surroundings.h"
 
 namespace tw {
 namespace {

@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "sph_solver/backend/for_particles.h"
+#include "sph_solver/domain/level_setup.h"
 #include "sph_solver/effects/passes.h"
-#include "sph_solver/particles/level_setup.h"
 
 namespace tw {
 namespace {

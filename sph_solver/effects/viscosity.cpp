@@ -5,6 +5,8 @@
 
 #include "sph_solver/backend/for_particles.h"
 #include "sph_solver/bodies/walls.h"
+#include "sph_solver/domain/level_setup.h"
+#include "sph_solver/domain/surroundings.h"
 #include "sph_solver/effects/passes.h"
 
 namespace tw {

@@ -1,10 +1,11 @@
 #pragma once
 #include <vector>
 
+#include "sph_solver/domain/level_setup.h"
+#include "sph_solver/domain/surroundings.h"
+#include "sph_solver/fields/records.h"
 #include "sph_solver/ghosts/mirrors.h"
 #include "sph_solver/neighbours/columns.h"
-#include "sph_solver/particles/level_setup.h"
-#include "sph_solver/particles/records.h"
 
 namespace tw {
 

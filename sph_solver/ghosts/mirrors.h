@@ -5,21 +5,11 @@
 
 #include "base/vec3.h"
 #include "sph_solver/backend/pass_data.h"
+#include "sph_solver/domain/mirrors.h"
+#include "sph_solver/fields/particles.h"
 #include "sph_solver/neighbours/columns.h"
-#include "sph_solver/particles/particles.h"
 
 namespace tw {
-
-/// Slip walls and symmetry planes on faces of the domain box, by exact mirror images: [axis][0 low, 1 high]. A periodic
-/// axis has no planes: what leaves at one face comes in at the other, and sees the other side's particles as images.
-struct Mirrors {
-    std::array<std::array<bool, 2>, 3> on{};
-    std::array<bool, 3> periodic{};
-    /// Of these planes the walls that hold the water (no slip). Only the sweeps of viscosity know of them: to all others
-    /// an image slides along the plane.
-    std::array<std::array<bool, 2>, 3> holding{};
-    bool any_holds() const { return holding != std::array<std::array<bool, 2>, 3>{}; }
-};
 
 /// One image of a particle, three bits an axis: beyond the low (1) or high (2) face, reflected there, or (with 4) moved
 /// by the domain's length.

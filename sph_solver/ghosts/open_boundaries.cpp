@@ -1,5 +1,7 @@
 #include "sph_solver/ghosts/open_boundaries.h"
 
+#include "sph_solver/ghosts/mirrors.h"
+
 namespace tw {
 
 std::vector<char> cross_open_boundaries(const Surroundings& around, double dp, Particles& p, Ledger& ledger) {

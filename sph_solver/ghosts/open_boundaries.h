@@ -2,8 +2,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "sph_solver/particles/level_setup.h"
-#include "sph_solver/particles/particles.h"
+#include "sph_solver/domain/surroundings.h"
+#include "sph_solver/fields/particles.h"
 
 namespace tw {
 

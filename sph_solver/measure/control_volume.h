@@ -5,7 +5,7 @@
 
 #include "base/vec3.h"
 #include "sph_solver/bodies/samples.h"
-#include "sph_solver/particles/particles.h"
+#include "sph_solver/fields/particles.h"
 
 namespace tw {
 
@@ -33,7 +33,7 @@ public:
     /// the whole span of the box, and their faces lie at its middle.
     struct Shape {
         int dimensions = 3;
-        bool mirrored = false;  ///< the face at low y is a symmetry plane; it counts like the others
+        bool mirrored = false;                     ///< the face at low y is a symmetry plane; it counts like the others
         std::function<bool(const Vec3&)> takes{};  ///< which cells belong to it, by their middle; empty: all
     };
     ControlVolume(const Box& box, double size, const Shape& shape);
@@ -69,7 +69,8 @@ private:
     Vec3 cell_ = Vec3::Ones();
     Eigen::Array3i count_ = Eigen::Array3i::Zero();
     bool flat_ = false;
-    std::vector<std::uint8_t> corners_;  ///< of each corner which of the eight cells that meet there belong: bit x + 2 y + 4 z
+    std::vector<std::uint8_t>
+        corners_;  ///< of each corner which of the eight cells that meet there belong: bit x + 2 y + 4 z
     PointSamples faces_;
     std::vector<Vec3> area_;
     State state_;

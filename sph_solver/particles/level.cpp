@@ -10,6 +10,7 @@
 #include "sph_solver/backend/for_particles.h"
 #include "sph_solver/backend/stopwatch.h"
 #include "sph_solver/bodies/wall_pushes.h"
+#include "sph_solver/effects/effects.h"
 
 namespace tw {
 
@@ -35,14 +36,14 @@ Box column_area(const Surroundings& around, double support, double dp) {
 
 }  // namespace
 
-Level::Level(const Surroundings& around, LevelSetup setup, const Schedule& schedule, const Bodies& bodies,
-             const Passes& passes, const Fluid& fluid)
+Level::Level(const Surroundings& around, LevelSetup setup, const EffectOptions& effects, const Schedule& schedule,
+             const Bodies& bodies, const Passes& passes, const Fluid& fluid)
     : around_(around),
       setup_(std::move(setup)),
       schedule_(schedule),
       bodies_(bodies),
       passes_(passes),
-      effects_(make_effects(setup_.effects)),
+      effects_(make_effects(effects)),
       h_(setup_.h_over_dp * setup_.dp),
       mass_(setup_.rho0 * std::pow(setup_.dp, around.dimensions)),
       kernel_(h_, around.dimensions),

@@ -7,19 +7,22 @@
 
 #include "sph_solver/bodies/samples.h"
 #include "sph_solver/bodies/walls.h"
+#include "sph_solver/domain/extremes.h"
+#include "sph_solver/domain/level_setup.h"
+#include "sph_solver/domain/surroundings.h"
 #include "sph_solver/effects/effect.h"
+#include "sph_solver/fields/particles.h"
+#include "sph_solver/fields/records.h"
 #include "sph_solver/ghosts/ghosts.h"
 #include "sph_solver/ghosts/open_boundaries.h"
 #include "sph_solver/measure/control_volume.h"
 #include "sph_solver/neighbours/list_life.h"
-#include "sph_solver/particles/level_setup.h"
-#include "sph_solver/particles/particles.h"
-#include "sph_solver/particles/records.h"
 #include "sph_solver/refinement/surface_excess.h"
-#include "sph_solver/time/extremes.h"
 #include "sph_solver/time/schedule.h"
 
 namespace tw {
+
+struct EffectOptions;
 
 struct Timers {
     double lists = 0, gradient = 0, walls = 0, forces = 0, effects = 0, update = 0;  ///< [s] wall
@@ -59,8 +62,8 @@ class Level {
 public:
     /// The particles start at the stream's velocity at t = 0 (at rest when it is ramped), under hydrostatic pressure.
     /// `around` and `bodies` must outlive the level.
-    Level(const Surroundings& around, LevelSetup setup, const Schedule& schedule, const Bodies& bodies,
-          const Passes& passes, const Fluid& fluid);
+    Level(const Surroundings& around, LevelSetup setup, const EffectOptions& effects, const Schedule& schedule,
+          const Bodies& bodies, const Passes& passes, const Fluid& fluid);
 
     const LevelSetup& setup() const { return setup_; }
     double mass() const { return mass_; }  ///< of one particle [kg]

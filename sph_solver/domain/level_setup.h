@@ -1,33 +1,15 @@
 #pragma once
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "motion/moving_frame.h"
+#include "base/vec3.h"
 #include "scene/scene.h"
-#include "sph_solver/effects/effects.h"
+#include "sph_solver/domain/extremes.h"
 #include "sph_solver/equations/state_equation.h"
-#include "sph_solver/ghosts/mirrors.h"
-#include "sph_solver/ghosts/stream.h"
-#include "sph_solver/time/extremes.h"
 
 namespace tw {
 
-/// What all levels of a run share. SI units.
-struct Surroundings {
-    int dimensions = 3;
-    Vec3 gravity{0, 0, -Water{}.gravity};
-    /// Particles move freely inside; mirror planes lie on its faces.
-    Box domain;
-    Mirrors mirrors;
-    std::optional<Stream> stream;
-    /// The axes are those of a tank that moves; none: they rest. Bodies are fixed in it.
-    std::optional<MovingFrame> frame;
-    /// What water feels at time `t`, but for the stream's ramp.
-    FrameForce force(double t) const { return frame ? frame->force(t, gravity) : FrameForce{.at_pivot = gravity}; }
-};
-
-/// One material on particles of one size. SI units.
+/// One material on particles of one size, without the effects. SI units.
 struct LevelSetup {
     std::string material = "water";  ///< in messages and files
     double dp = 0;                   ///< particle spacing [m]
@@ -49,7 +31,6 @@ struct LevelSetup {
     bool tension_control = false;
     /// Fills what the other levels leave of the domain, under a lid: sampled pressures are relative to the lid's.
     bool shut_in = false;
-    EffectOptions effects;
     /// A run whose density leaves rho0 by more than these shares of it is stopped.
     double largest_compression = largest_density_deviation, largest_rarefaction = largest_density_deviation;
 };

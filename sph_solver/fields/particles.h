@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "sph_solver/particles/kind.h"
+#include "sph_solver/domain/kind.h"
 
 namespace tw {
 
