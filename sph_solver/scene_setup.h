@@ -3,7 +3,7 @@
 
 #include "scene/scene.h"
 #include "sph_solver/effects/air.h"
-#include "sph_solver/measure/control_volume.h"
+#include "sph_solver/levels/control_volume.h"
 #include "sph_solver/simulation.h"
 
 namespace tw {
@@ -16,7 +16,7 @@ struct SphSetup {
         AirOptions options;
         Fluid fluid;
     };
-    std::optional<Gas> air;             ///< when the effect is on
+    std::optional<Gas> air;                       ///< when the effect is on
     std::optional<ControlVolume> control_volume;  ///< round the hull, clear of it and inside the water's sides
 };
 

@@ -9,7 +9,7 @@
 #include "sph_solver/bodies/body.h"
 #include "sph_solver/bodies/collisions.h"
 #include "sph_solver/effects/effects.h"
-#include "sph_solver/particles/level.h"
+#include "sph_solver/levels/level.h"
 #include "sph_solver/refinement/refinement.h"
 #include "sph_solver/time/stepper.h"
 

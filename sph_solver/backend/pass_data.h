@@ -223,7 +223,7 @@ struct Passes {
     void (*surface_curvature)(const ColourData&, const Group*, int count);
     void (*meet_other_phase)(const LevelPairData&, const Group*, int count);
     void (*press_other_phase)(const LevelPairData&, const Group*, int count);
-    void (*interpolate)(const InterpolateData&, const Group*, int count);  ///< see refinement/interpolate.h
+    void (*interpolate)(const InterpolateData&, const Group*, int count);  ///< see levels/interpolate.h
 };
 /// The default of this processor, or what TWINWAKE_ISA names; see choose_passes.h.
 const Passes& passes();

@@ -1,7 +1,7 @@
 // The sweep that carries fields from one level of particle size to another, once per instruction set.
 #include "sph_solver/backend/pair_loop.h"
 #include "sph_solver/equations/first_order.h"
-#include "sph_solver/refinement/interpolate.h"
+#include "sph_solver/levels/interpolate.h"
 
 namespace tw {
 namespace TW_ISA {

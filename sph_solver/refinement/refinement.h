@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "meshes/zone.h"
-#include "sph_solver/particles/level.h"
+#include "sph_solver/levels/level.h"
 
 namespace tw {
 
@@ -107,7 +107,7 @@ private:
     double in_a_step_ = 0;  ///< how far guards and coarse particles go in a step of the coarse level, at most [m]
     /// And since fine particles were labelled, with what the edge has come towards them.
     double gone_since_ = std::numeric_limits<double>::infinity();
-    SurfaceExcess excess_;                                         ///< in weights of a row the same for both
+    SurfaceExcess excess_;  ///< in weights of a row the same for both
     Ledger ledger_;
     double surplus_at_start_ = 0;  ///< [kg]
 };

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sph_solver/particles/level.h"
+#include "sph_solver/levels/level.h"
 
 namespace tw {
 

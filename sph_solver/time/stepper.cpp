@@ -5,7 +5,7 @@
 #include <ctime>
 #include <limits>
 
-#include "sph_solver/bodies/elastic/forces_on_dummies.h"
+#include "sph_solver/levels/forces_on_dummies.h"
 #include "sph_solver/time/limits.h"
 
 namespace tw {

@@ -4,7 +4,7 @@
 
 #include "sph_solver/bodies/body.h"
 #include "sph_solver/pairs/level_pair.h"
-#include "sph_solver/particles/level.h"
+#include "sph_solver/levels/level.h"
 #include "sph_solver/refinement/refinement.h"
 #include "sph_solver/time/schedule.h"
 

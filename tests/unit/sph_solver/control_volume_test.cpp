@@ -1,7 +1,7 @@
 // Control volumes of cells: faces, pressure and weight of one volume.
 #include <gtest/gtest.h>
 
-#include "sph_solver/measure/control_volume.h"
+#include "sph_solver/levels/control_volume.h"
 
 namespace tw::test {
 namespace {

@@ -1,9 +1,9 @@
-#include "sph_solver/refinement/surface_excess.h"
+#include "sph_solver/levels/surface_excess.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "sph_solver/refinement/interpolate.h"
+#include "sph_solver/levels/interpolate.h"
 
 namespace tw {
 

@@ -15,9 +15,9 @@
 #include "sph_solver/fields/records.h"
 #include "sph_solver/ghosts/ghosts.h"
 #include "sph_solver/ghosts/open_boundaries.h"
-#include "sph_solver/measure/control_volume.h"
+#include "sph_solver/levels/control_volume.h"
+#include "sph_solver/levels/surface_excess.h"
 #include "sph_solver/neighbours/list_life.h"
-#include "sph_solver/refinement/surface_excess.h"
 #include "sph_solver/time/schedule.h"
 
 namespace tw {

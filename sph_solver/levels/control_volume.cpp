@@ -1,4 +1,4 @@
-#include "sph_solver/measure/control_volume.h"
+#include "sph_solver/levels/control_volume.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 
 #include "sph_solver/backend/for_particles.h"
 #include "sph_solver/backend/stopwatch.h"
-#include "sph_solver/particles/level.h"
+#include "sph_solver/levels/level.h"
 
 namespace tw {
 

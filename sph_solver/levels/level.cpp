@@ -1,4 +1,4 @@
-#include "sph_solver/particles/level.h"
+#include "sph_solver/levels/level.h"
 
 #include <algorithm>
 #include <bit>

@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "sph_solver/backend/for_particles.h"
-#include "sph_solver/particles/level.h"
-#include "sph_solver/refinement/interpolate.h"
+#include "sph_solver/levels/interpolate.h"
+#include "sph_solver/levels/level.h"
 
 namespace tw {
 
@@ -21,8 +21,7 @@ struct SortedPlaces {
     NeighbourLists lists;
 
     /// `apart`: distance between points [spacings of the level].
-    SortedPlaces(const std::vector<Vec3>& points, double apart, const Level& level)
-        : grid(level.grid().scaled(apart)) {
+    SortedPlaces(const std::vector<Vec3>& points, double apart, const Level& level) : grid(level.grid().scaled(apart)) {
         std::vector<WidePlace> raw(points.size());
         for_particles(raw.size(), [&](std::size_t k) { raw[k] = level.quanta().wide(points[k]); });
         sort_by_column(grid, raw, order, start);
@@ -137,8 +136,8 @@ void Level::interpolate(FieldsAt& at) {
     update_records();
     const Kernel kernel(interpolation_h_over_dp * setup_.dp, around_.dimensions);
     SortedPlaces sorted(at.places, at.apart, *this);
-    const std::vector<Span> asked = within_reach(
-        sorted, grid_, (kernel.support() + SortedPlaces::stale(*this, life_.travel)) / quanta_.size);
+    const std::vector<Span> asked =
+        within_reach(sorted, grid_, (kernel.support() + SortedPlaces::stale(*this, life_.travel)) / quanta_.size);
     const auto source_of = [&](std::size_t i) {
         return i < own ? i : static_cast<std::size_t>(ghosts_.images()[i - own].source);
     };

@@ -1,4 +1,4 @@
-#include "sph_solver/bodies/elastic/forces_on_dummies.h"
+#include "sph_solver/levels/forces_on_dummies.h"
 
 #include <bit>
 

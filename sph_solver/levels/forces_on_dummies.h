@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "sph_solver/particles/level.h"
+#include "sph_solver/levels/level.h"
 
 namespace tw {
 
