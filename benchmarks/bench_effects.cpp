@@ -8,7 +8,7 @@
 #include <string>
 
 #include "meshes/generate.h"
-#include "sph_solver/effects/air.h"
+#include "sph_solver/air.h"
 #include "sph_solver/simulation.h"
 
 using namespace tw;

@@ -2,7 +2,7 @@
 #include <optional>
 
 #include "scene/scene.h"
-#include "sph_solver/effects/air.h"
+#include "sph_solver/air.h"
 #include "sph_solver/levels/control_volume.h"
 #include "sph_solver/simulation.h"
 

@@ -33,6 +33,17 @@ void for_pieces(std::size_t n, const Body& body) {
     for (std::size_t k = 0; k < n; ++k) body(k);
 }
 
+/// Calls `body(own, k)` for every k < n, with an `Own` for each thread, which goes with it from one k to the next.
+template <class Own, class Body>
+void for_pieces_with(std::size_t n, const Body& body) {
+#pragma omp parallel
+    {
+        Own own;
+#pragma omp for schedule(dynamic, 4)
+        for (std::size_t k = 0; k < n; ++k) body(own, k);
+    }
+}
+
 /// Calls `body()` once on each of so many threads, all at the same time.
 template <class Body>
 void on_each_of(int threads, const Body& body) {

@@ -2,21 +2,20 @@
 
 namespace tw {
 
-std::vector<WallPush> add_wall_pushes(const Bodies& bodies, const Particles& p, Records& records, double dp,
-                                      double mass) {
+std::vector<WallPush> add_wall_pushes(const Bodies& bodies, Particles& p, double dp, double mass) {
     std::vector<WallPush> pushes;
     for (std::size_t i = 0; i < p.size(); ++i) {  // in order: the sums keep their bits
-        const WallNormalRecord& n = records.wall_normal[i];
+        const WallNormalRecord& n = p.wall_normal[i];
         if (double(n.distance) >= dp || p.kind[i] != Kind::fluid) continue;
-        const std::size_t b = records.wall_body[i];
+        const std::size_t b = p.wall_body[i];
         const double pressing = bodies[b]->pressing(double(n.distance), dp);
         if (pressing <= 0) continue;
         const Vec3 force = pressing * Vec3(n.x, n.y, n.z);
-        RateRecord& rate = records.rate[i];
+        RateRecord& rate = p.rate[i];
         rate.ax += static_cast<float>(force.x() / mass);
         rate.ay += static_cast<float>(force.y() / mass);
         rate.az += static_cast<float>(force.z() / mass);
-        pushes.push_back({b, records.wall_triangle[i], Vec3(p.x[i], p.y[i], p.z[i]), -force});
+        pushes.push_back({b, p.wall_triangle[i], Vec3(p.x[i], p.y[i], p.z[i]), -force});
     }
     return pushes;
 }

@@ -1,7 +1,6 @@
 #pragma once
 #include "sph_solver/bodies/body.h"
 #include "sph_solver/fields/particles.h"
-#include "sph_solver/fields/records.h"
 
 namespace tw {
 
@@ -10,7 +9,6 @@ namespace tw {
 ///   a_i += F n / m
 ///
 /// Only bodies nearer than a spacing. Adds to the particles' rates, and gives what the bodies get.
-std::vector<WallPush> add_wall_pushes(const Bodies& bodies, const Particles& particles, Records& records, double dp,
-                                      double mass);
+std::vector<WallPush> add_wall_pushes(const Bodies& bodies, Particles& particles, double dp, double mass);
 
 }  // namespace tw

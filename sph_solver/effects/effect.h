@@ -5,7 +5,7 @@
 
 #include "sph_solver/backend/pass_data.h"
 #include "sph_solver/fields/particles.h"
-#include "sph_solver/ghosts/mirrors.h"
+#include "sph_solver/ghosts/ghosts.h"
 
 namespace tw {
 
@@ -23,17 +23,11 @@ struct StepView {
     const Passes& passes;
     const std::vector<Group>& groups;
     const Walls& walls;
-    const std::vector<MirrorImage>& images;
+    const Ghosts& ghosts;
     double h, mass, time;
 
     std::size_t count() const { return particles.size(); }
     bool at_surface(std::size_t i) const { return (pass.surface[i / 32] >> (i % 32) & 1u) != 0; }
-    /// Gives the images their sources' values of a scalar.
-    void carry_to_images(std::vector<float>& field) const {
-        field.resize(count() + images.size());
-        for (std::size_t k = 0; k < images.size(); ++k)
-            field[count() + k] = field[static_cast<std::size_t>(images[k].source)];
-    }
 };
 
 /// One physical effect that a scene may do without. It is built only when it is on: off, it costs no array, no byte of

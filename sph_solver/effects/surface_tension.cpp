@@ -18,7 +18,7 @@ public:
 
     void add_rates(const StepView& step) override {
         const std::size_t n = step.count();
-        normal_.resize(n + step.images.size());
+        normal_.resize(n);
         curvature_.resize(n);
         length_.resize(n);
         ColourData c;
@@ -34,8 +34,8 @@ public:
             const float inv = counts ? 1 / length_[i] : 0;
             r = {r.u * inv, r.v * inv, r.w * inv, counts ? 1.0f : 0.0f};
         }
-        for (std::size_t k = 0; k < step.images.size(); ++k)
-            normal_[n + k] = mirrored(normal_[static_cast<std::size_t>(step.images[k].source)], step.images[k]);
+        step.ghosts.refresh<Law::vector>(normal_, n);
+        c.normal = normal_.data();
         for_pairs(step.passes.surface_curvature, c, step.groups);
 #pragma omp parallel for schedule(static)
         for (std::size_t i = 0; i < n; ++i) {

@@ -24,12 +24,13 @@ public:
         largest_ = o_.kinematic;
         PassData water = step.pass;
         const bool tank_holds = o_.no_slip && step.around.mirrors.any_holds();
-        if (tank_holds) {
-            hold_images(step);
+        if (tank_holds) {  // images of the tank's walls move against the water
+            motion_.assign(step.pass.motion, step.pass.motion + step.count());
+            step.ghosts.refresh<Law::held>(motion_, step.count());
             water.motion = motion_.data();
         }
         if (o_.turbulence) add_eddies(step, water, tank_holds);
-        step.carry_to_images(mu_);
+        step.ghosts.refresh<Law::scalar>(mu_, step.count());
 
         ViscousData v;
         v.water = &water;
@@ -55,14 +56,6 @@ public:
     }
 
 private:
-    /// Velocities as the friction sees them: images of the tank's walls move against the water.
-    void hold_images(const StepView& step) {
-        motion_.assign(step.pass.motion, step.pass.motion + step.count() + step.images.size());
-        for (std::size_t k = 0; k < step.images.size(); ++k)
-            motion_[step.count() + k] = mirrored_by_holding(motion_[static_cast<std::size_t>(step.images[k].source)],
-                                                            step.images[k], step.around.mirrors);
-    }
-
     /// Distance of a particle from the nearest wall of the tank that holds the water [m].
     static double from_tank(const StepView& step, std::size_t i) {
         const Mirrors& mirrors = step.around.mirrors;

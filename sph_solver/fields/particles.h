@@ -1,10 +1,10 @@
 #pragma once
 #include <cstdint>
 #include <limits>
-#include <utility>
-#include <vector>
 
+#include "sph_solver/backend/pass_data.h"
 #include "sph_solver/domain/kind.h"
+#include "sph_solver/fields/field_table.h"
 
 namespace tw {
 
@@ -29,49 +29,44 @@ struct EdgeDistance {
     float by = 0, turn = 0;                                           ///< sums of Zone::Shift since the start
 };
 
-/// The state of all particles, structure of arrays, kept sorted in space. Positions in double precision; density as
-/// the deviation from rho0, so that single precision loses nothing.
-struct Particles {
-    std::vector<double> x, y, z;   ///< [m]
-    std::vector<float> u, v, w;    ///< [m/s]
-    std::vector<float> drho;       ///< rho - rho0 [kg/m3]
-    std::vector<std::int64_t> id;  ///< never reused
-    std::vector<Kind> kind;
-    // of a level that has a coarser one, else empty
-    bool has_coarser = false;
-    std::vector<Trend> trend;             ///< meaningful for guards
-    std::vector<EdgeDistance> from_edge;  ///< of the own zone
-    // of a level that has a finer one, else empty
-    bool has_finer = false;
-    std::vector<Children> children;
-    std::vector<float> compression;             ///< of band: rate of the finer level's density there [kg/m3/s]
-    std::vector<EdgeDistance> from_finer_edge;  ///< of the finer level's zone
+/// The particles of a level, structure of arrays, kept sorted in space: their state, and what the sweeps over the pairs
+/// read and write of them. Positions in double precision; density as the deviation from rho0, so that single precision
+/// loses nothing. A further quantity is one more line.
+struct Particles : FieldTable {
+    FieldOf<double> x{*this, "x", Kept::saved}, y{*this, "y", Kept::saved}, z{*this, "z", Kept::saved};  ///< [m]
+    FieldOf<float> u{*this, "u", Kept::saved}, v{*this, "v", Kept::saved}, w{*this, "w", Kept::saved};   ///< [m/s]
+    FieldOf<float> drho{*this, "drho", Kept::saved};     ///< rho - rho0 [kg/m3]
+    FieldOf<std::int64_t> id{*this, "id", Kept::saved};  ///< never reused
+    FieldOf<Kind> kind{*this, "kind", Kept::saved};
+
+    FieldOf<Trend> trend{*this, "trend", Kept::moved, With::coarser};                 ///< meaningful for guards
+    FieldOf<EdgeDistance> from_edge{*this, "from_edge", Kept::moved, With::coarser};  ///< of the own zone
+    FieldOf<Children> children{*this, "children", Kept::saved, With::finer};
+    /// Of band: rate of the finer level's density there [kg/m3/s].
+    FieldOf<float> compression{*this, "compression", Kept::saved, With::finer};
+    FieldOf<EdgeDistance> from_finer_edge{*this, "from_finer_edge", Kept::moved, With::finer};
+
+    FieldOf<PlaceRecord, Law::place> place{*this, "place", Kept::sorted};
+    FieldOf<VelocityDensityRecord, Law::hydrostatic> velocity_density{*this, "velocity_density", Kept::sorted};
+    FieldOf<GradientPressureRecord, Law::hydrostatic> gradient_pressure{*this, "gradient_pressure", Kept::sorted};
+    FieldOf<ShiftSupportRecord> shift_support{*this, "shift_support", Kept::sorted};
+    FieldOf<RateRecord> rate{*this, "rate", Kept::sorted};
+    Marks surface{*this, "surface", Kept::sorted};  ///< who is at the free surface
+    /// The nearest wall, the way off its edges, whose wall it is, and on which triangle of that body.
+    FieldOf<WallNormalRecord> wall_normal{*this, "wall_normal", Kept::sorted, With::walls};
+    FieldOf<LeavingRecord> wall_leaving{*this, "wall_leaving", Kept::sorted, With::walls};
+    FieldOf<std::uint16_t> wall_body{*this, "wall_body", Kept::sorted, With::moving_bodies};
+    FieldOf<std::int32_t> wall_triangle{*this, "wall_triangle", Kept::sorted, With::elastic_bodies};
+    FieldOf<CarriedShare, Law::tensor> carried{*this, "carried", Kept::sorted, With::control_volume};
+    /// -rho div u of the last first sweep [kg/m3/s].
+    FieldOf<float> density_rate{*this, "density_rate", Kept::sorted, With::coarser};
 
     std::size_t size() const { return x.size(); }
 
-    /// Applies `f` to each array; every operation on whole particles goes through here.
-    template <class Function>
-    void for_each_array(Function f) {
-        f(x), f(y), f(z), f(u), f(v), f(w), f(drho), f(id), f(kind);
-        if (has_coarser) f(trend), f(from_edge);
-        if (has_finer) f(children), f(compression), f(from_finer_edge);
-    }
     void add(double px, double py, double pz, float pu, float pdrho, std::int64_t pid, Kind pkind) {
-        x.push_back(px), y.push_back(py), z.push_back(pz);
-        u.push_back(pu), v.push_back(0), w.push_back(0);
-        drho.push_back(pdrho), id.push_back(pid), kind.push_back(pkind);
-        if (has_coarser) trend.emplace_back(), from_edge.emplace_back();
-        if (has_finer) children.push_back(Children::none), compression.push_back(0), from_finer_edge.emplace_back();
-    }
-    /// New order: particle k becomes what particle order[k] was; particles not named are dropped.
-    void reorder(const std::vector<std::int32_t>& order) {
-        for_each_array([&](auto& array) {
-            auto old = std::move(array);
-            array = {};
-            array.resize(order.size());
-#pragma omp parallel for schedule(static)
-            for (std::size_t k = 0; k < order.size(); ++k) array[k] = old[static_cast<std::size_t>(order[k])];
-        });
+        const std::size_t i = grow();
+        x[i] = px, y[i] = py, z[i] = pz;
+        u[i] = pu, drho[i] = pdrho, id[i] = pid, kind[i] = pkind;
     }
 };
 

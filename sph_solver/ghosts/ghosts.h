@@ -1,43 +1,93 @@
 #pragma once
 #include <vector>
 
+#include "sph_solver/backend/for_particles.h"
 #include "sph_solver/domain/level_setup.h"
 #include "sph_solver/domain/surroundings.h"
-#include "sph_solver/fields/records.h"
-#include "sph_solver/ghosts/mirrors.h"
+#include "sph_solver/fields/particles.h"
+#include "sph_solver/ghosts/laws.h"
+#include "sph_solver/ghosts/link.h"
 #include "sph_solver/neighbours/columns.h"
 
 namespace tw {
 
 /// Particles that a level sees and does not own: the mirror images at slip walls, symmetry planes and periodic faces.
-/// They are found when the lists are made, and refreshed at stated moments of an evaluation. Their records stand
-/// behind those of the particles.
+/// They are found when the lists are made, and refreshed at stated moments of an evaluation. In the arrays of the
+/// quantities that they have they stand behind the particles.
 class Ghosts {
 public:
     /// `around` must outlive this.
     Ghosts(const Surroundings& around, const LevelSetup& level, const Quanta& quanta);
 
     /// Which particles have images within `reach` [m] of a plane, in the order of the columns.
-    void find(const Surroundings& around, const Particles& particles, const ColumnGrid& grid, const Quanta& quanta,
-              double reach);
+    void find(const Particles& particles, const ColumnGrid& grid, double reach);
 
-    enum class What {
-        places_and_velocities,  ///< before the first sweep
-        all                     ///< before the second: density, pressure and density gradient too
-    };
-    /// Gives the images what their sources have at time `t`.
-    void refresh(Records& records, const Particles& sources, double t, const Quanta& quanta, What what) const;
+    /// Gives the images what they have of their sources at time `t`, each quantity by its law: their places, and of
+    /// `fields`, which are quantities of `particles`, those that the level has.
+    template <class... Fields>
+    void refresh(Particles& particles, double t, Fields&... fields) const;
+    /// The same for an array of somebody else, of the particles at first, by a law that asks for no place.
+    template <Law law, class T>
+    void refresh(std::vector<T>& values, std::size_t particles) const {
+        values.resize(particles + links_.size());
+        for_particles(links_.size(), [&](std::size_t k) {
+            values[particles + k] = seen<law>(values[static_cast<std::size_t>(links_[k].index)], maps_[links_[k]]);
+        });
+    }
 
-    const std::vector<MirrorImage>& images() const { return images_; }
+    const std::vector<Link>& links() const { return links_; }
+    std::size_t count() const { return links_.size(); }
     const std::vector<std::int32_t>& start() const { return start_; }  ///< first image of each column
-    std::size_t bytes() const { return images_.capacity() * sizeof(MirrorImage); }
+    std::size_t bytes() const { return links_.capacity() * sizeof(Link); }
 
 private:
+    template <class T, Law law>
+    static T seen_by_law(const FieldOf<T, law>& field, std::size_t i, const LinkMap& map, const HydrostaticLine& line) {
+        if constexpr (law == Law::hydrostatic)
+            return seen_on(line, field[i], map);
+        else
+            return seen<law>(field[i], map);
+    }
+
     const Surroundings& around_;
+    Quanta quanta_;
     Hydrostatic still_;
-    MirrorPlanes planes_;
-    std::vector<MirrorImage> images_;
+    LinkMaps maps_;
+    std::vector<Link> links_;
     std::vector<std::int32_t> start_;
 };
+
+template <class... Fields>
+void Ghosts::refresh(Particles& p, double t, Fields&... fields) const {
+    const std::size_t n = p.size();
+    const auto all = [&](const auto& line_over) {
+        for_particles(links_.size(), [&](std::size_t k) {
+            const auto i = static_cast<std::size_t>(links_[k].index);
+            const LinkMap& map = maps_[links_[k]];
+            const PlaceRecord &from = p.place[i], &to = p.place[n + k] = seen_place(from, map);
+            Vec3 step =
+                quanta_.size * Vec3(difference(to.x, from.x), difference(to.y, from.y), difference(to.z, from.z));
+            for (int a = 0; a < 3; ++a)
+                if (map.repeats[a]) step[a] = 0;
+            const HydrostaticLine line = line_over(i, step);
+            const auto see = [&](auto& field) {
+                if (!field.empty()) field[n + k] = seen_by_law(field, i, map, line);
+            };
+            (see(fields), ...);
+        });
+    };
+    if (!around_.frame) {
+        const Vec3 g = around_.gravity;
+        const Eigen::Vector3f gradient = still_.gradient(g).cast<float>();
+        return all([&](std::size_t, const Vec3& step) {
+            return HydrostaticLine{gradient, still_.deviation(g, step), still_.pressure(g, step)};
+        });
+    }
+    const FrameForce frame = around_.force(t);
+    all([&](std::size_t i, const Vec3& step) {
+        const Vec3 g = frame.at(Vec3(p.x[i], p.y[i], p.z[i]) + step / 2, Vec3(p.u[i], p.v[i], p.w[i]));
+        return HydrostaticLine{still_.gradient(g).cast<float>(), still_.deviation(g, step), still_.pressure(g, step)};
+    });
+}
 
 }  // namespace tw

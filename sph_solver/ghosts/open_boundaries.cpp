@@ -1,7 +1,5 @@
 #include "sph_solver/ghosts/open_boundaries.h"
 
-#include "sph_solver/ghosts/mirrors.h"
-
 namespace tw {
 
 std::vector<char> cross_open_boundaries(const Surroundings& around, double dp, Particles& p, Ledger& ledger) {
@@ -39,6 +37,33 @@ std::vector<char> cross_open_boundaries(const Surroundings& around, double dp, P
         if (p.z[i] > domain.max.z() && !around.mirrors.on[2][1] && !around.mirrors.periodic[2])
             gone[i] = 1;  // through the open top
     return gone;
+}
+
+std::int64_t return_from_mirrors(const Mirrors& mirrors, const Box& domain, Particles& p) {
+    std::vector<double>* coordinate[3] = {&p.x, &p.y, &p.z};
+    std::vector<float>* velocity[3] = {&p.u, &p.v, &p.w};
+    std::int64_t returned = 0;
+    for (int a = 0; a < 3; ++a) {
+        if (mirrors.periodic[static_cast<std::size_t>(a)])
+            for (double& x : *coordinate[a]) {
+                const double length = domain.max[a] - domain.min[a];
+                const double back = x < domain.min[a] ? length : x >= domain.max[a] ? -length : 0;
+                x += back;
+                returned += back != 0;
+            }
+        for (int side = 0; side < 2; ++side) {
+            if (!mirrors.on[static_cast<std::size_t>(a)][static_cast<std::size_t>(side)]) continue;
+            const double plane = side == 0 ? domain.min[a] : domain.max[a];
+            for (std::size_t i = 0; i < p.size(); ++i) {
+                double& x = (*coordinate[a])[i];
+                if (side == 0 ? x >= plane : x <= plane) continue;
+                x = 2 * plane - x;
+                (*velocity[a])[i] = -(*velocity[a])[i];
+                ++returned;
+            }
+        }
+    }
+    return returned;
 }
 
 }  // namespace tw

@@ -20,4 +20,8 @@ struct Ledger {
 /// top).
 std::vector<char> cross_open_boundaries(const Surroundings& around, double dp, Particles& particles, Ledger& ledger);
 
+/// A particle that has crossed a plane or periodic face has changed places with its own image: puts it back. Returns
+/// how many.
+std::int64_t return_from_mirrors(const Mirrors& mirrors, const Box& domain, Particles& particles);
+
 }  // namespace tw

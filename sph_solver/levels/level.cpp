@@ -51,7 +51,12 @@ Level::Level(const Surroundings& around, LevelSetup setup, const EffectOptions& 
       grid_(column_area(around, kernel_.support(), setup_.dp), setup_.dp, around.dimensions, quanta_, passes.lanes),
       ghosts_(around, setup_, quanta_),
       walls_(bodies, around, setup_, kernel_.support(), grid_, quanta_, passes.lanes) {
-    particles_.for_each_array([&](auto& array) { array.reserve(fluid.places.size()); });
+    if (!walls_.empty()) {
+        particles_.bring(With::walls);
+        if (walls_.move()) particles_.bring(With::moving_bodies);
+        if (walls_.give_way()) particles_.bring(With::elastic_bodies);
+    }
+    particles_.reserve(fluid.places.size());
     for (std::size_t k = 0; k < fluid.places.size(); ++k) {
         const Vec3& p = fluid.places[k];
         const double depth_pressure = setup_.rho0 * around.gravity.norm() * fluid.depth[k];
@@ -85,7 +90,7 @@ double Level::lid_pressure() const {
 
 PassData Level::pass_data(double t) {
     const LevelSetup& s = setup_;
-    Records& r = records_;
+    Particles& r = particles_;
     PassData d;
     d.list = lists_.view();
     d.wall_list = walls_.lists();
@@ -104,7 +109,7 @@ PassData Level::pass_data(double t) {
     d.body_end = walls_.body_end().data();
     d.bodies = static_cast<int>(walls_.body_end().size());
     d.wall_load = walls_.group_loads().data();
-    const bool of_one_kind = !particles_.has_coarser && !particles_.has_finer && !around_.stream;
+    const bool of_one_kind = !particles_.has(With::coarser) && !particles_.has(With::finer) && !around_.stream;
     d.kind = of_one_kind ? nullptr : particles_.kind.data();
     d.kernel = kernel_;
     d.quantum = static_cast<float>(quanta_.size);
@@ -134,18 +139,17 @@ void Level::first_sweep(double t, double compress, double drift, const OtherSums
     }
     const Stopwatch watch(timers_.update);
     mark_surface();
-    if (particles_.has_coarser) records_.compression.assign(particles_.size(), 0);
     Particles& p = particles_;
-    Records& r = records_;
-    for (std::size_t i = 0; i < stages_.compression.size(); ++i) stages_.compression[i] = r.rate[i].drho;
+    if (p.has(With::coarser)) p.density_rate.assign(p.size(), 0);
+    for (std::size_t i = 0; i < stages_.compression.size(); ++i) stages_.compression[i] = p.rate[i].drho;
     // walls are looked after at the end of the step
     const auto drift_freely = [&](std::size_t i) {
         p.x[i] += drift * double(p.u[i]);
         p.y[i] += drift * double(p.v[i]);
         p.z[i] += drift * double(p.w[i]);
-        r.place[i] = place_record(i);
-        if (r.wall_normal.empty()) return;
-        WallNormalRecord& n = r.wall_normal[i];
+        p.place[i] = place_record(i);
+        if (p.wall_normal.empty()) return;
+        WallNormalRecord& n = p.wall_normal[i];
         n.distance += static_cast<float>(drift * leaving(i, Vec3(p.u[i], p.v[i], p.w[i])));
     };
     for_particles(p.size(), [&](std::size_t i) {
@@ -153,28 +157,28 @@ void Level::first_sweep(double t, double compress, double drift, const OtherSums
         if (p.kind[i] == Kind::guard) drho += static_cast<float>(compress * p.trend[i].drho);
         if (follows_the_equations(p.kind[i])) {
             const bool under_surface = p.kind[i] == Kind::band && lacks_support(i);
-            drho += static_cast<float>(compress * (under_surface ? p.compression[i] : r.rate[i].drho));
-            if (!r.compression.empty()) r.compression[i] = r.rate[i].drho;
+            drho += static_cast<float>(compress * (under_surface ? p.compression[i] : p.rate[i].drho));
+            if (!p.density_rate.empty()) p.density_rate[i] = p.rate[i].drho;
             // the free surface bears no tension (its density is not let below rho0)
             if (drho < 0 && lacks_support(i)) drho = 0;
         }
-        r.velocity_density[i].drho = drho;
-        r.gradient_pressure[i].p = setup_.state_equation.pressure(setup_.rho0, drho);
+        p.velocity_density[i].drho = drho;
+        p.gradient_pressure[i].p = setup_.state_equation.pressure(setup_.rho0, drho);
         if (drift > 0) drift_freely(i);
     });
     const StepView view = step_view(d, t);
     for (const auto& effect : effects_) effect->change_pressure(view);
-    ghosts_.refresh(r, p, t, quanta_, Ghosts::What::all);
+    ghosts_.refresh(p, t, p.velocity_density, p.gradient_pressure, p.carried);
 }
 
 void Level::mark_surface() {
-    const std::size_t n = particles_.size(), all = records_.place.size();
-    for_particles(records_.surface.size(), [&](std::size_t word) {
+    const std::size_t n = particles_.size(), all = particles_.place.size();
+    for_particles(particles_.surface.size(), [&](std::size_t word) {
         std::uint32_t bits = 0;
         for (std::size_t i = 32 * word; i < std::min(all, 32 * word + 32); ++i)
-            bits |= std::uint32_t{lacks_support(i < n ? i : static_cast<std::size_t>(ghosts_.images()[i - n].source))}
+            bits |= std::uint32_t{lacks_support(i < n ? i : static_cast<std::size_t>(ghosts_.links()[i - n].index))}
                     << (i % 32);
-        records_.surface[word] = bits;
+        particles_.surface[word] = bits;
     });
 }
 
@@ -207,7 +211,7 @@ void Level::second_sweep(double t) {
 }
 
 StepView Level::step_view(const PassData& d, double t) const {
-    return {around_, setup_, particles_, d, passes_, groups_, walls_, ghosts_.images(), h_, mass_, t};
+    return {around_, setup_, particles_, d, passes_, groups_, walls_, ghosts_, h_, mass_, t};
 }
 
 void Level::gather_loads(const Vec3& moment_reference) {
@@ -239,7 +243,7 @@ void Level::gather_loads(const Vec3& moment_reference) {
         if (!effect->wall_loads().empty()) gather(effect->wall_loads(), &Load::friction);
     for (Load& load : loads) load.force += load.friction;
     if (walls_.press()) {
-        walls_.set_pushes(add_wall_pushes(bodies_, particles_, records_, setup_.dp, mass_));
+        walls_.set_pushes(add_wall_pushes(bodies_, particles_, setup_.dp, mass_));
         for (const WallPush& p : walls_.pushes()) {
             loads[p.body].force += p.force;
             loads[p.body].moment += (p.place - moment_reference).cross(p.force);
@@ -266,28 +270,31 @@ double Level::visited_per_particle() const {
 }
 
 double Level::bytes() const {
-    double sum = double(lists_.bytes() + walls_.bytes() + ghosts_.bytes() + records_.bytes());
+    double sum = double(lists_.bytes() + walls_.bytes() + ghosts_.bytes() + particles_.bytes());
     const auto add = [&](const auto& v) { sum += double(v.capacity() * sizeof(v[0])); };
-    const_cast<Particles&>(particles_).for_each_array(add);
     add(groups_);
     add(stages_.start), add(stages_.mean), add(stages_.compression), add(stages_.diffusion);
     for (const auto& effect : effects_) sum += double(effect->bytes());
     return sum;
 }
 
-Level::State Level::state() const {
-    return {time_, dt_, steps_, ledger_, extremes_, control_ ? control_->state() : ControlVolume::State{}};
-}
+Level::State Level::state() const { return {time_, dt_, steps_, ledger_, extremes_}; }
 
 void Level::restore(const State& s, Particles particles) {
     time_ = s.time, dt_ = s.dt, steps_ = s.steps;
     ledger_ = s.ledger, extremes_ = s.extremes;
-    if (control_) control_->set_state(s.control);
-    particles.has_coarser = particles_.has_coarser, particles.has_finer = particles_.has_finer;
-    // made anew: the trend in every step, distances where they are asked for
-    if (particles.has_coarser) particles.trend.resize(particles.size()), particles.from_edge.resize(particles.size());
-    if (particles.has_finer) particles.from_finer_edge.resize(particles.size());
+    particles.bring_all_of(particles_);  // what is not saved is made anew where it is asked for
     particles_ = std::move(particles);
+    start_anew();
+}
+
+void Level::keep_only(const std::vector<std::int32_t>& staying, std::int64_t active) {
+    ledger_.out += active;
+    particles_.reorder(staying);
+    start_anew();
+}
+
+void Level::start_anew() {
     const double stream = stream_velocity(time_);
     life_.relative_speed = 0;
     for (std::size_t i = 0; i < particles_.size(); ++i)

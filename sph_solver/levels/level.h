@@ -12,13 +12,12 @@
 #include "sph_solver/domain/surroundings.h"
 #include "sph_solver/effects/effect.h"
 #include "sph_solver/fields/particles.h"
-#include "sph_solver/fields/records.h"
 #include "sph_solver/ghosts/ghosts.h"
 #include "sph_solver/ghosts/open_boundaries.h"
 #include "sph_solver/levels/control_volume.h"
 #include "sph_solver/levels/surface_excess.h"
 #include "sph_solver/neighbours/list_life.h"
-#include "sph_solver/time/schedule.h"
+#include "sph_solver/domain/schedule.h"
 
 namespace tw {
 
@@ -86,7 +85,7 @@ public:
     double reference_speed() const;
     int dimensions() const { return around_.dimensions; }
     /// Kernel support of a particle at the last evaluation [-].
-    double support(std::size_t i) const { return double(records_.shift_support[i].support); }
+    double support(std::size_t i) const { return double(particles_.shift_support[i].support); }
     /// Density that the weight of one row of particles makes at rest, rho0 g dp / c0^2 [kg/m3].
     double density_of_row() const;
     /// Acceleration of all water alike now: gravity and the stream's [m/s2].
@@ -145,10 +144,11 @@ public:
     void interpolate(FieldsAt& at);
     /// Kernel support below which a particle counts as free surface.
     void set_surface_support(double support) { setup_.surface_support = support; }
-    bool has_records() const { return !records_.gradient_pressure.empty(); }
+    bool has_records() const { return !particles_.gradient_pressure.empty(); }
 
     void set_control_volume(ControlVolume volume) {
         control_ = std::move(volume);
+        particles_.bring(With::control_volume);
         make_lists_due();
     }
     ControlVolume* control_volume() { return control_ ? &*control_ : nullptr; }
@@ -160,12 +160,15 @@ public:
         std::int64_t steps = 0;
         Ledger ledger;
         Extremes extremes;
-        ControlVolume::State control;
     };
     State state() const;
     void restore(const State& state, Particles particles);
+    /// Takes all particles but some out of the run, of which so many that are `active` count as out, and goes on as after
+    /// a restart.
+    void keep_only(const std::vector<std::int32_t>& staying, std::int64_t active);
 
 private:
+    void start_anew();  ///< with other particles than before
     void rebuild(double drift);
     void prune(double drift);
     void find_normals();
@@ -178,13 +181,13 @@ private:
     }
     /// Velocity away from the wall that particle i has near, relative to that wall, when it moves with `u` [m/s].
     double leaving(std::size_t i, const Vec3& u) const {
-        const WallNormalRecord& n = records_.wall_normal[i];
-        const double of_water = u.x() * n.x + u.y() * n.y + u.z() * n.z;
-        if (records_.wall_body.empty()) return of_water;
         const Particles& p = particles_;
-        const std::int32_t triangle = records_.wall_triangle.empty() ? -1 : records_.wall_triangle[i];
+        const WallNormalRecord& n = p.wall_normal[i];
+        const double of_water = u.x() * n.x + u.y() * n.y + u.z() * n.z;
+        if (p.wall_body.empty()) return of_water;
+        const std::int32_t triangle = p.wall_triangle.empty() ? -1 : p.wall_triangle[i];
         return of_water -
-               walls_.velocity_at(records_.wall_body[i], {p.x[i], p.y[i], p.z[i]}, triangle).dot(Vec3(n.x, n.y, n.z));
+               walls_.velocity_at(p.wall_body[i], {p.x[i], p.y[i], p.z[i]}, triangle).dot(Vec3(n.x, n.y, n.z));
     }
     PlaceRecord place_record(std::size_t i) const {
         const Particles& p = particles_;
@@ -193,7 +196,7 @@ private:
     }
     bool lacks_support(std::size_t i) const {
         const bool guard = particles_.kind[i] == Kind::guard;
-        return (guard ? particles_.trend[i].support : records_.shift_support[i].support) < setup_.surface_support;
+        return (guard ? particles_.trend[i].support : particles_.shift_support[i].support) < setup_.surface_support;
     }
     StepView step_view(const PassData& d, double t) const;
     ExtrapolateData extrapolation() const;  ///< from the present records; the caller says where to
@@ -224,7 +227,6 @@ private:
     Quanta quanta_;
     ColumnGrid grid_;
     Particles particles_;
-    Records records_;
     Ghosts ghosts_;
     Walls walls_;
     std::vector<std::int32_t> start_;  ///< first particle of each column

@@ -40,7 +40,7 @@ struct Part {
 /// step took it through. The distance carried along is checked against the surface first.
 std::optional<Level::Held> Level::hold_at_wall(std::size_t i) {
     Particles& p = particles_;
-    WallNormalRecord& r = records_.wall_normal[i];
+    WallNormalRecord& r = particles_.wall_normal[i];
     const Walls::Nearest found = walls_.nearest(Vec3(p.x[i], p.y[i], p.z[i]), Vec3(p.u[i], p.v[i], p.w[i]), setup_.dp);
     if (found.normal.distance < no_wall.distance) {
         note_wall(i, found);
@@ -67,7 +67,6 @@ Level::Struck Level::advance(const Schedule::Move& move, const Vec3& moment_refe
     const auto [dt, drifted, drift] = move;
     const LevelSetup& s = setup_;
     Particles& p = particles_;
-    Records& records = records_;
     const double c0 = s.state_equation.c0, speed_before = extremes_.speed;
     const double stream_before = stream_velocity(time_), stream_after = stream_velocity(time_ + dt);
     const ShiftStep shift_step(s.shifting, dt, h_, s.dp);
@@ -85,7 +84,7 @@ Level::Struck Level::advance(const Schedule::Move& move, const Vec3& moment_refe
                     std::max(part.relative2_before, (u0 - stream_before) * (u0 - stream_before) + v0 * v0 + w0 * w0);
             Vec3 shift = Vec3::Zero();
             const auto shift_towards_voids = [&] {
-                const ShiftSupportRecord& sum = records.shift_support[i];
+                const ShiftSupportRecord& sum = p.shift_support[i];
                 if (s.shifting <= 0 || sum.support <= s.shifting_support) return;
                 const auto [by, length2] = shift_step.of(sum.x, sum.y, sum.z);
                 shift = Vec3(by.x, by.y, by.z);
@@ -94,7 +93,7 @@ Level::Struck Level::advance(const Schedule::Move& move, const Vec3& moment_refe
             switch (p.kind[i]) {
                 case Kind::fluid:
                 case Kind::band: {
-                    const RateRecord& r = records.rate[i];
+                    const RateRecord& r = p.rate[i];
                     if (p.kind[i] == Kind::fluid)
                         part.acceleration2 = std::max(part.acceleration2,
                                                       double(r.ax) * r.ax + double(r.ay) * r.ay + double(r.az) * r.az);
@@ -112,7 +111,7 @@ Level::Struck Level::advance(const Schedule::Move& move, const Vec3& moment_refe
                     p.u[i] = static_cast<float>(u0 + dt * t.u);
                     p.v[i] = static_cast<float>(v0 + dt * t.v);
                     p.w[i] = static_cast<float>(w0 + dt * t.w);
-                    if (double(records.shift_support[i].support) > guard_shifted_from * double(t.support))
+                    if (double(p.shift_support[i].support) > guard_shifted_from * double(t.support))
                         shift_towards_voids();
                     break;
                 }
@@ -124,8 +123,8 @@ Level::Struck Level::advance(const Schedule::Move& move, const Vec3& moment_refe
             p.y[i] += drift * along.y() + shift.y();
             p.z[i] += drift * along.z() + shift.z();
             // what stands for another level's water is kept out of solids as well: it may become active there
-            if (!records.wall_normal.empty() && p.kind[i] != Kind::inlet && p.kind[i] != Kind::outlet) {
-                WallNormalRecord& r = records.wall_normal[i];
+            if (!p.wall_normal.empty() && p.kind[i] != Kind::inlet && p.kind[i] != Kind::outlet) {
+                WallNormalRecord& r = p.wall_normal[i];
                 r.distance +=
                     static_cast<float>(drift * leaving(i, along) + shift.x() * r.x + shift.y() * r.y + shift.z() * r.z);
                 const bool too_near = r.distance < held_at_wall_over_dp * s.dp;
@@ -240,7 +239,7 @@ void Level::go_to_stage(double since) {
     const double stream = stream_velocity(time_ + since), stream_before = stream_velocity(time_);
     for_particles(p.size(), [&](std::size_t i) {
         const auto from = stages_.start[i];
-        const RateRecord& r = records_.rate[i];
+        const RateRecord& r = particles_.rate[i];
         p.x[i] = from.x + since * double(p.u[i]);
         p.y[i] = from.y + since * double(p.v[i]);
         p.z[i] = from.z + since * double(p.w[i]);
@@ -266,9 +265,9 @@ void Level::add_stage(double weight, bool first, bool freeze_diffusion) {
     for_particles(p.size(), [&](std::size_t i) {
         if (first) {
             stages_.start[i] = {p.x[i], p.y[i], p.z[i], p.u[i], p.v[i], p.w[i], p.drho[i]};
-            if (freeze_diffusion) stages_.diffusion[i] = records_.rate[i].drho;
+            if (freeze_diffusion) stages_.diffusion[i] = particles_.rate[i].drho;
         }
-        RateRecord& r = records_.rate[i];
+        RateRecord& r = particles_.rate[i];
         r.drho = stages_.compression[i] + (freeze_diffusion ? stages_.diffusion[i] : r.drho);
         auto& m = stages_.mean[i];
         m.u += weight * p.u[i], m.v += weight * p.v[i], m.w += weight * p.w[i];
@@ -286,8 +285,8 @@ void Level::end_stages() {
         const auto& m = stages_.mean[i];
         p.x[i] = from.x, p.y[i] = from.y, p.z[i] = from.z;
         p.u[i] = from.u, p.v[i] = from.v, p.w[i] = from.w, p.drho[i] = from.drho;
-        records_.rate[i] = {static_cast<float>(m.ax), static_cast<float>(m.ay), static_cast<float>(m.az),
-                            static_cast<float>(m.drho)};
+        particles_.rate[i] = {static_cast<float>(m.ax), static_cast<float>(m.ay), static_cast<float>(m.az),
+                              static_cast<float>(m.drho)};
     });
 }
 

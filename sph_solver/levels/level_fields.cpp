@@ -82,9 +82,9 @@ std::vector<Span> within_reach(const SortedPlaces& of, const ColumnGrid& grid, d
 
 ExtrapolateData Level::extrapolation() const {
     ExtrapolateData e;
-    e.place = records_.place.data();
-    e.motion = records_.velocity_density.data();
-    e.stress = records_.gradient_pressure.data();
+    e.place = particles_.place.data();
+    e.motion = particles_.velocity_density.data();
+    e.stress = particles_.gradient_pressure.data();
     e.kernel = kernel_;
     e.quantum = static_cast<float>(quanta_.size);
     e.rho0 = static_cast<float>(setup_.rho0);
@@ -109,7 +109,7 @@ void Level::sample(PointSamples& points) const {
     e.p = p.data();
     e.support = support.data();
     if (points.want_flux) {
-        e.carried = records_.carried.data();
+        e.carried = particles_.carried.data();
         e.flux = flux.data();
         e.gx = e.gy = e.gz = 0;  // pairs carry the particles' own pressure
     }
@@ -139,7 +139,7 @@ void Level::interpolate(FieldsAt& at) {
     const std::vector<Span> asked =
         within_reach(sorted, grid_, (kernel.support() + SortedPlaces::stale(*this, life_.travel)) / quanta_.size);
     const auto source_of = [&](std::size_t i) {
-        return i < own ? i : static_cast<std::size_t>(ghosts_.images()[i - own].source);
+        return i < own ? i : static_cast<std::size_t>(ghosts_.links()[i - own].index);
     };
     const auto counts = [&](std::size_t i) {
         const Kind kind = particles_.kind[source_of(i)];
@@ -160,7 +160,7 @@ void Level::interpolate(FieldsAt& at) {
             for (auto k = static_cast<std::size_t>(all_start[column]);
                  k < static_cast<std::size_t>(all_start[column + 1]); ++k) {
                 const std::int64_t z =
-                    middle + difference(records_.place[offset + k].z, static_cast<std::int32_t>(middle));
+                    middle + difference(particles_.place[offset + k].z, static_cast<std::int32_t>(middle));
                 if (z >= span.from && z <= span.to && counts(offset + k)) f(offset + k);
             }
         };
@@ -173,12 +173,12 @@ void Level::interpolate(FieldsAt& at) {
             std::size_t k = before + static_cast<std::size_t>(start[c]);
             each_in(c, [&](std::size_t i) {
                 const std::size_t of = source_of(i);
-                place[k] = records_.place[i];
-                known_support[k] = records_.shift_support[of].support;
-                motion[k] = records_.velocity_density[i];
-                if (at.want_compression) rate[k] = records_.compression[of];
+                place[k] = particles_.place[i];
+                known_support[k] = particles_.shift_support[of].support;
+                motion[k] = particles_.velocity_density[i];
+                if (at.want_compression) rate[k] = particles_.density_rate[of];
                 if (at.density_before > 0)
-                    motion[k].drho -= static_cast<float>(at.density_before * records_.compression[of]);
+                    motion[k].drho -= static_cast<float>(at.density_before * particles_.density_rate[of]);
                 motion[k].drho -= static_cast<float>(row * at.without.of(double(known_support[k])));
                 ++k;
             });

@@ -30,12 +30,12 @@ void Level::refresh(double drift) {
 }
 
 void Level::update_records() {
-    const Particles& p = particles_;
+    Particles& p = particles_;
     for_particles(p.size(), [&](std::size_t i) {
-        records_.place[i] = place_record(i);
-        records_.velocity_density[i] = {p.u[i], p.v[i], p.w[i], p.drho[i]};
+        p.place[i] = place_record(i);
+        p.velocity_density[i] = {p.u[i], p.v[i], p.w[i], p.drho[i]};
     });
-    ghosts_.refresh(records_, p, time_, quanta_, Ghosts::What::places_and_velocities);
+    ghosts_.refresh(p, time_, p.velocity_density);
 }
 
 /// Leaves in the lists who is within reach now, or may be after `drift` [s] with the present velocities.
@@ -43,17 +43,17 @@ void Level::prune(double drift) {
     const Stopwatch watch(timers_.lists);
     PruneData d;
     d.lists = lists_.view();
-    d.of = records_.place.data();
-    d.place = records_.place.data();
+    d.of = particles_.place.data();
+    d.place = particles_.place.data();
     d.reach = reach_among(drift) / quanta_.size;
     for_pairs(passes_.prune, d, groups_);
-    walls_.prune(passes_, records_.place.data(), groups_, reach_to_walls(drift) / quanta_.size);
+    walls_.prune(passes_, particles_.place.data(), groups_, reach_to_walls(drift) / quanta_.size);
 }
 
 std::vector<Source> Level::sources() const {
     const std::size_t n = particles_.size();
-    return {{&grid_, records_.place.data(), &start_, 0},
-            {&grid_, records_.place.data() + n, &ghosts_.start(), static_cast<std::int32_t>(n)}};
+    return {{&grid_, particles_.place.data(), &start_, 0},
+            {&grid_, particles_.place.data() + n, &ghosts_.start(), static_cast<std::int32_t>(n)}};
 }
 
 /// Makes the lists anew, live as `prune` leaves them.
@@ -84,8 +84,8 @@ void Level::rebuild(double drift) {
     };
     const Reaches among = reaches(reach_among(drift), ListLife::skin_over_dp * s.dp),
                   to_walls = reaches(reach_to_walls(drift), ListLife::wall_skin_over_dp * s.dp);
-    ghosts_.find(around_, p, grid_, quanta_, std::max(among.far, to_walls.far));
-    records_.resize(p.size(), ghosts_.images().size(), !walls_.empty(), control_.has_value());
+    ghosts_.find(p, grid_, std::max(among.far, to_walls.far));
+    p.make_room(ghosts_.count());
     update_records();
 
     const std::vector<Source> own = sources();
@@ -101,35 +101,28 @@ void Level::rebuild(double drift) {
 }
 
 void Level::note_wall(std::size_t i, const Walls::Nearest& near) {
-    records_.wall_normal[i] = near.normal;
-    records_.wall_leaving[i] = near.leaving;
-    if (walls_.move()) records_.wall_body[i] = static_cast<std::uint16_t>(near.body);
-    if (walls_.give_way()) records_.wall_triangle[i] = near.triangle;
+    particles_.wall_normal[i] = near.normal;
+    particles_.wall_leaving[i] = near.leaving;
+    if (walls_.move()) particles_.wall_body[i] = static_cast<std::uint16_t>(near.body);
+    if (walls_.give_way()) particles_.wall_triangle[i] = near.triangle;
 }
 
 void Level::find_normals() {
     const double reach = 2 * kernel_.support() + setup_.dp;
-    if (walls_.move()) records_.wall_body.resize(particles_.size());
-    if (walls_.give_way()) records_.wall_triangle.resize(particles_.size());
-    std::int64_t through = -1;
+    const Particles& p = particles_;
     for_groups(groups_, [&](const Group& g) {
         for (int l = 0; l < g.size; ++l) {
             const auto i = static_cast<std::size_t>(g.first + l);
-            const Particles& p = particles_;
-            WallNormalRecord& r = records_.wall_normal[i];
             Walls::Nearest near{no_wall};
             if (g.wall_list.size > 0)
                 near = walls_.nearest(Vec3(p.x[i], p.y[i], p.z[i]), Vec3(p.u[i], p.v[i], p.w[i]), reach);
             note_wall(i, near);
-            if (r.distance < -setup_.dp && is_active(p.kind[i])) {
-#pragma omp critical
-                through = std::max(through, static_cast<std::int64_t>(i));
-            }
         }
     });
-    if (through >= 0) {
+    for (std::size_t i = p.size(); i-- > 0;) {
+        if (double(p.wall_normal[i].distance) >= -setup_.dp || !is_active(p.kind[i])) continue;
         ++ledger_.lost;
-        fail_at(static_cast<std::size_t>(through),
+        fail_at(i,
                 "has gone through the hull; often a wall thinner than the kernel's support 2 h, or a spacing too "
                 "coarse for a sharp edge");
     }

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "record/certificate.h"
-#include "sph_solver/effects/air.h"
+#include "sph_solver/air.h"
 #include "sph_solver/measure/level_ledger.h"
 
 namespace tw {

@@ -12,7 +12,7 @@
 #include "record/spray_table.h"
 #include "record/tank_table.h"
 #include "sph_solver/bodies/rigid_in_water.h"
-#include "sph_solver/effects/air.h"
+#include "sph_solver/air.h"
 #include "sph_solver/measure/certificate.h"
 #include "sph_solver/measure/level_ledger.h"
 #include "sph_solver/measure/water_raster.h"

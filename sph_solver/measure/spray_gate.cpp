@@ -111,17 +111,14 @@ std::vector<SprayLump> SprayGate::take(Simulation& simulation) const {
     for (std::size_t k = 0; k < simulation.levels().size(); ++k) {
         Level& level = simulation.level(k);
         const Particles& p = level.particles();
-        Level::State state = level.state();
+        std::int64_t out = 0;
         std::vector<std::int32_t> staying;
         for (std::size_t i = 0; i < p.size(); ++i) {
             const bool active = is_active(p.kind[i]), goes = active ? taken[n] : bereft(place(p, i), level.setup().dp);
-            if (active) state.ledger.out += taken[n++];
+            if (active) out += taken[n++];
             if (!goes) staying.push_back(static_cast<std::int32_t>(i));
         }
-        if (staying.size() == p.size()) continue;
-        Particles rest = p;
-        rest.reorder(staying);
-        level.restore(state, std::move(rest));
+        if (staying.size() < p.size()) level.keep_only(staying, out);
     }
     return lumps;
 }

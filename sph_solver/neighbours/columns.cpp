@@ -37,8 +37,7 @@ void sort_by_column(const ColumnGrid& grid, const std::vector<WidePlace>& places
                     std::vector<std::int32_t>& start) {
     const std::size_t n = places.size();
     std::vector<std::int32_t> column(n);
-#pragma omp parallel for schedule(static)
-    for (std::size_t i = 0; i < n; ++i) column[i] = grid.of(places[i]);
+    for_particles(n, [&](std::size_t i) { column[i] = grid.of(places[i]); });
     start.assign(static_cast<std::size_t>(grid.count()) + 1, 0);
     for (std::int32_t c : column) ++start[static_cast<std::size_t>(c) + 1];
     std::partial_sum(start.begin(), start.end(), start.begin());
@@ -55,13 +54,15 @@ void sort_by_column(const ColumnGrid& grid, const std::vector<WidePlace>& places
             static_cast<std::int32_t>(p.y - from.y), static_cast<std::int32_t>(i)};
     }
     order.resize(n);
-#pragma omp parallel for schedule(dynamic, 64)
-    for (int c = 0; c < grid.count(); ++c) {
-        const auto first = static_cast<std::size_t>(start[static_cast<std::size_t>(c)]),
-                   last = static_cast<std::size_t>(start[static_cast<std::size_t>(c) + 1]);
-        std::sort(keys.begin() + static_cast<std::ptrdiff_t>(first), keys.begin() + static_cast<std::ptrdiff_t>(last));
-        for (std::size_t k = first; k < last; ++k) order[k] = keys[k].index;
-    }
+    constexpr std::size_t per_piece = 64;
+    const auto columns = static_cast<std::size_t>(grid.count());
+    for_pieces((columns + per_piece - 1) / per_piece, [&](std::size_t piece) {
+        for (std::size_t c = piece * per_piece; c < std::min(columns, (piece + 1) * per_piece); ++c) {
+            std::sort(keys.begin() + start[c], keys.begin() + start[c + 1]);
+            for (auto k = static_cast<std::size_t>(start[c]); k < static_cast<std::size_t>(start[c + 1]); ++k)
+                order[k] = keys[k].index;
+        }
+    });
 }
 
 namespace {
@@ -198,42 +199,41 @@ void NeighbourLists::build(const Passes& pass, const Quanta& quanta, const Sourc
     chunks_.resize(chunks);
     starts_.resize(chunks);
     const Reaches in_quanta = reaches / quanta.size;
-#pragma omp parallel
-    {
+    struct Own {
         std::vector<NeighbourBlock> scratch;
         std::vector<Search> searches;  // made by threads that get something to do
         std::int32_t sizes[per_chunk];
-#pragma omp for schedule(dynamic, 4)
-        for (std::size_t k = 0; k < chunks; ++k) {
-            scratch.clear();
-            if (searches.empty())
-                for (const Source& s : sources) searches.emplace_back(in_quanta.far + in_quanta.stale, s);
-            const std::size_t first = k * per_chunk, last = std::min(groups.size(), first + per_chunk);
-            const std::vector<std::int32_t>& start = *targets.start;
-            const auto after = std::upper_bound(start.begin(), start.end(), groups[first].first);
-            int column = static_cast<int>(after - start.begin()) - 1;
-            for (Search& s : searches) s.start_anew();
-            for (std::size_t n = first; n < last; ++n) {
-                const std::size_t before = scratch.size();
-                if (groups[n].first >= start[static_cast<std::size_t>(column) + 1]) {
-                    while (groups[n].first >= start[static_cast<std::size_t>(column) + 1]) ++column;
-                    for (Search& s : searches) s.start_anew();
-                }
-                const WidePlace centre = targets.grid->centre(column);
-                const Bounds box = bounds(targets.places, groups[n], centre);
-                const GroupReach group = pass.reach_of(targets.places, groups[n], in_quanta);
-                for (Search& s : searches) s.collect(box, centre.z, group, pass, scratch);
-                sizes[n - first] = static_cast<std::int32_t>(scratch.size() - before);
+    };
+    for_pieces_with<Own>(chunks, [&](Own& own, std::size_t k) {
+        auto& [scratch, searches, sizes] = own;
+        scratch.clear();
+        if (searches.empty())
+            for (const Source& s : sources) searches.emplace_back(in_quanta.far + in_quanta.stale, s);
+        const std::size_t first = k * per_chunk, last = std::min(groups.size(), first + per_chunk);
+        const std::vector<std::int32_t>& start = *targets.start;
+        const auto after = std::upper_bound(start.begin(), start.end(), groups[first].first);
+        int column = static_cast<int>(after - start.begin()) - 1;
+        for (Search& s : searches) s.start_anew();
+        for (std::size_t n = first; n < last; ++n) {
+            const std::size_t before = scratch.size();
+            if (groups[n].first >= start[static_cast<std::size_t>(column) + 1]) {
+                while (groups[n].first >= start[static_cast<std::size_t>(column) + 1]) ++column;
+                for (Search& s : searches) s.start_anew();
             }
-            chunks_[k].assign(scratch.begin(), scratch.end());
-            starts_[k] = chunks_[k].data();
-            std::int32_t at = 0;
-            for (std::size_t n = first; n < last; ++n) {
-                groups[n].*list = {static_cast<std::int32_t>(k), at, sizes[n - first]};
-                at += sizes[n - first];
-            }
+            const WidePlace centre = targets.grid->centre(column);
+            const Bounds box = bounds(targets.places, groups[n], centre);
+            const GroupReach group = pass.reach_of(targets.places, groups[n], in_quanta);
+            for (Search& s : searches) s.collect(box, centre.z, group, pass, scratch);
+            sizes[n - first] = static_cast<std::int32_t>(scratch.size() - before);
         }
-    }
+        chunks_[k].assign(scratch.begin(), scratch.end());
+        starts_[k] = chunks_[k].data();
+        std::int32_t at = 0;
+        for (std::size_t n = first; n < last; ++n) {
+            groups[n].*list = {static_cast<std::int32_t>(k), at, sizes[n - first]};
+            at += sizes[n - first];
+        }
+    });
 }
 
 std::int32_t number_wall_loads(std::vector<Group>& groups, const Lists& walls,

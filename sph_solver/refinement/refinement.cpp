@@ -53,8 +53,8 @@ double ask_edge(const MovingEdge& edge, const Vec3& x, EdgeDistance& known, std:
     double gap = std::numeric_limits<double>::infinity();
     for (const double limit : limits) gap = std::min(gap, std::abs(double(known.outside) - limit));
     const Vec3 from(known.x, known.y, known.z);
-    double change = Zone::steepest * ((x - from).norm() + rounding * x.lpNorm<1>()) +
-                    rounding * std::abs(double(known.outside));
+    double change =
+        Zone::steepest * ((x - from).norm() + rounding * x.lpNorm<1>()) + rounding * std::abs(double(known.outside));
     const double by = edge.shifted.by, turn = edge.shifted.turn;
     if (by > 0 || turn > 0) {
         const double turned = turn - double(known.turn) + rounding * turn;
@@ -64,7 +64,7 @@ double ask_edge(const MovingEdge& edge, const Vec3& x, EdgeDistance& known, std:
     }
     if (change < gap) return double(known.outside);
     const double outside = edge.zone.outside(x);
-    known = {static_cast<float>(x.x()),     static_cast<float>(x.y()), static_cast<float>(x.z()),
+    known = {static_cast<float>(x.x()),   static_cast<float>(x.y()), static_cast<float>(x.z()),
              static_cast<float>(outside), static_cast<float>(by),    static_cast<float>(turn)};
     return outside;
 }
@@ -130,12 +130,8 @@ Refinement::Refinement(Level& coarse, Level& fine, Zone zone, const Refinement* 
       dp_(fine.setup().dp),
       excess_(coarse.kernel(), coarse.setup().dp, coarse.dimensions()) {
     Particles &c = coarse.particles(), &f = fine.particles();
-    f.has_coarser = c.has_finer = true;
-    f.trend.assign(f.size(), {});
-    f.from_edge.assign(f.size(), {});
-    c.from_finer_edge.assign(c.size(), {});
-    c.compression.assign(c.size(), 0);
-    c.children.assign(c.size(), Children::none);
+    f.bring(With::coarser);
+    c.bring(With::finer);
     for (std::size_t i = 0; i < c.size(); ++i)
         if (belongs(zone_, place(c, i), dp_)) c.children[i] = Children::all;
     for (std::size_t i = 0; i < f.size(); ++i)

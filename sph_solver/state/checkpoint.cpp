@@ -17,18 +17,15 @@ constexpr const char* bodies_group = "bodies";
 /// Births and deaths at the edge between levels k and k + 1.
 std::string edge_name(std::size_t k) { return fmt::format("edge_{}", k); }
 
-/// What only levels that have a finer one keep.
-template <class P, class Function>
-void for_each_named_under_finer(P& p, Function f) {
-    f("children", H5T_NATIVE_UINT8, p.children), f("compression", H5T_NATIVE_FLOAT, p.compression);
-}
-
-/// The arrays of the particles under their names, the same list for writing and reading.
-template <class P, class Function>
-void for_each_named(P& p, Function f) {
-    f("x", H5T_NATIVE_DOUBLE, p.x), f("y", H5T_NATIVE_DOUBLE, p.y), f("z", H5T_NATIVE_DOUBLE, p.z);
-    f("u", H5T_NATIVE_FLOAT, p.u), f("v", H5T_NATIVE_FLOAT, p.v), f("w", H5T_NATIVE_FLOAT, p.w);
-    f("drho", H5T_NATIVE_FLOAT, p.drho), f("id", H5T_NATIVE_INT64, p.id), f("kind", H5T_NATIVE_UINT8, p.kind);
+hid_t type_of(const AnyField& field) {
+    switch (field.element()) {
+        case AnyField::Element::float64: return H5T_NATIVE_DOUBLE;
+        case AnyField::Element::float32: return H5T_NATIVE_FLOAT;
+        case AnyField::Element::int64: return H5T_NATIVE_INT64;
+        case AnyField::Element::uint8: return H5T_NATIVE_UINT8;
+        case AnyField::Element::record: break;
+    }
+    throw std::logic_error(std::string(field.name()) + ": checkpoints hold numbers only");
 }
 
 void write_level(hid_t at, const Level& level) {
@@ -43,11 +40,12 @@ void write_level(hid_t at, const Level& level) {
     h5::write_attribute(at, "material", level.setup().material);
     h5::write_attribute(at, "state", std::span<const double>(state));
     h5::write_attribute(at, "counts", std::span<const long long>(counts));
-    const auto write = [&](const char* name, hid_t type, const auto& values) {
-        h5::write_vector(at, name, type, values, false);
-    };
-    for_each_named(level.particles(), write);
-    if (level.particles().has_finer) for_each_named_under_finer(level.particles(), write);
+    const Particles& particles = level.particles();
+    particles.each([&](const AnyField& field) {
+        if (!field.saved() || !particles.has(field.with())) return;
+        const hsize_t n = field.length();
+        h5::write_array(at, field.name(), type_of(field), field.raw(), {&n, 1}, false);
+    });
 }
 
 Checkpoint::OfLevel read_level(hid_t at) {
@@ -61,13 +59,16 @@ Checkpoint::OfLevel read_level(hid_t at) {
     s.extremes.density_deviation_high = state[5];
     const auto whole = [&](std::size_t k) { return static_cast<std::int64_t>(counts[k]); };
     s.steps = whole(0), s.ledger = {whole(1), whole(2), whole(3), whole(4), whole(5)};
-    const auto read = [&](const char* name, hid_t type, auto& values) {
-        values = h5::read_vector<typename std::remove_reference_t<decltype(values)>::value_type>(at, name, type);
-        if (values.size() != level.particles.x.size())
-            throw h5::Failure{std::string(name) + " has another length than x"};
-    };
-    for_each_named(level.particles, read);
-    if (h5::has(at, "children")) for_each_named_under_finer(level.particles, read);
+    Particles& particles = level.particles;
+    particles.each([&](AnyField& field) {
+        if (!field.saved() || (field.with() != With::water && !h5::has(at, field.name()))) return;
+        const auto dims = h5::dimensions(at, field.name());
+        if (dims.size() != 1) throw h5::Failure{std::string(field.name()) + " is not a list"};
+        field.set_length(dims[0]);
+        if (field.length() != particles.size())
+            throw h5::Failure{std::string(field.name()) + " has another length than x"};
+        h5::read_array(at, field.name(), type_of(field), field.raw(), field.length());
+    });
     return level;
 }
 
@@ -172,11 +173,14 @@ void restore(Simulation& simulation, Checkpoint checkpoint) {
                 fmt::format("level {} of the checkpoint is {}, the scene's is {}; start anew with "
                             "--overwrite",
                             k, checkpoint.levels[k].material, simulation.level(k).setup().material));
-    for (std::size_t k = 0; k < levels; ++k)
-        if (const Particles& p = checkpoint.levels[k].particles;
-            simulation.level(k).particles().has_finer && p.children.size() != p.size())
-            throw InputError(
-                "the checkpoint was written by an earlier version of twinwake; start anew with --overwrite");
+    for (std::size_t k = 0; k < levels; ++k) {
+        const Particles& p = checkpoint.levels[k].particles;
+        p.each([&](const AnyField& field) {
+            if (field.saved() && simulation.level(k).particles().has(field.with()) && field.length() != p.size())
+                throw InputError(
+                    "the checkpoint was written by an earlier version of twinwake; start anew with --overwrite");
+        });
+    }
     if (checkpoint.edges.size() != simulation.refinements().size())
         throw InputError("the checkpoint's water has another number of particle sizes; start anew with --overwrite");
     for (std::size_t k = 0; k < checkpoint.edges.size(); ++k)
@@ -192,9 +196,9 @@ void restore(Simulation& simulation, Checkpoint checkpoint) {
             throw InputError(fmt::format("body {} of the checkpoint is not the scene's: {}; start anew with --overwrite",
                                          moving[b]->name(), e.what()));
         }
-    checkpoint.levels[simulation.water().size() - 1].state.control = checkpoint.control;
     for (std::size_t k = 0; k < levels; ++k)
         simulation.level(k).restore(checkpoint.levels[k].state, std::move(checkpoint.levels[k].particles));
+    if (ControlVolume* control = simulation.control_volume()) control->set_state(checkpoint.control);
     simulation.follow_bodies();
 }
 

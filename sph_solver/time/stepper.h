@@ -6,7 +6,7 @@
 #include "sph_solver/pairs/level_pair.h"
 #include "sph_solver/levels/level.h"
 #include "sph_solver/refinement/refinement.h"
-#include "sph_solver/time/schedule.h"
+#include "sph_solver/domain/schedule.h"
 
 namespace tw {
 

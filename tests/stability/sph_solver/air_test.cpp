@@ -1,9 +1,9 @@
-// Water and air together (effects/air.h) in violent motion: what has to be kept, and what must not grow.
+// Water and air together (air.h) in violent motion: what has to be kept, and what must not grow.
 #include <gtest/gtest.h>
 
 #include <cstdio>
 
-#include "sph_solver/effects/air.h"
+#include "sph_solver/air.h"
 #include "watched_run.h"
 
 namespace tw {

@@ -10,7 +10,7 @@
 #include "meshes/generate.h"
 #include "sph_solver/backend/choose_passes.h"
 #include "sph_solver/bench.h"
-#include "sph_solver/effects/air.h"
+#include "sph_solver/air.h"
 #include "sph_solver/measure/certificate.h"
 #include "sph_solver/scene_setup.h"
 #include "sph_solver/simulation.h"

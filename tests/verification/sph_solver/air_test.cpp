@@ -1,4 +1,4 @@
-// Air as a second phase (effects/air.h, pairs/level_pair.h) against formulas.
+// Air as a second phase (air.h, pairs/level_pair.h) against formulas.
 //
 // A water column between two cushions of air in a closed tube (Bagnold 1939, J. Inst. Civ. Eng. 12, in its linear
 // form). Sound of the same frequency in both phases, p = A sin(k_w z) in the water |z| < L/2 and B cos(k_a (z_wall -
@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "base/errors.h"
-#include "sph_solver/effects/air.h"
+#include "sph_solver/air.h"
 #include "sph_solver/simulation.h"
 
 namespace tw {

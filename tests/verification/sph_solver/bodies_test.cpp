@@ -9,7 +9,7 @@
 
 #include "base/errors.h"
 #include "bodies.h"
-#include "sph_solver/effects/air.h"
+#include "sph_solver/air.h"
 #include "sph_solver/state/checkpoint.h"
 
 namespace tw {

@@ -18,7 +18,7 @@
 
 #include "bodies.h"
 #include "meshes/generate.h"
-#include "sph_solver/effects/air.h"
+#include "sph_solver/air.h"
 
 namespace tw {
 namespace {

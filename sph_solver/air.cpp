@@ -1,4 +1,4 @@
-#include "sph_solver/effects/air.h"
+#include "sph_solver/air.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "sph_solver/time/schedule.h"
+#include "sph_solver/domain/schedule.h"
 
 #include "base/errors.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <span>
 
-#include "sph_solver/time/scheme.h"
+#include "sph_solver/domain/scheme.h"
 
 namespace tw {
 

@@ -1,0 +1,198 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "sph_solver/backend/for_particles.h"
+
+namespace tw {
+
+/// How an image of a particle has a quantity of its source (ghosts/laws.h).
+enum class Law : std::uint8_t {
+    unseen,      ///< not at all: the array ends with the particles
+    place,       ///< where the plane puts it
+    scalar,      ///< as it is
+    vector,      ///< turned by the plane
+    held,        ///< a velocity against walls that hold the water: turned, and against them along the plane too
+    tensor,      ///< turned twice
+    hydrostatic  ///< turned, and carried on along the hydrostatic line
+};
+
+/// How long a quantity stays with its particle.
+enum class Kept : std::uint8_t {
+    sorted,  ///< until particles are sorted, come or go; then it is found anew
+    moved,   ///< when they are sorted, come and go, too
+    saved    ///< and it is written to checkpoints
+};
+
+/// What a level has, so that its particles have a quantity.
+enum class With : std::uint8_t {
+    water = 0,  ///< every level
+    coarser = 1,
+    finer = 2,
+    walls = 4,
+    moving_bodies = 8,
+    elastic_bodies = 16,
+    control_volume = 32
+};
+
+/// What a table can do with a field whatever its elements are.
+class AnyField {
+public:
+    enum class Element : std::uint8_t { float64, float32, int64, uint8, record };
+
+    AnyField() = default;
+    AnyField(const char* name, Law law, Kept kept, With with, Element element)
+        : name_(name), law_(law), kept_(kept), with_(with), element_(element) {}
+    virtual ~AnyField() = default;
+
+    const char* name() const { return name_; }
+    bool in_images() const { return law_ != Law::unseen; }
+    bool moves() const { return kept_ != Kept::sorted; }
+    bool saved() const { return kept_ == Kept::saved; }
+    With with() const { return with_; }
+    Element element() const { return element_; }
+
+    virtual std::size_t length() const = 0;
+    virtual void set_length(std::size_t n) = 0;  ///< what is new has the element's default
+    virtual void set_capacity(std::size_t n) = 0;
+    virtual void take(const std::vector<std::int32_t>& order) = 0;  ///< element k becomes what element order[k] was
+    virtual std::size_t bytes() const = 0;
+    virtual const void* raw() const = 0;
+    virtual void* raw() = 0;
+
+protected:
+    AnyField(const AnyField&) = default;
+    AnyField(AnyField&&) noexcept = default;
+    AnyField& operator=(const AnyField&) = default;
+    AnyField& operator=(AnyField&&) noexcept = default;
+
+private:
+    const char* name_ = "";
+    Law law_ = Law::unseen;
+    Kept kept_ = Kept::sorted;
+    With with_ = With::water;
+    Element element_ = Element::record;
+};
+
+/// The particles' quantities as a list: what is done with all of them goes through here. A quantity is one line, a FieldOf
+/// as a member of a struct that derives from this.
+class FieldTable {
+public:
+    bool has(With what) const { return (have_ & static_cast<unsigned>(what)) == static_cast<unsigned>(what); }
+    /// From now on the level has that as well.
+    void bring(With what) {
+        have_ |= static_cast<unsigned>(what);
+        const std::size_t n = particles();
+        each([&](AnyField& f) {
+            if (f.moves() && has(f.with())) f.set_length(n);
+        });
+    }
+    /// What `other` has.
+    void bring_all_of(const FieldTable& other) { bring(static_cast<With>(other.have_)); }
+
+    /// Calls `f(field)` for each, whether the level has it or not.
+    template <class Function>
+    void each(const Function& f) {
+        for (const std::ptrdiff_t at : places_)
+            f(*reinterpret_cast<AnyField*>(reinterpret_cast<std::byte*>(this) + at));
+    }
+    template <class Function>
+    void each(const Function& f) const {
+        for (const std::ptrdiff_t at : places_) f(at_place(at));
+    }
+
+    /// Another particle, with the default of every quantity that moves with it; gives its index.
+    std::size_t grow() {
+        const std::size_t i = particles();
+        each([&](AnyField& f) {
+            if (f.moves() && has(f.with())) f.set_length(i + 1);
+        });
+        return i;
+    }
+    void reserve(std::size_t n) {
+        each([&](AnyField& f) {
+            if (f.moves() && has(f.with())) f.set_capacity(n);
+        });
+    }
+    /// New order: particle k becomes what particle order[k] was; particles not named are dropped.
+    void reorder(const std::vector<std::int32_t>& order) {
+        each([&](AnyField& f) {
+            if (f.moves() && has(f.with())) f.take(order);
+        });
+    }
+    /// Lengths of what does not move for the particles that are there and so many images of them.
+    void make_room(std::size_t images) {
+        const std::size_t n = particles();
+        each([&](AnyField& f) {
+            if (!f.moves() && has(f.with())) f.set_length(f.in_images() ? n + images : n);
+        });
+    }
+    std::size_t bytes() const {
+        std::size_t sum = 0;
+        each([&](const AnyField& f) { sum += f.bytes(); });
+        return sum;
+    }
+
+private:
+    template <class, Law>
+    friend class FieldOf;
+
+    void add(AnyField& field) {
+        places_.push_back(reinterpret_cast<std::byte*>(&field) - reinterpret_cast<std::byte*>(this));
+    }
+    const AnyField& at_place(std::ptrdiff_t at) const {
+        return *reinterpret_cast<const AnyField*>(reinterpret_cast<const std::byte*>(this) + at);
+    }
+    /// The first field is one that every particle has.
+    std::size_t particles() const { return at_place(places_.front()).length(); }
+
+    std::vector<std::ptrdiff_t> places_;  ///< of the fields, from this table: the same in a copy of it
+    unsigned have_ = 0;
+};
+
+/// One quantity of all particles, and of their images where it has a law.
+template <class T, Law law = Law::unseen>
+class FieldOf : public std::vector<T>, public AnyField {
+public:
+    using std::vector<T>::operator=;
+
+    FieldOf(FieldTable& table, const char* name, Kept kept, With with = With::water)
+        : AnyField(name, law, kept, with, element_of()) {
+        table.add(*this);
+    }
+
+    std::size_t length() const override { return this->size(); }
+    void set_length(std::size_t n) override { this->resize(n); }
+    void set_capacity(std::size_t n) override { this->reserve(n); }
+    void take(const std::vector<std::int32_t>& order) override {
+        const std::vector<T> old = std::move(static_cast<std::vector<T>&>(*this));
+        static_cast<std::vector<T>&>(*this) = {};
+        this->resize(order.size());
+        for_particles(order.size(), [to = this->data(), from = old.data(), &order](std::size_t k) {
+            to[k] = from[static_cast<std::size_t>(order[k])];
+        });
+    }
+    std::size_t bytes() const override { return this->capacity() * sizeof(T); }
+    const void* raw() const override { return this->data(); }
+    void* raw() override { return this->data(); }
+
+private:
+    static constexpr Element element_of() {
+        if (std::is_same_v<T, double>) return Element::float64;
+        if (std::is_same_v<T, float>) return Element::float32;
+        if (std::is_same_v<T, std::int64_t>) return Element::int64;
+        return sizeof(T) == 1 && (std::is_enum_v<T> || std::is_integral_v<T>) ? Element::uint8 : Element::record;
+    }
+};
+
+/// A bit for each particle and image: bit i % 32 of word i / 32, and one word more at the end.
+class Marks : public FieldOf<std::uint32_t, Law::scalar> {
+public:
+    using FieldOf::FieldOf;
+    void set_length(std::size_t n) override { assign(n / 32 + 2, 0); }
+};
+
+}  // namespace tw

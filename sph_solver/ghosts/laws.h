@@ -1,0 +1,68 @@
+#pragma once
+#include "base/vec3.h"
+#include "sph_solver/backend/pass_data.h"
+#include "sph_solver/fields/field_table.h"
+#include "sph_solver/ghosts/link.h"
+
+namespace tw {
+
+/// Water presses on a wall with dp/dn = rho g . n, not with dp/dn = 0: the mirrored field is the pressure less the
+/// hydrostatic one. So an image carries on the source's hydrostatic line over `step` = image - source; without it the
+/// pressure has a kink at a floor, which the diffusion turns into layers of alternating pressure (5 % of rho g H at the
+/// floor of a channel). In a tank that moves g is all that the water feels there.
+struct Hydrostatic {
+    double rho0, c0;
+    double pressure(const Vec3& g, const Vec3& step) const { return rho0 * g.dot(step); }
+    double deviation(const Vec3& g, const Vec3& step) const { return pressure(g, step) / (c0 * c0); }
+    Vec3 gradient(const Vec3& g) const { return rho0 / (c0 * c0) * g; }  ///< of the density [kg/m4]
+};
+/// That line between a source and its image.
+struct HydrostaticLine {
+    Eigen::Vector3f gradient;  ///< of the density [kg/m4]
+    double deviation = 0;      ///< of the image's density from the source's [kg/m3]
+    double pressure = 0;       ///< likewise [Pa]
+};
+
+/// What an image has of its source's quantity, by the quantity's law and its elements' type.
+template <Law law, class T>
+T seen(const T& of, const LinkMap& map);
+
+template <>
+inline float seen<Law::scalar>(const float& s, const LinkMap&) {
+    return s;
+}
+template <>
+inline VelocityDensityRecord seen<Law::vector>(const VelocityDensityRecord& r, const LinkMap& map) {
+    return {map.sign[0] * r.u, map.sign[1] * r.v, map.sign[2] * r.w, r.drho};
+}
+/// At rest on the plane, u_image = -u (the walls at rest of no_slip_velocity() in equations/viscosity.h).
+template <>
+inline VelocityDensityRecord seen<Law::held>(const VelocityDensityRecord& r, const LinkMap& map) {
+    return {map.held[0] * r.u, map.held[1] * r.v, map.held[2] * r.w, r.drho};
+}
+template <>
+inline GradientPressureRecord seen<Law::vector>(const GradientPressureRecord& r, const LinkMap& map) {
+    return {map.sign[0] * r.gx, map.sign[1] * r.gy, map.sign[2] * r.gz, r.p};
+}
+template <>
+inline CarriedShare seen<Law::tensor>(const CarriedShare& m, const LinkMap& map) {
+    const float x = map.sign[0], y = map.sign[1], z = map.sign[2];
+    return {m.xx, x * y * m.xy, x * z * m.xz, m.yy, y * z * m.yz, m.zz};
+}
+inline PlaceRecord seen_place(const PlaceRecord& p, const LinkMap& map) {
+    return map.place(WidePlace{p.x, p.y, p.z}).record(p.volume);
+}
+inline VelocityDensityRecord seen_on(const HydrostaticLine& line, const VelocityDensityRecord& of, const LinkMap& map) {
+    VelocityDensityRecord r = seen<Law::vector>(of, map);
+    r.drho += static_cast<float>(line.deviation);
+    return r;
+}
+inline GradientPressureRecord seen_on(const HydrostaticLine& line, GradientPressureRecord r, const LinkMap& map) {
+    r.gx -= line.gradient.x(), r.gy -= line.gradient.y(), r.gz -= line.gradient.z();
+    r = seen<Law::vector>(r, map);
+    r.gx += line.gradient.x(), r.gy += line.gradient.y(), r.gz += line.gradient.z();
+    r.p += static_cast<float>(line.pressure);
+    return r;
+}
+
+}  // namespace tw

@@ -1,0 +1,50 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/vec3.h"
+#include "sph_solver/backend/pass_data.h"
+#include "sph_solver/domain/mirrors.h"
+#include "sph_solver/fields/particles.h"
+#include "sph_solver/neighbours/columns.h"
+
+namespace tw {
+
+/// A particle that is seen and not owned: whose image it is, and by which map (LinkMaps). An image at a mirror plane, one
+/// beyond a periodic face, and the particle of another process are the same but for the map.
+struct Link {
+    std::int32_t index = 0;  ///< of the source among its owner's particles
+    std::uint16_t rank = 0;  ///< of the owner: the process itself
+    std::uint16_t map = 0;
+};
+static_assert(sizeof(Link) == 8);
+
+/// What a combination of planes and periodic faces, one at most for each axis, does with places and directions.
+struct LinkMap {
+    std::int64_t offset[3] = {}, turn[3] = {};  ///< x' = offset + x, or offset - x where `turn` is -1 [quanta]
+    float sign[3] = {1, 1, 1};                  ///< of vectors
+    float held[3] = {1, 1, 1};                  ///< of velocities against the walls that hold the water, see Law::held
+    bool repeats[3] = {};  ///< moved by the domain's length: a periodic flow has the same pressure one length on
+
+    WidePlace place(const WidePlace& p) const { return {coordinate(p.x, 0), coordinate(p.y, 1), coordinate(p.z, 2)}; }
+
+private:
+    std::int64_t coordinate(std::int64_t x, int a) const { return offset[a] + ((x ^ turn[a]) - turn[a]); }
+};
+
+/// All maps of a domain. In link.cpp alone a map's number is taken apart: it has three bits an axis, beyond the low (1) or high
+/// (2) face, reflected there, or (with 4) moved by the domain's length.
+class LinkMaps {
+public:
+    LinkMaps(const Mirrors& mirrors, const Box& domain, const Quanta& quanta);
+    const LinkMap& operator[](const Link& link) const { return maps_[link.map]; }
+
+private:
+    std::array<LinkMap, 512> maps_;
+};
+
+/// All images of particles within `reach` of a plane or periodic face, corners included.
+std::vector<Link> find_images(const Mirrors& mirrors, const Box& domain, const Particles& particles, double reach);
+
+}  // namespace tw

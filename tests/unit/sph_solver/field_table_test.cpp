@@ -1,0 +1,110 @@
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "sph_solver/fields/particles.h"
+
+namespace tw {
+namespace {
+
+struct Three : FieldTable {
+    FieldOf<double> x{*this, "x", Kept::saved};
+    FieldOf<float, Law::scalar> found{*this, "found", Kept::sorted};
+    FieldOf<std::int64_t> of_finer{*this, "of_finer", Kept::moved, With::finer};
+    Marks marks{*this, "marks", Kept::sorted};
+};
+
+Three three() {
+    Three t;
+    t.bring(With::finer);
+    for (int k = 0; k < 3; ++k) {
+        const std::size_t i = t.grow();
+        t.x[i] = 10 * k;
+        t.of_finer[i] = k;
+    }
+    t.make_room(0);
+    t.found = {5, 6, 7};
+    return t;
+}
+
+TEST(FieldTable, OnlyWhatMovesIsReordered) {
+    Three t = three();
+    t.reorder({2, 0});
+    EXPECT_EQ(t.x, (std::vector<double>{20, 0}));
+    EXPECT_EQ(t.of_finer, (std::vector<std::int64_t>{2, 0}));
+    EXPECT_EQ(t.found, (std::vector<float>{5, 6, 7})) << "is found anew after particles were sorted";
+}
+
+TEST(FieldTable, ABirthGivesWhatMovesItsDefault) {
+    Three t = three();
+    EXPECT_EQ(t.grow(), 3u);
+    EXPECT_EQ(t.x, (std::vector<double>{0, 10, 20, 0}));
+    EXPECT_EQ(t.of_finer.back(), 0);
+    EXPECT_EQ(t.found.size(), 3u);
+}
+
+TEST(FieldTable, WhatALevelLacksHasNoElements) {
+    Three t;
+    t.grow();
+    EXPECT_TRUE(t.of_finer.empty());
+    t.bring(With::finer);
+    EXPECT_EQ(t.of_finer.size(), 1u);
+    EXPECT_TRUE(t.has(With::water));
+    EXPECT_FALSE(t.has(With::walls));
+    Three other;
+    other.grow();
+    other.bring_all_of(t);
+    EXPECT_EQ(other.of_finer.size(), 1u);
+}
+
+TEST(FieldTable, ImagesHaveWhatHasALaw) {
+    Three t = three();
+    t.make_room(40);
+    EXPECT_EQ(t.found.size(), 43u);
+    EXPECT_EQ(t.marks.size(), 43u / 32 + 2) << "a bit each, and a word more";
+    EXPECT_EQ(t.x.size(), 3u);
+}
+
+TEST(FieldTable, BytesCountsEveryArray) {
+    Three t = three();
+    EXPECT_EQ(t.bytes(),
+              t.x.capacity() * 8 + t.found.capacity() * 4 + t.of_finer.capacity() * 8 + t.marks.capacity() * 4);
+    Particles p;
+    for (const With with :
+         {With::coarser, With::finer, With::walls, With::moving_bodies, With::elastic_bodies, With::control_volume})
+        p.bring(with);
+    p.add(1, 2, 3, 4, 5, 6, Kind::fluid);
+    p.make_room(0);
+    std::size_t least = 0;
+    p.each([&](const AnyField& f) {
+        EXPECT_GT(f.bytes(), 0u) << f.name();
+        least += f.bytes();
+    });
+    EXPECT_EQ(p.bytes(), least);
+}
+
+TEST(FieldTable, ACopyIsATableOfItsOwn) {
+    const Three t = three();
+    Three copy = t;
+    copy.reorder({1});
+    copy.grow();
+    EXPECT_EQ(copy.x, (std::vector<double>{10, 0}));
+    EXPECT_EQ(t.x, (std::vector<double>{0, 10, 20}));
+    Three moved = std::move(copy);
+    moved.reorder({0});
+    EXPECT_EQ(moved.x, (std::vector<double>{10}));
+}
+
+TEST(Particles, WhatIsSavedHasANameOfItsOwnAndHoldsNumbers) {
+    std::set<std::string> names;
+    const Particles p;
+    p.each([&](const AnyField& f) {
+        EXPECT_TRUE(names.insert(f.name()).second) << f.name();
+        EXPECT_TRUE(!f.saved() || f.element() != AnyField::Element::record) << f.name();
+    });
+    EXPECT_TRUE(names.contains("x"));
+}
+
+}  // namespace
+}  // namespace tw
