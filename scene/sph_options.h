@@ -13,7 +13,7 @@ struct SphOptions {
     double c0 = 0;                           ///< numerical sound speed [m/s]; 0: default_sound_speed, see defaults.cpp
     double delta = 0.1;                      ///< density diffusion
     double alpha = 0.01;                     ///< artificial viscosity
-    std::string scheme = "kick_drift_kick";  ///< of the time step; the names of Scheme, sph_solver/time/scheme.h
+    std::string scheme = "kick_drift_kick";  ///< of the time step; the names of Scheme, sph_solver/domain/scheme.h
     double cfl = 0.7;                        ///< acoustic Courant number on h; measured stable to 1.5 in still tanks
     std::string equation_of_state = "linear";  ///< linear, tait, mie_grueneisen
     double gamma = 7;                          ///< Tait exponent
