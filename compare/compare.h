@@ -2,6 +2,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -36,26 +37,41 @@ struct MeanValue {
 enum class Verdict { agree, differ, undecided, not_converged, not_comparable, not_estimated };
 std::string to_string(Verdict verdict);
 
-/// One compared number. `name` is a stable key: drag, lift, trim_moment, splash_sheet_height, splash_p95, splash_p99,
-/// splash_p99_9, airborne_volume, airborne_energy, splash_envelope, wake_width, wetted_length, crest_y_0.75,
-/// trough_y_0.75, ...
-struct Quantity {
-    std::string name, unit, definition;
-    std::string label;                                             ///< for people, e.g. "Lift"
-    std::vector<MeanValue> values;                                 ///< one per source
-    double difference = std::numeric_limits<double>::quiet_NaN();  ///< source B - source A
+/// How far one source of a quantity is from another, and what that says.
+struct Difference {
+    std::size_t a = 0, b = 1;                                      ///< places of the two among the sources
+    double difference = std::numeric_limits<double>::quiet_NaN();  ///< source b - source a
     /// Half width of its 95 % interval: of statistics only where the verdict is not_estimated.
     double interval = std::numeric_limits<double>::quiet_NaN();
-    double size = 0;  ///< what per cent refer to: mean of the two, at least `scale`
+    double size = 0;  ///< what per cent refer to: mean of the two, at least the quantity's `scale`
     double per_cent = std::numeric_limits<double>::quiet_NaN();  ///< difference over the size, in per cent
     Verdict verdict = Verdict::not_comparable;
-    std::string remark;
-    std::string caveat;    ///< what the difference contains besides that of the methods
-    std::string sentence;  ///< the verdict to be forwarded, where runs of several sizes gave one
-    bool judged = true;    ///< raw maxima are shown beside, and no ladder judges them
+    std::string remark = {};
+    std::string sentence = {};  ///< the verdict to be forwarded, where runs of several sizes gave one
+};
+
+/// One compared number. Its own difference is that of the only two sources, or of the pair that lies farthest apart in
+/// units of its interval. `name` is a stable key: drag, lift, trim_moment, splash_sheet_height, splash_p95, splash_p99,
+/// splash_p99_9, airborne_volume, airborne_energy, splash_envelope, wake_width, wetted_length, crest_y_0.75,
+/// trough_y_0.75, ...
+struct Quantity : Difference {
+    std::string name, unit, definition;
+    std::string label;              ///< for people, e.g. "Lift"
+    std::vector<MeanValue> values;  ///< one per source
+    std::vector<Difference> pairs;  ///< of more than two sources: every pair of them, in their order
+    std::string caveat;             ///< what the difference contains besides that of the methods
+    bool judged = true;             ///< raw maxima are shown beside, and no ladder judges them
     /// Judged by a ladder all the same: a history's mean has no interval of its own, but its resolution gives it one.
     bool judged_in_ladder = false;
     double scale = 0;  ///< |values| the target refers to are at least this [unit]
+
+    /// Every pair, or the only difference there is.
+    std::span<const Difference> differences() const {
+        return pairs.empty() ? std::span<const Difference>(static_cast<const Difference*>(this), 1) : pairs;
+    }
+    std::span<Difference> differences() {
+        return pairs.empty() ? std::span<Difference>(static_cast<Difference*>(this), 1) : pairs;
+    }
 };
 
 /// What an empirical formula or another reference says of a quantity; shown beside, never part of a verdict.
@@ -118,8 +134,7 @@ struct CompareOptions {
     double largest_error = 0.02;        ///< nor with a larger standard error, as a fraction of the mean
 };
 
-/// Differences are taken between two sources; with more, between the two that lie farthest apart in units of their
-/// interval. One source alone is accepted: its values stand without a verdict. Throws InputError when the records
+/// Differences are taken between every two sources. One source alone is accepted: its values stand without a verdict. Throws InputError when the records
 /// cannot be compared (different scene or hull without `force`, ...).
 Comparison compare_records(std::vector<RunRecord> sources, const CompareOptions& options = {});
 

@@ -1,6 +1,7 @@
 #include "compare/compare.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +20,7 @@
 #include "compare/read/record_numbers.h"
 #include "compare/reference/planing_plate.h"
 #include "compare/reference/prismatic_hull.h"
+#include "methods/methods.h"
 
 namespace tw {
 
@@ -75,6 +77,17 @@ void check_units(const Comparison& comparison) {
                                     "with a unit, or convert the record",
                                     c.name, table, at->second.first, at->second.second, c.unit, comparison.names[i]));
             }
+}
+
+/// A name that no method of this version has is either an import's, which says so, or unknown.
+void add_unknown_methods(Comparison& comparison) {
+    for (const RunRecord& r : comparison.sources) {
+        const std::string method = text_of(r, "method", "unnamed");
+        if (find_method(method) || r.attributes.contains("import_kind")) continue;
+        comparison.banners.push_back(
+            fmt::format("{}: no method of this version ({}), and no import; its record is compared as it stands.",
+                        method, fmt::join(method_names(), ", ")));
+    }
 }
 
 void add_state_banners(Comparison& comparison) {
@@ -165,6 +178,7 @@ Comparison compare_records(std::vector<RunRecord> sources, const CompareOptions&
     check_same(comparison, "scene_hash", "scene", options.force);
     check_same(comparison, "hull_hash", "hull", options.force);
     check_units(comparison);
+    add_unknown_methods(comparison);
     add_state_banners(comparison);
     const Vec3 reference = moment_reference_of(comparison.sources.front());
     for (RunRecord& record : comparison.sources) {

@@ -7,6 +7,7 @@
 
 #include "base/errors.h"
 #include "compare/read/record_numbers.h"
+#include "methods/methods.h"
 
 namespace tw {
 
@@ -71,7 +72,8 @@ AblationRow row_of(const AblationRun& run, std::size_t index, const AblationSide
     row.processor_before = before.processor, row.processor_after = after.processor;
     row.cost = per_cent_change(before.processor, after.processor);
     row.steps = per_cent_change(before.steps, after.steps);
-    if (before.method == "sph") row.predicted_cost = predicted_cost_change(before.effects, after.effects);
+    if (elements_of(before.method) == "particles")
+        row.predicted_cost = predicted_cost_change(before.effects, after.effects);
     return row;
 }
 

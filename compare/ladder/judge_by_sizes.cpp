@@ -8,6 +8,7 @@
 
 #include "compare/read/record_numbers.h"
 #include "compare/verdict/decide.h"
+#include "compare/verdict/judge.h"
 
 namespace tw {
 
@@ -49,17 +50,19 @@ std::string sizes_text(const Ladder& ladder) {
 
 }  // namespace
 
-Statement statement_of(const Ladder& ladder, const LadderQuantity& q) {
+Statement statement_of(const Ladder& ladder, const LadderQuantity& q, const LadderDifference& d) {
     Statement s{.label = q.label, .unit = q.unit};
-    s.size = q.size, s.target = ladder.agree_within;
-    s.verdict = q.verdict, s.why = q.reason;
-    s.seconds_to_target = q.seconds_to_target;
-    if (std::ranges::any_of(q.values, [](const LadderValue& v) { return v.levels.empty(); })) {
-        if (q.values.size() == 1 && !q.values[0].absent.empty()) s.why = "at " + q.values[0].absent.front();
+    s.size = d.size, s.target = ladder.agree_within;
+    s.verdict = d.verdict, s.why = d.reason;
+    s.seconds_to_target = d.seconds_to_target;
+    const bool alone = q.values.size() == 1;
+    const std::vector<std::size_t> sides = alone ? std::vector<std::size_t>{0} : std::vector{d.a, d.b};
+    if (std::ranges::any_of(sides, [&](std::size_t k) { return q.values[k].levels.empty(); })) {
+        if (alone && !q.values[0].absent.empty()) s.why = "at " + q.values[0].absent.front();
         return s;
     }
     s.statistics = s.discretisation = s.choices = 0;
-    for (std::size_t k = 0; k < q.values.size(); ++k) {
+    for (const std::size_t k : sides) {
         const LadderValue& v = q.values[k];
         s.methods.push_back(ladder.sides[k].method);
         s.values.push_back(v.levels.front().value);
@@ -67,14 +70,34 @@ Statement statement_of(const Ladder& ladder, const LadderQuantity& q) {
         s.discretisation = std::hypot(s.discretisation, v.estimate.uncertainty);
         s.choices = std::hypot(s.choices, v.choices);
     }
-    s.interval = q.interval;
-    if (q.values.size() == 1) {
+    s.interval = d.interval;
+    if (alone) {
         s.interval = q.values[0].uncertainty;
         s.choices = std::hypot(s.choices, q.values[0].box);
         s.why = q.values[0].estimate.why_not;
     }
     return s;
 }
+
+namespace {
+
+/// What the ladder says of two of its sides, from side `a` to side `b`.
+LadderDifference between(const LadderQuantity& q, std::size_t a, std::size_t b) {
+    const auto all = q.differences();
+    LadderDifference d = *std::ranges::find_if(
+        all, [&](const LadderDifference& x) { return x.a == std::min(a, b) && x.b == std::max(a, b); });
+    if (a > b) d.difference = -d.difference, d.per_cent = -d.per_cent;
+    return d;
+}
+
+void take(Difference& d, const LadderDifference& judged, const std::string& sentence) {
+    d.verdict = judged.verdict, d.remark = judged.reason;
+    d.difference = judged.difference, d.interval = judged.interval;
+    d.size = judged.size, d.per_cent = judged.per_cent;
+    d.sentence = sentence;
+}
+
+}  // namespace
 
 void judge_by_sizes(Comparison& c, const Ladder& ladder) {
     for (const std::string& line : ladder_banners(ladder)) c.banners.push_back(line);
@@ -83,19 +106,24 @@ void judge_by_sizes(Comparison& c, const Ladder& ladder) {
     for (Quantity& q : c.quantities) {
         const auto judged = std::ranges::find(ladder.quantities, q.name, &LadderQuantity::name);
         if (judged == ladder.quantities.end() || q.values.size() != sides.size()) continue;
-        bool all = true;
+        std::vector<bool> there;
         for (std::size_t s = 0; s < sides.size(); ++s) {
-            const bool there = sides[s] && q.values[s].known && reaches_the_finest(ladder, *judged, *sides[s]);
-            if (there) fill(q.values[s], judged->values[*sides[s]]), c.discretisation_from = sizes_text(ladder);
-            all = all && there;
+            there.push_back(sides[s] && q.values[s].known && reaches_the_finest(ladder, *judged, *sides[s]));
+            if (there[s]) fill(q.values[s], judged->values[*sides[s]]), c.discretisation_from = sizes_text(ladder);
         }
-        if (!all || sides.size() != ladder.sides.size()) continue;
-        q.judged = true;
-        q.sentence = ladder_sentence(ladder, *judged);
-        if (sides.size() != 2) continue;
-        q.verdict = judged->verdict, q.remark = judged->reason;
-        q.difference = judged->difference, q.interval = judged->interval;
-        q.size = judged->size, q.per_cent = judged->per_cent;
+        if (sides.size() == 1 && ladder.sides.size() == 1 && there[0]) {
+            q.judged = true;
+            q.sentence = ladder_sentence(ladder, *judged);
+        }
+        if (sides.size() < 2) continue;
+        bool any = false;
+        for (Difference& d : q.differences()) {
+            if (!there[d.a] || !there[d.b] || *sides[d.a] == *sides[d.b]) continue;
+            const LadderDifference pair = between(*judged, *sides[d.a], *sides[d.b]);
+            take(d, pair, ladder_sentence(ladder, *judged, pair));
+            any = q.judged = true;
+        }
+        if (any && !q.pairs.empty()) take_farthest(q);
     }
 }
 
@@ -111,39 +139,47 @@ RelativeErrors relative_errors(const Ladder& ladder, const std::string& scene) {
     return errors;
 }
 
+namespace {
+
+void judge_by_errors_of(Difference& d, Quantity& q, const Comparison& c, const RelativeErrors& errors) {
+    if (d.verdict != Verdict::not_estimated || !(d.size > 0)) return;
+    Statement s{.label = q.label, .unit = q.unit};
+    s.size = d.size, s.target = c.agree_within, s.borrowed = errors.scene;
+    s.interval = s.statistics = s.discretisation = s.choices = 0;
+    std::vector<MeanValue> values = q.values;
+    for (const std::size_t k : {d.a, d.b}) {
+        const std::string method = text_of(c.sources[k], "method");
+        const auto share = errors.of.find({q.name, method});
+        if (share == errors.of.end()) return;
+        MeanValue& m = values[k];
+        const double choices = share->second.choices * d.size, box = share->second.box * d.size;
+        m.discretisation = share->second.discretisation * d.size;
+        m.choices = std::hypot(choices, box);
+        m.uncertainty = std::hypot(std::hypot(m.half_width, m.discretisation), m.choices);
+        if (!std::isfinite(m.uncertainty)) m.no_uncertainty = share->second.why_not;
+        if (s.why.empty() && !std::isfinite(m.uncertainty)) s.why = method + ": " + share->second.why_not;
+        s.methods.push_back(method);
+        s.values.push_back(m.value);
+        s.statistics = std::hypot(s.statistics, m.half_width);
+        s.discretisation = std::hypot(s.discretisation, m.discretisation);
+        s.choices = std::hypot(s.choices, choices);
+    }
+    q.values = std::move(values);
+    s.interval = d.interval = std::hypot(std::hypot(s.statistics, s.discretisation), s.choices);
+    d.verdict = s.verdict =
+        !std::isfinite(s.interval) ? Verdict::not_converged : decide(d.difference, d.interval, c.agree_within, d.size);
+    d.remark = "discretisation error taken from " + errors.scene + (s.why.empty() ? "" : "; " + s.why);
+    d.sentence = sentence_of(s);
+}
+
+}  // namespace
+
 void judge_by_errors_of(Comparison& c, const RelativeErrors& errors) {
-    if (c.sources.size() != 2 || errors.scene.empty()) return;
+    if (c.sources.size() < 2 || errors.scene.empty()) return;
     c.discretisation_from = "the twins of " + errors.scene + ", relative to the values";
     for (Quantity& q : c.quantities) {
-        if (q.verdict != Verdict::not_estimated || !(q.size > 0)) continue;
-        Statement s{.label = q.label, .unit = q.unit};
-        s.size = q.size, s.target = c.agree_within, s.borrowed = errors.scene;
-        s.interval = s.statistics = s.discretisation = s.choices = 0;
-        std::vector<MeanValue> values = q.values;
-        for (std::size_t k = 0; k < 2; ++k) {
-            const std::string method = text_of(c.sources[k], "method");
-            const auto share = errors.of.find({q.name, method});
-            if (share == errors.of.end()) break;
-            MeanValue& m = values[k];
-            const double choices = share->second.choices * q.size, box = share->second.box * q.size;
-            m.discretisation = share->second.discretisation * q.size;
-            m.choices = std::hypot(choices, box);
-            m.uncertainty = std::hypot(std::hypot(m.half_width, m.discretisation), m.choices);
-            if (!std::isfinite(m.uncertainty)) m.no_uncertainty = share->second.why_not;
-            if (s.why.empty() && !std::isfinite(m.uncertainty)) s.why = method + ": " + share->second.why_not;
-            s.methods.push_back(method);
-            s.values.push_back(m.value);
-            s.statistics = std::hypot(s.statistics, m.half_width);
-            s.discretisation = std::hypot(s.discretisation, m.discretisation);
-            s.choices = std::hypot(s.choices, choices);
-        }
-        if (s.values.size() < 2) continue;
-        q.values = std::move(values);
-        s.interval = q.interval = std::hypot(std::hypot(s.statistics, s.discretisation), s.choices);
-        q.verdict = s.verdict = !std::isfinite(s.interval) ? Verdict::not_converged
-                                                           : decide(q.difference, q.interval, c.agree_within, q.size);
-        q.remark = "discretisation error taken from " + errors.scene + (s.why.empty() ? "" : "; " + s.why);
-        q.sentence = sentence_of(s);
+        for (Difference& d : q.differences()) judge_by_errors_of(d, q, c, errors);
+        if (!q.pairs.empty() && q.verdict == Verdict::not_estimated) take_farthest(q);
     }
 }
 

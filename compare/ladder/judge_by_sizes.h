@@ -8,12 +8,12 @@
 
 namespace tw {
 
-/// What the sentence of a ladder's verdict is made of.
-Statement statement_of(const Ladder& ladder, const LadderQuantity& quantity);
+/// What the sentence of a ladder's verdict on two sides is made of; of one side alone, on its value.
+Statement statement_of(const Ladder& ladder, const LadderQuantity& quantity, const LadderDifference& difference);
 
 /// Puts what runs of several sizes tell into the comparison of the finest of them: the intervals of the values, the
-/// verdicts and their sentences, and what was left out as banners. A source that is not its method's finest run of the
-/// ladder (one that failed), and a quantity whose mean that run does not give, keep what the comparison says.
+/// verdicts of every two and their sentences, and what was left out as banners. A source that is not its method's finest
+/// run of the ladder (one that failed), and a quantity whose mean that run does not give, keep what the comparison says.
 void judge_by_sizes(Comparison& comparison, const Ladder& ladder);
 
 /// The errors of one scene's values over their size, for scenes of the same kind that have no twins of their own.
@@ -27,7 +27,7 @@ struct RelativeErrors {
 };
 RelativeErrors relative_errors(const Ladder& ladder, const std::string& scene);
 
-/// Judges a comparison of two runs of one size by the errors of another scene:
+/// Judges every two runs of a comparison, of one size each, by the errors of another scene:
 ///
 ///   U_num = (U_num / S)_other S     U^2 = sum over both methods of u^2 + U_num^2 + U_choices^2
 ///

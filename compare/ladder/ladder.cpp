@@ -68,11 +68,12 @@ Ladder build_ladder(std::vector<LadderRun> runs, std::vector<LadderVariation> va
     ladder.title = runs.front().title;
     ladder.agree_within = agree_within;
     ladder.sides = sides_of(std::move(runs));
-    if (ladder.sides.size() > 1 && ladder.sides[0].runs.front().hull_hash != ladder.sides[1].runs.front().hull_hash)
-        throw InputError(
-            fmt::format("{} and {} were not run with the same hull: their difference would not be one of "
-                        "method; expected records of one scene",
-                        ladder.sides[0].method, ladder.sides[1].method));
+    for (const LadderSide& side : ladder.sides)
+        if (side.runs.front().hull_hash != ladder.sides.front().runs.front().hull_hash)
+            throw InputError(
+                fmt::format("{} and {} were not run with the same hull: their difference would not be one of "
+                            "method; expected records of one scene",
+                            ladder.sides.front().method, side.method));
     for (LadderVariation& v : variations) add_variation(ladder.sides, std::move(v));
     for (const LadderSide& side : ladder.sides) {
         if (const std::string note = steps_note(side); !note.empty()) ladder.notes.push_back(note);

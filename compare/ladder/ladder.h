@@ -1,6 +1,7 @@
 #pragma once
 #include <cmath>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -44,7 +45,7 @@ struct LadderVariation {
     double factor = 1;
     LadderRun run;
     double steps = 1;
-    bool box = false;          ///< a wider box: its change counts in both methods, relative to the value
+    bool box = false;          ///< a wider box: its change counts in all methods, relative to the value
     std::string refused = {};  ///< why it is no evidence; filled by build_ladder
 };
 
@@ -96,17 +97,29 @@ struct LadderValue {
     CostOfAccuracy cost, cost_in_cores, cost_in_memory;             ///< against wall time, processor time, memory
 };
 
-struct LadderQuantity {
-    std::string name, label, unit;
-    std::vector<LadderValue> values;  ///< one per side
+/// How far one side is from another in one quantity, and what that says.
+struct LadderDifference {
+    std::size_t a = 0, b = 1;  ///< places of the two among the sides
     double size = 0;  ///< what per cent and target refer to: mean of the finest values, or the quantity's own scale
-    double difference = std::numeric_limits<double>::quiet_NaN();  ///< of the finest values, side 1 - side 0
+    double difference = std::numeric_limits<double>::quiet_NaN();  ///< of the finest values, side b - side a
     double interval = std::numeric_limits<double>::quiet_NaN();    ///< half width of its 95 % interval
     double per_cent = std::numeric_limits<double>::quiet_NaN();    ///< difference over the size [%]
     Verdict verdict = Verdict::not_comparable;
-    std::string reason;
+    std::string reason = {};
     double seconds_to_target = std::numeric_limits<double>::quiet_NaN();  ///< wall time of runs that would decide it
+};
+
+/// Its own difference is that of the only two sides, or of the pair that lies farthest apart in units of its interval.
+struct LadderQuantity : LadderDifference {
+    std::string name, label, unit;
+    std::vector<LadderValue> values;      ///< one per side
+    std::vector<LadderDifference> pairs;  ///< of more than two sides: every pair of them, in their order
     std::vector<Held> held;
+
+    /// Every pair, or the only difference there is.
+    std::span<const LadderDifference> differences() const {
+        return pairs.empty() ? std::span<const LadderDifference>(static_cast<const LadderDifference*>(this), 1) : pairs;
+    }
 };
 
 struct Ladder {
@@ -119,21 +132,21 @@ struct Ladder {
     double agree_within = 0.05;
 };
 
-/// Finished runs of one scene at several sizes, one method or two, in any order. The size of a level is its spacing at
-/// the hull. For every judged quantity, with the finest values S, and of each method the statistics u, the resolution's
-/// U_num and the variations' U_var:
+/// Finished runs of one scene at several sizes, of any number of methods and imports, in any order. The size of a level
+/// is its spacing at the hull. For every judged quantity and every two methods a and b, with the finest values S, and of
+/// each method the statistics u, the resolution's U_num and the variations' U_var:
 ///
-///   E = S_1 - S_0     U^2 = sum over both methods of u^2 + U_num^2 + sum U_var^2
-///   S = |S_0 + S_1| / 2, at least the quantity's scale
+///   E = S_b - S_a     U^2 = sum over both methods of u^2 + U_num^2 + sum U_var^2
+///   S = |S_a + S_b| / 2, at least the quantity's scale
 ///
-/// The box is in the U of each value and not in that of E: both methods solve the same box, and a shared input cancels.
+/// The box is in the U of each value and not in that of E: all methods solve the same box, and a shared input cancels.
 /// A variation that was to take more time steps counts by those it took (variation.h).
 ///
 /// U_num is that of uncertainty/convergence.h: from three sizes on trend and noise, which knows each size's u as part of
 /// the noise. A method without U_num, whose values run away, is not converged, nor is one whose U is no more than
 /// rounding; else decide.h: values that scatter have an interval and a verdict like any others.
 /// Where undecided, the reason names the largest term and what it would cost to make it small enough. Throws
-/// InputError: no run, more than two methods, two runs of one method with one spacing, runs of one method that are of
+/// InputError: no run, two runs of one method with one spacing, runs of one method that are of
 /// two families, methods with other hulls, a variation without the run that it varies.
 ///
 /// `measured`: records of what was measured (twinwake import), with "uncertainty:TABLE:COLUMN" among their numbers
@@ -146,10 +159,12 @@ Ladder build_ladder(std::vector<LadderRun> runs, std::vector<LadderVariation> va
 /// step, the Courant number), as the records' numbers show. Runs without a family hash are left as they are.
 std::vector<LadderVariation> take_variations(std::vector<LadderRun>& runs);
 
-/// One quantity's verdict as a sentence to be forwarded, see sentence_of.
+/// The verdict on two sides as a sentence to be forwarded, see sentence_of.
+std::string ladder_sentence(const Ladder& ladder, const LadderQuantity& quantity, const LadderDifference& difference);
+/// That of the quantity's own difference.
 std::string ladder_sentence(const Ladder& ladder, const LadderQuantity& quantity);
-/// "Beyond 82 s, at U = 688 N, fvm is the cheaper one, before it sph."; empty where the lines do not cross within a
-/// year.
+/// "Beyond 82 s, at U = 688 N, fvm is the cheaper one, before it sph.", for every two; empty where the lines do not
+/// cross within a year.
 std::string crossover_sentence(const Ladder& ladder, const LadderQuantity& quantity);
 /// Tables and verdicts for people, in markdown.
 std::string ladder_text(const Ladder& ladder);

@@ -69,6 +69,16 @@ Json json_of(const LadderValue& v, double size) {
             {"cost", cost}};
 }
 
+Json json_of(const Ladder& ladder, const LadderQuantity& q, const LadderDifference& d) {
+    return {{"difference", d.difference},
+            {"interval", d.interval},
+            {"per_cent", d.per_cent},
+            {"verdict", to_string(d.verdict)},
+            {"sentence", ladder_sentence(ladder, q, d)},
+            {"seconds_to_target", d.seconds_to_target},
+            {"reason", d.reason}};
+}
+
 }  // namespace
 
 std::string ladder_json(const Ladder& ladder) {
@@ -100,17 +110,13 @@ std::string ladder_json(const Ladder& ladder) {
                             {"interval", h.value.half_width},
                             {"validations", validations}});
         }
-        quantities.push_back({{"name", q.name},
-                              {"unit", q.unit},
-                              {"values", values},
-                              {"held_against", held},
-                              {"difference", q.difference},
-                              {"interval", q.interval},
-                              {"per_cent", q.per_cent},
-                              {"verdict", to_string(q.verdict)},
-                              {"sentence", ladder_sentence(ladder, q)},
-                              {"seconds_to_target", q.seconds_to_target},
-                              {"reason", q.reason}});
+        quantities.push_back({{"name", q.name}, {"unit", q.unit}, {"values", values}, {"held_against", held}});
+        quantities.back().update(json_of(ladder, q, q));
+        for (const LadderDifference& d : q.pairs) {
+            Json pair{{"methods", {ladder.sides[d.a].method, ladder.sides[d.b].method}}};
+            pair.update(json_of(ladder, q, d));
+            quantities.back()["pairs"].push_back(pair);
+        }
     }
     const Json all = {{"title", ladder.title},           {"left_out", ladder.left_out},         {"notes", ladder.notes},
                       {"calibrated", ladder.calibrated}, {"agree_within", ladder.agree_within}, {"sides", sides},

@@ -7,6 +7,7 @@
 
 #include "compare/report/comparison_tables.h"
 #include "compare/report/numbers.h"
+#include "methods/methods.h"
 
 namespace tw {
 
@@ -40,20 +41,23 @@ ReportTable ladder_verdicts(const Ladder& ladder) {
         table.columns.push_back(numbers(ladder.sides[k].method));
         table.columns.back().source = static_cast<int>(k);
     }
+    const bool matrix = ladder.sides.size() > 2;
+    if (matrix) table.columns.push_back(words("between"));
     for (const char* name : {"difference", "relative"}) table.columns.push_back(numbers(name));
     table.columns.push_back(words("verdict"));
     for (const LadderQuantity& q : ladder.quantities) {
-        ReportRow row{{q.label, q.unit}, ladder.sides.size() > 1 ? q.reason : ""};
-        for (std::size_t k = 0; k < q.values.size(); ++k) {
-            const LadderValue& v = q.values[k];
+        ReportRow row{{q.label, q.unit}};
+        for (const LadderValue& v : q.values)
             row.cells.emplace_back(v.levels.empty() ? "–" : value_text(v.levels.front().value, v.uncertainty));
-            if (v.levels.empty() && !v.absent.empty() && q.reason.empty())
-                row.remark += (row.remark.empty() ? "" : "; ") + ladder.sides[k].method + " at " + v.absent.front();
+        for (const LadderDifference& d : q.differences()) {
+            if (matrix) row.cells.emplace_back(ladder.sides[d.b].method + " − " + ladder.sides[d.a].method);
+            row.remark = ladder.sides.size() > 1 ? d.reason : "";
+            row.cells.emplace_back(signed_text(d.difference, d.interval));
+            row.cells.emplace_back(per_cent_text(d.per_cent, d.size > 0 ? 100 * d.interval / d.size : std::nan("")));
+            row.cells.push_back(verdict_cell(d.verdict));
+            table.rows.push_back(row);
+            row = {std::vector<ReportCell>(2 + q.values.size())};  // a quantity's name and values stand once
         }
-        row.cells.emplace_back(signed_text(q.difference, q.interval));
-        row.cells.emplace_back(per_cent_text(q.per_cent, q.size > 0 ? 100 * q.interval / q.size : std::nan("")));
-        row.cells.push_back(verdict_cell(q.verdict));
-        table.rows.push_back(std::move(row));
     }
     table.notes.push_back(fmt::format(
         "Finest values with 95 % intervals that include the statistical scatter of the mean, the "
@@ -215,7 +219,7 @@ ReportTable ladder_prices(const Ladder& ladder) {
 
 ReportTable ladder_runs(const Ladder& ladder) {
     ReportTable table{"The runs of the ladder",
-                      {words("method"), numbers("spacing at the hull", "m", 6), numbers("particles or cells", "", 4),
+                      {words("method"), numbers("spacing at the hull", "m", 6), numbers(elements_of_all(), "", 4),
                        numbers("time steps", "", 5), numbers("wall time"), numbers("predicted"), numbers("core hours"),
                        numbers("memory", "MB", 4)}};
     const auto row = [&](ReportCell method, const LadderRun& r) {

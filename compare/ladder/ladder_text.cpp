@@ -11,14 +11,19 @@
 namespace tw {
 
 std::string crossover_sentence(const Ladder& ladder, const LadderQuantity& q) {
-    if (q.values.size() != 2) return {};
-    const double seconds = crossover_seconds(q.values[0].cost, q.values[1].cost);
-    const double U = q.values[0].cost.uncertainty_after(seconds);
-    if (!(seconds > 1) || !(seconds < 3e7) || no_more_than_rounding(U, q.size)) return {};
-    const bool first_steeper = q.values[0].cost.slope > q.values[1].cost.slope;
-    return fmt::format("Beyond {}, at U = {:.3g} {}, {} is the cheaper one, before it {}.", time_text(seconds), U,
-                       for_terminal(q.unit), for_terminal(ladder.sides[first_steeper ? 0 : 1].method),
-                       for_terminal(ladder.sides[first_steeper ? 1 : 0].method));
+    std::string out;
+    if (q.values.size() < 2) return out;
+    for (const LadderDifference& d : q.differences()) {
+        const CostOfAccuracy &a = q.values[d.a].cost, &b = q.values[d.b].cost;
+        const double seconds = crossover_seconds(a, b), U = a.uncertainty_after(seconds);
+        if (!(seconds > 1) || !(seconds < 3e7) || no_more_than_rounding(U, d.size)) continue;
+        const bool first_steeper = a.slope > b.slope;
+        out += fmt::format("{}Beyond {}, at U = {:.3g} {}, {} is the cheaper one, before it {}.",
+                           out.empty() ? "" : " ", time_text(seconds), U, for_terminal(q.unit),
+                           for_terminal(ladder.sides[first_steeper ? d.a : d.b].method),
+                           for_terminal(ladder.sides[first_steeper ? d.b : d.a].method));
+    }
+    return out;
 }
 
 std::vector<std::string> ladder_banners(const Ladder& ladder) {
@@ -59,9 +64,11 @@ std::string memory_text(const CostOfAccuracy& cost, double uncertainty) {
                                       : std::string("over 10 TB"));
 }
 
-std::string ladder_sentence(const Ladder& ladder, const LadderQuantity& q) {
-    return for_terminal(sentence_of(statement_of(ladder, q)));
+std::string ladder_sentence(const Ladder& ladder, const LadderQuantity& q, const LadderDifference& d) {
+    return for_terminal(sentence_of(statement_of(ladder, q, d)));
 }
+
+std::string ladder_sentence(const Ladder& ladder, const LadderQuantity& q) { return ladder_sentence(ladder, q, q); }
 
 namespace {
 
@@ -76,7 +83,8 @@ std::string text_of_all(const std::vector<ReportTable>& tables) {
 
 std::string ladder_summary(const Ladder& ladder) {
     std::string out;
-    for (const LadderQuantity* q : main_quantities(ladder.quantities)) out += ladder_sentence(ladder, *q) + "\n";
+    for (const LadderQuantity* q : main_quantities(ladder.quantities))
+        for (const LadderDifference& d : q->differences()) out += ladder_sentence(ladder, *q, d) + "\n";
     out += text_of_all({ladder_verdicts(ladder), ladder_held(ladder), ladder_checks(ladder)});
     for (const std::string& line : ladder_banners(ladder)) out += "\n! " + for_terminal(line) + "\n";
     return out;
@@ -85,7 +93,8 @@ std::string ladder_summary(const Ladder& ladder) {
 std::string ladder_text(const Ladder& ladder) {
     std::string out = fmt::format("# {}\n\n", for_terminal(ladder.title)) + ladder_summary(ladder) + "\n";
     for (const LadderQuantity& q : ladder.quantities)
-        if (!is_main_quantity(q.name)) out += "- " + ladder_sentence(ladder, q) + "\n";
+        if (!is_main_quantity(q.name))
+            for (const LadderDifference& d : q.differences()) out += "- " + ladder_sentence(ladder, q, d) + "\n";
     out += text_of_all({ladder_values(ladder), ladder_shares(ladder), ladder_variations(ladder), ladder_prices(ladder),
                         ladder_runs(ladder)});
     if (ladder_held(ladder).empty())

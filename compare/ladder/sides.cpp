@@ -7,13 +7,14 @@
 
 #include "base/errors.h"
 #include "compare/ladder/variation.h"
+#include "methods/methods.h"
 
 namespace tw {
 
 std::vector<LadderSide> sides_of(std::vector<LadderRun> runs) {
-    const auto rank = [](const std::string& method) { return method == "sph" ? 0 : method == "fvm" ? 1 : 2; };
-    std::ranges::sort(runs, [&](const LadderRun& a, const LadderRun& b) {
-        return std::tuple(rank(a.method), a.method, a.spacing) < std::tuple(rank(b.method), b.method, b.spacing);
+    std::ranges::sort(runs, [](const LadderRun& a, const LadderRun& b) {
+        return std::tuple(method_rank(a.method), a.method, a.spacing) <
+               std::tuple(method_rank(b.method), b.method, b.spacing);
     });
     std::vector<LadderSide> sides;
     for (LadderRun& run : runs) {
@@ -34,7 +35,6 @@ std::vector<LadderSide> sides_of(std::vector<LadderRun> runs) {
         }
         side.runs.push_back(std::move(run));
     }
-    if (sides.size() > 2) throw InputError(fmt::format("{} methods in one ladder; expected one or two", sides.size()));
     return sides;
 }
 

@@ -7,6 +7,7 @@
 
 #include "compare/report/numbers.h"
 #include "compare/verdict/decide.h"
+#include "compare/verdict/judge.h"
 
 namespace tw {
 
@@ -20,9 +21,9 @@ struct Term {
     enum { statistics, discretisation, choice } kind;
 };
 
-std::vector<Term> terms_of(const LadderQuantity& q, const std::vector<LadderSide>& sides) {
+std::vector<Term> terms_of(const LadderDifference& d, const LadderQuantity& q, const std::vector<LadderSide>& sides) {
     std::vector<Term> terms;
-    for (std::size_t k = 0; k < sides.size(); ++k) {
+    for (const std::size_t k : {d.a, d.b}) {
         const LadderValue& v = q.values[k];
         terms.push_back({v.statistical, sides[k].method + "'s mean", k, Term::statistics});
         terms.push_back({v.estimate.uncertainty, sides[k].method + "'s discretisation error", k, Term::discretisation});
@@ -36,17 +37,18 @@ std::vector<Term> terms_of(const LadderQuantity& q, const std::vector<LadderSide
 /// Wall time of the runs that would bring the joint interval to the target: where the discretisation error is the
 /// largest term finer runs that make its terms smaller by one factor, by the slopes of the ladder; where a mean is, a
 /// longer record of that method. nan: not known, or the other terms are above the target.
-double seconds_to_target(const LadderQuantity& q, const std::vector<LadderSide>& sides, const Term& largest,
-                         double target_U) {
+double seconds_to_target(const LadderDifference& d, const LadderQuantity& q, const std::vector<LadderSide>& sides,
+                         const Term& largest, double target_U) {
     double D = 0;
-    for (const LadderValue& v : q.values) D = std::hypot(D, v.estimate.uncertainty);
+    for (const std::size_t k : {d.a, d.b}) D = std::hypot(D, q.values[k].estimate.uncertainty);
     const double U = largest.kind == Term::discretisation ? D : largest.U;
-    const double room = target_U * target_U - (q.interval * q.interval - U * U);
+    const double room = target_U * target_U - (d.interval * d.interval - U * U);
     if (!(room > 0) || largest.kind == Term::choice) return std::nan("");
     const LadderRun& longer = sides[largest.side].runs.front();
     if (largest.kind == Term::statistics) return longer.seconds > 0 ? longer.seconds * U * U / room : std::nan("");
     double seconds = 0;
-    for (const LadderValue& v : q.values) {
+    for (const std::size_t k : {d.a, d.b}) {
+        const LadderValue& v = q.values[k];
         const double needed = v.estimate.uncertainty * std::sqrt(room) / D;
         if (v.estimate.uncertainty * v.estimate.uncertainty > 0.1 * room) seconds += v.cost.seconds_for(needed);
     }
@@ -54,8 +56,9 @@ double seconds_to_target(const LadderQuantity& q, const std::vector<LadderSide>&
 }
 
 /// What would make the largest term small enough for the target, the others as they are.
-std::string remedy(const Term& term, const LadderQuantity& q, const LadderSide& side, double target_U) {
-    const double rest = q.interval * q.interval - term.U * term.U, room = target_U * target_U - rest;
+std::string remedy(const Term& term, const LadderDifference& d, const LadderQuantity& q, const LadderSide& side,
+                   double target_U) {
+    const double rest = d.interval * d.interval - term.U * term.U, room = target_U * target_U - rest;
     if (!(room > 0)) return "the other terms are already above the target";
     const double needed = std::sqrt(room);
     if (term.kind == Term::statistics) {
@@ -80,10 +83,50 @@ std::string remedy(const Term& term, const LadderQuantity& q, const LadderSide& 
                            q.unit,
                            e.levels.size() > 3 ? "sizes between these narrow the interval"
                                                : "three do not tell it from a trend; twinwake ladder runs more");
-    if (term.kind == Term::discretisation && std::isfinite(q.seconds_to_target))
+    if (term.kind == Term::discretisation && std::isfinite(d.seconds_to_target))
         return fmt::format("finer runs of about {} would suffice, by the slopes of this ladder",
-                           time_text(q.seconds_to_target));
+                           time_text(d.seconds_to_target));
     return {};
+}
+
+void judge_pair(LadderDifference& d, const LadderQuantity& q, const std::vector<LadderSide>& sides, double target,
+                double scale) {
+    const LadderValue &a = q.values[d.a], &b = q.values[d.b];
+    for (const std::size_t k : {d.a, d.b})
+        if (q.values[k].levels.empty()) {
+            d.reason = sides[k].method + (q.values[k].absent.empty()
+                                              ? ": no size has a mean"
+                                              : ": no size has a mean; at " + q.values[k].absent.front());
+            return;
+        }
+    const double Sa = a.levels.front().value, Sb = b.levels.front().value;
+    const double S = d.size = std::max(std::abs(Sa + Sb) / 2, scale);
+    d.difference = no_more_than_rounding(Sb - Sa, S) ? 0 : Sb - Sa;
+    if (S > 0) d.per_cent = 100 * d.difference / S;
+    for (const std::size_t k : {d.a, d.b})
+        if (!std::isfinite(q.values[k].uncertainty)) {
+            d.verdict = Verdict::not_converged;
+            d.reason = fmt::format("{}: {}", sides[k].method, q.values[k].estimate.why_not);
+            return;
+        }
+    for (const std::size_t k : {d.a, d.b})
+        if (no_more_than_rounding(q.values[k].own, S) && !no_more_than_rounding(d.difference, S)) {
+            d.verdict = Verdict::not_converged;
+            d.reason = sides[k].method + ": the values do not change with the size, so no uncertainty can be estimated";
+            return;
+        }
+    d.interval = std::hypot(a.own, b.own);
+    d.verdict = decide(d.difference, d.interval, target, S);
+    if (d.verdict == Verdict::differ && std::abs(d.difference) <= target * S)
+        d.reason = fmt::format("beyond the joint interval, yet within the target of {:g} %", 100 * target);
+    if (d.verdict != Verdict::undecided) return;
+    const std::vector<Term> terms = terms_of(d, q, sides);
+    const Term& largest = *std::ranges::max_element(terms, {}, &Term::U);
+    d.seconds_to_target = seconds_to_target(d, q, sides, largest, target * S);
+    const std::string cure = remedy(largest, d, q, sides[largest.side], target * S);
+    d.reason =
+        fmt::format("the interval is wider than the target of {:g} %; largest term: {} (± {} {}){}", 100 * target,
+                    largest.name, value_text(largest.U, 0), q.unit, cure.empty() ? "" : "; " + cure);
 }
 
 }  // namespace
@@ -95,42 +138,13 @@ void judge(LadderQuantity& q, const std::vector<LadderSide>& sides, double targe
         q.reason = "one method only";
         return;
     }
-    const LadderValue &a = q.values[0], &b = q.values[1];
-    for (std::size_t k = 0; k < 2; ++k)
-        if (q.values[k].levels.empty()) {
-            q.reason = sides[k].method + (q.values[k].absent.empty()
-                                              ? ": no size has a mean"
-                                              : ": no size has a mean; at " + q.values[k].absent.front());
-            return;
+    if (sides.size() == 2) return judge_pair(q, q, sides, target, scale);
+    for (std::size_t a = 0; a < sides.size(); ++a)
+        for (std::size_t b = a + 1; b < sides.size(); ++b) {
+            q.pairs.push_back({.a = a, .b = b, .size = q.size});
+            judge_pair(q.pairs.back(), q, sides, target, scale);
         }
-    const double S0 = a.levels.front().value, S1 = b.levels.front().value;
-    const double S = q.size = std::max(std::abs(S0 + S1) / 2, scale);
-    q.difference = no_more_than_rounding(S1 - S0, S) ? 0 : S1 - S0;
-    if (S > 0) q.per_cent = 100 * q.difference / S;
-    for (std::size_t k = 0; k < 2; ++k)
-        if (!std::isfinite(q.values[k].uncertainty)) {
-            q.verdict = Verdict::not_converged;
-            q.reason = fmt::format("{}: {}", sides[k].method, q.values[k].estimate.why_not);
-            return;
-        }
-    for (std::size_t k = 0; k < 2; ++k)
-        if (no_more_than_rounding(q.values[k].own, S) && !no_more_than_rounding(q.difference, S)) {
-            q.verdict = Verdict::not_converged;
-            q.reason = sides[k].method + ": the values do not change with the size, so no uncertainty can be estimated";
-            return;
-        }
-    q.interval = std::hypot(a.own, b.own);
-    q.verdict = decide(q.difference, q.interval, target, S);
-    if (q.verdict == Verdict::differ && std::abs(q.difference) <= target * S)
-        q.reason = fmt::format("beyond the joint interval, yet within the target of {:g} %", 100 * target);
-    if (q.verdict != Verdict::undecided) return;
-    const std::vector<Term> terms = terms_of(q, sides);
-    const Term& largest = *std::ranges::max_element(terms, {}, &Term::U);
-    q.seconds_to_target = seconds_to_target(q, sides, largest, target * S);
-    const std::string cure = remedy(largest, q, sides[largest.side], target * S);
-    q.reason =
-        fmt::format("the interval is wider than the target of {:g} %; largest term: {} (± {} {}){}", 100 * target,
-                    largest.name, value_text(largest.U, 0), q.unit, cure.empty() ? "" : "; " + cure);
+    static_cast<LadderDifference&>(q) = q.pairs[farthest_apart(q.pairs)];
 }
 
 }  // namespace tw

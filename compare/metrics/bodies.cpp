@@ -79,7 +79,7 @@ double mean_square(std::span<const double> ta, std::span<const double> a, std::s
 }
 
 std::string rms_of_depths(const History& a, const History& b) {
-    if (!a.has("z") || !b.has("z")) return {};
+    if (!a.has("z") || !b.has("z")) return {};  // as where there is no such body
     const auto z = a.values("z");
     const auto [low, high] = std::ranges::minmax(z);
     const double squares = mean_square(a.times(), z, b.times(), b.values("z"), 0);
@@ -149,24 +149,27 @@ void add_bodies(Comparison& comparison) {
         const std::string N = unit_of("fz"), at = fmt::format("{} at {:.4g} s", name, end);
         Quantity& depth = add("depth", "Way down of " + at, "m", "how far its centre of mass has come down",
                               [](const History& h) { return start_of(h, "z") - h.at_end("z"); });
-        if (histories.size() >= 2 && histories[0].table && histories[1].table)
-            depth.remark = rms_of_depths(histories[0], histories[1]);
+        depth.remark = of_every_pair(
+            comparison.names, [&](std::size_t a, std::size_t b) { return rms_of_depths(histories[a], histories[b]); });
         Quantity& speed = add("speed", "Velocity downward of " + at, "m/s", "of its centre of mass",
                               [](const History& h) { return -h.at_end("vz"); });
-        if (histories.size() >= 2 && histories[0].has("vz") && histories[1].has("vz"))
-            speed.remark =
-                fmt::format("{} comes {:.3g} s later than {} (least difference of the velocities)", comparison.names[1],
-                            lag_of(histories[0].times(), histories[0].values("vz"), histories[1].times(),
-                                   histories[1].values("vz")),
-                            comparison.names[0]);
+        speed.remark = of_every_pair(comparison.names, [&](std::size_t a, std::size_t b) {
+            const History &A = histories[a], &B = histories[b];
+            if (!A.has("vz") || !B.has("vz")) return std::string();
+            return fmt::format("{} comes {:.3g} s later than {} (least difference of the velocities)",
+                               comparison.names[b], lag_of(A.times(), A.values("vz"), B.times(), B.values("vz")),
+                               comparison.names[a]);
+        });
         add("peak", "Largest force on " + name + ", mean over 5 ms", N,
             "largest mean of the water's vertical force over 5 ms: shorter peaks are sound and sampling", peak_of);
         add("arrival", "Arrival of the force on " + name, "s",
             "when the water's vertical force has risen to a tenth of its largest mean over 5 ms", arrival_of);
         Quantity& impulse =
             add("impulse", "Impulse on " + at, N + " s", "integral of the water's vertical force", impulse_of);
-        if (impulse.values.size() >= 2 && impulse.values[0].known && impulse.values[1].known)
-            impulse.remark = fmt::format("ratio {:.3g}", impulse.values[1].value / impulse.values[0].value);
+        impulse.remark = of_every_pair(comparison.names, [&](std::size_t a, std::size_t b) {
+            const MeanValue &A = impulse.values[a], &B = impulse.values[b];
+            return A.known && B.known ? fmt::format("ratio {:.3g}", B.value / A.value) : std::string();
+        });
         if (std::ranges::any_of(histories, [](const History& h) { return turn_of(h) > 0.01; }))
             add("turn", "Turn of " + at, "deg", "angle between its attitude and that at the start", turn_of);
     }

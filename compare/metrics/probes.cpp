@@ -171,12 +171,12 @@ void add_probes(Comparison& comparison, const CompareOptions& options) {
                 "highest value in the time that all records cover: grows with the sampling rate and shows the sound of "
                 "an impact, so it is shown and not judged",
                 false, nothing, highest);
-            if (histories.size() >= 2) {
-                const double rms = rms_per_cent(comparison.sources[0], comparison.sources[1], table, name);
-                if (std::isfinite(rms))
-                    comparison.quantities.back().remark =
-                        fmt::format("histories differ by {:.2g} % of the range (root mean square)", rms);
-            }
+            comparison.quantities.back().remark = of_every_pair(comparison.names, [&](std::size_t a, std::size_t b) {
+                const double rms = rms_per_cent(comparison.sources[a], comparison.sources[b], table, name);
+                return std::isfinite(rms)
+                           ? fmt::format("histories differ by {:.2g} % of the range (root mean square)", rms)
+                           : std::string();
+            });
             add("_peak", fmt::format("Peak {} at {}, mean over {:g} ms", table, name, 1e3 * window), unit,
                 fmt::format("largest mean over {:g} ms (5 ms, or the time between samples where that is longer) in the "
                             "time that all "

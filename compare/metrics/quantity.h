@@ -18,4 +18,16 @@ inline Quantity new_quantity(std::string name, std::string label, std::string un
     return q;
 }
 
+/// What is to be said of every two sources: of only two as it is, of more behind their names. `say(a, b)`: of these
+/// places; empty: nothing.
+template <class Say>
+std::string of_every_pair(const std::vector<std::string>& names, Say say) {
+    std::string all;
+    for (std::size_t a = 0; a < names.size(); ++a)
+        for (std::size_t b = a + 1; b < names.size(); ++b)
+            if (const std::string one = say(a, b); !one.empty())
+                all += (all.empty() ? "" : "; ") + (names.size() > 2 ? names[a] + " and " + names[b] + ": " : "") + one;
+    return all;
+}
+
 }  // namespace tw

@@ -227,13 +227,13 @@ void add_elevation(Comparison& comparison, const CompareOptions& options) {
             }
             q.scale = comparison.sources.front().raster.voxel;  // an elevation near zero is no measure of itself
             judge(q, comparison.names, comparison.agree_within);
-            if (high && comparison.analyses.size() == 2 && k < comparison.analyses[0].cuts.size() &&
-                k < comparison.analyses[1].cuts.size()) {
-                const double rms = rms_difference(comparison.analyses[0].cuts[k], comparison.analyses[1].cuts[k]);
-                if (std::isfinite(rms))
-                    q.remark += fmt::format("{}whole cut: root mean square difference {:.2g} m",
-                                            q.remark.empty() ? "" : "; ", rms);
-            }
+            const std::string whole = of_every_pair(comparison.names, [&](std::size_t a, std::size_t b) {
+                const auto &A = comparison.analyses[a].cuts, &B = comparison.analyses[b].cuts;
+                const double rms = high && k < std::min(A.size(), B.size()) ? rms_difference(A[k], B[k]) : NAN;
+                return std::isfinite(rms) ? fmt::format("whole cut: root mean square difference {:.2g} m", rms)
+                                          : std::string();
+            });
+            if (!whole.empty()) q.remark += (q.remark.empty() ? "" : "; ") + whole;
             comparison.quantities.push_back(std::move(q));
         }
     }

@@ -10,6 +10,7 @@
 #include "compare/metrics/splash.h"
 #include "compare/read/record_numbers.h"
 #include "compare/report/numbers.h"
+#include "methods/methods.h"
 
 namespace tw {
 
@@ -34,7 +35,7 @@ std::string missing_text(const Comparison& c, const Quantity& q) {
 }
 
 /// Of the difference in per cent of the values.
-double relative_interval(const Quantity& q) { return q.size > 0 ? 100 * q.interval / q.size : std::nan(""); }
+double relative_interval(const Difference& d) { return d.size > 0 ? 100 * d.interval / d.size : std::nan(""); }
 
 ReportCell mark_of(const Gate& g) {
     if (g.pass) return {"met", Mark::good};
@@ -58,9 +59,10 @@ ReportTable quantities_table(const Comparison& c, bool judged) {
     ReportTable table{judged ? (pair ? "Difference by quantity" : "Values") : "Also measured, without a verdict",
                       {words("Quantity"), words("unit")}};
     add_source_columns(table, c, true);
+    const bool matrix = c.sources.size() > 2;
     if (pair) {
-        const bool two = c.sources.size() == 2;
-        table.columns.push_back(numbers(two ? c.names[1] + " − " + c.names[0] : "difference"));
+        if (matrix) table.columns.push_back(words("between"));
+        table.columns.push_back(numbers(matrix ? "difference" : c.names[1] + " − " + c.names[0]));
         table.columns.push_back(numbers("relative"));
         if (judged) table.columns.push_back(words("verdict"));
     }
@@ -71,12 +73,20 @@ ReportTable quantities_table(const Comparison& c, bool judged) {
         if (const std::string missing = missing_text(c, q); !missing.empty())
             row.remark += (row.remark.empty() ? "" : "; ") + missing;
         for (const MeanValue& m : q.values) row.cells.emplace_back(mean_text(m));
-        if (pair) {
-            row.cells.emplace_back(signed_text(q.difference, q.interval));
-            row.cells.emplace_back(per_cent_text(q.per_cent, relative_interval(q)));
-            if (judged) row.cells.push_back(verdict_cell(q.verdict));
+        if (!pair) table.rows.push_back(std::move(row));
+        for (const Difference& d : pair ? q.differences() : std::span<const Difference>()) {
+            if (matrix && std::isfinite(q.difference) && !std::isfinite(d.difference)) continue;  // a value is missing
+            if (matrix) {
+                row.cells.resize(2 + c.sources.size());  // a quantity's name and values stand once
+                row.cells.emplace_back(c.names[d.b] + " − " + c.names[d.a]);
+                if (!d.remark.empty()) row.remark += (row.remark.empty() ? "" : "; ") + d.remark;
+            }
+            row.cells.emplace_back(signed_text(d.difference, d.interval));
+            row.cells.emplace_back(per_cent_text(d.per_cent, relative_interval(d)));
+            if (judged) row.cells.push_back(verdict_cell(d.verdict));
+            table.rows.push_back(row);
+            row = {std::vector<ReportCell>(2 + c.sources.size())};
         }
-        table.rows.push_back(std::move(row));
         for (const Reference& r : c.references) {
             if (r.quantity != q.name) continue;
             table.rows.push_back(
@@ -174,7 +184,7 @@ ReportTable cost_table(const Comparison& c) {
             return v > 0 ? fmt::format(fmt::runtime(format), v * factor) : std::string("–");
         };
     };
-    row("particles or cells", [](const RunRecord& r) { return fmt::format("{:.0f}", r.elements); });
+    row(elements_of_all(), [](const RunRecord& r) { return fmt::format("{:.0f}", r.elements); });
     row("time steps", [](const RunRecord& r) { return fmt::format("{:.0f}", r.steps); });
     row("wall time", [&](const RunRecord& r) { return fmt::format("{:.4g} s", total(r, &Phase::wall)); });
     row("processor time", [&](const RunRecord& r) { return fmt::format("{:.4g} s", total(r, &Phase::cpu)); });

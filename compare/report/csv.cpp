@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "compare/report/report_table.h"
+#include "compare/verdict/judge.h"
 
 namespace tw {
 
@@ -25,6 +26,10 @@ std::string quantities_csv(const Comparison& comparison) {
     for (const std::string& n : comparison.names)
         for (const char* part : {" scatter", " discretisation"}) table.columns.push_back(numbers(n + part));
     table.columns.push_back(words("sentence"));
+    const std::vector<Difference> pairs = pairs_of(comparison.names.size());
+    for (const Difference& d : pairs)
+        for (const char* part : {"", " interval", " per_cent", " verdict"})
+            table.columns.push_back(words(comparison.names[d.b] + " - " + comparison.names[d.a] + part));
     for (const Quantity& q : comparison.quantities) {
         ReportRow row{{q.name, q.unit}};
         for (const MeanValue& m : q.values) {
@@ -40,6 +45,11 @@ std::string quantities_csv(const Comparison& comparison) {
             row.cells.push_back(m.known ? ReportCell(m.discretisation) : ReportCell());
         }
         row.cells.emplace_back(q.sentence);
+        for (const Difference& d : q.pairs) {
+            row.cells.insert(row.cells.end(),
+                             {ReportCell(d.difference), ReportCell(d.interval), ReportCell(d.per_cent)});
+            row.cells.emplace_back(to_string(d.verdict));
+        }
         table.rows.push_back(std::move(row));
     }
     return csv_of(table);

@@ -99,8 +99,11 @@ std::string apart_sentence(const Comparison& comparison, const Quantity& q) {
     if (!without_verdict || !std::isfinite(q.per_cent))
         return q.label + ": " + verdict_label(q.verdict) + (q.remark.empty() ? "" : " (" + q.remark + ")") + ".";
     std::string text = fmt::format("{}: apart by {:.1f} % at this size", q.label, std::abs(q.per_cent));
-    if (comparison.sources.size() == 2 && q.difference != 0)
-        text += fmt::format(" ({} {})", comparison.names[1], q.difference < 0 ? "lower" : "higher");
+    if (comparison.sources.size() > 2)
+        text = fmt::format("{}: {} and {} are farthest apart, by {:.1f} % at this size", q.label, comparison.names[q.a],
+                           comparison.names[q.b], std::abs(q.per_cent));
+    if (q.difference != 0)
+        text += fmt::format(" ({} {})", comparison.names[q.b], q.difference < 0 ? "lower" : "higher");
     if (q.interval > 0 && q.size > 0) text += fmt::format(", ± {:.1f} % {}", 100 * q.interval / q.size, limit_of(q));
     return text + "; discretisation error not estimated.";
 }
@@ -110,8 +113,13 @@ std::vector<std::string> verdict_sentences(const Comparison& comparison) {
     std::vector<std::string> sentences;
     for (const Quantity* q : main_quantities(comparison.quantities)) {
         if (q->sentence.empty() && comparison.sources.size() < 2) continue;
-        sentences.push_back(q->sentence.empty() ? apart_sentence(comparison, *q) : q->sentence);
-        if (!q->caveat.empty()) sentences.back() += " (" + q->caveat + ")";
+        const auto add = [&](const std::string& sentence) {
+            sentences.push_back(q->caveat.empty() ? sentence : sentence + " (" + q->caveat + ")");
+        };
+        const bool by_sizes = std::ranges::any_of(q->differences(), [](auto& d) { return !d.sentence.empty(); });
+        if (!by_sizes) add(apart_sentence(comparison, *q));
+        for (const Difference& d : q->differences())
+            if (!d.sentence.empty()) add(d.sentence);
     }
     if (sentences.empty())
         sentences.push_back(comparison.sources.size() < 2 ? "One run only: there is nothing to compare it with."

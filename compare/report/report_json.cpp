@@ -34,21 +34,30 @@ Json quantity_json(const Comparison& comparison, const Quantity& q) {
         }
         sources.push_back(std::move(s));
     }
-    return {{"name", q.name},
-            {"label", q.label},
-            {"unit", q.unit},
-            {"definition", q.definition},
-            {"judged", q.judged},
-            {"values", values},
-            {"intervals", intervals},
-            {"difference", number(q.difference)},
-            {"interval", number(q.interval)},
-            {"per_cent", number(q.per_cent)},
-            {"verdict", to_string(q.verdict)},
-            {"caveat", q.caveat},
-            {"sentence", q.sentence},
-            {"remark", q.remark},
-            {"sources", sources}};
+    Json json = {{"name", q.name},
+                 {"label", q.label},
+                 {"unit", q.unit},
+                 {"definition", q.definition},
+                 {"judged", q.judged},
+                 {"values", values},
+                 {"intervals", intervals},
+                 {"difference", number(q.difference)},
+                 {"interval", number(q.interval)},
+                 {"per_cent", number(q.per_cent)},
+                 {"verdict", to_string(q.verdict)},
+                 {"caveat", q.caveat},
+                 {"sentence", q.sentence},
+                 {"remark", q.remark},
+                 {"sources", sources}};
+    for (const Difference& d : q.pairs)
+        json["pairs"].push_back({{"sources", {comparison.names[d.a], comparison.names[d.b]}},
+                                 {"difference", number(d.difference)},
+                                 {"interval", number(d.interval)},
+                                 {"per_cent", number(d.per_cent)},
+                                 {"verdict", to_string(d.verdict)},
+                                 {"sentence", d.sentence},
+                                 {"remark", d.remark}});
+    return json;
 }
 
 Json cost_json(const RunRecord& r, const std::string& name) {

@@ -23,6 +23,24 @@ void summarise(SweepSummary& s) {
     s.interval = student_t_95(n - 1) * s.scatter / std::sqrt(n);
 }
 
+/// What one scene says of one quantity and two methods.
+void add_point(Sweep& sweep, std::size_t member, const Quantity& q, const Difference& d) {
+    auto s = std::ranges::find_if(sweep.summaries, [&](const SweepSummary& other) {
+        return other.name == q.name && other.a == d.a && other.b == d.b;
+    });
+    if (s == sweep.summaries.end()) {
+        SweepSummary& fresh = sweep.summaries.emplace_back();
+        fresh.name = q.name, fresh.label = q.label, fresh.unit = q.unit;
+        fresh.a = d.a, fresh.b = d.b;
+        s = std::prev(sweep.summaries.end());
+    }
+    const MeanValue &a = q.values[d.a], &b = q.values[d.b];
+    if (a.known && b.known && a.value * b.value > 0)
+        s->points.push_back({member, a.value, b.value, a.bar(), b.bar(), d.interval, d.verdict});
+    else
+        ++s->left_out;
+}
+
 }  // namespace
 
 Sweep build_sweep(std::string title, std::vector<SweepMember> members) {
@@ -30,27 +48,16 @@ Sweep build_sweep(std::string title, std::vector<SweepMember> members) {
     Sweep sweep;
     sweep.title = std::move(title);
     sweep.members = std::move(members);
-    for (SweepMember& m : sweep.members)
-        if (m.why_not.empty() && m.methods.size() != 2) m.why_not = "one method only";
-    for (std::size_t i = 0; i < sweep.members.size(); ++i) {
-        const SweepMember& m = sweep.members[i];
-        if (!m.why_not.empty()) continue;
-        if (sweep.methods.empty()) sweep.methods = m.methods;
-        for (const Quantity& q : m.quantities) {
-            if (!q.judged || q.values.size() != 2) continue;
-            auto s = std::ranges::find(sweep.summaries, q.name, &SweepSummary::name);
-            if (s == sweep.summaries.end()) {
-                sweep.summaries.emplace_back().name = q.name;
-                sweep.summaries.back().label = q.label, sweep.summaries.back().unit = q.unit;
-                s = std::prev(sweep.summaries.end());
-            }
-            const MeanValue &a = q.values[0], &b = q.values[1];
-            if (a.known && b.known && a.value * b.value > 0)
-                s->points.push_back({i, a.value, b.value, a.bar(), b.bar(), q.interval, q.verdict});
-            else
-                ++s->left_out;
-        }
+    for (SweepMember& m : sweep.members) {
+        if (m.why_not.empty() && m.methods.size() < 2) m.why_not = "one method only";
+        if (m.why_not.empty() && sweep.methods.empty()) sweep.methods = m.methods;
+        if (m.why_not.empty() && m.methods != sweep.methods) m.why_not = "other methods than the first scene's";
     }
+    for (std::size_t i = 0; i < sweep.members.size(); ++i)
+        if (sweep.members[i].why_not.empty())
+            for (const Quantity& q : sweep.members[i].quantities)
+                if (q.judged && q.values.size() == sweep.methods.size())
+                    for (const Difference& d : q.differences()) add_point(sweep, i, q, d);
     for (SweepSummary& s : sweep.summaries) summarise(s);
     return sweep;
 }

@@ -7,12 +7,12 @@
 
 namespace tw {
 
-/// One scene of a set: what was varied, and what both methods made of it.
+/// One scene of a set: what was varied, and what the methods made of it.
 struct SweepMember {
     std::string name;                  ///< "prismatic, 8 m/s, 5 deg"
     std::string why_not;               ///< why there is no comparison; empty where there is one
     std::string report;                ///< path of its own report, relative to the sweep's
-    std::vector<std::string> methods;  ///< names of the two sources
+    std::vector<std::string> methods;  ///< names of its sources
     std::vector<Quantity> quantities;  ///< of its comparison
     std::string discretisation_from;   ///< as its comparison says; empty: not estimated
 };
@@ -27,6 +27,7 @@ struct SweepMember {
 struct SweepSummary {
     static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     std::string name, label, unit;
+    std::size_t a = 0, b = 1;  ///< places of the two among the sweep's methods
     struct Point {
         std::size_t member;
         double a, b;    ///< values of the two methods [unit]
@@ -41,12 +42,12 @@ struct SweepSummary {
 
 struct Sweep {
     std::string title;
-    std::vector<std::string> methods;  ///< A and B
+    std::vector<std::string> methods;
     std::vector<SweepMember> members;
-    std::vector<SweepSummary> summaries;  ///< of every judged quantity that some member has
+    std::vector<SweepSummary> summaries;  ///< of every judged quantity that some member has, and every two methods
 };
-/// Members in any order, failed ones among them; those whose methods are not two are treated as failed. Throws
-/// InputError: no member.
+/// Members in any order, failed ones among them; those of one method, or of others than the first, are treated as failed.
+/// Throws InputError: no member.
 Sweep build_sweep(std::string title, std::vector<SweepMember> members);
 
 /// A logarithm of a ratio as people say it: "−8.3 %"; beyond a factor of ten "× 23"; "–" when not finite.

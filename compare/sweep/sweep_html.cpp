@@ -15,8 +15,8 @@ namespace {
 std::string scatter_plot(const Sweep& sweep, const SweepSummary& s) {
     Plot plot;
     plot.title = s.label;
-    plot.x_label = sweep.methods[0] + " [" + s.unit + "]";
-    plot.y_label = sweep.methods[1] + " [" + s.unit + "]";
+    plot.x_label = sweep.methods[s.a] + " [" + s.unit + "]";
+    plot.y_label = sweep.methods[s.b] + " [" + s.unit + "]";
     plot.width = 460, plot.height = 400;
     double low = HUGE_VAL, high = 0;
     PlotLine dots{"", 0, {}, {}, false, false, true};

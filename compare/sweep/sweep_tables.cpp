@@ -10,17 +10,24 @@
 namespace tw {
 
 ReportTable sweep_summaries(const Sweep& sweep) {
-    if (sweep.methods.size() != 2) return {};
-    ReportTable table{"Bias and scatter between the methods",
-                      {words("Quantity"), words("unit"), numbers("scenes"),
-                       numbers("bias, " + sweep.methods[1] + " over " + sweep.methods[0]), numbers("its 95 % interval"),
-                       numbers("scatter"), numbers("left out")}};
-    for (const SweepSummary& s : sweep.summaries)
-        table.rows.push_back(
-            {{s.label, s.unit, s.points.size(), ratio_text(s.bias),
-              std::isfinite(s.interval) ? ratio_text(s.bias - s.interval) + " … " + ratio_text(s.bias + s.interval)
-                                        : "–",
-              std::isfinite(s.scatter) ? fmt::format("× {:.3g}", std::exp(s.scatter)) : "–", s.left_out}});
+    if (sweep.methods.size() < 2) return {};
+    const bool matrix = sweep.methods.size() > 2;
+    ReportTable table{"Bias and scatter between the methods", {words("Quantity"), words("unit"), numbers("scenes")}};
+    if (matrix) table.columns.push_back(words("methods"));
+    for (const std::string& name : {matrix ? "bias" : "bias, " + sweep.methods[1] + " over " + sweep.methods[0],
+                                    std::string("its 95 % interval"), std::string("scatter"), std::string("left out")})
+        table.columns.push_back(numbers(name));
+    for (const SweepSummary& s : sweep.summaries) {
+        ReportRow row{{s.label, s.unit, s.points.size()}};
+        if (matrix) row.cells.emplace_back(sweep.methods[s.b] + " over " + sweep.methods[s.a]);
+        row.cells.emplace_back(ratio_text(s.bias));
+        row.cells.emplace_back(std::isfinite(s.interval)
+                                   ? ratio_text(s.bias - s.interval) + " … " + ratio_text(s.bias + s.interval)
+                                   : "–");
+        row.cells.emplace_back(std::isfinite(s.scatter) ? fmt::format("× {:.3g}", std::exp(s.scatter)) : "–");
+        row.cells.emplace_back(s.left_out);
+        table.rows.push_back(std::move(row));
+    }
     table.notes.push_back(
         "Bias: mean of the logarithm of the ratio, as a percentage. Scatter: factor of its standard deviation. Left "
         "out: a value is missing or 0, or the signs differ.");
@@ -28,18 +35,27 @@ ReportTable sweep_summaries(const Sweep& sweep) {
 }
 
 ReportTable sweep_values(const Sweep& sweep) {
-    if (sweep.methods.size() != 2) return {};
-    ReportTable table{
-        "Scene by scene",
-        {words("Quantity"), words("unit"), words("Scene"), numbers(sweep.methods[0]), numbers(sweep.methods[1]),
-         numbers("relative"), words("verdict"), words("discretisation error")}};
+    if (sweep.methods.size() < 2) return {};
+    const bool matrix = sweep.methods.size() > 2;
+    ReportTable table{"Scene by scene", {words("Quantity"), words("unit"), words("Scene")}};
+    if (matrix) table.columns.push_back(words("methods"));
+    for (const std::string& name :
+         matrix ? std::vector<std::string>{"the second", "the first"} : std::vector{sweep.methods[0], sweep.methods[1]})
+        table.columns.push_back(numbers(name));
+    for (const ReportColumn& column : {numbers("relative"), words("verdict"), words("discretisation error")})
+        table.columns.push_back(column);
     for (const SweepSummary& s : sweep.summaries)
-        for (const auto& p : s.points)
-            table.rows.push_back(
-                {{s.label, s.unit, sweep.members[p.member].name, value_text(p.a, p.Ua), value_text(p.b, p.Ub),
-                  per_cent_text(100 * (p.b / p.a - 1), 100 * p.U / std::abs(p.a)), verdict_cell(p.verdict),
-                  p.verdict == Verdict::not_estimated ? "not estimated"
-                                                      : sweep.members[p.member].discretisation_from}});
+        for (const auto& p : s.points) {
+            const SweepMember& member = sweep.members[p.member];
+            ReportRow row{{s.label, s.unit, member.name}};
+            if (matrix) row.cells.emplace_back(sweep.methods[s.a] + ", " + sweep.methods[s.b]);
+            row.cells.emplace_back(value_text(p.a, p.Ua));
+            row.cells.emplace_back(value_text(p.b, p.Ub));
+            row.cells.emplace_back(per_cent_text(100 * (p.b / p.a - 1), 100 * p.U / std::abs(p.a)));
+            row.cells.push_back(verdict_cell(p.verdict));
+            row.cells.emplace_back(p.verdict == Verdict::not_estimated ? "not estimated" : member.discretisation_from);
+            table.rows.push_back(std::move(row));
+        }
     table.notes.push_back(
         "± is the 95 % interval. Where the discretisation error is not estimated it holds the statistical scatter of "
         "the means alone; where it is from another scene's twins it was taken relative to the values.");

@@ -49,13 +49,15 @@ std::string sweep_json(const Sweep& sweep) {
                               {"interval_b", p.Ub},
                               {"interval", p.U},
                               {"verdict", to_string(p.verdict)}});
-        summaries.push_back({{"name", s.name},
-                             {"unit", s.unit},
-                             {"bias", s.bias},
-                             {"interval", s.interval},
-                             {"scatter", s.scatter},
-                             {"left_out", s.left_out},
-                             {"points", points}});
+        Json& summary = summaries.emplace_back();
+        if (sweep.methods.size() > 2) summary["methods"] = {sweep.methods[s.a], sweep.methods[s.b]};
+        summary.update({{"name", s.name},
+                        {"unit", s.unit},
+                        {"bias", s.bias},
+                        {"interval", s.interval},
+                        {"scatter", s.scatter},
+                        {"left_out", s.left_out},
+                        {"points", points}});
     }
     const Json all = {
         {"title", sweep.title}, {"methods", sweep.methods}, {"scenes", members}, {"quantities", summaries}};
@@ -67,10 +69,15 @@ std::string sweep_csv(const Sweep& sweep) {
         "",
         {words("scene"), words("quantity"), words("unit"), numbers("value A"), numbers("value B"),
          numbers("interval A"), numbers("interval B"), words("verdict"), words("discretisation error from")}};
+    const bool matrix = sweep.methods.size() > 2;
+    if (matrix) table.columns.push_back(words("A")), table.columns.push_back(words("B"));
     for (const SweepSummary& s : sweep.summaries)
-        for (const auto& p : s.points)
-            table.rows.push_back({{sweep.members[p.member].name, s.name, s.unit, p.a, p.b, p.Ua, p.Ub,
-                                   to_string(p.verdict), sweep.members[p.member].discretisation_from}});
+        for (const auto& p : s.points) {
+            ReportRow row{{sweep.members[p.member].name, s.name, s.unit, p.a, p.b, p.Ua, p.Ub, to_string(p.verdict),
+                           sweep.members[p.member].discretisation_from}};
+            if (matrix) row.cells.insert(row.cells.end(), {sweep.methods[s.a], sweep.methods[s.b]});
+            table.rows.push_back(std::move(row));
+        }
     return csv_of(table);
 }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+
 namespace tw {
 
 std::string to_string(Verdict verdict) {
@@ -20,22 +22,72 @@ std::string to_string(Verdict verdict) {
 
 namespace {
 
-void add_remark(Quantity& q, const std::string& text) {
-    if (!q.remark.empty()) q.remark += "; ";
-    q.remark += text;
+void add_remark(Difference& d, const std::string& text) {
+    if (text.empty()) return;
+    if (!d.remark.empty()) d.remark += "; ";
+    d.remark += text;
 }
 
-void judge_incomplete(Quantity& q, const std::vector<std::string>& names) {
+/// What is missing of these sources.
+void judge_incomplete(Difference& d, const Quantity& q, const std::vector<std::size_t>& sources,
+                      const std::vector<std::string>& names) {
     bool all_too_short = true;
-    for (std::size_t i = 0; i < q.values.size(); ++i) {
-        if (q.values[i].known) continue;
-        if (!(q.values[i].seconds_needed > 0)) all_too_short = false;
-        add_remark(q, names[i] + ": " + (q.values[i].why_not.empty() ? "not known" : q.values[i].why_not));
+    for (const std::size_t i : sources) {
+        const MeanValue& value = q.values[i];
+        if (value.known) continue;
+        if (!(value.seconds_needed > 0)) all_too_short = false;
+        add_remark(d, names[i] + ": " + (value.why_not.empty() ? "not known" : value.why_not));
     }
-    q.verdict = all_too_short ? Verdict::undecided : Verdict::not_comparable;
+    d.verdict = all_too_short ? Verdict::undecided : Verdict::not_comparable;
+}
+
+/// Numbers of two known values.
+void subtract(Difference& d, const Quantity& q, double shared) {
+    const MeanValue &A = q.values[d.a], &B = q.values[d.b];
+    d.difference = B.value - A.value;
+    d.interval = std::sqrt(A.half_width * A.half_width + B.half_width * B.half_width + shared * shared);
+    d.size = std::max(0.5 * std::abs(A.value + B.value), q.scale);
+    if (d.size > 0) d.per_cent = 100 * d.difference / d.size;
+}
+
+/// What makes the interval wider than the target, and how much more record would help.
+std::string width_remark(const Difference& d, const Quantity& q, const std::vector<std::string>& names, double target,
+                         double shared, const std::string& shared_name) {
+    if (!(d.interval > target * d.size)) return {};
+    const bool first = q.values[d.a].half_width >= q.values[d.b].half_width;
+    const MeanValue& wider = q.values[first ? d.a : d.b];
+    const std::string who = shared > wider.half_width   ? shared_name
+                            : !wider.limited_by.empty() ? wider.limited_by
+                                                        : "the mean of " + names[first ? d.a : d.b];
+    // what would make the widest mean's interval small enough, the others as they are
+    const double rest2 = d.interval * d.interval - wider.half_width * wider.half_width,
+                 room = target * target * d.size * d.size - rest2, window = wider.to - wider.from;
+    const bool longer = shared <= wider.half_width && wider.limited_by.empty() && room > 0 && window > 0;
+    return fmt::format("this interval alone is wider than {:g} %; widest: {}{}", 100 * target, who,
+                       longer ? fmt::format("; {:.2g} s of settled record instead of {:.2g} s would suffice",
+                                            window * wider.half_width * wider.half_width / room, window)
+                              : "");
+}
+
+void judge_pair(Difference& d, const Quantity& q, const std::vector<std::string>& names, double target, double shared,
+                const std::string& shared_name) {
+    if (!q.values[d.a].known || !q.values[d.b].known) return judge_incomplete(d, q, {d.a, d.b}, names);
+    subtract(d, q, shared);
+    d.verdict = Verdict::not_estimated;
+    add_remark(d, width_remark(d, q, names, target, shared, shared_name));
+    for (const std::size_t i : {d.a, d.b})
+        if (q.values[i].unreliable && q.values[i].limited_by.empty())
+            add_remark(d, names[i] + ": two estimates of its interval differ by more than 1.5; the wider is used");
 }
 
 }  // namespace
+
+std::vector<Difference> pairs_of(std::size_t sources) {
+    std::vector<Difference> pairs;
+    for (std::size_t a = 0; sources > 2 && a < sources; ++a)
+        for (std::size_t b = a + 1; b < sources; ++b) pairs.push_back({.a = a, .b = b});
+    return pairs;
+}
 
 void judge(Quantity& q, const std::vector<std::string>& names, double target, double shared,
            const std::string& shared_name) {
@@ -44,60 +96,29 @@ void judge(Quantity& q, const std::vector<std::string>& names, double target, do
         if (q.values.size() == 1 && !q.values[0].known) add_remark(q, q.values[0].why_not);
         return;
     }
-    std::size_t a = q.values.size(), b = a;
-    double largest = -1;
-    for (std::size_t i = 0; i < q.values.size(); ++i)
-        for (std::size_t j = i + 1; j < q.values.size(); ++j) {
-            const MeanValue &x = q.values[i], &y = q.values[j];
-            if (!x.known || !y.known) continue;
-            const double u = std::sqrt(x.half_width * x.half_width + y.half_width * y.half_width + shared * shared);
-            const double e = std::abs(y.value - x.value);
-            const double ratio = e == 0 ? 0 : u > 0 ? e / u : HUGE_VAL;
-            if (ratio > largest) {
-                largest = ratio;
-                a = i;
-                b = j;
-            }
-        }
-    if (a == q.values.size() || (q.values.size() == 2 && !(q.values[0].known && q.values[1].known))) {
-        judge_incomplete(q, names);
-        return;
-    }
-    const MeanValue &A = q.values[a], &B = q.values[b];
-    q.difference = B.value - A.value;
-    q.interval = std::sqrt(A.half_width * A.half_width + B.half_width * B.half_width + shared * shared);
-    const double mean = 0.5 * std::abs(A.value + B.value), scale = std::max(mean, q.scale);
-    q.size = scale;
-    if (scale > 0) q.per_cent = 100 * q.difference / scale;
-    if (q.values.size() > 2) add_remark(q, "farthest apart: " + names[a] + " and " + names[b]);
-    q.verdict = Verdict::not_estimated;
-    if (q.interval > target * scale) {
-        const MeanValue& wider = A.half_width >= B.half_width ? A : B;
-        const std::string who = shared > wider.half_width   ? shared_name
-                                : !wider.limited_by.empty() ? wider.limited_by
-                                                            : "the mean of " + names[&wider == &A ? a : b];
-        // what would make the widest mean's interval small enough, the others as they are
-        const double rest2 = q.interval * q.interval - wider.half_width * wider.half_width,
-                     room = target * target * scale * scale - rest2, window = wider.to - wider.from;
-        const bool longer = shared <= wider.half_width && wider.limited_by.empty() && room > 0 && window > 0;
-        add_remark(q, fmt::format("this interval alone is wider than {:g} %; widest: {}{}", 100 * target, who,
-                                  longer ? fmt::format("; {:.2g} s of settled record instead of {:.2g} s would suffice",
-                                                       window * wider.half_width * wider.half_width / room, window)
-                                         : ""));
-    }
-    for (const std::size_t i : {a, b})
-        if (q.values[i].unreliable && q.values[i].limited_by.empty())
-            add_remark(q, names[i] + ": two estimates of its interval differ by more than 1.5; the wider is used");
+    if (q.values.size() == 2) return judge_pair(q, q, names, target, shared, shared_name);
+    q.pairs = pairs_of(q.values.size());
+    for (Difference& d : q.pairs) judge_pair(d, q, names, target, shared, shared_name);
+    take_farthest(q);
+    if (std::isfinite(q.difference)) return;
+    std::vector<std::size_t> all(q.values.size());
+    std::iota(all.begin(), all.end(), 0);
+    judge_incomplete(q, q, all, names);
+}
+
+void take_farthest(Quantity& q) {
+    Difference farthest = q.pairs[farthest_apart(q.pairs)];
+    farthest.remark = q.remark;  // its own stands with the pair
+    static_cast<Difference&>(q) = std::move(farthest);
 }
 
 void beside(Quantity& q) {
     q.judged = false;
     q.verdict = Verdict::not_comparable;
-    if (q.values.size() != 2 || !q.values[0].known || !q.values[1].known) return;
-    q.difference = q.values[1].value - q.values[0].value;
-    q.interval = std::hypot(q.values[0].half_width, q.values[1].half_width);
-    q.size = 0.5 * std::abs(q.values[0].value + q.values[1].value);
-    if (q.size > 0) q.per_cent = 100 * q.difference / q.size;
+    q.pairs = pairs_of(q.values.size());
+    if (q.values.size() < 2) return;
+    for (Difference& d : q.differences())
+        if (q.values[d.a].known && q.values[d.b].known) subtract(d, q, 0);
 }
 
 }  // namespace tw

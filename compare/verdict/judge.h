@@ -1,4 +1,6 @@
 #pragma once
+#include <cmath>
+
 #include "compare/compare.h"
 
 namespace tw {
@@ -11,13 +13,31 @@ namespace tw {
 ///   a value missing                not comparable
 ///
 /// (ITTC / ASME V&V style E_n = |E| / U; shared inputs cancel and are not added.) `shared`: half width of what both
-/// sides share and yet may hold differently, e.g. the draft [unit of the quantity]. With more than two known sources
-/// the pair with the largest |E| / U is taken. Whether two methods agree is for a ladder to say (ladder/ladder.h); where
+/// sides share and yet may hold differently, e.g. the draft [unit of the quantity]. Of more than two sources every pair
+/// is judged, and the quantity as a whole is the pair with the largest |E| / U. Whether two methods agree is for a ladder to say (ladder/ladder.h); where
 /// U alone is above the target, the remark names what makes it so wide.
 void judge(Quantity& quantity, const std::vector<std::string>& names, double target, double shared = 0,
            const std::string& shared_name = {});
 
+/// Every pair of more than two sources, in their order, with nothing known of it yet.
+std::vector<Difference> pairs_of(std::size_t sources);
+/// Of more than two sources: makes the pair that is farthest apart the quantity's own.
+void take_farthest(Quantity& quantity);
+
 /// For numbers that stand beside the verdict: difference and interval of two known values, no verdict.
 void beside(Quantity& quantity);
+
+/// The place among differences of the one that is farthest from 0 in units of its interval; 0 where none is known.
+template <class Differences>
+std::size_t farthest_apart(const Differences& all) {
+    std::size_t at = 0;
+    double largest = -1;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const double e = std::abs(all[k].difference), u = all[k].interval;
+        const double ratio = e == 0 ? 0 : u > 0 ? e / u : HUGE_VAL;
+        if (std::isfinite(e) && !std::isnan(u) && ratio > largest) largest = ratio, at = k;
+    }
+    return at;
+}
 
 }  // namespace tw

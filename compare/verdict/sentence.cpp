@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "compare/report/numbers.h"
+#include "methods/methods.h"
 
 namespace tw {
 
@@ -14,7 +15,7 @@ namespace {
 
 /// "SPH 3.1 % above interFoam", in magnitude where both are negative.
 std::string apart_text(const Statement& s) {
-    const std::string a = method_title(s.methods[0]), b = method_title(s.methods[1]);
+    const std::string a = method_label(s.methods[0]), b = method_label(s.methods[1]);
     if (!(s.size > 0)) return fmt::format("{} and {} are both 0", a, b);
     const double per_cent = 100 * std::abs(s.values[1] - s.values[0]) / s.size;
     if (s.values[0] * s.values[1] < 0)
@@ -50,8 +51,8 @@ std::string interval_text(const Statement& s) {
 std::string one_method(const Statement& s) {
     if (!std::isfinite(s.interval))
         return fmt::format("{} {} by {}, without an interval: {}", value_text(s.values[0], 0), s.unit,
-                           method_title(s.methods[0]), s.why);
-    return fmt::format("{} {} by {}, {}", value_text(s.values[0], s.interval), s.unit, method_title(s.methods[0]),
+                           method_label(s.methods[0]), s.why);
+    return fmt::format("{} {} by {}, {}", value_text(s.values[0], s.interval), s.unit, method_label(s.methods[0]),
                        interval_text(s));
 }
 
@@ -80,10 +81,6 @@ std::string two_methods(const Statement& s) {
 }
 
 }  // namespace
-
-std::string method_title(const std::string& method) {
-    return method == "sph" ? "SPH" : method == "fvm" ? "interFoam" : method;
-}
 
 int main_rank(const std::string& name) {
     static constexpr std::string_view main[] = {"drag",       "lift",      "trim_moment", "body_depth",

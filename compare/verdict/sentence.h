@@ -9,7 +9,7 @@
 namespace tw {
 
 /// What the sentence of one verdict is made of. Values in the quantity's unit; one or two methods, the names as in
-/// records ("sph", "fvm").
+/// records (methods/methods.h).
 struct Statement {
     static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     std::string label, unit;
@@ -43,7 +43,5 @@ auto main_quantities(const Quantities& all) {
     std::ranges::stable_sort(of_all, {}, [](const auto* q) { return main_rank(q->name); });
     return of_all;
 }
-/// "SPH", "interFoam"; others as they are.
-std::string method_title(const std::string& method);
 
 }  // namespace tw

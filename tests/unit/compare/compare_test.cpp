@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
 #include <tuple>
@@ -9,6 +10,8 @@
 #include "base/errors.h"
 #include "compare/compare.h"
 #include "compare/gates.h"
+#include "compare/report/csv.h"
+#include "methods/methods.h"
 #include "tests/unit/compare/synthetic_pair.h"
 
 namespace tw {
@@ -31,6 +34,60 @@ TEST(Compare, MeansOfBothSidesAndTheirDifference) {
     EXPECT_EQ(c.find("drag")->verdict, Verdict::not_estimated);
     EXPECT_EQ(c.names, (std::vector<std::string>{"sph", "fvm"}));
     EXPECT_NEAR(c.find("wetted_length")->values[0].half_width, 0.02, 1e-12);  // half the spacing at the hull
+}
+
+/// Two runs and a third source, which says that it was imported.
+Comparison of_three() {
+    RunRecord tank =
+        synthetic_run({.method = "towing tank", .lift = 2600, .drag = 240, .noise = 15, .seed = 3, .frames = false});
+    tank.attributes["import_kind"] = "csv";
+    return compare_records({synthetic_run(sph), synthetic_run(fvm), tank});
+}
+
+TEST(Compare, OfThreeSourcesEveryTwoHaveTheirDifferenceInTextJsonAndTable) {
+    const Comparison c = of_three();
+    const Quantity& lift = *c.find("lift");
+    ASSERT_EQ(lift.pairs.size(), 3u);
+    for (const Difference& d : lift.pairs) {
+        EXPECT_DOUBLE_EQ(d.difference, lift.values[d.b].value - lift.values[d.a].value);
+        EXPECT_GT(d.interval, 0);
+    }
+    EXPECT_NEAR(lift.pairs[0].difference, -78, 30);
+    EXPECT_NEAR(lift.pairs[1].difference, -200, 30);
+    EXPECT_NEAR(lift.pairs[2].difference, -122, 20);
+
+    const std::string text = summary_text(c);
+    for (const char* said : {"| fvm − sph", "| towing tank − sph", "| towing tank − fvm", "are farthest apart, by"})
+        EXPECT_NE(text.find(said), std::string::npos) << said << "\n" << text;
+    const auto json = nlohmann::json::parse(comparison_json(c));
+    const auto& q = json["quantities"][0];
+    ASSERT_EQ(q["name"], "lift");
+    ASSERT_EQ(q["pairs"].size(), 3u);
+    EXPECT_EQ(q["pairs"][2]["sources"], nlohmann::json({"fvm", "towing tank"}));
+    EXPECT_DOUBLE_EQ(q["pairs"][2]["difference"], lift.pairs[2].difference);
+    const std::string csv = quantities_csv(c);
+    EXPECT_NE(csv.substr(0, csv.find('\n')).find("towing tank - fvm,towing tank - fvm interval"), std::string::npos);
+    // Of two sources nothing of this is written: their difference is the quantity's own.
+    const Comparison two = compare_records({synthetic_run(sph), synthetic_run(fvm)});
+    EXPECT_FALSE(nlohmann::json::parse(comparison_json(two))["quantities"][0].contains("pairs"));
+    EXPECT_EQ(quantities_csv(two).find(" - "), std::string::npos);
+}
+
+TEST(Compare, AMethodThatNobodyKnowsIsNamedWithThoseThatAreKnown) {
+    const auto named = [](const Comparison& c) {
+        return std::ranges::any_of(c.banners, [](const std::string& b) {
+            return b.starts_with("lattice Boltzmann: no method of this version (sph, fvm), and no import");
+        });
+    };
+    RunRecord other = synthetic_run(fvm);
+    other.attributes["method"] = "lattice Boltzmann";
+    EXPECT_TRUE(named(compare_records({synthetic_run(sph), other})));
+    other.attributes["import_kind"] = "csv";
+    EXPECT_FALSE(named(compare_records({synthetic_run(sph), other})));
+    try {
+        method_named("lbm");
+        FAIL();
+    } catch (const InputError& e) { EXPECT_STREQ(e.what(), "lbm: there is no such method; expected one of: sph, fvm"); }
 }
 
 TEST(Compare, WhatStandsBesideIsNotJudged) {

@@ -66,6 +66,44 @@ TEST(Ladder, MethodsThatConvergeToTwoValuesDiffer) {
     EXPECT_NEAR(lift.difference, -400, 5);
 }
 
+TEST(Ladder, ThreeSourcesHaveAVerdictForEveryTwoOfThem) {
+    std::vector<RunRecord> records;
+    add_family(records, "other code", 3200, 10, 2);
+    add_family(records, "fvm", 2800, 2, 2);
+    add_family(records, "sph", 2800, 24, 2);
+    const Ladder ladder = ladder_of(records);
+    ASSERT_EQ(ladder.sides.size(), 3u);
+    EXPECT_EQ(ladder.sides[0].method, "sph");
+    EXPECT_EQ(ladder.sides[2].method, "other code");  // what is no method of twinwake stands behind
+    const LadderQuantity& lift = lift_of(ladder);
+    ASSERT_EQ(lift.pairs.size(), 3u);
+    std::vector<RunRecord> two;
+    add_family(two, "sph", 2800, 24, 2);
+    add_family(two, "fvm", 2800, 2, 2);
+    const LadderQuantity without = lift_of(ladder_of(two));  // a third source changes nothing of the other two
+    EXPECT_DOUBLE_EQ(lift.pairs[0].difference, without.difference);
+    EXPECT_DOUBLE_EQ(lift.pairs[0].interval, without.interval);
+    EXPECT_EQ(lift.pairs[0].verdict, Verdict::agree) << lift.pairs[0].reason;
+    EXPECT_EQ(lift.pairs[1].verdict, Verdict::differ);
+    EXPECT_EQ(lift.pairs[2].verdict, Verdict::differ);
+    EXPECT_NEAR(lift.pairs[1].difference, 3210 - 2824, 5);
+    EXPECT_NEAR(lift.pairs[2].difference, 3210 - 2802, 5);
+    EXPECT_EQ(lift.verdict, Verdict::differ);
+    EXPECT_EQ(lift.b, 2u);
+
+    const std::string text = ladder_text(ladder);
+    for (const char* said : {"Lift: SPH ", " above interFoam, ", " below other code, ", "| fvm − sph",
+                             "| other code − sph", "| other code − fvm"})
+        EXPECT_NE(text.find(said), std::string::npos) << said << "\n" << text;
+    const auto json = nlohmann::json::parse(ladder_json(ladder));
+    for (const auto& q : json["quantities"])
+        if (q["name"] == "lift") {
+            ASSERT_EQ(q["pairs"].size(), 3u);
+            EXPECT_EQ(q["pairs"][2]["methods"], nlohmann::json({"fvm", "other code"}));
+            EXPECT_EQ(q["pairs"][0]["verdict"], "agree");
+        }
+}
+
 TEST(Ladder, CoarseRunsAreUndecidedAndTheLargestTermIsNamed) {
     std::vector<RunRecord> records;
     add_family(records, "sph", 2800, 300, 1);

@@ -92,6 +92,26 @@ TEST(Sizes, ValuesWithoutAHalfWidthThatJumpHaveAnIntervalOfTheirJumps) {
     EXPECT_EQ(ladder.quantities[0].verdict, Verdict::undecided);
 }
 
+TEST(Sizes, OfThreeSourcesEachPairHasTheLaddersVerdictAndWhatIsInNoLadderHasNone) {
+    RunRecord tank = member("towing tank", 2805, 0, 0.04);
+    tank.numbers.erase("near_hull");
+    const Ladder ladder = build_ladder(runs_of(10, 3200, 10));
+    // in another order than the ladder's sides: the sign follows the sources
+    Comparison c = compare_records({tank, member("fvm", 3200, 10, 0.04), member("sph", 2800, 10, 0.04)});
+    const Quantity before = *c.find("lift");
+    judge_by_sizes(c, ladder);
+    const Quantity& lift = *c.find("lift");
+    ASSERT_EQ(lift.pairs.size(), 3u);
+    EXPECT_EQ(lift.pairs[2].verdict, Verdict::differ);
+    EXPECT_DOUBLE_EQ(lift.pairs[2].difference, -ladder.quantities[0].difference);
+    EXPECT_TRUE(has(lift.pairs[2].sentence, "they differ")) << lift.pairs[2].sentence;
+    for (const std::size_t k : {0u, 1u}) {
+        EXPECT_EQ(lift.pairs[k].verdict, Verdict::not_estimated);
+        EXPECT_EQ(lift.pairs[k].difference, before.pairs[k].difference);
+    }
+    EXPECT_TRUE(has(summary_text(c), lift.pairs[2].sentence));
+}
+
 TEST(Sizes, AMethodWithoutTwinsKeepsWhatOneSizeSays) {
     std::vector<LadderRun> runs = runs_of(100, 2800, 10);
     std::erase_if(runs, [](const LadderRun& r) { return r.method == "fvm" && r.spacing > 0.05; });

@@ -38,6 +38,23 @@ TEST(Sweep, BiasAndScatterAreThoseOfTheLogarithmOfTheRatio) {
     EXPECT_NEAR(s.summaries[0].interval, 4.3027 * l / std::sqrt(3), 1e-4 * l);
 }
 
+TEST(Sweep, OfThreeMethodsEveryTwoHaveTheirBias) {
+    SweepMember three = member("one", 100, 110);
+    three.methods.push_back("tank");
+    Quantity& lift = three.quantities[0];
+    lift.values.push_back(mean(121, 1));
+    lift.pairs = {{.a = 0, .b = 1}, {.a = 0, .b = 2}, {.a = 1, .b = 2}};
+    const Sweep s = build_sweep("set", {three, member("two", 1, 2)});
+    ASSERT_EQ(s.summaries.size(), 3u);
+    EXPECT_NEAR(s.summaries[0].bias, std::log(1.1), 1e-12);
+    EXPECT_NEAR(s.summaries[1].bias, 2 * std::log(1.1), 1e-12);
+    EXPECT_NEAR(s.summaries[2].bias, std::log(1.1), 1e-12);
+    EXPECT_FALSE(s.members[1].why_not.empty());  // it lacks the third
+    EXPECT_NE(sweep_text(s).find("tank over fvm"), std::string::npos);
+    EXPECT_EQ(nlohmann::json::parse(sweep_json(s))["quantities"][1]["methods"], nlohmann::json({"sph", "tank"}));
+    EXPECT_NE(sweep_csv(s).find(",fvm,tank\n"), std::string::npos);
+}
+
 TEST(Sweep, TwiceAndHalfCancel) {
     EXPECT_NEAR(build_sweep("set", {member("one", 1, 2), member("two", 2, 1)}).summaries[0].bias, 0, 1e-12);
 }

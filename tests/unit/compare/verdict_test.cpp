@@ -74,11 +74,38 @@ TEST(Verdict, ATooShortRecordIsUndecidedAMissingValueNotComparable) {
     EXPECT_EQ(judged({known(100, 1)}).verdict, Verdict::not_comparable);
 }
 
-TEST(Verdict, OfThreeThePairFarthestApartInItsIntervalIsJudged) {
-    const Quantity q = judged({known(100, 1), known(101, 1), known(110, 1)});
+TEST(Verdict, OfThreeEveryPairIsJudgedAndTheOneFarthestApartInItsIntervalStandsForAll) {
+    const Quantity q = judged({known(100, 3), known(101, 4), known(110, 0)}, 12);
+    ASSERT_EQ(q.pairs.size(), 3u);
+    const double differences[] = {1, 10, 9}, intervals[] = {13, std::hypot(3, 12), std::hypot(4, 12)};
+    const std::size_t places[][2] = {{0, 1}, {0, 2}, {1, 2}};
+    for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_EQ(q.pairs[k].a, places[k][0]);
+        EXPECT_EQ(q.pairs[k].b, places[k][1]);
+        EXPECT_DOUBLE_EQ(q.pairs[k].difference, differences[k]);
+        EXPECT_DOUBLE_EQ(q.pairs[k].interval, intervals[k]);
+        EXPECT_EQ(q.pairs[k].verdict, Verdict::not_estimated);
+    }
+    EXPECT_NEAR(q.pairs[2].per_cent, 100 * 9 / 105.5, 1e-12);
     EXPECT_EQ(q.verdict, Verdict::not_estimated);
     EXPECT_EQ(q.difference, 10);
-    EXPECT_NE(q.remark.find("a and c"), std::string::npos);
+    EXPECT_EQ(q.a, 0u);
+    EXPECT_EQ(q.b, 2u);
+    EXPECT_EQ(q.differences().size(), 3u);
+    EXPECT_EQ(judged({known(100, 1), known(101, 1)}).differences().size(), 1u);
+}
+
+TEST(Verdict, OfThreeAMissingValueLeavesTheOtherPair) {
+    MeanValue missing;
+    missing.why_not = "this method does not give it";
+    const Quantity q = judged({known(100, 1), missing, known(110, 1)});
+    EXPECT_EQ(q.difference, 10);
+    EXPECT_EQ(q.verdict, Verdict::not_estimated);
+    for (const std::size_t k : {0u, 2u}) {
+        EXPECT_EQ(q.pairs[k].verdict, Verdict::not_comparable);
+        EXPECT_NE(q.pairs[k].remark.find("b: this method"), std::string::npos);
+    }
+    EXPECT_EQ(judged({missing, missing, known(1, 1)}).verdict, Verdict::not_comparable);
 }
 
 TEST(Verdict, NamesForProgramsStay) {
