@@ -66,8 +66,12 @@ std::string not_agreeing(const Ladder& ladder) {
     if (ladder.quantities.empty()) return "no quantity was judged";
     std::string others;
     for (const LadderQuantity& q : ladder.quantities)
-        if (q.verdict != Verdict::agree)
-            others += (others.empty() ? "" : ", ") + q.label + ": " + verdict_label(q.verdict);
+        for (const LadderDifference& d : q.differences()) {
+            if (d.verdict == Verdict::agree) continue;
+            const std::string who =
+                q.pairs.empty() ? "" : " (" + ladder.sides[d.a].method + ", " + ladder.sides[d.b].method + ")";
+            others += (others.empty() ? "" : ", ") + q.label + who + ": " + verdict_label(d.verdict);
+        }
     return others;
 }
 
