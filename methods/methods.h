@@ -6,7 +6,6 @@
 namespace tw {
 
 /// What is said of a method of solution wherever its name stands: in scenes, folders, records, tables and the report.
-/// What runs it is its row of app/solvers.cpp; nothing below knows more of it than this.
 struct Method {
     std::string name;      ///< in scenes, records, folders and files: "sph"
     std::string label;     ///< in sentences: "SPH"

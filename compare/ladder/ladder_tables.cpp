@@ -56,7 +56,8 @@ ReportTable ladder_verdicts(const Ladder& ladder) {
             row.cells.emplace_back(per_cent_text(d.per_cent, d.size > 0 ? 100 * d.interval / d.size : std::nan("")));
             row.cells.push_back(verdict_cell(d.verdict));
             table.rows.push_back(row);
-            row = {std::vector<ReportCell>(2 + q.values.size())};  // a quantity's name and values stand once
+            row = {std::vector<ReportCell>(2 + q.values.size())};  // its values stand once
+            row.cells.front() = q.label;
         }
     }
     table.notes.push_back(fmt::format(

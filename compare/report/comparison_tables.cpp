@@ -75,17 +75,21 @@ ReportTable quantities_table(const Comparison& c, bool judged) {
         for (const MeanValue& m : q.values) row.cells.emplace_back(mean_text(m));
         if (!pair) table.rows.push_back(std::move(row));
         for (const Difference& d : pair ? q.differences() : std::span<const Difference>()) {
-            if (matrix && std::isfinite(q.difference) && !std::isfinite(d.difference)) continue;  // a value is missing
+            if (matrix && !std::isfinite(d.difference) && (std::isfinite(q.difference) || &d != &q.pairs.front()))
+                continue;  // a value is missing: said once
             if (matrix) {
-                row.cells.resize(2 + c.sources.size());  // a quantity's name and values stand once
+                row.cells.resize(2 + c.sources.size());  // its values stand once
                 row.cells.emplace_back(c.names[d.b] + " − " + c.names[d.a]);
-                if (!d.remark.empty()) row.remark += (row.remark.empty() ? "" : "; ") + d.remark;
+                if (!d.remark.empty() && std::isfinite(d.difference))
+                    row.remark +=
+                        (row.remark.empty() ? "" : "; ") + c.names[d.b] + " − " + c.names[d.a] + ": " + d.remark;
             }
             row.cells.emplace_back(signed_text(d.difference, d.interval));
             row.cells.emplace_back(per_cent_text(d.per_cent, relative_interval(d)));
             if (judged) row.cells.push_back(verdict_cell(d.verdict));
             table.rows.push_back(row);
             row = {std::vector<ReportCell>(2 + c.sources.size())};
+            row.cells.front() = q.label;
         }
         for (const Reference& r : c.references) {
             if (r.quantity != q.name) continue;
