@@ -35,7 +35,7 @@ ControlVolume control_volume(const Scene& scene, const SimulationSetup& s) {
     box.max += Vec3(std::max(near, 0.125 * hull.length), near, 0);
     const double clear = 2 * dp;  // of the domain's sides
     // How far the zone of a free hull may go before the box is outside: what the hull has from its zone's edge to the six
-    // spacings at which the run ends (contact.cpp), less half of one. That it is three at most is chosen, not derived.
+    // spacings at which the run ends (bodies/collisions.cpp), less half of one. At most three: chosen, not derived.
     const double way = hull.free ? std::clamp(scene.sph.zone - (6 + 0.5), 0.0, 3.0) * dp : 0;
     box.min = box.min.cwiseMax(s.domain.min + Vec3::Constant(clear));
     box.max = box.max.cwiseMin(s.domain.max - Vec3::Constant(clear));
