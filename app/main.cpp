@@ -11,11 +11,11 @@
 #include "app/commands.h"
 #include "app/output.h"
 #include "app/quiet_waits.h"
-#include "app/spray_study.h"
 #include "base/errors.h"
 #include "compare/report/escape.h"
 #include "record/code_version.h"
 #include "scene/effects/registry.h"
+#include "spray/read_study.h"
 #include "text/did_you_mean.h"
 
 // The command line: the only file that knows CLI11. Every subcommand lives in a file of its own name.
@@ -373,7 +373,7 @@ int dispatch(int argc, char** argv) {
                   "also write the droplets as an OpenFOAM cloud into this new folder, run it and compare its paths");
     c->add_option("--against", spray.against,
                   "results of another spray, e.g. of the other method: statistics of both sprays' droplets");
-    c->footer(spray_study_help + std::string(footer));
+    c->footer(tw::spray::spray_study_help + std::string(footer));
 
     BenchCommand bench;
     c = subcommand(&app, "bench", "throughput of the particle solver on this machine",

@@ -4,8 +4,9 @@
 
 #include "app/output.h"
 #include "app/spray_cloud.h"
-#include "app/spray_study.h"
 #include "base/atomic_file.h"
+#include "spray/read_droplets.h"
+#include "spray/read_study.h"
 #include "spray/report/write_spray.h"
 
 namespace tw::app {
@@ -48,10 +49,10 @@ std::string spray_json(const spray::SprayResult& r) {
 }  // namespace
 
 int run_spray_command(const SprayCommand& command, const Common& common) {
-    spray::SprayStudy study = read_spray_study(command.study);
+    spray::SprayStudy study = spray::read_spray_study(command.study);
     if (!command.against.empty()) {
         study.against_name = std::filesystem::weakly_canonical(command.against).filename().string();
-        study.against = read_droplets(command.against / "droplets.csv");
+        study.against = spray::read_droplets(command.against / "droplets.csv");
     }
     const std::filesystem::path out =
         command.out.empty() ? std::filesystem::path("runs") / (command.study.stem().string() + "_spray") : command.out;

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "base/errors.h"
-#include "import/csv_columns.h"
 #include "import/readers.h"
+#include "text/csv_columns.h"
 
 namespace tw {
 namespace {

@@ -4,8 +4,8 @@
 
 #include "base/atomic_file.h"
 #include "base/errors.h"
-#include "import/csv_columns.h"
 #include "import/readers.h"
+#include "text/csv_columns.h"
 
 namespace tw {
 namespace {

@@ -1,7 +1,6 @@
 #pragma once
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace tw {
@@ -24,12 +23,10 @@ struct RefinementTable {
 ///   0.05, 412.1, 2722
 ///   0.1, 431, 2690
 ///
-/// The first line that is neither empty nor begins with # names the columns; the first column is the spacing. Cells are
-/// separated by tabs, semicolons or commas: the first of these that the header line has. Cells may stand in "quotes".
-/// Decimal points, not commas. A byte order mark and CR LF line ends are accepted. Throws InputError
-/// `name:line: what was found; what is expected` for anything else: no header, no row, a row of other length, an empty
-/// cell, a cell that is not a finite number, a spacing that is not above zero or that was there before.
-RefinementTable parse_refinement_table(std::string_view text, const std::string& name);
+/// in the form of text/csv_columns.h, whose first column is the spacing. Throws InputError
+/// `name:line: what was found; what is expected` for anything else: no header, no row, a row of other length, a cell
+/// that is not a finite number, a spacing that is not above zero or that was there before.
+RefinementTable parse_refinement_table(const std::string& text, const std::string& name);
 /// The same of a file; throws InputError where it cannot be read.
 RefinementTable read_refinement_table(const std::filesystem::path& file);
 

@@ -6,7 +6,7 @@
 #include "compare/reference/planing_plate.h"
 #include "meshes/generate.h"
 #include "meshes/section.h"
-#include "tests/unit/compare/number_rows.h"
+#include "tests/data_table.h"
 
 namespace tw {
 namespace {

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "compare/reference/prismatic_hull.h"
-#include "tests/unit/compare/number_rows.h"
+#include "tests/data_table.h"
 #include "tests/unit/compare/synthetic_pair.h"
 
 namespace tw {

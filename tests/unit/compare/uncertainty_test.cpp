@@ -376,8 +376,8 @@ TEST(Estimate, BadInputIsRefusedWithWhatWasFound) {
 
 // ---- the table
 
-RefinementTable table(std::string_view text) { return parse_refinement_table(text, "t.csv"); }
-std::string error(std::string_view text) {
+RefinementTable table(const std::string& text) { return parse_refinement_table(text, "t.csv"); }
+std::string error(const std::string& text) {
     return message([&] { table(text); });
 }
 
@@ -407,23 +407,22 @@ TEST(RefinementTable, SemicolonsTabsByteOrderMarkAndCarriageReturns) {
 TEST(RefinementTable, OneRowIsATable) { EXPECT_EQ(table("h,drag\n0.1,5\n").spacing.size(), 1u); }
 
 TEST(RefinementTable, FaultsAreNamedWithLineFoundAndExpected) {
-    EXPECT_EQ(error("h,drag\n1,2\n2,\n"), "t.csv:3: nothing in column 'drag' found; expected a number");
+    EXPECT_EQ(error("h,drag\n1,2\n2,\n"), "t.csv:3: no number in column \"drag\" found; expected one in every row");
+    EXPECT_EQ(error("h,drag\n1,nan\n"), "t.csv:2: no number in column \"drag\" found; expected one in every row");
     EXPECT_EQ(error("h,drag\n# x\n1,2,3\n"), "t.csv:3: 3 cells found; expected 2 as in the header line");
-    EXPECT_EQ(error("h,drag\n\n1\n"), "t.csv:3: 1 cell found; expected 2 as in the header line");
-    EXPECT_EQ(error("h,drag\n1,high\n"), "t.csv:2: 'high' in column 'drag' found; expected a finite number");
-    EXPECT_EQ(error("h,drag\n1,2 N\n"), "t.csv:2: '2 N' in column 'drag' found; expected a finite number");
-    EXPECT_EQ(error("h,drag\n1,nan\n"), "t.csv:2: 'nan' in column 'drag' found; expected a finite number");
+    EXPECT_NE(error("h,drag\n1,high\n").find("t.csv:2:3: \"high\" found in column \"drag\"; expected a finite number"),
+              std::string::npos);
     EXPECT_EQ(error("h;drag\n1,5;2\n"),
-              "t.csv:2: '1,5' in column 'h' found; expected a finite number with a decimal point, such as 1.5");
+              "t.csv:2:1: \"1,5\" found in column \"h\"; expected a finite number with a decimal point, such as 1.5");
     EXPECT_EQ(error("h,drag\n0,2\n"), "t.csv:2: spacing 0 found; expected a spacing above zero");
     EXPECT_EQ(error("h,drag\n1,2\n2,3\n1.0,4\n"),
-              "t.csv:4: spacing 1.0, as in line 2, found; expected a different spacing in every row");
-    EXPECT_EQ(error("0.1,5\n0.2,6\n"), "t.csv:1: number '0.1' found; expected a header line that names the columns");
-    EXPECT_NE(error("h drag\n1 2\n").find("t.csv:1: one column, 'h drag', found"), std::string::npos);
+              "t.csv:4: spacing 1, as in line 2, found; expected a different spacing in every row");
+    EXPECT_NE(error("0.1,5\n0.2,6\n").find("t.csv:1: a line of numbers found; expected a header line"),
+              std::string::npos);
+    EXPECT_NE(error("h drag\n1 2\n").find("t.csv:1: one column, \"h drag\", found"), std::string::npos);
     EXPECT_NE(error("h,,drag\n1,2,3\n").find("no name of column 2"), std::string::npos);
-    EXPECT_NE(error("").find("no header line found"), std::string::npos);
-    EXPECT_NE(error("# only a comment\n").find("no header line found"), std::string::npos);
-    EXPECT_NE(error("h,drag\n").find("no row below the header line found"), std::string::npos);
+    EXPECT_NE(error("# only a comment\n").find("t.csv:1: no header line found"), std::string::npos);
+    EXPECT_NE(error("h,drag\n").find("t.csv:1: no row found below the header line"), std::string::npos);
     EXPECT_THROW(read_refinement_table("no_such_table.csv"), InputError);
 }
 
@@ -436,7 +435,9 @@ TEST(UncertaintyReport, ATableAndAVerdictForEveryQuantity) {
     EXPECT_NE(text.find("| least squares (Eca & Hoekstra)  |      5 |  1.56 | monotone |  1.00419 | 0.0602 |   5.7"),
               std::string::npos)
         << text;
-    EXPECT_NE(text.find("drag [N]: converged (monotone, order 1.56): 1.05 +- 0.11 (11 %) by trend and noise"), std::string::npos) << text;
+    EXPECT_NE(text.find("drag [N]: converged (monotone, order 1.56): 1.05 +- 0.11 (11 %) by trend and noise"),
+              std::string::npos)
+        << text;
     EXPECT_NE(text.find("a\\|b?[31m: not converged (divergent)"), std::string::npos);
     EXPECT_EQ(text.find('\x1b'), std::string::npos);
 }

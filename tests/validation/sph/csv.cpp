@@ -1,22 +1,12 @@
 #include "csv.h"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 
+#include "base/atomic_file.h"
+#include "text/csv_columns.h"
+
 namespace tw::test {
-namespace {
-
-std::vector<std::string> cells_of(const std::string& line) {
-    std::istringstream in(line);
-    std::vector<std::string> cells;
-    for (std::string cell; std::getline(in, cell, ',');) cells.push_back(cell);
-    return cells;
-}
-
-}  // namespace
-
 std::size_t Csv::column(const std::string& name) const {
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end()) throw std::out_of_range("no column " + name);
@@ -30,16 +20,11 @@ std::vector<double> Csv::numbers(const std::string& name) const {
 }
 
 Csv read_csv(const std::filesystem::path& file) {
-    std::ifstream in(file);
-    if (!in) throw std::runtime_error(file.string() + ": cannot be read");
-    Csv csv;
-    std::string line;
-    while (std::getline(in, line)) {
-        if (line.starts_with('#')) continue;  // where the data are from
-        if (csv.names.empty())
-            csv.names = cells_of(line);
-        else
-            csv.rows.push_back(cells_of(line));
+    const CsvColumns table(read_text(file), file.string());
+    Csv csv{table.headers(), std::vector<std::vector<std::string>>(table.rows())};
+    for (const std::string& name : csv.names) {
+        const std::vector<std::string> cells = table.texts(name);
+        for (std::size_t r = 0; r < cells.size(); ++r) csv.rows[r].push_back(cells[r]);
     }
     return csv;
 }

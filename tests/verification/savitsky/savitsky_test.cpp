@@ -1,12 +1,10 @@
 // Savitsky's regression against an independently computed table.
 #include "compare/reference/savitsky.h"
-#include "test_paths.h"
+#include "tests/data_table.h"
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <numbers>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -16,19 +14,7 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 
 // Columns: Cv, deadrise [deg], trim [deg], lambda, beam [m], U [m/s], CL0, CLbeta, lift [N], Cf, friction, drag [N], ...
-std::vector<std::vector<double>> table() {
-    std::ifstream file(TWINWAKE_TEST_DATA "/savitsky_prismatic_fixed_trim.csv");
-    std::vector<std::vector<double>> rows;
-    std::string line;
-    std::getline(file, line);
-    while (std::getline(file, line)) {
-        std::istringstream cells(line);
-        std::vector<double> row;
-        for (std::string cell; std::getline(cells, cell, ',');) row.push_back(std::stod(cell));
-        rows.push_back(row);
-    }
-    return rows;
-}
+std::vector<std::vector<double>> table() { return number_rows("savitsky_prismatic_fixed_trim.csv"); }
 
 TEST(Savitsky, LiftAndDragEqualTheIndependentTable) {
     const auto rows = table();

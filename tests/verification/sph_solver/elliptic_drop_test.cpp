@@ -3,11 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 #include "elliptic_drop.h"
-#include "test_paths.h"
+#include "tests/data_table.h"
 
 namespace tw {
 namespace {
@@ -19,15 +17,8 @@ struct Axes {
     double x = 0, z = 0;
 };
 Axes exact_axes() {
-    std::ifstream table(TWINWAKE_TEST_DATA "/elliptical_drop_monaghan.csv");
-    std::string line;
-    while (std::getline(table, line)) {
-        double t = -1, rate = 0;
-        Axes a;
-        char comma = 0;
-        std::istringstream(line) >> t >> comma >> rate >> comma >> a.x >> comma >> a.z;
-        if (std::abs(t - end) < 1e-9) return a;
-    }
+    for (const std::vector<double>& row : number_rows("elliptical_drop_monaghan.csv"))
+        if (std::abs(row[0] - end) < 1e-9) return {row[2], row[3]};
     throw std::runtime_error("no row for the end of the run");
 }
 

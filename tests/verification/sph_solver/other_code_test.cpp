@@ -2,36 +2,18 @@
 // (benchmarks/pysph_rates.py).
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <sstream>
 
 #include "sph_solver/simulation.h"
-#include "test_paths.h"
+#include "tests/data_table.h"
 
 namespace tw {
 namespace {
 
 /// x, y, z, u, v, w, drho, ax, ay, az, diffusion of drho.
-using Row = std::array<double, 11>;
-std::vector<Row> rows_of_the_other_code() {
-    std::ifstream table(TWINWAKE_TEST_DATA "/pysph_rates.csv");
-    std::vector<Row> rows;
-    std::string line;
-    std::getline(table, line);
-    while (std::getline(table, line)) {
-        std::istringstream text(line);
-        Row row;
-        for (double& value : row) {
-            text >> value;
-            text.ignore();
-        }
-        rows.push_back(row);
-    }
-    return rows;
-}
+using Row = std::vector<double>;
+std::vector<Row> rows_of_the_other_code() { return number_rows("pysph_rates.csv"); }
 
 TEST(OtherCode, FindsTheSameAccelerationsAndDensityDiffusion) {
     const std::vector<Row> rows = rows_of_the_other_code();

@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 #include "structure/equilibrium.h"
 #include "structure/generate.h"
 #include "structure/solid/solid.h"
 #include "structure/time/central_difference.h"
-#include "test_paths.h"
+#include "tests/data_table.h"
 
 namespace tw::structure {
 namespace {
@@ -122,17 +120,11 @@ Swing swinging_flag(int cells, double duration, double every) {
 
 /// As published by FeatFlow, level 4, steps of 5 ms (tests/data).
 Swing published_swing(double duration) {
-    std::ifstream in(TWINWAKE_TEST_DATA "/turek_hron_csm3.csv");
     Swing swing;
-    std::string line;
-    std::getline(in, line);
-    while (std::getline(in, line)) {
-        std::ranges::replace(line, ',', ' ');
-        std::istringstream row(line);
-        double t = 0, x = 0, y = 0;
-        if (!(row >> t >> x >> y) || t > duration) break;
-        swing.time.push_back(t);
-        swing.end.emplace_back(x, y);
+    for (const std::vector<double>& row : number_rows("turek_hron_csm3.csv")) {
+        if (row[0] > duration) break;
+        swing.time.push_back(row[0]);
+        swing.end.emplace_back(row[1], row[2]);
     }
     return swing;
 }

@@ -1,11 +1,12 @@
 #include "tests/verification/uncertainty/known_families.h"
 
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <random>
-#include <sstream>
 #include <stdexcept>
+
+#include "base/atomic_file.h"
+#include "text/csv_columns.h"
 
 namespace tw::test {
 
@@ -64,18 +65,14 @@ std::vector<KnownFamily> manufactured_families(int repetitions, unsigned seed,
 }
 
 std::vector<KnownFamily> exact_families(const std::filesystem::path& csv) {
-    std::ifstream file(csv);
-    if (!file) throw std::runtime_error(csv.string() + ": cannot be read; expected the table of tests/data");
+    const CsvColumns table(read_text(csv), csv.string());
+    const std::vector<std::string> names = table.texts("quantity");
+    const auto &spacings = table.values("spacings"), &values = table.values("value"), &exact = table.values("exact");
     std::vector<KnownFamily> families;
-    std::string line;
-    for (std::getline(file, line); std::getline(file, line);) {
-        std::stringstream row(line);
-        std::string name, page, spacings, value, exact;
-        std::getline(row, name, ','), std::getline(row, page, ','), std::getline(row, spacings, ',');
-        std::getline(row, value, ','), std::getline(row, exact, ',');
-        if (families.empty() || families.back().name != name)
-            families.push_back({.name = name, .trend = {}, .noise = 0, .levels = {}, .truth = std::stod(exact)});
-        families.back().levels.push_back({1 / std::stod(spacings), std::stod(value)});
+    for (std::size_t i = 0; i < table.rows(); ++i) {
+        if (families.empty() || families.back().name != names[i])
+            families.push_back({.name = names[i], .trend = {}, .noise = 0, .levels = {}, .truth = exact[i]});
+        families.back().levels.push_back({1 / spacings[i], values[i]});
     }
     return families;
 }

@@ -1,4 +1,4 @@
-#include "import/csv_columns.h"
+#include "text/csv_columns.h"
 
 #include <gtest/gtest.h>
 

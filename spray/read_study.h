@@ -3,16 +3,13 @@
 
 #include "spray/study.h"
 
-namespace tw::app {
+namespace tw::spray {
 
 /// Reads what `twinwake spray` computes from a TOML file; paths are relative to it. Water's density, gravity and the
 /// half model come from the run's record where the file does not give them. Throws InputError `file:line:column: ...`.
-spray::SprayStudy read_spray_study(const std::filesystem::path& file);
-
-/// Droplets from a table with the columns that `twinwake spray` writes. Throws InputError naming the line.
-std::vector<spray::Droplet> read_droplets(const std::filesystem::path& file);
+SprayStudy read_spray_study(const std::filesystem::path& file);
 
 /// Every section and key with its meaning, for --help.
 extern const char* const spray_study_help;
 
-}  // namespace tw::app
+}  // namespace tw::spray

@@ -21,7 +21,9 @@ class CsvColumns {
 public:
     /// `file`: its name, for messages. Throws InputError `file:line: what was found; what is expected`: binary data, no
     /// header line, one column only, a row of other length, no row.
-    CsvColumns(std::string_view text, std::string file);
+    CsvColumns(std::string text, std::string file);
+    CsvColumns(const CsvColumns&) = delete;  // its rows are views of its text
+    CsvColumns& operator=(const CsvColumns&) = delete;
 
     const std::vector<std::string>& headers() const { return headers_; }
     std::size_t rows() const { return line_.size(); }
@@ -30,6 +32,10 @@ public:
     /// Values of a column, NaN where its cell is empty or NaN. Throws InputError `file:line:column: ...` for the first
     /// cell that holds anything else.
     const std::vector<double>& values(std::size_t column) const;
+    /// Of the one column with this header. Throws InputError where there is none or more than one.
+    const std::vector<double>& values(std::string_view header) const { return values(column(header)); }
+    /// What stands in the cells of that column.
+    std::vector<std::string> texts(std::string_view header) const;
     /// Columns whose header is exactly `header`.
     std::vector<std::size_t> find(std::string_view header) const;
     /// "t, Drag, Lift" for messages.
@@ -42,13 +48,15 @@ private:
     };
     void read_header(std::string_view line, int number);
     void read_row(std::string_view line, int number);
+    std::size_t column(std::string_view header) const;
 
-    std::string file_;
+    std::string text_, file_;
     char separator_ = ',';
     std::vector<std::string> headers_;
     std::vector<std::vector<double>> values_;        ///< by column
     std::vector<std::optional<Fault>> first_fault_;  ///< by column
     std::vector<int> line_;
+    std::vector<std::string_view> rows_;  ///< of text_
 };
 
 /// Text of a file as it may stand in a message: in quotes, control characters replaced, long ones cut.

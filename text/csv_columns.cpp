@@ -1,4 +1,4 @@
-#include "import/csv_columns.h"
+#include "text/csv_columns.h"
 
 #include <fmt/format.h>
 
@@ -76,7 +76,8 @@ std::string shown_cell(std::string_view cell) {
     return "\"" + text + (cell.size() > 60 ? "...\"" : "\"");
 }
 
-CsvColumns::CsvColumns(std::string_view text, std::string file) : file_(std::move(file)) {
+CsvColumns::CsvColumns(std::string whole, std::string file) : text_(std::move(whole)), file_(std::move(file)) {
+    std::string_view text = text_;
     if (text.empty()) throw InputError(file_ + ":1: an empty file found; expected a header line and rows of numbers");
     if (text.find('\0') != std::string_view::npos || text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
         throw InputError(file_ + ":1: binary data or UTF-16 found; expected plain text (save it as CSV, UTF-8)");
@@ -130,6 +131,22 @@ void CsvColumns::read_row(std::string_view line, int number) {
         if (!v && !first_fault_[c]) first_fault_[c] = Fault{number, cells[c].column, cells[c].text};
     }
     line_.push_back(number);
+    rows_.push_back(line);
+}
+
+std::size_t CsvColumns::column(std::string_view header) const {
+    const std::vector<std::size_t> found = find(header);
+    if (found.size() != 1)
+        throw InputError(fmt::format("{}: {} column {} found; expected one; it has: {}", file_,
+                                     found.empty() ? "no" : "more than one", shown_cell(header), header_list()));
+    return found.front();
+}
+
+std::vector<std::string> CsvColumns::texts(std::string_view header) const {
+    const std::size_t wanted = column(header);
+    std::vector<std::string> texts;
+    for (const std::string_view row : rows_) texts.push_back(cells_of(row, separator_)[wanted].text);
+    return texts;
 }
 
 const std::vector<double>& CsvColumns::values(std::size_t column) const {

@@ -1,62 +1,31 @@
-#include "app/spray_study.h"
+#include "spray/read_study.h"
 
 #include <fmt/format.h>
 
 #include "base/atomic_file.h"
 #include "base/errors.h"
-#include "import/csv_columns.h"
 #include "record/run_record.h"
 #include "spray/air/foam_air.h"
+#include "spray/read_droplets.h"
 #include "text/section.h"
 
-namespace tw::app {
+namespace tw::spray {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace spray;
 
 constexpr Range above_zero{1e-300, 1e300};
 constexpr Range share{0, 1};
 
-/// The sections of the file, each asked for once.
-class Document {
-public:
-    explicit Document(const fs::path& file)
-        : file_(file), tree_(parse_document(read_text(file), file)), root_(file, "", &tree_) {}
-    Section& root() { return root_; }
-    Section section(const std::string& name) {
-        root_.know(name);
-        const TextValue* table = tree_.find(name);
-        if (table && table->kind != TextValue::Kind::table) root_.fail(name, "expected a section [" + name + "]");
-        return {file_, name, table};
-    }
-    std::vector<Section> list(const std::string& name) {
-        root_.know(name);
-        std::vector<Section> sections;
-        const TextValue* value = tree_.find(name);
-        if (!value) return sections;
-        if (value->kind != TextValue::Kind::list) root_.fail(name, "expected sections [[" + name + "]]");
-        for (const TextValue& one : value->list) {
-            if (one.kind != TextValue::Kind::table) root_.fail(name, "expected sections [[" + name + "]]");
-            sections.emplace_back(file_, "[" + name + "]", &one);
-        }
-        return sections;
-    }
-    fs::path path(const std::string& text) const { return file_.parent_path() / text; }
+/// A path of the study, which is relative to it.
+fs::path beside(const Section& s, const std::string& path) { return s.file().parent_path() / path; }
 
-private:
-    fs::path file_;
-    TextValue tree_;
-    Section root_;
-};
-
-void read_source(Document& document, SprayStudy& study) {
-    Section s = document.section("source");
+void read_source(Section s, SprayStudy& study) {
     if (!s.present()) s.fail("sph", "missing; expected [source] with sph, taken, fvm or table");
-    if (const auto run = s.text("sph")) study.source.sph = document.path(*run);
-    if (const auto run = s.text("taken")) study.source.taken = document.path(*run);
-    if (const auto run = s.text("fvm")) study.source.fvm = document.path(*run);
-    if (const auto table = s.text("table")) study.source.droplets = read_droplets(document.path(*table));
+    if (const auto run = s.text("sph")) study.source.sph = beside(s, *run);
+    if (const auto run = s.text("taken")) study.source.taken = beside(s, *run);
+    if (const auto run = s.text("fvm")) study.source.fvm = beside(s, *run);
+    if (const auto table = s.text("table")) study.source.droplets = read_droplets(beside(s, *table));
     std::vector<const char*> given;
     for (const char* way : {"sph", "taken", "fvm", "table"})
         if (s.has(way)) given.push_back(way);
@@ -80,8 +49,7 @@ void read_source(Document& document, SprayStudy& study) {
         study.extraction.gravity = {0, 0, -n->second};
 }
 
-void read_water(Document& document, SprayStudy& study) {
-    Section s = document.section("water");
+void read_water(Section s, SprayStudy& study) {
     Liquid& l = study.extraction.liquid;
     l.density = s.number("density", l.density, "kg/m3", above_zero);
     l.viscosity = s.number("viscosity", l.viscosity, "Pa s", above_zero);
@@ -90,8 +58,7 @@ void read_water(Document& document, SprayStudy& study) {
     s.finish();
 }
 
-void read_extraction(Document& document, SprayStudy& study) {
-    Section s = document.section("extraction");
+void read_extraction(Section s, SprayStudy& study) {
     ExtractOptions& o = study.extraction;
     o.link = s.number("link", o.link, "-", above_zero);
     o.fewest = static_cast<std::size_t>(s.number("fewest", 1, "-", {1, 1e9}));
@@ -102,7 +69,7 @@ void read_extraction(Document& document, SprayStudy& study) {
         s.fail(point ? "gate_point" : "gate_normal", "a plane needs both gate_point and gate_normal");
     if (point && surface) s.fail("gate_surface", "expected a plane or a surface, not both");
     if (point) o.gate = Gate::plane(*point, *normal);
-    if (surface) o.gate = Gate::surface(read_surface(document.path(*surface)));
+    if (surface) o.gate = Gate::surface(read_surface(beside(s, *surface)));
     o.attached = s.flag("attached", o.attached);
     o.already_beyond = s.flag("already_beyond", o.already_beyond);
     if (o.already_beyond && !point && !surface) s.fail("already_beyond", "expected a gate: gate_point, gate_normal");
@@ -117,8 +84,7 @@ void read_extraction(Document& document, SprayStudy& study) {
     s.finish();
 }
 
-void read_air(Document& document, SprayStudy& study) {
-    Section s = document.section("air");
+void read_air(Section s, SprayStudy& study) {
     AirState state;
     state.velocity = s.vector("velocity", "m/s").value_or(state.velocity);
     state.density = s.number("density", state.density, "kg/m3", above_zero);
@@ -145,7 +111,7 @@ void read_air(Document& document, SprayStudy& study) {
         } catch (const InputError& e) { s.fail("heights", e.what()); }
     } else if (openfoam) {
         try {
-            study.air = std::make_shared<FoamAir>(document.path(*openfoam), time, state);
+            study.air = std::make_shared<FoamAir>(beside(s, *openfoam), time, state);
         } catch (const InputError& e) { s.fail("openfoam", e.what()); }
     } else {
         study.air = std::make_shared<UniformAir>(state);
@@ -153,8 +119,7 @@ void read_air(Document& document, SprayStudy& study) {
     s.finish();
 }
 
-void read_flight(Document& document, SprayStudy& study) {
-    Section s = document.section("flight");
+void read_flight(Section s, SprayStudy& study) {
     study.duration = s.number("duration", study.duration, "s", above_zero);
     study.flight.tolerance = s.number("tolerance", study.flight.tolerance, "-", {1e-12, 1e-2});
     study.flight.forces.buoyancy = s.flag("buoyancy", false);
@@ -180,28 +145,25 @@ Surface disc(const Vec3& centre, const Vec3& normal, double radius) {
     return s;
 }
 
-void read_targets(Document& document, SprayStudy& study) {
-    for (Section& s : document.list("target")) {
-        TargetSurface t;
-        t.name = s.identifier("name", "target");
-        const auto file = s.text("file");
-        const auto centre = s.vector("centre", "m"), normal = s.vector("normal", "-");
-        const auto radius = s.number("radius", "m", above_zero);
-        const std::string unit = s.text("unit", "m");
-        if (file && centre) s.fail("file", "expected a surface's file, or a disc, not both");
-        if (file)
-            t.surface = read_surface(document.path(*file), unit);
-        else if (centre && normal && radius && normal->norm() > 0)
-            t.surface = disc(*centre, *normal, *radius);
-        else
-            s.fail("name", "expected a surface: file, or centre, normal and radius of a disc");
-        s.finish();
-        study.targets.push_back(std::move(t));
-    }
+void read_target(Section& s, SprayStudy& study) {
+    TargetSurface t;
+    t.name = s.identifier("name", "target");
+    const auto file = s.text("file");
+    const auto centre = s.vector("centre", "m"), normal = s.vector("normal", "-");
+    const auto radius = s.number("radius", "m", above_zero);
+    const std::string unit = s.text("unit", "m");
+    if (file && centre) s.fail("file", "expected a surface's file, or a disc, not both");
+    if (file)
+        t.surface = read_surface(beside(s, *file), unit);
+    else if (centre && normal && radius && normal->norm() > 0)
+        t.surface = disc(*centre, *normal, *radius);
+    else
+        s.fail("name", "expected a surface: file, or centre, normal and radius of a disc");
+    s.finish();
+    study.targets.push_back(std::move(t));
 }
 
-void read_sensor(Document& document, SprayStudy& study) {
-    Section s = document.section("sensor");
+void read_sensor(Section s, SprayStudy& study) {
     if (!s.present()) return;
     SensorStudy& sensor = study.sensor.emplace();
     const auto centre = s.vector("centre", "m"), normal = s.vector("normal", "-");
@@ -234,40 +196,20 @@ void read_sensor(Document& document, SprayStudy& study) {
 
 }  // namespace
 
-std::vector<Droplet> read_droplets(const fs::path& file) {
-    const CsvColumns csv(read_text(file), file.string());
-    const auto column = [&](const char* name) -> const std::vector<double>& {
-        const auto found = csv.find(name);
-        if (found.size() != 1)
-            throw InputError(
-                fmt::format("{}: expected one column \"{}\"; it has: {}", file.string(), name, csv.header_list()));
-        return csv.values(found.front());
-    };
-    const auto &x = column("x [m]"), &y = column("y [m]"), &z = column("z [m]"), &u = column("u [m/s]"),
-               &v = column("v [m/s]"), &w = column("w [m/s]"), &d = column("diameter [m]"), &t = column("time [s]");
-    std::vector<Droplet> droplets;
-    for (std::size_t i = 0; i < csv.rows(); ++i) {
-        if (!(d[i] > 0))
-            throw InputError(
-                fmt::format("{}:{}: a diameter of {:g} m; expected above 0", file.string(), csv.line(i), d[i]));
-        droplets.push_back({{x[i], y[i], z[i]}, {u[i], v[i], w[i]}, d[i], t[i]});
-    }
-    return droplets;
-}
-
-spray::SprayStudy read_spray_study(const fs::path& file) {
-    Document document(file);
+SprayStudy read_spray_study(const fs::path& file) {
+    const TextValue document = parse_document(read_text(file), file);
+    Section root(file, "", &document);
     SprayStudy study;
-    study.title = document.root().text("title", "");
-    read_source(document, study);
-    read_water(document, study);
-    read_extraction(document, study);
-    read_air(document, study);
-    read_flight(document, study);
-    read_targets(document, study);
-    read_sensor(document, study);
-    document.root().finish();
+    study.title = root.text("title", "");
+    read_source(root.section("source"), study);
+    read_water(root.section("water"), study);
+    read_extraction(root.section("extraction"), study);
+    read_air(root.section("air"), study);
+    read_flight(root.section("flight"), study);
+    for (Section& target : root.sections("target")) read_target(target, study);
+    read_sensor(root.section("sensor"), study);
+    root.finish();
     return study;
 }
 
-}  // namespace tw::app
+}  // namespace tw::spray

@@ -1,6 +1,6 @@
-#include "app/spray_study.h"
+#include "spray/read_study.h"
 
-namespace tw::app {
+namespace tw::spray {
 
 const char* const spray_study_help =
     "The study file (TOML; numbers in SI, or texts with a unit):\n\n"
@@ -49,4 +49,4 @@ const char* const spray_study_help =
     "load.csv;\n"
     "with --against two_sprays.csv.\n\n";
 
-}  // namespace tw::app
+}  // namespace tw::spray

@@ -1,0 +1,76 @@
+#include "text/section.h"
+
+#include <gtest/gtest.h>
+
+#include "base/errors.h"
+
+namespace tw {
+namespace {
+
+/// What is complained about when `read` takes the document.
+template <class Read>
+std::string complaint(const std::string& text, Read read) {
+    try {
+        const TextValue document = parse_document(text, "a.toml");
+        Section root("a.toml", "", &document);
+        read(root);
+    } catch (const InputError& e) { return e.what(); }
+    return "sound";
+}
+
+TEST(Section, ValuesAreSIWhateverTheirUnit) {
+    const TextValue document = parse_document(
+        "[air]\nspeed = \"36 km/h\"\nway = [1, \"2 cm\", 3]\nheat = [\"1 m\", 2]\n[[part]]\nname = \"a\"\n"
+        "[[part]]\nname = \"b\"\n",
+        "a.toml");
+    Section root("a.toml", "", &document), air = root.section("air"), absent = root.section("water");
+    EXPECT_DOUBLE_EQ(air.number("speed", "m/s").value(), 10);
+    EXPECT_EQ(air.vector("way", "m").value(), Vec3(1, 0.02, 3));
+    EXPECT_EQ(air.range("heat", "m").value(), std::pair(1.0, 2.0));
+    EXPECT_EQ(air.number("more", 5, "s"), 5) << "what is not written has its fallback";
+    EXPECT_FALSE(absent.present());
+    EXPECT_EQ(absent.text("name", "none"), "none");
+    std::vector<Section> parts = root.sections("part");
+    ASSERT_EQ(parts.size(), 2u);
+    EXPECT_EQ(parts[1].text("name", ""), "b");
+    EXPECT_NO_THROW((air.finish(), root.finish()));
+}
+
+TEST(Section, ComplaintsNameThePlaceWhatWasFoundAndWhatIsExpected) {
+    const auto air = [](auto read) {
+        return [read](Section& root) {
+            Section s = root.section("air");
+            read(s);
+        };
+    };
+    EXPECT_EQ(
+        complaint("[air]\nspeed = \"3 kg\"\n", air([](Section& s) { s.number("speed", "m/s"); })),
+        "a.toml:2:9: [air] speed = \"3 kg\": 'kg' does not measure the right thing; expected a unit like m/s, kn, "
+        "kt, mph");
+    EXPECT_EQ(complaint("[air]\nshare = 2\n", air([](Section& s) {
+                            s.number("share", "-", Range{0, 1});
+                        })),
+              "a.toml:2:9: [air] share = 2: out of range; expected from 0 to 1");
+    EXPECT_EQ(complaint("[air]\nlaw = \"roof\"\n", air([](Section& s) {
+                            s.choice("law", "root", {"root", "study"});
+                        })),
+              "a.toml:2:7: [air] law = \"roof\": not known; expected one of: root, study; did you mean 'root'?");
+    EXPECT_EQ(complaint("[air]\n\nsped = 1\n", air([](Section& s) {
+                            s.number("speed", "m/s");
+                            s.finish();
+                        })),
+              "a.toml:3:1: [air] sped = 1: unknown key; this section knows: speed; did you mean 'speed'?");
+    EXPECT_EQ(complaint("[air]\n[aer]\n",
+                        [](Section& root) {
+                            root.section("air");
+                            root.finish();
+                        }),
+              "a.toml:2:2: [aer]: unknown section or key; the file knows: air; did you mean 'air'?");
+    EXPECT_EQ(complaint("air = 1\n", [](Section& root) { root.section("air"); }),
+              "a.toml:1:7: air = 1: expected a section [air]");
+    EXPECT_EQ(complaint("[part]\nx = 1\n", [](Section& root) { root.sections("part"); }),
+              "a.toml:1:1: part = {...}: expected sections [[part]]");
+}
+
+}  // namespace
+}  // namespace tw
