@@ -8,7 +8,7 @@ root=$PWD
 # What has to be installed: the one list.
 build_packages=(
     cmake ninja-build g++ ccache git make
-    libvtk9-dev libeigen3-dev libhdf5-dev libfmt-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev
+    libvtk9-dev libeigen3-dev libhdf5-dev libfmt-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libboost-dev
     libssl-dev zlib1g-dev libgtest-dev valgrind
     libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri   # pictures without a display
 )

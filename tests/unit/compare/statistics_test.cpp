@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <vector>
@@ -84,14 +85,25 @@ TEST(BatchMeans, AgreeWithTheoryForWhiteAndForCorrelatedNoise) {
     EXPECT_EQ(batch_means_error(std::vector<double>(10, 1.0), 6), 0);
 }
 
-TEST(StudentT, TabulatedQuantiles) {  // Abramowitz & Stegun, table 26.10
-    EXPECT_NEAR(student_t_95(1), 12.706, 5e-4);
-    EXPECT_NEAR(student_t_95(2), 4.303, 5e-4);
-    EXPECT_NEAR(student_t_95(10), 2.228, 5e-4);
-    EXPECT_NEAR(student_t_95(60), 2.000, 5e-4);
-    EXPECT_NEAR(student_t_95(1e9), 1.960, 5e-4);
-    EXPECT_NEAR(student_t_cdf(1, 1), 0.75, 1e-12);  // 1/2 + atan(1)/pi
-    EXPECT_NEAR(student_t_cdf(-2.353, 3), 0.05, 1e-4);
+// NIST/SEMATECH e-Handbook of Statistical Methods, 1.3.6.7.2, column 0.975 (three decimals).
+TEST(StudentT, TabulatedQuantiles) {
+    const std::pair<double, double> table[] = {{1, 12.706}, {2, 4.303},  {3, 3.182},  {4, 2.776},   {5, 2.571},
+                                               {10, 2.228}, {20, 2.086}, {30, 2.042}, {100, 1.984}, {1e9, 1.960}};
+    for (const auto& [degrees, t] : table) EXPECT_NEAR(student_t_95(degrees), t, 5e-4) << degrees;
+    EXPECT_NEAR(student_t_95(std::numeric_limits<double>::infinity()), 1.959964, 1e-6);
+}
+
+TEST(StudentT, ProbabilitiesInClosedForm) {
+    for (const double t : {-30.0, -1.0, 0.0, 0.3, 2.0}) {
+        EXPECT_NEAR(student_t_cdf(t, 1), 0.5 + std::atan(t) / std::numbers::pi, 1e-14) << t;
+        EXPECT_NEAR(student_t_cdf(t, 2), 0.5 + t / (2 * std::sqrt(2 + t * t)), 1e-14) << t;
+    }
+    for (const double degrees : {0.7, 1.5, 7.3, 2e5})  // between the whole ones
+        EXPECT_NEAR(student_t_cdf(student_t_95(degrees), degrees), 0.975, 1e-12) << degrees;
+    EXPECT_GT(student_t_95(1.5), student_t_95(2));
+    EXPECT_LT(student_t_95(1.5), student_t_95(1));
+    EXPECT_EQ(student_t_cdf(std::numeric_limits<double>::infinity(), 3), 1);
+    EXPECT_TRUE(std::isnan(student_t_cdf(std::numeric_limits<double>::quiet_NaN(), 3)));
 }
 
 TEST(SettledMean, ASeriesWithoutValuesLateAsksForNoFurtherSeconds) {
