@@ -113,8 +113,8 @@ TEST_F(Command, TheReferenceNamesEveryKeyAndEffectAndHelpAndCompletionReadTheSam
     EXPECT_EQ(content(folder_ / "reference.md"), whole);
     EXPECT_NE(twinwake({"reference", "--names", "shapes"}).out.find("prismatic\n"), std::string::npos);
     // What the shell offers behind --effect is that list.
-    write("complete.sh", "source " TWINWAKE_SOURCE
-                         "/app/completion/twinwake.bash\n"
+    write("complete.sh", "source <(" TWINWAKE_PROGRAM
+                         " completion bash)\n"
                          "COMP_WORDS=(" TWINWAKE_PROGRAM
                          " check a.toml --effect '')\nCOMP_CWORD=4\n_twinwake\n"
                          "printf '%s\\n' \"${COMPREPLY[@]}\" > offered\n");

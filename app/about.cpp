@@ -1,0 +1,45 @@
+#include "app/about.h"
+
+namespace tw::app {
+
+const char* const about_uncertainty =
+    "The first column is the spacing (cell or particle size), every further column one quantity:\n\n"
+    "  h [m], drag [N], lift [N]\n"
+    "  0.05,  412.1,    2722\n"
+    "  0.07,  418.0,    2711\n"
+    "  0.10,  431.0,    2690\n"
+    "  0.14,  449.5,    2655\n\n"
+    "Commas, semicolons or tabs; lines that begin with # and empty lines are skipped; rows in any order.\n"
+    "From three levels on U comes from a fit of trend and noise. Beside it stand the least squares of Eca & Hoekstra\n"
+    "(2014; four levels), and of the three finest levels the grid convergence index of Celik et al. (2008) and the\n"
+    "factor of safety of Xing & Stern (2010). Two levels: the order is assumed (--order), the factor is 3. One: no U.\n"
+    "U is meant as half the width of a 95 % interval about the finest value. That a table does not converge is\n"
+    "a result, not an error: the exit status is 0.\n\n";
+
+const char* const about_import =
+    "The mapping names the source, the scene it belongs to, and its columns:\n\n"
+    "  kind = \"csv\"                   # or dualsphysics (ComputeForces CSV), openfoam (a case folder)\n"
+    "  name = \"towing tank\"\n"
+    "  source = \"forces.csv\"          # relative to the mapping file\n"
+    "  scene = \"planing_prism.toml\"   # or the record.h5 of a run of it\n"
+    "  half_model = false             # true: loads of half a hull, to be doubled\n"
+    "  time = { column = \"t\", unit = \"ms\" }\n"
+    "  [forces]                       # fx fy fz my; further [height] [pressure] [samples]\n"
+    "  fx = { column = \"Drag\", unit = \"kN\" }\n"
+    "  fz = { column = 3, unit = \"N\", scale = -1 }\n\n"
+    "x runs with the stream to the stern, z up; forces are those of the water on the hull, my is bow up.\n\n";
+
+const char* const about_ablate =
+    "Runs the scene as it is, then once for each effect with that one effect switched: what is on goes off, what is\n"
+    "off goes on. The table shows, for each, the change of every measured quantity in per cent with its 95 % "
+    "interval,\n"
+    "beside what the effect plan had estimated, and the change of the processor time.\n\n"
+    "  twinwake ablate my.toml                                      every effect that can be switched\n"
+    "  twinwake ablate my.toml --effects surface_tension shifting --method sph\n"
+    "  twinwake ablate my.toml --effect viscosity=on --effects no_slip turbulence\n\n"
+    "For effects of the particle method alone no mesh run is made. An effect that needs another one which is off is\n"
+    "switched in the run that has the other one on, and compared with that run.\n\n"
+    "A finished run is reused; after a stop (Ctrl-C) the same command continues. A run that fails is listed with its\n"
+    "reason and does not stop the others.\n\n";
+
+}  // namespace tw::app

@@ -1,0 +1,10 @@
+#pragma once
+
+namespace tw::app {
+
+// What stands below the options in the help of a subcommand.
+extern const char* const about_uncertainty;
+extern const char* const about_import;
+extern const char* const about_ablate;
+
+}  // namespace tw::app

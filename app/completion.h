@@ -1,0 +1,30 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace tw::app {
+
+/// An option as it may be typed.
+struct OfferedOption {
+    std::vector<std::string> names;  ///< "--out", "-o"
+    std::string help;
+    std::vector<std::string> values;  ///< that it takes; empty: it takes none, or others
+    bool takes_value = false, takes_file = false;
+};
+
+/// What may be typed behind the program, a subcommand or an action of one.
+struct OfferedCommand {
+    std::string path;  ///< "", "run", "hull make"
+    std::string help;
+    std::vector<OfferedOption> options;
+    std::vector<std::string> words;  ///< that may stand where no option does
+    bool takes_file = false;         ///< a file may stand there
+    std::vector<OfferedCommand> below;
+};
+
+// Scripts that complete the command in a shell; they know what they are given and nothing else.
+std::string bash_completion(const OfferedCommand& program);
+std::string zsh_completion(const OfferedCommand& program);
+std::string fish_completion(const OfferedCommand& program);
+
+}  // namespace tw::app

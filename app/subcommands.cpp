@@ -1,0 +1,329 @@
+#include "app/subcommands.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/about.h"
+#include "app/output.h"
+#include "scene/effects/registry.h"
+#include "spray/read_study.h"
+
+namespace tw::app {
+namespace {
+
+/// A row of the table: the options write into a command of their own, which `run` is then called with.
+template <class Command>
+Subcommand row(const char* name, const char* help, void (*options)(CLI::App&, Command&),
+               int (*run)(const Command&, const Common&)) {
+    return {name, help, [options, run](CLI::App& app) -> Call {
+                const auto command = std::make_shared<Command>();
+                options(app, *command);
+                return [command, run](const Common& common) { return run(*command, common); };
+            }};
+}
+Subcommand without_json(Subcommand row) {
+    row.json = false;
+    return row;
+}
+Subcommand with_about(Subcommand row, std::string about) {
+    row.about = std::move(about);
+    return row;
+}
+
+// ---- options that several subcommands have
+
+void add_effect(CLI::App& c, SceneArguments& scene) {
+    c.add_option("--effect", scene.effects,
+                 fmt::format("switch an effect on or off instead of the scene's choice, e.g. viscosity=on; can be "
+                             "given again. Effects: {}",
+                             fmt::join(effect_names(), ", ")))
+        ->type_name("NAME=on|off")
+        ->allow_extra_args(false);
+}
+
+void add_scene(CLI::App& c, SceneArguments& scene) {
+    c.add_option("scene", scene.file, "scene file (TOML)")->required();
+    c.add_option("--hull", scene.hull,
+                 "swap the hull: this surface file instead of the scene's, in the same attitude and unit");
+    c.add_option("--speed", scene.speed, "speed of the stream instead of the scene's, e.g. \"30 m/s\" or \"60 kn\"");
+    c.add_option("--trim", scene.trim, "bow up, instead of the scene's, e.g. \"5 deg\"");
+    c.add_option("--near-hull", scene.near_hull, "finest size instead of the scene's, e.g. \"25 mm\"");
+    c.add_option("--spacing", scene.spacing, "largest size instead of the scene's");
+    c.add_option("--scale", scene.scale,
+                 "all sizes times this number, levels kept: 2, 1.4142 and 1 make similar meshes, for convergence");
+    c.add_option("--duration", scene.duration, "simulated time instead of the scene's, e.g. \"2 s\"");
+    add_effect(c, scene);
+}
+
+void add_method(CLI::App& c, std::string& method) {
+    c.add_option("--method", method, "sph, fvm or both instead of the scene's")
+        ->check(CLI::IsMember({"sph", "fvm", "both"}));
+}
+
+void add_threads(CLI::App& c, int& threads,
+                 const char* help = "threads (particles) and ranks (mesh); all cores unless given") {
+    c.add_option("--threads", threads, help)->check(CLI::Range(1, 4096));
+}
+
+void add_rerun(CLI::App& c, bool& overwrite) {
+    c.add_flag("--overwrite", overwrite, "run anew whatever is not a finished run of this scene");
+}
+
+/// The one thing that --require knows.
+void add_require_agree(CLI::App& c, bool& agree, const char* help) {
+    c.add_option_function<std::string>(
+         "--require", [&agree](const std::string&) { agree = true; }, help)
+        ->check(CLI::IsMember({"agree"}));
+}
+
+// ---- one function a subcommand, in the order of the table
+
+void new_options(CLI::App& c, NewCommand& create) {
+    c.add_option("template", create.kind, "planing, seaplane, tank, own")
+        ->required()
+        ->check(CLI::IsMember(template_names()));
+    c.add_option("file", create.file, "scene file to write")->required();
+    c.add_flag("--overwrite", create.overwrite, "replace the file if it is there");
+}
+
+void check_options(CLI::App& c, CheckCommand& check) {
+    add_scene(c, check.scene);
+    add_threads(c, check.threads, "predict for this many threads (particles) and ranks (mesh); all cores unless given");
+    c.add_option("--picture", check.picture,
+                 "SVG file to write: side and plan view of the sizes of particles and cells round the hull");
+}
+
+void reference_options(CLI::App& c, ReferenceCommand& reference) {
+    c.add_option("--out", reference.out, "file to write instead of standard output");
+    c.add_option("--names", reference.names, "only the names, one on each line: effects or shapes")
+        ->check(CLI::IsMember({"effects", "shapes"}));
+}
+
+void run_options(CLI::App& c, RunCommand& run) {
+    add_scene(c, run.scene);
+    run.method.clear();
+    add_method(c, run.method);
+    c.add_option("--out", run.out, "folder of the results (runs/<name of the scene file>)");
+    CLI::Option* resume =
+        c.add_flag("--resume", run.resume, "continue from the last saved state; only if scene and numerics match");
+    c.add_flag("--overwrite", run.overwrite, "run anew in a folder that has a run")->excludes(resume);
+    c.add_flag("!--no-twins", run.twins,
+               "leave out the coarser runs (1.4142 and 2 times the sizes, and one in a wider box): then nothing is "
+               "known of the discretisation error, and there is no verdict");
+    add_require_agree(c, run.require_agree, "agree: exit status 4 unless every quantity agrees; needs the twins");
+    add_threads(c, run.threads);
+}
+
+void compare_options(CLI::App& c, CompareCommand& compare) {
+    c.add_option("sources", compare.sources, "run records, or folders of runs")->required()->expected(1, 64);
+    c.add_option("--out", compare.out, "folder for report.html, report.json, CSV and figures");
+    c.add_flag("--ladder", compare.ladder,
+               "the records are runs of one scene at several sizes: verdicts that include the discretisation error");
+    c.add_option("--measured", compare.measured,
+                 "with --ladder: a measurement, as written by twinwake import; can be given again")
+        ->allow_extra_args(false);
+    c.add_flag("--force", compare.force, "compare records of different scenes, with a banner");
+    add_require_agree(
+        c, compare.require_agree,
+        "agree: exit status 4 unless every quantity agrees; needs --ladder, since runs of one size have no verdict");
+}
+
+void ladder_options(CLI::App& c, LadderCommand& ladder) {
+    add_scene(c, ladder.scene);
+    add_method(c, ladder.method);
+    c.add_option("--levels", ladder.levels, "number of sizes (4): the scene's own and coarser ones")
+        ->check(CLI::Range(1, 8));
+    c.add_option("--ratio", ladder.ratio, "of neighbouring spacings (1.4142)")->check(CLI::Range(1.05, 4.0));
+    c.add_flag(
+        "!--no-variations", ladder.variations,
+        "leave out the runs with sound speed x 1.5, half the time step, half the Courant number and a wider box");
+    c.add_flag("!--no-fill", ladder.fill,
+               "leave out the sizes between the coarse ones, which tell scatter from a trend and narrow the interval");
+    c.add_option("--measured", ladder.measured,
+                 "a measurement, as written by twinwake import: each method's finest value is compared with it; can be "
+                 "given again")
+        ->allow_extra_args(false);
+    c.add_option("--budget", ladder.budget,
+                 "predicted time of all runs, e.g. 2h: runs that do not fit are left out and listed")
+        ->type_name("TIME");
+    c.add_flag("--plan", ladder.plan, "list the runs and their predicted time, and run nothing");
+    add_rerun(c, ladder.overwrite);
+    c.add_option("--out", ladder.out, "folder of the results (runs/<name of the scene file>_ladder)");
+    add_threads(c, ladder.threads);
+}
+
+void sweep_options(CLI::App& c, SweepCommand& sweep) {
+    c.add_option("scene", sweep.scene.file, "scene file (TOML)")->required();
+    c.add_option("--hulls", sweep.hulls, "surface files, in the attitude and unit of the scene's");
+    c.add_option("--speeds", sweep.speeds, "e.g. \"6 m/s\" \"8 m/s\"");
+    c.add_option("--trims", sweep.trims, "e.g. \"3 deg\" \"5 deg\"");
+    c.add_option("--near-hull", sweep.scene.near_hull, "finest size instead of the scene's, e.g. \"25 mm\"");
+    c.add_option("--scale", sweep.scene.scale, "all sizes times this number, levels kept");
+    c.add_option("--duration", sweep.scene.duration, "simulated time instead of the scene's, e.g. \"2 s\"");
+    add_effect(c, sweep.scene);
+    c.add_option("--twins", sweep.twins,
+                 "which scenes run coarser twins for their discretisation error: first (its relative error is taken "
+                 "for all others), all, none")
+        ->check(CLI::IsMember({"first", "all", "none"}));
+    add_rerun(c, sweep.overwrite);
+    c.add_option("--out", sweep.out, "folder of the results (runs/<name of the scene file>_sweep)");
+    add_threads(c, sweep.threads);
+}
+
+void ablate_options(CLI::App& c, AblateCommand& ablate) {
+    add_scene(c, ablate.scene);
+    c.add_option("--effects", ablate.effects, "the effects to switch (all that can be)")->type_name("NAME");
+    add_method(c, ablate.method);
+    add_rerun(c, ablate.overwrite);
+    c.add_option("--out", ablate.out, "folder of the results (runs/<name of the scene file>_ablation)");
+    add_threads(c, ablate.threads);
+}
+
+void import_options(CLI::App& c, ImportCommand& imported) {
+    c.add_option("mapping", imported.mapping, "TOML file that says which columns mean what")->required();
+    c.add_option("--out", imported.out, "folder for record.h5")->required();
+    c.add_flag("--overwrite", imported.overwrite, "replace the record if it is there");
+}
+
+void uncertainty_options(CLI::App& c, UncertaintyCommand& uncertainty) {
+    c.add_option("table", uncertainty.table, "CSV file: a header line, then a row for every level")->required();
+    c.add_option("--order", uncertainty.order,
+                 "order of the scheme (2), for the factor of safety and for tables of two levels")
+        ->check(CLI::Range(0.1, 10.0));
+}
+
+void add_surface(CLI::App& c, HullCommand& hull) {
+    c.add_option("in", hull.in, "STL, OBJ, PLY or VTP, also compressed (.gz)")->required();
+    c.add_option("--unit", hull.unit, "unit of the file: m, mm, cm, ft, in")->type_name("{m,mm,cm,ft,in}");
+    c.add_option("--axes", hull.axes, "file axes that become x (stern), y, z (up), e.g. -xyz");
+}
+
+void hull_info_options(CLI::App& c, HullCommand& hull) {
+    hull.action = "info";
+    add_surface(c, hull);
+    c.add_option("--particle-spacing", hull.particle_spacing,
+                 "also find walls too thin for particles of this spacing [m]");
+}
+
+void hull_repair_options(CLI::App& c, HullCommand& hull) {
+    hull.action = "repair";
+    add_surface(c, hull);
+    c.add_option("out", hull.out, "STL to write")->required();
+}
+
+void hull_convert_options(CLI::App& c, HullCommand& hull) {
+    hull.action = "convert";
+    add_surface(c, hull);
+    c.add_option("out", hull.out, "STL to write")->required();
+}
+
+void hull_make_options(CLI::App& c, HullCommand& hull) {
+    hull.action = "make";
+    CLI::Option* shape =
+        c.add_option("shape", hull.shape, "one of the shapes that the list without a shape names")->type_name("SHAPE");
+    c.add_option("-o,--out", hull.out, "STL to write")->needs(shape);
+    c.add_option("parameters", hull.parameters, "name=value, e.g. length=4 \"beam=100 cm\" deadrise=20deg");
+}
+
+int run_hull_action(const HullCommand& hull, const Common& common) {
+    const int status = leaving_files([&] { return run_hull(hull, common); });
+    if (status != done && common.quiet) complain(hull.in.string() + ": not usable; hull info without -q shows why");
+    return status;
+}
+
+void case_options(CLI::App& c, CaseCommand& foam_case) {
+    add_scene(c, foam_case.scene);
+    c.add_option("folder", foam_case.folder, "new folder for the case")->required();
+}
+
+void doctor_options(CLI::App& c, DoctorCommand& doctor) {
+    c.add_option("--openfoam", doctor.openfoam, "folder of an OpenFOAM installation to examine first");
+}
+
+void stability_options(CLI::App& c, StabilityCommand& stability) {
+    c.add_flag("--quick", stability.quick, "half as fine: about a minute instead of several");
+    c.add_option("--out", stability.out, "folder for stability.html, .svg, .json and .txt (runs/stability)");
+    add_threads(c, stability.threads, "cases at a time; all cores unless given");
+}
+
+void spray_options(CLI::App& c, SprayCommand& spray) {
+    c.add_option("study", spray.study, "study file (TOML): source, extraction, air, targets, sensor")->required();
+    c.add_option("--out", spray.out, "folder of the results (runs/<name of the study>_spray)");
+    c.add_option("--openfoam-cloud", spray.cloud,
+                 "also write the droplets as an OpenFOAM cloud into this new folder, run it and compare its paths");
+    c.add_option("--against", spray.against,
+                 "results of another spray, e.g. of the other method: statistics of both sprays' droplets");
+}
+
+void bench_options(CLI::App& c, BenchCommand& bench) {
+    c.add_option("--particles", bench.particles, "number of particles")->check(CLI::Range(1000L, 1000000000L));
+    c.add_option("--h-over-dp", bench.h_over_dp, "smoothing length over spacing")->check(CLI::Range(1.1, 3.0));
+    c.add_option("--threads", bench.threads, "threads; all cores unless given")->check(CLI::Range(0, 4096));
+    c.add_option("--seconds", bench.seconds, "how long to measure")->check(CLI::Range(0.1, 3600.0));
+}
+
+void completion_options(CLI::App& c, CompletionCommand& completion) {
+    completion.program = c.get_parent();
+    c.add_option("shell", completion.shell, "bash, zsh or fish")
+        ->required()
+        ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+}
+
+}  // namespace
+
+std::vector<Subcommand> subcommands() {
+    Subcommand hull{"hull", "inspect, repair, make and convert hull surfaces", {}};
+    hull.below = {
+        row("info", "size, volume and health findings of a surface", hull_info_options, run_hull_action),
+        row("repair", "repair what is safe and write the result as STL", hull_repair_options, run_hull_action),
+        row("convert", "other unit, axes or format: writes STL in metres, x to the stern, z up", hull_convert_options,
+            run_hull_action),
+        row("make", "a parametric hull; without a shape: the list of shapes and parameters", hull_make_options,
+            run_hull_action),
+    };
+    return {
+        without_json(row("new", "write a scene file to start from", new_options, run_new)),
+        row("check", "hull health, effects with reasons, size, memory and time; runs nothing", check_options,
+            run_check),
+        without_json(row("reference", "every section, key, effect and shape of a scene file, as Markdown",
+                         reference_options, run_reference)),
+        row("run",
+            "run a scene with both methods, coarser twins first, and compare them: verdicts that include the "
+            "discretisation error",
+            run_options, run_run),
+        row("compare", "compare run records: verdict and report", compare_options, run_compare),
+        with_about(row("import", "a run record from CSV histories, DualSPHysics or another OpenFOAM case, for compare",
+                       import_options, run_import),
+                   about_import),
+        row("ladder", "a scene at several sizes with both methods: verdicts that include the discretisation error",
+            ladder_options, run_ladder),
+        row("sweep", "a scene with every hull, speed and trim of lists: bias and scatter of the methods", sweep_options,
+            run_sweep),
+        with_about(row("ablate", "effects switched one at a time: what each changes, and what it costs", ablate_options,
+                       run_ablate),
+                   about_ablate + effects_text() + "\n"),
+        with_about(row("uncertainty", "discretisation error of the finest value, from any table of a refinement study",
+                       uncertainty_options, run_uncertainty),
+                   about_uncertainty),
+        hull,
+        without_json(row("case", "write the OpenFOAM case of a scene, to inspect, change and run by hand", case_options,
+                         run_case)),
+        row("doctor", "checks the installation; tests OpenFOAM on a flow with an exact solution", doctor_options,
+            run_doctor),
+        row("stability",
+            "where the particle solver is stable: maps over speed, deadrise, h/dp, time step and sound speed",
+            stability_options, run_stability),
+        with_about(
+            row("spray", "water that left a run, flown as droplets through air, and the load it puts on a surface",
+                spray_options, run_spray_command),
+            spray::spray_study_help),
+        row("bench", "throughput of the particle solver on this machine", bench_options, run_bench_command),
+        without_json(row("completion", "completion of this command for a shell: source <(twinwake completion bash)",
+                         completion_options, run_completion)),
+    };
+}
+
+}  // namespace tw::app
