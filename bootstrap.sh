@@ -150,8 +150,6 @@ install_packages() {
 
 build_twinwake() {
     say "building with $jobs jobs"
-    # Checkouts of one user share what the compiler cache holds, wherever they lie.
-    export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
     if [ -z "${CXX:-}" ] && command -v g++-12 >/dev/null && [ "$(g++ -dumpversion | cut -d. -f1)" -lt 12 ]; then
         export CC=gcc-12 CXX=g++-12
     fi

@@ -3,6 +3,7 @@
 #include <dlfcn.h>
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
+#include <vtkAutoInit.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
@@ -23,6 +24,9 @@ extern "C" unsigned int glewInit() {
     const unsigned int status = real ? real() : 1;
     return status == 4 ? 0 : status;
 }
+
+// VTK's makers of OpenGL objects. Not vtk_module_autoinit: it would name this checkout in the command of every file.
+VTK_MODULE_INIT(vtkRenderingOpenGL2)
 
 namespace tw {
 
