@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <string>
 
-#include "sph_solver/backend/choose_passes.h"
+#include "sph_solver/choose_passes.h"
 
 namespace tw {
 

@@ -17,7 +17,7 @@
 #include "scene/hash.h"
 #include "scene/refined_places.h"
 #include "scene/time_left.h"
-#include "sph_solver/backend/choose_passes.h"
+#include "sph_solver/choose_passes.h"
 #include "sph_solver/backend/threads.h"
 #include "sph_solver/measure/certificate.h"
 #include "sph_solver/measure/level_ledger.h"

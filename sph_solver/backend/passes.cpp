@@ -2,7 +2,7 @@
 #include <string>
 
 #include "base/errors.h"
-#include "sph_solver/backend/choose_passes.h"
+#include "sph_solver/backend/variants.h"
 
 namespace tw {
 

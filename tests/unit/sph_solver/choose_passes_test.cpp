@@ -1,5 +1,5 @@
 // Which variant of the passes a run uses, and that all of them make the same sums.
-#include "sph_solver/backend/choose_passes.h"
+#include "sph_solver/choose_passes.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 
 #include "base/errors.h"
 #include "meshes/generate.h"
-#include "sph_solver/backend/choose_passes.h"
+#include "sph_solver/choose_passes.h"
 #include "sph_solver/bench.h"
 #include "sph_solver/air.h"
 #include "sph_solver/measure/certificate.h"

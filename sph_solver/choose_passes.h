@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "sph_solver/backend/pass_data.h"
+#include "sph_solver/backend/variants.h"
 
 namespace tw {
 
@@ -9,14 +9,6 @@ namespace tw {
 // was started with, on any number of threads. Which is the fastest is a property of the processor: sixteen lanes do
 // half the operations and visit a fifth more neighbours in vain, and some processors make a 512-bit operation of two
 // halves; roots and quotients by estimates (`rough`) pay where the divider is slow.
-
-/// All that this processor runs, the default first.
-std::vector<const Passes*> runnable_passes();
-/// Those of its best instruction set, the default first.
-std::vector<const Passes*> passes_to_choose_from();
-/// What TWINWAKE_ISA names ("default" the default); null where it is not set. Throws InputError for a variant that this
-/// processor cannot run.
-const Passes* passes_asked_for();
 
 struct PassesPace {
     const Passes* passes;

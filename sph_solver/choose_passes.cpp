@@ -1,4 +1,4 @@
-#include "sph_solver/backend/choose_passes.h"
+#include "sph_solver/choose_passes.h"
 
 #include <algorithm>
 #include <chrono>
