@@ -9,6 +9,10 @@
 
 #include "meshes/generate.h"
 #include "sph_solver/air.h"
+#include "sph_solver/effects/acoustic_damping.h"
+#include "sph_solver/effects/cavitation.h"
+#include "sph_solver/effects/surface_tension.h"
+#include "sph_solver/effects/viscosity.h"
 #include "sph_solver/simulation.h"
 
 using namespace tw;
@@ -61,12 +65,12 @@ int main(int argc, char** argv) {
     };
     std::vector<Row> rows(10);
     rows[0].name = "none";
-    rows[1].name = "viscosity, slip", rows[1].effects.viscosity = Viscosity{1e-6, false, {}};
-    rows[2].name = "viscosity, no slip", rows[2].effects.viscosity = Viscosity{1e-6, true, {}};
-    rows[3].name = "viscosity, no slip, turbulence", rows[3].effects.viscosity = Viscosity{1e-6, true, EddyViscosity{}};
-    rows[4].name = "surface tension", rows[4].effects.surface_tension = SurfaceTension{};
-    rows[5].name = "acoustic damping", rows[5].effects.acoustic_damping = AcousticDamping{};
-    rows[6].name = "cavitation", rows[6].effects.cavitation = Cavitation{};
+    rows[1].name = "viscosity, slip", rows[1].effects.push_back(Viscosity{1e-6, false, {}});
+    rows[2].name = "viscosity, no slip", rows[2].effects.push_back(Viscosity{1e-6, true, {}});
+    rows[3].name = "viscosity, no slip, turbulence", rows[3].effects.push_back(Viscosity{1e-6, true, EddyViscosity{}});
+    rows[4].name = "surface tension", rows[4].effects.push_back(SurfaceTension{});
+    rows[5].name = "acoustic damping", rows[5].effects.push_back(AcousticDamping{});
+    rows[6].name = "cavitation", rows[6].effects.push_back(Cavitation{});
     rows[7].name = "tension control", rows[7].tension_control = true;
     rows[8].name = "air of the water's sound speed", rows[8].air_c0 = 40;
     rows[9].name = "air of 343 m/s", rows[9].air_c0 = 343;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/errors.h"
+#include "sph_solver/effects/moving_tank.h"
 
 namespace tw {
 
@@ -35,7 +36,7 @@ void add_air(Simulation& simulation, const AirOptions& air, const Fluid& fluid) 
     if (!mirrors.periodic[2]) mirrors.on[2][1] = true;
     simulation.level(0).set_surface_support(support_at_a_void);
     EffectOptions effects;
-    effects.moving_tank = simulation.setup().effects.moving_tank;
+    if (simulation.surroundings().frame) effects.push_back(MovingTank{});
     simulation.add_gas(air_setup(simulation.level(0).setup(), air), effects, fluid);
 }
 

@@ -5,7 +5,6 @@
 #include <random>
 
 #include "sph_solver/backend/for_particles.h"
-#include "sph_solver/backend/pass_data.h"
 #include "sph_solver/backend/threads.h"
 #include "sph_solver/simulation.h"
 
@@ -17,7 +16,7 @@ double now() { return std::chrono::duration<double>(std::chrono::steady_clock::n
 
 /// Candidate pairs per second of gradient + force pass on one group and 400 neighbours, all in the first cache, per
 /// thread.
-double kernel_peak(const Passes& passes, const PassData& like, int threads) {
+double kernel_peak(const Passes& passes, const WaterView& like, int threads) {
     constexpr int n = 400, repeats = 4000;
     double best = 0;
     for (int trial = 0; trial < 3; ++trial) {
@@ -33,17 +32,19 @@ double kernel_peak(const Passes& passes, const PassData& like, int threads) {
             for (int k = 0; k < n; ++k)
                 place[static_cast<std::size_t>(k)] = {(k % 8) << 18, (k / 8 % 8) << 18, (k / 64) << 18, 1e-6f};
             for (int k = 0; k < n; k += 16) list.push_back({k, 0xffffu, 0});  // as full as lists are on average
-            PassData d = like;
-            d.place = place.data(), d.motion = motion.data(), d.stress = stress.data(), d.shift = shift.data(),
-            d.rate = rate.data();
-            d.surface = surface.data();
+            WaterView water = like;
+            water.place = place.data(), water.motion = motion.data(), water.stress = stress.data();
+            water.surface = surface.data();
             Group g;
             g.size = passes.lanes, g.list = {0, 0, static_cast<std::int32_t>(list.size())};
             NeighbourBlock* const chunk = list.data();
-            d.list = {&chunk};
+            water.list = {&chunk};
+            const FirstSweepData first{
+                .water = water, .stress = stress.data(), .shift = shift.data(), .rate = rate.data()};
+            const SecondSweepData second{.water = water, .shift = shift.data(), .rate = rate.data()};
             for (int r = 0; r < repeats; ++r) {
-                passes.continuity_and_gradient(d, &g, 1);
-                passes.forces(d, &g, 1);
+                passes.run(first, &g, 1);
+                passes.run(second, &g, 1);
             }
         });
         best = std::max(best, double(threads) * repeats * n * passes.lanes / (now() - start));
@@ -87,7 +88,7 @@ BenchResult run_bench(std::int64_t particles, double h_over_dp, int threads, dou
     r.bytes_per_particle = simulation.bytes() / double(r.particles);
     const double in_pairs = t.gradient + t.forces - before.gradient - before.forces;
     r.share_outside_pairs = 1 - in_pairs / wall;
-    PassData like;
+    WaterView like;
     like.kernel = Kernel(simulation.h(), 3);
     like.quantum = static_cast<float>(s.dp / (1 << 18));
     r.visited_per_particle = simulation.level(0).visited_per_particle();

@@ -12,6 +12,7 @@
 #include "base/cache_folder.h"
 #include "record/this_machine.h"
 #include "sph_solver/neighbours/columns.h"
+#include "sph_solver/sweeps/views.h"
 
 namespace tw {
 namespace {
@@ -42,12 +43,16 @@ public:
         const Source source{&grid, place_.data(), &start, 0};
         make_groups(source, passes.lanes, groups_);
         lists_.build(passes, quanta, source, groups_, {source}, {support + skin, support, support - skin});
-        data_.list = lists_.view();
-        data_.place = place_.data(), data_.motion = motion_.data(), data_.stress = stress_.data();
-        data_.shift = shift_.data(), data_.rate = rate_.data(), data_.surface = surface_.data();
-        data_.kernel = kernel;
-        data_.quantum = static_cast<float>(quanta.size);
-        data_.inv_W_dp = static_cast<float>(1 / kernel.W(dp));
+        const WaterView water{.list = lists_.view(),
+                              .place = place_.data(),
+                              .motion = motion_.data(),
+                              .stress = stress_.data(),
+                              .surface = surface_.data(),
+                              .kernel = kernel,
+                              .quantum = static_cast<float>(quanta.size)};
+        first_ = {.water = water, .stress = stress_.data(), .shift = shift_.data(), .rate = rate_.data()};
+        first_.inv_W_dp = static_cast<float>(1 / kernel.W(dp));
+        second_ = {.water = water, .shift = shift_.data(), .rate = rate_.data()};
         prune_.lists = lists_.view();
         prune_.of = prune_.place = place_.data();
         prune_.reach = support / quanta.size;
@@ -56,9 +61,9 @@ public:
     double time() {
         const auto start = std::chrono::steady_clock::now();
         const int count = static_cast<int>(groups_.size());
-        passes_.prune(prune_, groups_.data(), count);
-        passes_.continuity_and_gradient(data_, groups_.data(), count);
-        passes_.forces(data_, groups_.data(), count);
+        passes_.run(prune_, groups_.data(), count);
+        passes_.run(first_, groups_.data(), count);
+        passes_.run(second_, groups_.data(), count);
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
     double particles() const { return double(place_.size()); }
@@ -76,7 +81,8 @@ private:
     std::vector<std::uint32_t> surface_;
     std::vector<Group> groups_;
     NeighbourLists lists_;
-    PassData data_;
+    FirstSweepData first_;
+    SecondSweepData second_;
     PruneData prune_;
 };
 

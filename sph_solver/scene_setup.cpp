@@ -11,6 +11,7 @@
 #include "scene/refined_places.h"
 #include "scene/tank_walls.h"
 #include "sph_solver/bodies/elastic/elastic_setup.h"
+#include "sph_solver/effects/effects.h"
 #include "structure/tyre_static.h"
 
 namespace tw {
@@ -55,24 +56,6 @@ ControlVolume control_volume(const Scene& scene, const SimulationSetup& s) {
     const double inside = 2 * dp + way;  // of the zone's edge, so that no particle changes its kind within
     if (zone && zone->follows_surface()) shape.takes = [&](const Vec3& x) { return zone->outside(x) < -inside; };
     return ControlVolume(box, dp, shape);
-}
-
-/// Along every outer face but inlet, symmetry, floor and top, an eighth of the domain wide; strong enough to leave e^-5
-/// of the motion of what crosses them at the scene's speed.
-DampingLayers damping_layers(const Scene& scene, const SimulationSetup& s) {
-    DampingLayers d;
-    const Domain& domain = scene.domain;
-    const auto layer = [&](int axis, bool high, Side side) {
-        if (side == Side::symmetry || side == Side::inlet || (axis == 1 && s.dimensions == 2)) return;
-        d.layers.push_back({axis, high, s.domain.size()[axis] / 8});
-    };
-    layer(0, false, domain.x_min), layer(0, true, domain.x_max);
-    layer(1, false, domain.y_min), layer(1, true, domain.y_max);
-    double widest = s.dp;
-    for (const DampingLayers::Layer& l : d.layers) widest = std::max(widest, l.width);
-    const double speed = s.stream ? s.stream->speed : std::sqrt(scene.water.gravity * scene.water.depth);
-    d.strength = 3 * 5 * speed / widest;  // the mean of s^2 is a third
-    return d;
 }
 
 /// A solid that stands flush against a mirror plane goes on through it, as a hull does through its plane of symmetry.
@@ -126,21 +109,6 @@ ElasticSetup elastic_setup(const ElasticTyre& tyre, double floor) {
     s.velocity = tyre.velocity;
     for (const ElasticGauge& g : tyre.gauges) s.points.push_back({g.name, g.position});
     return s;
-}
-
-EffectOptions effect_options(const Scene& scene, const SimulationSetup& s) {
-    EffectOptions on;
-    if (scene.effect_on("viscosity")) {
-        on.viscosity = Viscosity{scene.water.kinematic_viscosity, scene.effect_on("no_slip"), {}};
-        if (scene.effect_on("turbulence")) on.viscosity->turbulence = EddyViscosity{scene.sph.smagorinsky};
-    }
-    if (scene.effect_on("surface_tension")) on.surface_tension = SurfaceTension{scene.water.surface_tension};
-    if (scene.effect_on("acoustic_damping")) on.acoustic_damping = AcousticDamping{scene.sph.acoustic_damping};
-    if (scene.effect_on("cavitation"))
-        on.cavitation = Cavitation{scene.water.vapour_pressure - scene.water.atmospheric_pressure};
-    on.moving_tank = scene.tank_motion.has_value();
-    if (scene.effect_on("damping_layers")) on.damping_layers = damping_layers(scene, s);
-    return on;
 }
 
 }  // namespace
@@ -203,7 +171,7 @@ SphSetup sph_setup(const Scene& scene, int threads) {
         s.zones_round = [of = std::make_shared<const Scene>(scene), start = s.zones](
                             std::span<const MovedSolid> moving) { return particle_zones(*of, moving, start); };
     if (scene.hull) setup.control_volume = control_volume(scene, s);
-    s.effects = effect_options(scene, s);
+    s.effects = effects_of(scene, s, s);
     s.tension_control = scene.effect_on("tension_control");
     const double coarsest_dp = std::ldexp(s.dp, sizes_of_particles(scene) - 1);
     for (const Obstacle& o : scene.obstacles)

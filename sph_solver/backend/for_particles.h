@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "sph_solver/backend/pass_data.h"
+#include "sph_solver/sweeps/groups.h"
 
 namespace tw {
 
@@ -51,14 +51,23 @@ void on_each_of(int threads, const Body& body) {
     body();
 }
 
-/// Runs a pass over the neighbours of all groups.
-template <class Data>
-void for_pairs(void (*pass)(const Data&, const Group*, int), const Data& data, const std::vector<Group>& groups) {
+/// Runs a sweep over the neighbours of all groups: the one that reads and writes `View`.
+template <class Variant, class View>
+void for_pairs(const Variant& passes, const View& view, const std::vector<Group>& groups) {
     constexpr std::size_t block = 16;
     const std::size_t blocks = (groups.size() + block - 1) / block;
 #pragma omp parallel for schedule(dynamic, 4)
     for (std::size_t b = 0; b < blocks; ++b)
-        pass(data, groups.data() + b * block, static_cast<int>(std::min(block, groups.size() - b * block)));
+        passes.run(view, groups.data() + b * block, static_cast<int>(std::min(block, groups.size() - b * block)));
+}
+
+/// The largest `value(i)` over i < n, or `least`; the same in any order.
+template <class Value>
+double largest_of(std::size_t n, double least, const Value& value) {
+    double largest = least;
+#pragma omp parallel for schedule(static) reduction(max : largest)
+    for (std::size_t i = 0; i < n; ++i) largest = std::max(largest, value(i));
+    return largest;
 }
 
 /// Cuts [0, n) into ranges of fixed length and calls `body(part, begin, end)` for each, with a Part of its own. Gives

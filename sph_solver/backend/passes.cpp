@@ -6,18 +6,13 @@
 
 namespace tw {
 
-#define TW_DECLARE(isa)        \
-    namespace isa {            \
+// TW_VARIANTS: variant(NAME, LEVEL) for each one, see the list in sph_solver/CMakeLists.txt.
+#define variant(name, level)   \
+    namespace name {           \
     extern const Passes table; \
     }
-TW_DECLARE(baseline)
-#ifdef TW_X86_VARIANTS
-TW_DECLARE(avx2)
-TW_DECLARE(avx512)
-TW_DECLARE(avx512_16)
-TW_DECLARE(avx512_16_rough)
-#endif
-#undef TW_DECLARE
+TW_VARIANTS
+#undef variant
 
 namespace {
 
@@ -26,15 +21,12 @@ struct Variant {
     int level;  ///< of the instruction set, x86-64-v...; 0: any processor
 };
 /// Better instruction sets first, and of each the default first.
-const Variant variants[] = {
-#ifdef TW_X86_VARIANTS
-    {avx512::table, 4},   {avx512_16::table, 4}, {avx512_16_rough::table, 4}, {avx2::table, 3},
-#endif
-    {baseline::table, 0},
-};
+#define variant(name, level) {name::table, level},
+const Variant variants[] = {TW_VARIANTS};
+#undef variant
 
 int level_of_this_processor() {
-#ifdef TW_X86_VARIANTS
+#ifdef __x86_64__
     if (__builtin_cpu_supports("x86-64-v4")) return 4;
     if (__builtin_cpu_supports("x86-64-v3")) return 3;
 #endif

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "sph_solver/backend/pass_data.h"
+#include "sph_solver/sweeps/passes.h"
 
 namespace tw {
 

@@ -4,6 +4,7 @@
 
 #include "sph_solver/backend/for_particles.h"
 #include "sph_solver/bodies/slip_normal.h"
+#include "sph_solver/sweeps/views.h"
 
 namespace tw {
 
@@ -140,13 +141,13 @@ void Walls::prune(const Passes& passes, const PlaceRecord* particles, const std:
     for (const Part& part : parts_) {
         d.lists = part.water.view();
         d.of = place_.data() + part.first;
-        for_pairs(passes.prune, d, part.near_water);
+        for_pairs(passes, d, part.near_water);
     }
     d.of = particles;
     d.place = place_.data();
     d.lists = lists_.view();
     d.list = &Group::wall_list;
-    for_pairs(passes.prune, d, groups);
+    for_pairs(passes, d, groups);
 }
 
 Walls::Nearest Walls::nearest(const Vec3& x, const Vec3& u, double reach) const {

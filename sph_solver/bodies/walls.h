@@ -2,7 +2,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "sph_solver/backend/pass_data.h"
 #include "sph_solver/bodies/body.h"
 #include "sph_solver/bodies/load.h"
 #include "sph_solver/domain/level_setup.h"

@@ -1,6 +1,7 @@
 #include "sph_solver/effects/acoustic_damping.h"
 
-#include "sph_solver/domain/level_setup.h"
+#include "sph_solver/backend/for_particles.h"
+#include "sph_solver/effects/registry.h"
 
 namespace tw {
 namespace {
@@ -11,10 +12,10 @@ public:
 
     void change_pressure(const StepView& step) override {
         const float factor = static_cast<float>(alpha2_ * step.level.state_equation.c0 * step.h);
-#pragma omp parallel for schedule(static)
-        for (std::size_t i = 0; i < step.count(); ++i)
+        for_particles(step.count(), [&](std::size_t i) {
             if (follows_the_equations(step.particles.kind[i]) && !step.at_surface(i))
-                step.pass.stress[i].p += factor * step.pass.rate[i].drho;
+                step.stress[i].p += factor * step.rate[i].drho;
+        });
     }
     /// Explicit diffusion of div u with the diffusivity alpha2 c0 h.
     double largest_step(const LevelSetup& setup, double h) const override {
@@ -27,8 +28,10 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Effect> make_acoustic_damping(const AcousticDamping& options) {
-    return std::make_unique<Damper>(options);
+std::unique_ptr<Effect> make_effect(const AcousticDamping& options) { return std::make_unique<Damper>(options); }
+
+void effect_of_scene::acoustic_damping(const Scene& scene, const Surroundings&, const LevelSetup&, EffectOptions& on) {
+    if (scene.effect_on("acoustic_damping")) on.push_back(AcousticDamping{scene.sph.acoustic_damping});
 }
 
 }  // namespace tw

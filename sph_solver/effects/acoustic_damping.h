@@ -1,9 +1,9 @@
 #pragma once
 #include <memory>
 
-#include "sph_solver/effects/effect.h"
-
 namespace tw {
+
+class Effect;
 
 /// Acoustic damper (Sun, Pilloton, Antuono, Colagrossi 2023, doi:10.1016/j.jcp.2023.112056): damps sound and leaves
 /// shear alone,
@@ -15,6 +15,6 @@ namespace tw {
 struct AcousticDamping {
     double alpha2 = 0.3;  ///< [-]
 };
-std::unique_ptr<Effect> make_acoustic_damping(const AcousticDamping& options);
+std::unique_ptr<Effect> make_effect(const AcousticDamping& options);
 
 }  // namespace tw

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "sph_solver/domain/level_setup.h"
+#include "sph_solver/backend/for_particles.h"
+#include "sph_solver/effects/registry.h"
 
 namespace tw {
 namespace {
@@ -12,8 +13,7 @@ public:
     explicit CutOff(const Cavitation& options) : lowest_(static_cast<float>(options.lowest_pressure)) {}
 
     void change_pressure(const StepView& step) override {
-#pragma omp parallel for schedule(static)
-        for (std::size_t i = 0; i < step.count(); ++i) step.pass.stress[i].p = std::max(step.pass.stress[i].p, lowest_);
+        for_particles(step.count(), [&](std::size_t i) { step.stress[i].p = std::max(step.stress[i].p, lowest_); });
     }
 
 private:
@@ -22,6 +22,11 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Effect> make_cavitation(const Cavitation& options) { return std::make_unique<CutOff>(options); }
+std::unique_ptr<Effect> make_effect(const Cavitation& options) { return std::make_unique<CutOff>(options); }
+
+void effect_of_scene::cavitation(const Scene& scene, const Surroundings&, const LevelSetup&, EffectOptions& on) {
+    if (scene.effect_on("cavitation"))
+        on.push_back(Cavitation{scene.water.vapour_pressure - scene.water.atmospheric_pressure});
+}
 
 }  // namespace tw

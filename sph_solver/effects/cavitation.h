@@ -1,9 +1,9 @@
 #pragma once
 #include <memory>
 
-#include "sph_solver/effects/effect.h"
-
 namespace tw {
+
+class Effect;
 
 /// Cavitation as a pressure cut-off: water bears no pressure below that of its vapour, p >= p_v - p_atm (gauge). No
 /// bubbles are modelled: where the cut-off acts, the density falls below what the pressure tells, and recovers as the
@@ -11,6 +11,6 @@ namespace tw {
 struct Cavitation {
     double lowest_pressure = 2340 - 101325;  ///< gauge [Pa]
 };
-std::unique_ptr<Effect> make_cavitation(const Cavitation& options);
+std::unique_ptr<Effect> make_effect(const Cavitation& options);
 
 }  // namespace tw

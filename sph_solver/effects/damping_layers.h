@@ -3,9 +3,10 @@
 #include <vector>
 
 #include "base/vec3.h"
-#include "sph_solver/effects/effect.h"
 
 namespace tw {
+
+class Effect;
 
 /// Layers along faces of the domain that draw the velocity towards that of the undisturbed water, so that waves die out
 /// before they meet the face:
@@ -24,6 +25,6 @@ struct DampingLayers {
     double strength = 0;           ///< [1/s]
     Vec3 velocity = Vec3::Zero();  ///< of the layers [m/s]
 };
-std::unique_ptr<Effect> make_damping_layers(const DampingLayers& options);
+std::unique_ptr<Effect> make_effect(const DampingLayers& options);
 
 }  // namespace tw

@@ -3,9 +3,10 @@
 #include <limits>
 #include <vector>
 
-#include "sph_solver/backend/pass_data.h"
 #include "sph_solver/fields/particles.h"
 #include "sph_solver/ghosts/ghosts.h"
+#include "sph_solver/sweeps/passes.h"
+#include "sph_solver/sweeps/views.h"
 
 namespace tw {
 
@@ -19,7 +20,10 @@ struct StepView {
     const Surroundings& around;
     const LevelSetup& level;
     const Particles& particles;
-    const PassData& pass;  ///< the records; `stress` and `rate` may be changed
+    WaterView water;
+    WallView dummies;                ///< of the walls
+    GradientPressureRecord* stress;  ///< may be changed before the forces
+    RateRecord* rate;                ///< may be changed after them
     const Passes& passes;
     const std::vector<Group>& groups;
     const Walls& walls;
@@ -27,7 +31,7 @@ struct StepView {
     double h, mass, time;
 
     std::size_t count() const { return particles.size(); }
-    bool at_surface(std::size_t i) const { return (pass.surface[i / 32] >> (i % 32) & 1u) != 0; }
+    bool at_surface(std::size_t i) const { return (water.surface[i / 32] >> (i % 32) & 1u) != 0; }
 };
 
 /// One physical effect that a scene may do without. It is built only when it is on: off, it costs no array, no byte of
@@ -44,7 +48,7 @@ public:
     virtual double largest_step(const LevelSetup&, double /*h*/) const {
         return std::numeric_limits<double>::infinity();
     }
-    /// What the walls did to the water in `add_rates`, group by group as in PassData; empty: nothing.
+    /// What the walls did to the water in `add_rates`, group by group as in SecondSweepData; empty: nothing.
     virtual const std::vector<WallLoad>& wall_loads() const {
         static const std::vector<WallLoad> none;
         return none;

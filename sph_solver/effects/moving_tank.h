@@ -1,9 +1,9 @@
 #pragma once
 #include <memory>
 
-#include "sph_solver/effects/effect.h"
-
 namespace tw {
+
+class Effect;
 
 /// In the axes of a tank that moves (motion/moving_frame.h) the water feels, beside gravity as it is without motion,
 ///
@@ -11,6 +11,7 @@ namespace tw {
 ///
 /// The walls' part, a pressure that holds the water against f, is with the mirror images (ghosts/) and with the dummies
 /// of obstacles (bodies/walls.h), which find f in the surroundings.
-std::unique_ptr<Effect> make_moving_tank();
+struct MovingTank {};
+std::unique_ptr<Effect> make_effect(const MovingTank&);
 
 }  // namespace tw

@@ -4,13 +4,11 @@
 #include <numbers>
 
 #include "sph_solver/backend/for_particles.h"
-#include "sph_solver/domain/level_setup.h"
-#include "sph_solver/effects/passes.h"
+#include "sph_solver/effects/registry.h"
+#include "sph_solver/equations/surface_tension.h"
 
 namespace tw {
 namespace {
-
-constexpr double smallest_normal = 0.15;  ///< |grad C| h from which a particle has a normal
 
 class ContinuumForce : public Effect {
 public:
@@ -21,31 +19,24 @@ public:
         normal_.resize(n);
         curvature_.resize(n);
         length_.resize(n);
-        ColourData c;
-        c.water = &step.pass;
-        c.normal = normal_.data();
-        c.curvature = curvature_.data();
-        for_pairs(step.passes.colour_gradient, c, step.groups);
-#pragma omp parallel for schedule(static)
-        for (std::size_t i = 0; i < n; ++i) {
+        for_pairs(step.passes, ColourGradientData{step.water, step.dummies, normal_.data()}, step.groups);
+        for_particles(n, [&](std::size_t i) {
             VelocityDensityRecord& r = normal_[i];
             length_[i] = std::sqrt(r.u * r.u + r.v * r.v + r.w * r.w);
-            const bool counts = double(length_[i]) * step.h > smallest_normal;
+            const bool counts = double(length_[i]) * step.h > smallest_colour_gradient;
             const float inv = counts ? 1 / length_[i] : 0;
             r = {r.u * inv, r.v * inv, r.w * inv, counts ? 1.0f : 0.0f};
-        }
+        });
         step.ghosts.refresh<Law::vector>(normal_, n);
-        c.normal = normal_.data();
-        for_pairs(step.passes.surface_curvature, c, step.groups);
-#pragma omp parallel for schedule(static)
-        for (std::size_t i = 0; i < n; ++i) {
-            const float f =
-                static_cast<float>(2 * sigma_ / step.mass) * step.pass.place[i].volume * curvature_[i] * length_[i];
-            RateRecord& rate = step.pass.rate[i];
+        for_pairs(step.passes, CurvatureData{step.water, normal_.data(), curvature_.data()}, step.groups);
+        const SurfaceForce force(sigma_, step.mass);
+        for_particles(n, [&](std::size_t i) {
+            const float f = force.along_normal(step.water.place[i].volume, curvature_[i], length_[i]);
+            RateRecord& rate = step.rate[i];
             rate.ax += f * normal_[i].u;
             rate.ay += f * normal_[i].v;
             rate.az += f * normal_[i].w;
-        }
+        });
     }
     /// Capillary waves of the kernel's length (Brackbill et al. 1992): dt < 0.25 sqrt(rho h^3 / (2 pi sigma)).
     double largest_step(const LevelSetup& setup, double h) const override {
@@ -64,8 +55,10 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Effect> make_surface_tension(const SurfaceTension& options) {
-    return std::make_unique<ContinuumForce>(options);
+std::unique_ptr<Effect> make_effect(const SurfaceTension& options) { return std::make_unique<ContinuumForce>(options); }
+
+void effect_of_scene::surface_tension(const Scene& scene, const Surroundings&, const LevelSetup&, EffectOptions& on) {
+    if (scene.effect_on("surface_tension")) on.push_back(SurfaceTension{scene.water.surface_tension});
 }
 
 }  // namespace tw

@@ -1,9 +1,11 @@
 #pragma once
 #include <memory>
 
-#include "sph_solver/effects/effect.h"
+#include "sph_solver/sweeps/views.h"
 
 namespace tw {
+
+class Effect;
 
 /// Surface tension, equations/surface_tension.h. Walls count as water, so that a wetted wall is no surface and the
 /// contact angle is about 90 degrees. Momentum is kept to the error of the curvature, not pair by pair. It wants
@@ -12,6 +14,21 @@ namespace tw {
 struct SurfaceTension {
     double sigma = 0.072;  ///< [N/m]
 };
-std::unique_ptr<Effect> make_surface_tension(const SurfaceTension& options);
+std::unique_ptr<Effect> make_effect(const SurfaceTension& options);
+
+// What its sweeps read and write.
+
+/// grad C of each particle [1/m], walls counted; see equations/surface_tension.h.
+struct ColourGradientData {
+    WaterView water{};
+    WallView walls{};
+    VelocityDensityRecord* gradient = nullptr;
+};
+/// -div n of each particle [1/m].
+struct CurvatureData {
+    WaterView water{};
+    const VelocityDensityRecord* normal = nullptr;  ///< unit vector, of images too; drho = 1 where it counts, else 0
+    float* curvature = nullptr;
+};
 
 }  // namespace tw

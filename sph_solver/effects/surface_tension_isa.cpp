@@ -1,46 +1,55 @@
-// The sweeps of surface tension, once per instruction set; equations in equations/surface_tension.h.
-#include "sph_solver/backend/pair_loop.h"
-#include "sph_solver/effects/passes.h"
+// The sweeps of surface tension, once per variant.
+#include "sph_solver/effects/surface_tension.h"
 #include "sph_solver/equations/surface_tension.h"
+#include "sph_solver/sweeps/sweep.h"
 
 namespace tw {
 namespace TW_ISA {
+namespace {
 
-void colour_gradient(const ColourData& c, const Group* groups, int count) {
-    const PassData& d = *c.water;
-    const Frame frame = frame_of(d.kernel, d.quantum);
-    for (int n = 0; n < count; ++n) {
-        const Group& g = groups[n];
-        const V3<Real> x_i = own_places(d.place, g, frame);
-        V3<Real> gradC{};
-        const auto add = [&](std::int32_t, const Met& ij) { ColourGradient::add(ij, gradC); };
-        for_each_neighbour(d.place, d.list, g.list, g, frame, x_i, add);
-        for_each_neighbour(d.wall_place, d.wall_list, g.wall_list, g, frame, x_i, add);
-        for (int l = 0; l < g.size; ++l) c.normal[g.first + l] = {gradC.x[l], gradC.y[l], gradC.z[l], 0};
+struct GradientOfColour {
+    const ColourGradientData& d;
+    V3<Real> gradC{};
+
+    GradientOfColour(const ColourGradientData& data, const Own&) : d(data) {}
+    void meet(std::int32_t, const Met& ij) { ColourGradient::add(ij, gradC); }
+    void meet_wall(std::int32_t j, const Met& ij) { meet(j, ij); }
+    void store(const Own& i) const {
+        i.for_each([&](int own, int l) { d.gradient[own] = {gradC.x[l], gradC.y[l], gradC.z[l], 0}; });
     }
-}
+};
 
-void surface_curvature(const ColourData& c, const Group* groups, int count) {
-    const PassData& d = *c.water;
-    const Frame frame = frame_of(d.kernel, d.quantum);
-    for (int n = 0; n < count; ++n) {
-        const Group& g = groups[n];
+struct Curvature {
+    const CurvatureData& d;
+    const V3<Real> n_i;
+    VectorGradient<Real> grad_n;
+
+    Curvature(const CurvatureData& data, const Own& i) : d(data), n_i(i.velocities(d.normal)) {}
+    /// Deep in the water nobody has a normal.
+    ListRef list(const Group& g) const {
         bool any = false;
-        for (int l = 0; l < g.size; ++l) any |= c.normal[g.first + l].drho > 0;
-        if (!any) {
-            for (int l = 0; l < g.size; ++l) c.curvature[g.first + l] = 0;
-            continue;
-        }
-        const V3<Real> x_i = own_places(d.place, g, frame), n_i = own_velocities(c.normal, g);
-        VectorGradient<Real> grad_n;
-        for_each_neighbour(d.place, d.list, g.list, g, frame, x_i, [&](std::int32_t j, const Met& ij) {
-            if (c.normal[j].drho == 0) return;
-            grad_n.add(ij, velocity(c.normal[j]) - n_i);
-        });
-        grad_n.solve(d.kernel.support_length, d.two_dimensional);
-        const Real kappa = curvature(grad_n);
-        for (int l = 0; l < g.size; ++l) c.curvature[g.first + l] = c.normal[g.first + l].drho > 0 ? kappa[l] : 0.0f;
+        for (int l = 0; l < g.size; ++l) any |= d.normal[g.first + l].drho > 0;
+        return any ? g.list : ListRef{};
     }
+    void meet(std::int32_t j, const Met& ij) {
+        if (d.normal[j].drho > 0) grad_n.add(ij, velocity(d.normal[j]) - n_i);
+    }
+    void store(const Own& i) {
+        grad_n.solve(d.water.kernel.support_length, d.water.two_dimensional);
+        const Real kappa = curvature(grad_n);
+        i.for_each([&](int own, int l) { d.curvature[own] = d.normal[own].drho > 0 ? kappa[l] : 0.0f; });
+    }
+};
+
+}  // namespace
+
+template <>
+void pass(const ColourGradientData& d, const Group* groups, int count) {
+    run<GradientOfColour>(d, groups, count);
+}
+template <>
+void pass(const CurvatureData& d, const Group* groups, int count) {
+    run<Curvature>(d, groups, count);
 }
 
 }  // namespace TW_ISA

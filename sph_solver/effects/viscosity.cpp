@@ -5,14 +5,12 @@
 
 #include "sph_solver/backend/for_particles.h"
 #include "sph_solver/bodies/walls.h"
-#include "sph_solver/domain/level_setup.h"
-#include "sph_solver/domain/surroundings.h"
-#include "sph_solver/effects/passes.h"
+#include "sph_solver/effects/registry.h"
+#include "sph_solver/equations/smagorinsky.h"
+#include "sph_solver/equations/viscosity.h"
 
 namespace tw {
 namespace {
-
-constexpr double kappa = 0.41;
 
 class PhysicalViscosity : public Effect {
 public:
@@ -22,26 +20,25 @@ public:
         const double rho0 = step.level.rho0;
         mu_.assign(step.count(), static_cast<float>(rho0 * o_.kinematic));
         largest_ = o_.kinematic;
-        PassData water = step.pass;
+        WaterView water = step.water;
         const bool tank_holds = o_.no_slip && step.around.mirrors.any_holds();
         if (tank_holds) {  // images of the tank's walls move against the water
-            motion_.assign(step.pass.motion, step.pass.motion + step.count());
+            motion_.assign(step.water.motion, step.water.motion + step.count());
             step.ghosts.refresh<Law::held>(motion_, step.count());
             water.motion = motion_.data();
         }
         if (o_.turbulence) add_eddies(step, water, tank_holds);
         step.ghosts.refresh<Law::scalar>(mu_, step.count());
 
-        ViscousData v;
-        v.water = &water;
-        v.mu = mu_.data();
+        ViscousForceData v{.water = water, .walls = {}, .mu = mu_.data(), .rate = step.rate};
         if (o_.no_slip && !step.walls.empty()) {
             find_wall_velocity(step);
+            v.walls = step.dummies;
             v.wall_velocity = wall_velocity_.data();
             wall_load_.resize(step.walls.group_load_count());
             v.wall_load = wall_load_.data();
         }
-        for_pairs(step.passes.viscous_forces, v, step.groups);
+        for_pairs(step.passes, v, step.groups);
     }
 
     /// Explicit diffusion: dt < 0.125 h^2 / nu (Morris et al. 1997).
@@ -67,49 +64,42 @@ private:
             if (mirrors.holding[a][0]) distance = std::min(distance, place[a] - box.min[axis]);
             if (mirrors.holding[a][1]) distance = std::min(distance, box.max[axis] - place[a]);
         }
-        return std::max(0.0, distance);
+        return distance;
     }
 
-    void add_eddies(const StepView& step, const PassData& water, bool tank_holds) {
+    void add_eddies(const StepView& step, const WaterView& water, bool tank_holds) {
         strain_.resize(step.count());
-        StrainData s;
-        s.water = &water;
-        s.strain = strain_.data();
-        for_pairs(step.passes.strain_rate, s, step.groups);
+        for_pairs(step.passes, StrainRateData{water, strain_.data()}, step.groups);
         const double filter = o_.turbulence->cs * step.level.dp;
-        double largest = 0;
-#pragma omp parallel for schedule(static) reduction(max : largest)
-        for (std::size_t i = 0; i < step.count(); ++i) {
+        largest_ += largest_of(step.count(), 0, [&](std::size_t i) {
             double length = filter;
             if (o_.no_slip && !step.walls.empty())
-                length = std::min(length, kappa * std::max(0.0, double(step.pass.normal[i].distance)));
-            if (tank_holds) length = std::min(length, kappa * from_tank(step, i));
-            const double nu = length * length * double(strain_[i]);
+                length = mixing_length_at_wall(length, double(step.dummies.normal[i].distance));
+            if (tank_holds) length = mixing_length_at_wall(length, from_tank(step, i));
+            const double nu = eddy_viscosity(length, double(strain_[i]));
             mu_[i] += static_cast<float>(step.level.rho0 * nu);
-            largest = std::max(largest, nu);
-        }
-        largest_ += largest;
+            return nu;
+        });
     }
 
     void find_wall_velocity(const StepView& step) {
         wall_velocity_.assign(step.walls.size(), VelocityDensityRecord{0, 0, 0, 0});
         for (const Walls::Part& part : step.walls.parts()) {
-            VelocityData w;
-            w.list = part.water.view();
-            w.at = step.pass.wall_place + part.first;
-            w.water = &step.pass;
-            w.velocity = wall_velocity_.data() + part.first;
-            for_pairs(step.passes.water_velocity, w, part.near_water);
+            const WaterVelocityData w{.water = step.water,
+                                      .list = part.water.view(),
+                                      .at = step.dummies.place + part.first,
+                                      .velocity = wall_velocity_.data() + part.first};
+            for_pairs(step.passes, w, part.near_water);
         }
-#pragma omp parallel for schedule(static)
-        for (std::size_t k = 0; k < wall_velocity_.size(); ++k) {
+        for_particles(wall_velocity_.size(), [&](std::size_t k) {
             VelocityDensityRecord& m = wall_velocity_[k];
             VelocityDensityRecord wall{0, 0, 0, 0};
             if (!step.walls.sliding().empty()) wall = step.walls.sliding()[k];
             if (const WallVelocity* moving = step.walls.velocities())
                 wall.u += moving[k].u, wall.v += moving[k].v, wall.w += moving[k].w;
-            m = {2 * wall.u - m.u, 2 * wall.v - m.v, 2 * wall.w - m.w, m.drho};
-        }
+            const V3<float> u_d = no_slip_velocity(V3<float>{wall.u, wall.v, wall.w}, V3<float>{m.u, m.v, m.w});
+            m = {u_d.x, u_d.y, u_d.z, m.drho};
+        });
     }
 
     Viscosity o_;
@@ -121,8 +111,13 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Effect> make_viscosity(const Viscosity& options) {
-    return std::make_unique<PhysicalViscosity>(options);
+std::unique_ptr<Effect> make_effect(const Viscosity& options) { return std::make_unique<PhysicalViscosity>(options); }
+
+void effect_of_scene::viscosity(const Scene& scene, const Surroundings&, const LevelSetup&, EffectOptions& on) {
+    if (!scene.effect_on("viscosity")) return;
+    Viscosity viscosity{scene.water.kinematic_viscosity, scene.effect_on("no_slip"), {}};
+    if (scene.effect_on("turbulence")) viscosity.turbulence = EddyViscosity{scene.sph.smagorinsky};
+    on.push_back(viscosity);
 }
 
 }  // namespace tw

@@ -2,10 +2,16 @@
 #include <memory>
 #include <optional>
 
-#include "sph_solver/effects/eddy_viscosity.h"
-#include "sph_solver/effects/effect.h"
+#include "sph_solver/sweeps/views.h"
 
 namespace tw {
+
+class Effect;
+
+/// Subgrid turbulence after Smagorinsky, equations/smagorinsky.h.
+struct EddyViscosity {
+    double cs = 0.12;  ///< Cs
+};
 
 /// Physical viscosity, equations/viscosity.h. The solids do not rub (slip) or hold the water (no slip), and so do the
 /// walls of a tank (Mirrors::holding); symmetry planes and the sides of a stream never hold it.
@@ -14,6 +20,30 @@ struct Viscosity {
     bool no_slip = true;
     std::optional<EddyViscosity> turbulence;
 };
-std::unique_ptr<Effect> make_viscosity(const Viscosity& options);
+std::unique_ptr<Effect> make_effect(const Viscosity& options);
+
+// What its sweeps read and write.
+
+/// Velocity of the water round points (wall dummies): sum_f u_f V W / sum_f V W; drho takes sum_f V W.
+struct WaterVelocityData {
+    WaterView water{};
+    Lists list{};  ///< of the points
+    const PlaceRecord* at = nullptr;
+    VelocityDensityRecord* velocity = nullptr;
+};
+/// See equations/viscosity.h; adds to `rate`.
+struct ViscousForceData {
+    WaterView water{};
+    WallView walls{};
+    const float* mu = nullptr;                             ///< of particles and images [Pa s]
+    const VelocityDensityRecord* wall_velocity = nullptr;  ///< of the dummies; null: slip
+    RateRecord* rate = nullptr;
+    WallLoad* wall_load = nullptr;
+};
+/// |S| of each particle [1/s], see equations/smagorinsky.h.
+struct StrainRateData {
+    WaterView water{};
+    float* strain = nullptr;
+};
 
 }  // namespace tw

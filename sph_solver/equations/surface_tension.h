@@ -27,4 +27,11 @@ inline Real curvature(const VectorGradient<Real>& grad_n) {
     return -grad_n.divergence();
 }
 
+/// The acceleration's component along n, with 1 / rho_i = V_i / m.
+struct SurfaceForce {
+    float per_mass;  ///< 2 sigma / m
+    SurfaceForce(double sigma, double m) : per_mass(static_cast<float>(2 * sigma / m)) {}
+    float along_normal(float V, float kappa, float gradC) const { return per_mass * V * kappa * gradC; }
+};
+
 }  // namespace tw

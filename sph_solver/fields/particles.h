@@ -2,9 +2,9 @@
 #include <cstdint>
 #include <limits>
 
-#include "sph_solver/backend/pass_data.h"
 #include "sph_solver/domain/kind.h"
 #include "sph_solver/fields/field_table.h"
+#include "sph_solver/sweeps/records.h"
 
 namespace tw {
 

@@ -1,8 +1,8 @@
 #pragma once
 #include "base/vec3.h"
-#include "sph_solver/backend/pass_data.h"
 #include "sph_solver/fields/field_table.h"
 #include "sph_solver/ghosts/link.h"
+#include "sph_solver/sweeps/records.h"
 
 namespace tw {
 

@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "base/vec3.h"
-#include "sph_solver/backend/pass_data.h"
 #include "sph_solver/domain/mirrors.h"
 #include "sph_solver/fields/particles.h"
 #include "sph_solver/neighbours/columns.h"
+#include "sph_solver/sweeps/records.h"
 
 namespace tw {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "sph_solver/backend/pass_data.h"
+#include "sph_solver/sweeps/views.h"
 
 namespace tw {
 
@@ -11,20 +11,16 @@ inline constexpr double interpolation_h_over_dp = 1.2;
 /// Fields of one level's particles at places of another level's, see equations/first_order.h. The density is
 /// carried along the hydrostatic line to the place first.
 struct InterpolateData {
-    Lists list;                                     ///< of the groups of places among the particles
-    const PlaceRecord* at = nullptr;                ///< the places, in groups as particles are
-    const PlaceRecord* place = nullptr;             ///< of the particles and images that count
-    const VelocityDensityRecord* motion = nullptr;  ///< of them
-    const float* known_support = nullptr;           ///< kernel support at each of them [-]; may be null
-    VelocityDensityRecord* value = nullptr;         ///< at the places
-    float* support = nullptr;                       ///< sum_j V_j W_j [-]
-    float* mean_support = nullptr;                  ///< mean of `known_support`
-    const float* rate = nullptr;                    ///< another field of them; may be null
-    float* compression = nullptr;                   ///< that field at the places
-    Kernel kernel;
-    float quantum = 1;
-    float gx = 0, gy = 0, gz = 0;  ///< slope of the hydrostatic density, rho0 g / c0^2 [kg/m4]
-    bool two_dimensional = false;
+    WaterView water{};                       ///< the particles and images that count, and the kernel
+    Lists list{};                            ///< of the groups of places among them
+    const PlaceRecord* at = nullptr;         ///< the places, in groups as particles are
+    const float* known_support = nullptr;    ///< kernel support at each of the particles [-]; may be null
+    VelocityDensityRecord* value = nullptr;  ///< at the places
+    float* support = nullptr;                ///< sum_j V_j W_j [-]
+    float* mean_support = nullptr;           ///< mean of `known_support`
+    const float* rate = nullptr;             ///< another field of the particles; may be null
+    float* compression = nullptr;            ///< that field at the places
+    float gx = 0, gy = 0, gz = 0;            ///< slope of the hydrostatic density, rho0 g / c0^2 [kg/m4]
 };
 
 }  // namespace tw

@@ -43,7 +43,6 @@ Level::Level(const Surroundings& around, LevelSetup setup, const EffectOptions& 
       schedule_(schedule),
       bodies_(bodies),
       passes_(passes),
-      effects_(make_effects(effects)),
       h_(setup_.h_over_dp * setup_.dp),
       mass_(setup_.rho0 * std::pow(setup_.dp, around.dimensions)),
       kernel_(h_, around.dimensions),
@@ -51,6 +50,7 @@ Level::Level(const Surroundings& around, LevelSetup setup, const EffectOptions& 
       grid_(column_area(around, kernel_.support(), setup_.dp), setup_.dp, around.dimensions, quanta_, passes.lanes),
       ghosts_(around, setup_, quanta_),
       walls_(bodies, around, setup_, kernel_.support(), grid_, quanta_, passes.lanes) {
+    for (const EffectOn& on : effects) effects_.push_back(on.make());
     if (!walls_.empty()) {
         particles_.bring(With::walls);
         if (walls_.move()) particles_.bring(With::moving_bodies);
@@ -88,54 +88,70 @@ double Level::lid_pressure() const {
 
 // --- the two sweeps -------------------------------------------------------------------------------------------------
 
-PassData Level::pass_data(double t) {
-    const LevelSetup& s = setup_;
-    Particles& r = particles_;
-    PassData d;
-    d.list = lists_.view();
-    d.wall_list = walls_.lists();
-    d.place = r.place.data();
-    d.motion = r.velocity_density.data();
-    d.stress = r.gradient_pressure.data();
-    d.normal = r.wall_normal.data();
-    d.leaving = r.wall_leaving.data();
-    d.shift = r.shift_support.data();
-    d.rate = r.rate.data();
-    d.surface = r.surface.data();
-    d.carried = r.carried.empty() ? nullptr : r.carried.data();
-    d.wall_place = walls_.places().data();
-    d.wall_p = walls_.pressures().data();
-    d.wall_velocity = walls_.velocities();
-    d.body_end = walls_.body_end().data();
-    d.bodies = static_cast<int>(walls_.body_end().size());
-    d.wall_load = walls_.group_loads().data();
+WaterView Level::water_view() const {
+    const Particles& r = particles_;
     const bool of_one_kind = !particles_.has(With::coarser) && !particles_.has(With::finer) && !around_.stream;
-    d.kind = of_one_kind ? nullptr : particles_.kind.data();
-    d.kernel = kernel_;
-    d.quantum = static_cast<float>(quanta_.size);
-    d.rho0 = static_cast<float>(s.rho0);
-    d.inv_mass = static_cast<float>(1 / mass_);
-    d.inv_W_dp = static_cast<float>(1 / kernel_.W(s.dp));
-    d.diffusion = static_cast<float>(s.delta * s.state_equation.c0);
-    d.viscosity = static_cast<float>(s.alpha * s.state_equation.c0 * s.rho0 / 2);
+    return {.list = lists_.view(),
+            .place = r.place.data(),
+            .motion = r.velocity_density.data(),
+            .stress = r.gradient_pressure.data(),
+            .surface = r.surface.data(),
+            .kind = of_one_kind ? nullptr : particles_.kind.data(),
+            .kernel = kernel_,
+            .quantum = static_cast<float>(quanta_.size),
+            .rho0 = static_cast<float>(setup_.rho0),
+            .inv_mass = static_cast<float>(1 / mass_),
+            .two_dimensional = around_.dimensions == 2};
+}
+
+WallView Level::wall_view() const {
+    return {.list = walls_.lists(),
+            .place = walls_.places().data(),
+            .p = walls_.pressures().data(),
+            .velocity = walls_.velocities(),
+            .body_end = walls_.body_end().data(),
+            .bodies = static_cast<int>(walls_.body_end().size()),
+            .normal = particles_.wall_normal.data()};
+}
+
+FirstSweepData Level::first_sweep_data() {
+    Particles& r = particles_;
+    return {.water = water_view(),
+            .walls = wall_view(),
+            .stress = r.gradient_pressure.data(),
+            .shift = r.shift_support.data(),
+            .rate = r.rate.data(),
+            .carried = r.carried.empty() ? nullptr : r.carried.data(),
+            .inv_W_dp = static_cast<float>(1 / kernel_.W(setup_.dp)),
+            .fastest_shift = static_cast<float>(setup_.state_equation.c0 / 10),
+            .inv_dp = static_cast<float>(1 / setup_.dp),
+            .inv_void = static_cast<float>(1 / (1 - setup_.touch_support))};
+}
+
+SecondSweepData Level::second_sweep_data(double t) {
+    const LevelSetup& s = setup_;
     const double stream_acceleration = around_.stream ? around_.stream->acceleration(t) : 0;
-    d.gx = static_cast<float>(around_.gravity.x() + stream_acceleration);
-    d.gy = static_cast<float>(around_.gravity.y());
-    d.gz = static_cast<float>(around_.gravity.z());
-    d.fastest_shift = static_cast<float>(s.state_equation.c0 / 10);
-    d.inv_dp = static_cast<float>(1 / s.dp);
-    d.inv_void = static_cast<float>(1 / (1 - s.touch_support));
-    d.two_dimensional = around_.dimensions == 2;
+    SecondSweepData d{.water = water_view(),
+                      .walls = wall_view(),
+                      .leaving = particles_.wall_leaving.data(),
+                      .shift = particles_.shift_support.data(),
+                      .rate = particles_.rate.data(),
+                      .wall_load = walls_.group_loads().data(),
+                      .diffusion = static_cast<float>(s.delta * s.state_equation.c0),
+                      .viscosity = static_cast<float>(s.alpha * s.state_equation.c0 * s.rho0 / 2),
+                      .gx = static_cast<float>(around_.gravity.x() + stream_acceleration),
+                      .gy = static_cast<float>(around_.gravity.y()),
+                      .gz = static_cast<float>(around_.gravity.z())};
     if (s.tension_control) d.tension_control_from = static_cast<float>(s.shifting_support);
     return d;
 }
 
 void Level::first_sweep(double t, double compress, double drift, const OtherSums* other) {
-    PassData d = pass_data(t);
+    FirstSweepData d = first_sweep_data();
     d.other = other;
     {
         const Stopwatch watch(timers_.gradient);
-        for_pairs(passes_.continuity_and_gradient, d, groups_);
+        for_pairs(passes_, d, groups_);
     }
     const Stopwatch watch(timers_.update);
     mark_surface();
@@ -166,7 +182,7 @@ void Level::first_sweep(double t, double compress, double drift, const OtherSums
         p.gradient_pressure[i].p = setup_.state_equation.pressure(setup_.rho0, drho);
         if (drift > 0) drift_freely(i);
     });
-    const StepView view = step_view(d, t);
+    const StepView view = step_view(t);
     for (const auto& effect : effects_) effect->change_pressure(view);
     ghosts_.refresh(p, t, p.velocity_density, p.gradient_pressure, p.carried);
 }
@@ -194,24 +210,36 @@ void Level::second_sweep(double t) {
             e.at = walls_.places().data() + part.first;
             e.p = walls_.pressures().data() + part.first;
             if (walls_.accelerations()) e.acceleration = walls_.accelerations() + part.first;
-            for_pairs(passes_.extrapolate, e, part.near_water);
+            for_pairs(passes_, e, part.near_water);
         }
     }
-    const PassData d = pass_data(t);
     {
         const Stopwatch watch(timers_.forces);
-        for_pairs(passes_.forces, d, groups_);
+        for_pairs(passes_, second_sweep_data(t), groups_);
     }
     {
         const Stopwatch watch(timers_.effects);
-        const StepView view = step_view(d, t);
+        const StepView view = step_view(t);
         for (const auto& effect : effects_) effect->add_rates(view);
     }
     timers_.evaluations += static_cast<std::int64_t>(particles_.size());
 }
 
-StepView Level::step_view(const PassData& d, double t) const {
-    return {around_, setup_, particles_, d, passes_, groups_, walls_, ghosts_, h_, mass_, t};
+StepView Level::step_view(double t) {
+    return {.around = around_,
+            .level = setup_,
+            .particles = particles_,
+            .water = water_view(),
+            .dummies = wall_view(),
+            .stress = particles_.gradient_pressure.data(),
+            .rate = particles_.rate.data(),
+            .passes = passes_,
+            .groups = groups_,
+            .walls = walls_,
+            .ghosts = ghosts_,
+            .h = h_,
+            .mass = mass_,
+            .time = t};
 }
 
 void Level::gather_loads(const Vec3& moment_reference) {

@@ -9,6 +9,7 @@
 #include "sph_solver/bodies/walls.h"
 #include "sph_solver/domain/extremes.h"
 #include "sph_solver/domain/level_setup.h"
+#include "sph_solver/domain/schedule.h"
 #include "sph_solver/domain/surroundings.h"
 #include "sph_solver/effects/effect.h"
 #include "sph_solver/fields/particles.h"
@@ -17,7 +18,6 @@
 #include "sph_solver/levels/control_volume.h"
 #include "sph_solver/levels/surface_excess.h"
 #include "sph_solver/neighbours/list_life.h"
-#include "sph_solver/domain/schedule.h"
 
 namespace tw {
 
@@ -129,7 +129,10 @@ public:
     void end_stages();
 
     // --- what the sweeps of level pairs and effects read
-    PassData pass_data(double t);
+    WaterView water_view() const;
+    WallView wall_view() const;
+    FirstSweepData first_sweep_data();
+    SecondSweepData second_sweep_data(double t);
     const std::vector<Group>& groups() const { return groups_; }
     const ColumnGrid& grid() const { return grid_; }
     const Quanta& quanta() const { return quanta_; }
@@ -198,7 +201,7 @@ private:
         const bool guard = particles_.kind[i] == Kind::guard;
         return (guard ? particles_.trend[i].support : particles_.shift_support[i].support) < setup_.surface_support;
     }
-    StepView step_view(const PassData& d, double t) const;
+    StepView step_view(double t);
     ExtrapolateData extrapolation() const;  ///< from the present records; the caller says where to
     double stream_velocity(double t) const { return around_.stream ? around_.stream->velocity(t) : 0; }
 

@@ -82,12 +82,7 @@ std::vector<Span> within_reach(const SortedPlaces& of, const ColumnGrid& grid, d
 
 ExtrapolateData Level::extrapolation() const {
     ExtrapolateData e;
-    e.place = particles_.place.data();
-    e.motion = particles_.velocity_density.data();
-    e.stress = particles_.gradient_pressure.data();
-    e.kernel = kernel_;
-    e.quantum = static_cast<float>(quanta_.size);
-    e.rho0 = static_cast<float>(setup_.rho0);
+    e.water = water_view();
     e.gx = static_cast<float>(around_.gravity.x());
     e.gy = static_cast<float>(around_.gravity.y());
     e.gz = static_cast<float>(around_.gravity.z());
@@ -113,7 +108,7 @@ void Level::sample(PointSamples& points) const {
         e.flux = flux.data();
         e.gx = e.gy = e.gz = 0;  // pairs carry the particles' own pressure
     }
-    for_pairs(passes_.extrapolate, e, sorted.groups);
+    for_pairs(passes_, e, sorted.groups);
     for (std::size_t k = 0; k < n; ++k) {
         const auto i = static_cast<std::size_t>(sorted.order[k]);
         points.p[i] = p[k];
@@ -198,18 +193,18 @@ void Level::interpolate(FieldsAt& at) {
     InterpolateData d;
     d.list = sorted.lists.view();
     d.at = sorted.places.data();
-    d.place = place.data();
-    d.motion = motion.data();
+    d.water.place = place.data();
+    d.water.motion = motion.data();
     d.known_support = known_support.data();
     d.value = value.data();
     d.support = support.data();
     d.mean_support = mean_support.data();
     if (at.want_compression) d.rate = rate.data(), d.compression = compression.data();
-    d.kernel = kernel;
-    d.quantum = static_cast<float>(quanta_.size);
+    d.water.kernel = kernel;
+    d.water.quantum = static_cast<float>(quanta_.size);
     d.gx = slope.x(), d.gy = slope.y(), d.gz = slope.z();
-    d.two_dimensional = around_.dimensions == 2;
-    for_pairs(passes_.interpolate, d, sorted.groups);
+    d.water.two_dimensional = around_.dimensions == 2;
+    for_pairs(passes_, d, sorted.groups);
     for_particles(n, [&](std::size_t k) {
         const auto i = static_cast<std::size_t>(sorted.order[k]);
         at.value[i] = value[k];

@@ -46,7 +46,7 @@ void Level::prune(double drift) {
     d.of = particles_.place.data();
     d.place = particles_.place.data();
     d.reach = reach_among(drift) / quanta_.size;
-    for_pairs(passes_.prune, d, groups_);
+    for_pairs(passes_, d, groups_);
     walls_.prune(passes_, particles_.place.data(), groups_, reach_to_walls(drift) / quanta_.size);
 }
 

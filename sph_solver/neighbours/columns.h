@@ -4,7 +4,8 @@
 #include <vector>
 
 #include "base/vec3.h"
-#include "sph_solver/backend/pass_data.h"
+#include "sph_solver/sweeps/passes.h"
+#include "sph_solver/sweeps/records.h"
 
 namespace tw {
 
@@ -95,7 +96,7 @@ struct Source {
 void make_groups(const Source& places, int lanes, std::vector<Group>& groups);
 
 /// Gives every group with walls near its slots for loads, one for each body that it has in reach (see
-/// PassData::body_end); returns how many slots there are.
+/// WallView::body_end); returns how many slots there are.
 std::int32_t number_wall_loads(std::vector<Group>& groups, const Lists& walls,
                                const std::vector<std::int32_t>& body_end);
 

@@ -1,8 +1,9 @@
 #include "sph_solver/pairs/level_pair.h"
 
 #include "sph_solver/backend/for_particles.h"
-#include "sph_solver/effects/passes.h"
+#include "sph_solver/equations/level_pair.h"
 #include "sph_solver/levels/level.h"
+#include "sph_solver/pairs/level_pair_views.h"
 
 namespace tw {
 
@@ -25,18 +26,34 @@ void LevelPair::find_neighbours() {
     find(b_, a_);
 }
 
-void LevelPair::meet(double t) {
-    const PassData a = a_.level->pass_data(t), b = b_.level->pass_data(t);
-    const Passes& passes = a_.level->passes();
-    for_pairs(passes.meet_other_phase, LevelPairData{a_.lists.view(), &a, &b, a_.sums.data()}, a_.groups);
-    for_pairs(passes.meet_other_phase, LevelPairData{b_.lists.view(), &b, &a, b_.sums.data()}, b_.groups);
+void LevelPair::meet() {
+    const FirstSweepData a = a_.level->first_sweep_data(), b = b_.level->first_sweep_data();
+    const auto sums_of = [&](const FirstSweepData& own, const FirstSweepData& other, Side& side) {
+        const MeetOtherData d{.water = own.water,
+                              .other = other.water,
+                              .list = side.lists.view(),
+                              .inv_W_dp = own.inv_W_dp,
+                              .sums = side.sums.data()};
+        for_pairs(a_.level->passes(), d, side.groups);
+    };
+    sums_of(a, b, a_);
+    sums_of(b, a, b_);
 }
 
 void LevelPair::press(double t) {
-    const PassData a = a_.level->pass_data(t), b = b_.level->pass_data(t);
-    const Passes& passes = a_.level->passes();
-    for_pairs(passes.press_other_phase, LevelPairData{a_.lists.view(), &a, &b, nullptr}, a_.groups);
-    for_pairs(passes.press_other_phase, LevelPairData{b_.lists.view(), &b, &a, nullptr}, b_.groups);
+    const SecondSweepData a = a_.level->second_sweep_data(t), b = b_.level->second_sweep_data(t);
+    const auto press_on = [&](const SecondSweepData& own, const SecondSweepData& other, const Side& side) {
+        const PressOtherData d{.water = own.water,
+                               .other = other.water,
+                               .list = side.lists.view(),
+                               .shift = own.shift,
+                               .rate = own.rate,
+                               .viscosity = harmonic_mean(own.viscosity, other.viscosity),
+                               .tension_control_from = own.tension_control_from};
+        for_pairs(a_.level->passes(), d, side.groups);
+    };
+    press_on(a, b, a_);
+    press_on(b, a, b_);
 }
 
 const OtherSums* LevelPair::sums_for(const Level& level) const {

@@ -2,7 +2,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "sph_solver/backend/pass_data.h"
 #include "sph_solver/neighbours/columns.h"
 
 namespace tw {
@@ -33,7 +32,7 @@ public:
     /// Anew after both levels have been sorted.
     void find_neighbours();
     /// Before the first sweeps: the sums of each level over the other.
-    void meet(double t);
+    void meet();
     /// After the second sweeps: adds to the rates of both.
     void press(double t);
     /// Over the other level, one entry for each particle of `level`; null when the pair does not hold it.

@@ -79,7 +79,7 @@ void Stepper::advance(std::size_t k, double dt) {
 
 void Stepper::evaluate(Tier& tier, double t, double compress, double drift) {
     find_neighbours(tier, drift);
-    for (LevelPair& pair : tier.pairs) pair.meet(t);
+    for (LevelPair& pair : tier.pairs) pair.meet();
     for (Level* level : tier.levels) {
         const OtherSums* other = nullptr;
         for (const LevelPair& pair : tier.pairs)

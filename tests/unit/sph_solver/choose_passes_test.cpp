@@ -14,6 +14,7 @@
 
 #include "base/errors.h"
 #include "sph_solver/neighbours/columns.h"
+#include "sph_solver/sweeps/views.h"
 
 namespace tw {
 namespace {
@@ -121,22 +122,25 @@ Sums sums_with(const Passes& passes) {
     const Source source{&grid, place.data(), &start, 0};
     make_groups(source, passes.lanes, groups);
     lists.build(passes, quanta, source, groups, {source}, {2.6 * h, 2.3 * h, 1.4 * h});
-    PassData d;
-    d.list = lists.view();
-    d.place = place.data(), d.motion = motion.data(), d.stress = stress.data();
-    d.shift = shift.data(), d.rate = rate.data(), d.surface = surface.data();
-    d.kernel = Kernel(h, 3);
-    d.quantum = static_cast<float>(quanta.size);
-    d.inv_W_dp = static_cast<float>(1 / d.kernel.W(dp));
-    d.inv_mass = static_cast<float>(1 / (1000 * dp * dp * dp));
-    d.diffusion = 2, d.viscosity = 100;
+    const WaterView water{.list = lists.view(),
+                          .place = place.data(),
+                          .motion = motion.data(),
+                          .stress = stress.data(),
+                          .surface = surface.data(),
+                          .kernel = Kernel(h, 3),
+                          .quantum = static_cast<float>(quanta.size),
+                          .inv_mass = static_cast<float>(1 / (1000 * dp * dp * dp))};
+    FirstSweepData first{.water = water, .stress = stress.data(), .shift = shift.data(), .rate = rate.data()};
+    first.inv_W_dp = static_cast<float>(1 / water.kernel.W(dp));
+    SecondSweepData second{.water = water, .shift = shift.data(), .rate = rate.data()};
+    second.diffusion = 2, second.viscosity = 100;
     PruneData prune;
     prune.lists = lists.view();
     prune.of = prune.place = place.data();
     prune.reach = 2 * h / quanta.size;
     const int count = static_cast<int>(groups.size());
-    passes.prune(prune, groups.data(), count);
-    passes.continuity_and_gradient(d, groups.data(), count);
+    passes.run(prune, groups.data(), count);
+    passes.run(first, groups.data(), count);
     Sums sums;
     sums.rate.resize(place.size()), sums.divergence.resize(place.size()), sums.support.resize(place.size());
     for (std::size_t k = 0; k < place.size(); ++k) {
@@ -144,7 +148,7 @@ Sums sums_with(const Passes& passes) {
         sums.divergence[i] = rate[k].drho, sums.support[i] = shift[k].support;
         stress[k].p = 400 * motion[k].drho;
     }
-    passes.forces(d, groups.data(), count);
+    passes.run(second, groups.data(), count);
     for (std::size_t k = 0; k < place.size(); ++k) sums.rate[static_cast<std::size_t>(order[k])] = rate[k];
     return sums;
 }

@@ -8,9 +8,11 @@
 
 #include "base/errors.h"
 #include "meshes/generate.h"
-#include "sph_solver/choose_passes.h"
-#include "sph_solver/bench.h"
 #include "sph_solver/air.h"
+#include "sph_solver/bench.h"
+#include "sph_solver/choose_passes.h"
+#include "sph_solver/effects/surface_tension.h"
+#include "sph_solver/effects/viscosity.h"
 #include "sph_solver/measure/certificate.h"
 #include "sph_solver/scene_setup.h"
 #include "sph_solver/simulation.h"
@@ -119,7 +121,7 @@ TEST(Engine, ARestartGoesOnWithTheSameBitsInletAndOutletIncluded) {
     for (const SchemeCase& c : every_scheme) {
         SCOPED_TRACE(c.evaluations);
         SimulationSetup s = with(stream(), c);
-        s.effects.viscosity = Viscosity{1e-3, true, EddyViscosity{}};  // its step limit hangs on the last evaluation
+        s.effects.push_back(Viscosity{1e-3, true, EddyViscosity{}});  // its step limit hangs on the last evaluation
         Simulation whole(s, stream_water(s));
         for (int k = 0; k < 50; ++k) whole.step();
         write_checkpoint(file, "a scene", whole, 1);
@@ -226,9 +228,9 @@ TEST(Engine, EveryInstructionSetGivesTheSameEffects) {
     Case cases[] = {{"viscosity", stream(), stream_water(stream()), {}},
                     {"turbulence", stream(), stream_water(stream()), {}},
                     {"surface tension", tank(), column(tank()), {}}};
-    cases[0].effects.viscosity = Viscosity{0.5, true, {}};
-    cases[1].effects.viscosity = Viscosity{1e-3, true, EddyViscosity{5}};
-    cases[2].effects.surface_tension = SurfaceTension{500};
+    cases[0].effects.push_back(Viscosity{0.5, true, {}});
+    cases[1].effects.push_back(Viscosity{1e-3, true, EddyViscosity{5}});
+    cases[2].effects.push_back(SurfaceTension{500});
     for (const Case& c : cases) {
         std::vector<double> changes;  // of the velocities, by the effect, summed without regard to sign
         with_every_instruction_set([&] {

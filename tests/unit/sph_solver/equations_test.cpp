@@ -9,6 +9,7 @@
 #include "sph_solver/equations/renormalisation.h"
 #include "sph_solver/equations/shifting.h"
 #include "sph_solver/equations/smagorinsky.h"
+#include "sph_solver/equations/surface_tension.h"
 #include "sph_solver/equations/tension_control.h"
 #include "sph_solver/equations/viscosity.h"
 #include "sph_solver/equations/wall_pressure.h"
@@ -123,6 +124,16 @@ TEST(NoSlip, MakesTheMeanOfWaterAndDummyTheWalls) {
     EXPECT_EQ(dummy.x + water.x, 2);
     EXPECT_EQ(dummy.y + water.y, 0);
     EXPECT_EQ(dummy.z + water.z, 0);
+}
+
+/// Across a surface of radius R, kappa = 2/R, the force on a layer of water is the pressure jump 2 sigma / R on its
+/// area. Its half of the kernel's width holds half of the rise of C: int |grad C| dx = 1/2.
+TEST(SurfaceForce, OverTheLayerIsThePressureJumpOfADrop) {
+    const double sigma = 0.072, m = 1e-3, rho = 1000, R = 0.01, width = 0.002;
+    const SurfaceForce force(sigma, m);
+    const float a =
+        force.along_normal(static_cast<float>(m / rho), static_cast<float>(2 / R), static_cast<float>(0.5 / width));
+    EXPECT_NEAR(rho * double(a) * width, 2 * sigma / R, 1e-6 * sigma / R);
 }
 
 TEST(Contact, OfEqualFluidsIsTheMeanAndOfWaterAndAirIsTheWaters) {

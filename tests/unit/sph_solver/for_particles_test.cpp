@@ -31,10 +31,12 @@ TEST(ForPairs, GivesEveryGroupToThePassOnce) {
     struct Data {
         int* visits;
     };
-    void (*pass)(const Data&, const Group*, int) = [](const Data& d, const Group* g, int count) {
-        for (int k = 0; k < count; ++k) ++d.visits[g[k].first];
+    struct Sweeps {
+        void run(const Data& d, const Group* g, int count) const {
+            for (int k = 0; k < count; ++k) ++d.visits[g[k].first];
+        }
     };
-    for_pairs(pass, Data{visits.data()}, groups);
+    for_pairs(Sweeps{}, Data{visits.data()}, groups);
     EXPECT_EQ(visits, std::vector<int>(100, 1));
 }
 

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "sph_solver/neighbours/columns.h"
+#include "sph_solver/sweeps/views.h"
 
 namespace tw {
 namespace {
@@ -131,7 +132,7 @@ TEST(NeighbourLists, PrunedAfterAMoveHoldWhoeverIsWithinReachThen) {
     d.lists = lists.view();
     d.of = d.place = cloud.places.data();
     d.reach = support / cloud.quanta.size;
-    passes().prune(d, cloud.groups.data(), static_cast<int>(cloud.groups.size()));
+    passes().run(d, cloud.groups.data(), static_cast<int>(cloud.groups.size()));
     int came_or_went = 0;
     for (const Group& g : cloud.groups) {
         const std::vector<int> said = said_of_places(lists.view(), g, cloud.places.size());

@@ -6,8 +6,8 @@
 #include <random>
 #include <stdexcept>
 
-#include "sph_solver/backend/pass_data.h"
 #include "sph_solver/neighbours/columns.h"
+#include "sph_solver/sweeps/views.h"
 
 namespace tw {
 namespace {
@@ -58,15 +58,17 @@ struct Row {
         make_groups(source, passes().lanes, groups);
         lists.build(passes(), quanta, source, groups, {source}, {2 * h, 2 * h, 2 * h});
         stress.resize(place.size()), shift.resize(place.size()), rate.resize(place.size());
-        PassData d;
-        d.list = lists.view();
-        d.place = place.data(), d.motion = motion.data(), d.stress = stress.data();
-        d.shift = shift.data(), d.rate = rate.data();
-        d.kernel = Kernel(h, 2);
-        d.quantum = static_cast<float>(quanta.size);
-        d.inv_W_dp = static_cast<float>(1 / d.kernel.W(dp));
-        d.two_dimensional = true;
-        passes().continuity_and_gradient(d, groups.data(), static_cast<int>(groups.size()));
+        FirstSweepData d{.water = {.list = lists.view(),
+                                   .place = place.data(),
+                                   .motion = motion.data(),
+                                   .kernel = Kernel(h, 2),
+                                   .quantum = static_cast<float>(quanta.size),
+                                   .two_dimensional = true},
+                         .stress = stress.data(),
+                         .shift = shift.data(),
+                         .rate = rate.data()};
+        d.inv_W_dp = static_cast<float>(1 / d.water.kernel.W(dp));
+        passes().run(d, groups.data(), static_cast<int>(groups.size()));
     }
     double distance(std::int32_t i, std::int32_t j) const {  // [dp]
         const WidePlace &a = raw[static_cast<std::size_t>(i)], &b = raw[static_cast<std::size_t>(j)];

@@ -6,8 +6,8 @@
 #include <cstring>
 #include <random>
 
-#include "sph_solver/backend/pass_data.h"
 #include "sph_solver/neighbours/columns.h"
+#include "sph_solver/sweeps/views.h"
 
 namespace tw {
 namespace {
@@ -36,7 +36,8 @@ struct Basin {
     std::vector<std::uint32_t> surface;
     std::vector<Group> groups, wall_groups;
     NeighbourLists lists, wall_lists, of_walls;
-    PassData d;
+    FirstSweepData first;
+    SecondSweepData second;
 
     explicit Basin(Bodies bodies = both) {
         std::mt19937 random(3);
@@ -80,18 +81,29 @@ struct Basin {
         lists.build(passes(), quanta, water, groups, {water}, reaches);
         wall_lists.build(passes(), quanta, water, groups, walls, reaches, &Group::wall_list);
         wall_load.resize(static_cast<std::size_t>(number_wall_loads(groups, wall_lists.view(), body_end)));
-        d.list = lists.view(), d.wall_list = wall_lists.view();
-        d.place = place.data(), d.motion = motion.data(), d.stress = stress.data();
-        d.wall_place = wall_place.data(), d.wall_p = wall_p.data();
-        d.normal = normal.data(), d.surface = surface.data(), d.shift = shift.data(), d.rate = rate.data();
-        d.wall_load = wall_load.data();
-        d.body_end = body_end.data(), d.bodies = 2;
-        d.kernel = Kernel(h, 3);
-        d.quantum = static_cast<float>(quanta.size);
-        d.rho0 = rho0;
-        d.inv_mass = static_cast<float>(1 / (rho0 * dp * dp * dp));
-        d.inv_W_dp = static_cast<float>(1 / d.kernel.W(dp));
-        d.inv_void = 1;  // walls compress from no support on: here all do
+        first.water = {.list = lists.view(),
+                       .place = place.data(),
+                       .motion = motion.data(),
+                       .stress = stress.data(),
+                       .surface = surface.data(),
+                       .kernel = Kernel(h, 3),
+                       .quantum = static_cast<float>(quanta.size),
+                       .rho0 = rho0,
+                       .inv_mass = static_cast<float>(1 / (rho0 * dp * dp * dp))};
+        first.walls = {.list = wall_lists.view(),
+                       .place = wall_place.data(),
+                       .p = wall_p.data(),
+                       .body_end = body_end.data(),
+                       .bodies = 2,
+                       .normal = normal.data()};
+        first.stress = stress.data(), first.shift = shift.data(), first.rate = rate.data();
+        first.inv_W_dp = static_cast<float>(1 / first.water.kernel.W(dp));
+        first.inv_void = 1;  // walls compress from no support on: here all do
+        second = {.water = first.water,
+                  .walls = first.walls,
+                  .shift = shift.data(),
+                  .rate = rate.data(),
+                  .wall_load = wall_load.data()};
     }
     void add_sorted(const std::vector<WidePlace>& raw, std::vector<PlaceRecord>& to, std::vector<std::int32_t>& at) {
         std::vector<std::int32_t> order;
@@ -104,8 +116,8 @@ struct Basin {
     }
     int count() const { return static_cast<int>(groups.size()); }
     std::vector<RateRecord> continuity(const std::vector<WallVelocity>& of_walls_ = {}) {
-        d.wall_velocity = of_walls_.empty() ? nullptr : of_walls_.data();
-        passes().continuity_and_gradient(d, groups.data(), count());
+        first.walls.velocity = of_walls_.empty() ? nullptr : of_walls_.data();
+        passes().run(first, groups.data(), count());
         return rate;
     }
     /// [N]
@@ -196,13 +208,12 @@ Extrapolated to_walls(Basin& basin, const std::vector<WallAcceleration>& acceler
     r.p.resize(basin.wall_place.size()), r.support.resize(basin.wall_place.size());
     ExtrapolateData e;
     e.list = basin.of_walls.view();
-    e.at = basin.wall_place.data(), e.place = basin.place.data();
-    e.motion = basin.motion.data(), e.stress = basin.stress.data();
+    e.at = basin.wall_place.data();
+    e.water = basin.first.water;
     e.acceleration = acceleration.empty() ? nullptr : acceleration.data();
     e.p = r.p.data(), e.support = r.support.data();
-    e.kernel = basin.d.kernel, e.quantum = basin.d.quantum, e.rho0 = rho0;
     e.gx = 0.3f, e.gz = -9.81f;
-    passes().extrapolate(e, groups.data(), static_cast<int>(groups.size()));
+    passes().run(e, groups.data(), static_cast<int>(groups.size()));
     return r;
 }
 
@@ -240,7 +251,7 @@ TEST(AcceleratedWalls, UpwardsBearMore) {
 
 TEST(BodyLoads, OfTwoBodiesAreThoseOfEachAlone) {
     Basin two(Basin::both), floor(Basin::floor_alone), plate(Basin::plate_alone);
-    for (Basin* basin : {&two, &floor, &plate}) passes().forces(basin->d, basin->groups.data(), basin->count());
+    for (Basin* basin : {&two, &floor, &plate}) passes().run(basin->second, basin->groups.data(), basin->count());
     EXPECT_GT(two.wall_load.size(), floor.wall_load.size());
     for (std::int32_t body : {0, 1}) {
         Basin& alone = body ? plate : floor;
@@ -255,9 +266,9 @@ TEST(BodyLoads, OfTwoBodiesAreThoseOfEachAlone) {
 TEST(BodyLoads, OfAllWallsAsOneBodyAreTheSumAndTheWaterFeelsTheSame) {
     Basin two, one;
     const std::int32_t end = two.body_end.back();
-    one.d.body_end = &end, one.d.bodies = 1;
+    one.second.walls.body_end = &end, one.second.walls.bodies = 1;
     one.wall_load.resize(static_cast<std::size_t>(number_wall_loads(one.groups, one.wall_lists.view(), {end})));
-    for (Basin* basin : {&two, &one}) passes().forces(basin->d, basin->groups.data(), basin->count());
+    for (Basin* basin : {&two, &one}) passes().run(basin->second, basin->groups.data(), basin->count());
     EXPECT_LT((one.load_on(0) - two.load_on(0) - two.load_on(1)).norm(), 1e-6 * one.load_on(0).norm());
     double largest = 0;
     for (std::size_t i = 0; i < one.rate.size(); ++i) {
@@ -267,10 +278,10 @@ TEST(BodyLoads, OfAllWallsAsOneBodyAreTheSumAndTheWaterFeelsTheSame) {
     }
     EXPECT_GT(largest, 1);
     Basin without;  // no table of bodies: one body
-    without.d.body_end = nullptr, without.d.bodies = 1;
+    without.second.walls.body_end = nullptr, without.second.walls.bodies = 1;
     without.wall_load.resize(
         static_cast<std::size_t>(number_wall_loads(without.groups, without.wall_lists.view(), {end})));
-    passes().forces(without.d, without.groups.data(), without.count());
+    passes().run(without.second, without.groups.data(), without.count());
     EXPECT_TRUE(same_bits(one.rate, without.rate));
     EXPECT_TRUE(same_bits(one.wall_load, without.wall_load));
 }

@@ -7,6 +7,11 @@
 #include <filesystem>
 #include <string>
 
+#include "sph_solver/effects/acoustic_damping.h"
+#include "sph_solver/effects/cavitation.h"
+#include "sph_solver/effects/damping_layers.h"
+#include "sph_solver/effects/surface_tension.h"
+#include "sph_solver/effects/viscosity.h"
 #include "sph_solver/simulation.h"
 #include "sph_solver/state/checkpoint.h"
 
@@ -61,11 +66,8 @@ TEST(OffIsFree, ACheckpointDoesNotGrow) {
         s.mirrors.on = {{{true, true}, {false, false}, {true, false}}};
         s.threads = 1;
         if (on) {
-            s.effects.viscosity = Viscosity{1e-3, true, EddyViscosity{}};
-            s.effects.surface_tension = SurfaceTension{};
-            s.effects.acoustic_damping = AcousticDamping{};
-            s.effects.cavitation = Cavitation{};
-            s.effects.damping_layers = DampingLayers{{{0, true, 0.2}}, 1, Vec3::Zero()};
+            s.effects = {AcousticDamping{}, Cavitation{}, Viscosity{1e-3, true, EddyViscosity{}}, SurfaceTension{},
+                         DampingLayers{{{0, true, 0.2}}, 1, Vec3::Zero()}};
         }
         Simulation simulation(s, fill_with_fluid(s, {Box{Vec3(0, -1, 0), Vec3(0.5, 1, 0.5)}}));
         for (int k = 0; k < 5; ++k) simulation.step();

@@ -6,6 +6,11 @@
 #include <numbers>
 
 #include "meshes/generate.h"
+#include "sph_solver/effects/acoustic_damping.h"
+#include "sph_solver/effects/cavitation.h"
+#include "sph_solver/effects/damping_layers.h"
+#include "sph_solver/effects/surface_tension.h"
+#include "sph_solver/effects/viscosity.h"
 #include "sph_solver/simulation.h"
 
 namespace tw {
@@ -48,7 +53,7 @@ double taylor_green_error(int n, double reynolds) {
     SimulationSetup s = plane(L / n, 10 * U, square(L));
     s.tension_control = true;
     s.mirrors.on = {{{true, true}, {false, false}, {true, true}}};
-    s.effects.viscosity = Viscosity{nu, true, {}};
+    s.effects.push_back(Viscosity{nu, true, {}});
     Simulation simulation(s, weightless(s, s.domain));
     Particles& p = simulation.particles();
     for (std::size_t i = 0; i < p.size(); ++i) {
@@ -100,7 +105,7 @@ Channel channel(int n, bool no_slip) {
     s.gravity = Vec3(g, 0, 0);
     s.mirrors.periodic = {true, false, false};
     s.bodies = {slab(-1, 2, -0.5, 0), slab(-1, 2, H, 1.5)};
-    s.effects.viscosity = Viscosity{nu, no_slip, {}};
+    s.effects.push_back(Viscosity{nu, no_slip, {}});
     Simulation simulation(s, weightless(s, {Vec3(0, -1, 0), Vec3(length, 1, H)}));
     const auto worst = [&] {
         double error = 0;
@@ -145,7 +150,7 @@ double tank_channel(int n, bool holding) {
     s.mirrors.periodic = {true, false, false};
     s.mirrors.on[2] = {true, true};
     s.mirrors.holding[2] = {holding, holding};
-    s.effects.viscosity = Viscosity{nu, true, {}};
+    s.effects.push_back(Viscosity{nu, true, {}});
     Simulation simulation(s, weightless(s, s.domain));
     while (simulation.time() < 3) simulation.step();
     const Particles& p = simulation.particles();
@@ -181,7 +186,7 @@ Channel belt(int n) {
     SimulationSetup s = plane(dp, 20 * U, {Vec3(0, -1, -0.3), Vec3(length, 1, 1.3)});
     s.mirrors.periodic = {true, false, false};
     s.bodies = {slab(-1, 2, -0.5, 0), {slab(-1, 2, H, 1.5), Vec3(U, 0, 0)}};
-    s.effects.viscosity = Viscosity{nu, true, {}};
+    s.effects.push_back(Viscosity{nu, true, {}});
     Simulation simulation(s, weightless(s, {Vec3(0, -1, 0), Vec3(length, 1, H)}));
     const auto worst = [&] {
         double error = 0;
@@ -222,7 +227,7 @@ TEST(EddyViscosity, IsTheMixingLengthSquaredTimesTheShear) {
     s.mirrors.periodic = {true, false, false};
     s.mirrors.on[2] = {true, true};
     s.shifting = 0;
-    s.effects.viscosity = Viscosity{0, false, EddyViscosity{cs}};
+    s.effects.push_back(Viscosity{0, false, EddyViscosity{cs}});
     s.scheme = Scheme::symplectic_euler;  // its first kick lasts the whole step
     Simulation simulation(s, weightless(s, s.domain));
     Particles& p = simulation.particles();
@@ -252,7 +257,7 @@ double sound_left(double alpha2, int n, double periods) {
     s.delta = 0;
     s.shifting = 0;
     s.cfl = 0.2;
-    if (alpha2 > 0) s.effects.acoustic_damping = AcousticDamping{alpha2};
+    if (alpha2 > 0) s.effects.push_back(AcousticDamping{alpha2});
     Simulation simulation(s, weightless(s, s.domain));
     Particles& p = simulation.particles();
     std::vector<double> start(p.size());
@@ -286,7 +291,7 @@ TEST(Cavitation, NoPressureFallsBelowTheCutOff) {
     const auto lowest = [](bool on) {
         SimulationSetup s = plane(0.02, 20, {Vec3(0, -1, 0), Vec3(1, 1, 0.2)});
         s.mirrors.on = {{{true, true}, {false, false}, {true, true}}};
-        if (on) s.effects.cavitation = Cavitation{-5000};
+        if (on) s.effects.push_back(Cavitation{-5000});
         Simulation simulation(s, weightless(s, s.domain));
         Particles& p = simulation.particles();
         for (std::size_t i = 0; i < p.size(); ++i) p.u[i] = static_cast<float>(std::sin(pi * p.x[i]));
@@ -311,7 +316,7 @@ TEST(SurfaceTension, ARoundDropHasTheLaplacePressure) {
         const double dp = R / n;
         SimulationSetup s = plane(dp, 10, {Vec3(-1, -1, -1), Vec3(1, 1, 1)});
         s.alpha = 0.2;
-        s.effects.surface_tension = SurfaceTension{sigma};
+        s.effects.push_back(SurfaceTension{sigma});
         Fluid drop;
         for (const Vec3& x : weightless(s, s.domain).places)
             if (x.norm() < R) drop.places.push_back(x), drop.depth.push_back(0);
@@ -341,7 +346,7 @@ double drop_period(int n, double h_over_dp) {
     SimulationSetup s = plane(dp, 10, {Vec3(-1, -1, -1), Vec3(1, 1, 1)});
     s.alpha = 0.1;
     s.h_over_dp = h_over_dp;
-    s.effects.surface_tension = SurfaceTension{sigma};
+    s.effects.push_back(SurfaceTension{sigma});
     Fluid drop;
     for (const Vec3& x : weightless(s, s.domain).places)
         if (x.norm() < R) drop.places.push_back(x), drop.depth.push_back(0);
@@ -385,7 +390,7 @@ TEST(DampingLayers, TakeTheWavesThatReachThem) {
         s.state_equation.c0 = 20;
         s.domain = {Vec3(-2, -1, -0.4), Vec3(2, 1, 0.5)};
         s.mirrors.on = {{{true, true}, {false, false}, {true, false}}};
-        if (on) s.effects.damping_layers = DampingLayers{{{0, false, 1.0}, {0, true, 1.0}}, 20, Vec3::Zero()};
+        if (on) s.effects.push_back(DampingLayers{{{0, false, 1.0}, {0, true, 1.0}}, 20, Vec3::Zero()});
         Fluid water =
             fill_with_fluid(s, {{Vec3(-2, -1, -0.4), Vec3(2, 1, 0)}, {Vec3(-0.2, -1, 0), Vec3(0.2, 1, 0.05)}});
         Simulation simulation(s, water);

@@ -20,9 +20,9 @@
 #include <vector>
 
 #include "base/vec3.h"
-#include "sph_solver/backend/pass_data.h"
 #include "sph_solver/equations/kernel.h"
 #include "sph_solver/neighbours/columns.h"
+#include "sph_solver/sweeps/views.h"
 
 namespace tw {
 namespace {
@@ -79,18 +79,17 @@ Sweep sweep(const std::vector<Vec3>& unsorted, double h_over_dp, Field f) {
     r.stress.resize(sorted.size());
     r.shift.resize(sorted.size());
     std::vector<RateRecord> rate(sorted.size());
-    PassData d;
-    d.list = lists.view();
-    d.place = sorted.data();
-    d.motion = motion.data();
-    d.stress = r.stress.data();
-    d.shift = r.shift.data();
-    d.rate = rate.data();
-    d.kernel = kernel;
-    d.quantum = static_cast<float>(quanta.size);
-    d.inv_W_dp = static_cast<float>(1 / kernel.W(dp));
-    d.two_dimensional = true;
-    passes().continuity_and_gradient(d, groups.data(), static_cast<int>(groups.size()));
+    const FirstSweepData d{.water = {.list = lists.view(),
+                                     .place = sorted.data(),
+                                     .motion = motion.data(),
+                                     .kernel = kernel,
+                                     .quantum = static_cast<float>(quanta.size),
+                                     .two_dimensional = true},
+                           .stress = r.stress.data(),
+                           .shift = r.shift.data(),
+                           .rate = rate.data(),
+                           .inv_W_dp = static_cast<float>(1 / kernel.W(dp))};
+    passes().run(d, groups.data(), static_cast<int>(groups.size()));
     return r;
 }
 

@@ -19,6 +19,7 @@
 #include "bodies.h"
 #include "meshes/generate.h"
 #include "sph_solver/air.h"
+#include "sph_solver/effects/moving_tank.h"
 
 namespace tw {
 namespace {
@@ -29,7 +30,7 @@ constexpr double g = 9.81, pi = std::numbers::pi;
 SimulationSetup swaying_tank(double dp, const MovingFrame& frame) {
     SimulationSetup s = tank(dp, 0.5, 0.3, 0.2, 20);
     s.frame = frame;
-    s.effects.moving_tank = true;
+    s.effects.push_back(MovingTank{});
     return s;
 }
 

@@ -1,0 +1,23 @@
+#pragma once
+#include "sph_solver/sweeps/views.h"
+
+namespace tw {
+
+/// What the first sweep wants of the other level, see equations/level_pair.h.
+struct MeetOtherData {
+    WaterView water{}, other{};
+    Lists list{};        ///< neighbours of `water` in `other`
+    float inv_W_dp = 0;  ///< 1 / W(dp)
+    OtherSums* sums = nullptr;
+};
+/// What the other level adds to the rates.
+struct PressOtherData {
+    WaterView water{}, other{};
+    Lists list{};
+    const ShiftSupportRecord* shift = nullptr;
+    RateRecord* rate = nullptr;
+    float viscosity = 0;  ///< of the pair, see SecondSweepData
+    float tension_control_from = 2;
+};
+
+}  // namespace tw

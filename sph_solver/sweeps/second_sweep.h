@@ -1,0 +1,96 @@
+#pragma once
+#include "sph_solver/equations/artificial_viscosity.h"
+#include "sph_solver/equations/density_diffusion.h"
+#include "sph_solver/equations/edge_release.h"
+#include "sph_solver/equations/pressure_gradient.h"
+#include "sph_solver/equations/shifting.h"
+#include "sph_solver/sweeps/sweep.h"
+
+namespace tw {
+namespace TW_ISA {
+namespace {
+
+/// Never inlined: which sums are fused with their products would depend on what stands before.
+[[gnu::noinline]] void shift_along_surface(const V3<Real>& towards_surface, ShiftSupportRecord* shift, int size) {
+    const Real N2 = dot(towards_surface, towards_surface);
+    for (int l = 0; l < size; ++l) {
+        V3<float> s{shift[l].x, shift[l].y, shift[l].z};
+        keep_along_surface(in_lane(towards_surface, l), N2[l], s);
+        shift[l].x = s.x, shift[l].y = s.y, shift[l].z = s.z;
+    }
+}
+
+/// Second sweep: pressure, artificial viscosity and density diffusion. Walls press, and do not rub (slip).
+struct SecondSweep {
+    const SecondSweepData& d;
+    const DensityDiffusion density_diffusion;
+    const ArtificialViscosity<Math> artificial_viscosity;
+    const V3<Real> u_i, grad_i;
+    const Real drho_i;
+    Real p_i;
+    /// Of the volume that the neighbours see, not of this density: so the forces of a pair cancel to rounding.
+    const Real inv_rho;
+    Real diffusion{};
+    V3<Real> water{}, towards_surface{}, a_wall{};
+    EdgeRelease<Real> edge_release{};
+
+    SecondSweep(const SecondSweepData& data, const Own& i)
+        : d(data),
+          density_diffusion{0.5f * d.water.kernel.support_length},
+          artificial_viscosity{d.viscosity},
+          u_i(i.velocities(d.water.motion)),
+          grad_i(i.each_vector([&](int own) {
+              const GradientPressureRecord& s = d.water.stress[own];
+              return V3<float>{s.gx, s.gy, s.gz};
+          })),
+          drho_i(i.each([&](int own) { return d.water.motion[own].drho; })),
+          p_i(i.each([&](int own) { return d.water.stress[own].p; })),
+          inv_rho(d.water.inv_mass * i.each([&](int own) { return d.water.place[own].volume; })) {
+        control_tension(d.tension_control_from, d.shift, i, p_i);
+    }
+
+    ListRef list(const Group& g) const { return list_for_rates(d.water, g); }
+    void meet(std::int32_t j, const Met& ij) {
+        const VelocityDensityRecord& r_j = d.water.motion[j];
+        const GradientPressureRecord& s_j = d.water.stress[j];
+        density_diffusion.add(ij, r_j.drho - drho_i, grad_i + V3<float>{s_j.gx, s_j.gy, s_j.gz}, diffusion);
+        PressureGradient::add(ij, p_i + s_j.p + artificial_viscosity.pressure(ij, u_i - velocity(r_j)), water);
+    }
+    void meet_at_surface(const Met& ij) { towards_surface += ij.V_gradW(); }
+    /// Some of the particles are beyond an edge and lack support.
+    void reach_walls(const Own& i) {
+        if (d.leaving == nullptr) return;
+        i.for_each([&](int own, int l) {
+            const LeavingRecord& way = d.leaving[own];
+            if (way.speed2 == 0 || (d.water.surface[own / 32] >> (own % 32) & 1) == 0) return;
+            edge_release.e.x[l] = way.x, edge_release.e.y[l] = way.y, edge_release.e.z[l] = way.z;
+            edge_release.s[l] = released_share(d.water.stress[own].p, d.water.rho0, way.speed2);
+        });
+    }
+    void meet_wall(std::int32_t j, const Met& ij, V3<Real>& force) const {
+        PressureGradient::add(ij, p_i + d.walls.p[j], force);
+    }
+    V3<Real> push(const V3<Real>& force) {
+        V3<Real> a = inv_rho * force;
+        edge_release.apply(a);
+        a_wall += a;
+        return a;
+    }
+    void store(const Own& i) const {
+        const Real drho = d.diffusion * diffusion;
+        const V3<Real> a{water.x * inv_rho + a_wall.x + d.gx, water.y * inv_rho + a_wall.y + d.gy,
+                         water.z * inv_rho + a_wall.z + d.gz};
+        i.for_each([&](int own, int l) { d.rate[own] = {a.x[l], a.y[l], a.z[l], drho[l]}; });
+        shift_along_surface(towards_surface, d.shift + i.group.first, i.group.size);
+    }
+};
+
+}  // namespace
+
+template <>
+void pass(const SecondSweepData& d, const Group* groups, int count) {
+    run<SecondSweep>(d, groups, count);
+}
+
+}  // namespace TW_ISA
+}  // namespace tw

@@ -1,0 +1,32 @@
+// The table of one variant's sweeps.
+#include "sph_solver/sweeps/passes.h"
+
+namespace tw {
+namespace TW_ISA {
+
+template <class View>
+void pass(const View&, const Group*, int count);
+GroupReach reach_of(const PlaceRecord* places, const Group& g, const Reaches& reaches);
+Reached reached(const GroupReach& g, const PlaceRecord* first, const PlaceRecord* end, int count, std::int64_t top);
+
+namespace {
+
+template <class... Views>
+constexpr PassTable<Views...> filled(PassTable<Views...>) {
+    return {Pass<Views>{pass<Views>}...};
+}
+
+}  // namespace
+
+extern const Passes table;
+constinit const Passes table{.isa = TW_ISA_NAME,
+                             .lanes = TW_LANES,
+                             .engine = filled(EngineSweeps{}),
+#ifndef TW_WITHOUT_EFFECTS
+                             .effects = filled(EffectSweeps{}),
+#endif
+                             .reach_of = reach_of,
+                             .reached = reached};
+
+}  // namespace TW_ISA
+}  // namespace tw

@@ -1,0 +1,97 @@
+#pragma once
+// What each sweep reads and writes: plain arrays and numbers, so that a sweep can be compiled once per variant (and for
+// a GPU) without dragging other code along. What the sweeps over the water have in common is a WaterView and, where
+// they meet walls, a WallView. Those of the effects stand beside the effects.
+#include <cstdint>
+
+#include "sph_solver/domain/kind.h"
+#include "sph_solver/equations/kernel.h"
+#include "sph_solver/sweeps/groups.h"
+#include "sph_solver/sweeps/records.h"
+
+namespace tw {
+
+/// One level's particles and their mirror images, in one index space, and who of them meets whom.
+struct WaterView {
+    Lists list{};  ///< Group::list
+    const PlaceRecord* place = nullptr;
+    const VelocityDensityRecord* motion = nullptr;
+    const GradientPressureRecord* stress = nullptr;
+    /// Bit i % 32 of word i / 32: place i is at the free surface. One word more than that at the end.
+    const std::uint32_t* surface = nullptr;
+    /// Of the particles: only active ones load a body, and only those that follow the equations have rates; null: all
+    /// of them are and do.
+    const Kind* kind = nullptr;
+    Kernel kernel{};
+    float quantum = 1;  ///< [m]
+    float rho0 = 1000;
+    float inv_mass = 1;  ///< of a particle [1/kg]
+    bool two_dimensional = false;
+};
+
+/// The walls' dummy particles, in an index space of their own.
+struct WallView {
+    Lists list{};                        ///< Group::wall_list
+    const PlaceRecord* place = nullptr;  ///< null: the sweep meets none
+    const float* p = nullptr;
+    const WallVelocity* velocity = nullptr;  ///< null: all walls are at rest
+    /// Body b has the dummies [body_end[b - 1], body_end[b]), the first one from 0; null where there is one body. A
+    /// group's wall blocks are ordered by body, none has dummies of two.
+    const std::int32_t* body_end = nullptr;
+    int bodies = 1;
+    const WallNormalRecord* normal = nullptr;  ///< of the particles
+};
+
+/// Which neighbours of the groups' lists are within reach.
+struct PruneData {
+    Lists lists;
+    ListRef Group::*list = &Group::list;
+    const PlaceRecord* of = nullptr;     ///< the groups' places
+    const PlaceRecord* place = nullptr;  ///< those that the lists refer to
+    double reach = 0;                    ///< [quanta]
+};
+
+/// The first sweep of a step: -div u, and what the second one needs of the neighbourhood.
+struct FirstSweepData {
+    WaterView water{};
+    WallView walls{};
+    const OtherSums* other = nullptr;          ///< null: there is one phase
+    GradientPressureRecord* stress = nullptr;  ///< gets the density gradient
+    ShiftSupportRecord* shift = nullptr;
+    RateRecord* rate = nullptr;       ///< gets drho = -rho div u
+    CarriedShare* carried = nullptr;  ///< may be null
+    float inv_W_dp = 0;               ///< 1 / W(dp)
+    float fastest_shift = 0;          ///< c0 / 10 [m/s], see Shifting
+    float inv_dp = 0;                 ///< [1/m]
+    float inv_void = 10;              ///< 1 / (1 - touch_support), see WallTouch
+};
+
+/// The second one: the forces and the density diffusion.
+struct SecondSweepData {
+    WaterView water{};
+    WallView walls{};
+    const LeavingRecord* leaving = nullptr;  ///< of the particles, see edge_release.h; null: none leaves an edge
+    ShiftSupportRecord* shift = nullptr;     ///< turned along the free surface
+    RateRecord* rate = nullptr;              ///< gets the acceleration, and the density diffusion as drho
+    WallLoad* wall_load =
+        nullptr;                   ///< from Group::wall_load on one for each body that the group has in reach, in order
+    float diffusion = 0;           ///< delta c0 [m/s], see DensityDiffusion
+    float viscosity = 0;           ///< alpha c0 rho0 / 2 [kg/m2/s], see ArtificialViscosity
+    float gx = 0, gy = 0, gz = 0;  ///< body force [m/s2]
+    float tension_control_from = 2;  ///< kernel support from which tension is controlled; above 1.5: nowhere
+};
+
+/// Pressure at points from the water round them: wall dummies, surface samples, probes; see wall_pressure.h.
+struct ExtrapolateData {
+    WaterView water{};
+    Lists list{};                                    ///< of the points, in groups as particles are
+    const PlaceRecord* at = nullptr;                 ///< the points
+    const WallAcceleration* acceleration = nullptr;  ///< of the points; null: at rest
+    float* p = nullptr;                              ///< [Pa]
+    float* support = nullptr;                        ///< sum_j V_j W_ij; may be null
+    const CarriedShare* carried = nullptr;           ///< of the particles; may be null
+    float* flux = nullptr;  ///< 6 per point, as those of CarriedShare: sum_j p_j m V_j W [Pa]; needs `carried`
+    float gx = 0, gy = 0, gz = 0;
+};
+
+}  // namespace tw
