@@ -22,7 +22,9 @@ extern const Passes table;
 constinit const Passes table{.isa = TW_ISA_NAME,
                              .lanes = TW_LANES,
                              .engine = filled(EngineSweeps{}),
-#ifndef TW_WITHOUT_EFFECTS
+#ifdef TW_WITHOUT_EFFECTS
+                             .effects = {},
+#else
                              .effects = filled(EffectSweeps{}),
 #endif
                              .reach_of = reach_of,

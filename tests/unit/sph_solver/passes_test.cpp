@@ -63,8 +63,8 @@ struct Basin {
         if (bodies != floor_alone) add_sorted(plate, wall_place, wall_start[1]);
         body_end.push_back(static_cast<std::int32_t>(wall_place.size()));
         for (int b = 0; b < 2; ++b)
-            if (const std::int32_t first = b ? body_end[0] : 0; body_end[std::size_t(b)] > first)
-                walls.push_back({&grid, wall_place.data() + first, &wall_start[b], first});
+            if (const std::int32_t from = b ? body_end[0] : 0; body_end[std::size_t(b)] > from)
+                walls.push_back({&grid, wall_place.data() + from, &wall_start[b], from});
 
         std::uniform_real_distribution<float> any(-1, 1);
         for (std::size_t i = 0; i < n; ++i) {
