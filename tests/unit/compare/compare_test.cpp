@@ -403,7 +403,7 @@ TEST(Compare, OneFaceThatIsSuckedAtHarderThanTheStreamCanIsTold) {
     run.hull_pressure[astern] = -48000;
     EXPECT_NEAR(told(run).value, 1.5, 1e-6);
     EXPECT_FALSE(told(run).pass);
-    EXPECT_NE(told(run).remark.find("make 100 % of the drag"), std::string::npos) << told(run).remark;
+    EXPECT_NE(told(run).remark.find("make 100 % of the pressure drag"), std::string::npos) << told(run).remark;
     run.hull_wet[astern] = 0.2f;  // dry: air may be sucked off without a word
     EXPECT_EQ(told(run).value, 0);
     run.hull_wet[astern] = 1, run.hull_pressure[astern] = -30000;
