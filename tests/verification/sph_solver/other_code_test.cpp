@@ -44,7 +44,7 @@ TEST(OtherCode, FindsTheSameAccelerationsAndDensityDiffusion) {
         const auto off = [&](std::size_t a, double length) { return std::min(row[a], length - row[a]); };
         return Vec3(off(0, 0.08), off(1, 0.07), off(2, 0.06)).norm() < 0.04;
     };
-    Row error{}, size{};
+    Row error(11, 0.0), size(11, 0.0);
     int compared = 0;
     for (std::size_t k = 0; k < p.size(); ++k) {
         const Row& row = rows[static_cast<std::size_t>(p.id[k])];
