@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "base/errors.h"
+#include "base/exact_sum.h"
+#include "sph_solver/backend/for_particles.h"
 #include "sph_solver/effects/moving_tank.h"
 
 namespace tw {
@@ -44,13 +46,13 @@ double gas_energy(const Level& gas, const Vec3& gravity) {
     const LevelSetup& s = gas.setup();
     const Particles& p = gas.particles();
     const double gamma = s.state_equation.gamma, c2 = s.state_equation.c0 * s.state_equation.c0;
-    double sum = 0;
-    for (std::size_t i = 0; i < p.size(); ++i) {
+    const ExactSum sum = sum_over<ExactSum>(p.size(), [&](ExactSum& energy, std::size_t i) {
         const double x = 1 + double(p.drho[i]) / s.rho0;
-        sum += 0.5 * (double(p.u[i]) * p.u[i] + double(p.v[i]) * p.v[i] + double(p.w[i]) * p.w[i]) -
-               gravity.z() * p.z[i] + c2 / gamma * (std::pow(x, gamma - 1) / (gamma - 1) + 1 / x - gamma / (gamma - 1));
-    }
-    return gas.mass() * sum;
+        energy += 0.5 * (double(p.u[i]) * p.u[i] + double(p.v[i]) * p.v[i] + double(p.w[i]) * p.w[i]) -
+                  gravity.z() * p.z[i] +
+                  c2 / gamma * (std::pow(x, gamma - 1) / (gamma - 1) + 1 / x - gamma / (gamma - 1));
+    });
+    return gas.mass() * sum.value();
 }
 
 }  // namespace tw

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/errors.h"
+#include "base/exact_sum.h"
 #include "meshes/generate.h"
 #include "record/certificate.h"
 #include "sph_solver/measure/certificate.h"
@@ -126,11 +127,11 @@ Start start_of(const HardCase& c) {
 /// Sum of `f(level, i)` over the particles that are the water of their place.
 template <class Function>
 double sum_over_water(const Simulation& simulation, Function&& f) {
-    double sum = 0;
+    ExactSum sum;
     for (const auto& level : simulation.water())
         for (std::size_t i = 0; i < level->particles().size(); ++i)
             if (is_active(level->particles().kind[i])) sum += f(*level, i);
-    return sum;
+    return sum.value();
 }
 
 /// Kinetic, potential (z = 0) and elastic energy [J/m]. The last is what p = c0^2 (rho - rho0) does while it
@@ -145,12 +146,12 @@ double sum_over_water(const Simulation& simulation, Function&& f) {
 double energy_of(const Simulation& simulation) {
     const Particles& p = simulation.particles();
     const double c0 = simulation.setup().state_equation.c0, rho0 = simulation.setup().rho0;
-    double sum = 0;
+    ExactSum sum;
     for (std::size_t i = 0; i < p.size(); ++i) {
         const double u = p.u[i], w = p.w[i], d = double(p.drho[i]) / rho0;
         sum += 0.5 * (u * u + w * w) + c0 * c0 * (std::log1p(d) - d / (1 + d)) + g * p.z[i];
     }
-    return simulation.mass() * sum;
+    return simulation.mass() * sum.value();
 }
 
 double mass_of(const Simulation& simulation) {

@@ -2,8 +2,8 @@
 // The seam between what the engine does and where it runs: every loop over particles, groups or pairs goes through one
 // of these. Here the threads of one machine; another back end offers the same names.
 //
-// A body writes only what belongs to its own index, and sums are made range by range in a fixed order: so any number of
-// threads gives the same bits.
+// A body writes only what belongs to its own index, and sums over particles are those of base/exact_sum.h, which are the
+// same in any order: so any number of threads gives the same bits, and any order in which the particles are kept.
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -71,7 +71,7 @@ double largest_of(std::size_t n, double least, const Value& value) {
 }
 
 /// Cuts [0, n) into ranges of fixed length and calls `body(part, begin, end)` for each, with a Part of its own. Gives
-/// the parts in order: what is summed over them does not depend on the number of threads.
+/// the parts in order: what is taken from them does not depend on the number of threads.
 template <class Part, class Body>
 std::vector<Part> in_fixed_ranges(std::size_t n, const Body& body) {
     constexpr std::size_t range = 4096;
@@ -79,6 +79,18 @@ std::vector<Part> in_fixed_ranges(std::size_t n, const Body& body) {
 #pragma omp parallel for schedule(static)
     for (std::size_t c = 0; c < parts.size(); ++c) body(parts[c], c * range, std::min(n, (c + 1) * range));
     return parts;
+}
+
+/// Calls `add(sum, i)` for every i < n. `Sum` begins at nothing, and is the same in any order: it adds its parts by
+/// `+=`, which are those of base/exact_sum.h or whole numbers.
+template <class Sum, class Add>
+Sum sum_over(std::size_t n, const Add& add) {
+    Sum all{};
+    const auto add_range = [&](Sum& part, std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) add(part, i);
+    };
+    for (const Sum& part : in_fixed_ranges<Sum>(n, add_range)) all += part;
+    return all;
 }
 
 }  // namespace tw

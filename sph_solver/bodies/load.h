@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "base/vec3.h"
+#include "base/exact_sum.h"
 
 namespace tw {
 
@@ -20,6 +20,21 @@ struct Load {
 inline Load operator*(double factor, const Load& load) {
     return {factor * load.force, factor * load.friction, factor * load.moment};
 }
+
+/// Sum of forces or impulses on a body and of their moments, the same in any order.
+struct PushSum {
+    ExactVectorSum push, turn;
+
+    /// `arm`: from the point of reference to where it acts.
+    void add(const Vec3& part, const Vec3& arm) {
+        push += part;
+        turn += arm.cross(part);
+    }
+    PushSum& operator+=(const PushSum& other) {
+        push += other.push, turn += other.turn;
+        return *this;
+    }
+};
 
 /// A force of water that presses on a place of a body's surface.
 struct WallPush {

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/exact_sum.h"
+#include "sph_solver/backend/for_particles.h"
+
 namespace tw {
 
 ControlVolume::ControlVolume(const Box& box, double size, const Shape& shape)
@@ -75,15 +78,23 @@ void ControlVolume::add_impulse(double mass_inside, const Vec3& body_force, doub
 }
 
 Vec3 ControlVolume::momentum_inside(const ControlVolume& cv, const Particles& p, double m, double& mass_inside) {
-    Vec3 sum = Vec3::Zero();
-    mass_inside = 0;
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        if (p.kind[i] == Kind::guard) continue;
-        const double mass = m * cv.share(p.x[i], p.y[i], p.z[i]);
-        sum += mass * Vec3(p.u[i], p.v[i], p.w[i]);
-        mass_inside += mass;
-    }
-    return sum;
+    struct Sums {  // per unit of particle mass
+        ExactVectorSum momentum;
+        ExactSum share;
+        Sums& operator+=(const Sums& other) {
+            momentum += other.momentum, share += other.share;
+            return *this;
+        }
+    };
+    const Sums inside = sum_over<Sums>(p.size(), [&](Sums& sums, std::size_t i) {
+        if (p.kind[i] == Kind::guard) return;
+        const double share = cv.share(p.x[i], p.y[i], p.z[i]);
+        if (share == 0) return;
+        sums.momentum += share * Vec3(p.u[i], p.v[i], p.w[i]);
+        sums.share += share;
+    });
+    mass_inside = m * inside.share.value();
+    return m * inside.momentum.value();
 }
 
 }  // namespace tw

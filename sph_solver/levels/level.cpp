@@ -9,6 +9,7 @@
 #include "base/errors.h"
 #include "sph_solver/backend/for_particles.h"
 #include "sph_solver/backend/stopwatch.h"
+#include "sph_solver/bodies/group_loads.h"
 #include "sph_solver/bodies/wall_pushes.h"
 #include "sph_solver/effects/effects.h"
 
@@ -79,11 +80,11 @@ Vec3 Level::body_force() const {
 }
 
 double Level::lid_pressure() const {
-    double sum = 0;
+    ExactSum sum;
     std::int64_t count = 0;
     for (std::size_t i = 0; i < particles_.size(); ++i)
         if (particles_.z[i] > around_.domain.max.z() - kernel_.support()) sum += pressure(i), ++count;
-    return count > 0 ? sum / double(count) : 0;
+    return count > 0 ? sum.value() / double(count) : 0;
 }
 
 // --- the two sweeps -------------------------------------------------------------------------------------------------
@@ -243,39 +244,29 @@ StepView Level::step_view(double t) {
 }
 
 void Level::gather_loads(const Vec3& moment_reference) {
-    // force on the bodies = minus what they exert on the water, group by group in a fixed order
-    std::vector<Load> loads(bodies_.size());
-    const auto gather = [&](const std::vector<WallLoad>& of_groups, Vec3 Load::*force_of) {
-        std::size_t slot = 0;
-        for (std::size_t n = 0, next = 0; n < groups_.size(); n = next) {
-            for (next = n + 1; next < groups_.size() && groups_[next].wall_load < 0;) ++next;
-            const Group& g = groups_[n];
-            if (g.wall_load < 0) continue;
-            // its slots end where those of the next group with walls begin
-            const std::size_t end =
-                next < groups_.size() ? static_cast<std::size_t>(groups_[next].wall_load) : of_groups.size();
-            const auto i = static_cast<std::size_t>(g.first);
-            const Vec3 centre(quanta_.metres(g.x, 0, particles_.x[i]), quanta_.metres(g.y, 1, particles_.y[i]),
-                              quanta_.metres(g.z, 2, particles_.z[i]));
-            for (; slot < end; ++slot) {
-                const WallLoad& w = of_groups[slot];
-                const Vec3 force = -mass_ * Vec3(w.ax, w.ay, w.az);
-                Load& load = loads[static_cast<std::size_t>(w.body)];
-                load.*force_of += force;
-                load.moment += (centre - moment_reference).cross(force) - mass_ * Vec3(w.mx, w.my, w.mz);
-            }
-        }
+    const auto arm = [&](const Group& g) {
+        const auto i = static_cast<std::size_t>(g.first);
+        return Vec3(Vec3(quanta_.metres(g.x, 0, particles_.x[i]), quanta_.metres(g.y, 1, particles_.y[i]),
+                         quanta_.metres(g.z, 2, particles_.z[i])) -
+                    moment_reference);
     };
-    gather(walls_.group_loads(), &Load::force);
+    const std::size_t n = bodies_.size();
+    std::vector<PushSum> pressed(n), rubbed(n), of_bodies(n);
+    add_group_loads(groups_, walls_.group_loads(), arm, pressed);
     for (const auto& effect : effects_)
-        if (!effect->wall_loads().empty()) gather(effect->wall_loads(), &Load::friction);
-    for (Load& load : loads) load.force += load.friction;
+        if (!effect->wall_loads().empty()) add_group_loads(groups_, effect->wall_loads(), arm, rubbed);
     if (walls_.press()) {
         walls_.set_pushes(add_wall_pushes(bodies_, particles_, setup_.dp, mass_));
-        for (const WallPush& p : walls_.pushes()) {
-            loads[p.body].force += p.force;
-            loads[p.body].moment += (p.place - moment_reference).cross(p.force);
-        }
+        for (const WallPush& p : walls_.pushes()) of_bodies[p.body].add(p.force, p.place - moment_reference);
+    }
+    // force on the bodies = minus what they exert on the water
+    std::vector<Load> loads(n);
+    for (std::size_t b = 0; b < n; ++b) {
+        loads[b].friction = -mass_ * rubbed[b].push.value();
+        loads[b].force = of_bodies[b].push.value() - mass_ * pressed[b].push.value() + loads[b].friction;
+        PushSum by_walls = pressed[b];
+        by_walls += rubbed[b];
+        loads[b].moment = of_bodies[b].turn.value() - mass_ * by_walls.turn.value();
     }
     walls_.set_loads(std::move(loads));
 }

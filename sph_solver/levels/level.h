@@ -206,7 +206,7 @@ private:
     double stream_velocity(double t) const { return around_.stream ? around_.stream->velocity(t) : 0; }
 
     struct Held {
-        Vec3 impulse;
+        Vec3 lost;  ///< velocity of the particle, which the body gets by its mass [m/s]
         std::size_t body;
         std::int32_t triangle;
     };

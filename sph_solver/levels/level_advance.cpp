@@ -26,8 +26,9 @@ constexpr double guard_shifted_from = 0.98;
 struct Part {
     double speed2 = 0, acceleration2 = 0, relative2 = 0, relative2_before = 0, shift2 = 0, low = 0, high = 0;
     std::size_t fastest = 0, densest = 0, thinnest = 0;
-    Vec3 crossed = Vec3::Zero();  ///< momentum into the control volume [N s]
-    std::vector<Impulse> on_bodies;  ///< given to each of them by particles held at its wall; empty: none
+    // per unit of particle mass
+    ExactVectorSum crossed;          ///< momentum into the control volume [m/s]
+    std::vector<PushSum> on_bodies;  ///< impulse of particles held at the wall of each of them [m/s]; empty: none
     std::vector<WallStrike> on_elastic;
     std::int64_t held = 0;
     bool broken = false;
@@ -36,8 +37,8 @@ struct Part {
 }  // namespace
 
 /// The last resort at a wall: a particle so near that no pressure can stop it in time loses its velocity towards the
-/// wall (a plastic impact; the body gets the impulse, which is returned [N s]), and is put back on the surface if this
-/// step took it through. The distance carried along is checked against the surface first.
+/// wall (a plastic impact; the body gets the impulse), and is put back on the surface if this step took it through. The
+/// distance carried along is checked against the surface first.
 std::optional<Level::Held> Level::hold_at_wall(std::size_t i) {
     Particles& p = particles_;
     WallNormalRecord& r = particles_.wall_normal[i];
@@ -59,7 +60,7 @@ std::optional<Level::Held> Level::hold_at_wall(std::size_t i) {
     p.u[i] -= static_cast<float>(approach * r.x);
     p.v[i] -= static_cast<float>(approach * r.y);
     p.w[i] -= static_cast<float>(approach * r.z);
-    return Held{mass_ * (before - Vec3(p.u[i], p.v[i], p.w[i])), found.body, found.triangle};
+    return Held{before - Vec3(p.u[i], p.v[i], p.w[i]), found.body, found.triangle};
 }
 
 Level::Struck Level::advance(const Schedule::Move& move, const Vec3& moment_reference) {
@@ -71,8 +72,6 @@ Level::Struck Level::advance(const Schedule::Move& move, const Vec3& moment_refe
     const double stream_before = stream_velocity(time_), stream_after = stream_velocity(time_ + dt);
     const ShiftStep shift_step(s.shifting, dt, h_, s.dp);
     walls_.note_motions();
-    const std::vector<Load> pressed = walls_.loads();
-    Struck struck{std::vector<Impulse>(pressed.size())};
 
     const auto move_range = [&](Part& part, std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
@@ -130,13 +129,11 @@ Level::Struck Level::advance(const Schedule::Move& move, const Vec3& moment_refe
                 const bool too_near = r.distance < held_at_wall_over_dp * s.dp;
                 if (const auto held = too_near ? hold_at_wall(i) : std::nullopt; held && p.kind[i] == Kind::fluid) {
                     ++part.held;
-                    part.on_bodies.resize(pressed.size());
-                    Impulse& on_body = part.on_bodies[held->body];
-                    on_body.impulse += held->impulse;
+                    part.on_bodies.resize(bodies_.size());
                     const Vec3 place(p.x[i], p.y[i], p.z[i]);
-                    on_body.turn += (place - moment_reference).cross(held->impulse);
+                    part.on_bodies[held->body].add(held->lost, place - moment_reference);
                     if (walls_.give_way())
-                        part.on_elastic.push_back({held->body, held->triangle, place, held->impulse});
+                        part.on_elastic.push_back({held->body, held->triangle, place, mass_ * held->lost});
                 }
             }
             const double u = p.u[i], v = p.v[i], w = p.w[i], speed2 = u * u + v * v + w * w;
@@ -149,7 +146,7 @@ Level::Struck Level::advance(const Schedule::Move& move, const Vec3& moment_refe
             if (control_) {
                 // momentum of what crosses a face, with the velocity in the middle of the step
                 const double crossing = control_->share(p.x[i], p.y[i], p.z[i]) - was_inside;
-                if (crossing != 0) part.crossed += crossing * mass_ * Vec3((u0 + u) / 2, (v0 + v) / 2, (w0 + w) / 2);
+                if (crossing != 0) part.crossed += crossing * Vec3((u0 + u) / 2, (v0 + v) / 2, (w0 + w) / 2);
             }
             if (part.broken) break;
         }
@@ -159,7 +156,9 @@ Level::Struck Level::advance(const Schedule::Move& move, const Vec3& moment_refe
     extremes_ = {};
     double relative2 = 0, relative2_before = 0, speed2 = 0, shift2 = 0;
     std::size_t fastest = 0;
-    Vec3 crossed = Vec3::Zero();
+    ExactVectorSum crossed;
+    std::vector<PushSum> on_bodies(bodies_.size());
+    Struck struck;
     for (const Part& part : parts) {
         if (part.broken)
             fail_at(part.fastest,
@@ -178,23 +177,20 @@ Level::Struck Level::advance(const Schedule::Move& move, const Vec3& moment_refe
         crossed += part.crossed;
         ledger_.held += part.held;
         struck.places.insert(struck.places.end(), part.on_elastic.begin(), part.on_elastic.end());
-        for (std::size_t b = 0; b < part.on_bodies.size(); ++b) {
-            Load held;
-            held.force = part.on_bodies[b].impulse / dt;
-            held.moment = part.on_bodies[b].turn / dt;
-            walls_.add_load(b, held);
-        }
+        for (std::size_t b = 0; b < part.on_bodies.size(); ++b) on_bodies[b] += part.on_bodies[b];
     }
-    for (std::size_t b = 0; b < pressed.size(); ++b)
-        struck.bodies[b] = {dt * (walls_.loads()[b].force - pressed[b].force),
-                            dt * (walls_.loads()[b].moment - pressed[b].moment)};
+    for (std::size_t b = 0; b < on_bodies.size(); ++b) {
+        const Impulse held{mass_ * on_bodies[b].push.value(), mass_ * on_bodies[b].turn.value()};
+        walls_.add_load(b, {held.impulse / dt, Vec3::Zero(), held.turn / dt});
+        struck.bodies.push_back(held);
+    }
     extremes_.speed = std::sqrt(speed2);
     extremes_.acceleration = std::sqrt(extremes_.acceleration);
     if (fastest < p.size()) {
         extremes_.fastest = p.id[fastest];
         extremes_.fastest_place = Vec3(p.x[fastest], p.y[fastest], p.z[fastest]);
     }
-    if (control_) control_->add_crossed(crossed);
+    if (control_) control_->add_crossed(mass_ * crossed.value());
     const double shift_travel = std::sqrt(shift2);
     life_.relative_speed = std::sqrt(relative2);
     life_.travel_in_stream += drifted * std::sqrt(relative2_before) + drift * life_.relative_speed + shift_travel;

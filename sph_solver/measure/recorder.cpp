@@ -11,10 +11,11 @@
 #include "record/hull_motion.h"
 #include "record/spray_table.h"
 #include "record/tank_table.h"
-#include "sph_solver/bodies/rigid_in_water.h"
 #include "sph_solver/air.h"
+#include "sph_solver/bodies/rigid_in_water.h"
 #include "sph_solver/measure/certificate.h"
 #include "sph_solver/measure/level_ledger.h"
+#include "sph_solver/measure/water_energy.h"
 #include "sph_solver/measure/water_raster.h"
 
 namespace tw {
@@ -171,25 +172,13 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
 
     Table& t = record_.table("samples");
     const std::size_t k = append_row(t, simulation.time());
-    double kinetic = 0, potential = 0, elastic = 0;
+    const WaterEnergy energy = water_energy(simulation);
     std::int64_t count = 0;
     const double c0 = s.state_equation.c0;
-    double mass = 0, fastest = 0, low = 0, high = 0;
+    double fastest = 0, low = 0, high = 0;
     Ledger ledger;
     for (const auto& level : simulation.water()) {
-        const Particles& p = level->particles();
-        const double m = level->mass();
-        std::int64_t in_level = 0;
-        for (std::size_t i = 0; i < p.size(); ++i) {
-            if (!is_active(p.kind[i])) continue;
-            ++count;
-            if (p.kind[i] != Kind::fluid) continue;
-            ++in_level;
-            kinetic += 0.5 * m * (double(p.u[i]) * p.u[i] + double(p.v[i]) * p.v[i] + double(p.w[i]) * p.w[i]);
-            potential -= m * s.gravity.z() * p.z[i];
-            elastic += 0.5 * m * c0 * c0 * double(p.drho[i]) * p.drho[i] / (s.rho0 * s.rho0);
-        }
-        mass += m * double(in_level);
+        count += std::ranges::count_if(level->particles().kind, is_active);
         const Extremes& e = level->extremes();
         fastest = std::max(fastest, e.speed);
         low = std::min(low, e.density_deviation_low), high = std::max(high, e.density_deviation_high);
@@ -198,10 +187,10 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
     }
     if (const RasterSpec& raster = scene_.sampling.raster; raster.voxel > 0)
         record_.frames.push_back(water_raster(simulation, raster, scene_.span()).frame(simulation.time()));
-    set(t, k, "mass", per_span("kg"), factor_ * mass);
-    set(t, k, "kinetic_energy", per_span("J"), factor_ * kinetic);
-    set(t, k, "potential_energy", per_span("J"), factor_ * potential);
-    set(t, k, "elastic_energy", per_span("J"), factor_ * elastic);
+    set(t, k, "mass", per_span("kg"), factor_ * energy.mass);
+    set(t, k, "kinetic_energy", per_span("J"), factor_ * energy.kinetic);
+    set(t, k, "potential_energy", per_span("J"), factor_ * energy.potential);
+    set(t, k, "elastic_energy", per_span("J"), factor_ * energy.elastic);
     set(t, k, "dt", "s", simulation.dt());
     set(t, k, "max_speed", "m/s", fastest);
     set(t, k, "max_mach", "-", fastest / c0);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/exact_sum.h"
 #include "record/components.h"
 #include "sph_solver/simulation.h"
 
@@ -84,26 +85,38 @@ std::vector<SprayLump> SprayGate::take(Simulation& simulation) const {
     std::vector<SprayLump> all(count);
     std::vector<char> leaves(count, 1), taken(water.who.size(), 0);
     leaves[0] = 0;  // the body of water
-    const auto mass_of = [&](std::size_t n) { return simulation.level(water.who[n].first).mass(); };
+    // masses are counted in those of the coarsest particles
+    const double coarsest = simulation.level(0).mass();
+    const auto share_of = [&](std::size_t n) { return simulation.level(water.who[n].first).mass() / coarsest; };
+    struct Sums {
+        ExactVectorSum place, velocity;
+        ExactSum share, inner_energy;
+    };
+    std::vector<Sums> sums(count);
     for (std::size_t n = 0; n < water.who.size(); ++n) {
-        SprayLump& lump = all[static_cast<std::size_t>(number[n])];
-        if (!is_inner(n)) leaves[static_cast<std::size_t>(number[n])] = 0;
-        lump.place += mass_of(n) * water.elements[n].place, lump.velocity += mass_of(n) * water.elements[n].velocity;
-        lump.mass += mass_of(n);
-        ++lump.particles;
+        const auto c = static_cast<std::size_t>(number[n]);
+        if (!is_inner(n)) leaves[c] = 0;
+        sums[c].place += share_of(n) * water.elements[n].place;
+        sums[c].velocity += share_of(n) * water.elements[n].velocity;
+        sums[c].share += share_of(n);
+        ++all[c].particles;
     }
     for (std::size_t c = 0; c < count; ++c) {
-        all[c].place /= all[c].mass, all[c].velocity /= all[c].mass;
+        const double share = sums[c].share.value();
+        all[c].place = sums[c].place.value() / share, all[c].velocity = sums[c].velocity.value() / share;
+        all[c].mass = coarsest * share;
         leaves[c] = leaves[c] && is_beyond(all[c].place);
     }
     std::vector<SprayLump> lumps;
     for (std::size_t n = 0; n < water.who.size(); ++n) {
-        SprayLump& lump = all[static_cast<std::size_t>(number[n])];
-        lump.inner_energy += 0.5 * mass_of(n) * (water.elements[n].velocity - lump.velocity).squaredNorm();
-        taken[n] = leaves[static_cast<std::size_t>(number[n])];
+        const auto c = static_cast<std::size_t>(number[n]);
+        sums[c].inner_energy += share_of(n) * (water.elements[n].velocity - all[c].velocity).squaredNorm();
+        taken[n] = leaves[c];
     }
-    for (std::size_t c = 0; c < count; ++c)
+    for (std::size_t c = 0; c < count; ++c) {
+        all[c].inner_energy = 0.5 * coarsest * sums[c].inner_energy.value();
         if (leaves[c]) lumps.push_back(all[c]);
+    }
     if (lumps.empty()) return {};
 
     const Bereft bereft(water, taken);

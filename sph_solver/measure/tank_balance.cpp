@@ -2,52 +2,67 @@
 
 #include <fmt/format.h>
 
+#include "base/exact_sum.h"
 #include "record/tank_table.h"
 #include "sph_solver/backend/for_particles.h"
 
 namespace tw {
 namespace {
 
-/// Over the water, by mass [N s], [N], [W].
-struct Sums {
-    Vec3 momentum = Vec3::Zero(), force = Vec3::Zero();
+/// Calls `add(sum, place, velocity)` for the particles of a level that count.
+template <class Sum, class Add>
+Sum sum_over_water(const Level& level, const Add& add) {
+    const Particles& p = level.particles();
+    return sum_over<Sum>(p.size(), [&](Sum& sum, std::size_t i) {
+        if (is_active(p.kind[i])) add(sum, Vec3(p.x[i], p.y[i], p.z[i]), Vec3(p.u[i], p.v[i], p.w[i]));
+    });
+}
+
+/// Of all sizes and of the air [N s].
+Vec3 momentum_of(const Simulation& simulation) {
+    Vec3 momentum = Vec3::Zero();
+    for (const auto& level : simulation.levels())
+        momentum +=
+            level->mass() * sum_over_water<ExactVectorSum>(*level, [](ExactVectorSum& sum, const Vec3&, const Vec3& u) {
+                                sum += u;
+                            }).value();
+    return momentum;
+}
+
+/// What the tank's motion does to the water of all sizes and to the air [N], [W].
+struct Drive {
+    Vec3 force = Vec3::Zero();
     double power = 0;
 };
 
-/// Of the particles that count, of all sizes and of the air.
-Sums sums_of(const Simulation& simulation) {
-    const SimulationSetup& s = simulation.setup();
-    const FrameForce force = s.force(simulation.time());
-    Sums sums;
-    for (const auto& level : simulation.levels()) {
-        const Particles& p = level->particles();
-        const auto add = [&](Sums& part, std::size_t first, std::size_t last) {
-            for (std::size_t i = first; i < last; ++i) {
-                if (!is_active(p.kind[i])) continue;
-                const Vec3 u(p.u[i], p.v[i], p.w[i]), f = force.at({p.x[i], p.y[i], p.z[i]}, u);
-                part.momentum += u;
-                part.force += f;
-                part.power += (f - s.gravity).dot(u);
-            }
-        };
-        Sums all;
-        for (const Sums& part : in_fixed_ranges<Sums>(p.size(), add)) {
-            all.momentum += part.momentum;
-            all.force += part.force;
-            all.power += part.power;
+Drive drive_of(const Simulation& simulation) {
+    struct Sums {  // per unit of particle mass
+        ExactVectorSum force;
+        ExactSum power;
+        Sums& operator+=(const Sums& other) {
+            force += other.force, power += other.power;
+            return *this;
         }
-        const double m = level->mass();
-        sums.momentum += m * all.momentum;
-        sums.force += m * all.force;
-        sums.power += m * all.power;
+    };
+    const Vec3& gravity = simulation.setup().gravity;
+    const FrameForce frame = simulation.setup().force(simulation.time());
+    Drive drive;
+    for (const auto& level : simulation.levels()) {
+        const Sums sums = sum_over_water<Sums>(*level, [&](Sums& sum, const Vec3& x, const Vec3& u) {
+            const Vec3 f = frame.at(x, u);
+            sum.force += f;
+            sum.power += (f - gravity).dot(u);
+        });
+        drive.force += level->mass() * sums.force.value();
+        drive.power += level->mass() * sums.power.value();
     }
-    return sums;
+    return drive;
 }
 
 }  // namespace
 
 void TankBalance::begin(const Simulation& simulation) {
-    momentum_ = sums_of(simulation).momentum;
+    momentum_ = momentum_of(simulation);
     impulse_ = Vec3::Zero();
     work_ = since_ = 0;
     time_ = simulation.time();
@@ -55,7 +70,7 @@ void TankBalance::begin(const Simulation& simulation) {
 
 void TankBalance::after_step(const Simulation& simulation) {
     const double dt = simulation.time() - time_;
-    const Sums now = sums_of(simulation);
+    const Drive now = drive_of(simulation);
     impulse_ += dt * now.force;
     work_ += dt * now.power;
     since_ += dt;
@@ -63,7 +78,7 @@ void TankBalance::after_step(const Simulation& simulation) {
 }
 
 void TankBalance::record(const Simulation& simulation, Table& tank, const std::string& N, const std::string& J) {
-    const Vec3 force = (impulse_ - (sums_of(simulation).momentum - momentum_)) / since_;
+    const Vec3 force = (impulse_ - (momentum_of(simulation) - momentum_)) / since_;
     const Column* before = tank.find(tank_work);
     const double work = (before && !before->values.empty() ? before->values.back() : 0) + work_;
     tank.time.push_back(simulation.time());

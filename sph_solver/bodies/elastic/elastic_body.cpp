@@ -43,7 +43,8 @@ ElasticBody::ElasticBody(BodySetup setup)
     const int all = setup_->freedoms.all();
     relaxation_.assign(nodes_.size(), 1.0);
     accelerations_ = VectorXd::Zero(static_cast<Eigen::Index>(3 * nodes_.size()));
-    last_acceleration_ = force_ = impulses_ = VectorXd::Zero(all);
+    last_acceleration_ = VectorXd::Zero(all);
+    force_ = impulses_ = FreedomSums(all);
     u_ = structure_->displacement();
     v_ = structure_->velocity();
     note_surface();
@@ -184,8 +185,7 @@ void ElasticBody::take(const Attached& dummies, const std::vector<Vec3>& forces)
 void ElasticBody::push(const Tie& tie, const Vec3& force) {
     const Vec3 whole = width() * force;
     power_ += whole.dot(velocity(tie));
-    for (std::size_t i = 0; i < 4; ++i)
-        force_.segment<3>(setup_->freedoms.per_node() * tie.nodes[i]) += tie.shares[i] * whole;
+    for (std::size_t i = 0; i < 4; ++i) force_.add(setup_->freedoms.per_node() * tie.nodes[i], tie.shares[i] * whole);
 }
 
 void ElasticBody::take(const WallPush& by) {
@@ -201,8 +201,7 @@ void ElasticBody::strike(const WallStrike& by) {
     for (int k = 0; k < 3; ++k) {
         const Tie& tie = skin_ties_[static_cast<std::size_t>(corners[static_cast<std::size_t>(k)])];
         for (std::size_t i = 0; i < 4; ++i)
-            impulses_.segment<3>(setup_->freedoms.per_node() * tie.nodes[i]) +=
-                width() * shares[k] * tie.shares[i] * by.impulse;
+            impulses_.add(setup_->freedoms.per_node() * tie.nodes[i], width() * shares[k] * tie.shares[i] * by.impulse);
     }
 }
 
@@ -226,35 +225,34 @@ VectorXd ElasticBody::load_of(const VectorXd& water) const {
 
 void ElasticBody::rehearse(const BodyStep& step) {
     const std::vector<double> now = structure_->state();
-    structure_->step(step.kick, step.drift, load_of(force_ + impulses_ / step.kick));
+    structure_->step(step.kick, step.drift, load_of(force_.value() + impulses_.value() / step.kick));
     relax((structure_->velocity() - v_) / step.kick);
     structure_->restore(now);
-    force_.setZero();
-    power_ = 0;
+    force_ = FreedomSums(v_.size());
+    power_ = {};
 }
 
 void ElasticBody::move(const BodyStep& step) {
     const double dt = step.kick, felt = 2 * step.drifted;
-    const VectorXd water = force_ + impulses_ / dt;
+    const VectorXd force = force_.value(), impulses = impulses_.value(), water = force + impulses / dt;
     const VectorXd before = v_;
     const VectorXd change = structure_->step(dt, step.drift, load_of(water));
     u_ = structure_->displacement();
     v_ = structure_->velocity();
     const double taken = water.dot(change);
-    const double given = felt / 2 * (power_before_ + power_) + impulses_.dot(before);
+    const double given = felt / 2 * (power_before_ + power_.value()) + impulses.dot(before);
     work_taken_ += taken;
     work_exchanged_ += std::abs(taken);
     work_given_ += given;
     constexpr double kept = 15. / 16;
     made_lately_ = kept * made_lately_ + taken - given;
     exchanged_lately_ = kept * exchanged_lately_ + std::abs(taken);
-    power_before_ = force_.dot(v_);
+    power_before_ = force.dot(v_);
     for (std::size_t k = 0; k < nodes_.size(); ++k) impulse_ += dt * water.segment<3>(first_of(k));
     last_acceleration_ = (v_ - before) / dt;
     relax(last_acceleration_);
-    force_.setZero();
-    impulses_.setZero();
-    power_ = 0;
+    force_ = impulses_ = FreedomSums(v_.size());
+    power_ = {};
     note_nodes(0);
 }
 
@@ -306,7 +304,8 @@ void ElasticBody::describe(const Load& load, const Note& note) const {
 
 std::vector<double> ElasticBody::state() const {
     std::vector<double> all;
-    for (const VectorXd* part : {&accelerations_, &last_acceleration_, &impulses_})
+    const VectorXd impulses = impulses_.value();
+    for (const VectorXd* part : {&accelerations_, &last_acceleration_, &impulses})
         all.insert(all.end(), part->begin(), part->end());
     all.insert(all.end(), {power_before_, work_taken_, work_given_, work_exchanged_, impulse_.x(), impulse_.y(),
                            impulse_.z(), made_lately_, exchanged_lately_});
@@ -322,8 +321,10 @@ void ElasticBody::restore(std::span<const double> state) {
         at += size;
         return state.subspan(at - size, size);
     };
-    for (VectorXd* part : {&accelerations_, &last_acceleration_, &impulses_})
+    VectorXd impulses(v_.size());
+    for (VectorXd* part : {&accelerations_, &last_acceleration_, &impulses})
         std::ranges::copy(next(static_cast<std::size_t>(part->size())), part->begin());
+    impulses_ = FreedomSums(impulses);
     const auto sums = next(9);
     power_before_ = sums[0], work_taken_ = sums[1], work_given_ = sums[2], work_exchanged_ = sums[3];
     impulse_ = Vec3(sums[4], sums[5], sums[6]);

@@ -6,6 +6,7 @@
 
 #include "sph_solver/bodies/body.h"
 #include "sph_solver/bodies/elastic/elastic_setup.h"
+#include "sph_solver/bodies/elastic/freedom_sums.h"
 #include "sph_solver/bodies/elastic/structure_in_time.h"
 #include "sph_solver/bodies/elastic/tie.h"
 
@@ -144,8 +145,8 @@ private:
     Eigen::VectorXd u_, v_;              ///< of all freedoms
     Eigen::VectorXd accelerations_;      ///< relaxed, three for each node
     Eigen::VectorXd last_acceleration_;  ///< of all freedoms, over the last step
-    Eigen::VectorXd force_, impulses_;   ///< that wait for `move`, of all freedoms
-    double power_ = 0;                   ///< of the forces in force_, with the velocities that the water felt [W]
+    FreedomSums force_, impulses_;       ///< that wait for `move`, of all freedoms
+    ExactSum power_;                     ///< of the forces in force_, with the velocities that the water felt [W]
     double power_before_ = 0;            ///< of the forces before, with the same velocities [W]
     std::vector<double> relaxation_;     ///< theta of each node
     double lightest_ = 0;                ///< the largest rho0 dp A / m of a node that may move [-]

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
+#include "base/exact_sum.h"
+
 namespace tw {
 namespace {
 
@@ -67,6 +69,22 @@ TEST(InFixedRanges, SumsToTheSameBitsWithAnyNumberOfThreads) {
     }
     EXPECT_EQ(reached, n);
     EXPECT_EQ(sum_of_one, sum_of_three);
+}
+
+TEST(SumOver, IsTheSameInAnyOrderAndWithAnyNumberOfThreads) {
+    const auto sum_with = [](int threads, bool backwards) {
+        const int before = omp_get_max_threads();
+        omp_set_num_threads(threads);
+        const ExactSum sum = sum_over<ExactSum>(
+            n, [&](ExactSum& part, std::size_t i) { part += 1 / static_cast<double>(backwards ? n - i : i + 1); });
+        omp_set_num_threads(before);
+        return sum.value();
+    };
+    double harmonic = 0;
+    for (std::size_t i = n; i > 0; --i) harmonic += 1 / static_cast<double>(i);
+    EXPECT_NEAR(sum_with(1, false), harmonic, 1e-12);
+    EXPECT_EQ(sum_with(1, false), sum_with(3, true));
+    EXPECT_EQ(sum_over<ExactSum>(0, [](ExactSum&, std::size_t) { FAIL(); }).value(), 0);
 }
 
 }  // namespace
