@@ -1,14 +1,17 @@
 #pragma once
+#include <cstdint>
 #include <functional>
 #include <vector>
 
+#include "base/exact_sum.h"
 #include "record/run_record.h"
 
 namespace tw {
 
 /// Pours water into voxels, conserving volume: the one definition of "where the water is" for both methods.
 /// A particle is a cube of volume m/rho; a cell is a cube of its water volume's cell. Each cube's water is shared among
-/// the voxels it overlaps in proportion to the overlap.
+/// the voxels it overlaps in proportion to the overlap. What a voxel has is summed in whole parts of it, 2^-40, so that
+/// it does not depend on the order of pouring; a voxel holds up to 2^22 of its own volumes.
 class Raster {
 public:
     explicit Raster(const RasterSpec& spec);
@@ -20,16 +23,18 @@ public:
     void pour_cell(const Vec3& centre, double volume, double water);
     /// Takes the water of another raster of the same voxels, in place of its own, where a voxel's centre is `inside`.
     void take_where(const std::function<bool(const Vec3&)>& inside, const Raster& other);
-    RasterFrame frame(double time) const;      ///< fractions, clamped to 1
-    double poured() const { return poured_; }  ///< all water poured, inside the raster or not [m3]
+    RasterFrame frame(double time) const;              ///< fractions, clamped to 1
+    double poured() const { return poured_.value(); }  ///< all water poured, inside the raster or not [m3]
 
 private:
     RasterSpec spec_;
-    void spread(std::vector<float>& into, const Vec3& centre, double edge, double amount) const;
+    using Parts = std::int64_t;
+    static constexpr double parts_of_voxel = 0x1p40;
+    void spread(std::vector<Parts>& into, const Vec3& centre, double edge, double amount) const;
 
-    std::vector<float> volume_;
-    std::vector<float> space_;  ///< volume of the cells poured, wet and dry; empty without pour_cell
-    double poured_ = 0;
+    std::vector<Parts> volume_;
+    std::vector<Parts> space_;  ///< volume of the cells poured, wet and dry; empty without pour_cell
+    ExactSum poured_;
 };
 
 }  // namespace tw
