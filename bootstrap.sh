@@ -167,6 +167,10 @@ provide_openfoam() {
     [ "$with_openfoam" = 1 ] || { echo "OpenFOAM: left out (--no-openfoam)"; return; }
     if openfoam_is_sound; then
         echo "OpenFOAM: a sound interFoam is there"
+        # Its library of walls may be absent or of an earlier source; interFoam runs without it, and says so.
+        if [ -x .openfoam/bin/interFoam ]; then
+            JOBS=$jobs tools/build_openfoam_solvers.sh "$root/.openfoam" || echo "note: walls of interFoam hold water"
+        fi
         return
     fi
     say "building interFoam from the distribution's source into .openfoam (about two minutes, once)"

@@ -347,4 +347,25 @@ CasePlan plan_case(const Scene& scene, const Flavour& flavour) {
     return plan;
 }
 
+CasePlan plan_case(const Scene& scene, const OpenFoam& openfoam) {
+    CasePlan plan = plan_case(scene, Flavour::from_version(openfoam.vendor, openfoam.version));
+    // In a tank that is closed all round no volume can come in.
+    const bool open = std::any_of(plan.sides.begin(), plan.sides.end(), [](const Patch& p) {
+        return p.side == Side::atmosphere || p.open == Patch::Open::water_and_air;
+    });
+    const bool off = std::any_of(scene.effects.begin(), scene.effects.end(),
+                                 [](const EffectChoice& e) { return e.name == "ventilation" && !e.on; });
+    if (off)
+        plan.walls = "hold water under tension: the effect ventilation is off";
+    else if (!open)
+        plan.walls = "hold water under tension: the domain is closed, no air can come in";
+    else if (openfoam.wall_library.empty())
+        plan.walls =
+            "hold water under tension: this OpenFOAM has no library of walls that let it go "
+            "(tools/build_openfoam_solvers.sh builds it for Debian's and Ubuntu's)";
+    else
+        plan.walls = "let water go where air can come", plan.wall_library = openfoam.wall_library.string();
+    return plan;
+}
+
 }  // namespace tw

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "foam_cases/doctor.h"
 #include "foam_cases/flavour.h"
 #include "scene/edge_refinement.h"
 #include "scene/mesh_motion.h"
@@ -86,6 +87,9 @@ struct CasePlan {
 
     // physics
     bool stream = false, viscous = false, no_slip = false, turbulent = false;
+    /// Of the walls that let water go (foam_cases/ventilated_wall); empty: solids hold water under tension.
+    std::string wall_library;
+    std::string walls;                    ///< what holds of them, for the record
     double inlet_k = 0, inlet_omega = 0;  ///< [m2/s2], [1/s]
 
     // time
@@ -114,5 +118,8 @@ struct CasePlan {
 /// Throws InputError when the scene cannot become an OpenFOAM case (no point of the domain is outside all solids, sizes
 /// that are not finite).
 CasePlan plan_case(const Scene& scene, const Flavour& flavour);
+/// The same for an installation, whose solids let water go if it has the library for it and the scene does not ask
+/// otherwise.
+CasePlan plan_case(const Scene& scene, const OpenFoam& openfoam);
 
 }  // namespace tw

@@ -138,6 +138,8 @@ std::vector<OpenFoam> find_openfoam(const std::string& preferred) {
             if (is_program(folder / "interFoam")) {
                 OpenFoam mended = *debian;
                 mended.solver = folder / "interFoam";
+                mended.wall_library = folder.parent_path() / "lib" / "libventilatedWall.so";
+                if (!fs::exists(mended.wall_library)) mended.wall_library.clear();
                 all.push_back(mended);
             }
     for (const OpenFoam& f : installed) {  // unless a folder above already led to the same program

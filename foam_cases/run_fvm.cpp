@@ -37,7 +37,7 @@ public:
         : options_(options),
           case_(options.folder / "case"),
           record_file_(options.folder / "record.h5"),
-          plan_(plan_case(scene, Flavour::from_version(openfoam.vendor, openfoam.version))),
+          plan_(plan_case(scene, openfoam)),
           openfoam_(openfoam),
           record_(new_record(scene, "fvm")) {
         note_prediction(record_, options);
@@ -99,6 +99,7 @@ private:
         record_.attributes["openfoam_solver"] = openfoam_.solver.string();
         record_.attributes["openfoam_self_test"] = openfoam_.verdict;
         record_.numbers["openfoam_self_test_error"] = openfoam_.self_test_error;
+        if (!plan_.solids.empty()) record_.attributes["walls"] = plan_.walls;
         record_.attributes["restart"] = "not bitwise: after a restart of interFoam forces differ by about 0.1 %";
         record_.numbers["write_interval"] = plan_.write_interval;
         record_.numbers["raster_every"] = plan_.raster_every;
@@ -283,7 +284,8 @@ private:
             const long n = std::lround(moments[i].time / plan_.write_interval);
             const bool keep_picture = plan_.snapshot_every > 0 && n % plan_.snapshot_every == 0;
             std::error_code none;
-            if (!keep_picture) fs::remove_all(case_ / "postProcessing/hullSurface" / moments[i].name, none);
+            for (const char* surfaces : {"hullSurface", "bodySurfaces"})
+                if (!keep_picture) fs::remove_all(case_ / "postProcessing" / surfaces / moments[i].name, none);
         }
         Phase& p = phase("reading");
         p.wall += wall_clock() - began;

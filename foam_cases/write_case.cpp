@@ -38,10 +38,8 @@ std::string changed_file(const CasePlan& plan, const fs::path& folder) {
 void write_fvm_case(const Scene& scene, const fs::path& folder) {
     // Written for the installation that is here, sound or not; without one for the release the settings were measured
     // with.
-    Flavour flavour;
     const auto found = find_openfoam(scene.fvm.openfoam);
-    if (!found.empty()) flavour = Flavour::from_version(found.front().vendor, found.front().version);
-    const CasePlan plan = plan_case(scene, flavour);
+    const CasePlan plan = found.empty() ? plan_case(scene, Flavour()) : plan_case(scene, found.front());
     if (fs::exists(folder) && !fs::is_empty(folder) && !fs::exists(folder / "system/controlDict"))
         throw InputError(folder.string() + ": holds something that is not an OpenFOAM case; choose an empty folder");
     write_case(plan, folder, std::max(1, scene.run.threads));

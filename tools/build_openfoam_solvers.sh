@@ -6,14 +6,16 @@
 # Here the same source is compiled with that keyword switched off. `twinwake doctor` proves the result by a flow whose
 # answer is known exactly.
 #
-#   tools/build_openfoam_solvers.sh FOLDER [solver ...]     -> FOLDER/bin/interFoam
+#   tools/build_openfoam_solvers.sh FOLDER [solver ...]   -> FOLDER/bin/interFoam, FOLDER/lib/libventilatedWall.so
 #
 # Solvers: interFoam (always), interIsoFoam, potentialFoam. About 40 s per solver on two cores, 0.4 GB of disk while it
-# builds (JOBS=n sets the compiler processes). No system setting is touched, and no root right is needed. Does nothing
-# when the solvers are there, start, and belong to the installed package. Needs: openfoam, dpkg-dev, g++, make, flex,
-# libopenmpi-dev, zlib1g-dev.
+# builds (JOBS=n sets the compiler processes). The library is twinwake's own (foam_cases/ventilated_wall, 10 s): walls
+# that let water go where air can come. No system setting is touched, and no root right is needed. Does nothing when all
+# is there, the solvers start and belong to the installed package, and the library to its source. Needs: openfoam,
+# dpkg-dev, g++, make, flex, libopenmpi-dev, zlib1g-dev.
 set -euo pipefail
 
+wall_source=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)/foam_cases/ventilated_wall/ventilated_wall.C
 die() { echo "build_openfoam_solvers: $*" >&2; exit 1; }
 [ $# -ge 1 ] || { sed -n '2,/^set /{/^set /d;s/^# \{0,1\}//;p}' "$0"; exit 2; }
 mkdir -p "$1"
@@ -29,14 +31,20 @@ done
 package=$(dpkg-query -W -f '${Version}' openfoam 2>/dev/null) || die "the package 'openfoam' is not installed: sudo apt-get install --no-install-recommends openfoam"
 stamp="openfoam $package, __restrict__ off"
 
-ready() {  # is every wanted solver here, made from the installed package, and able to start?
-    [ "$(cat "$work/stamp" 2>/dev/null)" = "$stamp" ] || return 1
+wall_stamp="$stamp, source $(sha256sum <"$wall_source" | cut -c1-16)"
+
+missing_solvers() {  # of the wanted ones: not here, not made from the installed package, or not able to start
     local s
     for s in "${solvers[@]}"; do
-        [ -x "$work/bin/$s" ] && WM_PROJECT_DIR=/usr/share/openfoam "$work/bin/$s" -help >/dev/null 2>&1 || return 1
+        [ "$(cat "$work/stamp" 2>/dev/null)" = "$stamp" ] && [ -x "$work/bin/$s" ] &&
+            WM_PROJECT_DIR=/usr/share/openfoam "$work/bin/$s" -help >/dev/null 2>&1 || echo "$s"
     done
 }
-if ready; then echo "$work/bin: ${solvers[*]} are there ($stamp)"; exit 0; fi
+wall_is_there() {
+    [ "$(cat "$work/lib/stamp" 2>/dev/null)" = "$wall_stamp" ] && [ -f "$work/lib/libventilatedWall.so" ]
+}
+ready() { [ -z "$(missing_solvers)" ] && wall_is_there; }
+if ready; then echo "$work: ${solvers[*]} and the library of walls are there ($stamp)"; exit 0; fi
 for tool in dpkg-source g++ make flex mpicxx tar bzip2; do
     command -v "$tool" >/dev/null || die "'$tool' is missing: sudo apt-get install dpkg-dev g++ make flex libopenmpi-dev zlib1g-dev bzip2"
 done
@@ -44,7 +52,7 @@ done
 exec 9>"$work/.lock"
 flock 9                      # two builds in one folder: the second waits and then finds the work done
 if ready; then exit 0; fi
-rm -rf "$work/build"; mkdir -p "$work/build/lists/partial" "$work/build/bin" "$work/bin"; cd "$work/build"
+rm -rf "$work/build"; mkdir -p "$work/build/lists/partial" "$work/build/bin" "$work/bin" "$work/lib"; cd "$work/build"
 
 # A private list of source packages, made from the system's own list of binary ones.
 for f in /etc/apt/sources.list.d/debian.sources /etc/apt/sources.list.d/ubuntu.sources; do
@@ -86,11 +94,20 @@ log=$work/build.log; : >"$log"
   for d in */ */*/ */*/*/; do
       if [ -f "$d/Make/files" ]; then wmakeLnInclude -s "$d" || true; fi
   done ) >>"$log" 2>&1
-for s in "${solvers[@]}"; do
+for s in $(missing_solvers); do
     ( cd "$src/applications/solvers/${source_folder[$s]}" && wmake -s ) >>"$log" 2>&1 || die "$s did not build, see $log"
     mv "$work/build/bin/$s" "$work/bin/$s"
 done
 echo "$stamp" >"$work/stamp"
+if ! wall_is_there; then
+    # shellcheck disable=SC2086   # the mending is two words
+    g++ -std=c++11 -m64 -pthread -O2 -fPIC -shared -ftemplate-depth-100 $FOAM_EXTRA_CXXFLAGS -DWM_DP \
+        -DWM_LABEL_SIZE=$WM_LABEL_SIZE -DNoRepository -I"$src/src/finiteVolume/lnInclude" \
+        -I"$src/src/OpenFOAM/lnInclude" -I"$src/src/OSspecific/POSIX/lnInclude" -I"$src/src/meshTools/lnInclude" \
+        -o "$work/lib/libventilatedWall.so" "$wall_source" >>"$log" 2>&1 ||
+        die "$wall_source did not build, see $log; interFoam runs without it, and its walls then hold water"
+    echo "$wall_stamp" >"$work/lib/stamp"
+fi
 rm -rf "$work/build"
 ready || die "the solvers were built but do not start, see $log and: $work/bin/interFoam -help"
-echo "$work/bin: ${solvers[*]} built ($stamp)"
+echo "$work: ${solvers[*]} and the library of walls built ($stamp)"

@@ -77,6 +77,14 @@ Dictionary hull_surface(const CasePlan& plan) {
     return surface_output(plan, fields, {Value::named(Word("hull"), faces_of("hull"))}, every_write());
 }
 
+/// Of obstacles and bodies, for the suction on them (read/frame_reader.h).
+Dictionary body_surfaces(const CasePlan& plan) {
+    List surfaces;
+    for (const Solid& s : plan.solids)
+        if (!s.is_hull) surfaces.push_back(Value::named(Word(s.name), faces_of(s.name)));
+    return surface_output(plan, {Word("p"), Word("alpha.water")}, surfaces, every_write());
+}
+
 /// The rigid counterpart of an elastic plate, for the strains (one_way.h).
 Dictionary plate_surface(const CasePlan& plan) {
     const Dictionary when{{"log", false}, {"writeControl", Word("runTime")}, {"writeInterval", plan.plate_interval}};
@@ -121,6 +129,7 @@ Dictionary functions(const CasePlan& plan) {
     f.add("fastest", fastest(plan));
     if (plan.scene->hull && plan.viscous) f.add("wallShear", wall_shear(plan));  // before hullSurface, which writes it
     if (plan.scene->hull) f.add("hullSurface", hull_surface(plan));
+    if (plan.solids.size() > (plan.scene->hull ? 1 : 0)) f.add("bodySurfaces", body_surfaces(plan));
     if (plan.snapshot_every > 0) f.add("freeSurface", free_surface(plan));
     if (!plan.pressure_places.empty()) f.add("pressureProbes", probes(plan, "p", plan.pressure_places, "cellPoint"));
     std::vector<Vec3> columns;
@@ -142,6 +151,7 @@ std::string control_dict(const CasePlan& plan) {
     const FvmOptions& fvm = plan.scene->fvm;
     Dictionary d{{"application", Word(plan.flavour.solver_program())}};
     if (!plan.flavour.solver_arguments().empty()) d.add("solver", Word(plan.flavour.solver_arguments().back()));
+    if (!plan.wall_library.empty()) d.add("libs", List{Quoted(plan.wall_library)});
     d.add({{"startFrom", Word("latestTime")},
            {"startTime", 0},
            {"stopAt", Word("endTime")},

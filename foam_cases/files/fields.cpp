@@ -8,15 +8,15 @@ namespace {
 Value uniform(double v) { return Value::sequence({Word("uniform"), v}); }
 Value uniform(const Vec3& v) { return Value::sequence({Word("uniform"), v}); }
 
-/// A field of 0.orig: `open` gives the entries of an inlet, outlet or atmosphere, `wall` those of a solid and of a
-/// tank's wall that holds the water, `moving_wall` those of a body that moves. Plane sides are the same in every field.
+/// A field of 0.orig: `open` gives the entries of an inlet, outlet or atmosphere, `wall` those of a tank's wall that
+/// holds the water, `solid` those of a solid, if others. Plane sides are the same in every field.
 std::string field(const CasePlan& plan, const char* foam_class, const char* name, const Dimensions& dimensions,
                   const Value& inside, const std::function<Dictionary(const Patch&)>& open, const Dictionary& wall,
-                  const Dictionary& moving_wall = {}) {
+                  const std::function<Dictionary(const Solid&)>& solid = {}) {
     Dictionary boundary;
     for (const Patch& p : plan.sides)
         boundary.add(p.name, p.plane() ? Dictionary{{"type", Word(p.mesh_type())}} : p.holds ? wall : open(p));
-    for (const Solid& s : plan.solids) boundary.add(s.name, s.moves && !moving_wall.empty() ? moving_wall : wall);
+    for (const Solid& s : plan.solids) boundary.add(s.name, solid ? solid(s) : wall);
     return foam_file(foam_class, name,
                      {{"dimensions", dimensions}, {"internalField", inside}, {"boundaryField", boundary}});
 }
@@ -41,8 +41,12 @@ std::string alpha_water(const CasePlan& plan) {
                 {"inletValue", uniform(0.0)},
                 {"value", uniform(0.0)}};  // what flows in is air
     };
-    return field(plan, "volScalarField", "alpha.water", dimensionless, uniform(0.0), open,
-                 {{"type", Word("zeroGradient")}});
+    const Dictionary wall{{"type", Word("zeroGradient")}};
+    return field(plan, "volScalarField", "alpha.water", dimensionless, uniform(0.0), open, wall,
+                 [&](const Solid&) -> Dictionary {
+                     if (plan.wall_library.empty()) return wall;
+                     return {{"type", Word("ventilatedWallFraction")}, {"value", uniform(0.0)}};
+                 });
 }
 
 /// 0/U: water and air enter with the stream; the outlet's water keeps the mean speed of the stream, so that the level
@@ -67,10 +71,12 @@ std::string velocity_field(const CasePlan& plan) {
                     {"value", stream}};
         return {{"type", Word("pressureInletOutletVelocity")}, {"tangentialVelocity", stream}, {"value", stream}};
     };
-    return field(plan, "volVectorField", "U", velocity, inside, open,
-                 {{"type", Word(plan.no_slip ? "noSlip" : "slip")}},
-                 // slip would let the water through a wall that moves
-                 {{"type", Word("movingWallVelocity")}, {"value", uniform(Vec3::Zero())}});
+    const Dictionary wall{{"type", Word(plan.no_slip ? "noSlip" : "slip")}};
+    return field(plan, "volVectorField", "U", velocity, inside, open, wall, [&](const Solid& s) -> Dictionary {
+        if (!s.moves) return wall;
+        // slip would let the water through a wall that moves
+        return {{"type", Word("movingWallVelocity")}, {"value", uniform(Vec3::Zero())}};
+    });
 }
 
 /// 0/p_rgh: pressure less the hydrostatic part rho g z.
@@ -82,8 +88,10 @@ std::string p_rgh(const CasePlan& plan) {
         if (side == Side::outlet) return {{"type", Word("zeroGradient")}};
         return {{"type", Word("totalPressure")}, {"p0", uniform(0.0)}, {"value", uniform(0.0)}};
     };
-    return field(plan, "volScalarField", "p_rgh", pressure, uniform(0.0), open,
-                 {{"type", Word("fixedFluxPressure")}, {"value", uniform(0.0)}});
+    const auto wall = [](const char* type) { return Dictionary{{"type", Word(type)}, {"value", uniform(0.0)}}; };
+    return field(
+        plan, "volScalarField", "p_rgh", pressure, uniform(0.0), open, wall("fixedFluxPressure"),
+        [&](const Solid&) { return wall(plan.wall_library.empty() ? "fixedFluxPressure" : "ventilatedWallPressure"); });
 }
 
 /// 0/k, omega, nut. nutUSpaldingWallFunction holds from the wall to the logarithmic layer; nutkWallFunction loses 80 %

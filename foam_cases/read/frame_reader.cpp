@@ -78,6 +78,7 @@ std::size_t FrameReader::cells() const {
 void FrameReader::read(const TimeFolders::Moment& moment, const SolverLog& log, RunRecord& record) {
     read_water(moment, log, record);
     if (plan_.scene->hull) read_hull(moment, record);
+    read_suction(moment, record);
 }
 
 void FrameReader::read_water(const TimeFolders::Moment& moment, const SolverLog& log, RunRecord& record) const {
@@ -184,6 +185,24 @@ void FrameReader::read_hull(const TimeFolders::Moment& moment, RunRecord& record
     sample("ventilation", "-", load.ventilation);
     keep_picture(*patch, half, record);
     if (scene.hull->section) record.hull = with_span(record.hull, 1);
+}
+
+void FrameReader::read_suction(const TimeFolders::Moment& moment, RunRecord& record) const {
+    const Scene& scene = *plan_.scene;
+    const double factor = scene.symmetry_factor() / scene.span();
+    Table& samples = record.table("samples");
+    for (const Solid& s : plan_.solids) {
+        const auto patch = read_hull_patch(
+            case_ / "postProcessing" / (s.is_hull ? "hullSurface" : "bodySurfaces") / moment.name, s.name);
+        const Suction pull = patch ? suction(*patch) : Suction{std::nan(""), std::nan("")};
+        const auto sample = [&](const std::string& name, const std::string& unit, double value) {
+            Column& c = samples.column(name, scene.spanwise_unit(unit));
+            c.values.resize(samples.time.size() - 1, std::nan(""));
+            c.values.push_back(factor * value);
+        };
+        sample("suction_area_" + s.name, "m2", pull.area);
+        sample("suction_force_" + s.name, "N", pull.force);
+    }
 }
 
 void forget_after(RunRecord& record, double time) {

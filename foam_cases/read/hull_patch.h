@@ -27,6 +27,13 @@ struct HullPatch {
 /// Reads NAME.vtp (openfoam.com) or NAME.vtk (openfoam.org) below `folder`; nothing when neither is there or whole.
 std::optional<HullPatch> read_hull_patch(const std::filesystem::path& folder, const std::string& name = "hull");
 
+/// What pressure below the air's pulls at wet faces (water fraction > 0.5).
+struct Suction {
+    double area = 0;   ///< [m2]
+    double force = 0;  ///< sum of -pressure area, whatever the direction [N]
+};
+Suction suction(const HullPatch& patch);
+
 /// How well the mesh shows the hull: the largest distance from a corner of its surface that lies at y >= `y_min` and
 /// below `z_max` to the patch [m]. A keel or transom edge that snapping has cut off shows here, and in the force.
 double mesh_error(const HullPatch& patch, const Surface& hull, double y_min, double z_max);

@@ -162,6 +162,34 @@ TEST(CaseFiles, AFreeHullMovesItsMeshWithHalfItsMassAndLetsNoWaterThrough) {
 }
 
 // Both bodies hang on joints of their own, with their share of the mass and their first motion, in the order of joints.
+TEST(CaseFiles, SolidsLetWaterGoWhereTheInstallationHasTheLibraryForIt) {
+    Scene scene = planing_scene();
+    OpenFoam openfoam;
+    openfoam.vendor = "openfoam.com", openfoam.version = "v1912";
+    openfoam.wall_library = "/some where/libventilatedWall.so";
+    const CasePlan plan = plan_case(scene, openfoam);
+    EXPECT_SAYS(control_dict(plan), "libs (\"/some where/libventilatedWall.so\");");
+    EXPECT_SAYS(p_rgh(plan), "hull { type ventilatedWallPressure;");
+    EXPECT_SAYS(p_rgh(plan), "inlet { type fixedFluxPressure;") << "the domain's own sides are as they were";
+    EXPECT_SAYS(alpha_water(plan), "hull { type ventilatedWallFraction;");
+    EXPECT_EQ(plan.walls, "let water go where air can come");
+
+    const auto holds = [&](const CasePlan& held, const char* why) {
+        EXPECT_SILENT(control_dict(held), "libventilatedWall");
+        EXPECT_SAYS(p_rgh(held), "hull { type fixedFluxPressure;");
+        EXPECT_SAYS(alpha_water(held), "hull { type zeroGradient;");
+        EXPECT_NE(held.walls.find(why), std::string::npos) << held.walls;
+    };
+    set_effect(scene, "ventilation", false);
+    holds(plan_case(scene, openfoam), "ventilation is off");
+    scene.effects.clear();
+    scene.domain.z_max = Side::slip_wall;
+    holds(plan_case(scene, openfoam), "closed");
+    scene.domain.z_max = Side::atmosphere;
+    openfoam.wall_library.clear();
+    holds(plan_case(scene, openfoam), "no library");
+}
+
 TEST(CaseFiles, SeveralBodiesAreJointsOfOneSystem) {
     Scene scene = dam_break_scene();
     scene.domain.box = {Vec3(0, 0, 0), Vec3(3, 0.01, 1)};

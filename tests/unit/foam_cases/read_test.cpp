@@ -100,6 +100,16 @@ HullPatch box_in_water(const fs::path& folder, double above) {
     return *read_hull_patch(folder);
 }
 
+TEST_F(ReadTest, SuctionIsPressureBelowTheAirsOnWetFacesAlone) {
+    HullPatch patch = box_in_water(folder, -0.1);
+    EXPECT_EQ(suction(patch).area, 0) << "still water presses everywhere";
+    for (HullPatch::Face& f : patch.faces) f.pressure = f.area.z() > 0 ? -50 : 200;  // the bottom's faces point up
+    EXPECT_NEAR(suction(patch).area, 0.4 * 0.3, 1e-6);
+    EXPECT_NEAR(suction(patch).force, 50 * 0.4 * 0.3, 1e-4);
+    for (HullPatch::Face& f : patch.faces) f.water = 0.4;
+    EXPECT_EQ(suction(patch).force, 0) << "air";
+}
+
 TEST_F(ReadTest, TheWatersLoadOnASubmergedBoxIsItsWeightOfWater) {
     const HullPatch patch = box_in_water(folder, -0.1);
     // About a point 1 m ahead of its centre the lift turns the bow down: my = -x fz.

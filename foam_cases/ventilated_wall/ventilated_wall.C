@@ -1,0 +1,199 @@
+// Walls from which water lets go: two boundary conditions for interFoam of openfoam.com, a library of their own that
+// tools/build_openfoam_solvers.sh builds against the installed OpenFOAM. Theory: docs/theory.md, "Walls that let water
+// go"; measurements: docs/decisions/062-walls-that-let-go-interfoam.md.
+//
+//     0/p_rgh         type ventilatedWallPressure;   value uniform 0;
+//     0/alpha.water   type ventilatedWallFraction;   value uniform 0;
+//
+// The velocity keeps the condition of a wall.
+
+#include "addToRunTimeSelectionTable.H"
+#include "fixedFluxPressureFvPatchScalarField.H"
+#include "fvPatchFieldMapper.H"
+#include "gravityMeshObject.H"
+#include "mixedFvPatchFields.H"
+#include "surfaceFields.H"
+#include "syncTools.H"
+#include "volFields.H"
+
+namespace Foam {
+
+/// p_rgh at a wall that holds no water under tension where air can come. With u the speed of what comes in through a
+/// face and p the pressure at it above that of the air, each face beside air obeys
+///
+///   u >= 0,  p >= 0,  u p = 0                    (Signorini's condition)
+///
+/// It is a wall (u = 0, the gradient of p_rgh from the flux) or an opening to air (p = 0). A wall opens where its
+/// pressure is below the air's, an opening closes where something would go out; both are decided from the last solution
+/// before each pressure equation. Air can come to a face whose cell, or that of a neighbour along the wall, is air for
+/// more than a half, and to the neighbours of a face that was open at the end of the last time step: the line along
+/// which the water leaves moves by at most one face in a step. All other faces are those of fixedFluxPressure: deep
+/// under water suction stays.
+class ventilatedWallPressureFvPatchScalarField : public fixedFluxPressureFvPatchScalarField {
+    static constexpr scalar airBelow = 0.5;    ///< water fraction of a cell below which it brings air to its neighbours
+    static constexpr scalar waterAbove = 0.01;  ///< below, there is no water that could be let go
+
+    scalarField open_;     ///< 1: an opening, 0: a wall
+    scalarField wasOpen_;  ///< at the end of the last time step
+    scalarField ofAir_;    ///< p_rgh at which the pressure is the air's [Pa]
+    label step_ = -1;      ///< for which wasOpen_ holds
+
+    void closeAll() {
+        for (scalarField* field : {&open_, &wasOpen_, &ofAir_}) *field = scalarField(this->size(), 0.0);
+    }
+
+public:
+    TypeName("ventilatedWallPressure");
+
+    ventilatedWallPressureFvPatchScalarField(const fvPatch& p, const DimensionedField<scalar, volMesh>& field)
+        : fixedFluxPressureFvPatchScalarField(p, field) {
+        closeAll();
+    }
+    ventilatedWallPressureFvPatchScalarField(const fvPatch& p, const DimensionedField<scalar, volMesh>& field,
+                                             const dictionary& dict)
+        : fixedFluxPressureFvPatchScalarField(p, field, dict) {
+        closeAll();
+        if (dict.found("open")) open_ = scalarField("open", dict, p.size());
+    }
+    ventilatedWallPressureFvPatchScalarField(const ventilatedWallPressureFvPatchScalarField& other, const fvPatch& p,
+                                             const DimensionedField<scalar, volMesh>& field,
+                                             const fvPatchFieldMapper& mapper)
+        : fixedFluxPressureFvPatchScalarField(other, p, field, mapper) {
+        closeAll();
+    }
+    ventilatedWallPressureFvPatchScalarField(const ventilatedWallPressureFvPatchScalarField& other,
+                                             const DimensionedField<scalar, volMesh>& field)
+        : fixedFluxPressureFvPatchScalarField(other, field),
+          open_(other.open_),
+          wasOpen_(other.wasOpen_),
+          ofAir_(other.ofAir_),
+          step_(other.step_) {}
+    ventilatedWallPressureFvPatchScalarField(const ventilatedWallPressureFvPatchScalarField& other)
+        : ventilatedWallPressureFvPatchScalarField(other, other.internalField()) {}
+    tmp<fvPatchScalarField> clone() const override {
+        return tmp<fvPatchScalarField>(new ventilatedWallPressureFvPatchScalarField(*this));
+    }
+    tmp<fvPatchScalarField> clone(const DimensionedField<scalar, volMesh>& field) const override {
+        return tmp<fvPatchScalarField>(new ventilatedWallPressureFvPatchScalarField(*this, field));
+    }
+
+    const scalarField& open() const { return open_; }
+
+    /// Called by the solver before each pressure equation with the gradient of a wall.
+    void updateSnGrad(const scalarField& gradientOfWall) override {
+        if (updated()) return;
+        if (step_ != db().time().timeIndex()) {
+            step_ = db().time().timeIndex();
+            wasOpen_ = open_;
+        }
+        const scalarField water(
+            patch().lookupPatchField<volScalarField, scalar>("alpha.water").patchInternalField());
+        const scalarField& rho = patch().lookupPatchField<volScalarField, scalar>("rho");
+        const scalarField& phi = patch().lookupPatchField<surfaceScalarField, scalar>("phi");  // relative to the mesh
+        const scalarField gh(meshObjects::gravity::New(db().time()).value() & patch().Cf());
+        const polyPatch& faces = patch().patch();
+        // By points, so that neighbours on other processors count.
+        boolList beside(patch().boundaryMesh().mesh().nPoints(), false);
+        forAll(open_, face)
+            if (water[face] < airBelow || wasOpen_[face] > 0.5)
+                for (const label point : faces[face]) beside[point] = true;
+        syncTools::syncPointList(patch().boundaryMesh().mesh(), beside, orEqOp<bool>(), false);
+        label opened = 0;
+        forAll(open_, face) {
+            bool airCanCome = false;
+            for (const label point : faces[face]) airCanCome = airCanCome || beside[point];
+            ofAir_[face] = -rho[face]*gh[face];
+            const bool pulled = open_[face] > 0.5 ? phi[face] <= 0 : (*this)[face] < ofAir_[face];
+            open_[face] = airCanCome && pulled && water[face] > waterAbove ? 1 : 0;
+            opened += open_[face] > 0.5 ? 1 : 0;
+        }
+        if (debug)
+            Info<< type() << " " << patch().name() << ": " << returnReduce(opened, sumOp<label>())
+                << " faces are open" << endl;
+        fixedFluxPressureFvPatchScalarField::updateSnGrad(gradientOfWall);
+    }
+
+    tmp<scalarField> snGrad() const override {
+        return open_*(ofAir_ - patchInternalField())*patch().deltaCoeffs() + (1 - open_)*gradient();
+    }
+    void evaluate(const Pstream::commsTypes comms) override {
+        fixedFluxPressureFvPatchScalarField::evaluate(comms);
+        scalarField::operator=(open_*ofAir_ + (1 - open_)*(*this));
+    }
+    tmp<scalarField> valueInternalCoeffs(const tmp<scalarField>&) const override { return 1 - open_; }
+    tmp<scalarField> valueBoundaryCoeffs(const tmp<scalarField>&) const override {
+        return open_*ofAir_ + (1 - open_)*gradient()/patch().deltaCoeffs();
+    }
+    tmp<scalarField> gradientInternalCoeffs() const override { return -open_*patch().deltaCoeffs(); }
+    tmp<scalarField> gradientBoundaryCoeffs() const override {
+        return open_*ofAir_*patch().deltaCoeffs() + (1 - open_)*gradient();
+    }
+    void write(Ostream& os) const override {
+        fixedFluxPressureFvPatchScalarField::write(os);
+        open_.writeEntry("open", os);
+    }
+};
+
+defineTypeNameAndDebug(ventilatedWallPressureFvPatchScalarField, 0);
+addToPatchFieldRunTimeSelection(fvPatchScalarField, ventilatedWallPressureFvPatchScalarField);
+
+/// alpha.water at such a wall: what comes in through an opening is air; no gradient elsewhere.
+class ventilatedWallFractionFvPatchScalarField : public mixedFvPatchScalarField {
+    void asWall() {
+        for (scalarField* field : {&refValue(), &refGrad(), &valueFraction()}) *field = 0;
+    }
+
+public:
+    TypeName("ventilatedWallFraction");
+
+    ventilatedWallFractionFvPatchScalarField(const fvPatch& p, const DimensionedField<scalar, volMesh>& field)
+        : mixedFvPatchScalarField(p, field) {
+        asWall();
+    }
+    ventilatedWallFractionFvPatchScalarField(const fvPatch& p, const DimensionedField<scalar, volMesh>& field,
+                                             const dictionary& dict)
+        : mixedFvPatchScalarField(p, field) {
+        asWall();
+        if (dict.found("value"))
+            scalarField::operator=(scalarField("value", dict, p.size()));
+        else
+            scalarField::operator=(patchInternalField());
+    }
+    ventilatedWallFractionFvPatchScalarField(const ventilatedWallFractionFvPatchScalarField& other, const fvPatch& p,
+                                             const DimensionedField<scalar, volMesh>& field,
+                                             const fvPatchFieldMapper& mapper)
+        : mixedFvPatchScalarField(other, p, field, mapper) {}
+    ventilatedWallFractionFvPatchScalarField(const ventilatedWallFractionFvPatchScalarField& other,
+                                             const DimensionedField<scalar, volMesh>& field)
+        : mixedFvPatchScalarField(other, field) {}
+    ventilatedWallFractionFvPatchScalarField(const ventilatedWallFractionFvPatchScalarField& other)
+        : mixedFvPatchScalarField(other) {}
+    tmp<fvPatchScalarField> clone() const override {
+        return tmp<fvPatchScalarField>(new ventilatedWallFractionFvPatchScalarField(*this));
+    }
+    tmp<fvPatchScalarField> clone(const DimensionedField<scalar, volMesh>& field) const override {
+        return tmp<fvPatchScalarField>(new ventilatedWallFractionFvPatchScalarField(*this, field));
+    }
+
+    bool fixesValue() const override { return false; }  // it would take part in the bounds of the water fraction
+    void updateCoeffs() override {
+        if (updated()) return;
+        asWall();
+        if (db().foundObject<surfaceScalarField>("phi") && db().foundObject<volScalarField>("p_rgh")) {
+            const fvPatchScalarField& p = patch().lookupPatchField<volScalarField, scalar>("p_rgh");
+            const scalarField& phi = patch().lookupPatchField<surfaceScalarField, scalar>("phi");
+            if (isA<ventilatedWallPressureFvPatchScalarField>(p))  // not phi alone: it is rounded at walls that move
+                valueFraction() = refCast<const ventilatedWallPressureFvPatchScalarField>(p).open()*neg(phi);
+        }
+        mixedFvPatchScalarField::updateCoeffs();
+    }
+    void write(Ostream& os) const override {
+        fvPatchScalarField::write(os);
+        writeEntry("value", os);
+    }
+};
+
+defineTypeNameAndDebug(ventilatedWallFractionFvPatchScalarField, 0);
+addToPatchFieldRunTimeSelection(fvPatchScalarField, ventilatedWallFractionFvPatchScalarField);
+
+}  // namespace Foam
