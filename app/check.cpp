@@ -5,7 +5,7 @@
 #include "base/errors.h"
 #include "compare/report/resolution_picture.h"
 #include "compare/report/svg_plot.h"
-#include "record/run_record.h"
+#include "scene/new_record.h"
 
 namespace tw::app {
 

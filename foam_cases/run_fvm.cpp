@@ -21,6 +21,7 @@
 #include "foam_cases/run/solve.h"
 #include "foam_cases/run/watchdog.h"
 #include "foam_cases/write_case.h"
+#include "scene/new_record.h"
 
 namespace tw {
 namespace fs = std::filesystem;
@@ -172,7 +173,7 @@ private:
         drop_behind_gaps(folders, programs.log("solver"));
         const auto moments = folders.moments();
         const double restart = moments.empty() ? 0 : moments.back().time;
-        forget_after(record_, restart);
+        record_.rewind(restart * (1 + 1e-9));  // rounding of a time in the records
         folders.forget_output_after(restart);
         FrameReader reader(plan_, case_);
         record_.elements = static_cast<double>(reader.cells());

@@ -7,6 +7,7 @@
 #include "import/readers.h"
 #include "record/code_version.h"
 #include "record/this_machine.h"
+#include "scene/new_record.h"
 
 namespace tw {
 namespace {

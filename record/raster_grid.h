@@ -1,7 +1,7 @@
 #pragma once
 #include <cstddef>
 
-#include "scene/scene.h"
+#include "record/raster_spec.h"
 
 namespace tw {
 

@@ -1,19 +1,6 @@
 #include "record/run_record.h"
 
-#include <algorithm>
-
 namespace tw {
-
-Column& Table::column(const std::string& column_name, const std::string& unit) {
-    for (Column& c : columns)
-        if (c.name == column_name) return c;
-    return columns.emplace_back(Column{column_name, unit, {}});
-}
-
-const Column* Table::find(const std::string& column_name) const {
-    const auto found = std::ranges::find(columns, column_name, &Column::name);
-    return found == columns.end() ? nullptr : &*found;
-}
 
 Table& RunRecord::table(const std::string& table_name) {
     Table& t = tables[table_name];
@@ -24,6 +11,11 @@ Table& RunRecord::table(const std::string& table_name) {
 const Column* RunRecord::series(const std::string& table_name, const std::string& column_name) const {
     const auto found = tables.find(table_name);
     return found == tables.end() ? nullptr : found->second.find(column_name);
+}
+
+void RunRecord::rewind(double time) {
+    for (auto& [name, table] : tables) table.rewind(time);
+    std::erase_if(frames, [&](const RasterFrame& f) { return f.time > time; });
 }
 
 }  // namespace tw

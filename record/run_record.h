@@ -7,25 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "meshes/surface.h"
+#include "record/effect_choice.h"
+#include "record/raster_spec.h"
 #include "record/resolution.h"
-#include "scene/run_options.h"
-#include "scene/scene.h"
+#include "record/table.h"
 
 namespace tw {
-
-/// One column of a table of time series.
-struct Column {
-    std::string name, unit;
-    std::vector<double> values;
-};
-/// Series that share their times, e.g. "forces" (one row per step) or "samples" (one row per frame).
-struct Table {
-    std::string name;
-    std::vector<double> time;  ///< [s], increasing
-    std::vector<Column> columns;
-    Column& column(const std::string& name, const std::string& unit);  ///< created when missing
-    const Column* find(const std::string& name) const;
-};
 
 /// Share of each voxel that is water, 0..255 for 0..1, x fastest; see RasterSpec.
 struct RasterFrame {
@@ -114,6 +102,8 @@ struct RunRecord {
 
     Table& table(const std::string& name);
     const Column* series(const std::string& table, const std::string& column) const;
+    /// Forgets the rows and frames after `time` [s]: a run goes on from there.
+    void rewind(double time);
 };
 
 /// The table of a body that moves.
@@ -121,13 +111,6 @@ inline std::string body_table(const std::string& name) { return "body_" + name; 
 /// The table of one of several sizes of particles, coarsest first.
 inline std::string level_table(std::size_t k) { return "level_" + std::to_string(k); }
 
-/// The point moments are taken about: the middle of the posed hull's bounding box in x and y, at still water (z = 0)
-/// [m].
-Vec3 moment_reference(const Scene& scene);
-/// Fills what follows from the scene alone: attributes, numbers, scene text, hull, effects, raster, hull findings.
-RunRecord new_record(const Scene& scene, const std::string& method);
-/// Numbers predicted_seconds, predicted_elements, predicted_memory and the command, where the options say them.
-void note_prediction(RunRecord& record, const RunOptions& options);
 /// Writes one HDF5 file, atomically, followed by a line with the SHA-256 of its bytes (HDF5 readers ignore it;
 /// read_record knows damage by it). Throws RunError: disk full, no permission, or a column that is not as long as its
 /// table's time.

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
+#include "structure/freedoms.h"
+#include "structure/solid/solid.h"
 
 namespace tw {
 

@@ -5,11 +5,13 @@
 
 #include "base/vec3.h"
 #include "scene/elastic_plate.h"
-#include "structure/freedoms.h"
-#include "structure/solid/solid.h"
+#include "structure/solid/hyperelastic.h"
 #include "structure/tyre.h"
 
 namespace tw {
+namespace structure {
+class Solid;
+}
 
 /// A tyre on a rigid rim, blown up, its axle along y (structure/tyre.h). The rim translates and does not turn. It meets
 /// the tank's floor without friction.

@@ -6,6 +6,7 @@
 #include "base/errors.h"
 #include "meshes/mass_properties.h"
 #include "scene/read.h"
+#include "structure/freedoms.h"
 #include "structure/solid/wet_surface.h"
 #include "structure/tyre_static.h"
 

@@ -13,6 +13,8 @@
 #include "motion/floating_attitude.h"
 #include "motion/moving_frame.h"
 #include "motion/rigid_body.h"
+#include "record/effect_choice.h"
+#include "record/raster_spec.h"
 #include "scene/elastic_tyre.h"
 #include "scene/sph_options.h"
 
@@ -142,14 +144,6 @@ struct HeightProbe {
     double x = 0, y = 0;  ///< [m]
 };
 
-/// Voxels into which both methods pour their water, so that splash is measured alike (see record/raster.h).
-struct RasterSpec {
-    Vec3 origin = Vec3::Zero();  ///< low corner [m]
-    double voxel = 0;            ///< edge of a voxel [m]
-    std::array<int, 3> count{0, 0, 0};
-    bool chosen = false;  ///< the edge was written in the scene; else it follows from the particle spacing
-};
-
 struct Sampling {
     double interval = 0;   ///< between frames (raster, metrics) [s]
     double mean_from = 0;  ///< settled means are not begun before this time [s]
@@ -177,16 +171,6 @@ struct FvmOptions {
 
 /// Water at the start, besides the still-water half space of a stream scene.
 using WaterBlocks = std::vector<Box>;
-
-/// One effect of the plan: whether it is solved, why, and its expected influence.
-struct EffectChoice {
-    std::string name;  ///< as in the registry (effects/registry.h)
-    bool on = false;
-    bool forced = false;    ///< the user said so
-    std::string reason;     ///< one sentence with the numbers
-    std::string influence;  ///< estimated influence on drag, lift, splash
-    double cost = 0;        ///< what it costs, or would cost, as a fraction of a particle run without it
-};
 
 struct Scene {
     std::string title;

@@ -15,6 +15,7 @@
 #include "scene/scene.h"
 #include "scene/tank_walls.h"
 #include "structure/shell/shell.h"
+#include "structure/solid/solid.h"
 #include "text/units.h"
 
 namespace tw {

@@ -15,6 +15,7 @@
 #include "record/spray_table.h"
 #include "record/water_surface.h"
 #include "scene/hash.h"
+#include "scene/new_record.h"
 #include "scene/refined_places.h"
 #include "scene/time_left.h"
 #include "sph_solver/choose_passes.h"

@@ -6,7 +6,7 @@
 
 #include "base/errors.h"
 #include "meshes/section.h"
-#include "record/run_record.h"
+#include "scene/new_record.h"
 #include "scene/particle_levels.h"
 #include "scene/refined_places.h"
 #include "scene/tank_walls.h"

@@ -116,7 +116,7 @@ Table entry_series(const RunRecord& record, const BodyShape& shape, double level
         measure_cavity(f, row);
         measure_waterline(f, water, row);
         measure_crown(f, water, cells, row);
-        table.time.push_back(frame.time);
+        const std::size_t at = table.append(frame.time);
         for (const auto& [name, unit, value] : {std::tuple{"open_volume", m3, row.open_volume},
                                                 {"closed_volume", m3, row.closed_volume},
                                                 {"open_depth", "m", row.open_depth},
@@ -129,7 +129,7 @@ Table entry_series(const RunRecord& record, const BodyShape& shape, double level
                                                 {"crown_low_x", "m", row.crown[0]},
                                                 {"crown_high_x", "m", row.crown[1]},
                                                 {"crown_volume", m3, row.crown_volume}})
-            table.column(name, unit).values.push_back(value);
+            table.set(at, name, unit, value);
     }
     return table;
 }

@@ -82,13 +82,13 @@ Table splash_series(const RunRecord& record, double level) {
     if (grid.empty()) return table;
     const double factor = number_of_text(record, "symmetry_factor", 1);
     const double weight = number_of(record, "density", 1000) * number_of(record, "gravity", 9.81);
-    std::array<Column, 7> columns{{{"sheet_height", "m", {}},
-                                   {"p95", "m", {}},
-                                   {"p99", "m", {}},
-                                   {"p99_9", "m", {}},
-                                   {"airborne_volume", "m3", {}},
-                                   {"airborne_energy", "J", {}},
-                                   {"raw_height", "m", {}}}};
+    table.columns = {{"sheet_height", "m", {}},
+                     {"p95", "m", {}},
+                     {"p99", "m", {}},
+                     {"p99_9", "m", {}},
+                     {"airborne_volume", "m3", {}},
+                     {"airborne_energy", "J", {}},
+                     {"raw_height", "m", {}}};
     const auto covered = under_hull(grid, record.hull);
     const auto cells = surface_cells(record);
     std::vector<double> cut_off(grid.columns());
@@ -110,7 +110,7 @@ Table splash_series(const RunRecord& record, double level) {
             const std::uint8_t most = *std::max_element(first, first + static_cast<std::ptrdiff_t>(grid.columns()));
             if (most >= least_share) raw = grid.z_low(k + 1) - level;
         }
-        table.time.push_back(frame.time);
+        const std::size_t at = table.append(frame.time);
         const std::array<double, 7> row{sheet - level,
                                         air.height(0.95) - level,
                                         air.height(0.99) - level,
@@ -118,9 +118,8 @@ Table splash_series(const RunRecord& record, double level) {
                                         factor * air.total,
                                         factor * energy,
                                         raw};
-        for (std::size_t c = 0; c < row.size(); ++c) columns[c].values.push_back(row[c]);
+        for (std::size_t c = 0; c < row.size(); ++c) table.columns[c].values[at] = row[c];
     }
-    table.columns.assign(columns.begin(), columns.end());
     return table;
 }
 

@@ -21,7 +21,7 @@ std::vector<float> wave_surface(const RasterGrid& grid, const std::vector<float>
 
 /// Edge of the largest cell that still water meets in each column of the raster, at least a voxel [m]: water that a
 /// mesh smears over its surface cell is no splash. From the record's numbers `spacing` and `near_hull` and its attribute
-/// `surface_cells` (record/new_record.cpp), which both methods' records have; a voxel in records without it.
+/// `surface_cells` (scene/new_record.cpp), which both methods' records have; a voxel in records without it.
 std::vector<float> surface_cells(const RunRecord& record);
 
 }  // namespace tw

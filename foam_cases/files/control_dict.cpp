@@ -1,5 +1,5 @@
 #include "foam_cases/files/case_files.h"
-#include "record/run_record.h"
+#include "scene/new_record.h"
 
 namespace tw {
 namespace {

@@ -8,6 +8,8 @@
 #include "foam_cases/read/number_rows.h"
 #include "foam_cases/read/step_loads.h"
 #include "record/hull_motion.h"
+#include "scene/hull_motion.h"
+#include "scene/new_record.h"
 
 namespace tw {
 namespace {
@@ -91,8 +93,9 @@ void read_body(const CasePlan& plan, const BodyInMesh& which, const std::filesys
     Table& t = record.table(body_table(body.name));
     t.time.clear();
     t.columns.clear();
+    std::size_t row = 0;
     const auto put = [&](const std::string& name, const std::string& unit, double value) {
-        t.column(name, unit).values.push_back(value + 0.0);
+        t.set(row, name, unit, value + 0.0);
     };
     const auto put_all = [&](const char* name, const std::string& unit, const Vec3& v) {
         for (int a = 0; a < 3; ++a) put(fmt::format(fmt::runtime(name), "xyz"[a]), unit, v[a]);
@@ -117,7 +120,7 @@ void read_body(const CasePlan& plan, const BodyInMesh& which, const std::filesys
         double lowest = HUGE_VAL;
         for (const Vec3& corner : body.surface.points)
             lowest = std::min(lowest, (p.centre + q * (corner - body.motion.mass.centre)).z());
-        t.time.push_back(p.time);
+        row = t.append(p.time);
         put_all("{}", "m", p.centre);
         put("lowest", "m", lowest);
         put("q0", "-", q.w());

@@ -11,19 +11,17 @@
 #include "meshes/section.h"
 #include "record/certificate.h"
 #include "record/raster.h"
+#include "scene/new_record.h"
 
 namespace tw {
 namespace fs = std::filesystem;
 
 namespace {
 
-void append(Table& table, double time, const std::vector<std::tuple<const char*, std::string, double>>& row) {
-    table.time.push_back(time);
-    for (const auto& [name, unit, value] : row) {
-        Column& c = table.column(name, unit);
-        c.values.resize(table.time.size() - 1, std::nan(""));
-        c.values.push_back(value);
-    }
+using Values = std::initializer_list<std::tuple<const char*, std::string, double>>;  ///< name, unit, value
+void append(Table& table, double time, const Values& values) {
+    const std::size_t row = table.append(time);
+    for (const auto& [name, unit, value] : values) table.set(row, name, unit, value);
 }
 
 /// The patch as a surface with one value per triangle; a half model is mirrored to the whole.
@@ -136,14 +134,9 @@ void FrameReader::read_hull(const TimeFolders::Moment& moment, RunRecord& record
     const auto patch = read_hull_patch(case_ / "postProcessing" / "hullSurface" / moment.name);
     Table& samples = record.table("samples");
     const auto sample = [&](const char* name, const std::string& unit, double value) {
-        Column& c = samples.column(name, unit);
-        c.values.resize(samples.time.size() - 1, std::nan(""));
-        c.values.push_back(value);
+        samples.set(samples.time.size() - 1, name, unit, value);
     };
-    if (!patch) {  // the solver was stopped before it wrote the surface
-        for (Column& c : samples.columns) c.values.resize(samples.time.size(), std::nan(""));
-        return;
-    }
+    if (!patch) return;  // the solver was stopped before it wrote the surface
     const bool half = scene.symmetry_factor() > 1;
     if (record.numbers.count("hull_mesh_error") == 0) {  // once: corners near and below still water
         const Vec3 low = scene.hull->surface.bounds().min;
@@ -196,24 +189,11 @@ void FrameReader::read_suction(const TimeFolders::Moment& moment, RunRecord& rec
             case_ / "postProcessing" / (s.is_hull ? "hullSurface" : "bodySurfaces") / moment.name, s.name);
         const Suction pull = patch ? suction(*patch) : Suction{std::nan(""), std::nan("")};
         const auto sample = [&](const std::string& name, const std::string& unit, double value) {
-            Column& c = samples.column(name, scene.spanwise_unit(unit));
-            c.values.resize(samples.time.size() - 1, std::nan(""));
-            c.values.push_back(factor * value);
+            samples.set(samples.time.size() - 1, name, scene.spanwise_unit(unit), factor * value);
         };
         sample("suction_area_" + s.name, "m2", pull.area);
         sample("suction_force_" + s.name, "N", pull.force);
     }
-}
-
-void forget_after(RunRecord& record, double time) {
-    const double limit = time * (1 + 1e-9);
-    for (auto& [name, table] : record.tables) {
-        const auto keep = static_cast<std::size_t>(std::upper_bound(table.time.begin(), table.time.end(), limit) -
-                                                   table.time.begin());
-        table.time.resize(keep);
-        for (Column& c : table.columns) c.values.resize(keep);
-    }
-    std::erase_if(record.frames, [&](const RasterFrame& f) { return f.time > limit; });
 }
 
 }  // namespace tw

@@ -41,7 +41,4 @@ private:
 void read_step_tables(const CasePlan& plan, const std::filesystem::path& case_folder, const SolverLog& log,
                       RunRecord& record);
 
-/// Drops rows and frames later than `time`: the run goes on from there.
-void forget_after(RunRecord& record, double time);
-
 }  // namespace tw

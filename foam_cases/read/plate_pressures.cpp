@@ -87,9 +87,8 @@ void PlatePressures::read_before(double limit, RunRecord& record) {
         Eigen::VectorXd p(from_faces_->cols());
         for (Eigen::Index f = 0; f < p.size(); ++f) p[f] = patch->faces[static_cast<std::size_t>(f)].pressure;
         const Eigen::VectorXd net = *from_faces_ * p;
-        table.time.push_back(time);
-        for (Eigen::Index e = 0; e < net.size(); ++e)
-            table.column(fmt::format("element_{}", e), "Pa").values.push_back(net[e]);
+        const std::size_t row = table.append(time);
+        for (Eigen::Index e = 0; e < net.size(); ++e) table.set(row, fmt::format("element_{}", e), "Pa", net[e]);
     }
 }
 

@@ -61,8 +61,8 @@ void read_pressure(const CasePlan& plan, const fs::path& post, RunRecord& record
     for (const PressureProbe& p : probes) t.column(p.name, "Pa");
     for (const auto& row : joined_rows(post / "pressureProbes", "p")) {
         if (row.size() != probes.size() + 1) continue;
-        t.time.push_back(row[0]);
-        for (std::size_t i = 0; i < probes.size(); ++i) t.columns[i].values.push_back(found(row[i + 1]));
+        const std::size_t at = t.append(row[0]);
+        for (std::size_t i = 0; i < probes.size(); ++i) t.set(at, probes[i].name, "Pa", found(row[i + 1]));
     }
 }
 
@@ -79,14 +79,14 @@ void read_heights(const CasePlan& plan, const fs::path& post, RunRecord& record)
     for (const auto& column : plan.height_columns) points += column.size();
     for (const auto& row : joined_rows(post / "heightColumns", "alpha.water")) {
         if (row.size() != points + 1) continue;
-        t.time.push_back(row[0]);
+        const std::size_t time = t.append(row[0]);
         std::size_t at = 1;
         for (std::size_t i = 0; i < probes.size(); ++i) {
             double level = plan.scene->domain.box.min.z();
             for (const auto& point : plan.height_columns[i])
                 if (const double alpha = found(row[at++]); std::isfinite(alpha))
                     level += std::clamp(alpha, 0.0, 1.0) * point.height;
-            t.columns[i].values.push_back(level);
+            t.set(time, probes[i].name, "m", level);
         }
     }
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -11,6 +10,7 @@
 #include "record/hull_motion.h"
 #include "record/spray_table.h"
 #include "record/tank_table.h"
+#include "scene/hull_motion.h"
 #include "sph_solver/air.h"
 #include "sph_solver/bodies/rigid_in_water.h"
 #include "sph_solver/measure/certificate.h"
@@ -22,7 +22,6 @@ namespace tw {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::int64_t surface_every = 10;  ///< steps between samples of surface pressure and control volume faces
 
 /// Between samples of the pressure probes [s]: a tenth of the 5 ms over which their peaks are means (compare/metrics/
@@ -33,18 +32,6 @@ constexpr double pressure_interval = 5e-4;
 /// resumed run samples at the same steps.
 bool is_due(const Table& table, double time, double interval) {
     return table.time.empty() || std::floor(time / interval) > std::floor(table.time.back() / interval);
-}
-
-/// Appends a row: every column gets its value, those not named NaN.
-std::size_t append_row(Table& table, double time) {
-    table.time.push_back(time);
-    for (Column& c : table.columns) c.values.resize(table.time.size(), nan);
-    return table.time.size() - 1;
-}
-void set(Table& table, std::size_t row, const std::string& name, const std::string& unit, double value) {
-    Column& c = table.column(name, unit);
-    c.values.resize(table.time.size(), nan);
-    c.values[row] = value;
 }
 
 /// Of the water in the control volume [N s], [kg].
@@ -97,24 +84,23 @@ Recorder::Recorder(const Scene& scene, const Simulation& simulation, RunRecord r
 }
 
 void Recorder::after_step(Simulation& simulation, bool frame) {
-    const std::size_t row = append_row(forces(), simulation.time());
+    const std::size_t row = forces().append(simulation.time());
     if (!simulation.setup().bodies.empty()) {
         const Load load = simulation.load();
         Table& t = forces();
         const Vec3 whole(factor_, factor_ == 2 ? 0 : 1, factor_);  // a half model's sideways forces cancel
         const auto put = [&](const char* part, const Vec3& f) {
             const Vec3 force = f.cwiseProduct(whole);
-            for (int a = 0; a < 3; ++a)
-                set(t, row, fmt::format("f{}{}", "xyz"[a], part), per_span("N"), force[a] + 0.0);
+            for (int a = 0; a < 3; ++a) t.set(row, fmt::format("f{}{}", "xyz"[a], part), per_span("N"), force[a] + 0.0);
         };
         put("", load.force);
         put("_pressure", load.force - load.friction);
         put("_viscous", load.friction);
-        set(t, row, "my", per_span("N m"), factor_ * load.moment.y());
+        t.set(row, "my", per_span("N m"), factor_ * load.moment.y());
         if (simulation.gas()) {
             const Vec3 air = simulation.load_of_level(simulation.water().size()).force.cwiseProduct(whole);
-            set(t, row, "fx_air", per_span("N"), air.x());
-            set(t, row, "fz_air", per_span("N"), air.z());
+            t.set(row, "fx_air", per_span("N"), air.x());
+            t.set(row, "fz_air", per_span("N"), air.z());
         }
     }
     if (tank_) tank_->after_step(simulation);
@@ -138,8 +124,8 @@ void Recorder::sample_surface(Simulation& simulation, std::size_t row) {
         sample_hull(simulation);
         Vec3 moment;
         const Vec3 force = factor_ * hull_->pressure_force(simulation.setup().moment_reference, moment);
-        set(forces(), row, "fx_surface", per_span("N"), force.x());
-        set(forces(), row, "fz_surface", per_span("N"), force.z());
+        forces().set(row, "fx_surface", per_span("N"), force.x());
+        forces().set(row, "fz_surface", per_span("N"), force.z());
     }
     if (ControlVolume* cv = simulation.control_volume()) {
         simulation.sample(cv->faces());
@@ -161,8 +147,8 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
         const ControlVolume::State& sums = cv->state();
         if (momentum_known_ && volume_held_ && sums.since > 0) {
             const Vec3 force = factor_ * (sums.crossed + sums.impulse - (momentum - momentum_)) / sums.since;
-            set(forces(), row, "fx_volume", per_span("N"), force.x());
-            set(forces(), row, "fz_volume", per_span("N"), force.z());
+            forces().set(row, "fx_volume", per_span("N"), force.x());
+            forces().set(row, "fz_volume", per_span("N"), force.z());
         }
         momentum_ = momentum;
         momentum_known_ = true;
@@ -171,7 +157,7 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
     }
 
     Table& t = record_.table("samples");
-    const std::size_t k = append_row(t, simulation.time());
+    const std::size_t k = t.append(simulation.time());
     const WaterEnergy energy = water_energy(simulation);
     std::int64_t count = 0;
     const double c0 = s.state_equation.c0;
@@ -187,35 +173,35 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
     }
     if (const RasterSpec& raster = scene_.sampling.raster; raster.voxel > 0)
         record_.frames.push_back(water_raster(simulation, raster, scene_.span()).frame(simulation.time()));
-    set(t, k, "mass", per_span("kg"), factor_ * energy.mass);
-    set(t, k, "kinetic_energy", per_span("J"), factor_ * energy.kinetic);
-    set(t, k, "potential_energy", per_span("J"), factor_ * energy.potential);
-    set(t, k, "elastic_energy", per_span("J"), factor_ * energy.elastic);
-    set(t, k, "dt", "s", simulation.dt());
-    set(t, k, "max_speed", "m/s", fastest);
-    set(t, k, "max_mach", "-", fastest / c0);
-    set(t, k, "density_deviation_low", "kg/m3", low);
-    set(t, k, "density_deviation_high", "kg/m3", high);
-    set(t, k, "particles", "-", double(count));
-    set(t, k, "particles_in", "-", double(ledger.in));
-    set(t, k, "particles_out", "-", double(ledger.out));
-    set(t, k, "particles_lost", "-", double(ledger.lost));
-    set(t, k, "held_at_wall", "-", double(ledger.held));
+    t.set(k, "mass", per_span("kg"), factor_ * energy.mass);
+    t.set(k, "kinetic_energy", per_span("J"), factor_ * energy.kinetic);
+    t.set(k, "potential_energy", per_span("J"), factor_ * energy.potential);
+    t.set(k, "elastic_energy", per_span("J"), factor_ * energy.elastic);
+    t.set(k, "dt", "s", simulation.dt());
+    t.set(k, "max_speed", "m/s", fastest);
+    t.set(k, "max_mach", "-", fastest / c0);
+    t.set(k, "density_deviation_low", "kg/m3", low);
+    t.set(k, "density_deviation_high", "kg/m3", high);
+    t.set(k, "particles", "-", double(count));
+    t.set(k, "particles_in", "-", double(ledger.in));
+    t.set(k, "particles_out", "-", double(ledger.out));
+    t.set(k, "particles_lost", "-", double(ledger.lost));
+    t.set(k, "held_at_wall", "-", double(ledger.held));
     if (record_.numbers.contains(spray_gate_number)) {
         double taken = 0;  // before this frame
         for (const double m : record_.table(spray_table).column("mass", "kg").values) taken += m;
-        set(t, k, "spray_mass", "kg", factor_ * taken);
+        t.set(k, "spray_mass", "kg", factor_ * taken);
     }
     if (const Level* air = simulation.gas()) {
-        set(t, k, "air_particles", "-", double(air->particles().size()));
-        set(t, k, "air_energy", per_span("J"), factor_ * gas_energy(*air, s.gravity));
-        set(t, k, "air_max_speed", "m/s", air->extremes().speed);
-        set(t, k, "air_density_deviation_low", "kg/m3", air->extremes().density_deviation_low);
-        set(t, k, "air_density_deviation_high", "kg/m3", air->extremes().density_deviation_high);
+        t.set(k, "air_particles", "-", double(air->particles().size()));
+        t.set(k, "air_energy", per_span("J"), factor_ * gas_energy(*air, s.gravity));
+        t.set(k, "air_max_speed", "m/s", air->extremes().speed);
+        t.set(k, "air_density_deviation_low", "kg/m3", air->extremes().density_deviation_low);
+        t.set(k, "air_density_deviation_high", "kg/m3", air->extremes().density_deviation_high);
     }
     if (hull_) {
-        set(t, k, "wetted_area", per_span("m2"), factor_ * hull_->wetted_area());
-        set(t, k, "wetted_length", "m", hull_->wetted_length(scene_.hull->beam));
+        t.set(k, "wetted_area", per_span("m2"), factor_ * hull_->wetted_area());
+        t.set(k, "wetted_length", "m", hull_->wetted_length(scene_.hull->beam));
     }
     if (!height_points_.places.empty()) probe_height(simulation);
     if (tank_) tank_->record(simulation, record_.table(tank_table), per_span("N"), per_span("J"));
@@ -233,14 +219,14 @@ void Recorder::record_bodies(const Simulation& simulation) {
             continue;
         }
         Table& t = record_.table(body_table(body.name()));
-        const std::size_t k = append_row(t, simulation.time());
+        const std::size_t k = t.append(simulation.time());
         Load load = simulation.load(b);
         if (const Level* air = simulation.gas()) load += air->walls().loads()[b];
         body.describe(load, [&](const std::string& name, const std::string& unit, double value) {
             const bool of_span = unit == "N" || unit == "N m" || unit == "J";
-            set(t, k, name, of_span ? per_span(unit.c_str()) : unit, value);
+            t.set(k, name, of_span ? per_span(unit.c_str()) : unit, value);
         });
-        if (!body.knows_its_work()) set(t, k, body_work, per_span("J"), work_up_to(t, k));
+        if (!body.knows_its_work()) t.set(k, body_work, per_span("J"), work_up_to(t, k));
     }
 }
 
@@ -250,10 +236,8 @@ void Recorder::record_levels(const Simulation& simulation) {
     for (std::size_t k = 0; k <= edges && edges > 0; ++k) {
         const LevelLedger l = level_ledger(simulation, k);
         Table& t = record_.table(level_table(k));
-        const std::size_t row = append_row(t, simulation.time());
-        const auto put = [&](const char* name, double value, const char* unit = "-") {
-            set(t, row, name, unit, value);
-        };
+        const std::size_t row = t.append(simulation.time());
+        const auto put = [&](const char* name, double value, const char* unit = "-") { t.set(row, name, unit, value); };
         put("spacing", l.spacing, "m");
         put("dt", l.dt, "s");
         put("active", double(l.active));
@@ -273,19 +257,19 @@ void Recorder::record_levels(const Simulation& simulation) {
 
 void Recorder::probe_pressure(Simulation& simulation) {
     Table& t = record_.table("pressure");
-    const std::size_t k = append_row(t, simulation.time());
+    const std::size_t k = t.append(simulation.time());
     simulation.sample(pressure_points_);
     for (std::size_t n = 0; n < pressure_points_.places.size(); ++n)
-        set(t, k, scene_.sampling.pressure[n].name.c_str(), "Pa",
-            pressure_points_.support[n] >= SurfaceSamples::has_pressure || simulation.gas()
-                ? double(pressure_points_.p[n])
-                : 0.0);
+        t.set(k, scene_.sampling.pressure[n].name.c_str(), "Pa",
+              pressure_points_.support[n] >= SurfaceSamples::has_pressure || simulation.gas()
+                  ? double(pressure_points_.p[n])
+                  : 0.0);
 }
 
 /// Elevation of the water column over the floor: the integral of its share of each height.
 void Recorder::probe_height(Simulation& simulation) {
     Table& t = record_.table("height");
-    const std::size_t k = append_row(t, simulation.time());
+    const std::size_t k = t.append(simulation.time());
     simulation.sample(height_points_);
     for (std::size_t n = 0; n < scene_.sampling.height.size(); ++n) {
         double column = 0;
@@ -293,7 +277,7 @@ void Recorder::probe_height(Simulation& simulation) {
             column += height_step_ *
                       std::min(1.0, double(height_points_.support[n * static_cast<std::size_t>(heights_per_gauge_) +
                                                                   static_cast<std::size_t>(j)]));
-        set(t, k, scene_.sampling.height[n].name.c_str(), "m", simulation.setup().domain.min.z() + column);
+        t.set(k, scene_.sampling.height[n].name.c_str(), "m", simulation.setup().domain.min.z() + column);
     }
 }
 
@@ -312,26 +296,20 @@ void Recorder::take_spray(Simulation& simulation, const SprayGate& gate) {
     if (lumps.empty()) return;
     Table& t = record_.table(spray_table);
     for (const SprayLump& lump : lumps) {
-        const std::size_t row = append_row(t, simulation.time());
+        const std::size_t row = t.append(simulation.time());
         for (int a = 0; a < 3; ++a) {
-            set(t, row, fmt::format("{}", "xyz"[a]), "m", lump.place[a]);
-            set(t, row, fmt::format("v{}", "xyz"[a]), "m/s", lump.velocity[a]);
+            t.set(row, fmt::format("{}", "xyz"[a]), "m", lump.place[a]);
+            t.set(row, fmt::format("v{}", "xyz"[a]), "m/s", lump.velocity[a]);
         }
-        set(t, row, "mass", "kg", lump.mass);
-        set(t, row, "inner_energy", "J", lump.inner_energy);
-        set(t, row, "particles", "-", double(lump.particles));
+        t.set(row, "mass", "kg", lump.mass);
+        t.set(row, "inner_energy", "J", lump.inner_energy);
+        t.set(row, "particles", "-", double(lump.particles));
     }
     begin_balance(simulation);
 }
 
 void Recorder::rewind(Simulation& simulation) {
-    for (auto& [name, table] : record_.tables) {
-        const auto keep = static_cast<std::size_t>(
-            std::upper_bound(table.time.begin(), table.time.end(), simulation.time()) - table.time.begin());
-        table.time.resize(keep);
-        for (Column& c : table.columns) c.values.resize(keep);
-    }
-    std::erase_if(record_.frames, [&](const RasterFrame& f) { return f.time > simulation.time(); });
+    record_.rewind(simulation.time());
     begin_balance(simulation);  // checkpoints are made at frames
     last_face_sample_ = simulation.time();
 }

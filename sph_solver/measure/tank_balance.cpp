@@ -81,9 +81,9 @@ void TankBalance::record(const Simulation& simulation, Table& tank, const std::s
     const Vec3 force = (impulse_ - (momentum_of(simulation) - momentum_)) / since_;
     const Column* before = tank.find(tank_work);
     const double work = (before && !before->values.empty() ? before->values.back() : 0) + work_;
-    tank.time.push_back(simulation.time());
-    for (int a = 0; a < 3; ++a) tank.column(fmt::format("f{}", "xyz"[a]), N).values.push_back(force[a] + 0.0);
-    tank.column(tank_work, J).values.push_back(work);
+    const std::size_t row = tank.append(simulation.time());
+    for (int a = 0; a < 3; ++a) tank.set(row, fmt::format("f{}", "xyz"[a]), N, force[a] + 0.0);
+    tank.set(row, tank_work, J, work);
     begin(simulation);
 }
 

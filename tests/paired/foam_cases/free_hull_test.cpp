@@ -5,6 +5,7 @@
 
 #include "foam_test.h"
 #include "record/hull_motion.h"
+#include "scene/new_record.h"
 
 namespace tw {
 namespace {

@@ -165,17 +165,5 @@ TEST_F(ReadTest, AMissingOrBrokenSurfaceIsNoSurface) {
     EXPECT_FALSE(read_hull_patch(folder));
 }
 
-TEST(ForgetAfter, DropsRowsAndFramesThatWillBeComputedAgain) {
-    RunRecord record;
-    Table& t = record.table("forces");
-    t.time = {0.1, 0.2, 0.3};
-    t.column("fx", "N").values = {1, 2, 3};
-    record.frames = {{0.1, {}}, {0.2, {}}, {0.3, {}}};
-    forget_after(record, 0.2);
-    EXPECT_EQ(record.table("forces").time, (std::vector<double>{0.1, 0.2}));
-    EXPECT_EQ(record.series("forces", "fx")->values.size(), 2u);
-    EXPECT_EQ(record.frames.size(), 2u);
-}
-
 }  // namespace
 }  // namespace tw

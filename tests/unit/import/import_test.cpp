@@ -4,6 +4,7 @@
 
 #include "import_folder.h"
 #include "record/run_record.h"
+#include "scene/new_record.h"
 
 namespace tw {
 namespace {

@@ -5,9 +5,6 @@
 
 #include <cmath>
 
-#include "record/hull_motion.h"
-#include "scene/scene.h"
-
 namespace tw {
 namespace {
 
@@ -53,26 +50,6 @@ TEST(BodyPose, IsNotKnownWithoutATableOrAnAttitude) {
     EXPECT_TRUE(body_pose(r, r.bodies[0], 0.75));
     r.tables.clear();
     EXPECT_FALSE(body_pose(r, r.bodies[0], 0));
-}
-
-// The motion as append_hull_motion records it, and the hull that the record holds, give back what moved.
-TEST(BodyPose, OfAFreeHullIsItsHeaveAndTrim) {
-    Hull hull;
-    hull.trim = 0.05;
-    hull.free = FreeHull{};
-    hull.free->motion.mass.centre = {1, 0, 0.5};
-    RigidBody::State state;
-    state.centre = {1, 0, 0.7};
-    state.attitude = Eigen::AngleAxisd(0.1, Vec3::UnitY());
-    RunRecord r;
-    r.numbers["trim"] = hull.trim;
-    r.bodies.push_back({hull_motion_table, {}, {1, 0, 0.5}});
-    append_hull_motion(r.table(hull_motion_table), 0.2, hull, state, Vec3::Zero());
-    const auto pose = body_pose(r, r.bodies[0], 0.2);
-    ASSERT_TRUE(pose);
-    const Vec3 bow(-1, 0, 0.5);
-    EXPECT_LT(((*pose)(bow) - (state.centre + state.attitude * (bow - Vec3(1, 0, 0.5)))).norm(), 1e-12);
-    EXPECT_GT((*pose)(bow).z(), 0.7) << "bow up";
 }
 
 }  // namespace

@@ -3,6 +3,9 @@
 #include <numbers>
 
 #include "meshes/mass_properties.h"
+#include "record/body_pose.h"
+#include "record/hull_motion.h"
+#include "scene/hull_motion.h"
 #include "scene/mesh_motion.h"
 #include "scene_text.h"
 
@@ -90,6 +93,26 @@ TEST(FreeHull, AMeshThatWouldTakeTheInletWithItIsRefused) {
     } catch (const InputError& e) {
         EXPECT_NE(std::string(e.what()).find("expected \"morphing\""), std::string::npos) << e.what();
     }
+}
+
+// The motion as append_hull_motion records it, and the hull that the record holds, give back what moved.
+TEST(FreeHull, ItsRecordedMotionIsItsHeaveAndTrim) {
+    Hull hull;
+    hull.trim = 0.05;
+    hull.free = FreeHull{};
+    hull.free->motion.mass.centre = {1, 0, 0.5};
+    RigidBody::State state;
+    state.centre = {1, 0, 0.7};
+    state.attitude = Eigen::AngleAxisd(0.1, Vec3::UnitY());
+    RunRecord r;
+    r.numbers["trim"] = hull.trim;
+    r.bodies.push_back({hull_motion_table, {}, {1, 0, 0.5}});
+    append_hull_motion(r.table(hull_motion_table), 0.2, hull, state, Vec3::Zero());
+    const auto pose = body_pose(r, r.bodies[0], 0.2);
+    ASSERT_TRUE(pose);
+    const Vec3 bow(-1, 0, 0.5);
+    EXPECT_LT(((*pose)(bow) - (state.centre + state.attitude * (bow - Vec3(1, 0, 0.5)))).norm(), 1e-12);
+    EXPECT_GT((*pose)(bow).z(), 0.7) << "bow up";
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 
 #include <limits>
 
-#include "record/run_record.h"
 #include "scene/hash.h"
+#include "scene/new_record.h"
 
 namespace tw {
 namespace {

@@ -1,4 +1,4 @@
-#include "record/run_record.h"
+#include "scene/new_record.h"
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>
@@ -9,6 +9,7 @@
 #include "record/hull_motion.h"
 #include "record/this_machine.h"
 #include "scene/hash.h"
+#include "scene/hull_motion.h"
 #include "scene/particle_levels.h"
 #include "scene/refined_places.h"
 

@@ -1,4 +1,4 @@
-#include "record/hull_motion.h"
+#include "scene/hull_motion.h"
 
 #include <cmath>
 #include <numbers>
@@ -21,10 +21,8 @@ double transom_draft(const FreeHull& free, double z, double turn) {
 
 void append_hull_motion(Table& table, double time, const Hull& hull, const RigidBody::State& state, const Vec3& spin) {
     const double z = state.centre.z(), turn = turn_of(state);
-    table.time.push_back(time);
-    const auto put = [&](const char* name, const char* unit, double value) {
-        table.column(name, unit).values.push_back(value + 0.0);
-    };
+    const std::size_t row = table.append(time);
+    const auto put = [&](const char* name, const char* unit, double value) { table.set(row, name, unit, value + 0.0); };
     put("z", "m", z);
     put("vz", "m/s", state.velocity.z());
     put("trim", "deg", degrees * (hull.trim + turn));

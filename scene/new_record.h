@@ -1,0 +1,18 @@
+#pragma once
+#include <string>
+
+#include "record/run_record.h"
+#include "scene/run_options.h"
+#include "scene/scene.h"
+
+namespace tw {
+
+/// The point moments are taken about: the middle of the posed hull's bounding box in x and y, at still water (z = 0)
+/// [m].
+Vec3 moment_reference(const Scene& scene);
+/// Fills what follows from the scene alone: attributes, numbers, scene text, hull, effects, raster, hull findings.
+RunRecord new_record(const Scene& scene, const std::string& method);
+/// Numbers predicted_seconds, predicted_elements, predicted_memory and the command, where the options say them.
+void note_prediction(RunRecord& record, const RunOptions& options);
+
+}  // namespace tw
