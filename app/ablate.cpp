@@ -4,10 +4,10 @@
 
 #include "app/campaign.h"
 #include "app/output.h"
+#include "app/solvers.h"
 #include "app/stop_signal.h"
 #include "base/errors.h"
 #include "compare/ablate/ablation.h"
-#include "foam_cases/doctor.h"
 #include "scene/effects/registry.h"
 
 namespace tw::app {
@@ -56,7 +56,7 @@ public:
 
     /// Methods of the base: every one that some variant needs. Throws InputError: nothing can be switched.
     std::vector<Variant> take() {
-        for (const std::string method : {"sph", "fvm"})
+        for (const std::string& method : method_names())
             if (std::ranges::any_of(
                     all_, [&](const Variant& v) { return std::ranges::find(v.methods, method) != v.methods.end(); }))
                 all_.front().methods.push_back(method);
@@ -93,17 +93,16 @@ private:
         }
         if (v.plan->scene.sph.levels != before.sph.levels || v.plan->scene.domain.box.min != before.domain.box.min ||
             v.plan->scene.domain.box.max != before.domain.box.max) {
-            v.why_not = "cannot be switched alone: it takes other sizes of particles or another box with it; write "
-                        "[sph] levels = 1";
+            v.why_not =
+                "cannot be switched alone: it takes other sizes of particles or another box with it; write "
+                "[sph] levels = 1";
             v.plan.reset();
             return;
         }
-        for (const std::string method : {"sph", "fvm"}) {
-            const auto& asked = v.plan->scene.run.methods;
-            if (std::ranges::find(asked, method) == asked.end()) continue;
-            if (method == "sph" || effect_part(v.effect).solved != EffectPart::Solved::by_particles_only)
+        const auto& asked = v.plan->scene.run.methods;
+        for (const std::string& method : method_names())
+            if (std::ranges::find(asked, method) != asked.end() && solves(method, effect_part(v.effect)))
                 v.methods.push_back(method);
-        }
         if (v.methods.empty())
             v.why_not = "cannot be switched: it acts in the particle method alone, which does not run here";
     }
@@ -151,9 +150,7 @@ int run_ablate(const AblateCommand& command, const Common& common) {
         command.out.empty() ? fs::path("runs") / (command.scene.file.stem().string() + "_ablation") : command.out;
     const std::vector<Variant> variants = variants_of(command);
     const Scene& scene = variants.front().plan->scene;
-    const auto& methods = variants.front().methods;
-    if (std::ranges::find(methods, "fvm") != methods.end())
-        say(common, "OpenFOAM: " + sound_openfoam(scene.fvm.openfoam).verdict + "\n");
+    say(common, ready_text(variants.front().methods, scene));
     double seconds = 0;
     int count = 0;
     for (const Variant& v : variants) {

@@ -4,8 +4,8 @@
 
 #include <chrono>
 
-#include "app/machine_pace.h"
 #include "app/output.h"
+#include "app/solvers.h"
 #include "app/stop_signal.h"
 #include "base/errors.h"
 #include "scene/hash.h"
@@ -27,9 +27,9 @@ std::optional<RunRecord> finished_run(const CampaignRun& run) {
     return same ? std::optional(std::move(record)) : std::nullopt;
 }
 
-/// A particle run of the very same scene and numerics that failed before its first checkpoint: nothing to resume.
+/// A run of the very same scene and numerics that failed before it saved a state: nothing to resume.
 bool failed_before_it_saved(const CampaignRun& run) {
-    if (run.method != "sph" || fs::exists(run.folder / "checkpoint.h5")) return false;
+    if (fs::exists(run.folder / solver_of(run.method).state)) return false;
     if (!fs::exists(run.folder / "record.h5")) return false;
     RunRecord record = read_record(run.folder / "record.h5");
     return record.state == "failed" && record.attributes["run_hash"] == run_hash(run.plan.scene, run.method);
@@ -45,7 +45,7 @@ CampaignResult Campaign::run_or_take(CampaignRun run) {
         say(common_, fmt::format("{}: finished before, taken from {}\n", run.name, run.folder.string()));
         return {State::taken, std::move(earlier), {}};
     }
-    run.plan.prediction = predict(run.plan.scene, machine_pace());  // the runs before have taught the pace
+    run.plan.prediction = predict_here(run.plan.scene);  // the runs before have taught the pace
     const double cost = run.plan.seconds(run.method);
     if (spent_ + cost > rules_.budget) {
         const std::string why =

@@ -1,4 +1,5 @@
 #include "app/output.h"
+#include "app/solvers.h"
 #include "base/errors.h"
 #include "foam_cases/run_fvm.h"
 
@@ -6,8 +7,8 @@ namespace tw::app {
 
 int run_case(const CaseCommand& command, const Common& common) {
     const Scene scene = read_scene(command.scene.file, command.scene.overrides());
-    refuse_unsolved(scene, "fvm");
-    refuse_oversize(scene, predict(scene));
+    refuse_unmeshable(scene);
+    refuse_oversize(scene, predict_by_table(scene));
     if (std::filesystem::exists(command.folder) && !std::filesystem::is_empty(command.folder))
         throw InputError(command.folder.string() + ": exists already and is not empty; choose a new folder");
     make_folder(command.folder);

@@ -16,7 +16,7 @@ void draw_sizes(const Scene& scene, const std::filesystem::path& file) {
     std::vector<std::string> names;
     for (const std::string& method : scene.run.methods) {
         runs.push_back(new_record(scene, method));
-        names.push_back(method == "sph" ? "particles (sph)" : "cells (fvm)");
+        names.push_back(elements_of(method) + " (" + method + ")");
     }
     const std::string picture = resolution_picture(runs, names);
     if (picture.empty())

@@ -1,28 +1,30 @@
 #include "compare/compare.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "app/output.h"
 #include "app/write_ladder.h"
 #include "base/errors.h"
+#include "methods/methods.h"
 
 namespace tw::app {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// The record files that a name stands for: the file itself, a method's folder, or a run's folder with both methods in
-/// it.
+/// The record files that a name stands for: the file itself, a method's folder, or a run's folder with all its methods
+/// in it.
 std::vector<fs::path> record_files(const fs::path& source) {
     if (!fs::is_directory(source)) return {source};
     if (fs::exists(source / "record.h5")) return {source / "record.h5"};
     std::vector<fs::path> files;
-    for (const char* method : {"sph", "fvm"})
+    for (const std::string& method : method_names())
         if (fs::exists(source / method / "record.h5")) files.push_back(source / method / "record.h5");
     if (files.empty())
         throw InputError(
-            source.string() +
-            ": no run record here; expected record.h5, sph/record.h5 or fvm/record.h5 (twinwake run leaves them)");
+            fmt::format("{}: no run record here; expected record.h5, {}/record.h5 (twinwake run leaves them)",
+                        source.string(), fmt::join(method_names(), "/record.h5 or ")));
     return files;
 }
 

@@ -88,7 +88,7 @@ std::string check_json(const Scene& scene, const Prediction& p) {
     for (const RefinementBox& r : scene.refinement)
         refinement.push_back({{"name", r.name}, {"level", r.level}, {"box", box(r.box)}});
     Json sizes = Json::array();
-    for (const CostOfSize& s : cost_of_sizes(scene, p))
+    for (const CostOfSize& s : cost_of_sizes(scene, p, p.of("sph")))
         sizes.push_back({{"spacing", s.particles.spacing},
                          {"active", std::round(s.particles.active)},
                          {"guards", std::round(s.particles.guards)},
@@ -96,8 +96,10 @@ std::string check_json(const Scene& scene, const Prediction& p) {
                          {"bytes", s.bytes},
                          {"seconds", s.seconds},
                          {"dt", s.dt}});
-    const Json sph{
-        {"seconds", p.sph_seconds}, {"bytes", p.sph_bytes}, {"steps", std::round(p.sph_steps)}, {"sizes", sizes}};
+    Json predicted = Json::object();
+    for (const MethodCost& cost : p.costs)
+        predicted[cost.method] = {{"seconds", cost.seconds}, {"bytes", cost.bytes}, {"steps", std::round(cost.steps)}};
+    predicted["sph"]["sizes"] = sizes;
     const WallEffect walls = wall_effect(scene);
     return written({{"title", scene.title},
                     {"scene_hash", scene.hash},
@@ -118,7 +120,7 @@ std::string check_json(const Scene& scene, const Prediction& p) {
                     {"ramp", scene.motion.ramp},
                     {"c0", scene.sph.c0},
                     {"effects", effects},
-                    {"predicted", {{"sph", sph}, {"fvm", {{"seconds", p.fvm_seconds}, {"bytes", p.fvm_bytes}}}}}});
+                    {"predicted", predicted}});
 }
 
 std::string hull_json(const HullFacts& f) {

@@ -32,7 +32,7 @@ struct MachineFacts {
     std::vector<std::string> compilers;
     unsigned cores = 0;
     double memory = 0;  ///< [bytes]
-    double pace = 1;    ///< of the particle engine, see MachinePace
+    double pace = 1;    ///< of the particle engine, see machine_pace.h
     std::vector<PassesPace> passes;
     std::string chosen_passes;
     std::vector<OpenFoam> openfoam;

@@ -8,11 +8,11 @@
 #include "app/campaign.h"
 #include "app/ladder_jobs.h"
 #include "app/output.h"
+#include "app/solvers.h"
 #include "app/stop_signal.h"
 #include "app/write_ladder.h"
 #include "base/errors.h"
 #include "compare/report/report_table.h"
-#include "foam_cases/doctor.h"
 
 namespace tw::app {
 namespace {
@@ -27,8 +27,7 @@ std::string plan_text(const LadderPlan& plan, double budget) {
     double together = 0;
     for (const auto& [run, choice, fills_in] : plan.jobs) {
         const double cost = run.plan.seconds(run.method);
-        const Prediction& p = run.plan.prediction;
-        const double elements = run.method == "sph" ? p.particles + p.air_particles : p.cells;
+        const double elements = run.plan.prediction.of(run.method).elements;
         const bool finished = is_finished(run), fits = finished || together + cost <= budget;
         if (fits && !finished) together += cost;
         table.rows.push_back({{run.name, elements, cost, finished || !fits ? ReportCell("") : ReportCell(together),
@@ -60,8 +59,8 @@ int run_ladder(const LadderCommand& command, const Common& common) {
     say(common, plan_text(plan, command.budget_seconds()));
     if (command.plan) return done;
     const std::vector<RunRecord> measured = measured_records(command.measured);  // before hours are spent
-    if (std::ranges::any_of(jobs, [](const LadderJob& j) { return j.run.method == "fvm"; }))
-        say(common, "OpenFOAM: " + sound_openfoam(jobs.front().run.plan.scene.fvm.openfoam).verdict + "\n");
+    const Scene& scene = jobs.front().run.plan.scene;
+    say(common, ready_text(scene.run.methods, scene));
 
     catch_stop_signals();
     LadderHarvest harvest;

@@ -64,10 +64,7 @@ void change(Change apply) {
 
 }  // namespace
 
-MachinePace machine_pace() {
-    const Json paces = read_paces();
-    return {median(paces, "sph"), median(paces, "fvm")};
-}
+double machine_pace(const std::string& method) { return median(read_paces(), method); }
 
 double calibrate_pace() {
     const double pace = evaluations_of_the_table / run_bench(30000, 1.5, 1, 1).evaluations_per_second;

@@ -1,15 +1,13 @@
 #pragma once
 #include <string>
 
-#include "scene/scene.h"
-
 namespace tw::app {
 
-/// What runs on this machine have taught about its speed: $XDG_CACHE_HOME/twinwake/pace.json (~/.cache where that is
-/// not set), by processor. The median of the last five of each method; 1 where nothing is known. A file that cannot be
-/// read counts as nothing.
-MachinePace machine_pace();
-/// A short calibration (1 s): the particle engine's throughput over that of the table's machine, for both methods until
+/// How long this machine takes, with this method, for work that the table of scene/cost_estimate.cpp calls one second:
+/// the median of the last five runs; 1 where nothing is known. $XDG_CACHE_HOME/twinwake/pace.json (~/.cache where that
+/// is not set) holds it, by processor; a file that cannot be read counts as nothing.
+double machine_pace(const std::string& method);
+/// A short calibration (1 s): the particle engine's throughput over that of the table's machine, for all methods until
 /// runs have taught more. Returns the pace [-].
 double calibrate_pace();
 /// A finished run: `expected` seconds by the table alone (pace 1), `taken` seconds. Runs under 10 s teach nothing. What

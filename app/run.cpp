@@ -6,12 +6,12 @@
 #include "app/body_outcome.h"
 #include "app/campaign.h"
 #include "app/output.h"
+#include "app/solvers.h"
 #include "app/stop_signal.h"
 #include "app/twins.h"
 #include "base/errors.h"
 #include "compare/compare.h"
 #include "compare/ladder/judge_by_sizes.h"
-#include "foam_cases/doctor.h"
 #include "scene/hash.h"
 
 namespace tw::app {
@@ -22,15 +22,14 @@ namespace fs = std::filesystem;
 /// In this order, whatever the scene's.
 std::vector<std::string> methods_of(const Scene& scene) {
     std::vector<std::string> methods;
-    for (const char* method : {"sph", "fvm"})
-        if (std::ranges::find(scene.run.methods, method) != scene.run.methods.end()) methods.emplace_back(method);
+    for (const std::string& method : method_names())
+        if (std::ranges::find(scene.run.methods, method) != scene.run.methods.end()) methods.push_back(method);
     return methods;
 }
 
-/// A folder that holds a run is refused before the other method spends an hour.
-void refuse_taken(const fs::path& folder, const RunCommand& command) {
-    const bool taken = std::ranges::any_of(std::initializer_list<const char*>{"record.h5", "checkpoint.h5", "case"},
-                                           [&](const char* name) { return fs::exists(folder / name); });
+/// A folder that holds a run is refused before another method spends an hour.
+void refuse_taken(const fs::path& folder, const std::string& method, const RunCommand& command) {
+    const bool taken = fs::exists(folder / "record.h5") || fs::exists(folder / solver_of(method).state);
     if (taken && !command.resume && !command.overwrite)
         throw InputError(
             fmt::format("{}: there is a run already; continue it with --resume, run anew with --overwrite, or choose "
@@ -42,10 +41,9 @@ void refuse_taken(const fs::path& folder, const RunCommand& command) {
 std::string prediction_text(const PlannedRun& plan) {
     std::string text;
     for (const std::string& method : methods_of(plan.scene)) {
-        const Prediction& p = plan.prediction;
-        text += method == "sph" ? fmt::format("sph: {:.3g} particles", p.particles + p.air_particles)
-                                : fmt::format("fvm: {:.3g} cells", p.cells);
-        text += fmt::format(", about {:.3g} s\n", plan.seconds(method));
+        const MethodCost& cost = plan.prediction.of(method);
+        text +=
+            fmt::format("{}: {:.3g} {}, about {:.3g} s\n", method, cost.elements, elements_of(method), cost.seconds);
     }
     return text;
 }
@@ -54,7 +52,7 @@ std::string prediction_text(const PlannedRun& plan) {
 std::vector<RunRecord> records_of(const Scene& scene, const fs::path& out, const Common& common) {
     std::vector<RunRecord> records;
     const std::vector<std::string> now = methods_of(scene);
-    for (const std::string method : {"sph", "fvm"}) {
+    for (const std::string& method : method_names()) {
         const fs::path file = out / method / "record.h5";
         if (!fs::exists(file)) continue;
         RunRecord record = read_record(file);
@@ -84,13 +82,12 @@ int run_run(const RunCommand& command, const Common& common) {
     const std::vector<std::string> methods = methods_of(scene);
 
     const fs::path out = command.out.empty() ? fs::path("runs") / command.scene.file.stem() : command.out;
-    for (const std::string& method : methods) refuse_taken(out / method, command);
+    for (const std::string& method : methods) refuse_taken(out / method, method, command);
     std::optional<Twins> twins;
     if (command.twins)
         twins.emplace(command.scene.file, command.scene.overrides(), command.method, command.threads, out / "twins");
     if (twins && !command.overwrite) twins->refuse_others();
-    if (std::ranges::find(methods, "fvm") != methods.end())
-        say(common, "OpenFOAM: " + sound_openfoam(scene.fvm.openfoam).verdict + "\n");
+    say(common, ready_text(methods, scene));
     double own = 0;
     for (const std::string& method : methods) own += plan.seconds(method);
     say(common, fmt::format("{}\n{}{}results in {}\n", scene.title, prediction_text(plan),
@@ -108,7 +105,7 @@ int run_run(const RunCommand& command, const Common& common) {
     bool failed = false;
     for (const std::string& method : methods) {
         const CampaignResult result = campaign.run_or_take({method, method, plan, out / method});
-        failed |= result.state == CampaignResult::State::failed;  // the other method runs all the same
+        failed |= result.state == CampaignResult::State::failed;  // the other methods run all the same
         if (result.record) {
             runs.push_back(facts_of(method, *result.record, out / method));
             say(common, outcome_of_bodies(scene, *result.record));

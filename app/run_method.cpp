@@ -4,22 +4,22 @@
 
 #include "app/machine_pace.h"
 #include "app/progress_bar.h"
+#include "app/solvers.h"
 #include "app/stop_signal.h"
-#include "foam_cases/run_fvm.h"
-#include "sph_solver/run_sph.h"
 
 namespace tw::app {
 
 PlannedRun plan_run(const std::filesystem::path& file, const SceneOverrides& overrides, const std::string& method,
                     int threads) {
     Scene scene = read_scene(file, overrides);
-    if (method == "both")
-        scene.run.methods = {"sph", "fvm"};
+    if (method == every_method)
+        scene.run.methods = method_names();
     else if (!method.empty())
         scene.run.methods = {method};
     if (threads > 0) scene.run.threads = threads;
-    for (const std::string& m : scene.run.methods) refuse_unsolved(scene, m);
-    const Prediction prediction = predict(scene, machine_pace());
+    for (const std::string& m : scene.run.methods)
+        if (const Solver& solver = solver_of(m); solver.refuse) solver.refuse(scene);
+    const Prediction prediction = predict_here(scene);
     refuse_oversize(scene, prediction);
     return {std::move(scene), prediction};
 }
@@ -31,22 +31,20 @@ RunRecord run_method(const std::string& method, const PlannedRun& plan, const Me
     options.resume = run.resume;
     options.overwrite = run.overwrite;
     options.threads = scene.run.threads;
-    options.predicted_seconds = plan.seconds(method);
-    options.predicted_elements =
-        method == "sph" ? plan.prediction.particles + plan.prediction.wall_particles + plan.prediction.air_particles
-                        : plan.prediction.cells;
-    options.predicted_bytes = method == "sph" ? plan.prediction.sph_bytes : plan.prediction.fvm_bytes;
+    const MethodCost& cost = plan.prediction.of(method);
+    options.predicted_seconds = cost.seconds;
+    options.predicted_elements = cost.with_walls;
+    options.predicted_bytes = cost.bytes;
     options.command = common.command;
     ProgressBar bar(method, common.quiet);
     options.progress = [&bar](const Progress& p) { bar.show(p); };
     options.stop_asked = stop_asked;
-    RunRecord record = method == "sph" ? run_sph(scene, options) : run_fvm(scene, options);
+    RunRecord record = solver_of(method).run(scene, options);
     // what an effect costs is an estimate of its own, and air's is the roughest
     if (record.state == "finished" && !run.resume && !scene.effect_on("air")) {
-        const Prediction by_table = predict(scene);
         double taken = 0;
         for (const Phase& phase : record.phases) taken += phase.wall;
-        learn_pace(method, method == "sph" ? by_table.sph_seconds : by_table.fvm_seconds, taken);
+        learn_pace(method, predict_by_table(scene).of(method).seconds, taken);
     }
     return record;
 }
@@ -59,8 +57,8 @@ RunFacts facts_of(const std::string& method, const RunRecord& record, const std:
 
 std::string closing_line(const RunFacts& f) {
     return fmt::format("{}{}, {:.3g} {}, {:.3g} steps, {:.3g} s, {}\n", f.state,
-                       f.reason.empty() ? "" : ": " + f.reason, f.elements, f.method == "sph" ? "particles" : "cells",
-                       f.steps, f.wall, f.record);
+                       f.reason.empty() ? "" : ": " + f.reason, f.elements, elements_of(f.method), f.steps, f.wall,
+                       f.record);
 }
 
 }  // namespace tw::app

@@ -12,12 +12,10 @@ namespace tw::app {
 struct PlannedRun {
     Scene scene;
     Prediction prediction;
-    double seconds(const std::string& method) const {
-        return method == "sph" ? prediction.sph_seconds : prediction.fvm_seconds;
-    }
+    double seconds(const std::string& method) const { return prediction.of(method).seconds; }
 };
-/// `method`: sph, fvm, both; empty: the scene's. `threads`: 0: the scene's. Throws InputError: the scene is wrong, or
-/// too large for this machine.
+/// `method`: a name, or every_method; empty: the scene's. `threads`: 0: the scene's. Throws InputError: the scene is
+/// wrong, or too large for this machine.
 PlannedRun plan_run(const std::filesystem::path& file, const SceneOverrides& overrides, const std::string& method,
                     int threads);
 

@@ -8,6 +8,7 @@
 
 #include "app/about.h"
 #include "app/output.h"
+#include "app/solvers.h"
 #include "scene/effects/registry.h"
 #include "spray/read_study.h"
 
@@ -59,8 +60,8 @@ void add_scene(CLI::App& c, SceneArguments& scene) {
 }
 
 void add_method(CLI::App& c, std::string& method) {
-    c.add_option("--method", method, "sph, fvm or both instead of the scene's")
-        ->check(CLI::IsMember({"sph", "fvm", "both"}));
+    c.add_option("--method", method, fmt::format("{} instead of the scene's", fmt::join(method_choices(), ", ")))
+        ->check(CLI::IsMember(method_choices()));
 }
 
 void add_threads(CLI::App& c, int& threads,

@@ -7,11 +7,11 @@
 
 #include "app/campaign.h"
 #include "app/output.h"
+#include "app/solvers.h"
 #include "app/stop_signal.h"
 #include "app/twins.h"
 #include "base/errors.h"
 #include "compare/ladder/judge_by_sizes.h"
-#include "foam_cases/doctor.h"
 
 namespace tw::app {
 namespace {
@@ -60,18 +60,18 @@ struct Errors {
     bool wanted() const { return twins == "all" || (twins == "first" && first.scene.empty()); }
 };
 
-/// Both methods of one scene, their twins if it is to run some, and their comparison. False: stopped on request. What is
+/// All methods of one scene, their twins if it is to run some, and their comparison. False: stopped on request. What is
 /// wrong with this scene goes into the member; the others are run all the same.
 bool run_member(const Variant& variant, const fs::path& folder, const SweepCommand& command, Campaign& campaign,
                 Errors& errors, SweepMember& member) {
     try {
-        const PlannedRun plan = plan_run(command.scene.file, variant.overrides, "both", command.threads);
+        const PlannedRun plan = plan_run(command.scene.file, variant.overrides, every_method, command.threads);
         std::optional<Twins> twins;
         if (errors.wanted())
-            twins.emplace(command.scene.file, variant.overrides, "both", command.threads, folder / "twins");
+            twins.emplace(command.scene.file, variant.overrides, every_method, command.threads, folder / "twins");
         if (twins && !twins->run(campaign)) return false;
         std::vector<RunRecord> records;
-        for (const std::string method : {"sph", "fvm"}) {
+        for (const std::string& method : plan.scene.run.methods) {
             CampaignResult result = campaign.run_or_take({variant.name + ": " + method, method, plan, folder / method});
             if (result.state == CampaignResult::State::stopped) return false;
             if (!result.there()) {
@@ -107,7 +107,7 @@ int run_sweep(const SweepCommand& command, const Common& common) {
     const fs::path out =
         command.out.empty() ? fs::path("runs") / (command.scene.file.stem().string() + "_sweep") : command.out;
     const std::vector<Variant> variants = variants_of(command);
-    say(common, "OpenFOAM: " + sound_openfoam("").verdict + "\n");
+    say(common, ready_text(method_names(), {}));
     catch_stop_signals();
     Campaign campaign(common, {.overwrite = command.overwrite});
     std::vector<SweepMember> members;

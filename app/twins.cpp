@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "app/output.h"
+#include "app/solvers.h"
 #include "base/errors.h"
 #include "compare/report/numbers.h"
 #include "scene/hash.h"
@@ -21,7 +22,7 @@ Twins::Twins(const fs::path& file, const SceneOverrides& overrides, const std::s
     sizes.variations = sizes.snapshots = false;
     plan_ = plan_ladder(sizes, out);
     harvest_.left_out = plan_.left_out;
-    sizes.method = "both";
+    sizes.method = every_method;
     for (LadderJob& job : plan_ladder(sizes, out).jobs)
         if (std::ranges::none_of(plan_.jobs, [&](const LadderJob& j) { return j.run.method == job.run.method; }))
             of_other_methods_.push_back(std::move(job));

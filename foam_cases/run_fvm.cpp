@@ -327,7 +327,7 @@ private:
 }  // namespace
 
 RunRecord run_fvm(const Scene& scene, const RunOptions& options) {
-    refuse_unsolved(scene, "fvm");
+    refuse_unmeshable(scene);
     const OpenFoam openfoam = sound_openfoam(scene.fvm.openfoam);
     const FolderLock lock(options.folder);
     return FvmRun(scene, options, openfoam).run();

@@ -1,6 +1,7 @@
 #include "import/mapping.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +9,7 @@
 #include "base/atomic_file.h"
 #include "base/errors.h"
 #include "meshes/axis_turn.h"
+#include "methods/methods.h"
 #include "text/section.h"
 #include "text/units.h"
 
@@ -49,7 +51,9 @@ void check_name(const Section& root, const std::string& name) {
         name.back() == ' ' || name.front() == '.' || name.front() == '-')
         root.fail("name",
                   "expected 1 to 40 of: letters, digits, blank, '.', '_', '-'; it begins with a letter or digit");
-    if (name == "sph" || name == "fvm") root.fail("name", "sph and fvm are twinwake's own runs; choose another name");
+    if (find_method(name))
+        root.fail("name",
+                  fmt::format("{} are twinwake's own runs; choose another name", fmt::join(method_names(), " and ")));
 }
 
 /// fz = "Lift", fz = 3 or fz = { column = "Lift" or 3, unit = "kN", scale = -1, offset = "0.2 N" }.

@@ -85,8 +85,7 @@ void note_centre(const std::string& whose, const Surface& surface, const Vec3& c
 
 }  // namespace
 
-void refuse_unsolved(const Scene& scene, const std::string& method) {
-    if (method != "fvm") return;
+void refuse_unmeshable(const Scene& scene) {
     mesh_motion(scene);
     if (scene.hull && scene.hull->section && !scene.refined.empty())
         throw InputError(scene.file.string() +
@@ -98,7 +97,8 @@ void check_elastic(const Scene& scene, Sections& s) {
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
         if (!scene.bodies[b].elastic) continue;
         if (scene.sph.scheme != "kick_drift_kick")
-            s.sph.fail("scheme", "elastic bodies are advanced with the water; expected \"kick_drift_kick\"");
+            s.numerics.at("sph").fail("scheme",
+                                      "elastic bodies are advanced with the water; expected \"kick_drift_kick\"");
         if (scene.effect_on("air"))
             s.effects.fail("air", "elastic bodies are solved in water alone so far; remove this effect");
         if (scene.effect_on("no_slip"))
@@ -114,7 +114,7 @@ void check_free_hull(Scene& scene, Sections& s) {
         s.hull.fail("free",
                     "a hull is free in a stream only; in a tank write it as a [[body]], or expected kind = "
                     "\"stream\"");
-    check_scheme(scene, s.sph);
+    check_scheme(scene, s.numerics.at("sph"));
     if (free.motion.release >= scene.run.duration)
         s.hull.fail("release", fmt::format("the hull would be held to the end of the run, {:.4g} s; expected a time "
                                            "before it, or a longer [run] duration",
@@ -137,7 +137,7 @@ void check_bodies(Scene& scene, Sections& s) {
     if (scene.hull)
         s.hull.fail("shape", "a fixed hull beside bodies that move is an [[obstacle]]; remove this section");
     if (!std::ranges::all_of(scene.bodies, [](const MovingBody& b) { return b.motion.law && !b.elastic; }))
-        check_scheme(scene, s.sph);
+        check_scheme(scene, s.numerics.at("sph"));
     const double gap = scene.resolution.near_hull / 2;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         MovingBody& body = scene.bodies[i];

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 #include <set>
+#include <stdexcept>
 #include <thread>
 
 #include "base/errors.h"
@@ -40,6 +41,11 @@ constexpr double transition_cells = 1.05;              // layers between levels 
 double cores(const Scene& scene) {
     if (scene.run.threads > 0) return scene.run.threads;
     return std::max(1u, std::thread::hardware_concurrency());
+}
+
+/// By which time steps are predicted [m/s].
+double speed_of_water(const Scene& scene) {
+    return scene.motion.kind == Motion::Kind::stream ? scene.motion.speed : 0.1 * default_sound_speed(scene);
 }
 
 /// Cells of nested refinement boxes: every piece of space counts at the finest level that covers it.
@@ -89,11 +95,6 @@ double machine_memory() {
     return bytes;
 }
 
-double elements(const Prediction& p, const std::string& method) {
-    return method == "sph" ? p.particles + p.wall_particles + p.air_particles : p.cells;
-}
-const char* element_name(const std::string& method) { return method == "sph" ? "particles" : "cells"; }
-
 /// The key that made the domain's longest edge.
 std::string key_of_domain(const Scene& scene) {
     static const std::array<std::vector<std::string>, 3> keys{
@@ -107,13 +108,12 @@ std::string key_of_domain(const Scene& scene) {
     return "domain.x";
 }
 
-void refuse_too_fine(const Scene& scene, const Prediction& p, const std::string& method) {
+void refuse_too_fine(const Scene& scene, const MethodCost& cost, double raster_bytes) {
     const double memory = 0.9 * machine_memory();
-    const double bytes = (method == "sph" ? p.sph_bytes : p.fvm_bytes) - p.raster_bytes;
+    const double bytes = cost.bytes - raster_bytes;
     if (bytes <= memory) return;
-    const double most = elements(p, method) + (method == "sph" ? p.most_particles - p.particles : 0);
-    const std::string need = fmt::format("{:.3g} {} need {:.3g} GB of memory, and {:.3g} GB are available", most,
-                                         element_name(method), bytes / 1e9, memory / 1e9);
+    const std::string need = fmt::format("{:.3g} {} need {:.3g} GB of memory, and {:.3g} GB are available", cost.most,
+                                         elements_of(cost.method), bytes / 1e9, memory / 1e9);
     const double enough = scene.resolution.near_hull * std::cbrt(bytes / memory) * 1.01;
     if (scene.hull && std::isfinite(enough) && enough > coarsest_particles(*scene.hull)) {
         const Vec3 size = scene.domain.box.size();
@@ -126,31 +126,24 @@ void refuse_too_fine(const Scene& scene, const Prediction& p, const std::string&
 }
 
 /// The key that departs most from its default towards a long run, among those that were given.
-std::string reason_of_length(const Scene& scene, const std::string& method) {
+std::string reason_of_length(const Scene& scene, const MethodCost& cost) {
     const double near = scene.hull ? default_near_hull(*scene.hull) : water_height(scene) / 40;
     std::vector<std::pair<std::string, double>> departures{
         {"resolution.near_hull", std::pow(near / scene.resolution.near_hull, 4)},
         {"run.duration", scene.run.duration / default_duration(scene)}};
-    if (method == "sph") {
-        departures.emplace_back("sph.cfl", SphOptions{}.cfl / scene.sph.cfl);
-        departures.emplace_back("sph.c0", scene.sph.c0 / default_sound_speed(scene));
-    } else {
-        departures.emplace_back("fvm.max_courant", default_courant(scene) / scene.fvm.max_courant);
-        departures.emplace_back("sampling.interval", default_interval(scene) / scene.sampling.interval);
-    }
+    departures.insert(departures.end(), cost.lengthened_by.begin(), cost.lengthened_by.end());
     std::erase_if(departures, [&](const auto& d) { return !scene.places.contains(d.first); });
     if (departures.empty()) return "resolution.near_hull";
     return std::ranges::max_element(departures, {}, [](const auto& d) { return d.second; })->first;
 }
 
-void refuse_too_long(const Scene& scene, const Prediction& p, const std::string& method) {
-    const double time = method == "sph" ? p.sph_seconds : p.fvm_seconds;
-    if (time <= longest_run) return;
+void refuse_too_long(const Scene& scene, const MethodCost& cost) {
+    if (cost.seconds <= longest_run) return;
     throw InputError(fmt::format(
         "{}: the {} run would take about {} here ({:.3g} {}, {:.3g} time steps), and runs longer than {:.0f} days are "
         "refused; choose a coarser size, a shorter duration, larger time steps or more threads",
-        scene.place_of(reason_of_length(scene, method)), method, time_in_words(time), elements(p, method),
-        element_name(method), method == "sph" ? p.sph_steps : p.fvm_steps, longest_run / 86400));
+        scene.place_of(reason_of_length(scene, cost)), cost.method, time_in_words(cost.seconds), cost.with_walls,
+        elements_of(cost.method), cost.steps, longest_run / 86400));
 }
 
 void refuse_too_many_samples(const Scene& scene, const Prediction& p) {
@@ -185,16 +178,59 @@ void refuse_too_many_samples(const Scene& scene, const Prediction& p) {
 
 }  // namespace
 
-Prediction predict(const Scene& scene, const MachinePace& pace) {
+MethodCost predict_particles(const Scene& scene, const Prediction& p, double pace) {
+    MethodCost cost;
+    const double dp = finest_spacing(scene);
+    const bool flat = scene.domain.dimensions == 2;
+    double steps_of_finest = 0;  // of as many particles as are due in a step of the finest size
+    for (const ParticlesOfSize& size : particles_of_sizes(scene)) steps_of_finest = size.all() + steps_of_finest / 2;
+    cost.steps =
+        scene.run.duration * (scene.sph.c0 + speed_of_water(scene)) / (scene.sph.cfl * scene.sph.h_over_dp * dp);
+    // Work grows with the number of neighbours: the throughput above is that of h/dp = 1.5.
+    const double neighbours = std::pow(scene.sph.h_over_dp / 1.5, flat ? 2 : 3) * (flat ? 0.3 : 1);
+    cost.seconds = pace * (steps_of_finest + p.wall_particles) * cost.steps * neighbours /
+                   (particle_steps_per_core_second * cores(scene));
+    for (const EffectChoice& e : scene.effects)
+        if (e.on && !effect_part(e.name).in_the_throughput) cost.seconds *= 1 + e.cost;
+    if (scene.effect_on("air"))
+        cost.steps *=
+            std::max(1.0, (scene.sph.air_c0 + speed_of_water(scene)) / (scene.sph.c0 + speed_of_water(scene)));
+    cost.bytes =
+        p.raster_bytes + (p.most_particles + p.air_particles + p.wall_particles * (p.air_particles > 0 ? 2 : 1)) *
+                             (sizes_of_particles(scene) > 1 ? of_several_sizes : bytes_per_particle);
+    cost.elements = p.particles + p.air_particles;
+    cost.with_walls = cost.elements + p.wall_particles;
+    cost.most = cost.with_walls + p.most_particles - p.particles;
+    cost.in_words =
+        fmt::format("{:.3g} particles{} + {:.3g} in walls", p.particles,
+                    p.air_particles > 0 ? fmt::format(" + {:.3g} of air", p.air_particles) : "", p.wall_particles);
+    cost.lengthened_by = {{"sph.cfl", SphOptions{}.cfl / scene.sph.cfl},
+                          {"sph.c0", scene.sph.c0 / default_sound_speed(scene)}};
+    return cost;
+}
+
+MethodCost predict_cells(const Scene& scene, const Prediction& p, double pace) {
+    MethodCost cost;
+    const double courant_rate = steps_per_cell_crossing * speed_of_water(scene) / finest_spacing(scene) * 4 /
+                                scene.fvm.max_courant *
+                                (edge_refinement(scene).edges.empty() ? 1 : steps_of_shedding_edges);
+    cost.steps = scene.run.duration * std::max(courant_rate, steps_per_frame / scene.sampling.interval);
+    const double n = cores(scene);
+    cost.seconds = pace * (start_seconds + p.cells * mesh_seconds_per_cell +
+                           p.cells * cost.steps / (cell_steps_per_core_second * (1 + (n - 1) * parallel_share)));
+    cost.bytes = p.raster_bytes + p.cells * bytes_per_cell + bytes_of_interfoam * n;
+    cost.elements = cost.with_walls = cost.most = p.cells;
+    cost.in_words = fmt::format("{:.3g} cells", p.cells);
+    cost.lengthened_by = {{"fvm.max_courant", default_courant(scene) / scene.fvm.max_courant},
+                          {"sampling.interval", default_interval(scene) / scene.sampling.interval}};
+    return cost;
+}
+
+Prediction predict(const Scene& scene, const std::vector<CostOf>& methods) {
     Prediction p;
     const double dp = finest_spacing(scene);
     const bool flat = scene.domain.dimensions == 2;
-    const double particle = flat ? dp * dp * scene.domain.box.size().y() : dp * dp * dp;
-    double steps_of_finest = 0;  // of as many particles as are due in a step of the finest size
-    for (const ParticlesOfSize& size : particles_of_sizes(scene)) {
-        p.particles += size.all();
-        steps_of_finest = size.all() + steps_of_finest / 2;
-    }
+    for (const ParticlesOfSize& size : particles_of_sizes(scene)) p.particles += size.all();
     const bool runs = sizes_of_particles(scene) > 1 && running_water(scene);
     p.particles_at_start = runs ? all_of(particles_of_sizes(scene, During::start)) : p.particles;
     p.most_particles = runs ? all_of(particles_of_sizes(scene, During::peak)) : p.particles;
@@ -202,45 +238,30 @@ Prediction predict(const Scene& scene, const MachinePace& pace) {
     for (const Obstacle& o : scene.obstacles) solid_area += mass_properties(o.surface).area;
     for (const MovingBody& b : scene.bodies) solid_area += mass_properties(b.surface).area;
     p.wall_particles = flat ? 0 : wall_layers * solid_area / (dp * dp);
-    const EdgeRefinement shedding = edge_refinement(scene);
-    p.cells = count_cells(scene) + cells_at_edges(scene, shedding);
-
-    const double h = scene.sph.h_over_dp * dp;
-    const double speed =
-        scene.motion.kind == Motion::Kind::stream ? scene.motion.speed : 0.1 * default_sound_speed(scene);
-    p.sph_steps = scene.run.duration * (scene.sph.c0 + speed) / (scene.sph.cfl * h);
-    const double n = cores(scene);
-    // Work grows with the number of neighbours: the throughput above is that of h/dp = 1.5.
-    const double neighbours = std::pow(scene.sph.h_over_dp / 1.5, flat ? 2 : 3) * (flat ? 0.3 : 1);
-    p.sph_seconds = pace.sph * (steps_of_finest + p.wall_particles) * p.sph_steps * neighbours /
-                    (particle_steps_per_core_second * n);
-    for (const EffectChoice& e : scene.effects)
-        if (e.on && !effect_part(e.name).in_the_throughput) p.sph_seconds *= 1 + e.cost;
-    if (scene.effect_on("air")) {
-        p.air_particles = air_volume(scene) / particle;
-        p.sph_steps *= std::max(1.0, (scene.sph.air_c0 + speed) / (scene.sph.c0 + speed));
-    }
+    if (scene.effect_on("air"))
+        p.air_particles = air_volume(scene) / (dp * dp * (flat ? scene.domain.box.size().y() : dp));
+    p.cells = count_cells(scene) + cells_at_edges(scene, edge_refinement(scene));
     const Sampling& sampling = scene.sampling;
     p.frames = std::min(1e18, std::floor(scene.run.duration / sampling.interval) + 1);
     p.raster_bytes = voxels(sampling.raster) * (p.frames + bytes_per_open_voxel);
     if (sampling.snapshot_interval > 0) p.snapshots = std::floor(scene.run.duration / sampling.snapshot_interval) + 1;
-    p.sph_bytes =
-        p.raster_bytes + (p.most_particles + p.air_particles + p.wall_particles * (p.air_particles > 0 ? 2 : 1)) *
-                             (sizes_of_particles(scene) > 1 ? of_several_sizes : bytes_per_particle);
-
-    const double courant_rate = steps_per_cell_crossing * speed / dp * 4 / scene.fvm.max_courant *
-                                (shedding.edges.empty() ? 1 : steps_of_shedding_edges);
-    p.fvm_steps = scene.run.duration * std::max(courant_rate, steps_per_frame / sampling.interval);
-    p.fvm_seconds = pace.fvm * (start_seconds + p.cells * mesh_seconds_per_cell +
-                                p.cells * p.fvm_steps / (cell_steps_per_core_second * (1 + (n - 1) * parallel_share)));
-    p.fvm_bytes = p.raster_bytes + p.cells * bytes_per_cell + bytes_of_interfoam * n;
+    for (const CostOf& method : methods) {
+        p.costs.push_back(method.predict(scene, p, method.pace));
+        p.costs.back().method = method.method;
+    }
     return p;
+}
+
+const MethodCost& Prediction::of(const std::string& method) const {
+    const auto cost = std::ranges::find(costs, method, &MethodCost::method);
+    if (cost == costs.end()) throw std::logic_error("no cost was predicted of the method " + method);
+    return *cost;
 }
 
 void refuse_oversize(const Scene& scene, const Prediction& p) {
     for (const std::string& method : scene.run.methods) {
-        refuse_too_fine(scene, p, method);
-        refuse_too_long(scene, p, method);
+        refuse_too_fine(scene, p.of(method), p.raster_bytes);
+        refuse_too_long(scene, p.of(method));
     }
     refuse_too_many_samples(scene, p);
 }

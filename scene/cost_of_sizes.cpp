@@ -4,7 +4,7 @@
 
 namespace tw {
 
-std::vector<CostOfSize> cost_of_sizes(const Scene& scene, const Prediction& p) {
+std::vector<CostOfSize> cost_of_sizes(const Scene& scene, const Prediction& p, const MethodCost& cost) {
     const std::vector<ParticlesOfSize> mean = particles_of_sizes(scene);
     const std::vector<ParticlesOfSize> most =
         p.most_particles == p.particles ? mean : particles_of_sizes(scene, During::peak);
@@ -17,11 +17,11 @@ std::vector<CostOfSize> cost_of_sizes(const Scene& scene, const Prediction& p) {
         const bool finest = k + 1 == sizes.size();
         const double steps_of_finest = std::exp2(sizes.size() - 1 - k);
         const double walls = finest ? p.wall_particles : 0, all = size.particles.all() + walls;
-        size.dt = scene.run.duration / p.sph_steps * steps_of_finest;
-        size.bytes = (p.sph_bytes - p.raster_bytes) * (most[k].all() + walls) / in_memory;
+        size.dt = scene.run.duration / cost.steps * steps_of_finest;
+        size.bytes = (cost.bytes - p.raster_bytes) * (most[k].all() + walls) / in_memory;
         visits += size.seconds = all / steps_of_finest;
     }
-    for (CostOfSize& size : sizes) size.seconds *= p.sph_seconds / visits;
+    for (CostOfSize& size : sizes) size.seconds *= cost.seconds / visits;
     return sizes;
 }
 

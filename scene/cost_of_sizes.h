@@ -12,7 +12,7 @@ struct CostOfSize {
     double dt = 0;                  ///< time step [s]
 };
 
-/// Coarsest first. Each size steps half as often as the next smaller one; walls are counted with the finest.
-std::vector<CostOfSize> cost_of_sizes(const Scene& scene, const Prediction& prediction);
+/// Of particles, coarsest first; `cost`: of their run. Each size steps half as often as the next smaller one; walls are counted with the finest.
+std::vector<CostOfSize> cost_of_sizes(const Scene& scene, const Prediction& prediction, const MethodCost& cost);
 
 }  // namespace tw

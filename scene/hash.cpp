@@ -37,12 +37,14 @@ private:
     std::string text_;
 };
 
-/// The keys of the table that one hash covers, with their values. What belongs to an effect counts while it is on.
-void add_keys(Lines& t, const Scene& scene, SceneKey::Hashed hashed) {
+/// The keys of the table that the scene's hash covers, or that a method's own does, with their values. What belongs to
+/// an effect counts while it is on.
+void add_keys(Lines& t, const Scene& scene, SceneKey::Hashed hashed, const std::string& method = {}) {
     Scene& readable = const_cast<Scene&>(scene);  // slots refer to a value; none is changed here
     Scene fresh;
     for (const SceneKey& key : scene_keys()) {
-        if (key.hashed != hashed || (!key.effect.empty() && !scene.effect_on(key.effect))) continue;
+        if (key.hashed != hashed || (!method.empty() && key.section != method)) continue;
+        if (!key.effect.empty() && !scene.effect_on(key.effect)) continue;
         const std::string name = key.section + "." + key.name;
         with_value(key, readable, [&](const auto& value) {
             using Value = std::decay_t<decltype(value)>;
@@ -193,7 +195,7 @@ std::string text_of(const Scene& scene, bool sizes) {
 
 std::string numerics_of(const Scene& scene, const std::string& method) {
     Lines t;
-    add_keys(t, scene, method == "sph" ? SceneKey::Hashed::sph : SceneKey::Hashed::fvm);
+    add_keys(t, scene, SceneKey::Hashed::run, method);
     if (method == "fvm")
         if (const EdgeRefinement shedding = edge_refinement(scene); !shedding.edges.empty())
             t.add("edge_halvings", {static_cast<double>(shedding.halvings)});

@@ -42,9 +42,8 @@ struct SceneKey {
     };
     /// Which hash covers the value (hash.h).
     enum class Hashed {
-        scene,   ///< a number that both methods use: the scene hash, and with it both run hashes
-        sph,     ///< the particle method's numerics: its run hash
-        fvm,     ///< the mesh method's numerics: its run hash
+        scene,   ///< a number that all methods use: the scene hash, and with it all run hashes
+        run,     ///< numerics of the method whose section it stands in: that method's run hash
         nowhere  ///< changes nothing that is solved
     };
     std::string section = {};

@@ -1,5 +1,7 @@
 #pragma once
+#include <map>
 #include <optional>
+#include <string>
 
 #include "scene/scene.h"
 #include "scene/scene_section.h"
@@ -12,7 +14,8 @@ namespace tw {
 
 /// All sections of one scene file; kept while the scene is being checked so that a later finding names its key.
 struct Sections {
-    SceneSection root, hull, water, motion, resolution, domain, run, sampling, tank, sph, fvm, effects;
+    SceneSection root, hull, water, motion, resolution, domain, run, sampling, tank, effects;
+    std::map<std::string, SceneSection> numerics;  ///< of each method, by its name
     std::vector<SceneSection> obstacles, bodies, probes, water_blocks, refined, plies, gauges;
 };
 Sections split_sections(const std::filesystem::path& file, const TextValue& document);

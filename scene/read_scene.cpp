@@ -71,11 +71,15 @@ void apply(const SceneOverrides& o, TextValue& document) {
 }
 
 void note_places(const Sections& s, Scene& scene) {
-    for (const SceneSection* section :
-         {&s.hull, &s.water, &s.motion, &s.resolution, &s.domain, &s.run, &s.sampling, &s.tank, &s.sph, &s.fvm})
+    const auto note = [&](const SceneSection& section) {
         for (const SceneKey& key : scene_keys())
-            if (key.section == section->name() && section->has(key.name))
-                scene.places[key.section + "." + key.name] = section->where(key.name);
+            if (key.section == section.name() && section.has(key.name))
+                scene.places[key.section + "." + key.name] = section.where(key.name);
+    };
+    for (const SceneSection* section :
+         {&s.hull, &s.water, &s.motion, &s.resolution, &s.domain, &s.run, &s.sampling, &s.tank})
+        note(*section);
+    for (const auto& [method, section] : s.numerics) note(section);
 }
 
 template <class List>
@@ -106,9 +110,8 @@ Sections split_sections(const std::filesystem::path& file, const TextValue& docu
                one("run"),
                one("sampling"),
                one("tank"),
-               one("sph"),
-               one("fvm"),
                one("effects"),
+               {},
                many("obstacle"),
                many("body"),
                many("probe"),
@@ -116,6 +119,7 @@ Sections split_sections(const std::filesystem::path& file, const TextValue& docu
                many("refine"),
                many("ply"),
                many("gauge")};
+    for (const std::string& method : method_names()) s.numerics.emplace(method, one(method));
     s.root = root;
     s.root.know("title");
     s.root.finish();
@@ -129,16 +133,19 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     TextValue document = parse_document(scene.text, file);
     apply(overrides, document);
     Sections s = split_sections(file, document);
+    const SceneSection& particles = s.numerics.at("sph");
     scene.title = s.root.text("title", file.stem().string());
 
     note_places(s, scene);
     const std::optional<double> depth = read_water(s.water, scene),
                                 ramp = read_motion(s.motion, scene, s.hull.present()),
                                 voxel = read_sampling(s.sampling, s.probes, scene);
-    for (SceneSection* section : {&s.run, &s.sph, &s.fvm}) {
-        section->read_into(scene);
-        section->finish();
-    }
+    const auto read_all = [&](SceneSection& section) {
+        section.read_into(scene);
+        section.finish();
+    };
+    read_all(s.run);
+    for (auto& [method, section] : s.numerics) read_all(section);
     const ResolutionOptions resolution = read_resolution(s.resolution);
     const DomainOptions domain = read_domain(s.domain);
     scene.tank_motion = read_tank_motion(s.tank, domain.dimensions);
@@ -188,7 +195,7 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     // A stream without a hull has no length to settle over: its ramp is the domain's, so the domain comes first.
     const auto make_domain = [&] { scene.domain = domain_of(domain, tank, scene, s, depth); };
     const bool free_hull = scene.hull && scene.hull->free;
-    if ((resolution.spacing || is_refined_unasked(scene)) && !scene.tank_motion && !s.sph.has("levels") &&
+    if ((resolution.spacing || is_refined_unasked(scene)) && !scene.tank_motion && !particles.has("levels") &&
         !s.effects.on_off("air").value_or(false))
         follow_spacing(scene, make_domain);
     else
@@ -237,7 +244,7 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
                         most_voxels, two_particles));
     scene.effects = plan_effects(scene, s.effects);
     check_elastic(scene, s);
-    check_gate(scene, s.sph);
+    check_gate(scene, particles);
     check_tank_motion(scene, s);
     scene.hash = scene_hash(scene);
     return scene;

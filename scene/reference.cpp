@@ -37,8 +37,7 @@ std::string accepted(const SceneKey& key) {
 std::string hashed(const SceneKey& key) {
     switch (key.hashed) {
         case SceneKey::Hashed::scene: return "scene";
-        case SceneKey::Hashed::sph: return "sph";
-        case SceneKey::Hashed::fvm: return "fvm";
+        case SceneKey::Hashed::run: return key.section;
         case SceneKey::Hashed::nowhere: return "-";
     }
     return "";

@@ -10,6 +10,7 @@
 #include "meshes/health.h"
 #include "meshes/mass_properties.h"
 #include "meshes/surface.h"
+#include "methods/methods.h"
 #include "motion/floating_attitude.h"
 #include "motion/moving_frame.h"
 #include "motion/rigid_body.h"
@@ -156,7 +157,7 @@ struct Sampling {
 
 struct Run {
     double duration = 0;  ///< [s]
-    std::vector<std::string> methods{"sph", "fvm"};
+    std::vector<std::string> methods = method_names();
     int threads = 0;        ///< 0: all cores
     double checkpoint = 0;  ///< between SPH checkpoints [s of simulated time]
 };
@@ -226,9 +227,16 @@ struct SceneOverrides {
 /// wrong.
 Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overrides = {});
 
-/// How long this machine takes for work that the table of `cost_estimate.cpp` calls one second.
-struct MachinePace {
-    double sph = 1, fvm = 1;
+/// What one method's run is expected to take.
+struct MethodCost {
+    std::string method = {};
+    double elements = 0;    ///< particles of water and air in the mean of the run, or cells
+    double with_walls = 0;  ///< those, and the particles in walls
+    double most = 0;        ///< of those for which there must be memory
+    double seconds = 0, bytes = 0, steps = 0;
+    std::string in_words = {};  ///< of the elements: "4.56e+04 particles + 1.2e+03 in walls"
+    /// Keys of the method's own section that may make a run long, and by how many times their values do so here.
+    std::vector<std::pair<std::string, double>> lengthened_by = {};
 };
 /// Predicted size of a run, from the geometry and a throughput table; no solving.
 struct Prediction {
@@ -236,11 +244,22 @@ struct Prediction {
     double particles = 0;
     double particles_at_start = 0, most_particles = 0;  ///< of water: then, and for which there must be memory
     double wall_particles = 0, air_particles = 0, cells = 0;
-    double sph_seconds = 0, fvm_seconds = 0, sph_bytes = 0, fvm_bytes = 0, sph_steps = 0, fvm_steps = 0;
     double frames = 0, raster_bytes = 0;  ///< samples of the water raster, and their memory (part of each method's)
     double snapshots = 0;                 ///< moments at which ParaView files are written
+    std::vector<MethodCost> costs;        ///< of each method that was asked
+
+    const MethodCost& of(const std::string& method) const;  ///< throws std::logic_error: it was not asked
 };
-Prediction predict(const Scene& scene, const MachinePace& pace = {});
+/// What says how much one method's run takes, see predict_particles. `pace`: how long this machine takes for work that
+/// the table of `cost_estimate.cpp` calls one second. `size`: all but the costs.
+struct CostOf {
+    std::string method;
+    MethodCost (*predict)(const Scene& scene, const Prediction& size, double pace) = nullptr;
+    double pace = 1;
+};
+Prediction predict(const Scene& scene, const std::vector<CostOf>& methods);
+MethodCost predict_particles(const Scene& scene, const Prediction& size, double pace);
+MethodCost predict_cells(const Scene& scene, const Prediction& size, double pace);
 /// Peak of a whole run of 5500 particles with its report and pictures (/usr/bin/time -f %M); the solver's part of it is
 /// 54 MB, and ends before.
 inline constexpr double bytes_of_report = 164e6;
@@ -250,8 +269,8 @@ inline constexpr double bytes_of_report = 164e6;
 inline constexpr double longest_run = 30 * 86400.0;  ///< [s]
 inline constexpr double most_snapshots = 1e5, most_frames = 1e6;
 void refuse_oversize(const Scene& scene, const Prediction& prediction);
-/// Throws InputError where a method cannot solve what the scene asks for (the mesh method: see mesh_motion.h).
-void refuse_unsolved(const Scene& scene, const std::string& method);
+/// Throws InputError where the mesh method cannot solve what the scene asks for (see also mesh_motion.h).
+void refuse_unmeshable(const Scene& scene);
 /// The checked scene in words: hull, domain, resolution, sampling, effects with reasons, predicted cost.
 std::string to_text(const Scene& scene, const Prediction& prediction);
 

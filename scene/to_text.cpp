@@ -86,10 +86,12 @@ std::string start_up_text(const Scene& scene, const Prediction& p) {
                          wanted, wanted / duration);
     const double planing = scene.motion.ramp + 3 * L_over_U, rest = 1 - planing / duration;
     if (!(rest > 0)) return out + "the run is long enough for it\n";
-    return out + fmt::format(
-                     "waiting for one and averaging over three takes {:.0f} % of this\n            run: sph {}, "
-                     "fvm {}\n",
-                     100 * rest, time_in_words(rest * p.sph_seconds), time_in_words(rest * p.fvm_seconds));
+    out +=
+        fmt::format("waiting for one and averaging over three takes {:.0f} % of this\n            run: ", 100 * rest);
+    for (const MethodCost& cost : p.costs)
+        out += fmt::format("{}{} {}", &cost == &p.costs.front() ? "" : ", ", cost.method,
+                           time_in_words(rest * cost.seconds));
+    return out + "\n";
 }
 
 std::string findings_text(const std::vector<Finding>& findings) {
@@ -165,16 +167,22 @@ std::string body_text(const MovingBody& b, const Scene& scene) {
     return out + findings_text(b.findings);
 }
 
-/// One line for each of several sizes of particles.
-std::string sizes_text(const Scene& scene, const Prediction& p) {
-    const std::vector<CostOfSize> sizes = cost_of_sizes(scene, p);
-    if (sizes.size() < 2) return {};
-    std::string out = "       particles      all = active + guards + parents      memory  of the time     time step\n";
+/// Of particles that run into finer zones, and one line for each of several sizes of them.
+std::string sizes_text(const Scene& scene, const Prediction& p, const MethodCost& cost) {
+    std::string out;
+    if (p.most_particles > p.particles)
+        out += fmt::format(
+            "       water runs into the finer zones: {:.2g} particles at the start, {:.2g} in the mean (time), up to "
+            "{:.2g} (memory)\n",
+            p.particles_at_start, p.particles, p.most_particles);
+    const std::vector<CostOfSize> sizes = cost_of_sizes(scene, p, cost);
+    if (sizes.size() < 2) return out;
+    out += "       particles      all = active + guards + parents      memory  of the time     time step\n";
     for (const CostOfSize& s : sizes) {
         const ParticlesOfSize& n = s.particles;
         out += fmt::format("       {:7.4g} m {:8.3g} {:8.3g} {:8.3g}  {:8.3g} {:8.3g} MB {:10.0f} % {:11.3g} s\n",
                            n.spacing, n.all(), n.active, n.guards, n.parents, s.bytes / 1e6,
-                           100 * s.seconds / p.sph_seconds, s.dt);
+                           100 * s.seconds / cost.seconds, s.dt);
     }
     return out;
 }
@@ -265,17 +273,11 @@ std::string to_text(const Scene& scene, const Prediction& p) {
     out += fmt::format(
         "\npredicted for this machine (two significant digits at best; drawing the report takes {:.2g} GB at least)\n",
         bytes_of_report / 1e9);
-    out += fmt::format("  sph  {:.3g} particles{} + {:.3g} in walls, {:.3g} steps, {:.2g} GB, {}\n", p.particles,
-                       p.air_particles > 0 ? fmt::format(" + {:.3g} of air", p.air_particles) : "", p.wall_particles,
-                       p.sph_steps, p.sph_bytes / 1e9, time_in_words(p.sph_seconds));
-    if (p.most_particles > p.particles)
-        out += fmt::format(
-            "       water runs into the finer zones: {:.2g} particles at the start, {:.2g} in the mean (time), up to "
-            "{:.2g} (memory)\n",
-            p.particles_at_start, p.particles, p.most_particles);
-    out += sizes_text(scene, p);
-    out +=
-        fmt::format("  fvm  {:.3g} cells, {:.2g} GB, {}\n", p.cells, p.fvm_bytes / 1e9, time_in_words(p.fvm_seconds));
+    for (const MethodCost& cost : p.costs) {
+        out += fmt::format("  {:4} {}, {:.3g} steps, {:.2g} GB, {}\n", cost.method, cost.in_words, cost.steps,
+                           cost.bytes / 1e9, time_in_words(cost.seconds));
+        if (elements_of(cost.method) == "particles") out += sizes_text(scene, p, cost);
+    }
     out += "\nscene hash  " + scene.hash + "\n";
     return out;
 }

@@ -28,7 +28,7 @@ EffectPart acoustic_damping() {
             .keys = {{.section = "sph",
                       .name = "acoustic_damping",
                       .range = {0, 2, true},
-                      .hashed = SceneKey::Hashed::sph,
+                      .hashed = SceneKey::Hashed::run,
                       .slot = slot(&Scene::sph, &SphOptions::acoustic_damping),
                       .meaning = "Coefficient alpha2 of the bulk viscosity.",
                       .older = "acoustic_damper"}}};

@@ -56,7 +56,7 @@ EffectPart air() {
                       .name = "air_c0",
                       .unit = "m/s",
                       .range = {0, 1e5, true},
-                      .hashed = SceneKey::Hashed::sph,
+                      .hashed = SceneKey::Hashed::run,
                       .slot = slot(&Scene::sph, &SphOptions::air_c0),
                       .meaning = "Sound speed of the air; that of real air is 343 m/s, a smaller one is cheaper and "
                                  "makes the air softer."}}};

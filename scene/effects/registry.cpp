@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include "methods/methods.h"
+
 // The one list of effects, in the order of the plan. Each line names a function `EffectPart NAME()` of namespace
 // tw::effect_parts, defined in scene/effects/NAME.cpp.
 #define TWINWAKE_EFFECTS(part)                                                                                         \
@@ -33,6 +35,11 @@ const EffectPart& effect_part(const std::string& name) {
     for (const EffectPart& part : effects())
         if (part.name == name) return part;
     throw std::logic_error("no effect is called " + name);
+}
+
+bool solves(const std::string& method, const EffectPart& effect) {
+    return effect.solved == EffectPart::Solved::by_both_methods ||
+           (effect.solved == EffectPart::Solved::by_particles_only && elements_of(method) == "particles");
 }
 
 std::string effects_text() {

@@ -13,6 +13,9 @@ std::vector<std::string> effect_names();
 /// Throws std::logic_error for a name that no effect has.
 const EffectPart& effect_part(const std::string& name);
 
+/// Whether a method of methods/methods.h solves an effect where it is on.
+bool solves(const std::string& method, const EffectPart& effect);
+
 /// The names by what solves them, in sentences for help texts.
 std::string effects_text();
 

@@ -30,7 +30,7 @@ EffectPart shifting() {
             .keys = {{.section = "sph",
                       .name = "shifting",
                       .range = {0, 3},
-                      .hashed = SceneKey::Hashed::sph,
+                      .hashed = SceneKey::Hashed::run,
                       .slot = slot(&Scene::sph, &SphOptions::shifting),
                       .meaning = "Coefficient of the shifting; 0: off."}},
             .in_the_throughput = true};

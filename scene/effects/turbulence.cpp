@@ -27,7 +27,7 @@ EffectPart turbulence() {
             .keys = {{.section = "sph",
                       .name = "smagorinsky",
                       .range = {0, 1},
-                      .hashed = SceneKey::Hashed::sph,
+                      .hashed = SceneKey::Hashed::run,
                       .slot = slot(&Scene::sph, &SphOptions::smagorinsky),
                       .meaning = "Smagorinsky constant Cs of the particle method."}}};
 }

@@ -18,8 +18,9 @@ TEST(Cost, ParticlesAreTheWatersVolumeOverTheirOwn) {
 
 TEST(Cost, HalvingTheSpacingCostsSixteenTimes) {
     const Prediction coarse = predict(scene_of(tank)), fine = predict(scene_of(with(tank, "0.01", "0.005")));
-    EXPECT_NEAR(fine.sph_seconds / coarse.sph_seconds, 16, 0.01);  // eight times the particles, half the step
-    EXPECT_GT(fine.fvm_seconds / coarse.fvm_seconds, 12);          // meshing grows with the cells alone
+    EXPECT_NEAR(fine.of("sph").seconds / coarse.of("sph").seconds, 16,
+                0.01);                                                 // eight times the particles, half the step
+    EXPECT_GT(fine.of("fvm").seconds / coarse.of("fvm").seconds, 12);  // meshing grows with the cells alone
 }
 
 TEST(Cost, TheReferenceMeshIsPredictedWithinATenth) {
@@ -42,7 +43,7 @@ TEST(Cost, EdgesThatTheStreamLeavesCostCellsAndSteps) {
     const Prediction with_edges = predict(s);
     s.hull->surface = make_hull("sphere", {{"diameter", 0.5}, {"level", 4}});
     const Prediction smooth = predict(s);
-    EXPECT_NEAR(with_edges.fvm_steps / smooth.fvm_steps, 1.45, 1e-9);
+    EXPECT_NEAR(with_edges.of("fvm").steps / smooth.of("fvm").steps, 1.45, 1e-9);
     // Measured on half the prism, 4 m by 1 m, trimmed by 5 degrees: 6303, 14266 and 32736 cells became 8126, 17651 and
     // 36226 at 0.0707, 0.05 and 0.0354 m; 1.89 m of edges lie below half the draft.
     EXPECT_NEAR(with_edges.cells - smooth.cells, 3385, 1000);
@@ -84,8 +85,8 @@ TEST(Cost, TheRastersFramesAreMemoryAndNamedByTheirKey) {
                      fine = predict(scene_of(planing + "[sampling]\nraster_spacing = 0.01\n" + one_size));
     EXPECT_NEAR(fine.raster_bytes / coarse.raster_bytes, 1000,
                 60);  // a tenth of the edge; faces go out to whole voxels
-    EXPECT_GT(fine.sph_bytes - coarse.sph_bytes, 0.99 * (fine.raster_bytes - coarse.raster_bytes));
-    EXPECT_GT(fine.fvm_bytes - coarse.fvm_bytes, 0.99 * (fine.raster_bytes - coarse.raster_bytes));
+    EXPECT_GT(fine.of("sph").bytes - coarse.of("sph").bytes, 0.99 * (fine.raster_bytes - coarse.raster_bytes));
+    EXPECT_GT(fine.of("fvm").bytes - coarse.of("fvm").bytes, 0.99 * (fine.raster_bytes - coarse.raster_bytes));
     const auto blamed = [](const std::string& sampling, const std::string& start) {
         const std::string message = refusal(planing + "[sampling]\n" + sampling + one_size);
         EXPECT_EQ(message.substr(0, start.size()), start) << message;
@@ -93,8 +94,9 @@ TEST(Cost, TheRastersFramesAreMemoryAndNamedByTheirKey) {
     blamed("raster_spacing = 0.0045\ninterval = 2e-5\n",
            "scene.toml:22:18: [sampling] raster_spacing = 0.0045: the water raster of 5.33e+08 voxels in 75001 frames "
            "needs ");
-    blamed("raster_spacing = 0.02\ninterval = 2e-6\n",
-           "scene.toml:23:12: [sampling] interval = 2e-06: the water raster of 6.09e+06 voxels in 750001 frames needs ");
+    blamed(
+        "raster_spacing = 0.02\ninterval = 2e-6\n",
+        "scene.toml:23:12: [sampling] interval = 2e-06: the water raster of 6.09e+06 voxels in 750001 frames needs ");
 }
 
 TEST(Cost, WhatWouldTakeMonthsIsRefusedAtTheKeyThatIsToBlame) {

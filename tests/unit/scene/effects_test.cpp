@@ -100,7 +100,7 @@ TEST(Effects, AirIsOnOnDemandInTanksAndSaysWhatItCosts) {
                 EXPECT_NE(e.reason.find("density ratio 0.0012"), std::string::npos) << e.reason;
             }
     EXPECT_NEAR(predict(with).air_particles, 3 * predict(with).particles, 1);
-    const auto bytes = [](const Scene& s) { return predict(s).sph_bytes - predict(s).raster_bytes; };
+    const auto bytes = [](const Scene& s) { return predict(s).of("sph").bytes - predict(s).raster_bytes; };
     EXPECT_GT(bytes(with), 3.9 * bytes(without));
     EXPECT_NE(complaint(tank + "scheme = \"rk4_frozen_diffusion\"\n[effects]\nair = \"on\"\n")
                   .find("needs a time step with a single evaluation"),

@@ -144,7 +144,7 @@ TEST(ElasticScene, WarnsOfASurfaceThinnerThanAWallOfParticlesNeeds) {
 
 /// The mesh method moves the rigid counterpart of a plate on a frame, and refuses a plate that is held.
 TEST(ElasticScene, IsRigidForTheMeshMethod) {
-    EXPECT_NO_THROW(refuse_unsolved(scene_of(dropped), "sph"));
+    EXPECT_NO_THROW(refuse_unmeshable(scene_of(dropped)));
     const std::string held =
         with(with(dropped, "carried = [\"x_min\", \"x_max\", \"y_min\", \"y_max\"]\nmass = \"5 kg\"",
                   "clamped = [\"x_min\"]"),

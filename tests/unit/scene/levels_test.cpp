@@ -232,7 +232,7 @@ TEST(ParticleLevels, TwinsHaveTheSameBoxAndCostLess) {
     EXPECT_EQ(twin.domain.as_asked.min, fine.domain.as_asked.min);
     EXPECT_EQ(twin.domain.as_asked.max, fine.domain.as_asked.max);
     EXPECT_EQ(twin.sph.levels, 2);
-    EXPECT_LT(predict(twin).sph_seconds, 0.4 * predict(fine).sph_seconds);
+    EXPECT_LT(predict(twin).of("sph").seconds, 0.4 * predict(fine).of("sph").seconds);
 }
 
 TEST(ParticleLevels, TakeFewerParticlesAndLessTimeThanOneSize) {
@@ -240,7 +240,7 @@ TEST(ParticleLevels, TakeFewerParticlesAndLessTimeThanOneSize) {
     const Scene fine = scene_of(planing + box), both = scene_of(with_levels(2) + box);
     const Prediction one = predict(fine), two = predict(both);
     EXPECT_LT(two.particles, 0.6 * one.particles);
-    EXPECT_LT(two.sph_seconds, 0.7 * one.sph_seconds);
+    EXPECT_LT(two.of("sph").seconds, 0.7 * one.of("sph").seconds);
 }
 
 // Every place in the water has one owner, and what stands under a zone of half the spacing is an eighth of what it
@@ -248,7 +248,7 @@ TEST(ParticleLevels, TakeFewerParticlesAndLessTimeThanOneSize) {
 TEST(ParticleLevels, ThePredictionAddsUpOverTheSizes) {
     const Scene scene = scene_of(with_levels(3) + wide_domain);
     const Prediction p = predict(scene);
-    const std::vector<CostOfSize> sizes = cost_of_sizes(scene, p);
+    const std::vector<CostOfSize> sizes = cost_of_sizes(scene, p, p.of("sph"));
     ASSERT_EQ(sizes.size(), 3u);
     double water = 0, particles = 0, seconds = 0, bytes = 0;
     for (const CostOfSize& s : sizes) {
@@ -259,8 +259,8 @@ TEST(ParticleLevels, ThePredictionAddsUpOverTheSizes) {
     }
     EXPECT_NEAR(water, water_volume(scene), 1e-9 * water);
     EXPECT_NEAR(particles, p.particles, 1e-9 * particles);
-    EXPECT_NEAR(seconds, p.sph_seconds, 1e-9 * seconds);
-    EXPECT_NEAR(bytes, p.sph_bytes - p.raster_bytes, 1e-9 * bytes);
+    EXPECT_NEAR(seconds, p.of("sph").seconds, 1e-9 * seconds);
+    EXPECT_NEAR(bytes, p.of("sph").bytes - p.raster_bytes, 1e-9 * bytes);
     EXPECT_EQ(sizes[0].particles.guards, 0);
     EXPECT_EQ(sizes[2].particles.parents, 0);
     EXPECT_NEAR(8 * sizes[1].particles.parents, sizes[2].particles.active, 1e-9 * sizes[2].particles.active);

@@ -74,9 +74,9 @@ TEST(RunningWater, ADryZoneIsPredictedToFillAndNoWaterIsCountedTwice) {
     EXPECT_LT(p.particles_at_start, 0.5 * p.particles);
     EXPECT_LT(p.particles, p.most_particles);
     double bytes = 0, seconds = 0;
-    for (const CostOfSize& size : cost_of_sizes(scene, p)) bytes += size.bytes, seconds += size.seconds;
-    EXPECT_NEAR(bytes, p.sph_bytes - p.raster_bytes, 1e-9 * bytes);
-    EXPECT_NEAR(seconds, p.sph_seconds, 1e-9 * seconds);
+    for (const CostOfSize& size : cost_of_sizes(scene, p, p.of("sph"))) bytes += size.bytes, seconds += size.seconds;
+    EXPECT_NEAR(bytes, p.of("sph").bytes - p.raster_bytes, 1e-9 * bytes);
+    EXPECT_NEAR(seconds, p.of("sph").seconds, 1e-9 * seconds);
     EXPECT_NE(to_text(scene, p).find("water runs into the finer zones"), std::string::npos);
 }
 
@@ -119,7 +119,7 @@ TEST(RunningWater, OfSphericsDamBreakIsPredictedAsItWasFound) {
     for (const ParticlesOfSize& size : particles_of_sizes(coarse, During::peak)) active += size.active;
     EXPECT_GT(active, 39000);
     EXPECT_LT(active, 1.4 * 39000);
-    EXPECT_NEAR(q.sph_seconds / 358, 1, 0.25);
+    EXPECT_NEAR(q.of("sph").seconds / 358, 1, 0.25);
 }
 
 // A run that goes on evenly is told its time; one that is slow to begin at first as predicted, then as found.

@@ -41,6 +41,11 @@ inline std::string complaint(const std::string& text, const SceneOverrides& over
     return {};
 }
 
+/// Of both methods, as on the machine of the throughput table.
+inline Prediction predict(const Scene& scene) {
+    return tw::predict(scene, {{"sph", predict_particles}, {"fvm", predict_cells}});
+}
+
 /// Particles of one size, whatever the scene would have without it.
 inline const std::string one_size = "\n[sph]\nlevels = 1\n";
 

@@ -1,0 +1,64 @@
+#include "app/solvers.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "app/machine_pace.h"
+#include "foam_cases/doctor.h"
+#include "foam_cases/run_fvm.h"
+#include "sph_solver/run_sph.h"
+
+namespace tw::app {
+namespace {
+
+std::string openfoam_line(const Scene& scene) {
+    return "OpenFOAM: " + sound_openfoam(scene.fvm.openfoam).verdict + "\n";
+}
+
+Prediction predict_all(const Scene& scene, double (*pace)(const std::string& method)) {
+    std::vector<CostOf> costs;
+    for (const Solver& s : solvers()) costs.push_back({s.method, s.predict, pace(s.method)});
+    return predict(scene, costs);
+}
+
+}  // namespace
+
+const std::vector<Solver>& solvers() {
+    static const std::vector<Solver> rows{
+        {.method = "sph", .predict = predict_particles, .run = run_sph, .state = "checkpoint.h5"},
+        {.method = "fvm",
+         .predict = predict_cells,
+         .run = run_fvm,
+         .state = "case",
+         .refuse = refuse_unmeshable,
+         .ready = openfoam_line},
+    };
+    return rows;
+}
+
+const Solver& solver_of(const std::string& method) {
+    const auto row = std::ranges::find(solvers(), method_named(method).name, &Solver::method);
+    if (row == solvers().end()) throw std::logic_error("nothing runs the method " + method);
+    return *row;
+}
+
+std::vector<std::string> method_choices() {
+    std::vector<std::string> words = method_names();
+    words.emplace_back(every_method);
+    return words;
+}
+
+Prediction predict_here(const Scene& scene) { return predict_all(scene, machine_pace); }
+
+Prediction predict_by_table(const Scene& scene) {
+    return predict_all(scene, [](const std::string&) { return 1.0; });
+}
+
+std::string ready_text(const std::vector<std::string>& methods, const Scene& scene) {
+    std::string text;
+    for (const std::string& method : methods)
+        if (const Solver& solver = solver_of(method); solver.ready) text += solver.ready(scene);
+    return text;
+}
+
+}  // namespace tw::app
