@@ -48,7 +48,11 @@ std::string text_of(const RunRecord& record) {
             all.rows.push_back({{name, c.name, c.unit, s.lowest, s.highest, table.time.size(),
                                  c.values.size() - s.known, table.time.front(), table.time.back()}});
         }
-    return out + text_of(all);
+    out += text_of(all);
+    if (!record.frames.empty())
+        out += fmt::format("water: {} frames from {:.6g} to {:.6g} s\n", record.frames.size(),
+                           record.frames.front().time, record.frames.back().time);
+    return out;
 }
 
 std::string json_of(const RunRecord& record, const fs::path& file) {

@@ -92,6 +92,11 @@ RunRecord blank_record(const Mapping& m) {
                                      m.kind == "openfoam" ? "the folder of the case" : "the file to read"));
     KnownScene known = known_scene(m);
     check_probes(m, known);
+    if (const bool half_scene = known.record.attributes["symmetry_factor"] == "2";
+        m.water && half_scene != m.half_model)
+        throw InputError(
+            fmt::format("{}: the scene is solved as {} and half_model = {}; expected water of the same part",
+                        m.place.at("water"), half_scene ? "one half" : "a whole", m.half_model));
     RunRecord record;
     for (const char* name : kept_attributes)
         if (const auto found = known.record.attributes.find(name); found != known.record.attributes.end())
@@ -101,7 +106,7 @@ RunRecord blank_record(const Mapping& m) {
             name.starts_with("cut_"))
             record.numbers[name] = value;
     record.scene_text = known.record.scene_text;
-    record.raster = known.record.raster;  // where voxels are is the scene's; which are wet is not known
+    record.raster = known.record.raster;  // where voxels are is the scene's; which are wet says read_water
     record.hull = std::move(known.record.hull);
     record.attributes["code_version"] = TWINWAKE_CODE_VERSION;
     record.attributes["method"] = m.name;

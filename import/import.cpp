@@ -52,6 +52,8 @@ RunRecord import_record(const std::filesystem::path& file) {
     const Mapping mapping = read_mapping(file);
     RunRecord record = blank_record(mapping);
     const MomentPoint point = read_source(mapping, record);
+    if (mapping.near_hull) record.numbers["near_hull"] = *mapping.near_hull;
+    if (mapping.water) read_water(*mapping.water, record);
     refuse_empty_series(mapping, record);
     refer_moment(mapping, point, record);
     note_friction(mapping, record);

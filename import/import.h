@@ -12,7 +12,8 @@ namespace tw {
 /// The record is in SI, in the scene's axes (x with the stream to the stern, z up), of the whole hull: half models are
 /// doubled here, once. Moments are referred to the scene's moment reference. Scene, hull, speed, draft, domain and
 /// hashes are the scene's; attributes imported_from (a name without folders) and import_kind say where the numbers come
-/// from. It knows no raster frames, hull pressure, effects, phases or spacing. Cells without a number are NaN.
+/// from. Raster frames and the size at the hull are known where the mapping gives them; hull pressure, effects and
+/// phases are not. Cells without a number are NaN.
 ///
 /// Throws InputError, `file:line:column: what was found; what is expected`: the mapping, the scene or a source is not
 /// there or not readable; a key, column or probe is unknown; a unit does not fit; a cell holds text; times do not

@@ -123,6 +123,33 @@ void read_columns(Section& root, const TextValue& document, Mapping& m) {
     }
 }
 
+std::optional<WaterSource> read_water_source(Section& root, const TextValue& document,
+                                             const std::filesystem::path& folder) {
+    root.know("water");
+    const TextValue* given = document.find("water");
+    if (!given) return {};
+    if (given->kind != TextValue::Kind::table) root.fail("water", "expected a section [water]");
+    Section s(root.file(), "water", given);
+    const auto column = [&](const std::string& key, const std::string& si_unit) -> std::optional<ColumnSource> {
+        s.know(key);
+        ColumnSource c;
+        c.table = "water", c.name = key, c.si_unit = si_unit;
+        const TextValue* value = given->find(key);
+        return value ? std::optional(read_column(s, key, *value, c)) : std::nullopt;
+    };
+    const auto required = [&](const std::string& key, const std::string& si_unit) {
+        auto c = column(key, si_unit);
+        if (!c) s.fail(key, fmt::format("missing; expected a column, e.g. {0} = \"{0} [{1}]\"", key, si_unit));
+        return *c;
+    };
+    const auto file = s.text("source");
+    if (!file || file->empty()) s.fail("source", "missing; expected e.g. source = \"water.csv\"");
+    WaterSource water{folder / *file,     required("time", "s"),    required("x", "m"),  required("y", "m"),
+                      required("z", "m"), required("volume", "m3"), column("cell", "m3")};
+    s.finish();
+    return water;
+}
+
 /// Loads turn, they are not mirrored.
 Eigen::Matrix3d read_axes(Section& root) {
     const std::string axes = root.text("axes", "xyz");
@@ -157,6 +184,8 @@ Mapping read_mapping(const std::filesystem::path& file) {
     m.scene = file.parent_path() / required("scene", "scene.toml");
     m.half_model = root.flag("half_model", m.half_model);
     m.moment_point = root.vector("moment_point", "m");
+    m.near_hull = root.number("near_hull", "m", positive);
+    m.water = read_water_source(root, document, file.parent_path());
     if (m.kind == "openfoam") {
         m.function_object = root.text("function_object", m.function_object);
         m.axes = read_axes(root);

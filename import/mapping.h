@@ -22,6 +22,13 @@ struct ColumnSource {
     std::string place;                 ///< `mapping.toml:8:6: [forces] fz = ...`, for messages
 };
 
+/// Where the water is: a file with a row for each particle or cell at each time.
+struct WaterSource {
+    std::filesystem::path source;
+    ColumnSource time, x, y, z, volume;  ///< [s]; centre [m]; of the water in it [m3]
+    std::optional<ColumnSource> cell;    ///< volume of the whole cell [m3]; none: particles, cubes of water
+};
+
 /// What a mapping file says, checked as far as it can be without the files it names.
 struct Mapping {
     std::filesystem::path file;
@@ -36,11 +43,13 @@ struct Mapping {
     Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< openfoam: case axes to scene axes, a rotation
     std::optional<ColumnSource> time;                    ///< csv: always
     std::vector<ColumnSource> columns;
+    std::optional<WaterSource> water;
+    std::optional<double> near_hull;  ///< the source's size at the hull [m]
 
     std::map<std::string, std::string> place;  ///< of every key of the top level, for messages
 };
 
-/// Reads and checks a mapping file; `source` and `scene` are relative to its folder. Throws InputError
+/// Reads and checks a mapping file; its sources and `scene` are relative to its folder. Throws InputError
 /// `file:line:column: ...`: not TOML, unknown key (with the known ones), missing key, bad name, unit of another kind.
 Mapping read_mapping(const std::filesystem::path& file);
 

@@ -57,14 +57,6 @@ double factor_of(const ColumnSource& c, const std::string& header, const CsvColu
     return c.scale * parsed.factor;
 }
 
-std::vector<double> series_of(const ColumnSource& c, const CsvColumns& csv) {
-    const std::size_t column = column_of(c, csv);
-    std::vector<double> series = csv.values(column);
-    const double factor = factor_of(c, csv.headers()[column], csv);
-    for (double& v : series) v = factor * v + c.offset;
-    return series;
-}
-
 std::vector<double> times_of(const ColumnSource& c, const CsvColumns& csv) {
     std::vector<double> time = series_of(c, csv);
     for (std::size_t i = 0; i < time.size(); ++i) {
@@ -79,6 +71,14 @@ std::vector<double> times_of(const ColumnSource& c, const CsvColumns& csv) {
 }
 
 }  // namespace
+
+std::vector<double> series_of(const ColumnSource& c, const CsvColumns& csv) {
+    const std::size_t column = column_of(c, csv);
+    std::vector<double> series = csv.values(column);
+    const double factor = factor_of(c, csv.headers()[column], csv);
+    for (double& v : series) v = factor * v + c.offset;
+    return series;
+}
 
 MomentPoint read_csv(const Mapping& mapping, RunRecord& record) {
     const CsvColumns csv(read_text(mapping.source), mapping.source.string());

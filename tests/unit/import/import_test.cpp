@@ -2,7 +2,10 @@
 
 #include <cmath>
 
+#include "compare/ladder/ladder.h"
+#include "compare/metrics/splash.h"
 #include "import_folder.h"
+#include "record/raster_grid.h"
 #include "record/run_record.h"
 #include "scene/new_record.h"
 
@@ -216,6 +219,68 @@ TEST_F(ImportTest, OpenFoamOrgWritesOneFile) {
     // Without CofR and moment_point a moment is about nothing, and is left out.
     write("case/postProcessing/forces/0/forces.dat", "# Time\n0.5 ((1 2 3) (1 2 3)) ((4 5 6) (4 5 6))\n");
     EXPECT_EQ(imported("openfoam", "case", "").series("forces", "my"), nullptr);
+}
+
+/// Two times of a block of water, 1 m by 0.5 m by 0.5 m, in cubes of 0.125 m; the second time 0.25 m higher.
+std::string block_of_water() {
+    std::string text = "t [ms],x [m],y [m],z [mm],V [m3],cell [m3]\n";
+    for (const int frame : {0, 1})
+        for (int i = 0; i < 8; ++i)
+            for (int j = 0; j < 4; ++j)
+                for (int k = 0; k < 4; ++k)
+                    text += fmt::format("{},{},{},{},{},{}\n", 100 * frame, 1 + 0.125 * (i + 0.5), 0.125 * (j + 0.5),
+                                        125 * (k + 0.5) + 250 * frame, std::pow(0.125, 3), std::pow(0.125, 3));
+    return text;
+}
+const std::string water_columns =
+    "[water]\nsource = \"water.csv\"\ntime = \"t [ms]\"\nx = \"x [m]\"\ny = \"y [m]\"\nz = \"z [mm]\"\nvolume = \"V "
+    "[m3]\"\n";
+
+TEST_F(ImportTest, WaterBecomesFramesAndTheSizeAtTheHullANumber) {
+    write("f.csv", "t [s],F [N]\n0,1\n1,2\n");
+    write("water.csv", block_of_water());
+    const std::string top = "half_model = true\nnear_hull = \"40 mm\"\ntime = 1\n[forces]\nfz = 2\n";
+    for (const char* cell : {"", "cell = 6\n"}) {
+        const RunRecord r = imported("csv", "f.csv", top + water_columns + cell);
+        EXPECT_EQ(r.numbers.at("near_hull"), 0.04);
+        ASSERT_EQ(r.frames.size(), 2u);
+        EXPECT_EQ(r.frames[1].time, 0.1);
+        const RasterGrid grid(r.raster);
+        ASSERT_EQ(grid.spec.voxel, 0.25);
+        for (const int frame : {0, 1}) {
+            const auto& water = r.frames[static_cast<std::size_t>(frame)].water;
+            int wet = 0;
+            for (int k = 0; k < grid.nz; ++k)
+                for (int j = 0; j < grid.ny; ++j)
+                    for (int i = 0; i < grid.nx; ++i) {
+                        const double above = grid.z_low(k) - 0.25 * frame;
+                        const bool in_block = grid.x(i) > 1 && grid.x(i) < 2 && grid.y(j) > 0 && grid.y(j) < 0.5 &&
+                                              above > -0.01 && above < 0.49;
+                        ASSERT_EQ(int(water[grid.voxel(i, j, k)]), in_block ? 255 : 0) << i << " " << j << " " << k;
+                        wet += in_block;
+                    }
+            EXPECT_EQ(wet, 4 * 2 * 2);
+        }
+        EXPECT_EQ(ladder_run(r).spacing, 0.04);
+        EXPECT_NEAR(splash_series(r, 0).find("raw_height")->values[1], 0.75, 1e-9);
+    }
+}
+
+TEST_F(ImportTest, WaterThatCannotBeIsRefused) {
+    write("f.csv", "t [s],F [N]\n0,1\n1,2\n");
+    const auto refused = [&](const std::string& rows, const std::string& columns = water_columns,
+                             const std::string& half = "half_model = true\n") {
+        write("water.csv", "t [ms],x [m],y [m],z [mm],V [m3],cell [m3]\n" + rows);
+        return refusal("csv", "f.csv", half + "time = 1\n[forces]\nfz = 2\n" + columns);
+    };
+    EXPECT_TRUE(says(refused("0,1,0,0,-1,1\n"), "water.csv:2: -1 m3 of water in -1 m3"));
+    EXPECT_TRUE(says(refused("0,1,0,0,2,1\n", water_columns + "cell = 6\n"), "water.csv:2: 2 m3 of water in 1 m3"));
+    EXPECT_TRUE(says(refused("100,1,0,0,1,1\n0,1,0,0,1,1\n"), "water.csv:3: time 0 s found after 0.1 s"));
+    EXPECT_TRUE(says(refused("0,1,,0,1,1\n"), "water.csv:2: a cell of [water] has no number"));
+    EXPECT_TRUE(
+        says(refused("0,1,0,0,1,1\n", "[water]\nsource = \"water.csv\"\ntime = 1\n"), "missing; expected a column"));
+    EXPECT_TRUE(
+        says(refused("0,1,0,0,1,1\n", water_columns, ""), "the scene is solved as one half and half_model = false"));
 }
 
 }  // namespace
