@@ -10,7 +10,8 @@
 // tw::effect_parts, defined in scene/effects/NAME.cpp.
 #define TWINWAKE_EFFECTS(part)                                                                                         \
     part(viscosity) part(no_slip) part(turbulence) part(surface_tension) part(air) part(compressibility) part(gravity) \
-        part(cavitation) part(damping_layers) part(acoustic_damping) part(shifting) part(tension_control)
+        part(ventilation) part(cavitation) part(damping_layers) part(acoustic_damping) part(shifting)                  \
+            part(tension_control)
 
 namespace tw {
 

@@ -19,7 +19,7 @@ class Walls;
 struct StepView {
     const Surroundings& around;
     const LevelSetup& level;
-    const Particles& particles;
+    Particles& particles;  ///< an effect changes what it has brought, else nothing
     WaterView water;
     WallView dummies;                ///< of the walls
     GradientPressureRecord* stress;  ///< may be changed before the forces
@@ -35,11 +35,15 @@ struct StepView {
 };
 
 /// One physical effect that a scene may do without. It is built only when it is on: off, it costs no array, no byte of
-/// a restart file and no instruction of the passes, because it sweeps the neighbours in a pass of its own. Effects hold
-/// no state between steps, so restarts do not know of them.
+/// a restart file and no instruction of the passes, because it sweeps the neighbours in a pass of its own. What
+/// it has to remember between steps is a quantity of the particles (`brings`), which a restart file holds as well.
 class Effect {
 public:
     virtual ~Effect() = default;
+    /// What the level's particles have because of it.
+    virtual With brings() const { return With::water; }
+    /// The first sweep's sums are there, and the marks at the free surface; densities have not changed yet.
+    virtual void after_first_sweep(const StepView&) {}
     /// Density and pressure are those of this step; `stress[i].p` of the particles may be changed.
     virtual void change_pressure(const StepView&) {}
     /// All forces of the engine itself are in `rate`; adds to it.

@@ -35,7 +35,8 @@ enum class With : std::uint8_t {
     walls = 4,
     moving_bodies = 8,
     elastic_bodies = 16,
-    control_volume = 32
+    control_volume = 32,
+    ventilation = 64
 };
 
 /// What a table can do with a field whatever its elements are.

@@ -15,6 +15,13 @@ enum class Children : std::uint8_t {
     some = 2  ///< has been out of their reach; those may be there still
 };
 
+/// Whether air is at a particle (effects/ventilation.h).
+enum class Aired : std::uint8_t {
+    unknown = 0,  ///< it is new
+    no = 1,
+    yes = 2
+};
+
 /// How the fields of a guard change in time, from the coarser level, and what that level knows of its surroundings.
 struct Trend {
     float u = 0, v = 0, w = 0;  ///< [m/s2]
@@ -58,6 +65,7 @@ struct Particles : FieldTable {
     FieldOf<std::uint16_t> wall_body{*this, "wall_body", Kept::sorted, With::moving_bodies};
     FieldOf<std::int32_t> wall_triangle{*this, "wall_triangle", Kept::sorted, With::elastic_bodies};
     FieldOf<CarriedShare, Law::tensor> carried{*this, "carried", Kept::sorted, With::control_volume};
+    FieldOf<Aired> aired{*this, "aired", Kept::saved, With::ventilation};
     /// -rho div u of the last first sweep [kg/m3/s].
     FieldOf<float> density_rate{*this, "density_rate", Kept::sorted, With::coarser};
 

@@ -51,7 +51,7 @@ Level::Level(const Surroundings& around, LevelSetup setup, const EffectOptions& 
       grid_(column_area(around, kernel_.support(), setup_.dp), setup_.dp, around.dimensions, quanta_, passes.lanes),
       ghosts_(around, setup_, quanta_),
       walls_(bodies, around, setup_, kernel_.support(), grid_, quanta_, passes.lanes) {
-    for (const EffectOn& on : effects) effects_.push_back(on.make());
+    for (const EffectOn& on : effects) particles_.bring(effects_.emplace_back(on.make())->brings());
     if (!walls_.empty()) {
         particles_.bring(With::walls);
         if (walls_.move()) particles_.bring(With::moving_bodies);
@@ -156,6 +156,8 @@ void Level::first_sweep(double t, double compress, double drift, const OtherSums
     }
     const Stopwatch watch(timers_.update);
     mark_surface();
+    const StepView view = step_view(t);
+    for (const auto& effect : effects_) effect->after_first_sweep(view);
     Particles& p = particles_;
     if (p.has(With::coarser)) p.density_rate.assign(p.size(), 0);
     for (std::size_t i = 0; i < stages_.compression.size(); ++i) stages_.compression[i] = p.rate[i].drho;
@@ -177,13 +179,12 @@ void Level::first_sweep(double t, double compress, double drift, const OtherSums
             drho += static_cast<float>(compress * (under_surface ? p.compression[i] : p.rate[i].drho));
             if (!p.density_rate.empty()) p.density_rate[i] = p.rate[i].drho;
             // the free surface bears no tension (its density is not let below rho0)
-            if (drho < 0 && lacks_support(i)) drho = 0;
+            if (drho < 0 && (lacks_support(i) || (!p.aired.empty() && p.aired[i] == Aired::yes))) drho = 0;
         }
         p.velocity_density[i].drho = drho;
         p.gradient_pressure[i].p = setup_.state_equation.pressure(setup_.rho0, drho);
         if (drift > 0) drift_freely(i);
     });
-    const StepView view = step_view(t);
     for (const auto& effect : effects_) effect->change_pressure(view);
     ghosts_.refresh(p, t, p.velocity_density, p.gradient_pressure, p.carried);
 }

@@ -20,7 +20,7 @@ struct PassTable : Pass<Views>... {};
 using EngineSweeps = PassTable<struct PruneData, struct FirstSweepData, struct SecondSweepData, struct ExtrapolateData,
                                struct MeetOtherData, struct PressOtherData, struct InterpolateData>;
 using EffectSweeps = PassTable<struct WaterVelocityData, struct ViscousForceData, struct StrainRateData,
-                               struct ColourGradientData, struct CurvatureData>;
+                               struct ColourGradientData, struct CurvatureData, struct NearAirData>;
 
 /// The sweeps of one variant: instruction set, lanes, exact or rough roots (sph_solver/CMakeLists.txt lists them).
 struct Passes {
