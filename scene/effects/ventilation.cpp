@@ -20,7 +20,7 @@ EffectChoice plan(const EffectQuestion& q) {
                                                 : "");
     c.influence = influence("60 % and more on round bodies that water would cling to (a cylinder in a free jet)",
                             "the same", "where the sheet leaves, and how steep", "none where no wall sucks");
-    c.cost = 0.02;
+    c.cost = 0.05;
     return c;
 }
 
