@@ -56,8 +56,12 @@ std::vector<TimeFolders::Moment> TimeFolders::moments() const {
 
 bool TimeFolders::whole(const Moment& moment) const {
     return std::all_of(roots_.begin(), roots_.end(), [&](const fs::path& root) {
+        const fs::path folder = root / moment.name;
         return std::all_of(fields_.begin(), fields_.end(),
-                           [&](const std::string& f) { return ends_in_closing_line(root / moment.name / f); });
+                           [&](const std::string& f) { return ends_in_closing_line(folder / f); }) &&
+               std::ranges::all_of(fs::recursive_directory_iterator(folder / "uniform"), [](const auto& e) {
+                   return !e.is_regular_file() || ends_in_closing_line(e.path());
+               });
     });
 }
 

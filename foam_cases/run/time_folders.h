@@ -21,8 +21,9 @@ public:
     };
     /// Times after 0 that exist in any root, ascending.
     std::vector<Moment> moments() const;
-    /// Every field that a restart needs is there in every root and written to its end. OpenFOAM writes straight into
-    /// the final names; a whole file ends in a closing comment line.
+    /// Every field that a restart needs is there in every root, and it and all that lies in `uniform` (the state of
+    /// bodies and function objects) is written to its end. OpenFOAM writes straight into the final names; a whole file
+    /// ends in a closing comment line.
     bool whole(const Moment& moment) const;
     void remove(const Moment& moment) const;
 

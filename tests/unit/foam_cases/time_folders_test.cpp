@@ -31,6 +31,7 @@ protected:
     void whole_time(const std::string& name, const std::string& root = ".") const {
         for (const char* f : {"U", "p_rgh", "alpha.water", "phi", "uniform/time"})
             write(fs::path(root) / name / f, "values" + closing);
+        write(fs::path(root) / name / "uniform/functionObjects/functionObjectProperties", "values" + closing);
     }
     std::vector<std::string> names() const {
         std::vector<std::string> out;
@@ -48,7 +49,9 @@ TEST_F(TimeFoldersTest, HalfWrittenOnesAreDropped) {
     whole_time("0.4");
     fs::remove(folder / "0.4/phi");          // killed before it was
     write("0.5/yPlus", "values" + closing);  // written by a function object alone
-    EXPECT_EQ(TimeFolders(folder).prune(0), (Names{"0.3", "0.4", "0.5"}));
+    whole_time("0.6");
+    write("0.6/uniform/functionObjects/functionObjectProperties", "cut");  // the last file of all
+    EXPECT_EQ(TimeFolders(folder).prune(0), (Names{"0.3", "0.4", "0.5", "0.6"}));
     EXPECT_EQ(names(), (Names{"0.1", "0.2"}));
     EXPECT_TRUE(fs::exists(folder / "0")) << "the start is never dropped";
 }
