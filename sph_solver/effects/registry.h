@@ -6,9 +6,9 @@
 
 // The one list of effects that are parts of their own, in the order of their calls. Each line names a function of
 // namespace tw::effect_of_scene, defined in NAME.cpp, that puts the effect on the list where the scene has it on.
-#define TW_EFFECTS(effect)                                                                                       \
-    effect(ventilation) effect(acoustic_damping) effect(cavitation) effect(viscosity) effect(surface_tension) effect(damping_layers) \
-        effect(moving_tank)
+#define TW_EFFECTS(effect)                                                                                    \
+    effect(ventilation) effect(acoustic_damping) effect(cavitation) effect(viscosity) effect(surface_tension) \
+        effect(damping_layers) effect(moving_tank)
 
 namespace tw::effect_of_scene {
 

@@ -71,9 +71,8 @@ TEST(FieldTable, BytesCountsEveryArray) {
     EXPECT_EQ(t.bytes(),
               t.x.capacity() * 8 + t.found.capacity() * 4 + t.of_finer.capacity() * 8 + t.marks.capacity() * 4);
     Particles p;
-    for (const With with :
-         {With::coarser, With::finer, With::walls, With::moving_bodies, With::elastic_bodies, With::control_volume,
-          With::ventilation})
+    for (const With with : {With::coarser, With::finer, With::walls, With::moving_bodies, With::elastic_bodies,
+                            With::control_volume, With::ventilation})
         p.bring(with);
     p.add(1, 2, 3, 4, 5, 6, Kind::fluid);
     p.make_room(0);

@@ -160,7 +160,8 @@ TEST(OneWay, AFalseStartIsLeftOutAndSaid) {
     for (std::size_t k = 3; k < strain.size(); ++k) most = std::max(most, std::abs(strain[k]));
     EXPECT_LT(most, 3e-3) << "the blow of the start has loaded the shell";
     // 0.5 of 0.5 + 1.94 m/s
-    EXPECT_NE(r.attributes.at("one_way").find("20 % of the change of velocity that the fluid causes"), std::string::npos)
+    EXPECT_NE(r.attributes.at("one_way").find("20 % of the change of velocity that the fluid causes"),
+              std::string::npos)
         << r.attributes.at("one_way");
     EXPECT_NE(r.attributes.at("one_way").find("not the response to the impact"), std::string::npos);
     RunRecord braked = with_start(10 * force / mass);
