@@ -18,8 +18,9 @@ EffectChoice plan(const EffectQuestion& q) {
         q.flow.speed,
         q.flow.speed < wetted_bodies_hold_below ? ": a smooth body that water wets perfectly may hold it below 7 m/s"
                                                 : "");
-    c.influence = influence("60 % and more on round bodies that water would cling to (a cylinder in a free jet)",
-                            "the same", "where the sheet leaves, and how steep", "none where no wall sucks");
+    c.influence =
+        influence("60 % and more on round bodies that water would cling to (a cylinder in a free jet)", "the same",
+                  "where the sheet leaves, and how steep", "without suction at a wall it changes nothing");
     c.cost = 0.05;
     return c;
 }
