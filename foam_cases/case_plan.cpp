@@ -353,9 +353,7 @@ CasePlan plan_case(const Scene& scene, const OpenFoam& openfoam) {
     const bool open = std::any_of(plan.sides.begin(), plan.sides.end(), [](const Patch& p) {
         return p.side == Side::atmosphere || p.open == Patch::Open::water_and_air;
     });
-    const bool off = std::any_of(scene.effects.begin(), scene.effects.end(),
-                                 [](const EffectChoice& e) { return e.name == "ventilation" && !e.on; });
-    if (off)
+    if (!scene.effect_on("ventilation"))
         plan.walls = "hold water under tension: the effect ventilation is off";
     else if (!open)
         plan.walls = "hold water under tension: the domain is closed, no air can come in";

@@ -91,6 +91,19 @@ duration = ")" +
            duration + "\"\n";
 }
 
+/// A body in a tank of two dimensions, cells of 20 mm at it; `min` and `max` are the tank's corners.
+inline std::string body_in_tank(const std::string& min, const std::string& max, const std::string& body,
+                                const std::string& duration) {
+    return "[tank]\nmin = " + min + "\nmax = " + max + "\n[domain]\ndimensions = 2\n[[body]]\n" + body + R"(
+[motion]
+kind = "none"
+[resolution]
+near_hull = "20 mm"
+[run]
+duration = ")" +
+           duration + "\"\n";
+}
+
 inline double mean(const Column& c, std::size_t from) {
     double sum = 0;
     for (std::size_t i = from; i < c.values.size(); ++i) sum += c.values[i];

@@ -21,25 +21,9 @@ double last(const Table& t, const char* column) { return t.find(column)->values.
 
 /// A box 0.2 m wide and 0.1 m high in a tank of two dimensions, ten cells wide.
 std::string box_in_tank(const std::string& body, const std::string& duration, const std::string& more = "") {
-    return R"(
-[tank]
-min = ["-0.5 m", 0, "-0.4 m"]
-max = ["0.5 m", "20 mm", "0.3 m"]
-[domain]
-dimensions = 2
-[[body]]
-name = "box"
-shape = "box"
-length = "0.2 m"
-height = "0.1 m"
-)" + body + R"(
-[motion]
-kind = "none"
-[resolution]
-near_hull = "20 mm"
-[run]
-duration = ")" +
-           duration + "\"\n" + more;
+    return body_in_tank(R"(["-0.5 m", 0, "-0.4 m"])", R"(["0.5 m", "20 mm", "0.3 m"])",
+                        "name = \"box\"\nshape = \"box\"\nlength = \"0.2 m\"\nheight = \"0.1 m\"\n" + body, duration) +
+           more;
 }
 
 TEST_F(MovingBodies, AFloatingBoxStaysAtArchimedesDraft) {

@@ -16,12 +16,7 @@ protected:
             GTEST_SKIP() << "no library of walls: tools/build_openfoam_solvers.sh builds it";
     }
     RunRecord run(const std::string& text, bool let_go) {
-        Scene s = scene(text);
-        std::erase_if(s.effects, [](const EffectChoice& e) { return e.name == "ventilation"; });
-        EffectChoice choice;
-        choice.name = "ventilation";
-        choice.on = let_go;
-        s.effects.push_back(choice);
+        const Scene s = scene(text + "[effects]\nventilation = \"" + (let_go ? "on" : "off") + "\"\n");
         RunOptions o = options();
         o.folder /= let_go ? "let_go" : "held";
         return run_fvm(s, o);
@@ -39,29 +34,16 @@ double at(const Table& t, const char* column, double time) {
 // cylinder at 60 degrees from the nose, it is 0.105 m deep after 0.05 s and 0.187 m after 0.1 s (good to 2 %; leaving at
 // 70 degrees changes them by less than 3 %).
 TEST_F(VentilatedWalls, ACylinderEntersAsDeepAsPotentialFlowWithAFreeSheetHasIt) {
-    const std::string entry = R"(
-[tank]
-min = ["-1 m", 0, "-0.6 m"]
-max = ["1 m", "20 mm", "0.4 m"]
-[domain]
-dimensions = 2
-[[body]]
+    const std::string entry = body_in_tank(R"(["-1 m", 0, "-0.6 m"])", R"(["1 m", "20 mm", "0.4 m"])", R"(
 name = "cylinder"
 shape = "cylinder"
 diameter = "110 mm"
 draft = 0
 density = "1000 kg/m3"
 velocity = [0, 0, "-2.955 m/s"]
-locked = ["surge", "pitch"]
-[motion]
-kind = "none"
-[resolution]
-near_hull = "20 mm"
-[run]
-duration = "0.102 s"
-[sampling]
-interval = "10 ms"
-)";
+locked = ["surge", "pitch"])",
+                                           "0.102 s") +
+                              "[sampling]\ninterval = \"10 ms\"\n";
     const auto depth = [](const RunRecord& r, double time) {
         return -at(r.tables.at("body_cylinder"), "lowest", time);
     };
@@ -82,13 +64,7 @@ interval = "10 ms"
 
 // Far from the air nothing changes, not by a bit.
 TEST_F(VentilatedWalls, DeepUnderWaterHoldItsSuction) {
-    const std::string deep = R"(
-[tank]
-min = ["-0.6 m", 0, "-0.6 m"]
-max = ["0.6 m", "20 mm", "0.2 m"]
-[domain]
-dimensions = 2
-[[body]]
+    const std::string deep = body_in_tank(R"(["-0.6 m", 0, "-0.6 m"])", R"(["0.6 m", "20 mm", "0.2 m"])", R"(
 name = "box"
 shape = "box"
 length = "0.2 m"
@@ -97,16 +73,9 @@ draft = "0.3 m"
 motion = "prescribed"
 law = "constant"
 along = [1, 0, 0]
-rate = "4 m/s"
-[motion]
-kind = "none"
-[resolution]
-near_hull = "20 mm"
-[run]
-duration = "8 ms"
-[sampling]
-interval = "2 ms"
-)";
+rate = "4 m/s")",
+                                          "8 ms") +
+                             "[sampling]\ninterval = \"2 ms\"\n";
     const RunRecord free = run(deep, true), held = run(deep, false);
     ASSERT_EQ(free.state, "finished") << free.reason;
     const auto& pull = free.tables.at("samples").find("suction_force_box")->values;

@@ -167,6 +167,7 @@ TEST(CaseFiles, SolidsLetWaterGoWhereTheInstallationHasTheLibraryForIt) {
     OpenFoam openfoam;
     openfoam.vendor = "openfoam.com", openfoam.version = "v1912";
     openfoam.wall_library = "/some where/libventilatedWall.so";
+    set_effect(scene, "ventilation", true);
     const CasePlan plan = plan_case(scene, openfoam);
     EXPECT_SAYS(control_dict(plan), "libs (\"/some where/libventilatedWall.so\");");
     EXPECT_SAYS(p_rgh(plan), "hull { type ventilatedWallPressure;");
@@ -180,9 +181,9 @@ TEST(CaseFiles, SolidsLetWaterGoWhereTheInstallationHasTheLibraryForIt) {
         EXPECT_SAYS(alpha_water(held), "hull { type zeroGradient;");
         EXPECT_NE(held.walls.find(why), std::string::npos) << held.walls;
     };
-    set_effect(scene, "ventilation", false);
+    scene.effects.back().on = false;
     holds(plan_case(scene, openfoam), "ventilation is off");
-    scene.effects.clear();
+    scene.effects.back().on = true;
     scene.domain.z_max = Side::slip_wall;
     holds(plan_case(scene, openfoam), "closed");
     scene.domain.z_max = Side::atmosphere;
