@@ -30,7 +30,7 @@ options
   --no-openfoam   without OpenFOAM: neither installed nor built; the paired parts are left out
   --no-install    install nothing and ask nothing: the packages are known to be there
   --werror        compiler warnings are errors
-  --jobs N        build with N jobs (default: one per core, and at least 1 GB of memory for each)
+  --jobs N        build with N jobs (default: one per core, and at least 2 GB of memory for each)
   -h, --help      this text
 
 Exit status: 0 done; 2 wrong usage, or something has to be installed first (it says what); 1 a build or a test failed.
@@ -66,7 +66,7 @@ done
 
 cores=$(nproc)
 if [ -z "$jobs" ]; then
-    memory_jobs=$(awk '/^MemAvailable:/ { print int($2 / 1e6) }' /proc/meminfo)
+    memory_jobs=$(awk '/^MemAvailable:/ { print int($2 / 2e6) }' /proc/meminfo)
     jobs=$((memory_jobs < cores ? memory_jobs : cores))
     [ "$jobs" -ge 1 ] || jobs=1
 fi

@@ -13,7 +13,7 @@ namespace tw::app {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 constexpr std::size_t remembered = 5;
 constexpr double shortest = 10;  ///< [s]

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// One scene of the set: the scene file with another hull, speed and trim.
-struct Variant {
+struct SweptHull {
     std::string name, folder;
     SceneOverrides overrides;
 };
@@ -32,11 +32,11 @@ std::string plain(std::string name) {
 }
 
 /// Every hull at every speed and trim; a list that is not given stands for the scene's own.
-std::vector<Variant> variants_of(const SweepCommand& command) {
+std::vector<SweptHull> variants_of(const SweepCommand& command) {
     const std::vector<fs::path> hulls = command.hulls.empty() ? std::vector<fs::path>{{}} : command.hulls;
     const std::vector<std::string> speeds = command.speeds.empty() ? std::vector<std::string>{""} : command.speeds,
                                    trims = command.trims.empty() ? std::vector<std::string>{""} : command.trims;
-    std::vector<Variant> variants;
+    std::vector<SweptHull> variants;
     for (const fs::path& hull : hulls)
         for (const std::string& speed : speeds)
             for (const std::string& trim : trims) {
@@ -47,7 +47,7 @@ std::vector<Variant> variants_of(const SweepCommand& command) {
                     if (!part.empty()) name += (name.empty() ? "" : ", ") + part;
                 if (name.empty()) name = command.scene.file.stem().string();
                 std::string folder = plain(name);  // a run that is there is found again when the lists grow
-                while (std::ranges::find(variants, folder, &Variant::folder) != variants.end()) folder += "_2";
+                while (std::ranges::find(variants, folder, &SweptHull::folder) != variants.end()) folder += "_2";
                 variants.push_back({name, folder, scene.overrides()});
             }
     return variants;
@@ -62,7 +62,7 @@ struct Errors {
 
 /// All methods of one scene, their twins if it is to run some, and their comparison. False: stopped on request. What is
 /// wrong with this scene goes into the member; the others are run all the same.
-bool run_member(const Variant& variant, const fs::path& folder, const SweepCommand& command, Campaign& campaign,
+bool run_member(const SweptHull& variant, const fs::path& folder, const SweepCommand& command, Campaign& campaign,
                 Errors& errors, SweepMember& member) {
     try {
         const PlannedRun plan = plan_run(command.scene.file, variant.overrides, every_method, command.threads);
@@ -106,13 +106,13 @@ bool run_member(const Variant& variant, const fs::path& folder, const SweepComma
 int run_sweep(const SweepCommand& command, const Common& common) {
     const fs::path out =
         command.out.empty() ? fs::path("runs") / (command.scene.file.stem().string() + "_sweep") : command.out;
-    const std::vector<Variant> variants = variants_of(command);
+    const std::vector<SweptHull> variants = variants_of(command);
     say(common, ready_text(method_names(), {}));
     catch_stop_signals();
     Campaign campaign(common, {.overwrite = command.overwrite});
     std::vector<SweepMember> members;
     Errors errors{command.twins};
-    for (const Variant& variant : variants) {
+    for (const SweptHull& variant : variants) {
         SweepMember& member = members.emplace_back();
         member.name = variant.name;
         if (!run_member(variant, out / variant.folder, command, campaign, errors, member)) {

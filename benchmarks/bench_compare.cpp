@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "base/numbers.h"
 #include "compare/compare.h"
 #include "meshes/generate.h"
 #include "record/raster.h"
@@ -25,7 +26,7 @@ double peak_megabytes() {
 /// A planing half model whose wake moves from frame to frame. Every number in it is invented.
 tw::RunRecord large_run(const std::string& method) {
     constexpr int frames = 200, steps = 10000;
-    constexpr double duration = 2, pi = 3.14159265358979;
+    constexpr double duration = 2;
     tw::RunRecord r;
     r.attributes = {{"method", method},   {"title", "Benchmark"},   {"scene_hash", "s"},         {"hull_hash", "h"},
                     {"motion", "stream"}, {"symmetry_factor", "2"}, {"hull_source", "prismatic"}};
@@ -45,7 +46,7 @@ tw::RunRecord large_run(const std::string& method) {
     r.raster = {{-3, 0, -1.6}, 0.06, {125, 34, 50}};  // half of a box that holds 10^6 particles of 30 mm
     for (int k = 1; k <= frames; ++k) {
         tw::Raster raster(r.raster);
-        const double d = r.raster.voxel, phase = 2 * pi * k / 40;
+        const double d = r.raster.voxel, phase = 2 * tw::pi * k / 40;
         for (int i = 0; i < r.raster.count[0]; ++i)
             for (int j = 0; j < r.raster.count[1]; ++j) {
                 const double x = r.raster.origin.x() + (i + 0.5) * d, y = (j + 0.5) * d;

@@ -15,19 +15,17 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <numbers>
 #include <string>
 #include <vector>
 
 #include "base/errors.h"
+#include "base/numbers.h"
 #include "meshes/mass_properties.h"
 #include "sph_solver/simulation.h"
 
 using namespace tw;
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 struct How {
     Scheme scheme = Scheme::symplectic_euler;
@@ -45,10 +43,10 @@ const char* name_of(Scheme scheme) {
 }
 
 /// What all cases have in common: evaluations and processor time per simulated second.
-struct Cost {
+struct SchemeCost {
     double evaluations = 0, seconds = 0, simulated = 0;
 };
-Cost total;  // of the row being made
+SchemeCost total;  // of the row being made
 
 SimulationSetup setup_of(const How& how, double dp) {
     SimulationSetup s;

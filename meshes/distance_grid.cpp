@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/numbers.h"
 #include "meshes/query.h"
 
 namespace tw {
@@ -55,7 +55,6 @@ void DistanceGrid::draw_out(int axis, bool towards_high) {
 }
 
 Box DistanceGrid::nearer_than(double distance, const Box& part) const {
-    constexpr double infinite = std::numeric_limits<double>::infinity();
     Box bounds{Vec3::Constant(infinite), Vec3::Constant(-infinite)};
     for (std::size_t n = 0; n < distance_.size(); ++n) {
         const Vec3 x = place(n);

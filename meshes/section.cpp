@@ -15,12 +15,12 @@
 namespace tw {
 namespace {
 
-using Loop = std::vector<Vec3>;  // corners in the plane y = 0, the solid on the right seen along +y
+using SectionLoop = std::vector<Vec3>;  // corners in the plane y = 0, the solid on the right seen along +y
 
 /// The crossing of the plane with the surface as loops. Each triangle that has corners on both sides gives one piece,
 /// from the edge where its border runs to y < 0 to the one where it comes back: neighbours of a closed surface share
 /// an edge and run along it in opposite directions, so pieces join end to end.
-std::vector<Loop> section_loops(const Surface& surface) {
+std::vector<SectionLoop> section_loops(const Surface& surface) {
     using Edge = std::pair<int, int>;
     std::map<Edge, Edge> next;
     for (const auto& t : surface.triangles) {
@@ -40,10 +40,10 @@ std::vector<Loop> section_loops(const Surface& surface) {
         p.y() = 0;
         return p;
     };
-    std::vector<Loop> loops;
+    std::vector<SectionLoop> loops;
     while (!next.empty()) {
         const Edge first = next.begin()->first;
-        Loop loop;
+        SectionLoop loop;
         Edge at = first;
         do {
             const auto found = next.find(at);
@@ -64,7 +64,7 @@ std::vector<Loop> section_loops(const Surface& surface) {
 }
 
 /// Twice the area, positive where the solid is inside the loop [m2].
-double twice_area(const Loop& loop) {
+double twice_area(const SectionLoop& loop) {
     double sum = 0;
     for (std::size_t i = 0; i < loop.size(); ++i) {
         const Vec3 &a = loop[i], &b = loop[(i + 1) % loop.size()];
@@ -74,8 +74,8 @@ double twice_area(const Loop& loop) {
 }
 
 /// Drops corners that lie on the straight line between their neighbours to rounding: crossings of coplanar triangles.
-Loop without_needless_corners(const Loop& loop) {
-    Loop kept;
+SectionLoop without_needless_corners(const SectionLoop& loop) {
+    SectionLoop kept;
     const std::size_t n = loop.size();
     for (std::size_t i = 0; i < n; ++i) {
         const Vec3 before = loop[i] - (kept.empty() ? loop[n - 1] : kept.back()), after = loop[(i + 1) % n] - loop[i];
@@ -85,7 +85,7 @@ Loop without_needless_corners(const Loop& loop) {
     return kept;
 }
 
-std::vector<std::array<int, 3>> triangulated(const Loop& loop) {
+std::vector<std::array<int, 3>> triangulated(const SectionLoop& loop) {
     vtkNew<vtkPolygon> polygon;
     const auto n = static_cast<vtkIdType>(loop.size());
     polygon->GetPointIds()->SetNumberOfIds(n);
@@ -108,7 +108,7 @@ std::vector<std::array<int, 3>> triangulated(const Loop& loop) {
     return triangles;
 }
 
-void add_prism(const Loop& loop, double span, Surface& out) {
+void add_prism(const SectionLoop& loop, double span, Surface& out) {
     const int n = static_cast<int>(loop.size()), first = static_cast<int>(out.points.size());
     for (const double y : {-0.5 * span, 0.5 * span})
         for (const Vec3& p : loop) out.points.emplace_back(p.x(), y, p.z());
@@ -129,10 +129,10 @@ void add_prism(const Loop& loop, double span, Surface& out) {
 }  // namespace
 
 Surface section_prism(const Surface& closed, double span) {
-    std::vector<Loop> loops = section_loops(closed);
+    std::vector<SectionLoop> loops = section_loops(closed);
     Surface prism;
-    for (const Loop& all : loops) {
-        const Loop loop = without_needless_corners(all);
+    for (const SectionLoop& all : loops) {
+        const SectionLoop loop = without_needless_corners(all);
         if (loop.size() < 3) continue;
         if (!(twice_area(loop) > 0))
             throw InputError(fmt::format(

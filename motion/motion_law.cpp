@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/errors.h"
+#include "base/numbers.h"
 
 namespace tw {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 /// First derivatives at the knots of the cubic spline at rest at both ends: continuity of the second derivative,
 ///

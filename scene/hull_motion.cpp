@@ -1,12 +1,11 @@
 #include "scene/hull_motion.h"
 
 #include <cmath>
-#include <numbers>
+
+#include "base/numbers.h"
 
 namespace tw {
 namespace {
-
-constexpr double degrees = 180 / std::numbers::pi;
 
 /// Heave and pitch alone: the turn about y, bow up [rad].
 double turn_of(const RigidBody::State& state) { return 2 * std::atan2(state.attitude.y(), state.attitude.w()); }
@@ -25,8 +24,8 @@ void append_hull_motion(Table& table, double time, const Hull& hull, const Rigid
     const auto put = [&](const char* name, const char* unit, double value) { table.set(row, name, unit, value + 0.0); };
     put("z", "m", z);
     put("vz", "m/s", state.velocity.z());
-    put("trim", "deg", degrees * (hull.trim + turn));
-    put("trim_rate", "deg/s", degrees * spin.y());
+    put("trim", "deg", (hull.trim + turn) / degree);
+    put("trim_rate", "deg/s", spin.y() / degree);
     put("transom_draft", "m", transom_draft(hull.free.value(), z, turn));
 }
 
@@ -34,7 +33,7 @@ std::optional<RestingHull> resting_hull(const Hull& hull) {
     if (!hull.free || !hull.free->at_rest) return {};
     const auto& [rise, turn] = *hull.free->at_rest;
     const double z = hull.free->motion.mass.centre.z() + rise;
-    return RestingHull{z, degrees * (hull.trim + turn), transom_draft(*hull.free, z, turn)};
+    return RestingHull{z, (hull.trim + turn) / degree, transom_draft(*hull.free, z, turn)};
 }
 
 }  // namespace tw

@@ -11,8 +11,6 @@
 namespace tw {
 namespace {
 
-using Kind = MeshMotion::Kind;
-
 /// Buoyancy of the body, by how far it has come down from where it starts: `count` places `step` apart from `from` on.
 struct Buoyancy {
     double from = 0, step = 1;
@@ -128,17 +126,17 @@ double clearance_of(const MovingBody& body, const Scene& scene) {
 
 std::string MeshMotion::sentence() const {
     switch (kind) {
-        case Kind::none: return {};
-        case Kind::morphing:
+        case MeshMotion::Kind::none: return {};
+        case MeshMotion::Kind::morphing:
             return fmt::format(
                 "the mesh is morphed between the body and the walls, which stay where they are; the body "
                 "may move by {:.3g} m",
                 stretch());
-        case Kind::sliding:
+        case MeshMotion::Kind::sliding:
             return "the whole mesh moves up and down with the body, along the tank's sides: there is no floor, the "
                    "water "
                    "below the body stays as deep as it was at the start";
-        case Kind::open_water: break;
+        case MeshMotion::Kind::open_water: break;
     }
     return "the whole mesh moves and turns with the body: there are no walls and no floor, all sides are open to water "
            "at rest";
@@ -182,7 +180,7 @@ void check_body(const MovingBody& body, const Scene& scene) {
 /// Several free bodies: morphed regions that do not overlap, alike round all of them.
 MeshMotion motion_of_several(const std::vector<MovingBody>& bodies, const Scene& scene) {
     MeshMotion m;
-    m.kind = Kind::morphing;
+    m.kind = MeshMotion::Kind::morphing;
     double room = HUGE_VAL, way = 0;
     std::string tightest, between, farthest;
     const auto limit = [&](double to, const std::string& name, const std::string& what) {
@@ -253,10 +251,10 @@ MeshMotion mesh_motion(const Scene& scene) {
                    fmt::format("body {} stands {:.3g} m from what stays where it is; a mesh is morphed over four cells "
                                "({:.3g} m) or more",
                                body.name, clearance, 4 * scene.resolution.near_hull));
-        m.kind = Kind::morphing;
+        m.kind = MeshMotion::Kind::morphing;
         return m;
     }
-    m.kind = moves_vertically(body) ? Kind::sliding : Kind::open_water;
+    m.kind = moves_vertically(body) ? MeshMotion::Kind::sliding : MeshMotion::Kind::open_water;
     if (!scene.obstacles.empty() || !scene.water_blocks.empty())
         refuse(scene, "fvm.body_mesh",
                fmt::format("body {} may move by {:.3g} m, more than half of the {:.3g} m to the nearest wall, so the "

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <span>
 
 #include <fmt/format.h>
 
 #include "base/errors.h"
+#include "base/numbers.h"
 #include "scene/box_walls.h"
 #include "scene/defaults.h"
 #include "scene/refined_places.h"
@@ -19,7 +19,6 @@ namespace {
 
 constexpr double between = 10, from_openings = 8;  ///< spacings
 constexpr double most_nodes = 5e6;                 ///< of the grid of distances from a hull
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// What finer particles stand round.
 struct Root {

@@ -2,19 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 
 #include <fmt/format.h>
 
+#include "base/numbers.h"
 #include "scene/read.h"
 
 namespace tw {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr int most_sizes_below = 3;
 constexpr double default_width = 8;  ///< of a place, in its spacings
 constexpr int slices = 16;           ///< of the hull, along which the spray root is followed

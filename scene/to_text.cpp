@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <span>
 
 #include <fmt/format.h>
 
 #include "scene/box_walls.h"
+#include "base/numbers.h"
 #include "scene/cost_of_sizes.h"
 #include "scene/defaults.h"
 #include "scene/edge_refinement.h"
@@ -34,8 +34,6 @@ std::string side_name(Side side, bool holds_water) {
     return "";
 }
 
-constexpr double degrees = 180 / std::numbers::pi;
-
 std::string free_hull_text(const FreeHull& free, const std::string& unit_of_mass) {
     const RigidBodySetup& m = free.motion;
     std::string out = fmt::format(
@@ -47,7 +45,7 @@ std::string free_hull_text(const FreeHull& free, const std::string& unit_of_mass
     if (free.at_rest)
         out += fmt::format("  at rest   it floats {:.4g} m {} where it stands, its bow turned {} by {:.3g} deg\n",
                            std::abs(free.at_rest->rise), free.at_rest->rise < 0 ? "below" : "above",
-                           free.at_rest->turn < 0 ? "down" : "up", degrees * std::abs(free.at_rest->turn));
+                           free.at_rest->turn < 0 ? "down" : "up", std::abs(free.at_rest->turn) / degree);
     return out;
 }
 
@@ -55,7 +53,7 @@ std::string hull_text(const Hull& h) {
     std::string out = fmt::format(
         "hull        {}: {:.4g} m long, {}; trim {:.3g} deg, draft {:.4g} m{}\n", h.source, h.length,
         h.section ? "its section with y = 0, results are per metre of span" : fmt::format("{:.4g} m wide", h.beam),
-        h.trim * degrees, h.draft, h.half ? "; one half is solved, results are for the whole hull" : "");
+        h.trim / degree, h.draft, h.half ? "; one half is solved, results are for the whole hull" : "");
     out += fmt::format(
         "            it displaces {:.4g} {} at rest and is wetted from x = {:.4g} to {:.4g} m; {} triangles\n",
         h.still.volume, h.section ? "m3 per metre" : "m3", h.still.wet_bounds.min.x(), h.still.wet_bounds.max.x(),

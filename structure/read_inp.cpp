@@ -32,9 +32,9 @@ std::vector<std::string> fields_of(std::string_view line) {
     return fields;
 }
 
-class Reader {
+class InpReader {
 public:
-    Reader(const std::filesystem::path& file, double scale) : file_(file), scale_(scale), in_(file) {
+    InpReader(const std::filesystem::path& file, double scale) : file_(file), scale_(scale), in_(file) {
         if (!in_) throw InputError(fmt::format("{}: cannot be read", file.string()));
     }
 
@@ -162,7 +162,7 @@ private:
 }  // namespace
 
 MeshFile read_inp(const std::filesystem::path& file, double metres_per_unit) {
-    return Reader(file, metres_per_unit).read();
+    return InpReader(file, metres_per_unit).read();
 }
 
 }  // namespace tw::structure

@@ -5,16 +5,11 @@
 #include <numbers>
 
 #include "base/errors.h"
+#include "base/trimmed.h"
 #include "structure/laminate.h"
 
 namespace tw::structure {
 namespace {
-
-std::string_view trimmed(std::string_view s) {
-    const auto from = s.find_first_not_of(" \t");
-    if (from == s.npos) return {};
-    return s.substr(from, s.find_last_not_of(" \t") - from + 1);
-}
 
 [[noreturn]] void refuse(std::string_view text, std::string_view layer, const std::string& why) {
     throw InputError(fmt::format("layup \"{}\": layer \"{}\": {}", text, layer, why));

@@ -13,9 +13,9 @@
 namespace tw::structure {
 namespace {
 
-class Reader {
+class MshReader {
 public:
-    Reader(const std::filesystem::path& file, double scale) : file_(file), scale_(scale), in_(file) {
+    MshReader(const std::filesystem::path& file, double scale) : file_(file), scale_(scale), in_(file) {
         if (!in_) throw InputError(fmt::format("{}: cannot be read", file.string()));
     }
 
@@ -213,7 +213,7 @@ private:
 }  // namespace
 
 MeshFile read_msh(const std::filesystem::path& file, double metres_per_unit) {
-    return Reader(file, metres_per_unit).read();
+    return MshReader(file, metres_per_unit).read();
 }
 
 }  // namespace tw::structure

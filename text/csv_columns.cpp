@@ -8,6 +8,8 @@
 #include <limits>
 
 #include "base/errors.h"
+#include "base/numbers.h"
+#include "base/trimmed.h"
 
 namespace tw {
 namespace {
@@ -16,11 +18,6 @@ struct Cell {
     std::string text;
     int column = 1;  ///< of its first character in the line, from 1
 };
-
-std::string_view trimmed(std::string_view s) {
-    const std::size_t first = s.find_first_not_of(" \t\r");
-    return first == std::string_view::npos ? "" : s.substr(first, s.find_last_not_of(" \t\r") - first + 1);
-}
 
 std::vector<Cell> cells_of(std::string_view line, char separator) {
     std::vector<Cell> cells(1);
@@ -57,7 +54,6 @@ char separator_of(std::string_view header) {
 
 /// NaN for an empty cell or the word NaN; nothing for what is no finite number.
 std::optional<double> number_of(std::string_view cell) {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     const auto is = [](char c, char lower) { return c == lower || c == lower - 'a' + 'A'; };
     if (cell.empty() || (cell.size() == 3 && is(cell[0], 'n') && is(cell[1], 'a') && is(cell[2], 'n'))) return nan;
     if (cell.starts_with('+')) cell.remove_prefix(1);

@@ -5,7 +5,9 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <numbers>
+
+#include "base/numbers.h"
+#include "base/trimmed.h"
 
 namespace tw {
 namespace {
@@ -20,7 +22,6 @@ constexpr double pound = 0.45359237;      // [kg], exact by definition
 constexpr double foot = 0.3048;           // [m], exact by definition
 constexpr double nautical_mile = 1852.0;  // [m], exact by definition
 constexpr double g0 = 9.80665;            // [m/s2], standard gravity, for pound-force
-constexpr double degree = std::numbers::pi / 180;
 constexpr Dimension length{1, 0, 0, 0}, mass{0, 1, 0, 0}, time{0, 0, 1, 0}, angle{0, 0, 0, 1}, speed{1, 0, -1, 0},
     force{1, 1, -2, 0}, pressure{-1, 1, -2, 0}, energy{2, 1, -2, 0}, power{2, 1, -3, 0}, frequency{0, 0, -1, 0}, none{};
 
@@ -86,16 +87,9 @@ std::string plain_powers(std::string_view text) {
     return out;
 }
 
-bool is_blank(char c) { return c == ' ' || c == '\t'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_symbol(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '%' || static_cast<unsigned char>(c) >= 0x80;
-}
-
-std::string_view trimmed(std::string_view text) {
-    while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-    return text;
 }
 
 const Symbol& find_symbol(std::string_view name) {

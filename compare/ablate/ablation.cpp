@@ -23,7 +23,7 @@ const AblationSide* side_of(const AblationRun& run, const std::string& method) {
 }
 
 double per_cent_change(double before, double after) {
-    return before > 0 && std::isfinite(after) ? 100 * (after / before - 1) : AblationRow::nan;
+    return before > 0 && std::isfinite(after) ? 100 * (after / before - 1) : nan;
 }
 
 AblationChange change_of(const Quantity& before, const Quantity& after) {

@@ -1,15 +1,14 @@
 #pragma once
-#include <limits>
 #include <string>
 #include <vector>
 
+#include "base/numbers.h"
 #include "compare/compare.h"
 
 namespace tw {
 
 /// What one method's run of an ablation gave: its values, and what they cost.
 struct AblationSide {
-    static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     std::string method;
     std::vector<Quantity> quantities;   ///< one value each
     double processor = nan;             ///< processor seconds of solving per simulated second [-]
@@ -37,7 +36,6 @@ struct AblationRun {
 /// seen: |E| > U. Two runs that differ by rounding alone give |E| > U in one of twenty quantities, as U is that of 95
 /// %.
 struct AblationChange {
-    static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     enum class Seen {
         unchanged,    ///< not one digit differs
         nothing,      ///< within the intervals
@@ -57,7 +55,6 @@ std::string to_string(AblationChange::Seen seen);
 
 /// One method's answer to one effect switched.
 struct AblationRow {
-    static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     std::size_t run = 0;    ///< in Ablation::runs
     std::string influence;  ///< what the plan says of the effect, in full
     std::vector<AblationChange> changes;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/numbers.h"
+
 namespace tw {
 
 std::vector<double> time_bins(std::span<const double> t, std::span<const double> x, std::size_t count) {
@@ -35,7 +37,6 @@ std::vector<double> time_bins(std::span<const double> t, std::span<const double>
 }
 
 double value_at(std::span<const double> t, std::span<const double> x, double at) {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     if (t.empty() || !(at >= t.front()) || at > t.back()) return nan;
     const auto after = static_cast<std::size_t>(std::ranges::lower_bound(t, at) - t.begin());
     if (t[after] == at) return x[after];

@@ -53,7 +53,7 @@ double CostOfAccuracy::price_of_halving() const { return std::exp2(1 / slope); }
 
 double crossover_seconds(const CostOfAccuracy& a, const CostOfAccuracy& b) {
     const double by = a.slope - b.slope;
-    if (!a.known() || !b.known() || !(std::abs(by) > 1e-3)) return CostOfAccuracy::nan;
+    if (!a.known() || !b.known() || !(std::abs(by) > 1e-3)) return nan;
     // ln U_a - slope_a (ln T - ln T_a) = ln U_b - slope_b (ln T - ln T_b)
     return std::exp((std::log(a.U_fit / b.U_fit) + a.slope * std::log(a.T_fit) - b.slope * std::log(b.T_fit)) / by);
 }

@@ -1,7 +1,8 @@
 #pragma once
-#include <limits>
 #include <string>
 #include <vector>
+
+#include "base/numbers.h"
 
 namespace tw {
 
@@ -21,7 +22,6 @@ struct CostPoint {
 /// For a scheme of order p whose cost grows with h^-q the slope is p/q: 2/4 for an explicit method of second order in
 /// three dimensions. Where U does not fall with T there is no line: more time has bought nothing.
 struct CostOfAccuracy {
-    static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     std::vector<CostPoint> points;    ///< finest first
     double slope = nan;               ///< [-]; above 0 where there is a line
     double U_fit = nan, T_fit = nan;  ///< one point of the line: geometric means of the levels

@@ -36,13 +36,13 @@ bool follows_from_others(const std::string& name) {
            name.starts_with("cut_") || name.starts_with("level_") || name.starts_with("uncertainty:");
 }
 
-struct Difference {
+struct FamilyDifference {
     std::string name, a, b;
     double ratio = std::nan("");  ///< b over a, of a number
 };
 
-std::vector<Difference> differences_of(const Family& a, const Family& b) {
-    std::vector<Difference> out;
+std::vector<FamilyDifference> differences_of(const Family& a, const Family& b) {
+    std::vector<FamilyDifference> out;
     std::set<std::string> names;
     for (const auto* family : {&a, &b})
         for (const auto& [name, value] : family->settings) names.insert(name);
@@ -82,7 +82,7 @@ Family family_of(const RunRecord& record) {
 
 std::string family_differences(const Family& a, const Family& b) {
     std::string out;
-    for (const Difference& d : differences_of(a, b))
+    for (const FamilyDifference& d : differences_of(a, b))
         out += fmt::format("{}{} is {} and {}", out.empty() ? "" : ", ", d.name, d.a, d.b);
     return out.empty() ? "they differ in numerics that records do not list (such as touch_support)" : out;
 }
@@ -90,7 +90,7 @@ std::string family_differences(const Family& a, const Family& b) {
 bool same_settings(const Family& a, const Family& b) { return differences_of(a, b).empty(); }
 
 std::optional<Varied> variation_between(const Family& base, const Family& varied) {
-    const std::vector<Difference> all = differences_of(base, varied);
+    const std::vector<FamilyDifference> all = differences_of(base, varied);
     if (all.size() != 1 || !(all[0].ratio > 0)) return {};
     const double r = all[0].ratio;
     // The error of weak compressibility falls with Ma^2, so with c0^-2; errors of time stepping are of first order.

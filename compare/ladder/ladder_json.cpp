@@ -28,7 +28,7 @@ Json json_of(const CostOfAccuracy& c) {
                           {"uncertainty", p.uncertainty}});
     return {{"points", points},
             {"slope", c.slope},
-            {"price_of_halving", c.known() ? c.price_of_halving() : CostOfAccuracy::nan},
+            {"price_of_halving", c.known() ? c.price_of_halving() : nan},
             {"why_not", c.why_not}};
 }
 

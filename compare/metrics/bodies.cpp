@@ -9,6 +9,7 @@
 #include <numbers>
 #include <set>
 
+#include "base/numbers.h"
 #include "compare/align/time_bins.h"
 #include "compare/metrics/probe_peaks.h"
 #include "compare/metrics/quantity.h"
@@ -18,12 +19,8 @@
 namespace tw {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double peak_window = 5e-3;  // [s], as of the probes
-constexpr double arrival_share = 0.1;
-
 /// One body in one record, up to the end of the time that all records cover.
-struct History {
+struct BodyHistory {
     const Table* table = nullptr;
     double end = 0;  ///< [s]
 
@@ -38,9 +35,9 @@ struct History {
 };
 
 /// The first value: bodies are released where all records have them, and their first rows are a step later.
-double start_of(const History& h, const char* column) { return h.has(column) ? h.of(column).front() : nan; }
+double start_of(const BodyHistory& h, const char* column) { return h.has(column) ? h.of(column).front() : nan; }
 
-double impulse_of(const History& h) {
+double impulse_of(const BodyHistory& h) {
     if (!h.has("fz")) return nan;
     const auto t = h.times(), f = h.values("fz");
     double sum = 0;
@@ -49,17 +46,17 @@ double impulse_of(const History& h) {
     return sum;
 }
 
-double peak_of(const History& h) {
-    return h.has("fz") ? largest_window_mean(h.times(), h.values("fz"), peak_window) : nan;
+double peak_of(const BodyHistory& h) {
+    return h.has("fz") ? largest_window_mean(h.times(), h.values("fz"), shortest_window) : nan;
 }
 
-double arrival_of(const History& h) {
+double arrival_of(const BodyHistory& h) {
     const double peak = peak_of(h);
     if (!(peak > 0)) return nan;
     return arrival_time(h.times(), h.values("fz"), arrival_share * peak);
 }
 
-double turn_of(const History& h) {
+double turn_of(const BodyHistory& h) {
     const double q0 = h.at_end("q0");
     return std::isfinite(q0) ? 2 * std::acos(std::clamp(std::abs(q0), 0.0, 1.0)) * 180 / std::numbers::pi : nan;
 }
@@ -78,7 +75,7 @@ double mean_square(std::span<const double> ta, std::span<const double> a, std::s
     return 2 * known >= ta.size() && known > 0 ? sum / static_cast<double>(known) : nan;
 }
 
-std::string rms_of_depths(const History& a, const History& b) {
+std::string rms_of_depths(const BodyHistory& a, const BodyHistory& b) {
     if (!a.has("z") || !b.has("z")) return {};  // as where there is no such body
     const auto z = a.values("z");
     const auto [low, high] = std::ranges::minmax(z);
@@ -110,28 +107,28 @@ void add_bodies(Comparison& comparison) {
             if (table.starts_with("body_") && content.find("q0") && !content.time.empty())
                 names.insert(table.substr(5));
     for (const std::string& name : names) {
-        std::vector<History> histories;
+        std::vector<BodyHistory> histories;
         double end = HUGE_VAL;
         for (const RunRecord& r : comparison.sources) {
             const auto found = r.tables.find(body_table(name));
-            History h;
+            BodyHistory h;
             if (found != r.tables.end() && !found->second.time.empty()) {
                 h.table = &found->second;
                 end = std::min({end, h.table->time.back(), number_of(r, "duration", HUGE_VAL)});
             }
             histories.push_back(h);
         }
-        for (History& h : histories) h.end = end;
+        for (BodyHistory& h : histories) h.end = end;
         const auto unit_of = [&](const char* column) -> std::string {
-            for (const History& h : histories)
+            for (const BodyHistory& h : histories)
                 if (h.has(column)) return h.table->find(column)->unit;
             return {};
         };
         const auto add = [&](const char* kind, std::string label, std::string unit, std::string definition,
-                             const std::function<double(const History&)>& value_of) -> Quantity& {
+                             const std::function<double(const BodyHistory&)>& value_of) -> Quantity& {
             Quantity q = new_quantity(fmt::format("body_{}:{}", kind, name), std::move(label), std::move(unit),
                                       std::move(definition));
-            for (const History& h : histories) {
+            for (const BodyHistory& h : histories) {
                 MeanValue m;
                 m.value = h.table ? value_of(h) : nan;
                 m.known = std::isfinite(m.value);
@@ -148,13 +145,13 @@ void add_bodies(Comparison& comparison) {
         };
         const std::string N = unit_of("fz"), at = fmt::format("{} at {:.4g} s", name, end);
         Quantity& depth = add("depth", "Way down of " + at, "m", "how far its centre of mass has come down",
-                              [](const History& h) { return start_of(h, "z") - h.at_end("z"); });
+                              [](const BodyHistory& h) { return start_of(h, "z") - h.at_end("z"); });
         depth.remark = of_every_pair(
             comparison.names, [&](std::size_t a, std::size_t b) { return rms_of_depths(histories[a], histories[b]); });
         Quantity& speed = add("speed", "Velocity downward of " + at, "m/s", "of its centre of mass",
-                              [](const History& h) { return -h.at_end("vz"); });
+                              [](const BodyHistory& h) { return -h.at_end("vz"); });
         speed.remark = of_every_pair(comparison.names, [&](std::size_t a, std::size_t b) {
-            const History &A = histories[a], &B = histories[b];
+            const BodyHistory &A = histories[a], &B = histories[b];
             if (!A.has("vz") || !B.has("vz")) return std::string();
             return fmt::format("{} comes {:.3g} s later than {} (least difference of the velocities)",
                                comparison.names[b], lag_of(A.times(), A.values("vz"), B.times(), B.values("vz")),
@@ -170,7 +167,7 @@ void add_bodies(Comparison& comparison) {
             const MeanValue &A = impulse.values[a], &B = impulse.values[b];
             return A.known && B.known ? fmt::format("ratio {:.3g}", B.value / A.value) : std::string();
         });
-        if (std::ranges::any_of(histories, [](const History& h) { return turn_of(h) > 0.01; }))
+        if (std::ranges::any_of(histories, [](const BodyHistory& h) { return turn_of(h) > 0.01; }))
             add("turn", "Turn of " + at, "deg", "angle between its attitude and that at the start", turn_of);
     }
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/numbers.h"
 #include "compare/align/time_bins.h"
 #include "compare/metrics/raster_columns.h"
 #include "compare/read/record_numbers.h"
@@ -13,8 +14,6 @@
 namespace tw {
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<double> places(const RunRecord& record, const std::string& prefix) {
     std::vector<double> list;

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/numbers.h"
 #include "compare/metrics/entry_voxels.h"
 #include "compare/metrics/raster_columns.h"
 #include "compare/metrics/wave_surface.h"
@@ -12,7 +12,6 @@
 namespace tw {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::uint8_t least_share = 3;  // of 255: a hundredth, as of the splash (metrics/splash.h)
 
 struct Row {

@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
+
+#include "base/numbers.h"
 
 namespace tw {
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Largest mean over windows inside one stretch of finite samples. The mean of a window that slides over a piecewise
 /// linear history is largest where the window begins or ends on a sample, or between two such places where both ends

@@ -17,4 +17,10 @@ double time_percentile(std::span<const double> t, std::span<const double> x, dou
 /// First time at which the history is above `threshold` [s]: linear between the samples. NaN where it never is.
 double arrival_time(std::span<const double> t, std::span<const double> x, double threshold);
 
+/// Shorter peaks of pressure on a wall are sound and sampling; structures of a hull answer in tens of milliseconds [s].
+inline constexpr double shortest_window = 5e-3;
+
+/// Water has arrived when a tenth of what it brings has.
+inline constexpr double arrival_share = 0.1;
+
 }  // namespace tw

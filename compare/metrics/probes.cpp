@@ -69,11 +69,6 @@ double highest(const History& h) {
     return most;
 }
 
-/// Shorter peaks of pressure on a wall are sound and sampling; structures of a hull answer in tens of milliseconds.
-constexpr double shortest_window = 5e-3;  // [s]
-/// Water has arrived when a tenth of what it brings has.
-constexpr double arrival_share = 0.1;
-
 /// The time between samples of a record's table, of its middle pair in length; 0 where there are none [s].
 double time_between_samples(const RunRecord& record, const std::string& table) {
     const auto found = record.tables.find(table);

@@ -8,7 +8,7 @@ namespace tw {
 
 namespace {
 constexpr std::uint8_t half = 128;  // 128/255 is the first share that is at least one half
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr float no_height = std::numeric_limits<float>::quiet_NaN();
 }  // namespace
 
 std::vector<std::uint8_t> main_body(const RasterGrid& grid, const RasterFrame& frame) {
@@ -48,7 +48,7 @@ std::vector<std::uint8_t> main_body(const RasterGrid& grid, const RasterFrame& f
 }
 
 std::vector<float> sheet_tops(const RasterGrid& grid, const RasterFrame& frame, const std::vector<std::uint8_t>& body) {
-    std::vector<float> top(grid.columns(), nan);
+    std::vector<float> top(grid.columns(), no_height);
     for (int k = 0; k < grid.nz; ++k)
         for (int j = 0; j < grid.ny; ++j)
             for (int i = 0; i < grid.nx; ++i) {
@@ -65,7 +65,7 @@ std::vector<float> sheet_tops(const RasterGrid& grid, const RasterFrame& frame, 
 }
 
 std::vector<float> elevations(const RasterGrid& grid, const RasterFrame& frame, const std::vector<std::uint8_t>& body) {
-    std::vector<float> height(grid.columns(), nan);
+    std::vector<float> height(grid.columns(), no_height);
     for (int j = 0; j < grid.ny; ++j)
         for (int i = 0; i < grid.nx; ++i) {
             double sum = 0;

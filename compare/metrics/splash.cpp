@@ -5,14 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "base/numbers.h"
 #include "compare/metrics/wave_surface.h"
 #include "compare/read/record_numbers.h"
 
 namespace tw {
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Least share of a voxel that counts as water above the wave, in 255ths: the first of at least 1/100. A mesh smears
 /// less than that over the cells along a hull, high above a calm surface.

@@ -4,11 +4,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/numbers.h"
+
 namespace tw {
 
 Savitsky savitsky(const PlaningState& s, double lambda) {
-    constexpr double degrees = 180 / std::numbers::pi;
-    const double trim_deg = s.trim * degrees, deadrise_deg = s.deadrise * degrees, b = s.beam;
+    const double trim_deg = s.trim / degree, deadrise_deg = s.deadrise / degree, b = s.beam;
     const double trim_power = std::pow(trim_deg, 1.1);
     const double Cv = s.speed / std::sqrt(s.gravity * b);
     const double CL0 = trim_power * (0.012 * std::sqrt(lambda) + 0.0055 * std::pow(lambda, 2.5) / (Cv * Cv));
@@ -37,7 +38,7 @@ Savitsky savitsky(const PlaningState& s, double lambda) {
 }
 
 std::optional<std::pair<PlaningState, Savitsky>> savitsky_free(PlaningState s, const PlaningMass& mass) {
-    constexpr double degree = std::numbers::pi / 180, least_trim = 0.5 * degree, most_trim = 15 * degree;
+    constexpr double least_trim = 0.5 * degree, most_trim = 15 * degree;
     constexpr double shortest = 0.05, longest = 6;  // wetted lengths over the beam
     constexpr int halvings = 60;
     const auto carried = [&](double trim) -> std::optional<Savitsky> {  // the lift grows with the wetted length

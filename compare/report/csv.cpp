@@ -11,7 +11,7 @@ namespace tw {
 
 namespace {
 
-std::string number(double v) { return std::isfinite(v) ? fmt::format("{}", v) : ""; }
+std::string csv_number(double v) { return std::isfinite(v) ? fmt::format("{}", v) : ""; }
 
 }  // namespace
 
@@ -65,7 +65,7 @@ std::string series_csv(const Comparison& comparison) {
             const std::string head =
                 csv_cell(source) + "," + csv_cell(table.name) + "," + csv_cell(c.name) + "," + csv_cell(c.unit) + ",";
             for (std::size_t i = 0; i < table.time.size(); i += stride)
-                fmt::format_to(std::back_inserter(out), "{}{},{}\n", head, table.time[i], number(c.values[i]));
+                fmt::format_to(std::back_inserter(out), "{}{},{}\n", head, table.time[i], csv_number(c.values[i]));
         }
     };
     for (std::size_t s = 0; s < comparison.sources.size(); ++s) {

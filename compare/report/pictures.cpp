@@ -34,7 +34,7 @@ namespace tw {
 
 namespace {
 
-constexpr int width = 900, height = 560;
+constexpr int window_width = 900, window_height = 560;
 
 void paint_by_height(vtkPolyData* surface, const ColourScale& scale) {
     vtkNew<vtkUnsignedCharArray> colours;
@@ -190,7 +190,7 @@ std::string pressure_picture(EglWindow& window, const RunRecord& record, const C
     camera->SetFocalPoint(middle.data());
     camera->SetPosition(eye.data());
     camera->SetViewUp(0, -1, 0);  // stern on the right, as in the maps
-    camera->SetParallelScale(1.08 * 0.5 * std::max(b.size().y(), b.size().x() * 300 / width));
+    camera->SetParallelScale(1.08 * 0.5 * std::max(b.size().y(), b.size().x() * 300 / window_width));
     renderer->ResetCameraClippingRange();
     return window.png(renderer);
 }
@@ -240,7 +240,7 @@ Pictures render_pictures(const Comparison& comparison, const ColourScale& elevat
     pictures.free_surface.resize(comparison.sources.size());
     pictures.hull_pressure.resize(comparison.sources.size());
     try {
-        EglWindow window(width, height);
+        EglWindow window(window_width, window_height);
         // The camera follows the first source with a subject, so all are seen alike.
         const Box view = subject(comparison.sources.front());
         const bool pressures = pressure_range(comparison, pictures.pressure_low, pictures.pressure_high);
@@ -249,7 +249,7 @@ Pictures render_pictures(const Comparison& comparison, const ColourScale& elevat
                 pictures.free_surface[s] = surface_picture(window, comparison.sources[s], view, elevation);
         if (!pressures) return pictures;
         const ColourScale scale = pressure_scale(pictures.pressure_low, pictures.pressure_high);
-        EglWindow flat(width, 300);
+        EglWindow flat(window_width, 300);
         for (std::size_t s = 0; s < comparison.sources.size(); ++s)
             if (!comparison.sources[s].hull_pressure.empty())
                 pictures.hull_pressure[s] = pressure_picture(flat, comparison.sources[s], scale);

@@ -14,7 +14,7 @@ namespace tw {
 
 namespace {
 
-constexpr int width = 900;  ///< [px]
+constexpr int page_width = 900;  ///< [px]
 
 /// The same box of the same run twice on the picture, as boxes above each other are in a plan view, is one.
 bool is_drawn(const std::vector<PlotBox>& boxes, const PlotBox& box) {
@@ -64,7 +64,7 @@ void add_box(std::vector<PlotBox>& boxes, const PlotBox& box) {
 Plot view(std::span<const RunRecord> runs, const std::vector<std::string>& names, int up) {
     Plot plot;
     plot.equal_scales = true;
-    plot.width = width;
+    plot.width = page_width;
     plot.x_label = "x, to the stern [m]";
     plot.y_label = up == 2 ? "z [m]" : "y [m]";
     const bool stream = text_of(runs.front(), "motion", "") == "stream";
@@ -88,7 +88,7 @@ Plot view(std::span<const RunRecord> runs, const std::vector<std::string>& names
         }
     }
     const double across = plot.boxes.front().x_max - plot.boxes.front().x_min;
-    plot.shadow = silhouette(runs.front().hull, up, across / (2 * width));
+    plot.shadow = silhouette(runs.front().hull, up, across / (2 * page_width));
     return plot;
 }
 

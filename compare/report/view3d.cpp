@@ -24,7 +24,7 @@ namespace tw {
 
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_steps = 60, fewest_steps = 24, most_hull_triangles = 16000, most_points = 65536;
 /// Script, markup, legend and times need less than this of the section.

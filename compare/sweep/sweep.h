@@ -1,8 +1,8 @@
 #pragma once
-#include <limits>
 #include <string>
 #include <vector>
 
+#include "base/numbers.h"
 #include "compare/compare.h"
 
 namespace tw {
@@ -25,7 +25,6 @@ struct SweepMember {
 /// in logarithms, so that a factor of two up and one down cancel. Members where a value is missing or 0, or where the
 /// signs differ, are left out and counted.
 struct SweepSummary {
-    static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     std::string name, label, unit;
     std::size_t a = 0, b = 1;  ///< places of the two among the sweep's methods
     struct Point {

@@ -8,7 +8,7 @@ namespace tw {
 
 namespace {
 
-double relative(double difference, double value) { return value != 0 ? std::abs(difference / value) : CelikGci::nan; }
+double relative(double difference, double value) { return value != 0 ? std::abs(difference / value) : nan; }
 
 /// What follows from the two finest levels once p and Fs are known. r^p - 1 is taken as expm1(p ln r): p may be small.
 void finest_pair(CelikGci& g, const StudyLevel& l1, const StudyLevel& l2) {

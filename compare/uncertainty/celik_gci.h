@@ -1,8 +1,8 @@
 #pragma once
-#include <limits>
 #include <span>
 #include <string>
 
+#include "base/numbers.h"
 #include "compare/uncertainty/study_level.h"
 
 namespace tw {
@@ -16,7 +16,6 @@ namespace tw {
 /// GCI32/(r21^p GCI21) is near 1 in the asymptotic range. Oscillatory convergence goes in with s = -1, as the paper
 /// does; divergence and two equal finest values have no order and no index.
 struct CelikGci {
-    static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     bool known = false;
     std::string why_not;  ///< empty where known
     Convergence convergence = Convergence::unknown;

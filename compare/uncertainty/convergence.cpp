@@ -12,7 +12,7 @@ namespace tw {
 
 namespace {
 
-constexpr double smallest_p =
+constexpr double least_order =
     0.5;  ///< observed order below which an oscillation counts as undamped, as in eca_hoekstra.h
 constexpr double no_order = 0.1;  ///< below which a change from size to size is not told from one that stays
 
@@ -37,7 +37,7 @@ Convergence class_of(const Estimate& e) {
     const CelikGci& g = e.celik_gci;
     const bool oscillates = g.convergence == Convergence::oscillatory,
                monotone = g.convergence == Convergence::monotone;
-    if ((oscillates && g.p < smallest_p) || (monotone && g.p < no_order)) return Convergence::scattered;
+    if ((oscillates && g.p < least_order) || (monotone && g.p < no_order)) return Convergence::scattered;
     return g.convergence == Convergence::divergent ? Convergence::scattered : g.convergence;
 }
 
@@ -64,7 +64,7 @@ double disagreement(const Estimate& e) {
         low = std::min(low, U);
         high = std::max(high, U);
     }
-    return known > 1 ? high / low : Estimate::nan;
+    return known > 1 ? high / low : nan;
 }
 
 /// "1.0511 +- 0.060 (5.7 %)": the value to the digits that its uncertainty supports.

@@ -1,8 +1,8 @@
 #pragma once
-#include <limits>
 #include <string>
 #include <vector>
 
+#include "base/numbers.h"
 #include "compare/uncertainty/celik_gci.h"
 #include "compare/uncertainty/eca_hoekstra.h"
 #include "compare/uncertainty/study_level.h"
@@ -22,7 +22,6 @@ namespace tw {
 /// do not shrink); the interval then comes from the scatter. Divergent is left for values that run away (runaway.h):
 /// they have no uncertainty.
 struct Estimate {
-    static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     std::vector<StudyLevel> levels;  ///< finest first
     double p_th = 2;                 ///< order of the scheme [-]
     Convergence convergence = Convergence::unknown;

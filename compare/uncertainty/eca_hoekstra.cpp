@@ -170,9 +170,9 @@ EcaHoekstra eca_hoekstra(std::span<const StudyLevel> levels) {
                     : e.p <= rounding_of_p ? Convergence::divergent
                                            : Convergence::monotone;
     const bool p_in_range = e.p >= smallest_p - rounding_of_p && e.p < 2.1;
-    if (std::abs(e.p) > 0.999 * search_to) e.p = EcaHoekstra::nan;
+    if (std::abs(e.p) > 0.999 * search_to) e.p = nan;
     if (e.convergence == Convergence::divergent) {
-        e.phi0 = EcaHoekstra::nan;
+        e.phi0 = nan;
         e.why_not = "the changes do not die out as the spacing shrinks";
         return e;
     }

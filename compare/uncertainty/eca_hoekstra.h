@@ -1,9 +1,9 @@
 #pragma once
-#include <limits>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "base/numbers.h"
 #include "compare/uncertainty/study_level.h"
 
 namespace tw {
@@ -42,7 +42,6 @@ std::string to_string(ErrorFit fit);
 /// held the error in 99 of 100 trials for p = 2, in 83 to 92 for p = 1.5 and in 66 to 72 for p = 1 (the GCI in 59 to
 /// 80, 58 to 68 and 29 to 56). Noise that is known, such as a mean's interval, is to be added, not left to sigma.
 struct EcaHoekstra {
-    static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     bool known = false;
     std::string why_not;  ///< empty where known
     Convergence convergence = Convergence::unknown;

@@ -30,7 +30,7 @@ std::vector<MethodRow> rows_of(const Estimate& e) {
     const CelikGci& gci = e.celik_gci;
     const XingStern& fs = e.xing_stern;
     const std::size_t n = e.levels.size();
-    return {{"trend and noise", n, Estimate::nan, e.convergence, trend.phi0, trend.uncertainty, trend.why_not},
+    return {{"trend and noise", n, nan, e.convergence, trend.phi0, trend.uncertainty, trend.why_not},
             {"least squares (Eca & Hoekstra)", n, eca.p, eca.convergence, eca.phi0, eca.uncertainty, eca.why_not},
             {n == 2 ? "GCI, order assumed" : "GCI (Celik)", std::min<std::size_t>(n, 3), gci.p, gci.convergence,
              gci.phi_ext, gci.uncertainty, gci.why_not},
@@ -91,7 +91,7 @@ std::string uncertainty_text(const std::vector<QuantityEstimate>& quantities, co
                           {words("method"), numbers("levels"), numbers("order"), words("class"),
                            numbers("limit", "", 6), numbers("U"), numbers("U", "%", 2)}};
         for (const MethodRow& m : rows_of(e)) {
-            const double per_cent = finest != 0 ? 100 * m.uncertainty / std::abs(finest) : Estimate::nan;
+            const double per_cent = finest != 0 ? 100 * m.uncertainty / std::abs(finest) : nan;
             table.rows.push_back(
                 {{m.name, m.levels, place(m.order), to_string(m.convergence), m.limit, m.uncertainty, per_cent},
                  m.why_not});

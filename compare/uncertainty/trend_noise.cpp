@@ -15,7 +15,7 @@ constexpr double s0_share = 0.25;  ///< its scale over Dphi [-]
 constexpr double a_share = 2;      ///< standard deviation of a coefficient's prior over the range of the values [-]
 constexpr double probability = 0.95;
 
-struct Data {
+struct Series {
     Eigen::VectorXd x;          ///< h_i/h_1
     Eigen::VectorXd y;          ///< phi_i - phi_1
     Eigen::VectorXd w;          ///< E&H's weights, mean 1
@@ -29,20 +29,20 @@ struct Student {
     double place = 0, scale = 0;
 };
 
-struct Fit {
+struct LineFit {
     double nu = 0, s = 0, log_weight = 0, weight = 0;
     Student at_zero, at_finest;
     Eigen::VectorXd fitted;
 };
 
-Fit fit(const Data& d, std::span<const double> orders) {
+LineFit fit(const Series& d, std::span<const double> orders) {
     const Eigen::Index n = d.x.size(), n_par = 1 + static_cast<Eigen::Index>(orders.size());
     Eigen::MatrixXd X = Eigen::MatrixXd::Ones(n, n_par);
     for (Eigen::Index k = 1; k < n_par; ++k) X.col(k) = d.x.array().pow(orders[static_cast<std::size_t>(k - 1)]);
     Eigen::MatrixXd A = X.transpose() * d.w.asDiagonal() * X;
     const Eigen::VectorXd b = X.transpose() * d.w.cwiseProduct(d.y);
     const double RSS = d.w.dot((d.y - X * A.inverse() * b).cwiseAbs2()), prior = nu0 * d.s0 * d.s0;
-    Fit f;
+    LineFit f;
     f.nu = nu0 + static_cast<double>(n - n_par);
     f.s = std::sqrt(std::max((prior + RSS) / f.nu, d.known_variance));
     for (Eigen::Index k = 1; k < n_par; ++k) A(k, k) += f.s * f.s / (d.a0 * d.a0);
@@ -57,17 +57,17 @@ Fit fit(const Data& d, std::span<const double> orders) {
     return f;
 }
 
-double mean_of(const std::vector<Fit>& fits, Student Fit::*quantity) {
+double mean_of(const std::vector<LineFit>& fits, Student LineFit::*quantity) {
     double mean = 0;
-    for (const Fit& f : fits) mean += f.weight * (f.*quantity).place;
+    for (const LineFit& f : fits) mean += f.weight * (f.*quantity).place;
     return mean;
 }
 
 /// The half width about `centre` that holds the quantity with 95 % probability over all fits.
-double half_width(const std::vector<Fit>& fits, Student Fit::*quantity, double centre) {
+double half_width(const std::vector<LineFit>& fits, Student LineFit::*quantity, double centre) {
     const auto inside = [&](double U) {
         double p = 0;
-        for (const Fit& f : fits) {
+        for (const LineFit& f : fits) {
             const Student& q = f.*quantity;
             p += f.weight * (student_t_cdf((centre + U - q.place) / q.scale, f.nu) -
                              student_t_cdf((centre - U - q.place) / q.scale, f.nu));
@@ -75,7 +75,7 @@ double half_width(const std::vector<Fit>& fits, Student Fit::*quantity, double c
         return p;
     };
     double low = 0, high = 0;
-    for (const Fit& f : fits) high = std::max({high, (f.*quantity).scale, std::abs((f.*quantity).place - centre)});
+    for (const LineFit& f : fits) high = std::max({high, (f.*quantity).scale, std::abs((f.*quantity).place - centre)});
     while (inside(high) < probability) high *= 2;
     while (high - low > 1e-9 * high) {
         const double middle = 0.5 * (low + high);
@@ -84,9 +84,9 @@ double half_width(const std::vector<Fit>& fits, Student Fit::*quantity, double c
     return high;
 }
 
-Data data_of(std::span<const StudyLevel> levels) {
+Series data_of(std::span<const StudyLevel> levels) {
     const auto n = static_cast<Eigen::Index>(levels.size());
-    Data d{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::VectorXd(n)};
+    Series d{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::VectorXd(n)};
     for (Eigen::Index i = 0; i < n; ++i) {
         const StudyLevel& l = levels[static_cast<std::size_t>(i)];
         d.x[i] = l.h / levels[0].h;
@@ -121,27 +121,27 @@ TrendNoise trend_noise(std::span<const StudyLevel> levels, double p_th) {
         t.uncertainties.assign(levels.size(), t.uncertainty);
         return t;
     }
-    const Data d = data_of(levels);
+    const Series d = data_of(levels);
     const double q = std::max(2.0, p_th);
     std::vector<std::vector<double>> sets{{}, {1}, {q}};
     if (levels.size() > 3) sets.push_back({1, q});
-    std::vector<Fit> fits;
+    std::vector<LineFit> fits;
     for (const std::vector<double>& orders : sets) fits.push_back(fit(d, orders));
-    const double best = std::ranges::max(fits, {}, &Fit::log_weight).log_weight;
+    const double best = std::ranges::max(fits, {}, &LineFit::log_weight).log_weight;
     double sum = 0, variance = 0;
-    for (Fit& f : fits) sum += f.weight = std::exp(f.log_weight - best);
-    for (Fit& f : fits) variance += (f.weight /= sum) * f.s * f.s;
+    for (LineFit& f : fits) sum += f.weight = std::exp(f.log_weight - best);
+    for (LineFit& f : fits) variance += (f.weight /= sum) * f.s * f.s;
 
     t.trend = 1 - fits.front().weight;
     t.sigma = std::sqrt(variance);
-    const double zero = mean_of(fits, &Fit::at_zero), finest = mean_of(fits, &Fit::at_finest);
+    const double zero = mean_of(fits, &LineFit::at_zero), finest = mean_of(fits, &LineFit::at_finest);
     t.phi0 = levels[0].value + zero;
     t.phi1 = levels[0].value + finest;
-    t.phi0_interval = half_width(fits, &Fit::at_zero, zero);
-    t.phi1_interval = half_width(fits, &Fit::at_finest, finest);
-    t.uncertainty = half_width(fits, &Fit::at_zero, 0);
+    t.phi0_interval = half_width(fits, &LineFit::at_zero, zero);
+    t.phi1_interval = half_width(fits, &LineFit::at_finest, finest);
+    t.uncertainty = half_width(fits, &LineFit::at_zero, 0);
     Eigen::VectorXd squares = Eigen::VectorXd::Constant(d.x.size(), variance);
-    for (const Fit& f : fits) squares += f.weight * (f.fitted.array() - f.at_zero.place).square().matrix();
+    for (const LineFit& f : fits) squares += f.weight * (f.fitted.array() - f.at_zero.place).square().matrix();
     for (const double square : squares) t.uncertainties.push_back(t.uncertainty * std::sqrt(square / squares[0]));
     return t;
 }

@@ -1,9 +1,9 @@
 #pragma once
-#include <limits>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "base/numbers.h"
 #include "compare/uncertainty/study_level.h"
 
 namespace tw {
@@ -29,7 +29,6 @@ namespace tw {
 /// and U is the half width about phi_i that holds phi0 with 95 % probability. nu0, s0, a0 and the penalty n^-1 of a
 /// coefficient (Schwarz's is n^-1/2) were chosen by the coverage of docs/results/coverage.md.
 struct TrendNoise {
-    static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     bool known = false;
     std::string why_not;         ///< empty where known
     double trend = nan;          ///< probability that the values have a trend: 1 - weight of the set without one [-]

@@ -1,8 +1,8 @@
 #pragma once
-#include <limits>
 #include <span>
 #include <string>
 
+#include "base/numbers.h"
 #include "compare/uncertainty/study_level.h"
 
 namespace tw {
@@ -17,7 +17,6 @@ namespace tw {
 /// The factors hold the true error in 95 % of the paper's cases, where the GCI held 86 %. For monotone convergence
 /// only: the paper's P says nothing about alternating signs.
 struct XingStern {
-    static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     bool known = false;
     std::string why_not;  ///< empty where known
     Convergence convergence = Convergence::unknown;

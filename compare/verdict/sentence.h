@@ -1,9 +1,9 @@
 #pragma once
 #include <algorithm>
-#include <limits>
 #include <string>
 #include <vector>
 
+#include "base/numbers.h"
 #include "compare/compare.h"
 
 namespace tw {
@@ -11,7 +11,6 @@ namespace tw {
 /// What the sentence of one verdict is made of. Values in the quantity's unit; one or two methods, the names as in
 /// records (methods/methods.h).
 struct Statement {
-    static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     std::string label, unit;
     std::vector<std::string> methods = {};
     std::vector<double> values = {};

@@ -16,7 +16,7 @@ namespace tw {
 namespace {
 using Level = Finding::Level;
 
-std::string at(const Vec3& p) { return fmt::format("near ({:.4g}, {:.4g}, {:.4g}) m", p.x(), p.y(), p.z()); }
+std::string near(const Vec3& p) { return fmt::format("near ({:.4g}, {:.4g}, {:.4g}) m", p.x(), p.y(), p.z()); }
 
 Vec3 middle(const Surface& s, const EdgeUse& use) {
     return 0.5 * (s.points[static_cast<std::size_t>(use.low)] + s.points[static_cast<std::size_t>(use.high)]);
@@ -73,18 +73,18 @@ void check_edges(const Surface& s, const Edges& edges, FoundList& found) {
         const auto holes = find_holes(s, edges);
         add(found, Level::error, "open_edges", open.first,
             fmt::format("the surface is not closed: {} open edges around {} hole(s), {}", open.number, holes.size(),
-                        at(open.first)),
+                        near(open.first)),
             about_holes(s, holes));
     }
     if (non_manifold.number > 0)
         add(found, Level::error, "non_manifold_edges", non_manifold.first,
             fmt::format("{} edges are shared by more than two triangles, {}: inner walls, doubled faces or parts that "
                         "touch along an edge",
-                        non_manifold.number, at(non_manifold.first)),
+                        non_manifold.number, near(non_manifold.first)),
             "unite the parts in your CAD");
     if (flipped.number > 0)
         add(found, Level::error, "flipped_normals", flipped.first,
-            fmt::format("neighbouring triangles face opposite ways at {} edges, {}", flipped.number, at(flipped.first)),
+            fmt::format("neighbouring triangles face opposite ways near {} edges, {}", flipped.number, near(flipped.first)),
             "export the surface with consistent normals");
 }
 
@@ -104,18 +104,18 @@ void check_shells(const Surface& s, const Edges& edges, FoundList& found) {
     if (inverted.number > 0)
         add(found, Level::error, "inverted", inverted.first,
             fmt::format("the normals point inward ({} of {} shells have a negative volume), {}", inverted.number,
-                        shells.size(), at(inverted.first)),
+                        shells.size(), near(inverted.first)),
             "export the surface with normals that point outward");
     if (nested.number > 0)
         add(found, Level::error, "nested_shells", nested.first,
-            fmt::format("{} shell(s) lie inside another, {}: {}", nested.number, at(nested.first),
+            fmt::format("{} shell(s) lie inside another, {}: {}", nested.number, near(nested.first),
                         hollow ? "a hollow body with an inner and an outer skin"
                                : "one body within another, or the hull twice"),
             "keep only the outer shell");
     if (separate.number > 1)
         add(found, Level::warning, "several_shells", shells.back().a_corner,
             fmt::format("the surface has {} separate bodies; one of them is {}", separate.number,
-                        at(shells.back().a_corner)),
+                        near(shells.back().a_corner)),
             "this is right for a catamaran; otherwise remove what is not hull");
 }
 
@@ -126,7 +126,7 @@ void check_intersections(const Surface& s, FoundList& found) {
     const Vec3 place = centre(s, pairs.front().first);
     add(found, Level::error, "self_intersection", place,
         fmt::format("{}{} pairs of triangles pass through or lie upon each other, {}", pairs.size(),
-                    pairs.size() >= limit ? " or more" : "", at(place)),
+                    pairs.size() >= limit ? " or more" : "", near(place)),
         "unite the parts in your CAD");
 }
 
@@ -157,7 +157,7 @@ void check_thickness(const Surface& s, double particle_spacing, FoundList& found
     add(found, Level::warning, "thin_walls", thin.place,
         fmt::format(
             "{:.3g} m2 of the surface belongs to walls thinner than {:.4g} m (6 particle layers), e.g. {:.4g} m {}",
-            thin.area, limit, thin.typical, at(thin.place)),
+            thin.area, limit, thin.typical, near(thin.place)),
         fmt::format("refine to {:.2g} m or thicken the part", thin.typical / layers));
 }
 
@@ -180,7 +180,7 @@ FoundList examined(const Surface& surface, double particle_spacing) {
         if (has_no_area(surface, t)) slivers.add(centre(surface, t));
     if (slivers.number > 0)
         add(found, Level::error, "zero_area", slivers.first,
-            fmt::format("{} triangles have no area, {}", slivers.number, at(slivers.first)),
+            fmt::format("{} triangles have no area, {}", slivers.number, near(slivers.first)),
             "remove them before the export");
 
     const Edges edges = find_edges(surface);

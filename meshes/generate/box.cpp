@@ -2,7 +2,7 @@
 
 namespace tw {
 namespace {
-Surface make(const std::map<std::string, double>& v) { return block(v.at("length"), v.at("beam"), v.at("height")); }
+Surface make_box(const std::map<std::string, double>& v) { return block(v.at("length"), v.at("beam"), v.at("height")); }
 }  // namespace
 
 HullShape box_shape() {
@@ -11,7 +11,7 @@ HullShape box_shape() {
             {{"length", "m", "along x", 1, 1e-4, 500},
              {"beam", "m", "along y", 1, 1e-4, 500},
              {"height", "m", "along z", 1, 1e-4, 500}},
-            make};
+            make_box};
 }
 
 Surface box_surface(const Box& box) {

@@ -7,7 +7,7 @@
 namespace tw {
 namespace {
 /// The outline is a regular polygon inscribed in the circle; its area is sin(2 pi / n) / (2 pi / n) of the circle's.
-Surface make(const std::map<std::string, double>& v) {
+Surface make_cylinder(const std::map<std::string, double>& v) {
     const double radius = v.at("diameter") / 2, half_span = v.at("span") / 2;
     const int half_turn = static_cast<int>(v.at("segments")) / 2;
     std::vector<HalfSection> sections;
@@ -31,7 +31,7 @@ HullShape cylinder_shape() {
             {{"diameter", "m", "", 0.05, 1e-4, 100},
              {"span", "m", "along y", 0.2, 1e-4, 500},
              {"segments", "-", "sides of the polygon", 128, 8, 4096}},
-            make};
+            make_cylinder};
 }
 
 }  // namespace tw

@@ -2,7 +2,7 @@
 
 namespace tw {
 namespace {
-Surface make(const std::map<std::string, double>& v) { return block(v.at("length"), v.at("beam"), v.at("thickness")); }
+Surface make_plate(const std::map<std::string, double>& v) { return block(v.at("length"), v.at("beam"), v.at("thickness")); }
 }  // namespace
 
 HullShape plate_shape() {
@@ -11,7 +11,7 @@ HullShape plate_shape() {
             {{"length", "m", "along x", 4, 1e-4, 500},
              {"beam", "m", "along y", 1, 1e-4, 500},
              {"thickness", "m", "along z", 0.3, 1e-4, 100}},
-            make};
+            make_plate};
 }
 
 }  // namespace tw

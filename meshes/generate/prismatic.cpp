@@ -8,7 +8,7 @@ namespace tw {
 namespace {
 /// The same V-section all along, as in Savitsky's planing formula (Marine Technology 1(1), 1964): straight keel, hard
 /// chines, upright sides, flat deck, upright transom; the flat bow is upright or raked with its deck edge foremost.
-Surface make(const std::map<std::string, double>& v) {
+Surface make_prismatic(const std::map<std::string, double>& v) {
     const double length = v.at("length"), half_beam = v.at("beam") / 2, height = v.at("height");
     const double chine = half_beam * std::tan(v.at("deadrise")), overhang_per_height = std::tan(v.at("rake"));
     if (!(chine < height))
@@ -34,10 +34,10 @@ HullShape prismatic_shape() {
             "prismatic planing hull: V-bottom, hard chines, upright sides and transom",
             {{"length", "m", "over all", 4, 1e-3, 500},
              {"beam", "m", "over the chines", 1, 1e-3, 100},
-             {"deadrise", "rad", "angle of the bottom with the horizontal", 20 * degrees, 0, 50 * degrees},
+             {"deadrise", "rad", "angle of the bottom with the horizontal", 20 * degree, 0, 50 * degree},
              {"height", "m", "from the keel to the deck", 0.75, 1e-4, 100},
-             {"rake", "rad", "of the bow, deck edge foremost; 0: upright", 0, 0, 70 * degrees}},
-            make};
+             {"rake", "rad", "of the bow, deck edge foremost; 0: upright", 0, 0, 70 * degree}},
+            make_prismatic};
 }
 
 }  // namespace tw

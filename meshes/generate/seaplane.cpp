@@ -84,7 +84,7 @@ private:
         const double u = std::clamp(1 - s / bow, 0.0, 1.0);
         const double keel = nose_height() * std::pow(u, 2.4);
         const double half_beam = half_beam_ * rounded(s, 0.7 * step_, 2.2);
-        const double deadrise = deadrise_ + (50 * degrees - deadrise_) * u * u;
+        const double deadrise = deadrise_ + (50 * degree - deadrise_) * u * u;
         const double shoulder = 1.04 * half_beam_ * rounded(s, 0.7 * step_, 2.2);
         const double top = height_ - (height_ - nose_height()) * (1 - rounded(s, 0.45 * step_, 2));
         // The sides begin a step's height above the chine, less at the nose, where the section shrinks to a point.
@@ -114,7 +114,7 @@ private:
     double length_, half_beam_, deadrise_, flare_, step_, step_height_, height_, afterbody_rise_;
 };
 
-Surface make(const std::map<std::string, double>& v) { return SeaplaneLines(v).make(); }
+Surface make_seaplane(const std::map<std::string, double>& v) { return SeaplaneLines(v).make(); }
 }  // namespace
 
 HullShape seaplane_shape() {
@@ -123,13 +123,13 @@ HullShape seaplane_shape() {
         "stepped flying-boat hull, 36.9 m long; a stand-in for a published seaplane study, whose lines are not public",
         {{"length", "m", "over all", 36.9, 1, 200},
          {"beam", "m", "over the forebody chines", 3.4, 0.1, 20},
-         {"deadrise", "rad", "of the straight forebody and of the afterbody", 22 * degrees, 5 * degrees, 40 * degrees},
+         {"deadrise", "rad", "of the straight forebody and of the afterbody", 22 * degree, 5 * degree, 40 * degree},
          {"flare", "-", "fall of the forebody's slope at the chine, 1: horizontal there", 0.8, 0, 1.2},
          {"step_position", "-", "of the step from the bow, in lengths", 0.5, 0.35, 0.65},
          {"step_height", "m", "depth of the step at the keel", 0.27, 0.01, 2},
-         {"sternpost_angle", "rad", "rise of the afterbody keel", 7 * degrees, 2 * degrees, 12 * degrees},
+         {"sternpost_angle", "rad", "rise of the afterbody keel", 7 * degree, 2 * degree, 12 * degree},
          {"height", "m", "from the forebody keel to the crown of the hull", 4.4, 0.5, 20}},
-        make};
+        make_seaplane};
 }
 
 }  // namespace tw

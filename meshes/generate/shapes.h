@@ -1,4 +1,5 @@
 #pragma once
+#include "base/numbers.h"
 #include "meshes/generate.h"
 
 namespace tw {
@@ -16,7 +17,5 @@ HullShape torpedo_shape();
 
 /// A rectangular block, its bottom at z = 0, centred in x and y.
 Surface block(double length, double beam, double height);
-
-constexpr double degrees = 0.017453292519943295;  ///< [rad]
 
 }  // namespace tw

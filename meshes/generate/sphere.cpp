@@ -7,7 +7,7 @@ namespace tw {
 namespace {
 /// An octahedron halved `level` times, its corners moved out to the sphere: nearly equal triangles, symmetric about all
 /// three planes.
-Surface make(const std::map<std::string, double>& v) {
+Surface make_sphere(const std::map<std::string, double>& v) {
     const double radius = v.at("diameter") / 2;
     Surface s{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
               {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
@@ -36,7 +36,7 @@ HullShape sphere_shape() {
     return {"sphere",
             "sphere, triangulated from an octahedron",
             {{"diameter", "m", "", 1, 1e-4, 100}, {"level", "-", "halvings of the octahedron's edges", 5, 1, 8}},
-            make};
+            make_sphere};
 }
 
 }  // namespace tw

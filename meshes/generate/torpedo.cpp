@@ -11,7 +11,7 @@ namespace {
 /// in the water-entry study of Cai et al. 2024 (doi:10.3390/app14114441) are not public. Length and diameter are
 /// theirs; the tail is chosen so that the volume is that of their weight (1.848 kN: 0.1884 m3 of water), less than a
 /// hemisphere and a cylinder.
-Surface make(const std::map<std::string, double>& v) {
+Surface make_torpedo(const std::map<std::string, double>& v) {
     const double length = v.at("length"), radius = v.at("diameter") / 2, head = v.at("head_length"),
                  tail = v.at("tail_length"), end_radius = v.at("tail_diameter") / 2;
     if (!(head + tail < length))
@@ -51,7 +51,7 @@ HullShape torpedo_shape() {
              {"head_length", "m", "of the half-ellipsoid head; half the diameter: hemisphere", 0.16, 1e-3, 50},
              {"tail_length", "m", "of the conical tail", 0.722, 1e-3, 50},
              {"tail_diameter", "m", "of the tail's flat end", 0.096, 1e-3, 50}},
-            make};
+            make_torpedo};
 }
 
 }  // namespace tw

@@ -8,7 +8,7 @@ namespace tw {
 namespace {
 /// Wigley's parabolic hull: y = (B/2) (1 - (2x/L)^2) (1 - (z/T)^2) for -T <= z <= 0, wall-sided above to the deck. Its
 /// volume below the design waterline is 4/9 L B T.
-Surface make(const std::map<std::string, double>& v) {
+Surface make_wigley(const std::map<std::string, double>& v) {
     const double length = v.at("length"), half_beam = v.at("beam") / 2, depth = v.at("design_depth"),
                  freeboard = v.at("freeboard");
     const int n = static_cast<int>(v.at("stations"));
@@ -38,7 +38,7 @@ HullShape wigley_shape() {
              {"design_depth", "m", "from the keel to the design waterline", 0.15625, 1e-3, 100},
              {"freeboard", "m", "from the design waterline to the deck", 0.1, 0, 100},
              {"stations", "-", "parts along the length", 80, 8, 2000}},
-            make};
+            make_wigley};
 }
 
 }  // namespace tw

@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
+
+#include "base/numbers.h"
 
 namespace tw {
 namespace {
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t leaf_size = 4;
 
-Box nothing() { return {Vec3::Constant(infinity), Vec3::Constant(-infinity)}; }
+Box nothing() { return {Vec3::Constant(infinite), Vec3::Constant(-infinite)}; }
 void include(Box& box, const Box& other) {
     box.min = box.min.cwiseMin(other.min);
     box.max = box.max.cwiseMax(other.max);
@@ -58,7 +58,7 @@ std::uint32_t split(std::vector<std::uint32_t>& order, const std::vector<Box>& b
         }
         sum = nothing();
         n = 0;
-        double best = infinity;
+        double best = infinite;
         int best_bin = 0;
         for (std::size_t b = 0; b + 1 < bins; ++b) {
             include(sum, box[b]);

@@ -5,7 +5,7 @@
 namespace tw::effect_parts {
 namespace {
 
-EffectChoice plan(const EffectQuestion& q) {
+EffectChoice plan_acoustic_damping(const EffectQuestion& q) {
     EffectChoice c = q.choice(false);
     c.reason = fmt::format(
         "a bulk viscosity of {:g} c0 h damps the sound waves of the particle method; it lowers impact peaks, so it is "
@@ -24,7 +24,7 @@ EffectPart acoustic_damping() {
     return {.name = "acoustic_damping",
             .meaning = "Damping of sound waves in the particle method by a bulk viscosity.",
             .solved = EffectPart::Solved::by_particles_only,
-            .plan = plan,
+            .plan = plan_acoustic_damping,
             .keys = {{.section = "sph",
                       .name = "acoustic_damping",
                       .range = {0, 2, true},

@@ -10,7 +10,7 @@ namespace {
 
 /// The cushion of air under a flat plate matters below about 3 degrees of deadrise (Verhagen 1967). Among the particles
 /// the gas costs its own particles, and its sound speed sets the time step.
-EffectChoice plan(const EffectQuestion& q) {
+EffectChoice plan_air(const EffectQuestion& q) {
     const Scene& scene = q.scene;
     EffectChoice c = q.choice(false);
     const double gas = air_volume(scene) / water_volume(scene),
@@ -34,7 +34,7 @@ EffectChoice plan(const EffectQuestion& q) {
     return c;
 }
 
-std::string obstacle(const Scene& scene) {
+std::string obstacle_of_air(const Scene& scene) {
     if (scene.motion.kind == Motion::Kind::stream)
         return "the particle method solves it in tanks only: in a stream the gas is enclosed, and its pressure loads "
                "the "
@@ -50,8 +50,8 @@ EffectPart air() {
     return {.name = "air",
             .meaning = "Air as a second phase of the particle method, in tanks; the mesh method always has it.",
             .solved = EffectPart::Solved::by_particles_only,
-            .plan = plan,
-            .obstacle = obstacle,
+            .plan = plan_air,
+            .obstacle = obstacle_of_air,
             .keys = {{.section = "sph",
                       .name = "air_c0",
                       .unit = "m/s",

@@ -5,7 +5,7 @@
 namespace tw::effect_parts {
 namespace {
 
-EffectChoice plan(const EffectQuestion& q) {
+EffectChoice plan_cavitation(const EffectQuestion& q) {
     const double number = q.flow.cavitation;
     EffectChoice c = q.choice(false);
     c.reason =
@@ -37,7 +37,7 @@ EffectPart cavitation() {
     return {.name = "cavitation",
             .meaning = "Pressure in the water does not fall below the vapour pressure.",
             .solved = EffectPart::Solved::by_particles_only,
-            .plan = plan,
+            .plan = plan_cavitation,
             .keys = {pressure("atmospheric_pressure", &Water::atmospheric_pressure, "Pressure of the atmosphere."),
                      pressure("vapour_pressure", &Water::vapour_pressure, "Vapour pressure of the water.")}};
 }

@@ -5,7 +5,7 @@
 namespace tw::effect_parts {
 namespace {
 
-EffectChoice plan(const EffectQuestion& q) {
+EffectChoice plan_compressibility(const EffectQuestion& q) {
     const FlowNumbers& n = q.flow;
     EffectChoice c = q.choice(false);
     c.reason = fmt::format("Ma = {:.2g} in real water (1480 m/s), {:.2g} in the particle method ({} equation of state)",
@@ -17,7 +17,7 @@ EffectChoice plan(const EffectQuestion& q) {
     return c;
 }
 
-std::string obstacle(const Scene&) {
+std::string obstacle_of_compressibility(const Scene&) {
     return "water is solved as (nearly) incompressible by both methods; expected \"off\" or \"auto\"";
 }
 
@@ -27,8 +27,8 @@ EffectPart compressibility() {
     return {.name = "compressibility",
             .meaning = "Compressibility of real water; it cannot be on in this version.",
             .solved = EffectPart::Solved::by_neither,
-            .plan = plan,
-            .obstacle = obstacle};
+            .plan = plan_compressibility,
+            .obstacle = obstacle_of_compressibility};
 }
 
 }  // namespace tw::effect_parts

@@ -5,7 +5,7 @@
 namespace tw::effect_parts {
 namespace {
 
-EffectChoice plan(const EffectQuestion& q) {
+EffectChoice plan_damping_layers(const EffectQuestion& q) {
     EffectChoice c = q.choice(false);
     c.reason = q.scene.motion.kind == Motion::Kind::stream
                    ? fmt::format("Fr = {:.3g}: {}", q.flow.froude,
@@ -26,7 +26,7 @@ EffectPart damping_layers() {
     return {.name = "damping_layers",
             .meaning = "Layers along the outer faces that absorb waves.",
             .solved = EffectPart::Solved::by_particles_only,
-            .plan = plan};
+            .plan = plan_damping_layers};
 }
 
 }  // namespace tw::effect_parts

@@ -5,7 +5,7 @@
 namespace tw::effect_parts {
 namespace {
 
-EffectChoice plan(const EffectQuestion& q) {
+EffectChoice plan_gravity(const EffectQuestion& q) {
     EffectChoice c = q.choice(true);
     c.reason = fmt::format("Fr = {:.3g} on the wetted length", q.flow.froude);
     const std::string share = per_cent(1 / (q.flow.froude * q.flow.froude));
@@ -14,12 +14,12 @@ EffectChoice plan(const EffectQuestion& q) {
 }
 
 /// Defaults of domain and times stay those of the scene with gravity.
-void settle(Scene& scene, bool on) {
+void settle_gravity(Scene& scene, bool on) {
     if (!on) scene.water.gravity = 0;
 }
 
 }  // namespace
 
-EffectPart gravity() { return {.name = "gravity", .meaning = "Weight of the water.", .plan = plan, .settle = settle}; }
+EffectPart gravity() { return {.name = "gravity", .meaning = "Weight of the water.", .plan = plan_gravity, .settle = settle_gravity}; }
 
 }  // namespace tw::effect_parts

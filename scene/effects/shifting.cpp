@@ -3,7 +3,7 @@
 namespace tw::effect_parts {
 namespace {
 
-EffectChoice plan(const EffectQuestion& q) {
+EffectChoice plan_shifting(const EffectQuestion& q) {
     EffectChoice c = q.choice(q.scene.sph.shifting > 0);
     c.reason = c.on
                    ? "keeps particles from lining up along the stream and opening gaps under the hull (numerics of the "
@@ -14,7 +14,7 @@ EffectChoice plan(const EffectQuestion& q) {
     return c;
 }
 
-void settle(Scene& scene, bool on) {
+void settle_shifting(Scene& scene, bool on) {
     if (!on) scene.sph.shifting = 0;
     if (on && scene.sph.shifting == 0) scene.sph.shifting = SphOptions{}.shifting;
 }
@@ -25,8 +25,8 @@ EffectPart shifting() {
     return {.name = "shifting",
             .meaning = "Particles are moved towards even spacing.",
             .solved = EffectPart::Solved::by_particles_only,
-            .plan = plan,
-            .settle = settle,
+            .plan = plan_shifting,
+            .settle = settle_shifting,
             .keys = {{.section = "sph",
                       .name = "shifting",
                       .range = {0, 3},

@@ -7,7 +7,7 @@
 namespace tw::effect_parts {
 namespace {
 
-EffectChoice plan(const EffectQuestion& q) {
+EffectChoice plan_surface_tension(const EffectQuestion& q) {
     const FlowNumbers& n = q.flow;
     EffectChoice c = q.choice(n.weber < 100);
     c.reason = fmt::format("We = {:.3g}, Bo = {:.3g}; at the finest size of {:.3g} m We = {:.3g}: {}", n.weber, n.bond,
@@ -23,7 +23,7 @@ EffectChoice plan(const EffectQuestion& q) {
     return c;
 }
 
-std::string obstacle(const Scene& scene) {
+std::string obstacle_of_surface_tension(const Scene& scene) {
     return scene.water.surface_tension > 0 ? ""
                                            : "the surface tension of the water is zero; set [water] surface_tension";
 }
@@ -33,8 +33,8 @@ std::string obstacle(const Scene& scene) {
 EffectPart surface_tension() {
     return {.name = "surface_tension",
             .meaning = "Surface tension between water and air.",
-            .plan = plan,
-            .obstacle = obstacle};
+            .plan = plan_surface_tension,
+            .obstacle = obstacle_of_surface_tension};
 }
 
 }  // namespace tw::effect_parts

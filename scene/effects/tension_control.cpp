@@ -3,7 +3,7 @@
 namespace tw::effect_parts {
 namespace {
 
-EffectChoice plan(const EffectQuestion& q) {
+EffectChoice plan_tension_control(const EffectQuestion& q) {
     EffectChoice c = q.choice(false);
     c.reason =
         "uses p_j - p_i instead of p_j + p_i where water away from surfaces is under tension (numerics of the particle "
@@ -18,7 +18,7 @@ EffectPart tension_control() {
     return {.name = "tension_control",
             .meaning = "Keeps particles from clumping where the water is under tension.",
             .solved = EffectPart::Solved::by_particles_only,
-            .plan = plan};
+            .plan = plan_tension_control};
 }
 
 }  // namespace tw::effect_parts

@@ -5,7 +5,7 @@
 namespace tw::effect_parts {
 namespace {
 
-EffectChoice plan(const EffectQuestion& q) {
+EffectChoice plan_turbulence(const EffectQuestion& q) {
     EffectChoice c = q.choice(q.needed->on && q.flow.reynolds > 5e5);
     c.reason = fmt::format(
         "{}; Re = {:.3g} (turbulent from 5e5 on){}",
@@ -23,7 +23,7 @@ EffectPart turbulence() {
     return {.name = "turbulence",
             .meaning = "A turbulence closure: Smagorinsky among the particles, k-omega SST on the mesh.",
             .needs = "viscosity",
-            .plan = plan,
+            .plan = plan_turbulence,
             .keys = {{.section = "sph",
                       .name = "smagorinsky",
                       .range = {0, 1},

@@ -9,7 +9,7 @@ namespace {
 /// doi:10.1038/nphys545).
 constexpr double wetted_bodies_hold_below = 7;
 
-EffectChoice plan(const EffectQuestion& q) {
+EffectChoice plan_ventilation(const EffectQuestion& q) {
     EffectChoice c = q.choice(true);
     c.reason = fmt::format(
         "water at walls lets go where its pressure would fall below the air's, from the free surface on ({:.3g} "
@@ -33,7 +33,7 @@ EffectPart ventilation() {
                 "Air gets between water and walls from the free surface on: walls hold no water under tension "
                 "there.",
             .solved = EffectPart::Solved::by_both_methods,
-            .plan = plan};
+            .plan = plan_ventilation};
 }
 
 }  // namespace tw::effect_parts

@@ -7,7 +7,7 @@ namespace {
 
 /// Friction counts for drag; the question is whether the particles can resolve the layer that makes it: laminar
 /// boundary layer 5 L / sqrt(Re) at the end of the hull (Blasius 1908) in at least five spacings.
-EffectChoice plan(const EffectQuestion& q) {
+EffectChoice plan_viscosity(const EffectQuestion& q) {
     const Scene& scene = q.scene;
     const FlowNumbers& n = q.flow;
     const double dp = scene.resolution.near_hull;
@@ -37,14 +37,14 @@ EffectChoice plan(const EffectQuestion& q) {
     return c;
 }
 
-std::string obstacle(const Scene& scene) {
+std::string obstacle_of_viscosity(const Scene& scene) {
     return scene.water.kinematic_viscosity > 0 ? "" : "the viscosity of the water is zero; set [water] viscosity";
 }
 
 }  // namespace
 
 EffectPart viscosity() {
-    return {.name = "viscosity", .meaning = "Viscous stresses in the water.", .plan = plan, .obstacle = obstacle};
+    return {.name = "viscosity", .meaning = "Viscous stresses in the water.", .plan = plan_viscosity, .obstacle = obstacle_of_viscosity};
 }
 
 }  // namespace tw::effect_parts

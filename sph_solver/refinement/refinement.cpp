@@ -24,7 +24,7 @@ constexpr float covered = 0.5f;
 /// Fine places among coarse particles and coarse ones among fine, in spacings of those.
 constexpr double fine_apart = 0.5, coarse_apart = 2;
 
-Vec3 place(const Particles& p, std::size_t i) { return {p.x[i], p.y[i], p.z[i]}; }
+Vec3 place_of(const Particles& p, std::size_t i) { return {p.x[i], p.y[i], p.z[i]}; }
 
 /// The particles of some kinds.
 template <class Of>
@@ -133,9 +133,9 @@ Refinement::Refinement(Level& coarse, Level& fine, Zone zone, const Refinement* 
     f.bring(With::coarser);
     c.bring(With::finer);
     for (std::size_t i = 0; i < c.size(); ++i)
-        if (belongs(zone_, place(c, i), dp_)) c.children[i] = Children::all;
+        if (belongs(zone_, place_of(c, i), dp_)) c.children[i] = Children::all;
     for (std::size_t i = 0; i < f.size(); ++i)
-        if (zone_.outside(place(f, i)) >= 0) f.kind[i] = Kind::guard;
+        if (zone_.outside(place_of(f, i)) >= 0) f.kind[i] = Kind::guard;
     label_coarse();
     surplus_at_start_ = surplus();
 }
@@ -166,7 +166,7 @@ void Refinement::label_coarse() {
     outside_coarse_.resize(c.size());
     const MovingEdge edge{zone_, shifted_};
     for_particles(c.size(), [&](std::size_t i) {
-        const double s = outside_coarse_[i] = ask_edge(edge, place(c, i), c.from_finer_edge[i], limits);
+        const double s = outside_coarse_[i] = ask_edge(edge, place_of(c, i), c.from_finer_edge[i], limits);
         Kind& kind = c.kind[i];
         const bool under = stands_for_finer(kind);
         if (s < 0 && (under || kind == Kind::fluid))
@@ -189,7 +189,7 @@ void Refinement::relabel() {
     const std::array limits{0.0, gone_over_dp * dp_};
     const MovingEdge own{zone_, shifted_};
     std::vector<double> outside(f.size());
-    for_particles(f.size(), [&](std::size_t i) { outside[i] = ask_edge(own, place(f, i), f.from_edge[i], limits); });
+    for_particles(f.size(), [&](std::size_t i) { outside[i] = ask_edge(own, place_of(f, i), f.from_edge[i], limits); });
     std::vector<char> gone(f.size(), 0);
     FieldsAt leaving;
     leaving.of = FieldsAt::Of::all;
@@ -198,7 +198,7 @@ void Refinement::relabel() {
     for (std::size_t i = 0; i < f.size(); ++i) {
         const double s = outside[i];
         if (f.kind[i] == Kind::guard && s < 0) f.kind[i] = Kind::fluid;
-        if (f.kind[i] == Kind::fluid && s >= 0) leaving.places.push_back(place(f, i)), who.push_back(i);
+        if (f.kind[i] == Kind::fluid && s >= 0) leaving.places.push_back(place_of(f, i)), who.push_back(i);
         gone[i] = f.kind[i] == Kind::guard && s > gone_over_dp * dp_;
     }
     coarse_.interpolate(leaving);
@@ -228,7 +228,7 @@ std::vector<char> Refinement::covers(const Particles& p, const std::vector<std::
     FieldsAt at;
     at.of = FieldsAt::Of::all;
     at.apart = fine_apart;
-    for (const std::size_t i : who) at.places.push_back(place(p, i));
+    for (const std::size_t i : who) at.places.push_back(place_of(p, i));
     coarse_.interpolate(at);
     std::vector<char> yes;
     for (const float support : at.support) yes.push_back(support >= covered);
@@ -255,13 +255,13 @@ std::unordered_map<std::size_t, std::vector<std::size_t>> Refinement::families_o
     std::unordered_map<std::size_t, std::vector<std::size_t>> families;
     if (parents.empty()) return families;
     Crowd crowd(coarse_.setup().dp, coarse_.dimensions());
-    for (const std::size_t i : parents) families[i], crowd.mark(place(c, i));
+    for (const std::size_t i : parents) families[i], crowd.mark(place_of(c, i));
     for (std::size_t i = 0; i < c.size(); ++i)
-        if (outside_coarse_[i] > 0 && outside_coarse_[i] < band_over_dp * dp_ && crowd.is_marked(place(c, i)))
-            crowd.add(place(c, i), i);
+        if (outside_coarse_[i] > 0 && outside_coarse_[i] < band_over_dp * dp_ && crowd.is_marked(place_of(c, i)))
+            crowd.add(place_of(c, i), i);
     for (std::size_t i = 0; i < f.size(); ++i) {
-        if (f.kind[i] != Kind::guard || !crowd.is_marked(place(f, i))) continue;
-        const std::optional<std::size_t> parent = crowd.nearest(place(f, i));
+        if (f.kind[i] != Kind::guard || !crowd.is_marked(place_of(f, i))) continue;
+        const std::optional<std::size_t> parent = crowd.nearest(place_of(f, i));
         if (!parent) continue;
         if (const auto family = families.find(*parent); family != families.end()) family->second.push_back(i);
     }
@@ -284,17 +284,17 @@ void Refinement::give_birth() {
     children.apart = fine_apart;
     std::vector<std::size_t> parent_of, too_many;
     for (const std::size_t i : parents) {
-        std::vector<Vec3> places = octants(place(c, i));
+        std::vector<Vec3> places = octants(place_of(c, i));
         if (const auto found = families.find(i); found != families.end()) {
             std::vector<std::size_t> family = found->second;
             const auto from_family = [&](const Vec3& x) {
                 double least = std::numeric_limits<double>::infinity();
-                for (const std::size_t k : family) least = std::min(least, (place(f, k) - x).squaredNorm());
+                for (const std::size_t k : family) least = std::min(least, (place_of(f, k) - x).squaredNorm());
                 return least;
             };
             std::ranges::stable_sort(places, std::ranges::greater{}, from_family);
             std::ranges::stable_sort(family, {},
-                                     [&](std::size_t k) { return (place(f, k) - place(c, i)).squaredNorm(); });
+                                     [&](std::size_t k) { return (place_of(f, k) - place_of(c, i)).squaredNorm(); });
             const std::size_t whole = places.size(), there = std::min(family.size(), whole);
             places.resize(whole - there);
             too_many.insert(too_many.end(), family.begin() + static_cast<std::ptrdiff_t>(there), family.end());
@@ -344,7 +344,7 @@ void Refinement::prolong(double moved, double compressed) {
     gone_since_ += in_a_step_;
     for_particles(who.size(), [&](std::size_t k) {
         const std::size_t i = who[k];
-        guards.places[k] = place(f, i) + moved * Vec3(f.u[i], f.v[i], f.w[i]);
+        guards.places[k] = place_of(f, i) + moved * Vec3(f.u[i], f.v[i], f.w[i]);
     });
     coarse_.interpolate(guards);
     ledger_.orphans = std::ranges::count_if(guards.support, [](float support) { return support < no_water; });
@@ -376,7 +376,7 @@ void Refinement::restrict_over(double moved, double density_before) {
     under.apart = coarse_apart;
     const std::vector<std::size_t> who = those(c, stands_for_finer);
     under.places.resize(who.size());
-    for_particles(who.size(), [&](std::size_t k) { under.places[k] = place(c, who[k]); });
+    for_particles(who.size(), [&](std::size_t k) { under.places[k] = place_of(c, who[k]); });
     fine_.interpolate(under);
     ledger_.orphans += std::ranges::count_if(under.support, [](float support) { return support < no_water; });
     const Eigen::Vector3f fall = static_cast<float>(moved) * coarse_.body_force().cast<float>();

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "base/numbers.h"
+
 namespace tw::spray {
 namespace {
 
@@ -75,8 +77,7 @@ ReportTable two_sprays(const NamedSpray& one, const NamedSpray& other, const Liq
     row("diameter with half of the volume below it", "mm", 1e3 * a.middle, 1e3 * b.middle);
     row("mean speed, by volume", "m/s", a.speed, b.speed);
     row("largest speed", "m/s", a.speeds.back(), b.speeds.back());
-    constexpr double degree = 180 / 3.14159265358979;
-    row("rise of the water over level", "degrees", degree * a.rise, degree * b.rise);
+    row("rise of the water over level", "degrees", a.rise / degree, b.rise / degree);
     row("kinetic energy", "J", a.energy, b.energy);
     row("momentum x", "kg m/s", a.momentum.x(), b.momentum.x());
     row("momentum y", "kg m/s", a.momentum.y(), b.momentum.y());

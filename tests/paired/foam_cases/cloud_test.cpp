@@ -7,7 +7,7 @@
 #include "spray/flight/tracks.h"
 
 namespace tw {
-namespace {
+namespace cloud_test {
 
 using spray::AirState;
 using spray::AirTable;
@@ -132,5 +132,5 @@ TEST_F(Cloud, BuoyancyIsAsAsked) {
     EXPECT_LT(differences(drop, still, buoyant, 2e-3).back().largest_speed, 2e-4);
 }
 
-}  // namespace
+}  // namespace cloud_test
 }  // namespace tw

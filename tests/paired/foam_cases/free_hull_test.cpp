@@ -8,7 +8,7 @@
 #include "scene/new_record.h"
 
 namespace tw {
-namespace {
+namespace free_hull_test {
 
 using FreeHullOnAMesh = FoamTest;
 
@@ -79,5 +79,5 @@ TEST_F(FreeHullOnAMesh, MovesByTheForcesThatAreRecordedOfItInHeaveAndPitch) {
     EXPECT_NEAR(turning / turned, 1, 0.2);
 }
 
-}  // namespace
+}  // namespace free_hull_test
 }  // namespace tw

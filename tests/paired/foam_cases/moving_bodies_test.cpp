@@ -13,7 +13,7 @@
 #include "motion/rigid_body.h"
 
 namespace tw {
-namespace {
+namespace moving_bodies_test {
 
 using MovingBodies = FoamTest;
 
@@ -299,5 +299,5 @@ duration = "0.4 s"
     EXPECT_LT((Vec3(last(t, "spin_x"), last(t, "spin_y"), last(t, "spin_z")) - exact.spin()).norm(), 1e-3);
 }
 
-}  // namespace
+}  // namespace moving_bodies_test
 }  // namespace tw

@@ -6,7 +6,7 @@
 #include "foam_test.h"
 
 namespace tw {
-namespace {
+namespace moving_tank_test {
 
 constexpr double g = 9.81;
 
@@ -52,5 +52,5 @@ TEST_F(MovingTanks, ThatHeelSlowlyKeepTheirSurfaceLevel) {
     EXPECT_NEAR(slope, std::tan(angle), 0.05 * std::tan(angle));
 }
 
-}  // namespace
+}  // namespace moving_tank_test
 }  // namespace tw

@@ -3,7 +3,7 @@
 #include "foam_test.h"
 
 namespace tw {
-namespace {
+namespace self_test_test {
 namespace fs = std::filesystem;
 
 using SelfTest = FoamTest;
@@ -77,5 +77,5 @@ TEST_F(SelfTest, ASolverThatDoesNotRunIsUnusableAndNotSound) {
     EXPECT_FALSE(broken.sound);
 }
 
-}  // namespace
+}  // namespace self_test_test
 }  // namespace tw

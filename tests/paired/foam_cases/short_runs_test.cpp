@@ -6,7 +6,7 @@
 #include "foam_test.h"
 
 namespace tw {
-namespace {
+namespace short_runs_test {
 namespace fs = std::filesystem;
 
 using ShortRun = FoamTest;
@@ -244,5 +244,5 @@ TEST_F(ShortRun, APathWithBlanksQuotesAndDollarsIsOnlyAPath) {
     EXPECT_FALSE(fs::exists(folder / "x"));
 }
 
-}  // namespace
+}  // namespace short_runs_test
 }  // namespace tw

@@ -5,7 +5,7 @@
 #include "foam_test.h"
 
 namespace tw {
-namespace {
+namespace ventilated_walls_test {
 
 class VentilatedWalls : public FoamTest {
 protected:
@@ -90,5 +90,5 @@ rate = "4 m/s")",
     }
 }
 
-}  // namespace
+}  // namespace ventilated_walls_test
 }  // namespace tw

@@ -4,7 +4,7 @@
 #include "program.h"
 
 namespace tw::test {
-namespace {
+namespace ablate_command_test {
 
 using nlohmann::json;
 
@@ -187,5 +187,5 @@ TEST_F(AblateCommand, AnEffectIsSaidOnTheCommandLineOfAnyScene) {
     EXPECT_NE(needs.err.find("needs viscosity"), std::string::npos) << needs.err;
 }
 
-}  // namespace
+}  // namespace ablate_command_test
 }  // namespace tw::test

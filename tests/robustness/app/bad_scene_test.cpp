@@ -1,7 +1,7 @@
 #include "program.h"
 
 namespace tw::test {
-namespace {
+namespace bad_scene_test {
 
 struct BadScene {
     std::string from, to, message;
@@ -149,5 +149,5 @@ TEST_F(Command, ABadHullFileIsReportedAtItsKey) {
     }
 }
 
-}  // namespace
+}  // namespace bad_scene_test
 }  // namespace tw::test

@@ -8,7 +8,7 @@
 #include "test_paths.h"
 
 namespace tw::test {
-namespace {
+namespace command_test {
 
 TEST_F(Command, HelpAndVersionAreNoErrors) {
     for (const std::vector<std::string>& a :
@@ -208,5 +208,5 @@ TEST_F(Command, NoControlCharacterOfASceneReachesTheTerminal) {
     EXPECT_EQ(twinwake({"check", "b.toml"}).err.find('\x1b'), std::string::npos);
 }
 
-}  // namespace
+}  // namespace command_test
 }  // namespace tw::test

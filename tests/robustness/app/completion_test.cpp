@@ -6,7 +6,7 @@
 #include "program.h"
 
 namespace tw::test {
-namespace {
+namespace completion_test {
 
 using Words = std::vector<std::string>;
 
@@ -106,5 +106,5 @@ TEST_F(Completion, AShellThatIsNotKnownIsRefused) {
     EXPECT_NE(twinwake({"completion", "zsh"}).out.find("bashcompinit"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace completion_test
 }  // namespace tw::test

@@ -3,7 +3,7 @@
 #include "program.h"
 
 namespace tw::test {
-namespace {
+namespace hull_command_test {
 
 TEST_F(Command, AHullIsMadeInspectedAndConverted) {
     EXPECT_EQ(twinwake({"hull", "make", "box", "-o", "box.stl", "length=2", "beam=1000 mm", "height=0.5"}).status, 0);
@@ -77,5 +77,5 @@ TEST_F(Command, AnOpenHullIsFoundAndNotSilentlyMended) {
     EXPECT_NE(quiet.err.find("open.stl: not usable"), std::string::npos) << quiet.err;  // quiet is not silent of errors
 }
 
-}  // namespace
+}  // namespace hull_command_test
 }  // namespace tw::test

@@ -7,7 +7,7 @@
 #include "program.h"
 
 namespace tw::test {
-namespace {
+namespace ladder_fill_test {
 
 const std::string column = falling_column("column", "duration = 0.1", "[0.4, 0.1, 0.02]");
 
@@ -70,5 +70,5 @@ TEST_F(Command, TheFilledInSizesAreOfTheFamilyAndTakenWhenTheyAreThere) {
     for (const PlannedLine& line : lines_of(again.out)) EXPECT_EQ(line.state, "finished before") << line.run;
 }
 
-}  // namespace
+}  // namespace ladder_fill_test
 }  // namespace tw::test

@@ -1,7 +1,7 @@
 #include "program.h"
 
 namespace tw::test {
-namespace {
+namespace odd_names_test {
 
 const std::vector<std::string> odd_titles = {"it's a \"title\"",
                                              "$(touch pwned)",
@@ -73,5 +73,5 @@ TEST_F(Command, OpenFoamRunsForAUserWhoStandsInAFolderWithBlanks) {
     EXPECT_TRUE(fs::exists(folder_ / stands_in_ / "runs/a scene/fvm/record.h5"));
 }
 
-}  // namespace
+}  // namespace odd_names_test
 }  // namespace tw::test

@@ -5,7 +5,7 @@
 #include "program.h"
 
 namespace tw::test {
-namespace {
+namespace probes_test {
 
 // A column falls and strikes the wall beside it after about 0.2 s: for some tens of milliseconds P1 feels it.
 std::string struck_wall(const std::string& interval) {
@@ -31,5 +31,5 @@ TEST_F(Command, AParticleRunsPressurePeakIsTheSameWhateverItsFramesAre) {
     EXPECT_NEAR(seldom / often, 1, 1e-4);  // steps shorter than half a millisecond: a frame is one more sample
 }
 
-}  // namespace
+}  // namespace probes_test
 }  // namespace tw::test

@@ -5,7 +5,7 @@
 #include "program.h"
 
 namespace tw::test {
-namespace {
+namespace run_test {
 
 const std::string column =
     falling_column(R"(a \"column\" of $(touch pwned) <script>)", "duration = 0.1", "[0.4, 0.1, 0.02]");
@@ -244,5 +244,5 @@ TEST_F(Command, AgreementCannotBeRequiredOfRunsOfOneSize) {
     EXPECT_NE(alone.err.find("--require agree is not met: "), std::string::npos) << alone.err;
 }
 
-}  // namespace
+}  // namespace run_test
 }  // namespace tw::test

@@ -2,7 +2,7 @@
 #include "tests/unit/spray/row_of_cells.h"
 
 namespace tw::test {
-namespace {
+namespace spray_command_test {
 
 const char* const columns = "time [s],x [m],y [m],z [m],u [m/s],v [m/s],w [m/s],diameter [m]\n";
 const std::string study = "[source]\ntable = \"drops.csv\"\n[flight]\nduration = \"1 s\"\n",
@@ -96,5 +96,5 @@ TEST_F(Command, SprayThatReachesNothingHasNoLoadAndSaysSo) {
     EXPECT_TRUE(fs::exists(folder_ / "spray" / "report.html"));
 }
 
-}  // namespace
+}  // namespace spray_command_test
 }  // namespace tw::test

@@ -3,7 +3,7 @@
 #include "program.h"
 
 namespace tw::test {
-namespace {
+namespace stability_command_test {
 
 class StabilityCommand : public Command {};
 
@@ -40,5 +40,5 @@ TEST_F(StabilityCommand, StoppedItSaysSoAndWritesNothing) {
     EXPECT_EQ(files(), std::set<std::string>{"map"});
 }
 
-}  // namespace
+}  // namespace stability_command_test
 }  // namespace tw::test

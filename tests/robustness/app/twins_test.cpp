@@ -6,7 +6,7 @@
 #include "program.h"
 
 namespace tw::test {
-namespace {
+namespace twins_test {
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
@@ -119,5 +119,5 @@ TEST_F(Command, OpenWaterHasARunInAWiderBoxAndATankHasNone) {
     EXPECT_FALSE(has(twinwake({"ladder", "tank.toml", "--levels", "2", "--plan"}).out, "box"));
 }
 
-}  // namespace
+}  // namespace twins_test
 }  // namespace tw::test

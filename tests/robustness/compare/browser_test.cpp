@@ -12,7 +12,7 @@
 #include "tests/unit/record/example_record.h"
 
 namespace tw {
-namespace {
+namespace browser_test {
 
 bool installed() { return std::system("command -v chromium > /dev/null 2>&1") == 0; }
 
@@ -68,5 +68,5 @@ TEST(Browser, TheViewDrawsABodyThatMovesAndOffersToCutTheWaterOpen) {
     EXPECT_EQ(log.find("INVALID_"), std::string::npos) << log;  // what WebGL says of wrong calls
 }
 
-}  // namespace
+}  // namespace browser_test
 }  // namespace tw

@@ -10,7 +10,7 @@
 #include "tests/unit/record/example_record.h"
 
 namespace tw {
-namespace {
+namespace hostile_records_test {
 
 const std::string hostile = "</title><script>alert('x')</script>\" onload=\"$(touch /tmp/x) `id` \x1b[31m #calc";
 
@@ -136,5 +136,5 @@ TEST(WriteFailure, AFolderThatIsAFileIsRefusedByName) {
                  RunError);
 }
 
-}  // namespace
+}  // namespace hostile_records_test
 }  // namespace tw

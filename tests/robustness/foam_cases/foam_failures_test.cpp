@@ -14,7 +14,7 @@
 #include "foam_test.h"
 
 namespace tw {
-namespace {
+namespace foam_failures_test {
 namespace fs = std::filesystem;
 
 TEST(NoOpenFoam, TheMessageSaysWhatToInstall) {
@@ -229,5 +229,5 @@ TEST_F(FoamFailure, AfterAKillTheRunIsTakenUpAndEndsAsIfNothingHadBeen) {
     }
 }
 
-}  // namespace
+}  // namespace foam_failures_test
 }  // namespace tw

@@ -18,7 +18,7 @@
 // fault; never a crash, a hang or an empty hull.
 namespace tw {
 namespace fs = std::filesystem;
-namespace {
+namespace bad_files_test {
 
 class BadFiles : public testing::Test {
 protected:
@@ -291,5 +291,5 @@ TEST_F(BadFiles, SoundFilesOfUnsoundHullsAreReadAndJudged) {
     for (const auto& t : hull.triangles) nested.triangles.push_back({t[0] + n, t[2] + n, t[1] + n});
     EXPECT_EQ(judged(nested), "nested_shells ");
 }
-}  // namespace
+}  // namespace bad_files_test
 }  // namespace tw

@@ -9,7 +9,7 @@
 #include "tests/unit/record/example_record.h"
 
 namespace tw {
-namespace {
+namespace damaged_records_test {
 
 class DamagedRecords : public testing::Test {
 protected:
@@ -75,5 +75,5 @@ TEST_F(DamagedRecords, AFilledBlockIsRefused) {
     }
 }
 
-}  // namespace
+}  // namespace damaged_records_test
 }  // namespace tw

@@ -8,7 +8,7 @@
 #include "program.h"
 
 namespace tw::test {
-namespace {
+namespace damaged_checkpoint_test {
 
 namespace fs = std::filesystem;
 
@@ -83,5 +83,5 @@ TEST_F(DamagedCheckpoint, ACutOffEndIsRefused) {
     }
 }
 
-}  // namespace
+}  // namespace damaged_checkpoint_test
 }  // namespace tw::test

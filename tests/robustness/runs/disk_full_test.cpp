@@ -5,7 +5,7 @@
 #include "record/run_record.h"
 
 namespace tw::test {
-namespace {
+namespace disk_full_test {
 
 // No file may grow beyond the limit: write() fails in the middle of a file, as on a full disk.
 TEST(DiskFull, RunSaysSoAndLeavesNoHalfWrittenFile) {
@@ -34,5 +34,5 @@ TEST(DiskFull, FolderThatCannotBeMadeIsAnInputError) {
     EXPECT_NE(run.output().find(scene.string()), std::string::npos) << run.output();
 }
 
-}  // namespace
+}  // namespace disk_full_test
 }  // namespace tw::test

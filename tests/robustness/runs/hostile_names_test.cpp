@@ -7,7 +7,7 @@
 #include "record/run_record.h"
 
 namespace tw::test {
-namespace {
+namespace hostile_names_test {
 
 std::string content(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
@@ -41,5 +41,5 @@ TEST(HostileNames, StayNames) {
     EXPECT_GE(pages, 1);
 }
 
-}  // namespace
+}  // namespace hostile_names_test
 }  // namespace tw::test

@@ -10,7 +10,7 @@
 #include "test_paths.h"
 
 namespace tw::test {
-namespace {
+namespace kill_and_resume_test {
 
 void kill_and_resume(const std::string& name, const std::filesystem::path& scene, const std::filesystem::path& folder) {
     const auto command = [&](const char* out) {
@@ -171,5 +171,5 @@ TEST(KillAndResume, DamagedCheckpointIsRefusedByName) {
     EXPECT_NE(resumed.output().find("checkpoint.h5"), std::string::npos) << resumed.output();
 }
 
-}  // namespace
+}  // namespace kill_and_resume_test
 }  // namespace tw::test

@@ -4,7 +4,7 @@
 #include "record/run_record.h"
 
 namespace tw::test {
-namespace {
+namespace one_folder_test {
 
 TEST(OneFolder, SecondRunIsRefusedAndFirstIsUnharmed) {
     const ScratchFolder folder("one_folder");
@@ -40,5 +40,5 @@ TEST(OneFolder, FinishedRunIsNotOverwrittenUnasked) {
     EXPECT_NE(std::filesystem::last_write_time(record), written);
 }
 
-}  // namespace
+}  // namespace one_folder_test
 }  // namespace tw::test

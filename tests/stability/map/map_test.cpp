@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace tw {
-namespace {
+namespace map_test {
 
 StabilityJudgement judged(HardCaseKind kind, const std::function<void(HardCase&)>& change) {
     for (const StabilityMap& map : stability_maps(true))
@@ -71,5 +71,5 @@ TEST(StabilityMap, ASoundSpeedThatIsTooLowIsStoppedOrSaid) {
         says(judged(HardCaseKind::impact, [](HardCase& c) { c.c0_over_speed = 10; }), "c0 too low: Mach number"));
 }
 
-}  // namespace
+}  // namespace map_test
 }  // namespace tw

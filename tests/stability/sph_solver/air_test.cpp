@@ -7,7 +7,7 @@
 #include "watched_run.h"
 
 namespace tw {
-namespace {
+namespace air_test {
 
 double water_energy(const Simulation& s) {
     double potential = 0;
@@ -79,5 +79,5 @@ TEST(AirStability, MomentumIsKept) {
     EXPECT_GT(gained, 1e-5 * before);
 }
 
-}  // namespace
+}  // namespace air_test
 }  // namespace tw

@@ -8,7 +8,7 @@
 #include "watched_run.h"
 
 namespace tw {
-namespace {
+namespace hard_cases_test {
 
 TEST(RotatingSquarePatch, KeepsItsMomentaAndOnlyLosesEnergy) {
     // Tension in its middle tears methods without shifting apart; its corners become arms (Le Touze et al. 2013,
@@ -89,5 +89,5 @@ TEST(JitteredWater, ComesToRestSlowly) {
     EXPECT_LT(sums_of(simulation).energy, 0.7 * early);
 }
 
-}  // namespace
+}  // namespace hard_cases_test
 }  // namespace tw

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/errors.h"
+#include "base/numbers.h"
 #include "meshes/generate.h"
 #include "meshes/query.h"
 #include "record/certificate.h"
@@ -14,9 +14,7 @@
 #include "watched_run.h"
 
 namespace tw {
-namespace {
-
-constexpr double pi = std::numbers::pi;
+namespace impacts_test {
 
 /// A section 1 m wide with hard chines, keel at the origin.
 Surface section(double deadrise_deg) {
@@ -189,5 +187,5 @@ TEST(SoundSpeedTooLow, IsSaidAndNotPassed) {
     EXPECT_TRUE(met(enough.record));
 }
 
-}  // namespace
+}  // namespace impacts_test
 }  // namespace tw

@@ -5,21 +5,19 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 
+#include "base/numbers.h"
 #include "sph_solver/simulation.h"
 
 namespace tw {
-namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
+namespace level_edge_test {
 
 struct Sums {
     double mass = 0, energy = 0;
 };
 
 /// Of the water that each level owns.
-Sums sums_of(const Simulation& s) {
+Sums sums_of_levels(const Simulation& s) {
     Sums sum;
     for (const auto& level : s.levels()) {
         const Particles& p = level->particles();
@@ -42,11 +40,11 @@ void collapses_over(const Zone& zone, const char* where) {
     s.mirrors.on = {{{true, true}, {false, false}, {true, false}}};
     s.zones = {zone};
     Simulation run(s, fill_levels(s, {Box{Vec3(0, -1, 0), Vec3(1.2, 1, 0.64)}}));
-    const Sums start = sums_of(run);
+    const Sums start = sums_of_levels(run);
     double most_mass = 0, most_energy = 0, front = 0;
     while (run.time() < 2) {  // the wave is back at the edge
         run.step();
-        const Sums now = sums_of(run);
+        const Sums now = sums_of_levels(run);
         most_mass = std::max(most_mass, std::abs(now.mass / start.mass - 1));
         most_energy = std::max(most_energy, now.energy / start.energy);
         if (run.time() < 0.3)
@@ -74,5 +72,5 @@ TEST(LevelEdge, AcrossTheWayOfADamBreakLosesNoWater) {
                    "half way up the column");
 }
 
-}  // namespace
+}  // namespace level_edge_test
 }  // namespace tw

@@ -9,7 +9,7 @@
 #include "watched_run.h"
 
 namespace tw {
-namespace {
+namespace long_runs_test {
 
 /// Root mean square of p + rho g z over rho g H.
 double pressure_error(const Simulation& simulation, double depth) {
@@ -134,5 +134,5 @@ TEST(FreeJet, IsDrawnIntoDropsAndNothingIsLost) {
     EXPECT_LT(std::hypot(end.x, end.z), 1e-6 * simulation.mass() * double(n) * 1.5);
 }
 
-}  // namespace
+}  // namespace long_runs_test
 }  // namespace tw

@@ -9,7 +9,7 @@
 #include "test_paths.h"
 
 namespace tw {
-namespace {
+namespace obstacle_test {
 
 // Water crept in between the floor and the block's face on it, and was pressed there to 1.4 times its density, because
 // no dummies stood beyond the floor.
@@ -40,5 +40,5 @@ TEST(BlockOnTheFloor, LetsNoWaterUnderIt) {
     EXPECT_GT(struck, 100u) << "or the wave has not come";
 }
 
-}  // namespace
+}  // namespace obstacle_test
 }  // namespace tw

@@ -8,7 +8,7 @@
 #include <vector>
 
 namespace tw {
-namespace {
+namespace exact_sum_test {
 
 /// Forces between 1e-9 and 1e9 N of either sign.
 std::vector<double> forces() {
@@ -94,5 +94,5 @@ TEST(ExactSum, OfVectorsIsThatOfEachComponent) {
     EXPECT_EQ(sum.value(), Vec3(0, 0.75, -2));
 }
 
-}  // namespace
+}  // namespace exact_sum_test
 }  // namespace tw

@@ -8,7 +8,7 @@
 #include "tests/unit/compare/synthetic_pair.h"
 
 namespace tw {
-namespace {
+namespace ablation_test {
 
 using Seen = AblationChange::Seen;
 
@@ -212,5 +212,5 @@ TEST(Ablation, ARecordsValuesAndItsCostPerSimulatedSecond) {
     EXPECT_EQ(changed({.seed = 2, .frames = false}).seen, Seen::nothing);
 }
 
-}  // namespace
+}  // namespace ablation_test
 }  // namespace tw

@@ -9,7 +9,7 @@
 #include "compare/report/numbers.h"
 
 namespace tw {
-namespace {
+namespace bodies_test {
 
 /// A ball that falls with speed 2 m/s for 0.1 s, then is braked by 3000 N for 0.1 s; rows every `step`, all `late`.
 RunRecord falling(const std::string& method, double step, double late = 0, double factor = 1) {
@@ -92,5 +92,5 @@ TEST(Bodies, ARecordWithoutTheBodySaysSo) {
     EXPECT_FALSE(c.find("body_depth:ball")->values[1].why_not.empty());
 }
 
-}  // namespace
+}  // namespace bodies_test
 }  // namespace tw

@@ -15,7 +15,7 @@
 #include "tests/unit/compare/synthetic_pair.h"
 
 namespace tw {
-namespace {
+namespace compare_test {
 
 const SyntheticRun sph{.frames = false};
 const SyntheticRun fvm{
@@ -531,5 +531,5 @@ TEST(Compare, OneRunAloneSaysSo) {
     EXPECT_NE(c.banners.front().find("One run only, sph"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace compare_test
 }  // namespace tw

@@ -5,7 +5,7 @@
 #include "compare/ladder/cost.h"
 
 namespace tw {
-namespace {
+namespace cost_of_accuracy_test {
 
 /// Levels of a method whose error is E h^p at a cost of T h^-q seconds, finest first.
 std::vector<CostPoint> levels(double E, double p, double T, double q) {
@@ -45,5 +45,5 @@ TEST(CostOfAccuracy, TimeThatBoughtNothingHasNoLine) {
     EXPECT_FALSE(cost_of_accuracy({{1, 10, 0.5}, {2, 5, std::nan("")}, {3, 2, 0}}).known());
 }
 
-}  // namespace
+}  // namespace cost_of_accuracy_test
 }  // namespace tw

@@ -1,19 +1,18 @@
 // Cavity and crown of a body that enters water, on frames whose cavity and crown are known.
+#include "base/numbers.h"
 #include "compare/metrics/entry.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
-#include <numbers>
 
 #include "meshes/generate.h"
 #include "record/raster.h"
 
 namespace tw {
-namespace {
+namespace entry_test {
 
-constexpr double pi = std::numbers::pi;
 constexpr double edge = 0.05, step = 0.01;  // of the voxels [m], between frames [s]
 
 /// A ball of 0.4 m that goes down at 10 m/s from the surface; `wet(x, time)` says where water is besides the place of
@@ -150,5 +149,5 @@ TEST(Entry, ACavityThatIsOpenAtTheEndHasNoClosure) {
     EXPECT_NEAR(value(c, "cavity_depth:ball"), 2.8, 2 * edge);
 }
 
-}  // namespace
+}  // namespace entry_test
 }  // namespace tw

@@ -11,7 +11,7 @@
 #include "record/hull_motion.h"
 
 namespace tw {
-namespace {
+namespace hull_motion_test {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 
@@ -114,5 +114,5 @@ TEST(HullMotion, OfAHullThatDoesNotFloatHasNoRise) {
     EXPECT_TRUE(c.find("running_trim")->values[0].known);
 }
 
-}  // namespace
+}  // namespace hull_motion_test
 }  // namespace tw

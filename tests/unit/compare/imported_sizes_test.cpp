@@ -8,7 +8,7 @@
 #include "tests/unit/compare/synthetic_pair.h"
 
 namespace tw {
-namespace {
+namespace imported_sizes_test {
 
 RunRecord run_of(const std::string& method, double spacing, double splash) {
     RunRecord r = synthetic_run({.method = method,
@@ -78,5 +78,5 @@ TEST(ImportedSizes, WithoutASpacingOrARasterSayWhatIsMissing) {
         << splash->reason;
 }
 
-}  // namespace
+}  // namespace imported_sizes_test
 }  // namespace tw

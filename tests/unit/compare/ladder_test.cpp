@@ -8,7 +8,7 @@
 #include "tests/unit/compare/synthetic_pair.h"
 
 namespace tw {
-namespace {
+namespace ladder_test {
 
 /// Runs of one method whose lift approaches `limit` with the given order: lift = limit + error (h/h_1)^order.
 void add_family(std::vector<RunRecord>& records, const std::string& method, double limit, double error, double order,
@@ -474,5 +474,5 @@ TEST(Ladder, ItsTableIsReadByTheUncertaintyCommandAndItsTextIsSafe) {
     EXPECT_EQ(nlohmann::json::parse(ladder_json(ladder))["sides"][0]["method"], "sph");
 }
 
-}  // namespace
+}  // namespace ladder_test
 }  // namespace tw

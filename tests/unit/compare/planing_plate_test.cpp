@@ -1,17 +1,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "base/numbers.h"
 #include "compare/reference/planing_plate.h"
 #include "meshes/generate.h"
 #include "meshes/section.h"
 #include "tests/data_table.h"
 
 namespace tw {
-namespace {
-
-constexpr double degree = std::numbers::pi / 180;
+namespace planing_plate_test {
 
 // Columns: alpha_deg, J, z_TE/H, delta/H, N/(rho U^2 H), N by pressure, ...
 TEST(PlaningPlate, EqualsTheIndependentTableBothWays) {
@@ -60,5 +58,5 @@ TEST(PlaningPlate, IsTheReferenceOfAFlatBottomInAWeightlessChannelOnly) {
     EXPECT_EQ(planing_plate_references(plate_record("cylinder")).size(), 0u);
 }
 
-}  // namespace
+}  // namespace planing_plate_test
 }  // namespace tw

@@ -6,7 +6,7 @@
 #include "compare/metrics/probe_peaks.h"
 
 namespace tw {
-namespace {
+namespace probe_peaks_test {
 
 struct Series {
     std::vector<double> t, x;
@@ -52,5 +52,5 @@ TEST(ProbePeaks, ArrivalIsBetweenTheSamples) {
     EXPECT_EQ(arrival_time(step.t, step.x, -1), 0) << "it was there";
 }
 
-}  // namespace
+}  // namespace probe_peaks_test
 }  // namespace tw

@@ -7,7 +7,7 @@
 #include "compare/report/escape.h"
 
 namespace tw {
-namespace {
+namespace report_table_test {
 
 ReportTable small() {
     ReportTable table{"Forces", {words("Quantity"), numbers("value", "N", 4), words("verdict")}};
@@ -73,5 +73,5 @@ TEST(ReportTable, ATerminalGetsNoControlCharacterWhateverItsEncoding) {
     EXPECT_EQ(for_terminal("über Ωmega ± −\ttab\nline"), "über Ωmega ± −\ttab\nline");
 }
 
-}  // namespace
+}  // namespace report_table_test
 }  // namespace tw

@@ -11,7 +11,7 @@
 #include "tests/unit/record/example_record.h"
 
 namespace tw {
-namespace {
+namespace report_test {
 
 const Comparison& pair() {
     static const Comparison c = compare_records(
@@ -164,5 +164,5 @@ TEST(Report, OneRunAloneAndATankWithoutAHullHaveAReportToo) {
     EXPECT_TRUE(has(page, "largest of the run"));
 }
 
-}  // namespace
+}  // namespace report_test
 }  // namespace tw

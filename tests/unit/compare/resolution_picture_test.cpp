@@ -14,7 +14,7 @@
 #include "record/certificate.h"
 
 namespace tw {
-namespace {
+namespace resolution_picture_test {
 
 TEST(LabelPlaces, NeverOverlapNorLeaveTheFrame) {
     const DrawnBox frame{0, 0, 400, 200};
@@ -119,5 +119,5 @@ TEST(ChecksTable, TellsAWarningFromWhatIsNotMet) {
     EXPECT_EQ(badge_of("particles lost"), "not met");
 }
 
-}  // namespace
+}  // namespace resolution_picture_test
 }  // namespace tw

@@ -1,16 +1,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "base/numbers.h"
 #include "compare/reference/prismatic_hull.h"
 #include "tests/data_table.h"
 #include "tests/unit/compare/synthetic_pair.h"
 
 namespace tw {
-namespace {
-
-constexpr double degree = std::numbers::pi / 180;
+namespace savitsky_test {
 
 // Columns: Cv, deadrise [deg], trim [deg], lambda, beam [m], U [m/s], CL0, CLbeta, lift [N], Cf, friction, drag [N],
 // D/L, keel wetted, chine wetted, centre of pressure [m]; water of 15 degrees, standard gravity.
@@ -118,5 +116,5 @@ TEST(PrismaticHull, OtherShapesGetNoFormula) {
     EXPECT_FALSE(prismatic_hull(r));
 }
 
-}  // namespace
+}  // namespace savitsky_test
 }  // namespace tw

@@ -4,7 +4,7 @@
 #include "compare/verdict/sentence.h"
 
 namespace tw {
-namespace {
+namespace sentence_test {
 
 Statement lift() {
     Statement s{.label = "Lift", .unit = "N"};
@@ -21,7 +21,7 @@ TEST(Sentence, CanBeForwardedAsItIs) {
         sentence_of(s),
         "Lift: SPH 3.3 % above interFoam, discretisation error ±9.0 %: no difference shown; 40 min of further runs "
         "would bring it to ±5.0 %.");
-    s.seconds_to_target = Statement::nan;  // not known: nothing is promised
+    s.seconds_to_target = nan;  // not known: nothing is promised
     EXPECT_EQ(sentence_of(s), "Lift: SPH 3.3 % above interFoam, discretisation error ±9.0 %: no difference shown.");
     s.verdict = Verdict::differ, s.interval = s.discretisation = 0.02 * 3050;
     EXPECT_EQ(sentence_of(s), "Lift: SPH 3.3 % above interFoam, discretisation error ±2.0 %: they differ.");
@@ -39,7 +39,7 @@ TEST(Sentence, NamesTheSharesWhereTheResolutionIsNotAll) {
 
 TEST(Sentence, NoPerCentIsWithoutAnIntervalOrTheWordsThatItHasNone) {
     Statement s = lift();
-    s.verdict = Verdict::not_converged, s.interval = Statement::nan, s.why = "sph: the changes do not die out";
+    s.verdict = Verdict::not_converged, s.interval = nan, s.why = "sph: the changes do not die out";
     EXPECT_EQ(sentence_of(s),
               "Lift: SPH 3.3 % above interFoam, without an interval: not converged, sph: the changes do not die out.");
     s.methods = {"sph"}, s.values = {3100}, s.verdict = Verdict::not_comparable;
@@ -74,5 +74,5 @@ TEST(Sentence, WithoutValuesItSaysWhy) {
     EXPECT_EQ(sentence_of(s), "Drag: not comparable: sph: no size has a mean.");
 }
 
-}  // namespace
+}  // namespace sentence_test
 }  // namespace tw

@@ -8,7 +8,7 @@
 #include "tests/unit/compare/synthetic_pair.h"
 
 namespace tw {
-namespace {
+namespace sizes_test {
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
@@ -257,5 +257,5 @@ TEST(Sizes, AnotherSceneTakesTheRelativeErrorAndSaysFromWhere) {
     EXPECT_TRUE(has(d.find("lift")->sentence, "without an interval")) << d.find("lift")->sentence;
 }
 
-}  // namespace
+}  // namespace sizes_test
 }  // namespace tw

@@ -11,7 +11,7 @@
 #include "record/raster.h"
 
 namespace tw {
-namespace {
+namespace splash_test {
 
 constexpr double edge = 0.1;
 
@@ -231,5 +231,5 @@ TEST(StillLevel, OfATankIsThatOfItsWaterSpreadOut) {
     EXPECT_NEAR(still_level(r), 0.2, 1e-9);
 }
 
-}  // namespace
+}  // namespace splash_test
 }  // namespace tw

@@ -15,7 +15,7 @@
 #include "compare/statistics/student_t.h"
 
 namespace tw {
-namespace {
+namespace statistics_test {
 
 /// First-order autoregressive series of mean `mean` and standard deviation 1, started in its stationary state.
 std::vector<double> ar1(std::size_t n, double rho, double mean, std::mt19937& random) {
@@ -309,5 +309,5 @@ TEST(TimeBins, LinearBetweenSamplesAndNothingOutside) {
     EXPECT_EQ(smooth[2], 5);
 }
 
-}  // namespace
+}  // namespace statistics_test
 }  // namespace tw

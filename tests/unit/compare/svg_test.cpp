@@ -9,7 +9,7 @@
 #include "compare/report/svg_plot.h"
 
 namespace tw {
-namespace {
+namespace svg_test {
 
 std::size_t count(const std::string& text, const std::string& part) {
     std::size_t n = 0;
@@ -108,5 +108,5 @@ TEST(Colours, EndsAndMiddle) {
     EXPECT_GT(s(0)[2], s(1)[2]);
 }
 
-}  // namespace
+}  // namespace svg_test
 }  // namespace tw

@@ -7,7 +7,7 @@
 #include "compare/sweep/sweep.h"
 
 namespace tw {
-namespace {
+namespace sweep_test {
 
 MeanValue mean(double value, double half_width) {
     MeanValue m;
@@ -108,5 +108,5 @@ TEST(Sweep, EverySceneSaysWhereItsDiscretisationErrorIsFrom) {
     }
 }
 
-}  // namespace
+}  // namespace sweep_test
 }  // namespace tw

@@ -1,8 +1,8 @@
 #pragma once
 #include <cmath>
-#include <numbers>
 #include <random>
 
+#include "base/numbers.h"
 #include "meshes/generate.h"
 #include "record/raster.h"
 #include "record/run_record.h"
@@ -24,7 +24,6 @@ struct SyntheticRun {
 /// A record as a solver would leave it: prism of 4 m at 8 m/s, half model, forces with a start-up transient and
 /// correlated noise, rasters of a wake with a spray sheet and a drop. Every number in it is invented.
 inline RunRecord synthetic_run(const SyntheticRun& o) {
-    constexpr double pi = std::numbers::pi;
     RunRecord r;
     r.attributes = {{"method", o.method},         {"title", "Planing prism, synthetic"},
                     {"scene_hash", "scene-1"},    {"hull_hash", "hull-1"},

@@ -13,7 +13,7 @@
 #include "compare/uncertainty/triplet.h"
 
 namespace tw {
-namespace {
+namespace uncertainty_test {
 
 const std::vector<double> five{1, 1.25, 1.5, 2, 2.5};
 
@@ -561,5 +561,5 @@ TEST(Uncertainty, OnlyWhatRunsAwayIsRefused) {
     EXPECT_LT(refused_three, 60);
 }
 
-}  // namespace
+}  // namespace uncertainty_test
 }  // namespace tw

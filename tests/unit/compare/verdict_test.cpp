@@ -6,7 +6,7 @@
 #include "compare/verdict/judge.h"
 
 namespace tw {
-namespace {
+namespace verdict_test {
 
 MeanValue known(double value, double half_width) {
     MeanValue m;
@@ -117,5 +117,5 @@ TEST(Verdict, NamesForProgramsStay) {
     EXPECT_EQ(to_string(Verdict::not_estimated), "discretisation error not estimated");
 }
 
-}  // namespace
+}  // namespace verdict_test
 }  // namespace tw

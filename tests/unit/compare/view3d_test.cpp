@@ -14,7 +14,7 @@
 #include "tests/unit/record/example_record.h"
 
 namespace tw {
-namespace {
+namespace view3d_test {
 
 using Json = nlohmann::json;
 
@@ -358,5 +358,5 @@ TEST(View3d, WithoutFramesThePageHasNoScript) {
     EXPECT_TRUE(view3d_section(senseless).empty());
 }
 
-}  // namespace
+}  // namespace view3d_test
 }  // namespace tw

@@ -9,7 +9,7 @@
 #include "scenes.h"
 
 namespace tw {
-namespace {
+namespace case_files_test {
 
 const Flavour v1912{};
 
@@ -383,5 +383,5 @@ TEST(CasePlan, RefusesASceneWithoutSizes) {
     EXPECT_THROW(plan_case(scene, v1912), InputError);
 }
 
-}  // namespace
+}  // namespace case_files_test
 }  // namespace tw

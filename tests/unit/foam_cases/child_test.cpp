@@ -14,7 +14,7 @@
 #include "foam_cases/run/child.h"
 
 namespace tw {
-namespace {
+namespace child_test {
 namespace fs = std::filesystem;
 
 class ChildTest : public testing::Test {
@@ -99,5 +99,5 @@ TEST_F(ChildTest, GoesWhenItsParentIsKilled) {
     EXPECT_FALSE(alive(pid));
 }
 
-}  // namespace
+}  // namespace child_test
 }  // namespace tw

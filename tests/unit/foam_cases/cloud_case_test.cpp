@@ -9,7 +9,7 @@
 #include "tests/unit/record/example_record.h"
 
 namespace tw {
-namespace {
+namespace cloud_case_test {
 namespace fs = std::filesystem;
 
 CloudCase two_parcels() {
@@ -110,5 +110,5 @@ TEST(CloudTracks, CutOffOrMissingAreRefused) {
     EXPECT_THROW(read_cloud(folder / ""), RunError);
 }
 
-}  // namespace
+}  // namespace cloud_case_test
 }  // namespace tw

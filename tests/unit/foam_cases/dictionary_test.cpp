@@ -8,7 +8,7 @@
 #include "foam_cases/dictionary.h"
 
 namespace tw {
-namespace {
+namespace dictionary_test {
 
 TEST(Dictionary, IsSpelledAsOpenFoamReadsIt) {
     Dictionary d{
@@ -105,5 +105,5 @@ TEST(Dictionary, AnyNameBecomesAWord) {
     EXPECT_EQ(word_from("", "obstacle"), "obstacle");
 }
 
-}  // namespace
+}  // namespace dictionary_test
 }  // namespace tw

@@ -3,7 +3,7 @@
 #include "foam_cases/mesh/edge_cells.h"
 
 namespace tw {
-namespace {
+namespace edge_cells_test {
 
 TEST(SmallestEdgeCell, IsSoughtAlongEdgesAcrossTheStreamOnly) {
     const SheddingEdge transom{{2, 0, -0.2}, {2.01, 0.5, 0}, {-1, 0, 0}},
@@ -17,5 +17,5 @@ TEST(SmallestEdgeCell, IsSoughtAlongEdgesAcrossTheStreamOnly) {
     EXPECT_EQ(smallest_edge_cell(middles, volumes, {transom}, 1e-3, whole), 1);
 }
 
-}  // namespace
+}  // namespace edge_cells_test
 }  // namespace tw

@@ -7,7 +7,7 @@
 #include "tests/unit/foam_cases/scenes.h"
 
 namespace tw {
-namespace {
+namespace gaps_test {
 
 /// A run of the planing hull with a pressure probe: 20 steps of 0.01 s, a write time every 0.05 s, all of it there.
 class GapsTest : public testing::Test {
@@ -92,5 +92,5 @@ TEST_F(GapsTest, WithoutALogTheWriteTimesStillCount) {
     EXPECT_TRUE(first_gap(plan, SolverLog(), record, 0.26));
 }
 
-}  // namespace
+}  // namespace gaps_test
 }  // namespace tw

@@ -14,7 +14,7 @@
 #include "record/snapshot.h"
 
 namespace tw {
-namespace {
+namespace read_test {
 namespace fs = std::filesystem;
 
 class ReadTest : public testing::Test {
@@ -165,5 +165,5 @@ TEST_F(ReadTest, AMissingOrBrokenSurfaceIsNoSurface) {
     EXPECT_FALSE(read_hull_patch(folder));
 }
 
-}  // namespace
+}  // namespace read_test
 }  // namespace tw

@@ -10,7 +10,7 @@
 #include "foam_cases/run/watchdog.h"
 
 namespace tw {
-namespace {
+namespace solver_log_test {
 
 const char* const header =
     "Date   : Nov 21 2026\n"
@@ -183,5 +183,5 @@ TEST(Watchdog, SeesAFullDisk) {
     EXPECT_NE(wrong->find("disk is full"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace solver_log_test
 }  // namespace tw

@@ -13,7 +13,7 @@
 #include "foam_cases/run/watchdog.h"
 
 namespace tw {
-namespace {
+namespace time_folders_test {
 namespace fs = std::filesystem;
 
 const std::string closing = "\n\n// ************************************************************************* //\n";
@@ -152,5 +152,5 @@ TEST_F(TimeFoldersTest, TheLargestVelocityIsTheLastOnesMaximum) {
     EXPECT_TRUE(std::isnan(latest_fastest(folder / "pp", 0.22))) << "the new start has not come so far";
 }
 
-}  // namespace
+}  // namespace time_folders_test
 }  // namespace tw

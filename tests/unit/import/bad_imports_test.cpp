@@ -1,7 +1,7 @@
 #include "import_folder.h"
 
 namespace tw {
-namespace {
+namespace bad_imports_test {
 
 const std::string columns =
     "time = { column = \"t\", unit = \"s\" }\n[forces]\nfz = { column = \"Lift\", unit = \"N\" }\n";
@@ -124,5 +124,5 @@ TEST_F(ImportTest, NamesThatCouldSteerAReportOrATerminalAreRefused) {
     EXPECT_EQ(imported("csv", (folder / "f.csv").string(), columns).attributes.at("imported_from"), "f.csv");
 }
 
-}  // namespace
+}  // namespace bad_imports_test
 }  // namespace tw

@@ -9,7 +9,7 @@
 #include "tests/unit/compare/synthetic_pair.h"
 
 namespace tw {
-namespace {
+namespace import_compare_test {
 
 class ImportCompareTest : public ImportTest {
 protected:
@@ -137,5 +137,5 @@ TEST_F(ImportCompareTest, AShortSeriesIsToldSo) {
     EXPECT_TRUE(says(c.find("lift")->values[1].why_not, "record too short"));
 }
 
-}  // namespace
+}  // namespace import_compare_test
 }  // namespace tw

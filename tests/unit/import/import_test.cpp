@@ -10,7 +10,7 @@
 #include "scene/new_record.h"
 
 namespace tw {
-namespace {
+namespace import_test {
 
 const std::vector<double>& series(const RunRecord& r, const std::string& table, const std::string& column) {
     const Column* c = r.series(table, column);
@@ -283,5 +283,5 @@ TEST_F(ImportTest, WaterThatCannotBeIsRefused) {
         says(refused("0,1,0,0,1,1\n", water_columns, ""), "the scene is solved as one half and half_model = false"));
 }
 
-}  // namespace
+}  // namespace import_test
 }  // namespace tw

@@ -4,13 +4,13 @@
 #include <numbers>
 
 #include "base/errors.h"
+#include "base/numbers.h"
 #include "meshes/generate.h"
 #include "meshes/health.h"
 #include "meshes/mass_properties.h"
 
 namespace tw {
-namespace {
-constexpr double degrees = std::numbers::pi / 180;
+namespace generate_test {
 
 std::string text(const std::vector<Finding>& findings) {
     std::string all;
@@ -81,17 +81,17 @@ TEST(HullShapes, RefuseWhatTheyDoNotKnowByName) {
 }
 
 TEST(Prismatic, HasItsDeadriseAndASharpTransom) {
-    const Surface hull = make_hull("prismatic", {{"deadrise", 20 * degrees}});
+    const Surface hull = make_hull("prismatic", {{"deadrise", 20 * degree}});
     double flattest = 0;
     for (int t = 0; t < static_cast<int>(hull.triangles.size()); ++t) {
         const Vec3 n = hull.area_vector2(t).normalized();
-        if (n.z() < -1e-9) { EXPECT_NEAR(n.z(), -std::cos(20 * degrees), 1e-12); }
+        if (n.z() < -1e-9) { EXPECT_NEAR(n.z(), -std::cos(20 * degree), 1e-12); }
         flattest = std::max(flattest, n.x());
     }
     EXPECT_EQ(flattest, 1);  // the transom is upright
-    const Surface raked = make_hull("prismatic", {{"rake", 45 * degrees}});
+    const Surface raked = make_hull("prismatic", {{"rake", 45 * degree}});
     // The rake of 45 degrees takes away the first moment of the section about the deck.
-    const double t = std::tan(20 * degrees), chine = 0.5 * t, height = 0.75;
+    const double t = std::tan(20 * degree), chine = 0.5 * t, height = 0.75;
     const double moment =
         2 * ((chine * chine * height / 2 - std::pow(chine, 3) / 3) / t + 0.5 * std::pow(height - chine, 2) / 2);
     EXPECT_NEAR(mass_properties(hull).volume - mass_properties(raked).volume, moment, 1e-13);
@@ -108,7 +108,7 @@ TEST(Seaplane, HasTheMainDimensionsOfTheStudyAndAStep) {
             step_area += hull.area_vector2(t).norm() / 2;
     EXPECT_NEAR(step_area, 3.4 * 0.27, 1e-3);  // beam times height of the step
     // Trimmed by 5 degrees the hull stands on its step, and the afterbody keel clears it.
-    const Surface trimmed = posed(hull, {.trim = 5 * degrees, .draft = 0.9});
+    const Surface trimmed = posed(hull, {.trim = 5 * degree, .draft = 0.9});
     const auto lowest =
         std::ranges::min_element(trimmed.points, {}, [](const Vec3& p) { return p.z(); }) - trimmed.points.begin();
     EXPECT_NEAR(hull.points[static_cast<std::size_t>(lowest)].x(), 0, 1e-9);
@@ -127,10 +127,10 @@ TEST(Cylinder, LiesAcrossTheStream) {
 }
 
 TEST(Wedge, HasItsVInThePlaneOfTwoDimensionalScenes) {
-    const Surface s = make_hull("wedge", {{"width", 1}, {"span", 2}, {"deadrise", 30 * degrees}});
-    EXPECT_NEAR(mass_properties(s).volume, 2 * 0.25 * std::tan(30 * degrees), 1e-14);
+    const Surface s = make_hull("wedge", {{"width", 1}, {"span", 2}, {"deadrise", 30 * degree}});
+    EXPECT_NEAR(mass_properties(s).volume, 2 * 0.25 * std::tan(30 * degree), 1e-14);
     for (const Vec3& p : s.points)
         if (p.z() == 0) { EXPECT_EQ(p.x(), 0); }
 }
-}  // namespace
+}  // namespace generate_test
 }  // namespace tw

@@ -10,7 +10,7 @@
 #include "tests/unit/meshes/broken.h"
 
 namespace tw {
-namespace {
+namespace health_test {
 using Level = Finding::Level;
 
 /// Exactly the named findings, in order, or what was found instead.
@@ -312,5 +312,5 @@ TEST(RepairSurface, RemovesWhatHasNoArea) {
     EXPECT_NEAR(mass_properties(r.surface).volume, 1, 1e-14);
     EXPECT_EQ(r.done.size(), 2u);
 }
-}  // namespace
+}  // namespace health_test
 }  // namespace tw

@@ -1,14 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "base/numbers.h"
 #include "meshes/generate.h"
 #include "meshes/mass_properties.h"
 
 namespace tw {
-namespace {
-constexpr double pi = std::numbers::pi;
+namespace mass_properties_test {
 
 TEST(MassProperties, OfABoxAreExact) {
     const double a = 2, b = 0.5, c = 0.25;
@@ -106,5 +105,5 @@ TEST(Hydrostatics, OfAHullWhollyUnderOrAboveWater) {
     EXPECT_EQ(hydrostatics(posed(box, {.draft = 0})).volume, 0);
     EXPECT_EQ(hydrostatics(posed(box, {.draft = -2})).volume, 0);
 }
-}  // namespace
+}  // namespace mass_properties_test
 }  // namespace tw

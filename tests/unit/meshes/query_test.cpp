@@ -7,7 +7,7 @@
 #include "meshes/query.h"
 
 namespace tw {
-namespace {
+namespace query_test {
 
 std::vector<Vec3> random_points(const Box& box, double margin, int n, unsigned seed) {
     std::mt19937 random(seed);
@@ -164,5 +164,5 @@ TEST(SurfaceQuery, MeasuresTheThicknessOfAPlate) {
     for (int t = 0; t < static_cast<int>(plate.triangles.size()); ++t)
         if (std::abs(plate.area_vector2(t).normalized().z()) > 0.9) { EXPECT_NEAR(query.thickness(t), 0.02, 1e-14); }
 }
-}  // namespace
+}  // namespace query_test
 }  // namespace tw

@@ -21,7 +21,7 @@
 
 namespace tw {
 namespace fs = std::filesystem;
-namespace {
+namespace read_write_test {
 
 class ReadWrite : public testing::Test {
 protected:
@@ -148,5 +148,5 @@ TEST_F(ReadWrite, AnUnwritableFolderIsSaidAndLeavesNothing) {
     EXPECT_THROW(write_stl(folder / "no such folder" / "hull.stl", hull), RunError);
     EXPECT_TRUE(fs::is_empty(folder));
 }
-}  // namespace
+}  // namespace read_write_test
 }  // namespace tw

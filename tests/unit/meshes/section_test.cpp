@@ -3,15 +3,14 @@
 #include <numbers>
 
 #include "base/errors.h"
+#include "base/numbers.h"
 #include "meshes/generate.h"
 #include "meshes/health.h"
 #include "meshes/mass_properties.h"
 #include "meshes/section.h"
 
 namespace tw {
-namespace {
-
-constexpr double degree = std::numbers::pi / 180;
+namespace section_test {
 
 TEST(Section, OfATrimmedPlateIsThePlateItself) {
     const Surface plate = posed(make_hull("plate", {{"length", 4}, {"beam", 2}, {"thickness", 0.3}}),
@@ -60,5 +59,5 @@ TEST(Section, WhatHasNoneIsRefusedAndSaysWhere) {
     EXPECT_NE(words(hollow).find("hollow"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace section_test
 }  // namespace tw

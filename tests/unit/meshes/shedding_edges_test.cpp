@@ -1,16 +1,15 @@
+#include "base/numbers.h"
 #include "meshes/shedding_edges.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "meshes/generate.h"
 
 namespace tw {
-namespace {
+namespace shedding_edges_test {
 
-constexpr double degree = std::numbers::pi / 180;
 const Box everywhere{Vec3(-10, -10, -10), Vec3(10, 10, 10)};
 
 TEST(SheddingEdges, OfATrimmedBoxAreTransomAndBilgesAndNotTheBow) {
@@ -65,5 +64,5 @@ TEST(SheddingEdges, TheirRibbonBeginsAtTheEdgeAndLiesInTheSolid) {
     EXPECT_NEAR(strip.bounds().max.z(), -0.2 + 0.01 / std::sqrt(2), 1e-12);
 }
 
-}  // namespace
+}  // namespace shedding_edges_test
 }  // namespace tw

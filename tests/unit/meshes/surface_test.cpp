@@ -9,7 +9,7 @@
 #include "meshes/surface.h"
 
 namespace tw {
-namespace {
+namespace surface_test {
 
 TEST(Pose, PutsTheLowestPointAtTheDraftAndRaisesTheBow) {
     const Surface hull = make_hull("seaplane", {});
@@ -97,5 +97,5 @@ TEST(Welded, MergesCornersWithinTheToleranceAcrossCellBorders) {
     EXPECT_EQ(welded(apart, 1e-8).triangles.size(), 2u);
     EXPECT_EQ(welded(apart, 5).triangles.size(), 0u);
 }
-}  // namespace
+}  // namespace surface_test
 }  // namespace tw

@@ -2,16 +2,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <memory>
 
+#include "base/numbers.h"
 #include "meshes/generate.h"
 #include "meshes/zone.h"
 
 namespace tw::test {
-namespace {
+namespace zone_test {
 
-constexpr double infinite = std::numeric_limits<double>::infinity(), radius = 1;
+constexpr double radius = 1;
 const Box around{Vec3::Constant(-2), Vec3::Constant(2)};
 
 Surface ball() { return posed(make_hull("sphere", {{"diameter", 2 * radius}}), {.draft = radius}); }
@@ -86,5 +86,5 @@ TEST(Zone, DistancesChangeByNoMoreThanTheShiftOfTheirZone) {
     EXPECT_EQ(start.shift_since(start)->by, 0);
 }
 
-}  // namespace
+}  // namespace zone_test
 }  // namespace tw::test

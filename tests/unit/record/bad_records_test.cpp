@@ -10,7 +10,7 @@
 #include "tests/unit/record/example_record.h"
 
 namespace tw {
-namespace {
+namespace bad_records_test {
 
 /// The message of the InputError that reading throws; empty when it reads.
 std::string refusal(const std::filesystem::path& file) {
@@ -187,5 +187,5 @@ TEST(BadRecords, AFullDiskLeavesTheOldFile) {
     EXPECT_FALSE(std::filesystem::exists(folder / "record.h5.tmp"));
 }
 
-}  // namespace
+}  // namespace bad_records_test
 }  // namespace tw

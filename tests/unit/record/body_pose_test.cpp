@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace tw {
-namespace {
+namespace body_pose_test {
 
 /// A brick that flies along (1, 2, -3) m/s and turns about y at 2 rad/s; rows every `step`, the first one step late.
 RunRecord flying_brick(double step) {
@@ -52,5 +52,5 @@ TEST(BodyPose, IsNotKnownWithoutATableOrAnAttitude) {
     EXPECT_FALSE(body_pose(r, r.bodies[0], 0));
 }
 
-}  // namespace
+}  // namespace body_pose_test
 }  // namespace tw

@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace tw {
-namespace {
+namespace certificate_test {
 
 TEST(Certificate, KeepsTheWorstWithItsTimeAndPlace) {
     RunRecord r;
@@ -83,5 +83,5 @@ TEST(Certificate, AStreamBringsItsOwnEnergy) {
     EXPECT_TRUE(r.certificate.empty());
 }
 
-}  // namespace
+}  // namespace certificate_test
 }  // namespace tw

@@ -6,7 +6,7 @@
 #include "record/raster.h"
 
 namespace tw {
-namespace {
+namespace raster_test {
 
 constexpr double voxel = 0.1;
 const RasterSpec spec{{-0.5, 0.0, -0.4}, voxel, {10, 6, 9}};
@@ -141,5 +141,5 @@ TEST(Raster, IsTheSameInAnyOrderOfPouring) {
     EXPECT_EQ(first.poured(), last.poured());
 }
 
-}  // namespace
+}  // namespace raster_test
 }  // namespace tw

@@ -7,7 +7,7 @@
 #include "tests/unit/record/example_record.h"
 
 namespace tw {
-namespace {
+namespace round_trip_test {
 
 template <class T>
 bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
@@ -125,5 +125,5 @@ TEST(Tables, ColumnIsMadeOnceAndFound) {
     EXPECT_EQ(r.series("samples", "fx"), nullptr);
 }
 
-}  // namespace
+}  // namespace round_trip_test
 }  // namespace tw

@@ -14,7 +14,7 @@
 #include "tests/unit/record/example_record.h"
 
 namespace tw {
-namespace {
+namespace snapshot_test {
 
 template <class T>
 std::vector<T> whole(hid_t file, const std::string& path, hid_t type) {
@@ -80,5 +80,5 @@ TEST(Snapshots, SeriesIsTheJsonParaViewReads) {
     EXPECT_EQ(json["files"][1]["time"], 0.1);
 }
 
-}  // namespace
+}  // namespace snapshot_test
 }  // namespace tw

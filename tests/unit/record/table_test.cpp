@@ -7,7 +7,7 @@
 #include "record/run_record.h"
 
 namespace tw {
-namespace {
+namespace table_test {
 
 TEST(Table, ColumnsThatBeginLateOrMissARowDoNotKnowTheirValueThere) {
     Table t;
@@ -42,5 +42,5 @@ TEST(RunRecord, RewoundKeepsWhatStandsAtOrBeforeThatTime) {
     EXPECT_EQ(r.frames.back().time, 0.2);
 }
 
-}  // namespace
+}  // namespace table_test
 }  // namespace tw

@@ -3,7 +3,7 @@
 #include "record/wetted_line.h"
 
 namespace tw {
-namespace {
+namespace wetted_line_test {
 
 /// Wet places every centimetre along x from `from` to `to` at one y.
 void wet(WettedLine& line, double y, double from, double to) {
@@ -38,5 +38,5 @@ TEST(WettedLine, OfAPlaneHullIsItsOnlyLine) {
     EXPECT_EQ(WettedLine(1).longest(), 0) << "dry";
 }
 
-}  // namespace
+}  // namespace wetted_line_test
 }  // namespace tw

@@ -7,7 +7,7 @@
 #include "scene_text.h"
 
 namespace tw::test {
-namespace {
+namespace bodies_test {
 
 const std::string afloat = R"(title = "afloat"
 [tank]
@@ -249,5 +249,5 @@ INSTANTIATE_TEST_SUITE_P(
             "scene.toml:17:10: [sph] scheme = \"rk4_frozen_diffusion\": bodies that the water moves answer to the "
             "water that moves with them once a step"}));
 
-}  // namespace
+}  // namespace bodies_test
 }  // namespace tw::test

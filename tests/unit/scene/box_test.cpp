@@ -4,7 +4,7 @@
 #include "scene_text.h"
 
 namespace tw::test {
-namespace {
+namespace box_test {
 
 /// The reference hull at 0.1 m, run for the default time.
 std::string prism(const std::string& domain, const std::string& water = "", const std::string& speed = "8 m/s") {
@@ -97,5 +97,5 @@ TEST(Box, AShipHasItsBlockage) {
     EXPECT_EQ(wall_effect(scene_of(prism("side = 2\nbelow = 1\n", "", "3 m/s"))).of, "") << "near the critical speed";
 }
 
-}  // namespace
+}  // namespace box_test
 }  // namespace tw::test

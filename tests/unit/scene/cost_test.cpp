@@ -4,7 +4,7 @@
 #include "scene_text.h"
 
 namespace tw::test {
-namespace {
+namespace cost_test {
 
 const std::string tank =
     "[tank]\nsize = [1, 1, 1]\n[[water_block]]\nmin = [0, 0, 0]\nmax = [0.5, 1, 0.5]\n[resolution]\nnear_hull = "
@@ -143,5 +143,5 @@ TEST(Cost, AbsurdlySmallParticlesAreRefusedAsThat) {
             << size;
 }
 
-}  // namespace
+}  // namespace cost_test
 }  // namespace tw::test

@@ -6,7 +6,7 @@
 #include "scene_text.h"
 
 namespace tw::test {
-namespace {
+namespace defaults_test {
 
 bool multiple(double value, double of) { return std::abs(value / of - std::round(value / of)) < 1e-6; }
 
@@ -126,5 +126,5 @@ TEST(Defaults, AShipsRunWaitsForTheOscillationOfItsStart) {
     EXPECT_NEAR(start_up_period(at_froude(0.8)) * 0.8, start_up_period(at_froude(0.5)) * 0.5, 1e-9);
 }
 
-}  // namespace
+}  // namespace defaults_test
 }  // namespace tw::test

@@ -8,7 +8,7 @@
 #include "scene_text.h"
 
 namespace tw::test {
-namespace {
+namespace effects_test {
 
 TEST(Effects, Ittc57IsTheLineOf1957) {
     EXPECT_NEAR(ittc57(1e7), 0.003, 1e-12);      // 0.075 / 25
@@ -159,5 +159,5 @@ TEST(Effects, ShiftingOffReachesTheSolver) {
     EXPECT_GT(scene_of(planing).sph.shifting, 0);
 }
 
-}  // namespace
+}  // namespace effects_test
 }  // namespace tw::test

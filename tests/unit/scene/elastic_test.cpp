@@ -10,7 +10,7 @@
 #include "scene_text.h"
 
 namespace tw::test {
-namespace {
+namespace elastic_test {
 
 TEST(ElasticScene, HasItsPlateAndTheSurfaceThatTheWaterSees) {
     const Scene scene = scene_of(dropped);
@@ -185,5 +185,5 @@ TEST(TyreScene, RefusesWhatIsNoTyre) {
     }
 }
 
-}  // namespace
+}  // namespace elastic_test
 }  // namespace tw::test

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/numbers.h"
 #include "meshes/mass_properties.h"
 #include "record/body_pose.h"
 #include "record/hull_motion.h"
@@ -10,9 +11,8 @@
 #include "scene_text.h"
 
 namespace tw::test {
-namespace {
+namespace free_hull_test {
 
-constexpr double degrees = std::numbers::pi / 180;
 const std::string keys = "free = [\"heave\", \"pitch\"]\nmass = 300\nlcg = 1.6\nvcg = 0.3\n";
 const std::string free_planing = with(planing, "half     = true\n", "half     = true\n" + keys);
 
@@ -22,8 +22,8 @@ TEST(FreeHull, HasItsCentreAheadOfTheTransomAlongItsOwnAxisWhereItStands) {
     // the keel at the transom is the lowest point: 0.2 m below still water, at the hull's aftmost x but for the trim
     EXPECT_NEAR(free.transom_keel.z(), -0.2, 1e-9);
     const Vec3 arm = free.motion.mass.centre - free.transom_keel;
-    EXPECT_NEAR(arm.x(), -1.6 * std::cos(5 * degrees) + 0.3 * std::sin(5 * degrees), 1e-9);
-    EXPECT_NEAR(arm.z(), 1.6 * std::sin(5 * degrees) + 0.3 * std::cos(5 * degrees), 1e-9);
+    EXPECT_NEAR(arm.x(), -1.6 * std::cos(5 * degree) + 0.3 * std::sin(5 * degree), 1e-9);
+    EXPECT_NEAR(arm.z(), 1.6 * std::sin(5 * degree) + 0.3 * std::cos(5 * degree), 1e-9);
     EXPECT_EQ(free.motion.mass.mass, 300) << "of the whole hull, half model or not";
     EXPECT_NEAR(free.motion.mass.inertia(1, 1), 300 * 1 * 1, 1e-9) << "a quarter of its length is one metre";
     EXPECT_EQ(free.motion.release, scene.motion.ramp);
@@ -115,5 +115,5 @@ TEST(FreeHull, ItsRecordedMotionIsItsHeaveAndTrim) {
     EXPECT_GT((*pose)(bow).z(), 0.7) << "bow up";
 }
 
-}  // namespace
+}  // namespace free_hull_test
 }  // namespace tw::test

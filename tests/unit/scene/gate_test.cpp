@@ -2,7 +2,7 @@
 #include "scene_text.h"
 
 namespace tw::test {
-namespace {
+namespace gate_test {
 
 const std::string tank =
     "[tank]\nsize = [1, 0.5, 0.8]\n[[water_block]]\nmin = [0, 0, 0]\nmax = [0.5, 0.5, 0.4]\n[resolution]\nnear_hull = "
@@ -35,5 +35,5 @@ TEST(Gate, ThatCannotBeNamesTheKeyAndWhatToDo) {
     }
 }
 
-}  // namespace
+}  // namespace gate_test
 }  // namespace tw::test

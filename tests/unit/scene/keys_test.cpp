@@ -11,7 +11,7 @@
 #include "test_paths.h"
 
 namespace tw::test {
-namespace {
+namespace keys_test {
 
 const std::string tank =
     "[tank]\nsize = [1, 0.5, 0.8]\n[[water_block]]\nmin = [0, 0, 0]\nmax = [0.5, 0.5, 0.4]\n"
@@ -411,5 +411,5 @@ TEST(FamilyHash, SeesTheVariationsOfALadder) {
     EXPECT_NE(family_hash(base, "sph"), family_hash(base, "fvm"));
 }
 
-}  // namespace
+}  // namespace keys_test
 }  // namespace tw::test

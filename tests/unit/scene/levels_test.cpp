@@ -13,7 +13,7 @@
 #include "scene_text.h"
 
 namespace tw::test {
-namespace {
+namespace levels_test {
 
 std::string with_levels(int levels) { return planing + "\n[sph]\nlevels = " + std::to_string(levels) + "\nzone = 8\n"; }
 
@@ -338,5 +338,5 @@ TEST(ParticleLevels, OfATankFillItsWater) {
     EXPECT_EQ(levels_of(falling + "scheme = \"symplectic_euler\"\n" + sizes), 1);
 }
 
-}  // namespace
+}  // namespace levels_test
 }  // namespace tw::test

@@ -1,12 +1,11 @@
 #include <gtest/gtest.h>
 
-#include <limits>
-
+#include "base/numbers.h"
 #include "scene/hash.h"
 #include "scene/new_record.h"
 
 namespace tw {
-namespace {
+namespace new_record_test {
 
 // A mesh ends elsewhere at each size, the scene's hull does not: records of a family have their cuts in one place.
 TEST(NewRecord, CutsWithoutAWordFollowFromTheScenesHull) {
@@ -85,7 +84,6 @@ TEST(NewRecord, HoldsTheBodiesThatKeepTheirShape) {
 
 // A scene's boxes may go on through the sky or lie half outside: what is recorded can be drawn.
 TEST(Resolution, IsTheDomainAndWhatOfTheFinerBoxesLiesInIt) {
-    constexpr double infinite = std::numeric_limits<double>::infinity();
     const Box domain{{-2, 0, -1}, {4, 2, 1}};
     const std::vector<ResolvedBox> r = resolution_within(
         {0.2, domain}, {{0.1, {{-1, -infinite, -0.5}, {1, 1, infinite}}}, {0.05, {{5, 0, 0}, {6, 1, 1}}}});
@@ -95,5 +93,5 @@ TEST(Resolution, IsTheDomainAndWhatOfTheFinerBoxesLiesInIt) {
     EXPECT_EQ(r[1].box.max, Vec3(1, 1, 1));
 }
 
-}  // namespace
+}  // namespace new_record_test
 }  // namespace tw

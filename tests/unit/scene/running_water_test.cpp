@@ -12,7 +12,7 @@
 #include "test_paths.h"
 
 namespace tw::test {
-namespace {
+namespace running_water_test {
 
 /// A tank of 4 x 2 x 1.6 m, its water from x = 0 to `length` and to `height`.
 std::string pool(const std::string& length, const std::string& height) {
@@ -132,5 +132,5 @@ TEST(RunningWater, TimeLeftIsPredictedFirstAndMeasuredThen) {
     EXPECT_GT(time_left(0.1, 0.9, 32, 1600), 0.4 * 1600);
 }
 
-}  // namespace
+}  // namespace running_water_test
 }  // namespace tw::test

@@ -1,14 +1,12 @@
 #include <cmath>
-#include <numbers>
 
+#include "base/numbers.h"
 #include "meshes/surface.h"
 #include "scene/hash.h"
 #include "scene_text.h"
 
 namespace tw::test {
-namespace {
-
-constexpr double degree = std::numbers::pi / 180;
+namespace scene_test {
 
 TEST(Scene, TwentyLinesGiveTheWholeDescription) {
     const Scene s = scene_of(planing);
@@ -413,5 +411,5 @@ TEST(Scene, AHullWithoutASectionOrWithHalvesIsRefusedInTwoDimensions) {
               std::string::npos);
 }
 
-}  // namespace
+}  // namespace scene_test
 }  // namespace tw::test

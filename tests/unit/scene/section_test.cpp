@@ -3,7 +3,7 @@
 #include "scene_text.h"
 
 namespace tw::test {
-namespace {
+namespace section_test {
 
 TEST(SceneErrors, AMisspeltKeyNamesThePlaceTheKnownKeysAndTheNearest) {
     EXPECT_EQ(complaint(with(planing, "draft    =", "darft    =")),
@@ -76,5 +76,5 @@ TEST(SceneErrors, NamesFromASceneAreOnlyLettersDigitsAndUnderscores) {
               std::string::npos);
 }
 
-}  // namespace
+}  // namespace section_test
 }  // namespace tw::test

@@ -4,7 +4,7 @@
 #include "test_paths.h"
 
 namespace tw::test {
-namespace {
+namespace studies_test {
 
 TEST(Studies, EveryReadySceneIsSound) {
     std::set<std::string> names;
@@ -35,5 +35,5 @@ TEST(Studies, TheSeaplanesDifferInSpeedOnly) {
     EXPECT_NEAR(slow.hull->length, 36.9, 0.1);
 }
 
-}  // namespace
+}  // namespace studies_test
 }  // namespace tw::test

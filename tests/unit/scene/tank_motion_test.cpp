@@ -3,7 +3,7 @@
 #include "scene_text.h"
 
 namespace tw::test {
-namespace {
+namespace tank_motion_test {
 
 const std::string swaying = R"([tank]
 min = [-0.5, 0, -0.2]
@@ -69,5 +69,5 @@ TEST(TankMotion, IsRefusedWithWhatIsNotSolvedInIt) {
                      "[[obstacle]]");
 }
 
-}  // namespace
+}  // namespace tank_motion_test
 }  // namespace tw::test

@@ -16,7 +16,7 @@
 #include "sph_solver/simulation.h"
 
 namespace tw {
-namespace {
+namespace any_order_test {
 
 constexpr double dp = 0.05;
 
@@ -223,5 +223,5 @@ TEST(AnyOrder, AtTheStartAndAnyNumberOfThreadsFloatABodyAlike) {
     EXPECT_EQ(run(false, 1), run(true, 2));
 }
 
-}  // namespace
+}  // namespace any_order_test
 }  // namespace tw

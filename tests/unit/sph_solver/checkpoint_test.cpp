@@ -5,7 +5,7 @@
 #include "sph_solver/state/checkpoint.h"
 
 namespace tw {
-namespace {
+namespace checkpoint_test {
 
 /// Water with finer particles in a part of it, which the balance round the bodies does not belong to.
 struct Balanced {
@@ -47,5 +47,5 @@ TEST(Checkpoint, GivesTheBalanceBackToTheLevelThatHasIt) {
     EXPECT_EQ(resumed.time(), whole.time());
 }
 
-}  // namespace
+}  // namespace checkpoint_test
 }  // namespace tw

@@ -17,7 +17,7 @@
 #include "sph_solver/sweeps/views.h"
 
 namespace tw {
-namespace {
+namespace choose_passes_test {
 
 namespace fs = std::filesystem;
 
@@ -181,5 +181,5 @@ TEST(Variants, AllMakeTheSameSumsToRounding) {
     }
 }
 
-}  // namespace
+}  // namespace choose_passes_test
 }  // namespace tw

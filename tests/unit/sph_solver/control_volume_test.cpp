@@ -4,7 +4,7 @@
 #include "sph_solver/levels/control_volume.h"
 
 namespace tw::test {
-namespace {
+namespace control_volume_test {
 
 // Water at rest carries itself: pressure on the faces and weight of what lies inside cancel, whatever the shape.
 TEST(ControlVolume, OfStillWaterHasNoForce) {
@@ -59,5 +59,5 @@ TEST(ControlVolume, WeighsLayersOfWaterAsTheFloorsPressureCarriesThem) {
     }
 }
 
-}  // namespace
+}  // namespace control_volume_test
 }  // namespace tw::test

@@ -19,7 +19,7 @@
 #include "sph_solver/state/checkpoint.h"
 
 namespace tw {
-namespace {
+namespace engine_test {
 
 /// A closed tank with a column of water against one side.
 SimulationSetup tank(int threads = 1) {
@@ -438,5 +438,5 @@ TEST(Walls, StopADropAndGetItsMomentum) {
         }
 }
 
-}  // namespace
+}  // namespace engine_test
 }  // namespace tw

@@ -16,7 +16,7 @@
 #include "sph_solver/equations/wall_touch.h"
 
 namespace tw {
-namespace {
+namespace equations_test {
 
 TEST(ShiftStep, GoesFromTheCrowdAndNoFurtherThanATwentiethOfTheSpacing) {
     const double dt = 1e-3, h = 0.15, dp = 0.1;
@@ -153,5 +153,5 @@ TEST(TensionControl, TurnsTensionInsideTheWaterOnly) {
     EXPECT_EQ(tension_controlled(5, 1, 0.95f), 5);
 }
 
-}  // namespace
+}  // namespace equations_test
 }  // namespace tw

@@ -6,7 +6,7 @@
 #include "sph_solver/fields/particles.h"
 
 namespace tw {
-namespace {
+namespace field_table_test {
 
 struct Three : FieldTable {
     FieldOf<double> x{*this, "x", Kept::saved};
@@ -106,5 +106,5 @@ TEST(Particles, WhatIsSavedHasANameOfItsOwnAndHoldsNumbers) {
     EXPECT_TRUE(names.contains("x"));
 }
 
-}  // namespace
+}  // namespace field_table_test
 }  // namespace tw

@@ -7,7 +7,7 @@
 #include "base/exact_sum.h"
 
 namespace tw {
-namespace {
+namespace for_particles_test {
 
 constexpr std::size_t n = 3 * 4096 + 17;
 
@@ -87,5 +87,5 @@ TEST(SumOver, IsTheSameInAnyOrderAndWithAnyNumberOfThreads) {
     EXPECT_EQ(sum_over<ExactSum>(0, [](ExactSum&, std::size_t) { FAIL(); }).value(), 0);
 }
 
-}  // namespace
+}  // namespace for_particles_test
 }  // namespace tw

@@ -6,7 +6,7 @@
 #include <numbers>
 
 namespace tw {
-namespace {
+namespace kernel_test {
 
 /// Integral of f(r) over space by the midpoint rule in r.
 template <class F>
@@ -51,5 +51,5 @@ TEST(Kernel, EndsAtTwoH) {
     EXPECT_GT(k.W(0.99), 0);
 }
 
-}  // namespace
+}  // namespace kernel_test
 }  // namespace tw

@@ -1,4 +1,5 @@
 // What a run with several sizes of particles tells of each of them.
+#include "base/numbers.h"
 #include "sph_solver/measure/level_ledger.h"
 
 #include <gtest/gtest.h>
@@ -6,18 +7,16 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 
 #include "record/certificate.h"
 #include "sph_solver/measure/certificate.h"
 #include "sph_solver/run_sph.h"
 
 namespace tw {
-namespace {
+namespace level_ledger_test {
 
 /// Weightless water, 0.8 m high and periodic along x, that streams through a zone of half the spacing.
 Simulation stream_through_a_zone(double air_above = 0) {
-    constexpr double infinite = std::numeric_limits<double>::infinity();
     SimulationSetup s;
     s.dimensions = 2;
     s.dp = 0.01;
@@ -150,5 +149,5 @@ TEST(LevelLedger, StandsInTheRecordAtEveryFrameWithTheZonesOfTheEnd) {
     std::filesystem::remove_all(folder);
 }
 
-}  // namespace
+}  // namespace level_ledger_test
 }  // namespace tw

@@ -7,14 +7,13 @@
 #include <random>
 
 #include "base/errors.h"
+#include "base/numbers.h"
 #include "meshes/generate.h"
 #include "sph_solver/simulation.h"
 #include "sph_solver/state/checkpoint.h"
 
 namespace tw {
-namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
+namespace levels_test {
 
 Zone zone_between(double x0, double x1, double z0, double z1) {
     return Zone({Box{Vec3(x0, -infinite, z0), Vec3(x1, infinite, z1)}});
@@ -256,5 +255,5 @@ TEST(Levels, RefuseSchemesThatTheyHaveNoCouplingFor) {
     EXPECT_THROW(Simulation(s, water_of(s)), InputError);
 }
 
-}  // namespace
+}  // namespace levels_test
 }  // namespace tw

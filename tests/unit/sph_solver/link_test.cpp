@@ -4,7 +4,7 @@
 #include "sph_solver/ghosts/open_boundaries.h"
 
 namespace tw {
-namespace {
+namespace link_test {
 
 const Box box{Vec3(-1, 0, -1), Vec3(1, 1, 1)};
 const Quanta quanta(Vec3::Zero(), 1e-6);
@@ -148,5 +148,5 @@ TEST(Mirrors, AParticleThatCrossedAPlaneIsReturned) {
     EXPECT_EQ(p.v[0], 3);
 }
 
-}  // namespace
+}  // namespace link_test
 }  // namespace tw

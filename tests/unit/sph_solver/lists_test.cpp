@@ -8,7 +8,7 @@
 #include "sph_solver/sweeps/views.h"
 
 namespace tw {
-namespace {
+namespace lists_test {
 
 /// A cloud without any order, sorted and grouped as the solver does: some columns tall, some empty.
 struct Cloud {
@@ -145,5 +145,5 @@ TEST(NeighbourLists, PrunedAfterAMoveHoldWhoeverIsWithinReachThen) {
     EXPECT_GT(came_or_went, 1000);
 }
 
-}  // namespace
+}  // namespace lists_test
 }  // namespace tw

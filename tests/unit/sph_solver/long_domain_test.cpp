@@ -10,7 +10,7 @@
 #include "sph_solver/sweeps/views.h"
 
 namespace tw {
-namespace {
+namespace long_domain_test {
 
 constexpr double dp = 0.1, h = 1.5 * dp;
 constexpr std::int64_t one_dp = 1 << 18;
@@ -135,5 +135,5 @@ TEST(LevelQuanta, APlaceOfACoarseLevelIsOneOfAFinerLevelByAShift) {
     EXPECT_EQ(fine.wide(1 + static_cast<double>(q) * coarse.size, 0), q << 2);
 }
 
-}  // namespace
+}  // namespace long_domain_test
 }  // namespace tw

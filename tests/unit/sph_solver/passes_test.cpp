@@ -10,7 +10,7 @@
 #include "sph_solver/sweeps/views.h"
 
 namespace tw {
-namespace {
+namespace passes_test {
 
 constexpr double dp = 0.1, h = 1.5 * dp, rho0 = 1000;
 
@@ -286,5 +286,5 @@ TEST(BodyLoads, OfAllWallsAsOneBodyAreTheSumAndTheWaterFeelsTheSame) {
     EXPECT_TRUE(same_bits(one.wall_load, without.wall_load));
 }
 
-}  // namespace
+}  // namespace passes_test
 }  // namespace tw

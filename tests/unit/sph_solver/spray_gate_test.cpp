@@ -1,15 +1,15 @@
 // Water that leaves a run as droplets: what is taken, and what is left alone.
+#include "base/numbers.h"
 #include "sph_solver/measure/spray_gate.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "sph_solver/simulation.h"
 
 namespace tw {
-namespace {
+namespace spray_gate_test {
 
 constexpr double dp = 0.05;
 
@@ -100,7 +100,6 @@ TEST(SprayGate, LeavesTheBodyOfWaterAndWhatHangsOnIt) {
 /// behind of either size is what a run without the lump has.
 TEST(SprayGate, TakesALumpOfTwoSizesWithAllThatStandsForIt) {
     SimulationSetup s = tank();
-    constexpr double infinite = std::numeric_limits<double>::infinity();
     s.dp = dp / 2;
     s.zones = {Zone({Box{{-infinite, -infinite, -infinite}, {0.5, infinite, infinite}}})};
     const Box sea{{0, 0, 0}, {1, 0.3, 0.3}}, lump{{0.4, 0.1, 0.7}, {0.6, 0.2, 0.8}};
@@ -141,5 +140,5 @@ TEST(SprayGate, AnyNumberOfThreadsAndARestartGiveTheSameBits) {
     EXPECT_EQ(one.drho, again.drho);
 }
 
-}  // namespace
+}  // namespace spray_gate_test
 }  // namespace tw

@@ -9,7 +9,7 @@
 #include "sph_solver/bodies/samples.h"
 
 namespace tw {
-namespace {
+namespace walls_test {
 
 const Box everywhere{Vec3::Constant(-100), Vec3::Constant(100)};
 
@@ -52,5 +52,5 @@ TEST(SurfaceSamples, AddUpToTheAreaVectorsOfTheSurface) {
                 0.002 * 9810 * mass_properties(sphere).volume);
 }
 
-}  // namespace
+}  // namespace walls_test
 }  // namespace tw

@@ -3,10 +3,11 @@
 
 #include <algorithm>
 
+#include "base/numbers.h"
 #include "sph_solver/measure/water_raster.h"
 
 namespace tw {
-namespace {
+namespace water_raster_test {
 
 constexpr double coarse = 0.02, voxel = 0.04;
 const RasterSpec spec{{0, -voxel / 2, 0}, voxel, {30, 1, 10}};
@@ -14,7 +15,6 @@ const RasterSpec spec{{0, -voxel / 2, 0}, voxel, {30, 1, 10}};
 /// A stream of 1 m/s, to the right through a zone of half the size, in two dimensions and without gravity. It is longer
 /// than the raster and `depth` [m] deep.
 Simulation stream(double depth) {
-    constexpr double infinite = std::numeric_limits<double>::infinity();
     SimulationSetup s;
     s.dimensions = 2;
     s.gravity = Vec3::Zero();
@@ -67,5 +67,5 @@ TEST(WaterRaster, ShowsFineSprayBeyondItsZone) {
     EXPECT_NEAR(f.water[8 * 30 + 25], 255 / 16.0, 1);
 }
 
-}  // namespace
+}  // namespace water_raster_test
 }  // namespace tw

@@ -8,7 +8,7 @@
 #include "sph_solver/equations/kernel.h"
 
 namespace tw {
-namespace {
+namespace wetness_test {
 
 /// A flat plate through the origin, from 6h below still water to 6h above it, looking down at `theta` to the surface
 /// (90 degrees: upright), and how far along it the wet patches reach beyond the waterline.
@@ -78,5 +78,5 @@ TEST(Wetness, OfAKeelIsItsLengthUpToTheWaterline) {
     }
 }
 
-}  // namespace
+}  // namespace wetness_test
 }  // namespace tw

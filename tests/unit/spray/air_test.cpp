@@ -4,7 +4,7 @@
 #include "spray/air/air.h"
 
 namespace tw::spray {
-namespace {
+namespace air_test {
 
 TEST(AirTables, AreLinearBetweenTheirHeightsAndNothingBeyond) {
     const AirTable table(
@@ -28,5 +28,5 @@ TEST(AirTables, RefuseHeightsThatDoNotIncreaseAndAirThatCannotBe) {
     EXPECT_THROW(AirTable({{0, {}}, {1, {Vec3::Zero(), 1.2, -1}}}), InputError);
 }
 
-}  // namespace
+}  // namespace air_test
 }  // namespace tw::spray

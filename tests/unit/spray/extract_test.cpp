@@ -6,7 +6,7 @@
 #include "spray/extract/extract.h"
 
 namespace tw::spray {
-namespace {
+namespace extract_test {
 
 const UniformAir still_air{AirState{}};
 constexpr double dp = 0.01;
@@ -250,5 +250,5 @@ TEST(Extraction, RefusesToTakeTheSameWaterTwice) {
     EXPECT_THROW(wrong.look_at(sea_with_spray()), InputError);
 }
 
-}  // namespace
+}  // namespace extract_test
 }  // namespace tw::spray

@@ -8,7 +8,7 @@
 #include "spray/flight/fly.h"
 
 namespace tw::spray {
-namespace {
+namespace flight_test {
 
 const UniformAir still_air{AirState{}};
 
@@ -129,5 +129,5 @@ TEST(Flight, RefusesDropletsThatCannotBe) {
     EXPECT_THROW(fly({&lost, 1}, still_air, {}, without_water(1)), InputError);
 }
 
-}  // namespace
+}  // namespace flight_test
 }  // namespace tw::spray

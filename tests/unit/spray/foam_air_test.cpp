@@ -7,7 +7,7 @@
 #include "tests/unit/spray/row_of_cells.h"
 
 namespace tw::spray {
-namespace {
+namespace foam_air_test {
 namespace fs = std::filesystem;
 
 std::string complaint(const fs::path& folder, std::optional<double> time) {
@@ -95,5 +95,5 @@ TEST(FoamAir, ThatCannotBeReadNamesWhatIsMissing) {
     EXPECT_THROW(FoamAir(folder / "", 1, {.density = -1}), InputError);
 }
 
-}  // namespace
+}  // namespace foam_air_test
 }  // namespace tw::spray

@@ -7,7 +7,7 @@
 #include "spray/load/estimate.h"
 
 namespace tw::spray {
-namespace {
+namespace load_test {
 
 TEST(Pulses, RiseToThePeakAndCarryTheImpulse) {
     const Pulse pulse(PulseShape::root, 0.05, 3e-5);
@@ -167,5 +167,5 @@ TEST(Windows, TileTheSensorWithoutOverlap) {
     EXPECT_NEAR(upright.across().z(), 0, 1e-15);
 }
 
-}  // namespace
+}  // namespace load_test
 }  // namespace tw::spray

@@ -5,7 +5,7 @@
 #include <numbers>
 
 namespace tw::spray {
-namespace {
+namespace reach_test {
 
 const Vec3 gravity(0, 0, -9.81);
 
@@ -46,5 +46,5 @@ TEST(Reach, CountsDropletsThatAreFastEnough) {
     EXPECT_EQ(reach({}, to, gravity).least, 0);
 }
 
-}  // namespace
+}  // namespace reach_test
 }  // namespace tw::spray

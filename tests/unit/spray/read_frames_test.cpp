@@ -8,7 +8,7 @@
 #include "tests/unit/spray/row_of_cells.h"
 
 namespace tw::spray {
-namespace {
+namespace read_frames_test {
 namespace fs = std::filesystem;
 
 TEST(Snapshots, GiveBackTheWaterThatWasWritten) {
@@ -63,5 +63,5 @@ TEST(Cells, GiveTheirWaterAndWhatWasLeftOut) {
     EXPECT_THROW(foam_frames(folder / "case" / "0", {}), InputError);
 }
 
-}  // namespace
+}  // namespace read_frames_test
 }  // namespace tw::spray

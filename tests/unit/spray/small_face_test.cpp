@@ -10,7 +10,7 @@
 #include "spray/load/repeats.h"
 
 namespace tw::spray {
-namespace {
+namespace small_face_test {
 
 const Liquid water;
 constexpr double face = 1e-3;
@@ -76,5 +76,5 @@ TEST(Repeats, OfTwentyOneThatIsFarOffIsLeftOut) {
     EXPECT_THROW(repeats_of(std::vector<double>{1, std::nan("")}), InputError);
 }
 
-}  // namespace
+}  // namespace small_face_test
 }  // namespace tw::spray

@@ -7,7 +7,7 @@
 #include "tests/unit/record/example_record.h"
 
 namespace tw::spray {
-namespace {
+namespace taken_test {
 
 /// A record with two lumps: 0.5 kg at 0.1 s and 0.008 kg at 0.2 s.
 RunRecord record_with_lumps() {
@@ -83,5 +83,5 @@ TEST(TakenByTheGate, NeedsARunWithAGate) {
     EXPECT_TRUE(run_spray(study_of(folder.path())).droplets.empty());
 }
 
-}  // namespace
+}  // namespace taken_test
 }  // namespace tw::spray

@@ -4,7 +4,7 @@
 #include "spray/flight/tracks.h"
 
 namespace tw::spray {
-namespace {
+namespace tracks_test {
 
 const UniformAir still_air{AirState{}};
 
@@ -77,5 +77,5 @@ TEST(Drag, OfPutnamIsThatOfOpenFoam) {
     EXPECT_NEAR(drag_coefficient(10, DragLaw::putnam) / drag_coefficient(10), 1.0254, 1e-3);
 }
 
-}  // namespace
+}  // namespace tracks_test
 }  // namespace tw::spray

@@ -5,7 +5,7 @@
 #include <vector>
 
 namespace tw::spray {
-namespace {
+namespace two_sprays_test {
 
 std::vector<Droplet> spray(int count, double diameter, const Vec3& velocity) {
     std::vector<Droplet> all;
@@ -53,5 +53,5 @@ TEST(TwoSprays, SharesDifferAsCounted) {
     EXPECT_EQ(largest_share_difference(std::vector<double>{10}, std::vector<double>{1, 2, 3}), 1);
 }
 
-}  // namespace
+}  // namespace two_sprays_test
 }  // namespace tw::spray

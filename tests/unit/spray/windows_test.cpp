@@ -7,7 +7,7 @@
 #include "spray/report/write_spray.h"
 
 namespace tw::spray {
-namespace {
+namespace windows_test {
 
 /// A stream of `count` droplets along x in 3 ms, within `width` of the middle of a sensor 0.1 m ahead.
 SprayStudy stream_at_sensor(int count, double width) {
@@ -117,5 +117,5 @@ TEST(Ledger, HoldsHowDropletsEnd) {
     EXPECT_LT(r.landed.momentum.x(), 10 * 1000 * r.landed.volume);  // the air has slowed them
 }
 
-}  // namespace
+}  // namespace windows_test
 }  // namespace tw::spray

@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace tw {
-namespace {
+namespace judge_test {
 
 HardCaseRun run_with(const std::vector<CertificateLine>& lines) {
     HardCaseRun run;
@@ -64,5 +64,5 @@ TEST(StabilityJudgement, NotANumberAndNothingAtAllDoNotPass) {
     EXPECT_EQ(judge_stability({}, {}).stability, Stability::failed);
 }
 
-}  // namespace
+}  // namespace judge_test
 }  // namespace tw

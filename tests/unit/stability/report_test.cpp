@@ -7,7 +7,7 @@
 #include "stability/heat_map.h"
 
 namespace tw {
-namespace {
+namespace report_test {
 
 std::size_t count(const std::string& text, const std::string& part) {
     std::size_t n = 0;
@@ -103,5 +103,5 @@ TEST(StabilityMaps, EqualCasesAreRunOnceAndAStopIsHeeded) {
     EXPECT_FALSE(run_stability_maps(maps, 1, {}, [] { return true; }));
 }
 
-}  // namespace
+}  // namespace report_test
 }  // namespace tw

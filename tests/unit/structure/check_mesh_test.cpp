@@ -3,7 +3,7 @@
 #include "mesh_text.h"
 
 namespace tw::structure {
-namespace {
+namespace check_mesh_test {
 
 const std::string nodes =
     "*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 1, 1, 0\n4, 0, 1, 0\n5, 2, 0, 0\n6, 2, 1, 0\n"
@@ -34,5 +34,5 @@ TEST(CheckMesh, NamesPartsThatAreNotConnected) {
     EXPECT_NE(apart.find(": element 8 hangs together with element 7 by no node"), std::string::npos) << apart;
 }
 
-}  // namespace
+}  // namespace check_mesh_test
 }  // namespace tw::structure

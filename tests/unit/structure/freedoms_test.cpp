@@ -5,7 +5,7 @@
 #include "base/errors.h"
 
 namespace tw::structure {
-namespace {
+namespace freedoms_test {
 const std::vector<Vec3> nodes{{0, 0, 0}, {1, 0, 0}, {1, 2, 0.5}, {0, 1, 0}};
 
 TEST(Freedoms, OfARigidPartCarryItsNodesAlong) {
@@ -89,5 +89,5 @@ TEST(Freedoms, RefuseWhatCannotBe) {
     }));
 }
 
-}  // namespace
+}  // namespace freedoms_test
 }  // namespace tw::structure

@@ -7,7 +7,7 @@
 #include <Eigen/LU>
 
 namespace tw::structure {
-namespace {
+namespace hyperelastic_test {
 using Eigen::Matrix3d;
 const Hyperelastic materials[] = {Hyperelastic::mooney_rivlin(4e5, 1e5, 5e8, 1100),
                                   Hyperelastic::saint_venant(1e6, 0.4, 1000)};
@@ -72,5 +72,5 @@ TEST(Hyperelastic, ThatNoMaterialIsIsNamed) {
     EXPECT_NE(impossible(Hyperelastic::mooney_rivlin(std::nan(""), 0, 1e8, 1000)).find("shear"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace hyperelastic_test
 }  // namespace tw::structure

@@ -1,15 +1,14 @@
+#include "base/numbers.h"
 #include "structure/laminate.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "base/errors.h"
 
 namespace tw::structure {
-namespace {
-constexpr double degree = std::numbers::pi / 180;
+namespace laminate_test {
 const PlyMaterial ply{40e9, 10e9, 0.25, 4e9, 4e9, 3e9, 1500};
 
 std::string refusal(std::vector<Ply> stack) {
@@ -103,5 +102,5 @@ TEST(Laminate, WithoutLayersOrOfWhatNoMaterialIsIsRefused) {
     EXPECT_EQ(refusal({{impossible_ply, 0, 1e-3}}), "");
 }
 
-}  // namespace
+}  // namespace laminate_test
 }  // namespace tw::structure

@@ -6,7 +6,7 @@
 #include "structure/laminate.h"
 
 namespace tw::structure {
-namespace {
+namespace layup_test {
 const std::vector<std::pair<std::string, Ply>> materials{{"C1", {isotropic(1e9, 0.3, 1500), 0, 0.3e-3}},
                                                          {"C2", {isotropic(2e9, 0.3, 1600), 0, 0.1e-3}}};
 
@@ -45,5 +45,5 @@ TEST(Layup, ThatCannotBeReadNamesTheLayer) {
     EXPECT_NE(refusal("[0 C1]t").find("\"t\" after the bracket"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace layup_test
 }  // namespace tw::structure

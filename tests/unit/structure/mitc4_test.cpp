@@ -11,7 +11,7 @@
 #include "structure/shell/shell.h"
 
 namespace tw::structure {
-namespace {
+namespace mitc4_test {
 
 Laminate unsymmetric() {
     const PlyMaterial ply{40e9, 10e9, 0.25, 4e9, 4e9, 3e9, 1500};
@@ -130,5 +130,5 @@ TEST(Shell, PressureAndWeightAddUp) {
     EXPECT_NEAR(weight, -9.81 * (100 * shell.laminate().areal_mass() + 2.5 + 8), 1e-9);
 }
 
-}  // namespace
+}  // namespace mitc4_test
 }  // namespace tw::structure

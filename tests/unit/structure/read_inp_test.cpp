@@ -7,7 +7,7 @@
 #include "base/errors.h"
 
 namespace tw::structure {
-namespace {
+namespace read_inp_test {
 
 std::filesystem::path written(const std::string& text) {
     const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
@@ -83,5 +83,5 @@ TEST(Inp, ThatIsUnsoundIsRefusedByLine) {
     EXPECT_THROW(read_inp("no_such_mesh.inp"), InputError);
 }
 
-}  // namespace
+}  // namespace read_inp_test
 }  // namespace tw::structure

@@ -3,7 +3,7 @@
 #include "mesh_text.h"
 
 namespace tw::structure {
-namespace {
+namespace read_msh_test {
 
 /// Two squares side by side, the left edge and the surface as physical groups, in Gmsh's two formats.
 const std::string four = R"($MeshFormat
@@ -120,5 +120,5 @@ TEST(Msh, ThatIsUnsoundIsRefusedByLine) {
     EXPECT_NE(refusal(two, ".stl").find("expected one of these endings"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace read_msh_test
 }  // namespace tw::structure

@@ -3,7 +3,7 @@
 #include "mesh_text.h"
 
 namespace tw::structure {
-namespace {
+namespace read_vtu_test {
 
 /// Two squares side by side; the points of the left edge are marked.
 const std::string plate = R"(<VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian">
@@ -39,5 +39,5 @@ TEST(Vtu, ThatIsUnsoundIsRefused) {
     EXPECT_THROW(read_mesh("no_such_mesh.vtu"), InputError);
 }
 
-}  // namespace
+}  // namespace read_vtu_test
 }  // namespace tw::structure

@@ -10,7 +10,7 @@
 #include "structure/generate.h"
 
 namespace tw::structure {
-namespace {
+namespace solid_test {
 const Hyperelastic rubber = Hyperelastic::mooney_rivlin(4e5, 1e5, 5e8, 1100);
 
 /// Two by two by two elements, the inner node and all others moved off their lattice.
@@ -130,5 +130,5 @@ TEST(Solid, ThatIsInvertedUnconnectedOrWithoutMaterialIsRefused) {
     EXPECT_NE(refusal([](SolidMesh&) {}, Hyperelastic::neo_hookean(1e6, 0.5, 1)).find("bulk"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace solid_test
 }  // namespace tw::structure

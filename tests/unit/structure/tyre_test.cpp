@@ -8,7 +8,7 @@
 #include "base/errors.h"
 
 namespace tw::structure {
-namespace {
+namespace tyre_test {
 
 TEST(Tyre, HasItsMainDimensions) {
     const Tyre t;
@@ -38,5 +38,5 @@ TEST(Tyre, ThatIsNoneIsRefused) {
     EXPECT_THROW(tyre_mesh(t), InputError);
 }
 
-}  // namespace
+}  // namespace tyre_test
 }  // namespace tw::structure

@@ -7,7 +7,7 @@
 #include "base/errors.h"
 
 namespace tw {
-namespace {
+namespace csv_columns_test {
 
 std::string refusal(const std::string& text) {
     try {
@@ -62,5 +62,5 @@ TEST(CsvColumns, FaultsNameFileLineAndColumn) {
     EXPECT_EQ(refusal("t,F\n0,\x1b[2J\n").find('\x1b'), std::string::npos);
 }
 
-}  // namespace
+}  // namespace csv_columns_test
 }  // namespace tw

@@ -5,7 +5,7 @@
 #include "base/errors.h"
 
 namespace tw {
-namespace {
+namespace section_test {
 
 /// What is complained about when `read` takes the document.
 template <class Read>
@@ -72,5 +72,5 @@ TEST(Section, ComplaintsNameThePlaceWhatWasFoundAndWhatIsExpected) {
               "a.toml:1:1: part = {...}: expected sections [[part]]");
 }
 
-}  // namespace
+}  // namespace section_test
 }  // namespace tw

@@ -6,7 +6,7 @@
 #include <numbers>
 
 namespace tw {
-namespace {
+namespace units_test {
 
 TEST(Units, AreWhatTheStandardsSay) {
     constexpr double exact = 1e-15;
@@ -56,5 +56,5 @@ TEST(Units, NonsenseIsRefused) {
     EXPECT_NE(error_of("3 furlong", "m").find("unknown unit 'furlong'"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace units_test
 }  // namespace tw

@@ -9,7 +9,7 @@
 #include "test_paths.h"
 
 namespace tw::test {
-namespace {
+namespace elastic_gate_test {
 
 /// A column of the record at a time, between its rows.
 double at(const Table& t, const std::string& column, double time) {
@@ -46,5 +46,5 @@ TEST(ElasticGate, OpensAsMeasuredAndStaysShortOfTheWidestMeasuredOpening) {
     EXPECT_LT(most, widest);
 }
 
-}  // namespace
+}  // namespace elastic_gate_test
 }  // namespace tw::test

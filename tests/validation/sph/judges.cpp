@@ -1,8 +1,8 @@
+#include "base/numbers.h"
 #include "judges.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <tuple>
 
@@ -10,8 +10,6 @@
 
 namespace tw::test {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Elevation of the water at rest [m].
 double still_level(const Scene& scene) {

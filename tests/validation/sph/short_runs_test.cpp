@@ -11,7 +11,7 @@
 #include "test_paths.h"
 
 namespace tw::test {
-namespace {
+namespace short_runs_test {
 
 void expect_all_pass(const StudyRun& run, const std::vector<Row>& rows) {
     ASSERT_EQ(run.record.state, "finished") << run.record.reason;
@@ -82,5 +82,5 @@ TEST(CylinderEntry, IsAsDeepAsABoundaryElementMethodSaysWhileItIsSlowed) {
     EXPECT_LT(made->value, 0.01) << "% of the potential energy";
 }
 
-}  // namespace
+}  // namespace short_runs_test
 }  // namespace tw::test

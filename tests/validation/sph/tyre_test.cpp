@@ -6,7 +6,7 @@
 #include "study_run.h"
 
 namespace tw::test {
-namespace {
+namespace tyre_test {
 
 /// Water that is caught between rubber and floor stays a particle thick; where rubber meets the tank's own floor it is
 /// pressed to 130 % of its density after 13.8 ms, and the run stops.
@@ -24,5 +24,5 @@ TEST(TyreDrop, PressesTheFloorThroughTheWaterThatStaysUnderIt) {
     EXPECT_NEAR(mass.back() / mass.front(), 1, 1e-9);
 }
 
-}  // namespace
+}  // namespace tyre_test
 }  // namespace tw::test

@@ -1,18 +1,17 @@
 // Pressures that a record holds, put onto the plate of its scene (foam_cases/one_way.h).
+#include "base/numbers.h"
 #include "foam_cases/one_way.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "base/errors.h"
 #include "foam_cases/read/plate_pressures.h"
 #include "structure/generate.h"
 
 namespace tw {
-namespace {
-constexpr double pi = std::numbers::pi;
+namespace one_way_test {
 
 /// A plate of 0.4 x 0.3 m and 2 mm, hinged at all edges or carried by a frame of 20 kg in all that can only sink.
 struct Plate {
@@ -233,5 +232,5 @@ TEST(OneWay, ElementsTakeTheForceAndTheMomentOfTheFaces) {
     }
 }
 
-}  // namespace
+}  // namespace one_way_test
 }  // namespace tw

@@ -7,7 +7,7 @@
 #include "meshes/generate.h"
 
 namespace tw {
-namespace {
+namespace floating_attitude_test {
 
 constexpr double length = 2, beam = 0.5, height = 0.4, draft = 0.1;
 
@@ -55,5 +55,5 @@ TEST(FloatingAttitude, KeepsATrimThatIsHeldAndRefusesWhatSinks) {
         << "its mass lies ahead of or behind all of it";
 }
 
-}  // namespace
+}  // namespace floating_attitude_test
 }  // namespace tw

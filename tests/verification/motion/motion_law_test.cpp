@@ -7,7 +7,7 @@
 #include "motion/motion_law.h"
 
 namespace tw {
-namespace {
+namespace motion_law_test {
 
 /// Rate and acceleration are the derivatives of the path, by central differences.
 void expect_derivatives(const MotionLaw& law, double t) {
@@ -59,5 +59,5 @@ TEST(MotionLaw, OfATableThatDoesNotRiseInTimeIsRefused) {
     EXPECT_EQ(message({0}, {0}), "a table of motion needs two rows or more");
 }
 
-}  // namespace
+}  // namespace motion_law_test
 }  // namespace tw

@@ -7,7 +7,7 @@
 #include <numbers>
 
 namespace tw {
-namespace {
+namespace moving_frame_test {
 
 const Vec3 g(0, 0, -9.81);
 
@@ -79,5 +79,5 @@ TEST(MovingFrame, WhatRestsInTheEarthMovesAgainstATankThatSways) {
     EXPECT_GT(seen.norm(), 1);
 }
 
-}  // namespace
+}  // namespace moving_frame_test
 }  // namespace tw

@@ -1,13 +1,12 @@
+#include "base/numbers.h"
 #include "motion/rigid_body.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 namespace tw {
-namespace {
-constexpr double pi = std::numbers::pi;
+namespace rigid_body_test {
 
 RigidBodySetup brick() {
     RigidBodySetup s;
@@ -154,5 +153,5 @@ TEST(RigidBody, FollowsAPrescribedMotionWhateverTheLoads) {
     EXPECT_NEAR(body.prescribed_angular_acceleration().y(), -0.2 * pi * pi, 1e-9);
 }
 
-}  // namespace
+}  // namespace rigid_body_test
 }  // namespace tw

@@ -1,14 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "base/numbers.h"
 #include "meshes/generate.h"
 #include "motion/rigid_mass.h"
 
 namespace tw {
-namespace {
-constexpr double pi = std::numbers::pi;
+namespace rigid_mass_test {
 
 void expect_within(const Vec3& got, const Vec3& exact, double share) {
     for (int a = 0; a < 3; ++a) EXPECT_NEAR(got[a] / exact[a], 1, share) << "axis " << a;
@@ -62,5 +61,5 @@ TEST(RigidMass, ThatNoBodyCanHaveIsNamed) {
     EXPECT_NE(impossible(bad).find("not positive"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace rigid_mass_test
 }  // namespace tw

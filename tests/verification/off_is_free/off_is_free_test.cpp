@@ -16,7 +16,7 @@
 #include "sph_solver/state/checkpoint.h"
 
 namespace tw {
-namespace {
+namespace off_is_free_test {
 
 /// What a command prints on both its channels.
 std::string output_of(const std::string& command) {
@@ -80,5 +80,5 @@ TEST(OffIsFree, ACheckpointDoesNotGrow) {
     EXPECT_EQ(length(true), length(false));
 }
 
-}  // namespace
+}  // namespace off_is_free_test
 }  // namespace tw

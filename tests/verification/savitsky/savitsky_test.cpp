@@ -1,17 +1,15 @@
 // Savitsky's regression against an independently computed table.
+#include "base/numbers.h"
 #include "compare/reference/savitsky.h"
 #include "tests/data_table.h"
 
 #include <gtest/gtest.h>
 
-#include <numbers>
 #include <string>
 #include <vector>
 
 namespace tw {
-namespace {
-
-constexpr double degree = std::numbers::pi / 180;
+namespace savitsky_test {
 
 // Columns: Cv, deadrise [deg], trim [deg], lambda, beam [m], U [m/s], CL0, CLbeta, lift [N], Cf, friction, drag [N], ...
 std::vector<std::vector<double>> table() { return number_rows("savitsky_prismatic_fixed_trim.csv"); }
@@ -35,5 +33,5 @@ TEST(Savitsky, LiftAndDragEqualTheIndependentTable) {
     }
 }
 
-}  // namespace
+}  // namespace savitsky_test
 }  // namespace tw

@@ -17,7 +17,7 @@
 #include "sph_solver/simulation.h"
 
 namespace tw {
-namespace {
+namespace acoustic_pulse_test {
 
 constexpr double c0 = 20, strength = 1e-4, width = 0.06;  // [m/s], rho'/rho0, standard deviation of the pulse [m]
 
@@ -123,5 +123,5 @@ TEST(AcousticPulse, TravelsAtTheSpeedOfSoundAndNeverGrows) {
     EXPECT_GT(pulses[2].energy, 0.98);
 }
 
-}  // namespace
+}  // namespace acoustic_pulse_test
 }  // namespace tw

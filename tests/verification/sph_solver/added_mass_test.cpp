@@ -8,7 +8,7 @@
 #include "column_on_plate.h"
 
 namespace tw {
-namespace {
+namespace added_mass_test {
 
 struct Outcome {
     double made = 0;        ///< the most energy made lately at the interface [-]
@@ -60,5 +60,5 @@ TEST(AddedMass, IsKnownByTheEnergyOfTheInterfaceAndCuredByRelaxation) {
     EXPECT_NEAR(iterated.deflection / column.exact(), 1, 0.05);
 }
 
-}  // namespace
+}  // namespace added_mass_test
 }  // namespace tw

@@ -17,17 +17,15 @@
 #include <cstdio>
 #include <functional>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 #include "base/errors.h"
+#include "base/numbers.h"
 #include "sph_solver/air.h"
 #include "sph_solver/simulation.h"
 
 namespace tw {
-namespace {
-
-constexpr double pi = std::numbers::pi;
+namespace air_test {
 
 /// Zero of a falling function between a and b.
 double bisect(const std::function<double(double)>& f, double a, double b) {
@@ -200,5 +198,5 @@ TEST(Air, WantsWaterOfOneSizeOfParticles) {
     EXPECT_THROW(add_air(simulation, {}, gas), InputError);
 }
 
-}  // namespace
+}  // namespace air_test
 }  // namespace tw

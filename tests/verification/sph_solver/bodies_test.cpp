@@ -13,7 +13,7 @@
 #include "sph_solver/state/checkpoint.h"
 
 namespace tw {
-namespace {
+namespace bodies_test {
 
 TEST(Bodies, AfloatAtArchimedesDraftStayThere) {
     const double dp = 0.01, height = 0.2, draft = 0.1;
@@ -354,5 +354,5 @@ TEST(Bodies, ThatTheWaterMovesNeedAStepOfOneEvaluation) {
     EXPECT_THROW(Simulation(s, water(s)), InputError);
 }
 
-}  // namespace
+}  // namespace bodies_test
 }  // namespace tw

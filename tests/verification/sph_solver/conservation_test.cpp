@@ -42,7 +42,7 @@
 #include "sph_solver/simulation.h"
 
 namespace tw {
-namespace {
+namespace conservation_test {
 
 /// Energies [J] and momenta [N s], [N m s] per metre of width.
 struct Sums {
@@ -441,5 +441,5 @@ TEST(EnergyBudget, OfAColumnThatCollapsesOnASolidFloorCloses) {
         }
 }
 
-}  // namespace
+}  // namespace conservation_test
 }  // namespace tw

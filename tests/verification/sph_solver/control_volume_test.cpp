@@ -7,7 +7,7 @@
 #include "run_of.h"
 
 namespace tw {
-namespace {
+namespace control_volume_test {
 
 constexpr auto still_tank = R"(
 [hull]
@@ -48,5 +48,5 @@ TEST(ControlVolumeOfABox, InStillWaterHasTheBuoyancyOfArchimedes) {
     EXPECT_NEAR(sum / rows / buoyancy, 1, 0.02);
 }
 
-}  // namespace
+}  // namespace control_volume_test
 }  // namespace tw

@@ -22,7 +22,7 @@
 #include "sph_solver/equations/kernel.h"
 
 namespace tw {
-namespace {
+namespace dummies_test {
 
 using Lengths = std::map<std::string, double>;
 const Box everywhere{Vec3::Constant(-100), Vec3::Constant(100)};
@@ -93,5 +93,5 @@ TEST(Dummies, FollowNosesAndSharpEdgesWithinATenthOfASpacing) {
         }
 }
 
-}  // namespace
+}  // namespace dummies_test
 }  // namespace tw

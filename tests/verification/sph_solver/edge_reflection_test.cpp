@@ -8,15 +8,15 @@
 
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <numbers>
 
+#include "base/numbers.h"
 #include "sph_solver/simulation.h"
 
 namespace tw {
-namespace {
+namespace edge_reflection_test {
 
-constexpr double infinite = std::numeric_limits<double>::infinity(), coarse = 0.02, c0 = 20;
+constexpr double coarse = 0.02, c0 = 20;
 
 struct Packet {
     double back = 0, through = 0;  ///< root mean squares of density, over the packet's at the start
@@ -112,5 +112,5 @@ TEST(EdgeReflection, DISABLED_TableOfLengthsAnglesAndEdges) {
     lines(40, 0, 1);
 }
 
-}  // namespace
+}  // namespace edge_reflection_test
 }  // namespace tw

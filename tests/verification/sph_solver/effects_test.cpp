@@ -3,8 +3,8 @@
 
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 
+#include "base/numbers.h"
 #include "meshes/generate.h"
 #include "sph_solver/effects/acoustic_damping.h"
 #include "sph_solver/effects/cavitation.h"
@@ -14,9 +14,7 @@
 #include "sph_solver/simulation.h"
 
 namespace tw {
-namespace {
-
-constexpr double pi = std::numbers::pi;
+namespace effects_test {
 
 /// Two dimensions (x, z), no gravity, no artificial viscosity.
 SimulationSetup plane(double dp, double c0, const Box& domain) {
@@ -410,5 +408,5 @@ TEST(DampingLayers, TakeTheWavesThatReachThem) {
     EXPECT_LT(with, 0.1 * without);
 }
 
-}  // namespace
+}  // namespace effects_test
 }  // namespace tw

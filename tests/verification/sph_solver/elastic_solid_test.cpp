@@ -11,7 +11,7 @@
 #include "structure/generate.h"
 
 namespace tw {
-namespace {
+namespace elastic_solid_test {
 
 /// A tank whose floor is a block of soft rubber that can only be compressed: a column of rubber under one of water.
 struct ColumnOnRubber {
@@ -148,5 +148,5 @@ TEST(ElasticSolid, GivesTheSameBitsWithAnyNumberOfThreadsAndAfterARestart) {
     EXPECT_TRUE(same_bits(one, both));
 }
 
-}  // namespace
+}  // namespace elastic_solid_test
 }  // namespace tw

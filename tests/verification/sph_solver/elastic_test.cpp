@@ -12,7 +12,7 @@
 #include "sph_solver/state/checkpoint.h"
 
 namespace tw {
-namespace {
+namespace elastic_test {
 
 /// Released at rest the plate swings about the deflection at which the water would rest on it. The mean is weighted by
 /// a bell over the run, which a swing of many periods leaves alone.
@@ -194,5 +194,5 @@ TEST(Elastic, BodiesNeedKickDriftKick) {
     EXPECT_THROW(Simulation(s, water), InputError);
 }
 
-}  // namespace
+}  // namespace elastic_test
 }  // namespace tw

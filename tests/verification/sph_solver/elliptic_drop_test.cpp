@@ -8,7 +8,7 @@
 #include "tests/data_table.h"
 
 namespace tw {
-namespace {
+namespace elliptic_drop_test {
 
 constexpr double A = 100, end = 0.0076;  // [1/s], [s]: the drop is nearly four times as high as wide then
 
@@ -43,5 +43,5 @@ TEST(EllipticDrop, ItsLongAxisApproachesTheExactOneWithTheSpacing) {
     EXPECT_GT(std::log2(coarse_z / fine_z), 0.7);  // order of convergence
 }
 
-}  // namespace
+}  // namespace elliptic_drop_test
 }  // namespace tw

@@ -9,7 +9,7 @@
 #include "sph_solver/simulation.h"
 
 namespace tw {
-namespace {
+namespace exact_cases_test {
 
 /// A closed tank of still water with a submerged box on lattice planes.
 TEST(StillWater, PressesOnASubmergedBoxWithItsWeight) {
@@ -117,5 +117,5 @@ TEST(UniformStream, DragOfAClosedBodyIsNumericalAndShrinksWithTheSpacing) {
     EXPECT_NEAR(fine_lift / (1000 * 1 * 3.14159265 * 1.2 * 0.3 / 300), 1, 0.08);
 }
 
-}  // namespace
+}  // namespace exact_cases_test
 }  // namespace tw

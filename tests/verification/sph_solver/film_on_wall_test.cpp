@@ -15,7 +15,7 @@
 #include "sph_solver/simulation.h"
 
 namespace tw {
-namespace {
+namespace film_on_wall_test {
 
 constexpr double R = 1, delta = 0.1, U = 1, length = 4;  // of the bend and of the film [m], [m/s]
 
@@ -73,5 +73,5 @@ TEST(FilmOnWall, ItsMomentumIsTurnedHoweverThinItIs) {
     }
 }
 
-}  // namespace
+}  // namespace film_on_wall_test
 }  // namespace tw

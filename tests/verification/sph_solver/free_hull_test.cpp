@@ -15,7 +15,7 @@
 #include "test_paths.h"
 
 namespace tw {
-namespace {
+namespace free_hull_test {
 
 std::filesystem::path folder_of(const std::string& name) {
     const auto folder = std::filesystem::temp_directory_path() / "twinwake_free_hull" / name;
@@ -234,5 +234,5 @@ TEST(FreeHull, ThatIsReleasedPlaningFindsASteadyTrimAndALiftThatCarriesIt) {
     EXPECT_GT(mean_from(r, "z", 1.2), r.numbers.at("rest_z") + 0.02) << "it has risen";
 }
 
-}  // namespace
+}  // namespace free_hull_test
 }  // namespace tw

@@ -25,7 +25,7 @@
 #include "sph_solver/sweeps/views.h"
 
 namespace tw {
-namespace {
+namespace kernel_moments_test {
 
 constexpr double dp = 0.01;
 constexpr int n = 24;  // particles along an edge
@@ -192,5 +192,5 @@ TEST(RenormalisedGradient, OfAQuadraticFieldIsExactInALatticeAndOffByAboutHAtIts
     }
 }
 
-}  // namespace
+}  // namespace kernel_moments_test
 }  // namespace tw

@@ -11,12 +11,11 @@
 #include <Eigen/Dense>
 
 #include "base/errors.h"
+#include "base/numbers.h"
 #include "bodies.h"
 
 namespace tw {
-namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
+namespace levels_test {
 
 Zone zone_between(double x0, double x1, double z0, double z1) {
     return Zone({Box{Vec3(x0, -infinite, z0), Vec3(x1, infinite, z1)}});
@@ -406,5 +405,5 @@ TEST(LevelEdge, AVortexIsCarriedThroughAZone) {
     EXPECT_NEAR(both.z, coarse.z, 0.01);  // found 0.006
 }
 
-}  // namespace
+}  // namespace levels_test
 }  // namespace tw

@@ -14,17 +14,17 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <numbers>
 
+#include "base/numbers.h"
 #include "bodies.h"
 #include "meshes/generate.h"
 #include "sph_solver/air.h"
 #include "sph_solver/effects/moving_tank.h"
 
 namespace tw {
-namespace {
+namespace moving_tank_test {
 
-constexpr double g = 9.81, pi = std::numbers::pi;
+constexpr double g = 9.81;
 
 /// Water of depth 0.3 m in a tank of 1 m.
 SimulationSetup swaying_tank(double dp, const MovingFrame& frame) {
@@ -255,5 +255,5 @@ TEST(MovingTank, GivesTheSameBitsWithAnyNumberOfThreads) {
     EXPECT_EQ(one, end(3));
 }
 
-}  // namespace
+}  // namespace moving_tank_test
 }  // namespace tw

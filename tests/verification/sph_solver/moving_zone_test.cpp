@@ -5,18 +5,16 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <string>
 
 #include "base/errors.h"
+#include "base/numbers.h"
 #include "bodies.h"
 #include "sph_solver/state/checkpoint.h"
 
 namespace tw {
-namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
+namespace moving_zone_test {
 
 Simulation filled(const SimulationSetup& s) {
     Box below = s.domain;
@@ -161,5 +159,5 @@ TEST(MovingZone, GivesTheSameBitsWithAnyNumberOfThreadsAndAfterARestart) {
     std::filesystem::remove(file);
 }
 
-}  // namespace
+}  // namespace moving_zone_test
 }  // namespace tw

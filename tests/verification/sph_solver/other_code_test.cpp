@@ -9,7 +9,7 @@
 #include "tests/data_table.h"
 
 namespace tw {
-namespace {
+namespace other_code_test {
 
 /// x, y, z, u, v, w, drho, ax, ay, az, diffusion of drho.
 using Row = std::vector<double>;
@@ -75,5 +75,5 @@ TEST(OtherCode, FindsTheSameAccelerationsAndDensityDiffusion) {
         error[7] / size[7], error[8] / size[8], error[9] / size[9], error[10] / size[10], compared);
 }
 
-}  // namespace
+}  // namespace other_code_test
 }  // namespace tw

@@ -8,7 +8,7 @@
 #include "run_of.h"
 
 namespace tw {
-namespace {
+namespace planing_drag_test {
 
 const char* const prism_at_beam_10 = R"(
 [hull]
@@ -48,5 +48,5 @@ TEST(PlaningPrism, DragIsLiftTimesTheTangentOfTheTrim) {
     EXPECT_NEAR(share, 1, 0.18) << "found 0.85 here, 0.94 at beam/20; 0.76 where edges drove what had left them";
 }
 
-}  // namespace
+}  // namespace planing_drag_test
 }  // namespace tw

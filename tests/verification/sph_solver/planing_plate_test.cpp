@@ -13,7 +13,7 @@
 #include "sph_solver/simulation.h"
 
 namespace tw {
-namespace {
+namespace planing_plate_test {
 
 constexpr double alpha = std::numbers::pi / 6, z_te = -0.101338, exact = 98723.5;  // [rad], [m], [N/m]
 
@@ -113,5 +113,5 @@ TEST(PlaningPlate, ASceneGivesTheEnginesForcePerMetreOfSpanByThreeMeasures) {
     std::filesystem::remove_all(folder);
 }
 
-}  // namespace
+}  // namespace planing_plate_test
 }  // namespace tw

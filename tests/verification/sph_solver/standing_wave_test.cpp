@@ -37,7 +37,7 @@
 #include "table_of.h"
 
 namespace tw {
-namespace {
+namespace standing_wave_test {
 
 constexpr double g = 9.81, depth = 0.5, length = 1, k = std::numbers::pi / length;
 constexpr double c0 = 22;           // ten times sqrt(g H)
@@ -203,5 +203,5 @@ TEST(StandingWave, WithAWiderKernelConvergesToTheFrequencyOfItsLattice) {
     EXPECT_LT(waves[2].decay, 0.6 * waves[1].decay);
 }
 
-}  // namespace
+}  // namespace standing_wave_test
 }  // namespace tw

@@ -14,7 +14,7 @@
 #include "sph_solver/simulation.h"
 
 namespace tw {
-namespace {
+namespace still_tank_test {
 
 struct Rest {
     double surface = 0;       ///< largest excursion of the highest particle in a column two spacings wide, over dp
@@ -74,5 +74,5 @@ TEST(StillTank, StaysAtRestForFortySeconds) {
     }
 }
 
-}  // namespace
+}  // namespace still_tank_test
 }  // namespace tw

@@ -28,15 +28,13 @@
 #include <cmath>
 #include <complex>
 #include <cstdio>
-#include <limits>
-#include <numbers>
 
+#include "base/numbers.h"
 #include "sph_solver/simulation.h"
 
 namespace tw {
-namespace {
+namespace surface_wave_reflection_test {
 
-constexpr double infinite = std::numeric_limits<double>::infinity(), pi = std::numbers::pi;
 constexpr double g = 9.81, coarse = 0.02;
 constexpr double start = 2.25, end = 1.5, window = 2 * end;  // of the packet before and behind the edge, in lambda
 
@@ -215,5 +213,5 @@ TEST(SurfaceWaveReflection, DISABLED_Table) {
     line({.length = 80, .steepness = 0.1}, true);
 }
 
-}  // namespace
+}  // namespace surface_wave_reflection_test
 }  // namespace tw

@@ -14,14 +14,14 @@
 
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 
+#include "base/numbers.h"
 #include "sph_solver/simulation.h"
 
 namespace tw {
-namespace {
+namespace time_schemes_test {
 
-constexpr double c0 = 20, pi = std::numbers::pi;
+constexpr double c0 = 20;
 
 /// Calls look(t, a) after every step, a the velocity's share in the mode over the start's.
 template <class Look>
@@ -154,5 +154,5 @@ TEST(TimeSchemes, OfSecondOrderGiveTheWaterNoEnergy) {
     EXPECT_LT(std::abs(runge_kutta), 0.05 * euler);
 }
 
-}  // namespace
+}  // namespace time_schemes_test
 }  // namespace tw

@@ -17,7 +17,7 @@
 #include "sph_solver/state/checkpoint.h"
 
 namespace tw {
-namespace {
+namespace ventilation_test {
 
 constexpr double b = 0.1, H = 0.2, V = 10;
 
@@ -121,5 +121,5 @@ TEST(Ventilation, IsResumed) {
     EXPECT_EQ(whole.time(), resumed.time());
 }
 
-}  // namespace
+}  // namespace ventilation_test
 }  // namespace tw

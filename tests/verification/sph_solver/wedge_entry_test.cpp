@@ -24,7 +24,7 @@
 #include "table_of.h"
 
 namespace tw {
-namespace {
+namespace wedge_entry_test {
 
 constexpr double V = 1;  // [m/s]
 
@@ -223,5 +223,5 @@ TEST(WedgeEntry, DISABLED_TableOfOtherSpacingsSoundSpeedsAndKernels) {
         for (const double h_over_dp : {1.5, 2.0}) print({.sound = sound, .h_over_dp = h_over_dp});
 }
 
-}  // namespace
+}  // namespace wedge_entry_test
 }  // namespace tw

@@ -4,7 +4,7 @@
 #include "tests/verification/spray/table.h"
 
 namespace tw::spray {
-namespace {
+namespace flight_test {
 
 FlightOptions still(double end_time, bool gravity) {
     FlightOptions o;
@@ -74,5 +74,5 @@ TEST(Flight, GravityIsSeenInTheTables) {
     EXPECT_GT(without.place.z() - with.place.z(), 0.5);
 }
 
-}  // namespace
+}  // namespace flight_test
 }  // namespace tw::spray

@@ -4,7 +4,7 @@
 #include "tests/verification/spray/table.h"
 
 namespace tw::spray {
-namespace {
+namespace impact_test {
 
 TEST(ImpactLaw, GivesTheTabledForcesAndImpulses) {
     const auto t = table("droplet_impact_eq23_eq24.csv");
@@ -22,5 +22,5 @@ TEST(ImpactLaw, GivesTheTabledForcesAndImpulses) {
     }
 }
 
-}  // namespace
+}  // namespace impact_test
 }  // namespace tw::spray

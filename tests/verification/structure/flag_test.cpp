@@ -12,7 +12,7 @@
 #include "tests/data_table.h"
 
 namespace tw::structure {
-namespace {
+namespace flag_test {
 
 /// The flag behind a cylinder (Turek & Hron 2006, doi:10.1007/3-540-34596-5_15): Saint Venant-Kirchhoff in plane
 /// strain, its root on the cylinder. Its weight in the benchmark is 2 N/kg.
@@ -166,5 +166,5 @@ TEST(SolidFlag, SwingsUnderItsWeightAsInTheBenchmark) { expect_published_swing(2
 /// Half a minute: for docs/results/structures.md.
 TEST(SolidFlag, DISABLED_SwingsNearerToTheBenchmarkOnFinerCells) { expect_published_swing(4, {0.01, 0.01, 0.02}); }
 
-}  // namespace
+}  // namespace flag_test
 }  // namespace tw::structure

@@ -1,14 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "base/numbers.h"
 #include "plate.h"
 #include "structure/shell/gauge.h"
 
 namespace tw::structure {
-namespace {
-constexpr double pi = std::numbers::pi;
+namespace laminate_plate_test {
 
 /// Graphite-epoxy ratios of the literature's plates: E1/E2 = 25, G12 = G13 = E2/2, G23 = E2/5, nu12 = 1/4.
 const PlyMaterial ply{25e9, 1e9, 0.25, 0.5e9, 0.5e9, 0.2e9, 1600};
@@ -121,5 +120,5 @@ TEST(AngledPlate, BendsAndVibratesAsInAnotherCode) {
     }
 }
 
-}  // namespace
+}  // namespace laminate_plate_test
 }  // namespace tw::structure

@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <Eigen/Geometry>
-#include <numbers>
 
+#include "base/numbers.h"
 #include "structure/equilibrium.h"
 #include "structure/generate.h"
 #include "structure/shell/corotational.h"
 #include "structure/time/nonlinear_alpha.h"
 
 namespace tw::structure {
-namespace {
-constexpr double pi = std::numbers::pi;
+namespace large_rotation_test {
 constexpr double E = 1e9, t = 0.01, width = 0.1, EI = E * width * t * t * t / 12;
 
 /// A strip of length 1, without Poisson's ratio: a beam.
@@ -215,5 +214,5 @@ TEST(LargeRotation, InTimeKeepsTheEnergyOfAStripThatPulls) {
     EXPECT_LT(worst, 0.003);
 }
 
-}  // namespace
+}  // namespace large_rotation_test
 }  // namespace tw::structure

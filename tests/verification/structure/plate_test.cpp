@@ -1,13 +1,12 @@
+#include "base/numbers.h"
 #include "plate.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 namespace tw::structure {
-namespace {
-constexpr double pi = std::numbers::pi;
+namespace plate_test {
 
 /// Thin (a/1000), so that the exact answers of the Kirchhoff plate hold.
 constexpr double E = 7e10, nu = 0.3, rho = 2700, t = 1e-3, D = E * t * t * t / (12 * (1 - nu * nu));
@@ -96,5 +95,5 @@ TEST(Plates, OfModerateThicknessGiveWayInShear) {
     EXPECT_GT(w / (0.00406235266 / Dh), 1.04);
 }
 
-}  // namespace
+}  // namespace plate_test
 }  // namespace tw::structure

@@ -1,17 +1,16 @@
+#include "base/numbers.h"
 #include "structure/shell/skin.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <Eigen/Geometry>
-#include <numbers>
 
 #include "base/errors.h"
 #include "plate.h"
 
 namespace tw::structure {
-namespace {
-constexpr double pi = std::numbers::pi;
+namespace skin_test {
 
 /// Part of a cylinder, so that normals differ.
 Shell curved() {
@@ -111,5 +110,5 @@ TEST(Skin, WaterOnAPlateBendsItAsTheFormula) {
     EXPECT_LT(std::abs(error[1]), 0.35 * std::abs(error[0]));
 }
 
-}  // namespace
+}  // namespace skin_test
 }  // namespace tw::structure

@@ -1,16 +1,15 @@
+#include "base/numbers.h"
 #include "structure/solid/solid.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "structure/equilibrium.h"
 #include "structure/generate.h"
 
 namespace tw::structure {
-namespace {
-constexpr double pi = std::numbers::pi;
+namespace solid_test {
 
 /// The equilibrium under a pressure on one surface, put on in `steps`.
 Eigen::VectorXd pressed(const Solid& s, const Freedoms& f, const std::string& surface, double pressure, int steps) {
@@ -177,5 +176,5 @@ TEST(Solid, CantileverBendsAsTheBeamOnFineEnoughCells) {
     EXPECT_GT(std::log2(error[0] / error[1]), 1.7);
 }
 
-}  // namespace
+}  // namespace solid_test
 }  // namespace tw::structure

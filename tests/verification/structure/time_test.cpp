@@ -2,17 +2,16 @@
 
 #include <cmath>
 #include <Eigen/Eigenvalues>
-#include <numbers>
 
 #include "base/errors.h"
+#include "base/numbers.h"
 #include "plate.h"
 #include "structure/solid/solid.h"
 #include "structure/time/central_difference.h"
 #include "structure/time/generalised_alpha.h"
 
 namespace tw::structure {
-namespace {
-constexpr double pi = std::numbers::pi;
+namespace time_test {
 
 Laminate sheet() { return Laminate({{isotropic(7e10, 0.3, 2700), 0, 5e-3}}); }
 
@@ -205,5 +204,5 @@ TEST(CentralDifference, GoesOnFromAStateToTheSameBits) {
     EXPECT_EQ(one.state().t, two.state().t);
 }
 
-}  // namespace
+}  // namespace time_test
 }  // namespace tw::structure

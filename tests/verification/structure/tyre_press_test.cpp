@@ -10,7 +10,7 @@
 #include "structure/tyre_static.h"
 
 namespace tw::structure {
-namespace {
+namespace tyre_press_test {
 using Eigen::VectorXd;
 
 std::vector<Hyperelastic> calibrated() {
@@ -76,5 +76,5 @@ TEST(TyreStatic, EightHundredNewtonsPressTheCalibratedTyreTenMillimetres) {
     EXPECT_LT(soft, rows.back().load);
 }
 
-}  // namespace
+}  // namespace tyre_press_test
 }  // namespace tw::structure

@@ -9,7 +9,7 @@
 #include "structure/solid/solid.h"
 
 namespace tw::structure {
-namespace {
+namespace tyre_test {
 
 /// Assumed: the study prints no constants.
 std::vector<Hyperelastic> rubbers() {
@@ -54,5 +54,5 @@ TEST(Tyre, IsBlownUpByItsPressure) {
     EXPECT_LT(sum.norm(), 1e-6 * f_inside.norm());
 }
 
-}  // namespace
+}  // namespace tyre_test
 }  // namespace tw::structure

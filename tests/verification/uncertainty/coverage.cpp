@@ -26,7 +26,7 @@ bool holds_truth(const Estimated& e, double U) {
 }
 
 double Coverage::median_width() const {
-    if (widths.empty()) return Estimate::nan;
+    if (widths.empty()) return nan;
     std::vector<double> sorted = widths;
     std::ranges::sort(sorted);
     return 0.5 * (sorted[(sorted.size() - 1) / 2] + sorted[sorted.size() / 2]);

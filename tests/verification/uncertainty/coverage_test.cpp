@@ -6,7 +6,7 @@
 #include "tests/verification/uncertainty/coverage.h"
 
 namespace tw::test {
-namespace {
+namespace coverage_test {
 
 const std::vector<Estimated>& manufactured() {
     static const std::vector<Estimated> all = estimate_all(manufactured_families(4, 20));
@@ -72,5 +72,5 @@ TEST(Coverage, TheExactCasesAreHeldInNineOfTen) {
     EXPECT_GE(c.share_held(), 90);
 }
 
-}  // namespace
+}  // namespace coverage_test
 }  // namespace tw::test

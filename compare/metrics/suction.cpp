@@ -1,0 +1,90 @@
+#include "compare/metrics/suction.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <set>
+
+#include "base/numbers.h"
+#include "compare/metrics/quantity.h"
+#include "compare/read/record_numbers.h"
+#include "compare/verdict/judge.h"
+
+namespace tw {
+namespace {
+
+const std::string force_prefix = "suction_force_", area_prefix = "suction_area_";
+constexpr double share_that_decides = 0.05;  ///< of the force on the solid: the target of most verdicts
+
+/// Mean of value(row) over the rows in which it is known; NaN without one.
+template <class Value>
+double mean_of_rows(std::size_t rows, Value value) {
+    double sum = 0;
+    std::size_t known = 0;
+    for (std::size_t i = 0; i < rows; ++i)
+        if (const double v = value(i); std::isfinite(v)) sum += v, ++known;
+    return known > 0 ? sum / static_cast<double>(known) : nan;
+}
+
+double mean_of_samples(const RunRecord& r, const std::string& column) {
+    const Column* c = r.series("samples", column);
+    return c ? mean_of_rows(c->values.size(), [&](std::size_t i) { return c->values[i]; }) : nan;
+}
+
+/// Mean of the water's force on a body, or on the hull, by magnitude.
+double mean_force(const RunRecord& r, const std::string& name) {
+    const std::string table = r.tables.contains(body_table(name)) ? body_table(name) : "forces";
+    const Column *x = r.series(table, "fx"), *z = r.series(table, "fz");
+    if (!x || !z) return nan;
+    return mean_of_rows(x->values.size(), [&](std::size_t i) { return std::hypot(x->values[i], z->values[i]); });
+}
+
+void warn(Comparison& comparison, std::size_t i, const std::string& name, double pull, const std::string& unit) {
+    const std::string walls = text_of(comparison.sources[i], "walls");
+    const double force = mean_force(comparison.sources[i], name);
+    if (!walls.starts_with("hold") || !(pull > share_that_decides * force)) return;
+    comparison.banners.push_back(fmt::format(
+        "{}: the walls {}. Water is held on {} by suction of {:.3g} {} on average, {:.0f} % of the force on it: where "
+        "air can come, real water leaves there, and the force is another.",
+        comparison.names[i], walls, name, pull, unit, 100 * pull / force));
+}
+
+}  // namespace
+
+void add_suction(Comparison& comparison) {
+    std::set<std::string> names;
+    for (const RunRecord& r : comparison.sources)
+        if (const auto samples = r.tables.find("samples"); samples != r.tables.end())
+            for (const Column& c : samples->second.columns)
+                if (c.name.starts_with(force_prefix)) names.insert(c.name.substr(force_prefix.size()));
+    for (const std::string& name : names) {
+        Quantity q = new_quantity("suction:" + name, "Suction on " + name, "",
+                                  "where the water's pressure is below the air's: sum of -pressure times area, whatever "
+                                  "the direction; mean over the record");
+        std::string areas;
+        for (std::size_t i = 0; i < comparison.sources.size(); ++i) {
+            const RunRecord& r = comparison.sources[i];
+            MeanValue m;
+            m.value = mean_of_samples(r, force_prefix + name);
+            m.known = std::isfinite(m.value);
+            if (m.known) {
+                const Table& samples = r.tables.at("samples");
+                m.half_width = 0, m.from = samples.time.front(), m.to = samples.time.back();
+                q.unit = r.series("samples", force_prefix + name)->unit;
+                if (const Column* area = r.series("samples", area_prefix + name))
+                    areas += fmt::format("{}{}: on {:.3g} {}", areas.empty() ? "" : "; ", comparison.names[i],
+                                         mean_of_samples(r, area_prefix + name), area->unit);
+                warn(comparison, i, name, m.value, q.unit);
+            } else {
+                m.why_not = not_given;
+            }
+            q.values.push_back(m);
+        }
+        q.judged = false;
+        beside(q);
+        q.remark = areas;
+        comparison.quantities.push_back(std::move(q));
+    }
+}
+
+}  // namespace tw
