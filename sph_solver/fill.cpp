@@ -1,31 +1,51 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "sph_solver/simulation.h"
 
 namespace tw {
 namespace {
 
-/// Places of spacing dp in a block, half a spacing off its faces, of those cells of twice the spacing that are
-/// `wanted(middle of the cell)`.
-template <class Wanted>
-std::vector<Vec3> lattice(const SimulationSetup& s, const Box& block, const Wanted& wanted) {
-    const double dp = s.dp;
-    const auto count = [&](int a) { return static_cast<long>(std::llround(block.size()[a] / dp)); };
-    const long nx = count(0), ny = s.dimensions == 3 ? count(1) : 1, nz = count(2);
-    const auto place = [&](double i, double j, double k) {
-        return Vec3(block.min.x() + i * dp, s.dimensions == 3 ? block.min.y() + j * dp : 0.0, block.min.z() + k * dp);
-    };
-    std::vector<Vec3> places;
-    for (long k = 0; k < nz; ++k)
-        for (long j = 0; j < ny; ++j)
-            for (long i = 0; i < nx; i += 2) {
-                if (!wanted(place(double(i + 1), double(j - j % 2 + 1), double(k - k % 2 + 1)))) continue;
-                for (long n = i; n < std::min(i + 2, nx); ++n)
-                    places.push_back(place(double(n) + 0.5, double(j) + 0.5, double(k) + 0.5));
-            }
-    return places;
-}
+/// How a block is divided into cells of about dp, of which each holds a particle: the next whole number of coarsest
+/// cells along each edge, each halved `halvings` times. The cells fill the block, so that water has the volume, the
+/// depth and the distance from its walls that the scene gives it at every size of particles.
+struct Lattice {
+    Vec3 corner, cell;          ///< low corner of the block, edges of a cell [m]; the span is 1 in two dimensions
+    std::array<long, 3> count;  ///< cells along each edge
+
+    Lattice(const SimulationSetup& s, const Box& block, int halvings) : corner(block.min) {
+        const double coarsest = std::ldexp(s.dp, halvings);
+        for (int a = 0; a < 3; ++a) {
+            const bool across = a == 1 && s.dimensions == 2;
+            const long coarse = across ? 1 : static_cast<long>(std::llround(block.size()[a] / coarsest));
+            count[static_cast<std::size_t>(a)] = across ? 1 : coarse << halvings;
+            cell[a] = across ? 1 : block.size()[a] / static_cast<double>(std::max(1L, coarse << halvings));
+        }
+        if (s.dimensions == 2) corner.y() = -0.5;  // particles stand in the plane y = 0
+    }
+    double cells() const { return static_cast<double>(count[0] * count[1] * count[2]); }
+    double volume() const { return cell.prod() * cells(); }
+
+    /// Middles of the cells of those families of two cells along each edge that are `wanted(middle of the family)`.
+    template <class Wanted>
+    std::vector<Vec3> places(int dimensions, const Wanted& wanted) const {
+        const auto place = [&](double i, double j, double k) -> Vec3 {
+            return corner + Vec3(i, dimensions == 3 ? j : 0.5, k).cwiseProduct(cell);
+        };
+        std::vector<Vec3> all;
+        const auto [nx, ny, nz] = count;
+        for (long k = 0; k < nz; ++k)
+            for (long j = 0; j < ny; ++j)
+                for (long i = 0; i < nx; i += 2) {
+                    if (!wanted(place(double(i + 1), double(j - j % 2 + 1), double(k - k % 2 + 1)))) continue;
+                    for (long n = i; n < std::min(i + 2, nx); ++n)
+                        all.push_back(place(double(n) + 0.5, double(j) + 0.5, double(k) + 0.5));
+                }
+        return all;
+    }
+};
 constexpr auto everywhere = [](const Vec3&) { return true; };
 
 /// Keeps what is outside the solids.
@@ -52,10 +72,9 @@ std::vector<SurfaceQuery> queries_of(const SimulationSetup& s) {
 }  // namespace
 
 Fluid fill_with_fluid(const SimulationSetup& s, const std::vector<Box>& blocks) {
-    const std::vector<SurfaceQuery> solids = queries_of(s);
-    Fluid out;
-    for (const Box& block : blocks) add_outside(lattice(s, block, everywhere), solids, s.dp, block.max.z(), out);
-    return out;
+    SimulationSetup one_size = s;
+    one_size.zones.clear();
+    return std::move(fill_levels(one_size, blocks).front());
 }
 
 std::vector<Fluid> fill_levels(const SimulationSetup& setup, const std::vector<Box>& blocks) {
@@ -68,8 +87,13 @@ std::vector<Fluid> fill_levels(const SimulationSetup& setup, const std::vector<B
             return k == 0 || Refinement::belongs(setup.zones[k - 1], parent, level.dp);
         };
         Fluid& fluid = levels.emplace_back();
-        for (const Box& block : blocks)
-            add_outside(lattice(level, block, has_children), solids, level.dp, block.max.z(), fluid);
+        double volume = 0, cells = 0;  // all particles of a level have one mass: blocks share the mean
+        for (const Box& block : blocks) {
+            const Lattice lattice(level, block, static_cast<int>(k));
+            add_outside(lattice.places(setup.dimensions, has_children), solids, level.dp, block.max.z(), fluid);
+            volume += lattice.volume(), cells += lattice.cells();
+        }
+        if (cells > 0) fluid.volume = volume / cells;
     }
     return levels;
 }
@@ -81,24 +105,21 @@ Fluid fill_with_air(const SimulationSetup& s, const std::vector<Box>& water) {
         all.max.x() += s.stream->buffer;
     }
     double surface = -1e30;
-    std::vector<Box> taken;  // as far as the blocks' own lattices go
-    for (const Box& block : water) {
-        surface = std::max(surface, block.max.z());
-        Box& box = taken.emplace_back(block);
-        for (int a = 0; a < 3; ++a) box.max[a] = box.min[a] + s.dp * double(std::llround(block.size()[a] / s.dp));
-    }
-    std::vector<Vec3> places = lattice(s, all, everywhere);
-    const double clear = 0.25 * s.dp;  // places are half a spacing inside their box
+    for (const Box& block : water) surface = std::max(surface, block.max.z());
+    const Lattice lattice(s, all, 0);
+    std::vector<Vec3> places = lattice.places(s.dimensions, everywhere);
+    const double clear = 0.25 * s.dp;
     std::erase_if(places, [&](const Vec3& x) {
-        const auto inside = [&](const Box& box, double margin) {
+        const auto in_water = [&](const Box& box) {
             for (int a = 0; a < 3; ++a)
-                if ((a != 1 || s.dimensions == 3) && (x[a] < box.min[a] - margin || x[a] > box.max[a] + margin))
+                if ((a != 1 || s.dimensions == 3) && (x[a] < box.min[a] - clear || x[a] > box.max[a] + clear))
                     return false;
             return true;
         };
-        return !inside(all, -clear) || std::ranges::any_of(taken, [&](const Box& box) { return inside(box, clear); });
+        return std::ranges::any_of(water, in_water);
     });
     Fluid out;
+    out.volume = lattice.cell.prod();
     add_outside(places, queries_of(s), s.dp, surface, out);
     return out;
 }

@@ -34,7 +34,8 @@ struct SimulationSetup : Surroundings, LevelSetup, TimeOptions {
     int threads = 0;  ///< that make the steps; 0: as many as work already
 };
 
-/// The lattice of spacing dp in each block, outside the bodies.
+/// A lattice of about dp that fills each block, outside the bodies: its cells are stretched or pressed to go into the
+/// block a whole number of times.
 Fluid fill_with_fluid(const SimulationSetup& setup, const std::vector<Box>& blocks);
 /// The same for each level of the setup's zones, coarsest first: those that stand in its zone, and the guards round it.
 std::vector<Fluid> fill_levels(const SimulationSetup& setup, const std::vector<Box>& blocks);

@@ -45,7 +45,7 @@ Level::Level(const Surroundings& around, LevelSetup setup, const EffectOptions& 
       bodies_(bodies),
       passes_(passes),
       h_(setup_.h_over_dp * setup_.dp),
-      mass_(setup_.rho0 * std::pow(setup_.dp, around.dimensions)),
+      mass_(setup_.rho0 * (fluid.volume > 0 ? fluid.volume : std::pow(setup_.dp, around.dimensions))),
       kernel_(h_, around.dimensions),
       quanta_(quanta_of(around, setup_.dp)),
       grid_(column_area(around, kernel_.support(), setup_.dp), setup_.dp, around.dimensions, quanta_, passes.lanes),
