@@ -150,6 +150,7 @@ void add_savitsky(Comparison& comparison) {
         add("drag", s.drag, range + "; with ITTC-57 friction");
     else
         add("drag", s.pressure_drag, range + "; pressure part only, as the runs have no friction");
+    if (comparison.find("total_drag")) add("total_drag", s.drag, range + "; with ITTC-57 friction");
     comparison.references.push_back(
         {"wetted_length", "m", source, s.keel_wetted_length, 0.1 * s.keel_wetted_length,
          text_of(first, "hull_free").empty() ? "of the keel, from the draft alone" : "of the keel", true});
@@ -197,6 +198,7 @@ Comparison compare_records(std::vector<RunRecord> sources, const CompareOptions&
         comparison.analyses.push_back(analyse(comparison.sources[i]));
     }
     add_forces(comparison, options);
+    add_total_drag(comparison, options);
     add_wetted_length(comparison, options);
     add_hull_motion(comparison, options);
     add_splash(comparison, options);

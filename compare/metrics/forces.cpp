@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "base/numbers.h"
 #include "compare/metrics/quantity.h"
 #include "compare/read/record_numbers.h"
 #include "compare/statistics/settled_mean.h"
@@ -221,6 +222,42 @@ void add_forces(Comparison& comparison, const CompareOptions& options) {
                    quantity(comparison, b.name, b.label, *b.unit == '-' ? b.unit : unit(b.unit), b.definition,
                             [&](const RunRecord& r) { return mean_of(r, b.table, b.column, options, HUGE_VAL); }));
     add_sph_measures(comparison, options, unit("N"));
+}
+
+void add_total_drag(Comparison& comparison, const CompareOptions& options) {
+    const Quantity* drag = comparison.find("drag");
+    const auto line_of = [&](const RunRecord& r) { return mean_of(r, "samples", "friction_line", options, HUGE_VAL); };
+    if (!drag || std::ranges::none_of(comparison.sources, [&](const RunRecord& r) { return line_of(r).known; })) return;
+    const std::string unit = drag->unit;
+    add_beside(comparison, quantity(comparison, "friction_line", "Friction by a line", unit,
+                                    "friction of a flat plate (ITTC 1957) on what the method finds wet", line_of));
+    std::string coefficients;
+    Quantity q = quantity(
+        comparison, "total_drag", "Total drag", unit,
+        "drag by pressure and friction: solved, or of a flat plate (ITTC 1957) on what the method finds wet",
+        [&](const RunRecord& r) {
+            MeanValue total = mean_of(r, "forces", "fx", options);
+            const MeanValue friction = has_friction(r) ? mean_of(r, "forces", "fx_viscous", options, HUGE_VAL) : line_of(r);
+            if (!total.known) return total;
+            if (!has_friction(r)) {
+                if (!friction.known) return friction;
+                total.value += friction.value;
+                total.half_width = std::hypot(total.half_width, friction.half_width);
+                total.second_opinion = nan;
+            }
+            const MeanValue S = mean_of(r, "samples", "wetted_area", options, HUGE_VAL);
+            const double U = number_of(r, "speed", 0), whole = 0.5 * number_of(r, "density", 0) * U * U * S.value;
+            if (friction.known && whole > 0)
+                coefficients += fmt::format("{}{}: C_T {:.3g}, C_F {:.3g}", coefficients.empty() ? "" : "; ",
+                                            text_of(r, "method"), total.value / whole, friction.value / whole);
+            return total;
+        });
+    std::string shared_name;
+    const double shared = draft_term(comparison, "drag", shared_name);
+    judge(q, comparison.names, comparison.agree_within, shared, shared_name);
+    for (const std::string& more : {coefficients, shared > 0 ? "interval includes " + shared_name : std::string()})
+        if (!more.empty()) q.remark += (q.remark.empty() ? "" : "; ") + more;
+    comparison.quantities.push_back(std::move(q));
 }
 
 void add_wetted_length(Comparison& comparison, const CompareOptions& options) {

@@ -18,6 +18,11 @@ double flow_through_time(const RunRecord& record);
 /// and that is said.
 void add_forces(Comparison& comparison, const CompareOptions& options);
 
+/// `friction_line`: friction of a flat plate on what each method finds wet (column friction_line of `samples`, ITTC 1957),
+/// beside; and `total_drag`, judged: drag and friction together, by this line where a record's drag has none. Nothing
+/// where no record has the line. The remark has the coefficients over rho U^2/2 S: C_T of the total, C_F of friction.
+void add_total_drag(Comparison& comparison, const CompareOptions& options);
+
 /// Wetted length [m].
 void add_wetted_length(Comparison& comparison, const CompareOptions& options);
 

@@ -11,6 +11,7 @@
 #include "meshes/section.h"
 #include "record/certificate.h"
 #include "record/raster.h"
+#include "scene/friction_line.h"
 #include "scene/new_record.h"
 
 namespace tw {
@@ -175,6 +176,8 @@ void FrameReader::read_hull(const TimeFolders::Moment& moment, RunRecord& record
             {"my", scene.spanwise_unit("N m"), factor * load.moment.y()}});
     sample("wetted_area", scene.spanwise_unit("m2"), factor * load.wetted_area);
     sample("wetted_length", "m", load.wetted_length);
+    if (scene.effect_on("friction"))
+        sample("friction_line", N, friction_by_line(scene, factor * load.wetted_area, load.wetted_length));
     sample("ventilation", "-", load.ventilation);
     keep_picture(*patch, half, record);
     if (scene.hull->section) record.hull = with_span(record.hull, 1);

@@ -13,7 +13,8 @@ struct EffectQuestion {
     const Scene& scene;
     const FlowNumbers& flow;
     std::optional<bool> asked;     ///< what the scene or the command line says; nothing for "auto"
-    const EffectChoice* needed{};  ///< the choice for the effect that this one needs; null: it needs none
+    const EffectChoice* needed{};    ///< the choice for the effect that this one needs; null: it needs none
+    const EffectChoice* excluded{};  ///< and for the one that it cannot be on with
 
     /// On or off: as asked, else `automatic`.
     EffectChoice choice(bool automatic) const;
@@ -29,7 +30,8 @@ struct EffectPart {
     std::string name;  ///< also its key in [effects]
     std::string meaning;
     Solved solved = Solved::by_both_methods;
-    std::string needs = {};  ///< an effect without which this one cannot be on
+    std::string needs = {};     ///< an effect without which this one cannot be on; earlier in the list
+    std::string excludes = {};  ///< an effect with which it cannot be on; earlier in the list
     /// On or off, the reason, the expected influence and the cost.
     EffectChoice (*plan)(const EffectQuestion& question) = nullptr;
     /// Why it cannot be on in this scene, and what to do; empty: it can. Null: it always can.

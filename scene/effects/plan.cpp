@@ -12,14 +12,17 @@ std::vector<EffectChoice> plan_effects(Scene& scene, SceneSection& section) {
     const FlowNumbers flow = flow_numbers(scene);
     std::vector<EffectChoice> choices;
     for (const EffectPart& part : effects()) {
-        const auto needed = std::ranges::find(choices, part.needs, &EffectChoice::name);
-        EffectQuestion question{scene, flow, section.on_off(part.name)};
-        if (!part.needs.empty()) question.needed = &*needed;
+        const auto made = [&](const std::string& name) -> const EffectChoice* {
+            return name.empty() ? nullptr : &*std::ranges::find(choices, name, &EffectChoice::name);
+        };
+        EffectQuestion question{scene, flow, section.on_off(part.name), made(part.needs), made(part.excludes)};
         EffectChoice choice = part.plan(question);
         choice.name = part.name;
         if (choice.on) {
             if (question.needed && !question.needed->on)
                 section.fail(part.name, fmt::format("needs {} = \"on\" as well", part.needs));
+            if (question.excluded && question.excluded->on)
+                section.fail(part.name, fmt::format("cannot be on together with {}", part.excludes));
             const std::string why = part.obstacle ? part.obstacle(scene) : "";
             if (!why.empty()) section.fail(part.name, why);
         }

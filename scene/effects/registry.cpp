@@ -9,7 +9,7 @@
 // The one list of effects, in the order of the plan. Each line names a function `EffectPart NAME()` of namespace
 // tw::effect_parts, defined in scene/effects/NAME.cpp.
 #define TWINWAKE_EFFECTS(part)                                                                                         \
-    part(viscosity) part(no_slip) part(turbulence) part(surface_tension) part(air) part(compressibility) part(gravity) \
+    part(viscosity) part(friction) part(no_slip) part(turbulence) part(surface_tension) part(air) part(compressibility) part(gravity) \
         part(ventilation) part(cavitation) part(damping_layers) part(acoustic_damping) part(shifting)                  \
             part(tension_control)
 
@@ -56,6 +56,8 @@ std::string effects_text() {
     add(EffectPart::Solved::by_neither, "Cannot be switched on in this version");
     for (const EffectPart& part : effects())
         if (!part.needs.empty()) text += fmt::format("{} needs {}.\n", part.name, part.needs);
+    for (const EffectPart& part : effects())
+        if (!part.excludes.empty()) text += fmt::format("{} is not for use with {}.\n", part.name, part.excludes);
     return text;
 }
 

@@ -10,6 +10,7 @@
 #include "record/hull_motion.h"
 #include "record/spray_table.h"
 #include "record/tank_table.h"
+#include "scene/friction_line.h"
 #include "scene/hull_motion.h"
 #include "sph_solver/air.h"
 #include "sph_solver/bodies/rigid_in_water.h"
@@ -200,8 +201,11 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
         t.set(k, "air_density_deviation_high", "kg/m3", air->extremes().density_deviation_high);
     }
     if (hull_) {
-        t.set(k, "wetted_area", per_span("m2"), factor_ * hull_->wetted_area());
-        t.set(k, "wetted_length", "m", hull_->wetted_length(scene_.hull->beam));
+        const double area = factor_ * hull_->wetted_area(), length = hull_->wetted_length(scene_.hull->beam);
+        t.set(k, "wetted_area", per_span("m2"), area);
+        t.set(k, "wetted_length", "m", length);
+        if (scene_.effect_on("friction"))
+            t.set(k, "friction_line", per_span("N"), friction_by_line(scene_, area, length));
     }
     if (!height_points_.places.empty()) probe_height(simulation);
     if (tank_) tank_->record(simulation, record_.table(tank_table), per_span("N"), per_span("J"));

@@ -1,0 +1,49 @@
+// Drag and friction together.
+#include <gtest/gtest.h>
+
+#include "compare/compare.h"
+#include "synthetic_pair.h"
+
+namespace tw {
+namespace total_drag_test {
+
+/// A planing prism, of whose friction its method knows the line.
+RunRecord with_line(const char* method, double friction) {
+    RunRecord r = synthetic_run({.method = method, .duration = 6});
+    const std::vector<double> time = r.tables.at("forces").time;
+    Table& samples = r.table("samples");
+    samples.columns.clear();
+    samples.time = time;
+    samples.column("friction_line", "N").values.assign(time.size(), friction);
+    samples.column("wetted_area", "m2").values.assign(time.size(), 2.5);
+    return r;
+}
+
+TEST(TotalDrag, IsDragAndTheLineOfEachMethod) {
+    const Comparison c = compare_records({with_line("sph", 200), with_line("fvm", 240)});
+    const Quantity *total = c.find("total_drag"), *drag = c.find("drag"), *line = c.find("friction_line");
+    ASSERT_TRUE(total && drag && line);
+    EXPECT_NEAR(total->values[0].value, drag->values[0].value + 200, 1e-9);
+    EXPECT_NEAR(total->values[1].value, drag->values[1].value + 240, 1e-9);
+    EXPECT_TRUE(total->judged);
+    EXPECT_FALSE(line->judged);
+    // 200 N over 1000 kg/m3 (8 m/s)^2 / 2 2.5 m2
+    EXPECT_NE(total->remark.find("C_F 0.0025"), std::string::npos) << total->remark;
+}
+
+TEST(TotalDrag, OfAMethodThatSolvesFrictionHasNoLineOnTop) {
+    RunRecord solves = with_line("fvm", 240);
+    Table& forces = solves.tables.at("forces");
+    forces.column("fx_viscous", "N").values.assign(forces.time.size(), 210);
+    forces.column("fx_pressure", "N").values = forces.column("fx", "N").values;
+    for (double& x : forces.column("fx_pressure", "N").values) x -= 210;
+    const Comparison c = compare_records({with_line("sph", 200), solves});
+    EXPECT_NEAR(c.find("total_drag")->values[1].value - c.find("drag")->values[1].value, 210, 1e-6);
+}
+
+TEST(TotalDrag, IsNotThereWithoutALine) {
+    EXPECT_EQ(compare_records({synthetic_run({.method = "sph"})}).find("total_drag"), nullptr);
+}
+
+}  // namespace total_drag_test
+}  // namespace tw
