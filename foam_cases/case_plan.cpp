@@ -7,6 +7,7 @@
 
 #include "base/errors.h"
 #include "foam_cases/one_way.h"
+#include "foam_cases/release.h"
 #include "meshes/query.h"
 #include "meshes/section.h"
 #include "record/hull_motion.h"
@@ -189,17 +190,6 @@ void plan_times(CasePlan& plan) {
     plan.speed_limit = 10 * (scene.motion.speed + std::sqrt(g * length) + fall);
 }
 
-/// Water that moves with a body, as a share of the body's mass: of a half submerged plate as long and wide as it is
-/// (pi/8 rho b^2 l), or its own volume, if larger; of a hull the plate alone, because most of its volume is dry.
-double added_mass_ratio(const MovingBody& body, const Scene& scene) {
-    const Vec3 size = body.surface.bounds().size();
-    const double wide = scene.domain.dimensions == 2 ? size.x() : std::min(size.x(), size.y()),
-                 along = scene.domain.dimensions == 2 ? 1 : std::max(size.x(), size.y());
-    const double plate = std::numbers::pi / 8 * wide * wide * along,
-                 own = scene.hull ? 0 : mass_properties(body.surface).volume;
-    return scene.water.density * std::max(plate, own) / body.motion.mass.mass;
-}
-
 void plan_body(CasePlan& plan, std::set<std::string>& names) {
     const Scene& scene = *plan.scene;
     plan.mesh_motion = mesh_motion(scene);
@@ -233,12 +223,7 @@ void plan_body(CasePlan& plan, std::set<std::string>& names) {
         plan.outer_correctors = 2;
         return;
     }
-    // Body and water answer each other once in each outer corrector; the errors of the accelerations swing with the
-    // added mass over four masses (Newmark, beta 1/4) and are damped by half the largest relaxation that is stable.
-    double added = 0;
-    for (const BodyInMesh& b : plan.bodies) added = std::max(added, added_mass_ratio(b.body, scene));
-    plan.relaxation = std::clamp(1 / (1 + added / 4), 0.1, 0.9);
-    plan.outer_correctors = plan.relaxation >= 0.7 ? 2 : 3;
+    plan_coupling(plan);
 }
 
 /// A mesh that comes down with its body needs air above the tank's top for that way: cells that grow to four times
@@ -343,6 +328,7 @@ CasePlan plan_case(const Scene& scene, const Flavour& flavour) {
         plan.plate_interval = plan.moving().plate()->first_period() / pressures_per_period;
         plan.largest_step = std::min(plan.largest_step, plan.plate_interval);  // or there would be no pressures at it
     }
+    plan_release(plan);
     plan_probes(plan);
     return plan;
 }

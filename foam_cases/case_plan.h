@@ -75,6 +75,7 @@ struct CasePlan {
     MeshMotion mesh_motion;
     std::vector<BodyInMesh> bodies;  ///< that the mesh follows
     double relaxation = 1;           ///< of their accelerations, in each outer corrector
+    double newmark_gamma = 0.5;      ///< of the rule that moves them; 1 damps what swings from step to step
     int outer_correctors = 1;        ///< in which mesh, flow and bodies are solved once more in each step
     bool mesh_moves() const { return !bodies.empty(); }
     bool several_bodies() const { return bodies.size() > 1; }
@@ -102,8 +103,12 @@ struct CasePlan {
     int snapshot_every = 0;     ///< ParaView surfaces are kept at every n-th write; 0: of the last one only
     double plate_interval = 0;  ///< at which pressures on an elastic plate are kept [s]; 0: there is none
     double first_step = 0, largest_step = 0;  ///< [s]
-    double speed_limit = 0;                   ///< [m/s]; faster water or air stops the run
-    double start_up = 0;                      ///< of the flow [s], in which the air may be faster than that
+    struct StepCap {
+        double until, step;  ///< [s]
+    };
+    std::vector<StepCap> step_caps;  ///< of bodies released at rest: steps are no longer than this at first
+    double speed_limit = 0;          ///< [m/s]; faster water or air stops the run
+    double start_up = 0;             ///< of the flow [s], in which the air may be faster than that
 
     // probes
     std::vector<Vec3> pressure_places;  ///< [m], moved into the flow by 5 % of a cell where a wall is near

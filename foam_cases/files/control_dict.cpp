@@ -137,9 +137,19 @@ Dictionary functions(const CasePlan& plan) {
         for (const auto& point : column) columns.push_back(point.place);
     if (!columns.empty()) f.add("heightColumns", probes(plan, "alpha.water", columns, "cell"));
     // A file of this name in the case folder ends the run after writing its state.
-    f.add("stop", Dictionary{{"type", Word(plan.flavour.stop_file_object())},
-                             {"libs", plan.flavour.library("utilityFunctionObjects")},
-                             {"action", Word("writeNow")}});
+    const Dictionary stop{{"type", Word(plan.flavour.stop_file_object())},
+                          {"libs", plan.flavour.library("utilityFunctionObjects")},
+                          {"action", Word("writeNow")}};
+    f.add("stop", stop);
+    // An object that is to be written at set times shortens the steps that lead there: one that writes nothing is a
+    // largest time step for a while.
+    for (std::size_t k = 0; k < plan.step_caps.size(); ++k) {
+        Dictionary cap = stop;
+        cap.add({{"timeEnd", plan.step_caps[k].until},
+                 {"writeControl", Word("adjustableRunTime")},
+                 {"writeInterval", plan.step_caps[k].step}});
+        f.add("largestStep" + std::to_string(k), cap);
+    }
     return f;
 }
 

@@ -5,6 +5,7 @@
 #include "foam_cases/files/case_files.h"
 #include "foam_cases/files/several_bodies.h"
 #include "foam_cases/files/times_of_table.h"
+#include "foam_cases/release.h"
 
 // Recipe and measurements: docs/decisions/034-moving-bodies-in-interfoam.md.
 
@@ -51,7 +52,7 @@ Dictionary free_body(const CasePlan& plan) {
     const RigidBodySetup& motion = plan.moving().motion;
     const double share = plan.solved_share();
     const BodyAxes own_axes = body_axes(motion);
-    const bool gravity = motion.free.along[2];
+    const double rise = motion.free.along[2] ? first_rise(plan.moving(), *plan.scene) : 0;
     const bool morphs = plan.mesh_motion.kind == Kind::morphing;
     const Box& box = plan.scene->domain.box;
     const double beyond = 100 * box.size().norm();
@@ -69,11 +70,11 @@ Dictionary free_body(const CasePlan& plan) {
         {"momentOfInertia", Vec3(share * own_axes.moments)},
         {"velocity", motion.velocity},
         {"angularMomentum", Vec3(share * own_axes.moments.cwiseProduct(own_axes.axes.transpose() * motion.spin))},
-        {"acceleration", gravity ? Vec3(0, 0, -plan.scene->water.gravity) : Vec3(Vec3::Zero())},
+        {"acceleration", Vec3(0, 0, rise)},
         {"report", true},
         {"accelerationRelaxation", symplectic ? 1.0 : plan.relaxation},
         {"accelerationDamping", 1},  // anything else scales gravity too
-        {"solver", Dictionary{{"type", Word(symplectic ? "symplectic" : "Newmark")}}},
+        {"solver", symplectic ? Dictionary{{"type", Word("symplectic")}} : newmark(plan)},
         {"constraints", constraints(motion.free)}};
     return {{"dynamicFvMesh", Word("dynamicMotionSolverFvMesh")},
             {"motionSolverLibs", plan.flavour.library("sixDoFRigidBodyMotion")},

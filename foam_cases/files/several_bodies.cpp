@@ -1,5 +1,7 @@
 #include "foam_cases/files/several_bodies.h"
 
+#include "foam_cases/release.h"
+
 // What was tried and measured: docs/decisions/034-moving-bodies-in-interfoam.md.
 
 namespace tw {
@@ -43,6 +45,8 @@ Dictionary body_entry(const CasePlan& plan, const BodyInMesh& b) {
 
 }  // namespace
 
+Dictionary newmark(const CasePlan& plan) { return {{"type", Word("Newmark")}, {"gamma", plan.newmark_gamma}}; }
+
 Dictionary several_bodies(const CasePlan& plan) {
     Dictionary bodies;
     List places, velocities, accelerations;
@@ -51,13 +55,13 @@ Dictionary several_bodies(const CasePlan& plan) {
         bodies.add(b.patch, body_entry(plan, b));
         append_by_joint(places, motion.free, Vec3::Zero(), Vec3::Zero());
         append_by_joint(velocities, motion.free, motion.velocity, motion.spin);
-        append_by_joint(accelerations, motion.free, Vec3(0, 0, -plan.scene->water.gravity), Vec3::Zero());
+        append_by_joint(accelerations, motion.free, Vec3(0, 0, first_rise(b.body, *plan.scene)), Vec3::Zero());
     }
     return {{"dynamicFvMesh", Word("dynamicMotionSolverFvMesh")},
             {"motionSolverLibs", plan.flavour.library("rigidBodyMeshMotion")},
             {"motionSolver", Word("rigidBodyMotion")},
             {"rigidBodyMotionCoeffs", Dictionary{{"report", true},
-                                                 {"solver", Dictionary{{"type", Word("Newmark")}}},
+                                                 {"solver", newmark(plan)},
                                                  {"accelerationRelaxation", plan.relaxation},
                                                  {"accelerationDamping", 1},  // anything else scales gravity too
                                                  {"q", places},

@@ -9,4 +9,7 @@ namespace tw {
 /// `q`, `qDot`, `qDdot`: places, velocities and accelerations at the start by joint, all bodies in a row.
 Dictionary several_bodies(const CasePlan& plan);
 
+/// The rule by which OpenFOAM moves one body, or several.
+Dictionary newmark(const CasePlan& plan);
+
 }  // namespace tw

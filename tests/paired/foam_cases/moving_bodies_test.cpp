@@ -35,6 +35,33 @@ TEST_F(MovingBodies, AFloatingBoxStaysAtArchimedesDraft) {
     EXPECT_NEAR(last(t, "fz"), 0.2 * 0.1 * 500 * 9.81, 0.01 * 98.1) << "per metre of span";
 }
 
+// From rest, deep under water, a cylinder q times as heavy as water begins to rise with (1 - q) g / (q + C). C = 1.0115:
+// images of a doublet in the tank's sides 2.4 m apart, the surface 0.8 m above and the floor as far below. The lightest
+// carries a hundred times its own mass of water along.
+TEST_F(MovingBodies, ACylinderLetGoUnderWaterCarriesAllOfItsAddedMass) {
+    RunOptions how = options();
+    how.overwrite = true;
+    for (const double q : {0.5, 0.01}) {
+        const RunRecord r = run_fvm(scene(body_in_tank(R"(["-1.2 m", 0, "-1.6 m"])", R"(["1.2 m", "20 mm", "0.4 m"])",
+                                                       "name = \"cylinder\"\nshape = \"cylinder\"\ndiameter = "
+                                                       "\"0.2 m\"\ndraft = \"0.9 m\"\nlocked = [\"surge\", "
+                                                       "\"pitch\"]\ndensity = " +
+                                                           std::to_string(1000 * q),
+                                                       "31 ms")),
+                                    how);
+        ASSERT_EQ(r.state, "finished") << r.reason;
+        const Table& t = r.tables.at("body_cylinder");
+        const auto after = std::ranges::upper_bound(t.time, 0.03);
+        const std::size_t i = static_cast<std::size_t>(after - t.time.begin());
+        const std::vector<double>& v = t.find("vz")->values;
+        const double speed = v[i - 1] + (v[i] - v[i - 1]) * (0.03 - t.time[i - 1]) / (t.time[i] - t.time[i - 1]),
+                     exact = (1 - q) * 9.81 / (q + 1.0115) * 0.03;
+        std::printf("density ratio %.2f: %.4f m/s after 30 ms, exact %.4f (%+.2f %%), %zu steps\n", q, speed, exact,
+                    100 * (speed / exact - 1), t.time.size());
+        EXPECT_NEAR(speed / exact, 1, 0.01) << q;
+    }
+}
+
 TEST_F(MovingBodies, WhatTheWaterGivesAFallingBodyIsItsChangeOfMomentum) {
     // It falls from 20 mm, through half of the tank: the whole mesh goes with it.
     const RunRecord r =

@@ -6,6 +6,7 @@
 #include "base/errors.h"
 #include "foam_cases/files/case_files.h"
 #include "foam_cases/files/times_of_table.h"
+#include "foam_cases/release.h"
 #include "scenes.h"
 
 namespace tw {
@@ -221,6 +222,38 @@ TEST(CaseFiles, SeveralBodiesAreJointsOfOneSystem) {
     const std::string control = control_dict(plan);
     EXPECT_SAYS(control, "forces_crate");
     EXPECT_SILENT(control, "bodyState");
+}
+
+// Steps that grow from the first on would lose a twelfth of the added mass.
+TEST(CaseFiles, StepsOfABodyReleasedAtRestAreAFiftiethOfTheTimeSince) {
+    Scene scene = dam_break_scene();
+    scene.domain.box = {Vec3(-1, 0, -1), Vec3(1, 0.02, 1)};
+    scene.water_blocks.clear();
+    scene.run.duration = 2;
+    MovingBody& b = scene.bodies.emplace_back();
+    b.name = "box";
+    b.surface = make_hull("box", {{"length", 0.2}, {"beam", 1}, {"height", 0.1}});
+    for (Vec3& p : b.surface.points) p.z() -= 0.5 + b.surface.bounds().max.z();
+    const double volume = mass_properties(b.surface).volume;
+    b.motion.mass = {0.01 * 1000 * volume, Vec3(0, 0, -0.5), Eigen::Matrix3d::Identity()};
+    b.motion.free = {{false, false, true}, {false, false, false}};
+    const CasePlan plan = plan_case(scene, v1912);
+    ASSERT_GT(plan.step_caps.size(), 2u);
+    EXPECT_EQ(plan.first_step, plan.step_caps[0].step);
+    EXPECT_NEAR(plan.first_step, std::sqrt(2 * plan.finest_cell / 9.81) / 50, 1e-9);
+    for (std::size_t k = 1; k < plan.step_caps.size(); ++k)
+        EXPECT_NEAR(plan.step_caps[k].step, plan.step_caps[k - 1].until / 50, 1e-12);
+    EXPECT_LT(plan.step_caps.back().step, plan.largest_step);
+    EXPECT_SAYS(control_dict(plan), "largestStep0");
+    // So light a body rises with what the water that moves with it lets it, and damps what swings from step to step.
+    const std::string motion = mesh_motion_files(plan)[0].text;
+    EXPECT_SAYS(motion, "gamma 1;");
+    EXPECT_GT(first_rise(plan.moving(), scene), 0.9 * 9.81 / 2);
+    EXPECT_LT(first_rise(plan.moving(), scene), 9.81);
+    EXPECT_LT(plan.relaxation, 0.03);
+
+    scene.bodies[0].motion.velocity.z() = -5;
+    EXPECT_TRUE(plan_case(scene, v1912).step_caps.empty()) << "its Courant number sets its steps";
 }
 
 // A sphere driven in for 10 ms took a last step to 10.4 ms, beyond a table that ended at 10.1 ms.

@@ -1,0 +1,64 @@
+#include "foam_cases/release.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+// Measured: docs/decisions/064-released-bodies-in-interfoam.md.
+
+namespace tw {
+
+double added_mass(const MovingBody& body, const Scene& scene) {
+    const Box box = body.surface.bounds();
+    const Vec3 size = box.size();
+    const bool flat = scene.domain.dimensions == 2;
+    const double wide = flat ? size.x() : std::min(size.x(), size.y()), along = flat ? 1 : std::max(size.x(), size.y());
+    const double sides = box.max.z() < 0 ? 2 : 1;
+    const double plate = sides * std::numbers::pi / 8 * wide * wide * along,
+                 own = scene.hull ? 0 : mass_properties(body.surface).volume;
+    return scene.water.density * std::max(plate, own);
+}
+
+double first_rise(const MovingBody& body, const Scene& scene) {
+    const double g = scene.water.gravity;
+    if (scene.hull || !scene.water_blocks.empty()) return -g;
+    const double wet = hydrostatics(body.surface).volume, share = wet / mass_properties(body.surface).volume,
+                 mass = body.motion.mass.mass;
+    return g * (scene.water.density * wet - mass) / (mass + share * added_mass(body, scene));
+}
+
+void plan_coupling(CasePlan& plan) {
+    // Body and water answer each other once in each outer corrector. The water feels the share beta of a change of the
+    // body's acceleration (Newmark's rule, beta = (gamma + 1/2)^2 / 4): with this relaxation the first answer is right
+    // if the added mass is, and the answers converge as long as it is below twice that. With gamma = 1/2 what is left
+    // swings from step to step and dies down by 2 m / M a step only; with 1 it is gone in three steps.
+    double added = 0;
+    for (const BodyInMesh& b : plan.bodies)
+        added = std::max(added, added_mass(b.body, *plan.scene) / b.body.motion.mass.mass);
+    plan.newmark_gamma = added > 9 ? 1 : 0.5;
+    const double beta = std::pow(plan.newmark_gamma + 0.5, 2) / 4;
+    plan.relaxation = std::min(1 / (1 + beta * added), 0.9);
+    plan.outer_correctors = plan.relaxation >= 0.7 ? 2 : 3;
+}
+
+void plan_release(CasePlan& plan) {
+    // A wall that moves gives the water its mean speed over a step, which is its speed half a step ago: the water lacks
+    // the momentum of half a step, and the body has it. With steps that grow by a fifth that is a twelfth of all that it
+    // gave since the release; with steps of a fiftieth of the time since then, a hundredth. No step is longer than
+    // that, and none need be shorter than a fiftieth of the time in which a body falls through a cell.
+    const double g = plan.scene->water.gravity;
+    if (plan.bodies.empty() || plan.stream || !(g > 0)) return;
+    const double crossing = std::sqrt(2 * plan.finest_cell / g);
+    for (const BodyInMesh& b : plan.bodies) {
+        const RigidBodySetup& motion = b.body.motion;
+        const double speed = motion.velocity.norm() + motion.spin.norm() * b.body.surface.bounds().size().norm();
+        if (motion.law || speed * crossing > plan.finest_cell) return;
+    }
+    constexpr double steps = 50;
+    for (double step = crossing / steps, begin = 0; step < plan.largest_step && begin < plan.scene->run.duration;
+         begin = plan.step_caps.back().until, step *= 2)
+        plan.step_caps.push_back({2 * steps * step, step});
+    if (!plan.step_caps.empty()) plan.first_step = plan.step_caps.front().step;
+}
+
+}  // namespace tw
