@@ -100,7 +100,8 @@ std::vector<Fluid> fill_levels(const SimulationSetup& setup, const std::vector<B
         Fluid& fluid = levels.emplace_back();
         double volume = 0, cells = 0;  // all particles of a level have one mass: blocks share the mean
         for (const Box& block : blocks) {
-            const Lattice lattice(level, block, static_cast<int>(k));
+            Lattice lattice(level, block, static_cast<int>(k));
+            if (!setup.zones.empty()) lattice.squeeze = 0;  // sizes hand water over as of equal cells
             add_outside(lattice.places(setup.dimensions, has_children), solids, level.dp, block.max.z(), fluid);
             volume += lattice.volume(), cells += lattice.cells();
         }

@@ -12,6 +12,7 @@
 #include "scene/tank_walls.h"
 #include "sph_solver/bodies/elastic/elastic_setup.h"
 #include "sph_solver/effects/effects.h"
+#include "sph_solver/release_pressure.h"
 #include "structure/tyre_static.h"
 
 namespace tw {
@@ -201,6 +202,7 @@ SphSetup sph_setup(const Scene& scene, int threads) {
         blocks.push_back(water);
     }
     setup.fluid = fill_levels(s, blocks);
+    setup.pressure_iterations = find_release_pressure(s, blocks, setup.fluid.front());
     if (scene.effect_on("air")) {
         AirOptions air;
         air.density = scene.water.air_density;

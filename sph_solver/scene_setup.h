@@ -11,7 +11,8 @@ namespace tw {
 /// The scene as the engine needs it.
 struct SphSetup {
     SimulationSetup simulation;
-    std::vector<Fluid> fluid;  ///< of each level of particle size, coarsest first
+    std::vector<Fluid> fluid;     ///< of each level of particle size, coarsest first
+    int pressure_iterations = 0;  ///< that found the pressure of water let go; 0: it begins under hydrostatic pressure
     struct Gas {
         AirOptions options;
         Fluid fluid;

@@ -1,0 +1,161 @@
+#include "sph_solver/release_pressure.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCore>
+
+#include "meshes/query.h"
+
+namespace tw {
+namespace {
+
+using CellNumber = std::array<std::int32_t, 3>;
+
+/// Edges of the cells into which a block of water is divided, a particle in each (fill.cpp); 1 across a section.
+Vec3 cell_of_block(const SimulationSetup& s, const Box& block) {
+    Vec3 cell = Vec3::Ones();
+    for (int a = 0; a < 3; ++a)
+        if (a != 1 || s.dimensions == 3) cell[a] = block.size()[a] / std::max(1.0, std::round(block.size()[a] / s.dp));
+    return cell;
+}
+
+/// The particles by their places in one lattice.
+class ParticlesByPlace {
+public:
+    ParticlesByPlace(const SimulationSetup& s, const Box& block, const Fluid& fluid)
+        : cell_(cell_of_block(s, block)), origin_(block.min) {
+        if (s.dimensions == 2) origin_.y() = -0.5;  // particles stand at y = 0
+        low_.fill(0), size_.fill(0);
+        std::vector<CellNumber> cells;
+        CellNumber high{};
+        for (const Vec3& x : fluid.places) {
+            const CellNumber& c = cells.emplace_back(cell_of(x));
+            for (std::size_t a = 0; a < 3; ++a) low_[a] = std::min(low_[a], c[a]), high[a] = std::max(high[a], c[a]);
+        }
+        for (std::size_t a = 0; a < 3; ++a) size_[a] = high[a] - low_[a] + 1;
+        particle_.assign(std::size_t(size_[0]) * std::size_t(size_[1]) * std::size_t(size_[2]), -1);
+        for (std::size_t i = 0; i < cells.size(); ++i) particle_[index(cells[i])] = static_cast<std::int32_t>(i);
+    }
+    /// The particle one spacing from `x` along an axis; -1: there is none.
+    std::int32_t beside(const Vec3& x, std::size_t axis, int step) const {
+        CellNumber c = cell_of(x);
+        c[axis] += step;
+        const bool within = c[axis] >= low_[axis] && c[axis] < low_[axis] + size_[axis];
+        return within ? particle_[index(c)] : -1;
+    }
+
+private:
+    CellNumber cell_of(const Vec3& x) const {
+        CellNumber c;
+        for (int a = 0; a < 3; ++a)
+            c[static_cast<std::size_t>(a)] = static_cast<std::int32_t>(std::floor((x[a] - origin_[a]) / cell_[a]));
+        return c;
+    }
+    std::size_t index(const CellNumber& c) const {
+        std::size_t k = 0;
+        for (std::size_t a = 0; a < 3; ++a) k = k * std::size_t(size_[a]) + std::size_t(c[a] - low_[a]);
+        return k;
+    }
+    Vec3 cell_, origin_;
+    CellNumber low_, size_;
+    std::vector<std::int32_t> particle_;
+};
+
+/// Layers of water at rest are flatter below (fill.cpp): by so many cells are they off those of equal height, at most.
+double shift_of_layers(const SimulationSetup& s, const Box& block) {
+    const double H = block.size().z(), squeeze = s.gravity.norm() * H / (s.state_equation.c0 * s.state_equation.c0);
+    return squeeze / 8 * H / s.dp;
+}
+
+bool on_one_lattice(const SimulationSetup& s, std::span<const Box> blocks) {
+    const Vec3 cell = cell_of_block(s, blocks.front());
+    return std::ranges::all_of(blocks, [&](const Box& b) {
+        if ((cell_of_block(s, b) - cell).norm() > 1e-6 * s.dp || shift_of_layers(s, b) > 0.4) return false;
+        for (int a = 0; a < 3; ++a) {
+            if (a == 1 && s.dimensions == 2) continue;
+            const double apart = (b.min[a] - blocks.front().min[a]) / cell[a];
+            if (std::abs(apart - std::round(apart)) > 1e-6) return false;
+        }
+        return true;
+    });
+}
+
+/// A side of a particle's cell on which no particle stands.
+struct BareFace {
+    std::int32_t particle;
+    Vec3 away;  ///< to the middle of the next cell
+};
+
+/// Those of the faces that are free, the others being at walls.
+std::vector<char> free_faces(const SimulationSetup& s, const Fluid& fluid, std::span<const BareFace> faces) {
+    std::vector<Vec3> beyond;
+    for (const BareFace& f : faces) beyond.push_back(fluid.places[std::size_t(f.particle)] + f.away);
+    std::vector<char> is_free(faces.size(), 1);
+    for (std::size_t k = 0; k < faces.size(); ++k)
+        for (int a = 0; a < 3; ++a) {
+            const auto& mirror = s.mirrors.on[std::size_t(a)];
+            if ((mirror[0] && beyond[k][a] < s.domain.min[a]) || (mirror[1] && beyond[k][a] > s.domain.max[a]))
+                is_free[k] = 0;
+        }
+    std::vector<double> distance(faces.size());
+    for (const BodySetup& body : s.bodies) {
+        SurfaceQuery(body.surface).signed_distances(beyond, distance, 2 * s.dp);
+        for (std::size_t k = 0; k < faces.size(); ++k)
+            if (distance[k] <= 0) is_free[k] = 0;
+    }
+    return is_free;
+}
+
+}  // namespace
+
+int find_release_pressure(const SimulationSetup& s, std::span<const Box> blocks, Fluid& fluid) {
+    const double g = -s.gravity.z();
+    const auto& periodic = s.mirrors.periodic;
+    if (!s.zones.empty() || s.stream || s.frame || !(g > 0) || periodic[0] || periodic[1] || periodic[2] ||
+        fluid.places.empty() || !on_one_lattice(s, blocks))
+        return 0;
+
+    const ParticlesByPlace lattice(s, blocks.front(), fluid);
+    const auto n = static_cast<std::int32_t>(fluid.places.size());
+    const Vec3 cell = cell_of_block(s, blocks.front());
+    std::vector<Eigen::Triplet<double>> entries;
+    Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(n), given = Eigen::VectorXd::Zero(n);
+    std::vector<BareFace> faces;
+    for (std::int32_t i = 0; i < n; ++i)
+        for (int a = 0; a < 3; ++a)
+            for (const int step : {-1, 1}) {
+                if (a == 1 && s.dimensions == 2) continue;
+                const double weight = s.dp * s.dp / (cell[a] * cell[a]);
+                const Vec3& x = fluid.places[std::size_t(i)];
+                if (const std::int32_t j = lattice.beside(x, std::size_t(a), step); j >= 0)
+                    entries.emplace_back(i, j, -weight), diagonal[i] += weight;
+                else
+                    faces.push_back({i, step * cell[a] * Vec3::Unit(a)});
+            }
+    const std::vector<char> is_free = free_faces(s, fluid, faces);
+    bool let_go = false;
+    for (std::size_t k = 0; k < faces.size(); ++k) {
+        const BareFace& f = faces[k];
+        const double weight = s.dp * s.dp / f.away.squaredNorm();
+        if (is_free[k])  // p = 0 half a cell away
+            diagonal[f.particle] += 2 * weight, let_go = let_go || !(f.away.z() > 0);
+        else  // the wall bears what stands on it
+            given[f.particle] -= weight * f.away.z();
+    }
+    if (!let_go) return 0;
+    for (std::int32_t i = 0; i < n; ++i) entries.emplace_back(i, i, diagonal[i]);
+
+    Eigen::SparseMatrix<double, Eigen::RowMajor> laplace(n, n);
+    laplace.setFromTriplets(entries.begin(), entries.end());
+    Eigen::ConjugateGradient<decltype(laplace), Eigen::Lower | Eigen::Upper> solver(laplace);
+    solver.setTolerance(1e-6);
+    const Eigen::Map<Eigen::VectorXd> depth(fluid.depth.data(), n);
+    const Eigen::VectorXd found = solver.solveWithGuess(given, depth);
+    if (solver.info() != Eigen::Success) return 0;
+    std::copy(found.begin(), found.end(), fluid.depth.begin());
+    return std::max(1, static_cast<int>(solver.iterations()));
+}
+
+}  // namespace tw
