@@ -10,19 +10,12 @@ namespace {
 
 /// How a block is divided into cells of about dp, of which each holds a particle: the next whole number of coarsest
 /// cells along each edge, each halved `halvings` times. The cells fill the block, so that water has the volume, the
-/// depth and the distance from its walls that the scene gives it at every size of particles. All hold the same mass of
-/// water at rest, whose density grows with the depth d,
-///   rho = rho0 exp(g d / c0^2),   int_0^d rho dz = rho0 c0^2/g (exp(g d / c0^2) - 1),
-/// so the lower ones are flatter: a lattice of equal cells would sink until they are.
+/// depth and the distance from its walls that the scene gives it at every size of particles.
 struct Lattice {
     Vec3 corner, cell;          ///< low corner of the block, edges of a cell [m]; the span is 1 in two dimensions
     std::array<long, 3> count;  ///< cells along each edge
-    double height, squeeze;     ///< of the block [m]; g height / c0^2
 
-    Lattice(const SimulationSetup& s, const Box& block, int halvings)
-        : corner(block.min),
-          height(block.size().z()),
-          squeeze(s.gravity.norm() * height / (s.state_equation.c0 * s.state_equation.c0)) {
+    Lattice(const SimulationSetup& s, const Box& block, int halvings) : corner(block.min) {
         const double coarsest = std::ldexp(s.dp, halvings);
         for (int a = 0; a < 3; ++a) {
             const bool across = a == 1 && s.dimensions == 2;
@@ -33,17 +26,13 @@ struct Lattice {
         if (s.dimensions == 2) corner.y() = -0.5;  // particles stand in the plane y = 0
     }
     double cells() const { return static_cast<double>(count[0] * count[1] * count[2]); }
-    /// Mass of the water at rest in the block over rho0 [m3; in two dimensions m2].
-    double volume() const { return cell.prod() * cells() * (squeeze > 0 ? std::expm1(squeeze) / squeeze : 1); }
+    double volume() const { return cell.prod() * cells(); }
 
     /// Middles of the cells of those families of two cells along each edge that are `wanted(middle of the family)`.
     template <class Wanted>
     std::vector<Vec3> places(int dimensions, const Wanted& wanted) const {
         const auto place = [&](double i, double j, double k) -> Vec3 {
-            Vec3 x = corner + Vec3(i, dimensions == 3 ? j : 0.5, k).cwiseProduct(cell);
-            const double above = 1 - k / static_cast<double>(count[2]);  // share of the mass
-            if (squeeze > 0) x.z() = corner.z() + height * (1 - std::log1p(above * std::expm1(squeeze)) / squeeze);
-            return x;
+            return corner + Vec3(i, dimensions == 3 ? j : 0.5, k).cwiseProduct(cell);
         };
         std::vector<Vec3> all;
         const auto [nx, ny, nz] = count;
@@ -100,8 +89,7 @@ std::vector<Fluid> fill_levels(const SimulationSetup& setup, const std::vector<B
         Fluid& fluid = levels.emplace_back();
         double volume = 0, cells = 0;  // all particles of a level have one mass: blocks share the mean
         for (const Box& block : blocks) {
-            Lattice lattice(level, block, static_cast<int>(k));
-            if (!setup.zones.empty()) lattice.squeeze = 0;  // sizes hand water over as of equal cells
+            const Lattice lattice(level, block, static_cast<int>(k));
             add_outside(lattice.places(setup.dimensions, has_children), solids, level.dp, block.max.z(), fluid);
             volume += lattice.volume(), cells += lattice.cells();
         }
@@ -118,8 +106,7 @@ Fluid fill_with_air(const SimulationSetup& s, const std::vector<Box>& water) {
     }
     double surface = -1e30;
     for (const Box& block : water) surface = std::max(surface, block.max.z());
-    Lattice lattice(s, all, 0);
-    lattice.squeeze = 0;  // that of the water
+    const Lattice lattice(s, all, 0);
     std::vector<Vec3> places = lattice.places(s.dimensions, everywhere);
     const double clear = 0.25 * s.dp;
     std::erase_if(places, [&](const Vec3& x) {

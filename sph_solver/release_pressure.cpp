@@ -63,16 +63,10 @@ private:
     std::vector<std::int32_t> particle_;
 };
 
-/// Layers of water at rest are flatter below (fill.cpp): by so many cells are they off those of equal height, at most.
-double shift_of_layers(const SimulationSetup& s, const Box& block) {
-    const double H = block.size().z(), squeeze = s.gravity.norm() * H / (s.state_equation.c0 * s.state_equation.c0);
-    return squeeze / 8 * H / s.dp;
-}
-
 bool on_one_lattice(const SimulationSetup& s, std::span<const Box> blocks) {
     const Vec3 cell = cell_of_block(s, blocks.front());
     return std::ranges::all_of(blocks, [&](const Box& b) {
-        if ((cell_of_block(s, b) - cell).norm() > 1e-6 * s.dp || shift_of_layers(s, b) > 0.4) return false;
+        if ((cell_of_block(s, b) - cell).norm() > 1e-6 * s.dp) return false;
         for (int a = 0; a < 3; ++a) {
             if (a == 1 && s.dimensions == 2) continue;
             const double apart = (b.min[a] - blocks.front().min[a]) / cell[a];

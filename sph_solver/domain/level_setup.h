@@ -39,7 +39,7 @@ struct LevelSetup {
 struct Fluid {
     std::vector<Vec3> places;
     std::vector<double> depth;
-    double volume = 0;  ///< mass of one particle over rho0 [m3; in two dimensions m2]; 0: dp^dimensions
+    double volume = 0;  ///< of one particle, mass over rho0 [m3; in two dimensions m2]; 0: dp^dimensions
 };
 
 }  // namespace tw

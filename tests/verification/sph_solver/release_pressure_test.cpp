@@ -90,7 +90,7 @@ TEST(ReleasePressure, IsHydrostaticWhereWaterIsHeld) {
     for (std::size_t i = 0; i < before.size(); ++i) {
         const bool held = fluid.places[i].x() < L;
         if (held) {
-            EXPECT_NEAR(fluid.depth[i], before[i], 5e-4 * H);  // layers at rest are not quite of equal height
+            EXPECT_NEAR(fluid.depth[i], before[i], 1e-4 * H);
         } else {
             EXPECT_LT(fluid.depth[i], before[i]);
         }
