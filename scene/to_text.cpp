@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "scene/box_walls.h"
 #include "base/numbers.h"
+#include "scene/box_walls.h"
 #include "scene/cost_of_sizes.h"
 #include "scene/defaults.h"
 #include "scene/edge_refinement.h"

@@ -7,26 +7,19 @@
 #include <Eigen/SparseCore>
 
 #include "meshes/query.h"
+#include "sph_solver/lattice.h"
 
 namespace tw {
 namespace {
 
 using CellNumber = std::array<std::int32_t, 3>;
 
-/// Edges of the cells into which a block of water is divided, a particle in each (fill.cpp); 1 across a section.
-Vec3 cell_of_block(const SimulationSetup& s, const Box& block) {
-    Vec3 cell = Vec3::Ones();
-    for (int a = 0; a < 3; ++a)
-        if (a != 1 || s.dimensions == 3) cell[a] = block.size()[a] / std::max(1.0, std::round(block.size()[a] / s.dp));
-    return cell;
-}
+Lattice lattice_of(const SimulationSetup& s, const Box& block) { return {s.dimensions, s.dp, block}; }
 
 /// The particles by their places in one lattice.
 class ParticlesByPlace {
 public:
-    ParticlesByPlace(const SimulationSetup& s, const Box& block, const Fluid& fluid)
-        : cell_(cell_of_block(s, block)), origin_(block.min) {
-        if (s.dimensions == 2) origin_.y() = -0.5;  // particles stand at y = 0
+    ParticlesByPlace(const Lattice& lattice, const Fluid& fluid) : lattice_(lattice) {
         low_.fill(0), size_.fill(0);
         std::vector<CellNumber> cells;
         CellNumber high{};
@@ -49,8 +42,8 @@ public:
 private:
     CellNumber cell_of(const Vec3& x) const {
         CellNumber c;
-        for (int a = 0; a < 3; ++a)
-            c[static_cast<std::size_t>(a)] = static_cast<std::int32_t>(std::floor((x[a] - origin_[a]) / cell_[a]));
+        const Vec3 cells = (x - lattice_.corner).cwiseQuotient(lattice_.cell);
+        for (int a = 0; a < 3; ++a) c[static_cast<std::size_t>(a)] = static_cast<std::int32_t>(std::floor(cells[a]));
         return c;
     }
     std::size_t index(const CellNumber& c) const {
@@ -58,15 +51,15 @@ private:
         for (std::size_t a = 0; a < 3; ++a) k = k * std::size_t(size_[a]) + std::size_t(c[a] - low_[a]);
         return k;
     }
-    Vec3 cell_, origin_;
+    Lattice lattice_;
     CellNumber low_, size_;
     std::vector<std::int32_t> particle_;
 };
 
 bool on_one_lattice(const SimulationSetup& s, std::span<const Box> blocks) {
-    const Vec3 cell = cell_of_block(s, blocks.front());
+    const Vec3 cell = lattice_of(s, blocks.front()).cell;
     return std::ranges::all_of(blocks, [&](const Box& b) {
-        if ((cell_of_block(s, b) - cell).norm() > 1e-6 * s.dp) return false;
+        if ((lattice_of(s, b).cell - cell).norm() > 1e-6 * s.dp) return false;
         for (int a = 0; a < 3; ++a) {
             if (a == 1 && s.dimensions == 2) continue;
             const double apart = (b.min[a] - blocks.front().min[a]) / cell[a];
@@ -111,9 +104,10 @@ int find_release_pressure(const SimulationSetup& s, std::span<const Box> blocks,
         fluid.places.empty() || !on_one_lattice(s, blocks))
         return 0;
 
-    const ParticlesByPlace lattice(s, blocks.front(), fluid);
+    const Lattice lattice = lattice_of(s, blocks.front());
+    const Vec3 cell = lattice.cell;
+    const ParticlesByPlace particles(lattice, fluid);
     const auto n = static_cast<std::int32_t>(fluid.places.size());
-    const Vec3 cell = cell_of_block(s, blocks.front());
     std::vector<Eigen::Triplet<double>> entries;
     Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(n), given = Eigen::VectorXd::Zero(n);
     std::vector<BareFace> faces;
@@ -123,7 +117,7 @@ int find_release_pressure(const SimulationSetup& s, std::span<const Box> blocks,
                 if (a == 1 && s.dimensions == 2) continue;
                 const double weight = s.dp * s.dp / (cell[a] * cell[a]);
                 const Vec3& x = fluid.places[std::size_t(i)];
-                if (const std::int32_t j = lattice.beside(x, std::size_t(a), step); j >= 0)
+                if (const std::int32_t j = particles.beside(x, std::size_t(a), step); j >= 0)
                     entries.emplace_back(i, j, -weight), diagonal[i] += weight;
                 else
                     faces.push_back({i, step * cell[a] * Vec3::Unit(a)});

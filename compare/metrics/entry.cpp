@@ -12,8 +12,6 @@
 namespace tw {
 namespace {
 
-constexpr std::uint8_t least_share = 3;  // of 255: a hundredth, as of the splash (metrics/splash.h)
-
 struct Row {
     double open_volume = 0, closed_volume = 0, open_depth = 0, closed_top = nan;
     std::array<double, 2> cavity{0, 0}, waterline{nan, nan}, crown{0, 0};  ///< at smaller and larger x than the axis

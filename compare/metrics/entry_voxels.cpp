@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 
+#include "compare/metrics/raster_columns.h"
+
 namespace tw {
 namespace {
-
-constexpr std::uint8_t half = 128;  // 128/255 is the first share that is at least one half
 
 struct Place {
     int i, j, k;
@@ -97,7 +97,7 @@ BodyVoxels body_voxels(const RasterGrid& grid, const SurfaceQuery& shape, const 
 std::vector<Air> air_of_frame(const RasterGrid& grid, const RasterFrame& frame, const BodyVoxels& body) {
     std::vector<Air> air(grid.voxels(), Air::none);
     for (std::size_t v = 0; v < air.size(); ++v)
-        if (frame.water[v] < half && body.kind[v] != VoxelKind::body) air[v] = Air::closed;
+        if (frame.water[v] < half_full && body.kind[v] != VoxelKind::body) air[v] = Air::closed;
     std::vector<std::size_t> top;
     for (std::size_t v = air.size() - grid.columns(); v < air.size(); ++v)
         if (air[v] == Air::closed) top.push_back(v);

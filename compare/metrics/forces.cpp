@@ -226,32 +226,39 @@ void add_forces(Comparison& comparison, const CompareOptions& options) {
 
 void add_total_drag(Comparison& comparison, const CompareOptions& options) {
     const Quantity* drag = comparison.find("drag");
-    const auto line_of = [&](const RunRecord& r) { return mean_of(r, "samples", "friction_line", options, HUGE_VAL); };
-    if (!drag || std::ranges::none_of(comparison.sources, [&](const RunRecord& r) { return line_of(r).known; })) return;
+    if (!drag) return;
     const std::string unit = drag->unit;
-    add_beside(comparison, quantity(comparison, "friction_line", "Friction by a line", unit,
-                                    "friction of a flat plate (ITTC 1957) on what the method finds wet", line_of));
+    const Quantity line =
+        quantity(comparison, "friction_line", "Friction by a line", unit,
+                 "friction of a flat plate (ITTC 1957) on what the method finds wet",
+                 [&](const RunRecord& r) { return mean_of(r, "samples", "friction_line", options, HUGE_VAL); });
+    if (!any_known(line)) return;
+    Quantity q = new_quantity(
+        "total_drag", "Total drag", unit,
+        "drag by pressure and friction: solved, or of a flat plate (ITTC 1957) on what the method finds wet");
     std::string coefficients;
-    Quantity q = quantity(
-        comparison, "total_drag", "Total drag", unit,
-        "drag by pressure and friction: solved, or of a flat plate (ITTC 1957) on what the method finds wet",
-        [&](const RunRecord& r) {
-            MeanValue total = mean_of(r, "forces", "fx", options);
-            const MeanValue friction = has_friction(r) ? mean_of(r, "forces", "fx_viscous", options, HUGE_VAL) : line_of(r);
-            if (!total.known) return total;
-            if (!has_friction(r)) {
-                if (!friction.known) return friction;
+    for (std::size_t i = 0; i < comparison.sources.size(); ++i) {
+        const RunRecord& r = comparison.sources[i];
+        MeanValue total = mean_of(r, "forces", "fx", options);
+        const bool solved = has_friction(r);
+        const MeanValue friction = solved ? mean_of(r, "forces", "fx_viscous", options, HUGE_VAL) : line.values[i];
+        if (total.known && !solved) {
+            if (friction.known) {
                 total.value += friction.value;
                 total.half_width = std::hypot(total.half_width, friction.half_width);
                 total.second_opinion = nan;
+            } else {
+                total = friction;  // and why it is not known
             }
-            const MeanValue S = mean_of(r, "samples", "wetted_area", options, HUGE_VAL);
-            const double U = number_of(r, "speed", 0), whole = 0.5 * number_of(r, "density", 0) * U * U * S.value;
-            if (friction.known && whole > 0)
-                coefficients += fmt::format("{}{}: C_T {:.3g}, C_F {:.3g}", coefficients.empty() ? "" : "; ",
-                                            text_of(r, "method"), total.value / whole, friction.value / whole);
-            return total;
-        });
+        }
+        const double area = mean_of(r, "samples", "wetted_area", options, HUGE_VAL).value, U = number_of(r, "speed", 0),
+                     whole = 0.5 * number_of(r, "density", 0) * U * U * area;
+        if (total.known && friction.known && whole > 0)
+            coefficients += fmt::format("{}{}: C_T {:.3g}, C_F {:.3g}", coefficients.empty() ? "" : "; ",
+                                        comparison.names[i], total.value / whole, friction.value / whole);
+        q.values.push_back(total);
+    }
+    add_beside(comparison, line);
     std::string shared_name;
     const double shared = draft_term(comparison, "drag", shared_name);
     judge(q, comparison.names, comparison.agree_within, shared, shared_name);

@@ -7,7 +7,6 @@
 namespace tw {
 
 namespace {
-constexpr std::uint8_t half = 128;  // 128/255 is the first share that is at least one half
 constexpr float no_height = std::numeric_limits<float>::quiet_NaN();
 }  // namespace
 
@@ -20,7 +19,7 @@ std::vector<std::uint8_t> main_body(const RasterGrid& grid, const RasterFrame& f
         for (int j0 = 0; j0 < grid.ny; ++j0)
             for (int i0 = 0; i0 < grid.nx; ++i0) {
                 const std::size_t seed = grid.voxel(i0, j0, k0);
-                if (label[seed] != 0 || frame.water[seed] < half) continue;
+                if (label[seed] != 0 || frame.water[seed] < half_full) continue;
                 label[seed] = ++labels;
                 open.assign(1, {i0, j0, k0});
                 std::size_t size = 0;
@@ -32,7 +31,7 @@ std::vector<std::uint8_t> main_body(const RasterGrid& grid, const RasterFrame& f
                         for (int b = std::max(j - 1, 0); b <= std::min(j + 1, grid.ny - 1); ++b)
                             for (int a = std::max(i - 1, 0); a <= std::min(i + 1, grid.nx - 1); ++a) {
                                 const std::size_t v = grid.voxel(a, b, c);
-                                if (label[v] != 0 || frame.water[v] < half) continue;
+                                if (label[v] != 0 || frame.water[v] < half_full) continue;
                                 label[v] = labels;
                                 open.push_back({a, b, c});
                             }

@@ -7,6 +7,12 @@
 
 namespace tw {
 
+// Water shares of a voxel, in 255ths.
+inline constexpr std::uint8_t half_full = 128;  ///< the first that is at least one half
+/// The first of at least 1/100: what counts as water above the wave. A mesh smears less than that over the cells along a
+/// hull, high above a calm surface.
+inline constexpr std::uint8_t least_share = 3;
+
 /// 1 for each voxel of the main water body: water share >= 1/2, in the largest set connected through faces, edges or
 /// corners (26 neighbours).
 std::vector<std::uint8_t> main_body(const RasterGrid& grid, const RasterFrame& frame);

@@ -6,16 +6,13 @@
 #include <limits>
 
 #include "base/numbers.h"
+#include "compare/metrics/raster_columns.h"
 #include "compare/metrics/wave_surface.h"
 #include "compare/read/record_numbers.h"
 
 namespace tw {
 
 namespace {
-
-/// Least share of a voxel that counts as water above the wave, in 255ths: the first of at least 1/100. A mesh smears
-/// less than that over the cells along a hull, high above a calm surface.
-constexpr std::uint8_t least_share = 3;
 
 /// Airborne water by layers: volume and lower edge of each layer above the cut-off.
 struct Airborne {

@@ -58,9 +58,10 @@ void add_suction(Comparison& comparison) {
             for (const Column& c : samples->second.columns)
                 if (c.name.starts_with(force_prefix)) names.insert(c.name.substr(force_prefix.size()));
     for (const std::string& name : names) {
-        Quantity q = new_quantity("suction:" + name, "Suction on " + name, "",
-                                  "where the water's pressure is below the air's: sum of -pressure times area, whatever "
-                                  "the direction; mean over the record");
+        Quantity q =
+            new_quantity("suction:" + name, "Suction on " + name, "",
+                         "where the water's pressure is below the air's: sum of -pressure times area, whatever "
+                         "the direction; mean over the record");
         std::string areas;
         for (std::size_t i = 0; i < comparison.sources.size(); ++i) {
             const RunRecord& r = comparison.sources[i];

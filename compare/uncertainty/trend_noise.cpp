@@ -15,7 +15,7 @@ constexpr double s0_share = 0.25;  ///< its scale over Dphi [-]
 constexpr double a_share = 2;      ///< standard deviation of a coefficient's prior over the range of the values [-]
 constexpr double probability = 0.95;
 
-struct Series {
+struct LevelColumns {
     Eigen::VectorXd x;          ///< h_i/h_1
     Eigen::VectorXd y;          ///< phi_i - phi_1
     Eigen::VectorXd w;          ///< E&H's weights, mean 1
@@ -35,7 +35,7 @@ struct LineFit {
     Eigen::VectorXd fitted;
 };
 
-LineFit fit(const Series& d, std::span<const double> orders) {
+LineFit fit(const LevelColumns& d, std::span<const double> orders) {
     const Eigen::Index n = d.x.size(), n_par = 1 + static_cast<Eigen::Index>(orders.size());
     Eigen::MatrixXd X = Eigen::MatrixXd::Ones(n, n_par);
     for (Eigen::Index k = 1; k < n_par; ++k) X.col(k) = d.x.array().pow(orders[static_cast<std::size_t>(k - 1)]);
@@ -84,9 +84,9 @@ double half_width(const std::vector<LineFit>& fits, Student LineFit::*quantity, 
     return high;
 }
 
-Series data_of(std::span<const StudyLevel> levels) {
+LevelColumns data_of(std::span<const StudyLevel> levels) {
     const auto n = static_cast<Eigen::Index>(levels.size());
-    Series d{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::VectorXd(n)};
+    LevelColumns d{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::VectorXd(n)};
     for (Eigen::Index i = 0; i < n; ++i) {
         const StudyLevel& l = levels[static_cast<std::size_t>(i)];
         d.x[i] = l.h / levels[0].h;
@@ -121,7 +121,7 @@ TrendNoise trend_noise(std::span<const StudyLevel> levels, double p_th) {
         t.uncertainties.assign(levels.size(), t.uncertainty);
         return t;
     }
-    const Series d = data_of(levels);
+    const LevelColumns d = data_of(levels);
     const double q = std::max(2.0, p_th);
     std::vector<std::vector<double>> sets{{}, {1}, {q}};
     if (levels.size() > 3) sets.push_back({1, q});

@@ -84,7 +84,8 @@ void check_edges(const Surface& s, const Edges& edges, FoundList& found) {
             "unite the parts in your CAD");
     if (flipped.number > 0)
         add(found, Level::error, "flipped_normals", flipped.first,
-            fmt::format("neighbouring triangles face opposite ways near {} edges, {}", flipped.number, near(flipped.first)),
+            fmt::format("neighbouring triangles face opposite ways near {} edges, {}", flipped.number,
+                        near(flipped.first)),
             "export the surface with consistent normals");
 }
 

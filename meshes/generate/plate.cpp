@@ -2,7 +2,9 @@
 
 namespace tw {
 namespace {
-Surface make_plate(const std::map<std::string, double>& v) { return block(v.at("length"), v.at("beam"), v.at("thickness")); }
+Surface make_plate(const std::map<std::string, double>& v) {
+    return block(v.at("length"), v.at("beam"), v.at("thickness"));
+}
 }  // namespace
 
 HullShape plate_shape() {

@@ -14,8 +14,7 @@ bool is_solved(const EffectQuestion& q) { return q.excluded->on; }
 std::string obstacle_of_friction(const Scene& scene) {
     if (!scene.hull || scene.motion.kind != Motion::Kind::stream)
         return "the line is for a hull in a stream; viscosity = \"on\" solves friction elsewhere";
-    if (!(scene.water.kinematic_viscosity > 0))
-        return "the viscosity of the water is zero; set [water] viscosity";
+    if (!(scene.water.kinematic_viscosity > 0)) return "the viscosity of the water is zero; set [water] viscosity";
     return "";
 }
 
@@ -24,11 +23,12 @@ EffectChoice plan_friction(const EffectQuestion& q) {
     const bool can = obstacle_of_friction(q.scene).empty();
     EffectChoice c = q.choice(can && !is_solved(q) && n.reynolds > turbulent_from);
     const double R = can ? ittc57(n.reynolds) * n.head * n.wetted_area : 0;
-    c.reason = !can          ? "no hull in a stream"
+    c.reason = !can           ? "no hull in a stream"
                : is_solved(q) ? "the effect viscosity solves friction"
-                              : fmt::format("Re = {:.3g}: turbulent from {:g} on; C_F = {:.3g} (ITTC 1957) on what each "
-                                            "method finds wet",
-                                            n.reynolds, turbulent_from, ittc57(n.reynolds));
+                              : fmt::format(
+                                    "Re = {:.3g}: turbulent from {:g} on; C_F = {:.3g} (ITTC 1957) on what each "
+                                    "method finds wet",
+                                    n.reynolds, turbulent_from, ittc57(n.reynolds));
     c.influence = can ? influence(fmt::format("about {:.3g} N{}", R, c.on ? "" : ", left out"), "none", "none",
                                   "added to the pressure drag of both methods alike; the flow does not feel it")
                       : influence("none", "none", "none");

@@ -20,6 +20,8 @@ void settle_gravity(Scene& scene, bool on) {
 
 }  // namespace
 
-EffectPart gravity() { return {.name = "gravity", .meaning = "Weight of the water.", .plan = plan_gravity, .settle = settle_gravity}; }
+EffectPart gravity() {
+    return {.name = "gravity", .meaning = "Weight of the water.", .plan = plan_gravity, .settle = settle_gravity};
+}
 
 }  // namespace tw::effect_parts

@@ -12,7 +12,7 @@ namespace tw {
 struct EffectQuestion {
     const Scene& scene;
     const FlowNumbers& flow;
-    std::optional<bool> asked;     ///< what the scene or the command line says; nothing for "auto"
+    std::optional<bool> asked;       ///< what the scene or the command line says; nothing for "auto"
     const EffectChoice* needed{};    ///< the choice for the effect that this one needs; null: it needs none
     const EffectChoice* excluded{};  ///< and for the one that it cannot be on with
 

@@ -8,10 +8,10 @@
 
 // The one list of effects, in the order of the plan. Each line names a function `EffectPart NAME()` of namespace
 // tw::effect_parts, defined in scene/effects/NAME.cpp.
-#define TWINWAKE_EFFECTS(part)                                                                                         \
-    part(viscosity) part(friction) part(no_slip) part(turbulence) part(surface_tension) part(air) part(compressibility) part(gravity) \
-        part(ventilation) part(cavitation) part(damping_layers) part(acoustic_damping) part(shifting)                  \
-            part(tension_control)
+#define TWINWAKE_EFFECTS(part)                                                                      \
+    part(viscosity) part(friction) part(no_slip) part(turbulence) part(surface_tension) part(air)   \
+        part(compressibility) part(gravity) part(ventilation) part(cavitation) part(damping_layers) \
+            part(acoustic_damping) part(shifting) part(tension_control)
 
 namespace tw {
 

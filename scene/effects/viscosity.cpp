@@ -44,7 +44,10 @@ std::string obstacle_of_viscosity(const Scene& scene) {
 }  // namespace
 
 EffectPart viscosity() {
-    return {.name = "viscosity", .meaning = "Viscous stresses in the water.", .plan = plan_viscosity, .obstacle = obstacle_of_viscosity};
+    return {.name = "viscosity",
+            .meaning = "Viscous stresses in the water.",
+            .plan = plan_viscosity,
+            .obstacle = obstacle_of_viscosity};
 }
 
 }  // namespace tw::effect_parts

@@ -1,5 +1,5 @@
 #pragma once
-#include <numbers>
+#include "base/numbers.h"
 
 namespace tw {
 
@@ -12,7 +12,6 @@ namespace tw {
 /// Another kernel of support 2h is another struct with these members.
 struct WendlandC2 {
     static double sigma(double h, int dimensions) {
-        const double pi = std::numbers::pi;
         return dimensions == 3 ? 21 / (16 * pi * h * h * h) : 7 / (4 * pi * h * h);
     }
     static double G(double h, int dimensions) { return 10 * sigma(h, dimensions) / h; }

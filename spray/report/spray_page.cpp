@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/numbers.h"
 #include "compare/report/page.h"
 #include "compare/report/svg_plot.h"
 #include "record/code_version.h"
@@ -143,7 +144,6 @@ std::string arrival_map(const SprayStudy& study, const SprayResult& r) {
     p.title = "Arrivals on the sensor", p.x_label = "across [mm]", p.y_label = "along [mm]", p.equal_scales = true;
     // several thousand dots say no more than one thousand
     const std::size_t stride = 1 + r.arrivals.size() / 3000;
-    const double nan = std::nan("");
     PlotLine places = dots("", 0);
     for (std::size_t i = 0; i < r.arrivals.size(); i += stride) {
         places.x.insert(places.x.end(), {1e3 * r.arrivals[i].across, nan});

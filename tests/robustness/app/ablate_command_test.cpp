@@ -136,7 +136,8 @@ TEST_F(AblateCommand, WrongArgumentsAreRefusedBeforeTheWorkAndLeaveNothing) {
         return o.err;
     };
     EXPECT_EQ(refused({"--effects", "surface_tensoin"}),
-              "--effects surface_tensoin: there is no effect 'surface_tensoin'; expected one of: viscosity, friction, no_slip, "
+              "--effects surface_tensoin: there is no effect 'surface_tensoin'; expected one of: viscosity, friction, "
+              "no_slip, "
               "turbulence, surface_tension, air, compressibility, gravity, ventilation, cavitation, damping_layers, "
               "acoustic_damping, shifting, tension_control; did you mean 'surface_tension'?\n");
     EXPECT_NE(refused({"--effects", "compressibility"})

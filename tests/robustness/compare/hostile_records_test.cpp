@@ -5,6 +5,7 @@
 
 #include "base/atomic_file.h"
 #include "base/errors.h"
+#include "base/numbers.h"
 #include "compare/compare.h"
 #include "tests/unit/compare/synthetic_pair.h"
 #include "tests/unit/record/example_record.h"
@@ -70,14 +71,13 @@ TEST(HostileRecords, SenselessNumbersDoNotStopTheReport) {
     const ScratchFolder folder;
     RunRecord a = synthetic_run({.duration = 0.3, .step = 4e-3}), b = a;
     b.attributes["method"] = "fvm";
-    const double inf = std::numeric_limits<double>::infinity(), nan = std::nan("");
     for (auto& [name, value] : b.numbers) value = nan;
     b.attributes["symmetry_factor"] = "two";
     b.raster.voxel = 0;
-    b.elements = inf;
+    b.elements = infinite;
     b.peak_memory = nan;
-    b.phases = {{"solving", nan, inf}};
-    for (double& v : b.table("forces").column("fz", "N").values) v = inf;
+    b.phases = {{"solving", nan, infinite}};
+    for (double& v : b.table("forces").column("fz", "N").values) v = infinite;
     b.hull_pressure.assign(b.hull.triangles.size(), std::numeric_limits<float>::quiet_NaN());
     const Comparison c = compare_records({a, b});
     EXPECT_FALSE(c.find("lift")->values[1].known);

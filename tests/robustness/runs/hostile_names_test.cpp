@@ -16,7 +16,8 @@ std::string content(const std::filesystem::path& file) {
 
 // A name is a name: never a command, a directive, a path elsewhere, or markup.
 TEST(HostileNames, StayNames) {
-    const std::string title = R"(<script>alert(1)</script> $(touch pwned) `touch pwned` "; touch pwned; #calc "system" ../../x)";
+    const std::string title =
+        R"(<script>alert(1)</script> $(touch pwned) `touch pwned` "; touch pwned; #calc "system" ../../x)";
     const ScratchFolder scratch("names");
     const auto folder = scratch.path() / "with spaces $(touch pwned) 'single' \"double\" <b>;&";
     std::filesystem::create_directories(folder);
@@ -27,7 +28,8 @@ TEST(HostileNames, StayNames) {
     ASSERT_EQ(run.wait(), 0) << run.output();
     EXPECT_EQ(read_record(out / "sph" / "record.h5").attributes.at("title"), title);
 
-    Program compare({"compare", (out / "sph").string(), (out / "sph").string(), "--out", (out / "report").string()}, scratch.path());
+    Program compare({"compare", (out / "sph").string(), (out / "sph").string(), "--out", (out / "report").string()},
+                    scratch.path());
     EXPECT_EQ(compare.wait(), 0) << compare.output();
     int pages = 0;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(scratch.path())) {

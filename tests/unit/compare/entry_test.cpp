@@ -1,6 +1,6 @@
 // Cavity and crown of a body that enters water, on frames whose cavity and crown are known.
-#include "base/numbers.h"
 #include "compare/metrics/entry.h"
+#include "base/numbers.h"
 
 #include <gtest/gtest.h>
 

@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "base/numbers.h"
 #include "compare/align/time_bins.h"
 #include "compare/statistics/autocorrelation.h"
 #include "compare/statistics/batch_means.h"
@@ -107,7 +108,6 @@ TEST(StudentT, ProbabilitiesInClosedForm) {
 }
 
 TEST(SettledMean, ASeriesWithoutValuesLateAsksForNoFurtherSeconds) {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
     const std::vector<double> time{0, 1, 2, 3, 4}, values{1, 1, nan, nan, nan};
     SettledRules rules;
     rules.from = 2;

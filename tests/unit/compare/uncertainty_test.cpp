@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/errors.h"
+#include "base/numbers.h"
 #include "compare/uncertainty/convergence.h"
 #include "compare/uncertainty/read_table.h"
 #include "compare/uncertainty/report_uncertainty.h"
@@ -358,7 +359,6 @@ TEST(Estimate, SaysWhereTheMethodsDisagree) {
 }
 
 TEST(Estimate, BadInputIsRefusedWithWhatWasFound) {
-    const double nan = std::nan("");
     const auto of = [](std::vector<StudyLevel> levels, double order = 2) {
         return message([&] { estimate(std::move(levels), order); });
     };

@@ -1,5 +1,5 @@
-#include "base/numbers.h"
 #include "meshes/shedding_edges.h"
+#include "base/numbers.h"
 
 #include <gtest/gtest.h>
 

@@ -63,7 +63,8 @@ TEST(Zone, DistancesChangeByNoMoreThanTheShiftOfTheirZone) {
         way.translation() = Vec3(0.01, 0, -0.02) * step;
         way.rotate(Eigen::AngleAxisd(0.03 * step, Vec3::UnitY()));
         const Vec3 box_moved = Vec3(0.02, 0, 0.01) * step;
-        const Zone now({{Vec3(-1.5, -2, -2) + box_moved, Vec3(1.5, 2, infinite) + box_moved}, start.boxes()[1]}, start, way);
+        const Zone now({{Vec3(-1.5, -2, -2) + box_moved, Vec3(1.5, 2, infinite) + box_moved}, start.boxes()[1]}, start,
+                       way);
         const std::optional<Zone::Shift> shift = now.shift_since(before);
         ASSERT_TRUE(shift);
         all.by += shift->by;

@@ -7,6 +7,7 @@
 
 #include "base/atomic_file.h"
 #include "base/errors.h"
+#include "base/numbers.h"
 #include "tests/unit/record/example_record.h"
 
 namespace tw {
@@ -130,7 +131,6 @@ std::string refusal_of(Change change) {
 }
 
 TEST(BadRecords, ScalarsThatCannotBeAreRefusedByTheirKey) {
-    const double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
     const auto expect = [](const std::string& message, const std::string& key) {
         EXPECT_TRUE(says(message, "record.h5: " + key)) << key << ": " << message;
     };
@@ -140,25 +140,26 @@ TEST(BadRecords, ScalarsThatCannotBeAreRefusedByTheirKey) {
     expect(refusal_of([&](RunRecord& r) { r.numbers["speed"] = -8; }), "numbers/speed = -8; expected");
     expect(refusal_of([&](RunRecord& r) { r.numbers["duration"] = 0; }), "numbers/duration = 0; expected");
     expect(refusal_of([&](RunRecord& r) { r.elements = -1; }), "cost/elements = -1; expected");
-    expect(refusal_of([&](RunRecord& r) { r.steps = inf; }), "cost/steps = inf; expected");
+    expect(refusal_of([&](RunRecord& r) { r.steps = infinite; }), "cost/steps = inf; expected");
     expect(refusal_of([&](RunRecord& r) { r.peak_memory = nan; }), "cost/peak_memory = nan; expected");
     expect(refusal_of([&](RunRecord& r) { r.phases[1].wall = -2; }), "cost/solving/wall = -2; expected");
-    expect(refusal_of([&](RunRecord& r) { r.table("forces").time[3] = inf; }), "tables/forces/time[3] = inf; expected");
+    expect(refusal_of([&](RunRecord& r) { r.table("forces").time[3] = infinite; }),
+           "tables/forces/time[3] = inf; expected");
     expect(refusal_of([&](RunRecord& r) { r.table("forces").time[3] = -1; }), "tables/forces/time[3] = -1; expected");
     expect(refusal_of([&](RunRecord& r) { r.frames[2].time = 0.1; }), "raster/time[2] = 0.1; expected");
     expect(refusal_of([&](RunRecord& r) { r.raster.voxel = nan; }), "raster/spacing = nan; expected");
-    expect(refusal_of([&](RunRecord& r) { r.hull.points[1].y() = inf; }), "hull/points = inf; expected");
-    expect(refusal_of([&](RunRecord& r) { r.bodies[0].surface.points[1].y() = inf; }),
+    expect(refusal_of([&](RunRecord& r) { r.hull.points[1].y() = infinite; }), "hull/points = inf; expected");
+    expect(refusal_of([&](RunRecord& r) { r.bodies[0].surface.points[1].y() = infinite; }),
            "bodies/body_torpedo/points = inf; expected");
     expect(refusal_of([&](RunRecord& r) { r.bodies[1].centre.x() = nan; }), "bodies/body_buoy/centre = nan; expected");
     EXPECT_TRUE(says(refusal_of([](RunRecord& r) { r.bodies[1].surface.triangles[0][2] = 4; }),
                      "body_buoy: a triangle names a point that is not there"));
     expect(refusal_of([&](RunRecord& r) { r.effects[0].cost = nan; }), "effects/air/cost = nan; expected");
     expect(refusal_of([&](RunRecord& r) { r.certificate[0].limit = nan; }), "certificate/Mach number/limit = nan");
-    expect(refusal_of([&](RunRecord& r) { r.certificate[0].time = inf; }), "certificate/Mach number/time = inf");
+    expect(refusal_of([&](RunRecord& r) { r.certificate[0].time = infinite; }), "certificate/Mach number/time = inf");
     expect(refusal_of([&](RunRecord& r) { r.certificate[0].value = nan; }), "certificate/Mach number/value = nan");
     expect(refusal_of([&](RunRecord& r) { r.resolution[1].size = 0; }), "resolution/size = 0; expected");
-    expect(refusal_of([&](RunRecord& r) { r.resolution[1].box.max.z() = inf; }), "resolution/box = inf; expected");
+    expect(refusal_of([&](RunRecord& r) { r.resolution[1].box.max.z() = infinite; }), "resolution/box = inf; expected");
     EXPECT_EQ(refusal_of([&](RunRecord& r) { r.certificate[0].value = nan, r.state = "failed"; }), "")
         << "what a run failed of may be no number";
 }

@@ -1,6 +1,6 @@
 // What a run with several sizes of particles tells of each of them.
-#include "base/numbers.h"
 #include "sph_solver/measure/level_ledger.h"
+#include "base/numbers.h"
 
 #include <gtest/gtest.h>
 

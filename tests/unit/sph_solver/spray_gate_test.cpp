@@ -1,6 +1,6 @@
 // Water that leaves a run as droplets: what is taken, and what is left alone.
-#include "base/numbers.h"
 #include "sph_solver/measure/spray_gate.h"
+#include "base/numbers.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-#include "base/numbers.h"
 #include "judges.h"
+#include "base/numbers.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Pressures that a record holds, put onto the plate of its scene (foam_cases/one_way.h).
-#include "base/numbers.h"
 #include "foam_cases/one_way.h"
+#include "base/numbers.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-#include "base/numbers.h"
 #include "motion/rigid_body.h"
+#include "base/numbers.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Savitsky's regression against an independently computed table.
-#include "base/numbers.h"
 #include "compare/reference/savitsky.h"
+#include "base/numbers.h"
 #include "tests/data_table.h"
 
 #include <gtest/gtest.h>

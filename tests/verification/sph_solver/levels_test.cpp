@@ -256,8 +256,8 @@ TEST(LevelEdge, ABodyAcrossItIsBorneByBothSizes) {
 struct Swing {
     double largest_drift = 0;  ///< of the zone's mass at an instant: a column of its particles is 3 % of it
     double mean_drift = 0, largest_mean = 0;  ///< of the mean over a period, the last and the largest
-    double gathered = 0;                       ///< coarse particles under the zone above their number at the start
-    double shortfall = 0;                      ///< of the mean velocity behind U sin(omega t), largest, over U
+    double gathered = 0;                      ///< coarse particles under the zone above their number at the start
+    double shortfall = 0;                     ///< of the mean velocity behind U sin(omega t), largest, over U
     std::int64_t births = 0, most_orphans = 0;
 };
 
@@ -324,8 +324,8 @@ TEST(LevelEdge, AFlowThatTurnsRoundLeavesMostOfAZonesMass) {
         "30 swings across an edge: mass of the zone %+.1f %% in the last, %.1f %% in a swing's mean and %.1f %% at an "
         "instant at most; coarse particles under it %+.1f %%; mean velocity off by %.3f U; %ld births, %ld orphans at "
         "once at most\n",
-        100 * r.mean_drift, 100 * r.largest_mean, 100 * r.largest_drift, 100 * r.gathered, r.shortfall,
-        long(r.births), long(r.most_orphans));
+        100 * r.mean_drift, 100 * r.largest_mean, 100 * r.largest_drift, 100 * r.gathered, r.shortfall, long(r.births),
+        long(r.most_orphans));
     EXPECT_GT(r.births, 10000);
     EXPECT_LT(std::abs(r.gathered), 0.03);
     EXPECT_LT(r.largest_mean, 0.025);  // 3.1 % while parents that had been 4.1 to 4.5 dp away kept lost children lost
@@ -335,7 +335,8 @@ TEST(LevelEdge, AFlowThatTurnsRoundLeavesMostOfAZonesMass) {
 
 TEST(LevelEdge, DISABLED_TableOfAHundredSwings) {
     std::printf(
-        "vortices/U   mass of the zone: last swing's mean, largest mean, at an instant at most [%%]   mean velocity off "
+        "vortices/U   mass of the zone: last swing's mean, largest mean, at an instant at most [%%]   mean velocity "
+        "off "
         "by [U]   births\n");
     for (const double vortices : {0.1, 0.3}) {
         const Swing r = swing(100, vortices);

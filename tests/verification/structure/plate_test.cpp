@@ -1,5 +1,5 @@
-#include "base/numbers.h"
 #include "plate.h"
+#include "base/numbers.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-#include "base/numbers.h"
 #include "structure/solid/solid.h"
+#include "base/numbers.h"
 
 #include <gtest/gtest.h>
 
