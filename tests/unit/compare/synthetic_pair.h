@@ -96,32 +96,34 @@ inline RunRecord synthetic_run(const SyntheticRun& o) {
     }
     if (o.frames) {
         r.raster = {{-2.4, 0, -0.6}, 0.08, {88, 38, 20}};
-        for (double t = 0.04; t <= o.duration + 1e-9; t += 0.04) {
-            Raster raster(r.raster);
-            const double d = r.raster.voxel, part = d / 2;
+        const double part = r.raster.voxel / 2;
+        const auto columns = [&](auto&& pour) {
             for (int i = 0; i < 2 * r.raster.count[0]; ++i)
-                for (int j = 0; j < 2 * r.raster.count[1]; ++j) {
-                    const double x = r.raster.origin.x() + (i + 0.5) * part, y = (j + 0.5) * part;
-                    const bool hull_here = x > -0.3 && x < 2 && y < 0.5;
-                    const double behind = x - 2;
-                    double z = behind > 0 ? o.wave * std::cos(2 * pi * behind / 2.2) * std::exp(-y / 0.9) -
-                                                0.16 * std::exp(-behind / 0.8 - y * y / 0.16)
-                                          : 0;
-                    z += o.wave * std::exp(-std::pow((y - 0.55 - 0.35 * (x + 0.3)) / 0.18, 2)) * (x > -0.3);
-                    if (hull_here) z = -0.2 + 0.0875 * (2 - x) + 0.36 * y;
-                    z = std::min(z, hull_here ? 0.0 : z);
-                    for (double zc = r.raster.origin.z() + 0.5 * part; zc < z; zc += part) {
-                        const double share = std::min(1.0, (z - zc) / part + 0.5);
-                        raster.pour({x, y, zc}, part, share * part * part * part);
-                    }
-                    // The spray sheet: a wall along the chine, as high as the run says.
-                    const double crest = (o.splash + 0.02 * normal(random)) * std::exp(-std::pow((x - 0.5) / 0.5, 2));
-                    if (std::abs(y - 0.66) < 0.05)
-                        for (double zc = 0.5 * part; zc < crest; zc += part)
-                            raster.pour({x, y, zc}, part, part * part * part);
-                }
-            raster.pour({1.0, 1.2, 0.85}, 0.03, 2.7e-5);  // one drop, far above everything
-            r.frames.push_back(raster.frame(t));
+                for (int j = 0; j < 2 * r.raster.count[1]; ++j)
+                    pour(r.raster.origin.x() + (i + 0.5) * part, (j + 0.5) * part);
+        };
+        Raster wake(r.raster);
+        columns([&](double x, double y) {
+            const bool hull_here = x > -0.3 && x < 2 && y < 0.5;
+            const double behind = x - 2;
+            double z = behind > 0 ? o.wave * std::cos(2 * pi * behind / 2.2) * std::exp(-y / 0.9) -
+                                        0.16 * std::exp(-behind / 0.8 - y * y / 0.16)
+                                  : 0;
+            z += o.wave * std::exp(-std::pow((y - 0.55 - 0.35 * (x + 0.3)) / 0.18, 2)) * (x > -0.3);
+            if (hull_here) z = std::min(0.0, -0.2 + 0.0875 * (2 - x) + 0.36 * y);
+            for (double zc = r.raster.origin.z() + 0.5 * part; zc < z; zc += part)
+                wake.pour({x, y, zc}, part, std::min(1.0, (z - zc) / part + 0.5) * part * part * part);
+        });
+        wake.pour({1.0, 1.2, 0.85}, 0.03, 2.7e-5);  // one drop, far above everything
+        for (double t = 0.04; t <= o.duration + 1e-9; t += 0.04) {
+            Raster now = wake;
+            // The spray sheet: a wall along the chine, as high as the run says.
+            columns([&](double x, double y) {
+                const double crest = (o.splash + 0.02 * normal(random)) * std::exp(-std::pow((x - 0.5) / 0.5, 2));
+                if (std::abs(y - 0.66) < 0.05)
+                    for (double zc = 0.5 * part; zc < crest; zc += part) now.pour({x, y, zc}, part, part * part * part);
+            });
+            r.frames.push_back(now.frame(t));
         }
     }
     r.phases = {{"set-up", 2.5, 2.5}, {"solving", 95, 181}, {"output", 3, 3}};

@@ -16,21 +16,22 @@ struct Plate {
     Vec3 up;  ///< along the plate, out of the water
     SurfaceSamples samples;
 
-    Plate(double theta, double h) : up(std::cos(theta), 0, std::sin(theta)), samples(strip(up, h), h / 8, all) {
+    Plate(double theta, double h)
+        : up(std::cos(theta), 0, std::sin(theta)), samples(SurfaceSamples::of_section(strip(up, h), h / 8)) {
         // Water: z < 0 on the plate's outer side, as columns of points far finer than h.
         const Vec3 out(std::sin(theta), 0, -std::cos(theta));
         const Kernel kernel(h, 2);
         const double fine = h / 8;
-        std::vector<Vec3> water;
-        for (double x = -9 * h; x < 9 * h; x += fine)
-            for (double z = -9 * h + fine / 2; z < 0; z += fine)
-                if (const Vec3 p(x, 0, z); p.dot(out) > 0) water.push_back(p);
-        for (const Vec3& place : samples.points.places) {
-            double support = 0;
-            for (const Vec3& p : water)
-                if ((p - place).squaredNorm() < 4 * h * h) support += fine * fine * kernel.W((p - place).norm());
-            samples.points.support.push_back(static_cast<float>(support));
-        }
+        const auto support_at = [&](const Vec3& place) {
+            double sum = 0;
+            for (int i = cell(place.x() - 2 * h, fine); i <= cell(place.x() + 2 * h, fine); ++i)
+                for (int k = cell(place.z() - 2 * h, fine); k <= std::min(-1, cell(place.z() + 2 * h, fine)); ++k) {
+                    const Vec3 p(i * fine, 0, (k + 0.5) * fine);
+                    if (p.dot(out) > 0) sum += fine * fine * kernel.W((p - place).norm());
+                }
+            return static_cast<float>(sum);
+        };
+        for (const Vec3& place : samples.points.places) samples.points.support.push_back(support_at(place));
     }
     /// Of the last wet patch, beyond the waterline [m].
     double reach(auto&& wet) const {
@@ -41,7 +42,7 @@ struct Plate {
     }
 
 private:
-    static inline const Box all{Vec3::Constant(-100), Vec3::Constant(100)};
+    static int cell(double x, double size) { return static_cast<int>(std::floor(x / size)); }
     /// Outward normal out of the plate's water side; as thin as a line.
     static Surface strip(const Vec3& up, double h) {
         const Vec3 side(0, 1e-3 * h, 0), end = 6 * h * up;
