@@ -12,6 +12,7 @@
 #include "base/cache_folder.h"
 #include "record/this_machine.h"
 #include "sph_solver/neighbours/columns.h"
+#include "sph_solver/neighbours/list_life.h"
 #include "sph_solver/sweeps/views.h"
 
 namespace tw {
@@ -20,48 +21,73 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-/// A cube of jittered water with its lists; small enough for the second cache.
+/// Jittered water on a floor of dummy particles, with a free surface: lists as a run makes them, of more particles than
+/// the second cache holds.
 class Block {
 public:
     explicit Block(const Passes& passes) : passes_(passes) {
         const Quanta quanta(Vec3::Zero(), dp / (1 << 18));
-        const ColumnGrid grid({Vec3::Zero(), Vec3::Constant(edge * dp)}, dp, 3, quanta, passes.lanes);
+        const ColumnGrid grid({Vec3(0, 0, -floor * dp), Vec3::Constant(edge * dp)}, dp, 3, quanta, passes.lanes);
         std::mt19937 random(1);
         std::uniform_real_distribution<double> jitter(-0.1 * dp, 0.1 * dp);
-        std::vector<WidePlace> raw;
+        std::vector<WidePlace> water, dummies;
         for (int k = 0; k < edge * edge * edge; ++k)
-            raw.push_back(quanta.wide(Vec3(k % edge * dp + jitter(random), k / edge % edge * dp + jitter(random),
-                                           k / edge / edge * dp + jitter(random))));
-        std::vector<std::int32_t> order, start;
-        sort_by_column(grid, raw, order, start);
-        for (const std::int32_t k : order)
-            place_.push_back(raw[static_cast<std::size_t>(k)].record(static_cast<float>(dp * dp * dp)));
+            water.push_back(quanta.wide(cell(k, 0) + Vec3(jitter(random), jitter(random), jitter(random))));
+        for (int k = 0; k < edge * edge * floor; ++k) dummies.push_back(quanta.wide(cell(k, -floor)));
+        std::vector<std::int32_t> start, wall_start;
+        sort(grid, water, place_, start);
+        sort(grid, dummies, wall_place_, wall_start);
         const std::size_t n = place_.size();
         motion_.resize(n), stress_.resize(n), shift_.resize(n), rate_.resize(n), surface_.resize(n / 32 + 2);
-        const Kernel kernel(1.5 * dp, 3);
-        const double support = kernel.support(), skin = 0.3 * dp;
-        const Source source{&grid, place_.data(), &start, 0};
+        normal_.assign(n, {0, 0, 1, 0});
+        wall_p_.resize(wall_place_.size());
+        const auto top = static_cast<std::int32_t>((edge - 1) * dp / quanta.size);
+        for (std::size_t i = 0; i < n; ++i)
+            if (place_[i].z > top) surface_[i / 32] |= std::uint32_t{1} << (i % 32);
+        const Kernel kernel(1.55 * dp, 3);
+        const double support = kernel.support();
+        const Source source{&grid, place_.data(), &start, 0}, walls{&grid, wall_place_.data(), &wall_start, 0};
+        const auto within = [&](double skin) { return Reaches{support + skin, support, support - skin}; };
         make_groups(source, passes.lanes, groups_);
-        lists_.build(passes, quanta, source, groups_, {source}, {support + skin, support, support - skin});
-        const WaterView water{.list = lists_.view(),
-                              .place = place_.data(),
-                              .motion = motion_.data(),
-                              .stress = stress_.data(),
-                              .surface = surface_.data(),
-                              .kernel = kernel,
-                              .quantum = static_cast<float>(quanta.size)};
-        first_ = {.water = water, .stress = stress_.data(), .shift = shift_.data(), .rate = rate_.data()};
-        first_.inv_W_dp = static_cast<float>(1 / kernel.W(dp));
-        second_ = {.water = water, .shift = shift_.data(), .rate = rate_.data()};
-        prune_.lists = lists_.view();
-        prune_.of = prune_.place = place_.data();
-        prune_.reach = support / quanta.size;
+        lists_.build(passes, quanta, source, groups_, {source}, within(ListLife::skin_over_dp * dp));
+        wall_lists_.build(passes, quanta, source, groups_, {walls}, within(ListLife::wall_skin_over_dp * dp),
+                          &Group::wall_list);
+        const auto end = static_cast<std::int32_t>(wall_place_.size());
+        wall_load_.resize(static_cast<std::size_t>(number_wall_loads(groups_, wall_lists_.view(), {end})));
+        first_ = {.water = {.list = lists_.view(),
+                            .place = place_.data(),
+                            .motion = motion_.data(),
+                            .stress = stress_.data(),
+                            .surface = surface_.data(),
+                            .kernel = kernel,
+                            .quantum = static_cast<float>(quanta.size)},
+                  .walls = {.list = wall_lists_.view(),
+                            .place = wall_place_.data(),
+                            .p = wall_p_.data(),
+                            .normal = normal_.data()},
+                  .stress = stress_.data(),
+                  .shift = shift_.data(),
+                  .rate = rate_.data(),
+                  .inv_W_dp = static_cast<float>(1 / kernel.W(dp)),
+                  .inv_dp = static_cast<float>(1 / dp)};
+        second_ = {.water = first_.water,
+                   .walls = first_.walls,
+                   .shift = shift_.data(),
+                   .rate = rate_.data(),
+                   .wall_load = wall_load_.data()};
+        prune_ = {.lists = lists_.view(), .of = place_.data(), .place = place_.data(), .reach = support / quanta.size};
+        prune_walls_ = {.lists = wall_lists_.view(),
+                        .list = &Group::wall_list,
+                        .of = place_.data(),
+                        .place = wall_place_.data(),
+                        .reach = support / quanta.size};
     }
     /// One evaluation of all particles [s].
     double time() {
         const auto start = std::chrono::steady_clock::now();
         const int count = static_cast<int>(groups_.size());
         passes_.run(prune_, groups_.data(), count);
+        passes_.run(prune_walls_, groups_.data(), count);
         passes_.run(first_, groups_.data(), count);
         passes_.run(second_, groups_.data(), count);
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -70,20 +96,34 @@ public:
 
 private:
     static constexpr double dp = 0.01;
-    static constexpr int edge = 16;
+    static constexpr int edge = 44, floor = 3;
+
+    static Vec3 cell(int k, int lowest) {
+        return dp * Vec3(k % edge + 0.5, k / edge % edge + 0.5, lowest + k / edge / edge + 0.5);
+    }
+    static void sort(const ColumnGrid& grid, const std::vector<WidePlace>& raw, std::vector<PlaceRecord>& places,
+                     std::vector<std::int32_t>& start) {
+        std::vector<std::int32_t> order;
+        sort_by_column(grid, raw, order, start);
+        for (const std::int32_t k : order)
+            places.push_back(raw[static_cast<std::size_t>(k)].record(static_cast<float>(dp * dp * dp)));
+    }
 
     const Passes& passes_;
-    std::vector<PlaceRecord> place_;
+    std::vector<PlaceRecord> place_, wall_place_;
     std::vector<VelocityDensityRecord> motion_;
     std::vector<GradientPressureRecord> stress_;
     std::vector<ShiftSupportRecord> shift_;
     std::vector<RateRecord> rate_;
+    std::vector<WallNormalRecord> normal_;
+    std::vector<float> wall_p_;
+    std::vector<WallLoad> wall_load_;
     std::vector<std::uint32_t> surface_;
     std::vector<Group> groups_;
-    NeighbourLists lists_;
+    NeighbourLists lists_, wall_lists_;
     FirstSweepData first_;
     SecondSweepData second_;
-    PruneData prune_;
+    PruneData prune_, prune_walls_;
 };
 
 fs::path memory_file() {
@@ -107,7 +147,7 @@ std::string names_to_choose_from() {
 }  // namespace
 
 std::vector<PassesPace> measure_passes(const std::vector<const Passes*>& which) {
-    constexpr int rounds = 6;
+    constexpr int rounds = 3;
     std::vector<Block> blocks;
     blocks.reserve(which.size());
     for (const Passes* p : which) blocks.emplace_back(*p);
