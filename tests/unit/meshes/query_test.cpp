@@ -91,7 +91,7 @@ TEST(SurfaceQuery, HasTheRightSideAtASharpKeelStepAndChine) {
         const Surface hull = make_hull(shape, {});
         const SurfaceQuery query(hull);
         const double scale = hull.bounds().size().x();
-        for (const Vec3& p : random_points(hull.bounds(), 0.05 * scale, 1500, 3)) {
+        for (const Vec3& p : random_points(hull.bounds(), 0.05 * scale, 300, 3)) {
             const bool in = winding_by_solid_angle(hull, p) > 0.5;
             ASSERT_EQ(query.inside(p), in) << shape << " " << p.transpose();
             ASSERT_EQ(query.nearest(p).distance < 0, in) << shape << " " << p.transpose();
@@ -99,7 +99,7 @@ TEST(SurfaceQuery, HasTheRightSideAtASharpKeelStepAndChine) {
         // Close to the surface's own corners and edges, in the plane of symmetry too.
         std::mt19937 random(4);
         std::normal_distribution<double> normal(0, 1e-4 * scale);
-        for (std::size_t i = 0; i < hull.points.size(); i += 1 + hull.points.size() / 500) {
+        for (std::size_t i = 0; i < hull.points.size(); i += 1 + hull.points.size() / 150) {
             const Vec3 p =
                 hull.points[i] + Vec3(normal(random), hull.points[i].y() == 0 ? 0 : normal(random), normal(random));
             const bool in = winding_by_solid_angle(hull, p) > 0.5;
