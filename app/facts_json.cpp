@@ -144,6 +144,7 @@ std::string doctor_json(const MachineFacts& f) {
                             {"project_dir", o.project_dir.string()},
                             {"version", o.version},
                             {"vendor", o.vendor},
+                            {"loaded", o.loaded},
                             {"sound", o.sound},
                             {"self_test_error", o.self_test_error},
                             {"verdict", o.verdict}});

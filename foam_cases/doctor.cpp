@@ -12,12 +12,13 @@
 #include "base/errors.h"
 #include "foam_cases/flavour.h"
 #include "foam_cases/read/number_rows.h"
-#include "foam_cases/run/environment.h"
 
 namespace tw {
 namespace fs = std::filesystem;
 
 namespace {
+
+const fs::path debian_programs = "/usr/bin";  // its package keeps the rest in /usr/share/openfoam
 
 fs::path environment_path(const char* name) {
     const char* value = std::getenv(name);
@@ -54,25 +55,32 @@ void read_version(OpenFoam& found) {
     found.vendor = found.version.rfind('v', 0) == 0 ? "openfoam.com" : "openfoam.org";
 }
 
-/// Fills in programs and version; false when no installation is there.
+/// Fills in programs, version and what is missing; false when no installation is there.
 bool look_into(const fs::path& project_dir, OpenFoam& found) {
     std::error_code none;
     if (project_dir.empty() || !fs::exists(project_dir / "etc/controlDict", none)) return false;
     found.project_dir = project_dir;
+    found.loaded = fs::equivalent(project_dir, environment_path("WM_PROJECT_DIR"), none);
     for (const auto& options : fs::directory_iterator(project_dir / "platforms", none))
         if (is_program(options.path() / "bin/blockMesh")) found.bin = options.path() / "bin";
     const fs::path wanted = project_dir / "platforms" / environment_path("WM_OPTIONS") / "bin";
     if (is_program(wanted / "blockMesh")) found.bin = wanted;
-    if (found.bin.empty() && is_program("/usr/bin/blockMesh") && project_dir.string().rfind("/usr/share", 0) == 0)
-        found.bin = "/usr/bin";
-    if (found.bin.empty()) {
-        const fs::path on_path = find_program(environment_of(OpenFoam{}), "blockMesh");
-        if (on_path.empty()) return false;
-        found.bin = on_path.parent_path();
-    }
+    if (found.bin.empty() && is_program(debian_programs / "blockMesh") &&
+        project_dir.string().starts_with("/usr/share"))
+        found.bin = debian_programs;
     read_version(found);
-    found.solver = found.bin / Flavour::from_version(found.vendor, found.version).solver_program();
-    return is_program(found.solver);
+    const std::string solver = Flavour::from_version(found.vendor, found.version).solver_program();
+    found.solver = (found.bin.empty() ? project_dir / "platforms" : found.bin) / solver;
+    const auto lacks = [&](const std::string& program, const std::string& where) {
+        found.verdict = fmt::format("{} {}, unusable: it has no {} in {}; it is not installed or built completely",
+                                    found.vendor, found.version, program, where);
+    };
+    if (found.bin.empty()) {
+        lacks("blockMesh", (project_dir / "platforms/*/bin").string());
+    } else if (!is_program(found.solver)) {
+        lacks(solver, found.bin.string());
+    }
+    return true;
 }
 
 std::vector<fs::path> project_folders(const std::string& preferred) {
@@ -132,12 +140,13 @@ std::vector<OpenFoam> find_openfoam(const std::string& preferred) {
     }
     // Mended solvers run on the libraries of the distribution they were built from.
     const auto debian =
-        std::find_if(installed.begin(), installed.end(), [](const OpenFoam& f) { return f.bin == "/usr/bin"; });
+        std::find_if(installed.begin(), installed.end(), [](const OpenFoam& f) { return f.bin == debian_programs; });
     if (debian != installed.end())
         for (const fs::path& folder : mended_folders())
             if (is_program(folder / "interFoam")) {
                 OpenFoam mended = *debian;
                 mended.solver = folder / "interFoam";
+                mended.verdict.clear();
                 mended.wall_library = folder.parent_path() / "lib" / "libventilatedWall.so";
                 if (!fs::exists(mended.wall_library)) mended.wall_library.clear();
                 all.push_back(mended);
@@ -149,12 +158,16 @@ std::vector<OpenFoam> find_openfoam(const std::string& preferred) {
             all.push_back(f);
     }
     std::erase_if(all, [&](const OpenFoam& f) { return !belongs_to(f, preferred); });
-    for (OpenFoam& candidate : all) self_test(candidate);
+    std::stable_partition(all.begin(), all.end(), [](const OpenFoam& f) { return f.loaded; });
+    for (OpenFoam& candidate : all)
+        if (candidate.verdict.empty()) self_test(candidate);
     return all;
 }
 
 OpenFoam sound_openfoam(const std::string& preferred) {
-    const std::vector<OpenFoam> all = find_openfoam(preferred);
+    std::vector<OpenFoam> all = find_openfoam(preferred);
+    const bool loaded = !all.empty() && all.front().loaded;
+    if (loaded) std::erase_if(all, [](const OpenFoam& f) { return !f.loaded; });
     for (const OpenFoam& f : all)
         if (f.sound) return f;
     std::string text;
@@ -168,6 +181,10 @@ OpenFoam sound_openfoam(const std::string& preferred) {
             "tools/build_openfoam_solvers.sh .openfoam\n"
             "  others: a release of openfoam.com or openfoam.org, its etc/bashrc sourced; or run with --method sph");
     }
+    if (loaded && all.front().bin != debian_programs)
+        throw InputError("the OpenFOAM whose environment is loaded (WM_PROJECT_DIR) cannot be used:" + text +
+                         "\n  start from a shell without that environment, or name another release's folder: "
+                         "[fvm] openfoam = \"...\"");
     throw InputError("no sound OpenFOAM solver was found; a faulty one is never used:" + text +
                      "\n  Debian, Ubuntu: tools/build_openfoam_solvers.sh .openfoam builds a sound interFoam in a "
                      "minute, from the package's own source");

@@ -13,18 +13,21 @@ struct OpenFoam {
     std::filesystem::path bin;           ///< of blockMesh, snappyHexMesh, ...
     std::filesystem::path wall_library;  ///< of walls that let water go (foam_cases/ventilated_wall); empty: none
     std::string version, vendor;         ///< "v1912", "openfoam.com"
+    bool loaded = false;                 ///< its environment is the caller's: WM_PROJECT_DIR
     bool sound = false;                  ///< exact answer of the self-test reproduced
     double self_test_error = 0;          ///< [m/s], of 0.1; NaN: the test did not come to an answer
     std::string verdict;                 ///< one line for people
 };
 
-/// All that are here, sound or not: the mended solvers of twinwake's own folders first ($TWINWAKE_OPENFOAM_BIN,
-/// .openfoam/bin beside the program's folder, ~/.local/share/twinwake/openfoam/bin), then WM_PROJECT_DIR, then the
-/// usual places (/usr/share/openfoam, /usr/lib/openfoam, /opt, ~/OpenFOAM) or, in their stead, the folders of
-/// $TWINWAKE_OPENFOAM_PLACES (colons between). `preferred`, an installation's folder or that of its solver, leaves only
-/// what belongs to it. Each has been self-tested (0.2 s).
+/// All that are here, sound or not: the one whose environment is loaded (WM_PROJECT_DIR) first, then the mended solvers
+/// of twinwake's own folders ($TWINWAKE_OPENFOAM_BIN, .openfoam/bin beside the program's folder,
+/// ~/.local/share/twinwake/openfoam/bin), then the usual places (/usr/share/openfoam, /usr/lib/openfoam, /opt,
+/// ~/OpenFOAM) or, in their stead, the folders of $TWINWAKE_OPENFOAM_PLACES (colons between). `preferred`, an
+/// installation's folder or that of its solver, leaves only what belongs to it. All programs are of the release's own
+/// folder; one that lacks a program is unusable, and its verdict names it. Each has been self-tested (0.2 s).
 std::vector<OpenFoam> find_openfoam(const std::string& preferred = {});
-/// The first sound one; throws InputError that names the faulty ones and says what to install or run.
+/// The first sound one, of the loaded release if one is loaded and none is preferred; throws InputError that names the
+/// faulty ones and says what to install or run.
 OpenFoam sound_openfoam(const std::string& preferred = {});
 /// A full pipe of water, turned about two axes, pushed from rest by 1000 Pa over 1 m for 0.1 s without friction: exact
 /// answer 0.1 m/s along the pipe in every cell. Axis-aligned pipes hide the fault of miscompiled solvers. Sound below

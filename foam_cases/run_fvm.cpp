@@ -116,6 +116,12 @@ private:
         if (earlier.attributes["method"] != "fvm" || earlier.attributes["hull_hash"] != record_.attributes["hull_hash"])
             throw InputError(record_file_.string() +
                              ": is not a record of this scene's hull and method; begin anew with --overwrite");
+        const std::string begun_with = earlier.attributes["openfoam"];
+        if (!begun_with.empty() && begun_with != openfoam_.vendor + " " + openfoam_.version)
+            throw InputError(fmt::format(
+                "{}: was begun with {}, which is not the OpenFOAM that is taken now ({} {}, "
+                "{}); go on with the former, or begin anew with --overwrite",
+                record_file_.string(), begun_with, openfoam_.vendor, openfoam_.version, openfoam_.solver.string()));
         // Write times stay on their grid, even where the interval follows from a duration that has grown.
         if (const double interval = earlier.numbers["write_interval"]; interval > 0) {
             plan_.write_interval = interval;

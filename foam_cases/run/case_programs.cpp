@@ -27,31 +27,30 @@ bool openfoam_takes(const fs::path& path) {
 }  // namespace
 
 CasePrograms::CasePrograms(const OpenFoam& openfoam, fs::path case_folder)
-    : openfoam_(openfoam), case_(fs::absolute(case_folder).lexically_normal()), environment_(environment_of(openfoam)) {
-    if (openfoam_takes(case_)) return;
-    std::string name = (fs::temp_directory_path() / "twinwake-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw RunError(name + ": no temporary folder could be made");
-    link_ = fs::path(name) / "case";
-    fs::create_directory_symlink(case_, link_);
+    : openfoam_(openfoam), case_(fs::absolute(case_folder).lexically_normal()), folder_(case_) {
+    if (!openfoam_takes(case_)) {
+        std::string name = (fs::temp_directory_path() / "twinwake-XXXXXX").string();
+        if (::mkdtemp(name.data()) == nullptr) throw RunError(name + ": no temporary folder could be made");
+        folder_ = name;
+        link_ = folder_ / "case";
+        fs::create_directory_symlink(case_, link_);
+    }
+    environment_ = environment_of(openfoam, folder_);
 }
 
 CasePrograms::~CasePrograms() {
     if (link_.empty()) return;
     std::error_code none;
     fs::remove(link_, none);
-    fs::remove(link_.parent_path(), none);
+    fs::remove(folder_, none);
 }
 
 fs::path CasePrograms::find_mpirun() const { return find_program(environment_, "mpirun"); }
 
 std::unique_ptr<Child> CasePrograms::start(const fs::path& program, std::vector<std::string> arguments,
                                            const std::string& log_name, int ranks) const {
-    fs::path path = program;
-    if (!program.has_parent_path()) {
-        path = openfoam_.bin / program;
-        if (!fs::exists(path)) path = find_program(environment_, program.string());
-    }
-    if (path.empty() || !fs::exists(path))
+    const fs::path path = program.has_parent_path() ? program : openfoam_.bin / program;  // never another release's
+    if (!fs::exists(path))
         throw RunError(
             fmt::format("'{}' is not in the OpenFOAM installation {} (programs in {}); its package is not complete",
                         program.string(), openfoam_.project_dir.string(), openfoam_.bin.string()));
@@ -60,14 +59,15 @@ std::unique_ptr<Child> CasePrograms::start(const fs::path& program, std::vector<
     if (ranks > 1) {
         const fs::path mpirun = find_mpirun();
         if (mpirun.empty()) throw RunError("mpirun is not on the PATH; install openmpi-bin, or run with one thread");
-        // Not bound to cores and yielding while they wait: ranks share the machine with whatever else runs on it.
+        // Not bound to cores and yielding while they wait: ranks share the machine with whatever else runs on it. By
+        // its full path Open MPI would put its own folder's libraries, and any OpenFOAM there, before the release's.
         command.program = mpirun;
-        command.arguments = {"-np",   std::to_string(ranks), "--bind-to", "none",
-                             "--mca", "mpi_yield_when_idle", "1",         path.string()};
+        command.arguments = {"-np",   std::to_string(ranks), "--noprefix", "--bind-to",  "none",
+                             "--mca", "mpi_yield_when_idle", "1",          path.string()};
         command.arguments.insert(command.arguments.end(), arguments.begin(), arguments.end());
         command.arguments.push_back("-parallel");
     }
-    return std::make_unique<Child>(command, environment_, link_.empty() ? case_ : link_.parent_path(), log(log_name));
+    return std::make_unique<Child>(command, environment_, folder_, log(log_name));
 }
 
 Ended CasePrograms::run(const fs::path& program, const std::vector<std::string>& arguments, const Watch& watch,

@@ -24,7 +24,7 @@ public:
     CasePrograms(const CasePrograms&) = delete;
     CasePrograms& operator=(const CasePrograms&) = delete;
 
-    /// Starts `program` (a name: looked for in the installation; or a path), on `ranks` processes through mpirun when >
+    /// Starts `program` (a name: of the installation's own folder; or a path), on `ranks` processes through mpirun when >
     /// 1; output is appended to log.<log_name>. Throws RunError when the program or mpirun is not there.
     std::unique_ptr<Child> start(const std::filesystem::path& program, std::vector<std::string> arguments,
                                  const std::string& log_name, int ranks = 1) const;
@@ -41,7 +41,7 @@ public:
 private:
     std::filesystem::path find_mpirun() const;
     OpenFoam openfoam_;
-    std::filesystem::path case_, link_;
+    std::filesystem::path case_, folder_, link_;  ///< folder_: where the programs run
     std::vector<std::string> environment_;
 };
 

@@ -4,14 +4,40 @@
 
 #include <algorithm>
 #include <map>
+#include <sstream>
 
 namespace tw {
 namespace fs = std::filesystem;
 
 namespace {
 
-/// Library folders of a stock installation: its own, the one of an MPI (else the dummy), and the third-party ones.
-std::string library_path(const OpenFoam& openfoam) {
+using Variables = std::map<std::string, std::string>;
+
+/// Takes out what the release whose environment is loaded has put there: its libraries do not go with other programs.
+void unload(Variables& variables) {
+    std::vector<fs::path> roots;
+    for (const char* root : {"WM_PROJECT_DIR", "WM_THIRD_PARTY_DIR", "WM_PROJECT_USER_DIR"})
+        if (!variables[root].empty())
+            roots.push_back((fs::path(variables[root]) / "").lexically_normal().parent_path());
+    const auto lies_in = [](const fs::path& path, const fs::path& root) {
+        return std::mismatch(root.begin(), root.end(), path.begin(), path.end()).first == root.end();
+    };
+    for (const char* name : {"PATH", "LD_LIBRARY_PATH"}) {
+        std::string kept;
+        std::istringstream folders(variables[name]);
+        for (std::string folder; std::getline(folders, folder, ':');)
+            if (std::none_of(roots.begin(), roots.end(),
+                             [&](const fs::path& root) { return lies_in(fs::path(folder).lexically_normal(), root); }))
+                kept += (kept.empty() ? "" : ":") + folder;
+        variables[name] = kept;
+    }
+    std::erase_if(variables,
+                  [](const auto& v) { return v.first.rfind("WM_", 0) == 0 || v.first.rfind("FOAM_", 0) == 0; });
+}
+
+/// Library folders of a stock installation: its own, the one of an MPI (`mpi` if it is there; the dummy if no other
+/// is), and the third-party ones.
+std::string library_path(const OpenFoam& openfoam, const std::string& mpi) {
     std::string path;
     const auto append = [&](const fs::path& p) {
         std::error_code none;
@@ -24,10 +50,9 @@ std::string library_path(const OpenFoam& openfoam) {
     for (const auto& e : fs::directory_iterator(lib, none))
         if (e.is_directory() && fs::exists(e.path() / "libPstream.so")) inner.push_back(e.path());
     // A real MPI comes before the dummy that can only run serially.
-    std::sort(inner.begin(), inner.end(), [](const fs::path& a, const fs::path& b) {
-        const bool da = a.filename() == "dummy", db = b.filename() == "dummy";
-        return da != db ? db : a < b;
-    });
+    const auto rank = [&](const fs::path& p) { return p.filename() == mpi ? 0 : p.filename() == "dummy" ? 2 : 1; };
+    std::sort(inner.begin(), inner.end(),
+              [&](const fs::path& a, const fs::path& b) { return std::pair(rank(a), a) < std::pair(rank(b), b); });
     for (const fs::path& p : inner) append(p);
     append(lib);
     for (const fs::path& third :
@@ -41,25 +66,27 @@ std::string library_path(const OpenFoam& openfoam) {
 
 }  // namespace
 
-std::vector<std::string> environment_of(const OpenFoam& openfoam) {
-    std::map<std::string, std::string> variables;
+std::vector<std::string> environment_of(const OpenFoam& openfoam, const fs::path& folder) {
+    Variables variables;
     for (char** e = environ; *e != nullptr; ++e) {
         const std::string entry = *e;
         const std::size_t equals = entry.find('=');
         if (equals != std::string::npos && equals > 0) variables[entry.substr(0, equals)] = entry.substr(equals + 1);
     }
+    if (!openfoam.loaded) unload(variables);
     const auto in_front = [&](const char* name, const std::string& value) {
         if (value.empty()) return;
         std::string& v = variables[name];
         v = v.empty() ? value : value + ":" + v;
     };
     in_front("PATH", openfoam.bin.string());
-    in_front("LD_LIBRARY_PATH", library_path(openfoam));
+    in_front("LD_LIBRARY_PATH", library_path(openfoam, variables["FOAM_MPI"]));
     variables["WM_PROJECT_DIR"] = openfoam.project_dir.string();
     variables["FOAM_ETC"] = (openfoam.project_dir / "etc").string();
     variables["WM_PROJECT_VERSION"] = openfoam.version;
     variables["FOAM_SIGFPE"] = "true";  // a division by zero ends the run instead of spreading
     variables["LC_ALL"] = "C";
+    variables["PWD"] = folder.string();  // OpenFOAM warns of one that is not the folder it runs in
     for (const char* name : {"FOAM_CASE", "FOAM_CASENAME", "WM_PROJECT_SITE"}) variables.erase(name);
     if (::geteuid() == 0) variables["OMPI_ALLOW_RUN_AS_ROOT"] = variables["OMPI_ALLOW_RUN_AS_ROOT_CONFIRM"] = "1";
     std::vector<std::string> out;

@@ -1,0 +1,139 @@
+// Which OpenFOAM is taken, and in what environment its programs run: releases made of shell scripts.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+#include "base/atomic_file.h"
+#include "base/errors.h"
+#include "foam_cases/doctor.h"
+#include "foam_cases/run/case_programs.h"
+
+namespace tw {
+namespace installation_test {
+namespace fs = std::filesystem;
+
+constexpr const char* tells = "echo args=\"$@\"; echo PWD=$PWD; echo DIR=$WM_PROJECT_DIR; echo LIB=$LD_LIBRARY_PATH\n";
+
+class InstallationTest : public testing::Test {
+protected:
+    fs::path folder = fs::temp_directory_path() / ("foam_releases_" + std::to_string(::getpid()));
+    std::map<std::string, std::string> before;
+
+    void set(const char* name, const std::string& value) {
+        const char* was = std::getenv(name);
+        before.emplace(name, was == nullptr ? "" : was);
+        ::setenv(name, value.c_str(), 1);
+    }
+    void SetUp() override {
+        for (const char* name : {"WM_PROJECT_DIR", "TWINWAKE_OPENFOAM_BIN", "LD_LIBRARY_PATH", "WM_OPTIONS"})
+            set(name, "");
+        set("TWINWAKE_OPENFOAM_PLACES", "/nowhere");
+        set("HOME", folder.string());
+    }
+    void TearDown() override {
+        for (const auto& [name, value] : before)
+            value.empty() ? ::unsetenv(name.c_str()) : ::setenv(name.c_str(), value.c_str(), 1);
+        fs::remove_all(folder);
+    }
+    void program(const fs::path& path, const std::string& script) {
+        fs::create_directories(path.parent_path());
+        std::ofstream(path) << "#!/bin/sh\n" << script;
+        fs::permissions(path, fs::perms::owner_all);
+    }
+    fs::path bin_of(const std::string& name) { return folder / name / "platforms/linux64GccDPInt32Opt/bin"; }
+    /// A release whose solver knows the answer of the self-test: 0.1 m/s along a pipe turned by 0.5 and 0.7.
+    fs::path release(const std::string& name, const std::string& api, bool right = true) {
+        fs::create_directories(folder / name / "etc");
+        fs::create_directories(folder / name / "META-INFO");
+        std::ofstream(folder / name / "etc/controlDict") << "\n";
+        std::ofstream(folder / name / "META-INFO/api-info") << "api=" << api << "\n";
+        program(bin_of(name) / "blockMesh", "exit 0\n");
+        program(
+            bin_of(name) / "interFoam",
+            "mkdir -p 0.1; cat > 0.1/U <<'END'\nFoamFile{version 2.0; format ascii; class volVectorField; object U;}\n"
+            "dimensions [0 1 -1 0 0 0 0];\ninternalField nonuniform List<vector> 1\n(\n(" +
+                std::string(right ? "0.0877582561890373" : "0.09") + " 0.0366682996 0.0308852866)\n)\n;\nEND\n");
+        return folder / name;
+    }
+    static std::string refusal(const std::string& preferred = {}) {
+        try {
+            sound_openfoam(preferred);
+        } catch (const InputError& e) { return e.what(); }
+        return "taken";
+    }
+};
+
+TEST_F(InstallationTest, TheReleaseWhoseEnvironmentIsLoadedWins) {
+    const fs::path loaded = release("v2506", "2506"), other = release("v2312", "2312");
+    set("TWINWAKE_OPENFOAM_PLACES", other.string());
+    EXPECT_EQ(sound_openfoam().version, "v2312");
+    set("WM_PROJECT_DIR", loaded.string());
+    EXPECT_EQ(sound_openfoam().version, "v2506");
+    EXPECT_TRUE(find_openfoam().front().loaded);
+    EXPECT_EQ(sound_openfoam(other.string()).version, "v2312") << "a scene may name another";
+    // A faulty one is refused: none of the others is what the user has asked for.
+    release("v2506", "2506", false);
+    EXPECT_NE(refusal().find("(WM_PROJECT_DIR) cannot be used"), std::string::npos) << refusal();
+    EXPECT_EQ(refusal(other.string()), "taken");
+}
+
+TEST_F(InstallationTest, ItWinsOverTheMendedSolverOfDebian) {
+    if (!fs::exists("/usr/bin/blockMesh") || !fs::exists("/usr/share/openfoam/etc/controlDict"))
+        GTEST_SKIP() << "Debian's OpenFOAM is not here";
+    program(folder / "mended/bin/interFoam",
+            read_text(release("v2506", "2506") / "platforms/linux64GccDPInt32Opt/bin/interFoam"));
+    set("TWINWAKE_OPENFOAM_BIN", (folder / "mended/bin").string());
+    set("TWINWAKE_OPENFOAM_PLACES", "/usr/share/openfoam");
+    EXPECT_EQ(sound_openfoam().solver, folder / "mended/bin/interFoam");
+    set("WM_PROJECT_DIR", (folder / "v2506").string());
+    EXPECT_EQ(sound_openfoam().solver, bin_of("v2506") / "interFoam");
+}
+
+TEST_F(InstallationTest, ProgramsAreOfTheReleasesOwnFolderOrNamedAsMissing) {
+    const fs::path loaded = release("v2506", "2506"), other = release("v2312", "2312");
+    set("TWINWAKE_OPENFOAM_PLACES", other.string());
+    set("WM_PROJECT_DIR", loaded.string());
+    program(bin_of("v2312") / "snappyHexMesh", "exit 0\n");
+    set("PATH", bin_of("v2312").string() + ":" + std::getenv("PATH"));
+    try {
+        CasePrograms(sound_openfoam(), folder).start("snappyHexMesh", {}, "snappyHexMesh");
+        FAIL() << "a program of another release was started";
+    } catch (const RunError& e) {
+        EXPECT_NE(std::string(e.what()).find("'snappyHexMesh' is not in"), std::string::npos);
+    }
+    fs::remove(bin_of("v2506") / "interFoam");
+    EXPECT_NE(refusal().find("v2506, unusable: it has no interFoam"), std::string::npos) << refusal();
+    fs::remove(bin_of("v2506") / "blockMesh");
+    EXPECT_NE(refusal().find("v2506, unusable: it has no blockMesh"), std::string::npos) << refusal();
+}
+
+TEST_F(InstallationTest, RanksKeepTheReleasesLibrariesAndTheFolderIsTheCase) {
+    const fs::path loaded = release("v2506", "2506");
+    set("WM_PROJECT_DIR", loaded.string());
+    program(bin_of("v2506") / "mpirun", tells);
+    const CasePrograms programs(sound_openfoam(), folder);
+    EXPECT_TRUE(programs.start("blockMesh", {}, "ranks", 2)->wait().ok());
+    const std::string told = read_text(programs.log("ranks"));
+    EXPECT_NE(told.find(" --noprefix "), std::string::npos) << told;
+    EXPECT_NE(told.find("PWD=" + folder.string() + "\n"), std::string::npos) << told;
+}
+
+TEST_F(InstallationTest, AnotherReleasesEnvironmentIsTakenOut) {
+    const fs::path loaded = release("v2506", "2506"), other = release("v2312", "2312");
+    set("WM_PROJECT_DIR", loaded.string() + "/");
+    set("WM_OPTIONS", "linux64GccDPInt32Opt");
+    set("LD_LIBRARY_PATH", (loaded / "platforms/x/lib").string() + ":/opt/mine/lib");
+    program(bin_of("v2312") / "blockMesh", tells);
+    const CasePrograms named(sound_openfoam(other.string()), folder);
+    named.run("blockMesh", {}, {});
+    const std::string told = read_text(named.log("blockMesh"));
+    EXPECT_NE(told.find("DIR=" + other.string() + "\n"), std::string::npos) << told;
+    EXPECT_NE(told.find("LIB=/opt/mine/lib\n"), std::string::npos) << told;
+}
+
+}  // namespace installation_test
+}  // namespace tw
