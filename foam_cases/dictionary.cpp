@@ -54,7 +54,12 @@ std::string indented(const std::string& text) {
 }  // namespace
 
 Word::Word(std::string_view tokens) : text(tokens) { check_characters(tokens, "_.:+-(), ", "a word"); }
-Quoted::Quoted(std::string_view content) : text(content) { check_characters(content, "_.:+-/(),<> ", "a string"); }
+Quoted::Quoted(std::string_view content) : text(content) {
+    constexpr std::string_view case_folder = "$FOAM_CASE";
+    if (content == case_folder) return;
+    if (content.starts_with(std::string(case_folder) + "/")) content.remove_prefix(case_folder.size());
+    check_characters(content, "_.:+-/(),<> ", "a string");
+}
 
 Value::Value(const Word& word) : text_(word.text) {}
 Value::Value(const Quoted& quoted) : text_('"' + quoted.text + '"') {}

@@ -20,8 +20,8 @@ struct Word {
     explicit Word(std::string_view tokens);
     std::string text;
 };
-/// A string in quotes: the characters of Word and / < >, so that it means itself in every version (but for "<case>" at
-/// its beginning, the case folder).
+/// A string in quotes: the characters of Word and / < >, so that it means itself in every version (but for "<case>", in
+/// openfoam.com alone, or "$FOAM_CASE" at its beginning, the case folder).
 struct Quoted {
     explicit Quoted(std::string_view content);
     std::string text;

@@ -36,6 +36,7 @@ List Flavour::library(std::string_view name) const {
     if (vendor == Vendor::org) return {Quoted("lib" + std::string(name) + ".so")};
     return {Word(name)};
 }
-bool Flavour::set_fields_zones() const { return org_from(*this, 12); }
+bool Flavour::field_extremes() const { return !org_from(*this, 9); }
+std::string Flavour::iso_surface() const { return vendor == Vendor::org ? "isoSurface" : "isoSurfaceCell"; }
 
 }  // namespace tw

@@ -9,7 +9,7 @@ namespace tw {
 
 /// Which OpenFOAM a case is written for. Two vendors share most keywords; every difference between them is one function
 /// here, and nowhere else. openfoam.com v1912 is what the settings were measured with; the rest follows the vendors'
-/// documentation and tutorials (openfoam.com to v2412, openfoam.org 7 to 12) and has not been run.
+/// documentation, tutorials and sources (openfoam.com to v2412, openfoam.org 7 to 13) and has not been run.
 struct Flavour {
     enum class Vendor {
         com,
@@ -39,7 +39,8 @@ struct Flavour {
     std::string stop_file_object()
         const;  ///< function object that watches for a file: abort; openfoam.org from 8: stopAtFile
     List library(std::string_view name) const;  ///< (forces); openfoam.org: ("libforces.so")
-    bool set_fields_zones() const;              ///< openfoam.org from 12: setFieldsDict with defaultValues and zones
+    bool field_extremes() const;                ///< fieldMinMax is there; openfoam.org from 9: volFieldValue alone
+    std::string iso_surface() const;            ///< isoSurfaceCell; openfoam.org: isoSurface, which cuts cells too
 };
 
 }  // namespace tw

@@ -36,11 +36,17 @@ Dictionary cells_now(const CasePlan& plan, const char* type) {
 }
 
 Dictionary fastest(const CasePlan& plan) {
-    Dictionary d{{"type", Word("fieldMinMax")},
+    Dictionary d{{"type", Word(plan.flavour.field_extremes() ? "fieldMinMax" : "volFieldValue")},
                  {"libs", plan.flavour.library("fieldFunctionObjects")},
-                 {"fields", List{Word("U")}},
-                 {"mode", Word("magnitude")},
-                 {"location", true}};
+                 {"fields", List{Word("U")}}};
+    if (plan.flavour.field_extremes()) {
+        d.add({{"mode", Word("magnitude")}, {"location", true}});
+    } else {  // in all cells: `select` is asked for from 11 on, `regionType` before
+        d.add({{"operation", Word("maxMag")},
+               {"select", Word("all")},
+               {"regionType", Word("all")},
+               {"writeFields", false}});
+    }
     return d.add(every_step());
 }
 
@@ -93,7 +99,7 @@ Dictionary plate_surface(const CasePlan& plan) {
 }
 
 Dictionary free_surface(const CasePlan& plan) {
-    const Dictionary iso{{"type", Word("isoSurfaceCell")},
+    const Dictionary iso{{"type", Word(plan.flavour.iso_surface())},
                          {"isoField", Word("alpha.water")},
                          {"isoValue", 0.5},
                          {"interpolate", true},

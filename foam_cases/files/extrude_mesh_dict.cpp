@@ -13,7 +13,7 @@ std::string extrude_mesh_dict(const CasePlan& plan) {
     return foam_file(
         "dictionary", "extrudeMeshDict",
         {{"constructFrom", Word("patch")},
-         {"sourceCase", Quoted("<case>")},
+         {"sourceCase", Quoted("$FOAM_CASE")},
          {"sourcePatches", List{Word(slab_side(plan.sides[2]))}},
          {"exposedPatchName", Word(slab_side(plan.sides[3]))},
          {"flipNormals", true},  // the layer lies inside the slab, against the front's outward normal

@@ -26,25 +26,6 @@ std::vector<Box> water_boxes(const CasePlan& plan) {
 /// and onto the inlet.
 std::string set_fields_dict(const CasePlan& plan) {
     const bool has_inlet = plan.stream;
-    if (plan.flavour.set_fields_zones()) {
-        Dictionary zones;
-        int n = 0;
-        for (const Box& b : water_boxes(plan)) {
-            const Dictionary values{{"alpha.water", 1}};
-            const std::string name = "water" + std::to_string(n++);
-            zones.add(name, Dictionary{{"type", Word("box")},
-                                       {"zoneType", Word("cell")},
-                                       {"box", Value::sequence({b.min, b.max})},
-                                       {"values", values}});
-            if (has_inlet)
-                zones.add(name + "Faces", Dictionary{{"type", Word("box")},
-                                                     {"zoneType", Word("face")},
-                                                     {"box", Value::sequence({b.min, b.max})},
-                                                     {"values", values}});
-        }
-        return foam_file("dictionary", "setFieldsDict",
-                         {{"defaultValues", Dictionary{{"alpha.water", 0}}}, {"zones", zones}});
-    }
     const auto value = [](int v) { return Value::sequence({Word("volScalarFieldValue alpha.water"), v}); };
     List regions;
     for (const Box& b : water_boxes(plan)) {

@@ -49,7 +49,8 @@ std::optional<std::string> trouble(const SolverLog& log, double largest_speed, c
 }
 
 double latest_fastest(const fs::path& post_processing, double now) {
-    const std::vector<Segment> starts = segments(post_processing / "fastest", "fieldMinMax.dat");
+    std::vector<Segment> starts = segments(post_processing / "fastest", "fieldMinMax.dat");
+    if (starts.empty()) starts = segments(post_processing / "fastest", "volFieldValue.dat");
     if (starts.empty()) return std::numeric_limits<double>::quiet_NaN();
     std::ifstream in(starts.back().file, std::ios::binary);
     if (!in) return std::numeric_limits<double>::quiet_NaN();
@@ -59,10 +60,14 @@ double latest_fastest(const fs::path& post_processing, double now) {
     std::string line, last;
     std::getline(in, line);  // cut off, or the header
     while (std::getline(in, line) && !in.eof()) last = line;
-    // time, mag(U), min, (x y z), [processor,] max, (x y z) [, processor]: the largest stands before the last place
+    const std::vector<double> all = last.starts_with('#') ? std::vector<double>{} : numbers_in(last);
+    if (all.size() < 2 || all.front() > now * (1 + time_name_precision))
+        return std::numeric_limits<double>::quiet_NaN();
+    // volFieldValue: time, max. fieldMinMax: time, mag(U), min, (x y z), [processor,] max, (x y z) [, processor]: the
+    // largest stands before the last place
     const std::size_t place = last.rfind('('), earlier = place == std::string::npos ? place : last.rfind(')', place);
-    if (earlier == std::string::npos || last[0] == '#') return std::numeric_limits<double>::quiet_NaN();
-    if (numbers_in(last).front() > now * (1 + time_name_precision)) return std::numeric_limits<double>::quiet_NaN();
+    if (place == std::string::npos) return all.back();
+    if (earlier == std::string::npos) return std::numeric_limits<double>::quiet_NaN();
     const std::vector<double> between = numbers_in(std::string_view(last).substr(earlier, place - earlier));
     return between.empty() ? std::numeric_limits<double>::quiet_NaN() : between.back();
 }

@@ -321,7 +321,7 @@ TEST(CaseFiles, AFlatHullIsRefinedInASlabOfWhichOneLayerIsDrawnOut) {
     EXPECT_SILENT(mesh, "empty");
     EXPECT_SAYS(snappy_hex_mesh_dict(plan), "level (2 2);");
     EXPECT_SAYS(layer, "sourcePatches (midPlaneOfSlab); exposedPatchName midPlaneYOfSlab;");
-    EXPECT_SAYS(layer, "sourceCase \"<case>\";");
+    EXPECT_SAYS(layer, "sourceCase \"$FOAM_CASE\";");
     EXPECT_SAYS(layer, "thickness 0.1;");
     EXPECT_SAYS(patches, "name midPlane; patchInfo { type empty; } constructFrom patches; patches (midPlaneOfSlab);");
     EXPECT_SAYS(velocity_field(plan), "midPlane { type empty; }");

@@ -146,6 +146,12 @@ TEST_F(TimeFoldersTest, TheLargestVelocityIsTheLastOnesMaximum) {
     write("pp/fastest/0.2/fieldMinMax.dat", "# Time\n0.3 mag(U) 0.1 (1 2 3) 0 17.5 (2 0.4 0) 1\n");
     EXPECT_DOUBLE_EQ(latest_fastest(folder / "pp", 1), 17.5);
     EXPECT_TRUE(std::isnan(latest_fastest(folder / "none", 1)));
+    // openfoam.org from 9 on: volFieldValue, whose table begins with what it was taken over.
+    write("org/fastest/0/volFieldValue.dat", "# Region : all\n# Time        \tmaxMag(U)\n0.1\t9.5\n0.2\t10.5\n");
+    EXPECT_DOUBLE_EQ(latest_fastest(folder / "org", 1), 10.5);
+    EXPECT_TRUE(std::isnan(latest_fastest(folder / "org", 0.15)));
+    write("new/fastest/0/volFieldValue.dat", "# Region : all\n# Time        \tmaxMag(U)\n");
+    EXPECT_TRUE(std::isnan(latest_fastest(folder / "new", 1)));
     // Started from 0.2 once more: the file beside the first is the one that grows.
     write("pp/fastest/0.2/fieldMinMax_0.2.dat", "# Time\n0.25 mag(U) 0.1 (1 2 3) 99 (2 0.4 0)\n");
     EXPECT_DOUBLE_EQ(latest_fastest(folder / "pp", 0.25), 99);
