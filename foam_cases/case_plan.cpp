@@ -12,6 +12,7 @@
 #include "meshes/section.h"
 #include "record/hull_motion.h"
 #include "scene/defaults.h"
+#include "scene/mesh_cells.h"
 #include "scene/tank_walls.h"
 
 namespace tw {
@@ -114,10 +115,6 @@ void plan_probes(CasePlan& plan) {
     }
 }
 
-/// How often cells are halved along a section's surface. With none the stream does not leave the trailing edge of a plate:
-/// it turns round it into the cell behind (docs/results/planing_plate.md).
-constexpr int section_levels = 2;
-
 void plan_refinement(CasePlan& plan) {
     const Scene& scene = *plan.scene;
     if (scene.domain.dimensions == 2) {  // cells of one size, but at the hull: its edges need more
@@ -127,8 +124,7 @@ void plan_refinement(CasePlan& plan) {
         plan.finest_cell = plan.background_cell / std::pow(2.0, plan.surface_level);
         return;
     }
-    const double ratio = plan.background_cell / scene.resolution.near_hull;
-    plan.wet_level = ratio > 1 ? static_cast<int>(std::lround(std::log2(ratio))) : 0;
+    plan.wet_level = finest_halvings(scene);
     int reached = 0;
     std::set<std::string> names;
     for (const Solid& s : plan.solids) names.insert(s.name);
@@ -143,18 +139,11 @@ void plan_refinement(CasePlan& plan) {
     // cheap (measured: the force does not change). Without such boxes the whole surface gets the finest level.
     plan.surface_level = reached >= plan.wet_level ? std::max(0, plan.wet_level - 2) : plan.wet_level;
     plan.feature_level = std::max(plan.surface_level, plan.wet_level - 1);
-    if (plan.mesh_moves() && !plan.hull_is_free() && plan.wet_level > 0) {
-        // The mesh goes with a body: fine cells below and beside it, and where its cavity and splash are behind it.
-        for (const BodyInMesh& b : plan.bodies) {
-            RefinementBox near{word_from("near_" + b.patch, "near"), b.body.surface.bounds(), plan.wet_level};
-            while (!names.insert(near.name).second) near.name += "_";
-            const Vec3 size = near.box.size();
-            const double width = std::min(size.x(), size.y());
-            near.box.min -= Vec3::Constant(width);
-            near.box.max += Vec3(width, width, 2.5 * width);
-            reached = std::max(reached, near.level);
-            plan.boxes.push_back(near);
-        }
+    for (RefinementBox near : boxes_round_bodies(scene)) {
+        near.name = word_from("near_" + near.name, "near");
+        while (!names.insert(near.name).second) near.name += "_";
+        reached = std::max(reached, near.level);
+        plan.boxes.push_back(near);
     }
     plan.finest_cell =
         plan.background_cell / std::pow(2.0, std::max(reached, plan.solids.empty() ? 0 : plan.surface_level));
@@ -297,9 +286,7 @@ CasePlan plan_case(const Scene& scene, const Flavour& flavour) {
                          flavour.vendor_name() + " " + flavour.version_name() +
                          "; use the particle method, or name another installation in [fvm] openfoam");
     plan_body(plan, names);
-    const bool uniform =
-        scene.domain.dimensions == 2 || (!scene.hull && !plan.mesh_moves() && scene.refinement.empty());
-    plan.background_cell = plan.finest_cell = uniform ? scene.resolution.near_hull : scene.resolution.spacing;
+    plan.background_cell = plan.finest_cell = background_cell(scene);
     plan_refinement(plan);
     plan.snappy = !plan.solids.empty() || !plan.boxes.empty();
     plan.half_space = scene.water_blocks.empty();

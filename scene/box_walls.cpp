@@ -9,6 +9,7 @@ namespace tw {
 namespace {
 
 constexpr double of_sides = 0.139, of_floor = 0.0148;
+constexpr double largest_depth_froude = 0.9;  // of the formula for the resistance
 
 double wetted_length(const Hull& hull) { return hull.still.wet_bounds.size().x(); }
 
@@ -28,9 +29,24 @@ WallEffect effect_at(const Scene& scene, const WallReach& reach) {
         return {side + (scene.domain.floor_ends_the_box ? floor : 0), "lift"};
     }
     const double froude2 = U * U / (g * reach.depth);
-    if (froude2 > 0.81 || !(length > 0)) return {};
+    if (froude2 > largest_depth_froude * largest_depth_froude || !(length > 0)) return {};
     const double m = hull.still.volume / (0.6 * length * 2 * reach.side * reach.depth);
     return m + froude2 < 1 ? WallEffect{2 * m / (1 - m - froude2), "resistance"} : WallEffect{};
+}
+
+/// Near the speed of the fastest wave no formula holds, and the walls matter most.
+std::string critical_depth_warning(const Scene& scene) {
+    if (!scene.hull || scene.motion.kind != Motion::Kind::stream || scene.domain.dimensions != 3 || planes(scene))
+        return {};
+    const double U = scene.motion.speed, g = scene.water.gravity, depth = reach_of(scene).depth;
+    const double froude = U / std::sqrt(g * depth);
+    if (froude < largest_depth_froude || froude > 1.2) return {};
+    const double enough = std::pow(U / largest_depth_froude, 2) / g;
+    return fmt::format(
+        "the stream is {:.2f} times as fast as the fastest wave in water {:.3g} m deep: near 1 the walls of the box "
+        "change the resistance by more than can be estimated, and the flow may not become steady{}",
+        froude, depth,
+        scene.domain.floor_ends_the_box ? fmt::format("; a box {:.3g} m deep (below) would do", enough) : "");
 }
 
 }  // namespace
@@ -50,7 +66,8 @@ WallReach reach_for_lift(const Hull& hull, double change) {
 
 std::string wall_warning(const Scene& scene) {
     const WallEffect effect = wall_effect(scene);
-    if (effect.of.empty() || effect.change <= noticed_wall_effect) return {};
+    if (effect.of.empty()) return critical_depth_warning(scene);
+    if (effect.change <= noticed_wall_effect) return {};
     const WallReach here = reach_of(scene);
     const bool deeper = scene.domain.floor_ends_the_box;
     WallReach wide = here;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <set>
 #include <stdexcept>
 #include <thread>
 
@@ -12,6 +11,7 @@
 #include "scene/defaults.h"
 #include "scene/edge_refinement.h"
 #include "scene/effects/registry.h"
+#include "scene/mesh_cells.h"
 #include "scene/particles_of_sizes.h"
 #include "scene/refined_places.h"
 #include "scene/running_water.h"
@@ -26,9 +26,7 @@ constexpr double particle_steps_per_core_second = 1.1e6;            // delta-SPH
 constexpr double bytes_per_particle = 240, of_several_sizes = 420;  // the prism at beam/20
 constexpr double bytes_per_open_voxel = 8;  // while a frame is filled; afterwards it keeps one byte
 constexpr double wall_layers = 4;
-// One halving along the chine and transom of half a prism, meshes of 6 to 33 thousand cells: 68, 89 and 65 further cells
-// for each cell's length of edge, and 1.45 times as many time steps.
-constexpr double cells_per_shedding_cell = 75, steps_of_shedding_edges = 1.45;
+constexpr double steps_of_shedding_edges = 1.45;      // half a prism with cells halved along chine and transom
 constexpr double cell_steps_per_core_second = 235e3;  // interFoam, three pressure correctors
 constexpr double bytes_per_cell = 2.5e3, bytes_of_interfoam = 115e6;
 constexpr double steps_per_cell_crossing = 0.63;  // at Courant number 4: 240 steps/s at 21 mm and 8 m/s
@@ -36,7 +34,6 @@ constexpr double steps_per_frame = 4;             // interFoam hits every sampli
 constexpr double start_seconds = 5;               // self-test, and starting the programs of a case
 constexpr double mesh_seconds_per_cell = 20.0 / 74e3;  // blockMesh, features, snappyHexMesh, renumber
 constexpr double parallel_share = 0.8;                 // of each further core (1.58 times on two)
-constexpr double transition_cells = 1.05;              // layers between levels and hull edges, less the hull's inside
 
 double cores(const Scene& scene) {
     if (scene.run.threads > 0) return scene.run.threads;
@@ -46,44 +43,6 @@ double cores(const Scene& scene) {
 /// By which time steps are predicted [m/s].
 double speed_of_water(const Scene& scene) {
     return scene.motion.kind == Motion::Kind::stream ? scene.motion.speed : 0.1 * default_sound_speed(scene);
-}
-
-/// Cells of nested refinement boxes: every piece of space counts at the finest level that covers it.
-double count_cells(const Scene& scene) {
-    std::array<std::set<double>, 3> cuts;
-    const Box& domain = scene.domain.box;
-    for (int a = 0; a < 3; ++a) {
-        auto& c = cuts[static_cast<std::size_t>(a)];
-        c = {domain.min[a], domain.max[a]};
-        for (const RefinementBox& r : scene.refinement) {
-            c.insert(r.box.min[a]);
-            c.insert(r.box.max[a]);
-        }
-    }
-    double cells = 0;
-    const auto each = [](const std::set<double>& c, auto&& use) {
-        for (auto low = c.begin(); std::next(low) != c.end(); ++low) use(*low, *std::next(low));
-    };
-    each(cuts[0], [&](double x0, double x1) {
-        each(cuts[1], [&](double y0, double y1) {
-            each(cuts[2], [&](double z0, double z1) {
-                const Vec3 middle(0.5 * (x0 + x1), 0.5 * (y0 + y1), 0.5 * (z0 + z1));
-                int level = 0;
-                for (const RefinementBox& r : scene.refinement)
-                    if (r.box.contains(middle)) level = std::max(level, r.level);
-                const double volume = (x1 - x0) * (y1 - y0) * (z1 - z0);
-                const double edge = scene.resolution.spacing / std::exp2(level);
-                cells += volume / (scene.domain.dimensions == 2 ? edge * edge * (domain.max.y() - domain.min.y())
-                                                                : edge * edge * edge);
-            });
-        });
-    });
-    return cells * (scene.refinement.empty() ? 1 : transition_cells);
-}
-
-/// Further cells along the edges from which the stream leaves.
-double cells_at_edges(const Scene& scene, const EdgeRefinement& shedding) {
-    return shedding.halvings * cells_per_shedding_cell * length_of(shedding.edges) / scene.resolution.near_hull;
 }
 
 /// Memory this process may use [bytes]: the machine's, or less where a control group says so.
@@ -212,7 +171,7 @@ MethodCost predict_particles(const Scene& scene, const Prediction& p, double pac
 MethodCost predict_cells(const Scene& scene, const Prediction& p, double pace) {
     MethodCost cost;
     const double courant_rate = steps_per_cell_crossing * speed_of_water(scene) / finest_spacing(scene) * 4 /
-                                scene.fvm.max_courant *
+                                std::min(scene.fvm.max_courant, scene.fvm.max_alpha_courant) *
                                 (edge_refinement(scene).edges.empty() ? 1 : steps_of_shedding_edges);
     cost.steps = scene.run.duration * std::max(courant_rate, steps_per_frame / scene.sampling.interval);
     const double n = cores(scene);
@@ -240,7 +199,7 @@ Prediction predict(const Scene& scene, const std::vector<CostOf>& methods) {
     p.wall_particles = flat ? 0 : wall_layers * solid_area / (dp * dp);
     if (scene.effect_on("air"))
         p.air_particles = air_volume(scene) / (dp * dp * (flat ? scene.domain.box.size().y() : dp));
-    p.cells = count_cells(scene) + cells_at_edges(scene, edge_refinement(scene));
+    p.cells = predicted_cells(scene);
     const Sampling& sampling = scene.sampling;
     p.frames = std::min(1e18, std::floor(scene.run.duration / sampling.interval) + 1);
     p.raster_bytes = voxels(sampling.raster) * (p.frames + bytes_per_open_voxel);

@@ -22,7 +22,7 @@ int level_for(double cell, double spacing) { return static_cast<int>(std::ceil(s
 /// Heave of a free hull, roughly [s]: m w^2 (1 + a) = rho g L B, with as much added mass as mass (a = 1) and a waterplane
 /// as long and wide as the hull; 0 of a hull that is held.
 double heave_period(const Scene& scene) {
-    if (!scene.hull || !scene.hull->free) return 0;
+    if (!scene.hull || !scene.hull->free || !(scene.water.gravity > 0)) return 0;
     const double stiffness = scene.water.density * scene.water.gravity * scene.hull->length * scene.hull->beam;
     return 2 * std::numbers::pi * std::sqrt(2 * scene.hull->free->motion.mass.mass / stiffness);
 }

@@ -13,7 +13,8 @@ namespace tw {
 namespace {
 
 /// A face that the user gave goes to the nearest multiple of the largest particle spacing, one that follows from the
-/// hull outward to a multiple of the largest cell too. Still water, z = 0, is a multiple of both.
+/// hull outward to a multiple of the largest cell too. Still water, z = 0, is a multiple of both. A floor that was given
+/// stays where it is: particles and cells are made to fit the depth.
 double snapped_face(double face, bool given, bool high, const Scene& scene) {
     const Resolution& r = scene.resolution;
     const double dp = std::ldexp(r.near_hull, scene.sph.levels - 1);
@@ -69,7 +70,7 @@ Domain stream_domain(const DomainOptions& o, const Scene& scene, std::optional<d
     const bool low_given[] = {o.x || o.ahead, o.y || o.side, floor_given};
     const bool high_given[] = {o.x || o.behind, o.y || o.side, o.z || o.above};
     for (int axis = 0; axis < 3; ++axis) {
-        box.min[axis] = snapped_face(box.min[axis], low_given[axis], false, scene);
+        if (axis != 2 || !floor_given) box.min[axis] = snapped_face(box.min[axis], low_given[axis], false, scene);
         box.max[axis] = snapped_face(box.max[axis], high_given[axis], true, scene);
     }
     d.box = box;

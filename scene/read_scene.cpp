@@ -214,6 +214,9 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     check_places(scene, s);
     check_bodies(scene, s);
 
+    const double gravity = scene.water.gravity;  // what is planned is a scene without it, where it is off
+    if (scene.motion.kind == Motion::Kind::stream && !s.effects.on_off("gravity").value_or(true))
+        scene.water.gravity = 0;
     scene.motion.ramp = ramp.value_or(default_ramp(scene));
     if (free_hull) scene.hull->free->motion.release = hull->free->release.value_or(scene.motion.ramp);
     fill_times(scene);
@@ -224,6 +227,7 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
         if (*courant == 0) *courant = default_courant(scene);
     if (scene.sph.c0 == 0) scene.sph.c0 = default_sound_speed(scene);
     check_sound_speed(scene);
+    scene.water.gravity = gravity;
     if (overrides.box_factor != 1)  // only now: the sound speed follows from the box that the scene asks for
         scene.domain = domain_of(domain, tank, scene, s, depth, overrides.box_factor);
     scene.water.depth = water_height(scene) + (scene.domain.as_asked.min.z() - scene.domain.box.min.z());

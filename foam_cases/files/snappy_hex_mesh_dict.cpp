@@ -1,4 +1,5 @@
 #include "foam_cases/files/case_files.h"
+#include "scene/mesh_cells.h"
 
 namespace tw {
 
@@ -92,11 +93,16 @@ std::string snappy_hex_mesh_dict(const CasePlan& plan) {
         geometry.add(plan.ribbon + ".stl", Dictionary{{"type", Word("triSurfaceMesh")}, {"name", Word(plan.ribbon)}});
         regions.add(plan.ribbon, Dictionary{{"mode", Word("distance")}, {"levels", near}});
     }
-    const Dictionary castellation{{"maxLocalCells", 100000000},        {"maxGlobalCells", 200000000},
-                                  {"minRefinementCells", 0},           {"maxLoadUnbalance", 0.1},
-                                  {"nCellsBetweenLevels", 3},          {"features", features},
-                                  {"refinementSurfaces", surfaces},    {"resolveFeatureAngle", 30},
-                                  {"refinementRegions", regions},      {"locationInMesh", plan.point_in_fluid},
+    const Dictionary castellation{{"maxLocalCells", 100000000},
+                                  {"maxGlobalCells", 200000000},
+                                  {"minRefinementCells", 0},
+                                  {"maxLoadUnbalance", 0.1},
+                                  {"nCellsBetweenLevels", cells_between_levels},
+                                  {"features", features},
+                                  {"refinementSurfaces", surfaces},
+                                  {"resolveFeatureAngle", 30},
+                                  {"refinementRegions", regions},
+                                  {"locationInMesh", plan.point_in_fluid},
                                   {"allowFreeStandingZoneFaces", true}};
     // Smoothing the surface before it is snapped draws points off the edges: with none a transom's edge is met best
     // (docs/decisions/028-shedding-edges.md). Sections keep it: it makes their cells rounder, and their edges are met.

@@ -13,7 +13,8 @@ EffectChoice plan_gravity(const EffectQuestion& q) {
     return c;
 }
 
-/// Defaults of domain and times stay those of the scene with gravity.
+/// The domain stays that of the scene with gravity; a stream without it has no waves to wait for and no water that falls
+/// (read_scene.cpp).
 void settle_gravity(Scene& scene, bool on) {
     if (!on) scene.water.gravity = 0;
 }

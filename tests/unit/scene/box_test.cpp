@@ -1,6 +1,8 @@
 // The box round a hull in a stream: the wider one of a ladder, and what its walls are expected to be worth.
+#include <fmt/format.h>
 #include "scene/box_walls.h"
 #include "scene/hash.h"
+
 #include "scene_text.h"
 
 namespace tw::test {
@@ -74,6 +76,19 @@ TEST(Box, WallsOfThePrismAreExpectedToBeWorthWhatWasMeasured) {
     EXPECT_EQ(wall_warning(scene_of(prism("side = 4\nbelow = 3.2\n"))), "");
     const Scene over_a_bed = scene_of(prism("side = 1.5\n", "[water]\ndepth = 1.2") + one_size);
     EXPECT_NEAR(wall_effect(over_a_bed).change, 0.32 / 3.375, 2e-3) << "a bed is no wall of the box";
+}
+
+TEST(Box, NearTheSpeedOfTheFastestWaveItSaysThatNothingCanBeEstimated) {
+    const auto warning = [](double depth, const char* speed) {
+        return wall_warning(scene_of(prism("side = 4\n", fmt::format("[water]\ndepth = {}", depth), speed)));
+    };
+    EXPECT_NE(warning(0.8, "2.6 m/s").find("0.93 times as fast as the fastest wave in water 0.8 m deep"),
+              std::string::npos)
+        << warning(0.8, "2.6 m/s");
+    EXPECT_EQ(warning(0.8, "2.3 m/s").find("fastest wave"), std::string::npos);  // 0.82
+    EXPECT_EQ(warning(0.8, "3.6 m/s"), "");                                      // 1.29
+    const std::string in_a_box = wall_warning(scene_of(prism("side = 4\nbelow = 0.8\n", "", "2.6 m/s")));
+    EXPECT_NE(in_a_box.find("a box 0.851 m deep"), std::string::npos) << in_a_box;
 }
 
 // Coarser particles far away make room cheap.

@@ -2,6 +2,7 @@
 
 #include "meshes/generate.h"
 #include "scene_text.h"
+#include "test_paths.h"
 
 namespace tw::test {
 namespace cost_test {
@@ -47,6 +48,23 @@ TEST(Cost, EdgesThatTheStreamLeavesCostCellsAndSteps) {
     // Measured on half the prism, 4 m by 1 m, trimmed by 5 degrees: 6303, 14266 and 32736 cells became 8126, 17651 and
     // 36226 at 0.0707, 0.05 and 0.0354 m; 1.89 m of edges lie below half the draft.
     EXPECT_NEAR(with_edges.cells - smooth.cells, 3385, 1000);
+}
+
+TEST(Cost, CellsRoundABodyThatMovesArePredictedAsTheyAreMade) {
+    // Made by snappyHexMesh: 198 876, 21 798 and 59 808.
+    for (const auto& [study, made] :
+         {std::pair{"sphere_entry", 198876.0}, {"cylinder_entry", 21798.0}, {"sinking_cube", 59808.0}}) {
+        const Prediction p =
+            predict(read_scene(std::filesystem::path(TWINWAKE_SOURCE "/studies") / (std::string(study) + ".toml")));
+        EXPECT_GT(p.cells, made / 1.25) << study;
+        EXPECT_LT(p.cells, made * 1.25) << study;
+    }
+}
+
+TEST(Cost, TanksWithoutRefinementHaveCellsOfOneSizeWhateverTheSpacing) {
+    const std::string bar = "[[obstacle]]\nname = \"bar\"\nmin = [0.6, 0, 0]\nmax = [0.7, 1, 0.1]\n";
+    const Scene s = scene_of(with(tank, "near_hull = 0.01", "near_hull = 0.02\nspacing = 0.08") + bar);
+    EXPECT_NEAR(predict(s).cells, 125e3, 1);
 }
 
 TEST(Cost, HalfAHullIsHalfTheWork) {

@@ -25,14 +25,13 @@ TEST(Defaults, FacesLieOnTheLatticeOfParticlesAndCells) {
     }
 }
 
-TEST(Defaults, FacesThatTheUserGaveStayWithinHalfAParticle) {
+TEST(Defaults, FacesThatTheUserGaveStayWithinHalfAParticleAndTheFloorWhereItIs) {
     const Scene s =
         scene_of(with(planing, "[motion]", "[domain]\nx = [-3.01, 4.52]\nz = [-1.63, 2]\n[motion]") + one_size);
     EXPECT_NEAR(s.domain.box.min.x(), -3.01, 0.025 + 1e-9);
     EXPECT_NEAR(s.domain.box.max.x(), 4.52, 0.025 + 1e-9);
-    EXPECT_NEAR(s.domain.box.min.z(), -1.63, 0.025 + 1e-9);
+    EXPECT_EQ(s.domain.box.min.z(), -1.63);
     EXPECT_TRUE(multiple(s.domain.box.min.x(), s.resolution.near_hull));
-    EXPECT_TRUE(multiple(s.domain.box.min.z(), s.resolution.near_hull));
 }
 
 TEST(Defaults, ThePlaningHullHasTheRoomItWasMeasuredToNeed) {
@@ -56,6 +55,29 @@ TEST(Defaults, ADisplacementHullHasRoomForItsWave) {
 TEST(Defaults, ShallowWaterLimitsTheDepthAndDeepWaterDoesNot) {
     EXPECT_NEAR(scene_of(with(planing, "[motion]", "[water]\ndepth = 0.8\n[motion]")).water.depth, 0.8, 1e-9);
     EXPECT_LT(scene_of(with(planing, "[motion]", "[water]\ndepth = 100\n[motion]") + one_size).water.depth, 2);
+}
+
+TEST(Defaults, TheBedIsWhereTheSceneHasItAtEverySize) {
+    for (const double scale : {1.0, std::sqrt(2.0), 0.7})
+        for (const char* bed : {"[water]\ndepth = 0.63\n[motion]", "[domain]\nbelow = 0.63\n[motion]"}) {
+            SceneOverrides o;
+            o.scale_resolution = scale;
+            const Scene s = scene_of(with(planing, "[motion]", bed), o);
+            EXPECT_DOUBLE_EQ(s.domain.box.min.z(), -0.63) << bed << ", scale " << scale;
+            EXPECT_DOUBLE_EQ(s.water.depth, 0.63) << bed << ", scale " << scale;
+        }
+}
+
+TEST(Defaults, WithoutGravityAStreamWaitsForNoWavesAndNoWaterFalls) {
+    const std::string slow = with(with(planing, "8 m/s", "1.5 m/s"), "duration = \"1.5 s\"\n", "");
+    const Scene with_waves = scene_of(slow), without = scene_of(slow + "[effects]\ngravity = \"off\"\n");
+    EXPECT_GT(with_waves.run.duration, 1.5 * without.run.duration);
+    const double passage = without.hull->length / 1.5;
+    EXPECT_NEAR(without.run.duration, (0.3 + 1 + 2) * passage, 1e-9);  // ramp, settling, mean
+    EXPECT_DOUBLE_EQ(without.sph.c0, 15);
+    EXPECT_GT(with_waves.sph.c0, 40);
+    EXPECT_EQ(without.water.gravity, 0);
+    EXPECT_EQ(without.domain.box.min, with_waves.domain.box.min) << "the box is that of the scene with gravity";
 }
 
 TEST(Defaults, TheFinestCellsLieRoundTheWettedBottom) {
