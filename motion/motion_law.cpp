@@ -56,8 +56,16 @@ MotionLaw::At MotionLaw::at(double t) const {
                     rate / 2 * w * std::sin(w * t)};
         }
         case Kind::sinusoid: {
-            const double w = 2 * pi / period, s = std::sin(w * t + phase);
-            return {amplitude * (s - std::sin(phase)), amplitude * w * std::cos(w * t + phase), -amplitude * w * w * s};
+            const double w = 2 * pi / period, s = std::sin(w * t + phase), c = std::cos(w * t + phase);
+            if (ramp > 0) {  // about its middle, from rest: the amplitude rises as the rate of a ramp
+                const double p = pi / ramp;
+                const bool up = t < ramp;
+                const double f = up ? (1 - std::cos(p * t)) / 2 : 1, df = up ? p / 2 * std::sin(p * t) : 0,
+                             ddf = up ? p * p / 2 * std::cos(p * t) : 0;
+                return {amplitude * f * s, amplitude * (df * s + f * w * c),
+                        amplitude * (ddf * s + 2 * df * w * c - f * w * w * s)};
+            }
+            return {amplitude * (s - std::sin(phase)), amplitude * w * c, -amplitude * w * w * s};
         }
         case Kind::table: return on_spline(times, values, t);
     }
@@ -65,7 +73,12 @@ MotionLaw::At MotionLaw::at(double t) const {
 }
 
 double MotionLaw::fastest() const {
-    if (kind == Kind::sinusoid) return std::abs(2 * pi / period * amplitude);
+    if (kind == Kind::sinusoid) {
+        double most = std::abs(2 * pi / period * amplitude);
+        const int places = ramp > 0 ? static_cast<int>(64 * std::ceil(std::max(1.0, ramp / period))) : 0;
+        for (int k = 0; k < places; ++k) most = std::max(most, std::abs(at(ramp * k / places).rate));
+        return most;
+    }
     if (kind != Kind::table) return std::abs(rate);
     double most = 0;
     for (std::size_t k = 0; k + 1 < times.size(); ++k)

@@ -9,7 +9,7 @@ namespace tw {
 ///
 ///   constant   s = rate t
 ///   ramp       the rate rises from 0 to `rate` over `ramp`: s' = rate sin^2(pi t / (2 ramp)), then constant
-///   sinusoid   s = amplitude (sin(2 pi t / period + phase) - sin(phase))
+///   sinusoid   s = amplitude (sin(2 pi t / period + phase) - sin(phase)); with ramp amplitude f sin(...), f = s'/rate
 ///   table      a cubic spline through (times, values), at rest before the first and after the last: its first
 ///              derivative is zero there, its second is continuous between them
 ///

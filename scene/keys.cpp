@@ -35,7 +35,7 @@ Rows motion_law_keys(const std::string& required, const std::string& who, const 
     return {
         {.name = "law", .kind = Kind::choice, .choices = {"constant", "ramp", "sinusoid", "table"},
          .hashed = Hashed::scene, .fallback = required,
-         .meaning = "Path s(t) along `along` or about `about`: rate t; a rate that rises from 0 over `ramp`; amplitude (sin(2 pi t / period + phase) - sin(phase)); a smooth curve through `times` and `values`."},
+         .meaning = "Path s(t) along `along` or about `about`: rate t; a rate that rises from 0 over `ramp`; amplitude (sin(2 pi t / period + phase) - sin(phase)), or with `ramp` amplitude sin(2 pi t / period + phase) about the place at the start, the amplitude rising from 0; a smooth curve through `times` and `values`."},
         {.name = "along", .kind = Kind::place3, .hashed = Hashed::scene, .fallback = "none",
          .meaning = "Direction of a prescribed motion."},
         {.name = "about", .kind = Kind::place3, .hashed = Hashed::scene, .fallback = "none",
@@ -43,7 +43,7 @@ Rows motion_law_keys(const std::string& required, const std::string& who, const 
         {.name = "rate", .hashed = Hashed::scene, .fallback = "required of constant and ramp",
          .meaning = "Velocity along `along` [m/s], or about `about` [rad/s]."},
         {.name = "ramp", .unit = "s", .range = positive, .hashed = Hashed::scene, .fallback = "required of ramp",
-         .meaning = "How long the rate rises."},
+         .meaning = "How long the rate rises, or the amplitude of a sinusoid."},
         {.name = "amplitude", .hashed = Hashed::scene, .fallback = "required of sinusoid",
          .meaning = "Amplitude along `along` [m], or about `about` [rad]."},
         {.name = "period", .unit = "s", .range = positive, .hashed = Hashed::scene, .fallback = "required of sinusoid",

@@ -44,6 +44,7 @@ MotionLaw read_motion_law(SceneSection& s, bool flat) {
         law.amplitude = required("amplitude", path);
         law.period = required("period", "s", positive);
         law.phase = s.number("phase", law.phase);
+        if (s.has("ramp")) law.ramp = required("ramp", "s", positive);
     } else {
         law.kind = MotionLaw::Kind::table;
         const auto times = s.numbers("times"), values = s.numbers("values", path, 0);

@@ -29,8 +29,8 @@ std::optional<MovingFrame> read_tank_motion(SceneSection& s, int dimensions) {
     if (frame.law.turns && std::abs(frame.law.at(0).rate) > 1e-9 * frame.law.fastest())
         s.fail(frame.law.kind == MotionLaw::Kind::sinusoid ? "phase" : "law",
                fmt::format("the rotation begins with {:.4g} rad/s, and water at rest cannot follow at once; expected "
-                           "one that begins from rest: law = \"ramp\" or \"table\", or a sinusoid with phase = \"90 "
-                           "deg\"",
+                           "one that begins from rest: a sinusoid with ramp, about its middle, or with phase = \"90 "
+                           "deg\", from its end; law = \"ramp\" or \"table\"",
                            frame.law.at(0).rate));
     return frame;
 }

@@ -8,7 +8,7 @@ namespace tw {
 std::vector<double> times_of_table(const MotionLaw& law, double duration, double longest_step) {
     double shortest = duration / 100;
     if (law.kind == MotionLaw::Kind::sinusoid) shortest = std::min(shortest, law.period / 50);
-    if (law.kind == MotionLaw::Kind::ramp) shortest = std::min(shortest, law.ramp / 50);
+    if (law.ramp > 0) shortest = std::min(shortest, law.ramp / 50);
     for (std::size_t i = 1; i < law.times.size(); ++i)
         shortest = std::min(shortest, (law.times[i] - law.times[i - 1]) / 10);
     const int rows = std::min(20000, static_cast<int>(std::ceil(duration / shortest)) + 1);

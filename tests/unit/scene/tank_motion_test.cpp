@@ -38,6 +38,17 @@ TEST(TankMotion, IsReadAsABodysIs) {
         scene_of(swaying.substr(0, swaying.find("law")) + swaying.substr(swaying.find("[domain]"))).tank_motion);
 }
 
+TEST(TankMotion, RollsAboutTheLevelPositionFromRest) {
+    const std::string about_level = with(rolling, "phase = \"90 deg\"", "ramp = 3");
+    const MotionLaw law = scene_of(about_level).tank_motion->law;
+    EXPECT_EQ(law.at(0).rate, 0);
+    EXPECT_NEAR(law.at(3 + 0.75 * 1.5).path, -law.at(3 + 0.25 * 1.5).path, 1e-12);
+    EXPECT_NEAR(law.at(3 + 0.25 * 1.5).path, 0.02, 1e-12);
+    EXPECT_NE(complaint(with(rolling, "phase = \"90 deg\"\n", "")).find("a sinusoid with ramp, about its middle"),
+              std::string::npos);
+    EXPECT_NE(scene_of(about_level).hash, scene_of(rolling).hash);
+}
+
 TEST(TankMotion, MakesTheSoundFaster) {
     const Scene slow = scene_of(swaying), fast = scene_of(with(swaying, "amplitude = 0.02", "amplitude = 0.2"));
     EXPECT_NEAR(fast.sph.c0 - slow.sph.c0, 10 * 0.18 * 2 * M_PI / 1.5, 1e-9);

@@ -30,6 +30,23 @@ TEST(MotionLaw, GivesTheDerivativesOfItsPath) {
     EXPECT_EQ(ramp.at(0).rate, 0);
 }
 
+TEST(MotionLaw, ASinusoidWithARampBeginsAtRestAndSwingsAboutWhereItBegan) {
+    const MotionLaw law{
+        .kind = MotionLaw::Kind::sinusoid, .turns = true, .ramp = 3, .amplitude = 0.1, .period = 1.3, .phase = 0.4};
+    EXPECT_EQ(law.at(0).path, 0);
+    EXPECT_EQ(law.at(0).rate, 0);
+    double low = 0, high = 0;
+    for (double t = 3; t < 3 + 1.3; t += 0.01) {
+        low = std::min(low, law.at(t).path);
+        high = std::max(high, law.at(t).path);
+    }
+    EXPECT_NEAR(high, 0.1, 1e-4);
+    EXPECT_NEAR(low, -0.1, 1e-4);
+    for (const double t : {0.05, 0.8, 2.1, 2.99, 4.4}) expect_derivatives(law, t);
+    EXPECT_NEAR(law.at(3 - 1e-9).rate, law.at(3 + 1e-9).rate, 1e-7);
+    for (double t = 0; t < 5; t += 0.01) EXPECT_LE(std::abs(law.at(t).rate), 1.001 * law.fastest()) << t;
+}
+
 TEST(MotionLaw, OfATableGoesThroughItsRowsSmoothlyAndRestsBeyondThem) {
     const MotionLaw law{.kind = MotionLaw::Kind::table, .times = {0, 0.3, 0.5, 1.2}, .values = {0.5, 0.2, 0.1, 0.4}};
     for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(law.at(law.times[k]).path, law.values[k], 1e-15);
