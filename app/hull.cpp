@@ -1,12 +1,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "app/facts_json.h"
 #include "app/output.h"
 #include "base/errors.h"
 #include "meshes/generate.h"
 #include "meshes/surface.h"
+#include "scene/hull_axes.h"
 #include "text/did_you_mean.h"
 #include "text/units.h"
 
@@ -105,6 +107,11 @@ int run_hull(const HullCommand& command, const Common& common) {
     }
     if (command.action != "info") check_output(command);
     Surface surface = command.action == "make" ? made(command) : read_surface(command.in, command.unit, command.axes);
+    std::vector<Finding> notes;
+    if (command.action != "make" && is_half(surface)) {
+        notes.push_back(mirrored_finding(surface));
+        surface = whole_of(surface);
+    }
     std::vector<std::string> repairs;
     if (command.action == "repair") {
         Repaired repaired = repair_surface(surface);
@@ -114,6 +121,8 @@ int run_hull(const HullCommand& command, const Common& common) {
     HullFacts facts =
         facts_of(command.action == "make" ? command.shape : command.in.string(), surface, command.particle_spacing);
     facts.repairs = repairs;
+    if (facts.usable) std::ranges::copy(check_axes(surface), std::back_inserter(notes));
+    facts.findings.insert(facts.findings.end(), notes.begin(), notes.end());
     if (command.action == "repair" && !facts.usable) {
         say(common, text_of(facts));
         throw InputError(command.in.string() +

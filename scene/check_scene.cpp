@@ -9,6 +9,7 @@
 #include "meshes/section.h"
 #include "meshes/symmetric.h"
 #include "scene/defaults.h"
+#include "scene/hull_axes.h"
 #include "scene/refined_places.h"
 
 namespace tw {
@@ -29,6 +30,8 @@ void check_health(HullOptions& o, double particle_spacing, SceneSection& s) {
                                       o.repair     ? " (repair = true could not repair it)"
                                       : f.mendable ? "; repair = true repairs it"
                                                    : ""));
+    for (const std::vector<Finding>& more : {o.notes, check_axes(o.as_read)})
+        hull.findings.insert(hull.findings.end(), more.begin(), more.end());
 }
 
 void make_halves_alike(Hull& hull, const Resolution& resolution, SceneSection& s) {
@@ -50,7 +53,10 @@ void make_halves_alike(Hull& hull, const Resolution& resolution, SceneSection& s
             return;
         }
     }
-    s.fail("half", "the hull is not symmetric about y = 0: " + where + "; set half = false");
+    std::string axes;
+    for (const Finding& f : hull.findings)
+        if (f.name == "lying" || f.name == "across") axes = "; " + f.message;
+    s.fail("half", "the hull is not symmetric about y = 0: " + where + "; set half = false" + axes);
 }
 
 void take_section(HullOptions& o, SceneSection& s) {

@@ -57,6 +57,7 @@ struct HullOptions {
     bool repair = false;
     std::string key;  ///< "file" or "shape": where findings about the surface are reported
     std::optional<FreeHullOptions> free;
+    std::vector<Finding> notes;  ///< of what was done while reading
 };
 HullOptions read_hull(SceneSection& s);
 /// The keys of a hull that is free; nothing for one that is held.

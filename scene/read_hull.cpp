@@ -5,9 +5,14 @@
 #include "base/errors.h"
 #include "meshes/generate.h"
 #include "meshes/surface.h"
+#include "scene/hull_axes.h"
 #include "scene/read.h"
 
 namespace tw {
+namespace {
+constexpr double least_draft = 0.01;  // of the hull's height: with less its file has the keel at z = 0
+}
+
 Surface read_solid(SceneSection& s, std::string& source, std::string& key) {
     const std::filesystem::path& scene_file = s.file();
     const auto file = s.text("file");
@@ -52,6 +57,10 @@ HullOptions read_hull(SceneSection& s) {
     if (hull.half && pose.position.y() != 0)
         s.fail("half", "a hull beside y = 0 is not symmetric about it; expected position = [x, 0]");
     o.as_read = read_solid(s, hull.source, o.key);
+    if (is_half(o.as_read)) {
+        o.notes.push_back(mirrored_finding(o.as_read));
+        o.as_read = whole_of(o.as_read);
+    }
     o.free = read_free_hull(s);
     s.finish();
     // Without a draft the hull keeps the height it has in its own file.
@@ -60,6 +69,12 @@ HullOptions read_hull(SceneSection& s) {
         s.fail("draft", fmt::format("the hull is not in the water: its lowest point stands {:.6g} m above still water; "
                                     "expected draft > 0, the depth of the lowest point below z = 0",
                                     std::abs(hull.draft)));
+    const double height = o.as_read.bounds().size().z();
+    if (!draft && hull.draft < least_draft * height)
+        s.fail(o.key, fmt::format("the hull barely touches the water: in its own coordinates its lowest point lies "
+                                  "{:.3g} m below still water, and it is {:.3g} m high; give draft, the depth of the "
+                                  "lowest point below z = 0",
+                                  hull.draft, height));
     pose.trim = hull.trim;
     pose.heel = hull.heel;
     pose.draft = hull.draft;

@@ -142,12 +142,17 @@ void check_size_and_place(const Surface& s, FoundList& found) {
         add(found, Level::warning, "suspicious_size", centre_of_box,
             fmt::format("the hull is only {:.4g} m in size", size), "check its unit (known: m, mm, cm, ft, in)");
     const double away = centre_of_box.cwiseAbs().maxCoeff();
-    if (away > 100 * size)
+    if (away > 100 * size) {
+        const double whole = std::pow(10, std::floor(std::log10(size)));
+        const auto rounded = [&](double x) { return std::round(x / whole) * whole; };
         add(found, Level::error, "far_from_origin", centre_of_box,
-            fmt::format("the hull is {:.4g} m from the origin, {:.0f} times its size: single-precision files lose its "
-                        "shape there",
-                        away, away / size),
-            "move it to the origin before the export, or shift it by its position");
+            fmt::format("the hull is {:.4g} m from the origin, {:.0f} times its size, as in coordinates of a map: in "
+                        "single precision, in which surfaces are read, its corners are known to {:.2g} m only",
+                        away, away / size, away * std::ldexp(1.0, -23)),
+            fmt::format("before the export take ({:.10g}, {:.10g}, {:.10g}) m off all its coordinates; position and "
+                        "draft place it in the water",
+                        rounded(centre_of_box.x()), rounded(centre_of_box.y()), rounded(centre_of_box.z())));
+    }
 }
 
 void check_thickness(const Surface& s, double particle_spacing, FoundList& found) {
