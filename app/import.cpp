@@ -97,6 +97,9 @@ int run_import(const ImportCommand& command, const Common& common) {
     const RunRecord record = import_record(command.mapping);
     const FolderLock lock(command.out);
     refuse_existing();
+    for (const auto& [name, gap] : record.attributes)
+        if (name.starts_with("gap:"))
+            complain(fmt::format("{}: {}: {}", record.attributes.at("imported_from"), name.substr(4), gap));
     leaving_files([&] { write_record(file, record); });
     say(common, text_of(record) + file.string() +
                     ": written; compare it with runs of the scene, e.g. twinwake compare " +

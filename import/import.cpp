@@ -39,6 +39,23 @@ void note_uncertainties(const Mapping& mapping, RunRecord& record) {
                 c.uncertainty * (mapping.half_model && c.table == "forces" ? 2 : 1);
 }
 
+/// Rows that are missing in the middle of a table: an interval far longer than those on both sides of it. Intervals
+/// that change as a time step does are none.
+void note_gaps(RunRecord& record) {
+    constexpr double far_longer = 4;
+    for (const auto& [name, table] : record.tables)
+        for (std::size_t i = 1; i + 2 < table.time.size(); ++i) {
+            const auto interval = [&](std::size_t k) { return table.time[k + 1] - table.time[k]; };
+            const double usual = std::max(interval(i - 1), interval(i + 1));
+            if (!(interval(i) > far_longer * usual)) continue;
+            record.attributes["gap:" + name] = fmt::format(
+                "no row between {:.6g} and {:.6g} s, where a row every {:.3g} s was expected: about {:.0f} "
+                "rows are missing",
+                table.time[i], table.time[i + 1], usual, interval(i) / usual - 1);
+            break;  // the first says enough
+        }
+}
+
 /// Says whether the drag holds friction where no column tells it.
 void note_friction(const Mapping& mapping, RunRecord& record) {
     if (!record.series("forces", "fx") || record.series("forces", "fx_viscous")) return;
@@ -57,6 +74,7 @@ RunRecord import_record(const std::filesystem::path& file) {
     refuse_empty_series(mapping, record);
     refer_moment(mapping, point, record);
     note_friction(mapping, record);
+    note_gaps(record);
     note_uncertainties(mapping, record);
     if (mapping.half_model) make_whole(record);
     record.state = "finished";

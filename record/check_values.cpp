@@ -15,7 +15,8 @@ namespace {
 constexpr std::array positive{"near_hull", "spacing", "duration", "density", "length", "beam"};
 constexpr std::array not_negative{"speed",          "mean_from",         "sampling_interval",  "kinematic_viscosity",
                                   "write_interval", "raster_every",      "wall_particles",     "air_particles",
-                                  "dimensions",     "predicted_seconds", "predicted_elements", "predicted_memory"};
+                                  "dimensions",     "predicted_seconds", "predicted_elements", "predicted_memory",
+                                  "gravity"};
 
 class Check {
 public:

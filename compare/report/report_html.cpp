@@ -158,7 +158,7 @@ std::string report_html(const Comparison& c, const Figures& f, const std::string
     if (const double speed = number_of(first, "speed", 0); speed > 0) {
         sub += fmt::format(" · {:.4g} m/s", speed);
         const double length = number_of(first, "length", 0), g = number_of(first, "gravity", 9.81);
-        if (length > 0) sub += fmt::format(" · Froude number {:.3g}", speed / std::sqrt(g * length));
+        if (length > 0 && g > 0) sub += fmt::format(" · Froude number {:.3g}", speed / std::sqrt(g * length));
     }
     if (const double spacing = number_of(first, "near_hull", 0); spacing > 0)
         sub += fmt::format(" · spacing at the hull {:.3g} m", spacing);

@@ -87,8 +87,9 @@ Plot view(std::span<const RunRecord> runs, const std::vector<std::string>& names
             add_box(plot.boxes, box);
         }
     }
-    const double across = plot.boxes.front().x_max - plot.boxes.front().x_min;
-    plot.shadow = silhouette(runs.front().hull, up, across / (2 * page_width));
+    const PlotBox& whole = plot.boxes.front();
+    plot.shadow =
+        silhouette(runs.front().hull, up, (whole.x_max - whole.x_min) / (2 * page_width), {whole.x_min, whole.x_max});
     return plot;
 }
 

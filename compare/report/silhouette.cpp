@@ -26,11 +26,13 @@ Interval covered(const std::array<Vec3, 3>& corners, int up, double x) {
 
 }  // namespace
 
-PlotShadow silhouette(const Surface& surface, int up, double step) {
+PlotShadow silhouette(const Surface& surface, int up, double step, const std::array<double, 2>& shown) {
     std::map<long, std::vector<Interval>> lines;
     for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
         const std::array<Vec3, 3> corners{surface.corner(t, 0), surface.corner(t, 1), surface.corner(t, 2)};
-        const auto [low, high] = std::minmax({corners[0].x(), corners[1].x(), corners[2].x()});
+        auto [low, high] = std::minmax({corners[0].x(), corners[1].x(), corners[2].x()});
+        low = std::max(low, shown[0]), high = std::min(high, shown[1]);
+        if (!(low <= high)) continue;
         for (long k = std::lround(std::ceil(low / step)); double(k) * step <= high; ++k)
             lines[k].push_back(covered(corners, up, double(k) * step));
     }

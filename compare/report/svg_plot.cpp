@@ -17,17 +17,22 @@ namespace {
 struct Range {
     double low = HUGE_VAL, high = -HUGE_VAL;
     void add(double v) {
+        constexpr double largest = 1e300;  // differences of what is drawn are finite
         if (!std::isfinite(v)) return;
-        low = std::min(low, v);
-        high = std::max(high, v);
+        low = std::min(low, std::clamp(v, -largest, largest));
+        high = std::max(high, std::clamp(v, -largest, largest));
     }
     bool empty() const { return !(low <= high); }
+    double size() const { return std::max(std::abs(low), std::abs(high)); }
+    /// What differs by rounding only is drawn as a constant.
+    bool flat() const { return !(high - low > 1e-12 * size()) || size() < smallest_range; }
     void widen(double share) {
-        double by = share * (high - low);
-        if (!(by > 0)) by = low != 0 ? 0.05 * std::abs(low) : 1;
+        const double by = !flat() ? share * (high - low) : size() > smallest_range ? 0.05 * size() : 1;
         low -= by;
         high += by;
     }
+
+    static constexpr double smallest_range = 1e-300;
 };
 
 Range x_range(const Plot& p) {
@@ -158,7 +163,7 @@ Drawing draw(const Plot& plot) {
     if (xr.empty() || yr.empty()) return {};
     if (p.images.empty()) yr.widen(p.boxes.empty() ? 0.06 : 0.02);
     if (!p.boxes.empty()) xr.widen(0.02);
-    if (!(xr.high > xr.low)) xr.widen(0.05);
+    if (xr.flat()) xr.widen(0.05);
     if (std::ranges::any_of(p.lines, &PlotLine::points)) xr.widen(0.04);
 
     constexpr int left = 66, right = 14, bottom = 44;
@@ -182,12 +187,15 @@ Drawing draw(const Plot& plot) {
         legend_x += entry;
     }
     const int top = 26 + 16 * legend_rows;
-    const int height = p.equal_scales
-                           ? top + bottom + static_cast<int>(plot_width * (yr.high - yr.low) / (xr.high - xr.low))
-                           : p.height;
+    const int height =
+        p.equal_scales
+            ? top + bottom + static_cast<int>(plot_width * std::min((yr.high - yr.low) / (xr.high - xr.low), 10.0))
+            : p.height;
     const double plot_height = height - top - bottom;
-    const auto X = [&](double v) { return left + plot_width * (v - xr.low) / (xr.high - xr.low); };
-    const auto Y = [&](double v) { return top + plot_height * (yr.high - v) / (yr.high - yr.low); };
+    // Far outside, where nothing is seen, places stay numbers that can be written.
+    const auto at = [](double pixel) { return std::clamp(pixel, -1e6, 1e6); };
+    const auto X = [&](double v) { return at(left + plot_width * (v - xr.low) / (xr.high - xr.low)); };
+    const auto Y = [&](double v) { return at(top + plot_height * (yr.high - v) / (yr.high - yr.low)); };
 
     std::string out =
         fmt::format("<text class=\"plot-title\" x=\"{}\" y=\"16\">{}</text>{}", left, escaped(p.title), legend);
@@ -296,7 +304,9 @@ std::string svg_file(const std::string& plot) {
 
 std::vector<double> ticks(double low, double high, int about) {
     std::vector<double> list;
-    if (!(high > low) || about < 1) return list;
+    const double size = std::max(std::abs(low), std::abs(high));
+    // Between numbers that differ by rounding only there are no round ones.
+    if (about < 1 || !(high - low > 1e-12 * size) || !std::isfinite(high - low) || size < 1e-300) return list;
     const double raw = (high - low) / about, power = std::pow(10, std::floor(std::log10(raw)));
     const double step = power * (raw / power < 1.5 ? 1 : raw / power < 3.5 ? 2 : raw / power < 7.5 ? 5 : 10);
     for (double k = std::ceil(low / step - 1e-9); k <= high / step + 1e-9; ++k) list.push_back(k * step);
@@ -304,10 +314,11 @@ std::vector<double> ticks(double low, double high, int about) {
 }
 
 std::vector<double> log_ticks(double low, double high) {
-    const std::vector<double> within =
-        std::log10(high / low) < 4 ? std::vector<double>{1, 2, 5} : std::vector<double>{1};
+    if (!(low > 0) || !std::isfinite(high)) return {};
+    const double decades = std::log10(high) - std::log10(low), step = std::max(1.0, std::ceil(decades / 20));
+    const std::vector<double> within = decades < 4 ? std::vector<double>{1, 2, 5} : std::vector<double>{1};
     std::vector<double> list;
-    for (double power = std::floor(std::log10(low)); power <= std::log10(high); ++power)
+    for (double power = std::floor(std::log10(low)); power <= std::log10(high); power += step)
         for (const double digit : within)
             if (const double v = digit * std::pow(10, power); v >= low * (1 - 1e-9) && v <= high * (1 + 1e-9))
                 list.push_back(v);

@@ -1,10 +1,6 @@
 #include "foam_cases/read/hull_patch.h"
 
-#include <vtkCellArray.h>
-#include <vtkCellArrayIterator.h>
-#include <vtkCellData.h>
 #include <vtkNew.h>
-#include <vtkObject.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataReader.h>
 #include <vtkSmartPointer.h>
@@ -13,7 +9,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/errors.h"
 #include "meshes/query.h"
+#include "meshes/read/vtk_arrays.h"
 #include "record/wetted_line.h"
 
 namespace tw {
@@ -21,69 +19,56 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// VTK prints about broken files; here they are an expected end of a killed solver.
-struct QuietVtk {
-    const int before = vtkObject::GetGlobalWarningDisplay();
-    QuietVtk() { vtkObject::GlobalWarningDisplayOff(); }
-    ~QuietVtk() { vtkObject::SetGlobalWarningDisplay(before); }
-};
-
 template <class Reader>
-vtkSmartPointer<vtkPolyData> read_with(const fs::path& file) {
-    const QuietVtk quiet;
+vtkSmartPointer<vtkPointSet> read_with(const fs::path& file) {
     vtkNew<Reader> reader;
     reader->SetFileName(file.c_str());
     reader->Update();
     return reader->GetErrorCode() == 0 ? reader->GetOutput() : nullptr;
 }
 
-vtkSmartPointer<vtkPolyData> read_poly_data(const fs::path& folder, const std::string& name) {
+/// Broken files are an expected end of a killed solver.
+std::optional<VtkArrays> read_poly_data(const fs::path& folder, const std::string& name) {
     const fs::path xml = folder / (name + ".vtp"), legacy = folder / (name + ".vtk");
-    if (fs::exists(xml)) return read_with<vtkXMLPolyDataReader>(xml);
-    if (fs::exists(legacy)) return read_with<vtkPolyDataReader>(legacy);
-    return nullptr;
+    try {
+        if (fs::exists(xml)) return read_by_vtk([&] { return read_with<vtkXMLPolyDataReader>(xml); }, false);
+        if (fs::exists(legacy)) return read_by_vtk([&] { return read_with<vtkPolyDataReader>(legacy); }, false);
+    } catch (const InputError&) {}
+    return std::nullopt;
 }
 
 }  // namespace
 
 std::optional<HullPatch> read_hull_patch(const fs::path& folder, const std::string& name) {
-    const vtkSmartPointer<vtkPolyData> data = read_poly_data(folder, name);
-    if (!data || data->GetNumberOfPolys() == 0) return std::nullopt;
-    vtkCellData* cells = data->GetCellData();
-    vtkDataArray* p = cells->GetArray("p");
-    vtkDataArray* alpha = cells->GetArray("alpha.water");
-    vtkDataArray* shear = cells->GetArray("wallShearStress");
+    const std::optional<VtkArrays> data = read_poly_data(folder, name);
+    if (!data || data->count() == 0) return std::nullopt;
+    const auto *p = data->find("p", false, 1), *alpha = data->find("alpha.water", false, 1),
+               *shear = data->find("wallShearStress", false, 3);
     if (p == nullptr || alpha == nullptr) return std::nullopt;
 
     HullPatch patch;
-    for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i) {
-        const double* x = data->GetPoint(i);
-        patch.surface.points.emplace_back(x[0], x[1], x[2]);
-    }
-    const auto polygons = vtk::TakeSmartPointer(data->GetPolys()->NewIterator());
-    vtkIdType face_number = 0;
-    for (polygons->GoToFirstCell(); !polygons->IsDoneWithTraversal(); polygons->GoToNextCell(), ++face_number) {
-        vtkIdType count = 0;
-        const vtkIdType* ids = nullptr;
-        polygons->GetCurrentCell(count, ids);
-        const auto point = [&](vtkIdType k) -> const Vec3& {
+    for (std::size_t i = 0; 3 * i < data->points.size(); ++i) patch.surface.points.push_back(data->point(i));
+    for (std::size_t face_number = 0; face_number < data->count(); ++face_number) {
+        const auto ids = data->cell(face_number);
+        const std::size_t count = ids.size();
+        const auto point = [&](std::size_t k) -> const Vec3& {
             return patch.surface.points[static_cast<std::size_t>(ids[k % count])];
         };
         HullPatch::Face face;
         Vec3 middle = Vec3::Zero();
-        for (vtkIdType k = 0; k < count; ++k) middle += point(k) / static_cast<double>(count);
+        for (std::size_t k = 0; k < count; ++k) middle += point(k) / static_cast<double>(count);
         double weight = 0;
-        for (vtkIdType k = 0; k < count; ++k) {  // a fan round the middle: exact area vector, area-weighted centre
+        for (std::size_t k = 0; k < count; ++k) {  // a fan round the middle: exact area vector, area-weighted centre
             const Vec3 part = 0.5 * (point(k) - middle).cross(point(k + 1) - middle);
             face.area += part;
             face.centre += part.norm() * (point(k) + point(k + 1) + middle) / 3;
             weight += part.norm();
         }
         face.centre = weight > 0 ? Vec3(face.centre / weight) : middle;
-        face.pressure = p->GetTuple1(face_number);
-        face.water = std::clamp(alpha->GetTuple1(face_number), 0.0, 1.0);
-        if (shear != nullptr) face.shear = Vec3(shear->GetTuple3(face_number));
-        for (vtkIdType k = 1; k + 1 < count; ++k) {  // turned round: out of the hull
+        face.pressure = (*p)[face_number];
+        face.water = std::clamp((*alpha)[face_number], 0.0, 1.0);
+        if (shear != nullptr) face.shear = Vec3(&(*shear)[3 * face_number]);
+        for (std::size_t k = 1; k + 1 < count; ++k) {  // turned round: out of the hull
             patch.surface.triangles.push_back(
                 {static_cast<int>(ids[0]), static_cast<int>(ids[k + 1]), static_cast<int>(ids[k])});
             patch.face_of_triangle.push_back(static_cast<int>(face_number));

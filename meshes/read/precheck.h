@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 namespace tw {
@@ -17,9 +18,7 @@ void check_binary_stl(const std::filesystem::path& file, std::string_view conten
 std::size_t check_ascii_stl(const std::filesystem::path& file, std::string_view content);
 /// Vertices with three numbers; faces of at least three corners that exist.
 void check_obj(const std::filesystem::path& file, std::string_view content);
-/// Header, element counts against the size, list lengths.
-void check_ply(const std::filesystem::path& file, std::string_view content);
-/// An XML file of PolyData that is complete.
-void check_vtp(const std::filesystem::path& file, std::string_view content);
+/// An XML file of `type` (PolyData, UnstructuredGrid) that is complete.
+void check_vtk_xml(const std::filesystem::path& file, std::string_view content, const std::string& type);
 
 }  // namespace tw

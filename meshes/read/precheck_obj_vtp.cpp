@@ -93,14 +93,13 @@ std::vector<std::string_view> attribute_values(std::string_view content, std::st
 
 }  // namespace
 
-void check_vtp(const std::filesystem::path& file, std::string_view content) {
+void check_vtk_xml(const std::filesystem::path& file, std::string_view content, const std::string& type) {
     const auto fail = [&](const std::string& what) {
-        throw InputError(file.string() + ": " + what + "; write the surface again as VTK XML PolyData");
+        throw InputError(file.string() + ": " + what + "; write it again as VTK XML " + type);
     };
     if (content.substr(0, 2000).find("<VTKFile") == std::string_view::npos)
-        fail("not a VTP file: no <VTKFile> element at its beginning");
-    if (content.substr(0, 4000).find("PolyData") == std::string_view::npos)
-        fail("not a VTP file: it holds no PolyData");
+        fail("not a file of VTK: no <VTKFile> element at its beginning");
+    if (content.substr(0, 4000).find(type) == std::string_view::npos) fail("it holds no " + type);
     // The reader makes room for what these promise, and names every component, before it reads a number.
     constexpr double most_components = 100;  // a tensor has nine
     constexpr double most_packed = 1100;     // bytes out of one byte of a compressed file (zlib's limit is 1032)
@@ -116,8 +115,8 @@ void check_vtp(const std::filesystem::path& file, std::string_view content) {
     };
     check_counts("NumberOfComponents", most_components);
     const double most_values = most_packed * static_cast<double>(content.size());
-    for (const char* name :
-         {"NumberOfPoints", "NumberOfVerts", "NumberOfLines", "NumberOfStrips", "NumberOfPolys", "NumberOfTuples"})
+    for (const char* name : {"NumberOfPoints", "NumberOfVerts", "NumberOfLines", "NumberOfStrips", "NumberOfPolys",
+                             "NumberOfCells", "NumberOfTuples"})
         check_counts(name, most_values);
     const auto last = content.find_last_not_of(" \t\r\n\0");
     constexpr std::string_view end = "</VTKFile>";

@@ -1,10 +1,6 @@
 #include <vtkCellArray.h>
-#include <vtkLogger.h>
 #include <vtkNew.h>
-#include <vtkObjectFactory.h>
 #include <vtkOBJReader.h>
-#include <vtkOutputWindow.h>
-#include <vtkPLYReader.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkSTLReader.h>
@@ -24,80 +20,31 @@
 #include "base/errors.h"
 #include "meshes/axis_turn.h"
 #include "meshes/read/gzip.h"
+#include "meshes/read/ply.h"
 #include "meshes/read/precheck.h"
+#include "meshes/read/vtk_arrays.h"
+#include "meshes/read/vtk_complaints.h"
 #include "meshes/surface.h"
 
 namespace tw {
 namespace fs = std::filesystem;
 namespace {
 
-/// Takes VTK's complaints, which else run over the terminal, also those of the objects that a reader makes for itself.
-class KeptOutput : public vtkOutputWindow {
-public:
-    static KeptOutput* New();
-    vtkTypeMacro(KeptOutput, vtkOutputWindow);
-    KeptOutput(const KeptOutput&) = delete;
-    KeptOutput& operator=(const KeptOutput&) = delete;
-    void DisplayText(const char* text) override {
-        if (text_.empty() && text != nullptr) text_ = text;
-    }
-    /// The first complaint without VTK's file, line and address; empty: none.
-    std::string text() const {
-        const auto address = text_.find("): ");
-        std::string message = address == std::string::npos ? text_ : text_.substr(address + 3);
-        std::ranges::replace(message, '\n', ' ');
-        while (!message.empty() && message.back() == ' ') message.pop_back();
-        return message;
-    }
-
-protected:
-    KeptOutput() = default;
-
-private:
-    std::string text_;
-};
-vtkStandardNewMacro(KeptOutput);
-
-/// Puts VTK's own output back however reading ends.
-class OutputGuard {
-public:
-    explicit OutputGuard(vtkOutputWindow* ours) : before_(vtkOutputWindow::GetInstance()) {
-        vtkOutputWindow::SetInstance(ours);
-        vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);  // VTK prints beside its output window
-    }
-    ~OutputGuard() {
-        vtkOutputWindow::SetInstance(before_);
-        vtkLogger::SetStderrVerbosity(verbosity_);
-    }
-    OutputGuard(const OutputGuard&) = delete;
-    OutputGuard& operator=(const OutputGuard&) = delete;
-
-private:
-    vtkSmartPointer<vtkOutputWindow> before_;
-    vtkLogger::Verbosity verbosity_ = vtkLogger::GetCurrentVerbosityCutoff();
-};
-
 /// `file` is named in messages, `readable` is read: the file itself, or its unpacked content.
 template <class Reader>
-vtkSmartPointer<vtkPolyData> read_with(const fs::path& file, const fs::path& readable,
-                                       const std::string& content = {}) {
+vtkSmartPointer<vtkPolyData> read_with(const fs::path& file, const fs::path& readable) {
     vtkNew<Reader> reader;
-    vtkNew<KeptOutput> complaints;
-    const OutputGuard guard(complaints);
+    const VtkComplaints complaints;
     if constexpr (std::is_same_v<Reader, vtkSTLReader>) reader->MergingOff();  // it would drop triangles; see welded()
-    if constexpr (std::is_same_v<Reader, vtkPLYReader>) {
-        reader->ReadFromInputStringOn();
-        reader->SetInputString(content + '\n');  // without an end to its last line VTK frees memory twice
-    } else {
-        reader->SetFileName(readable.c_str());
-    }
+    reader->SetFileName(readable.c_str());
     try {
         reader->Update();
     } catch (const std::bad_alloc&) {
         throw InputError(file.string() +
                          ": cannot be read: its counts ask for more memory than there is; export the hull again");
     }
-    if (!complaints->text().empty()) throw InputError(file.string() + ": cannot be read: " + complaints->text());
+    if (const std::string first = complaints.first(); !first.empty())
+        throw InputError(file.string() + ": cannot be read: " + first);
     vtkPolyData* data = reader->GetOutput();
     if (data == nullptr || data->GetNumberOfPoints() == 0)
         throw InputError(file.string() + ": holds no points; export the hull again");
@@ -142,6 +89,27 @@ Surface from_vtk(const fs::path& file, vtkPolyData* data) {
             surface.triangles.push_back({static_cast<int>(ids[0]), static_cast<int>(ids[1]), static_cast<int>(ids[2])});
     }
     return surface;
+}
+
+Surface read_vtp(const fs::path& file, const fs::path& readable) {
+    const auto read = [&]() -> vtkSmartPointer<vtkPointSet> {
+        vtkNew<vtkXMLPolyDataReader> reader;
+        reader->SetFileName(readable.c_str());
+        vtkNew<vtkTriangleFilter> polygons;  // strips become polygons, too
+        polygons->PassVertsOff();
+        polygons->PassLinesOff();
+        reader->Update();
+        check_connectivity(file, reader->GetOutput());
+        polygons->SetInputData(reader->GetOutput());
+        polygons->Update();
+        return polygons->GetOutput();
+    };
+    try {
+        return from_vtk(file, surface_of(read_by_vtk(read, true)));
+    } catch (const InputError& e) {
+        const std::string fault = e.what();
+        throw InputError(fault.starts_with(file.string()) ? fault : file.string() + ": cannot be read: " + fault);
+    }
 }
 
 /// Binary STL is read here and not by vtkSTLReader, which guesses the kind of file by bytes above 127 and takes some
@@ -200,13 +168,10 @@ Surface read_by_type(const fs::path& file) {
         check_obj(file, content);
         return from_vtk(file, read_with<vtkOBJReader>(file, readable));
     }
-    if (type == ".ply") {
-        check_ply(file, content);
-        return from_vtk(file, read_with<vtkPLYReader>(file, readable, content));
-    }
+    if (type == ".ply") { return from_vtk(file, read_ply(file, content)); }
     if (type == ".vtp") {
-        check_vtp(file, content);
-        return from_vtk(file, read_with<vtkXMLPolyDataReader>(file, readable));
+        check_vtk_xml(file, content, "PolyData");
+        return read_vtp(file, readable);
     }
     if (!is_ascii_stl(content)) {
         check_binary_stl(file, content);

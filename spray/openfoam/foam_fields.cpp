@@ -4,32 +4,68 @@
 #include <vtkCellData.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
+#include <vtkOpenFOAMReader.h>
 #include <vtkPointData.h>
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "base/errors.h"
+#include "meshes/read/vtk_arrays.h"
 
 namespace tw::spray {
 namespace fs = std::filesystem;
 
+namespace {
+
+/// Everything that the mesh and the fields of that time take on the disk [bytes].
+double size_of(const fs::path& folder) {
+    double bytes = 0;
+    std::error_code none;
+    for (const auto& entry : fs::recursive_directory_iterator(folder, none))
+        if (entry.is_regular_file(none)) bytes += static_cast<double>(entry.file_size(none));
+    return bytes;
+}
+
+vtkSmartPointer<vtkPointSet> read(const fs::path& folder, double time, FoamFields::At at) {
+    const bool points = at == FoamFields::At::points;
+    vtkNew<vtkOpenFOAMReader> reader;
+    reader->SetFileName((folder / "system" / "controlDict").c_str());
+    reader->SetSkipZeroTime(false);
+    reader->SetCreateCellToPoint(points);
+    reader->SetDecomposePolyhedra(points);
+    reader->SetCacheMesh(false);
+    reader->UpdateInformation();
+    reader->SetTimeValue(time);
+    reader->EnableAllCellArrays();
+    reader->Update();
+    auto* blocks = reader->GetOutput();
+    if (!blocks || blocks->GetNumberOfBlocks() == 0) return nullptr;
+    return vtkUnstructuredGrid::SafeDownCast(blocks->GetBlock(0));
+}
+
+}  // namespace
+
 FoamFields::FoamFields(const fs::path& folder, double time, At at) : folder_(folder), time_(time), at_(at) {
-    const std::string control = (folder / "system" / "controlDict").string();
-    reader_->SetFileName(control.c_str());
-    reader_->SetSkipZeroTime(false);
-    reader_->SetCreateCellToPoint(at == At::points);
-    reader_->SetDecomposePolyhedra(at == At::points);
-    reader_->SetCacheMesh(false);
-    reader_->UpdateInformation();
-    reader_->SetTimeValue(time);
-    reader_->EnableAllCellArrays();
-    reader_->Update();
-    auto* blocks = reader_->GetOutput();
-    if (blocks && blocks->GetNumberOfBlocks() > 0) grid_ = vtkUnstructuredGrid::SafeDownCast(blocks->GetBlock(0));
-    if (!grid_ || grid_->GetNumberOfCells() == 0)
-        throw InputError(
-            fmt::format("{}: no mesh to read at {:g} s; expected an OpenFOAM case", folder.string(), time));
+    double bytes = size_of(folder / "constant" / "polyMesh");
+    for (const FoamTime& t : foam_times(folder))
+        if (t.time == time) bytes += size_of(t.folder);
+    constexpr double slowest = 1e6;  // [bytes/s]; text is read some fifty times faster
+    try {
+        const VtkArrays arrays = read_by_vtk([&] { return read(folder, time, at); }, false,
+                                             {.seconds = 20 + bytes / slowest, .bytes = 4e9 + 50 * bytes});
+        if (arrays.count() == 0) throw InputError("it has no cells");
+        constexpr double farthest = 1e9;  // [m]
+        for (const double x : arrays.points)
+            if (!(std::abs(x) <= farthest)) throw InputError(fmt::format("a point at {:g} m", x));
+        grid_ = grid_of(arrays);
+        complaint_ = arrays.complaint;
+    } catch (const InputError& e) {
+        throw InputError(fmt::format("{}: no mesh to read at {:g} s: {}; expected an OpenFOAM case", folder.string(),
+                                     time, e.what()));
+    }
 }
 
 vtkDataArray& FoamFields::field(const char* name, int components) const {
@@ -40,8 +76,9 @@ vtkDataArray& FoamFields::field(const char* name, int components) const {
     if (!array || array->GetNumberOfComponents() != components || array->GetNumberOfTuples() != count)
         throw InputError(
             fmt::format("{}: field {} is not there at {:g} s, or not on all cells; expected {} in its "
-                        "time folder",
-                        folder_.string(), name, time_, components == 3 ? "a vector" : "a scalar"));
+                        "time folder{}",
+                        folder_.string(), name, time_, components == 3 ? "a vector" : "a scalar",
+                        complaint_.empty() ? "" : "; VTK says: " + complaint_));
     return *array;
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 #include <vtkDataArray.h>
-#include <vtkNew.h>
-#include <vtkOpenFOAMReader.h>
+#include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace tw::spray {
@@ -30,8 +30,8 @@ private:
     std::filesystem::path folder_;
     double time_;
     At at_;
-    vtkNew<vtkOpenFOAMReader> reader_;
-    vtkUnstructuredGrid* grid_ = nullptr;
+    std::string complaint_;  ///< VTK's first
+    vtkSmartPointer<vtkUnstructuredGrid> grid_;
 };
 
 /// The case's folder: RUN/fvm/case of a run, or the folder itself. Throws InputError: no system/controlDict there.

@@ -41,7 +41,7 @@ TEST(Silhouette, IsWhatTheTrianglesCover) {
     const int n = static_cast<int>(two.points.size());
     two.points.insert(two.points.end(), above.points.begin(), above.points.end());
     for (auto t : above.triangles) two.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
-    const PlotShadow side = silhouette(two, 2, 0.25), plan = silhouette(two, 1, 0.25);
+    const PlotShadow side = silhouette(two, 2, 0.25, {-1, 4}), plan = silhouette(two, 1, 0.25, {-1, 4});
     double area = 0, seen_from_above = 0;
     for (std::size_t i = 0; i < side.x.size(); ++i)
         if (side.x[i] < 2) area += 0.25 * (side.high[i] - side.low[i]);
@@ -49,6 +49,16 @@ TEST(Silhouette, IsWhatTheTrianglesCover) {
         if (plan.x[i] < 2) seen_from_above += 0.25 * (plan.high[i] - plan.low[i]);
     EXPECT_NEAR(area, 3, 1e-12);  // 2 x 1 and 1 x 1, apart from each other
     EXPECT_NEAR(seen_from_above, 3, 1e-12);
+}
+
+TEST(Silhouette, EndsAtThePicture) {
+    Surface far = box_surface({Vec3(0, 0, 0), Vec3(2, 1, 1)});
+    for (Vec3& p : far.points)
+        if (p.x() > 1) p.x() = 1e30;
+    const PlotShadow side = silhouette(far, 2, 0.25, {-1, 4});
+    ASSERT_FALSE(side.x.empty());
+    EXPECT_GE(side.x.front(), 0);
+    EXPECT_EQ(side.x.back(), 4);
 }
 
 RunRecord run_of(double coarsest, const std::vector<ResolvedBox>& finer) {

@@ -37,6 +37,32 @@ TEST(SvgPlot, NothingToDrawIsSaid) {
     EXPECT_NE(svg(p).find("no data"), std::string::npos);
 }
 
+/// Any series ends as a plot of a few kilobytes, whose numbers are finite.
+TEST(SvgPlot, OfAnySeriesIsSmallAndFinite) {
+    const double nan = std::nan("");
+    for (const std::vector<double>& y : {std::vector<double>{2.0000000000000804, 2.0000000000000813},
+                                         {2, std::nextafter(2, 3)},
+                                         {0, 5e-324},
+                                         {-1.7e308, 1.7e308},
+                                         {1e300, 1e300},
+                                         {nan, nan},
+                                         {nan, 3},
+                                         {HUGE_VAL, 1},
+                                         {}}) {
+        for (const bool logarithmic : {false, true}) {
+            Plot p{.title = "t"};
+            p.log_y = logarithmic;
+            PlotLine l{"a", 0, {}, y, false, false};
+            for (std::size_t i = 0; i < y.size(); ++i) l.x.push_back(static_cast<double>(i));
+            p.lines.push_back(l);
+            const std::string drawn = svg(p);
+            EXPECT_LT(drawn.size(), 20000u);
+            for (const char* no_number : {"\"nan", "\"inf", "\"-inf", "\"-nan", ",nan", ",-nan", ",inf"})
+                EXPECT_EQ(drawn.find(no_number), std::string::npos) << drawn;
+        }
+    }
+}
+
 TEST(SvgPlot, AStartUpSpikeDoesNotFlattenTheRest) {
     Plot p{.title = "t", .clip_spikes = true};
     PlotLine l{"a", 0, {}, {}, false, false};
@@ -59,6 +85,9 @@ TEST(SvgPlot, LongSeriesAreThinnedWithoutLosingTheirExtremes) {
 TEST(Ticks, AreOneTwoFive) {
     EXPECT_EQ(ticks(0, 10, 5), (std::vector<double>{0, 2, 4, 6, 8, 10}));
     EXPECT_EQ(ticks(5, 5, 5).size(), 0u);
+    EXPECT_EQ(ticks(5, HUGE_VAL, 5).size(), 0u);
+    EXPECT_LT(ticks(2.0000000000000804, 2.0000000000000813, 5).size(), 8u);
+    EXPECT_LT(ticks(-1.7e308, 1.7e308, 5).size(), 8u);
 }
 
 TEST(Escaping, LeavesNoMarkupAndNoBrokenBytes) {

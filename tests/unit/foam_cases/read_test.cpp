@@ -165,5 +165,24 @@ TEST_F(ReadTest, AMissingOrBrokenSurfaceIsNoSurface) {
     EXPECT_FALSE(read_hull_patch(folder));
 }
 
+/// Corners that are no points, and fields that are not one value a face.
+TEST_F(ReadTest, ASurfaceWhoseNumbersContradictEachOtherIsNoSurface) {
+    const std::string sound =
+        "# vtk DataFile Version 2.0\nhull\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\n"
+        "POLYGONS 1 4\n3 0 1 2\nCELL_DATA 1\nFIELD a 2\np 1 1 float\n100\nalpha.water 1 1 float\n1\n";
+    const auto read = [&](const std::string& from, const std::string& to) {
+        std::string text = sound;
+        std::ofstream(folder / "hull.vtk") << text.replace(text.find(from), from.size(), to);
+        return read_hull_patch(folder).has_value();
+    };
+    EXPECT_TRUE(read("hull", "hull"));
+    EXPECT_FALSE(read("3 0 1 2", "3 0 1 9"));
+    EXPECT_FALSE(read("3 0 1 2", "3 0 1 -900000"));
+    EXPECT_FALSE(read("3 0 1 2", "9 0 1 2"));
+    EXPECT_FALSE(read("POLYGONS 1 4", "POLYGONS 1 40000000"));
+    EXPECT_FALSE(read("p 1 1 float\n100", "p 1 0 float\n"));
+    EXPECT_FALSE(read("p 1 1 float\n100", "p 2 1 float\n100 3"));
+}
+
 }  // namespace read_test
 }  // namespace tw

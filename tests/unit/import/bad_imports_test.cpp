@@ -124,5 +124,23 @@ TEST_F(ImportTest, NamesThatCouldSteerAReportOrATerminalAreRefused) {
     EXPECT_EQ(imported("csv", (folder / "f.csv").string(), columns).attributes.at("imported_from"), "f.csv");
 }
 
+TEST_F(ImportTest, RowsThatAreGoneAreNamed) {
+    const auto rows = [&](int from, int to, double growth) {
+        std::string text = "t,Lift\n";
+        double t = 0, step = 0.01;
+        for (int i = 0; i < 100; ++i, t += step, step *= growth)
+            if (i < from || i > to) text += std::to_string(t) + ",5\n";
+        write("f.csv", text);
+        write("map.toml", "kind = \"csv\"\nname = \"a\"\nsource = \"f.csv\"\nscene = \"scene.toml\"\n" + columns);
+        const RunRecord record = import_record(folder / "map.toml");
+        const auto gap = record.attributes.find("gap:forces");
+        return gap == record.attributes.end() ? "" : gap->second;
+    };
+    EXPECT_TRUE(
+        says(rows(24, 64, 1), "no row between 0.23 and 0.65 s, where a row every 0.01 s was expected: about 41"));
+    EXPECT_EQ(rows(200, 300, 1), "");
+    EXPECT_EQ(rows(200, 300, 1.1), "") << "a time step that grows";
+}
+
 }  // namespace bad_imports_test
 }  // namespace tw

@@ -95,5 +95,35 @@ TEST(FoamAir, ThatCannotBeReadNamesWhatIsMissing) {
     EXPECT_THROW(FoamAir(folder / "", 1, {.density = -1}), InputError);
 }
 
+/// Labels and counts that are none, brackets that never close, places beyond the sky: named, in a few seconds, and VTK
+/// stays off the terminal.
+TEST(FoamAir, WhoseMeshIsDamagedIsRefused) {
+    struct Damage {
+        const char *file, *from, *to;
+    };
+    for (const Damage& d : {Damage{"constant/polyMesh/faces", "4(4 5 6 7)", "4(4 5 6 7000)"},
+                            {"constant/polyMesh/faces", "4(4 5 6 7)", "4(4 5 6 -7)"},
+                            {"constant/polyMesh/faces", "4(4 5 6 7)", "400000000(4 5 6 7)"},
+                            {"constant/polyMesh/owner", "16\n(", "1600000000\n("},
+                            {"constant/polyMesh/owner", "(\n0", "(\n900"},
+                            {"constant/polyMesh/neighbour", "(\n1", "(\n-9"},
+                            {"constant/polyMesh/points", "(0 0 0)", "(1e300 0 0)"},
+                            {"constant/polyMesh/points", "(0 0 0)", "(0 0"},
+                            {"constant/polyMesh/boundary", "nFaces 14", "nFaces 1400000000"},
+                            {"1/U", "3((1 0 0)", "3((1 0"},
+                            {"1/U", "List<vector> 3", "List<vector> 300000000"}}) {
+        const ScratchFolder folder;
+        write_row_of_cells(folder / "case");
+        const fs::path file = folder / "case" / d.file;
+        std::string text = read_text(file);
+        ASSERT_NE(text.find(d.from), std::string::npos) << d.file << " " << d.from;
+        write_text_atomically(file, text.replace(text.find(d.from), std::string(d.from).size(), d.to));
+        testing::internal::CaptureStderr();
+        const std::string message = complaint(folder / "", 1);
+        EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << d.file << " " << d.to;
+        EXPECT_NE(message.find("case"), std::string::npos) << d.file << " " << d.to << ": " << message;
+    }
+}
+
 }  // namespace foam_air_test
 }  // namespace tw::spray

@@ -1,10 +1,16 @@
+#include "meshes/read/ply.h"
+
+#include <vtkCellArray.h>
+#include <vtkPoints.h>
+
 #include <algorithm>
+#include <bit>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 
 #include "base/errors.h"
-#include "meshes/read/precheck.h"
 #include "meshes/read/text.h"
 
 namespace tw {
@@ -12,9 +18,11 @@ namespace {
 
 struct Property {
     std::string name;
-    std::size_t size = 0;        ///< bytes of a value
-    std::size_t count_size = 0;  ///< bytes of a list's length; 0: a single value
-    bool is_corners = false;     ///< the list of a face's vertices
+    std::size_t size = 0;                                       ///< bytes of a value
+    std::size_t count_size = 0;                                 ///< bytes of a list's length; 0: a single value
+    enum class Kind { integer, sign, real } kind = Kind::real;  ///< of its values; sign: integers below 0 too
+    bool is_corners = false;                                    ///< the list of a face's vertices
+    int axis = -1;                                              ///< of a vertex's place
 };
 struct Element {
     std::string name;
@@ -35,7 +43,12 @@ std::size_t size_of(std::string_view type) {
     return 0;
 }
 
-std::uint64_t read_count(std::string_view bytes, Format format) {
+Property::Kind kind_of(std::string_view type) {
+    if (type.starts_with("float") || type == "double") return Property::Kind::real;
+    return type.starts_with('u') ? Property::Kind::integer : Property::Kind::sign;
+}
+
+std::uint64_t read_bits(std::string_view bytes, Format format) {
     std::uint64_t n = 0;
     for (std::size_t k = 0; k < bytes.size(); ++k) {
         const std::size_t at = format == Format::big ? k : bytes.size() - 1 - k;
@@ -44,17 +57,32 @@ std::uint64_t read_count(std::string_view bytes, Format format) {
     return n;
 }
 
-class PlyCheck {
+double read_value(std::string_view bytes, Property::Kind kind, Format format) {
+    const std::uint64_t bits = read_bits(bytes, format);
+    if (kind == Property::Kind::real)
+        return bytes.size() == 4 ? static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)))
+                                 : std::bit_cast<double>(bits);
+    const int unused = 64 - 8 * static_cast<int>(bytes.size());
+    return kind == Property::Kind::sign ? static_cast<double>(static_cast<std::int64_t>(bits << unused) >> unused)
+                                        : static_cast<double>(bits);
+}
+
+class PlyFile {
 public:
-    PlyCheck(const std::filesystem::path& file, std::string_view content) : file_(file), text_(content) {}
-    void run() {
+    PlyFile(const std::filesystem::path& file, std::string_view content) : file_(file), text_(content) {}
+    vtkSmartPointer<vtkPolyData> read() {
         read_header();
         vertices_ = require("vertex", {"x", "y", "z"}).count;
         const Element& faces = require("face", {});
         if (std::ranges::none_of(faces.properties, &Property::is_corners))
             fail("the faces have no list vertex_indices");
         if (faces.count == 0) fail("the file holds no faces");
+        points_->SetDataTypeToDouble();
         format_ == Format::ascii ? walk_text() : walk_bytes(text_.rest());
+        auto surface = vtkSmartPointer<vtkPolyData>::New();
+        surface->SetPoints(points_);
+        surface->SetPolys(polygons_);
+        return surface;
     }
 
 private:
@@ -91,10 +119,13 @@ private:
             } else if (w[0] == "property" && !elements_.empty() &&
                        (w.size() == 3 || (w.size() == 5 && w[1] == "list"))) {
                 const bool is_list = w.size() == 5;
-                Property p{std::string(w.back()), size_of(w[w.size() - 2]), is_list ? size_of(w[2]) : 0, false};
+                Property p{std::string(w.back()), size_of(w[w.size() - 2]), is_list ? size_of(w[2]) : 0};
+                p.kind = kind_of(w[w.size() - 2]);
+                if (elements_.back().name == "vertex" && !is_list && p.name.size() == 1)
+                    p.axis = static_cast<int>(std::string_view("xyz").find(p.name[0]));  // -1: of another meaning
                 p.is_corners = elements_.back().name == "face" && is_list &&
                                (p.name == "vertex_indices" || p.name == "vertex_index");
-                const auto whole = [](std::string_view type) { return !type.starts_with("float") && type != "double"; };
+                const auto whole = [](std::string_view type) { return kind_of(type) != Property::Kind::real; };
                 if (p.size == 0 || (is_list && (p.count_size == 0 || !whole(w[2]))) || (p.is_corners && !whole(w[3])))
                     fail("line " + std::to_string(text_.number()) + ": unknown type");
                 elements_.back().properties.push_back(std::move(p));
@@ -119,10 +150,17 @@ private:
         fail("truncated at " + e.name + " " + std::to_string(at) + " of " + std::to_string(e.count));
     }
 
-    void check_corner(std::uint64_t face, std::int64_t corner) const {
-        if (corner < 0 || static_cast<std::uint64_t>(corner) >= vertices_)
-            fail("face " + std::to_string(face) + " uses point " + std::to_string(corner) + " of " +
-                 std::to_string(vertices_));
+    void take_vertex(const double x[3]) { points_->InsertNextPoint(x); }
+    void take_face(std::uint64_t face, const std::vector<vtkIdType>& corners) {
+        for (const vtkIdType corner : corners)
+            if (corner < 0 || static_cast<std::uint64_t>(corner) >= vertices_)
+                fail("face " + std::to_string(face) + " uses point " + std::to_string(corner) + " of " +
+                     std::to_string(vertices_));
+        if (!corners.empty()) polygons_->InsertNextCell(static_cast<vtkIdType>(corners.size()), corners.data());
+    }
+    void take_row(const Element& e, std::uint64_t row, const double place[3], const std::vector<vtkIdType>& corners) {
+        if (e.name == "vertex") take_vertex(place);
+        if (e.name == "face") take_face(row, corners);
     }
 
     void walk_text() {
@@ -131,49 +169,55 @@ private:
             for (std::uint64_t i = 0; i < e.count; ++i) {
                 if (!text_.line(line)) truncated(e, i);
                 const auto w = words(line);
-                std::size_t expected = 0;
-                for (const Property& p : e.properties) {
-                    if (p.count_size > 0) {
-                        std::size_t n = 0;
-                        if (expected >= w.size() || !to_number(w[expected], n) || n >= w.size() - expected)
-                            truncated(e, i);
-                        for (std::size_t k = 1; k <= n && p.is_corners; ++k) {
-                            std::int64_t corner = -1;
-                            to_number(w[expected + k], corner);
-                            check_corner(i, corner);
-                        }
-                        expected += n;
-                    }
-                    expected += 1;
-                }
-                if (w.size() < expected) truncated(e, i);
-                double number = 0;
+                std::vector<double> numbers;
                 for (const std::string_view word : w)
-                    if (!to_number(word, number))
+                    if (!to_number(word, numbers.emplace_back()))
                         fail("line " + std::to_string(text_.number()) + ": \"" + std::string(word.substr(0, 30)) +
                              "\" is not a number");
+                double place[3] = {};
+                std::vector<vtkIdType> corners;
+                std::size_t at = 0;
+                for (const Property& p : e.properties) {
+                    if (at >= w.size()) truncated(e, i);
+                    if (p.axis >= 0) place[p.axis] = numbers[at];
+                    if (p.count_size > 0) {
+                        std::size_t n = 0;
+                        if (!to_number(w[at], n) || n >= w.size() - at) truncated(e, i);
+                        for (std::size_t k = 1; k <= n && p.is_corners; ++k)
+                            if (!to_number(w[at + k], corners.emplace_back(-1))) corners.back() = -1;
+                        at += n;
+                    }
+                    at += 1;
+                }
+                take_row(e, i, place, corners);
             }
     }
 
-    void walk_bytes(std::string_view bytes) const {
+    void walk_bytes(std::string_view bytes) {
         std::size_t at = 0;
         for (const Element& e : elements_) {
             if (e.count > bytes.size()) truncated(e, bytes.size());  // every row takes at least a byte
-            for (std::uint64_t i = 0; i < e.count; ++i)
+            for (std::uint64_t i = 0; i < e.count; ++i) {
+                double place[3] = {};
+                std::vector<vtkIdType> corners;
                 for (const Property& p : e.properties) {
                     std::uint64_t n = 1;
                     if (p.count_size > 0) {
                         if (at + p.count_size > bytes.size()) truncated(e, i);
-                        n = read_count(bytes.substr(at, p.count_size), format_);
+                        n = read_bits(bytes.substr(at, p.count_size), format_);
                         at += p.count_size;
                     }
                     if (n > (bytes.size() - at) / p.size) truncated(e, i);
-                    for (std::uint64_t k = 0; k < n && p.is_corners;
-                         ++k)  // a negative number reads as one far too large
-                        check_corner(
-                            i, static_cast<std::int64_t>(read_count(bytes.substr(at + k * p.size, p.size), format_)));
+                    const auto value = [&](std::uint64_t k) {
+                        return read_value(bytes.substr(at + k * p.size, p.size), p.kind, format_);
+                    };
+                    if (p.axis >= 0) place[p.axis] = value(0);
+                    for (std::uint64_t k = 0; k < n && p.is_corners; ++k)
+                        corners.push_back(static_cast<vtkIdType>(value(k)));
                     at += n * p.size;
                 }
+                take_row(e, i, place, corners);
+            }
         }
     }
 
@@ -182,10 +226,14 @@ private:
     Format format_ = Format::ascii;
     std::vector<Element> elements_;
     std::uint64_t vertices_ = 0;
+    vtkNew<vtkPoints> points_;
+    vtkNew<vtkCellArray> polygons_;
 };
 
 }  // namespace
 
-void check_ply(const std::filesystem::path& file, std::string_view content) { PlyCheck(file, content).run(); }
+vtkSmartPointer<vtkPolyData> read_ply(const std::filesystem::path& file, std::string_view content) {
+    return PlyFile(file, content).read();
+}
 
 }  // namespace tw
