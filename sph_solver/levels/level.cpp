@@ -12,6 +12,7 @@
 #include "sph_solver/bodies/group_loads.h"
 #include "sph_solver/bodies/wall_pushes.h"
 #include "sph_solver/effects/effects.h"
+#include "sph_solver/equations/water_touch.h"
 
 namespace tw {
 
@@ -47,6 +48,7 @@ Level::Level(const Surroundings& around, LevelSetup setup, const EffectOptions& 
       h_(setup_.h_over_dp * setup_.dp),
       mass_(setup_.rho0 * (fluid.volume > 0 ? fluid.volume : std::pow(setup_.dp, around.dimensions))),
       kernel_(h_, around.dimensions),
+      given_back_(static_cast<float>(WaterTouch::of_plane_surface(kernel_, setup_.dp, around.dimensions))),
       quanta_(quanta_of(around, setup_.dp)),
       grid_(column_area(around, kernel_.support(), setup_.dp), setup_.dp, around.dimensions, quanta_, passes.lanes),
       ghosts_(around, setup_, quanta_),
@@ -126,7 +128,9 @@ FirstSweepData Level::first_sweep_data() {
             .inv_W_dp = static_cast<float>(1 / kernel_.W(setup_.dp)),
             .fastest_shift = static_cast<float>(setup_.state_equation.c0 / 10),
             .inv_dp = static_cast<float>(1 / setup_.dp),
-            .inv_void = static_cast<float>(1 / (1 - setup_.touch_support))};
+            .inv_void = static_cast<float>(1 / (1 - setup_.touch_support)),
+            .surface_support = static_cast<float>(setup_.surface_support),
+            .given_back = given_back_};
 }
 
 SecondSweepData Level::second_sweep_data(double t) {

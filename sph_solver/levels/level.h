@@ -227,6 +227,7 @@ private:
     double wall_speed_ = 0;  ///< of the fastest dummy at the last evaluation [m/s]
     std::int64_t steps_ = 0;
     Kernel kernel_;
+    float given_back_;  ///< [m], a of WaterTouch
     Quanta quanta_;
     ColumnGrid grid_;
     Particles particles_;

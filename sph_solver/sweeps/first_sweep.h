@@ -3,6 +3,7 @@
 #include "sph_solver/equations/renormalisation.h"
 #include "sph_solver/equations/shifting.h"
 #include "sph_solver/equations/wall_touch.h"
+#include "sph_solver/equations/water_touch.h"
 #include "sph_solver/sweeps/sweep.h"
 
 namespace tw {
@@ -68,6 +69,13 @@ struct FirstSweep {
             touch *= kernel.W_over_G;
             if (d.other) i.for_each([&](int own, int l) { touch[l] += 2.0f * d.other[own].support; });
             divergence += wall_touch.compression(wall_divergence, touch);
+        }
+        if (simd::bits_below(support, d.surface_support)) {
+            const Real touched =
+                WaterTouch{d.given_back}.compression(divergence, support, simd::root(dot(shift, shift)));
+            i.for_each([&](int, int l) {
+                if (support[l] < d.surface_support) divergence[l] = touched[l];
+            });
         }
         const V3<Real> grad = density_gradient(i);
         Real shift_speed = simd::min(Shifting::b * simd::root(difference2), Real{} + d.fastest_shift);

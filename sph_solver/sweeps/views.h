@@ -64,6 +64,8 @@ struct FirstSweepData {
     float fastest_shift = 0;          ///< c0 / 10 [m/s], see Shifting
     float inv_dp = 0;                 ///< [1/m]
     float inv_void = 10;              ///< 1 / (1 - touch_support), see WallTouch
+    float surface_support = 0;        ///< of LevelSetup
+    float given_back = 0;             ///< [m], a of WaterTouch
 };
 
 /// The second one: the forces and the density diffusion.

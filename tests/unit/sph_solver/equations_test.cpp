@@ -14,6 +14,7 @@
 #include "sph_solver/equations/viscosity.h"
 #include "sph_solver/equations/wall_pressure.h"
 #include "sph_solver/equations/wall_touch.h"
+#include "sph_solver/equations/water_touch.h"
 
 namespace tw {
 namespace equations_test {
@@ -75,6 +76,46 @@ TEST(WallTouch, AFilmIsTouchedAsDeepWaterIsAndAVoidIsSeen) {
     for (const int rows : {0, 1, 5}) EXPECT_NEAR(touch_in_film(rows, 0), 1, 0.01) << rows;
     EXPECT_NEAR(touch_in_film(5, 0.001f), 0.92, 0.02);  // a tenth of a spacing
     EXPECT_LT(touch_in_film(5, 0.005f), 0.7);
+}
+
+/// Q_i of a particle with `rows` of water below its own and `above` above it, on a square lattice of spacing `wide` dp.
+double filled(int rows, int above, double h_over_dp, int dimensions, double wide = 1) {
+    const double dp = 0.01;
+    const Kernel kernel(h_over_dp * dp, dimensions);
+    const Shifting shifting(kernel, static_cast<float>(1 / kernel.W(dp)));
+    const float V = static_cast<float>(std::pow(dp, dimensions));
+    float S = 0;
+    V3<float> s{};
+    const int across = dimensions == 3 ? 5 : 0;
+    for (int i = -5; i <= 5; ++i)
+        for (int j = -across; j <= across; ++j)
+            for (int k = -rows; k <= above; ++k) {
+                const float x = kernel.inv_support * static_cast<float>(wide * dp);
+                const V3<float> r{x * float(i), x * float(j), x * float(k)};
+                const auto pair = meet(r, std::max(0.0f, 1 - std::sqrt(dot(r, r))), kernel.G * V);
+                S += pair.V_W();
+                shifting.add(pair, s);
+            }
+    return double(S * kernel.W_over_G) + WaterTouch::of_plane_surface(kernel, dp, dimensions) * std::sqrt(dot(s, s));
+}
+
+TEST(WaterTouch, APlaneSurfaceTakesNothingAndAVoidDoes) {
+    for (const int dimensions : {2, 3})
+        for (const double h_over_dp : {1.3, 1.55, 2.0}) {
+            SCOPED_TRACE(h_over_dp);
+            EXPECT_NEAR(filled(5, 0, h_over_dp, dimensions), 1, 0.015);
+            for (const int above : {1, 2}) EXPECT_NEAR(filled(5, above, h_over_dp, dimensions), 1, 0.06) << above;
+            EXPECT_LT(filled(5, 5, h_over_dp, dimensions, 1.1), dimensions == 3 ? 0.78 : 0.85);
+        }
+}
+
+TEST(WaterTouch, OnlyCompressionWaitsForTheVoid) {
+    const WaterTouch touch{.a = 0};
+    EXPECT_EQ(touch.compression(5.0f, 0.75f, 0.0f), 0);
+    EXPECT_NEAR(touch.compression(5.0f, 0.85f, 0.0f), 2.5, 1e-5);
+    EXPECT_EQ(touch.compression(5.0f, 0.9f, 0.0f), 5);
+    EXPECT_EQ(touch.compression(-5.0f, 0.5f, 0.0f), -5);
+    EXPECT_EQ((WaterTouch{.a = 0.1f}.compression(5.0f, 0.7f, 2.0f)), 5) << "a plane surface";
 }
 
 // What a wall does to water beyond its edge: no push along its way into the open, all else as it was.
