@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <sstream>
@@ -28,12 +29,22 @@ void sync(const fs::path& path, int flags) {
 }
 }  // namespace
 
+void (*before_write_step)() = nullptr;
+
 void write_atomically(const fs::path& path, const std::function<void(const fs::path&)>& write) {
     const fs::path tmp = path.string() + ".tmp";
+    const auto next_step = [] {
+        if (before_write_step) before_write_step();
+    };
     try {
+        next_step();
+        fs::remove(tmp);  // what an interrupted run has left; a link to somewhere else is not followed
         write(tmp);
+        next_step();
         sync(tmp, O_RDONLY);
+        next_step();
         fs::rename(tmp, path);
+        next_step();
     } catch (const fs::filesystem_error& e) {
         std::error_code ignored;
         fs::remove(tmp, ignored);
@@ -48,10 +59,12 @@ void write_atomically(const fs::path& path, const std::function<void(const fs::p
 
 void write_text_atomically(const fs::path& path, std::string_view text) {
     write_atomically(path, [&](const fs::path& tmp) {
-        std::ofstream out(tmp, std::ios::binary);
-        out.write(text.data(), static_cast<std::streamsize>(text.size()));
-        out.close();
-        if (!out) fail(path, std::strerror(errno));
+        std::FILE* out = std::fopen(tmp.c_str(), "wbxe");  // x: what is there already is not written into
+        if (out == nullptr) fail(path, std::strerror(errno));
+        const bool whole = std::fwrite(text.data(), 1, text.size(), out) == text.size();
+        const int error = errno;
+        if (std::fclose(out) != 0) fail(path, std::strerror(errno));
+        if (!whole) fail(path, std::strerror(error));
     });
 }
 

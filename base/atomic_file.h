@@ -13,6 +13,9 @@ void write_atomically(const std::filesystem::path& path,
                       const std::function<void(const std::filesystem::path& tmp)>& write);
 void write_text_atomically(const std::filesystem::path& path, std::string_view text);
 
+/// For tests: called before each step of the above into which a crash may fall.
+extern void (*before_write_step)();
+
 /// Whole content of a file; throws InputError when it cannot be read.
 std::string read_text(const std::filesystem::path& path);
 

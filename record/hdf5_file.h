@@ -9,7 +9,7 @@
 /// Our HDF5 files check themselves. All metadata (superblock, object headers with their attributes, links, chunk
 /// indices) are written in the format of HDF5 1.10, in which each block carries a checksum, and every array is stored
 /// in chunks with a Fletcher-32 checksum (https://docs.hdfgroup.org/hdf5/v1_14/_f_m_t3.html). HDF5 refuses to read what
-/// does not fit. Files of the older format, without checksums, are read as well.
+/// does not fit. Whether the whole file is as it was written, says the line behind it (checksum_line.h). Files of the older format, without checksums, are read as well.
 namespace tw::h5 {
 
 /// Version of the superblock (the byte behind the signature) from which on metadata carry checksums.

@@ -8,8 +8,8 @@
 
 #include "base/atomic_file.h"
 #include "base/errors.h"
-#include "base/sha256.h"
 #include "record/check_values.h"
+#include "record/checksum_line.h"
 #include "record/hdf5_file.h"
 #include "record/record_layout.h"
 #include "record/run_record.h"
@@ -23,25 +23,19 @@ namespace {
     throw InputError(file.string() + ": damaged: its bytes do not fit their checksum; copy or run it again");
 }
 
-/// What the line behind the HDF5 bytes says of them.
-enum class Bytes { whole, not_signed, changed };
-
 /// Refuses what is no HDF5 file, or is of the older format, which HDF5 does not check, and not as it was written.
 Bytes check_bytes(const fs::path& file) {
     if (!fs::exists(file))
         throw InputError(file.string() + ": there is no such run record; a run leaves it as record.h5 in its folder");
     if (fs::is_directory(file)) throw InputError(file.string() + ": is a folder; give the record.h5 in it");
+    if (!fs::is_regular_file(file)) throw InputError(file.string() + ": is not a file");
     const std::string bytes = read_text(file);
     static constexpr std::string_view signature("\x89HDF\r\n\x1a\n", 8);
     if (!bytes.starts_with(signature))
         throw InputError(fmt::format("{}: not a run record: not an HDF5 file ({} bytes)", file.string(), bytes.size()));
-    if (bytes.size() < layout::checksum_line) return Bytes::not_signed;
-    const std::string_view line = std::string_view(bytes).substr(bytes.size() - layout::checksum_line);
-    if (!line.starts_with(layout::checksum_label)) return Bytes::not_signed;  // cut off, or another program's
-    const std::string_view body = std::string_view(bytes).substr(0, bytes.size() - layout::checksum_line);
-    if (sha256_hex(body) == line.substr(layout::checksum_label.size(), 64)) return Bytes::whole;
-    if (bytes[signature.size()] < h5::first_checked_format) refuse_changed(file);
-    return Bytes::changed;
+    const Bytes state = judge_bytes(bytes);
+    if (state == Bytes::changed && bytes[signature.size()] < h5::first_checked_format) refuse_changed(file);
+    return state;
 }
 
 double number(hid_t object, const char* name) { return h5::read_numbers_attribute(object, name).at(0); }

@@ -19,8 +19,4 @@ inline constexpr const char* effects = "effects";
 inline constexpr const char* certificate = "certificate";
 inline constexpr const char* resolution = "resolution";
 
-/// Behind the HDF5 bytes: this label, 64 hexadecimal digits, a line end.
-inline const std::string checksum_label = "\ntwinwake sha256 ";
-inline const std::size_t checksum_line = checksum_label.size() + 64 + 1;
-
 }  // namespace tw::layout

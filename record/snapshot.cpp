@@ -114,6 +114,19 @@ void write_surface(const fs::path& file, const Surface& surface, const std::vect
     write_text_atomically(file, writer->GetOutputString());
 }
 
+std::vector<std::pair<std::string, double>> read_series(const fs::path& file) {
+    std::vector<std::pair<std::string, double>> series;
+    try {
+        const auto content = nlohmann::json::parse(read_text(file));
+        for (const auto& entry : content.at("files")) {
+            const std::string name = entry.at("name");
+            const double time = entry.at("time");
+            if (!name.empty() && fs::path(name).filename() == name) series.emplace_back(name, time);
+        }
+    } catch (const nlohmann::json::exception&) {}  // not ours
+    return series;
+}
+
 void write_series(const fs::path& file, const std::vector<std::pair<std::string, double>>& files_and_times) {
     nlohmann::ordered_json series;
     series["file-series-version"] = "1.0";

@@ -22,6 +22,8 @@ void write_particles(const std::filesystem::path& file, double time, const std::
 /// A surface with cell fields as .vtp, atomically.
 void write_surface(const std::filesystem::path& file, const Surface& surface, const std::vector<Field>& cell_fields);
 /// name.hdf.series / name.vtp.series: the times of a set of files, as ParaView reads them.
+/// Files without a name, or with one outside the folder of `file`, and what is no series are left out.
+std::vector<std::pair<std::string, double>> read_series(const std::filesystem::path& file);
 void write_series(const std::filesystem::path& file,
                   const std::vector<std::pair<std::string, double>>& files_and_times);
 

@@ -8,7 +8,7 @@
 
 #include "base/atomic_file.h"
 #include "base/errors.h"
-#include "base/sha256.h"
+#include "record/checksum_line.h"
 #include "record/hdf5_file.h"
 #include "record/record_layout.h"
 #include "record/run_record.h"
@@ -205,8 +205,7 @@ void write_record(const fs::path& file, const RunRecord& record) {
     try {
         bytes = record_bytes(record);
     } catch (const h5::Failure& f) { throw RunError(file.string() + ": cannot be written: HDF5 failed at " + f.what); }
-    bytes += layout::checksum_label + sha256_hex(bytes) + "\n";
-    write_text_atomically(file, bytes);
+    write_text_atomically(file, with_checksum_line(std::move(bytes)));
 }
 
 }  // namespace tw

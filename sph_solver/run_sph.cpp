@@ -23,6 +23,7 @@
 #include "sph_solver/measure/certificate.h"
 #include "sph_solver/measure/level_ledger.h"
 #include "sph_solver/measure/recorder.h"
+#include "sph_solver/measure/run_watch.h"
 #include "sph_solver/scene_setup.h"
 #include "sph_solver/state/checkpoint.h"
 
@@ -73,7 +74,7 @@ class Snapshots {
 public:
     explicit Snapshots(const fs::path& folder) : folder_(folder / "snapshots") {}
     void write(const Simulation& simulation, const RunRecord& record) {
-        fs::create_directories(folder_);
+        fs::create_directory(folder_);  // in the run's folder; where that was moved away, nothing is made
         const std::string stamp = fmt::format("{:09.5f}", simulation.time());
         write_levels(simulation.water(), "particles", particles_, stamp);
         if (simulation.gas()) write_levels(simulation.levels().last(1), "air", air_, stamp);
@@ -100,28 +101,21 @@ public:
         waters_.emplace_back(name, frame.time);
         write_series(folder_ / "free_surface.vtp.series", waters_);
     }
-    /// After a restart: the files already there, up to `time`.
+    /// After a restart: what the series have up to `time`. Files that no series names stay where they are.
     void find_written(double time) {
-        if (!fs::exists(folder_)) return;
-        for (const auto& entry : fs::directory_iterator(folder_)) {
-            const std::string name = entry.path().filename().string();
-            if (name.starts_with("body_") && name.ends_with(".vtp"))
-                if (const double at = std::stod(name.substr(name.rfind('_') + 1)); at <= time)
-                    bodies_[name.substr(0, name.rfind('_'))].emplace_back(name, at);
-            for (auto [prefix, suffix, list] :
-                 {std::tuple{"particles_", ".hdf", &particles_}, std::tuple{"air_", ".hdf", &air_},
-                  std::tuple{"hull_", ".vtp", &hulls_}, std::tuple{"free_surface_", ".vtp", &waters_}})
-                if (name.starts_with(prefix) && name.ends_with(suffix)) {
-                    const double at = std::stod(name.substr(std::string(prefix).size()));
-                    if (at <= time) list->emplace_back(name, at);
-                }
+        std::error_code none;
+        for (const auto& entry : fs::directory_iterator(folder_, none)) {
+            const std::string file = entry.path().filename().string();
+            if (!file.ends_with(".series") || !entry.is_regular_file(none)) continue;
+            Series series = read_series(entry.path());
+            std::erase_if(series, [&](const auto& f) { return f.second > time || !fs::exists(folder_ / f.first); });
+            const std::string name = file.substr(0, file.find('.'));
+            (name == "particles"      ? particles_
+             : name == "air"          ? air_
+             : name == "hull"         ? hulls_
+             : name == "free_surface" ? waters_
+                                      : bodies_[name]) = std::move(series);
         }
-        const auto earlier = [](const auto& a, const auto& b) { return a.second < b.second; };
-        std::sort(particles_.begin(), particles_.end(), earlier);
-        std::sort(air_.begin(), air_.end(), earlier);
-        std::sort(hulls_.begin(), hulls_.end(), earlier);
-        std::sort(waters_.begin(), waters_.end(), earlier);
-        for (auto& [name, series] : bodies_) std::sort(series.begin(), series.end(), earlier);
     }
 
 private:
@@ -165,6 +159,38 @@ private:
     Series particles_, air_, hulls_, waters_;
 };
 
+struct Earlier {
+    RunRecord record;
+    Checkpoint checkpoint;
+};
+
+/// The last checkpoint and the record that leads to it; nothing: the run was stopped before its first one and begins
+/// again. Throws InputError naming the file that is missing, of another scene, or ends too early.
+std::optional<Earlier> earlier_run(const fs::path& record_file, const fs::path& checkpoint_file,
+                                   const std::string& hash) {
+    Earlier run;
+    if (fs::exists(record_file)) {
+        run.record = read_record(record_file);
+        if (run.record.attributes["run_hash"] != hash)
+            throw InputError(record_file.string() +
+                             ": belongs to another scene (or the scene file was changed); run in another folder or "
+                             "with --overwrite");
+        if (!fs::exists(checkpoint_file) && run.record.state != "finished") return {};
+    }
+    run.checkpoint = read_checkpoint(checkpoint_file, hash);
+    const double time = run.checkpoint.levels.front().state.time;
+    const std::vector<double>& frames = run.record.table("samples").time;
+    if (frames.empty() || frames.back() < time)
+        throw InputError(
+            fmt::format("{}: {}, and its checkpoint is of {:.6g} s: what was recorded in between would be "
+                        "missing; put the record back or begin anew with --overwrite",
+                        record_file.string(),
+                        frames.empty() ? "there is no row of samples in it, or no such file"
+                                       : fmt::format("it ends at {:.6g} s", frames.back()),
+                        time));
+    return run;
+}
+
 void remove_old_run(const fs::path& folder) {
     for (const char* name : {"record.h5", "checkpoint.h5", "snapshots"}) fs::remove_all(folder / name);
 }
@@ -186,8 +212,8 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
             done.numbers["duration"] >= scene.run.duration)
             return done;
     }
-    std::optional<Checkpoint> checkpoint;
-    if (options.resume && holds_run) checkpoint = read_checkpoint(checkpoint_file, hash);
+    std::optional<Earlier> earlier;
+    if (options.resume && holds_run) earlier = earlier_run(record_file, checkpoint_file, hash);
 
     const int threads = options.threads > 0     ? options.threads
                         : scene.run.threads > 0 ? scene.run.threads
@@ -202,7 +228,7 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
         setup = sph_setup(scene, threads);
         // the same pair loops as before: others may give other last digits
         simulation.emplace(setup->simulation, setup->fluid,
-                           checkpoint ? passes(checkpoint->isa.c_str()) : choose_passes());
+                           earlier ? passes(earlier->checkpoint.isa.c_str()) : choose_passes());
         if (setup->air) add_air(*simulation, setup->air->options, setup->air->fluid);
     }
     if (setup->control_volume) simulation->set_control_volume(*setup->control_volume);
@@ -228,26 +254,34 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
     };
     // the coarsest level is whole everywhere
     const double mass_at_start =
-        checkpoint ? checkpoint->mass_at_start : simulation->mass() * double(simulation->particles().size());
+        earlier ? earlier->checkpoint.mass_at_start : simulation->mass() * double(simulation->particles().size());
     setup->fluid = {}, setup->air = {};
 
-    if (!checkpoint) remove_old_run(options.folder);
-    if (checkpoint && fs::exists(record_file)) {
-        RunRecord before = read_record(record_file);
-        fresh.tables = std::move(before.tables);
-        fresh.frames = std::move(before.frames);
-        fresh.phases = std::move(before.phases);
-        fresh.certificate = std::move(before.certificate);
-        fresh.attributes["resumed_at"] = fmt::format("{}", checkpoint->levels.front().state.time);
+    if (!earlier) remove_old_run(options.folder);
+    if (earlier) {
+        fresh.tables = std::move(earlier->record.tables);
+        fresh.frames = std::move(earlier->record.frames);
+        fresh.phases = std::move(earlier->record.phases);
+        fresh.certificate = std::move(earlier->record.certificate);
+        fresh.attributes["resumed_at"] = fmt::format("{}", earlier->checkpoint.levels.front().state.time);
+        if (const std::string before = earlier->record.attributes["code_version"];
+            before != fresh.attributes["code_version"])
+            fresh.attributes["resumed_from_version"] = before;
     }
     Recorder recorder(scene, *simulation, std::move(fresh));
     RunRecord& record = recorder.record();
     Snapshots snapshots(options.folder);
     const std::optional<SprayGate> gate = SprayGate::of(scene.sph);
     if (gate) record.numbers[spray_gate_number] = 1;
-    if (checkpoint) {
-        restore(*simulation, std::move(*checkpoint));
+    bool has_checkpoint = earlier.has_value();
+    if (earlier) {
+        restore(*simulation, std::move(earlier->checkpoint));
         recorder.rewind(*simulation);
+        if (!earlier->record.hull_pressure.empty()) {  // of the last picture, until the next one
+            record.hull = std::move(earlier->record.hull);
+            record.hull_pressure = std::move(earlier->record.hull_pressure);
+            record.hull_wet = std::move(earlier->record.hull_wet);
+        }
         snapshots.find_written(simulation->time());
     }
 
@@ -259,6 +293,7 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
                                : 2 * duration;
     const double started = wall_now(), time_at_start = simulation->time();
     double last_report = 0;
+    RunWatch watch;
 
     const auto save = [&](const std::string& state, const std::string& reason) {
         record.state = state;
@@ -277,8 +312,14 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
         if (std::ranges::any_of(scene.bodies, [](const MovingBody& b) { return b.elastic.has_value(); }))
             record.numbers["structure_seconds"] = simulation->structure_seconds();
         record.peak_memory = std::max(record.peak_memory, peak_memory());
-        record.numbers["bytes_per_particle"] = simulation->bytes() / record.elements;
+        if (record.elements > 0) record.numbers["bytes_per_particle"] = simulation->bytes() / record.elements;
         write_record(record_file, record);
+    };
+    // The record first: a checkpoint whose rows are not all in a record is never gone on from.
+    const auto save_checkpoint = [&] {
+        save("running", "");
+        write_checkpoint(checkpoint_file, hash, *simulation, mass_at_start);
+        has_checkpoint = true;
     };
     const auto report = [&] {
         if (!options.progress) return;
@@ -298,6 +339,7 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
             {
                 const PhaseTimer timer(record, "solving");
                 simulation->step();
+                watch.after_step(*simulation);
             }
             const bool last = simulation->time() >= duration, frame = last || simulation->time() >= next_frame;
             {
@@ -312,30 +354,31 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
                 if (frame && gate) recorder.take_spray(*simulation, *gate);
                 // at a frame, where the control volume's sums begin anew
                 if (frame && !last && simulation->time() >= next_checkpoint) {
-                    save("running", "");
-                    write_checkpoint(checkpoint_file, hash, *simulation, mass_at_start);
+                    save_checkpoint();
                     simulation->mark_restart_point();
                     next_checkpoint = next_after(simulation->time(), scene.run.checkpoint);
                 }
             }
             if (wall_now() - last_report > 0.5) report();
             if (options.stop_asked && options.stop_asked()) {
-                save("stopped", fmt::format("asked to stop at t = {:.6g} s; --resume goes on from the last checkpoint",
-                                            simulation->time()));
+                save("stopped",
+                     fmt::format("asked to stop at t = {:.6g} s; --resume {}", simulation->time(),
+                                 has_checkpoint ? "goes on from the last checkpoint"
+                                                : "begins it again, as it has not reached its first checkpoint"));
                 return record;
             }
         }
-        write_checkpoint(checkpoint_file, hash, *simulation, mass_at_start);
+        save_checkpoint();
         save("finished", "");
         report();
-    } catch (const RunError& e) {
+    } catch (const std::exception& e) {
         watch_stability(*simulation, record);  // what the run was stopped for
         try {
             save("failed", e.what());
-        } catch (const RunError& nested) {
+        } catch (const std::exception& nested) {
             throw RunError(std::string(e.what()) + "; and the record could not be saved: " + nested.what());
         }
-        throw;
+        throw RunError(e.what());
     }
     return record;
 }

@@ -6,13 +6,14 @@
 
 #include "base/atomic_file.h"
 #include "base/errors.h"
+#include "record/checksum_line.h"
 #include "record/hdf5_file.h"
 
 namespace tw {
 
 namespace {
 
-constexpr double version = 2;
+constexpr double version = 3;  // 2: without the checksum line
 constexpr const char* bodies_group = "bodies";
 /// Births and deaths at the edge between levels k and k + 1.
 std::string edge_name(std::size_t k) { return fmt::format("edge_{}", k); }
@@ -115,20 +116,26 @@ void write_checkpoint(const std::filesystem::path& path, const std::string& run_
             h5::write_vector(h5::open_group(file, bodies_group), std::to_string(moving++).c_str(), H5T_NATIVE_DOUBLE,
                              body->state(), false);
         }
-        write_text_atomically(path, h5::image(file));
+        write_text_atomically(path, with_checksum_line(h5::image(file)));
     } catch (const h5::Failure& f) { throw RunError(path.string() + ": cannot be written: " + f.what); }
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& path, const std::string& run_hash) {
-    if (!std::filesystem::exists(path))
-        throw InputError(path.string() +
-                         ": not there: the run has not reached its first checkpoint; start it anew with --overwrite");
+    if (!std::filesystem::is_regular_file(path))
+        throw InputError(path.string() + ": there is no such file; start the run anew with --overwrite");
+    const Bytes bytes = judge_bytes(read_text(path));
     try {
         const h5::Silence silence;
         const h5::Handle file(
             h5::checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "not an HDF5 file, or cut off"), H5Fclose);
         if (!h5::has_attribute(file, "twinwake_checkpoint")) throw h5::Failure{"not a checkpoint"};
-        if (!h5::has(file, "simulation")) throw h5::Failure{"written by an earlier version of twinwake"};
+        const auto written = h5::read_numbers_attribute(file, "twinwake_checkpoint");
+        if (written.size() != 1 || !(written[0] >= 1)) throw h5::Failure{"damaged: its format is no number from 1 on"};
+        if (written[0] != version)
+            throw h5::Failure{
+                fmt::format("a checkpoint of format {}, by {} version of twinwake; this one resumes from "
+                            "format {}",
+                            written[0], written[0] < version ? "an earlier" : "a later", version)};
         Checkpoint c;
         const h5::Handle own = h5::open_group(file, "simulation");
         if (h5::read_text_attribute(own, "run_hash") != run_hash)
@@ -154,6 +161,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path, const std::string&
             for (std::size_t k = 0; h5::has(bodies, std::to_string(k).c_str()); ++k)
                 c.bodies.push_back(h5::read_vector<double>(bodies, std::to_string(k).c_str(), H5T_NATIVE_DOUBLE));
         }
+        if (bytes != Bytes::whole) throw h5::Failure{"damaged: its bytes do not fit their checksum"};
         return c;
     } catch (const h5::Failure& f) {
         throw InputError(path.string() + ": cannot be resumed from: " + f.what + "; start anew with --overwrite");
@@ -193,8 +201,9 @@ void restore(Simulation& simulation, Checkpoint checkpoint) {
     for (std::size_t b = 0; b < moving.size(); ++b) try {
             moving[b]->restore(checkpoint.bodies[b]);
         } catch (const std::invalid_argument& e) {
-            throw InputError(fmt::format("body {} of the checkpoint is not the scene's: {}; start anew with --overwrite",
-                                         moving[b]->name(), e.what()));
+            throw InputError(
+                fmt::format("body {} of the checkpoint is not the scene's: {}; start anew with --overwrite",
+                            moving[b]->name(), e.what()));
         }
     for (std::size_t k = 0; k < levels; ++k)
         simulation.level(k).restore(checkpoint.levels[k].state, std::move(checkpoint.levels[k].particles));

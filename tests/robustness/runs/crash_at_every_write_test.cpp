@@ -1,0 +1,147 @@
+// A run that crashes between any two steps of writing, or is asked to stop, is gone on with to the same record: nothing
+// is lost, and nothing is called finished that is not.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <limits>
+
+#include "base/atomic_file.h"
+#include "base/errors.h"
+#include "first_difference.h"
+#include "program.h"
+#include "record/snapshot.h"
+#include "scene/hash.h"
+#include "sph_solver/run_sph.h"
+
+namespace tw::test {
+namespace crash_at_every_write_test {
+namespace fs = std::filesystem;
+
+constexpr int crashed = 9, refused = 2, ended = 0;
+int steps_left = 0;
+
+/// Runs in a child process, as a crash needs one; its status. `steps`: of writing, before it crashes. `stop_at`: the
+/// steps of time after which it is asked to stop.
+int run_in_child(const fs::path& scene, const fs::path& folder, bool resume, int steps,
+                 long stop_at = std::numeric_limits<long>::max()) {
+    const pid_t child = fork();
+    if (child == 0) {
+        steps_left = steps;
+        before_write_step = [] {
+            if (steps_left-- == 0) _exit(crashed);
+        };
+        long asked = 0;
+        RunOptions options;
+        options.folder = folder, options.resume = resume, options.threads = 1;
+        options.stop_asked = [&] { return ++asked >= stop_at; };
+        try {
+            run_sph(read_scene(scene), options);
+        } catch (const InputError&) { _exit(refused); } catch (const std::exception&) {
+            _exit(3);
+        }
+        _exit(ended);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+class Crash : public testing::Test {
+protected:
+    ScratchFolder scratch{"crash"};
+    fs::path scene = write_scene("");
+    const int never = std::numeric_limits<int>::max();
+
+    fs::path write_scene(const std::string& more) const {
+        const fs::path file = scratch.path() / "scene.toml";
+        write_text_atomically(file,
+                              "[tank]\nsize = [1, 0.02, 1]\n[domain]\ndimensions = 2\n"
+                              "[[water_block]]\nmin = [0, 0, 0]\nmax = [0.5, 0.02, 0.5]\n"
+                              "[resolution]\nnear_hull = 0.05\n[sampling]\ninterval = 0.02\nsnapshots = 0.02\n"
+                              "[[probe]]\nname = \"A\"\npressure = [0.25, 0, 0.02]\n"
+                              "[run]\nmethods = [\"sph\"]\ncheckpoint = 0.02\nduration = 0.05\n" +
+                                  more);
+        return file;
+    }
+    void expect_same(const fs::path& whole, const fs::path& other, const std::string& what) const {
+        const RunRecord a = read_record(whole / "record.h5"), b = read_record(other / "record.h5");
+        EXPECT_EQ(b.state, "finished") << what;
+        EXPECT_EQ(first_difference(a, b), "") << what;
+        EXPECT_EQ(a.hull_pressure, b.hull_pressure) << what;
+        const auto frames = read_series(whole / "snapshots/particles.hdf.series");
+        EXPECT_GE(frames.size(), 3u);
+        EXPECT_EQ(read_series(other / "snapshots/particles.hdf.series"), frames) << what;
+    }
+};
+
+TEST_F(Crash, BetweenAnyTwoStepsOfWritingLosesNothing) {
+    const fs::path whole = scratch.path() / "whole", part = scratch.path() / "part";
+    ASSERT_EQ(run_in_child(scene, whole, false, never), ended);
+    int crashes = 0;
+    for (int steps = 0;; steps += 7) {  // each step of a file takes its turn: there are four
+        fs::remove_all(part);
+        const int status = run_in_child(scene, part, false, steps);
+        if (status == ended) break;
+        ASSERT_EQ(status, crashed);
+        ++crashes;
+        ASSERT_EQ(run_in_child(scene, part, true, never), ended) << "crashed after " << steps;
+        expect_same(whole, part, "crashed after " + std::to_string(steps));
+    }
+    EXPECT_GT(crashes, 5);
+}
+
+TEST_F(Crash, ARunAskedToStopBeforeItsFirstCheckpointBeginsAgain) {
+    const fs::path whole = scratch.path() / "whole", part = scratch.path() / "part";
+    ASSERT_EQ(run_in_child(scene, whole, false, never), ended);
+    ASSERT_EQ(run_in_child(scene, part, false, never, 2), ended);
+    const RunRecord stopped = read_record(part / "record.h5");
+    EXPECT_EQ(stopped.state, "stopped");
+    EXPECT_NE(stopped.reason.find("--resume begins it again"), std::string::npos) << stopped.reason;
+    EXPECT_FALSE(fs::exists(part / "checkpoint.h5"));
+    ASSERT_EQ(run_in_child(scene, part, true, never), ended);
+    expect_same(whole, part, "stopped");
+}
+
+/// A record that ends before its checkpoint, or is gone, would leave a gap that nothing fills.
+TEST_F(Crash, ACheckpointWithoutTheRowsThatLeadToItIsRefused) {
+    const fs::path part = scratch.path() / "part";
+    ASSERT_EQ(run_in_child(scene, part, false, never), ended);
+    RunRecord record = read_record(part / "record.h5");
+    record.state = "running";
+    record.rewind(0.03);
+    write_record(part / "record.h5", record);
+    EXPECT_EQ(run_in_child(scene, part, true, never), refused);
+    fs::remove(part / "record.h5");
+    EXPECT_EQ(run_in_child(scene, part, true, never), refused);
+}
+
+TEST_F(Crash, StrayFilesAmongTheSnapshotsAreLeftAlone) {
+    const fs::path whole = scratch.path() / "whole", part = scratch.path() / "part";
+    ASSERT_EQ(run_in_child(scene, whole, false, never), ended);
+    ASSERT_EQ(run_in_child(scene, part, false, 40), crashed);
+    ASSERT_TRUE(fs::exists(part / "checkpoint.h5"));
+    for (const char* stray : {"particles_abc.hdf", "body_x_.vtp", "other.vtp.series", "hull.vtp.series"})
+        write_text_atomically(part / "snapshots" / stray, "{\"files\": 3");
+    ASSERT_EQ(run_in_child(scene, part, true, never), ended);
+    expect_same(whole, part, "stray files");
+}
+
+TEST_F(Crash, SnapshotsThatAreAFileFailTheRunInWords) {
+    const fs::path part = scratch.path() / "part";
+    fs::create_directories(part);
+    write_text_atomically(part / "record.h5.tmp", "left behind");
+    fs::create_symlink(scratch.path() / "precious", part / "checkpoint.h5.tmp");
+    write_text_atomically(scratch.path() / "precious", "mine");
+    ASSERT_EQ(run_in_child(scene, part, false, 40), crashed);
+    EXPECT_EQ(read_text(scratch.path() / "precious"), "mine") << "a link that was in the way was followed";
+    fs::remove_all(part / "snapshots");
+    write_text_atomically(part / "snapshots", "a file");
+    EXPECT_EQ(run_in_child(scene, part, true, never), 3);
+    const RunRecord failed = read_record(part / "record.h5");
+    EXPECT_EQ(failed.state, "failed");
+    EXPECT_NE(failed.reason.find("snapshots"), std::string::npos) << failed.reason;
+}
+
+}  // namespace crash_at_every_write_test
+}  // namespace tw::test
