@@ -8,6 +8,7 @@
 #include "app/stop_signal.h"
 #include "base/errors.h"
 #include "compare/ablate/ablation.h"
+#include "compare/report/numbers.h"
 #include "scene/effects/registry.h"
 
 namespace tw::app {
@@ -157,7 +158,7 @@ int run_ablate(const AblateCommand& command, const Common& common) {
         for (const std::string& method : v.methods) seconds += v.plan->seconds(method), ++count;
         if (!v.why_not.empty()) complain(v.name + ": " + v.why_not);
     }
-    say(common, fmt::format("{} runs, about {:.3g} s in all; results in {}\n", count, seconds, out.string()));
+    say(common, fmt::format("{} runs, {} in all; results in {}\n", count, about_text(seconds), out.string()));
 
     catch_stop_signals();
     Campaign campaign(common, {.overwrite = command.overwrite});

@@ -8,6 +8,7 @@
 #include "app/solvers.h"
 #include "app/stop_signal.h"
 #include "base/errors.h"
+#include "compare/report/numbers.h"
 #include "scene/hash.h"
 
 namespace tw::app {
@@ -48,13 +49,12 @@ CampaignResult Campaign::run_or_take(CampaignRun run) {
     run.plan.prediction = predict_here(run.plan.scene);  // the runs before have taught the pace
     const double cost = run.plan.seconds(run.method);
     if (spent_ + cost > rules_.budget) {
-        const std::string why =
-            fmt::format("left out, about {:.3g} s more; the budget is {:.3g} s and {:.3g} s of it are used", cost,
-                        rules_.budget, spent_);
+        const std::string why = fmt::format("left out, {} more; the budget is {} and {} of it are used",
+                                            about_text(cost), time_text(rules_.budget), time_text(spent_));
         say(common_, run.name + ": " + why + "\n");
         return {State::over_budget, {}, why};
     }
-    say(common_, fmt::format("{}: about {:.3g} s\n", run.name, cost));
+    say(common_, fmt::format("{}: {}\n", run.name, about_text(cost)));
     const bool anew = rules_.overwrite || failed_before_it_saved(run);
     const bool resume = fs::exists(run.folder) && !anew;
     const auto start = std::chrono::steady_clock::now();

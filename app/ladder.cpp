@@ -12,6 +12,7 @@
 #include "app/stop_signal.h"
 #include "app/write_ladder.h"
 #include "base/errors.h"
+#include "compare/report/numbers.h"
 #include "compare/report/report_table.h"
 
 namespace tw::app {
@@ -75,8 +76,8 @@ int run_ladder(const LadderCommand& command, const Common& common) {
     if (harvest.runs.empty() && harvest.any_failed)
         throw RunError("no run of the ladder is left: " + harvest.left_out.front());
     if (harvest.runs.empty())
-        throw InputError(fmt::format("--budget {}: no run fits; the cheapest needs about {:.3g} s", command.budget,
-                                     jobs.front().run.plan.seconds(jobs.front().run.method)));
+        throw InputError(fmt::format("--budget {}: no run fits; the cheapest needs {}", command.budget,
+                                     about_text(jobs.front().run.plan.seconds(jobs.front().run.method))));
     report_ladder(harvest, measured, out, common);
     return harvest.any_failed ? run_failed : done;
 }

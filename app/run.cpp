@@ -12,7 +12,9 @@
 #include "base/errors.h"
 #include "compare/compare.h"
 #include "compare/ladder/judge_by_sizes.h"
+#include "compare/report/numbers.h"
 #include "scene/hash.h"
+#include "text/plain_number.h"
 
 namespace tw::app {
 namespace {
@@ -37,13 +39,13 @@ void refuse_taken(const fs::path& folder, const std::string& method, const RunCo
                         folder.string()));
 }
 
-/// "sph: 4.56e+04 particles, about 120 s": of the methods that will run.
+/// "sph: 45600 particles, about 2 min": of the methods that will run.
 std::string prediction_text(const PlannedRun& plan) {
     std::string text;
     for (const std::string& method : methods_of(plan.scene)) {
         const MethodCost& cost = plan.prediction.of(method);
-        text +=
-            fmt::format("{}: {:.3g} {}, about {:.3g} s\n", method, cost.elements, elements_of(method), cost.seconds);
+        text += fmt::format("{}: {} {}, {}\n", method, plain_number(cost.elements), elements_of(method),
+                            about_text(cost.seconds));
     }
     return text;
 }

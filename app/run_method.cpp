@@ -6,6 +6,8 @@
 #include "app/progress_bar.h"
 #include "app/solvers.h"
 #include "app/stop_signal.h"
+#include "compare/report/numbers.h"
+#include "text/plain_number.h"
 
 namespace tw::app {
 
@@ -56,8 +58,8 @@ RunFacts facts_of(const std::string& method, const RunRecord& record, const std:
 }
 
 std::string closing_line(const RunFacts& f) {
-    return fmt::format("{}{}, {:.3g} {}, {:.3g} steps, {:.3g} s, {}\n", f.state,
-                       f.reason.empty() ? "" : ": " + f.reason, f.elements, elements_of(f.method), f.steps, f.wall,
+    return fmt::format("{}{}, {} {}, {} steps, {}, {}\n", f.state, f.reason.empty() ? "" : ": " + f.reason,
+                       plain_number(f.elements), elements_of(f.method), plain_number(f.steps), time_text(f.wall),
                        f.record);
 }
 

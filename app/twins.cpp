@@ -40,8 +40,8 @@ std::string Twins::prediction_text(double own) const {
     const auto sizes = static_cast<long>(plan_.jobs.size()) - boxes;
     std::string text;
     if (sizes > 0)
-        text = fmt::format("twins: {} coarser run{}{}, about {:.3g} s (+ {:.0f} %); --no-twins leaves them out\n",
-                           sizes, sizes == 1 ? "" : "s", boxes > 0 ? " and one in a wider box" : "", seconds(),
+        text = fmt::format("twins: {} coarser run{}{}, {} (+ {:.0f} %); --no-twins leaves them out\n", sizes,
+                           sizes == 1 ? "" : "s", boxes > 0 ? " and one in a wider box" : "", about_text(seconds()),
                            own > 0 ? 100 * seconds() / own : 0);
     for (const std::string& line : plan_.left_out) text += "! twins: " + line + "\n";
     return text;

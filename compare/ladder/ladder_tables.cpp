@@ -8,6 +8,7 @@
 #include "compare/report/comparison_tables.h"
 #include "compare/report/numbers.h"
 #include "methods/methods.h"
+#include "text/plain_number.h"
 
 namespace tw {
 
@@ -24,7 +25,7 @@ ReportCell method_cell(const Ladder& ladder, std::size_t k, const std::string& m
 /// An uncertainty in the value's unit; "none" where it is no more than rounding.
 std::string uncertainty_cell(double U, double value) {
     if (!std::isfinite(U)) return "–";
-    return no_more_than_rounding(U, value) ? "none" : fmt::format("{:.3g}", U);
+    return no_more_than_rounding(U, value) ? "none" : plain_number(U);
 }
 
 std::string joined(const std::vector<std::string>& parts) {
@@ -106,7 +107,7 @@ ReportTable ladder_values(const Ladder& ladder) {
             const LadderValue& v = q.values[k];
             const Estimate& e = v.estimate;
             std::vector<std::string> values;
-            for (const StudyLevel& l : v.levels) values.push_back(fmt::format("{:.5g}", l.value));
+            for (const StudyLevel& l : v.levels) values.push_back(plain_number(l.value, 5));
             const double finest = v.levels.empty() ? 0 : v.levels.front().value;
             const bool some =
                 std::isfinite(v.uncertainty) && q.size > 0 && !no_more_than_rounding(v.uncertainty, finest);
@@ -118,8 +119,7 @@ ReportTable ladder_values(const Ladder& ladder) {
                   std::isfinite(e.order) ? fmt::format("{:.2f}", e.order) : "–", to_string(e.convergence),
                   uncertainty_cell(e.uncertainty, finest), uncertainty_cell(e.eca_hoekstra.uncertainty, finest),
                   uncertainty_cell(e.celik_gci.uncertainty, finest), uncertainty_cell(e.xing_stern.uncertainty, finest),
-                  uncertainty_cell(v.uncertainty, finest),
-                  some ? fmt::format("{:.2g}", 100 * v.uncertainty / q.size) : "–"},
+                  uncertainty_cell(v.uncertainty, finest), some ? plain_number(100 * v.uncertainty / q.size, 2) : "–"},
                  joined(remarks)});
         }
     }
@@ -143,8 +143,7 @@ ReportTable ladder_shares(const Ladder& ladder) {
             if (v.levels.empty()) continue;
             const auto share = [&](double U) {
                 if (!std::isfinite(U) || !(q.size > 0)) return std::string("–");
-                return no_more_than_rounding(U, q.size) ? std::string("none")
-                                                        : fmt::format("{:.2g} %", 100 * U / q.size);
+                return no_more_than_rounding(U, q.size) ? std::string("none") : share_text(100 * U / q.size);
             };
             std::vector<std::string> choices;
             std::string box = "–";
@@ -204,7 +203,7 @@ ReportTable ladder_prices(const Ladder& ladder) {
                     const double seconds = v.cost.seconds_for(share * q.size);
                     row.cells.emplace_back((v.cost.measured(seconds) ? "" : "~ ") + time_text(seconds));
                 }
-                row.cells.emplace_back(fmt::format("× {:.3g}", v.cost.price_of_halving()));
+                row.cells.emplace_back("× " + plain_number(v.cost.price_of_halving()));
                 row.cells.emplace_back(cores_text(v.cost_in_cores, 0.02 * q.size));
                 row.cells.emplace_back(memory_text(v.cost_in_memory, 0.02 * q.size));
             }

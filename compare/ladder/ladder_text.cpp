@@ -7,6 +7,7 @@
 #include "compare/report/escape.h"
 #include "compare/report/numbers.h"
 #include "compare/verdict/sentence.h"
+#include "text/plain_number.h"
 
 namespace tw {
 
@@ -18,8 +19,8 @@ std::string crossover_sentence(const Ladder& ladder, const LadderQuantity& q) {
         const double seconds = crossover_seconds(a, b), U = a.uncertainty_after(seconds);
         if (!(seconds > 1) || !(seconds < 3e7) || no_more_than_rounding(U, d.size)) continue;
         const bool first_steeper = a.slope > b.slope;
-        out += fmt::format("{}Beyond {}, at U = {:.3g} {}, {} is the cheaper one, before it {}.",
-                           out.empty() ? "" : " ", time_text(seconds), U, for_terminal(q.unit),
+        out += fmt::format("{}Beyond {}, at U = {} {}, {} is the cheaper one, before it {}.", out.empty() ? "" : " ",
+                           time_text(seconds), U, for_terminal(q.unit),
                            for_terminal(ladder.sides[first_steeper ? d.a : d.b].method),
                            for_terminal(ladder.sides[first_steeper ? d.b : d.a].method));
     }
@@ -52,15 +53,15 @@ std::string cores_text(const CostOfAccuracy& cost, double uncertainty) {
     if (!cost.known() || !(uncertainty > 0)) return "–";
     const double core_seconds = cost.seconds_for(uncertainty);
     if (core_seconds > 3.6e9) return "over a million";
-    return fmt::format("{}{:.2g}", cost.measured(core_seconds) ? "" : "~", core_seconds / 3600);
+    return (cost.measured(core_seconds) ? "" : "~") + plain_number(core_seconds / 3600, 2);
 }
 
 std::string memory_text(const CostOfAccuracy& cost, double uncertainty) {
     if (!cost.known() || !(uncertainty > 0)) return "–";
     const double bytes = cost.seconds_for(uncertainty);
     return fmt::format("{}{}", cost.measured(bytes) ? "" : "~",
-                       bytes < 1e9    ? fmt::format("{:.2g} MB", bytes / 1e6)
-                       : bytes < 1e13 ? fmt::format("{:.2g} GB", bytes / 1e9)
+                       bytes < 1e9    ? plain_number(bytes / 1e6, 2) + " MB"
+                       : bytes < 1e13 ? plain_number(bytes / 1e9, 2) + " GB"
                                       : std::string("over 10 TB"));
 }
 

@@ -84,8 +84,8 @@ std::string remedy(const Term& term, const LadderDifference& d, const LadderQuan
                            e.levels.size() > 3 ? "sizes between these narrow the interval"
                                                : "three do not tell it from a trend; twinwake ladder runs more");
     if (term.kind == Term::discretisation && std::isfinite(d.seconds_to_target))
-        return fmt::format("finer runs of about {} would suffice, by the slopes of this ladder",
-                           time_text(d.seconds_to_target));
+        return fmt::format("finer runs of {} would suffice, by the slopes of this ladder",
+                           about_text(d.seconds_to_target));
     return {};
 }
 

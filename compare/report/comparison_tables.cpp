@@ -11,6 +11,7 @@
 #include "compare/read/record_numbers.h"
 #include "compare/report/numbers.h"
 #include "methods/methods.h"
+#include "text/plain_number.h"
 
 namespace tw {
 
@@ -42,7 +43,7 @@ ReportCell mark_of(const Gate& g) {
     return g.warns ? ReportCell("warning", Mark::open) : ReportCell("not met", Mark::bad);
 }
 
-std::string phases_text(double seconds) { return seconds > 0 ? fmt::format("{:.4g} s", seconds) : "–"; }
+std::string phases_text(double seconds) { return seconds > 0 ? time_text(seconds) : "–"; }
 
 }  // namespace
 
@@ -66,8 +67,19 @@ ReportTable quantities_table(const Comparison& c, bool judged) {
         table.columns.push_back(numbers("relative"));
         if (judged) table.columns.push_back(words("verdict"));
     }
+    std::string zero, unknown;  // rows that would say nothing are named below the table
     for (const Quantity& q : c.quantities) {
         if (q.judged != judged) continue;
+        if (std::ranges::none_of(q.values, &MeanValue::known)) {
+            const std::string why = missing_text(c, q);
+            unknown += (unknown.empty() ? "" : "; ") + q.label + (why.empty() ? "" : " (" + why + ")");
+            continue;
+        }
+        if (std::ranges::all_of(q.values,
+                                [](const MeanValue& m) { return m.known && m.value == 0 && !(m.bar() > 0); })) {
+            zero += (zero.empty() ? "" : ", ") + q.label;
+            continue;
+        }
         ReportRow row{{q.label, q.unit}, q.remark};
         if (!q.caveat.empty()) row.remark += (row.remark.empty() ? "" : "; ") + q.caveat;
         if (const std::string missing = missing_text(c, q); !missing.empty())
@@ -97,6 +109,8 @@ ReportTable quantities_table(const Comparison& c, bool judged) {
                 {{q.label + ", " + r.source, r.unit, value_text(r.value, r.half_width)}, r.remark, true});
         }
     }
+    if (!zero.empty()) table.notes.push_back("0 in every run: " + zero + ".");
+    if (!unknown.empty()) table.notes.push_back("Without a value in any run: " + unknown + ".");
     if (!judged) {
         table.notes.push_back("± is the scatter of the means alone (95 %); the discretisation error is not estimated.");
         return table;
@@ -182,23 +196,25 @@ ReportTable cost_table(const Comparison& c) {
         for (const Phase& p : r.phases) sum += p.*part;
         return sum;
     };
-    const auto predicted = [](const char* name, const char* format, double factor) {
+    const auto predicted = [](const char* name, const auto& in_words) {
         return [=](const RunRecord& r) {
             const double v = number_of(r, name, 0);
-            return v > 0 ? fmt::format(fmt::runtime(format), v * factor) : std::string("–");
+            return v > 0 ? in_words(v) : std::string("–");
         };
     };
+    const auto megabytes = [](double bytes) { return plain_number(bytes / 1e6) + " MB"; };
     row(elements_of_all(), [](const RunRecord& r) { return fmt::format("{:.0f}", r.elements); });
     row("time steps", [](const RunRecord& r) { return fmt::format("{:.0f}", r.steps); });
-    row("wall time", [&](const RunRecord& r) { return fmt::format("{:.4g} s", total(r, &Phase::wall)); });
-    row("processor time", [&](const RunRecord& r) { return fmt::format("{:.4g} s", total(r, &Phase::cpu)); });
-    row("predicted: particles with walls, or cells", predicted("predicted_elements", "{:.3g}", 1));
-    row("predicted: wall time", predicted("predicted_seconds", "{:.3g} s", 1));
-    row("predicted: memory", predicted("predicted_memory", "{:.3g} MB", 1e-6));
-    row("peak memory", [](const RunRecord& r) { return fmt::format("{:.4g} MB", r.peak_memory / 1e6); });
+    row("wall time", [&](const RunRecord& r) { return time_text(total(r, &Phase::wall)); });
+    row("processor time", [&](const RunRecord& r) { return time_text(total(r, &Phase::cpu)); });
+    row("predicted: particles with walls, or cells",
+        predicted("predicted_elements", [](double n) { return plain_number(n); }));
+    row("predicted: wall time", predicted("predicted_seconds", time_text));
+    row("predicted: memory", predicted("predicted_memory", megabytes));
+    row("peak memory", [&](const RunRecord& r) { return megabytes(r.peak_memory); });
     row("element steps per processor second", [&](const RunRecord& r) {
         const double cpu = total(r, &Phase::cpu);
-        return cpu > 0 ? fmt::format("{:.3g}", r.elements * r.steps / cpu) : std::string("–");
+        return cpu > 0 ? plain_number(r.elements * r.steps / cpu) : std::string("–");
     });
     std::vector<std::string> phases;
     for (const RunRecord& r : c.sources)

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compare/verdict/sentence.h"
+#include "text/plain_number.h"
 
 namespace tw {
 
@@ -20,7 +21,7 @@ int decimals(double value, double half_width) {
 /// Plain digits where they are readable, powers of ten elsewhere; `size` decides for a value and its interval alike.
 std::string digits(double value, int places, double size) {
     const std::string sign = value < 0 ? "−" : "";
-    if (size != 0 && (size >= 1e7 || size < 1e-4)) return fmt::format("{}{:.3g}", sign, std::abs(value));
+    if (size != 0 && (size >= 1e7 || size < 1e-4)) return sign + plain_number(std::abs(value));
     if (std::abs(value) < 0.5 * std::pow(10.0, -places)) return fmt::format("{:.{}f}", 0.0, places);  // no "-0.00"
     return fmt::format("{}{:.{}f}", sign, std::abs(value), places);
 }
@@ -28,7 +29,7 @@ std::string digits(double value, int places, double size) {
 
 std::string value_text(double value, double half_width) {
     if (!std::isfinite(value)) return "–";
-    if (half_width < 1e-6 * std::abs(value)) half_width = 0;
+    if (half_width < 5e-5 * std::abs(value)) half_width = 0;  // below the digits that are shown
     const int places = decimals(value, half_width);
     if (!(half_width > 0) || !std::isfinite(half_width)) return digits(value, places, std::abs(value));
     const double size = std::max(std::abs(value), half_width);
@@ -57,25 +58,32 @@ std::string per_cent_text(double per_cent, double interval) {
     const int places = std::max(std::abs(per_cent), interval) < 10 ? 1 : 0;
     const double least = 0.5 * std::pow(10.0, -places);
     const char* sign = std::abs(per_cent) < least ? "" : per_cent < 0 ? "−" : "+";
-    return fmt::format("{}{:.{}f} ± {:.{}f} %", sign, std::abs(per_cent), places, interval,
-                       interval < least ? places + 1 : places);
+    return fmt::format("{}{:.{}f} ± {} %", sign, std::abs(per_cent), places,
+                       interval < least ? plain_number(std::max(interval, least_per_cent), 1)
+                                        : fmt::format("{:.{}f}", interval, places));
 }
 
 std::string share_text(double per_cent) {
     const double size = std::abs(per_cent);
     if (size >= 9.95) return fmt::format("{:.0f} %", size);
-    return size >= 0.0995 || size == 0 ? fmt::format("{:.1f} %", size) : fmt::format("{:.1g} %", size);
+    if (size >= 0.0995 || size == 0) return fmt::format("{:.1f} %", size);
+    return fmt::format("{:.2f} %", std::max(size, least_per_cent));
 }
 
 std::string time_text(double seconds) {
     if (!std::isfinite(seconds)) return "–";
     if (seconds < 0.01) return "under 0.01 s";
-    if (seconds < 99.5) return fmt::format("{:.2g} s", seconds);
+    if (seconds < 99.5) return plain_number(seconds, 2) + " s";
     if (seconds < 120) return fmt::format("{:.0f} s", seconds);
-    if (seconds < 7200) return fmt::format("{:.2g} min", seconds / 60);
-    if (seconds < 172800) return fmt::format("{:.2g} h", seconds / 3600);
-    if (seconds < 3e7) return fmt::format("{:.2g} days", seconds / 86400);
+    if (seconds < 7200) return plain_number(seconds / 60, 2) + " min";
+    if (seconds < 172800) return plain_number(seconds / 3600, 2) + " h";
+    if (seconds < 3e7) return plain_number(seconds / 86400, 2) + " days";
     return "more than a year";
+}
+
+std::string about_text(double seconds) {
+    const bool bound = !std::isfinite(seconds) || seconds < 0.01 || seconds >= 3e7;
+    return (bound ? "" : "about ") + time_text(seconds);
 }
 
 std::string verdict_label(Verdict verdict) {
@@ -109,18 +117,20 @@ std::string apart_sentence(const Comparison& comparison, const Quantity& q) {
 }
 }  // namespace
 
+std::vector<std::string> sentences_on(const Comparison& comparison, const Quantity& q) {
+    std::vector<std::string> sentences;
+    for (const Difference& d : q.differences())
+        if (!d.sentence.empty()) sentences.push_back(d.sentence);
+    if (sentences.empty() && comparison.sources.size() > 1) sentences.push_back(apart_sentence(comparison, q));
+    if (!q.caveat.empty())
+        for (std::string& sentence : sentences) sentence += " (" + q.caveat + ")";
+    return sentences;
+}
+
 std::vector<std::string> verdict_sentences(const Comparison& comparison) {
     std::vector<std::string> sentences;
-    for (const Quantity* q : main_quantities(comparison.quantities)) {
-        if (q->sentence.empty() && comparison.sources.size() < 2) continue;
-        const auto add = [&](const std::string& sentence) {
-            sentences.push_back(q->caveat.empty() ? sentence : sentence + " (" + q->caveat + ")");
-        };
-        const bool by_sizes = std::ranges::any_of(q->differences(), [](auto& d) { return !d.sentence.empty(); });
-        if (!by_sizes) add(apart_sentence(comparison, *q));
-        for (const Difference& d : q->differences())
-            if (!d.sentence.empty()) add(d.sentence);
-    }
+    for (const Quantity* q : main_quantities(comparison.quantities))
+        std::ranges::move(sentences_on(comparison, *q), std::back_inserter(sentences));
     if (sentences.empty())
         sentences.push_back(comparison.sources.size() < 2 ? "One run only: there is nothing to compare it with."
                                                           : "No force and no splash to compare; see the tables.");

@@ -14,11 +14,16 @@ std::string signed_text(double value, double half_width);  ///< with sign
 std::string per_cent_text(double per_cent);                ///< "+3.2 %", "–" when not finite
 /// "+3.2 ± 9.0 %", "+3.2 %, no interval" without one, "–" when not finite.
 std::string per_cent_text(double per_cent, double interval);
-std::string share_text(double per_cent);  ///< a size in per cent without sign: "9.0 %", "23 %", "0.02 %"
+inline constexpr double least_per_cent = 0.01;  ///< of a size in per cent that words tell from nothing
+std::string share_text(double per_cent);        ///< a size in per cent without sign: "9.0 %", "23 %", at least "0.01 %"
 /// Seconds as people say them: "42 s", "13 min", "2.4 h", "9 days".
 std::string time_text(double seconds);
+std::string about_text(double seconds);      ///< "about 13 min"; without "about" where time_text gives a bound
 std::string verdict_label(Verdict verdict);  ///< "agree", "not converged", "discretisation error not estimated", ...
 
+/// The sentences on one quantity, to be forwarded: a verdict for every two runs where several sizes gave one, else how
+/// far apart the values are.
+std::vector<std::string> sentences_on(const Comparison& comparison, const Quantity& quantity);
 /// A sentence for each main quantity (drag, lift, trim moment, splash height), to be forwarded: the verdict where runs
 /// of several sizes gave one, else how far apart the values are.
 std::vector<std::string> verdict_sentences(const Comparison& comparison);

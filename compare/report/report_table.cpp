@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compare/report/escape.h"
+#include "text/plain_number.h"
 
 namespace tw {
 
@@ -15,7 +16,7 @@ using Align = ReportColumn::Align;
 
 std::string words_of(const ReportCell& cell, const ReportColumn& column) {
     if (!cell.is_number) return cell.text;
-    return std::isfinite(cell.number) ? fmt::format("{:.{}g}", cell.number, column.digits) : "–";
+    return std::isfinite(cell.number) ? plain_number(cell.number, column.digits) : "–";
 }
 
 std::string head_of(const ReportColumn& column) {
@@ -146,6 +147,13 @@ std::string html_of(const ReportTable& table, int heading) {
     out += "</tbody></table></div>";
     for (const std::string& note : table.notes) out += "<p class=\"note\">" + escaped(note) + "</p>";
     return out;
+}
+
+std::string folded_html(const ReportTable& table) {
+    if (table.empty()) return {};
+    ReportTable content = table;
+    content.title.clear();
+    return "<details class=\"fold\"><summary>" + escaped(table.title) + "</summary>" + html_of(content) + "</details>";
 }
 
 std::string csv_cell(const std::string& text) {

@@ -58,6 +58,8 @@ struct ReportTable {
 std::string text_of(const ReportTable& table);
 /// Heading (of that level), table and notes. Nothing for a table without rows.
 std::string html_of(const ReportTable& table, int heading = 2);
+/// The same under a heading that opens and closes it, closed at first.
+std::string folded_html(const ReportTable& table);
 /// A header line and the rows by RFC 4180: numbers with nine digits, words as they are. No title, remarks or notes.
 std::string csv_of(const ReportTable& table);
 

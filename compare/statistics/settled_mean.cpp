@@ -12,6 +12,7 @@
 #include "compare/statistics/batch_means.h"
 #include "compare/statistics/drift.h"
 #include "compare/statistics/mser.h"
+#include "text/plain_number.h"
 
 namespace tw {
 
@@ -29,7 +30,7 @@ MeanValue too_short(MeanValue m, double more, const std::string& why) {
     refused.to = m.to;
     refused.n_effective = m.n_effective;
     refused.seconds_needed = more;
-    refused.why_not = fmt::format("record too short: {}; about {:.2g} s more is needed", why, more);
+    refused.why_not = fmt::format("record too short: {}; about {} s more is needed", why, plain_number(more, 2));
     return refused;
 }
 
@@ -52,8 +53,9 @@ MeanValue drifting_mean(MeanValue m, double mean, const Drift& drift, double rec
     m.n_effective = drift.n_effective;
     if (!(lacking <= allowed))
         return too_short(m, record * (allowed > 0 ? std::log(lacking / allowed) : 1),
-                         fmt::format("the series still changes by {:.2g} % of the mean in {:.2g} s, {:.2g} % allowed",
-                                     100 * lacking / std::abs(mean), record, 100 * allowed / std::abs(mean)));
+                         fmt::format("the series still changes by {} % of the mean in {:.2g} s, {} % allowed",
+                                     plain_number(100 * lacking / std::abs(mean), 2), record,
+                                     plain_number(100 * allowed / std::abs(mean), 2)));
     m.known = true;
     m.value = mean;
     m.half_width = lacking + std::hypot(record_over_window * drift.interval,
@@ -134,9 +136,10 @@ MeanValue settled_mean(std::span<const double> time, std::span<const double> val
                                      window / rules.flow_through, rules.fewest_flow_throughs));
     const double allowed = allowed_error(rules, mean);
     if (u > allowed)
-        return too_short(m, allowed > 0 ? window * ((u / allowed) * (u / allowed) - 1) : window,
-                         fmt::format("standard error {:.2g} % of the mean, {:g} % allowed", 100 * u / std::abs(mean),
-                                     100 * allowed / std::abs(mean)));
+        return too_short(
+            m, allowed > 0 ? window * ((u / allowed) * (u / allowed) - 1) : window,
+            fmt::format("standard error {} % of the mean, {} % allowed", plain_number(100 * u / std::abs(mean), 2),
+                        plain_number(100 * allowed / std::abs(mean), 2)));
 
     const auto batch = static_cast<std::size_t>(std::min(n / 5, std::max(std::sqrt(n), 10 * tau)));
     const double second = batch_means_error(settled, batch);

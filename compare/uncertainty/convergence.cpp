@@ -7,6 +7,7 @@
 
 #include "base/errors.h"
 #include "compare/uncertainty/runaway.h"
+#include "text/plain_number.h"
 
 namespace tw {
 
@@ -67,15 +68,16 @@ double disagreement(const Estimate& e) {
     return known > 1 ? high / low : nan;
 }
 
-/// "1.0511 +- 0.060 (5.7 %)": the value to the digits that its uncertainty supports.
+/// "1.0511 ± 0.060 (5.7 %)": the value to the digits that its uncertainty supports.
 std::string value_with_uncertainty(double value, double U) {
-    const std::string share = value != 0 ? fmt::format(" ({:.2g} %)", 100 * U / std::abs(value)) : "";
-    if (!(U > 1e-9 * std::abs(value))) return fmt::format("{:.6g} +- {:.2g}{}", value, U, share);
+    const std::string share = value != 0 ? " (" + plain_number(100 * U / std::abs(value), 2) + " %)" : "";
+    if (!(U > 1e-9 * std::abs(value)))
+        return fmt::format("{} ± {}{}", plain_number(value, 6), plain_number(U, 2), share);
     const int last_digit = static_cast<int>(std::floor(std::log10(U))) - 1;  // the second of U
     const double size = std::max(std::abs(value), U);
-    if (size >= 1e7 || size < 1e-3) return fmt::format("{:.6g} +- {:.2g}{}", value, U, share);
+    if (size >= 1e7 || size < 1e-3) return fmt::format("{} ± {}{}", plain_number(value, 6), plain_number(U, 2), share);
     const int places = std::clamp(-last_digit, 0, 9);
-    return fmt::format("{:.{}f} +- {:.{}f}{}", value, places, U, places, share);
+    return fmt::format("{:.{}f} ± {:.{}f}{}", value, places, U, places, share);
 }
 
 /// Two digits, without a power of ten where there is a plain form.
@@ -83,11 +85,11 @@ std::string two_digits(double x) { return x >= 99.5 && x < 1e7 ? fmt::format("{:
 
 std::string scatter_sentence(const Estimate& e, const std::string& value) {
     const double size = std::abs(e.levels[0].value), sigma = e.trend_noise.sigma;
-    const std::string share = size > 0 ? fmt::format(" ({:.2g} %)", 100 * sigma / size) : "";
+    const std::string share = size > 0 ? " (" + plain_number(100 * sigma / size, 2) + " %)" : "";
     const double bound = e.eca_hoekstra.uncertainty;
     return fmt::format("no order is seen (scatter of {}{} from size to size): {} by {}{}", two_digits(sigma), share,
                        value, e.method,
-                       std::isfinite(bound) ? "; the bound of Eca & Hoekstra is +- " + two_digits(bound) : "");
+                       std::isfinite(bound) ? "; the bound of Eca & Hoekstra is ± " + two_digits(bound) : "");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "compare/report/numbers.h"
 #include "methods/methods.h"
+#include "text/plain_number.h"
 
 namespace tw {
 
@@ -17,34 +18,35 @@ namespace {
 std::string apart_text(const Statement& s) {
     const std::string a = method_label(s.methods[0]), b = method_label(s.methods[1]);
     if (!(s.size > 0)) return fmt::format("{} and {} are both 0", a, b);
+    for (const auto& [zero, other] : {std::pair{0, 1}, std::pair{1, 0}})
+        if (s.values[zero] == 0 && s.values[other] != 0)
+            return fmt::format("{} {} {}, {} 0", other == 0 ? a : b, value_text(s.values[other], 0), s.unit,
+                               zero == 0 ? a : b);
     const double per_cent = 100 * std::abs(s.values[1] - s.values[0]) / s.size;
     if (s.values[0] * s.values[1] < 0)
         return fmt::format("{} and {} are {} apart, of opposite sign", a, b, share_text(per_cent));
-    if (share_text(per_cent) == share_text(0))
-        return fmt::format("{} and {} are the same to {}", a, b, share_text(0.1));
+    if (per_cent < least_per_cent) return fmt::format("{} and {} are the same to {}", a, b, share_text(least_per_cent));
     const bool negative = s.values[0] < 0 || s.values[1] < 0;
     const char* where = std::abs(s.values[0]) > std::abs(s.values[1]) ? "above" : "below";
     return fmt::format("{} {} {} {}{}", a, share_text(per_cent), where, b, negative ? " in magnitude" : "");
 }
 
-/// In per cent of the values, or in their unit where they are zero.
+/// In per cent of the values, or in their unit where one is zero.
 std::string plus_minus(double U, const Statement& s) {
-    return s.size > 0 ? "±" + share_text(100 * U / s.size) : fmt::format("±{:.2g} {}", U, s.unit);
+    const bool zero = std::ranges::find(s.values, 0.0) != s.values.end();
+    return s.size > 0 && !zero ? "±" + share_text(100 * U / s.size) : fmt::format("±{} {}", plain_number(U, 2), s.unit);
 }
 
-/// "discretisation error ±9 %" where nothing else matters, else "uncertainty ±9 % (discretisation error ±7 %, ...)".
+/// "discretisation error ±9 %" where one part is all that matters, else "uncertainty ±9 % (discretisation error ±7 %, ...)".
 std::string interval_text(const Statement& s) {
     const std::string whose = s.borrowed.empty() ? "" : fmt::format(" as in {}", s.borrowed);
-    if (s.discretisation >= 0.9 * s.interval)
-        return fmt::format("discretisation error{} {}", whose, plus_minus(s.interval, s));
     std::string parts;
-    const auto add = [&](const std::string& name, double U) {
-        if (!(U > 0.3 * s.interval)) return;
-        parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", name, plus_minus(U, s));
-    };
-    add("discretisation error" + whose, s.discretisation);
-    add("scatter of the mean", s.statistics);
-    add("other choices", s.choices);
+    for (const auto& [name, U] : {std::pair{"discretisation error" + whose, s.discretisation},
+                                  std::pair{std::string("scatter of the mean"), s.statistics},
+                                  std::pair{std::string("other choices"), s.choices}}) {
+        if (U >= 0.9 * s.interval) return fmt::format("{} {}", name, plus_minus(s.interval, s));
+        if (U > 0.3 * s.interval) parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", name, plus_minus(U, s));
+    }
     return fmt::format("uncertainty {}{}", plus_minus(s.interval, s), parts.empty() ? "" : " (" + parts + ")");
 }
 

@@ -55,8 +55,9 @@ TEST(Sentence, OfZerosHasItsIntervalInTheirUnit) {
     s.label = "Splash height", s.unit = "m", s.values = {0, 0}, s.size = 0;
     s.interval = s.statistics = 0.14, s.discretisation = 0;
     EXPECT_EQ(sentence_of(s),
-              "Splash height: SPH and interFoam are both 0, uncertainty ±0.14 m (scatter of the mean ±0.14 m): no "
-              "difference shown.");
+              "Splash height: SPH and interFoam are both 0, scatter of the mean ±0.14 m: no difference shown.");
+    s.values = {0.15, 0}, s.size = 0.075, s.verdict = Verdict::differ, s.interval = s.statistics = 0.03;
+    EXPECT_EQ(sentence_of(s), "Splash height: SPH 0.1500 m, interFoam 0, scatter of the mean ±0.03 m: they differ.");
 }
 
 TEST(Sentence, NegativeValuesAreComparedInMagnitude) {

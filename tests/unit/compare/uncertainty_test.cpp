@@ -435,7 +435,7 @@ TEST(UncertaintyReport, ATableAndAVerdictForEveryQuantity) {
     EXPECT_NE(text.find("| least squares (Eca & Hoekstra)  |      5 |  1.56 | monotone |  1.00419 | 0.0602 |   5.7"),
               std::string::npos)
         << text;
-    EXPECT_NE(text.find("drag [N]: converged (monotone, order 1.56): 1.05 +- 0.11 (11 %) by trend and noise"),
+    EXPECT_NE(text.find("drag [N]: converged (monotone, order 1.56): 1.05 ± 0.11 (11 %) by trend and noise"),
               std::string::npos)
         << text;
     EXPECT_NE(text.find("a\\|b?[31m: not converged (divergent)"), std::string::npos);
@@ -483,7 +483,7 @@ TEST(TrendNoise, TheLiftsOfThePrismGetAnIntervalOfTheSizeOfTheirScatter) {
     EXPECT_GT(e.uncertainty, 0.05 * 3134);
     EXPECT_GT(e.eca_hoekstra.uncertainty, 3 * e.uncertainty);
     EXPECT_NEAR(e.trend_noise.sigma, 130, 50);
-    EXPECT_NE(verdict_sentence(e).find("the bound of Eca & Hoekstra is +- "), std::string::npos) << verdict_sentence(e);
+    EXPECT_NE(verdict_sentence(e).find("the bound of Eca & Hoekstra is ± "), std::string::npos) << verdict_sentence(e);
 }
 
 TEST(TrendNoise, MoreSizesNarrowTheIntervalOfValuesThatScatter) {
