@@ -86,9 +86,11 @@ std::string ladder_html(const Ladder& ladder) {
     if (out.empty())
         for (const std::string& line : ladder.calibrated)
             out += "<p class=\"note\">Tuned, not validated: " + escaped(line) + "</p>";
-    return out + html_of(ladder_checks(ladder)) + html_of(ladder_shares(ladder)) + html_of(ladder_values(ladder)) +
-           html_of(ladder_variations(ladder)) + plots(ladder) + html_of(ladder_prices(ladder)) +
-           html_of(ladder_runs(ladder));
+    out += plots(ladder);
+    for (const ReportTable& table : {ladder_checks(ladder), ladder_shares(ladder), ladder_values(ladder),
+                                     ladder_variations(ladder), ladder_prices(ladder), ladder_runs(ladder)})
+        out += folded_html(table);
+    return out;
 }
 
 }  // namespace tw

@@ -12,14 +12,22 @@
 #include "compare/report/comparison_tables.h"
 #include "compare/report/drawn_bodies.h"
 #include "compare/report/escape.h"
+#include "compare/report/first_screen.h"
 #include "compare/report/levels_table.h"
-#include "compare/report/numbers.h"
 #include "compare/report/page.h"
+#include "compare/report/page_scripts.h"
+#include "compare/report/script_source.h"
 #include "compare/report/view3d.h"
 
 namespace tw {
 
 namespace {
+
+/// Of the note that plot_hover.js shows beside the pointer.
+constexpr const char* plot_hover_style =
+    "#hover-values{position:fixed;z-index:2;pointer-events:none;white-space:pre;font-size:13px;line-height:1.35;"
+    "padding:4px 9px;border:1px solid var(--line);border-radius:4px;background:var(--panel);color:var(--text);"
+    "font-variant-numeric:tabular-nums}@media print{#hover-values{display:none}}";
 
 std::string key(std::size_t source) { return fmt::format("<span class=\"key k{}\"></span>", source); }
 
@@ -41,28 +49,23 @@ std::string picture_pair(const Comparison& c, const std::vector<std::string>& pn
     return out.empty() ? out : "<div class=\"pair\">" + out + "</div>";
 }
 
-std::string free_surfaces(const Comparison& c, const Figures& f, const std::string& view) {
-    std::string out;
-    const std::string pictures = picture_pair(c, f.pictures.free_surface, "free surface of the last frame");
-    if (!pictures.empty() || !f.maps.empty()) {
+std::string water_section(const Comparison& c, const Figures& f, const std::string& view) {
+    std::string out = view;
+    if (!f.maps.empty())
+        out += std::string(is_stream(c.sources.front()) ? "<h2>Mean elevation seen from above</h2>"
+                                                        : "<h2>Elevation of the last frame seen from above</h2>") +
+               figure_list(f.maps) + f.elevation_legend;
+    const bool any_picture = std::ranges::any_of(f.pictures.free_surface, [](auto& png) { return !png.empty(); });
+    if (any_picture || !f.maps.empty())
         out +=
-            "<h2>The water</h2><p class=\"note\">Surfaces are where the water share of the common raster is one half, "
-            "drawn by the same code, from "
-            "the same place, on the same scale. Half models are mirrored." +
+            "<p class=\"note\">Surfaces, on top of the page too, are where the water share of the common raster is one "
+            "half, drawn by the same code, from the same place, on the same scale. Half models are mirrored." +
             std::string(
                 std::ranges::any_of(
                     c.sources, [](const RunRecord& r) { return r.raster.count[1] > 1 && !bodies_at(r, 0).empty(); })
-                    ? " Where a body moves in a tank, the nearer half of the water is left out."
+                    ? " In the pictures of a body that moves in a tank, the nearer half of the water is left out."
                     : "") +
-            "</p>" + pictures;
-        if (!f.maps.empty()) {
-            out += std::string(is_stream(c.sources.front()) ? "<h3>Mean elevation seen from above</h3>"
-                                                            : "<h3>Elevation of the last frame seen from above</h3>") +
-                   figure_list(f.maps);
-        }
-        out += f.elevation_legend;
-    }
-    out += view;
+            "</p>";
     const std::string pressures = picture_pair(c, f.pictures.hull_pressure, "pressure on the bottom, seen from below");
     if (!pressures.empty())
         out += "<h2>Pressure on the hull</h2>" + pressures + f.pressure_legend +
@@ -80,12 +83,14 @@ std::string hull_section(const Comparison& c) {
         if (name.starts_with("hull_repair_")) items += "<li>repaired: " + escaped(text) + "</li>";
     }
     return fmt::format(
-               "<h2>The hull</h2><p>{}: {} triangles, {:.4g} m long, {:.4g} m wide, trim {:.3g}° bow up, draft {:.4g} "
+               "<details class=\"fold\"><summary>The hull</summary><p>{}: {} triangles, {:.4g} m long, {:.4g} m wide, "
+               "trim {:.3g}° bow up, draft {:.4g} "
                "m.</p>",
                escaped(text_of(r, "hull_source", "hull")), r.hull.triangles.size(), number_of(r, "length", 0),
                number_of(r, "beam", 0), number_of(r, "trim", 0) * 180 / M_PI, number_of(r, "draft", 0)) +
            (items.empty() ? "<p class=\"note\">Nothing was found wrong with its surface.</p>"
-                          : "<ul>" + items + "</ul>");
+                          : "<ul>" + items + "</ul>") +
+           "</details>";
 }
 
 std::string resolution_section(const Comparison& c, const Figures& f) {
@@ -97,11 +102,11 @@ std::string resolution_section(const Comparison& c, const Figures& f) {
            "cells along edges and on the hull may be smaller still. Zones of particles are as they were at the end of "
            "the "
            "run.</p>" +
-           html_of(levels_table(c), 3);
+           folded_html(levels_table(c));
 }
 
 std::string definitions(const Comparison& c) {
-    std::string out = "<details open><summary>What each quantity means</summary><dl>";
+    std::string out = "<details class=\"fold\"><summary>What each quantity means</summary><dl>";
     for (const Quantity& q : c.quantities)
         out += "<dt>" + escaped(q.label) + "</dt><dd>" + escaped(q.definition) + "</dd>";
     return out + "</dl></details>";
@@ -140,7 +145,8 @@ std::string mesh_motion_note(const Comparison& c) {
 std::string settling(const Comparison& c) {
     const std::string table = html_of(settling_table(c));
     if (table.empty()) return {};
-    return "<details><summary>How the settled means were taken</summary><p class=\"note\">The start is cut by MSER-5; "
+    return "<details class=\"fold\"><summary>How the settled means were taken</summary><p class=\"note\">The start is "
+           "cut by MSER-5; "
            "the 95 % interval is Student's t with the number of independent samples from the autocorrelation time; "
            "overlapping batch means are the second opinion.</p>" +
            table + "</details>";
@@ -149,45 +155,27 @@ std::string settling(const Comparison& c) {
 }  // namespace
 
 std::string report_html(const Comparison& c, const Figures& f, const std::string& details) {
-    const RunRecord& first = c.sources.front();
-    const std::string title = text_of(first, "title", "twinwake comparison");
-    std::string sub;
-    for (std::size_t s = 0; s < c.names.size(); ++s)
-        sub += (s ? " · " : "") + key(s) + escaped(c.names[s]) +
-               (c.sources[s].state == "finished" ? "" : " (" + escaped(c.sources[s].state) + ")");
-    if (const double speed = number_of(first, "speed", 0); speed > 0) {
-        sub += fmt::format(" · {:.4g} m/s", speed);
-        const double length = number_of(first, "length", 0), g = number_of(first, "gravity", 9.81);
-        if (length > 0 && g > 0) sub += fmt::format(" · Froude number {:.3g}", speed / std::sqrt(g * length));
-    }
-    if (const double spacing = number_of(first, "near_hull", 0); spacing > 0)
-        sub += fmt::format(" · spacing at the hull {:.3g} m", spacing);
-
+    const std::string title = text_of(c.sources.front(), "title", "twinwake comparison");
     const std::string view = view3d_section(c);
     std::string out =
-        view.empty() ? page_begin(title) : page_begin(title, view3d_style, "'" + view3d_script_hash() + "'");
-    out += "<h1>" + escaped(title) + "</h1><p class=\"sub\">" + sub + "</p>";
-    std::string verdict;
-    for (const std::string& sentence : verdict_sentences(c))
-        verdict += (verdict.empty() ? "" : "<br>") + escaped(sentence);
-    out += "<div class=\"verdict\">" + verdict + "</div>";
-    for (const std::string& b : c.banners) out += "<div class=\"banner\">" + escaped(b) + "</div>";
-
-    out += html_of(quantities_table(c, true)) + settling(c) + details;
-    out += free_surfaces(c, f, view);
+        page_begin(title, std::string(plot_hover_style) + (view.empty() ? "" : view3d_style),
+                   script_source(plot_hover_script) + (view.empty() ? "" : " " + script_source(view3d_script)));
+    out += first_screen(c, f);
     if (!f.forces.empty())
         out += "<h2>Forces over time</h2>" + figure_list(f.forces) +
                "<p class=\"note\">Pale: the raw trace, from which the means are taken. Bars: the settled mean with its "
                "interval, over the window it was taken from.</p>";
+    if (!f.bodies.empty()) out += "<h2>Bodies that move</h2>" + figure_list(f.bodies) + mesh_motion_note(c);
+    if (!f.probes.empty()) out += "<h2>Probes</h2>" + figure_list(f.probes);
+    out += water_section(c, f, view);
     if (!f.splash.empty()) out += "<h2>Splash</h2>" + figure_list(f.splash);
     if (!f.wetting.empty() || !f.cuts.empty())
         out += "<h2>Wetted length and free surface</h2>" + figure_list(f.wetting) + figure_list(f.cuts);
-    if (!f.bodies.empty()) out += "<h2>Bodies that move</h2>" + figure_list(f.bodies) + mesh_motion_note(c);
-    if (!f.probes.empty()) out += "<h2>Probes</h2>" + figure_list(f.probes);
-    out += html_of(quantities_table(c, false)) + html_of(checks_table(c.gates, false)) + html_of(effects_table(c)) +
-           hull_section(c) + resolution_section(c, f) + html_of(cost_table(c)) + html_of(provenance_table(c)) +
-           "<h2>Definitions</h2>" + definitions(c) + reproduce(c);
-    return out + page_end;
+    out += details + resolution_section(c, f) + "<h2>All numbers</h2>";
+    for (const ReportTable& table : {quantities_table(c, true), quantities_table(c, false)}) out += folded_html(table);
+    out += settling(c) + folded_html(checks_table(c.gates, false)) + folded_html(effects_table(c)) + hull_section(c) +
+           folded_html(cost_table(c)) + folded_html(provenance_table(c)) + definitions(c) + reproduce(c);
+    return out + "<script>" + plot_hover_script + "</script>" + page_end;
 }
 
 }  // namespace tw

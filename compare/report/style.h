@@ -10,11 +10,17 @@ inline constexpr const char* report_style = R"(
 --good:#7ad695;--goodbg:#173322;--bad:#f59a8c;--badbg:#3b1c17;--open:#efc36b;--openbg:#3a2d10;--none:#9aa4af;--nonebg:#262c32}}
 *{box-sizing:border-box}
 body{margin:0;background:var(--bg);color:var(--text);font:15px/1.5 system-ui,-apple-system,"Segoe UI",Roboto,"DejaVu Sans",sans-serif}
-main{max-width:1120px;margin:0 auto;padding:28px 24px 60px}
-h1{font-size:25px;line-height:1.25;margin:0 0 4px}h2{font-size:18px;margin:38px 0 10px;padding-bottom:5px;border-bottom:1px solid var(--line)}
-h3{font-size:15px;margin:22px 0 6px}p{margin:6px 0}.sub{color:var(--soft);margin:0 0 18px}
-.verdict{font-size:18px;line-height:1.45;background:var(--panel);border-left:5px solid var(--s0);padding:14px 18px;border-radius:4px;margin:0 0 14px}
-.banner{background:var(--openbg);color:var(--text);border-left:5px solid var(--open);padding:9px 14px;border-radius:4px;margin:8px 0}
+main{max-width:1340px;margin:0 auto;padding:14px 24px 60px}
+h1{font-size:23px;line-height:1.2;margin:0 0 2px}h2{font-size:18px;margin:38px 0 10px;padding-bottom:5px;border-bottom:1px solid var(--line)}
+h3{font-size:15px;margin:22px 0 6px}p{margin:6px 0}.sub{color:var(--soft);margin:0 0 10px}
+.first{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,480px),1fr));gap:0 28px}.first h2{font-size:15px;margin:10px 0 4px;padding-bottom:2px}
+.verdict{background:var(--panel);border-left:5px solid var(--s0);padding:4px 14px;border-radius:4px}.verdict p{font-size:15px;line-height:1.35;margin:2px 0}
+.answer{padding:5px 0}.answer+.answer{border-top:1px solid var(--line)}
+.shots{display:grid;grid-template-columns:repeat(2,1fr);gap:10px}.shots figcaption{margin:0 0 2px}
+.line{margin:3px 0;font-size:13.5px}.line summary{color:var(--text);padding:1px 8px;border-left:4px solid var(--open);background:var(--openbg);border-radius:3px}.line.bad summary{border-color:var(--bad);background:var(--badbg)}
+.line:not([open]) summary{white-space:nowrap;overflow:hidden;text-overflow:ellipsis}
+.next{margin:0;padding-left:18px;font-size:14px}.next li{margin:2px 0}.next code{color:var(--soft);overflow-wrap:anywhere}
+.fold>summary{color:var(--text);font-weight:600;font-size:15px;padding:5px 0;border-bottom:1px solid var(--line)}.fold[open]{margin-bottom:22px}
 .note{color:var(--soft);font-size:13.5px}
 .wide{overflow-x:auto}table{border-collapse:collapse;width:100%;font-size:14px}
 th,td{text-align:left;padding:6px 10px;border-bottom:1px solid var(--line);vertical-align:top}th{font-weight:600;color:var(--soft);font-size:13px}
@@ -30,12 +36,13 @@ svg .plot-title{font-size:13.5px;font-weight:600}svg .tick{font-size:11px;fill:v
 svg .frame{fill:none;stroke:var(--soft);stroke-width:1}svg .grid{stroke:var(--line);stroke-width:1}svg .line{fill:none;stroke-width:1.7;stroke-linejoin:round}
 svg .faint{stroke-width:.8;opacity:.32}svg .dashed{stroke-dasharray:5 3}svg .mean{stroke-width:2.2}svg .band{opacity:.22}svg .level{stroke:var(--soft);stroke-dasharray:2 3}svg .level-text{fill:var(--soft);font-size:11px}
 svg .outline{fill:none;stroke:var(--text);stroke-width:1.2}svg .box{fill-opacity:.08;stroke-width:1.4}svg .box.dashed{fill-opacity:0}svg .shadow{fill:none;stroke:var(--soft);opacity:.8}
+svg.strip{width:100%;height:auto;display:block}svg .bar{stroke-width:3}svg .hollow{fill:var(--panel)}svg .value{font-size:12px;font-weight:600;font-variant-numeric:tabular-nums}svg .reference{stroke:var(--soft);stroke-width:1.6}svg .reference-band{fill:var(--soft);opacity:.16}
 svg .box-text{font-size:11px;font-weight:600;paint-order:stroke;stroke:var(--bg);stroke-width:3px;stroke-linejoin:round}
 svg .s0{stroke:var(--s0)}svg .s1{stroke:var(--s1)}svg .s2{stroke:var(--s2)}svg .s3{stroke:var(--s3)}svg .f0{fill:var(--s0)}svg .f1{fill:var(--s1)}svg .f2{fill:var(--s2)}svg .f3{fill:var(--s3)}
 details{margin:8px 0}summary{cursor:pointer;color:var(--soft)}pre{background:var(--panel);padding:12px;border-radius:4px;overflow-x:auto;font-size:13px;line-height:1.4}code{font-family:ui-monospace,"DejaVu Sans Mono",monospace;font-size:.93em}
 dl{display:grid;grid-template-columns:max-content 1fr;gap:2px 16px;font-size:14px}dt{color:var(--soft)}dd{margin:0;overflow-wrap:anywhere}
 @media print{:root{color-scheme:light;--bg:#fff;--text:#000;--soft:#444;--line:#bbb;--panel:#f3f3f3;--s0:#1f62b5;--s1:#c8501c;--s2:#2a8a4a;--s3:#8447b5;--good:#1d7a3a;--goodbg:#e2f4e7;--bad:#b02a1b;--badbg:#fbe7e3;--open:#8a5a00;--openbg:#fdf1d6;--none:#444;--nonebg:#eee}
-body{font-size:12px;-webkit-print-color-adjust:exact;print-color-adjust:exact}main{max-width:none;padding:0}h2{break-after:avoid}figure,tr,svg{break-inside:avoid}.pair{grid-template-columns:1fr 1fr}.wide{overflow:visible}details:not([open])>*{display:block}details::details-content{content-visibility:visible;height:auto}}
+body{font-size:12px;-webkit-print-color-adjust:exact;print-color-adjust:exact}main{max-width:none;padding:0}h2{break-after:avoid}figure,tr,svg{break-inside:avoid}.pair{grid-template-columns:1fr 1fr}.wide{overflow:visible}.first{grid-template-columns:1fr 1fr}.line:not([open]) summary{white-space:normal}details:not([open])>*{display:block}details::details-content{content-visibility:visible;height:auto}}
 )";
 
 }  // namespace tw

@@ -116,11 +116,8 @@ std::vector<double> tick_places(double low, double high, int about, bool logarit
     return places;
 }
 
-std::string tick_text(double v, double step, bool logarithmic) {
-    if (logarithmic) return fmt::format("{:.3g}", std::pow(10, v));
-    if (std::abs(v) < 1e-9 * step) v = 0;
-    const int places = std::clamp(static_cast<int>(-std::floor(std::log10(step) + 1e-9)), 0, 6);
-    return std::abs(v) >= 1e6 ? fmt::format("{:.4g}", v) : fmt::format("{:.{}f}", v, places);
+std::string axis_text(double v, double step, bool logarithmic) {
+    return logarithmic ? fmt::format("{:.3g}", std::pow(10, v)) : tick_text(v, step);
 }
 
 std::vector<LabelBox> areas_of(const std::vector<PlotBox>& boxes, const auto& X, const auto& Y) {
@@ -231,8 +228,9 @@ Drawing draw(const Plot& plot) {
                            b.source, X(b.from), X(b.to), Y(b.value));
     }
     for (const PlotLine& l : p.lines)
-        out += fmt::format("<path class=\"line s{}{}{}\" d=\"{}\"/>", l.source, l.faint ? " faint" : "",
-                           l.dashed ? " dashed" : "", path(l, X, Y));
+        out += fmt::format("<path class=\"line s{}{}{}\"{} d=\"{}\"/>", l.source, l.faint ? " faint" : "",
+                           l.dashed ? " dashed" : "",
+                           l.name.empty() ? "" : fmt::format(" data-name=\"{}\"", escaped(l.name)), path(l, X, Y));
     for (const PlotLine& l : p.lines)
         for (std::size_t i = 0; l.points && i < std::min(l.x.size(), l.y.size()); ++i)
             if (std::isfinite(l.x[i]) && std::isfinite(l.y[i]))
@@ -251,15 +249,19 @@ Drawing draw(const Plot& plot) {
                                places[i]->left, places[i]->bottom - 3, escaped(p.boxes[i].label));
     out += "</svg>";
 
-    out += fmt::format("<rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{:.0f}\" height=\"{:.0f}\"/>", left, top,
-                       plot_width, plot_height);
+    // What plot_hover.js reads the values of the curves with.
+    out += fmt::format(
+        "<rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{:.0f}\" height=\"{:.0f}\" data-axes=\"{:.9g} {:.9g} {:.9g} "
+        "{:.9g}\" data-log=\"{}{}\" data-x=\"{}\" data-y=\"{}\"/>",
+        left, top, plot_width, plot_height, xr.low, xr.high, yr.low, yr.high, p.log_x ? "x" : "", p.log_y ? "y" : "",
+        escaped(p.x_label), escaped(p.y_label));
     const auto step = [](const std::vector<double>& t) { return t.size() > 1 ? t[1] - t[0] : 1.0; };
     for (const double v : x_ticks)
         out += fmt::format("<text class=\"tick mid\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", X(v), top + plot_height + 15,
-                           tick_text(v, step(x_ticks), p.log_x));
+                           axis_text(v, step(x_ticks), p.log_x));
     for (const double v : y_ticks)
         out += fmt::format("<text class=\"tick end\" x=\"{}\" y=\"{:.1f}\">{}</text>", left - 6, Y(v) + 4,
-                           tick_text(v, step(y_ticks), p.log_y));
+                           axis_text(v, step(y_ticks), p.log_y));
     out += fmt::format("<text class=\"mid\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", left + 0.5 * plot_width,
                        top + plot_height + 34, escaped(p.x_label));
     out += fmt::format("<text class=\"mid\" transform=\"translate(14 {:.1f}) rotate(-90)\">{}</text>",
@@ -311,6 +313,12 @@ std::vector<double> ticks(double low, double high, int about) {
     const double step = power * (raw / power < 1.5 ? 1 : raw / power < 3.5 ? 2 : raw / power < 7.5 ? 5 : 10);
     for (double k = std::ceil(low / step - 1e-9); k <= high / step + 1e-9; ++k) list.push_back(k * step);
     return list;
+}
+
+std::string tick_text(double v, double step) {
+    if (std::abs(v) < 1e-9 * step) v = 0;
+    const int places = std::clamp(static_cast<int>(-std::floor(std::log10(step) + 1e-9)), 0, 6);
+    return std::abs(v) >= 1e6 ? fmt::format("{:.4g}", v) : fmt::format("{:.{}f}", v, places);
 }
 
 std::vector<double> log_ticks(double low, double high) {

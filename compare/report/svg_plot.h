@@ -70,6 +70,8 @@ std::string svg_file(const std::string& svg);
 
 /// 1-2-5 ticks that cover [low, high].
 std::vector<double> ticks(double low, double high, int about);
+/// A tick's number, with as many decimals as ticks that lie `step` apart need.
+std::string tick_text(double value, double step);
 /// Decades within [low, high], and 2 and 5 of each where there are fewer than four; 0 < low.
 std::vector<double> log_ticks(double low, double high);
 

@@ -7,17 +7,15 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "base/sha256.h"
 #include "compare/metrics/raster_columns.h"
 #include "compare/metrics/splash.h"
 #include "compare/read/record_numbers.h"
-#include "compare/report/base64.h"
 #include "compare/report/colours.h"
 #include "compare/report/drawn_bodies.h"
 #include "compare/report/escape.h"
+#include "compare/report/page_scripts.h"
 #include "compare/report/pictures.h"
 #include "compare/report/view3d_mesh.h"
-#include "compare/report/view3d_script.h"
 #include "record/water_surface.h"
 
 namespace tw {
@@ -298,14 +296,6 @@ std::string view3d_section(const Comparison& c) {
            what_is_shown(c, stage, view) + (mirrored ? " Half models are mirrored." : "") + "</p>\n" + markup +
            scale.legend(is_stream(c.sources.front()) ? "height above still water [m]" : "height z [m]") +
            "</div></div>\n" + data_block(c, stage, view, scale) + "\n<script>" + view3d_script + "</script></section>";
-}
-
-std::string view3d_script_hash() {
-    const std::string hex = sha256_hex(view3d_script);
-    std::string digest;
-    for (std::size_t k = 0; k < hex.size(); k += 2)
-        digest += static_cast<char>(std::stoi(hex.substr(k, 2), nullptr, 16));
-    return "sha256-" + base64(digest);
 }
 
 }  // namespace tw

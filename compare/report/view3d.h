@@ -16,9 +16,6 @@ namespace tw {
 std::string view3d_section(const Comparison& comparison);
 inline constexpr std::size_t view3d_most_bytes = 8'000'000;
 
-/// "sha256-..." of the section's script, for the page's Content-Security-Policy: no other script may run.
-std::string view3d_script_hash();
-
 /// Style of the section, beside report_style.
 inline constexpr const char* view3d_style = R"(
 .view3d-box{position:relative;border:1px solid var(--line);border-radius:4px;overflow:hidden;background:var(--panel)}

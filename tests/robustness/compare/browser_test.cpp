@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
 #include "base/atomic_file.h"
 #include "compare/compare.h"
+#include "compare/report/script_source.h"
 #include "tests/unit/compare/synthetic_pair.h"
 #include "tests/unit/record/example_record.h"
 
@@ -22,7 +24,7 @@ std::pair<std::string, std::string> opened(const std::filesystem::path& page, co
     const std::string command =
         "timeout 100 chromium --headless=new --no-sandbox --user-data-dir='" + profile.string() +
         "' --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --enable-logging=stderr "
-        "--virtual-time-budget=8000 --dump-dom 'file://" +
+        "--window-size=1400,900 --virtual-time-budget=8000 --dump-dom 'file://" +
         page.string() + "' 2> '" + log.string() + "'";
     std::string markup;
     std::array<char, 65536> part;
@@ -40,6 +42,72 @@ TEST(Browser, TheReportsViewRunsOfflineUnderItsOwnPolicy) {
     const auto [markup, log] = opened(write_report(c, folder.path()).html, folder / "profile");
     EXPECT_NE(markup.find("<div id=\"view3d-stage\">"), std::string::npos) << log;  // no longer hidden
     EXPECT_NE(markup.find("id=\"view3d-fallback\" hidden"), std::string::npos);
+    EXPECT_EQ(log.find("Uncaught"), std::string::npos) << log;
+    EXPECT_EQ(log.find("Content Security Policy"), std::string::npos) << log;
+}
+
+/// The page with one more script at its end, which its policy then allows.
+std::filesystem::path with_script(const std::filesystem::path& page, const std::string& script) {
+    std::string text = read_text(page);
+    const std::string policy = "script-src ", end = "</main></body>";
+    text.insert(text.find(policy) + policy.size(), script_source(script) + " ");
+    text.insert(text.find(end), "<script>" + script + "</script>");
+    const std::filesystem::path probed = page.parent_path() / "probed.html";
+    write_text_atomically(probed, text);
+    return probed;
+}
+
+/// What the script left in the body's data-NAME.
+std::string left(const std::string& markup, const std::string& name) {
+    const std::string begin = "data-" + name + "=\"";
+    const auto at = markup.find(begin);
+    return at == std::string::npos
+               ? ""
+               : markup.substr(at + begin.size(), markup.find('"', at + begin.size()) - at - begin.size());
+}
+
+/// The number behind a word; nan where the word is not there.
+double number_after(const std::string& text, const std::string& word) {
+    const auto at = text.find(word);
+    return at == std::string::npos ? std::nan("") : std::stod(text.substr(at + word.size()));
+}
+
+// 1400 x 900: who opens the page reads the answer, sees the water and what speaks against it before scrolling.
+TEST(Browser, TheFirstScreenHoldsAnswerPicturesAndTrust) {
+    if (!installed()) GTEST_SKIP() << "no chromium here";
+    const ScratchFolder folder;
+    const Comparison c = compare_records({synthetic_run({}), synthetic_run({.method = "fvm", .lift = 2600})});
+    const auto page = with_script(write_report(c, folder.path()).html, R"(addEventListener('load', () => {
+        const bottom = what => Math.max(...Array.from(document.querySelectorAll(what), e => e.getBoundingClientRect().bottom));
+        Object.assign(document.body.dataset, {width: innerWidth, answer: bottom('.verdict'), strip: bottom('svg.strip'),
+            picture: bottom('.shots img, .shots + svg'), trust: bottom('details.line'), next: bottom('.next')});
+    });)");
+    const auto [markup, log] = opened(page, folder / "profile");
+    EXPECT_NEAR(number_after(left(markup, "width"), ""), 1400, 20);
+    for (const char* part : {"answer", "strip", "picture", "trust", "next"}) {
+        const std::string bottom = left(markup, part);
+        ASSERT_FALSE(bottom.empty()) << part << log;
+        EXPECT_GT(number_after(bottom, ""), 100) << part;
+        EXPECT_LT(number_after(bottom, ""), 900) << part;
+    }
+}
+
+TEST(Browser, ThePointerIsToldTheValuesOfTheCurves) {
+    if (!installed()) GTEST_SKIP() << "no chromium here";
+    const ScratchFolder folder;
+    const Comparison c = compare_records({synthetic_run({}), synthetic_run({.method = "fvm", .lift = 2600})});
+    const auto page = with_script(write_report(c, folder.path()).html, R"(addEventListener('load', () => {
+        const plot = document.querySelector('svg.plot[aria-label^="Lift"]');
+        const box = plot.querySelector('rect.frame').getBoundingClientRect();
+        plot.dispatchEvent(new PointerEvent('pointermove',
+            {clientX: box.left + 0.75 * box.width, clientY: box.top + 0.5 * box.height, bubbles: true}));
+        document.body.dataset.hover = document.getElementById('hover-values').textContent;
+    });)");
+    const auto [markup, log] = opened(page, folder / "profile");
+    const std::string values = left(markup, "hover");
+    EXPECT_NEAR(number_after(values, "time [s]: "), 1.5, 0.02) << values << log;
+    EXPECT_NEAR(number_after(values, "sph: "), 2800, 100) << values;  // twice and a half the scatter of the series
+    EXPECT_NEAR(number_after(values, "fvm: "), 2600, 100) << values;
     EXPECT_EQ(log.find("Uncaught"), std::string::npos) << log;
     EXPECT_EQ(log.find("Content Security Policy"), std::string::npos) << log;
 }

@@ -1,0 +1,112 @@
+#include "compare/report/strip.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/report/escape.h"
+#include "compare/report/svg_plot.h"
+
+namespace tw {
+
+namespace {
+
+constexpr double strip_width = 630, axis_left = 82, axis_right = 450, row_height = 19;
+
+/// What the axis shows: values and references, and of each interval at most the size of its value.
+struct StripAxis {
+    double low = HUGE_VAL, high = -HUGE_VAL;
+
+    explicit StripAxis(const Strip& strip) {
+        for (const auto& v : strip.values) add(v.value, v.half_width);
+        for (const auto& r : strip.references) add(r.value, r.half_width);
+        const double room = high > low ? 0.06 * (high - low) : std::max(0.1 * std::abs(low), 1e-3);
+        low -= room;
+        high += room;
+    }
+    void add(double value, double half_width) {
+        if (!std::isfinite(value)) return;
+        if (!std::isfinite(half_width)) half_width = 0;
+        if (value != 0) half_width = std::min(half_width, std::abs(value));
+        low = std::min(low, value - half_width);
+        high = std::max(high, value + half_width);
+    }
+    bool empty() const { return !(low <= high); }
+    double operator()(double value) const {
+        const double place = axis_left + (axis_right - axis_left) * (value - low) / (high - low);
+        return std::clamp(place, axis_left, axis_right);
+    }
+};
+
+std::string drawn(const Strip::Value& v, const StripAxis& X, double y) {
+    std::string out =
+        fmt::format("<text class=\"end\" x=\"{:.0f}\" y=\"{:.1f}\">{}</text>", axis_left - 8, y + 4, escaped(v.name));
+    if (!std::isfinite(v.value))
+        return out + fmt::format("<text class=\"tick\" x=\"{:.0f}\" y=\"{:.1f}\">{}</text>", axis_right + 10, y + 4,
+                                 escaped(v.text));
+    const bool interval = std::isfinite(v.half_width) && v.half_width > 0;
+    if (interval) {
+        const double from = X(v.value - v.half_width), to = X(v.value + v.half_width);
+        out += fmt::format("<line class=\"bar s{}\" x1=\"{:.1f}\" x2=\"{:.1f}\" y1=\"{:.1f}\" y2=\"{:.1f}\"/>",
+                           v.source, from, to, y, y);
+        for (const double end : {from, to})
+            if (end > axis_left && end < axis_right)
+                out += fmt::format(
+                    "<line class=\"mean s{0}\" x1=\"{1:.1f}\" x2=\"{1:.1f}\" y1=\"{2:.1f}\" y2=\"{3:.1f}\"/>", v.source,
+                    end, y - 4, y + 4);
+    }
+    out += fmt::format("<circle class=\"s{0} {1}\" stroke-width=\"2\" cx=\"{2:.1f}\" cy=\"{3:.1f}\" r=\"4.5\"/>",
+                       v.source, std::isfinite(v.half_width) ? fmt::format("f{}", v.source) : "hollow", X(v.value), y);
+    return out + fmt::format("<text class=\"value\" x=\"{:.0f}\" y=\"{:.1f}\">{}</text>", axis_right + 10, y + 4,
+                             escaped(v.text));
+}
+
+/// A tick over all rows with its interval as a band; its name above, moved to the right of the one before.
+std::string drawn(const Strip::Reference& r, const StripAxis& X, double top, double bottom, double& name_from) {
+    const double from = X(r.value - r.half_width), to = X(r.value + r.half_width), x = X(r.value);
+    const double width = 6.2 * static_cast<double>(r.name.size());
+    const double left = std::max(name_from, std::clamp(x - width / 2, axis_left, axis_right - width));
+    name_from = left + width + 10;
+    return fmt::format("<rect class=\"reference-band\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>",
+                       from, top, to - from, bottom - top) +
+           fmt::format("<line class=\"reference\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1:.1f}\" y2=\"{2:.1f}\"/>", x,
+                       top - 2, bottom) +
+           fmt::format("<text class=\"tick\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", left, top - 5, escaped(r.name));
+}
+
+}  // namespace
+
+std::string svg(const Strip& strip) {
+    if (std::ranges::none_of(strip.values, [](const auto& v) { return std::isfinite(v.value); })) return {};
+    const StripAxis X(strip);
+    const double top = strip.references.empty() ? 2 : 16;
+    const double bottom = top + row_height * static_cast<double>(strip.values.size());
+    std::string label = strip.title, content;
+    const std::vector<double> places = ticks(X.low, X.high, 4);
+    const double step = places.size() > 1 ? places[1] - places[0] : 1;
+    for (const double v : places) {
+        content += fmt::format("<line class=\"grid\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1:.1f}\" y2=\"{2:.1f}\"/>",
+                               X(v), top, bottom);
+        content += fmt::format("<text class=\"tick mid\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", X(v), bottom + 13,
+                               tick_text(v, step));
+    }
+    content += fmt::format("<line class=\"frame\" x1=\"{}\" x2=\"{}\" y1=\"{:.1f}\" y2=\"{:.1f}\"/>", axis_left,
+                           axis_right, bottom, bottom);
+    double name_from = axis_left, y = top + row_height / 2;
+    for (const auto& r : strip.references) {
+        content += drawn(r, X, top, bottom, name_from);
+        label += fmt::format("; {} {}", r.name, tick_text(r.value, step / 10));
+    }
+    for (const auto& v : strip.values) {
+        content += drawn(v, X, y);
+        label += fmt::format("; {} {}", v.name, v.text);
+        y += row_height;
+    }
+    return fmt::format(
+        "<svg class=\"strip\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"{}\" "
+        "xmlns=\"http://www.w3.org/2000/svg\">{}</svg>",
+        strip_width, bottom + 17, escaped(label), content);
+}
+
+}  // namespace tw
