@@ -1,5 +1,8 @@
 #pragma once
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "record/raster_spec.h"
 
@@ -17,6 +20,12 @@ struct RasterGrid {
     }
     std::size_t column(int i, int j) const {
         return static_cast<std::size_t>(j) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(i);
+    }
+    /// Water of a voxel, 0 to 255, for drawing a surface: the bed may cut the lowest voxels, so those have at least what
+    /// the ones above have. The bed is no surface of the water then.
+    std::uint8_t over_bed(const std::vector<std::uint8_t>& water, int i, int j, int k) const {
+        const std::uint8_t own = water[voxel(i, j, k)];
+        return k == 0 && nz > 1 ? std::max(own, water[voxel(i, j, 1)]) : own;
     }
     std::size_t columns() const { return static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny); }
     std::size_t voxels() const { return columns() * static_cast<std::size_t>(nz); }

@@ -24,8 +24,8 @@ float block_share(const RasterGrid& grid, const RasterFrame& frame, int edge, in
     for (int c = k * edge; c < (k + 1) * edge; ++c)
         for (int b = j * depth; b < (j + 1) * depth; ++b)
             for (int a = i * edge; a < (i + 1) * edge; ++a)
-                sum += frame.water[grid.voxel(std::min(a, grid.nx - 1), std::min(b, grid.ny - 1),
-                                              std::min(c, grid.nz - 1))];
+                sum += grid.over_bed(frame.water, std::min(a, grid.nx - 1), std::min(b, grid.ny - 1),
+                                     std::min(c, grid.nz - 1));
     return static_cast<float>(sum) / (255.0f * static_cast<float>(edge * depth * edge));
 }
 

@@ -65,7 +65,7 @@ vtkSmartPointer<vtkPolyData> free_surface(const RunRecord& record, const ColourS
         for (int j = 0; j < ny; ++j)
             for (int i = 0; i < grid.nx; ++i) {
                 const int row = flat ? 0 : !mirror ? j : j < mirrored ? mirrored - 1 - j : j - mirrored;
-                share->SetValue(n++, frame.water[grid.voxel(i, row, k)] / 255.0f);
+                share->SetValue(n++, grid.over_bed(frame.water, i, row, k) / 255.0f);
             }
     image->GetPointData()->SetScalars(share);
     vtkNew<vtkFlyingEdges3D> contour;
