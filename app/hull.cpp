@@ -108,10 +108,8 @@ int run_hull(const HullCommand& command, const Common& common) {
     if (command.action != "info") check_output(command);
     Surface surface = command.action == "make" ? made(command) : read_surface(command.in, command.unit, command.axes);
     std::vector<Finding> notes;
-    if (command.action != "make" && is_half(surface)) {
-        notes.push_back(mirrored_finding(surface));
-        surface = whole_of(surface);
-    }
+    if (command.action != "make")
+        if (const auto mirrored = mirror_half(surface)) notes.push_back(*mirrored);
     std::vector<std::string> repairs;
     if (command.action == "repair") {
         Repaired repaired = repair_surface(surface);

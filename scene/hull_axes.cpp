@@ -61,15 +61,13 @@ bool is_half(const Surface& surface) {
     return face > 0.3 * box.size().x() * box.size().z() && beside_it(off_middle(s, mass_properties(s).centroid, 1));
 }
 
-Surface whole_of(const Surface& half) {
-    const Surface s = at_positive_y(half);
-    return made_symmetric(s, flush * s.bounds().max.y());
-}
-
-Finding mirrored_finding(const Surface& half) {
-    const Box box = half.bounds();
+std::optional<Finding> mirror_half(Surface& surface) {
+    if (!is_half(surface)) return {};
+    const Box box = surface.bounds();
     const bool port = box.max.y() <= -box.min.y();
-    return {
+    const Surface s = at_positive_y(surface);
+    surface = made_symmetric(s, flush * s.bounds().max.y());
+    return Finding{
         Finding::Level::note, "mirrored",
         fmt::format("the surface is half a hull, at y {} 0: the other half is its mirror image about y = 0, and the "
                     "hull is {:.4g} m wide",

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "meshes/health.h"
@@ -10,9 +11,9 @@ namespace tw {
 /// there, or has a flat face in it and is not symmetric about its own middle, as a whole hull beside the plane is.
 bool is_half(const Surface& surface);
 
-/// Such a half and its mirror image, joined in the plane y = 0, and what is to be said of it.
-Surface whole_of(const Surface& half);
-Finding mirrored_finding(const Surface& half);
+/// Makes such a half whole by its mirror image, joined in the plane y = 0, and returns what is to be said of it; leaves
+/// every other surface as it is.
+std::optional<Finding> mirror_half(Surface& surface);
 
 /// Surfaces that are read in other axes than their file has (`lying`: up is y, or the hull lies on its side; `across`:
 /// its length is along y) or that stand upside down (`upside_down`), with the `axes` that would mend it. Judged by

@@ -57,10 +57,7 @@ HullOptions read_hull(SceneSection& s) {
     if (hull.half && pose.position.y() != 0)
         s.fail("half", "a hull beside y = 0 is not symmetric about it; expected position = [x, 0]");
     o.as_read = read_solid(s, hull.source, o.key);
-    if (is_half(o.as_read)) {
-        o.notes.push_back(mirrored_finding(o.as_read));
-        o.as_read = whole_of(o.as_read);
-    }
+    if (const auto mirrored = mirror_half(o.as_read)) o.notes.push_back(*mirrored);
     o.free = read_free_hull(s);
     s.finish();
     // Without a draft the hull keeps the height it has in its own file.

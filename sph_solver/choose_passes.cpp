@@ -11,6 +11,7 @@
 #include "base/atomic_file.h"
 #include "base/cache_folder.h"
 #include "record/this_machine.h"
+#include "sph_solver/domain/level_setup.h"
 #include "sph_solver/equations/water_touch.h"
 #include "sph_solver/neighbours/columns.h"
 #include "sph_solver/neighbours/list_life.h"
@@ -71,7 +72,7 @@ public:
                   .rate = rate_.data(),
                   .inv_W_dp = static_cast<float>(1 / kernel.W(dp)),
                   .inv_dp = static_cast<float>(1 / dp),
-                  .surface_support = 0.9f,
+                  .surface_support = static_cast<float>(LevelSetup{}.surface_support),
                   .given_back = static_cast<float>(WaterTouch::of_plane_surface(kernel, dp, 3))};
         second_ = {.water = first_.water,
                    .walls = first_.walls,

@@ -237,9 +237,7 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
     fresh.attributes["calibrated"] =
         "support of 0.9 to 1 at which a wall begins to compress, on planing_prism at beam/12; support of 0.8 to 0.9, "
         "with a plane surface's share given back, at which water begins to compress at a surface, on the potential "
-        "energy "
-        "of sloshing and the reflection of a wave at an edge of two sizes; strength of the "
-        "shifting, on a planing plate, jets that meet, an elliptic drop and Taylor-Green vortices";
+        "energy of sloshing and the reflection of a wave at an edge of two sizes; strength of the shifting, on a planing plate, jets that meet, an elliptic drop and Taylor-Green vortices";
     if (setup->pressure_iterations > 0) fresh.numbers["release_pressure_iterations"] = setup->pressure_iterations;
     fresh.numbers["spacing"] = scene.resolution.near_hull;
     fresh.numbers["wall_particles"] = double(simulation->finest().walls().size());

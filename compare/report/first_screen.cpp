@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/numbers.h"
 #include "compare/gates.h"
 #include "compare/read/record_numbers.h"
 #include "compare/report/base64.h"
@@ -31,7 +32,7 @@ std::string conditions(const Comparison& c) {
     if (!r.hull.triangles.empty())
         parts.push_back(fmt::format("{}, {:.4g} m long, {:.4g} m wide, draft {:.4g} m, trim {:.3g}° bow up",
                                     text_of(r, "hull_source", "hull"), length, number_of(r, "beam", 0),
-                                    number_of(r, "draft", 0), number_of(r, "trim", 0) * 180 / M_PI));
+                                    number_of(r, "draft", 0), number_of(r, "trim", 0) / degree));
     if (speed > 0) {
         const double g = number_of(r, "gravity", 9.81);
         parts.push_back(fmt::format("{:.4g} m/s", speed));
