@@ -30,4 +30,11 @@ FrameForce MovingFrame::force(double t, const Vec3& gravity) const {
 
 Vec3 MovingFrame::velocity_of_rest() const { return law.turns ? Vec3::Zero() : Vec3(-law.at(0).rate * law.axis); }
 
+FrameLoad load_on(const RigidBody& body, const FrameForce& f) {
+    const Eigen::Matrix3d I = body.inertia(), S = 0.5 * I.trace() * Eigen::Matrix3d::Identity() - I;
+    const Eigen::Matrix3d AS = (f.gradient - 2 * cross(f.spin) * cross(body.spin())) * S;
+    return {body.mass().mass * f.at(body.state().centre, body.state().velocity),
+            Vec3(AS(2, 1) - AS(1, 2), AS(0, 2) - AS(2, 0), AS(1, 0) - AS(0, 1))};
+}
+
 }  // namespace tw

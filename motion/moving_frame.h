@@ -1,5 +1,6 @@
 #pragma once
 #include "motion/motion_law.h"
+#include "motion/rigid_body.h"
 
 namespace tw {
 
@@ -33,5 +34,18 @@ struct MovingFrame {
     /// they are let begin from rest only [m/s].
     Vec3 velocity_of_rest() const;
 };
+
+/// Force and moment about the centre of mass [N], [N m].
+struct FrameLoad {
+    Vec3 force, moment;
+};
+
+/// What a rigid body feels in such a frame, whose centre X, velocity U and spin omega are those in it:
+///
+///   F = m f(X, U),   M_i = e_ijk (A S)_kj,   A = gradient - 2 [spin x] [omega x],   S = int r r^T dm = tr(I) / 2 - I
+///
+/// which is int r x f(X + r, U + omega x r) dm over the body. With it the body's momentum in the frame obeys Newton's
+/// law as it does in the earth.
+FrameLoad load_on(const RigidBody& body, const FrameForce& f);
 
 }  // namespace tw

@@ -28,11 +28,17 @@ RigidBody::RigidBody(RigidBodySetup setup) : setup_(std::move(setup)) {
     state_.angular_momentum = kept(setup_.mass.inertia * kept(setup_.spin, setup_.free.about), setup_.free.about);
 }
 
+Eigen::Matrix3d RigidBody::inertia_at(const Eigen::Quaterniond& attitude) const {
+    const Eigen::Matrix3d turn = attitude.toRotationMatrix();
+    return turn * setup_.mass.inertia * turn.transpose();
+}
+
+Eigen::Matrix3d RigidBody::inertia() const { return inertia_at(state_.attitude); }
+
 Vec3 RigidBody::spin_at(const Eigen::Quaterniond& attitude) const {
     const auto& free = setup_.free.about;
     if (!free[0] && !free[1] && !free[2]) return Vec3::Zero();
-    const Eigen::Matrix3d turn = attitude.toRotationMatrix();
-    Eigen::Matrix3d inertia = turn * setup_.mass.inertia * turn.transpose();
+    Eigen::Matrix3d inertia = inertia_at(attitude);
     for (int a = 0; a < 3; ++a) {
         if (free[static_cast<std::size_t>(a)]) continue;
         inertia.row(a).setZero();

@@ -63,6 +63,7 @@ public:
     void set_state(const State& state) { state_ = state; }
 
     Vec3 spin() const;                             ///< angular velocity [rad/s]
+    Eigen::Matrix3d inertia() const;               ///< about the centre, as the body is turned now [kg m2]
     Vec3 prescribed_acceleration() const;          ///< of the centre; zero of a free body [m/s2]
     Vec3 prescribed_angular_acceleration() const;  ///< [rad/s2]
     double kinetic_energy() const;                 ///< [J]
@@ -73,6 +74,7 @@ public:
     void drift(double dt);
 
 private:
+    Eigen::Matrix3d inertia_at(const Eigen::Quaterniond& attitude) const;
     Vec3 spin_at(const Eigen::Quaterniond& attitude) const;
     void follow_law();
 

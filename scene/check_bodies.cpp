@@ -99,8 +99,6 @@ void check_elastic(const Scene& scene, Sections& s) {
         if (scene.sph.scheme != "kick_drift_kick")
             s.numerics.at("sph").fail("scheme",
                                       "elastic bodies are advanced with the water; expected \"kick_drift_kick\"");
-        if (scene.effect_on("air"))
-            s.effects.fail("air", "elastic bodies are solved in water alone so far; remove this effect");
         if (scene.effect_on("no_slip"))
             s.effects.fail("no_slip", "friction is not handed over to elastic bodies; expected \"off\"");
     }
@@ -132,10 +130,6 @@ void check_free_hull(Scene& scene, Sections& s) {
 
 void check_bodies(Scene& scene, Sections& s) {
     if (scene.bodies.empty()) return;
-    if (scene.motion.kind == Motion::Kind::stream)
-        s.motion.fail("kind", "bodies that move are solved in tanks alone; expected kind = \"none\"");
-    if (scene.hull)
-        s.hull.fail("shape", "a fixed hull beside bodies that move is an [[obstacle]]; remove this section");
     if (!std::ranges::all_of(scene.bodies, [](const MovingBody& b) { return b.motion.law && !b.elastic; }))
         check_scheme(scene, s.numerics.at("sph"));
     const double gap = scene.resolution.near_hull / 2;
@@ -151,6 +145,7 @@ void check_bodies(Scene& scene, Sections& s) {
         };
         for (const Obstacle& o : scene.obstacles)
             if (!supported && meet(body.surface, o.surface, gap)) refuse("obstacle " + o.name);
+        if (scene.hull && meet(body.surface, scene.hull->surface, gap)) refuse("the hull");
         for (std::size_t j = 0; j < i; ++j)
             if (meet(body.surface, scene.bodies[j].surface, gap)) refuse("body " + scene.bodies[j].name);
         note_centre("body " + body.name, body.surface, body.motion.mass.centre, body.findings);

@@ -81,6 +81,7 @@ void bound_travel(const MovingBody& body, const Scene& scene, MeshMotion& m) {
     }
     if (body.motion.free.along[2]) fall_freely(body, scene, m);
     m.aside = body.motion.velocity.head<2>().norm() * T + std::min(body.motion.spin.norm() * T, 2.0) * reach;
+    if (scene.motion.kind == Motion::Kind::stream && body.motion.free.along[0]) m.aside += scene.motion.speed * T;
 }
 
 /// Up and down only: the mesh slides along the tank's vertical sides.
@@ -115,6 +116,7 @@ double clearance_of(const MovingBody& body, const Scene& scene) {
         if (scene.domain.y_min != Side::symmetry) nearest = std::min(nearest, at.min.y() - box.min.y());
     }
     for (const Obstacle& o : scene.obstacles) nearest = std::min(nearest, gap_between(body.surface, o.surface));
+    if (scene.hull && !scene.hull->free) nearest = std::min(nearest, gap_between(body.surface, scene.hull->surface));
     return nearest;
 }
 
@@ -232,10 +234,20 @@ MeshMotion mesh_motion(const Scene& scene) {
     const std::vector<MovingBody> followed = followed_by_mesh(scene);
     for (const MovingBody& body : followed) check_body(body, scene);
     if (followed.empty()) return m;
+    if (scene.tank_motion)
+        refuse(scene, "run.methods",
+               fmt::format("body {} moves in a tank that moves, and OpenFOAM's force of such a tank acts on the water "
+                           "alone; expected methods = [\"sph\"], or --method sph",
+                           followed.front().name));
+    if (scene.hull && scene.hull->free && !scene.bodies.empty())
+        refuse(scene, "run.methods",
+               fmt::format("body {} moves beside a hull that is free, and the mesh of a stream follows one of them; "
+                           "expected methods = [\"sph\"], or --method sph",
+                           scene.bodies.front().name));
     if (followed.size() > 1) return motion_of_several(followed, scene);
     const MovingBody& body = followed.front();
-    const bool stream = scene.motion.kind == Motion::Kind::stream;
-    if (!stream) bound_travel(body, scene, m);  // what a stream makes of a hull is what the run is for
+    const bool free_hull = scene.hull && scene.hull->free, stream = scene.motion.kind == Motion::Kind::stream;
+    if (!free_hull) bound_travel(body, scene, m);  // what a stream makes of a hull is what the run is for
     const double clearance = clearance_of(body, scene);
     m.outer = 0.98 * clearance;
     m.inner = 0.05 * m.outer;
@@ -244,7 +256,14 @@ MeshMotion mesh_motion(const Scene& scene) {
     const bool room = m.outer > 4 * scene.resolution.near_hull;
     if (stream && asked == "whole")
         refuse(scene, "fvm.body_mesh",
-               "a mesh that moves as a whole with the hull would take the inlet with it; expected \"morphing\"");
+               "a mesh that moves as a whole would take the inlet with it; expected \"morphing\"");
+    if (stream && !free_hull && asked == "auto" && way > 0.5 * (m.outer - m.inner))
+        refuse(
+            scene, "run.methods",
+            fmt::format("body {} may move by {:.3g} m in the stream, and the mesh is morphed within {:.3g} m of it, "
+                        "which bears half of that; shorten the run, lock its surge, expected methods = [\"sph\"], or "
+                        "body_mesh = \"morphing\", whose run is stopped where the body comes too far",
+                        body.name, way, m.outer));
     if (stream || asked == "morphing" || (asked == "auto" && room && way <= 0.5 * (m.outer - m.inner))) {
         if (!room)
             refuse(scene, "fvm.body_mesh",

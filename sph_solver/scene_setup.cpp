@@ -171,7 +171,6 @@ SphSetup sph_setup(const Scene& scene, int threads) {
     if (!s.zones.empty() && zones_move(scene))
         s.zones_round = [of = std::make_shared<const Scene>(scene), start = s.zones](
                             std::span<const MovedSolid> moving) { return particle_zones(*of, moving, start); };
-    if (scene.hull) setup.control_volume = control_volume(scene, s);
     s.effects = effects_of(scene, s, s);
     s.tension_control = scene.effect_on("tension_control");
     const double coarsest_dp = std::ldexp(s.dp, sizes_of_particles(scene) - 1);
@@ -188,7 +187,18 @@ SphSetup sph_setup(const Scene& scene, int threads) {
         BodySetup& body =
             s.bodies.emplace_back(s.dimensions == 2 ? with_span(b.surface, endless_span(b.surface)) : b.surface);
         body.moving = b.motion;
+        if (s.frame && !b.motion.law) body.moving->velocity += s.frame->velocity_of_rest();
         body.name = b.name;
+    }
+
+    if (scene.hull && scene.bodies.empty()) {
+        ControlVolume volume = control_volume(scene, s);
+        const auto clear_of = [&box = volume.box()](const Obstacle& o) {
+            const Box solid = o.surface.bounds();
+            return ((solid.min - box.max).array() > 0).any() || ((box.min - solid.max).array() > 0).any();
+        };
+        // it balances what the hull alone takes from the water
+        if (std::ranges::all_of(scene.obstacles, clear_of)) setup.control_volume = std::move(volume);
     }
 
     std::vector<Box> blocks = scene.water_blocks;

@@ -72,7 +72,8 @@ Simulation::Simulation(const SimulationSetup& setup, std::span<const Fluid> flui
     if (all_fixed(*bodies_)) return;
     collisions_.emplace(*bodies_, *around_, setup.dp);
     if (finest > 0) collisions_->stay_within(refinements_.back().zone());
-    const WaterNear near{setup.rho0, setup.dp, setup.state_equation.c0, setup.gravity, setup.moment_reference};
+    const WaterNear near{setup.rho0, setup.dp, setup.state_equation.c0, setup.gravity, setup.moment_reference,
+                         setup.frame};
     for (std::size_t b = 0; b < bodies_->size(); ++b)
         if (!(*bodies_)[b]->fixed()) (*bodies_)[b]->meet(near, this->finest().walls().dummies(b));
 }
@@ -93,9 +94,15 @@ Level& Simulation::add_gas(LevelSetup setup, const EffectOptions& effects, const
     return *gas_;
 }
 
-const Body* Simulation::hull() const {
+std::optional<std::size_t> Simulation::hull_index() const {
     const auto found = std::ranges::find_if(*bodies_, [](const auto& body) { return body->is_hull(); });
-    return found == bodies_->end() ? nullptr : found->get();
+    if (found == bodies_->end()) return {};
+    return static_cast<std::size_t>(found - bodies_->begin());
+}
+
+const Body* Simulation::hull() const {
+    const std::optional<std::size_t> index = hull_index();
+    return index ? (*bodies_)[*index].get() : nullptr;
 }
 
 void Simulation::step() {
@@ -131,12 +138,6 @@ void Simulation::follow_bodies() {
 Load Simulation::load() const {
     Load sum;
     for (const Load& load : stepper_->loads()) sum += load;
-    return sum;
-}
-
-Load Simulation::load_of_level(std::size_t k) const {
-    Load sum;
-    for (const Load& load : level(k).walls().loads()) sum += load;
     return sum;
 }
 

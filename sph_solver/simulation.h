@@ -66,7 +66,8 @@ public:
     const Level& level(std::size_t k) const { return *levels_[k]; }
     const Bodies& bodies() const { return *bodies_; }
     const Body& body(std::size_t b) const { return *(*bodies_)[b]; }
-    const Body* hull() const;  ///< the body that is the scene's hull; null: there is none
+    const Body* hull() const;                       ///< the body that is the scene's hull; null: there is none
+    std::optional<std::size_t> hull_index() const;  ///< among the bodies
     /// The level of gas; null: there is none.
     const Level* gas() const { return gas_; }
     Level* gas() { return gas_; }
@@ -88,8 +89,6 @@ public:
     /// sum over the levels of the mean over each one's steps in it.
     const Load& load(std::size_t body) const { return stepper_->loads()[body]; }
     Load load() const;
-    /// What level k did in its last step.
-    Load load_of_level(std::size_t k) const;
     double bytes() const;
     /// Processor time that elastic bodies took since the start or the restart, all threads together: the water's forces
     /// on their dummies and their own steps [s].

@@ -10,6 +10,7 @@
 #include "meshes/moved_solid.h"
 #include "meshes/query.h"
 #include "meshes/surface.h"
+#include "motion/moving_frame.h"
 #include "motion/rigid_body.h"
 #include "sph_solver/bodies/attached.h"
 #include "sph_solver/bodies/dummies.h"
@@ -40,6 +41,7 @@ struct BodySetup {
 struct WaterNear {
     double density = 0, spacing = 0, sound_speed = 0;  ///< [kg/m3], [m], [m/s]
     Vec3 gravity = Vec3::Zero(), moment_reference = Vec3::Zero();
+    std::optional<MovingFrame> frame = {};  ///< of a tank that moves, in whose axes the body is
 };
 
 /// A step of the finest particles: for how long forces act, what was drifted before, and what will be at its end [s].

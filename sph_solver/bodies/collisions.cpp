@@ -85,6 +85,8 @@ std::string Collisions::with_domain(const Body& body) const {
         if (a == 1 && around_.dimensions == 2) continue;
         if (box.max[a] < domain.min[a] || box.min[a] > domain.max[a]) return "has left the domain";
     }
+    if (around_.stream && box.min.x() < domain.min.x()) return "has come to the inlet";
+    if (around_.stream && box.max.x() > domain.max.x()) return "has come to the outlet";
     return {};
 }
 

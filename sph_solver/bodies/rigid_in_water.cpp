@@ -107,11 +107,27 @@ Vec3 RigidInWater::about_centre(const Vec3& force, const Vec3& moment) const {
     return moment - (rigid_.state().centre - water_.moment_reference).cross(force);
 }
 
+/// By the water and by its weight; in a tank that moves by what the body feels of that, found in the middle of the kick
+/// because it goes with the velocity.
+void RigidInWater::kick(double dt) {
+    const Vec3 moment = about_centre(load_.force, load_.moment);
+    if (!water_.frame) return rigid_.kick(load_.force + rigid_.mass().mass * water_.gravity, moment, dt);
+    const FrameForce f = water_.frame->force(rigid_.state().time, water_.gravity);
+    const auto load = [&](const RigidBody& body) {
+        const FrameLoad felt = load_on(body, f);
+        return FrameLoad{load_.force + felt.force, moment + felt.moment};
+    };
+    RigidBody middle = rigid_;
+    const FrameLoad first = load(middle);
+    middle.kick(first.force, first.moment, dt / 2);
+    const FrameLoad second = load(middle);
+    rigid_.kick(second.force, second.moment, dt);
+}
+
 void RigidInWater::move(const BodyStep& step) {
     if (!rigid_.prescribed()) {
         const Vec3 velocity = rigid_.state().velocity, spin = rigid_.spin();
-        rigid_.kick(load_.force + rigid_.mass().mass * water_.gravity, about_centre(load_.force, load_.moment),
-                    step.kick);
+        kick(step.kick);
         const double by_mass = 1 / (1 + shell_mass_ / rigid_.mass().mass), by_inertia = 1 / (1 + shell_over_inertia());
         acceleration_ += by_mass * ((rigid_.state().velocity - velocity) / step.kick - acceleration_);
         angular_acceleration_ += by_inertia * ((rigid_.spin() - spin) / step.kick - angular_acceleration_);

@@ -62,6 +62,7 @@ public:
 
 private:
     double shell_over_inertia() const;
+    void kick(double dt);
     Vec3 about_centre(const Vec3& force, const Vec3& moment) const;
 
     RigidBody rigid_;

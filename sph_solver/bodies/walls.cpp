@@ -82,11 +82,15 @@ void Walls::follow(const Quanta& quanta) {
 }
 
 void Walls::feel(const FrameForce& f, const Vec3& gravity) {
-    for (std::size_t b = 0; b < bodies_.size(); ++b)
-        for (std::size_t k = 0; k < attached_[b]->size() && bodies_[b]->fixed(); ++k) {
-            const Eigen::Vector3f a = (gravity - f.at(attached_[b]->place(k), Vec3::Zero())).cast<float>();
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        const Attached& points = *attached_[b];
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            const Vec3 x = points.place(k);
+            const Attached::Motion own = bodies_[b]->fixed() ? Attached::Motion{} : points.motion(k, x);
+            const Eigen::Vector3f a = (own.acceleration + gravity - f.at(x, own.velocity)).cast<float>();
             acceleration_[parts_[b].first + k] = {a.x(), a.y(), a.z()};
         }
+    }
 }
 
 void Walls::sort(const ColumnGrid& grid, const Quanta& quanta, int lanes) {

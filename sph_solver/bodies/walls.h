@@ -55,11 +55,11 @@ public:
     void note_motions();
     /// Puts the dummies of bodies that move where those are now, with their velocities and accelerations.
     void follow(const Quanta& quanta);
-    /// Gives the dummies of fixed bodies the acceleration gravity - f, so that water at rest against them presses as
-    /// under the force f of a tank that moves.
-    void feel(const FrameForce& f, const Vec3& gravity);
     /// The same, with the dummies sorted anew; lists are due after it.
     void sort(const ColumnGrid& grid, const Quanta& quanta, int lanes);
+    /// Adds gravity - f to the accelerations of the dummies, so that water at rest against them presses as under the
+    /// force f of a tank that moves. After `follow`.
+    void feel(const FrameForce& f, const Vec3& gravity);
     /// The body's dummies as points that go with it; null where all bodies are fixed.
     const Attached* attached(std::size_t body) const { return attached_.empty() ? nullptr : attached_[body].get(); }
     Dummies dummies(std::size_t body) const;  ///< as they stood at the start; of one that gives way without places

@@ -16,7 +16,7 @@ struct Surroundings {
     Box domain;
     Mirrors mirrors;
     std::optional<Stream> stream;
-    /// The axes are those of a tank that moves; none: they rest. Bodies are fixed in it.
+    /// The axes are those of a tank that moves; none: they rest. What is fixed is fixed in it.
     std::optional<MovingFrame> frame;
     /// What water feels at time `t`, but for the stream's ramp.
     FrameForce force(double t) const { return frame ? frame->force(t, gravity) : FrameForce{.at_pivot = gravity}; }

@@ -87,7 +87,8 @@ Recorder::Recorder(const Scene& scene, const Simulation& simulation, RunRecord r
 void Recorder::after_step(Simulation& simulation, bool frame) {
     const std::size_t row = forces().append(simulation.time());
     if (!simulation.setup().bodies.empty()) {
-        const Load load = simulation.load();
+        const std::optional<std::size_t> hull = simulation.hull_index();
+        const Load load = hull ? simulation.load(*hull) : simulation.load();
         Table& t = forces();
         const Vec3 whole(factor_, factor_ == 2 ? 0 : 1, factor_);  // a half model's sideways forces cancel
         const auto put = [&](const char* part, const Vec3& f) {
@@ -98,8 +99,12 @@ void Recorder::after_step(Simulation& simulation, bool frame) {
         put("_pressure", load.force - load.friction);
         put("_viscous", load.friction);
         t.set(row, "my", per_span("N m"), factor_ * load.moment.y());
-        if (simulation.gas()) {
-            const Vec3 air = simulation.load_of_level(simulation.water().size()).force.cwiseProduct(whole);
+        if (const Level* gas = simulation.gas()) {
+            const std::vector<Load>& on_bodies = gas->walls().loads();
+            Load by_air;
+            for (std::size_t b = 0; b < on_bodies.size(); ++b)
+                if (!hull || b == *hull) by_air += on_bodies[b];
+            const Vec3 air = by_air.force.cwiseProduct(whole);
             t.set(row, "fx_air", per_span("N"), air.x());
             t.set(row, "fz_air", per_span("N"), air.z());
         }

@@ -59,6 +59,17 @@ Drive drive_of(const Simulation& simulation) {
     return drive;
 }
 
+/// Of water and air on the bodies that are not fixed in the tank [N].
+Vec3 force_on_bodies(const Simulation& simulation) {
+    Vec3 force = Vec3::Zero();
+    for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {
+        if (simulation.body(b).fixed()) continue;
+        force += simulation.load(b).force;
+        if (const Level* air = simulation.gas()) force += air->walls().loads()[b].force;
+    }
+    return force;
+}
+
 }  // namespace
 
 void TankBalance::begin(const Simulation& simulation) {
@@ -71,7 +82,7 @@ void TankBalance::begin(const Simulation& simulation) {
 void TankBalance::after_step(const Simulation& simulation) {
     const double dt = simulation.time() - time_;
     const Drive now = drive_of(simulation);
-    impulse_ += dt * now.force;
+    impulse_ += dt * (now.force - force_on_bodies(simulation));
     work_ += dt * now.power;
     since_ += dt;
     time_ = simulation.time();

@@ -6,7 +6,8 @@ namespace tw {
 
 /// What a tank that moves and its water do to each other, from frame to frame, in the tank's axes:
 ///
-///   force on tank and obstacles = (sum of the steps' impulse of f - change of the momentum) / time
+///   force on tank and fixed solids = (sum of the steps' impulse of f - change of the momentum
+///                                     - impulse on the bodies that move) / time
 ///   work of the motion         = sum over the steps of  dt sum_i m_i (f_i - g) . u_i
 ///
 /// Kinetic, elastic and potential energy (of gravity along the tank's own z) less the work can only fall.

@@ -171,6 +171,33 @@ TEST(BodyScene, WhatTheMeshCannotMoveIsRefused) {
     EXPECT_NE(message(with(with(afloat, "500 kg", "11000 kg"), "[motion]", post)).find("obstacle"), std::string::npos);
 }
 
+/// Beside a hull that is held, in a tank or a stream, a body moves in both methods; one that would go with the stream is
+/// left to the particles, and so is one beside a hull that is free.
+TEST(BodyScene, BodiesMoveBesideAHullAndInAStream) {
+    const std::string hull =
+        "[hull]\nshape = \"box\"\nlength = 0.3\nbeam = 0.2\nheight = 0.1\ndraft = 0.05\n"
+        "position = [-0.6, 0]\n";
+    EXPECT_NO_THROW(refuse_unmeshable(scene_of(with(afloat, "[motion]", hull + "[motion]"))));
+    EXPECT_NE(complaint(with(afloat, "[motion]", with(hull, "-0.6", "-0.34") + "[motion]")).find("starts in the hull"),
+              std::string::npos);
+    const std::string stream =
+        with(with(afloat, "kind = \"none\"", "kind = \"stream\"\nspeed = 1"),
+             "[tank]\nmin = [-1, -1, -1]\nmax = [1, 1, 1]\n", "[domain]\nx = [-2, 3]\ny = [-1, 1]\nz = [-1, 1]\n");
+    const auto message = [](const std::string& text) -> std::string {
+        try {
+            refuse_unmeshable(scene_of(text));
+        } catch (const InputError& e) { return e.what(); }
+        return {};
+    };
+    EXPECT_NE(message(stream).find("lock its surge"), std::string::npos) << message(stream);
+    EXPECT_EQ(message(with(stream, "[motion]", "locked = [\"surge\"]\n[motion]")), "");
+    EXPECT_EQ(message(with(with(stream, "[motion]", "locked = [\"surge\"]\n[motion]"), "[motion]", hull + "[motion]")),
+              "");
+    const std::string both = with(stream, "[motion]", hull + "free = [\"heave\"]\nmass = 3\n[motion]");
+    EXPECT_EQ(complaint(both), "");
+    EXPECT_NE(message(both).find("beside a hull that is free"), std::string::npos) << message(both);
+}
+
 struct Bad {
     std::string from, to, message;
 };

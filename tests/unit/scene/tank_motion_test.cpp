@@ -72,12 +72,26 @@ TEST(TankMotion, IsRefusedWhereItCannotBeMeant) {
 TEST(TankMotion, IsRefusedWithWhatIsNotSolvedInIt) {
     expect_complaint(swaying + "[motion]\nkind = \"stream\"\nspeed = 1\n", "no stream");
     expect_complaint(swaying + "[effects]\ndamping_layers = \"on\"\n", "tank at rest");
-    expect_complaint(swaying + "[[body]]\nshape = \"box\"\nlength = 0.2\nheight = 0.1\ndraft = 0.05\ndensity = 500\n",
-                     "[tank] without law");
-    expect_complaint(swaying +
-                         "[motion]\nkind = \"none\"\n[hull]\nshape = \"box\"\nlength = 0.2\nbeam = 0.2\nheight = "
-                         "0.1\ndraft = 0.05\n",
-                     "[[obstacle]]");
+    const std::string plate =
+        "[[body]]\nelastic = \"plate\"\n"
+        "plate = [0.2, 0.2]\ncells = [10, 1]\nmiddle = [0, 0, -0.1]\nthickness = 0.01\nyoungs_modulus = 1e9\n"
+        "poisson = 0.3\ndensity = 1000\nclamped = [\"x_min\"]\n";
+    expect_complaint(swaying + plate, "[tank] without law");
+}
+
+TEST(TankMotion, TakesHullsAndRigidBodiesAlong) {
+    const std::string body = "[[body]]\nshape = \"box\"\nlength = 0.2\nheight = 0.1\ndraft = 0.05\ndensity = 500\n";
+    const Scene afloat = scene_of(swaying + body);
+    EXPECT_EQ(afloat.bodies.size(), 1u);
+    try {
+        refuse_unmeshable(afloat);
+        FAIL() << "OpenFOAM's source acts on the water alone";
+    } catch (const InputError& e) { EXPECT_NE(std::string(e.what()).find("body1"), std::string::npos) << e.what(); }
+    const std::string hull =
+        "[motion]\nkind = \"none\"\n[hull]\nshape = \"box\"\nlength = 0.2\nbeam = 0.2\nheight = "
+        "0.1\ndraft = 0.05\n";
+    EXPECT_EQ(complaint(swaying + hull), "");
+    EXPECT_NO_THROW(refuse_unmeshable(scene_of(swaying + hull)));
 }
 
 }  // namespace tank_motion_test

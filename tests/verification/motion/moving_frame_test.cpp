@@ -71,6 +71,51 @@ TEST(MovingFrame, WhatFallsFreelyInTheEarthFallsByItsForces) {
     EXPECT_GT(error_of_free_fall(frame, [](FrameForce& f) { f.at_pivot = g; }), 0.1);
 }
 
+/// A body without loads that tumbles in the earth, without gravity: seen from a tank that rolls it is where it would be
+/// seen, turned as it would be, after a second of kick-drift-kick. `keep`: of what the frame does.
+template <class Keep>
+double error_of_a_tumbling_body(int steps, const Keep& keep) {
+    const MovingFrame frame{rolling(), Vec3(0.5, 0.1, -0.4)};
+    RigidBodySetup of;
+    of.mass = {.mass = 2, .centre = Vec3(0.3, -0.2, 1), .inertia = Vec3(1, 2, 2.5).asDiagonal()};
+    of.velocity = Vec3(1, 0.5, 2);
+    of.spin = Vec3(0.8, 2, -0.5);
+    const double dt = 1.0 / steps;
+    RigidBody earth(of);
+    for (int n = 0; n < 20000; ++n) earth.drift(1.0 / 20000);
+
+    const MotionLaw::At start = frame.law.at(0), end = frame.law.at(1);
+    const Eigen::AngleAxisd to_tank(-start.path, frame.law.axis), at_end(-end.path, frame.law.axis);
+    const Vec3 rate = start.rate * frame.law.axis;
+    of.velocity = to_tank * (of.velocity - rate.cross(of.mass.centre - frame.pivot));
+    of.spin = to_tank * (of.spin - rate);
+    of.mass.centre = in_tank(frame, of.mass.centre, 0);
+    of.mass.inertia = to_tank.toRotationMatrix() * of.mass.inertia * to_tank.toRotationMatrix().transpose();
+    RigidBody tank(of);
+    for (int n = 0; n < steps; ++n) {
+        tank.drift(dt / 2);
+        const FrameForce f = frame.force(tank.state().time, Vec3::Zero());
+        RigidBody middle = tank;
+        const FrameLoad first = keep(load_on(middle, f));
+        middle.kick(first.force, first.moment, dt / 2);
+        const FrameLoad load = keep(load_on(middle, f));
+        tank.kick(load.force, load.moment, dt);
+        tank.drift(dt / 2);
+    }
+    const Eigen::Quaterniond seen =
+        Eigen::Quaterniond(at_end) * earth.state().attitude * Eigen::Quaterniond(to_tank).conjugate();
+    return (tank.state().centre - in_tank(frame, earth.state().centre, 1)).norm() +
+           tank.state().attitude.angularDistance(seen);
+}
+
+TEST(MovingFrame, ABodyWithoutLoadsTumblesInATankAsInTheEarth) {
+    const auto all = [](const FrameLoad& load) { return load; };
+    const double coarse = error_of_a_tumbling_body(200, all), fine = error_of_a_tumbling_body(400, all);
+    EXPECT_LT(fine, 1e-3);
+    EXPECT_NEAR(coarse / fine, 4, 0.4) << "of second order";
+    EXPECT_GT(error_of_a_tumbling_body(400, [](const FrameLoad& l) { return FrameLoad{l.force, Vec3::Zero()}; }), 0.1);
+}
+
 TEST(MovingFrame, WhatRestsInTheEarthMovesAgainstATankThatSways) {
     const MovingFrame frame{swaying(), Vec3::Zero()};
     const double e = 1e-6;

@@ -39,6 +39,30 @@ TEST(Bodies, AfloatAtArchimedesDraftStayThere) {
     EXPECT_LT(turned_by(afloat), 1e-4);
 }
 
+/// A body that floats along with a stream is at rest in the water, and a stream is a tank at rest seen from a body that
+/// moves: it goes with the speed of the stream and keeps its draft.
+TEST(Bodies, AfloatInAStreamDriftWithIt) {
+    const double dp = 0.01, speed = 1, draft = 0.06;
+    SimulationSetup s = tank(dp, 0.6, 0.3, 0.2, 20);
+    s.mirrors.on[0] = {false, false};
+    s.stream = Stream{.speed = speed, .ramp = 0, .buffer = 6 * dp};
+    s.bodies = {box_body(0.2, 2 * draft, draft, 500)};
+    s.bodies[0].moving->velocity = Vec3(speed, 0, 0);
+    Box below = s.domain;
+    below.max.z() = 0;
+    below.min.x() -= s.stream->buffer;
+    below.max.x() += s.stream->buffer;
+    Simulation drifting(s, fill_with_fluid(s, {below}));
+    const Vec3 start = centre_of(drifting);
+    run_to(drifting, 0.3);
+    const Vec3 way = centre_of(drifting) - start;
+    std::printf("in a stream: %.4f of its way, %.2f %% of the draft up\n", way.x() / (speed * drifting.time()),
+                100 * way.z() / draft);
+    EXPECT_NEAR(way.x() / (speed * drifting.time()), 1, 0.01);
+    EXPECT_LT(std::abs(way.z()), 0.02 * draft);
+    EXPECT_THROW(run_to(drifting, 0.7), RunError) << "at the outlet the run ends";
+}
+
 TEST(Bodies, OfTheWatersDensityStayWhereTheyAre) {
     const double dp = 0.01;
     SimulationSetup s = tank(dp, 0.5, 0.5, 0.3, 25);

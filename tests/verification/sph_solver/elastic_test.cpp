@@ -9,6 +9,7 @@
 
 #include "base/errors.h"
 #include "column_on_plate.h"
+#include "sph_solver/air.h"
 #include "sph_solver/state/checkpoint.h"
 
 namespace tw {
@@ -79,6 +80,38 @@ TEST(Elastic, WaterOfTwoSizesBendsAPlateAsThatOfOneDoes) {
     EXPECT_NEAR(found.deflection, 1, 0.015);
     EXPECT_LT(run.level(0).particles().size() + run.level(1).particles().size(), 1700u) << "or all are small";
     EXPECT_LT(std::abs(run.refinements()[0].mass_drift()), 0.01);
+}
+
+/// Air shut in under the plate is a spring: where the plate bends by w W(x) it loses that volume, and bears
+///
+///   K w mean(W) / H,   K = rho_a c_a^2,   mean(W) = 8/15 between clamps,
+///
+/// and at the start, at the pressure of its depth, its own weight from the water's surface on.
+TEST(Elastic, AirShutInUnderAPlateBearsItAsASpring) {
+    const ColumnOnPlate column{0.01};
+    SimulationSetup s = column.setup();
+    const double skin = 6 * column.dp, height = 0.1;
+    s.domain.min.z() = -skin - height;
+    s.mirrors.on[2] = {true, false};
+    const Box water{Vec3(-column.span / 2, -column.dp / 2, 0), Vec3(column.span / 2, column.dp / 2, column.depth)};
+    Fluid below = fill_with_air(s, {water});
+    std::erase_if(below.depth, [&](double depth) { return depth < column.depth; });
+    std::erase_if(below.places, [](const Vec3& x) { return x.z() > 0; });
+    AirOptions air;
+    air.density = 10;
+    air.sound_speed = 60;
+    Simulation run(s, column.water(s));
+    add_air(run, air, below);
+    const Borne found = borne_by_plate(run);
+    const double K = air.density * air.sound_speed * air.sound_speed, q = 1000 * column.g * column.depth,
+                 own = column.rho * column.g * column.thickness, w = column.exact();
+    const double of_air = air.density * column.g * (column.depth + skin);
+    const double exact = (q + own - of_air) / (q + own + K * w * 8. / 15 / height);
+    std::printf("a plate between water and air: deflection %.4f of that without air, %.4f by the formula\n",
+                found.deflection, exact);
+    EXPECT_LT(exact, 0.92) << "or the air does nothing";
+    EXPECT_NEAR(found.deflection / exact, 1, 0.03);
+    EXPECT_EQ(run.ledger().lost, 0);
 }
 
 /// By penalty contact it rests on forces between particles and surface alone; how stiff they are moves where it rests, not

@@ -255,5 +255,73 @@ TEST(MovingTank, GivesTheSameBitsWithAnyNumberOfThreads) {
     EXPECT_EQ(one, end(3));
 }
 
+/// A box afloat in a tank that is moved up and down weighs as much more as the water does: it keeps its draft, and the
+/// water bears m (g + a).
+TEST(MovingTank, ThatHeavesLeavesABodyAfloatAtItsDraft) {
+    MovingFrame frame;
+    frame.law = {.kind = MotionLaw::Kind::ramp, .axis = Vec3::UnitZ(), .rate = 2, .ramp = 1};
+    SimulationSetup s = swaying_tank(0.02, frame);
+    s.bodies = {box_body(0.3, 0.2, 0.1, 500)};
+    Simulation run(s, water(s));
+    const double mass = rigid_of(run.body(0)).mass().mass;
+    double rise = 0, lift = 0, weight = 0;
+    while (run.time() < 0.6) {
+        const double began = run.time();
+        run.step();
+        rise = std::max(rise, std::abs(centre_of(run).z()));
+        lift += (run.time() - began) * run.load(0).force.z();
+        weight += (run.time() - began) * mass * (g + frame.law.at(run.time()).acceleration);
+    }
+    std::printf("afloat in a tank that heaves: moves by %.2g m, is borne by %.4f of its weight\n", rise, lift / weight);
+    EXPECT_LT(rise, 0.01 * 0.1);
+    EXPECT_NEAR(lift / weight, 1, 0.01);
+    EXPECT_GT(weight / (mass * g * run.time()), 1.2);
+}
+
+/// In a full tank that sways the water goes with it, and so does a body as dense as water. One of half that density runs
+/// ahead by (1 - 1/2) / (1/2 + C) of the way, C the added mass over that of the water in its place: 1.19 of a square in
+/// open water, where that is 0.3, and more between walls.
+TEST(MovingTank, CarriesABodyAsDenseAsItsWater) {
+    const auto way = [](double density) {
+        SimulationSetup s = tank(0.02, 0.3, 0.4, 0, 20);
+        s.mirrors.on[2] = {true, true};
+        s.frame = MovingFrame{};
+        s.frame->law = {.kind = MotionLaw::Kind::ramp, .axis = Vec3::UnitX(), .rate = 0.5, .ramp = 0.5};
+        s.effects.push_back(MovingTank{});
+        s.bodies = {box_body(0.16, 0.16, 0.28, density)};
+        Simulation run(s, water(s));
+        const double start = centre_of(run).x();
+        run_to(run, 0.3);
+        return (centre_of(run).x() - start) / s.frame->law.at(0.3).path;
+    };
+    const double as_dense = way(1000), lighter = way(500);
+    std::printf("in a tank that sways, of the tank's way: as dense as water %.3f, half as dense %.3f\n", as_dense,
+                lighter);
+    EXPECT_LT(std::abs(as_dense), 0.02);
+    EXPECT_GT(lighter, 0.1);
+    EXPECT_LT(lighter, 0.3);
+}
+
+/// Heeled slowly, a box afloat stays level in the earth.
+TEST(MovingTank, ThatHeelsSlowlyKeepsABodyAfloatLevel) {
+    MovingFrame frame;
+    const double angle = 5 * pi / 180;
+    frame.law = {
+        .kind = MotionLaw::Kind::table, .turns = true, .axis = Vec3::UnitY(), .times = {0, 2}, .values = {0, angle}};
+    SimulationSetup s = swaying_tank(0.02, frame);
+    s.bodies = {box_body(0.3, 0.12, 0.06, 500)};
+    Simulation run(s, water(s));
+    run_to(run, 2);
+    double mean = 0, time = 0;
+    while (run.time() < 2 + 2 * pi / frequency(1)) {
+        const double began = run.time();
+        run.step();
+        const Eigen::Quaterniond& q = rigid_of(run.body(0)).state().attitude;
+        mean += (run.time() - began) * 2 * std::atan2(q.y(), q.w()), time += run.time() - began;
+    }
+    std::printf("heeled by %.3f rad, a box afloat in it by %.3f rad\n", angle, mean / time);
+    EXPECT_NEAR(mean / time, -angle, 0.1 * angle);
+}
+
 }  // namespace moving_tank_test
 }  // namespace tw
