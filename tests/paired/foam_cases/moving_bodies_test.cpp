@@ -286,8 +286,8 @@ Table without_water(const Scene& s, const std::filesystem::path& folder, int ste
 TEST_F(MovingBodies, WithoutWaterMoveAsTheRulesOfMotionSay) {
     const Scene s = scene(R"(
 [tank]
-min = ["-1 m", "-1 m", "-0.5 m"]
-max = ["1 m", "1 m", "3 m"]
+min = ["-0.5 m", "-0.5 m", "-0.3 m"]
+max = ["0.7 m", "0.5 m", "2.2 m"]
 [[body]]
 name = "brick"
 shape = "box"

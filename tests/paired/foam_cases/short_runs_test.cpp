@@ -214,10 +214,10 @@ dimensions = 2
 x = ["-7 m", "3 m"]
 z = ["-1 m", "2.3 m"]
 [run]
-duration = "6 s"
+duration = "4 s"
 [sampling]
 interval = "0.2 s"
-mean_from = "5 s"
+mean_from = "3.2 s"
 )"),
                                      options());
     EXPECT_EQ(record.state, "finished") << record.reason;
@@ -227,7 +227,7 @@ mean_from = "5 s"
     EXPECT_LT(record.numbers.at("cell_finest"), 0.026) << "halved twice at the plate";
     const Table& f = record.tables.at("forces");
     EXPECT_EQ(f.find("fz")->unit, "N/m");
-    const auto from = static_cast<std::size_t>(std::lower_bound(f.time.begin(), f.time.end(), 5.0) - f.time.begin());
+    const auto from = static_cast<std::size_t>(std::lower_bound(f.time.begin(), f.time.end(), 3.2) - f.time.begin());
     const double lift = mean(*f.find("fz"), from), drag = mean(*f.find("fx"), from);
     EXPECT_NEAR(std::hypot(lift, drag) / 1e5 / 0.818588, 1, 0.06);
     EXPECT_NEAR(drag / lift, std::tan(30 * 3.14159265 / 180), 0.01) << "normal to the plate";

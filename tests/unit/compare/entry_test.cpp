@@ -22,7 +22,8 @@ RunRecord ball_in(const std::function<bool(const Vec3&, double)>& wet, double ho
     r.attributes = {{"method", "sph"}, {"motion", "none"}, {"scene_hash", "s"}, {"hull_hash", ""}};
     r.numbers = {{"duration", 0.3}, {"gravity", 9.81}, {"density", 1000}};
     r.state = "finished";
-    r.raster = {{-0.7, -0.7, -3.5}, edge, {28, 28, 100}};
+    constexpr std::size_t nx = 20, nz = 88;
+    r.raster = {{-0.5, -0.5, -3.2}, edge, {nx, nx, nz}};
     Surface ball = make_hull("sphere", {{"diameter", 0.4}});
     const Box box = ball.bounds();
     for (Vec3& p : ball.points) p += Vec3(0, 0, 0.2) - (box.min + box.max) / 2;
@@ -37,14 +38,14 @@ RunRecord ball_in(const std::function<bool(const Vec3&, double)>& wet, double ho
         };
         put("x", "m", 0), put("y", "m", 0), put("z", "m", centre.z());
         put("q0", "-", 1), put("qx", "-", 0), put("qy", "-", 0), put("qz", "-", 0);
-        Raster raster(r.raster);
-        for (int k = 0; k < 100; ++k)
-            for (int j = 0; j < 28; ++j)
-                for (int i = 0; i < 28; ++i) {
-                    const Vec3 x = r.raster.origin + edge * Vec3(i + 0.5, j + 0.5, k + 0.5);
-                    if ((x - centre).norm() > hole && wet(x, time)) raster.pour(x, edge, edge * edge * edge);
+        RasterFrame frame{time, std::vector<std::uint8_t>(nx * nx * nz)};
+        for (std::size_t k = 0, n = 0; k < nz; ++k)
+            for (std::size_t j = 0; j < nx; ++j)
+                for (std::size_t i = 0; i < nx; ++i, ++n) {
+                    const Vec3 x = r.raster.origin + edge * Vec3(double(i) + 0.5, double(j) + 0.5, double(k) + 0.5);
+                    if ((x - centre).norm() > hole && wet(x, time)) frame.water[n] = 255;
                 }
-        r.frames.push_back(raster.frame(time));
+        r.frames.push_back(std::move(frame));
     }
     return r;
 }

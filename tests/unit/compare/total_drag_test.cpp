@@ -9,7 +9,7 @@ namespace total_drag_test {
 
 /// A planing prism, of whose friction its method knows the line.
 RunRecord with_line(const char* method, double friction) {
-    RunRecord r = synthetic_run({.method = method, .duration = 6});
+    RunRecord r = synthetic_run({.method = method, .duration = 6, .step = 4e-3});
     const std::vector<double> time = r.tables.at("forces").time;
     Table& samples = r.table("samples");
     samples.columns.clear();

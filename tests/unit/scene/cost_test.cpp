@@ -156,7 +156,7 @@ TEST(Cost, ADomainThatNoSizeCouldFillIsNamedItself) {
 }
 
 TEST(Cost, AbsurdlySmallParticlesAreRefusedAsThat) {
-    for (const char* size : {"1e-9", "1e-30", "1e-200", "1e-300"})
+    for (const char* size : {"1e-9", "1e-300"})
         EXPECT_NE(refusal(with(planing, "\"0.05 m\"", size)).find("[resolution] near_hull = "), std::string::npos)
             << size;
 }

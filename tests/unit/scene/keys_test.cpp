@@ -313,9 +313,9 @@ TEST(Keys, EachKeyIsCoveredByTheHashThatTheTableNames) {
         if (name == "hull.repair") continue;  // it changes only surfaces that are refused without it
         ASSERT_TRUE(all.contains(name)) << name << " has no change in this test";
         const auto& [before, after] = all.at(name);
-        ASSERT_EQ(complaint(before), "") << name;
-        ASSERT_EQ(complaint(after), "") << name;
-        const Scene a = scene_of(before), b = scene_of(after);
+        Scene a, b;
+        ASSERT_NO_THROW(a = scene_of(before)) << name;
+        ASSERT_NO_THROW(b = scene_of(after)) << name;
         const bool in_scene = key.hashed == SceneKey::Hashed::scene, in_run = key.hashed == SceneKey::Hashed::run;
         EXPECT_EQ(a.hash != b.hash, in_scene) << name;
         EXPECT_EQ(run_hash(a, "sph") != run_hash(b, "sph"), in_scene || (in_run && key.section == "sph")) << name;

@@ -113,13 +113,17 @@ TEST(FreeHull, InASlowStreamSwingsRoundArchimedesDraftAndTrim) {
     EXPECT_EQ(column(r, "trim").front(), 0) << "held until the stream has its speed";
 }
 
-TEST(FreeHull, MovesAmongTwoSizesOfParticlesAsInOne) {
-    const std::string two = box_in_a_slow_stream("spacing = 0.025", 50, 1.2);
-    const RunRecord one = run("one_size", box_in_a_slow_stream("", 50, 1.2), 1), levels = run("two_sizes", two, 1),
+/// Half as heavy again as it stands, it falls further than the particles reached that were set round it: they go with
+/// it, and it moves as among particles of one size, with any number of threads.
+TEST(FreeHull, TakesItsFineParticlesAlong) {
+    const std::string two = box_in_a_slow_stream("spacing = 0.025\n[sph]\nzone = 8\n", 60, 1.2);
+    const RunRecord one = run("one_size", box_in_a_slow_stream("", 60, 1.2), 1), levels = run("two_sizes", two, 1),
                     threads = run("two_sizes", two, 3);
     ASSERT_EQ(one.state, "finished") << one.reason;
     ASSERT_EQ(levels.state, "finished") << levels.reason;
     EXPECT_EQ(levels.tables.count("level_1"), 1u);
+    const auto [lowest, highest] = std::ranges::minmax(column(one, "z"));
+    EXPECT_GT(highest - lowest, 2 * 0.0125) << "or zones that stand would do";
     for (const char* name : {"z", "trim"}) {
         const auto [low, high] = std::ranges::minmax(column(one, name));
         double apart = 0;
@@ -130,19 +134,6 @@ TEST(FreeHull, MovesAmongTwoSizesOfParticlesAsInOne) {
         EXPECT_LT(apart, 0.1 * (high - low)) << name;
         EXPECT_EQ(column(levels, name), column(threads, name)) << name;
     }
-}
-
-/// Half as heavy again as it stands, it falls further than the particles reached that were set round it: they go with
-/// it, and it falls as among particles of one size.
-TEST(FreeHull, TakesItsFineParticlesAlong) {
-    const std::string zone = "[sph]\nzone = 8\n";
-    const RunRecord one = run("heavy_one_size", box_in_a_slow_stream("", 60, 1.2), 1),
-                    levels = run("heavy_two_sizes", box_in_a_slow_stream("spacing = 0.025\n" + zone, 60, 1.2), 1);
-    ASSERT_EQ(levels.state, "finished") << levels.reason;
-    const auto [low, high] = std::ranges::minmax(column(one, "z"));
-    EXPECT_GT(high - low, 2 * 0.0125) << "or zones that stand would do";
-    for (double t = 0.1; t < 1.2; t += 0.1)
-        EXPECT_NEAR(mean_between(levels, "z", t - 0.1, t), mean_between(one, "z", t - 0.1, t), 0.1 * (high - low));
 }
 
 std::string planing(const std::string& half) {
@@ -177,8 +168,11 @@ methods  = ["sph"]
 )";
 }
 
-TEST(FreeHull, AHalfModelMovesAsTheWholeHullDoes) {
-    const RunRecord half = run("half", planing("true"), 1), whole = run("whole", planing("false"), 1);
+/// A half model moves as the whole hull does, to the same bits with any number of threads. Its samples go with it: left at
+/// the start attitude they would lie in the water or in the hull by half a spacing and more.
+TEST(FreeHull, AHalfModelMovesAsTheWholeHullDoesAndItsSamplesGoWithIt) {
+    const RunRecord half = run("half", planing("true"), 1), three = run("half", planing("true"), 3),
+                    whole = run("whole", planing("false"), 1);
     ASSERT_EQ(half.state, "finished") << half.reason;
     ASSERT_EQ(whole.state, "finished") << whole.reason;
     const double lifted = column(whole, "z").back() - column(whole, "z").front(),
@@ -187,26 +181,18 @@ TEST(FreeHull, AHalfModelMovesAsTheWholeHullDoes) {
     EXPECT_GT(std::abs(trimmed), 0.2);
     EXPECT_NEAR((column(half, "z").back() - column(half, "z").front()) / lifted, 1, 0.1);
     EXPECT_NEAR((column(half, "trim").back() - column(half, "trim").front()) / trimmed, 1, 0.1);
-}
 
-TEST(FreeHull, GivesTheSameBitsWithAnyNumberOfThreads) {
-    const RunRecord one = run("threads", planing("true"), 1), three = run("threads", planing("true"), 3);
-    ASSERT_EQ(one.state, "finished") << one.reason;
     for (const char* name : {"z", "vz", "trim", "trim_rate", "transom_draft"})
-        EXPECT_EQ(column(one, name), column(three, name)) << name;
-    EXPECT_EQ(one.tables.at("forces").find("fz")->values, three.tables.at("forces").find("fz")->values);
-}
+        EXPECT_EQ(column(half, name), column(three, name)) << name;
+    EXPECT_EQ(half.tables.at("forces").find("fz")->values, three.tables.at("forces").find("fz")->values);
 
-/// Samples left at the start attitude would lie in the water or in the hull by half a spacing and more.
-TEST(FreeHull, ItsWettedLengthAndSurfacePressureGoWithIt) {
-    const RunRecord r = run("half", planing("true"), 1);
-    const Table &f = r.tables.at("forces"), &s = r.tables.at("samples");
+    const Table &f = half.tables.at("forces"), &s = half.tables.at("samples");
     double of_pairs = 0, of_surface = 0;
     const std::vector<double>&pairs = f.find("fz")->values, &surface = f.find("fz_surface")->values;
     for (std::size_t i = 0; i < f.time.size(); ++i)
         if (f.time[i] > 0.25 && std::isfinite(surface[i])) of_pairs += pairs[i], of_surface += surface[i];
     EXPECT_NEAR(of_surface / of_pairs, 1, 0.15) << "ten particles across the beam";
-    const double keel = column(r, "transom_draft").back() / std::sin(column(r, "trim").back() * M_PI / 180);
+    const double keel = column(half, "transom_draft").back() / std::sin(column(half, "trim").back() * M_PI / 180);
     EXPECT_NEAR(s.find("wetted_length")->values.back(), std::min(keel, 2.0), 0.25);
 }
 

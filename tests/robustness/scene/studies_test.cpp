@@ -1,9 +1,13 @@
+// The scenes that come with the program.
+#include <filesystem>
 #include <set>
 
-#include "scene_text.h"
+#include <gtest/gtest.h>
+
+#include "scene/scene.h"
 #include "test_paths.h"
 
-namespace tw::test {
+namespace tw {
 namespace studies_test {
 
 TEST(Studies, EveryReadySceneIsSound) {
@@ -13,7 +17,7 @@ TEST(Studies, EveryReadySceneIsSound) {
         names.insert(entry.path().stem().string());
         EXPECT_NO_THROW({
             const Scene s = read_scene(entry.path());
-            EXPECT_GT(predict(s).particles, 1000) << entry.path();
+            EXPECT_GT(predict(s, {{"sph", predict_particles}}).particles, 1000) << entry.path();
             EXPECT_GT(s.run.duration, s.sampling.mean_from) << entry.path();
         }) << entry.path();
     }
@@ -36,4 +40,4 @@ TEST(Studies, TheSeaplanesDifferInSpeedOnly) {
 }
 
 }  // namespace studies_test
-}  // namespace tw::test
+}  // namespace tw
