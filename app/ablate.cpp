@@ -7,6 +7,7 @@
 #include "app/solvers.h"
 #include "app/stop_signal.h"
 #include "base/errors.h"
+#include "base/folder_lock.h"
 #include "compare/ablate/ablation.h"
 #include "compare/report/numbers.h"
 #include "scene/effects/registry.h"
@@ -160,6 +161,7 @@ int run_ablate(const AblateCommand& command, const Common& common) {
     }
     say(common, fmt::format("{} runs, {} in all; results in {}\n", count, about_text(seconds), out.string()));
 
+    const FolderLock lock(out);
     catch_stop_signals();
     Campaign campaign(common, {.overwrite = command.overwrite});
     std::vector<AblationRun> runs;

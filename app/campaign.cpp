@@ -68,6 +68,7 @@ CampaignResult Campaign::run_or_take(CampaignRun run) {
         if (record.state != "finished" || stop_asked()) return {State::stopped, std::move(record), {}};
     } catch (const RunError& e) {
         charge();
+        if (!fs::exists(run.folder)) throw;  // moved away or removed: what follows would make it anew
         any_failed_ = true;
         complain(run.name + ": failed: " + e.what());
         return {State::failed, {}, e.what()};

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/output.h"
-#include "base/atomic_file.h"
 #include "base/errors.h"
+#include "base/folder_lock.h"
 #include "compare/report/report_table.h"
 
 namespace tw::app {

@@ -12,6 +12,7 @@
 #include "app/stop_signal.h"
 #include "app/write_ladder.h"
 #include "base/errors.h"
+#include "base/folder_lock.h"
 #include "compare/report/numbers.h"
 #include "compare/report/report_table.h"
 
@@ -63,6 +64,7 @@ int run_ladder(const LadderCommand& command, const Common& common) {
     const Scene& scene = jobs.front().run.plan.scene;
     say(common, ready_text(scene.run.methods, scene));
 
+    const FolderLock lock(out);
     catch_stop_signals();
     LadderHarvest harvest;
     harvest.left_out = plan.left_out;

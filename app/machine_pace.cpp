@@ -27,7 +27,7 @@ fs::path pace_file() {
 
 Json read_paces() {
     try {
-        if (fs::exists(pace_file()))
+        if (fs::is_regular_file(pace_file()))
             if (Json paces = Json::parse(read_text(pace_file())); paces.is_object()) return paces;
     } catch (const std::exception&) {}
     return Json::object();

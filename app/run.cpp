@@ -10,6 +10,7 @@
 #include "app/stop_signal.h"
 #include "app/twins.h"
 #include "base/errors.h"
+#include "base/folder_lock.h"
 #include "compare/compare.h"
 #include "compare/ladder/judge_by_sizes.h"
 #include "compare/report/numbers.h"
@@ -95,11 +96,12 @@ int run_run(const RunCommand& command, const Common& common) {
     say(common, fmt::format("{}\n{}{}results in {}\n", scene.title, prediction_text(plan),
                             twins ? twins->prediction_text(own) : "", out.string()));
 
+    const FolderLock lock(out);
     catch_stop_signals();
     Campaign campaign(common, {.overwrite = command.overwrite, .take_finished = !command.overwrite});
     std::vector<RunFacts> runs;
     const auto stopped = [&](const std::string& what) {
-        complain(what + ": stopped on request, its state is saved; continue it with --resume");
+        complain(what + ": stopped on request; continue it with --resume");
         write_json(common, runs_json(runs));
         return run_failed;
     };

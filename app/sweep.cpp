@@ -11,6 +11,7 @@
 #include "app/stop_signal.h"
 #include "app/twins.h"
 #include "base/errors.h"
+#include "base/folder_lock.h"
 #include "compare/ladder/judge_by_sizes.h"
 
 namespace tw::app {
@@ -108,6 +109,7 @@ int run_sweep(const SweepCommand& command, const Common& common) {
         command.out.empty() ? fs::path("runs") / (command.scene.file.stem().string() + "_sweep") : command.out;
     const std::vector<SweptHull> variants = variants_of(command);
     say(common, ready_text(method_names(), {}));
+    const FolderLock lock(out);
     catch_stop_signals();
     Campaign campaign(common, {.overwrite = command.overwrite});
     std::vector<SweepMember> members;

@@ -1,7 +1,6 @@
 #include "base/atomic_file.h"
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -74,23 +73,6 @@ std::string read_text(const fs::path& path) {
     if (!in || fs::is_directory(path) || !(text << in.rdbuf() || in.peek() == EOF))
         throw InputError(path.string() + ": cannot be read: " + std::strerror(errno));
     return text.str();
-}
-
-FolderLock::FolderLock(const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) throw InputError(folder.string() + ": the folder cannot be made: " + error.message());
-    fd_ = ::open((folder / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-    if (fd_ < 0 || ::flock(fd_, LOCK_EX | LOCK_NB) != 0) {
-        const std::string why =
-            fd_ < 0 ? std::strerror(errno) : "another run is using it; wait for it or choose another folder";
-        if (fd_ >= 0) ::close(fd_);
-        throw InputError(folder.string() + ": " + why);
-    }
-}
-
-FolderLock::~FolderLock() {
-    if (fd_ >= 0) ::close(fd_);
 }
 
 }  // namespace tw

@@ -19,17 +19,4 @@ extern void (*before_write_step)();
 /// Whole content of a file; throws InputError when it cannot be read.
 std::string read_text(const std::filesystem::path& path);
 
-/// Holds `folder/.lock` (flock) while it lives: two runs never write into one folder. Throws InputError when another
-/// process holds it.
-class FolderLock {
-public:
-    explicit FolderLock(const std::filesystem::path& folder);
-    ~FolderLock();
-    FolderLock(const FolderLock&) = delete;
-    FolderLock& operator=(const FolderLock&) = delete;
-
-private:
-    int fd_ = -1;
-};
-
 }  // namespace tw

@@ -9,6 +9,7 @@
 
 #include "base/atomic_file.h"
 #include "base/errors.h"
+#include "base/folder_lock.h"
 #include "foam_cases/doctor.h"
 #include "foam_cases/files/case_files.h"
 #include "foam_cases/mesh/make_mesh.h"

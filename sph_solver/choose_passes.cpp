@@ -136,7 +136,7 @@ fs::path memory_file() {
 }
 Json read_memory() {
     try {
-        if (fs::exists(memory_file()))
+        if (fs::is_regular_file(memory_file()))
             if (Json memory = Json::parse(read_text(memory_file())); memory.is_object()) return memory;
     } catch (const std::exception&) {}
     return Json::object();

@@ -11,6 +11,7 @@
 
 #include "base/atomic_file.h"
 #include "base/errors.h"
+#include "base/folder_lock.h"
 #include "record/snapshot.h"
 #include "record/spray_table.h"
 #include "record/water_surface.h"

@@ -9,6 +9,7 @@
 
 #include "base/atomic_file.h"
 #include "base/errors.h"
+#include "base/folder_lock.h"
 #include "foam_cases/read/number_rows.h"
 #include "foam_cases/run/watchdog.h"
 #include "foam_test.h"

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "base/folder_lock.h"
 #include "program.h"
 #include "record/run_record.h"
 
@@ -38,6 +39,18 @@ TEST(OneFolder, FinishedRunIsNotOverwrittenUnasked) {
     overwrite.push_back("--overwrite");
     EXPECT_EQ(Program(overwrite, folder.path()).wait(), 0);
     EXPECT_NE(std::filesystem::last_write_time(record), written);
+}
+
+TEST(OneFolder, AStudyIsHeldAsAWhole) {
+    const ScratchFolder folder("study");
+    const auto scene = write_small_scene(folder.path() / "scene.toml", 0.05), out = folder.path() / "run";
+    const FolderLock other(out);
+    for (const char* command : {"run", "ladder", "sweep", "ablate"}) {
+        Program study({command, scene.string(), "--out", out.string(), "--overwrite"}, folder.path());
+        EXPECT_EQ(study.wait(), 2) << command;
+        EXPECT_NE(study.output().find("another run"), std::string::npos) << command << ": " << study.output();
+    }
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(out), {}), 1) << "more than the lock is there";
 }
 
 }  // namespace one_folder_test

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <hdf5.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <csignal>
 #include <random>
@@ -26,6 +27,8 @@ TEST(BadRecords, EachFaultIsNamedWithTheFile) {
     const ScratchFolder folder;
     EXPECT_TRUE(says(refusal(folder / "none.h5"), "none.h5: there is no such run record"));
     EXPECT_TRUE(says(refusal(folder.path()), "is a folder"));
+    ASSERT_EQ(mkfifo((folder / "pipe.h5").c_str(), 0600), 0);
+    EXPECT_TRUE(says(refusal(folder / "pipe.h5"), "is not a file"));
     write_text_atomically(folder / "empty.h5", "");
     EXPECT_TRUE(says(refusal(folder / "empty.h5"), "not an HDF5 file (0 bytes)"));
     write_text_atomically(folder / "text.h5", "solid hull\nendsolid\n");
@@ -138,6 +141,7 @@ TEST(BadRecords, ScalarsThatCannotBeAreRefusedByTheirKey) {
     expect(refusal_of([&](RunRecord& r) { r.numbers["third"] = nan; }),
            "numbers/third = nan; expected a finite number");
     expect(refusal_of([&](RunRecord& r) { r.numbers["speed"] = -8; }), "numbers/speed = -8; expected");
+    expect(refusal_of([&](RunRecord& r) { r.numbers["gravity"] = -1; }), "numbers/gravity = -1; expected");
     expect(refusal_of([&](RunRecord& r) { r.numbers["duration"] = 0; }), "numbers/duration = 0; expected");
     expect(refusal_of([&](RunRecord& r) { r.elements = -1; }), "cost/elements = -1; expected");
     expect(refusal_of([&](RunRecord& r) { r.steps = infinite; }), "cost/steps = inf; expected");
