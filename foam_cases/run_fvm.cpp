@@ -123,6 +123,10 @@ private:
                 "{}: was begun with {}, which is not the OpenFOAM that is taken now ({} {}, "
                 "{}); go on with the former, or begin anew with --overwrite",
                 record_file_.string(), begun_with, openfoam_.vendor, openfoam_.version, openfoam_.solver.string()));
+        if (earlier.attributes["run_hash"] != record_.attributes["run_hash"])
+            throw InputError(record_file_.string() +
+                             ": belongs to another scene (or the scene file was changed); put it back, or begin anew "
+                             "with --overwrite");
         // Write times stay on their grid, even where the interval follows from a duration that has grown.
         if (const double interval = earlier.numbers["write_interval"]; interval > 0) {
             plan_.write_interval = interval;

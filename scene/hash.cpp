@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "base/sha256.h"
+#include "methods/methods.h"
 #include "scene/edge_refinement.h"
 #include "scene/keys.h"
 
@@ -43,7 +44,8 @@ void add_keys(Lines& t, const Scene& scene, SceneKey::Hashed hashed, const std::
     Scene& readable = const_cast<Scene&>(scene);  // slots refer to a value; none is changed here
     Scene fresh;
     for (const SceneKey& key : scene_keys()) {
-        if (key.hashed != hashed || (!method.empty() && key.section != method)) continue;
+        const bool of_other = !method.empty() && find_method(key.section) && key.section != method;
+        if (key.hashed != hashed || of_other) continue;
         if (!key.effect.empty() && !scene.effect_on(key.effect)) continue;
         const std::string name = key.section + "." + key.name;
         with_value(key, readable, [&](const auto& value) {
@@ -94,7 +96,10 @@ void add_plate(Lines& t, const ElasticPlate& plate, bool sizes) {
         t.add("ply", {p.angle, p.thickness, m.E1, m.E2, m.nu12, m.G12, m.G13, m.G23, m.density});
     }
     for (const ElasticGauge& g : plate.gauges)
-        t.add("gauge", g.position).add("along", g.direction.value_or(Vec3::Zero())).add("top", {double(g.top)});
+        t.add("gauge", g.name)
+            .add("at", g.position)
+            .add("along", g.direction.value_or(Vec3::Zero()))
+            .add("top", {double(g.top)});
 }
 
 void add_tyre(Lines& t, const ElasticTyre& tyre) {
@@ -105,7 +110,7 @@ void add_tyre(Lines& t, const ElasticTyre& tyre) {
         .add("inside", {tyre.pressure, tyre.damping, tyre.largest_step, tyre.contact_depth})
         .add("locked", {double(tyre.locked[0]), double(tyre.locked[1]), double(tyre.locked[2])});
     for (const structure::Hyperelastic& m : tyre.rubber) t.add("rubber", {m.C10, m.C01, m.bulk, m.density});
-    for (const ElasticGauge& g : tyre.gauges) t.add("gauge", g.position);
+    for (const ElasticGauge& g : tyre.gauges) t.add("gauge", g.name).add("at", g.position);
 }
 
 void add_law(Lines& t, const MotionLaw& law) {
@@ -117,6 +122,7 @@ void add_law(Lines& t, const MotionLaw& law) {
 
 void add_body(Lines& t, const MovingBody& body, bool sizes) {
     const RigidBodySetup& m = body.motion;
+    t.add("name", body.name);  // names are those of the record's tables and columns
     if (body.elastic) {
         t.add("mass", {m.mass.mass}).add("velocity", m.velocity);
         if (const ElasticTyre* tyre = body.tyre()) return add_tyre(t, *tyre);
@@ -163,8 +169,8 @@ void add_geometry(Lines& t, const Scene& scene, bool sizes) {
     }
     for (const Box& block : scene.water_blocks)
         t.add("block", flat ? Box{flattened(block.min, middle), flattened(block.max, middle)} : block);
-    for (const PressureProbe& p : scene.sampling.pressure) t.add("pressure", p.place);
-    for (const HeightProbe& p : scene.sampling.height) t.add("height", {p.x, p.y});
+    for (const PressureProbe& p : scene.sampling.pressure) t.add("pressure", p.name).add("at", p.place);
+    for (const HeightProbe& p : scene.sampling.height) t.add("height", p.name).add("at", {p.x, p.y});
     for (const RefinedPlace& place : scene.refined) {
         if (place.around == RefinedPlace::Around::box)
             t.add("refined", place.boxes.front());
@@ -196,6 +202,9 @@ std::string text_of(const Scene& scene, bool sizes) {
 std::string numerics_of(const Scene& scene, const std::string& method) {
     Lines t;
     add_keys(t, scene, SceneKey::Hashed::run, method);
+    // how a run begins
+    if (scene.motion.kind == Motion::Kind::stream) t.add("ramp", {scene.motion.ramp});
+    if (scene.hull && scene.hull->free) t.add("release", {scene.hull->free->motion.release});
     if (method == "fvm")
         if (const EdgeRefinement shedding = edge_refinement(scene); !shedding.edges.empty())
             t.add("edge_halvings", {static_cast<double>(shedding.halvings)});

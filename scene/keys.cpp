@@ -99,7 +99,7 @@ Rows hull_keys() {
         {.name = "pitch_gyradius", .unit = "m", .range = positive, .hashed = Hashed::scene,
          .fallback = "a quarter of the hull's length",
          .meaning = "Radius of gyration in pitch, about the centre of gravity."},
-        {.name = "release", .unit = "s", .range = not_negative, .fallback = "when the stream has its speed",
+        {.name = "release", .unit = "s", .range = not_negative, .hashed = Hashed::run, .fallback = "when the stream has its speed",
          .meaning = "The particle method holds a free hull until this time; the mesh method, whose stream has its speed at once, does not."},
     };
     rows.insert(rows.end(), own.begin(), own.end());
@@ -134,7 +134,7 @@ Rows motion_keys() {
         {.name = "speed", .unit = "m/s", .range = {0, 1000, true}, .hashed = Hashed::scene,
          .slot = slot(&Scene::motion, &Motion::speed), .fallback = "required in a stream",
          .meaning = "Speed of the stream, along +x.", .hint = "for still water write kind = \"none\""},
-        {.name = "ramp", .unit = "s", .range = not_negative, .fallback = "0.3 L/U",
+        {.name = "ramp", .unit = "s", .range = not_negative, .hashed = Hashed::run, .fallback = "0.3 L/U",
          .meaning = "Time over which the particle method starts the stream."},
     };
 }
@@ -232,7 +232,7 @@ Rows sampling_keys() {
 
 Rows probe_keys() {
     return {
-        {.name = "name", .kind = Kind::name, .fallback = "P1, P2, ... or H1, H2, ...",
+        {.name = "name", .kind = Kind::name, .hashed = Hashed::scene, .fallback = "P1, P2, ... or H1, H2, ...",
          .meaning = "Name of the probe's column in the record."},
         {.name = "pressure", .kind = Kind::place3, .unit = "m", .hashed = Hashed::scene, .fallback = "none",
          .meaning = "Place at which the pressure is recorded."},
@@ -307,7 +307,7 @@ Rows obstacle_keys() {
 Rows body_keys() {
     Rows rows = solid_keys();
     const Rows own{
-        {.name = "name", .kind = Kind::name, .fallback = "body1, body2, ...",
+        {.name = "name", .kind = Kind::name, .hashed = Hashed::scene, .fallback = "body1, body2, ...",
          .meaning = "Name in messages and in the record."},
         {.name = "trim", .unit = "rad", .range = {-right_angle, right_angle}, .hashed = Hashed::scene,
          .fallback = "0 deg", .meaning = "Trim angle at the start, bow up positive: -75 deg with `speed` is an entry at 75 degrees, bow first."},
@@ -433,7 +433,7 @@ Rows ply_keys() {
 
 Rows gauge_keys() {
     return {
-        {.name = "name", .kind = Kind::name, .fallback = "gauge1, gauge2, ...",
+        {.name = "name", .kind = Kind::name, .hashed = Hashed::scene, .fallback = "gauge1, gauge2, ...",
          .meaning = "Name of its columns in the body's table of the record."},
         {.name = "body", .kind = Kind::text, .fallback = "the only elastic body", .meaning = "The body it belongs to."},
         {.name = "position", .kind = Kind::place3, .unit = "m", .hashed = Hashed::scene, .fallback = "required",

@@ -43,7 +43,8 @@ struct SceneKey {
     /// Which hash covers the value (hash.h).
     enum class Hashed {
         scene,   ///< a number that all methods use: the scene hash, and with it all run hashes
-        run,     ///< numerics of the method whose section it stands in: that method's run hash
+        run,     ///< numerics of the method whose section it stands in: that method's run hash; elsewhere how a run
+                 ///< begins: all run hashes
         nowhere  ///< changes nothing that is solved
     };
     std::string section = {};

@@ -37,7 +37,7 @@ std::string accepted(const SceneKey& key) {
 std::string hashed(const SceneKey& key) {
     switch (key.hashed) {
         case SceneKey::Hashed::scene: return "scene";
-        case SceneKey::Hashed::run: return key.section;
+        case SceneKey::Hashed::run: return find_method(key.section) ? key.section : "run";
         case SceneKey::Hashed::nowhere: return "-";
     }
     return "";
@@ -107,7 +107,9 @@ std::string scene_reference() {
         "H\n"
         "the height of the water and g gravity. The column *hash* says which hash covers a key: `scene` keys change "
         "the\n"
-        "scene hash, `sph` and `fvm` keys change only the run hash of that method, `-` keys change none.\n\n";
+        "scene hash, `sph` and `fvm` keys change only the run hash of that method, `run` keys that of every method, "
+        "`-` keys "
+        "none.\n\n";
     for (const SectionRow& section : scene_sections())
         out += section.name == "effects" ? effects_section(section) : section_text(section);
     return out + shapes_section();

@@ -100,6 +100,23 @@ TEST_F(FoamFailure, AMeshThatFailsNamesTheProgramAndItsMessage) {
     EXPECT_THROW(run_fvm(s, again), std::exception);
 }
 
+TEST_F(FoamFailure, AnotherSceneIsNotGoneOnWith) {
+    RunOptions o = options();
+    o.stop_asked = [] { return true; };
+    const auto with_probe = [&](const std::string& name) {
+        return scene(dam_break("0.1 s") + "[[probe]]\nname = \"" + name + "\"\npressure = [0.1, 0, 0.02]\n");
+    };
+    EXPECT_EQ(run_fvm(with_probe("A"), o).state, "stopped");
+    o.resume = true;
+    try {
+        run_fvm(with_probe("B"), o);
+        FAIL() << "gone on with under another name";
+    } catch (const InputError& e) {
+        EXPECT_NE(std::string(e.what()).find("belongs to another scene"), std::string::npos) << e.what();
+    }
+    EXPECT_EQ(run_fvm(with_probe("A"), o).state, "stopped");
+}
+
 TEST_F(FoamFailure, TwoRunsInOneFolderAreRefused) {
     fs::create_directories(options().folder);
     const FolderLock other(options().folder);

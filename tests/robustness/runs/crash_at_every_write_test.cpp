@@ -127,6 +127,14 @@ TEST_F(Crash, StrayFilesAmongTheSnapshotsAreLeftAlone) {
     expect_same(whole, part, "stray files");
 }
 
+TEST_F(Crash, ANameThatChangedBetweenKillAndResumeIsRefused) {
+    const fs::path part = scratch.path() / "part";
+    ASSERT_EQ(run_in_child(scene, part, false, 40), crashed);
+    std::string text = read_text(scene);
+    write_text_atomically(scene, text.replace(text.find("\"A\""), 3, "\"B\""));
+    EXPECT_EQ(run_in_child(scene, part, true, never), refused);
+}
+
 TEST_F(Crash, SnapshotsThatAreAFileFailTheRunInWords) {
     const fs::path part = scratch.path() / "part";
     fs::create_directories(part);
