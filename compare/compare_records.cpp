@@ -16,7 +16,7 @@
 #include "compare/metrics/gauges.h"
 #include "compare/metrics/hull_motion.h"
 #include "compare/metrics/splash_quantities.h"
-#include "compare/metrics/suction.h"
+#include "compare/metrics/walls.h"
 #include "compare/read/prepare.h"
 #include "compare/read/record_numbers.h"
 #include "compare/reference/planing_plate.h"
@@ -207,7 +207,7 @@ Comparison compare_records(std::vector<RunRecord> sources, const CompareOptions&
     add_bodies(comparison);
     add_entries(comparison);
     add_gauges(comparison);
-    add_suction(comparison);
+    add_walls(comparison);
     add_savitsky(comparison);
     add_planing_plate(comparison);
     for (std::size_t i = 0; i < comparison.sources.size(); ++i)

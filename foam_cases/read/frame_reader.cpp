@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/numbers.h"
 #include "foam_cases/read/body_rows.h"
 #include "foam_cases/read/field_file.h"
 #include "foam_cases/read/hull_patch.h"
@@ -77,7 +78,7 @@ std::size_t FrameReader::cells() const {
 void FrameReader::read(const TimeFolders::Moment& moment, const SolverLog& log, RunRecord& record) {
     read_water(moment, log, record);
     if (plan_.scene->hull) read_hull(moment, record);
-    read_suction(moment, record);
+    read_walls(moment, record);
 }
 
 void FrameReader::read_water(const TimeFolders::Moment& moment, const SolverLog& log, RunRecord& record) const {
@@ -183,19 +184,20 @@ void FrameReader::read_hull(const TimeFolders::Moment& moment, RunRecord& record
     if (scene.hull->section) record.hull = with_span(record.hull, 1);
 }
 
-void FrameReader::read_suction(const TimeFolders::Moment& moment, RunRecord& record) const {
+void FrameReader::read_walls(const TimeFolders::Moment& moment, RunRecord& record) const {
     const Scene& scene = *plan_.scene;
     const double factor = scene.symmetry_factor() / scene.span();
     Table& samples = record.table("samples");
     for (const Solid& s : plan_.solids) {
         const auto patch = read_hull_patch(
             case_ / "postProcessing" / (s.is_hull ? "hullSurface" : "bodySurfaces") / moment.name, s.name);
-        const Suction pull = patch ? suction(*patch) : Suction{std::nan(""), std::nan("")};
+        const std::optional<WetWall> wall = patch ? std::optional(wet_wall(*patch)) : std::nullopt;
         const auto sample = [&](const std::string& name, const std::string& unit, double value) {
-            samples.set(samples.time.size() - 1, name, scene.spanwise_unit(unit), factor * value);
+            samples.set(samples.time.size() - 1, name + s.name, unit, value);
         };
-        sample("suction_area_" + s.name, "m2", pull.area);
-        sample("suction_force_" + s.name, "N", pull.force);
+        sample("suction_area_", scene.spanwise_unit("m2"), wall ? factor * wall->suction_area() : nan);
+        sample("suction_force_", scene.spanwise_unit("N"), wall ? factor * wall->suction_force() : nan);
+        if (s.moves && !s.is_hull) sample("leaving_angle_", "deg", wall ? wall->leaving_angle() / degree : nan);
     }
 }
 

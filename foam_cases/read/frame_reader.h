@@ -27,7 +27,7 @@ private:
     };
     void read_water(const TimeFolders::Moment& moment, const SolverLog& log, RunRecord& record) const;
     void read_hull(const TimeFolders::Moment& moment, RunRecord& record) const;
-    void read_suction(const TimeFolders::Moment& moment, RunRecord& record) const;  ///< of every solid
+    void read_walls(const TimeFolders::Moment& moment, RunRecord& record) const;  ///< of every solid
 
     const CasePlan& plan_;
     std::filesystem::path case_;

@@ -78,14 +78,10 @@ std::optional<HullPatch> read_hull_patch(const fs::path& folder, const std::stri
     return patch;
 }
 
-Suction suction(const HullPatch& patch) {
-    Suction s;
-    for (const HullPatch::Face& f : patch.faces) {
-        if (f.water <= 0.5 || f.pressure >= 0) continue;
-        s.area += f.area.norm();
-        s.force -= f.pressure * f.area.norm();
-    }
-    return s;
+WetWall wet_wall(const HullPatch& patch) {
+    WetWall wall;
+    for (const HullPatch::Face& f : patch.faces) wall.add(-f.area, f.pressure, f.water > 0.5);
+    return wall;
 }
 
 double mesh_error(const HullPatch& patch, const Surface& hull, double y_min, double z_max) {

@@ -6,6 +6,7 @@
 
 #include "base/vec3.h"
 #include "meshes/surface.h"
+#include "record/wet_wall.h"
 
 namespace tw {
 
@@ -27,12 +28,8 @@ struct HullPatch {
 /// Reads NAME.vtp (openfoam.com) or NAME.vtk (openfoam.org) below `folder`; nothing when neither is there or whole.
 std::optional<HullPatch> read_hull_patch(const std::filesystem::path& folder, const std::string& name = "hull");
 
-/// What pressure below the air's pulls at wet faces (water fraction > 0.5).
-struct Suction {
-    double area = 0;   ///< [m2]
-    double force = 0;  ///< sum of -pressure area, whatever the direction [N]
-};
-Suction suction(const HullPatch& patch);
+/// A face is wet from a water fraction of 0.5 on.
+WetWall wet_wall(const HullPatch& patch);
 
 /// How well the mesh shows the hull: the largest distance from a corner of its surface that lies at y >= `y_min` and
 /// below `z_max` to the patch [m]. A keel or transom edge that snapping has cut off shows here, and in the force.

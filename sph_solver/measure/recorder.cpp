@@ -5,11 +5,14 @@
 
 #include <fmt/format.h>
 
+#include "base/numbers.h"
+#include "meshes/mass_properties.h"
 #include "record/body_work.h"
 #include "record/certificate.h"
 #include "record/hull_motion.h"
 #include "record/spray_table.h"
 #include "record/tank_table.h"
+#include "record/wet_wall.h"
 #include "scene/friction_line.h"
 #include "scene/hull_motion.h"
 #include "sph_solver/air.h"
@@ -33,6 +36,14 @@ constexpr double pressure_interval = 5e-4;
 /// resumed run samples at the same steps.
 bool is_due(const Table& table, double time, double interval) {
     return table.time.empty() || std::floor(time / interval) > std::floor(table.time.back() / interval);
+}
+
+/// A solid's surface in patches of about a spacing, not too many.
+SurfaceSamples samples_of(const Body& body, const SimulationSetup& s) {
+    constexpr double most = 20000;
+    if (s.dimensions == 2) return SurfaceSamples::of_section(body.surface(), s.dp);
+    const double size = std::max(s.dp, std::sqrt(mass_properties(body.surface()).area / most));
+    return {body.surface(), size, body.fixed() ? s.domain : body.surface().bounds()};
 }
 
 /// Of the water in the control volume [N s], [kg].
@@ -75,6 +86,9 @@ Recorder::Recorder(const Scene& scene, const Simulation& simulation, RunRecord r
                                            : SurfaceSamples(scene.hull->surface, s.dp, region);
         hull_ = hull_at_start_;
     }
+    for (std::size_t b = 0; b < simulation.bodies().size(); ++b)
+        if (const Body& body = simulation.body(b); !body.is_hull() && !body.gives_way())
+            solids_.push_back({b, samples_of(body, s)});
     for (const PressureProbe& p : scene.sampling.pressure) pressure_points_.places.push_back(p.place);
     height_step_ = s.dp / 2;
     heights_per_gauge_ = static_cast<int>(std::ceil(s.domain.size().z() / height_step_));
@@ -212,6 +226,7 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
         if (scene_.effect_on("friction"))
             t.set(k, "friction_line", per_span("N"), friction_by_line(scene_, area, length));
     }
+    record_walls(simulation, k);
     if (!height_points_.places.empty()) probe_height(simulation);
     if (tank_) tank_->record(simulation, record_.table(tank_table), per_span("N"), per_span("J"));
     record_levels(simulation);
@@ -236,6 +251,27 @@ void Recorder::record_bodies(const Simulation& simulation) {
             t.set(k, name, of_span ? per_span(unit.c_str()) : unit, value);
         });
         if (!body.knows_its_work()) t.set(k, body_work, per_span("J"), work_up_to(t, k));
+    }
+}
+
+/// Of each solid that keeps its shape: how hard its wall pulls at the water, and where water leaves one that moves.
+void Recorder::record_walls(Simulation& simulation, std::size_t row) {
+    Table& t = record_.table("samples");
+    const auto put = [&](const SurfaceSamples& samples, const Body& body) {
+        WetWall wall;
+        for (std::size_t k = 0; k < samples.area.size(); ++k)
+            wall.add(samples.area[k], samples.presses(k) ? double(samples.points.p[k]) : 0.0, samples.wet(k));
+        t.set(row, "suction_area_" + body.name(), per_span("m2"), factor_ * wall.suction_area());
+        t.set(row, "suction_force_" + body.name(), per_span("N"), factor_ * wall.suction_force());
+        if (!body.fixed() && !body.is_hull())
+            t.set(row, "leaving_angle_" + body.name(), "deg", wall.leaving_angle() / degree);
+    };
+    if (hull_) put(*hull_, *simulation.hull());
+    for (const SampledSolid& solid : solids_) {
+        const Body& body = simulation.body(solid.body);
+        SurfaceSamples now = body.fixed() ? solid.at_start : solid.at_start.moved_with(body);
+        simulation.sample(now.points);
+        put(now, body);
     }
 }
 

@@ -33,6 +33,7 @@ private:
     void begin_balance(Simulation& simulation);
     void record_levels(const Simulation& simulation);
     void record_bodies(const Simulation& simulation);
+    void record_walls(Simulation& simulation, std::size_t row);
     void probe_pressure(Simulation& simulation);
     void probe_height(Simulation& simulation);
     Table& forces() { return record_.table("forces"); }
@@ -42,6 +43,12 @@ private:
     RunRecord record_;
     int factor_ = 1;
     std::optional<SurfaceSamples> hull_at_start_, hull_;  ///< the second where the hull is now
+    /// The other solids that keep their shape.
+    struct SampledSolid {
+        std::size_t body;
+        SurfaceSamples at_start;
+    };
+    std::vector<SampledSolid> solids_;
     PointSamples pressure_points_, height_points_;
     int heights_per_gauge_ = 0;
     double height_step_ = 0;

@@ -102,12 +102,12 @@ HullPatch box_in_water(const fs::path& folder, double above) {
 
 TEST_F(ReadTest, SuctionIsPressureBelowTheAirsOnWetFacesAlone) {
     HullPatch patch = box_in_water(folder, -0.1);
-    EXPECT_EQ(suction(patch).area, 0) << "still water presses everywhere";
+    EXPECT_EQ(wet_wall(patch).suction_area(), 0) << "still water presses everywhere";
     for (HullPatch::Face& f : patch.faces) f.pressure = f.area.z() > 0 ? -50 : 200;  // the bottom's faces point up
-    EXPECT_NEAR(suction(patch).area, 0.4 * 0.3, 1e-6);
-    EXPECT_NEAR(suction(patch).force, 50 * 0.4 * 0.3, 1e-4);
+    EXPECT_NEAR(wet_wall(patch).suction_area(), 0.4 * 0.3, 1e-6);
+    EXPECT_NEAR(wet_wall(patch).suction_force(), 50 * 0.4 * 0.3, 1e-4);
     for (HullPatch::Face& f : patch.faces) f.water = 0.4;
-    EXPECT_EQ(suction(patch).force, 0) << "air";
+    EXPECT_EQ(wet_wall(patch).suction_force(), 0) << "air";
 }
 
 TEST_F(ReadTest, TheWatersLoadOnASubmergedBoxIsItsWeightOfWater) {

@@ -1,4 +1,4 @@
-#include "compare/metrics/suction.h"
+#include "compare/metrics/walls.h"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 namespace tw {
 namespace {
 
-const std::string force_prefix = "suction_force_", area_prefix = "suction_area_";
+const std::string force_prefix = "suction_force_", area_prefix = "suction_area_", angle_prefix = "leaving_angle_";
 constexpr double share_that_decides = 0.05;  ///< of the force on the solid: the target of most verdicts
 
 /// Mean of value(row) over the rows in which it is known; NaN without one.
@@ -49,15 +49,18 @@ void warn(Comparison& comparison, std::size_t i, const std::string& name, double
         comparison.names[i], walls, name, pull, unit, 100 * pull / force));
 }
 
-}  // namespace
-
-void add_suction(Comparison& comparison) {
+/// What follows the prefix in the samples' columns of any source.
+std::set<std::string> names_after(const std::string& prefix, const Comparison& comparison) {
     std::set<std::string> names;
     for (const RunRecord& r : comparison.sources)
         if (const auto samples = r.tables.find("samples"); samples != r.tables.end())
             for (const Column& c : samples->second.columns)
-                if (c.name.starts_with(force_prefix)) names.insert(c.name.substr(force_prefix.size()));
-    for (const std::string& name : names) {
+                if (c.name.starts_with(prefix)) names.insert(c.name.substr(prefix.size()));
+    return names;
+}
+
+void add_suction(Comparison& comparison) {
+    for (const std::string& name : names_after(force_prefix, comparison)) {
         Quantity q =
             new_quantity("suction:" + name, "Suction on " + name, "",
                          "where the water's pressure is below the air's: sum of -pressure times area, whatever "
@@ -86,6 +89,41 @@ void add_suction(Comparison& comparison) {
         q.remark = areas;
         comparison.quantities.push_back(std::move(q));
     }
+}
+
+void add_leaving_angles(Comparison& comparison) {
+    constexpr double all_round = 150;  // [deg]: a little air in a wake is no line at which water leaves
+    for (const std::string& name : names_after(angle_prefix, comparison)) {
+        Quantity q =
+            new_quantity("leaving_angle:" + name, "Angle at which water leaves " + name, "deg",
+                         "from straight down; the area that is wet, as an angle of the faces that look down most "
+                         "steeply; mean over the time in which the body is partly wet");
+        for (const RunRecord& r : comparison.sources) {
+            MeanValue m;
+            if (const Column* c = r.series("samples", angle_prefix + name)) {
+                const std::vector<double>& angle = c->values;
+                m.value = mean_of_rows(
+                    angle.size(), [&](std::size_t i) { return angle[i] > 0 && angle[i] < all_round ? angle[i] : nan; });
+                m.known = std::isfinite(m.value);
+                const Table& samples = r.tables.at("samples");
+                m.half_width = 0, m.from = samples.time.front(), m.to = samples.time.back();
+                if (!m.known) m.why_not = "it was dry or wet all round";
+            } else {
+                m.why_not = not_given;
+            }
+            q.values.push_back(m);
+        }
+        q.judged = false;
+        beside(q);
+        comparison.quantities.push_back(std::move(q));
+    }
+}
+
+}  // namespace
+
+void add_walls(Comparison& comparison) {
+    add_suction(comparison);
+    add_leaving_angles(comparison);
 }
 
 }  // namespace tw

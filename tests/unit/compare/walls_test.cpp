@@ -1,12 +1,13 @@
 // What is said of walls that pull at the water.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "compare/compare.h"
 
 namespace tw {
-namespace suction_test {
+namespace walls_test {
 
 /// A ball on which the water presses with 1000 N and which holds the water with `pull` newtons, every second row unknown.
 RunRecord held(const std::string& walls, double pull) {
@@ -22,6 +23,7 @@ RunRecord held(const std::string& walls, double pull) {
         const double known = i % 2 ? std::nan("") : 1;
         samples.column("suction_force_ball", "N").values.push_back(known * pull);
         samples.column("suction_area_ball", "m2").values.push_back(known * 0.02);
+        samples.column("leaving_angle_ball", "deg").values.push_back(std::array{0, 60, 70, 180, 180}[std::size_t(i)]);
     }
     return r;
 }
@@ -46,11 +48,19 @@ TEST(Suction, WarnsWhereWallsHoldWaterAndItDecidesTheForce) {
     EXPECT_FALSE(warned(compare_records({held("let water go where air can come", 80)})));
 }
 
+TEST(LeavingAngle, IsTheMeanWhileTheBodyIsPartlyWet) {
+    const Comparison c = compare_records({held("", 0)});
+    const Quantity* q = c.find("leaving_angle:ball");
+    ASSERT_NE(q, nullptr);
+    EXPECT_DOUBLE_EQ(q->values.front().value, 65);
+    EXPECT_FALSE(q->judged);
+}
+
 TEST(Suction, OfARecordWithoutItIsNotShown) {
     RunRecord r = held("", 80);
     r.tables.erase("samples");
     EXPECT_EQ(compare_records({r}).find("suction:ball"), nullptr);
 }
 
-}  // namespace suction_test
+}  // namespace walls_test
 }  // namespace tw
