@@ -8,6 +8,7 @@
 
 #include "base/atomic_file.h"
 #include "base/errors.h"
+#include "base/trial.h"
 #include "record/check_values.h"
 #include "record/checksum_line.h"
 #include "record/hdf5_file.h"
@@ -201,10 +202,8 @@ RunRecord read_contents(hid_t file) {
     return record;
 }
 
-}  // namespace
-
-RunRecord read_record(const fs::path& file) {
-    const Bytes bytes = check_bytes(file);
+/// Throws InputError.
+RunRecord read_here(const fs::path& file) {
     const h5::Silence silence;
     const h5::Handle h(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
     if (!h.open())
@@ -223,7 +222,6 @@ RunRecord read_record(const fs::path& file) {
                 fmt::format("{}: run record of format {}; this twinwake reads up to format {}: use a newer twinwake",
                             file.string(), version, RunRecord::format_version));
         RunRecord record = read_contents(h);
-        if (bytes == Bytes::changed) refuse_changed(file);  // though no dataset shows it
         check_values(file.string(), record);
         return record;
     } catch (const h5::Failure& f) {
@@ -233,6 +231,29 @@ RunRecord read_record(const fs::path& file) {
     } catch (const std::length_error&) {
         throw InputError(file.string() + ": damaged: an array in it claims a senseless size");
     }
+}
+
+/// The same in a child, as HDF5 follows what stands in a file. Throws what it throws, and what became of the child.
+void try_to_read(const fs::path& file) {
+    std::string words;
+    try {
+        words = answer_of_trial([&]() -> std::string {
+            try {
+                read_here(file);
+            } catch (const InputError& e) { return e.what(); }
+            return {};
+        });
+    } catch (const InputError& e) { words = file.string() + ": damaged: " + e.what(); }
+    if (!words.empty()) throw InputError(words);
+}
+
+}  // namespace
+
+RunRecord read_record(const fs::path& file) {
+    const Bytes bytes = check_bytes(file);
+    if (bytes != Bytes::whole) try_to_read(file);
+    if (bytes == Bytes::changed) refuse_changed(file);  // though no dataset shows it
+    return read_here(file);
 }
 
 }  // namespace tw
