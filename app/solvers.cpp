@@ -11,9 +11,7 @@
 namespace tw::app {
 namespace {
 
-std::string openfoam_line(const Scene& scene) {
-    return "OpenFOAM: " + sound_openfoam(scene.fvm.openfoam).verdict + "\n";
-}
+std::string openfoam_line(const Scene& scene) { return "OpenFOAM: " + openfoam_for(scene).verdict + "\n"; }
 
 Prediction predict_all(const Scene& scene, double (*pace)(const std::string& method)) {
     std::vector<CostOf> costs;

@@ -249,6 +249,10 @@ AxisCells split_axis(double low, double high, double spacing, std::vector<double
     return axis;
 }
 
+std::string CasePlan::solver_program() const {
+    return scene->fvm.interface == "isoadvector" ? geometric_solver : flavour.solver_program();
+}
+
 std::string CasePlan::motion_table(const BodyInMesh& body) const {
     return hull_is_free() ? hull_motion_table : body_table(body.body.name);
 }

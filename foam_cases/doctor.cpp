@@ -12,6 +12,7 @@
 #include "base/errors.h"
 #include "foam_cases/flavour.h"
 #include "foam_cases/read/number_rows.h"
+#include "scene/scene.h"
 
 namespace tw {
 namespace fs = std::filesystem;
@@ -188,6 +189,22 @@ OpenFoam sound_openfoam(const std::string& preferred) {
     throw InputError("no sound OpenFOAM solver was found; a faulty one is never used:" + text +
                      "\n  Debian, Ubuntu: tools/build_openfoam_solvers.sh .openfoam builds a sound interFoam in a "
                      "minute, from the package's own source");
+}
+
+OpenFoam openfoam_for(const Scene& scene) {
+    OpenFoam openfoam = sound_openfoam(scene.fvm.openfoam);
+    if (scene.fvm.interface != "isoadvector") return openfoam;
+    openfoam.solver.replace_filename(geometric_solver);
+    const auto refuse = [&](const std::string& why) {
+        throw InputError(
+            fmt::format("{}: \"isoadvector\" needs {}: {}; expected \"mules\", or for the packages of Debian "
+                        "and Ubuntu tools/build_openfoam_solvers.sh .openfoam {}",
+                        scene.place_of("fvm.interface"), geometric_solver, why, geometric_solver));
+    };
+    if (!is_program(openfoam.solver)) refuse(openfoam.solver.string() + " is not there");
+    self_test(openfoam);
+    if (!openfoam.sound) refuse(openfoam.verdict);
+    return openfoam;
 }
 
 }  // namespace tw

@@ -6,6 +6,8 @@
 
 namespace tw {
 
+struct Scene;
+
 /// One OpenFOAM installation and what the self-test says of its interFoam.
 struct OpenFoam {
     std::filesystem::path project_dir;   ///< WM_PROJECT_DIR
@@ -29,6 +31,9 @@ std::vector<OpenFoam> find_openfoam(const std::string& preferred = {});
 /// The first sound one, of the loaded release if one is loaded and none is preferred; throws InputError that names the
 /// faulty ones and says what to install or run.
 OpenFoam sound_openfoam(const std::string& preferred = {});
+/// The same, for what a scene asks for: with interIsoFoam as its solver where the surface is captured geometrically, which
+/// stands beside the sound interFoam and has to be sound itself. Throws InputError where it is not.
+OpenFoam openfoam_for(const Scene& scene);
 /// A full pipe of water, turned about two axes, pushed from rest by 1000 Pa over 1 m for 0.1 s without friction: exact
 /// answer 0.1 m/s along the pipe in every cell. Axis-aligned pipes hide the fault of miscompiled solvers. Sound below
 /// 1e-4 m/s. Where a library of walls is beside the solver the pipe has such walls; one that does not load or changes the

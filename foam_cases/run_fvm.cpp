@@ -339,7 +339,7 @@ private:
 
 RunRecord run_fvm(const Scene& scene, const RunOptions& options) {
     refuse_unmeshable(scene);
-    const OpenFoam openfoam = sound_openfoam(scene.fvm.openfoam);
+    const OpenFoam openfoam = openfoam_for(scene);
     const FolderLock lock(options.folder);
     return FvmRun(scene, options, openfoam).run();
 }

@@ -99,8 +99,18 @@ std::vector<CaseFile> pipe_case(const Flavour& flavour, const fs::path& wall_lib
     plan.flavour = flavour;
     const bool lets_go = !wall_library.empty();
 
-    Dictionary alpha{
-        {"nAlphaCorr", 1}, {"nAlphaSubCycles", 1}, {"cAlpha", 1}, {"MULESCorr", false}, {"nLimiterIter", 3}};
+    // what interFoam reads, and beside it what interIsoFoam does
+    Dictionary alpha{{"nAlphaCorr", 1},
+                     {"nAlphaSubCycles", 1},
+                     {"cAlpha", 1},
+                     {"MULESCorr", false},
+                     {"nLimiterIter", 3},
+                     {"isoFaceTol", 1e-8},
+                     {"surfCellTol", 1e-8},
+                     {"nAlphaBounds", 3},
+                     {"snapTol", 1e-12},
+                     {"clip", true},
+                     {"reconstructionScheme", Word("isoAlpha")}};
     alpha.add(solver("smoothSolver", 1e-8));
     Dictionary solvers;
     solvers.add(Key::pattern("alpha.water.*"), alpha);

@@ -501,11 +501,15 @@ Rows fvm_keys() {
          .meaning = "Largest Courant number of the flow."},
         {.name = "max_alpha_courant", .range = {0, 20, true}, .hashed = Hashed::run,
          .slot = slot(&Scene::fvm, &FvmOptions::max_alpha_courant),
-         .fallback = "4 in a stream, 0.5 with a body that moves, else 1",
+         .fallback = "4 in a stream (2 with isoadvector), 0.5 with a body that moves, else 1",
          .meaning = "Largest Courant number at the water surface."},
         {.name = "interface_compression", .range = {0, 4}, .hashed = Hashed::run,
          .slot = slot(&Scene::fvm, &FvmOptions::interface_compression),
          .meaning = "cAlpha, which keeps the water surface sharp."},
+        {.name = "interface", .kind = Kind::choice, .choices = {"mules", "isoadvector"}, .hashed = Hashed::run,
+         .slot = slot(&Scene::fvm, &FvmOptions::interface),
+         .meaning = "How the water surface is captured: by interFoam's limited fluxes, or geometrically by interIsoFoam, which is sharper and takes several times as long.",
+         .later = true},
         {.name = "correctors", .kind = Kind::whole, .range = {1, 10}, .hashed = Hashed::run,
          .slot = slot(&Scene::fvm, &FvmOptions::correctors), .meaning = "Pressure correctors in each time step."},
         {.name = "body_mesh", .kind = Kind::choice, .choices = {"auto", "morphing", "whole"}, .hashed = Hashed::run,
@@ -590,9 +594,8 @@ const std::vector<SectionRow>& scene_sections() {
          "alone."},
         {"obstacle", true, "A fixed closed solid: a box (min and max), a file or a shape."},
         {"body", true,
-         "A closed solid that moves in a tank, freely or as prescribed, or an elastic plate; the mesh method moves "
-         "one, "
-         "rigid."},
+         "A closed solid that moves in a tank or a stream, freely or as prescribed, or an elastic plate; the mesh "
+         "method moves rigid ones."},
         {"ply", true, "A layer of a laminate, for the layups of elastic bodies."},
         {"gauge", true, "A place on an elastic body at which its displacement or a strain is recorded."},
         {"effects", false,

@@ -234,6 +234,10 @@ MeshMotion mesh_motion(const Scene& scene) {
     const std::vector<MovingBody> followed = followed_by_mesh(scene);
     for (const MovingBody& body : followed) check_body(body, scene);
     if (followed.empty()) return m;
+    if (scene.fvm.interface == "isoadvector")
+        refuse(scene, "fvm.interface",
+               fmt::format("body {} moves, and interIsoFoam is used with meshes at rest alone; expected \"mules\"",
+                           followed.front().name));
     if (scene.tank_motion)
         refuse(scene, "run.methods",
                fmt::format("body {} moves in a tank that moves, and OpenFOAM's force of such a tank acts on the water "

@@ -138,6 +138,7 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
     }
     if (method == "fvm") {
         record.numbers["max_courant_limit"] = scene.fvm.max_courant;
+        record.attributes["interface"] = scene.fvm.interface;
         record.numbers["interface_compression"] = scene.fvm.interface_compression;
     }
     if (scene.hull) {

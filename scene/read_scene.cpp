@@ -223,6 +223,8 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     check_free_hull(scene, s);
     // Measured with the entry of a body (docs/decisions/034-moving-bodies-in-interfoam.md).
     if (scene.fvm.max_alpha_courant == 0 && !scene.bodies.empty()) scene.fvm.max_alpha_courant = 0.5;
+    if (scene.fvm.max_alpha_courant == 0 && scene.fvm.interface == "isoadvector")
+        scene.fvm.max_alpha_courant = std::min(2.0, default_courant(scene));
     for (double* courant : {&scene.fvm.max_courant, &scene.fvm.max_alpha_courant})
         if (*courant == 0) *courant = default_courant(scene);
     if (scene.sph.c0 == 0) scene.sph.c0 = default_sound_speed(scene);

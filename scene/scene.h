@@ -165,6 +165,7 @@ struct Run {
 struct FvmOptions {
     double max_courant = 0, max_alpha_courant = 0;  ///< as written, else 4 in a stream and 1 without
     double interface_compression = 2;               ///< cAlpha
+    std::string interface = "mules";  ///< how the water's surface is captured: mules, isoadvector
     int correctors = 3;
     std::string body_mesh = "auto";  ///< how the mesh follows a body that moves: auto, morphing, whole (mesh_motion.h)
     std::string openfoam;            ///< folder of an OpenFOAM installation; empty: found

@@ -8,7 +8,7 @@ namespace tw {
 /// number of ranks.
 std::string allrun_script(const CasePlan& plan, int ranks) {
     const Flavour& f = plan.flavour;
-    std::string solver = "${SOLVER:-" + f.solver_program() + "}";
+    std::string solver = "${SOLVER:-" + plan.solver_program() + "}";
     std::string arguments;
     for (const std::string& a : f.solver_arguments()) arguments += " " + a;
     std::string mesh;
@@ -40,7 +40,7 @@ if [ "$NP" = 1 ]; then "{3}"{4} >> log.solver 2>&1
 else mpirun -np "$NP" --bind-to none --mca mpi_yield_when_idle 1 "{3}"{4} -parallel >> log.solver 2>&1
 fi
 )",
-                       f.solver_program(), ranks, mesh, solver, arguments);
+                       plan.solver_program(), ranks, mesh, solver, arguments);
 }
 
 std::string case_readme(const CasePlan& plan) {
@@ -64,7 +64,7 @@ postProcessing/fastest     largest velocity, every step: 1.3 to 1.6 times the st
 A restart does not continue bit by bit: forces differ by about 0.1 % afterwards, because interFoam does not store its last
 compression correction.
 )",
-        title, p.flavour.vendor_name(), p.flavour.version_name(), p.flavour.solver_program(), p.background_cell,
+        title, p.flavour.vendor_name(), p.flavour.version_name(), p.solver_program(), p.background_cell,
         p.finest_cell,
         p.viscous ? (p.turbulent ? "Viscous and turbulent: k-omega SST with wall functions.\n" : "Viscous, laminar.\n")
                   : "The solids let water slip: the twin of an SPH run without physical viscosity.\n",

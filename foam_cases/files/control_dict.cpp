@@ -165,7 +165,7 @@ Dictionary functions(const CasePlan& plan) {
 /// and its force or its wake is wrong by 5-20 % (measured).
 std::string control_dict(const CasePlan& plan) {
     const FvmOptions& fvm = plan.scene->fvm;
-    Dictionary d{{"application", Word(plan.flavour.solver_program())}};
+    Dictionary d{{"application", Word(plan.solver_program())}};
     if (!plan.flavour.solver_arguments().empty()) d.add("solver", Word(plan.flavour.solver_arguments().back()));
     if (!plan.wall_library.empty()) d.add("libs", List{Quoted(plan.wall_library)});
     d.add({{"startFrom", Word("latestTime")},

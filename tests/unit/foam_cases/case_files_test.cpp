@@ -410,6 +410,18 @@ TEST(Flavour, OpenFoamOrgGetsItsOwnKeywords) {
     EXPECT_SAYS(control_dict(org11), "solver incompressibleVoF;");
 }
 
+TEST(CaseFiles, AGeometricSurfaceIsInterIsoFoamsOnAMeshAtRest) {
+    Scene scene = planing_scene();
+    const CasePlan limited = plan_case(scene, v1912);
+    EXPECT_SAYS(control_dict(limited), "application interFoam;");
+    EXPECT_SILENT(fv_solution(limited), "isoFaceTol");
+    scene.fvm.interface = "isoadvector";
+    const CasePlan geometric = plan_case(scene, v1912);
+    EXPECT_SAYS(control_dict(geometric), "application interIsoFoam;");
+    EXPECT_SAYS(fv_solution(geometric), "reconstructionScheme isoAlpha;");
+    EXPECT_SAYS(fv_solution(geometric), "nAlphaSubCycles 4;");
+}
+
 TEST(CasePlan, RefusesASceneWithoutSizes) {
     Scene scene = dam_break_scene();
     scene.resolution.near_hull = 0;

@@ -300,6 +300,7 @@ std::map<std::string, Change> changes() {
     all["sph.h_over_dp"] = set(fixed, "sph", "h_over_dp", "1.5", "2");
     all["sph.gamma"] = set(fixed, "sph", "gamma", "7", "4");
     all["sph.touch_support"] = set(fixed, "sph", "touch_support", "0.9", "0.95");
+    all["fvm.interface"] = set(fixed, "fvm", "interface", "\"mules\"", "\"isoadvector\"");
     for (const char* key : {"max_courant", "max_alpha_courant", "interface_compression"})
         all[std::string("fvm.") + key] = set(fixed, "fvm", key, "1", "2");
     return all;
