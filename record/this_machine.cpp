@@ -1,5 +1,9 @@
 #include "record/this_machine.h"
 
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <ctime>
 #include <fstream>
@@ -28,6 +32,20 @@ std::string instruction_set() {
 #else
     return "generic";
 #endif
+}
+
+std::string host_name() {
+    std::array<char, 256> name{};
+    gethostname(name.data(), name.size() - 1);
+    return name.data();
+}
+
+double machine_memory() {
+    double bytes = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+    std::ifstream group("/sys/fs/cgroup/memory.max");
+    double limit = 0;
+    if (group >> limit && limit > 0) bytes = std::min(bytes, limit);  // "max" does not read as a number
+    return bytes;
 }
 
 std::string utc_now() {

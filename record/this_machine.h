@@ -5,6 +5,9 @@ namespace tw {
 
 std::string cpu_model();        ///< e.g. "Intel(R) Xeon(R) ... x 2 threads"
 std::string instruction_set();  ///< best level this processor has: "x86-64", "x86-64-v2", "x86-64-v3", "x86-64-v4"
-std::string utc_now();          ///< "2024-01-31T12:34:56Z"
+std::string host_name();
+/// Memory this process may use [bytes]: the machine's, or less where a control group says so.
+double machine_memory();
+std::string utc_now();  ///< "2024-01-31T12:34:56Z"
 
 }  // namespace tw

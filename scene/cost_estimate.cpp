@@ -1,13 +1,12 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <stdexcept>
 #include <thread>
 
 #include "base/errors.h"
+#include "record/this_machine.h"
 #include "scene/defaults.h"
 #include "scene/edge_refinement.h"
 #include "scene/effects/registry.h"
@@ -43,15 +42,6 @@ double cores(const Scene& scene) {
 /// By which time steps are predicted [m/s].
 double speed_of_water(const Scene& scene) {
     return scene.motion.kind == Motion::Kind::stream ? scene.motion.speed : 0.1 * default_sound_speed(scene);
-}
-
-/// Memory this process may use [bytes]: the machine's, or less where a control group says so.
-double machine_memory() {
-    double bytes = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-    std::ifstream group("/sys/fs/cgroup/memory.max");
-    double limit = 0;
-    if (group >> limit && limit > 0) bytes = std::min(bytes, limit);  // "max" does not read as a number
-    return bytes;
 }
 
 /// The key that made the domain's longest edge.
