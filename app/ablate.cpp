@@ -6,6 +6,7 @@
 #include "app/output.h"
 #include "app/solvers.h"
 #include "app/stop_signal.h"
+#include "app/study.h"
 #include "base/errors.h"
 #include "base/folder_lock.h"
 #include "compare/ablate/ablation.h"
@@ -70,7 +71,7 @@ public:
 
 private:
     PlannedRun plan(const SceneOverrides& overrides) const {
-        return plan_run(command_.scene.file, overrides, command_.method, command_.threads);
+        return plan_run({command_.scene.file, overrides, command_.method, command_.threads});
     }
 
     void switch_effect(Variant& v, const Variant& reference) const {
@@ -122,13 +123,23 @@ std::vector<Variant> variants_of(const AblateCommand& command) {
     return variants.take();
 }
 
+CampaignRun run_of(const Variant& variant, const std::string& method, const fs::path& out) {
+    return {variant.name + ": " + method, method, *variant.plan, out / variant.folder / method};
+}
+
+std::vector<CampaignRun> runs_of(const std::vector<Variant>& variants, const fs::path& out) {
+    std::vector<CampaignRun> runs;
+    for (const Variant& v : variants)
+        for (const std::string& method : v.methods) runs.push_back(run_of(v, method, out));
+    return runs;
+}
+
 /// All methods of one variant. False: stopped on request. What is wrong with a variant goes into its row; the
 /// base must be sound: RunError or InputError.
 bool run_variant(const Variant& variant, const fs::path& out, Campaign& campaign, AblationRun& run) {
     for (const std::string& method : variant.methods) {
         try {
-            CampaignResult result = campaign.run_or_take(
-                {variant.name + ": " + method, method, *variant.plan, out / variant.folder / method});
+            CampaignResult result = campaign.run_or_take(run_of(variant, method, out));
             if (result.state == CampaignResult::State::stopped) return false;
             if (result.there())
                 run.sides.push_back(ablation_side(std::move(*result.record)));
@@ -152,7 +163,7 @@ int run_ablate(const AblateCommand& command, const Common& common) {
         command.out.empty() ? fs::path("runs") / (command.scene.file.stem().string() + "_ablation") : command.out;
     const std::vector<Variant> variants = variants_of(command);
     const Scene& scene = variants.front().plan->scene;
-    say(common, ready_text(variants.front().methods, scene));
+    if (!command.making.hand_over && !command.making.collect) say(common, ready_text(variants.front().methods, scene));
     double seconds = 0;
     int count = 0;
     for (const Variant& v : variants) {
@@ -162,8 +173,15 @@ int run_ablate(const AblateCommand& command, const Common& common) {
     say(common, fmt::format("{} runs, {} in all; results in {}\n", count, about_text(seconds), out.string()));
 
     const FolderLock lock(out);
+    CampaignRules rules = rules_of(command.making, out);
+    rules.overwrite = command.overwrite;
+    Campaign campaign(common, rules);
+    const Study study{out, common.words, rules.overwrite, rules.take_finished};
+    const std::vector<CampaignRun> all = runs_of(variants, out);
+    if (command.making.hand_over) return hand_over(command.making, study, campaign, all, common);
+
     catch_stop_signals();
-    Campaign campaign(common, {.overwrite = command.overwrite});
+    campaign.ahead(study, all);
     std::vector<AblationRun> runs;
     for (const Variant& v : variants) {
         AblationRun& run = runs.emplace_back(AblationRun{v.name, v.effect, v.against, v.why_not});

@@ -5,8 +5,10 @@
 #include <chrono>
 
 #include "app/output.h"
+#include "app/side_by_side.h"
 #include "app/solvers.h"
 #include "app/stop_signal.h"
+#include "app/study.h"
 #include "base/errors.h"
 #include "compare/report/numbers.h"
 #include "scene/hash.h"
@@ -16,41 +18,104 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The record of an earlier run of the very same scene and numerics in this folder, if it is finished.
-std::optional<RunRecord> finished_run(const CampaignRun& run) {
+/// The record of an earlier run of the very same scene and numerics, however it ended.
+std::optional<RunRecord> record_of(const CampaignRun& run) {
     const fs::path file = run.folder / "record.h5";
     if (!fs::exists(file)) return {};
     RunRecord record = read_record(file);
+    if (record.attributes["run_hash"] != run_hash(run.plan.scene, run.method)) return {};
+    return record;
+}
+
+/// The record of an earlier run of the very same scene and numerics in this folder, if it is finished.
+std::optional<RunRecord> finished_run(const CampaignRun& run) {
+    std::optional<RunRecord> record = record_of(run);
     // the duration is not in the hash: a run may be made longer
-    const bool same = record.state == "finished" &&
-                      record.attributes["run_hash"] == run_hash(run.plan.scene, run.method) &&
-                      record.numbers["duration"] >= run.plan.scene.run.duration;
-    return same ? std::optional(std::move(record)) : std::nullopt;
+    const bool finished =
+        record && record->state == "finished" && record->numbers["duration"] >= run.plan.scene.run.duration;
+    return finished ? std::move(record) : std::nullopt;
 }
 
 /// A run of the very same scene and numerics that failed before it saved a state: nothing to resume.
 bool failed_before_it_saved(const CampaignRun& run) {
     if (fs::exists(run.folder / solver_of(run.method).state)) return false;
-    if (!fs::exists(run.folder / "record.h5")) return false;
-    RunRecord record = read_record(run.folder / "record.h5");
-    return record.state == "failed" && record.attributes["run_hash"] == run_hash(run.plan.scene, run.method);
+    const std::optional<RunRecord> record = record_of(run);
+    return record && record->state == "failed";
 }
 
 }  // namespace
 
 bool is_finished(const CampaignRun& run) { return finished_run(run).has_value(); }
 
+std::string Campaign::over_budget(double cost) const {
+    if (spent_ + cost <= rules_.budget) return {};
+    return fmt::format("left out, {} more; the budget is {} and {} of it are used", about_text(cost),
+                       time_text(rules_.budget), time_text(spent_));
+}
+
+std::vector<CampaignRun> Campaign::to_make(const std::vector<CampaignRun>& runs) {
+    std::vector<CampaignRun> made;
+    for (const CampaignRun& run : runs) {
+        if (rules_.take_finished && is_finished(run)) continue;
+        const double cost = run.plan.seconds(run.method);
+        if (const std::string why = over_budget(cost); !why.empty()) {
+            say(common_, run.name + ": " + why + "\n");
+            known_[run.folder] = {CampaignResult::State::over_budget, {}, why};
+        } else {
+            spent_ += cost;
+            made.push_back(run);
+        }
+    }
+    return made;
+}
+
+void Campaign::ahead(Study study, const std::vector<CampaignRun>& runs) {
+    if (rules_.jobs < 2 || !rules_.collect.empty()) return;
+    const std::vector<CampaignRun> made = to_make(runs);
+    for (const CampaignRun& run : made) study.members.push_back(member_of(run));
+    const std::vector<MemberState> states = run_side_by_side(study, rules_.jobs, common_);
+    for (std::size_t k = 0; k < made.size(); ++k) {
+        using State = CampaignResult::State;
+        const MemberState& state = states[k];
+        State became = State::failed;
+        if (state.kind == MemberState::Kind::done) became = State::done;
+        if (state.kind == MemberState::Kind::stopped || state.kind == MemberState::Kind::waiting)
+            became = State::stopped;
+        if (state.kind == MemberState::Kind::refused)
+            refused_[made[k].folder] = state.why;
+        else
+            known_[made[k].folder] = {became, {}, state.why};
+        any_failed_ |= state.kind == MemberState::Kind::failed;
+    }
+}
+
+CampaignResult Campaign::collect(const CampaignRun& run) {
+    using State = CampaignResult::State;
+    if (std::optional<RunRecord> finished = finished_run(run)) return {State::taken, std::move(finished), {}};
+    const std::optional<RunRecord> begun = record_of(run);
+    const std::string why =
+        begun && begun->state == "failed" ? begun->reason : why_unfinished(rules_.collect, run.folder);
+    any_failed_ = true;
+    complain(run.name + ": not finished: " + why);
+    return {State::failed, {}, why};
+}
+
 CampaignResult Campaign::run_or_take(CampaignRun run) {
     using State = CampaignResult::State;
+    if (!rules_.collect.empty()) return collect(run);
+    if (const auto why = refused_.find(run.folder); why != refused_.end()) throw InputError(why->second);
+    if (const auto found = known_.find(run.folder); found != known_.end()) {
+        CampaignResult result = found->second;
+        if (result.state == State::done) result.record = read_record(run.folder / "record.h5");
+        return result;
+    }
     if (std::optional<RunRecord> earlier = rules_.take_finished ? finished_run(run) : std::nullopt) {
         say(common_, fmt::format("{}: finished before, taken from {}\n", run.name, run.folder.string()));
         return {State::taken, std::move(earlier), {}};
     }
     run.plan.prediction = predict_here(run.plan.scene);  // the runs before have taught the pace
     const double cost = run.plan.seconds(run.method);
-    if (spent_ + cost > rules_.budget) {
-        const std::string why = fmt::format("left out, {} more; the budget is {} and {} of it are used",
-                                            about_text(cost), time_text(rules_.budget), time_text(spent_));
+    if (const std::string why = over_budget(cost); !why.empty()) {
         say(common_, run.name + ": " + why + "\n");
         return {State::over_budget, {}, why};
     }
@@ -62,7 +127,7 @@ CampaignResult Campaign::run_or_take(CampaignRun run) {
         spent_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     };
     try {
-        RunRecord record = run_method(run.method, run.plan, {run.folder, resume, anew}, common_);
+        RunRecord record = run_method(run.method, run.plan, {run.folder, resume, anew, rules_.progress}, common_);
         charge();
         say(common_, run.name + ": " + closing_line(facts_of(run.method, record, run.folder)));
         if (record.state != "finished" || stop_asked()) return {State::stopped, std::move(record), {}};

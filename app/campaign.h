@@ -1,8 +1,10 @@
 #pragma once
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/run_method.h"
 
@@ -36,12 +38,26 @@ struct CampaignRules {
     bool overwrite = false;  ///< what is no finished run of the very same scene and numerics is run anew, not refused
     bool take_finished = true;                                ///< false: a finished run, too, is run anew
     double budget = std::numeric_limits<double>::infinity();  ///< predicted time of everything that is run here [s]
+    int jobs = 1;                                             ///< runs side by side
+    /// Nothing is run: what is not finished counts as failed. The study's folder of results; empty: it is run.
+    std::filesystem::path collect = {};
+    std::function<void(const Progress&)> progress = {};  ///< is told of every run made here
 };
 
-/// The one way to a finished run. A campaign is any number of them, one after the other, under one budget.
+struct Study;
+
+/// The one way to a finished run. A campaign is any number of them under one budget: one after the other, or ahead of
+/// that side by side.
 class Campaign {
 public:
-    explicit Campaign(const Common& common, CampaignRules rules = {}) : common_(common), rules_(rules) {}
+    explicit Campaign(const Common& common, CampaignRules rules = {}) : common_(common), rules_(std::move(rules)) {}
+
+    /// Of these, what is not finished and fits the budget by its predicted time; the others of the budget are left out
+    /// from now on.
+    std::vector<CampaignRun> to_make(const std::vector<CampaignRun>& runs);
+    /// Where runs are made side by side: makes those of the study, whose members follow from `runs`, so that run_or_take
+    /// finds them. Else nothing.
+    void ahead(Study study, const std::vector<CampaignRun>& runs);
 
     /// Takes the record if the run is finished there, by run hash and duration; else resumes it if it was stopped, or
     /// runs it, as far as the budget goes, and reads the record back. A run that failed before it saved a state has
@@ -53,8 +69,13 @@ public:
     bool any_failed() const { return any_failed_; }
 
 private:
+    CampaignResult collect(const CampaignRun& run);
+    std::string over_budget(double cost) const;
+
     const Common& common_;
     CampaignRules rules_;
+    std::map<std::filesystem::path, CampaignResult> known_;  ///< by folder: what became of it ahead; without records
+    std::map<std::filesystem::path, std::string> refused_;   ///< what is wrong with the input of others
     double spent_ = 0;
     bool any_failed_ = false;
 };

@@ -27,14 +27,14 @@ void draw_sizes(const Scene& scene, const std::filesystem::path& file) {
 }  // namespace
 
 int run_check(const CheckCommand& command, const Common& common) {
-    const auto [scene, prediction] = plan_run(command.scene.file, command.scene.overrides(), "", command.threads);
-    const PlannedRun plan{scene, prediction};
+    const PlannedRun plan = plan_run({command.scene.file, command.scene.overrides(), "", command.threads});
+    const Scene& scene = plan.scene;
     double own = 0;
     for (const std::string& method : scene.run.methods) own += plan.seconds(method);
     const Twins twins(command.scene.file, command.scene.overrides(), "", command.threads, {});
-    say(common, to_text(scene, prediction) + twins.prediction_text(own));
+    say(common, to_text(scene, plan.prediction) + twins.prediction_text(own));
     if (!command.picture.empty()) draw_sizes(scene, command.picture);
-    write_json(common, check_json(scene, prediction));
+    write_json(common, check_json(scene, plan.prediction));
     return done;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -11,13 +12,23 @@
 namespace tw::app {
 
 // One struct and one function per subcommand. Functions return the exit status and throw InputError or RunError.
-enum ExitStatus { done = 0, bad_input = 2, run_failed = 3, not_agreed = 4 };
+enum ExitStatus { done = 0, bad_input = 2, run_failed = 3, not_agreed = 4, ended_early = 5 };
 
 /// What every subcommand takes.
 struct Common {
     bool quiet = false;   ///< only results and errors
     std::string json;     ///< file for the same facts for programs; "-": standard output instead of text; empty: none
     std::string command;  ///< what was called, a word a line, for the records
+    std::vector<std::string> words = {};  ///< the same as it was typed, behind the program's name
+};
+
+struct Study;
+/// How the runs of a study are made.
+struct Making {
+    int jobs = 1;          ///< side by side
+    bool collect = false;  ///< none is: the report is made from those that are finished
+    /// Takes the study in place of running it; null: it is run. Returns the exit status.
+    std::function<int(Study study, const Common& common)> hand_over = {};
 };
 
 struct NewCommand {
@@ -61,6 +72,7 @@ struct RunCommand {
     bool twins = true;           ///< also coarser runs, for the discretisation error
     bool require_agree = false;  ///< not_agreed unless every quantity agrees
     int threads = 0;
+    Making making;
 };
 int run_run(const RunCommand& command, const Common& common);
 
@@ -93,6 +105,7 @@ struct LadderCommand {
     bool fill = true;                             ///< also sizes between the coarse ones
     bool overwrite = false;                       ///< run anew what another scene left in the folder
     int threads = 0;
+    Making making;
     double budget_seconds() const;  ///< throws InputError naming the option
 };
 int run_ladder(const LadderCommand& command, const Common& common);
@@ -105,6 +118,7 @@ struct SweepCommand {
     std::filesystem::path out;               ///< empty: runs/<name of the scene file>_sweep
     bool overwrite = false;
     int threads = 0;
+    Making making;
 };
 int run_sweep(const SweepCommand& command, const Common& common);
 
@@ -115,8 +129,16 @@ struct AblateCommand {
     std::filesystem::path out;         ///< empty: runs/<name of the scene file>_ablation
     bool overwrite = false;
     int threads = 0;
+    Making making;
 };
 int run_ablate(const AblateCommand& command, const Common& common);
+
+struct MemberCommand {
+    std::filesystem::path study;  ///< folder of its results
+    std::size_t number = 0;
+    int threads = 0;
+};
+int run_member(const MemberCommand& command, const Common& common);
 
 struct UncertaintyCommand {
     std::filesystem::path table;  ///< CSV: spacing, then one column per quantity

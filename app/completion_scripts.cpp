@@ -9,7 +9,7 @@ namespace tw::app {
 namespace {
 
 /// One word of a shell, whatever it holds.
-std::string quoted(const std::string& text) {
+std::string in_quotes(const std::string& text) {
     std::string out = "'";
     for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
     return out + "'";
@@ -42,15 +42,15 @@ std::string bash_completion(const OfferedCommand& program) {
     std::vector<std::string> paths;
     std::string values, words;
     for_all(program, [&](const OfferedCommand& c) {
-        if (!c.path.empty()) paths.push_back(quoted(c.path));
+        if (!c.path.empty()) paths.push_back(in_quotes(c.path));
         for (const OfferedOption& o : c.options) {
             if (!o.takes_value) continue;
             std::vector<std::string> cases;
-            for (const std::string& name : o.names) cases.push_back(quoted(c.path + " " + name));
+            for (const std::string& name : o.names) cases.push_back(in_quotes(c.path + " " + name));
             values += fmt::format("        {}) words={} files={} ;;\n", fmt::join(cases, " | "),
-                                  quoted(fmt::format("{}", fmt::join(o.values, " "))), o.takes_file ? 1 : 0);
+                                  in_quotes(fmt::format("{}", fmt::join(o.values, " "))), o.takes_file ? 1 : 0);
         }
-        words += fmt::format("            {}) words={} files={} ;;\n", quoted(c.path), quoted(words_of(c)),
+        words += fmt::format("            {}) words={} files={} ;;\n", in_quotes(c.path), in_quotes(words_of(c)),
                              c.takes_file ? 1 : 0);
     });
     return fmt::format(R"(# Completion of the command twinwake, as it is now:  source <(twinwake completion bash)
@@ -93,20 +93,20 @@ std::string fish_completion(const OfferedCommand& program) {
             else if (!c.below.empty())
                 here += fmt::format("; and not __fish_seen_subcommand_from {}", fmt::join(names_of(c.below), " "));
         }
-        const std::string line = "complete -c twinwake -n " + quoted(here);
+        const std::string line = "complete -c twinwake -n " + in_quotes(here);
         const std::vector<std::string> names = names_of(c.below);
         for (std::size_t k = 0; k < names.size(); ++k)
-            text += fmt::format("{} -a {} -d {}\n", line, names[k], quoted(c.below[k].help));
+            text += fmt::format("{} -a {} -d {}\n", line, names[k], in_quotes(c.below[k].help));
         if (!c.words.empty())
-            text += fmt::format("{} -a {}\n", line, quoted(fmt::format("{}", fmt::join(c.words, " "))));
+            text += fmt::format("{} -a {}\n", line, in_quotes(fmt::format("{}", fmt::join(c.words, " "))));
         if (c.takes_file) text += line + " -F\n";
         for (const OfferedOption& o : c.options) {
             text += line;
             for (const std::string& name : o.names)
                 text += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
             if (o.takes_value) text += o.takes_file ? " -r -F" : " -x";
-            if (!o.values.empty()) text += " -a " + quoted(fmt::format("{}", fmt::join(o.values, " ")));
-            text += " -d " + quoted(o.help) + "\n";
+            if (!o.values.empty()) text += " -a " + in_quotes(fmt::format("{}", fmt::join(o.values, " ")));
+            text += " -d " + in_quotes(o.help) + "\n";
         }
     });
     return text;

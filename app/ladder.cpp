@@ -10,6 +10,7 @@
 #include "app/output.h"
 #include "app/solvers.h"
 #include "app/stop_signal.h"
+#include "app/study.h"
 #include "app/write_ladder.h"
 #include "base/errors.h"
 #include "base/folder_lock.h"
@@ -62,13 +63,18 @@ int run_ladder(const LadderCommand& command, const Common& common) {
     if (command.plan) return done;
     const std::vector<RunRecord> measured = measured_records(command.measured);  // before hours are spent
     const Scene& scene = jobs.front().run.plan.scene;
-    say(common, ready_text(scene.run.methods, scene));
-
     const FolderLock lock(out);
+    CampaignRules rules = rules_of(command.making, out);
+    rules.overwrite = command.overwrite, rules.budget = command.budget_seconds();
+    Campaign campaign(common, rules);
+    const Study study{out, common.words, rules.overwrite, rules.take_finished};
+    if (command.making.hand_over) return hand_over(command.making, study, campaign, runs_of(jobs), common);
+    if (!command.making.collect) say(common, ready_text(scene.run.methods, scene));
+
     catch_stop_signals();
     LadderHarvest harvest;
     harvest.left_out = plan.left_out;
-    Campaign campaign(common, {.overwrite = command.overwrite, .budget = command.budget_seconds()});
+    campaign.ahead(study, runs_of(jobs));
     for (const LadderJob& job : jobs)
         if (!take(harvest, job, campaign.run_or_take(job.run))) {
             complain("ladder: stopped on request; the same command continues from here");

@@ -49,9 +49,7 @@ private:
         return o;
     }
     PlannedRun planned(const SceneOverrides& o) const {
-        PlannedRun plan = plan_run(sizes_.file, o, sizes_.method, sizes_.threads);
-        if (!sizes_.snapshots) plan.scene.sampling.snapshot_interval = 0;
-        return plan;
+        return plan_run({sizes_.file, o, sizes_.method, sizes_.threads, sizes_.snapshots});
     }
     fs::path folder_of(const PlannedRun& plan) const {
         return out_ / fmt::format("near_hull_{:.6g}mm", 1000 * plan.scene.resolution.near_hull);
@@ -114,6 +112,12 @@ private:
 }  // namespace
 
 LadderPlan plan_ladder(const LadderSizes& sizes, const fs::path& out) { return Planner(sizes, out).plan(); }
+
+std::vector<CampaignRun> runs_of(const std::vector<LadderJob>& jobs) {
+    std::vector<CampaignRun> runs;
+    for (const LadderJob& job : jobs) runs.push_back(job.run);
+    return runs;
+}
 
 bool take(LadderHarvest& harvest, const LadderJob& job, CampaignResult result) {
     using State = CampaignResult::State;

@@ -49,6 +49,8 @@ struct LadderPlan {
 /// Throws InputError: the scene is wrong at its own size, if that is one of them.
 LadderPlan plan_ladder(const LadderSizes& sizes, const std::filesystem::path& out);
 
+std::vector<CampaignRun> runs_of(const std::vector<LadderJob>& jobs);
+
 /// Takes one run into the ladder. False: stopped on request. One that fails, or does not fit a budget, is left out and
 /// named in the report; the others are run all the same.
 bool take(LadderHarvest& harvest, const LadderJob& job, CampaignResult result);

@@ -2,9 +2,9 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <sstream>
 
+#include "app/command_words.h"
 #include "app/output.h"
 #include "app/quiet_waits.h"
 #include "app/subcommands.h"
@@ -30,8 +30,7 @@ constexpr const char* about =
     "  twinwake ladder my.toml           more sizes, time step and sound speed: what accuracy costs\n";
 constexpr const char* footer =
     "Exit status: 0 done, 2 bad input or usage, or output that cannot be written, 3 a run failed or was stopped (its "
-    "state "
-    "is saved), 4 --require agree not met.";
+    "state is saved), 4 --require agree not met, 5 a member of a study was stopped.";
 
 /// A misspelt subcommand, with the nearest known one.
 void refuse_unknown(const CLI::App& app, const std::string& word) {
@@ -44,23 +43,6 @@ void refuse_unknown(const CLI::App& app, const std::string& word) {
     if (std::find(names.begin(), names.end(), word) == names.end())
         throw InputError("twinwake " + word + ": no such subcommand; expected one of: " + list +
                          did_you_mean(word, names));
-}
-
-/// What was called, for the records: a word a line, without where results went and how many cores made them. Of a path
-/// from the root the name is left.
-std::string command_words(int argc, char** argv) {
-    std::string text;
-    for (int k = 1; k < argc; ++k) {
-        const std::string word = argv[k];
-        const std::string option = word.substr(0, word.find('='));
-        if (option == "--out" || option == "--json" || option == "--threads") {
-            if (option == word) ++k;
-            continue;
-        }
-        if (word == "--resume" || word == "--overwrite" || word == "-q" || word == "--quiet") continue;
-        text += (word.starts_with('/') ? std::filesystem::path(word).filename().string() : word) + "\n";
-    }
-    return text;
 }
 
 /// Adds the rows of the table, and those below them; the one that is given becomes `chosen`.
@@ -89,7 +71,8 @@ int dispatch(int argc, char** argv) {
     app.require_subcommand(1);
     app.get_formatter()->column_width(34);
     Common common;
-    common.command = command_words(argc, argv);
+    common.words.assign(argv + 1, argv + argc);
+    common.command = command_text(common.words);
     Call chosen;
     add(app, subcommands(), common, chosen);
 

@@ -43,6 +43,10 @@ void ProgressBar::show(double share, double wall, double left, const std::string
          fmt::format("{:3.0f} %  {}  {} elapsed  {}{}", 100 * share, done, clock_text(wall), left_text(left), note));
 }
 
+void ProgressBar::clear() const {
+    if (shown_ && terminal_) std::fputs("\r\033[K", stderr);
+}
+
 bool ProgressBar::due(double share, bool phase) const {
     if (quiet_) return false;
     const double since = shown_ ? std::chrono::duration<double>(std::chrono::steady_clock::now() - last_).count() : 1e9;

@@ -16,6 +16,9 @@ public:
     /// Work that is no simulated time: its share done, wall time gone and left [s] (0: not known), what was done.
     void show(double share, double wall, double left, const std::string& done, const std::string& note);
 
+    /// Takes the line off a terminal, for others to be printed there.
+    void clear() const;
+
 private:
     bool due(double share, bool phase) const;
     void draw(double share, const std::string& facts);

@@ -8,6 +8,7 @@
 #include "app/output.h"
 #include "app/solvers.h"
 #include "app/stop_signal.h"
+#include "app/study.h"
 #include "app/twins.h"
 #include "base/errors.h"
 #include "base/folder_lock.h"
@@ -32,6 +33,7 @@ std::vector<std::string> methods_of(const Scene& scene) {
 
 /// A folder that holds a run is refused before another method spends an hour.
 void refuse_taken(const fs::path& folder, const std::string& method, const RunCommand& command) {
+    if (command.making.collect) return;
     const bool taken = fs::exists(folder / "record.h5") || fs::exists(folder / solver_of(method).state);
     if (taken && !command.resume && !command.overwrite)
         throw InputError(
@@ -80,7 +82,7 @@ int required_agreement(const std::optional<Ladder>& ladder) {
 }  // namespace
 
 int run_run(const RunCommand& command, const Common& common) {
-    const PlannedRun plan = plan_run(command.scene.file, command.scene.overrides(), command.method, command.threads);
+    const PlannedRun plan = plan_run({command.scene.file, command.scene.overrides(), command.method, command.threads});
     const Scene& scene = plan.scene;
     const std::vector<std::string> methods = methods_of(scene);
 
@@ -90,15 +92,23 @@ int run_run(const RunCommand& command, const Common& common) {
     if (command.twins)
         twins.emplace(command.scene.file, command.scene.overrides(), command.method, command.threads, out / "twins");
     if (twins && !command.overwrite) twins->refuse_others();
-    say(common, ready_text(methods, scene));
+    if (!command.making.hand_over && !command.making.collect) say(common, ready_text(methods, scene));
     double own = 0;
     for (const std::string& method : methods) own += plan.seconds(method);
     say(common, fmt::format("{}\n{}{}results in {}\n", scene.title, prediction_text(plan),
                             twins ? twins->prediction_text(own) : "", out.string()));
 
     const FolderLock lock(out);
+    CampaignRules rules = rules_of(command.making, out);
+    rules.overwrite = command.overwrite, rules.take_finished = !command.overwrite;
+    Campaign campaign(common, rules);
+    const Study study{out, common.words, rules.overwrite, rules.take_finished};
+    std::vector<CampaignRun> all = twins ? twins->runs() : std::vector<CampaignRun>{};
+    for (const std::string& method : methods) all.push_back({method, method, plan, out / method});
+    if (command.making.hand_over) return hand_over(command.making, study, campaign, all, common);
+
     catch_stop_signals();
-    Campaign campaign(common, {.overwrite = command.overwrite, .take_finished = !command.overwrite});
+    campaign.ahead(study, all);
     std::vector<RunFacts> runs;
     const auto stopped = [&](const std::string& what) {
         complain(what + ": stopped on request; continue it with --resume");

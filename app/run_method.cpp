@@ -11,19 +11,19 @@
 
 namespace tw::app {
 
-PlannedRun plan_run(const std::filesystem::path& file, const SceneOverrides& overrides, const std::string& method,
-                    int threads) {
-    Scene scene = read_scene(file, overrides);
-    if (method == every_method)
+PlannedRun plan_run(const RunRequest& request) {
+    Scene scene = read_scene(request.file, request.overrides);
+    if (request.method == every_method)
         scene.run.methods = method_names();
-    else if (!method.empty())
-        scene.run.methods = {method};
-    if (threads > 0) scene.run.threads = threads;
+    else if (!request.method.empty())
+        scene.run.methods = {request.method};
+    if (request.threads > 0) scene.run.threads = request.threads;
+    if (!request.snapshots) scene.sampling.snapshot_interval = 0;
     for (const std::string& m : scene.run.methods)
         if (const Solver& solver = solver_of(m); solver.refuse) solver.refuse(scene);
     const Prediction prediction = predict_here(scene);
     refuse_oversize(scene, prediction);
-    return {std::move(scene), prediction};
+    return {request, std::move(scene), prediction};
 }
 
 RunRecord run_method(const std::string& method, const PlannedRun& plan, const MethodRun& run, const Common& common) {
@@ -39,7 +39,10 @@ RunRecord run_method(const std::string& method, const PlannedRun& plan, const Me
     options.predicted_bytes = cost.bytes;
     options.command = common.command;
     ProgressBar bar(method, common.quiet);
-    options.progress = [&bar](const Progress& p) { bar.show(p); };
+    options.progress = [&](const Progress& p) {
+        bar.show(p);
+        if (run.progress) run.progress(p);
+    };
     options.stop_asked = stop_asked;
     RunRecord record = solver_of(method).run(scene, options);
     // what an effect costs is an estimate of its own, and air's is the roughest

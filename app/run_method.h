@@ -1,28 +1,38 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include "app/commands.h"
 #include "app/facts_json.h"
 #include "record/run_record.h"
+#include "scene/run_options.h"
 
 namespace tw::app {
 
+/// What is asked of a scene: all that it takes to plan the very same run in another process.
+struct RunRequest {
+    std::filesystem::path file;
+    SceneOverrides overrides = {};
+    std::string method = {};  ///< a name, or every_method; empty: the scene's
+    int threads = 0;          ///< 0: the scene's
+    bool snapshots = true;
+};
 /// A scene as it will be run, and what that is expected to cost on this machine.
 struct PlannedRun {
+    RunRequest request;
     Scene scene;
     Prediction prediction;
     double seconds(const std::string& method) const { return prediction.of(method).seconds; }
 };
-/// `method`: a name, or every_method; empty: the scene's. `threads`: 0: the scene's. Throws InputError: the scene is
-/// wrong, or too large for this machine.
-PlannedRun plan_run(const std::filesystem::path& file, const SceneOverrides& overrides, const std::string& method,
-                    int threads);
+/// Throws InputError: the scene is wrong, or too large for this machine.
+PlannedRun plan_run(const RunRequest& request);
 
 /// How one method of a scene is to be run.
 struct MethodRun {
     std::filesystem::path folder;  ///< of this method's run
     bool resume = false, overwrite = false;
+    std::function<void(const Progress&)> progress = {};  ///< is told too
 };
 /// Runs it with a progress bar; stops on request after saving state. What it took is remembered for the next
 /// prediction (machine_pace.h).

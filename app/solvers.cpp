@@ -27,6 +27,7 @@ const std::vector<Solver>& solvers() {
         {.method = "fvm",
          .predict = predict_cells,
          .run = run_fvm,
+         .elements_per_rank = cells_per_rank,
          .state = "case",
          .refuse = refuse_unmeshable,
          .ready = openfoam_line},

@@ -13,6 +13,8 @@ struct Solver {
     std::string method;
     MethodCost (*predict)(const Scene& scene, const Prediction& size, double pace) = nullptr;
     RunRecord (*run)(const Scene& scene, const RunOptions& options) = nullptr;
+    /// Elements that are worth a rank of MPI; 0: it runs as threads, whose number does not change a bit of the results.
+    double elements_per_rank = 0;
     std::string state = {};  ///< file or folder of a run, beside record.h5, from which it is resumed
     /// Throws InputError where the method cannot solve what the scene asks for. Null: it solves every scene.
     void (*refuse)(const Scene& scene) = nullptr;

@@ -8,7 +8,10 @@
 
 #include "app/about.h"
 #include "app/output.h"
+#include "app/site.h"
 #include "app/solvers.h"
+#include "app/study.h"
+#include "app/submit.h"
 #include "scene/effects/registry.h"
 #include "spray/read_study.h"
 
@@ -67,6 +70,76 @@ void add_method(CLI::App& c, std::string& method) {
 void add_threads(CLI::App& c, int& threads,
                  const char* help = "threads (particles) and ranks (mesh); all cores unless given") {
     c.add_option("--threads", threads, help)->check(CLI::Range(1, 4096));
+}
+
+void add_jobs(CLI::App& c, Making& making) {
+    CLI::Option* jobs =
+        c.add_option(
+             "--jobs", making.jobs,
+             "runs side by side (1), each a process of its own; they share the cores by predicted time, but for "
+             "--threads, which each then has, and begin as cores and memory allow")
+            ->check(CLI::Range(1, 1024));
+    CLI::Option* collect =
+        c.add_flag("--collect", making.collect,
+                   "run nothing: make the report from the runs that are finished, and name the others")
+            ->excludes(jobs);
+    c.add_option_function<std::string>(
+         "--emit", [&making](const std::string&) { making.hand_over = write_snakefile; },
+         "run nothing: write study/Snakefile of the same runs and report into the folder of the results")
+        ->check(CLI::IsMember({"snakemake"}))
+        ->excludes(jobs)
+        ->excludes(collect);
+}
+
+/// The options of a study that is run on this machine.
+template <class Command, void (*options)(CLI::App&, Command&)>
+void here(CLI::App& c, Command& command) {
+    options(c, command);
+    add_jobs(c, command.making);
+}
+
+void add_site(CLI::App& c, SubmitOptions& submit) {
+    Site& site = submit.site;
+    const std::vector<CLI::Option*> own{
+        c.add_option("--account", site.account, "account that is charged"),
+        c.add_option("--partition", site.partition, "partition of the jobs"),
+        c.add_option("--qos", site.qos, "quality of service"),
+        c.add_option("--time", site.time,
+                     "the longest a job may ask for, e.g. 12h; a run that needs longer goes on in the next job")
+            ->type_name("TIME"),
+        c.add_option("--cores", site.cores, "at most for one run (32)")->check(CLI::Range(1, 4096)),
+        c.add_option("--gpus", site.gpus, "as sbatch --gpus has it; not for interFoam"),
+        c.add_option("--limit", site.limit, "runs of one array at a time")->check(CLI::Range(1, 100000)),
+        c.add_option("--modules", site.modules, "module to load; can be given again")->allow_extra_args(false),
+        c.add_option("--container", site.container, "what stands before the program, e.g. \"apptainer exec tw.sif\""),
+        c.add_option("--site", submit.site_file, "site file with these and `program` (TOML), see below")
+            ->type_name("FILE"),
+        c.add_flag("--dry-run", submit.dry_run, "write the scripts, print what would be submitted, and submit nothing"),
+    };
+    for (CLI::Option* option : own) {
+        option->group("Cluster");
+        submit.own["--" + option->get_lnames().front()] = option->get_items_expected_max() > 0 ? 1 : 0;
+    }
+}
+
+/// A study's command that is given to Slurm.
+template <class Command>
+Subcommand submit_row(const char* name, const char* help, void (*options)(CLI::App&, Command&),
+                      int (*run)(const Command&, const Common&)) {
+    Subcommand row{name, help, [options, run](CLI::App& app) -> Call {
+                       const auto command = std::make_shared<Command>();
+                       const auto submit = std::make_shared<SubmitOptions>();
+                       options(app, *command);
+                       add_site(app, *submit);
+                       command->making.hand_over = [submit](Study study, const Common& common) {
+                           return submit_study(std::move(study), *submit, common);
+                       };
+                       return [command, submit, run](const Common& common) {
+                           return run(*command, common_of_study(*submit, common));
+                       };
+                   }};
+    row.about = about_site;
+    return row;
 }
 
 void add_rerun(CLI::App& c, bool& overwrite) {
@@ -183,6 +256,16 @@ void ablate_options(CLI::App& c, AblateCommand& ablate) {
     add_threads(c, ablate.threads);
 }
 
+void member_options(CLI::App& c, MemberCommand& member) {
+    c.add_option("study", member.study, "folder of the study's results")->required();
+    c.add_option("number", member.number, "which of its runs, from 0")->required();
+    add_threads(c, member.threads);
+}
+
+void study_options(CLI::App& c, StudyCommand& study) {
+    c.add_option("folder", study.folder, "folder of the study's results")->required();
+}
+
 void import_options(CLI::App& c, ImportCommand& imported) {
     c.add_option("mapping", imported.mapping, "TOML file that says which columns mean what")->required();
     c.add_option("--out", imported.out, "folder for record.h5")->required();
@@ -285,6 +368,13 @@ std::vector<Subcommand> subcommands() {
         row("make", "a parametric hull; without a shape: the list of shapes and parameters", hull_make_options,
             run_hull_action),
     };
+    Subcommand submit{"submit", "give a study to Slurm: its runs as arrays of jobs, and a last one for the report", {}};
+    submit.below = {
+        submit_row("run", "a scene with both methods and their coarser twins", run_options, run_run),
+        submit_row("ladder", "a scene at several sizes", ladder_options, run_ladder),
+        submit_row("sweep", "a scene with every hull, speed and trim of lists", sweep_options, run_sweep),
+        submit_row("ablate", "effects switched one at a time", ablate_options, run_ablate),
+    };
     return {
         without_json(row("new", "write a scene file to start from", new_options, run_new)),
         row("check", "hull health, effects with reasons, size, memory and time; runs nothing", check_options,
@@ -294,18 +384,24 @@ std::vector<Subcommand> subcommands() {
         row("run",
             "run a scene with both methods, coarser twins first, and compare them: verdicts that include the "
             "discretisation error",
-            run_options, run_run),
+            here<RunCommand, run_options>, run_run),
         row("compare", "compare run records: verdict and report", compare_options, run_compare),
         with_about(row("import", "a run record from CSV histories, DualSPHysics or another OpenFOAM case, for compare",
                        import_options, run_import),
                    about_import),
         row("ladder", "a scene at several sizes with both methods: verdicts that include the discretisation error",
-            ladder_options, run_ladder),
-        row("sweep", "a scene with every hull, speed and trim of lists: bias and scatter of the methods", sweep_options,
-            run_sweep),
-        with_about(row("ablate", "effects switched one at a time: what each changes, and what it costs", ablate_options,
-                       run_ablate),
+            here<LadderCommand, ladder_options>, run_ladder),
+        row("sweep", "a scene with every hull, speed and trim of lists: bias and scatter of the methods",
+            here<SweepCommand, sweep_options>, run_sweep),
+        with_about(row("ablate", "effects switched one at a time: what each changes, and what it costs",
+                       here<AblateCommand, ablate_options>, run_ablate),
                    about_ablate + effects_text() + "\n"),
+        submit,
+        row("status", "how far the runs of a study with several processes or jobs are", study_options, run_status),
+        without_json(row("cancel", "take the jobs of a study out of Slurm's queue; what is finished is kept",
+                         study_options, run_cancel)),
+        without_json(row("member", "one run of a study, as --jobs and the jobs of a cluster make it", member_options,
+                         run_member)),
         with_about(row("uncertainty", "discretisation error of the finest value, from any table of a refinement study",
                        uncertainty_options, run_uncertainty),
                    about_uncertainty),

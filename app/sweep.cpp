@@ -9,6 +9,7 @@
 #include "app/output.h"
 #include "app/solvers.h"
 #include "app/stop_signal.h"
+#include "app/study.h"
 #include "app/twins.h"
 #include "base/errors.h"
 #include "base/folder_lock.h"
@@ -23,6 +24,8 @@ namespace fs = std::filesystem;
 struct SweptHull {
     std::string name, folder;
     SceneOverrides overrides;
+    std::optional<PlannedRun> plan = {};
+    std::string why_not = {};  ///< what is wrong with this scene
 };
 
 /// Letters, digits, points and dashes of a name; the rest becomes a dash.
@@ -54,6 +57,41 @@ std::vector<SweptHull> variants_of(const SweepCommand& command) {
     return variants;
 }
 
+void plan_all(std::vector<SweptHull>& variants, const SweepCommand& command) {
+    for (SweptHull& v : variants) try {
+            v.plan = plan_run({command.scene.file, v.overrides, every_method, command.threads});
+        } catch (const InputError& e) {
+            v.why_not = e.what();
+            complain(v.name + ": " + v.why_not);
+        }
+}
+
+Twins twins_of(const SweptHull& variant, const fs::path& out, const SweepCommand& command) {
+    return {command.scene.file, variant.overrides, every_method, command.threads, out / variant.folder / "twins"};
+}
+
+CampaignRun run_of(const SweptHull& variant, const std::string& method, const fs::path& out) {
+    return {variant.name + ": " + method, method, *variant.plan, out / variant.folder / method};
+}
+
+/// All that will be run as long as no twins fail.
+std::vector<CampaignRun> runs_of(const std::vector<SweptHull>& variants, const fs::path& out,
+                                 const SweepCommand& command) {
+    std::vector<CampaignRun> runs;
+    std::string twins = command.twins;
+    for (const SweptHull& v : variants) {
+        if (!v.plan) continue;
+        if (twins != "none")
+            for (CampaignRun& twin : twins_of(v, out, command).runs()) {
+                twin.name = v.name + ": " + twin.name;
+                runs.push_back(std::move(twin));
+            }
+        if (twins == "first") twins = "none";
+        for (const std::string& method : v.plan->scene.run.methods) runs.push_back(run_of(v, method, out));
+    }
+    return runs;
+}
+
 /// Which scenes run twins, and what they have told so far.
 struct Errors {
     std::string twins;  ///< first, all, none
@@ -63,17 +101,18 @@ struct Errors {
 
 /// All methods of one scene, their twins if it is to run some, and their comparison. False: stopped on request. What is
 /// wrong with this scene goes into the member; the others are run all the same.
-bool run_member(const SweptHull& variant, const fs::path& folder, const SweepCommand& command, Campaign& campaign,
-                Errors& errors, SweepMember& member) {
+bool run_swept(const SweptHull& variant, const fs::path& out, const SweepCommand& command, Campaign& campaign,
+               Errors& errors, SweepMember& member) {
+    member.why_not = variant.why_not;
+    if (!variant.plan) return true;
+    const fs::path folder = out / variant.folder;
     try {
-        const PlannedRun plan = plan_run(command.scene.file, variant.overrides, every_method, command.threads);
         std::optional<Twins> twins;
-        if (errors.wanted())
-            twins.emplace(command.scene.file, variant.overrides, every_method, command.threads, folder / "twins");
+        if (errors.wanted()) twins = twins_of(variant, out, command);
         if (twins && !twins->run(campaign)) return false;
         std::vector<RunRecord> records;
-        for (const std::string& method : plan.scene.run.methods) {
-            CampaignResult result = campaign.run_or_take({variant.name + ": " + method, method, plan, folder / method});
+        for (const std::string& method : variant.plan->scene.run.methods) {
+            CampaignResult result = campaign.run_or_take(run_of(variant, method, out));
             if (result.state == CampaignResult::State::stopped) return false;
             if (!result.there()) {
                 member.why_not = method + ": " + result.why_not;
@@ -107,17 +146,24 @@ bool run_member(const SweptHull& variant, const fs::path& folder, const SweepCom
 int run_sweep(const SweepCommand& command, const Common& common) {
     const fs::path out =
         command.out.empty() ? fs::path("runs") / (command.scene.file.stem().string() + "_sweep") : command.out;
-    const std::vector<SweptHull> variants = variants_of(command);
-    say(common, ready_text(method_names(), {}));
+    std::vector<SweptHull> variants = variants_of(command);
+    plan_all(variants, command);
     const FolderLock lock(out);
+    CampaignRules rules = rules_of(command.making, out);
+    rules.overwrite = command.overwrite;
+    Campaign campaign(common, rules);
+    const Study study{out, common.words, rules.overwrite, rules.take_finished};
+    const std::vector<CampaignRun> all = runs_of(variants, out, command);
+    if (command.making.hand_over) return hand_over(command.making, study, campaign, all, common);
+    if (!command.making.collect) say(common, ready_text(method_names(), {}));
     catch_stop_signals();
-    Campaign campaign(common, {.overwrite = command.overwrite});
+    campaign.ahead(study, all);
     std::vector<SweepMember> members;
     Errors errors{command.twins};
     for (const SweptHull& variant : variants) {
         SweepMember& member = members.emplace_back();
         member.name = variant.name;
-        if (!run_member(variant, out / variant.folder, command, campaign, errors, member)) {
+        if (!run_swept(variant, out, command, campaign, errors, member)) {
             complain("sweep: stopped on request; the same command continues from here");
             return run_failed;
         }

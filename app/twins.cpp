@@ -28,6 +28,8 @@ Twins::Twins(const fs::path& file, const SceneOverrides& overrides, const std::s
             of_other_methods_.push_back(std::move(job));
 }
 
+std::vector<CampaignRun> Twins::runs() const { return runs_of(plan_.jobs); }
+
 double Twins::seconds() const {
     double sum = 0;
     for (const LadderJob& job : plan_.jobs)

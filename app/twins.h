@@ -17,7 +17,8 @@ public:
     Twins(const std::filesystem::path& file, const SceneOverrides& overrides, const std::string& method, int threads,
           std::filesystem::path out);
 
-    double seconds() const;  ///< predicted, of those that are not finished [s]
+    std::vector<CampaignRun> runs() const;  ///< those to be made, cheapest first
+    double seconds() const;                 ///< predicted, of those that are not finished [s]
     /// "twins: 4 coarser runs and one in a wider box, about 21 s (+ 31 %); --no-twins leaves them out"; what is left
     /// out below it. `own`: predicted time of the scene's own runs [s].
     std::string prediction_text(double own) const;

@@ -29,8 +29,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double save_interval = 20;      // wall seconds between saves of the record while the solver runs
-constexpr double cells_per_rank = 20000;  // below, ranks cost more than they bring
+constexpr double save_interval = 20;  // wall seconds between saves of the record while the solver runs
 
 /// One run of one scene, from the empty folder to the record.
 class FvmRun {

@@ -103,9 +103,14 @@ if [ -n "$program" ]; then
             continue
         fi
         [ -n "${help[${sub:--}]:-}" ] || help[${sub:--}]=$([ -z "$sub" ] && echo "$overview" || "$program" "$sub" --help)
+        key=${sub:--} below=${words[3]:-}
+        if [[ -n $sub && $below =~ ^[a-z]+$ ]] && grep -qE "^ +$below( |$)" <<<"${help[$sub]}"; then
+            key="$sub $below"
+            [ -n "${help[$key]:-}" ] || help[$key]=$("$program" "$sub" "$below" --help)
+        fi
         for word in "${words[@]:2}"; do
             [[ $word =~ ^(--[a-z0-9-]+) ]] || continue
-            grep -qE -- "${BASH_REMATCH[1]}([^a-z0-9-]|$)" <<<"${help[${sub:--}]}" ||
+            grep -qE -- "${BASH_REMATCH[1]}([^a-z0-9-]|$)" <<<"${help[$key]}" ||
                 tell "$page: twinwake $sub has no option ${BASH_REMATCH[1]}"
         done
     done < <(for page in "${pages[@]}"; do

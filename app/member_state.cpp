@@ -1,0 +1,44 @@
+#include "app/member_state.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "base/atomic_file.h"
+
+namespace tw::app {
+namespace {
+
+constexpr std::array kind_names = {"waiting", "running", "done", "stopped", "failed", "refused"};
+
+}  // namespace
+
+std::string name_of(MemberState::Kind kind) { return kind_names.at(static_cast<std::size_t>(kind)); }
+
+MemberState read_member_state(const std::filesystem::path& file) {
+    try {
+        if (!std::filesystem::exists(file)) return {};
+        const auto facts = nlohmann::json::parse(read_text(file));
+        MemberState s;
+        const auto* const kind = std::ranges::find(kind_names, facts.at("state").get<std::string>());
+        s.kind = static_cast<MemberState::Kind>(kind - kind_names.begin());
+        if (kind == kind_names.end()) return {};
+        s.why = facts.at("why"), s.share = facts.at("share"), s.left = facts.at("left");
+        s.note = facts.at("note"), s.node = facts.at("node");
+        return s;
+    } catch (const std::exception&) { return {}; }
+}
+
+void write_member_state(const std::filesystem::path& file, const MemberState& s) {
+    const nlohmann::ordered_json facts = {{"state", name_of(s.kind)}, {"why", s.why},
+                                          {"share", s.share},         {"left", std::isfinite(s.left) ? s.left : 0},
+                                          {"note", s.note},           {"node", s.node}};
+    const std::filesystem::path beside = file.string() + ".tmp";
+    std::ofstream(beside) << facts.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << "\n";
+    std::error_code ignored;  // nothing is lost with it, so it need not be on the disk at once
+    std::filesystem::rename(beside, file, ignored);
+}
+
+}  // namespace tw::app

@@ -1,0 +1,158 @@
+#include "app/study.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/job_scripts.h"
+#include "app/member_state.h"
+#include "app/output.h"
+#include "base/atomic_file.h"
+#include "base/errors.h"
+
+namespace tw::app {
+namespace {
+
+namespace fs = std::filesystem;
+using StudyJson = nlohmann::ordered_json;
+
+constexpr std::pair<const char*, std::optional<double> SceneOverrides::*> given[] = {
+    {"speed", &SceneOverrides::speed},         {"spacing", &SceneOverrides::spacing},
+    {"near_hull", &SceneOverrides::near_hull}, {"duration", &SceneOverrides::duration},
+    {"trim", &SceneOverrides::trim},           {"scale", &SceneOverrides::scale_resolution}};
+constexpr std::pair<const char*, double SceneOverrides::*> factors[] = {
+    {"sound_speed_factor", &SceneOverrides::sound_speed_factor},
+    {"time_step_factor", &SceneOverrides::time_step_factor},
+    {"courant_factor", &SceneOverrides::courant_factor},
+    {"box_factor", &SceneOverrides::box_factor}};
+
+StudyJson json_of(const SceneOverrides& o) {
+    StudyJson json = StudyJson::object();
+    if (o.hull_file) json["hull"] = o.hull_file->string();
+    for (const auto& [key, value] : given)
+        if (o.*value) json[key] = *(o.*value);
+    for (const auto& [key, factor] : factors)
+        if (o.*factor != 1) json[key] = o.*factor;
+    if (!o.effects.empty()) json["effects"] = o.effects;
+    return json;
+}
+
+SceneOverrides overrides_of(const StudyJson& json) {
+    SceneOverrides o;
+    if (json.contains("hull")) o.hull_file = json["hull"].get<std::string>();
+    for (const auto& [key, value] : given)
+        if (json.contains(key)) o.*value = json[key].get<double>();
+    for (const auto& [key, factor] : factors) o.*factor = json.value(key, 1.0);
+    if (json.contains("effects")) o.effects = json["effects"].get<std::map<std::string, bool>>();
+    return o;
+}
+
+StudyJson json_of(const Member& m) {
+    const int cores = m.request.threads > 0 ? m.request.threads : job_cores(m.elements);
+    return {{"name", m.name},
+            {"method", m.method},
+            {"folder", m.folder.string()},
+            {"scene", m.request.file.string()},
+            {"changes", json_of(m.request.overrides)},
+            {"methods", m.request.method},
+            {"threads", m.request.threads},
+            {"cores", cores},
+            {"snapshots", m.request.snapshots},
+            {"needs", StudyJson::array()},
+            {"predicted", {{"seconds", m.seconds}, {"bytes", m.bytes}, {"elements", m.elements}}}};
+}
+
+Member member_of(const StudyJson& json) {
+    const StudyJson& predicted = json.at("predicted");
+    return {json.at("name"),
+            json.at("method"),
+            json.at("folder").get<std::string>(),
+            {json.at("scene").get<std::string>(), overrides_of(json.at("changes")), json.at("methods"),
+             json.at("threads"), json.at("snapshots")},
+            predicted.at("seconds"),
+            predicted.at("bytes"),
+            predicted.at("elements")};
+}
+
+}  // namespace
+
+Member member_of(const CampaignRun& run) {
+    const MethodCost& cost = run.plan.prediction.of(run.method);
+    Member member{run.name, run.method, run.folder, run.plan.request, cost.seconds, cost.bytes, cost.elements};
+    member.request.threads = run.plan.scene.run.threads;
+    return member;
+}
+
+CampaignRules rules_of(const Making& making, const fs::path& out) {
+    CampaignRules rules;
+    rules.jobs = making.jobs;
+    if (making.collect) rules.collect = out;
+    return rules;
+}
+
+int hand_over(const Making& making, Study study, Campaign& campaign, const std::vector<CampaignRun>& runs,
+              const Common& common) {
+    for (const CampaignRun& run : campaign.to_make(runs)) study.members.push_back(member_of(run));
+    return making.hand_over(std::move(study), common);
+}
+
+fs::path study_folder(const fs::path& out) { return out / "study"; }
+fs::path state_file(const fs::path& out, std::size_t number) {
+    return study_folder(out) / "members" / (std::to_string(number) + ".json");
+}
+fs::path log_file(const fs::path& out, std::size_t number) {
+    return study_folder(out) / "members" / (std::to_string(number) + ".log");
+}
+
+void write_study(const Study& study) {
+    const fs::path members = study_folder(study.out) / "members";
+    std::error_code ignored;
+    fs::remove_all(members, ignored);
+    make_folder(members);
+    StudyJson json = {{"where", fs::current_path().string()},
+                      {"out", study.out.string()},
+                      {"program", fs::read_symlink("/proc/self/exe").string()},
+                      {"report", study.words},
+                      {"overwrite", study.overwrite},
+                      {"take_finished", study.take_finished}};
+    for (const Member& m : study.members) json["members"].push_back(json_of(m));
+    try {
+        write_file(study_folder(study.out) / "study.json", json.dump(1) + "\n");
+    } catch (const StudyJson::exception&) {
+        throw InputError(study.out.string() + ": a study made by several processes needs names of files in UTF-8");
+    }
+}
+
+Study read_study(const fs::path& out) {
+    const fs::path file = study_folder(out) / "study.json";
+    if (!fs::exists(file))
+        throw InputError(out.string() + ": no study has been submitted or run with --jobs there; expected " +
+                         file.string());
+    try {
+        const StudyJson json = StudyJson::parse(read_text(file));
+        Study study{json.at("out").get<std::string>(), json.at("report"), json.at("overwrite"),
+                    json.at("take_finished")};
+        study.where = json.at("where").get<std::string>();
+        for (const StudyJson& m : json.at("members")) study.members.push_back(member_of(m));
+        return study;
+    } catch (const StudyJson::exception& e) {
+        throw InputError(fmt::format("{}: is not a study as this version writes it: {}", file.string(), e.what()));
+    }
+}
+
+std::string why_unfinished(const fs::path& out, const fs::path& folder) {
+    if (!fs::exists(study_folder(out) / "study.json")) return "not made yet";
+    const Study study = read_study(out);
+    for (std::size_t k = 0; k < study.members.size(); ++k) {
+        if (study.members[k].folder != folder) continue;
+        const MemberState state = read_member_state(state_file(out, k));
+        if (!state.why.empty()) return state.why;
+        if (state.kind == MemberState::Kind::waiting) return "not begun";
+        return fmt::format("{} at {:.0f} %; what it printed: {}",
+                           state.kind == MemberState::Kind::running ? "did not end, last seen" : name_of(state.kind),
+                           100 * state.share, log_file(out, k).string());
+    }
+    return "not part of the study that was made";
+}
+
+}  // namespace tw::app

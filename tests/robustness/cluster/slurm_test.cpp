@@ -1,0 +1,108 @@
+// Studies on a real Slurm: three nodes on this host, where they can be started (slurm_here.sh).
+#include <chrono>
+#include <thread>
+
+#include "study_folder.h"
+
+namespace tw::test {
+namespace slurm_test {
+
+using Words = std::vector<std::string>;
+
+class Slurm : public Command {
+protected:
+    void SetUp() override {
+        Command::SetUp();
+        write("column.toml", small_column);
+        setenv("XDG_CONFIG_HOME", (folder_ / "config").c_str(), 1);
+        char name[] = "/tmp/tw_slurm_XXXXXX";  // sockets have short names
+        cluster_ = mkdtemp(name);
+        setenv("SLURM_CONF", (cluster_ / "slurm.conf").c_str(), 1);
+        const int status = cluster("start", "> '" + (folder_ / "why").string() + "'");
+        if (WEXITSTATUS(status) == 77) GTEST_SKIP() << content(folder_ / "why");
+        ASSERT_EQ(status, 0);
+    }
+    void TearDown() override {
+        cluster("stop");
+        unsetenv("SLURM_CONF");
+        fs::remove_all(cluster_);
+        Command::TearDown();
+    }
+
+    int cluster(const std::string& action, const std::string& more = {}) const {
+        return std::system(
+            (TWINWAKE_SOURCE "/tests/robustness/cluster/slurm_here.sh " + action + " " + cluster_.string() + " " + more)
+                .c_str());
+    }
+    /// Waits for the end of all jobs. False: they do not end.
+    bool all_ended() const {
+        const std::string ask = "[ -z \"$(squeue -h)\" ]";
+        return happens([&] { return std::system(ask.c_str()) == 0; }, 200);
+    }
+    static bool happens(const std::function<bool()>& what, double seconds) {
+        const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+        while (!what()) {
+            if (std::chrono::steady_clock::now() > end) return false;
+            std::this_thread::sleep_for(std::chrono::milliseconds(200));
+        }
+        return true;
+    }
+    /// What the jobs of a study said.
+    std::string logs(const std::string& out) const {
+        std::string text = content(folder_ / out / "study/report.log");
+        for (int k = 0; k < 8; ++k) text += content(folder_ / out / "study/members" / (std::to_string(k) + ".log"));
+        return text;
+    }
+    nlohmann::json status_of(const std::string& out) const {
+        twinwake({"status", out, "--json", "status.json"});
+        return nlohmann::json::parse(content(folder_ / "status.json"));
+    }
+
+    fs::path cluster_;
+};
+
+TEST_F(Slurm, StudiesEndInTheReportsOfLocalOnesThoughANodeDiesAndARunFails) {
+    const Words ladder{"ladder", "column.toml", "--levels", "3", "--no-fill"};
+    const auto with_words = [](Words words, const Words& more) {
+        words.insert(words.end(), more.begin(), more.end());
+        return words;
+    };
+    // A run that is long enough to lose its node, and a ladder of which one run cannot begin.
+    write("long.toml", with(small_column, "duration = 0.1\ncheckpoint = 0.02", "duration = 12\ncheckpoint = 0.2"));
+    const Outcome submitted = twinwake({"submit", "run", "long.toml", "--no-twins", "--out", "lost"});
+    ASSERT_EQ(submitted.status, 0) << submitted.err;
+    EXPECT_EQ(twinwake({"submit", "run", "long.toml", "--no-twins", "--out", "lost"}).status, 2);  // twice
+    const fs::path checkpoint = folder_ / "lost/sph/checkpoint.h5";
+    ASSERT_TRUE(happens([&] { return fs::exists(checkpoint); }, 100)) << logs("lost");
+    const std::string job = status_of("lost")["runs"][0]["job"];
+    ASSERT_TRUE(has(job, "RUNNING node")) << job;
+    const std::string node = job.substr(job.find("node"));
+    cluster("kill", node);
+
+    ASSERT_EQ(twinwake(with_words({"submit"}, with_words(ladder, {"--out", "ladder"}))).status, 0);
+    ASSERT_EQ(twinwake({"submit", "run", "column.toml", "--out", "run"}).status, 0);
+    write("failing/near_hull_42.4264mm/sph/record.h5.tmp/in/the/way", "");
+    ASSERT_EQ(twinwake(with_words({"submit"}, with_words(ladder, {"--out", "failing", "--no-variations"}))).status, 0);
+    const Outcome refused = twinwake({"submit", "run", "column.toml", "--out", "no", "--partition", "moon"});
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_TRUE(has(refused.err, "invalid partition specified: moon")) << refused.err;  // Slurm's own words
+
+    ASSERT_EQ(twinwake(with_words(ladder, {"--out", "own_ladder"})).status, 0);
+    ASSERT_EQ(twinwake({"run", "column.toml", "--out", "own_run"}).status, 0);
+    ASSERT_EQ(twinwake({"run", "long.toml", "--no-twins", "--out", "own_long"}).status, 0);
+    ASSERT_TRUE(all_ended());
+
+    expect_same_records(folder_ / "own_ladder", folder_ / "ladder");
+    EXPECT_EQ(content(folder_ / "own_ladder/ladder_sph.csv"), content(folder_ / "ladder/ladder_sph.csv"))
+        << logs("ladder");
+    expect_same_records(folder_ / "own_run", folder_ / "run");
+    EXPECT_EQ(content(folder_ / "own_run/quantities.csv"), content(folder_ / "run/quantities.csv")) << logs("run");
+    expect_same_records(folder_ / "own_long", folder_ / "lost");
+    EXPECT_TRUE(fs::exists(folder_ / "lost/report.html")) << logs("lost");
+    EXPECT_TRUE(has(content(folder_ / "failing/ladder.md"), "sph at 0.0424264 m: failed: ")) << logs("failing");
+    EXPECT_EQ(status_of("failing")["runs"][1]["state"], "failed");
+    EXPECT_EQ(status_of("ladder")["runs"][1]["state"], "done");
+}
+
+}  // namespace slurm_test
+}  // namespace tw::test

@@ -1,0 +1,207 @@
+// What submit writes and how it meets Slurm; Slurm itself is stood in for by small scripts on the PATH.
+#include <sys/stat.h>
+
+#include <chrono>
+#include <thread>
+
+#include "study_folder.h"
+
+namespace tw::test {
+namespace submit_test {
+
+using Words = std::vector<std::string>;
+
+class Submit : public Command {
+protected:
+    void SetUp() override {
+        Command::SetUp();
+        path_ = std::getenv("PATH");
+        fs::create_directories(folder_ / "bin");
+        for (const char* tool : {"bash", "cat", "env", "hostname", "timeout", "touch", "true"})
+            fs::create_symlink(fs::path("/usr/bin") / tool, folder_ / "bin" / tool);
+        setenv("PATH", (folder_ / "bin").c_str(), 1);
+        setenv("XDG_CONFIG_HOME", (folder_ / "config").c_str(), 1);
+        write("column.toml", small_column);
+        // No Slurm of this machine is asked: all of its programs are there and refuse, until a test replaces them.
+        for (const char* program : {"sbatch", "squeue", "scancel", "sacct", "srun", "scontrol"})
+            stub(program, "echo 'not in this test' >&2; exit 1");
+    }
+    void TearDown() override {
+        setenv("PATH", path_.c_str(), 1);
+        Command::TearDown();
+    }
+
+    /// A program on the PATH that notes its words, one a line, and then does `script`.
+    void stub(const std::string& name, const std::string& script) const {
+        const fs::path file = write("bin/" + name, "#!/bin/bash\nprintf '%s\\n' \"$@\" >> '" +
+                                                       (folder_ / (name + ".words")).string() + "'\n" + script + "\n");
+        chmod(file.c_str(), 0755);
+    }
+    std::string words_of(const std::string& name) const { return content(folder_ / (name + ".words")); }
+
+    /// A submit command: a ladder of three sizes with what else is given.
+    Outcome submit(const Words& more = {}, const std::string& levels = "3") const {
+        Words words{"submit", "ladder", "column.toml", "--levels", levels, "--no-fill", "--out", "out"};
+        words.insert(words.end(), more.begin(), more.end());
+        return twinwake(words);
+    }
+    /// Runs a script of the study as Slurm would: in its folder, as a member of an array.
+    int run_script(const std::string& name) const {
+        return std::system(("cd '" + (folder_ / "out/study").string() +
+                            "' && SLURM_ARRAY_JOB_ID=7 SLURM_ARRAY_TASK_ID=0 timeout 60 bash " + name + " > '" +
+                            (folder_ / "script.log").string() + "' 2>&1")
+                               .c_str());
+    }
+
+    std::string path_;
+};
+
+/// A golden file; what differs from machine to machine is named in it.
+std::string golden(const std::string& name) {
+    return content(fs::path(TWINWAKE_SOURCE) / "tests/robustness/cluster/golden" / name);
+}
+
+TEST_F(Submit, ADryRunWritesTheScriptsAndSubmitsNothing) {
+    fs::remove(folder_ / "bin/sbatch");
+    const fs::path site = write("site.toml",
+                                "account = \"hydro\"\npartition = \"compute\"\nlimit = 2\ntime = \"12 h\"\n"
+                                "modules = [\"openmpi/4.1\"]\ncontainer = \"apptainer exec tw.sif\"\n"
+                                "program = \"twinwake\"\n");
+    const Outcome o = submit({"--site", "site.toml", "--qos", "night", "--dry-run"});
+    ASSERT_EQ(o.status, 0) << o.err;
+    EXPECT_EQ(content(folder_ / "out/study/sph_1.sbatch"), golden("sph_1.sbatch"));
+    const std::string report = content(folder_ / "out/study/report.sbatch");
+    EXPECT_EQ(with(report, folder_.string(), "FOLDER"), golden("report.sbatch"));
+    EXPECT_TRUE(has(o.out, "sbatch --parsable --chdir=")) << o.out;
+    EXPECT_TRUE(has(o.out, "--dependency=afterany:sph_1")) << o.out;
+    EXPECT_FALSE(fs::exists(folder_ / "out/study/jobs.json"));
+    EXPECT_TRUE(records_below(folder_ / "out").empty());
+    for (const char* script : {"sph_1.sbatch", "report.sbatch"})
+        EXPECT_EQ(std::system(("bash -n '" + (folder_ / "out/study" / script).string() + "'").c_str()), 0);
+    // Where Slurm is there, its own opinion is shown and nothing is submitted either.
+    stub("sbatch", "echo 'sbatch: Job 5 to start at 2027-01-01'");
+    const Outcome asked = submit({"--dry-run"});
+    EXPECT_TRUE(has(asked.out, "sph_1: sbatch: Job 5 to start at 2027-01-01")) << asked.out;
+    EXPECT_TRUE(has(words_of("sbatch"), "--test-only"));
+    EXPECT_FALSE(has(words_of("sbatch"), "--parsable"));
+}
+
+TEST_F(Submit, WithoutSlurmItIsRefusedByName) {
+    setenv("PATH", "/nowhere", 1);
+    const Outcome o = submit();
+    EXPECT_EQ(o.status, 2);
+    EXPECT_TRUE(has(o.err, "there is no sbatch on the PATH")) << o.err;
+    EXPECT_TRUE(has(o.err, "--jobs N")) << o.err;
+}
+
+TEST_F(Submit, SlurmsOwnWordsAreShownAndHalfASubmissionIsTakenBack) {
+    stub("sbatch",
+         "case $* in *report*) echo 'sbatch: error: Batch job submission failed: Invalid account or "
+         "account/partition combination specified' >&2; exit 1;; esac; echo 41");
+    const Outcome o = submit({"--account", "nobody"});
+    EXPECT_EQ(o.status, 2);
+    EXPECT_TRUE(has(o.err, "Invalid account or account/partition combination specified")) << o.err;
+    EXPECT_EQ(words_of("scancel"), "41\n");
+    EXPECT_FALSE(fs::exists(folder_ / "out/study/jobs.json"));
+}
+
+TEST_F(Submit, ASecondSubmissionIsRefusedWhileJobsOfTheFirstAreQueued) {
+    stub("sbatch", "echo 41");
+    ASSERT_EQ(submit().status, 0);
+    stub("squeue", "echo '41_0|RUNNING|node1'; echo '41_1|PENDING|(Priority)'");
+    const Outcome second = submit();
+    EXPECT_EQ(second.status, 2);
+    EXPECT_TRUE(has(second.err, "this study has been submitted, and 2 of its jobs are in the queue (41 41)"))
+        << second.err;
+    Words jobs{"ladder", "column.toml", "--levels", "3", "--no-fill", "--out", "out", "--jobs", "2"};
+    EXPECT_TRUE(has(twinwake(jobs).err, "this study has been submitted"));
+    const Outcome status = twinwake({"status", "out"});
+    EXPECT_TRUE(has(status.out, "41_0: RUNNING node1")) << status.out << status.err;
+    EXPECT_TRUE(has(status.out, "lost")) << status.out;  // member 2 is in no queue
+    EXPECT_TRUE(has(status.out, "out/study/probe")) << status.out;
+    stub("scancel", "true");
+    ASSERT_EQ(twinwake({"cancel", "out"}).status, 0);
+    EXPECT_TRUE(fs::exists(folder_ / "out/study/cancelled"));
+    stub("squeue", "true");
+    EXPECT_EQ(submit().status, 0);  // and then again
+    EXPECT_FALSE(fs::exists(folder_ / "out/study/cancelled"));
+}
+
+TEST_F(Submit, AFolderThatNodesDoNotShareIsNamed) {
+    stub("sbatch", "echo 41");
+    stub("srun", "echo '/bin/cat: x: No such file or directory' >&2; exit 1");
+    const Outcome o = submit();
+    EXPECT_EQ(o.status, 2);
+    EXPECT_TRUE(has(o.err, (folder_ / "out/study/probe").string() + ": a node of the cluster does not see this file"))
+        << o.err;
+    EXPECT_TRUE(words_of("sbatch").empty());
+    // The jobs look as well: the probe of another disk is no answer.
+    stub("srun", "cat \"${@: -1}\"");
+    ASSERT_EQ(submit().status, 0);
+    write("out/study/probe", "another\n");
+    EXPECT_NE(run_script("sph_1.sbatch"), 0);
+    EXPECT_TRUE(has(content(folder_ / "script.log"), "has to lie on a disk that all nodes share"));
+}
+
+TEST_F(Submit, ASiteFileSaysWhereItIsWrong) {
+    const auto refused = [&](const std::string& text) {
+        write("site.toml", text);
+        const Outcome o = submit({"--site", "site.toml", "--dry-run"});
+        EXPECT_EQ(o.status, 2) << text;
+        return o.err;
+    };
+    EXPECT_TRUE(has(refused("account = \"a\"\npartitoin = \"b\"\n"), "site.toml:2:1: partitoin"));
+    EXPECT_TRUE(has(refused("account = \"a\"\npartitoin = \"b\"\n"), "did you mean 'partition'"));
+    EXPECT_TRUE(has(refused("qos = \"x\\n#SBATCH --wrap=ls\"\n"), "site.toml:1:7: "));
+    EXPECT_TRUE(has(refused("time = \"3 m\"\n"), "site.toml:1:8: "));
+    EXPECT_TRUE(has(refused("time = \"60 s\"\n"), "expected at least 10 min"));
+    EXPECT_TRUE(has(refused("limit = 0\n"), "site.toml:1:9: "));
+    EXPECT_TRUE(has(submit({"--account", "a b", "--dry-run"}).err, "--account a b: expected letters"));
+    write("config/twinwake/site.toml", "nodes = 3\n");  // the usual place
+    EXPECT_TRUE(has(submit({"--dry-run"}).err, "site.toml:1:1: nodes"));
+}
+
+TEST_F(Submit, NoNameAndNoTextBecomesShell) {
+    const std::string name = "it's $(touch pwned) `touch pwned`.toml";
+    write(name, with(small_column, "\"column\"", "\"$(touch pwned)\\n#SBATCH --wrap=ls\""));
+    write("site.toml",
+          "container = \"env A=$(touch\\u00a0pwned)\"\nmodules = [\"x;touch pwned\"]\nprogram = \"stand in\"\n");
+    stub("stand in", "true");
+    stub("sbatch", "echo 41");
+    const Outcome o =
+        twinwake({"submit", "ladder", name, "--levels", "1", "--no-variations", "--out", "out", "--site", "site.toml"});
+    ASSERT_EQ(o.status, 0) << o.err;
+    run_script("sph_1.sbatch");
+    run_script("report.sbatch");
+    EXPECT_EQ(words_of("stand in"), "member\n..\n0\n--threads\n1\n--quiet\nladder\n" + name +
+                                        "\n--levels\n1\n--no-variations\n--out\nout\n--collect\n");
+    for (const std::string& file : files()) EXPECT_FALSE(file.ends_with("pwned")) << file;
+}
+
+TEST_F(Submit, AJobThatTheClockEndsSavesAndGoesBackIntoTheQueue) {
+    write("column.toml", with(small_column, "duration = 0.1\ncheckpoint = 0.02", "duration = 2\ncheckpoint = 0.25"));
+    stub("sbatch", "echo 41");
+    ASSERT_EQ(submit({"--no-variations"}, "1").status, 0);
+    stub("squeue", "echo RUNNING");
+    const std::string script = "cd '" + (folder_ / "out/study").string() +
+                               "' && SLURM_ARRAY_JOB_ID=7 SLURM_ARRAY_TASK_ID=0 exec bash sph_1.sbatch > '" +
+                               (folder_ / "script.log").string() + "' 2>&1";
+    const pid_t job = fork();
+    if (job == 0) execl("/bin/bash", "bash", "-c", script.c_str(), nullptr), _exit(127);
+    const fs::path checkpoint = folder_ / "out/near_hull_30mm/sph/checkpoint.h5";
+    for (int k = 0; k < 6000 && !fs::exists(checkpoint); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    kill(job, SIGTERM);  // as --signal=B:TERM@120
+    int status = 0;
+    waitpid(job, &status, 0);
+    EXPECT_EQ(WEXITSTATUS(status), 5) << content(folder_ / "script.log");
+    EXPECT_EQ(words_of("scontrol"), "requeue\n7_0\n");
+    EXPECT_EQ(read_record(folder_ / "out/near_hull_30mm/sph/record.h5").state, "stopped");
+    ASSERT_EQ(run_script("sph_1.sbatch"), 0);  // and the next job ends it
+    twinwake({"ladder", "column.toml", "--levels", "1", "--no-variations", "--out", "whole"});
+    EXPECT_EQ(first_difference(read_record(folder_ / "whole/near_hull_30mm/sph/record.h5"),
+                               read_record(folder_ / "out/near_hull_30mm/sph/record.h5")),
+              "");
+}
+
+}  // namespace submit_test
+}  // namespace tw::test
