@@ -9,11 +9,11 @@ root=$PWD
 build_packages=(
     cmake ninja-build g++ ccache git make
     libvtk9-dev libeigen3-dev libhdf5-dev libfmt-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libboost-dev
-    libssl-dev zlib1g-dev libgtest-dev valgrind
+    libssl-dev zlib1g-dev libgtest-dev valgrind openmpi-bin libopenmpi-dev
     libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri   # pictures without a display
 )
 # interFoam, and what its mended build from the distribution's source package takes (tools/build_openfoam_solvers.sh).
-openfoam_packages=(openfoam openmpi-bin libopenmpi-dev dpkg-dev flex)
+openfoam_packages=(openfoam dpkg-dev flex)
 # A Slurm on one host, for the tests of studies on a cluster; without it they are skipped.
 test_packages=(slurm-wlm munge)
 # ---------------------------------------------------------------------------------------------------------------------

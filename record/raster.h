@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "base/exact_sum.h"
@@ -23,7 +24,9 @@ public:
     void pour_cell(const Vec3& centre, double volume, double water);
     /// Takes the water of another raster of the same voxels, in place of its own, where a voxel's centre is `inside`.
     void take_where(const std::function<bool(const Vec3&)>& inside, const Raster& other);
-    RasterFrame frame(double time) const;              ///< fractions, clamped to 1
+    RasterFrame frame(double time) const;  ///< fractions, clamped to 1
+    /// What each voxel has in whole parts of it, which processes that pour different water may add.
+    std::span<std::int64_t> parts() { return volume_; }
     double poured() const { return poured_.value(); }  ///< all water poured, inside the raster or not [m3]
 
 private:

@@ -5,7 +5,6 @@
 
 #include "base/errors.h"
 #include "base/exact_sum.h"
-#include "sph_solver/backend/for_particles.h"
 #include "sph_solver/effects/moving_tank.h"
 
 namespace tw {
@@ -46,7 +45,7 @@ double gas_energy(const Level& gas, const Vec3& gravity) {
     const LevelSetup& s = gas.setup();
     const Particles& p = gas.particles();
     const double gamma = s.state_equation.gamma, c2 = s.state_equation.c0 * s.state_equation.c0;
-    const ExactSum sum = sum_over<ExactSum>(p.size(), [&](ExactSum& energy, std::size_t i) {
+    const ExactSum sum = gas.sum_over_all<ExactSum>([&](ExactSum& energy, std::size_t i) {
         const double x = 1 + double(p.drho[i]) / s.rho0;
         energy += 0.5 * (double(p.u[i]) * p.u[i] + double(p.v[i]) * p.v[i] + double(p.w[i]) * p.w[i]) -
                   gravity.z() * p.z[i] +

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <map>
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include "base/atomic_file.h"
 #include "base/errors.h"
 #include "base/folder_lock.h"
+#include "record/code_version.h"
 #include "record/snapshot.h"
 #include "record/spray_table.h"
 #include "record/water_surface.h"
@@ -25,6 +27,8 @@
 #include "sph_solver/measure/level_ledger.h"
 #include "sph_solver/measure/recorder.h"
 #include "sph_solver/measure/run_watch.h"
+#include "sph_solver/parallel/comm.h"
+#include "sph_solver/ranks_refused.h"
 #include "sph_solver/scene_setup.h"
 #include "sph_solver/state/checkpoint.h"
 
@@ -74,21 +78,16 @@ double next_after(double time, double interval) { return (std::floor(time / inte
 class Snapshots {
 public:
     explicit Snapshots(const fs::path& folder) : folder_(folder / "snapshots") {}
+    /// All ranks call it, and the first one writes.
     void write(const Simulation& simulation, const RunRecord& record) {
-        fs::create_directory(folder_);  // in the run's folder; where that was moved away, nothing is made
-        const std::string stamp = fmt::format("{:09.5f}", simulation.time());
-        write_levels(simulation.water(), "particles", particles_, stamp);
-        if (simulation.gas()) write_levels(simulation.levels().last(1), "air", air_, stamp);
-        write_water(record);
-        const bool has_hull = !record.hull_pressure.empty();  // written with its pressure
-        for (const auto& body : simulation.bodies())
-            if (!body->fixed() && !(has_hull && body->is_hull())) write_body(simulation, *body, stamp);
-        if (!has_hull) return;
-        const std::string hull = "hull_" + stamp + ".vtp";
-        write_surface(folder_ / hull, record.hull,
-                      {{"pressure", 1, record.hull_pressure}, {"wet", 1, record.hull_wet}});
-        hulls_.emplace_back(hull, simulation.time());
-        write_series(folder_ / "hull.vtp.series", hulls_);
+        const Comm& ranks = simulation.level(0).ranks();
+        std::vector<Particles> of_all_ranks;
+        for (const auto& level : simulation.levels())
+            if (ranks.many()) of_all_ranks.push_back(level->gathered());
+        const auto particles = [&](std::size_t k) -> const Particles& {
+            return ranks.many() ? of_all_ranks[k] : simulation.level(k).particles();
+        };
+        ranks.on_first([&] { write_files(simulation, particles, record); });
     }
     /// The free surface of the last raster frame, under its own time; a frame that is there already is left.
     void write_water(const RunRecord& record) {
@@ -121,24 +120,44 @@ public:
 
 private:
     using Series = std::vector<std::pair<std::string, double>>;
+    using ParticlesOf = std::function<const Particles&(std::size_t level)>;
 
-    /// Active particles of one material in one file.
-    void write_levels(std::span<const std::unique_ptr<Level>> levels, const std::string& name, Series& series,
-                      const std::string& stamp) {
+    void write_files(const Simulation& simulation, const ParticlesOf& particles, const RunRecord& record) {
+        fs::create_directory(folder_);  // in the run's folder; where that was moved away, nothing is made
+        const std::string stamp = fmt::format("{:09.5f}", simulation.time());
+        const std::size_t water = simulation.water().size();
+        write_levels(simulation, 0, water, particles, "particles", particles_, stamp);
+        if (simulation.gas()) write_levels(simulation, water, water + 1, particles, "air", air_, stamp);
+        write_water(record);
+        const bool has_hull = !record.hull_pressure.empty();  // written with its pressure
+        for (const auto& body : simulation.bodies())
+            if (!body->fixed() && !(has_hull && body->is_hull())) write_body(simulation, *body, stamp);
+        if (!has_hull) return;
+        const std::string hull = "hull_" + stamp + ".vtp";
+        write_surface(folder_ / hull, record.hull,
+                      {{"pressure", 1, record.hull_pressure}, {"wet", 1, record.hull_wet}});
+        hulls_.emplace_back(hull, simulation.time());
+        write_series(folder_ / "hull.vtp.series", hulls_);
+    }
+    /// Active particles of one material, which has the levels [first, last), in one file.
+    void write_levels(const Simulation& simulation, std::size_t first, std::size_t last, const ParticlesOf& particles,
+                      const std::string& name, Series& series, const std::string& stamp) {
         std::vector<Vec3> places;
         Field velocity{"velocity", 3, {}}, pressure{"pressure", 1, {}}, kind{"kind", 1, {}}, size{"spacing", 1, {}};
-        for (const auto& level : levels) {
-            const Particles& p = level->particles();
+        for (std::size_t k = first; k < last; ++k) {
+            const LevelSetup& setup = simulation.level(k).setup();
+            const Particles& p = particles(k);
             for (std::size_t i = 0; i < p.size(); ++i) {
                 if (!is_active(p.kind[i])) continue;
                 places.emplace_back(p.x[i], p.y[i], p.z[i]);
                 velocity.values.insert(velocity.values.end(), {p.u[i], p.v[i], p.w[i]});
-                pressure.values.push_back(static_cast<float>(level->pressure(i)));
+                pressure.values.push_back(
+                    static_cast<float>(double(setup.state_equation.pressure(setup.rho0, p.drho[i]))));
                 kind.values.push_back(static_cast<float>(p.kind[i]));
-                size.values.push_back(static_cast<float>(level->setup().dp));
+                size.values.push_back(static_cast<float>(setup.dp));
             }
         }
-        const double time = levels.front()->time();
+        const double time = simulation.level(first).time();
         const std::string file = name + "_" + stamp + ".hdf";
         write_particles(folder_ / file, time, places, {velocity, pressure, kind, size});
         series.emplace_back(file, time);
@@ -192,6 +211,17 @@ std::optional<Earlier> earlier_run(const fs::path& record_file, const fs::path& 
     return run;
 }
 
+/// Ranks of other programs would add other numbers.
+void refuse_other_builds(const Comm& ranks) {
+    const std::string version = TWINWAKE_CODE_VERSION, of_first = ranks.told_by(0, version);
+    ranks.together([&] {
+        if (version != of_first)
+            throw InputError(
+                fmt::format("rank {} is twinwake {}, and rank 0 is {}: start the same program on all nodes",
+                            ranks.rank(), version, of_first));
+    });
+}
+
 void remove_old_run(const fs::path& folder) {
     for (const char* name : {"record.h5", "checkpoint.h5", "snapshots"}) fs::remove_all(folder / name);
 }
@@ -201,24 +231,32 @@ void remove_old_run(const fs::path& folder) {
 RunRecord run_sph(const Scene& scene, const RunOptions& options) {
     const fs::path record_file = options.folder / "record.h5", checkpoint_file = options.folder / "checkpoint.h5";
     const std::string hash = run_hash(scene, "sph");
-    const FolderLock lock(options.folder);
-    const bool holds_run = fs::exists(record_file) || fs::exists(checkpoint_file);
-    if (holds_run && !options.resume && !options.overwrite)
-        throw InputError(
-            options.folder.string() +
-            ": holds a run already; go on with --resume, begin anew with --overwrite, or choose another --out");
-    if (options.resume && fs::exists(record_file)) {
-        RunRecord done = read_record(record_file);
-        if (done.state == "finished" && done.attributes["run_hash"] == hash &&
-            done.numbers["duration"] >= scene.run.duration)
-            return done;
-    }
+    const Comm& ranks = Comm::world();
+    refuse_ranks(scene, ranks.size());
+    refuse_other_builds(ranks);
+    std::optional<FolderLock> lock;
+    ranks.on_first([&] { lock.emplace(options.folder); });
+    std::optional<RunRecord> finished;
     std::optional<Earlier> earlier;
-    if (options.resume && holds_run) earlier = earlier_run(record_file, checkpoint_file, hash);
+    ranks.together([&] {
+        const bool holds_run = fs::exists(record_file) || fs::exists(checkpoint_file);
+        if (holds_run && !options.resume && !options.overwrite)
+            throw InputError(
+                options.folder.string() +
+                ": holds a run already; go on with --resume, begin anew with --overwrite, or choose another --out");
+        if (options.resume && fs::exists(record_file)) {
+            RunRecord before = read_record(record_file);
+            if (before.state == "finished" && before.attributes["run_hash"] == hash &&
+                before.numbers["duration"] >= scene.run.duration)
+                finished = std::move(before);
+        }
+        if (!finished && options.resume && holds_run) earlier = earlier_run(record_file, checkpoint_file, hash);
+    });
+    if (finished) return *finished;
 
     const int threads = options.threads > 0     ? options.threads
                         : scene.run.threads > 0 ? scene.run.threads
-                                                : processors();
+                                                : std::max(1, processors() / ranks.size_here());
     const Threads of_run(threads);
     RunRecord fresh = new_record(scene, "sph");
     note_prediction(fresh, options);
@@ -227,18 +265,23 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
     {
         const PhaseTimer timer(fresh, "particles");
         setup = sph_setup(scene, threads);
-        // the same pair loops as before: others may give other last digits
-        simulation.emplace(setup->simulation, setup->fluid,
-                           earlier ? passes(earlier->checkpoint.isa.c_str()) : choose_passes());
+        if (ranks.many()) setup->simulation.ranks = &ranks;
+        // the same pair loops as before, and on all ranks: others may give other last digits
+        const std::string isa = ranks.told_by(0, earlier         ? earlier->checkpoint.isa
+                                                 : ranks.first() ? choose_passes().isa
+                                                                 : "");
+        ranks.together([&] { simulation.emplace(setup->simulation, setup->fluid, passes(isa.c_str())); });
         if (setup->air) add_air(*simulation, setup->air->options, setup->air->fluid);
     }
     if (setup->control_volume) simulation->set_control_volume(*setup->control_volume);
     fresh.attributes["threads"] = std::to_string(threads);
+    if (ranks.many()) fresh.attributes["ranks"] = std::to_string(ranks.size());
     fresh.attributes["isa"] = simulation->passes().isa;
     fresh.attributes["calibrated"] =
         "support of 0.9 to 1 at which a wall begins to compress, on planing_prism at beam/12; support of 0.8 to 0.9, "
         "with a plane surface's share given back, at which water begins to compress at a surface, on the potential "
-        "energy of sloshing and the reflection of a wave at an edge of two sizes; strength of the shifting, on a planing plate, jets that meet, an elliptic drop and Taylor-Green vortices";
+        "energy of sloshing and the reflection of a wave at an edge of two sizes; strength of the shifting, on a "
+        "planing plate, jets that meet, an elliptic drop and Taylor-Green vortices";
     if (setup->pressure_iterations > 0) fresh.numbers["release_pressure_iterations"] = setup->pressure_iterations;
     fresh.numbers["spacing"] = scene.resolution.near_hull;
     fresh.numbers["wall_particles"] = double(simulation->finest().walls().size());
@@ -247,20 +290,22 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
         fresh.numbers["finest_spacing"] = finest_spacing(scene);
     }
     const auto count = [&] {
-        std::size_t n = 0;
-        for (const auto& level : simulation->water()) n += level->particles().size();
+        std::int64_t n = 0;
+        for (const auto& level : simulation->water()) n += level->count();
         return n;
     };
     // the coarsest level is whole everywhere
     const double mass_at_start =
-        earlier ? earlier->checkpoint.mass_at_start : simulation->mass() * double(simulation->particles().size());
+        earlier ? earlier->checkpoint.mass_at_start : simulation->mass() * double(simulation->level(0).count());
     setup->fluid = {}, setup->air = {};
 
-    if (!earlier) remove_old_run(options.folder);
+    if (!earlier) ranks.on_first([&] { remove_old_run(options.folder); });
     if (earlier) {
         fresh.tables = std::move(earlier->record.tables);
         fresh.frames = std::move(earlier->record.frames);
         fresh.phases = std::move(earlier->record.phases);
+        if (!ranks.first())  // the first one has them for all
+            for (Phase& phase : fresh.phases) phase.cpu = 0;
         fresh.certificate = std::move(earlier->record.certificate);
         fresh.attributes["resumed_at"] = fmt::format("{}", earlier->checkpoint.levels.front().state.time);
         if (const std::string before = earlier->record.attributes["code_version"];
@@ -298,7 +343,7 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
         record.state = state;
         record.reason = reason;
         const Level* air = simulation->gas();
-        const std::size_t gas = air ? air->particles().size() : 0;
+        const std::int64_t gas = air ? air->count() : 0;
         record.elements = double(count() + gas);
         if (gas > 0) record.numbers["air_particles"] = double(gas);
         record.steps = double(simulation->steps());
@@ -310,14 +355,18 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
         }
         if (std::ranges::any_of(scene.bodies, [](const MovingBody& b) { return b.elastic.has_value(); }))
             record.numbers["structure_seconds"] = simulation->structure_seconds();
-        record.peak_memory = std::max(record.peak_memory, peak_memory());
-        if (record.elements > 0) record.numbers["bytes_per_particle"] = simulation->bytes() / record.elements;
-        write_record(record_file, record);
+        record.peak_memory = std::max(record.peak_memory, ranks.sum(peak_memory()));
+        const std::vector<Phase> of_this_rank = record.phases;
+        for (Phase& phase : record.phases) phase.cpu = ranks.sum(phase.cpu);
+        const auto bytes = ranks.sum(static_cast<std::int64_t>(simulation->bytes()));
+        if (record.elements > 0) record.numbers["bytes_per_particle"] = double(bytes) / record.elements;
+        ranks.on_first([&] { write_record(record_file, record); });
+        if (state == "running") record.phases = of_this_rank;
     };
     // The record first: a checkpoint whose rows are not all in a record is never gone on from.
     const auto save_checkpoint = [&] {
         save("running", "");
-        write_checkpoint(checkpoint_file, hash, *simulation, mass_at_start);
+        ranks.together([&] { write_checkpoint(checkpoint_file, hash, *simulation, mass_at_start); });
         has_checkpoint = true;
     };
     const auto report = [&] {
@@ -333,6 +382,12 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
         last_report = wall_now();
     };
 
+    // Of several ranks all stop where one is asked to; they ask each other now and then.
+    const auto stop_asked = [&] {
+        constexpr std::int64_t every = 16;
+        if (ranks.many() && simulation->steps() % every != 0) return false;
+        return ranks.largest(options.stop_asked && options.stop_asked() ? 1 : 0) > 0;
+    };
     try {
         while (simulation->time() < duration) {
             {
@@ -359,7 +414,7 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
                 }
             }
             if (wall_now() - last_report > 0.5) report();
-            if (options.stop_asked && options.stop_asked()) {
+            if (stop_asked()) {
                 save("stopped",
                      fmt::format("asked to stop at t = {:.6g} s; --resume {}", simulation->time(),
                                  has_checkpoint ? "goes on from the last checkpoint"
@@ -371,6 +426,8 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
         save("finished", "");
         report();
     } catch (const std::exception& e) {
+        // What ends the run ends it on all ranks alike; anything else has hit this one alone, see Comm::end.
+        if (ranks.many() && dynamic_cast<const RunError*>(&e) == nullptr) throw;
         watch_stability(*simulation, record);  // what the run was stopped for
         try {
             save("failed", e.what());

@@ -3,7 +3,7 @@
 namespace tw {
 
 void add_group_loads(std::span<const Group> groups, std::span<const WallLoad> of_groups,
-                     const std::function<Vec3(const Group&)>& arm, std::vector<PushSum>& of_bodies) {
+                     const std::function<Vec3(const Group&)>& arm, std::span<PushSum> of_bodies) {
     std::size_t slot = 0;
     for (std::size_t n = 0, next = 0; n < groups.size(); n = next) {
         for (next = n + 1; next < groups.size() && groups[next].wall_load < 0;) ++next;

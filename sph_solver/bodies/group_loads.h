@@ -15,6 +15,6 @@ namespace tw {
 /// Within a group the loads are summed in single precision, lane by lane. Who makes a group with whom depends on the
 /// places of the particles alone, not on how they are kept (neighbours/columns.h).
 void add_group_loads(std::span<const Group> groups, std::span<const WallLoad> of_groups,
-                     const std::function<Vec3(const Group&)>& arm, std::vector<PushSum>& of_bodies);
+                     const std::function<Vec3(const Group&)>& arm, std::span<PushSum> of_bodies);
 
 }  // namespace tw

@@ -2,8 +2,8 @@
 
 namespace tw {
 
-std::vector<WallPush> add_wall_pushes(const Bodies& bodies, Particles& p, double dp, double mass) {
-    std::vector<WallPush> pushes;
+WallPushes add_wall_pushes(const Bodies& bodies, Particles& p, double dp, double mass) {
+    WallPushes all;
     for (std::size_t i = 0; i < p.size(); ++i) {  // in order: the sums keep their bits
         const WallNormalRecord& n = p.wall_normal[i];
         if (double(n.distance) >= dp || p.kind[i] != Kind::fluid) continue;
@@ -15,9 +15,10 @@ std::vector<WallPush> add_wall_pushes(const Bodies& bodies, Particles& p, double
         rate.ax += static_cast<float>(force.x() / mass);
         rate.ay += static_cast<float>(force.y() / mass);
         rate.az += static_cast<float>(force.z() / mass);
-        pushes.push_back({b, p.wall_triangle[i], Vec3(p.x[i], p.y[i], p.z[i]), -force});
+        all.by.push_back(i);
+        all.pushes.push_back({b, p.wall_triangle[i], Vec3(p.x[i], p.y[i], p.z[i]), -force});
     }
-    return pushes;
+    return all;
 }
 
 }  // namespace tw

@@ -8,7 +8,12 @@ namespace tw {
 ///
 ///   a_i += F n / m
 ///
-/// Only bodies nearer than a spacing. Adds to the particles' rates, and gives what the bodies get.
-std::vector<WallPush> add_wall_pushes(const Bodies& bodies, Particles& particles, double dp, double mass);
+/// Only bodies nearer than a spacing. Adds to the particles' rates, and gives what the bodies get, and which particle
+/// gives it.
+struct WallPushes {
+    std::vector<WallPush> pushes;
+    std::vector<std::size_t> by;
+};
+WallPushes add_wall_pushes(const Bodies& bodies, Particles& particles, double dp, double mass);
 
 }  // namespace tw

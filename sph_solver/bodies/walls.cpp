@@ -122,19 +122,29 @@ Dummies Walls::dummies(std::size_t body) const {
 }
 
 void Walls::find_neighbours(const Passes& passes, const ColumnGrid& grid, const Quanta& quanta,
-                            std::vector<Group>& groups, const std::vector<Source>& sources, const Reaches& reaches) {
+                            std::vector<Group>& groups, const std::vector<Source>& sources, const Reaches& reaches,
+                            const std::function<bool(int column)>& own) {
     std::vector<Source> dummies;
     for (const Part& part : parts_)
         dummies.push_back({&grid, place_.data() + part.first, &part.start, static_cast<std::int32_t>(part.first)});
     lists_.build(passes, quanta, sources.front(), groups, dummies, reaches, &Group::wall_list);
     for (Part& part : parts_) {
-        part.near_water = part.groups;
-        part.water.build(passes, quanta, {&grid, place_.data() + part.first, &part.start, 0}, part.near_water, sources,
-                         reaches);
+        const Source own_places{&grid, place_.data() + part.first, &part.start, 0};
+        if (own)
+            make_groups(own_places, passes.lanes, part.near_water, own);
+        else
+            part.near_water = part.groups;
+        part.water.build(passes, quanta, own_places, part.near_water, sources, reaches);
         std::erase_if(part.near_water, [](const Group& g) { return g.list.size == 0; });
     }
     std::fill(p_.begin(), p_.end(), 0.0f);
     group_loads_.resize(static_cast<std::size_t>(number_wall_loads(groups, lists_.view(), body_end_)));
+}
+
+void Walls::set_halo(const Comm& ranks, const Decomposition& columns) {
+    std::vector<Halo::Sorted> dummies;
+    for (const Part& part : parts_) dummies.push_back({&part.start, static_cast<std::int32_t>(part.first)});
+    halo_ = Halo(ranks, columns, dummies);
 }
 
 void Walls::prune(const Passes& passes, const PlaceRecord* particles, const std::vector<Group>& groups, double reach) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "sph_solver/bodies/body.h"
@@ -7,6 +8,7 @@
 #include "sph_solver/domain/level_setup.h"
 #include "sph_solver/domain/surroundings.h"
 #include "sph_solver/neighbours/columns.h"
+#include "sph_solver/parallel/halo.h"
 
 namespace tw {
 
@@ -65,9 +67,13 @@ public:
     Dummies dummies(std::size_t body) const;  ///< as they stood at the start; of one that gives way without places
 
     /// Lists anew: of the level's `groups`, which are those of the first of its `sources`, among the dummies, and of
-    /// the dummies among the sources.
+    /// the dummies in the `own` columns among the sources.
     void find_neighbours(const Passes& passes, const ColumnGrid& grid, const Quanta& quanta, std::vector<Group>& groups,
-                         const std::vector<Source>& sources, const Reaches& reaches);
+                         const std::vector<Source>& sources, const Reaches& reaches,
+                         const std::function<bool(int column)>& own);
+    /// Who tells whom of dummies: each is worked out by the rank whose column it stands in.
+    void set_halo(const Comm& ranks, const Decomposition& columns);
+    const Halo& halo() const { return halo_; }
     /// Leaves in those lists who is within `reach` [quanta] now.
     void prune(const Passes& passes, const PlaceRecord* particles, const std::vector<Group>& groups, double reach);
 
@@ -110,6 +116,7 @@ private:
     std::vector<std::int32_t> body_end_;
     std::vector<Part> parts_;  // of each body
     NeighbourLists lists_;
+    Halo halo_;
     std::vector<WallLoad> group_loads_;
     std::vector<Load> loads_;  // on each body
     std::vector<WallPush> pushes_;

@@ -5,6 +5,7 @@
 
 #include "sph_solver/fields/particles.h"
 #include "sph_solver/ghosts/ghosts.h"
+#include "sph_solver/parallel/halo.h"
 #include "sph_solver/sweeps/passes.h"
 #include "sph_solver/sweeps/views.h"
 
@@ -28,6 +29,8 @@ struct StepView {
     const std::vector<Group>& groups;
     const Walls& walls;
     const Ghosts& ghosts;
+    const Comm& ranks;
+    const Halo& halo;  ///< of the particles: what a sweep has left has to be told before anybody reads it
     double h, mass, time;
 
     std::size_t count() const { return particles.size(); }

@@ -20,6 +20,7 @@ public:
         curvature_.resize(n);
         length_.resize(n);
         for_pairs(step.passes, ColourGradientData{step.water, step.dummies, normal_.data()}, step.groups);
+        step.halo.tell(normal_.data());
         for_particles(n, [&](std::size_t i) {
             VelocityDensityRecord& r = normal_[i];
             length_[i] = std::sqrt(r.u * r.u + r.v * r.v + r.w * r.w);

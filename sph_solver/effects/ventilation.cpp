@@ -49,6 +49,7 @@ public:
         NearAirData d{.water = step.water, .near = near_.data()};
         d.water.surface = touched_.data();
         for_pairs(step.passes, d, asking_);
+        step.halo.tell(near_.data());
         for_particles(n, [&](std::size_t i) {
             p.aired[i] = is_touched(i) || (near_[i] && (step.at_surface(i) || loose(i))) ? Aired::yes : Aired::no;
         });

@@ -70,8 +70,9 @@ private:
     void add_eddies(const StepView& step, const WaterView& water, bool tank_holds) {
         strain_.resize(step.count());
         for_pairs(step.passes, StrainRateData{water, strain_.data()}, step.groups);
+        step.halo.tell(strain_.data());
         const double filter = o_.turbulence->cs * step.level.dp;
-        largest_ += largest_of(step.count(), 0, [&](std::size_t i) {
+        largest_ += step.ranks.largest(largest_of(step.count(), 0, [&](std::size_t i) {
             double length = filter;
             if (o_.no_slip && !step.walls.empty())
                 length = mixing_length_at_wall(length, double(step.dummies.normal[i].distance));
@@ -79,7 +80,7 @@ private:
             const double nu = eddy_viscosity(length, double(strain_[i]));
             mu_[i] += static_cast<float>(step.level.rho0 * nu);
             return nu;
-        });
+        }));
     }
 
     void find_wall_velocity(const StepView& step) {
@@ -91,6 +92,7 @@ private:
                                       .velocity = wall_velocity_.data() + part.first};
             for_pairs(step.passes, w, part.near_water);
         }
+        step.walls.halo().tell(wall_velocity_.data());
         for_particles(wall_velocity_.size(), [&](std::size_t k) {
             VelocityDensityRecord& m = wall_velocity_[k];
             VelocityDensityRecord wall{0, 0, 0, 0};

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -61,6 +62,7 @@ public:
     virtual void set_capacity(std::size_t n) = 0;
     virtual void take(const std::vector<std::int32_t>& order) = 0;  ///< element k becomes what element order[k] was
     virtual std::size_t bytes() const = 0;
+    virtual std::size_t element_bytes() const = 0;
     virtual const void* raw() const = 0;
     virtual void* raw() = 0;
 
@@ -108,9 +110,7 @@ public:
     /// Another particle, with the default of every quantity that moves with it; gives its index.
     std::size_t grow() {
         const std::size_t i = particles();
-        each([&](AnyField& f) {
-            if (f.moves() && has(f.with())) f.set_length(i + 1);
-        });
+        resize(i + 1);
         return i;
     }
     void reserve(std::size_t n) {
@@ -122,6 +122,36 @@ public:
     void reorder(const std::vector<std::int32_t>& order) {
         each([&](AnyField& f) {
             if (f.moves() && has(f.with())) f.take(order);
+        });
+    }
+    /// Bytes of all that moves with a particle, and those bytes taken out of here and put in.
+    std::size_t moved_bytes() const {
+        std::size_t sum = 0;
+        each([&](const AnyField& f) {
+            if (f.moves() && has(f.with())) sum += f.element_bytes();
+        });
+        return sum;
+    }
+    void pack(std::size_t i, std::byte* to) const {
+        each([&](const AnyField& f) {
+            if (!f.moves() || !has(f.with())) return;
+            const std::size_t n = f.element_bytes();
+            std::memcpy(to, static_cast<const std::byte*>(f.raw()) + i * n, n);
+            to += n;
+        });
+    }
+    void unpack(std::size_t i, const std::byte* from) {
+        each([&](AnyField& f) {
+            if (!f.moves() || !has(f.with())) return;
+            const std::size_t n = f.element_bytes();
+            std::memcpy(static_cast<std::byte*>(f.raw()) + i * n, from, n);
+            from += n;
+        });
+    }
+    /// So many particles, those beyond the present ones with defaults.
+    void resize(std::size_t n) {
+        each([&](AnyField& f) {
+            if (f.moves() && has(f.with())) f.set_length(n);
         });
     }
     /// Lengths of what does not move for the particles that are there and so many images of them.
@@ -177,6 +207,7 @@ public:
         });
     }
     std::size_t bytes() const override { return this->capacity() * sizeof(T); }
+    std::size_t element_bytes() const override { return sizeof(T); }
     const void* raw() const override { return this->data(); }
     void* raw() override { return this->data(); }
 

@@ -59,7 +59,7 @@ std::vector<Link> find_images(const Mirrors& mirrors, const Box& domain, const P
             for (unsigned b = 0; b < count[1]; ++b)
                 for (unsigned a = 0; a < count[0]; ++a) {
                     const unsigned map = number(choices[0][a], 0) | number(choices[1][b], 1) | number(choices[2][c], 2);
-                    if (map) images.push_back({static_cast<std::int32_t>(i), 0, static_cast<std::uint16_t>(map)});
+                    if (map) images.push_back({static_cast<std::int32_t>(i), static_cast<std::uint16_t>(map)});
                 }
     }
     return images;

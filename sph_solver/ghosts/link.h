@@ -11,14 +11,12 @@
 
 namespace tw {
 
-/// A particle that is seen and not owned: whose image it is, and by which map (LinkMaps). An image at a mirror plane, one
-/// beyond a periodic face, and the particle of another process are the same but for the map.
+/// A particle that is seen and is none: whose image it is, and by which map (LinkMaps). An image at a mirror plane and one
+/// beyond a periodic face are the same but for the map.
 struct Link {
-    std::int32_t index = 0;  ///< of the source among its owner's particles
-    std::uint16_t rank = 0;  ///< of the owner: the process itself
+    std::int32_t index = 0;  ///< of the source among the particles
     std::uint16_t map = 0;
 };
-static_assert(sizeof(Link) == 8);
 
 /// What a combination of planes and periodic faces, one at most for each axis, does with places and directions.
 struct LinkMap {

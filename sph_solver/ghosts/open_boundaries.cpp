@@ -2,9 +2,11 @@
 
 namespace tw {
 
-std::vector<char> cross_open_boundaries(const Surroundings& around, double dp, Particles& p, Ledger& ledger) {
+Crossed cross_open_boundaries(const Surroundings& around, double dp, Particles& p, Ledger& ledger) {
     const Box& domain = around.domain;
-    std::vector<char> gone(p.size(), 0);
+    Crossed crossed;
+    std::vector<char>& gone = crossed.gone;
+    gone.assign(p.size(), 0);
     if (around.stream) {
         const double buffer = around.stream->buffer;
         const std::size_t n = p.size();
@@ -13,6 +15,7 @@ std::vector<char> cross_open_boundaries(const Surroundings& around, double dp, P
                 case Kind::inlet:
                     if (p.x[i] < domain.min.x()) break;
                     p.kind[i] = Kind::fluid;
+                    crossed.entered.push_back(static_cast<std::int32_t>(i));
                     p.add(p.x[i] - buffer, p.y[i], p.z[i], p.u[i], p.drho[i], ledger.next_id++, Kind::inlet);
                     ++ledger.in;
                     break;
@@ -36,7 +39,7 @@ std::vector<char> cross_open_boundaries(const Surroundings& around, double dp, P
     for (std::size_t i = 0; i < p.size(); ++i)
         if (p.z[i] > domain.max.z() && !around.mirrors.on[2][1] && !around.mirrors.periodic[2])
             gone[i] = 1;  // through the open top
-    return gone;
+    return crossed;
 }
 
 std::int64_t return_from_mirrors(const Mirrors& mirrors, const Box& domain, Particles& p) {

@@ -16,9 +16,12 @@ struct Ledger {
 
 /// Particles that have crossed a face of the domain: at the inlet they become water and a new one is appended behind
 /// them, at the outlet they are carried on; those beyond a mirror plane or a periodic face return. Counts what enters.
-/// Returns a mark for each particle that has left (through the outlet's far end, back into the inlet, or the open
-/// top).
-std::vector<char> cross_open_boundaries(const Surroundings& around, double dp, Particles& particles, Ledger& ledger);
+struct Crossed {
+    /// A mark for each particle that has left (through the outlet's far end, back into the inlet, or the open top).
+    std::vector<char> gone;
+    std::vector<std::int32_t> entered;  ///< those that have become water, in order; a new one for each is at the end
+};
+Crossed cross_open_boundaries(const Surroundings& around, double dp, Particles& particles, Ledger& ledger);
 
 /// A particle that has crossed a plane or periodic face has changed places with its own image: puts it back. Returns
 /// how many.

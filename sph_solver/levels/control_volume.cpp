@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/exact_sum.h"
-#include "sph_solver/backend/for_particles.h"
-
 namespace tw {
 
 ControlVolume::ControlVolume(const Box& box, double size, const Shape& shape)
@@ -77,24 +74,12 @@ void ControlVolume::add_impulse(double mass_inside, const Vec3& body_force, doub
     state_.since += dt;
 }
 
-Vec3 ControlVolume::momentum_inside(const ControlVolume& cv, const Particles& p, double m, double& mass_inside) {
-    struct Sums {  // per unit of particle mass
-        ExactVectorSum momentum;
-        ExactSum share;
-        Sums& operator+=(const Sums& other) {
-            momentum += other.momentum, share += other.share;
-            return *this;
-        }
-    };
-    const Sums inside = sum_over<Sums>(p.size(), [&](Sums& sums, std::size_t i) {
-        if (p.kind[i] == Kind::guard) return;
-        const double share = cv.share(p.x[i], p.y[i], p.z[i]);
-        if (share == 0) return;
-        sums.momentum += share * Vec3(p.u[i], p.v[i], p.w[i]);
-        sums.share += share;
-    });
-    mass_inside = m * inside.share.value();
-    return m * inside.momentum.value();
+void ControlVolume::add_inside(const Particles& p, std::size_t i, Inside& inside) const {
+    if (p.kind[i] == Kind::guard) return;
+    const double share_of_it = share(p.x[i], p.y[i], p.z[i]);
+    if (share_of_it == 0) return;
+    inside.momentum += share_of_it * Vec3(p.u[i], p.v[i], p.w[i]);
+    inside.share += share_of_it;
 }
 
 }  // namespace tw

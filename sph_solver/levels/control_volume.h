@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "base/exact_sum.h"
 #include "base/vec3.h"
 #include "sph_solver/bodies/samples.h"
 #include "sph_solver/fields/particles.h"
@@ -55,8 +56,16 @@ public:
     const State& state() const { return state_; }
     void set_state(const State& s) { state_ = s; }
 
-    /// Momentum and mass of the water inside [N s, kg].
-    static Vec3 momentum_inside(const ControlVolume& cv, const Particles& p, double particle_mass, double& mass_inside);
+    /// Of the water inside, per unit of particle mass.
+    struct Inside {
+        ExactVectorSum momentum;  ///< [m/s]
+        ExactSum share;           ///< particles
+        Inside& operator+=(const Inside& other) {
+            momentum += other.momentum, share += other.share;
+            return *this;
+        }
+    };
+    void add_inside(const Particles& p, std::size_t i, Inside& inside) const;
 
 private:
     /// Index of the corner where the cells c - 1 and c meet.

@@ -38,6 +38,11 @@ std::vector<Vec3> forces_on_dummies(Level& level, std::size_t body) {
             forces[k] = force_on(part.first + k, g);
         }
     });
+    // each by the rank whose column it stands in, nothing on the others
+    std::vector<double> sums(3 * forces.size());
+    for (std::size_t k = 0; k < sums.size(); ++k) sums[k] = forces[k / 3][static_cast<int>(k % 3)];
+    level.ranks().take_from_owners(std::span(sums));
+    for (std::size_t k = 0; k < sums.size(); ++k) forces[k / 3][static_cast<int>(k % 3)] = sums[k];
     return forces;
 }
 

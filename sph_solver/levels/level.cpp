@@ -69,6 +69,7 @@ Level::Level(const Surroundings& around, LevelSetup setup, const EffectOptions& 
         particles_.add(p.x(), p.y(), p.z(), static_cast<float>(stream_velocity(0)),
                        setup_.state_equation.deviation(setup_.rho0, depth_pressure), ledger_.next_id++, kind);
     }
+    begin_whole();
     if (!around.frame) return;
     const Eigen::Vector3f u = around.frame->velocity_of_rest().cast<float>();
     for (std::size_t i = 0; i < particles_.size(); ++i)
@@ -82,11 +83,18 @@ Vec3 Level::body_force() const {
 }
 
 double Level::lid_pressure() const {
-    ExactSum sum;
-    std::int64_t count = 0;
-    for (std::size_t i = 0; i < particles_.size(); ++i)
-        if (particles_.z[i] > around_.domain.max.z() - kernel_.support()) sum += pressure(i), ++count;
-    return count > 0 ? sum.value() / double(count) : 0;
+    struct Under {
+        ExactSum pressure;
+        std::int64_t count = 0;
+        Under& operator+=(const Under& other) {
+            pressure += other.pressure, count += other.count;
+            return *this;
+        }
+    };
+    const Under lid = sum_over_all<Under>([&](Under& sum, std::size_t i) {
+        if (particles_.z[i] > around_.domain.max.z() - kernel_.support()) sum.pressure += pressure(i), ++sum.count;
+    });
+    return lid.count > 0 ? lid.pressure.value() / double(lid.count) : 0;
 }
 
 // --- the two sweeps -------------------------------------------------------------------------------------------------
@@ -159,6 +167,7 @@ void Level::first_sweep(double t, double compress, double drift, const OtherSums
         for_pairs(passes_, d, groups_);
     }
     const Stopwatch watch(timers_.update);
+    tell_first_sweep();
     mark_surface();
     const StepView view = step_view(t);
     for (const auto& effect : effects_) effect->after_first_sweep(view);
@@ -218,6 +227,7 @@ void Level::second_sweep(double t) {
             if (walls_.accelerations()) e.acceleration = walls_.accelerations() + part.first;
             for_pairs(passes_, e, part.near_water);
         }
+        walls_.halo().tell(walls_.pressures().data());
     }
     {
         const Stopwatch watch(timers_.forces);
@@ -228,7 +238,7 @@ void Level::second_sweep(double t) {
         const StepView view = step_view(t);
         for (const auto& effect : effects_) effect->add_rates(view);
     }
-    timers_.evaluations += static_cast<std::int64_t>(particles_.size());
+    timers_.evaluations += static_cast<std::int64_t>(particles_.size() - copies());
 }
 
 StepView Level::step_view(double t) {
@@ -243,6 +253,8 @@ StepView Level::step_view(double t) {
             .groups = groups_,
             .walls = walls_,
             .ghosts = ghosts_,
+            .ranks = ranks(),
+            .halo = halo_,
             .h = h_,
             .mass = mass_,
             .time = t};
@@ -256,14 +268,21 @@ void Level::gather_loads(const Vec3& moment_reference) {
                     moment_reference);
     };
     const std::size_t n = bodies_.size();
-    std::vector<PushSum> pressed(n), rubbed(n), of_bodies(n);
+    std::vector<PushSum> sums(3 * n);
+    const std::span<PushSum> pressed(sums.data(), n), rubbed(sums.data() + n, n), of_bodies(sums.data() + 2 * n, n);
     add_group_loads(groups_, walls_.group_loads(), arm, pressed);
     for (const auto& effect : effects_)
         if (!effect->wall_loads().empty()) add_group_loads(groups_, effect->wall_loads(), arm, rubbed);
     if (walls_.press()) {
-        walls_.set_pushes(add_wall_pushes(bodies_, particles_, setup_.dp, mass_));
-        for (const WallPush& p : walls_.pushes()) of_bodies[p.body].add(p.force, p.place - moment_reference);
+        const auto [pushes, on] = add_wall_pushes(bodies_, particles_, setup_.dp, mass_);
+        std::vector<WallPush> own;
+        std::vector<std::int32_t> columns;
+        for (std::size_t k = 0; k < pushes.size(); ++k)
+            if (owns(on[k])) own.push_back(pushes[k]), columns.push_back(column_of(on[k]));
+        for (const WallPush& p : own) of_bodies[p.body].add(p.force, p.place - moment_reference);
+        walls_.set_pushes(of_all_ranks(own, columns));
     }
+    ranks().add(std::span(sums));
     // force on the bodies = minus what they exert on the water
     std::vector<Load> loads(n);
     for (std::size_t b = 0; b < n; ++b) {
@@ -278,18 +297,20 @@ void Level::gather_loads(const Vec3& moment_reference) {
 
 // --- state ----------------------------------------------------------------------------------------------------------
 
+std::int64_t Level::live_pairs(const Group& g) const {
+    std::int64_t live = 0;
+    const auto count = [&](const Lists& lists, const ListRef& list) {
+        const NeighbourBlock* blocks = lists.blocks(list);
+        for (std::int32_t k = 0; k < list.size; ++k) live += std::popcount(blocks[k].live);
+    };
+    count(lists_.view(), g.list);
+    count(walls_.lists(), g.wall_list);
+    return live;
+}
+
 double Level::visited_per_particle() const {
     double pairs = 0;
-    for (const Group& g : groups_) {
-        std::int64_t live = 0;
-        const auto count = [&](const Lists& lists, const ListRef& list) {
-            const NeighbourBlock* blocks = lists.blocks(list);
-            for (std::int32_t k = 0; k < list.size; ++k) live += std::popcount(blocks[k].live);
-        };
-        count(lists_.view(), g.list);
-        count(walls_.lists(), g.wall_list);
-        pairs += double(live * g.size);
-    }
+    for (const Group& g : groups_) pairs += double(live_pairs(g) * g.size);
     return pairs / double(particles_.size());
 }
 
@@ -309,6 +330,7 @@ void Level::restore(const State& s, Particles particles) {
     ledger_ = s.ledger, extremes_ = s.extremes;
     particles.bring_all_of(particles_);  // what is not saved is made anew where it is asked for
     particles_ = std::move(particles);
+    begin_whole();
     start_anew();
 }
 
@@ -328,13 +350,11 @@ void Level::start_anew() {
     make_lists_due();
 }
 
-void Level::fail_at(std::size_t i, const std::string& what) const {
+std::string Level::text_of_failure(std::size_t i, const std::string& what) const {
     const Particles& p = particles_;
-    throw RunError(
-        fmt::format("{} particle {} at t = {:.6g} s (step {}) near ({:.4g}, {:.4g}, {:.4g}) m, |u| = {:.4g} "
-                    "m/s, {}",
-                    setup_.material, p.id[i], time_, steps_, p.x[i], p.y[i], p.z[i],
-                    std::sqrt(double(p.u[i]) * p.u[i] + double(p.v[i]) * p.v[i] + double(p.w[i]) * p.w[i]), what));
+    return fmt::format("{} particle {} at t = {:.6g} s (step {}) near ({:.4g}, {:.4g}, {:.4g}) m, |u| = {:.4g} m/s, {}",
+                       setup_.material, p.id[i], time_, steps_, p.x[i], p.y[i], p.z[i],
+                       std::sqrt(double(p.u[i]) * p.u[i] + double(p.v[i]) * p.v[i] + double(p.w[i]) * p.w[i]), what);
 }
 
 }  // namespace tw

@@ -1,10 +1,12 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "sph_solver/backend/for_particles.h"
 #include "sph_solver/bodies/samples.h"
 #include "sph_solver/bodies/walls.h"
 #include "sph_solver/domain/extremes.h"
@@ -18,6 +20,9 @@
 #include "sph_solver/levels/control_volume.h"
 #include "sph_solver/levels/surface_excess.h"
 #include "sph_solver/neighbours/list_life.h"
+#include "sph_solver/parallel/comm.h"
+#include "sph_solver/parallel/decomposition.h"
+#include "sph_solver/parallel/halo.h"
 
 namespace tw {
 
@@ -70,8 +75,27 @@ public:
     double time() const { return time_; }
     double dt() const { return dt_; }
     std::int64_t steps() const { return steps_; }
+    /// Those that this process holds: all, or its own and copies of those near them (`owns`).
     const Particles& particles() const { return particles_; }
     Particles& particles() { return particles_; }
+    const Comm& ranks() const;
+    bool owns(std::size_t i) const { return own_.empty() || own_[i] != 0; }
+    std::size_t copies() const { return halo_.received(); }
+    std::int64_t live_pairs(const Group& g) const;  ///< that each of a group's particles meets, useful or not
+    /// Particles of all ranks together.
+    std::int64_t count() const { return ranks().many() ? total_ : static_cast<std::int64_t>(particles_.size()); }
+    /// Calls `add(sum, i)` for every particle, and sums over all ranks; `Sum` as that of sum_over.
+    template <class Sum, class Add>
+    Sum sum_over_all(const Add& add) const {
+        return ranks().sum(sum_over<Sum>(particles_.size(), [&](Sum& sum, std::size_t i) {
+            if (owns(i)) add(sum, i);
+        }));
+    }
+    /// From now on the columns go to the ranks as those of another level of the same columns do, which has its lists made
+    /// first.
+    void share_columns_with(Level& leading) { leading.following_ = this, columns_of_ = &leading; }
+    /// All particles of all ranks, in the order in which one process holds them; on the first rank, elsewhere none.
+    Particles gathered() const;
     double pressure(std::size_t i) const { return setup_.state_equation.pressure(setup_.rho0, particles_.drho[i]); }
     const Ledger& ledger() const { return ledger_; }
     const Extremes& extremes() const { return extremes_; }
@@ -111,6 +135,8 @@ public:
     /// `other`: sums over another level's particles, one entry a particle; null: there is none.
     void first_sweep(double t, double compress, double drift, const OtherSums* other);
     void second_sweep(double t);
+    /// Of several ranks: the rates are whole, and told to who holds copies.
+    void tell_rates() { halo_.tell(particles_.rate.data(), particles_.shift_support.data()); }
     void gather_loads(const Vec3& moment_reference);
     void set_step(double dt) { dt_ = dt; }
     /// What particles that a wall had to hold did to the bodies in a step.
@@ -213,8 +239,31 @@ private:
     /// Takes what is nearest as the wall of particle i.
     void note_wall(std::size_t i, const Walls::Nearest& near);
     std::optional<Held> hold_at_wall(std::size_t i);
-    [[noreturn]] void fail_at(std::size_t i, const std::string& what) const;
+    std::string text_of_failure(std::size_t i, const std::string& what) const;
+    /// Ends the run on all ranks, which all call it, with the text of the one whose particle is first in order.
+    struct Failing {
+        std::optional<std::size_t> at;  ///< a particle that this rank holds; none: it has none that fails
+        std::int64_t order;             ///< among those of all ranks
+        std::string what;
+    };
+    [[noreturn]] void fail_together(const Failing& failing) const;
     void check_density() const;
+
+    // --- ranks
+    std::int32_t column_of(std::size_t i) const;   ///< in which it stood when it was sorted last
+    std::function<bool(int)> own_columns() const;  ///< empty: all are
+    void begin_whole();
+    void let_copies_go();
+    void add_work(std::vector<std::int64_t>& of_columns) const;
+    /// Puts what all ranks have of blows in the order of their columns.
+    template <class Blow>
+    std::vector<Blow> of_all_ranks(const std::vector<Blow>& own, const std::vector<std::int32_t>& columns) const;
+    void agree_on_crossings(const Ledger& before, const std::vector<std::int32_t>& entered);
+    void divide_columns();
+    void hold_columns(const std::vector<std::int32_t>& staying, double reach);
+    void note_own();
+    void tell_first_sweep();
+    void tell_samples(PointSamples& points) const;
 
     const Surroundings& around_;
     LevelSetup setup_;
@@ -241,6 +290,14 @@ private:
     Ledger ledger_;
     Extremes extremes_;
     Timers timers_;
+
+    /// Of several ranks only.
+    Decomposition columns_;
+    Level *columns_of_ = nullptr, *following_ = nullptr;  ///< see share_columns_with
+    Halo halo_;
+    bool whole_ = false;      ///< all ranks hold all particles, until lists are made
+    std::vector<char> own_;   ///< of each particle; empty: all are
+    std::int64_t total_ = 0;  ///< particles of all ranks
 
     /// Of steps in stages only, else empty.
     struct {

@@ -30,8 +30,39 @@ struct Part {
     ExactVectorSum crossed;          ///< momentum into the control volume [m/s]
     std::vector<PushSum> on_bodies;  ///< impulse of particles held at the wall of each of them [m/s]; empty: none
     std::vector<WallStrike> on_elastic;
+    std::vector<std::size_t> by;  ///< who gave each of those
     std::int64_t held = 0;
     bool broken = false;
+};
+
+/// What all ranks make of their parts.
+struct OfAllRanks {
+    struct At {
+        double value;         ///< the larger one counts, and of equal ones that of the column that comes first
+        std::int32_t column;  ///< of the particle; it is one that no rank has where it is past the last column
+        std::int64_t id;
+        double x, y, z;
+        At& operator+=(const At& other) {
+            if (other.value > value || (other.value == value && other.column < column)) *this = other;
+            return *this;
+        }
+        Vec3 place() const { return {x, y, z}; }
+    };
+    At fastest, densest, thinnest;
+    double acceleration2, relative2, relative2_before, shift2;
+    ExactVectorSum crossed;
+    std::int64_t held;
+    std::int64_t broken;
+
+    OfAllRanks& operator+=(const OfAllRanks& other) {
+        fastest += other.fastest, densest += other.densest, thinnest += other.thinnest;
+        for (const auto of :
+             {&OfAllRanks::acceleration2, &OfAllRanks::relative2, &OfAllRanks::relative2_before, &OfAllRanks::shift2})
+            this->*of = std::max(this->*of, other.*of);
+        crossed += other.crossed;
+        held += other.held, broken += other.broken;
+        return *this;
+    }
 };
 
 }  // namespace
@@ -127,13 +158,16 @@ Level::Struck Level::advance(const Schedule::Move& move, const Vec3& moment_refe
                 r.distance +=
                     static_cast<float>(drift * leaving(i, along) + shift.x() * r.x + shift.y() * r.y + shift.z() * r.z);
                 const bool too_near = r.distance < held_at_wall_over_dp * s.dp;
-                if (const auto held = too_near ? hold_at_wall(i) : std::nullopt; held && p.kind[i] == Kind::fluid) {
+                if (const auto held = too_near ? hold_at_wall(i) : std::nullopt;
+                    held && p.kind[i] == Kind::fluid && owns(i)) {
                     ++part.held;
                     part.on_bodies.resize(bodies_.size());
                     const Vec3 place(p.x[i], p.y[i], p.z[i]);
                     part.on_bodies[held->body].add(held->lost, place - moment_reference);
-                    if (walls_.give_way())
+                    if (walls_.give_way()) {
                         part.on_elastic.push_back({held->body, held->triangle, place, mass_ * held->lost});
+                        part.by.push_back(i);
+                    }
                 }
             }
             const double u = p.u[i], v = p.v[i], w = p.w[i], speed2 = u * u + v * v + w * w;
@@ -143,7 +177,7 @@ Level::Struck Level::advance(const Schedule::Move& move, const Vec3& moment_refe
             if (active && p.drho[i] < part.low) part.low = double(p.drho[i]), part.thinnest = i;
             if (active && p.drho[i] > part.high) part.high = double(p.drho[i]), part.densest = i;
             if (!std::isfinite(speed2 + p.drho[i] + p.x[i] + p.y[i] + p.z[i])) part.broken = true, part.fastest = i;
-            if (control_) {
+            if (control_ && owns(i)) {
                 // momentum of what crosses a face, with the velocity in the middle of the step
                 const double crossing = control_->share(p.x[i], p.y[i], p.z[i]) - was_inside;
                 if (crossing != 0) part.crossed += crossing * Vec3((u0 + u) / 2, (v0 + v) / 2, (w0 + w) / 2);
@@ -153,55 +187,75 @@ Level::Struck Level::advance(const Schedule::Move& move, const Vec3& moment_refe
     };
     const std::vector<Part> parts = in_fixed_ranges<Part>(p.size(), move_range);
 
-    extremes_ = {};
-    double relative2 = 0, relative2_before = 0, speed2 = 0, shift2 = 0;
-    std::size_t fastest = 0;
-    ExactVectorSum crossed;
+    OfAllRanks all{};
+    std::size_t fastest = 0, densest = 0, thinnest = 0;
+    std::optional<std::size_t> broken;
     std::vector<PushSum> on_bodies(bodies_.size());
+    std::vector<WallStrike> strikes;
+    std::vector<std::int32_t> strike_columns;
     Struck struck;
     for (const Part& part : parts) {
-        if (part.broken)
-            fail_at(part.fastest,
-                    "has a velocity, density or place that is not a number; often a time step or sound speed that does "
-                    "not fit the flow");
-        if (part.speed2 > speed2) speed2 = part.speed2, fastest = part.fastest;
-        relative2 = std::max(relative2, part.relative2);
-        relative2_before = std::max(relative2_before, part.relative2_before);
-        shift2 = std::max(shift2, part.shift2);
-        extremes_.acceleration = std::max(extremes_.acceleration, part.acceleration2);
-        const auto place = [&](std::size_t i) { return Vec3(p.x[i], p.y[i], p.z[i]); };
-        if (part.low < extremes_.density_deviation_low)
-            extremes_.density_deviation_low = part.low, extremes_.thinnest_place = place(part.thinnest);
-        if (part.high > extremes_.density_deviation_high)
-            extremes_.density_deviation_high = part.high, extremes_.densest_place = place(part.densest);
-        crossed += part.crossed;
-        ledger_.held += part.held;
-        struck.places.insert(struck.places.end(), part.on_elastic.begin(), part.on_elastic.end());
+        if (part.broken && !broken) broken = part.fastest;
+        if (part.speed2 > all.fastest.value) all.fastest.value = part.speed2, fastest = part.fastest;
+        if (-part.low > all.thinnest.value) all.thinnest.value = -part.low, thinnest = part.thinnest;
+        if (part.high > all.densest.value) all.densest.value = part.high, densest = part.densest;
+        all.relative2 = std::max(all.relative2, part.relative2);
+        all.relative2_before = std::max(all.relative2_before, part.relative2_before);
+        all.shift2 = std::max(all.shift2, part.shift2);
+        all.acceleration2 = std::max(all.acceleration2, part.acceleration2);
+        all.crossed += part.crossed;
+        all.held += part.held;
+        strikes.insert(strikes.end(), part.on_elastic.begin(), part.on_elastic.end());
+        for (const std::size_t i : part.by) strike_columns.push_back(column_of(i));
         for (std::size_t b = 0; b < part.on_bodies.size(); ++b) on_bodies[b] += part.on_bodies[b];
     }
+    all.broken = broken.has_value();
+    const auto note = [&](OfAllRanks::At& at, std::size_t i) {
+        at.column = grid_.count();
+        if (i < p.size()) at = {at.value, column_of(i), p.id[i], p.x[i], p.y[i], p.z[i]};
+    };
+    note(all.fastest, fastest), note(all.densest, densest), note(all.thinnest, thinnest);
+    const double own_speed2 = all.fastest.value;
+    all = ranks().sum(all);
+    if (all.held > 0) {
+        ranks().add(std::span(on_bodies));
+        if (walls_.give_way()) struck.places = of_all_ranks(strikes, strike_columns);
+    }
+    if (all.broken > 0)
+        fail_together({broken, broken ? column_of(*broken) : 0,
+                       "has a velocity, density or place that is not a number; often a time step or sound speed that "
+                       "does not fit the flow"});
+
     for (std::size_t b = 0; b < on_bodies.size(); ++b) {
         const Impulse held{mass_ * on_bodies[b].push.value(), mass_ * on_bodies[b].turn.value()};
         walls_.add_load(b, {held.impulse / dt, Vec3::Zero(), held.turn / dt});
         struck.bodies.push_back(held);
     }
-    extremes_.speed = std::sqrt(speed2);
-    extremes_.acceleration = std::sqrt(extremes_.acceleration);
-    if (fastest < p.size()) {
-        extremes_.fastest = p.id[fastest];
-        extremes_.fastest_place = Vec3(p.x[fastest], p.y[fastest], p.z[fastest]);
-    }
-    if (control_) control_->add_crossed(mass_ * crossed.value());
-    const double shift_travel = std::sqrt(shift2);
-    life_.relative_speed = std::sqrt(relative2);
-    life_.travel_in_stream += drifted * std::sqrt(relative2_before) + drift * life_.relative_speed + shift_travel;
+    ledger_.held += all.held;
+    extremes_ = {};
+    extremes_.speed = std::sqrt(all.fastest.value);
+    extremes_.acceleration = std::sqrt(all.acceleration2);
+    if (all.fastest.column < grid_.count())
+        extremes_.fastest = all.fastest.id, extremes_.fastest_place = all.fastest.place();
+    if (all.thinnest.value > 0)
+        extremes_.density_deviation_low = -all.thinnest.value, extremes_.thinnest_place = all.thinnest.place();
+    if (all.densest.value > 0)
+        extremes_.density_deviation_high = all.densest.value, extremes_.densest_place = all.densest.place();
+    if (control_) control_->add_crossed(mass_ * all.crossed.value());
+    const double shift_travel = std::sqrt(all.shift2);
+    life_.relative_speed = std::sqrt(all.relative2);
+    life_.travel_in_stream += drifted * std::sqrt(all.relative2_before) + drift * life_.relative_speed + shift_travel;
     life_.wall_travel += drifted * wall_speed_ + drift * walls_.fastest();
     life_.travel += drifted * speed_before + drift * extremes_.speed + shift_travel;
     time_ += dt;
     ++steps_;
-    if (extremes_.speed > largest_mach * c0)
-        fail_at(fastest, fmt::format("moves at {:.3g} m/s = {:.3g} c0; the sound speed is too low for this flow, or a "
-                                     "wall was struck too hard",
-                                     extremes_.speed, extremes_.speed / c0));
+    if (extremes_.speed > largest_mach * c0) {
+        const bool here = own_speed2 == all.fastest.value && fastest < p.size();
+        fail_together({here ? std::optional(fastest) : std::nullopt, here ? column_of(fastest) : 0,
+                       fmt::format("moves at {:.3g} m/s = {:.3g} c0; the sound speed is too low for this flow, or a "
+                                   "wall was struck too hard",
+                                   extremes_.speed, extremes_.speed / c0)});
+    }
     check_density();
     return struck;
 }
@@ -210,11 +264,14 @@ void Level::check_density() const {
     const double rho0 = setup_.rho0, most = setup_.largest_compression, least = -setup_.largest_rarefaction;
     const auto beyond = [&](double drho) { return drho > most * rho0 || drho < least * rho0; };
     if (!beyond(extremes_.density_deviation_high) && !beyond(extremes_.density_deviation_low)) return;
-    for (std::size_t i = 0; i < particles_.size(); ++i)
+    Failing failing{{}, 0, {}};
+    for (std::size_t i = 0; i < particles_.size() && !failing.at; ++i)
         if (is_active(particles_.kind[i]) && beyond(double(particles_.drho[i])))
-            fail_at(i, fmt::format("has the density {:.4g} kg/m3, not {:.0f} to {:.0f} % of {:.4g}; often a sound "
+            failing = {i, column_of(i),
+                       fmt::format("has the density {:.4g} kg/m3, not {:.0f} to {:.0f} % of {:.4g}; often a sound "
                                    "speed that is too low or water caught between walls",
-                                   rho0 + double(particles_.drho[i]), 100 + 100 * least, 100 + 100 * most, rho0));
+                                   rho0 + double(particles_.drho[i]), 100 + 100 * least, 100 + 100 * most, rho0)};
+    fail_together(failing);
 }
 
 // --- stages ---------------------------------------------------------------------------------------------------------

@@ -20,15 +20,17 @@ struct SortedPlaces {
     std::vector<Group> groups;
     NeighbourLists lists;
 
-    /// `apart`: distance between points [spacings of the level].
-    SortedPlaces(const std::vector<Vec3>& points, double apart, const Level& level) : grid(level.grid().scaled(apart)) {
+    /// `apart`: distance between points [spacings of the level]. `wanted`: which columns of them; empty: all.
+    SortedPlaces(const std::vector<Vec3>& points, double apart, const Level& level,
+                 const std::function<bool(int)>& wanted = {})
+        : grid(level.grid().scaled(apart)) {
         std::vector<WidePlace> raw(points.size());
         for_particles(raw.size(), [&](std::size_t k) { raw[k] = level.quanta().wide(points[k]); });
         sort_by_column(grid, raw, order, start);
         places.resize(raw.size());
         for_particles(raw.size(),
                       [&](std::size_t k) { places[k] = raw[static_cast<std::size_t>(order[k])].record(0); });
-        make_groups(sorted(), level.passes().lanes, groups);
+        make_groups(sorted(), level.passes().lanes, groups, wanted);
     }
     SortedPlaces(const SortedPlaces&) = delete;
 
@@ -95,7 +97,7 @@ void Level::sample(PointSamples& points) const {
     points.support.assign(n, 0);
     if (points.want_flux) points.flux.assign(6 * n, 0);
     if (n == 0) return;
-    SortedPlaces sorted(points.places, 1, *this);
+    SortedPlaces sorted(points.places, 1, *this, own_columns());  // whose columns are those of the particles
     sorted.find_neighbours(kernel_, *this, sources(), life_.travel);
     std::vector<float> p(n), support(n), flux(points.want_flux ? 6 * n : 0);
     ExtrapolateData e = extrapolation();
@@ -115,6 +117,13 @@ void Level::sample(PointSamples& points) const {
         points.support[i] = support[k];
         for (std::size_t a = 0; a < 6 && points.want_flux; ++a) points.flux[6 * i + a] = flux[6 * k + a];
     }
+    tell_samples(points);
+}
+
+/// Each point is worked out by one rank, and nothing on the others.
+void Level::tell_samples(PointSamples& points) const {
+    for (std::vector<float>* values : {&points.p, &points.support, &points.flux})
+        ranks().take_from_owners(std::span(*values));
 }
 
 double Level::density_of_row() const {

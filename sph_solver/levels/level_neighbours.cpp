@@ -1,6 +1,7 @@
 // Who is whose neighbour in a level: sorting, ghosts, groups, lists and wall normals; and the records that the sweeps
 // read.
 #include <algorithm>
+#include <numeric>
 
 #include "sph_solver/backend/for_particles.h"
 #include "sph_solver/backend/stopwatch.h"
@@ -63,20 +64,17 @@ void Level::rebuild(double drift) {
     const LevelSetup& s = setup_;
     Particles& p = particles_;
 
-    const std::vector<char> gone = cross_open_boundaries(around_, s.dp, p, ledger_);
+    const bool shared = ranks().many();
+    if (shared) {
+        divide_columns();
+        let_copies_go();
+    }
+    const Ledger before = ledger_;
+    const auto [gone, entered] = cross_open_boundaries(around_, s.dp, p, ledger_);
     std::vector<std::int32_t> index;
     for (std::size_t i = 0; i < p.size(); ++i)
         if (!gone[i]) index.push_back(static_cast<std::int32_t>(i));
     ledger_.out += static_cast<std::int64_t>(p.size() - index.size());
-    std::vector<WidePlace> kept(index.size());
-    for_particles(kept.size(), [&](std::size_t k) {
-        const auto i = static_cast<std::size_t>(index[k]);
-        kept[k] = quanta_.wide({p.x[i], p.y[i], p.z[i]});
-    });
-    std::vector<std::int32_t> order;
-    sort_by_column(grid_, kept, order, start_);
-    for (auto& k : order) k = index[static_cast<std::size_t>(k)];
-    p.reorder(order);
 
     const double support = kernel_.support();
     const auto reaches = [&](double now, double slack) {
@@ -84,16 +82,38 @@ void Level::rebuild(double drift) {
     };
     const Reaches among = reaches(reach_among(drift), ListLife::skin_over_dp * s.dp),
                   to_walls = reaches(reach_to_walls(drift), ListLife::wall_skin_over_dp * s.dp);
-    ghosts_.find(p, grid_, std::max(among.far, to_walls.far));
+    const double reach = std::max(among.far, to_walls.far);
+    if (shared) {
+        agree_on_crossings(before, entered);
+        hold_columns(index, reach);
+        index.resize(p.size());
+        std::iota(index.begin(), index.end(), 0);
+    }
+
+    std::vector<WidePlace> kept(index.size());
+    for_particles(kept.size(), [&](std::size_t k) {
+        const auto i = static_cast<std::size_t>(index[k]);
+        kept[k] = quanta_.wide({p.x[i], p.y[i], p.z[i]});
+    });
+    std::vector<std::int32_t> order;
+    sort_by_column(grid_, kept, order, start_);
+    order_coincident(
+        kept, start_,
+        [&](std::int32_t k) { return p.id[static_cast<std::size_t>(index[static_cast<std::size_t>(k)])]; }, order);
+    for (auto& k : order) k = index[static_cast<std::size_t>(k)];
+    p.reorder(order);
+    if (!walls_.empty()) walls_.sort(grid_, quanta_, passes_.lanes);
+    if (shared) note_own();
+
+    ghosts_.find(p, grid_, reach);
     p.make_room(ghosts_.count());
     update_records();
 
     const std::vector<Source> own = sources();
-    make_groups(own.front(), passes_.lanes, groups_);
+    make_groups(own.front(), passes_.lanes, groups_, own_columns());
     lists_.build(passes_, quanta_, own.front(), groups_, own, among);
     if (!walls_.empty()) {
-        walls_.sort(grid_, quanta_, passes_.lanes);
-        walls_.find_neighbours(passes_, grid_, quanta_, groups_, own, to_walls);
+        walls_.find_neighbours(passes_, grid_, quanta_, groups_, own, to_walls, own_columns());
         find_normals();
     }
     life_.travel = life_.travel_in_stream = life_.wall_travel = 0;
@@ -119,13 +139,17 @@ void Level::find_normals() {
             note_wall(i, near);
         }
     });
-    for (std::size_t i = p.size(); i-- > 0;) {
-        if (double(p.wall_normal[i].distance) >= -setup_.dp || !is_active(p.kind[i])) continue;
-        ++ledger_.lost;
-        fail_at(i,
-                "has gone through the hull; often a wall thinner than the kernel's support 2 h, or a spacing too "
-                "coarse for a sharp edge");
-    }
+    halo_.tell(particles_.wall_normal.data(), particles_.wall_leaving.data());
+    if (walls_.move()) halo_.tell(particles_.wall_body.data());
+    if (walls_.give_way()) halo_.tell(particles_.wall_triangle.data());
+    std::optional<std::size_t> through;
+    for (std::size_t i = p.size(); i-- > 0 && !through;)
+        if (double(p.wall_normal[i].distance) < -setup_.dp && is_active(p.kind[i])) through = i;
+    if (!ranks().sum(std::int64_t{through.has_value()})) return;
+    ++ledger_.lost;
+    fail_together({through, through ? -column_of(*through) : 0,
+                   "has gone through the hull; often a wall thinner than the kernel's support 2 h, or a spacing too "
+                   "coarse for a sharp edge"});
 }
 
 }  // namespace tw

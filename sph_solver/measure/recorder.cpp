@@ -48,8 +48,12 @@ SurfaceSamples samples_of(const Body& body, const SimulationSetup& s) {
 
 /// Of the water in the control volume [N s], [kg].
 Vec3 momentum_inside(const Simulation& simulation, double& mass_inside) {
+    using Inside = ControlVolume::Inside;
     const Level& level = simulation.at_bodies();
-    return ControlVolume::momentum_inside(*simulation.control_volume(), level.particles(), level.mass(), mass_inside);
+    const Inside inside = level.sum_over_all<Inside>(
+        [&](Inside& sum, std::size_t i) { simulation.control_volume()->add_inside(level.particles(), i, sum); });
+    mass_inside = level.mass() * inside.share.value();
+    return level.mass() * inside.momentum.value();
 }
 
 /// Whether the particles of the control volume's size still hold all of it: their zone may have gone with a free hull.
@@ -184,7 +188,8 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
     double fastest = 0, low = 0, high = 0;
     Ledger ledger;
     for (const auto& level : simulation.water()) {
-        count += std::ranges::count_if(level->particles().kind, is_active);
+        count += level->sum_over_all<std::int64_t>(
+            [&](std::int64_t& sum, std::size_t i) { sum += is_active(level->particles().kind[i]); });
         const Extremes& e = level->extremes();
         fastest = std::max(fastest, e.speed);
         low = std::min(low, e.density_deviation_low), high = std::max(high, e.density_deviation_high);
@@ -213,7 +218,7 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
         t.set(k, "spray_mass", "kg", factor_ * taken);
     }
     if (const Level* air = simulation.gas()) {
-        t.set(k, "air_particles", "-", double(air->particles().size()));
+        t.set(k, "air_particles", "-", double(air->count()));
         t.set(k, "air_energy", per_span("J"), factor_ * gas_energy(*air, s.gravity));
         t.set(k, "air_max_speed", "m/s", air->extremes().speed);
         t.set(k, "air_density_deviation_low", "kg/m3", air->extremes().density_deviation_low);

@@ -10,7 +10,7 @@ namespace tw {
 
 void RunWatch::after_step(const Simulation& simulation) {
     const Level& water = simulation.level(0);  // whole everywhere
-    if (water.particles().size() == 0) {
+    if (water.count() == 0) {
         const Ledger& l = water.ledger();
         throw RunError(
             fmt::format("no water is left at t = {:.6g} s: {} particles have left through open sides and {} were lost "

@@ -1,7 +1,6 @@
 #include "sph_solver/measure/water_energy.h"
 
 #include "base/exact_sum.h"
-#include "sph_solver/backend/for_particles.h"
 
 namespace tw {
 namespace {
@@ -26,7 +25,7 @@ WaterEnergy water_energy(const Simulation& simulation) {
     WaterEnergy energy;
     for (const auto& level : simulation.water()) {
         const Particles& p = level->particles();
-        const Sums sums = sum_over<Sums>(p.size(), [&](Sums& sum, std::size_t i) {
+        const Sums sums = level->sum_over_all<Sums>([&](Sums& sum, std::size_t i) {
             if (p.kind[i] != Kind::fluid) return;
             ++sum.count;
             sum.speed2 += double(p.u[i]) * p.u[i] + double(p.v[i]) * p.v[i] + double(p.w[i]) * p.w[i];

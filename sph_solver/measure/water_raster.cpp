@@ -10,7 +10,7 @@ void pour(Raster& raster, const Level& level, double span, const Wanted& wanted)
     const Particles& p = level.particles();
     for (std::size_t i = 0; i < p.size(); ++i) {
         const Vec3 place(p.x[i], p.y[i], p.z[i]);
-        if (wanted(p.kind[i], place))
+        if (level.owns(i) && wanted(p.kind[i], place))
             raster.pour(place, level.setup().dp, level.mass() * span / (level.setup().rho0 + double(p.drho[i])));
     }
 }
@@ -25,6 +25,7 @@ Raster water_raster(const Simulation& simulation, const RasterSpec& spec, double
     if (spec.voxel <= 0) return all;
     const auto each = [](Kind, const Vec3&) { return true; };
     pour(all, *levels[0], span, each);
+    levels[0]->ranks().add(all.parts());
     for (std::size_t k = 1; k < levels.size(); ++k) {
         const Level& level = *levels[k];
         Raster of_size(spec);

@@ -90,11 +90,30 @@ Bounds bounds(const PlaceRecord* places, const Group& g, const WidePlace& from) 
 
 }  // namespace
 
-void make_groups(const Source& source, int lanes, std::vector<Group>& groups) {
+void order_coincident(const std::vector<WidePlace>& places, const std::vector<std::int32_t>& start,
+                      const std::function<std::int64_t(std::int32_t)>& id, std::vector<std::int32_t>& order) {
+    const auto same = [&](std::int32_t a, std::int32_t b) {
+        const WidePlace &p = places[static_cast<std::size_t>(a)], &q = places[static_cast<std::size_t>(b)];
+        return p.x == q.x && p.y == q.y && p.z == q.z;
+    };
+    for_particles(start.size() - 1, [&](std::size_t c) {
+        const auto end = order.begin() + start[c + 1];
+        for (auto first = order.begin() + start[c]; first != end;) {
+            auto last = first + 1;
+            while (last != end && same(*first, *last)) ++last;
+            if (last - first > 1) std::sort(first, last, [&](auto a, auto b) { return id(a) < id(b); });
+            first = last;
+        }
+    });
+}
+
+void make_groups(const Source& source, int lanes, std::vector<Group>& groups,
+                 const std::function<bool(int column)>& wanted) {
     const std::vector<std::int32_t>& start = *source.start;
     groups.clear();
     std::vector<int> column;
-    for (std::size_t c = 0; c + 1 < start.size(); ++c)
+    for (std::size_t c = 0; c + 1 < start.size(); ++c) {
+        if (wanted && !wanted(static_cast<int>(c))) continue;
         for (std::int32_t i = start[c]; i < start[c + 1]; i += lanes) {
             Group g;
             g.first = i;
@@ -102,6 +121,7 @@ void make_groups(const Source& source, int lanes, std::vector<Group>& groups) {
             groups.push_back(g);
             column.push_back(static_cast<int>(c));
         }
+    }
     for_particles(groups.size(), [&](std::size_t n) {
         Group& g = groups[n];
         const Bounds box = bounds(source.places, g, source.grid->centre(column[n]));

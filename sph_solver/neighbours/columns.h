@@ -1,6 +1,7 @@
 #pragma once
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "base/vec3.h"
@@ -92,8 +93,13 @@ struct Source {
     std::int32_t offset;  ///< index of the first place in the pass's index space
 };
 
-/// Cuts each column of sorted places into groups of up to `lanes`.
-void make_groups(const Source& places, int lanes, std::vector<Group>& groups);
+/// Sorts those of a column that have the same place by `id`: then the order does not depend on what it was before.
+void order_coincident(const std::vector<WidePlace>& places, const std::vector<std::int32_t>& start,
+                      const std::function<std::int64_t(std::int32_t)>& id, std::vector<std::int32_t>& order);
+
+/// Cuts each column of sorted places into groups of up to `lanes`. `wanted`: which columns; empty: all.
+void make_groups(const Source& places, int lanes, std::vector<Group>& groups,
+                 const std::function<bool(int column)>& wanted = {});
 
 /// Gives every group with walls near its slots for loads, one for each body that it has in reach (see
 /// WallView::body_end); returns how many slots there are.

@@ -14,7 +14,7 @@ namespace {
 
 using namespace checkpoint_layout;
 
-void write_level(hid_t at, const Level& level) {
+void write_level(hid_t at, const Level& level, const Particles& particles) {
     const Level::State s = level.state();
     const double state[] = {s.time,
                             s.dt,
@@ -26,7 +26,6 @@ void write_level(hid_t at, const Level& level) {
     h5::write_attribute(at, "material", level.setup().material);
     h5::write_attribute(at, "state", std::span<const double>(state));
     h5::write_attribute(at, "counts", std::span<const long long>(counts));
-    const Particles& particles = level.particles();
     particles.each([&](const AnyField& field) {
         if (!field.saved() || !particles.has(field.with())) return;
         const hsize_t n = field.length();
@@ -44,6 +43,11 @@ void write_control_volume(hid_t at, const ControlVolume::State& s) {
 
 void write_checkpoint(const std::filesystem::path& path, const std::string& run_hash, const Simulation& simulation,
                       double mass_at_start) {
+    const Comm& ranks = simulation.level(0).ranks();
+    std::vector<Particles> of_all_ranks;  // empty where this process has all
+    for (const auto& level : simulation.levels())
+        if (ranks.many()) of_all_ranks.push_back(level->gathered());
+    if (!ranks.first()) return;
     try {
         const h5::Silence silence;
         const h5::Handle file = h5::create_in_memory();
@@ -56,7 +60,8 @@ void write_checkpoint(const std::filesystem::path& path, const std::string& run_
         }
         const h5::Handle levels = h5::create_group(file, "levels");
         for (std::size_t k = 0; k < simulation.levels().size(); ++k)
-            write_level(h5::create_group(levels, std::to_string(k).c_str()), simulation.level(k));
+            write_level(h5::create_group(levels, std::to_string(k).c_str()), simulation.level(k),
+                        ranks.many() ? of_all_ranks[k] : simulation.level(k).particles());
         for (std::size_t k = 0; k < simulation.refinements().size(); ++k) {
             const Refinement::Ledger& l = simulation.refinements()[k].ledger();
             const long long counts[] = {l.births, l.deaths};

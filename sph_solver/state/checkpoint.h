@@ -30,7 +30,8 @@ struct Checkpoint {
     std::vector<std::vector<double>> bodies;  ///< Body::state of those that move
 };
 
-/// Written atomically (raw, no compression). The caller marks the restart point in the running simulation too, so that
+/// Written atomically (raw, no compression); by the first of several ranks, which all call it, with the bytes of one
+/// process. The caller marks the restart point in the running simulation too, so that
 /// both build their lists anew at this step.
 void write_checkpoint(const std::filesystem::path& file, const std::string& run_hash, const Simulation& simulation,
                       double mass_at_start);

@@ -94,6 +94,7 @@ void Stepper::evaluate(Tier& tier, double t, double compress, double drift) {
 void Stepper::press(Tier& tier, double t) {
     for (Level* level : tier.levels) level->second_sweep(t);
     for (LevelPair& pair : tier.pairs) pair.press(t);
+    for (Level* level : tier.levels) level->tell_rates();
     for (Level* level : tier.levels) level->gather_loads(moment_reference_);
 }
 

@@ -64,8 +64,11 @@ TEST(AnyOrder, OfEnergyAndOfMomentumInAVolume) {
     stir(p);
     const auto measure = [&] {
         const WaterEnergy e = water_energy(simulation);
-        double mass = 0;
-        const Vec3 momentum = ControlVolume::momentum_inside(volume, p, simulation.mass(), mass);
+        using Inside = ControlVolume::Inside;
+        const Inside inside =
+            simulation.level(0).sum_over_all<Inside>([&](Inside& sum, std::size_t i) { volume.add_inside(p, i, sum); });
+        const Vec3 momentum = inside.momentum.value();
+        const double mass = inside.share.value();
         return std::vector{e.mass,        e.kinetic,    e.potential,
                            e.elastic,     momentum.x(), momentum.y(),
                            momentum.z(),  mass,         gas_energy(simulation.level(0), s.gravity),

@@ -1,0 +1,275 @@
+// A level whose particles are shared by several ranks. Each owns whole columns, and holds copies of the columns round
+// them, all in the one order of the columns: so lists, groups, and the order of all sums over pairs are those of one
+// process, and so are the bits. A copy changes as its original does, but for sums over its neighbours, which the owner
+// tells (parallel/halo.h).
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "base/errors.h"
+#include "sph_solver/backend/for_particles.h"
+#include "sph_solver/levels/level.h"
+
+namespace tw {
+
+namespace {
+/// Work that a rank may have beyond the mean before the columns are divided anew.
+constexpr double largest_imbalance = 1.05;
+}  // namespace
+
+const Comm& Level::ranks() const { return around_.ranks ? *around_.ranks : Comm::alone(); }
+
+std::int32_t Level::column_of(std::size_t i) const {
+    const auto after = std::upper_bound(start_.begin(), start_.end(), static_cast<std::int32_t>(i));
+    return static_cast<std::int32_t>(after - start_.begin()) - 1;
+}
+
+std::function<bool(int)> Level::own_columns() const {
+    if (!ranks().many()) return {};
+    return [this](int column) { return columns_.owner(column) == ranks().rank(); };
+}
+
+/// Every rank has made or read all particles; the first one answers for them.
+void Level::begin_whole() {
+    if (!ranks().many()) return;
+    whole_ = true;
+    own_.assign(particles_.size(), ranks().first() ? 1 : 0);
+    total_ = static_cast<std::int64_t>(particles_.size());
+    std::vector<char> busy(static_cast<std::size_t>(grid_.count()), 0);
+    for (std::size_t i = 0; i < particles_.size(); ++i)
+        busy[static_cast<std::size_t>(grid_.of(quanta_.wide({particles_.x[i], particles_.y[i], particles_.z[i]})))] = 1;
+    const std::int64_t columns = std::ranges::count(busy, 1);
+    if (columns < ranks().size())
+        throw InputError(fmt::format("the {} stands in {} columns of particles, and there are {} ranks: take fewer",
+                                     setup_.material, columns, ranks().size()));
+}
+
+/// Lets go of the copies of others' particles.
+void Level::let_copies_go() {
+    if (whole_) return;
+    std::vector<std::int32_t> mine, start(start_.size(), 0);
+    for (std::size_t c = 0; c + 1 < start_.size(); ++c) {
+        for (std::int32_t i = start_[c]; i < start_[c + 1]; ++i)
+            if (own_[static_cast<std::size_t>(i)]) mine.push_back(i);
+        start[c + 1] = static_cast<std::int32_t>(mine.size());
+    }
+    particles_.reorder(mine);
+    start_ = std::move(start);
+}
+
+/// What has crossed open boundaries of all ranks' columns; particles that entered get the ids that they have where one
+/// process counts them, column by column.
+void Level::agree_on_crossings(const Ledger& before, const std::vector<std::int32_t>& entered) {
+    if (whole_) return;
+    ledger_.out = before.out + ranks().sum(ledger_.out - before.out);
+    if (!around_.stream) return;
+    std::vector<std::int32_t> own(entered.size());
+    for (std::size_t k = 0; k < own.size(); ++k) own[k] = column_of(static_cast<std::size_t>(entered[k]));
+    std::vector<std::int32_t> all = ranks().gathered(own);
+    std::ranges::sort(all);
+    const std::size_t first_new = particles_.size() - own.size();
+    for (std::size_t k = 0; k < own.size(); ++k) {
+        const auto in_column = static_cast<std::int64_t>(k) - (std::ranges::lower_bound(own, own[k]) - own.begin());
+        particles_.id[first_new + k] =
+            before.next_id + (std::ranges::lower_bound(all, own[k]) - all.begin()) + in_column;
+    }
+    const auto came = static_cast<std::int64_t>(all.size());
+    ledger_.in = before.in + came, ledger_.next_id = before.next_id + came;
+}
+
+/// Adds the work of this rank's particles to that of their columns: pairs by the lists as they are, or particles where
+/// none were made yet, of which the first rank counts all.
+void Level::add_work(std::vector<std::int64_t>& of_columns) const {
+    if (!whole_)
+        for (const Group& g : groups_)
+            of_columns[static_cast<std::size_t>(column_of(static_cast<std::size_t>(g.first)))] +=
+                g.size * (1 + live_pairs(g));
+    for (std::size_t i = 0; i < particles_.size() && whole_ && ranks().first(); ++i)
+        ++of_columns[static_cast<std::size_t>(
+            grid_.of(quanta_.wide({particles_.x[i], particles_.y[i], particles_.z[i]})))];
+}
+
+/// Divides the columns where their work, and that of a level which follows, has become uneven.
+void Level::divide_columns() {
+    if (columns_of_) {
+        columns_ = columns_of_->columns_;
+        return;
+    }
+    std::vector<std::int64_t> of_columns(static_cast<std::size_t>(grid_.count()), 0);
+    add_work(of_columns);
+    if (following_) following_->add_work(of_columns);
+    struct Load {
+        std::int64_t sum, largest;
+    };
+    const std::int64_t own = std::accumulate(of_columns.begin(), of_columns.end(), std::int64_t{0});
+    const Load load = ranks().combined(
+        Load{own, own}, +[](Load& all, const Load& other) {
+            all.sum += other.sum, all.largest = std::max(all.largest, other.largest);
+        });
+    if (double(load.largest) * ranks().size() <= largest_imbalance * double(load.sum)) return;
+    ranks().add(std::span<std::int64_t>(of_columns));
+    columns_ = Decomposition(grid_, of_columns, ranks().size());
+}
+
+/// Sends particles to the ranks that own their columns, and copies to those that need them; then the level has those of
+/// the columns that it holds, in no order. `staying`: which of the present ones stay in the run.
+void Level::hold_columns(const std::vector<std::int32_t>& staying, double reach) {
+    const std::size_t n = staying.size();
+    std::vector<std::int32_t> column(n);
+    for_particles(n, [&](std::size_t k) {
+        const auto i = static_cast<std::size_t>(staying[k]);
+        column[k] = grid_.of(quanta_.wide({particles_.x[i], particles_.y[i], particles_.z[i]}));
+    });
+    // those that see points between particles have moved since, see SortedPlaces::stale
+    columns_.find_holders(grid_, around_.mirrors, quanta_.wide(around_.domain.min), quanta_.wide(around_.domain.max),
+                          static_cast<std::int64_t>((reach + 0.1 * setup_.dp) * quanta_.per_metre) + 1);
+    const int self = ranks().rank();
+    std::vector<std::int32_t> kept;
+    std::vector<Comm::Bytes> to(static_cast<std::size_t>(ranks().size()));
+    const std::size_t bytes = particles_.moved_bytes();
+    for (std::size_t k = 0; k < n; ++k) {
+        const std::int32_t c = column[k];
+        if (columns_.holds(self, c)) kept.push_back(staying[k]);
+        if (whole_) continue;
+        const auto send = [&](int r) {
+            if (r == self) return;
+            Comm::Bytes& out = to[static_cast<std::size_t>(r)];
+            out.resize(out.size() + bytes);
+            particles_.pack(static_cast<std::size_t>(staying[k]), out.data() + out.size() - bytes);
+        };
+        send(columns_.owner(c));
+        for (const std::int32_t r : columns_.holders(c)) send(r);
+    }
+    particles_.reorder(kept);
+    if (!whole_)
+        for (const Comm::Bytes& got : ranks().exchange(to)) {
+            const std::size_t before = particles_.size();
+            particles_.resize(before + got.size() / bytes);
+            for (std::size_t k = 0; k < got.size() / bytes; ++k) particles_.unpack(before + k, got.data() + k * bytes);
+        }
+    whole_ = false;
+}
+
+/// The particles are sorted: who owns which, and who tells whom.
+void Level::note_own() {
+    own_.assign(particles_.size(), 0);
+    std::int64_t mine = 0;
+    for (std::size_t c = 0; c + 1 < start_.size(); ++c) {
+        if (columns_.owner(static_cast<int>(c)) != ranks().rank()) continue;
+        std::fill(own_.begin() + start_[c], own_.begin() + start_[c + 1], 1);
+        mine += start_[c + 1] - start_[c];
+    }
+    total_ = ranks().sum(mine);
+    const Halo::Sorted sorted{&start_, 0};
+    halo_ = Halo(ranks(), columns_, std::span(&sorted, 1));
+    walls_.set_halo(ranks(), columns_);
+}
+
+void Level::tell_first_sweep() {
+    struct Sums {
+        float gx, gy, gz, support, drho;
+    };
+    Particles& p = particles_;
+    const std::size_t carried = p.carried.empty() ? 0 : sizeof(CarriedShare);
+    halo_.tell(
+        sizeof(Sums) + carried,
+        [&](std::size_t i, std::byte* to) {
+            const GradientPressureRecord& g = p.gradient_pressure[i];
+            const Sums sums{g.gx, g.gy, g.gz, p.shift_support[i].support, p.rate[i].drho};
+            std::memcpy(to, &sums, sizeof(Sums));
+            if (carried > 0) std::memcpy(to + sizeof(Sums), &p.carried[i], carried);
+        },
+        [&](std::size_t i, const std::byte* from) {
+            Sums sums;
+            std::memcpy(&sums, from, sizeof(Sums));
+            GradientPressureRecord& g = p.gradient_pressure[i];
+            g.gx = sums.gx, g.gy = sums.gy, g.gz = sums.gz;
+            p.shift_support[i].support = sums.support, p.rate[i].drho = sums.drho;
+            if (carried > 0) std::memcpy(&p.carried[i], from + sizeof(Sums), carried);
+        });
+}
+
+Particles Level::gathered() const {
+    Particles all;
+    all.bring_all_of(particles_);
+    if (!ranks().many() || whole_) {
+        if (ranks().first()) all = particles_;
+        return all;
+    }
+    struct Column {
+        std::int32_t column, size;
+    };
+    const std::size_t bytes = particles_.moved_bytes();
+    Comm::Bytes own;
+    for (std::size_t c = 0; c + 1 < start_.size(); ++c) {
+        const Column column{static_cast<std::int32_t>(c), start_[c + 1] - start_[c]};
+        if (column.size == 0 || columns_.owner(column.column) != ranks().rank()) continue;
+        std::size_t at = own.size();
+        own.resize(at + sizeof(Column) + static_cast<std::size_t>(column.size) * bytes);
+        std::memcpy(own.data() + at, &column, sizeof(Column));
+        at += sizeof(Column);
+        for (std::int32_t i = start_[c]; i < start_[c + 1]; ++i, at += bytes)
+            particles_.pack(static_cast<std::size_t>(i), own.data() + at);
+    }
+    const std::vector<Comm::Bytes> of_ranks = ranks().sent_to_first(own);
+    if (!ranks().first()) return all;
+    std::vector<std::pair<Column, const std::byte*>> columns;
+    for (const Comm::Bytes& of_rank : of_ranks)
+        for (const std::byte* at = of_rank.data(); at != of_rank.data() + of_rank.size();) {
+            Column column;
+            std::memcpy(&column, at, sizeof(Column));
+            columns.emplace_back(column, at + sizeof(Column));
+            at += sizeof(Column) + static_cast<std::size_t>(column.size) * bytes;
+        }
+    std::ranges::sort(columns, {}, [](const auto& c) { return c.first.column; });
+    all.resize(static_cast<std::size_t>(total_));
+    std::size_t i = 0;
+    for (const auto& [column, from] : columns)
+        for (std::int32_t k = 0; k < column.size; ++k) all.unpack(i++, from + static_cast<std::size_t>(k) * bytes);
+    return all;
+}
+
+template <class Blow>
+std::vector<Blow> Level::of_all_ranks(const std::vector<Blow>& own, const std::vector<std::int32_t>& columns) const {
+    if (!ranks().many()) return own;
+    struct Sent {
+        std::int32_t column, triangle;
+        std::uint64_t body;
+        std::array<double, 6> place_and_what;
+    };
+    std::vector<Sent> sent;
+    for (std::size_t k = 0; k < own.size(); ++k) {
+        const auto& [body, triangle, place, what] = own[k];
+        sent.push_back({columns[k], triangle, body, {place.x(), place.y(), place.z(), what.x(), what.y(), what.z()}});
+    }
+    std::vector<Sent> all = ranks().gathered(sent);
+    std::ranges::stable_sort(all, {}, &Sent::column);
+    std::vector<Blow> blows;
+    for (const Sent& s : all)
+        blows.push_back({static_cast<std::size_t>(s.body), s.triangle, Vec3(s.place_and_what.data()),
+                         Vec3(s.place_and_what.data() + 3)});
+    return blows;
+}
+template std::vector<WallPush> Level::of_all_ranks(const std::vector<WallPush>&,
+                                                   const std::vector<std::int32_t>&) const;
+template std::vector<WallStrike> Level::of_all_ranks(const std::vector<WallStrike>&,
+                                                     const std::vector<std::int32_t>&) const;
+
+void Level::fail_together(const Failing& failing) const {
+    struct Rank {
+        std::int64_t order;
+        std::int32_t rank;
+    };
+    const Rank own{failing.at ? failing.order : std::numeric_limits<std::int64_t>::max(), ranks().rank()};
+    const Rank speaks = ranks().combined(
+        own, +[](Rank& all, const Rank& other) {
+            if (std::pair(other.order, other.rank) < std::pair(all.order, all.rank)) all = other;
+        });
+    throw RunError(
+        ranks().told_by(speaks.rank, failing.at ? text_of_failure(*failing.at, failing.what) : std::string()));
+}
+
+}  // namespace tw

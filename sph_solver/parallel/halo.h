@@ -1,0 +1,78 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include "sph_solver/parallel/comm.h"
+#include "sph_solver/parallel/decomposition.h"
+
+namespace tw {
+
+/// What ranks tell each other of things that stand sorted by column: the owner of a column tells all who hold a copy of
+/// it. Sender and receiver have the same things of a column in the same order, so nothing but their values is sent.
+///
+/// A thing's own state (place, velocity, ...) changes alike wherever it is held. What a copy cannot know are sums over
+/// its neighbours, which are not all held beside it: those are told.
+class Halo {
+public:
+    /// Of one process: tells nobody anything.
+    Halo() = default;
+    /// `starts`: first thing of each column, from an index on for each of several lists, one behind the other.
+    struct Sorted {
+        const std::vector<std::int32_t>* start;
+        std::int32_t from;
+    };
+    Halo(const Comm& ranks, const Decomposition& columns, std::span<const Sorted> lists);
+
+    /// Tells `bytes` of each thing: `pack(i, to)` on the owner, `unpack(i, from)` on who holds a copy.
+    template <class Pack, class Unpack>
+    void tell(std::size_t bytes, const Pack& pack, const Unpack& unpack) const {
+        if (partners_.empty()) return;
+        std::vector<Comm::Parcel> to, from;
+        for (const Partner& p : partners_) {
+            Comm::Bytes& out = to.emplace_back(p.rank, Comm::Bytes(p.sent * bytes)).bytes;
+            std::byte* at = out.data();
+            each(p.send, [&](std::size_t i) { pack(i, at), at += bytes; });
+            from.emplace_back(p.rank, Comm::Bytes(p.received * bytes));
+        }
+        ranks_->exchange(to, from);
+        for (std::size_t k = 0; k < partners_.size(); ++k) {
+            const std::byte* at = from[k].bytes.data();
+            each(partners_[k].receive, [&](std::size_t i) { unpack(i, at), at += bytes; });
+        }
+    }
+    /// Tells the elements of arrays.
+    template <class... T>
+    void tell(T*... values) const {
+        static_assert((std::is_trivially_copyable_v<T> && ...));
+        tell((sizeof(T) + ...),
+             [&](std::size_t i, std::byte* to) { ((std::memcpy(to, values + i, sizeof(T)), to += sizeof(T)), ...); },
+             [&](std::size_t i, const std::byte* from) {
+                 ((std::memcpy(values + i, from, sizeof(T)), from += sizeof(T)), ...);
+             });
+    }
+    std::size_t received() const;  ///< things that are copies
+
+private:
+    struct Range {
+        std::int32_t first, last;
+    };
+    struct Partner {
+        int rank;
+        std::vector<Range> send, receive;
+        std::size_t sent = 0, received = 0;
+    };
+    template <class F>
+    static void each(const std::vector<Range>& ranges, const F& f) {
+        for (const Range& r : ranges)
+            for (std::int32_t i = r.first; i < r.last; ++i) f(static_cast<std::size_t>(i));
+    }
+
+    const Comm* ranks_ = nullptr;
+    std::vector<Partner> partners_;
+};
+
+}  // namespace tw
