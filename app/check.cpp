@@ -6,6 +6,8 @@
 #include "compare/report/resolution_picture.h"
 #include "compare/report/svg_plot.h"
 #include "scene/new_record.h"
+#include "sph_solver/parallel/comm.h"
+#include "sph_solver/ranks_refused.h"
 
 namespace tw::app {
 
@@ -33,6 +35,13 @@ int run_check(const CheckCommand& command, const Common& common) {
     for (const std::string& method : scene.run.methods) own += plan.seconds(method);
     const Twins twins(command.scene.file, command.scene.overrides(), "", command.threads, {});
     say(common, to_text(scene, plan.prediction) + twins.prediction_text(own));
+    if (Comm::built_with_mpi()) {
+        const std::string why = why_not_over_ranks(scene);
+        say(common, "ranks: " +
+                        (why.empty() ? "several processes can share the particles (run --ranks)"
+                                     : "one process only, because of " + why) +
+                        "\n");
+    }
     if (!command.picture.empty()) draw_sizes(scene, command.picture);
     write_json(common, check_json(scene, plan.prediction));
     return done;

@@ -73,6 +73,7 @@ struct RunCommand {
     bool require_agree = false;  ///< not_agreed unless every quantity agrees
     int threads = 0;
     Making making;
+    int ranks = 0;  ///< processes that share the particles; 0: not asked for
 };
 int run_run(const RunCommand& command, const Common& common);
 

@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <sstream>
 
+#include <fmt/format.h>
+
 #include "app/command_words.h"
 #include "app/output.h"
 #include "app/quiet_waits.h"
@@ -11,6 +13,7 @@
 #include "base/errors.h"
 #include "compare/report/escape.h"
 #include "record/code_version.h"
+#include "sph_solver/parallel/comm.h"
 #include "text/did_you_mean.h"
 
 // The command line. Its table is in subcommands.cpp; every subcommand lives in a file of its own name.
@@ -77,6 +80,10 @@ int dispatch(int argc, char** argv) {
     add(app, subcommands(), common, chosen);
 
     if (argc > 1 && argv[1][0] != '-') refuse_unknown(app, argv[1]);
+    if (const Comm& ranks = Comm::world(); ranks.many() && (argc < 2 || std::string(argv[1]) != "run"))
+        throw InputError(fmt::format(
+            "started as {} processes: only `twinwake run` shares its work among them; start the others once",
+            ranks.size()));
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
@@ -90,17 +97,33 @@ int dispatch(int argc, char** argv) {
     return chosen(common);
 }
 
-/// The exit status; what went wrong is on standard error.
-int status_of(int argc, char** argv) {
+/// The exit status, and what went wrong.
+int status_of(int argc, char** argv, std::string& failure) {
     try {
         return dispatch(argc, argv);
     } catch (const InputError& e) {
-        complain(e.what());
+        failure = e.what();
         return bad_input;
-    } catch (const RunError& e) { complain(e.what()); } catch (const std::bad_alloc&) {
-        complain("out of memory: coarsen [resolution] near_hull; twinwake check shows how much is needed");
-    } catch (const std::exception& e) { complain(std::string("unexpected: ") + e.what()); }
+    } catch (const RunError& e) { failure = e.what(); } catch (const std::bad_alloc&) {
+        failure = "out of memory: coarsen [resolution] near_hull; twinwake check shows how much is needed";
+    } catch (const std::exception& e) { failure = std::string("unexpected: ") + e.what(); }
     return run_failed;
+}
+
+/// Of the whole program. Where several processes share a run, the first one says what went wrong with all of them.
+int run_program(int argc, char** argv) {
+    std::string failure;
+    const Comm* ranks = &Comm::alone();
+    int status = bad_input;
+    try {
+        ranks = &Comm::world();
+        status = status_of(argc, argv, failure);
+    } catch (const InputError& e) { failure = e.what(); }
+    if (!failure.empty() && ranks->first()) complain(failure);
+    // Lost output is no success; a status that says more than that is kept.
+    if (!everything_was_printed() && status == done) status = bad_input;
+    ranks->end(status, failure);
+    return status;
 }
 
 }  // namespace
@@ -111,7 +134,5 @@ int main(int argc, char** argv) {
     // OpenFOAM believes PWD rather than the folder it is started in, and refuses one with a blank: the shell's must not
     // reach it.
     unsetenv("PWD");
-    const int status = tw::app::status_of(argc, argv);
-    // Lost output is no success; a status that says more than that is kept.
-    return tw::app::everything_was_printed() || status != tw::app::done ? status : tw::app::bad_input;
+    return tw::app::run_program(argc, argv);
 }

@@ -6,6 +6,7 @@
 #include "app/body_outcome.h"
 #include "app/campaign.h"
 #include "app/output.h"
+#include "app/ranks.h"
 #include "app/solvers.h"
 #include "app/stop_signal.h"
 #include "app/study.h"
@@ -16,6 +17,7 @@
 #include "compare/ladder/judge_by_sizes.h"
 #include "compare/report/numbers.h"
 #include "scene/hash.h"
+#include "sph_solver/parallel/comm.h"
 #include "text/plain_number.h"
 
 namespace tw::app {
@@ -79,6 +81,52 @@ int required_agreement(const std::optional<Ladder>& ladder) {
     return not_agreed;
 }
 
+struct Made {
+    std::vector<RunFacts> runs;
+    bool failed = false;
+};
+
+/// Compares what lies in the run's folder and writes the report; gives the exit status. `twins`: null: there are none.
+int report(const PlannedRun& plan, const RunCommand& command, const Common& common, const fs::path& out,
+           const Made& made, Twins* twins) {
+    const Scene& scene = plan.scene;
+    std::vector<RunRecord> records = records_of(scene, out, common);
+    if (records.empty()) {
+        write_json(common, runs_json(made.runs));
+        return made.failed ? run_failed : done;
+    }
+    const std::optional<Ladder> ladder = twins ? twins->ladder(records, out) : std::nullopt;
+    Comparison comparison = compare_records(std::move(records));
+    if (ladder) {
+        judge_by_sizes(comparison, *ladder);
+        write_tables(*ladder, out);
+    }
+    const ReportFiles files =
+        leaving_files([&] { return write_report(comparison, out, ladder ? ladder_html(*ladder) : ""); });
+    say(common, "\n" + summary_text(comparison) + "\nreport: " + files.html.string() + "\n");
+    write_json(common, run_json(comparison, made.runs, ladder ? &*ladder : nullptr));
+    if (made.failed) return run_failed;
+    return command.require_agree ? required_agreement(ladder) : done;
+}
+
+/// One run of the particles that all processes make together. The first one speaks and writes.
+int run_together(const PlannedRun& plan, const RunCommand& command, const Common& common, const fs::path& out) {
+    const Comm& ranks = Comm::world();
+    refuse_unshared(plan.scene, command, ranks.size());
+    const fs::path folder = out / "sph";
+    ranks.together([&] { refuse_taken(folder, "sph", command); });
+    Common own = common;
+    if (!ranks.first()) own.quiet = true, own.json.clear();
+    say(own, fmt::format("{}\n{}{} ranks, results in {}\n", plan.scene.title, prediction_text(plan), ranks.size(),
+                         out.string()));
+    catch_stop_signals();
+    const RunRecord record = run_method("sph", plan, {folder, command.resume, command.overwrite}, own);
+    const RunFacts facts = facts_of("sph", record, folder);
+    say(own, "sph: " + closing_line(facts));
+    if (record.state != "finished") return run_failed;
+    return ranks.first() ? report(plan, command, own, out, {{facts}, false}, nullptr) : static_cast<int>(done);
+}
+
 }  // namespace
 
 int run_run(const RunCommand& command, const Common& common) {
@@ -87,6 +135,12 @@ int run_run(const RunCommand& command, const Common& common) {
     const std::vector<std::string> methods = methods_of(scene);
 
     const fs::path out = command.out.empty() ? fs::path("runs") / command.scene.file.stem() : command.out;
+    if (Comm::world().many()) return run_together(plan, command, common, out);
+    if (command.ranks > 1) {
+        refuse_unshared(scene, command, command.ranks);
+        refuse_taken(out / "sph", "sph", command);
+        start_on_ranks(command.ranks);
+    }
     for (const std::string& method : methods) refuse_taken(out / method, method, command);
     std::optional<Twins> twins;
     if (command.twins)
@@ -127,23 +181,7 @@ int run_run(const RunCommand& command, const Common& common) {
         if (result.state == CampaignResult::State::stopped) return stopped(method);
     }
 
-    std::vector<RunRecord> records = records_of(scene, out, common);
-    if (records.empty()) {
-        write_json(common, runs_json(runs));
-        return failed ? run_failed : done;
-    }
-    const std::optional<Ladder> ladder = twins ? twins->ladder(records, out) : std::nullopt;
-    Comparison comparison = compare_records(std::move(records));
-    if (ladder) {
-        judge_by_sizes(comparison, *ladder);
-        write_tables(*ladder, out);
-    }
-    const ReportFiles files =
-        leaving_files([&] { return write_report(comparison, out, ladder ? ladder_html(*ladder) : ""); });
-    say(common, "\n" + summary_text(comparison) + "\nreport: " + files.html.string() + "\n");
-    write_json(common, run_json(comparison, runs, ladder ? &*ladder : nullptr));
-    if (failed) return run_failed;
-    return command.require_agree ? required_agreement(ladder) : done;
+    return report(plan, command, common, out, {std::move(runs), failed}, twins ? &*twins : nullptr);
 }
 
 }  // namespace tw::app

@@ -46,7 +46,7 @@ RunRecord run_method(const std::string& method, const PlannedRun& plan, const Me
     options.stop_asked = stop_asked;
     RunRecord record = solver_of(method).run(scene, options);
     // what an effect costs is an estimate of its own, and air's is the roughest
-    if (record.state == "finished" && !run.resume && !scene.effect_on("air")) {
+    if (record.state == "finished" && !run.resume && !record.attributes.contains("ranks") && !scene.effect_on("air")) {
         double taken = 0;
         for (const Phase& phase : record.phases) taken += phase.wall;
         learn_pace(method, predict_by_table(scene).of(method).seconds, taken);

@@ -189,6 +189,9 @@ void run_options(CLI::App& c, RunCommand& run) {
                "known of the discretisation error, and there is no verdict");
     add_require_agree(c, run.require_agree, "agree: exit status 4 unless every quantity agrees; needs the twins");
     add_threads(c, run.threads);
+    c.add_option("--ranks", run.ranks,
+                 "share the particles among so many processes (MPI), each with its threads; the same bits as one")
+        ->check(CLI::Range(1, 65535));
 }
 
 void compare_options(CLI::App& c, CompareCommand& compare) {
