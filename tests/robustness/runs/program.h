@@ -22,6 +22,7 @@ public:
     int wait();
     bool running();
     void kill_hard();   ///< SIGKILL
+    pid_t pid() const { return pid_; }
     std::string output() const;
 
 private:

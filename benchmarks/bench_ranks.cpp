@@ -1,0 +1,86 @@
+// What the ranks of a particle run do and tell each other, counted and not timed: it says the same on any machine.
+//
+//   mpirun -n 4 build/benchmarks/bench_ranks SCENE.toml [STEPS] [NEAR_HULL]
+//
+// Prints the work of the rank that has most over the mean, the copies of others' particles that a rank holds, what a step
+// sends; and, timed, the share that exact sums of the loads have of a step. docs/performance.md has the table.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+
+#include "scene/scene.h"
+#include "sph_solver/backend/threads.h"
+#include "sph_solver/parallel/comm.h"
+#include "sph_solver/ranks_refused.h"
+#include "sph_solver/scene_setup.h"
+
+using namespace tw;
+
+namespace {
+
+double wall_clock() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+void count(const Comm& ranks, const Scene& scene, int steps) {
+    refuse_ranks(scene, ranks.size());
+    SphSetup setup = sph_setup(scene, 1);
+    setup.simulation.ranks = &ranks;
+    Simulation simulation(setup.simulation, setup.fluid);
+    if (setup.control_volume) simulation.set_control_volume(*setup.control_volume);
+    for (int k = 0; k < 20; ++k) simulation.step();  // the columns are divided by their pairs by then
+
+    const Comm::Traffic before = ranks.traffic();
+    const std::int64_t lists_before = simulation.timers().rebuilds;
+    const double start = wall_clock();
+    for (int k = 0; k < steps; ++k) simulation.step();
+    const double step = (wall_clock() - start) / steps;
+    const Comm::Traffic& after = ranks.traffic();
+    const auto most_a_step = [&](std::int64_t Comm::Traffic::*what) {
+        return ranks.largest(double(after.*what - before.*what)) / steps;
+    };
+    const double messages = most_a_step(&Comm::Traffic::messages), bytes = most_a_step(&Comm::Traffic::bytes),
+                 exchanges = most_a_step(&Comm::Traffic::exchanges),
+                 collectives = most_a_step(&Comm::Traffic::collectives);
+
+    Level& level = simulation.level(0);
+    std::int64_t pairs = 0;
+    for (const Group& g : level.groups()) pairs += g.size * level.live_pairs(g);
+    const double most_pairs = ranks.largest(double(pairs)), all_pairs = double(ranks.sum(pairs));
+    const auto copies = static_cast<std::int64_t>(level.copies());
+    const double most_copies = ranks.largest(double(copies)), all_copies = double(ranks.sum(copies));
+
+    constexpr int repeats = 100;
+    const double sums_start = wall_clock();
+    for (int k = 0; k < repeats; ++k) level.gather_loads(setup.simulation.moment_reference);
+    const double sums = (wall_clock() - sums_start) / repeats;
+    if (!ranks.first()) return;
+    std::printf("%d ranks, %lld particles, lists made every %.1f steps\n", ranks.size(),
+                static_cast<long long>(level.count()),
+                double(steps) / double(std::max<std::int64_t>(1, simulation.timers().rebuilds - lists_before)));
+    std::printf("pairs, largest over mean             %.3f\n", most_pairs * ranks.size() / all_pairs);
+    std::printf("copies over own particles            %.3f (largest rank: %.0f)\n", all_copies / double(level.count()),
+                most_copies);
+    std::printf("a step of the rank with most: exchanges %.2f, messages %.2f, kB %.1f, collectives %.2f\n", exchanges,
+                messages, bytes / 1e3, collectives);
+    std::printf("exact sums of the loads              %.2f %% of a step, on this machine\n", 100 * sums / step);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc < 2) {
+        std::fprintf(stderr, "usage: mpirun -n RANKS bench_ranks SCENE.toml [STEPS] [NEAR_HULL]\n");
+        return 2;
+    }
+    std::string failure;
+    try {
+        SceneOverrides overrides;
+        if (argc > 3) overrides.near_hull = std::atof(argv[3]);
+        count(Comm::world(), read_scene(argv[1], overrides), argc > 2 ? std::atoi(argv[2]) : 100);
+    } catch (const std::exception& e) { failure = e.what(); }
+    if (!failure.empty() && Comm::world().first()) std::fprintf(stderr, "%s\n", failure.c_str());
+    Comm::world().end(failure.empty() ? 0 : 2, failure);
+    return failure.empty() ? 0 : 2;
+}

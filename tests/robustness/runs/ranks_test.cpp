@@ -1,0 +1,214 @@
+// One run of the particles shared by several processes: the same record and the same checkpoint, byte for byte, as that
+// of one.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "base/atomic_file.h"
+#include "first_difference.h"
+#include "program.h"
+#include "record/run_record.h"
+#include "sph_solver/parallel/comm.h"
+#include "test_paths.h"
+
+namespace tw::test {
+namespace ranks_test {
+
+namespace fs = std::filesystem;
+
+class Ranks : public testing::Test {
+protected:
+    void SetUp() override {
+        if (!Comm::built_with_mpi()) GTEST_SKIP() << "built without MPI";
+        setenv("LSAN_OPTIONS", "exitcode=0", 1);  // MPI frees not all it has
+    }
+};
+
+std::vector<std::string> command(const fs::path& scene, const fs::path& out, int ranks) {
+    std::vector<std::string> words{"run",   scene.string(), "--no-twins", "--method", "sph",
+                                   "--out", out.string(),   "--threads",  "1"};
+    if (ranks > 1) words.insert(words.end(), {"--ranks", std::to_string(ranks)});
+    return words;
+}
+fs::path run(const fs::path& scene, const fs::path& folder, int ranks, const std::vector<std::string>& more = {}) {
+    const fs::path out = folder / ("ranks_" + std::to_string(ranks));
+    std::vector<std::string> words = command(scene, out, ranks);
+    words.insert(words.end(), more.begin(), more.end());
+    Program program(words, folder);
+    EXPECT_EQ(program.wait(), 0) << program.output();
+    return out / "sph";
+}
+void expect_same(const fs::path& one, const fs::path& other, const std::string& what) {
+    const RunRecord a = read_record(one / "record.h5"), b = read_record(other / "record.h5");
+    EXPECT_EQ(a.state, "finished");
+    EXPECT_EQ(first_difference(a, b), "") << what;
+    ASSERT_EQ(a.certificate.size(), b.certificate.size());
+    for (std::size_t k = 0; k < a.certificate.size(); ++k) {
+        EXPECT_EQ(a.certificate[k].value, b.certificate[k].value) << what << ": " << a.certificate[k].name;
+        EXPECT_EQ(a.certificate[k].place, b.certificate[k].place) << what << ": " << a.certificate[k].name;
+    }
+    EXPECT_EQ(a.hull_pressure, b.hull_pressure) << what;
+    EXPECT_TRUE(read_text(one / "checkpoint.h5") == read_text(other / "checkpoint.h5"))
+        << what << ": the checkpoints differ";
+}
+void same_for_any_ranks(const fs::path& scene, const fs::path& folder, const std::vector<int>& numbers,
+                        const std::vector<std::string>& more = {}) {
+    const fs::path one = run(scene, folder, 1, more);
+    for (const int ranks : numbers) expect_same(one, run(scene, folder, ranks, more), std::to_string(ranks) + " ranks");
+}
+
+const char* const column_on_an_obstacle = R"(
+[tank]
+size = [0.8, 0.24, 0.4]
+[motion]
+kind = "none"
+[[water_block]]
+min = [0, 0, 0]
+max = [0.3, 0.24, 0.3]
+[[obstacle]]
+name = "box"
+min = [0.46, 0.08, 0]
+max = [0.54, 0.16, 0.08]
+[resolution]
+near_hull = 0.02
+[sampling]
+interval = 0.05
+snapshots = 0.1
+[[probe]]
+pressure = [0.46, 0.12, 0.02]
+[[probe]]
+height = [0.2, 0.12]
+[run]
+methods = ["sph"]
+checkpoint = 0.1
+duration = 0.3
+)";
+
+TEST_F(Ranks, WaterThatStrikesAnObstacleHasTheSameBytes) {
+    const ScratchFolder folder("ranks_tank");
+    const fs::path scene = folder.path() / "scene.toml";
+    write_text_atomically(scene, column_on_an_obstacle);
+    same_for_any_ranks(scene, folder.path(), {2, 3, 4});
+}
+
+TEST_F(Ranks, AHullInAStreamHasTheSameBytes) {
+    const ScratchFolder folder("ranks_hull");
+    same_for_any_ranks(fs::path(TWINWAKE_SOURCE) / "tests/robustness/runs/small_planing.toml", folder.path(), {2, 3});
+}
+
+TEST_F(Ranks, ABodyThatFallsIntoWaterHasTheSameBytes) {
+    const ScratchFolder folder("ranks_body");
+    same_for_any_ranks(fs::path(TWINWAKE_SOURCE) / "tests/robustness/runs/small_entry.toml", folder.path(), {3});
+}
+
+TEST_F(Ranks, EffectsHaveTheSameBytes) {
+    const ScratchFolder folder("ranks_effects");
+    const fs::path scene = folder.path() / "scene.toml";
+    write_text_atomically(scene, column_on_an_obstacle);
+    std::vector<std::string> on;
+    for (const char* effect :
+         {"viscosity", "no_slip", "turbulence", "surface_tension", "ventilation", "cavitation", "acoustic_damping"})
+        on.insert(on.end(), {"--effect", std::string(effect) + "=on"});
+    on.insert(on.end(), {"--duration", "0.1s"});
+    same_for_any_ranks(scene, folder.path(), {3}, on);
+}
+
+TEST_F(Ranks, AirAboveTheWaterHasTheSameBytes) {
+    const ScratchFolder folder("ranks_air");
+    const fs::path scene = folder.path() / "scene.toml";
+    write_text_atomically(scene, column_on_an_obstacle);
+    same_for_any_ranks(scene, folder.path(), {3}, {"--effect", "air=on", "--duration", "0.05s"});
+}
+
+TEST_F(Ranks, APlateThatBendsHasTheSameBytes) {
+    const ScratchFolder folder("ranks_plate");
+    same_for_any_ranks(fs::path(TWINWAKE_SOURCE) / "studies/elastic_gate.toml", folder.path(), {3},
+                       {"--near-hull", "2mm", "--duration", "2ms"});
+}
+
+TEST_F(Ranks, ARunGoesOnWithAnotherNumberOfRanks) {
+    const ScratchFolder folder("ranks_resume");
+    const fs::path scene = folder.path() / "scene.toml";
+    write_text_atomically(scene, column_on_an_obstacle);
+    const fs::path whole = run(scene, folder.path(), 1), parts = run(scene, folder.path(), 4, {"--duration", "0.1s"});
+    for (const auto& [ranks, until] : {std::pair{1, "0.2s"}, {3, "0.3s"}}) {
+        std::vector<std::string> words = command(scene, parts.parent_path(), ranks);
+        words.insert(words.end(), {"--resume", "--duration", until});
+        Program program(words, folder.path());
+        ASSERT_EQ(program.wait(), 0) << program.output();
+    }
+    expect_same(whole, parts, "4, then 1, then 3 ranks");
+}
+
+/// The processes that a process has started and that still run.
+std::vector<pid_t> children_of(pid_t parent) {
+    std::vector<pid_t> children;
+    for (const auto& entry : fs::directory_iterator("/proc")) {
+        const std::string name = entry.path().filename().string();
+        std::ifstream file(entry.path() / "stat");
+        std::string stat, state;
+        if (name.find_first_not_of("0123456789") != std::string::npos || !std::getline(file, stat)) continue;
+        std::istringstream after_name(stat.substr(stat.rfind(')') + 1));
+        pid_t of = 0;
+        if (after_name >> state >> of && of == parent && state != "Z") children.push_back(std::stoi(name));
+    }
+    return children;
+}
+
+TEST_F(Ranks, AKilledRankEndsAllAndTheRunGoesOn) {
+    const ScratchFolder folder("ranks_killed");
+    const fs::path scene = folder.path() / "scene.toml";
+    write_text_atomically(scene, column_on_an_obstacle);
+    const fs::path out = folder.path() / "killed";
+    std::vector<std::string> words = command(scene, out, 3);
+    Program program(words, folder.path());
+    ASSERT_TRUE(wait_until([&] { return fs::exists(out / "sph/checkpoint.h5") || !program.running(); }, 60));
+    ASSERT_TRUE(program.running()) << program.output();
+    const std::vector<pid_t> ranks = children_of(program.pid());
+    ASSERT_EQ(ranks.size(), 3u);
+    kill(ranks.back(), SIGKILL);
+    ASSERT_TRUE(wait_until([&] { return !program.running(); }, 30)) << "the other ranks wait for it";
+    EXPECT_NE(program.wait(), 0);
+    for (const pid_t rank : ranks) EXPECT_NE(kill(rank, 0), 0) << "a rank is left";
+    words.emplace_back("--resume");
+    Program rest(words, folder.path());
+    ASSERT_EQ(rest.wait(), 0) << rest.output();
+    expect_same(run(scene, folder.path(), 1), out / "sph", "killed and gone on");
+}
+
+TEST(RanksRefused, WithTheReason) {
+    const ScratchFolder folder("ranks_refused");
+    const fs::path scene = folder.path() / "scene.toml";
+    const auto refused = [&](const std::string& text, std::vector<std::string> words) {
+        write_text_atomically(scene, text);
+        words.insert(words.begin(), {"run", scene.string(), "--out", (folder.path() / "out").string()});
+        Program program(words, folder.path());
+        EXPECT_EQ(program.wait(), 2) << program.output();
+        EXPECT_FALSE(fs::exists(folder.path() / "out" / "sph" / "record.h5"));
+        return program.output();
+    };
+    const auto has = [](const std::string& text, const char* words) {
+        EXPECT_NE(text.find(words), std::string::npos) << text;
+    };
+    const std::vector<std::string> two{"--ranks", "2", "--method", "sph", "--no-twins"};
+    has(refused(column_on_an_obstacle, {"--ranks", "0", "--method", "sph", "--no-twins"}), "--ranks");
+    has(refused(column_on_an_obstacle, {"--ranks", "2", "--method", "both", "--no-twins"}), "--method sph");
+    has(refused(column_on_an_obstacle, {"--ranks", "2", "--method", "sph"}), "--no-twins");
+    has(refused(std::string(column_on_an_obstacle) +
+                    "[sph]\ngate_point = [0.7, 0, 0.3]\ngate_normal = [1, 0, 0]\ngate_link = 1.7\n",
+                two),
+        "spray gate");
+    if (!Comm::built_with_mpi()) {
+        has(refused(column_on_an_obstacle, two), "built without MPI");
+        return;
+    }
+    setenv("LSAN_OPTIONS", "exitcode=0", 1);
+    has(refused(column_on_an_obstacle, {"--ranks", "60", "--method", "sph", "--no-twins", "--near-hull", "80mm"}),
+        "take fewer");
+}
+
+}  // namespace ranks_test
+}  // namespace tw::test
