@@ -23,6 +23,7 @@ std::string command_text(const std::vector<std::string>& words) {
     for (const std::string& word : without_options(words, {{"--out", 1},
                                                            {"--json", 1},
                                                            {"--threads", 1},
+                                                           {"--ranks", 1},
                                                            {"--jobs", 1},
                                                            {"--collect", 0},
                                                            {"--resume", 0},
