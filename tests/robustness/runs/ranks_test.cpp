@@ -116,13 +116,6 @@ TEST_F(Ranks, EffectsHaveTheSameBytes) {
     same_for_any_ranks(scene, folder.path(), {3}, on);
 }
 
-TEST_F(Ranks, AirAboveTheWaterHasTheSameBytes) {
-    const ScratchFolder folder("ranks_air");
-    const fs::path scene = folder.path() / "scene.toml";
-    write_text_atomically(scene, column_on_an_obstacle);
-    same_for_any_ranks(scene, folder.path(), {3}, {"--effect", "air=on", "--duration", "0.05s"});
-}
-
 TEST_F(Ranks, APlateThatBendsHasTheSameBytes) {
     const ScratchFolder folder("ranks_plate");
     same_for_any_ranks(fs::path(TWINWAKE_SOURCE) / "studies/elastic_gate.toml", folder.path(), {3},
@@ -201,6 +194,7 @@ TEST(RanksRefused, WithTheReason) {
                     "[sph]\ngate_point = [0.7, 0, 0.3]\ngate_normal = [1, 0, 0]\ngate_link = 1.7\n",
                 two),
         "spray gate");
+    has(refused(std::string(column_on_an_obstacle) + "[effects]\nair = true\n", two), "air");
     if (!Comm::built_with_mpi()) {
         has(refused(column_on_an_obstacle, two), "built without MPI");
         return;
