@@ -62,8 +62,8 @@ void start_on_ranks(int ranks) {
     if (const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", none); !self.empty())
         own.front() = self;
     words.insert(words.end(), own.begin(), own.end());
-    // a run that is told to stop saves its state first
-    setenv("OMPI_MCA_odls_base_sigkill_timeout", "60", 0);
+    // a run that is told to stop saves its state first; one of which a rank is dead waits for it in vain
+    setenv("OMPI_MCA_odls_base_sigkill_timeout", "20", 0);
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
