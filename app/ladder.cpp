@@ -63,6 +63,15 @@ int run_ladder(const LadderCommand& command, const Common& common) {
     if (command.plan) return done;
     const std::vector<RunRecord> measured = measured_records(command.measured);  // before hours are spent
     const Scene& scene = jobs.front().run.plan.scene;
+    const auto seconds = [](const LadderJob& job) { return job.run.plan.seconds(job.run.method); };
+    const auto no_run_fits = [&] {
+        return InputError(fmt::format("--budget {}: no run fits; the cheapest needs {}", command.budget,
+                                      about_text(seconds(jobs.front()))));
+    };
+    // before a folder is made
+    if (!fs::exists(out) &&
+        std::ranges::none_of(jobs, [&](const LadderJob& job) { return seconds(job) <= command.budget_seconds(); }))
+        throw no_run_fits();
     const FolderLock lock(out);
     CampaignRules rules = rules_of(command.making, out);
     rules.overwrite = command.overwrite, rules.budget = command.budget_seconds();
@@ -83,9 +92,7 @@ int run_ladder(const LadderCommand& command, const Common& common) {
     harvest.drop_lone_variations();
     if (harvest.runs.empty() && harvest.any_failed)
         throw RunError("no run of the ladder is left: " + harvest.left_out.front());
-    if (harvest.runs.empty())
-        throw InputError(fmt::format("--budget {}: no run fits; the cheapest needs {}", command.budget,
-                                     about_text(jobs.front().run.plan.seconds(jobs.front().run.method))));
+    if (harvest.runs.empty()) throw no_run_fits();
     report_ladder(harvest, measured, out, common);
     return harvest.any_failed ? run_failed : done;
 }

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "app/command_words.h"
 #include "base/errors.h"
 #include "sph_solver/parallel/comm.h"
 #include "sph_solver/ranks_refused.h"
@@ -14,19 +15,12 @@
 namespace tw::app {
 namespace {
 
-/// The words of this command without --ranks.
+/// The words of this command.
 std::vector<std::string> own_words() {
     std::ifstream file("/proc/self/cmdline", std::ios::binary);
     const std::string all{std::istreambuf_iterator<char>(file), {}};
     std::vector<std::string> words;
     for (std::size_t at = 0; at < all.size(); at = all.find('\0', at) + 1) words.emplace_back(all.c_str() + at);
-    for (std::size_t k = 1; k < words.size(); ++k) {
-        if (!words[k].starts_with("--ranks")) continue;
-        const bool next_too = words[k] == "--ranks";
-        words.erase(words.begin() + static_cast<std::ptrdiff_t>(k),
-                    words.begin() + static_cast<std::ptrdiff_t>(std::min(words.size(), k + (next_too ? 2 : 1))));
-        break;
-    }
     return words;
 }
 
@@ -57,7 +51,7 @@ void start_on_ranks(int ranks) {
     std::vector<std::string> words{"mpirun", "-n", std::to_string(ranks), "--oversubscribe", "--bind-to", "none"};
     if (geteuid() == 0) words.emplace_back("--allow-run-as-root");
     words.emplace_back("--quiet");  // of mpirun's own remarks on an exit status that is ours
-    std::vector<std::string> own = own_words();
+    std::vector<std::string> own = without_options(own_words(), {{"--ranks", 1}});
     std::error_code none;
     if (const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", none); !self.empty())
         own.front() = self;

@@ -47,7 +47,7 @@ TEST_P(Replay, DamagedSeedsEndInWords) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Readers, Replay, testing::ValuesIn(readers::all_readers()),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& test) { return test.param.name; });
 
 }  // namespace replay_test
 }  // namespace tw
