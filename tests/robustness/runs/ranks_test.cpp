@@ -219,7 +219,7 @@ TEST(RanksRefused, WithTheReason) {
         return;
     }
     setenv("LSAN_OPTIONS", "exitcode=0", 1);
-    has(refused(column_on_an_obstacle, {"--ranks", "12", "--method", "sph", "--no-twins", "--near-hull", "80mm"}),
+    has(refused(column_on_an_obstacle, {"--ranks", "5", "--method", "sph", "--no-twins", "--near-hull", "80mm"}),
         "take fewer");
 }
 
