@@ -3,7 +3,7 @@
 //   mpirun -n 4 build/benchmarks/bench_ranks SCENE.toml [STEPS] [NEAR_HULL]
 //
 // Prints the work of the rank that has most over the mean, the copies of others' particles that a rank holds, what a step
-// sends; and, timed, the share that exact sums of the loads have of a step. docs/performance.md has the table.
+// sends; and, timed, the share that exact sums of the loads have of a step. docs/decisions/067-ranks.md has the table.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>

@@ -234,6 +234,7 @@ MeshMotion mesh_motion(const Scene& scene) {
     const std::vector<MovingBody> followed = followed_by_mesh(scene);
     for (const MovingBody& body : followed) check_body(body, scene);
     if (followed.empty()) return m;
+    const bool free_hull = scene.hull && scene.hull->free, stream = scene.motion.kind == Motion::Kind::stream;
     if (scene.fvm.interface == "isoadvector")
         refuse(scene, "fvm.interface",
                fmt::format("body {} moves, and interIsoFoam is used with meshes at rest alone; expected \"mules\"",
@@ -243,14 +244,13 @@ MeshMotion mesh_motion(const Scene& scene) {
                fmt::format("body {} moves in a tank that moves, and OpenFOAM's force of such a tank acts on the water "
                            "alone; expected methods = [\"sph\"], or --method sph",
                            followed.front().name));
-    if (scene.hull && scene.hull->free && !scene.bodies.empty())
+    if (free_hull && !scene.bodies.empty())
         refuse(scene, "run.methods",
                fmt::format("body {} moves beside a hull that is free, and the mesh of a stream follows one of them; "
                            "expected methods = [\"sph\"], or --method sph",
                            scene.bodies.front().name));
     if (followed.size() > 1) return motion_of_several(followed, scene);
     const MovingBody& body = followed.front();
-    const bool free_hull = scene.hull && scene.hull->free, stream = scene.motion.kind == Motion::Kind::stream;
     if (!free_hull) bound_travel(body, scene, m);  // what a stream makes of a hull is what the run is for
     const double clearance = clearance_of(body, scene);
     m.outer = 0.98 * clearance;
