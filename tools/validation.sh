@@ -83,7 +83,8 @@ for case in "${cases[@]}"; do
             judged_head; judged channel empty_channel "$out/empty_channel" ;;
         dam_break_2d)
             run dam_break_2d "$out/dam_break_2d"
-            judged_head; judged front dam_break_2d "$out/dam_break_2d" "$data/dambreak_front_position.csv" ;;
+            judged_head; judged front dam_break_2d "$out/dam_break_2d" "$data/dambreak_front_bem.csv"
+            judged measured_front dam_break_2d "$out/dam_break_2d" "$data/dambreak_front_position.csv" ;;
         spheric02)
             run spheric02 "$out/spheric02"
             judged_head; judged spheric2 spheric02 "$out/spheric02" "$data/spheric02_kleefsman_2005_3d_dambreak.csv" ;;
