@@ -6,6 +6,7 @@
 #include "compare/report/resolution_picture.h"
 #include "compare/report/svg_plot.h"
 #include "scene/new_record.h"
+#include "sph_solver/on_gpu.h"
 #include "sph_solver/parallel/comm.h"
 #include "sph_solver/ranks_refused.h"
 
@@ -40,6 +41,14 @@ int run_check(const CheckCommand& command, const Common& common) {
         say(common, "ranks: " +
                         (why.empty() ? "several processes can share the particles (run --ranks)"
                                      : "one process only, because of " + why) +
+                        "\n");
+    }
+    if (built_for_gpu()) {
+        const std::string why = why_not_on_gpu(scene);
+        say(common, "gpu: " +
+                        (why.empty() ? "one can make the particles' steps (run --device gpu); the force by the control "
+                                       "volume is left out"
+                                     : "none yet, because of " + why) +
                         "\n");
     }
     if (!command.picture.empty()) draw_sizes(scene, command.picture);

@@ -43,7 +43,7 @@ std::vector<std::string> template_names();
 struct SceneArguments {
     std::filesystem::path file;
     std::filesystem::path hull;
-    std::string speed, trim, spacing, near_hull, duration, scale;
+    std::string speed, trim, spacing, near_hull, duration, scale, device;
     std::vector<std::string> effects;  ///< "NAME=on" or "NAME=off"
     SceneOverrides overrides() const;  ///< throws InputError naming the option
 };
@@ -186,6 +186,7 @@ struct BenchCommand {
     long particles = 100000;
     double h_over_dp = 1.5, seconds = 5;
     int threads = 0;
+    std::string device = "cpu";  ///< cpu, gpu
 };
 int run_bench_command(const BenchCommand& command, const Common& common);
 

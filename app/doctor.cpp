@@ -13,6 +13,7 @@
 #include "app/output.h"
 #include "record/code_version.h"
 #include "record/this_machine.h"
+#include "sph_solver/on_gpu.h"
 
 namespace tw::app {
 namespace {
@@ -52,6 +53,7 @@ MachineFacts examine(const std::string& preferred) {
     f.memory = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
     f.mpirun = on_path("mpirun");
     f.gpu = graphics_card();
+    f.gpu_reason = why_no_gpu_here();
     f.passes = measure_passes(runnable_passes());
     remember_passes(best_of(f.passes));
     f.chosen_passes = choose_passes().isa;
@@ -73,8 +75,8 @@ int run_doctor(const DoctorCommand& command, const Common& common) {
     out +=
         "mpirun      " + (f.mpirun.empty() ? std::string("none: the mesh method runs on one core") : f.mpirun) + "\n";
     out += "graphics    " +
-           (f.gpu.empty() ? std::string("no NVIDIA card; this version does not use one")
-                          : f.gpu + "; this version does not use it") +
+           (f.gpu.empty() ? std::string("no NVIDIA card") : f.gpu) + "; " +
+           (f.gpu_reason.empty() ? "particles can run on it: " + gpu_in_words() : "not used: " + f.gpu_reason) +
            "\n";
     out += fmt::format(
         "pace        {:.2g} times the speed of the cost table's machine, from a calibration on one core; refined by "

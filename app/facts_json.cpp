@@ -156,6 +156,7 @@ std::string doctor_json(const MachineFacts& f) {
                     {"cores", f.cores},
                     {"memory", f.memory},
                     {"gpu", f.gpu},
+                    {"gpu_reason", f.gpu_reason},
                     {"mpirun", f.mpirun},
                     {"pace", f.pace},
                     {"passes", passes_json(f.passes)},

@@ -29,6 +29,7 @@ std::string hull_json(const HullFacts& facts);
 
 struct MachineFacts {
     std::string version, built_with, processor, isa, mpirun, gpu;
+    std::string gpu_reason;  ///< why particles cannot run on a GPU here; empty: they can
     std::vector<std::string> compilers;
     unsigned cores = 0;
     double memory = 0;  ///< [bytes]

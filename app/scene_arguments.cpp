@@ -59,6 +59,7 @@ SceneOverrides SceneArguments::overrides() const {
         throw InputError(
             fmt::format("--scale {}: expected a number above 0, e.g. 1.4142 for coarser, 0.7071 for finer", scale));
     read("--duration", duration, "s", o.duration);
+    o.device = device;
     for (const std::string& effect : effects) read_effect(effect, o.effects);
     return o;
 }

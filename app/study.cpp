@@ -34,6 +34,7 @@ StudyJson json_of(const SceneOverrides& o) {
     for (const auto& [key, factor] : factors)
         if (o.*factor != 1) json[key] = o.*factor;
     if (!o.effects.empty()) json["effects"] = o.effects;
+    if (!o.device.empty()) json["device"] = o.device;
     return json;
 }
 
@@ -43,6 +44,7 @@ SceneOverrides overrides_of(const StudyJson& json) {
     for (const auto& [key, value] : given)
         if (json.contains(key)) o.*value = json[key].get<double>();
     for (const auto& [key, factor] : factors) o.*factor = json.value(key, 1.0);
+    o.device = json.value("device", "");
     if (json.contains("effects")) o.effects = json["effects"].get<std::map<std::string, bool>>();
     return o;
 }

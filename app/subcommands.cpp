@@ -59,6 +59,9 @@ void add_scene(CLI::App& c, SceneArguments& scene) {
     c.add_option("--scale", scene.scale,
                  "all sizes times this number, levels kept: 2, 1.4142 and 1 make similar meshes, for convergence");
     c.add_option("--duration", scene.duration, "simulated time instead of the scene's, e.g. \"2 s\"");
+    c.add_option("--device", scene.device,
+                 "what makes the particles' steps: cpu, gpu, or auto for a GPU where one can, instead of the scene's")
+        ->check(CLI::IsMember({"cpu", "gpu", "auto"}));
     add_effect(c, scene);
 }
 
@@ -349,6 +352,7 @@ void bench_options(CLI::App& c, BenchCommand& bench) {
     c.add_option("--particles", bench.particles, "number of particles")->check(CLI::Range(1000L, 1000000000L));
     c.add_option("--h-over-dp", bench.h_over_dp, "smoothing length over spacing")->check(CLI::Range(1.1, 3.0));
     c.add_option("--threads", bench.threads, "threads; all cores unless given")->check(CLI::Range(0, 4096));
+    c.add_option("--device", bench.device, "what makes the steps: cpu or gpu")->check(CLI::IsMember({"cpu", "gpu"}));
     c.add_option("--seconds", bench.seconds, "how long to measure")->check(CLI::Range(0.1, 3600.0));
 }
 

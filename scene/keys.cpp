@@ -197,6 +197,9 @@ Rows run_keys() {
          .meaning = "Which methods are run: particles (sph), OpenFOAM (fvm) or both."},
         {.name = "threads", .kind = Kind::whole, .range = {0, 4096}, .slot = slot(&Scene::run, &Run::threads),
          .meaning = "Threads of the particle method and ranks of the mesh method; 0: all cores."},
+        {.name = "device", .kind = Kind::choice, .choices = {"cpu", "gpu", "auto"}, .slot = slot(&Scene::run, &Run::device),
+         .meaning = "What makes the particles' steps: this processor, a GPU, or a GPU where there is one that can make "
+                    "the scene's (check tells). Both give the same but for last digits."},
         {.name = "checkpoint", .unit = "s", .range = positive, .slot = slot(&Scene::run, &Run::checkpoint),
          .fallback = "a twentieth of the duration",
          .meaning = "Simulated time between saved states of the particle method."},

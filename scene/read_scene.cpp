@@ -233,6 +233,7 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     if (overrides.box_factor != 1)  // only now: the sound speed follows from the box that the scene asks for
         scene.domain = domain_of(domain, tank, scene, s, depth, overrides.box_factor);
     scene.water.depth = water_height(scene) + (scene.domain.as_asked.min.z() - scene.domain.box.min.z());
+    if (!overrides.device.empty()) scene.run.device = overrides.device;
     scene.sph.c0 *= overrides.sound_speed_factor;
     scene.sph.cfl *= overrides.time_step_factor;
     scene.fvm.max_courant *= overrides.courant_factor;

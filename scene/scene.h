@@ -159,6 +159,7 @@ struct Run {
     double duration = 0;  ///< [s]
     std::vector<std::string> methods = method_names();
     int threads = 0;        ///< 0: all cores
+    std::string device = "cpu";  ///< what makes the particles' steps: cpu, gpu, auto (sph_solver/on_gpu.h)
     double checkpoint = 0;  ///< between SPH checkpoints [s of simulated time]
 };
 
@@ -222,6 +223,7 @@ struct SceneOverrides {
     /// symmetry plane, a bed or the top. The particles' sound speed stays as without it.
     double box_factor = 1;
     std::map<std::string, bool> effects = {};  ///< effects forced on or off
+    std::string device = {};                   ///< empty: the scene's
 };
 
 /// Reads, fills in and checks a scene file. Throws InputError `file:line:column: ...` for the first thing that is

@@ -6,6 +6,7 @@
 
 #include "sph_solver/backend/for_particles.h"
 #include "sph_solver/backend/threads.h"
+#include "sph_solver/on_gpu.h"
 #include "sph_solver/simulation.h"
 
 namespace tw {
@@ -52,9 +53,8 @@ double kernel_peak(const Passes& passes, const WaterView& like, int threads) {
     return best;
 }
 
-}  // namespace
-
-BenchResult run_bench(std::int64_t particles, double h_over_dp, int threads, double seconds, const Passes& passes) {
+BenchResult run_block(std::int64_t particles, double h_over_dp, int threads, double seconds, const Passes& passes,
+                      bool on_gpu) {
     const int n = std::max(8, static_cast<int>(std::lround(std::cbrt(double(particles)))));
     SimulationSetup s;
     s.dp = 0.01;
@@ -68,6 +68,7 @@ BenchResult run_bench(std::int64_t particles, double h_over_dp, int threads, dou
     std::uniform_real_distribution<double> jitter(-0.1 * s.dp, 0.1 * s.dp);
     for (Vec3& p : fluid.places) p += Vec3(jitter(random), jitter(random), jitter(random));
     Simulation simulation(s, fluid, passes);
+    const std::string device = on_gpu ? leave_steps_to_gpu(simulation) : "";
     simulation.step();
 
     const Timers before = simulation.timers();
@@ -80,21 +81,33 @@ BenchResult run_bench(std::int64_t particles, double h_over_dp, int threads, dou
     BenchResult r;
     r.particles = static_cast<std::int64_t>(fluid.places.size());
     r.threads = s.threads;
-    r.isa = passes.isa;
+    r.isa = on_gpu ? device : passes.isa;
     r.evaluations_per_second = double(t.evaluations - before.evaluations) / wall;
     const double support = 2 * h_over_dp;
     r.neighbours_per_particle = 4.0 / 3 * 3.14159265358979 * support * support * support;
     r.pairs_per_second = r.evaluations_per_second * r.neighbours_per_particle;
     r.bytes_per_particle = simulation.bytes() / double(r.particles);
+    r.visited_per_particle = simulation.level(0).visited_per_particle();
+    r.share_for_lists = (t.lists - before.lists) / wall;
+    if (on_gpu) return r;
     const double in_pairs = t.gradient + t.forces - before.gradient - before.forces;
     r.share_outside_pairs = 1 - in_pairs / wall;
     WaterView like;
     like.kernel = Kernel(simulation.h(), 3);
     like.quantum = static_cast<float>(s.dp / (1 << 18));
-    r.visited_per_particle = simulation.level(0).visited_per_particle();
     r.share_of_kernel_peak = r.visited_per_particle * double(t.evaluations - before.evaluations) / in_pairs /
                              kernel_peak(passes, like, s.threads);
     return r;
+}
+
+}  // namespace
+
+BenchResult run_bench(std::int64_t particles, double h_over_dp, int threads, double seconds, const Passes& passes) {
+    return run_block(particles, h_over_dp, threads, seconds, passes, false);
+}
+
+BenchResult run_bench_on_gpu(std::int64_t particles, double h_over_dp, int threads, double seconds) {
+    return run_block(particles, h_over_dp, threads, seconds, passes_beside_gpu(), true);
 }
 
 }  // namespace tw

@@ -20,8 +20,12 @@ struct BenchResult {
     double share_of_kernel_peak = 0;  ///< those per second in the pair passes over those of the same passes on data
                                       ///< that never leaves the first cache
     double share_outside_pairs = 0;   ///< of a step: lists, sorting, updates
+    double share_for_lists = 0;       ///< of the time: making lists anew
 };
 BenchResult run_bench(std::int64_t particles, double h_over_dp, int threads, double seconds,
                       const Passes& passes = choose_passes());
+/// The same with a GPU that makes the steps; the shares of and outside the pairs are not known. Throws InputError where
+/// there is none.
+BenchResult run_bench_on_gpu(std::int64_t particles, double h_over_dp, int threads, double seconds);
 
 }  // namespace tw

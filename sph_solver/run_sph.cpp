@@ -27,6 +27,7 @@
 #include "sph_solver/measure/level_ledger.h"
 #include "sph_solver/measure/recorder.h"
 #include "sph_solver/measure/run_watch.h"
+#include "sph_solver/on_gpu.h"
 #include "sph_solver/parallel/comm.h"
 #include "sph_solver/ranks_refused.h"
 #include "sph_solver/scene_setup.h"
@@ -234,6 +235,10 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
     const Comm& ranks = Comm::world();
     refuse_ranks(scene, ranks.size());
     refuse_other_builds(ranks);
+    const bool on_gpu = gpu_wanted(scene);
+    if (on_gpu && ranks.many())
+        throw InputError(fmt::format("{}: several ranks and a GPU do not go together yet: leave out one of them",
+                                     scene.file.string()));
     std::optional<FolderLock> lock;
     ranks.on_first([&] { lock.emplace(options.folder); });
     std::optional<RunRecord> finished;
@@ -268,12 +273,16 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
         if (ranks.many()) setup->simulation.ranks = &ranks;
         // the same pair loops as before, and on all ranks: others may give other last digits
         const std::string isa = ranks.told_by(0, earlier         ? earlier->checkpoint.isa
+                                                 : on_gpu        ? passes_beside_gpu().isa
                                                  : ranks.first() ? choose_passes().isa
                                                                  : "");
         ranks.together([&] { simulation.emplace(setup->simulation, setup->fluid, passes(isa.c_str())); });
         if (setup->air) add_air(*simulation, setup->air->options, setup->air->fluid);
     }
-    if (setup->control_volume) simulation->set_control_volume(*setup->control_volume);
+    if (on_gpu)
+        fresh.attributes["device"] = leave_steps_to_gpu(*simulation);
+    else if (setup->control_volume)
+        simulation->set_control_volume(*setup->control_volume);
     fresh.attributes["threads"] = std::to_string(threads);
     if (ranks.many()) fresh.attributes["ranks"] = std::to_string(ranks.size());
     fresh.attributes["isa"] = simulation->passes().isa;

@@ -18,8 +18,9 @@ namespace {
 
 struct Variant {
     const Passes& passes;
-    int level;  ///< of the instruction set, x86-64-v...; 0: any processor
+    int level;  ///< of the instruction set, x86-64-v...; 0: any processor; by_name: any, where it is asked for by name
 };
+constexpr int by_name = -1;
 /// Better instruction sets first, and of each the default first.
 #define variant(name, level) {name::table, level},
 const Variant variants[] = {TW_VARIANTS};

@@ -33,6 +33,7 @@ public:
     /// The dummies of body b are those from body_end()[b - 1] (0) up to body_end()[b].
     const std::vector<std::int32_t>& body_end() const { return body_end_; }
     Lists lists() const { return lists_.view(); }  ///< of the level's groups among the dummies
+    const NeighbourLists& neighbour_lists() const { return lists_; }  ///< the same
 
     /// The dummies of one body, sorted by column. Groups and lists count from `first`.
     struct Part {

@@ -12,6 +12,7 @@ struct GradientOfColour {
     V3<Real> gradC{};
 
     GradientOfColour(const ColourGradientData& data, const Own&) : d(data) {}
+    void sums(auto&& of) { of(gradC); }
     void meet(std::int32_t, const Met& ij) { ColourGradient::add(ij, gradC); }
     void meet_wall(std::int32_t j, const Met& ij) { meet(j, ij); }
     void store(const Own& i) const {
@@ -25,6 +26,7 @@ struct Curvature {
     VectorGradient<Real> grad_n;
 
     Curvature(const CurvatureData& data, const Own& i) : d(data), n_i(i.velocities(d.normal)) {}
+    void sums(auto&& of) { of(grad_n); }
     /// Deep in the water nobody has a normal.
     ListRef list(const Group& g) const {
         bool any = false;

@@ -11,6 +11,7 @@ struct NearAir {
     Real touched{};
 
     NearAir(const NearAirData& data, const Own&) : d(data) {}
+    void sums(auto&& of) { of(touched); }
     ListRef list(const Group&) const { return {}; }
     void meet(std::int32_t, const Met&) {}
     void meet_at_surface(const Met& ij) { touched += ij.V_W(); }

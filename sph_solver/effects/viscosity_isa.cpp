@@ -15,6 +15,7 @@ struct WaterVelocity {
     Real support{};
 
     WaterVelocity(const WaterVelocityData& data, const Own&) : d(data) {}
+    void sums(auto&& of) { of(u, support); }
     void meet(std::int32_t f, const Met& ij) {
         const Real V_W = ij.V_W();
         support += V_W;
@@ -43,6 +44,7 @@ struct Friction {
           inv_rho(i.each([&](int own) { return d.water.place[own].volume; }) *
                   (d.water.inv_mass * d.water.kernel.inv_support)) {}
 
+    void sums(auto&& of) { of(inner); }
     ListRef list(const Group& g) const { return list_for_rates(d.water, g); }
     void meet(std::int32_t j, const Met& ij) {
         ViscousForce::add(ij, mu_i + d.mu[j], velocity(d.water.motion[j]) - u_i, inner);
@@ -72,6 +74,7 @@ struct StrainRate {
     VectorGradient<Real> grad_u;
 
     StrainRate(const StrainRateData& data, const Own& i) : d(data), u_i(i.velocities(d.water.motion)) {}
+    void sums(auto&& of) { of(grad_u); }
     void meet(std::int32_t j, const Met& ij) { grad_u.add(ij, velocity(d.water.motion[j]) - u_i); }
     void store(const Own& i) {
         grad_u.solve(d.water.kernel.support_length, d.water.two_dimensional);

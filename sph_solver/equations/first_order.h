@@ -22,6 +22,7 @@ struct FirstOrder {
     struct Field {
         Real f{};
         V3<Real> r{};
+        void sums(auto&& of) { of(f, r); }
         template <class Value>
         void add(const V3<Real>& r_ji, const Real& V_W, const Value& f_j) {
             const Real part = V_W * f_j;
@@ -30,6 +31,7 @@ struct FirstOrder {
         }
     };
 
+    void sums(auto&& of) { of(S, xx, xy, xz, yy, yz, zz, b); }
     void add(const V3<Real>& r, const Real& V_W) {
         S += V_W;
         const V3<Real> V_W_r = V_W * r;

@@ -13,6 +13,7 @@ template <class Real>
 struct FirstMoment {
     Real xx{}, xy{}, xz{}, yy{}, yz{}, zz{};
 
+    void sums(auto&& of) { of(xx, xy, xz, yy, yz, zz); }
     template <class Form>
     void add(const Pair<Real, Form>& ij) {
         const V3<Real>& r = ij.r_ji;
@@ -49,6 +50,7 @@ struct ScalarGradient {
     FirstMoment<Real> moment;
     V3<Real> sum{};
 
+    void sums(auto&& of) { of(moment, sum); }
     /// `jump` is f_j - f_i.
     template <class Form>
     void add(const Pair<Real, Form>& ij, const Real& jump) {
@@ -63,6 +65,7 @@ struct VectorGradient {
     FirstMoment<Real> moment;
     V3<Real> u{}, v{}, w{};  ///< sums; the gradients of the components once solved
 
+    void sums(auto&& of) { of(moment, u, v, w); }
     /// `jump` is u_j - u_i.
     template <class Form>
     void add(const Pair<Real, Form>& ij, const V3<Real>& jump) {

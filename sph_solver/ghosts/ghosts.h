@@ -36,6 +36,8 @@ public:
     }
 
     const std::vector<Link>& links() const { return links_; }
+    std::span<const LinkMap> maps() const { return maps_.all(); }
+    const Hydrostatic& still() const { return still_; }
     std::size_t count() const { return links_.size(); }
     const std::vector<std::int32_t>& start() const { return start_; }  ///< first image of each column
     std::size_t bytes() const { return links_.capacity() * sizeof(Link); }
@@ -65,10 +67,7 @@ void Ghosts::refresh(Particles& p, double t, Fields&... fields) const {
             const auto i = static_cast<std::size_t>(links_[k].index);
             const LinkMap& map = maps_[links_[k]];
             const PlaceRecord &from = p.place[i], &to = p.place[n + k] = seen_place(from, map);
-            Vec3 step =
-                quanta_.size * Vec3(difference(to.x, from.x), difference(to.y, from.y), difference(to.z, from.z));
-            for (int a = 0; a < 3; ++a)
-                if (map.repeats[a]) step[a] = 0;
+            const V3<double> step = step_to_image(from, to, map, quanta_.size);
             const HydrostaticLine line = line_over(i, step);
             const auto see = [&](auto& field) {
                 if (!field.empty()) field[n + k] = seen_by_law(field, i, map, line);
@@ -76,17 +75,18 @@ void Ghosts::refresh(Particles& p, double t, Fields&... fields) const {
             (see(fields), ...);
         });
     };
+    const auto line_under = [&](const V3<double>& g, const V3<double>& step) {
+        return HydrostaticLine{still_.gradient(g), still_.deviation(g, step), still_.pressure(g, step)};
+    };
     if (!around_.frame) {
-        const Vec3 g = around_.gravity;
-        const Eigen::Vector3f gradient = still_.gradient(g).cast<float>();
-        return all([&](std::size_t, const Vec3& step) {
-            return HydrostaticLine{gradient, still_.deviation(g, step), still_.pressure(g, step)};
-        });
+        const Vec3& g = around_.gravity;
+        return all([&](std::size_t, const V3<double>& step) { return line_under({g.x(), g.y(), g.z()}, step); });
     }
     const FrameForce frame = around_.force(t);
-    all([&](std::size_t i, const Vec3& step) {
-        const Vec3 g = frame.at(Vec3(p.x[i], p.y[i], p.z[i]) + step / 2, Vec3(p.u[i], p.v[i], p.w[i]));
-        return HydrostaticLine{still_.gradient(g).cast<float>(), still_.deviation(g, step), still_.pressure(g, step)};
+    all([&](std::size_t i, const V3<double>& step) {
+        const Vec3 g = frame.at(Vec3(p.x[i], p.y[i], p.z[i]) + Vec3(step.x, step.y, step.z) / 2,
+                                Vec3(p.u[i], p.v[i], p.w[i]));
+        return line_under({g.x(), g.y(), g.z()}, step);
     });
 }
 

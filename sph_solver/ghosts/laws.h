@@ -1,8 +1,7 @@
 #pragma once
-#include "base/vec3.h"
-#include "sph_solver/fields/field_table.h"
-#include "sph_solver/ghosts/link.h"
-#include "sph_solver/sweeps/records.h"
+#include "sph_solver/equations/vector.h"
+#include "sph_solver/fields/law.h"
+#include "sph_solver/ghosts/link_map.h"
 
 namespace tw {
 
@@ -12,15 +11,20 @@ namespace tw {
 /// floor of a channel). In a tank that moves g is all that the water feels there.
 struct Hydrostatic {
     double rho0, c0;
-    double pressure(const Vec3& g, const Vec3& step) const { return rho0 * g.dot(step); }
-    double deviation(const Vec3& g, const Vec3& step) const { return pressure(g, step) / (c0 * c0); }
-    Vec3 gradient(const Vec3& g) const { return rho0 / (c0 * c0) * g; }  ///< of the density [kg/m4]
+    double pressure(const V3<double>& g, const V3<double>& step) const {
+        return rho0 * (g.x * step.x + (g.y * step.y + g.z * step.z));
+    }
+    double deviation(const V3<double>& g, const V3<double>& step) const { return pressure(g, step) / (c0 * c0); }
+    V3<float> gradient(const V3<double>& g) const {  ///< of the density [kg/m4]
+        const V3<double> of = rho0 / (c0 * c0) * g;
+        return {static_cast<float>(of.x), static_cast<float>(of.y), static_cast<float>(of.z)};
+    }
 };
 /// That line between a source and its image.
 struct HydrostaticLine {
-    Eigen::Vector3f gradient;  ///< of the density [kg/m4]
-    double deviation = 0;      ///< of the image's density from the source's [kg/m3]
-    double pressure = 0;       ///< likewise [Pa]
+    V3<float> gradient;    ///< of the density [kg/m4]
+    double deviation = 0;  ///< of the image's density from the source's [kg/m3]
+    double pressure = 0;   ///< likewise [Pa]
 };
 
 /// What an image has of its source's quantity, by the quantity's law and its elements' type.
@@ -52,15 +56,23 @@ inline CarriedShare seen<Law::tensor>(const CarriedShare& m, const LinkMap& map)
 inline PlaceRecord seen_place(const PlaceRecord& p, const LinkMap& map) {
     return map.place(WidePlace{p.x, p.y, p.z}).record(p.volume);
 }
+/// From a source to its image, but for the way that a periodic flow repeats after [m].
+inline V3<double> step_to_image(const PlaceRecord& from, const PlaceRecord& to, const LinkMap& map, double quantum) {
+    const auto along = [&](std::int32_t a, std::int32_t b, bool repeats) {
+        return repeats ? 0 : quantum * difference(b, a);
+    };
+    return {along(from.x, to.x, map.repeats[0]), along(from.y, to.y, map.repeats[1]),
+            along(from.z, to.z, map.repeats[2])};
+}
 inline VelocityDensityRecord seen_on(const HydrostaticLine& line, const VelocityDensityRecord& of, const LinkMap& map) {
     VelocityDensityRecord r = seen<Law::vector>(of, map);
     r.drho += static_cast<float>(line.deviation);
     return r;
 }
 inline GradientPressureRecord seen_on(const HydrostaticLine& line, GradientPressureRecord r, const LinkMap& map) {
-    r.gx -= line.gradient.x(), r.gy -= line.gradient.y(), r.gz -= line.gradient.z();
+    r.gx -= line.gradient.x, r.gy -= line.gradient.y, r.gz -= line.gradient.z;
     r = seen<Law::vector>(r, map);
-    r.gx += line.gradient.x(), r.gy += line.gradient.y(), r.gz += line.gradient.z();
+    r.gx += line.gradient.x, r.gy += line.gradient.y, r.gz += line.gradient.z;
     r.p += static_cast<float>(line.pressure);
     return r;
 }

@@ -13,6 +13,7 @@
 #include "sph_solver/bodies/wall_pushes.h"
 #include "sph_solver/effects/effects.h"
 #include "sph_solver/equations/water_touch.h"
+#include "sph_solver/loops/surface.h"
 
 namespace tw {
 
@@ -92,7 +93,7 @@ double Level::lid_pressure() const {
         }
     };
     const Under lid = sum_over_all<Under>([&](Under& sum, std::size_t i) {
-        if (particles_.z[i] > around_.domain.max.z() - kernel_.support()) sum.pressure += pressure(i), ++sum.count;
+        if (home().z[i] > around_.domain.max.z() - kernel_.support()) sum.pressure += pressure(i), ++sum.count;
     });
     return lid.count > 0 ? lid.pressure.value() / double(lid.count) : 0;
 }
@@ -160,6 +161,10 @@ SecondSweepData Level::second_sweep_data(double t) {
 }
 
 void Level::first_sweep(double t, double compress, double drift, const OtherSums* other) {
+    if (device_) {
+        const Stopwatch watch(timers_.gradient);
+        return device_->first_sweep(compress, drift);
+    }
     FirstSweepData d = first_sweep_data();
     d.other = other;
     {
@@ -174,46 +179,50 @@ void Level::first_sweep(double t, double compress, double drift, const OtherSums
     Particles& p = particles_;
     if (p.has(With::coarser)) p.density_rate.assign(p.size(), 0);
     for (std::size_t i = 0; i < stages_.compression.size(); ++i) stages_.compression[i] = p.rate[i].drho;
-    // walls are looked after at the end of the step
-    const auto drift_freely = [&](std::size_t i) {
-        p.x[i] += drift * double(p.u[i]);
-        p.y[i] += drift * double(p.v[i]);
-        p.z[i] += drift * double(p.w[i]);
-        p.place[i] = place_record(i);
-        if (p.wall_normal.empty()) return;
-        WallNormalRecord& n = p.wall_normal[i];
-        n.distance += static_cast<float>(drift * leaving(i, Vec3(p.u[i], p.v[i], p.w[i])));
-    };
+    const AfterFirstSweep after = after_first_sweep(compress, drift);
     for_particles(p.size(), [&](std::size_t i) {
-        float& drho = p.drho[i];
-        if (p.kind[i] == Kind::guard) drho += static_cast<float>(compress * p.trend[i].drho);
-        if (follows_the_equations(p.kind[i])) {
-            const bool under_surface = p.kind[i] == Kind::band && lacks_support(i);
-            drho += static_cast<float>(compress * (under_surface ? p.compression[i] : p.rate[i].drho));
-            if (!p.density_rate.empty()) p.density_rate[i] = p.rate[i].drho;
-            // the free surface bears no tension (its density is not let below rho0)
-            if (drho < 0 && (lacks_support(i) || (!p.aired.empty() && p.aired[i] == Aired::yes))) drho = 0;
-        }
-        p.velocity_density[i].drho = drho;
-        p.gradient_pressure[i].p = setup_.state_equation.pressure(setup_.rho0, drho);
-        if (drift > 0) drift_freely(i);
+        after(
+            i, [&](float drho) { return setup_.state_equation.pressure(setup_.rho0, drho); },
+            [&](std::size_t k, const V3<double>& u) { return leaving(k, Vec3(u.x, u.y, u.z)); });
     });
     for (const auto& effect : effects_) effect->change_pressure(view);
     ghosts_.refresh(p, t, p.velocity_density, p.gradient_pressure, p.carried);
 }
 
+AfterFirstSweep Level::after_first_sweep(double compress, double drift) {
+    Particles& p = particles_;
+    const auto or_null = [](auto& field) { return field.empty() ? nullptr : field.data(); };
+    return {.p = state_view(),
+            .to_quanta = to_quanta(),
+            .kind = p.kind.data(),
+            .rate = p.rate.data(),
+            .shift = p.shift_support.data(),
+            .aired = or_null(p.aired),
+            .place = p.place.data(),
+            .motion = p.velocity_density.data(),
+            .stress = p.gradient_pressure.data(),
+            .wall = or_null(p.wall_normal),
+            .compress = compress,
+            .drift = drift,
+            .surface_support = setup_.surface_support,
+            .trend = or_null(p.trend),
+            .compression = or_null(p.compression),
+            .density_rate = or_null(p.density_rate)};
+}
+
 void Level::mark_surface() {
-    const std::size_t n = particles_.size(), all = particles_.place.size();
-    for_particles(particles_.surface.size(), [&](std::size_t word) {
-        std::uint32_t bits = 0;
-        for (std::size_t i = 32 * word; i < std::min(all, 32 * word + 32); ++i)
-            bits |= std::uint32_t{lacks_support(i < n ? i : static_cast<std::size_t>(ghosts_.links()[i - n].index))}
-                    << (i % 32);
-        particles_.surface[word] = bits;
-    });
+    const std::size_t n = particles_.size();
+    const MarkBits mark{[&](std::size_t i) { return lacks_support(i); }, ghosts_.links().data(), n,
+                        particles_.place.size(), particles_.surface.data()};
+    for_particles(particles_.surface.size(), mark);
 }
 
 void Level::second_sweep(double t) {
+    if (device_) {
+        const Stopwatch watch(timers_.forces);
+        timers_.evaluations += static_cast<std::int64_t>(particles_.size());
+        return device_->second_sweep(t);
+    }
     if (!walls_.empty()) {
         const Stopwatch watch(timers_.walls);
         wall_speed_ = walls_.fastest();
@@ -320,6 +329,7 @@ double Level::bytes() const {
     add(groups_);
     add(stages_.start), add(stages_.mean), add(stages_.compression), add(stages_.diffusion);
     for (const auto& effect : effects_) sum += double(effect->bytes());
+    if (device_) sum += device_->bytes();
     return sum;
 }
 
@@ -331,11 +341,13 @@ void Level::restore(const State& s, Particles particles) {
     particles.bring_all_of(particles_);  // what is not saved is made anew where it is asked for
     particles_ = std::move(particles);
     begin_whole();
+    if (device_) device_->forget();
     start_anew();
 }
 
 void Level::keep_only(const std::vector<std::int32_t>& staying, std::int64_t active) {
     ledger_.out += active;
+    if (device_) device_->bring_state_home(), device_->forget();
     particles_.reorder(staying);
     start_anew();
 }

@@ -18,7 +18,9 @@
 #include "sph_solver/ghosts/ghosts.h"
 #include "sph_solver/ghosts/open_boundaries.h"
 #include "sph_solver/levels/control_volume.h"
+#include "sph_solver/levels/device_steps.h"
 #include "sph_solver/levels/surface_excess.h"
+#include "sph_solver/loops/after_first_sweep.h"
 #include "sph_solver/neighbours/list_life.h"
 #include "sph_solver/parallel/comm.h"
 #include "sph_solver/parallel/decomposition.h"
@@ -76,8 +78,14 @@ public:
     double dt() const { return dt_; }
     std::int64_t steps() const { return steps_; }
     /// Those that this process holds: all, or its own and copies of those near them (`owns`).
-    const Particles& particles() const { return particles_; }
-    Particles& particles() { return particles_; }
+    const Particles& particles() const { return home(); }
+    Particles& particles() {
+        home();
+        if (device_) device_->note_changed_state();
+        return particles_;
+    }
+    /// From now on a device makes the steps, see device_steps.h; before the first step.
+    void leave_steps_to(std::unique_ptr<DeviceSteps> device) { device_ = std::move(device); }
     const Comm& ranks() const;
     bool owns(std::size_t i) const { return own_.empty() || own_[i] != 0; }
     std::size_t copies() const { return halo_.received(); }
@@ -96,7 +104,7 @@ public:
     void share_columns_with(Level& leading) { leading.following_ = this, columns_of_ = &leading; }
     /// All particles of all ranks, in the order in which one process holds them; on the first rank, elsewhere none.
     Particles gathered() const;
-    double pressure(std::size_t i) const { return setup_.state_equation.pressure(setup_.rho0, particles_.drho[i]); }
+    double pressure(std::size_t i) const { return setup_.state_equation.pressure(setup_.rho0, home().drho[i]); }
     const Ledger& ledger() const { return ledger_; }
     const Extremes& extremes() const { return extremes_; }
     const Timers& timers() const { return timers_; }
@@ -109,7 +117,7 @@ public:
     double reference_speed() const;
     int dimensions() const { return around_.dimensions; }
     /// Kernel support of a particle at the last evaluation [-].
-    double support(std::size_t i) const { return double(particles_.shift_support[i].support); }
+    double support(std::size_t i) const { return double(home().shift_support[i].support); }
     /// Density that the weight of one row of particles makes at rest, rho0 g dp / c0^2 [kg/m3].
     double density_of_row() const;
     /// Acceleration of all water alike now: gravity and the stream's [m/s2].
@@ -197,6 +205,14 @@ public:
     void keep_only(const std::vector<std::int32_t>& staying, std::int64_t active);
 
 private:
+    friend class LevelOnDevice;
+    static constexpr double held_at_wall_over_dp = 0.1;  ///< nearer than this a particle is not let towards a wall
+
+    /// The particles, as they are now.
+    const Particles& home() const {
+        if (device_) device_->bring_all_home();
+        return particles_;
+    }
     void start_anew();  ///< with other particles than before
     void rebuild(double drift);
     void prune(double drift);
@@ -218,11 +234,15 @@ private:
         return of_water -
                walls_.velocity_at(p.wall_body[i], {p.x[i], p.y[i], p.z[i]}, triangle).dot(Vec3(n.x, n.y, n.z));
     }
-    PlaceRecord place_record(std::size_t i) const {
-        const Particles& p = particles_;
-        return {quanta_.of(p.x[i], 0), quanta_.of(p.y[i], 1), quanta_.of(p.z[i], 2),
-                static_cast<float>(mass_) / (static_cast<float>(setup_.rho0) + p.drho[i])};
+    StateView state_view() {
+        Particles& p = particles_;
+        return {p.x.data(), p.y.data(), p.z.data(), p.u.data(), p.v.data(), p.w.data(), p.drho.data()};
     }
+    ToQuanta to_quanta() const {
+        const Vec3& o = quanta_.origin;
+        return {o.x(), o.y(), o.z(), quanta_.per_metre, static_cast<float>(mass_), static_cast<float>(setup_.rho0)};
+    }
+    AfterFirstSweep after_first_sweep(double compress, double drift);
     bool lacks_support(std::size_t i) const {
         const bool guard = particles_.kind[i] == Kind::guard;
         return (guard ? particles_.trend[i].support : particles_.shift_support[i].support) < setup_.surface_support;
@@ -290,6 +310,8 @@ private:
     Ledger ledger_;
     Extremes extremes_;
     Timers timers_;
+
+    std::unique_ptr<DeviceSteps> device_;  ///< null: this processor makes the steps
 
     /// Of several ranks only.
     Decomposition columns_;

@@ -8,31 +8,21 @@
 #include "base/errors.h"
 #include "sph_solver/backend/for_particles.h"
 #include "sph_solver/backend/stopwatch.h"
-#include "sph_solver/equations/shifting.h"
 #include "sph_solver/levels/level.h"
+#include "sph_solver/loops/move.h"
 
 namespace tw {
 
 namespace {
 
-constexpr double held_at_wall_over_dp = 0.1;  ///< nearer than this a particle is not let towards a wall
-/// A guard is shifted only where it has this share of the coarser level's kernel support. Where less of it is there the
-/// guards end within reach, and shifting would spread them outwards, because it takes the end for a void: the zone loses
-/// particles, and water whose kernel sums are a hundredth too small takes a hundredth more of pressure gradient to carry
-/// itself, so it sinks (docs/decisions/050).
-constexpr double guard_shifted_from = 0.98;
-
 /// What a range of particles adds to the step's extremes and sums.
-struct Part {
-    double speed2 = 0, acceleration2 = 0, relative2 = 0, relative2_before = 0, shift2 = 0, low = 0, high = 0;
-    std::size_t fastest = 0, densest = 0, thinnest = 0;
+struct Part : MovedExtremes {
     // per unit of particle mass
     ExactVectorSum crossed;          ///< momentum into the control volume [m/s]
     std::vector<PushSum> on_bodies;  ///< impulse of particles held at the wall of each of them [m/s]; empty: none
     std::vector<WallStrike> on_elastic;
     std::vector<std::size_t> by;  ///< who gave each of those
     std::int64_t held = 0;
-    bool broken = false;
 };
 
 /// What all ranks make of their parts.
@@ -101,91 +91,74 @@ Level::Struck Level::advance(const Schedule::Move& move, const Vec3& moment_refe
     Particles& p = particles_;
     const double c0 = s.state_equation.c0, speed_before = extremes_.speed;
     const double stream_before = stream_velocity(time_), stream_after = stream_velocity(time_ + dt);
-    const ShiftStep shift_step(s.shifting, dt, h_, s.dp);
+    const Move move_on{.p = state_view(),
+                       .kind = p.kind.data(),
+                       .rate = p.rate.data(),
+                       .shift_support = p.shift_support.data(),
+                       .trend = p.trend.empty() ? nullptr : p.trend.data(),
+                       .dt = dt,
+                       .drifted = drifted,
+                       .drift = drift,
+                       .stream_before = stream_before,
+                       .stream_after = stream_after,
+                       .shifts = s.shifting > 0,
+                       .shifting_support = s.shifting_support,
+                       .shift_step = ShiftStep(s.shifting, dt, h_, s.dp)};
     walls_.note_motions();
 
+    const auto hold = [&](std::size_t i, Part& part) {
+        const auto held = hold_at_wall(i);
+        if (!held || p.kind[i] != Kind::fluid || !owns(i)) return;
+        ++part.held;
+        part.on_bodies.resize(bodies_.size());
+        const Vec3 place(p.x[i], p.y[i], p.z[i]);
+        part.on_bodies[held->body].add(held->lost, place - moment_reference);
+        if (walls_.give_way()) {
+            part.on_elastic.push_back({held->body, held->triangle, place, mass_ * held->lost});
+            part.by.push_back(i);
+        }
+    };
+    const auto moved_by_device = [&](const Move& by) {
+        const DeviceSteps::Moved moved = device_->move(by);
+        Part part;
+        static_cast<MovedExtremes&>(part) = moved.extremes;
+        for (const std::size_t i : moved.at_walls) {
+            hold(i, part);
+            by.note(i, part);
+        }
+        device_->put_back(moved.at_walls);
+        return part;
+    };
     const auto move_range = [&](Part& part, std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             const double u0 = p.u[i], v0 = p.v[i], w0 = p.w[i];
             const double was_inside =
                 control_ ? control_->share(p.x[i] - drifted * u0, p.y[i] - drifted * v0, p.z[i] - drifted * w0) : 0;
-            if (drifted > 0)
-                part.relative2_before =
-                    std::max(part.relative2_before, (u0 - stream_before) * (u0 - stream_before) + v0 * v0 + w0 * w0);
-            Vec3 shift = Vec3::Zero();
-            const auto shift_towards_voids = [&] {
-                const ShiftSupportRecord& sum = p.shift_support[i];
-                if (s.shifting <= 0 || sum.support <= s.shifting_support) return;
-                const auto [by, length2] = shift_step.of(sum.x, sum.y, sum.z);
-                shift = Vec3(by.x, by.y, by.z);
-                part.shift2 = std::max(part.shift2, length2);
-            };
-            switch (p.kind[i]) {
-                case Kind::fluid:
-                case Kind::band: {
-                    const RateRecord& r = p.rate[i];
-                    if (p.kind[i] == Kind::fluid)
-                        part.acceleration2 = std::max(part.acceleration2,
-                                                      double(r.ax) * r.ax + double(r.ay) * r.ay + double(r.az) * r.az);
-                    p.u[i] = static_cast<float>(u0 + dt * r.ax);
-                    p.v[i] = static_cast<float>(v0 + dt * r.ay);
-                    p.w[i] = static_cast<float>(w0 + dt * r.az);
-                    p.drho[i] = static_cast<float>(p.drho[i] + dt * r.drho);
-                    shift_towards_voids();
-                    break;
-                }
-                case Kind::inlet: p.u[i] = static_cast<float>(stream_after); break;
-                case Kind::outlet: p.u[i] = static_cast<float>(u0 + (stream_after - stream_before)); break;
-                case Kind::guard: {
-                    const Trend& t = p.trend[i];
-                    p.u[i] = static_cast<float>(u0 + dt * t.u);
-                    p.v[i] = static_cast<float>(v0 + dt * t.v);
-                    p.w[i] = static_cast<float>(w0 + dt * t.w);
-                    if (double(p.shift_support[i].support) > guard_shifted_from * double(t.support))
-                        shift_towards_voids();
-                    break;
-                }
-                case Kind::carried: shift_towards_voids(); break;
-            }
-            const Vec3 along = stages_.mean.empty() ? Vec3(p.u[i], p.v[i], p.w[i])
-                                                    : Vec3(stages_.mean[i].u, stages_.mean[i].v, stages_.mean[i].w);
-            p.x[i] += drift * along.x() + shift.x();
-            p.y[i] += drift * along.y() + shift.y();
-            p.z[i] += drift * along.z() + shift.z();
+            const V3<double> shift = move_on.kick(i, part);
+            const V3<double> along = stages_.mean.empty()
+                                         ? V3<double>{p.u[i], p.v[i], p.w[i]}
+                                         : V3<double>{stages_.mean[i].u, stages_.mean[i].v, stages_.mean[i].w};
+            move_on.drift_along(i, along, shift);
             // what stands for another level's water is kept out of solids as well: it may become active there
             if (!p.wall_normal.empty() && p.kind[i] != Kind::inlet && p.kind[i] != Kind::outlet) {
                 WallNormalRecord& r = p.wall_normal[i];
                 r.distance +=
-                    static_cast<float>(drift * leaving(i, along) + shift.x() * r.x + shift.y() * r.y + shift.z() * r.z);
-                const bool too_near = r.distance < held_at_wall_over_dp * s.dp;
-                if (const auto held = too_near ? hold_at_wall(i) : std::nullopt;
-                    held && p.kind[i] == Kind::fluid && owns(i)) {
-                    ++part.held;
-                    part.on_bodies.resize(bodies_.size());
-                    const Vec3 place(p.x[i], p.y[i], p.z[i]);
-                    part.on_bodies[held->body].add(held->lost, place - moment_reference);
-                    if (walls_.give_way()) {
-                        part.on_elastic.push_back({held->body, held->triangle, place, mass_ * held->lost});
-                        part.by.push_back(i);
-                    }
-                }
+                    static_cast<float>(drift * leaving(i, Vec3(along.x, along.y, along.z)) + shift.x * r.x +
+                                       shift.y * r.y + shift.z * r.z);
+                if (r.distance < held_at_wall_over_dp * s.dp) hold(i, part);
             }
-            const double u = p.u[i], v = p.v[i], w = p.w[i], speed2 = u * u + v * v + w * w;
-            const bool active = is_active(p.kind[i]);
-            if (active && speed2 > part.speed2) part.speed2 = speed2, part.fastest = i;
-            part.relative2 = std::max(part.relative2, (u - stream_after) * (u - stream_after) + v * v + w * w);
-            if (active && p.drho[i] < part.low) part.low = double(p.drho[i]), part.thinnest = i;
-            if (active && p.drho[i] > part.high) part.high = double(p.drho[i]), part.densest = i;
-            if (!std::isfinite(speed2 + p.drho[i] + p.x[i] + p.y[i] + p.z[i])) part.broken = true, part.fastest = i;
+            move_on.note(i, part);
             if (control_ && owns(i)) {
                 // momentum of what crosses a face, with the velocity in the middle of the step
                 const double crossing = control_->share(p.x[i], p.y[i], p.z[i]) - was_inside;
-                if (crossing != 0) part.crossed += crossing * Vec3((u0 + u) / 2, (v0 + v) / 2, (w0 + w) / 2);
+                if (crossing != 0) part.crossed += crossing * Vec3((u0 + double(p.u[i])) / 2, (v0 + double(p.v[i])) / 2,
+                                                                  (w0 + double(p.w[i])) / 2);
             }
             if (part.broken) break;
         }
     };
-    const std::vector<Part> parts = in_fixed_ranges<Part>(p.size(), move_range);
+    const std::vector<Part> parts =
+        device_ ? std::vector{moved_by_device(move_on)} : in_fixed_ranges<Part>(p.size(), move_range);
 
     OfAllRanks all{};
     std::size_t fastest = 0, densest = 0, thinnest = 0;
@@ -210,6 +183,7 @@ Level::Struck Level::advance(const Schedule::Move& move, const Vec3& moment_refe
         for (std::size_t b = 0; b < part.on_bodies.size(); ++b) on_bodies[b] += part.on_bodies[b];
     }
     all.broken = broken.has_value();
+    if (device_) device_->bring_home({fastest, densest, thinnest});
     const auto note = [&](OfAllRanks::At& at, std::size_t i) {
         at.column = grid_.count();
         if (i < p.size()) at = {at.value, column_of(i), p.id[i], p.x[i], p.y[i], p.z[i]};
@@ -265,6 +239,7 @@ void Level::check_density() const {
     const auto beyond = [&](double drho) { return drho > most * rho0 || drho < least * rho0; };
     if (!beyond(extremes_.density_deviation_high) && !beyond(extremes_.density_deviation_low)) return;
     Failing failing{{}, 0, {}};
+    home();
     for (std::size_t i = 0; i < particles_.size() && !failing.at; ++i)
         if (is_active(particles_.kind[i]) && beyond(double(particles_.drho[i])))
             failing = {i, column_of(i),

@@ -97,6 +97,7 @@ void Level::sample(PointSamples& points) const {
     points.support.assign(n, 0);
     if (points.want_flux) points.flux.assign(6 * n, 0);
     if (n == 0) return;
+    if (device_) device_->bring_all_home();
     SortedPlaces sorted(points.places, 1, *this, own_columns());  // whose columns are those of the particles
     sorted.find_neighbours(kernel_, *this, sources(), life_.travel);
     std::vector<float> p(n), support(n), flux(points.want_flux ? 6 * n : 0);

@@ -21,8 +21,20 @@ bool Level::lists_outlived() const {
 double Level::wall_travel_ahead() const { return life_.wall_travel + schedule_.looks_ahead() * dt_ * walls_.fastest(); }
 
 void Level::refresh(double drift) {
-    if (life_.over) return rebuild(drift);
+    if (life_.over) {
+        if (device_) {
+            const Stopwatch watch(timers_.lists);
+            device_->bring_state_home();
+        }
+        rebuild(drift);
+        if (device_) {
+            const Stopwatch watch(timers_.lists);
+            device_->take_lists();
+        }
+        return;
+    }
     walls_.follow(quanta_);
+    if (device_) return device_->refresh(drift);
     {
         const Stopwatch watch(timers_.update);
         update_records();
@@ -32,10 +44,8 @@ void Level::refresh(double drift) {
 
 void Level::update_records() {
     Particles& p = particles_;
-    for_particles(p.size(), [&](std::size_t i) {
-        p.place[i] = place_record(i);
-        p.velocity_density[i] = {p.u[i], p.v[i], p.w[i], p.drho[i]};
-    });
+    for_particles(p.size(),
+                  UpdateRecords{state_view(), to_quanta(), p.place.data(), p.velocity_density.data()});
     ghosts_.refresh(p, time_, p.velocity_density);
 }
 

@@ -5,19 +5,11 @@
 #include <vector>
 
 #include "base/vec3.h"
+#include "sph_solver/neighbours/wide_place.h"
 #include "sph_solver/sweeps/passes.h"
 #include "sph_solver/sweeps/records.h"
 
 namespace tw {
-
-/// A position in quanta from the origin, in full.
-struct WidePlace {
-    std::int64_t x, y, z;
-    /// As the passes see it: modulo 2^32.
-    PlaceRecord record(float volume) const {
-        return {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y), static_cast<std::int32_t>(z), volume};
-    }
-};
 
 /// Positions as integers: quanta from `origin`, dp / 2^18 in the solver, so that differences are exact in every pair.
 ///
@@ -115,6 +107,7 @@ public:
                const std::vector<Source>& sources, const Reaches& reaches, ListRef Group::*list = &Group::list);
     /// Good until the lists are built anew or moved.
     Lists view() const { return {starts_.data()}; }
+    const std::vector<std::vector<NeighbourBlock>>& chunks() const { return chunks_; }
     std::size_t bytes() const;
 
 private:

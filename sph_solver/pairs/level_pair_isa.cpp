@@ -26,6 +26,7 @@ struct MeetOther {
           contact(d.water.rho0, d.other.rho0),
           u_i(i.velocities(d.water.motion)) {}
 
+    void sums(auto&& of) { of(divergence, support, difference2, shift); }
     void meet(std::int32_t j, const Met& ij) {
         support += ij.V_W();
         shifting.add(ij, shift);
@@ -62,6 +63,7 @@ struct PressOther {
         control_tension(d.tension_control_from, d.shift, i, controlled);
         p_own = contact.of_own * p_i + (controlled - p_i);
     }
+    void sums(auto&& of) { of(force); }
     void meet(std::int32_t j, const Met& ij) {
         const V3<Real> u_ij = u_i - velocity(d.other.motion[j]);
         PressureGradient::add(

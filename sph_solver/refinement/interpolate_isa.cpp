@@ -18,6 +18,7 @@ struct Interpolate {
     Interpolate(const InterpolateData& data, const Own&)
         : d(data), slope_2h(d.water.kernel.support_length * V3<float>{d.gx, d.gy, d.gz}) {}
 
+    void sums(auto&& of) { of(fit, u, v, w, drho, rate, known); }
     void meet(std::int32_t j, const Met& ij) {
         const Real V_W = ij.V_W();
         const VelocityDensityRecord& r_j = d.water.motion[j];

@@ -33,6 +33,7 @@ struct Extrapolate {
     Extrapolate(const ExtrapolateData& data, const Own& i)
         : d(data), g_minus_a_2h(d.water.kernel.support_length * g_minus_a<G>(d, i)) {}
 
+    void sums(auto&& of) { of(support, p, flux); }
     void meet(std::int32_t f, const Met& ij) {
         const Real V_W = ij.V_W();
         support += V_W;

@@ -32,6 +32,7 @@ struct FirstSweep {
           u_i(i.velocities(d.water.motion)),
           drho_i(i.each([&](int own) { return d.water.motion[own].drho; })) {}
 
+    void sums(auto&& of) { of(divergence, wall_divergence, support, difference2, touch, shift, grad_rho); }
     void meet(std::int32_t j, const Met& ij) {
         const VelocityDensityRecord& r_j = d.water.motion[j];
         support += ij.V_W();

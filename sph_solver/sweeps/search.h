@@ -1,5 +1,5 @@
 #pragma once
-#include "sph_solver/sweeps/sweep.h"
+#include "sph_solver/sweeps/reach.h"
 
 // Who is within reach of a group's particles: for lists that are made, and for those that hold already.
 namespace tw {
@@ -7,17 +7,8 @@ namespace TW_ISA {
 
 GroupReach reach_of(const PlaceRecord* places, const Group& g, const Reaches& reaches) {
     GroupReach r;
-    for (int l = 0; l < lanes; ++l) {
-        const PlaceRecord& p = places[in_lane(g, l)];
-        const float x = static_cast<float>(difference(p.x, g.x)), y = static_cast<float>(difference(p.y, g.y)),
-                    z = static_cast<float>(difference(p.z, g.z));
-        r.n[l] = x * x + y * y + z * z;
-        r.a[l] = -2 * x, r.b[l] = -2 * y, r.c[l] = -2 * z;
-    }
-    r.x = g.x, r.y = g.y, r.z = g.z;
-    r.far2 = static_cast<float>(reaches.far * reaches.far) * 1.000002f;
-    r.now2 = static_cast<float>(reaches.now * reaches.now) * 1.000002f;
-    r.sure2 = static_cast<float>(reaches.sure > 0 ? reaches.sure * reaches.sure : 0);
+    for (int l = 0; l < lanes; ++l) note_lane(r, l, places[in_lane(g, l)], g);
+    note_reaches(r, g, reaches);
     return r;
 }
 
@@ -70,10 +61,7 @@ inline Real distance2(const GroupReach& g, const Places& q) {
     const auto from = [](const Ints& a, std::int32_t b) {
         return __builtin_convertvector((Ints)((Words)a - static_cast<std::uint32_t>(b)), Real);
     };
-    const Real x = from(q.x, g.x), y = from(q.y, g.y), z = from(q.z, g.z);
-    Real least = g.n[0] + g.a[0] * x + g.b[0] * y + g.c[0] * z;
-    for (int l = 1; l < lanes; ++l) least = simd::min(least, g.n[l] + g.a[l] * x + g.b[l] * y + g.c[l] * z);
-    return least + (x * x + y * y + z * z);
+    return distance2(g, from(q.x, g.x), from(q.y, g.y), from(q.z, g.z));
 }
 
 }  // namespace

@@ -10,14 +10,14 @@ namespace tw {
 namespace TW_ISA {
 namespace {
 
-/// Never inlined: which sums are fused with their products would depend on what stands before.
-[[gnu::noinline]] void shift_along_surface(const V3<Real>& towards_surface, ShiftSupportRecord* shift, int size) {
-    const Real N2 = dot(towards_surface, towards_surface);
-    for (int l = 0; l < size; ++l) {
-        V3<float> s{shift[l].x, shift[l].y, shift[l].z};
-        keep_along_surface(in_lane(towards_surface, l), N2[l], s);
-        shift[l].x = s.x, shift[l].y = s.y, shift[l].z = s.z;
-    }
+TW_ALONE void shift_along_surface(const V3<Real>& N, const Own& own, ShiftSupportRecord* shift) {
+    const Real N2 = dot(N, N);
+    own.for_each([&](int i, int l) {
+        ShiftSupportRecord& r = shift[i];
+        V3<float> s{r.x, r.y, r.z};
+        keep_along_surface({N.x[l], N.y[l], N.z[l]}, N2[l], s);
+        r.x = s.x, r.y = s.y, r.z = s.z;
+    });
 }
 
 /// Second sweep: pressure, artificial viscosity and density diffusion. Walls press, and do not rub (slip).
@@ -50,6 +50,7 @@ struct SecondSweep {
     }
 
     ListRef list(const Group& g) const { return list_for_rates(d.water, g); }
+    void sums(auto&& of) { of(diffusion, water, towards_surface); }
     void meet(std::int32_t j, const Met& ij) {
         const VelocityDensityRecord& r_j = d.water.motion[j];
         const GradientPressureRecord& s_j = d.water.stress[j];
@@ -81,7 +82,7 @@ struct SecondSweep {
         const V3<Real> a{water.x * inv_rho + a_wall.x + d.gx, water.y * inv_rho + a_wall.y + d.gy,
                          water.z * inv_rho + a_wall.z + d.gz};
         i.for_each([&](int own, int l) { d.rate[own] = {a.x[l], a.y[l], a.z[l], drho[l]}; });
-        shift_along_surface(towards_surface, d.shift + i.group.first, i.group.size);
+        shift_along_surface(towards_surface, i, d.shift);
     }
 };
 

@@ -21,13 +21,17 @@
 //   void meet_wall(std::int32_t j, const Met& ij);            a wall dummy
 //   void meet_wall(std::int32_t j, const Met& ij, V3<Real>& force);   or body by body: the sum of one,
 //   V3<Real> push(const V3<Real>& force);                     the acceleration by it, which goes to Data::wall_load
+//   void sums(auto&& of) { of(a, b); }                        its sums over neighbours, but those that `push` makes
 //
 // The order of operations is part of the results: products are fused with sums in the order in which they stand.
 #include "sph_solver/equations/pair.h"
 #include "sph_solver/equations/tension_control.h"
 #include "sph_solver/sweeps/passes.h"
-#include "sph_solver/sweeps/simd.h"
-#include "sph_solver/sweeps/views.h"
+#ifdef TW_THREADS
+#include "sph_solver/sweeps/in_threads.h"
+#else
+#include "sph_solver/sweeps/in_lanes.h"
+#endif
 
 namespace tw {
 namespace TW_ISA {
@@ -37,140 +41,6 @@ template <class View>
 void pass(const View&, const Group*, int count);
 
 namespace {
-
-using simd::lanes;
-using simd::Real;
-using Met = Pair<Real>;
-struct Math {
-    static Real quotient(const Real& a, const Real& b) { return simd::quotient(a, b); }
-};
-
-/// Lengths in 2h, and volumes as G V, see Kernel.
-struct Frame {
-    float length;  ///< per quantum
-    float volume;  ///< per m3
-};
-inline Frame frame_of(const Kernel& kernel, float quantum) { return {quantum * kernel.inv_support, kernel.G}; }
-
-/// A chunk of neighbours as the pair loop loads them, broadcast.
-struct alignas(64) Chunk {
-    static constexpr int capacity = 256;
-    static constexpr int ahead = 3;  // by so many pairs the distances run ahead
-    float xyz[capacity + ahead][4];  // relative to the group's centre [2h]; the fourth is G V
-    Real t[capacity + ahead];        // closeness of each lane
-    std::int32_t index[capacity + 16];
-};
-
-typedef std::int32_t I4 __attribute__((vector_size(16), may_alias));
-typedef std::uint32_t U4 __attribute__((vector_size(16)));
-typedef float F4 __attribute__((vector_size(16), may_alias));
-
-/// Loads n neighbours, and zeros for the places beyond them whose distances are made and not used.
-inline void load_chunk(Chunk& chunk, const PlaceRecord* place, int n, const Group& g, const Frame& frame) {
-    for (int k = n; k < n + Chunk::ahead; ++k) *reinterpret_cast<F4*>(chunk.xyz[k]) = F4{};
-    const U4 centre = (U4)I4{g.x, g.y, g.z, 0};
-    for (int k = 0; k < n; ++k) {
-        const PlaceRecord& r = place[chunk.index[k]];
-        const I4 raw = *reinterpret_cast<const I4*>(&r);
-        F4 relative = __builtin_convertvector((I4)((U4)raw - centre), F4) * frame.length;
-        relative[3] = r.volume * frame.volume;
-        *reinterpret_cast<F4*>(chunk.xyz[k]) = relative;
-    }
-}
-
-/// The particle in a lane; lanes beyond the group's size repeat the last one.
-inline int in_lane(const Group& g, int l) { return g.first + (l < g.size ? l : g.size - 1); }
-inline V3<float> in_lane(const V3<Real>& a, int l) { return {a.x[l], a.y[l], a.z[l]}; }
-inline V3<float> velocity(const VelocityDensityRecord& r) { return {r.u, r.v, r.w}; }
-
-/// A group's own particles (or points), one in each lane.
-struct Own {
-    const Group& group;
-    V3<Real> x;  ///< their places from the group's centre [2h]
-
-    /// Any number of each of them: `value(i)`.
-    template <class Value>
-    Real each(Value&& value) const {
-        Real r{};
-        for (int l = 0; l < lanes; ++l) r[l] = value(in_lane(group, l));
-        return r;
-    }
-    template <class Value>
-    V3<Real> each_vector(Value&& value) const {
-        V3<Real> r{};
-        for (int l = 0; l < lanes; ++l) {
-            const V3<float> v = value(in_lane(group, l));
-            r.x[l] = v.x, r.y[l] = v.y, r.z[l] = v.z;
-        }
-        return r;
-    }
-    V3<Real> velocities(const VelocityDensityRecord* motion) const {
-        return each_vector([&](int i) { return velocity(motion[i]); });
-    }
-    /// Calls `body(i, l)` for each of them and its lane.
-    template <class Body>
-    void for_each(Body&& body) const {
-        for (int l = 0; l < group.size; ++l) body(group.first + l, l);
-    }
-};
-inline Own own_places(const PlaceRecord* place, const Group& g, const Frame& frame) {
-    Own own{g, {}};
-    own.x = own.each_vector([&](int i) {
-        const PlaceRecord& a = place[i];
-        return V3<float>{static_cast<float>(difference(a.x, g.x)) * frame.length,
-                         static_cast<float>(difference(a.y, g.y)) * frame.length,
-                         static_cast<float>(difference(a.z, g.z)) * frame.length};
-    });
-    return own;
-}
-
-inline V3<Real> separation(const V3<Real>& x_i, const float* xyz) {
-    return {xyz[0] - x_i.x, xyz[1] - x_i.y, xyz[2] - x_i.z};
-}
-
-/// 1 - |r_ji| / 2h, cut off at the support.
-inline Real closeness(const V3<Real>& x_i, const float* xyz) {
-    const V3<Real> r_ji = separation(x_i, xyz);
-    return simd::positive_part(1.0f - simd::root(dot(r_ji, r_ji)));
-}
-
-/// Which places of a block a loop visits: all live ones, or of these those at the free surface.
-struct Live {
-    std::uint32_t operator()(const NeighbourBlock& b) const { return b.live; }
-};
-struct AtSurface {
-    const std::uint32_t* surface;
-    std::uint32_t operator()(const NeighbourBlock& b) const {
-        const std::uint32_t* word = surface + b.first / 32;
-        const std::uint64_t both = word[0] | std::uint64_t{word[1]} << 32;
-        return static_cast<std::uint32_t>(both >> (b.first % 32)) & b.live;
-    }
-};
-
-/// Calls `body(j, ij)` for the neighbours on a list that `which` names. The distances run ahead: a
-/// root takes as long as ten other operations, and the processor itself looks ahead by two or three pairs only.
-///
-/// Inlined whatever the compiler thinks: GCC 12.2 at -O2 with AVX drops a call, and so the sums, of a function that
-/// gets a closure by value and changes things only through the references in it (seen here, and in 25 lines).
-template <class Body, class Which = Live>
-[[gnu::always_inline]] inline void for_each_neighbour(const PlaceRecord* place, const Lists& lists, const ListRef& ref,
-                                                      const Group& g, const Frame& frame, const V3<Real>& x_i,
-                                                      Body&& body, Which which = {}) {
-    const NeighbourBlock* const list = lists.blocks(ref);
-    Chunk chunk;
-    for (int k = 0; k < ref.size;) {
-        int n = 0;
-        for (; k < ref.size && n <= Chunk::capacity - 32; ++k)
-            n = simd::append_set_bits(list[k].first, which(list[k]), chunk.index, n);
-        if (n == 0) continue;
-        load_chunk(chunk, place, n, g, frame);
-        for (int m = 0; m < Chunk::ahead; ++m) chunk.t[m] = closeness(x_i, chunk.xyz[m]);
-        for (int m = 0; m < n; ++m) {
-            chunk.t[m + Chunk::ahead] = closeness(x_i, chunk.xyz[m + Chunk::ahead]);
-            body(chunk.index[m], meet(separation(x_i, chunk.xyz[m]), chunk.t[m], chunk.xyz[m][3]));
-        }
-    }
-}
 
 /// Calls `f(part, slot, body)` for every body that the group has in reach: its part of the wall list, and the index of
 /// its WallLoad (-1: none).
@@ -194,14 +64,10 @@ template <class Function>
 /// centre.
 inline WallLoad load_of(const WaterView& d, const Own& own, const V3<Real>& a, std::int32_t body) {
     const V3<Real> m = cross(d.kernel.support_length * own.x, a);
-    WallLoad sum;
-    sum.body = body;
-    own.for_each([&](int i, int l) {
-        if (d.kind && !is_active(d.kind[i])) return;
-        sum.ax += a.x[l], sum.ay += a.y[l], sum.az += a.z[l];
-        sum.mx += m.x[l], sum.my += m.y[l], sum.mz += m.z[l];
-    });
-    return sum;
+    const auto sum = [&](const Real& of) {
+        return own.sum([&](int i, int l) { return d.kind && !is_active(d.kind[i]) ? 0.0f : of[l]; });
+    };
+    return {sum(a.x), sum(a.y), sum(a.z), sum(m.x), sum(m.y), sum(m.z), body};
 }
 
 /// A group's list for sums that only its particles' rates want: empty where none of them follows the equations. Guards,
@@ -215,7 +81,7 @@ inline ListRef list_for_rates(const WaterView& d, const Group& g) {
 /// What stands for the particles' pressures, see tension_control.h.
 inline void control_tension(float from, const ShiftSupportRecord* shift, const Own& own, Real& p_i) {
     if (from > 1.5f || own.group.wall_list.size > 0) return;
-    for (int l = 0; l < lanes; ++l) p_i[l] = tension_controlled(p_i[l], shift[in_lane(own.group, l)].support, from);
+    own.for_every_lane([&](int i, int l) { p_i[l] = tension_controlled(p_i[l], shift[i].support, from); });
 }
 
 /// The groups' own places, whom they meet, and the lists of these.
@@ -236,39 +102,47 @@ template <class Sweep, class Data>
 [[gnu::flatten]] void run(const Data& d, const Group* groups, int count) {
     const Frame frame = frame_of(d.water.kernel, d.water.quantum);
     const Meeting meeting(d);
-    for (int n = 0; n < count; ++n) {
+    for (int n = first_group(); n < count; n = next_group(n)) {
         const Group& g = groups[n];
         const Own own = own_places(meeting.own, g, frame);
         const auto in_water = [&](const ListRef& list, auto&& meet, auto which) {
-            for_each_neighbour(meeting.place, meeting.lists, list, g, frame, own.x, meet, which);
+            for_each_neighbour(meeting.place, meeting.lists, list, own, frame, meet, which);
         };
         const auto at_walls = [&](const WallView& walls, const ListRef& list, auto&& meet) {
-            for_each_neighbour(walls.place, walls.list, list, g, frame, own.x, meet);
+            for_each_neighbour(walls.place, walls.list, list, own, frame, meet, Live{});
         };
-        Sweep sweep(d, own);
+        Slices<Sweep> sweep(d, own);
         ListRef list = g.list;
-        if constexpr (requires { sweep.list(g); }) list = sweep.list(g);
+        if constexpr (requires { sweep[0].list(g); }) list = sweep[0].list(g);
         in_water(
-            list, [&](std::int32_t j, const Met& ij) { sweep.meet(j, ij); }, Live{});
-        if constexpr (requires(const Met& ij) { sweep.meet_at_surface(ij); })
+            list, [&](int slice, std::int32_t j, const Met& ij) { sweep[slice].meet(j, ij); }, Live{});
+        if constexpr (requires(const Met& ij) { sweep[0].meet_at_surface(ij); })
             in_water(
-                g.list, [&](std::int32_t, const Met& ij) { sweep.meet_at_surface(ij); }, AtSurface{d.water.surface});
-        if constexpr (requires { sweep.reach_walls(own); })
-            if (g.wall_list.size > 0) sweep.reach_walls(own);
-        if constexpr (requires(const Met& ij) { sweep.meet_beside_wall(ij); })
+                g.list, [&](int slice, std::int32_t, const Met& ij) { sweep[slice].meet_at_surface(ij); },
+                AtSurface{d.water.surface});
+        if constexpr (requires { sweep[0].reach_walls(own); })
+            if (g.wall_list.size > 0) sweep.each([&](Sweep& s) { s.reach_walls(own); });
+        if constexpr (requires(const Met& ij) { sweep[0].meet_beside_wall(ij); })
             if (g.wall_list.size > 0)
                 in_water(
-                    g.list, [&](std::int32_t, const Met& ij) { sweep.meet_beside_wall(ij); }, Live{});
-        if constexpr (requires(const Met& ij) { sweep.meet_wall(0, ij); })
-            at_walls(d.walls, g.wall_list, [&](std::int32_t j, const Met& ij) { sweep.meet_wall(j, ij); });
+                    g.list, [&](int slice, std::int32_t, const Met& ij) { sweep[slice].meet_beside_wall(ij); },
+                    Live{});
+        if constexpr (requires(const Met& ij) { sweep[0].meet_wall(0, ij); })
+            at_walls(d.walls, g.wall_list,
+                     [&](int slice, std::int32_t j, const Met& ij) { sweep[slice].meet_wall(j, ij); });
+        Sweep& all = sweep.gathered();
         if constexpr (requires { &Sweep::push; })
             for_each_body(d.walls, g, [&](const ListRef& part, std::int32_t slot, std::int32_t body) {
-                V3<Real> force{};
-                at_walls(d.walls, part, [&](std::int32_t j, const Met& ij) { sweep.meet_wall(j, ij, force); });
-                const V3<Real> a = sweep.push(force);
-                if (slot >= 0) d.wall_load[slot] = load_of(d.water, own, a, body);
+                Slices<V3<Real>> force;
+                at_walls(d.walls, part, [&](int slice, std::int32_t j, const Met& ij) {
+                    sweep[slice].meet_wall(j, ij, force[slice]);
+                });
+                const V3<Real> a = all.push(force.gathered());
+                if (slot < 0) return;
+                const WallLoad load = load_of(d.water, own, a, body);
+                own.once([&] { d.wall_load[slot] = load; });
             });
-        sweep.store(own);
+        all.store(own);
     }
 }
 

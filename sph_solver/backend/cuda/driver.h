@@ -1,0 +1,97 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tw::cuda {
+
+/// A graphics processor of this machine through its driver, libcuda.so.1, which is looked for when it is asked for: a
+/// program that finds none runs all the same. The kernels are part of the program (kernels.cpp).
+///
+/// All calls come from one thread at a time. Errors of the driver throw RunError with its words; where there is no
+/// device that can be used, InputError says why.
+class Device {
+public:
+    /// The first of the machine that can be used.
+    static std::shared_ptr<Device> open();
+    /// Why none can be used; empty: one can.
+    static std::string reason_against();
+    ~Device();
+    Device(const Device&) = delete;
+    Device& operator=(const Device&) = delete;
+
+    const std::string& name() const;      ///< as its maker calls it
+    const std::string& driver() const;    ///< the driver's version, as "13.0"
+    const std::string& library() const;   ///< the file of the driver
+    std::size_t memory() const;           ///< of the device [B]
+    std::size_t free_memory() const;      ///< now [B]
+    int multiprocessors() const;
+
+    /// Bytes of the device.
+    std::uint64_t allocate(std::size_t bytes);
+    void release(std::uint64_t at) noexcept;
+    void to_device(std::uint64_t to, const void* from, std::size_t bytes);
+    void to_host(void* to, std::uint64_t from, std::size_t bytes);
+    void set_zero(std::uint64_t at, std::size_t bytes);
+    /// Starts a kernel on `threads` threads, in order after all before. `arguments`: their places, as it wants them.
+    void launch(const char* kernel, std::size_t threads, std::span<void* const> arguments);
+    /// Waits for all that was started.
+    void finish();
+
+private:
+    Device();
+    struct Library;
+    std::unique_ptr<Library> library_;
+};
+
+/// An array on a device.
+template <class T>
+class Array {
+public:
+    explicit Array(Device& device) : device_(&device) {}
+    ~Array() { give_back(); }
+    Array(Array&& other) noexcept
+        : device_(other.device_), at_(other.at_), size_(other.size_), capacity_(other.capacity_) {
+        other.at_ = 0, other.size_ = other.capacity_ = 0;
+    }
+    Array& operator=(Array&&) = delete;
+
+    /// Where it is, for kernels; null: it is empty.
+    T* data() const { return reinterpret_cast<T*>(at_); }
+    std::size_t size() const { return size_; }
+    std::size_t bytes() const { return capacity_ * sizeof(T); }
+    /// What it holds is lost where it has to grow.
+    void resize(std::size_t n) {
+        size_ = n;
+        if (n <= capacity_) return;
+        give_back();
+        capacity_ = n + n / 8;
+        at_ = device_->allocate(capacity_ * sizeof(T));
+    }
+    void take(std::span<const T> from) {
+        resize(from.size());
+        if (size_ > 0) device_->to_device(at_, from.data(), size_ * sizeof(T));
+    }
+    /// Into as many elements of the host.
+    void give(std::span<T> to) const {
+        if (!to.empty()) device_->to_host(to.data(), at_, to.size() * sizeof(T));
+    }
+    void set_zero() {
+        if (size_ > 0) device_->set_zero(at_, size_ * sizeof(T));
+    }
+
+private:
+    void give_back() {
+        if (at_) device_->release(at_);
+        at_ = 0, capacity_ = 0;
+    }
+
+    Device* device_;
+    std::uint64_t at_ = 0;
+    std::size_t size_ = 0, capacity_ = 0;
+};
+
+}  // namespace tw::cuda

@@ -1,0 +1,5 @@
+#pragma once
+namespace tw::cuda {
+/// How kernels are started: so many threads make a block, 32 of them a warp, one for each group of particles.
+inline constexpr int warp = 32, warps_in_block = 4, threads_in_block = warp * warps_in_block;
+}  // namespace tw::cuda

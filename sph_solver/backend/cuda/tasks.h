@@ -1,0 +1,197 @@
+#pragma once
+// What a device is asked to do beside the sweeps: plain data for kernels, each with what is done to one particle, image,
+// word or group. `Task::operator()(i)` is one index's part; any order of them gives the same.
+#include <cstddef>
+#include <cstdint>
+
+#include "sph_solver/backend/cuda/launch.h"
+#include "sph_solver/ghosts/laws.h"
+#include "sph_solver/loops/after_first_sweep.h"
+#include "sph_solver/loops/air.h"
+#include "sph_solver/loops/move.h"
+#include "sph_solver/loops/records.h"
+#include "sph_solver/loops/surface.h"
+#include "sph_solver/sweeps/groups.h"
+
+namespace tw::cuda {
+
+/// Places of images, and what they have of their sources, under constant gravity.
+struct RefreshImages {
+    const Link* links;
+    const LinkMap* maps;
+    std::size_t n;   ///< particles
+    double quantum;  ///< [m]
+    Hydrostatic still;
+    V3<double> gravity;
+    PlaceRecord* place;
+    VelocityDensityRecord* motion;
+    GradientPressureRecord* stress;  ///< null: not now
+
+    void operator()(std::size_t k) const {
+        const auto i = static_cast<std::size_t>(links[k].index);
+        const LinkMap& map = maps[links[k].map];
+        place[n + k] = seen_place(place[i], map);
+        const V3<double> step = step_to_image(place[i], place[n + k], map, quantum);
+        const HydrostaticLine line{still.gradient(gravity), still.deviation(gravity, step),
+                                   still.pressure(gravity, step)};
+        motion[n + k] = seen_on(line, motion[i], map);
+        if (stress) stress[n + k] = seen_on(line, stress[i], map);
+    }
+};
+
+/// Marks those at the free surface, of particles of one size; by words of 32.
+struct MarkSurface {
+    const ShiftSupportRecord* shift;
+    double surface_support;
+    const Link* links;
+    std::size_t n, all;
+    std::uint32_t* words;
+
+    void operator()(std::size_t word) const {
+        const auto lacks_support = [&](std::size_t i) {
+            return static_cast<double>(shift[i].support) < surface_support;
+        };
+        MarkBits{lacks_support, links, n, all, words}(word);
+    }
+};
+
+/// Marks those that air stays at; by words of 32.
+struct MarkAir {
+    AirAtParticles air;
+    const Link* links;
+    std::size_t n, all;
+    std::uint32_t* words;
+
+    void operator()(std::size_t word) const {
+        MarkBits{[&](std::size_t i) { return air.stays(i); }, links, n, all, words}(word);
+    }
+};
+/// The groups that air may come to, put one after another in no order; by groups.
+struct FindAsking {
+    AirAtParticles air;
+    const std::uint32_t* stays;
+    const Group* groups;
+    Group* asking;
+    int* count;
+
+    template <class AddOne>
+    void operator()(std::size_t k, const AddOne& add_one) const {
+        const Group& g = groups[k];
+        for (int l = 0; l < g.size; ++l) {
+            const auto i = static_cast<std::size_t>(g.first + l);
+            if (marked(stays, i) || !air.may_come(i)) continue;
+            asking[add_one(count)] = g;
+            return;
+        }
+    }
+};
+struct NoteAir {
+    AirAtParticles air;
+    const std::uint32_t* stays;
+    const std::uint8_t* near;
+
+    void operator()(std::size_t i) const { air.note(i, stays, near); }
+};
+
+/// AfterFirstSweep of water whose pressure is c0^2 drho, beside walls at rest.
+struct Compress {
+    AfterFirstSweep after;
+    float c0_squared;
+
+    void operator()(std::size_t i) const {
+        after(
+            i, [&](float drho) { return c0_squared * drho; },
+            [&](std::size_t k, const V3<double>& u) {
+                const WallNormalRecord& n = after.wall[k];
+                return u.x * static_cast<double>(n.x) + u.y * static_cast<double>(n.y) +
+                       u.z * static_cast<double>(n.z);
+            });
+    }
+};
+
+/// Move beside walls at rest. A particle too near to one is left to the host: it is put on a list, in no order, and does
+/// not count for the extremes.
+struct MoveAll {
+    Move move;
+    WallNormalRecord* wall;  ///< null: there are none
+    double held_from;        ///< nearer than this to a wall a particle is held [m]
+    std::int32_t* too_near;
+    int* count;
+
+    template <class AddOne>
+    void operator()(std::size_t i, MovedExtremes& part, const AddOne& add_one) const {
+        const V3<double> shift = move.kick(i, part);
+        const V3<double> along{move.p.u[i], move.p.v[i], move.p.w[i]};
+        move.drift_along(i, along, shift);
+        if (wall && move.kind[i] == Kind::fluid) {
+            WallNormalRecord& r = wall[i];
+            const V3<double> n{r.x, r.y, r.z};
+            const double leaving = along.x * n.x + along.y * n.y + along.z * n.z;
+            r.distance += static_cast<float>(move.drift * leaving + shift.x * n.x + shift.y * n.y + shift.z * n.z);
+            if (static_cast<double>(r.distance) < held_from) {
+                too_near[add_one(count)] = static_cast<std::int32_t>(i);
+                return;
+            }
+        }
+        move.note(i, part);
+    }
+};
+
+/// The larger of each; of equal ones that of the lower index, which comes first.
+inline void join(MovedExtremes& a, const MovedExtremes& b) {
+    const auto take = [](double& x, std::size_t& at, double y, std::size_t of, bool better) {
+        if (better || (x == y && of < at)) x = y, at = of;
+    };
+    if (b.broken && (!a.broken || b.fastest < a.fastest)) {
+        a.broken = true, a.fastest = b.fastest;
+    } else if (!a.broken) {
+        take(a.speed2, a.fastest, b.speed2, b.fastest, b.speed2 > a.speed2);
+    }
+    take(a.low, a.thinnest, b.low, b.thinnest, b.low < a.low);
+    take(a.high, a.densest, b.high, b.densest, b.high > a.high);
+    const auto most = [](double& x, double y) { x = y > x ? y : x; };
+    most(a.relative2, b.relative2), most(a.relative2_before, b.relative2_before);
+    most(a.shift2, b.shift2), most(a.acceleration2, b.acceleration2);
+}
+
+/// What one particle is given that the host had to look after.
+struct HeldParticle {
+    std::int64_t index;
+    double x, y, z;
+    float u, v, w, drho;
+    WallNormalRecord wall;
+    LeavingRecord leaving;
+};
+/// Takes such particles out of the arrays, and puts them back.
+struct TakeHeld {
+    StateView p;
+    const WallNormalRecord* wall;  ///< null: there are none
+    const LeavingRecord* leaving;
+    const std::int32_t* which;
+    HeldParticle* to;
+
+    void operator()(std::size_t k) const {
+        const std::int64_t i = which[k];
+        HeldParticle& h = to[k];
+        h.index = i;
+        h.x = p.x[i], h.y = p.y[i], h.z = p.z[i];
+        h.u = p.u[i], h.v = p.v[i], h.w = p.w[i], h.drho = p.drho[i];
+        if (wall) h.wall = wall[i], h.leaving = leaving[i];
+    }
+};
+struct PutHeld {
+    const HeldParticle* from;
+    StateView p;
+    WallNormalRecord* wall;
+    LeavingRecord* leaving;
+
+    void operator()(std::size_t k) const {
+        const HeldParticle& h = from[k];
+        const std::int64_t i = h.index;
+        p.x[i] = h.x, p.y[i] = h.y, p.z[i] = h.z;
+        p.u[i] = h.u, p.v[i] = h.v, p.w[i] = h.w, p.drho[i] = h.drho;
+        wall[i] = h.wall, leaving[i] = h.leaving;
+    }
+};
+
+}  // namespace tw::cuda

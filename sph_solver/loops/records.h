@@ -1,0 +1,41 @@
+#pragma once
+#include <cstddef>
+
+#include "sph_solver/loops/whole.h"
+#include "sph_solver/sweeps/records.h"
+
+namespace tw {
+
+/// From places in metres to those that the sweeps see, see Quanta.
+struct ToQuanta {
+    double x, y, z;    ///< origin [m]
+    double per_metre;  ///< quanta
+    float mass, rho0;  ///< of a particle [kg], [kg/m3]
+
+    PlaceRecord operator()(double px, double py, double pz, float drho) const {
+        return {static_cast<std::int32_t>(nearest_whole((px - x) * per_metre)),
+                static_cast<std::int32_t>(nearest_whole((py - y) * per_metre)),
+                static_cast<std::int32_t>(nearest_whole((pz - z) * per_metre)), mass / (rho0 + drho)};
+    }
+};
+
+/// The particles' state: one array for each quantity.
+struct StateView {
+    double *x = nullptr, *y = nullptr, *z = nullptr;                      ///< [m]
+    float *u = nullptr, *v = nullptr, *w = nullptr, *drho = nullptr;      ///< [m/s], [kg/m3]
+};
+
+/// What the sweeps read of the state.
+struct UpdateRecords {
+    StateView p;
+    ToQuanta to_quanta;
+    PlaceRecord* place;
+    VelocityDensityRecord* motion;
+
+    void operator()(std::size_t i) const {
+        place[i] = to_quanta(p.x[i], p.y[i], p.z[i], p.drho[i]);
+        motion[i] = {p.u[i], p.v[i], p.w[i], p.drho[i]};
+    }
+};
+
+}  // namespace tw

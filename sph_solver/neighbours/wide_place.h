@@ -1,0 +1,18 @@
+#pragma once
+#include <cstdint>
+
+#include "sph_solver/equations/vector.h"
+#include "sph_solver/sweeps/records.h"
+
+namespace tw {
+
+/// A position in quanta from the origin, in full.
+struct WidePlace {
+    std::int64_t x, y, z;
+    /// As the passes see it: modulo 2^32.
+    PlaceRecord record(float volume) const {
+        return {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y), static_cast<std::int32_t>(z), volume};
+    }
+};
+
+}  // namespace tw

@@ -1,0 +1,86 @@
+#include "sph_solver/on_gpu.h"
+
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "base/errors.h"
+#include "scene/refined_places.h"
+#include "sph_solver/backend/variants.h"
+#include "sph_solver/domain/schedule.h"
+#include "sph_solver/effects/registry.h"
+#include "sph_solver/simulation.h"
+#ifdef TWINWAKE_CUDA
+#include "sph_solver/levels/on_device.h"
+#endif
+
+namespace tw {
+
+std::string why_not_on_gpu(const Scene& scene) {
+    if (sizes_of_particles(scene) > 1)
+        return "particles of several sizes: their edges are not there yet ([sph] levels = 1 can)";
+    if (scene.tank_motion) return "a tank that moves: images would need the force of its frame";
+    if (!scene.bodies.empty()) return "bodies that move or bend: its walls are at rest";
+    if (scene.hull && scene.hull->free) return "a hull that moves: its walls are at rest";
+    if (scene.sph.equation_of_state != "linear")
+        return fmt::format("[sph] equation_of_state = \"{}\": only \"linear\" is there", scene.sph.equation_of_state);
+    if (!Schedule(scheme_of(scene.sph.scheme)).stages().empty())
+        return fmt::format("[sph] scheme = \"{}\": only schemes of one evaluation a step are there", scene.sph.scheme);
+    if (!scene.sph.gate_point.empty()) return "the spray gate: it takes particles out of the run";
+    if (scene.effect_on("air")) return "the effect air: there is one material";
+#define TW_ASKED(name) \
+    if (std::string(#name) != "ventilation" && scene.effect_on(#name)) return "the effect " #name;
+    TW_EFFECTS(TW_ASKED)
+#undef TW_ASKED
+    return {};
+}
+
+bool gpu_wanted(const Scene& scene) {
+    if (scene.run.device == "cpu") return false;
+    std::string why = why_not_on_gpu(scene);
+    if (!why.empty()) why = "a GPU cannot make the steps yet of a scene with " + why;
+    if (why.empty()) why = why_no_gpu_here();
+    if (!why.empty() && scene.run.device == "gpu")
+        throw InputError(
+            fmt::format("{}: [run] device = \"gpu\": {}; leave the key out, or say \"auto\" for a GPU where one can",
+                        scene.file.string(), why));
+    return why.empty();
+}
+
+const Passes& passes_beside_gpu() {
+    constexpr int lanes = 8;
+    for (const Passes* p : runnable_passes())
+        if (p->lanes == lanes) return *p;
+    throw std::logic_error("no variant of the pair loops has eight lanes");
+}
+
+#ifdef TWINWAKE_CUDA
+
+bool built_for_gpu() { return true; }
+std::string why_no_gpu_here() { return cuda::Device::reason_against(); }
+
+std::string gpu_in_words() {
+    const auto device = cuda::Device::open();
+    return fmt::format("{}, {:.3g} GB, {} multiprocessors, driver {}", device->name(), double(device->memory()) / 1e9,
+                       device->multiprocessors(), device->driver());
+}
+
+std::string leave_steps_to_gpu(Simulation& simulation) {
+    const std::shared_ptr<cuda::Device> device = cuda::Device::open();
+    Level& level = simulation.level(0);
+    level.leave_steps_to(std::make_unique<LevelOnDevice>(level, device));
+    return device->name();
+}
+
+#else
+
+bool built_for_gpu() { return false; }
+std::string why_no_gpu_here() {
+    return "this twinwake was built without kernels; install clang and build it anew";
+}
+std::string gpu_in_words() { throw InputError(why_no_gpu_here()); }
+std::string leave_steps_to_gpu(Simulation&) { throw InputError(why_no_gpu_here()); }
+
+#endif
+
+}  // namespace tw

@@ -1,0 +1,30 @@
+#pragma once
+#include <string>
+
+#include "scene/scene.h"
+#include "sph_solver/sweeps/passes.h"
+
+namespace tw {
+
+class Simulation;
+
+/// Particle runs on a GPU (backend/cuda).
+
+/// Whether this program has the kernels.
+bool built_for_gpu();
+/// Why a GPU cannot make the steps of a scene; empty: it can, where there is one.
+std::string why_not_on_gpu(const Scene& scene);
+/// Why this machine has no GPU that can be used; empty: it has.
+std::string why_no_gpu_here();
+/// Its name, driver and memory, in a line; throws InputError where there is none.
+std::string gpu_in_words();
+
+/// Whether a scene's `[run] device` and this machine say that a GPU makes the steps. Throws InputError with the reason
+/// where one is asked for by "gpu" and cannot.
+bool gpu_wanted(const Scene& scene);
+/// What the host beside a GPU makes lists and samples with: groups have eight particles there.
+const Passes& passes_beside_gpu();
+/// The GPU's name; from now on it makes the steps.
+std::string leave_steps_to_gpu(Simulation& simulation);
+
+}  // namespace tw

@@ -1,0 +1,203 @@
+// Steps that a device makes, through a driver that has none (tests/fake_cuda): all that the host does for a real one, with
+// kernels that compute what the variant device_emulated does, to the last bit. Memory that nobody wrote is not a number
+// there, and every access beyond an array ends the program.
+//
+// With TWINWAKE_TEST_LIBCUDA=libcuda.so.1 and TWINWAKE_STRICT_KERNELS=1 in the environment the same is asked of a real one
+// (tools/gpu_evidence.sh).
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "base/errors.h"
+#include "meshes/generate.h"
+#include "sph_solver/effects/ventilation.h"
+#include "sph_solver/levels/on_device.h"
+#include "sph_solver/simulation.h"
+#include "sph_solver/state/checkpoint.h"
+
+namespace tw {
+namespace on_device_test {
+
+class OnDevice : public ::testing::Test {
+protected:
+    void SetUp() override { setenv("TWINWAKE_LIBCUDA", real() ? real() : TWINWAKE_FAKE_CUDA, 1); }
+    static const char* real() { return std::getenv("TWINWAKE_TEST_LIBCUDA"); }
+    void TearDown() override { pretend(""), unsetenv("TWINWAKE_LIBCUDA"); }
+    /// See fake_cuda.cpp.
+    static void pretend(const char* what) { setenv("FAKE_CUDA", what, 1); }
+};
+
+/// A column of water that falls against a block on the floor of its tank.
+SimulationSetup dam_break() {
+    SimulationSetup s;
+    s.dp = 0.05;
+    s.state_equation.c0 = 30;
+    s.domain = {Vec3(0, 0, 0), Vec3(1, 0.3, 1)};
+    s.mirrors.on = {{{true, true}, {true, true}, {true, false}}};
+    s.bodies = {box_surface({Vec3(0.6, -0.4, -0.3), Vec3(0.8, 0.7, 0.15)})};
+    s.threads = 1;
+    return s;
+}
+Fluid water_of(const SimulationSetup& s) { return fill_with_fluid(s, {Box{Vec3(0, 0, 0), Vec3(0.5, 0.3, 0.6)}}); }
+
+/// A stream past a box that pierces the surface, with walls that let water go.
+SimulationSetup stream() {
+    SimulationSetup s;
+    s.dp = 0.1;
+    s.state_equation.c0 = 40;
+    s.domain = {Vec3(-1, 0, -1), Vec3(1.5, 0.8, 2)};
+    s.mirrors.on = {{{false, false}, {true, true}, {true, false}}};
+    s.stream = Stream{4, 0.02, 0.5};
+    s.bodies = {box_surface({Vec3(-0.3, -0.3, -0.2), Vec3(0.3, 0.3, 0.4)})};
+    s.effects.push_back(Ventilation{});
+    s.threads = 1;
+    return s;
+}
+Fluid stream_water(const SimulationSetup& s) {
+    Box water = s.domain;
+    water.min.x() -= s.stream->buffer, water.max.x() += s.stream->buffer, water.max.z() = 0;
+    return fill_with_fluid(s, {water});
+}
+
+const Passes& emulated() { return passes("device_emulated"); }
+void put_on_device(Simulation& s) {
+    s.level(0).leave_steps_to(std::make_unique<LevelOnDevice>(s.level(0), cuda::Device::open()));
+}
+
+::testing::AssertionResult same_bits(const Particles& a, const Particles& b) {
+    if (a.size() != b.size()) return ::testing::AssertionFailure() << a.size() << " particles against " << b.size();
+    for (std::size_t i = 0; i < a.size(); ++i)
+        if (a.id[i] != b.id[i] || a.kind[i] != b.kind[i] || a.x[i] != b.x[i] || a.y[i] != b.y[i] || a.z[i] != b.z[i] ||
+            a.u[i] != b.u[i] || a.v[i] != b.v[i] || a.w[i] != b.w[i] || a.drho[i] != b.drho[i])
+            return ::testing::AssertionFailure() << "particle " << i << " differs";
+    return ::testing::AssertionSuccess();
+}
+
+void expect_the_same_run(const SimulationSetup& s, const Fluid& water, int steps) {
+    Simulation host(s, water, emulated()), device(s, water, emulated());
+    put_on_device(device);
+    for (int k = 0; k < steps; ++k) {
+        host.step(), device.step();
+        ASSERT_EQ(host.dt(), device.dt()) << "step " << k;
+        ASSERT_EQ(host.load().force, device.load().force) << "step " << k;
+        ASSERT_EQ(host.load().moment, device.load().moment) << "step " << k;
+        ASSERT_EQ(host.extremes().fastest, device.extremes().fastest) << "step " << k;
+        if (k % 20 != 7) continue;
+        PointSamples on_host, on_device;
+        on_host.places = on_device.places = {Vec3(0.05, 0.1, 0.02), Vec3(-0.31, 0.1, -0.1)};
+        host.sample(on_host), device.sample(on_device);
+        ASSERT_EQ(on_host.p, on_device.p) << "step " << k;
+    }
+    EXPECT_TRUE(same_bits(host.particles(), device.particles()));
+    EXPECT_GT(host.level(0).timers().rebuilds, 2);
+    EXPECT_NE(host.load().force.norm(), 0);
+    EXPECT_EQ(host.ledger().held, device.ledger().held);
+}
+
+TEST_F(OnDevice, AFallingColumnTakesTheStepsOfTheHostBitForBit) {
+    expect_the_same_run(dam_break(), water_of(dam_break()), 400);
+}
+
+TEST_F(OnDevice, SoDoesAStreamWithInletOutletAndAirAlongItsWalls) {
+    expect_the_same_run(stream(), stream_water(stream()), 120);
+}
+
+TEST_F(OnDevice, ParticlesThatAWallHasToHoldAreLookedAfterByTheHost) {
+    SimulationSetup s = dam_break();
+    s.bodies = {box_surface({Vec3(0.45, -0.4, -0.3), Vec3(0.8, 0.7, 0.15)})};
+    const Fluid water = fill_with_fluid(s, {Box{Vec3(0, 0, 0.3), Vec3(1, 0.3, 0.6)}});  // falls on it
+    expect_the_same_run(s, water, 300);
+    Simulation device(s, water, emulated());
+    put_on_device(device);
+    for (int k = 0; k < 300; ++k) device.step();
+    EXPECT_GT(device.ledger().held, 0);
+}
+
+TEST_F(OnDevice, ACheckpointGoesFromTheHostToADeviceAndBack) {
+    const auto file = std::filesystem::temp_directory_path() / "on_device_test.h5";
+    const SimulationSetup s = stream();
+    Simulation whole(s, stream_water(s), emulated());
+    for (int k = 0; k < 20; ++k) whole.step();
+    write_checkpoint(file, "a scene", whole, 1);
+    whole.mark_restart_point();
+    Simulation device(s, stream_water(s), emulated());
+    put_on_device(device);
+    restore(device, read_checkpoint(file, "a scene"));
+    for (int k = 0; k < 20; ++k) whole.step(), device.step();
+    EXPECT_TRUE(same_bits(whole.particles(), device.particles()));
+    write_checkpoint(file, "a scene", device, 1);
+    whole.mark_restart_point();
+    Simulation back(s, stream_water(s), emulated());
+    restore(back, read_checkpoint(file, "a scene"));
+    for (int k = 0; k < 20; ++k) whole.step(), back.step();
+    EXPECT_TRUE(same_bits(whole.particles(), back.particles()));
+    std::filesystem::remove(file);
+}
+
+TEST_F(OnDevice, WhatTheHostChangesBetweenTwoStepsCounts) {
+    const SimulationSetup s = dam_break();
+    Simulation host(s, water_of(s), emulated()), device(s, water_of(s), emulated());
+    put_on_device(device);
+    for (int k = 0; k < 5; ++k) host.step(), device.step();
+    host.particles().u[17] += 0.5f, device.particles().u[17] += 0.5f;
+    for (int k = 0; k < 5; ++k) host.step(), device.step();
+    EXPECT_TRUE(same_bits(host.particles(), device.particles()));
+}
+
+TEST_F(OnDevice, NotANumberStopsTheRunThereToo) {
+    const SimulationSetup s = dam_break();
+    Simulation device(s, water_of(s), emulated());
+    put_on_device(device);
+    device.step();
+    device.particles().u[17] = std::numeric_limits<float>::quiet_NaN();
+    try {
+        device.step();
+        FAIL() << "went on";
+    } catch (const RunError& e) {
+        EXPECT_NE(std::string(e.what()).find("not a number"), std::string::npos) << e.what();
+        EXPECT_NE(std::string(e.what()).find("water particle"), std::string::npos) << e.what();
+    }
+}
+
+std::string complaint() {
+    try {
+        cuda::Device::open();
+    } catch (const InputError& e) {
+        return e.what();
+    }
+    return {};
+}
+
+TEST_F(OnDevice, NoneOrOneThatIsTooOldIsSaid) {
+    if (real()) GTEST_SKIP() << "a real device is what it is";
+    EXPECT_EQ(cuda::Device::reason_against(), "");
+    pretend("no_device");
+    EXPECT_NE(complaint().find("the driver knows no device"), std::string::npos) << complaint();
+    pretend("old_device");
+    EXPECT_NE(complaint().find("compute capability 6.0, and 8.0 is needed"), std::string::npos) << complaint();
+    setenv("TWINWAKE_LIBCUDA", "/nowhere/libcuda.so.1", 1);
+    EXPECT_NE(complaint().find("no driver was found"), std::string::npos) << complaint();
+}
+
+TEST_F(OnDevice, TooLittleMemoryAndALostDeviceEndTheRunInWords) {
+    if (real()) GTEST_SKIP() << "a real device is what it is";
+    const SimulationSetup s = dam_break();
+    const auto what_ends = [&](const char* trouble) -> std::string {
+        pretend(trouble);
+        Simulation device(s, water_of(s), emulated());
+        put_on_device(device);
+        try {
+            for (int k = 0; k < 20; ++k) device.step();
+        } catch (const RunError& e) {
+            return e.what();
+        }
+        return {};
+    };
+    EXPECT_NE(what_ends("memory=200000").find("MB left for the particles"), std::string::npos);
+    const std::string lost = what_ends("lost_after=40");
+    EXPECT_NE(lost.find("unspecified launch failure"), std::string::npos) << lost;
+}
+
+}  // namespace on_device_test
+}  // namespace tw
