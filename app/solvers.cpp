@@ -6,10 +6,13 @@
 #include "app/machine_pace.h"
 #include "foam_cases/doctor.h"
 #include "foam_cases/run_fvm.h"
+#include "sph_solver/on_gpu.h"
 #include "sph_solver/run_sph.h"
 
 namespace tw::app {
 namespace {
+
+void refuse_gpu(const Scene& scene) { gpu_wanted(scene); }
 
 std::string openfoam_line(const Scene& scene) { return "OpenFOAM: " + openfoam_for(scene).verdict + "\n"; }
 
@@ -23,7 +26,7 @@ Prediction predict_all(const Scene& scene, double (*pace)(const std::string& met
 
 const std::vector<Solver>& solvers() {
     static const std::vector<Solver> rows{
-        {.method = "sph", .predict = predict_particles, .run = run_sph, .state = "checkpoint.h5"},
+        {.method = "sph", .predict = predict_particles, .run = run_sph, .state = "checkpoint.h5", .refuse = refuse_gpu},
         {.method = "fvm",
          .predict = predict_cells,
          .run = run_fvm,

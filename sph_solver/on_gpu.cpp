@@ -1,6 +1,8 @@
 #include "sph_solver/on_gpu.h"
 
+#include <set>
 #include <stdexcept>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -8,7 +10,6 @@
 #include "scene/refined_places.h"
 #include "sph_solver/backend/variants.h"
 #include "sph_solver/domain/schedule.h"
-#include "sph_solver/effects/registry.h"
 #include "sph_solver/simulation.h"
 #ifdef TWINWAKE_CUDA
 #include "sph_solver/levels/on_device.h"
@@ -27,11 +28,11 @@ std::string why_not_on_gpu(const Scene& scene) {
     if (!Schedule(scheme_of(scene.sph.scheme)).stages().empty())
         return fmt::format("[sph] scheme = \"{}\": only schemes of one evaluation a step are there", scene.sph.scheme);
     if (!scene.sph.gate_point.empty()) return "the spray gate: it takes particles out of the run";
-    if (scene.effect_on("air")) return "the effect air: there is one material";
-#define TW_ASKED(name) \
-    if (std::string(#name) != "ventilation" && scene.effect_on(#name)) return "the effect " #name;
-    TW_EFFECTS(TW_ASKED)
-#undef TW_ASKED
+    // those that are in the engine's own sweeps, or none of the particles' steps
+    static const std::set<std::string> there{"gravity",         "shifting",        "ventilation",
+                                             "tension_control", "compressibility", "friction"};
+    for (const EffectChoice& effect : scene.effects)
+        if (scene.effect_on(effect.name) && !there.contains(effect.name)) return "the effect " + effect.name;
     return {};
 }
 
@@ -75,9 +76,7 @@ std::string leave_steps_to_gpu(Simulation& simulation) {
 #else
 
 bool built_for_gpu() { return false; }
-std::string why_no_gpu_here() {
-    return "this twinwake was built without kernels; install clang and build it anew";
-}
+std::string why_no_gpu_here() { return "this twinwake was built without kernels; install clang and build it anew"; }
 std::string gpu_in_words() { throw InputError(why_no_gpu_here()); }
 std::string leave_steps_to_gpu(Simulation&) { throw InputError(why_no_gpu_here()); }
 
