@@ -35,7 +35,8 @@ int run_check(const CheckCommand& command, const Common& common) {
     double own = 0;
     for (const std::string& method : scene.run.methods) own += plan.seconds(method);
     const Twins twins(command.scene.file, command.scene.overrides(), "", command.threads, {});
-    say(common, to_text(scene, plan.prediction) + twins.prediction_text(own));
+    say(common, to_text(scene, plan.prediction) + twins.prediction_text(own) +
+                    "budget: none, the scene's own sizes are run; run --budget TIME chooses the finest that fit\n");
     if (Comm::built_with_mpi()) {
         const std::string why = why_not_over_ranks(scene);
         say(common, "ranks: " +

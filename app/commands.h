@@ -70,6 +70,7 @@ struct RunCommand {
     std::filesystem::path out;    ///< empty: runs/<name of the scene file>
     bool resume = false, overwrite = false;
     bool twins = true;           ///< also coarser runs, for the discretisation error
+    std::string budget;          ///< predicted time that chooses the sizes, a text with unit; empty: the scene's sizes
     bool require_agree = false;  ///< not_agreed unless every quantity agrees
     int threads = 0;
     Making making;
@@ -107,7 +108,6 @@ struct LadderCommand {
     bool overwrite = false;                       ///< run anew what another scene left in the folder
     int threads = 0;
     Making making;
-    double budget_seconds() const;  ///< throws InputError naming the option
 };
 int run_ladder(const LadderCommand& command, const Common& common);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/budget.h"
 #include "app/campaign.h"
 #include "app/ladder_jobs.h"
 #include "app/output.h"
@@ -59,7 +60,8 @@ int run_ladder(const LadderCommand& command, const Common& common) {
                                          .fill = command.fill},
                                         out);
     const std::vector<LadderJob>& jobs = plan.jobs;
-    say(common, plan_text(plan, command.budget_seconds()));
+    const double budget = budget_seconds(command.budget);
+    say(common, plan_text(plan, budget));
     if (command.plan) return done;
     const std::vector<RunRecord> measured = measured_records(command.measured);  // before hours are spent
     const Scene& scene = jobs.front().run.plan.scene;
@@ -69,12 +71,11 @@ int run_ladder(const LadderCommand& command, const Common& common) {
                                       about_text(seconds(jobs.front()))));
     };
     // before a folder is made
-    if (!fs::exists(out) &&
-        std::ranges::none_of(jobs, [&](const LadderJob& job) { return seconds(job) <= command.budget_seconds(); }))
+    if (!fs::exists(out) && std::ranges::none_of(jobs, [&](const LadderJob& job) { return seconds(job) <= budget; }))
         throw no_run_fits();
     const FolderLock lock(out);
     CampaignRules rules = rules_of(command.making, out);
-    rules.overwrite = command.overwrite, rules.budget = command.budget_seconds();
+    rules.overwrite = command.overwrite, rules.budget = budget;
     Campaign campaign(common, rules);
     const Study study{out, common.words, rules.overwrite, rules.take_finished};
     if (command.making.hand_over) return hand_over(command.making, study, campaign, runs_of(jobs), common);

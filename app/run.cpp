@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/body_outcome.h"
+#include "app/budget.h"
 #include "app/campaign.h"
 #include "app/output.h"
 #include "app/ranks.h"
@@ -53,6 +54,24 @@ std::string prediction_text(const PlannedRun& plan) {
                             about_text(cost.seconds));
     }
     return text;
+}
+
+/// What --budget chooses, or chose when the run was begun; none: it is not given.
+std::optional<PaidSizes> paid_sizes(const RunCommand& command, const SceneOverrides& overrides, const fs::path& out) {
+    if (command.budget.empty()) return {};
+    const double budget = budget_seconds(command.budget);
+    std::optional<PaidSizes> sizes;
+    if (!command.overwrite) sizes = remembered_sizes(out, budget);
+    if (sizes) return sizes;
+    LadderSizes family = sizes_of_twins(command.scene.file, overrides, command.method, command.threads);
+    if (!command.twins) family.levels = 1;
+    return sizes_for_budget(family, budget);
+}
+
+std::string budget_text(const PaidSizes& paid, double budget) {
+    return fmt::format("budget of {}: near_hull = {} m, {} times the scene's size, with all runs {}\n",
+                       time_text(budget), plain_number(paid.near_hull), plain_number(paid.scale),
+                       about_text(paid.seconds));
 }
 
 /// What lies in the run's folder of this very scene: another scene's record beside it would mislead.
@@ -130,11 +149,14 @@ int run_together(const PlannedRun& plan, const RunCommand& command, const Common
 }  // namespace
 
 int run_run(const RunCommand& command, const Common& common) {
-    const PlannedRun plan = plan_run({command.scene.file, command.scene.overrides(), command.method, command.threads});
+    const fs::path out = command.out.empty() ? fs::path("runs") / command.scene.file.stem() : command.out;
+    SceneOverrides overrides = command.scene.overrides();
+    const std::optional<PaidSizes> paid = paid_sizes(command, overrides, out);
+    if (paid) overrides.scale_resolution = paid->scale;
+    const PlannedRun plan = plan_run({command.scene.file, overrides, command.method, command.threads});
     const Scene& scene = plan.scene;
     const std::vector<std::string> methods = methods_of(scene);
 
-    const fs::path out = command.out.empty() ? fs::path("runs") / command.scene.file.stem() : command.out;
     if (Comm::world().many()) return run_together(plan, command, common, out);
     if (command.ranks > 1) {
         refuse_unshared(scene, command, command.ranks);
@@ -143,16 +165,17 @@ int run_run(const RunCommand& command, const Common& common) {
     }
     for (const std::string& method : methods) refuse_taken(out / method, method, command);
     std::optional<Twins> twins;
-    if (command.twins)
-        twins.emplace(command.scene.file, command.scene.overrides(), command.method, command.threads, out / "twins");
+    if (command.twins) twins.emplace(command.scene.file, overrides, command.method, command.threads, out / "twins");
     if (twins && !command.overwrite) twins->refuse_others();
     if (!command.making.hand_over && !command.making.collect) say(common, ready_text(methods, scene));
     double own = 0;
     for (const std::string& method : methods) own += plan.seconds(method);
-    say(common, fmt::format("{}\n{}{}results in {}\n", scene.title, prediction_text(plan),
+    say(common, fmt::format("{}\n{}{}{}results in {}\n", scene.title,
+                            paid ? budget_text(*paid, budget_seconds(command.budget)) : "", prediction_text(plan),
                             twins ? twins->prediction_text(own) : "", out.string()));
 
     const FolderLock lock(out);
+    if (paid) remember(*paid, budget_seconds(command.budget), out);
     CampaignRules rules = rules_of(command.making, out);
     rules.overwrite = command.overwrite, rules.take_finished = !command.overwrite;
     Campaign campaign(common, rules);

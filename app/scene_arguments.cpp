@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "app/commands.h"
 #include "base/errors.h"
@@ -37,14 +36,6 @@ void refuse_unknown_effect(const std::string& option, const std::string& name) {
     if (std::ranges::find(known, name) != known.end()) return;
     throw InputError(fmt::format("{}: there is no effect '{}'; expected one of: {}{}", option, name,
                                  fmt::join(known, ", "), did_you_mean(name, known)));
-}
-
-double LadderCommand::budget_seconds() const {
-    std::optional<double> seconds;
-    read("--budget", budget, "s", seconds);
-    if (seconds && !(*seconds > 0))
-        throw InputError(fmt::format("--budget {}: expected a time above 0, e.g. 2h", budget));
-    return seconds.value_or(std::numeric_limits<double>::infinity());
 }
 
 SceneOverrides SceneArguments::overrides() const {

@@ -192,9 +192,17 @@ void run_options(CLI::App& c, RunCommand& run) {
                "known of the discretisation error, and there is no verdict");
     add_require_agree(c, run.require_agree, "agree: exit status 4 unless every quantity agrees; needs the twins");
     add_threads(c, run.threads);
-    c.add_option("--ranks", run.ranks,
-                 "share the particles among so many processes (MPI), each with its threads; the same bits as one")
-        ->check(CLI::Range(1, 65535));
+    CLI::Option* ranks =
+        c.add_option("--ranks", run.ranks,
+                     "share the particles among so many processes (MPI), each with its threads; the same bits as one")
+            ->check(CLI::Range(1, 65535));
+    CLI::Option* budget = c.add_option("--budget", run.budget,
+                                       "choose the sizes: the finest, or the coarser ones, whose runs all together are "
+                                       "predicted to take at most this time, e.g. 5min (the scene's own sizes, however "
+                                       "long they take)")
+                              ->type_name("TIME")
+                              ->excludes(ranks);
+    for (const char* size : {"--scale", "--near-hull", "--spacing"}) budget->excludes(c.get_option(size));
 }
 
 void compare_options(CLI::App& c, CompareCommand& compare) {

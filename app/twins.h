@@ -8,8 +8,12 @@
 
 namespace tw::app {
 
-/// Coarser runs of the very same scene, sqrt 2 and 2 times its sizes, and one in a wider box: with the scene's own run
-/// they are a ladder of three sizes, which tells the discretisation error. They leave no snapshots.
+/// The runs that `run` makes: the scene's own size, sqrt 2 and 2 times its sizes, and one in a wider box.
+LadderSizes sizes_of_twins(const std::filesystem::path& file, const SceneOverrides& overrides,
+                           const std::string& method, int threads);
+
+/// Those but for the scene's own: with it they are a ladder of three sizes, which tells the discretisation error. They
+/// leave no snapshots.
 class Twins {
 public:
     /// `method`: as for plan_run. Their folders are `out`/near_hull_.../METHOD. Nothing is thrown for a size that the

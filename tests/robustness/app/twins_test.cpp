@@ -1,5 +1,8 @@
 // `twinwake run` with coarser twins, as a user meets it.
+#include <fmt/format.h>
+
 #include <chrono>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -117,6 +120,52 @@ TEST_F(Command, OpenWaterHasARunInAWiderBoxAndATankHasNone) {
     EXPECT_TRUE(has(ladder.out, "box x 1.5")) << ladder.out;
     write("tank.toml", column);
     EXPECT_FALSE(has(twinwake({"ladder", "tank.toml", "--levels", "2", "--plan"}).out, "box"));
+}
+
+TEST_F(Command, ABudgetChoosesTheFinestSizesThatFit) {
+    write("column.toml", column);
+    const double own =
+        nlohmann::json::parse(twinwake({"check", "column.toml", "--json", "-"}).out)["predicted"]["sph"]["seconds"];
+    const double step = std::pow(2, 0.125);
+    const auto sizes_for = [&](double budget) {  // without making the run
+        twinwake({"run", "column.toml", "--no-twins", "--budget", fmt::format("{} s", budget), "--out",
+                  fmt::format("{}", budget), "--collect", "-q"});
+        return nlohmann::json::parse(content(folder_ / fmt::format("{}", budget) / "sizes.json"));
+    };
+    EXPECT_NEAR(double(sizes_for(1.05 * own)["scale"]), 1, 1e-9);
+    EXPECT_NEAR(double(sizes_for(0.95 * own)["scale"]), step, 1e-9);
+    const auto finer = sizes_for(5 * own);
+    EXPECT_LT(double(finer["scale"]), 1 / step);
+    EXPECT_LT(double(finer["seconds"]), 5 * own);
+    EXPECT_GT(double(finer["seconds"]), 5 * own / 1.5);
+    const Outcome none = twinwake({"run", "column.toml", "--budget", "1 us"});
+    EXPECT_EQ(none.status, 2);
+    EXPECT_TRUE(has(none.err, "no sizes that the scene allows fit")) << none.err;
+}
+
+TEST_F(Command, ARunWithABudgetGoesOnAtTheSizesItBeganWith) {
+    write("column.toml", column);
+    fs::create_directory(folder_ / "out");
+    // as if the machine had been thought slower then
+    write("out/sizes.json", R"({"budget": 3600, "scale": 1.25, "near_hull": 0.025, "seconds": 1})");
+    const auto run = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words{"run", "column.toml", "--no-twins", "--threads", "1", "--json", "facts.json"};
+        words.insert(words.end(), more.begin(), more.end());
+        return twinwake(words);
+    };
+    const auto particles = [&] {
+        return nlohmann::json::parse(content(folder_ / "facts.json"))["runs"][0]["elements"];
+    };
+    const Outcome other = run({"--out", "out", "--budget", "2h"});
+    EXPECT_EQ(other.status, 2);
+    EXPECT_TRUE(has(other.err, "chosen for --budget 60 min")) << other.err;
+    const Outcome o = run({"--out", "out", "--budget", "1h"});
+    ASSERT_EQ(o.status, 0) << o.err;
+    EXPECT_TRUE(has(o.out, "near_hull = 0.025 m, 1.25 times the scene's size")) << o.out;
+    const double with_budget = particles();
+    ASSERT_EQ(run({"--out", "same", "--scale", "1.25"}).status, 0);
+    EXPECT_EQ(with_budget, particles());
+    EXPECT_GT(with_budget, 0);
 }
 
 }  // namespace twins_test

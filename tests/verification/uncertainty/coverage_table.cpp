@@ -57,10 +57,19 @@ std::vector<Part> parts_of_manufactured() {
 ReportTable table_of_more_sizes() {
     ReportTable table{"More sizes, 2^(k/2)",
                       {words("k"), numbers("cost"), words("noise 0"), words("0.3"), words("1"), words("3")}};
-    const std::vector<std::vector<double>> exponents{
-        {0, 1, 2},        {0, 1, 1.5, 2},         {0, 1, 4. / 3, 5. / 3, 2},
-        {0, 1, 2, 3},     {0, 1, 1.5, 2, 2.5, 3}, {0, 0.5, 1, 1.5, 2, 2.5, 3},
-        {-1, 0, 1, 2, 3}, {0, 1, 2, 3, 4},        {0, 1, 1.5, 2, 2.5, 3, 3.5, 4}};
+    const std::vector<std::vector<double>> exponents{{0, 1, 2},
+                                                     {0, 1, 1.5, 2},
+                                                     {0, 1, 4. / 3, 5. / 3, 2},
+                                                     {0, 1, 2, 2.5, 3},
+                                                     {0, 1, 1.5, 2, 3},
+                                                     {0, 0.5, 1, 1.5, 2},
+                                                     {0, 1, 2, 3},
+                                                     {0, 1, 1.5, 2, 2.5, 3},
+                                                     {0, 0.5, 1, 1.5, 2, 2.5, 3},
+                                                     {-1, 0, 1, 2, 3},
+                                                     {0, 1, 2, 3, 4},
+                                                     {0, 1, 2, 2.5, 3, 3.5, 4},
+                                                     {0, 1, 1.5, 2, 2.5, 3, 3.5, 4}};
     for (const std::vector<double>& ks : exponents) {
         std::vector<double> x;
         double cost = 0;
