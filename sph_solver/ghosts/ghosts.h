@@ -22,6 +22,11 @@ public:
     /// Which particles have images within `reach` [m] of a plane, in the order of the columns.
     void find(const Particles& particles, const ColumnGrid& grid, double reach);
 
+    /// Those that a device has found.
+    void take(std::vector<Link> links, std::vector<std::int32_t> start) {
+        links_ = std::move(links), start_ = std::move(start);
+    }
+
     /// Gives the images what they have of their sources at time `t`, each quantity by its law: their places, and of
     /// `fields`, which are quantities of `particles`, those that the level has.
     template <class... Fields>
@@ -84,8 +89,8 @@ void Ghosts::refresh(Particles& p, double t, Fields&... fields) const {
     }
     const FrameForce frame = around_.force(t);
     all([&](std::size_t i, const V3<double>& step) {
-        const Vec3 g = frame.at(Vec3(p.x[i], p.y[i], p.z[i]) + Vec3(step.x, step.y, step.z) / 2,
-                                Vec3(p.u[i], p.v[i], p.w[i]));
+        const Vec3 g =
+            frame.at(Vec3(p.x[i], p.y[i], p.z[i]) + Vec3(step.x, step.y, step.z) / 2, Vec3(p.u[i], p.v[i], p.w[i]));
         return line_under({g.x(), g.y(), g.z()}, step);
     });
 }

@@ -4,9 +4,8 @@ namespace tw {
 
 namespace {
 
-constexpr unsigned low = 1, high = 2, moved = 4;
+constexpr unsigned low = ImagesNear::low, high = ImagesNear::high, moved = ImagesNear::moved;
 
-unsigned number(unsigned on_axis, std::size_t axis) { return on_axis << (3 * axis); }
 unsigned on_axis(std::size_t number, std::size_t axis) { return static_cast<unsigned>(number >> (3 * axis)) & 7u; }
 
 }  // namespace
@@ -36,32 +35,23 @@ LinkMaps::LinkMaps(const Mirrors& mirrors, const Box& domain, const Quanta& quan
     }
 }
 
+Faces faces_of(const Mirrors& mirrors, const Box& domain) {
+    Faces f;
+    for (std::size_t a = 0; a < 3; ++a) {
+        f.low[a] = domain.min[static_cast<int>(a)], f.high[a] = domain.max[static_cast<int>(a)];
+        f.periodic[a] = mirrors.periodic[a];
+        for (std::size_t side = 0; side < 2; ++side) f.mirror[a][side] = mirrors.on[a][side];
+    }
+    return f;
+}
+
 std::vector<Link> find_images(const Mirrors& mirrors, const Box& domain, const Particles& p, double reach) {
     std::vector<Link> images;
-    const std::vector<double>* coordinate[3] = {&p.x, &p.y, &p.z};
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        unsigned choices[3][3], count[3];
-        for (std::size_t a = 0; a < 3; ++a) {
-            const double x = (*coordinate[a])[i];
-            choices[a][0] = 0;
-            count[a] = 1;
-            const auto axis = static_cast<int>(a);
-            const bool near_low = x - domain.min[axis] < reach, near_high = domain.max[axis] - x < reach;
-            if (mirrors.periodic[a]) {
-                if (near_high) choices[a][count[a]++] = low | moved;
-                if (near_low) choices[a][count[a]++] = high | moved;
-                continue;
-            }
-            if (mirrors.on[a][0] && near_low) choices[a][count[a]++] = low;
-            if (mirrors.on[a][1] && near_high) choices[a][count[a]++] = high;
-        }
-        for (unsigned c = 0; c < count[2]; ++c)
-            for (unsigned b = 0; b < count[1]; ++b)
-                for (unsigned a = 0; a < count[0]; ++a) {
-                    const unsigned map = number(choices[0][a], 0) | number(choices[1][b], 1) | number(choices[2][c], 2);
-                    if (map) images.push_back({static_cast<std::int32_t>(i), static_cast<std::uint16_t>(map)});
-                }
-    }
+    const ImagesNear near{faces_of(mirrors, domain), reach};
+    for (std::size_t i = 0; i < p.size(); ++i)
+        near(p.x[i], p.y[i], p.z[i], [&](unsigned number) {
+            images.push_back({static_cast<std::int32_t>(i), static_cast<std::uint16_t>(number)});
+        });
     return images;
 }
 

@@ -1,30 +1,31 @@
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
+#include "base/vec3.h"
 #include "sph_solver/loops/move.h"
 
 namespace tw {
 
-/// The steps of a level that a device makes. Particles, records and lists stay there from one making of the lists to the
-/// next; then the state comes home, and the host sorts, finds neighbours and asks the walls, as it does without a device.
-/// What is asked of the level in between comes home when it is asked for.
+/// The steps of a level that a device makes. Particles, records and lists stay there; what is asked of the level comes
+/// home when it is asked for.
 class DeviceSteps {
 public:
     virtual ~DeviceSteps() = default;
 
-    /// What the host has of the state, or of all, is that of the device from now on.
-    virtual void bring_state_home() = 0;
+    /// What the host has is that of the device from now on.
     virtual void bring_all_home() = 0;
     virtual void bring_home(const std::vector<std::size_t>& particles) = 0;  ///< what Move changes of these
-    /// What the host has counts: it has changed the state of particles, or all particles, and lists follow.
+    /// What the host has counts from now on: it has changed the state of particles, or has others.
     virtual void note_changed_state() = 0;
-    virtual void forget() = 0;
-    /// The host has made the lists anew.
-    virtual void take_lists() = 0;
 
-    /// Records of who is where now, and lists that hold for a drift of `drift` [s].
+    /// Records of who is where now, and lists, anew or as they are, that hold for a drift of `drift` [s].
+    virtual void make_lists(double drift) = 0;
     virtual void refresh(double drift) = 0;
+    /// Middle of the k-th of the level's groups, which are those at walls [m].
+    virtual Vec3 centre_of_group(std::size_t k) const = 0;
+    virtual std::int64_t live_pairs() const = 0;  ///< that the sweeps visit
     virtual void first_sweep(double compress, double drift) = 0;
     /// Leaves the loads of the groups at walls with the host.
     virtual void second_sweep(double t) = 0;

@@ -271,6 +271,8 @@ StepView Level::step_view(double t) {
 
 void Level::gather_loads(const Vec3& moment_reference) {
     const auto arm = [&](const Group& g) {
+        if (device_)
+            return Vec3(device_->centre_of_group(static_cast<std::size_t>(&g - groups_.data())) - moment_reference);
         const auto i = static_cast<std::size_t>(g.first);
         return Vec3(Vec3(quanta_.metres(g.x, 0, particles_.x[i]), quanta_.metres(g.y, 1, particles_.y[i]),
                          quanta_.metres(g.z, 2, particles_.z[i])) -
@@ -318,6 +320,7 @@ std::int64_t Level::live_pairs(const Group& g) const {
 }
 
 double Level::visited_per_particle() const {
+    if (device_) return double(device_->live_pairs()) / double(particles_.size());
     double pairs = 0;
     for (const Group& g : groups_) pairs += double(live_pairs(g) * g.size);
     return pairs / double(particles_.size());
@@ -341,13 +344,13 @@ void Level::restore(const State& s, Particles particles) {
     particles.bring_all_of(particles_);  // what is not saved is made anew where it is asked for
     particles_ = std::move(particles);
     begin_whole();
-    if (device_) device_->forget();
+    if (device_) device_->note_changed_state();
     start_anew();
 }
 
 void Level::keep_only(const std::vector<std::int32_t>& staying, std::int64_t active) {
     ledger_.out += active;
-    if (device_) device_->bring_state_home(), device_->forget();
+    particles();
     particles_.reorder(staying);
     start_anew();
 }

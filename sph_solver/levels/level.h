@@ -217,6 +217,13 @@ private:
     void rebuild(double drift);
     void prune(double drift);
     void find_normals();
+    /// How far lists that are made now look among particles, and between those and walls [m].
+    struct ReachesOfLists {
+        Reaches among, to_walls;
+    };
+    ReachesOfLists reaches_of_lists(double drift) const;
+    double reach_of_normals() const { return 2 * kernel_.support() + setup_.dp; }  ///< of `find_normals` [m]
+    [[noreturn]] void fail_through_wall(std::optional<std::size_t> particle);
     void update_records();
     void mark_surface();
     /// Distance from which a neighbour may come within the support during `drift` [s] [m].

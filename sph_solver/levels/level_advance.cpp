@@ -142,17 +142,17 @@ Level::Struck Level::advance(const Schedule::Move& move, const Vec3& moment_refe
             // what stands for another level's water is kept out of solids as well: it may become active there
             if (!p.wall_normal.empty() && p.kind[i] != Kind::inlet && p.kind[i] != Kind::outlet) {
                 WallNormalRecord& r = p.wall_normal[i];
-                r.distance +=
-                    static_cast<float>(drift * leaving(i, Vec3(along.x, along.y, along.z)) + shift.x * r.x +
-                                       shift.y * r.y + shift.z * r.z);
+                r.distance += static_cast<float>(drift * leaving(i, Vec3(along.x, along.y, along.z)) + shift.x * r.x +
+                                                 shift.y * r.y + shift.z * r.z);
                 if (r.distance < held_at_wall_over_dp * s.dp) hold(i, part);
             }
             move_on.note(i, part);
             if (control_ && owns(i)) {
                 // momentum of what crosses a face, with the velocity in the middle of the step
                 const double crossing = control_->share(p.x[i], p.y[i], p.z[i]) - was_inside;
-                if (crossing != 0) part.crossed += crossing * Vec3((u0 + double(p.u[i])) / 2, (v0 + double(p.v[i])) / 2,
-                                                                  (w0 + double(p.w[i])) / 2);
+                if (crossing != 0)
+                    part.crossed += crossing * Vec3((u0 + double(p.u[i])) / 2, (v0 + double(p.v[i])) / 2,
+                                                    (w0 + double(p.w[i])) / 2);
             }
             if (part.broken) break;
         }

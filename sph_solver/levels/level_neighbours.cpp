@@ -22,15 +22,14 @@ double Level::wall_travel_ahead() const { return life_.wall_travel + schedule_.l
 
 void Level::refresh(double drift) {
     if (life_.over) {
-        if (device_) {
-            const Stopwatch watch(timers_.lists);
-            device_->bring_state_home();
-        }
-        rebuild(drift);
-        if (device_) {
-            const Stopwatch watch(timers_.lists);
-            device_->take_lists();
-        }
+        const Stopwatch watch(timers_.lists);
+        ++timers_.rebuilds;
+        if (device_)
+            device_->make_lists(drift);
+        else
+            rebuild(drift);
+        life_.travel = life_.travel_in_stream = life_.wall_travel = 0;
+        life_.over = false;
         return;
     }
     walls_.follow(quanta_);
@@ -44,8 +43,7 @@ void Level::refresh(double drift) {
 
 void Level::update_records() {
     Particles& p = particles_;
-    for_particles(p.size(),
-                  UpdateRecords{state_view(), to_quanta(), p.place.data(), p.velocity_density.data()});
+    for_particles(p.size(), UpdateRecords{state_view(), to_quanta(), p.place.data(), p.velocity_density.data()});
     ghosts_.refresh(p, time_, p.velocity_density);
 }
 
@@ -67,10 +65,17 @@ std::vector<Source> Level::sources() const {
             {&grid_, particles_.place.data() + n, &ghosts_.start(), static_cast<std::int32_t>(n)}};
 }
 
+Level::ReachesOfLists Level::reaches_of_lists(double drift) const {
+    const double support = kernel_.support();
+    const auto reaches = [&](double now, double slack) {
+        return Reaches{std::max(support + slack, now), now, support - slack};
+    };
+    return {reaches(reach_among(drift), ListLife::skin_over_dp * setup_.dp),
+            reaches(reach_to_walls(drift), ListLife::wall_skin_over_dp * setup_.dp)};
+}
+
 /// Makes the lists anew, live as `prune` leaves them.
 void Level::rebuild(double drift) {
-    const Stopwatch watch(timers_.lists);
-    ++timers_.rebuilds;
     const LevelSetup& s = setup_;
     Particles& p = particles_;
 
@@ -86,12 +91,7 @@ void Level::rebuild(double drift) {
         if (!gone[i]) index.push_back(static_cast<std::int32_t>(i));
     ledger_.out += static_cast<std::int64_t>(p.size() - index.size());
 
-    const double support = kernel_.support();
-    const auto reaches = [&](double now, double slack) {
-        return Reaches{std::max(support + slack, now), now, support - slack};
-    };
-    const Reaches among = reaches(reach_among(drift), ListLife::skin_over_dp * s.dp),
-                  to_walls = reaches(reach_to_walls(drift), ListLife::wall_skin_over_dp * s.dp);
+    const auto [among, to_walls] = reaches_of_lists(drift);
     const double reach = std::max(among.far, to_walls.far);
     if (shared) {
         agree_on_crossings(before, entered);
@@ -126,8 +126,6 @@ void Level::rebuild(double drift) {
         walls_.find_neighbours(passes_, grid_, quanta_, groups_, own, to_walls, own_columns());
         find_normals();
     }
-    life_.travel = life_.travel_in_stream = life_.wall_travel = 0;
-    life_.over = false;
 }
 
 void Level::note_wall(std::size_t i, const Walls::Nearest& near) {
@@ -138,7 +136,7 @@ void Level::note_wall(std::size_t i, const Walls::Nearest& near) {
 }
 
 void Level::find_normals() {
-    const double reach = 2 * kernel_.support() + setup_.dp;
+    const double reach = reach_of_normals();
     const Particles& p = particles_;
     for_groups(groups_, [&](const Group& g) {
         for (int l = 0; l < g.size; ++l) {
@@ -155,7 +153,10 @@ void Level::find_normals() {
     std::optional<std::size_t> through;
     for (std::size_t i = p.size(); i-- > 0 && !through;)
         if (double(p.wall_normal[i].distance) < -setup_.dp && is_active(p.kind[i])) through = i;
-    if (!ranks().sum(std::int64_t{through.has_value()})) return;
+    if (ranks().sum(std::int64_t{through.has_value()})) fail_through_wall(through);
+}
+
+void Level::fail_through_wall(std::optional<std::size_t> through) {
     ++ledger_.lost;
     fail_together({through, through ? -column_of(*through) : 0,
                    "has gone through the hull; often a wall thinner than the kernel's support 2 h, or a spacing too "

@@ -23,6 +23,7 @@ constexpr double largest_imbalance = 1.05;
 const Comm& Level::ranks() const { return around_.ranks ? *around_.ranks : Comm::alone(); }
 
 std::int32_t Level::column_of(std::size_t i) const {
+    if (device_) return 0;  // it is asked for where ranks differ, and there are none
     const auto after = std::upper_bound(start_.begin(), start_.end(), static_cast<std::int32_t>(i));
     return static_cast<std::int32_t>(after - start_.begin()) - 1;
 }

@@ -5,34 +5,11 @@
 #include "sph_solver/backend/cuda/tasks.h"
 #include "sph_solver/effects/ventilation.h"
 #include "sph_solver/levels/level.h"
+#include "sph_solver/levels/lists_on_device.h"
 
 namespace tw {
 
 namespace {
-
-/// Neighbour lists on the device, as those of the host.
-class DeviceLists {
-public:
-    explicit DeviceLists(cuda::Device& device) : blocks_(device), starts_(device) {}
-    void take(const NeighbourLists& lists) {
-        std::vector<NeighbourBlock> all;
-        std::vector<std::size_t> first;
-        for (const auto& chunk : lists.chunks()) {
-            first.push_back(all.size());
-            all.insert(all.end(), chunk.begin(), chunk.end());
-        }
-        blocks_.take(all);
-        std::vector<NeighbourBlock*> starts;
-        for (const std::size_t at : first) starts.push_back(blocks_.data() + at);
-        starts_.take(starts);
-    }
-    Lists view() const { return {starts_.data()}; }
-    std::size_t bytes() const { return blocks_.bytes() + starts_.bytes(); }
-
-private:
-    cuda::Array<NeighbourBlock> blocks_;
-    cuda::Array<NeighbourBlock*> starts_;
-};
 
 template <class T>
 T* or_null(const cuda::Array<T>& array) {
@@ -43,10 +20,28 @@ T* or_null(const cuda::Array<T>& array) {
 
 struct LevelOnDevice::Arrays {
     cuda::Device& device;
-    cuda::Array<double> x{device}, y{device}, z{device};
-    cuda::Array<float> u{device}, v{device}, w{device}, drho{device};
-    cuda::Array<Kind> kind{device};
-    cuda::Array<Aired> aired{device};
+    /// What stays with a particle.
+    struct State {
+        cuda::Array<double> x, y, z;
+        cuda::Array<float> u, v, w, drho;
+        cuda::Array<std::int64_t> id;
+        cuda::Array<Kind> kind;
+        cuda::Array<Aired> aired;
+        explicit State(cuda::Device& d) : x(d), y(d), z(d), u(d), v(d), w(d), drho(d), id(d), kind(d), aired(d) {}
+
+        template <class Function>
+        void each(const Function& f) {
+            f(x), f(y), f(z), f(u), f(v), f(w), f(drho), f(id), f(kind), f(aired);
+        }
+        void swap(State& other) {
+            x.swap(other.x), y.swap(other.y), z.swap(other.z);
+            u.swap(other.u), v.swap(other.v), w.swap(other.w), drho.swap(other.drho);
+            id.swap(other.id), kind.swap(other.kind), aired.swap(other.aired);
+        }
+        StateView view() const { return {x.data(), y.data(), z.data(), u.data(), v.data(), w.data(), drho.data()}; }
+        std::size_t size() const { return x.size(); }
+    };
+    State p{device}, sorted{device};
     cuda::Array<PlaceRecord> place{device};
     cuda::Array<VelocityDensityRecord> motion{device};
     cuda::Array<GradientPressureRecord> stress{device};
@@ -56,21 +51,32 @@ struct LevelOnDevice::Arrays {
     cuda::Array<WallNormalRecord> wall_normal{device};
     cuda::Array<LeavingRecord> wall_leaving{device};
 
-    cuda::Array<Link> links{device};
+    // who stands where
+    cuda::Bins bins;
+    RunningSum entered{device}, images{device}, groups_before{device};
+    cuda::Array<int> gone{device}, column{device};  ///< of particles; of groups
+    cuda::Array<std::uint8_t> left{device};
+    cuda::Array<WidePlace> wide{device};
+    SortedOnDevice order{device, bins}, image_order{device, bins};
+    cuda::Array<Link> found{device}, links{device};
     cuda::Array<LinkMap> maps{device};
     cuda::Array<Group> groups{device};
-    DeviceLists lists{device};
+    ListsOnDevice lists{device}, wall_lists{device};
 
     cuda::Array<PlaceRecord> wall_place{device};
     cuda::Array<float> wall_p{device};
     cuda::Array<std::int32_t> body_end{device};
     cuda::Array<WallLoad> wall_load{device};
-    DeviceLists wall_lists{device};
-    /// The dummies of one body that have water near.
+    RunningSum loads{device}, at_wall{device};
+    cuda::Array<cuda::GroupAtWall> groups_at_walls{device};
+    cuda::Array<cuda::NearWall> near_walls{device};
+    cuda::Array<cuda::WallFound> walls_found{device};
+    /// The dummies of one body.
     struct Part {
         std::size_t first;
+        cuda::Array<int> start, column;
         cuda::Array<Group> groups;
-        DeviceLists lists;
+        ListsOnDevice lists;
     };
     std::vector<Part> parts;
 
@@ -82,36 +88,60 @@ struct LevelOnDevice::Arrays {
     cuda::Array<std::int32_t> too_near{device}, fetched{device};
     cuda::Array<cuda::HeldParticle> held{device};
 
-    explicit Arrays(cuda::Device& d) : device(d) {}
+    Arrays(cuda::Device& d, const cuda::Bins& of_columns) : device(d), bins(of_columns) {}
 
-    StateView state() const { return {x.data(), y.data(), z.data(), u.data(), v.data(), w.data(), drho.data()}; }
-    /// Calls `f(array)` for each but those of `parts`.
-    template <class Function>
-    void each(const Function& f) const {
-        f(x), f(y), f(z), f(u), f(v), f(w), f(drho), f(kind), f(aired), f(place), f(motion), f(stress), f(shift);
-        f(rate), f(surface), f(wall_normal), f(wall_leaving), f(links), f(maps), f(groups), f(lists), f(wall_place);
-        f(wall_p), f(body_end), f(wall_load), f(wall_lists), f(air_stays), f(air_near), f(asking), f(count);
-        f(extremes), f(too_near), f(fetched), f(held);
+    double bytes() {
+        double sum = 0;
+        const auto add = [&](const auto&... array) { ((sum += double(array.bytes())), ...); };
+        p.each(add), sorted.each(add);
+        add(place, motion, stress, shift, rate, surface, wall_normal, wall_leaving, entered, images, groups_before,
+            gone, column, left, wide, order, image_order, found, links, maps, groups, lists, wall_lists, wall_place,
+            wall_p, body_end, wall_load, loads, at_wall, groups_at_walls, near_walls, walls_found, air_stays, air_near,
+            asking, count, extremes, too_near, fetched, held);
+        for (const Part& part : parts) add(part.start, part.column, part.groups, part.lists);
+        return sum;
     }
 };
 
+namespace {
+
+/// Columns in bins of eight spacings: some 32 particles each.
+cuda::Bins bins_of(const ColumnGrid& grid, double dp, const Quanta& quanta) {
+    const auto height = static_cast<std::int64_t>(8 * dp / quanta.size);
+    return {grid, height, static_cast<int>(grid.height / height) + 1};
+}
+
+void set_origin(double (&to)[3], const Quanta& quanta) {
+    for (int a = 0; a < 3; ++a) to[a] = quanta.origin[a];
+}
+
+}  // namespace
+
 LevelOnDevice::LevelOnDevice(Level& level, std::shared_ptr<cuda::Device> device)
-    : level_(level), device_(std::move(device)), on_(std::make_unique<Arrays>(*device_)) {
+    : level_(level),
+      device_(std::move(device)),
+      on_(std::make_unique<Arrays>(*device_, bins_of(level.grid_, level.setup_.dp, level.quanta_))) {
+    cuda::Device& d = *device_;
+    Walls& walls = level_.walls_;
     on_->maps.take(level_.ghosts_.maps());
-    on_->body_end.take(level_.walls_.body_end());
-    on_->wall_place.take(level_.walls_.places());
-    for (const Walls::Part& part : level_.walls_.parts())
-        on_->parts.push_back({part.first, cuda::Array<Group>(*device_), DeviceLists(*device_)});
     on_->count.resize(1);
+    on_->body_end.take(walls.body_end());
+    on_->wall_place.take(walls.places());
+    on_->wall_p.resize(walls.size());
+    if (walls.empty()) return;
+    for (const Walls::Part& part : walls.parts()) {
+        std::vector<int> column;
+        for (std::size_t g = 0, c = 0; g < part.groups.size(); ++g) {
+            while (part.start[c + 1] <= part.groups[g].first) ++c;
+            column.push_back(static_cast<int>(c));
+        }
+        Arrays::Part& on = on_->parts.emplace_back(Arrays::Part{part.first, cuda::Array<int>(d), cuda::Array<int>(d),
+                                                                cuda::Array<Group>(d), ListsOnDevice(d)});
+        on.start.take(part.start), on.column.take(column), on.groups.take(part.groups);
+    }
 }
 
 LevelOnDevice::~LevelOnDevice() = default;
-
-template <class Task>
-void LevelOnDevice::start(const char* kernel, const Task& task, std::size_t count) {
-    void* const arguments[] = {const_cast<Task*>(&task), &count};
-    device_->launch(kernel, count, arguments);
-}
 
 template <class View>
 void LevelOnDevice::sweep(const char* kernel, const View& view, const cuda::Array<Group>& groups) {
@@ -123,78 +153,246 @@ void LevelOnDevice::sweep(const char* kernel, const View& view, const cuda::Arra
 
 // --- from and to the host ---------------------------------------------------------------------------------------------
 
-void LevelOnDevice::bring_state_home() {
-    if (state_is_home_) return;
+void LevelOnDevice::take_state() {
     Particles& p = level_.particles_;
-    on_->x.give(p.x), on_->y.give(p.y), on_->z.give(p.z);
-    on_->u.give(p.u), on_->v.give(p.v), on_->w.give(p.w), on_->drho.give(p.drho);
-    on_->aired.give(p.aired);
-    state_is_home_ = true;
+    Arrays::State& on = on_->p;
+    on.x.take(p.x), on.y.take(p.y), on.z.take(p.z);
+    on.u.take(p.u), on.v.take(p.v), on.w.take(p.w), on.drho.take(p.drho);
+    on.id.take(p.id), on.kind.take(p.kind), on.aired.take(p.aired);
+    host_counts_ = false;
 }
 
 void LevelOnDevice::bring_all_home() {
-    bring_state_home();
-    if (all_is_home_) return;
-    Particles& p = level_.particles_;
-    on_->place.give(p.place), on_->motion.give(p.velocity_density), on_->stress.give(p.gradient_pressure);
-    on_->shift.give(p.shift_support), on_->rate.give(p.rate), on_->surface.give(p.surface);
-    on_->wall_normal.give(p.wall_normal), on_->wall_leaving.give(p.wall_leaving);
-    on_->wall_p.give(level_.walls_.pressures());
-    all_is_home_ = true;
-}
-
-void LevelOnDevice::take_state() {
+    if (home_ || host_counts_) return;
     Particles& p = level_.particles_;
     Arrays& on = *on_;
-    on.x.take(p.x), on.y.take(p.y), on.z.take(p.z);
-    on.u.take(p.u), on.v.take(p.v), on.w.take(p.w), on.drho.take(p.drho);
-    on.kind.take(p.kind), on.aired.take(p.aired);
-    state_changed_ = false;
+    on.p.x.give(p.x), on.p.y.give(p.y), on.p.z.give(p.z);
+    on.p.u.give(p.u), on.p.v.give(p.v), on.p.w.give(p.w), on.p.drho.give(p.drho);
+    on.p.id.give(p.id), on.p.kind.give(p.kind), on.p.aired.give(p.aired);
+    on.place.give(p.place), on.motion.give(p.velocity_density), on.stress.give(p.gradient_pressure);
+    on.shift.give(p.shift_support), on.rate.give(p.rate), on.surface.give(p.surface);
+    on.wall_normal.give(p.wall_normal), on.wall_leaving.give(p.wall_leaving);
+    on.wall_p.give(level_.walls_.pressures());
+    if (!order_is_home_) {
+        on.order.give_start(level_.start_);
+        std::vector<Link> links(on.links.size());
+        on.links.give(links);
+        std::vector<std::int32_t> start;
+        on.image_order.give_start(start);
+        level_.ghosts_.take(std::move(links), std::move(start));
+    }
+    home_ = order_is_home_ = true;
 }
 
-void LevelOnDevice::take_lists() {
-    Particles& p = level_.particles_;
-    const std::size_t n = p.size();
+std::int64_t LevelOnDevice::live_pairs() const {
+    // groups are full but for the last of each column
+    return cuda::lanes_of_group * (on_->lists.live() + on_->wall_lists.live());
+}
+
+double LevelOnDevice::bytes() const { return on_->bytes(); }
+
+// --- lists --------------------------------------------------------------------------------------------------------------
+
+void LevelOnDevice::make_lists(double drift) {
     Arrays& on = *on_;
-    take_state();
-    on.place.take(p.place), on.motion.take(p.velocity_density);
-    on.stress.resize(p.gradient_pressure.size());
+    const auto [among, to_walls] = level_.reaches_of_lists(drift);
+    if (host_counts_) take_state();
+    cross_faces();
+    sort_particles();
+    find_images(std::max(among.far, to_walls.far));
+    Particles& p = level_.particles_;
+    const std::size_t n = on.p.size(), all = n + on.links.size();
+    p.resize(n);
+    p.make_room(on.links.size());
+    on.place.resize(all), on.motion.resize(all), on.stress.resize(all);
     on.shift.resize(n), on.rate.resize(n), on.surface.resize(p.surface.size());
-    on.wall_normal.take(p.wall_normal), on.wall_leaving.take(p.wall_leaving);
-    on.links.take(level_.ghosts_.links());
-    on.groups.take(level_.groups_);
-    on.lists.take(level_.lists_);
-    on.air_stays.resize(p.surface.size()), on.air_near.resize(n), on.asking.resize(level_.groups_.size());
+    on.air_stays.resize(p.surface.size()), on.air_near.resize(n);
     on.extremes.resize((n + cuda::threads_in_block - 1) / cuda::threads_in_block);
     on.too_near.resize(n);
-    Walls& walls = level_.walls_;
-    if (!walls.empty()) {
-        on.wall_lists.take(walls.neighbour_lists());
-        for (std::size_t b = 0; b < on.parts.size(); ++b) {
-            on.parts[b].groups.take(walls.parts()[b].near_water);
-            on.parts[b].lists.take(walls.parts()[b].water);
-        }
-        on.wall_p.resize(walls.size());
-        on.wall_p.set_zero();
-        on.wall_load.resize(walls.group_load_count());
+    update_records();
+    make_groups();
+    on.asking.resize(on.groups.size());
+    const std::vector<cuda::DeviceSource> water{
+        on.order.source(on.place.data(), 0), on.image_order.source(on.place.data() + n, static_cast<std::int32_t>(n))};
+    on.lists.build(level_.grid_, on.place.data(), on.column, on.groups, water, among / level_.quanta_.size,
+                   &Group::list);
+    if (!level_.walls_.empty()) {
+        for (Arrays::Part& part : on.parts)
+            part.lists.build(level_.grid_, on.wall_place.data() + part.first, part.column, part.groups, water,
+                             to_walls / level_.quanta_.size, &Group::list);
+        find_walls(to_walls);
     }
-    state_is_home_ = true, all_is_home_ = false;
+    home_ = order_is_home_ = false;
+}
+
+void LevelOnDevice::cross_faces() {
+    Arrays& on = *on_;
+    const std::size_t n = on.p.size();
+    const Box& domain = level_.around_.domain;
+    const Faces faces = faces_of(level_.around_.mirrors, domain);
+    Ledger& ledger = level_.ledger_;
+    std::size_t all = n;
+    if (const auto& stream = level_.around_.stream) {
+        const CrossOpenings cross{domain.min.x(), domain.max.x(), stream->buffer, level_.setup_.dp};
+        on.gone.resize(n);
+        int* const entered = on.entered.of(n);
+        launch(*device_, "tw_cross", cuda::Cross{cross, on.p.x.data(), on.p.kind.data(), entered, on.gone.data()}, n);
+        const int count = on.entered.add_up();
+        all += static_cast<std::size_t>(count);
+        on.p.each([&](auto& field) {
+            if (field.size() > 0) field.grow(all);
+        });
+        on.gone.grow(all);
+        launch(*device_, "tw_enter",
+               cuda::Enter{on.p.view(), on.p.kind.data(), or_null(on.p.aired), on.p.id.data(), on.entered.numbers(),
+                           on.entered.before(), on.gone.data(), n, stream->buffer, ledger.next_id},
+               n);
+        ledger.in += count, ledger.next_id += count;
+    }
+    on.wide.resize(all), on.left.resize(all);
+    cuda::PutBack back{.mirrors = {on.p.view(), faces},
+                       .top = domain.max.z(),
+                       .open_top = !faces.mirror[2][1] && !faces.periodic[2],
+                       .origin = {},
+                       .per_metre = level_.quanta_.per_metre,
+                       .gone = level_.around_.stream ? on.gone.data() : nullptr,
+                       .wide = on.wide.data(),
+                       .left = on.left.data()};
+    set_origin(back.origin, level_.quanta_);
+    launch(*device_, "tw_put_back", back, all);
+}
+
+void LevelOnDevice::sort_particles() {
+    Arrays& on = *on_;
+    const std::size_t all = on.p.size(), n = on.order.sort(on.wide.data(), on.left.data(), on.p.id.data(), all);
+    level_.ledger_.out += static_cast<std::int64_t>(all - n);
+    on.sorted.each([&](auto& field) { field.resize(n); });
+    if (on.p.aired.size() == 0) on.sorted.aired.resize(0);
+    launch(*device_, "tw_reorder",
+           cuda::Reorder{on.order.order(), on.p.view(), on.sorted.view(), on.p.kind.data(), or_null(on.p.aired),
+                         on.p.id.data(), on.sorted.kind.data(), or_null(on.sorted.aired), on.sorted.id.data()},
+           n);
+    on.p.swap(on.sorted);
+}
+
+void LevelOnDevice::find_images(double reach) {
+    Arrays& on = *on_;
+    const std::size_t n = on.p.size();
+    const ImagesNear near{faces_of(level_.around_.mirrors, level_.around_.domain), reach};
+    launch(*device_, "tw_count_images", cuda::CountImages{on.p.view(), near, on.images.of(n)}, n);
+    const auto count = static_cast<std::size_t>(on.images.add_up());
+    on.found.resize(count), on.links.resize(count), on.wide.resize(count);
+    cuda::FindImages find{.p = on.p.view(),
+                          .near = near,
+                          .maps = on.maps.data(),
+                          .origin = {},
+                          .per_metre = level_.quanta_.per_metre,
+                          .first = on.images.before(),
+                          .links = on.found.data(),
+                          .wide = on.wide.data()};
+    set_origin(find.origin, level_.quanta_);
+    launch(*device_, "tw_find_images", find, n);
+    on.image_order.sort(on.wide.data(), nullptr, nullptr, count);
+    launch(*device_, "tw_reorder_links", cuda::ReorderLinks{on.image_order.order(), on.found.data(), on.links.data()},
+           count);
+}
+
+void LevelOnDevice::make_groups() {
+    Arrays& on = *on_;
+    const auto columns = static_cast<std::size_t>(level_.grid_.count());
+    launch(*device_, "tw_count_groups",
+           cuda::CountGroups{on.order.start(), on.bins.in_column, on.groups_before.of(columns)}, columns);
+    const auto count = static_cast<std::size_t>(on.groups_before.add_up());
+    on.groups.resize(count), on.column.resize(count);
+    launch(*device_, "tw_make_groups",
+           cuda::MakeGroups{on.order.start(), on.bins.in_column, on.groups_before.before(), on.groups.data(),
+                            on.column.data()},
+           columns);
+    launch(*device_, "tw_centre_groups",
+           cuda::CentreGroups{level_.grid_, on.place.data(), on.column.data(), on.groups.data()}, count);
+}
+
+void LevelOnDevice::find_walls(const Reaches& reaches) {
+    Arrays& on = *on_;
+    Walls& walls = level_.walls_;
+    std::vector<cuda::DeviceSource> dummies;
+    for (const Arrays::Part& part : on.parts)
+        dummies.push_back(
+            {on.wall_place.data() + part.first, part.start.data(), 1, static_cast<std::int32_t>(part.first)});
+    on.wall_lists.build(level_.grid_, on.place.data(), on.column, on.groups, dummies, reaches / level_.quanta_.size,
+                        &Group::wall_list);
+    const std::size_t groups = on.groups.size();
+    launch(*device_, "tw_count_wall_loads",
+           cuda::CountWallLoads{on.groups.data(), on.wall_lists.blocks(), on.body_end.data(),
+                                static_cast<int>(on.body_end.size()), on.loads.of(groups), on.at_wall.of(groups)},
+           groups);
+    const auto loads = static_cast<std::size_t>(on.loads.add_up()),
+               at_walls = static_cast<std::size_t>(on.at_wall.add_up());
+    on.wall_load.resize(loads);
+    walls.group_loads().resize(loads);
+    on.groups_at_walls.resize(at_walls);
+    cuda::ListGroupsAtWalls list{.columns = level_.grid_,
+                                 .column = on.column.data(),
+                                 .first_load = on.loads.before(),
+                                 .at_wall = on.at_wall.numbers(),
+                                 .before = on.at_wall.before(),
+                                 .origin = {},
+                                 .quantum = level_.quanta_.size,
+                                 .groups = on.groups.data(),
+                                 .list = on.groups_at_walls.data()};
+    set_origin(list.origin, level_.quanta_);
+    launch(*device_, "tw_list_groups_at_walls", list, groups);
+    std::vector<cuda::GroupAtWall> home(at_walls);
+    on.groups_at_walls.give(home);
+    level_.groups_.clear(), centres_.clear();
+    for (const cuda::GroupAtWall& g : home) level_.groups_.push_back(g.group), centres_.emplace_back(g.x, g.y, g.z);
+    ask_walls(at_walls);
+}
+
+/// The host finds the wall nearest to each particle of the groups at walls.
+void LevelOnDevice::ask_walls(std::size_t groups) {
+    Arrays& on = *on_;
+    const std::size_t n = on.p.size(), asked = groups * cuda::lanes_of_group;
+    on.wall_normal.resize(n), on.wall_leaving.resize(n);
+    launch(*device_, "tw_no_walls", cuda::NoWalls{on.wall_normal.data(), on.wall_leaving.data()}, n);
+    on.near_walls.resize(asked), on.walls_found.resize(asked);
+    launch(*device_, "tw_take_near_walls",
+           cuda::TakeNearWalls{on.p.view(), on.groups_at_walls.data(), on.near_walls.data()}, asked);
+    std::vector<cuda::NearWall> near(asked);
+    on.near_walls.give(near);
+    std::vector<cuda::WallFound> found(asked);
+    const double reach = level_.reach_of_normals();
+    for_particles(asked, [&](std::size_t k) {
+        const cuda::NearWall& q = near[k];
+        found[k].index = q.index;
+        if (q.index < 0) return;
+        const Walls::Nearest nearest = level_.walls_.nearest(Vec3(q.x, q.y, q.z), Vec3(q.u, q.v, q.w), reach);
+        found[k].wall = nearest.normal, found[k].leaving = nearest.leaving;
+    });
+    on.walls_found.take(found);
+    launch(*device_, "tw_put_walls",
+           cuda::PutWalls{on.walls_found.data(), on.wall_normal.data(), on.wall_leaving.data()}, asked);
+    std::optional<std::size_t> through;
+    for (const cuda::WallFound& f : found)
+        if (f.index >= 0 && double(f.wall.distance) < -level_.setup_.dp) through = static_cast<std::size_t>(f.index);
+    if (!through) return;
+    home_ = order_is_home_ = false;
+    bring_all_home();
+    level_.fail_through_wall(through);
 }
 
 // --- a step -------------------------------------------------------------------------------------------------------------
 
 void LevelOnDevice::refresh(double drift) {
     Arrays& on = *on_;
-    if (state_changed_) take_state();
-    start("tw_update_records", UpdateRecords{on.state(), level_.to_quanta(), on.place.data(), on.motion.data()},
-          on.x.size());
-    refresh_images(nullptr);
+    if (host_counts_) take_state();
+    update_records();
     PruneData d;
     d.lists = on.lists.view();
     d.of = d.place = on.place.data();
     d.reach = level_.reach_among(drift) / level_.quanta_.size;
     sweep("tw_prune", d, on.groups);
-    state_is_home_ = all_is_home_ = false;
+    home_ = false;
     if (level_.walls_.empty()) return;
     d.reach = level_.reach_to_walls(drift) / level_.quanta_.size;
     for (const Arrays::Part& part : on.parts) {
@@ -208,19 +406,26 @@ void LevelOnDevice::refresh(double drift) {
     sweep("tw_prune", d, on.groups);
 }
 
+void LevelOnDevice::update_records() {
+    Arrays& on = *on_;
+    launch(*device_, "tw_update_records",
+           UpdateRecords{on.p.view(), level_.to_quanta(), on.place.data(), on.motion.data()}, on.p.size());
+    refresh_images(nullptr);
+}
+
 void LevelOnDevice::refresh_images(GradientPressureRecord* stress) {
     const Vec3& g = level_.around_.gravity;
-    start("tw_refresh_images",
-          cuda::RefreshImages{.links = on_->links.data(),
-                              .maps = on_->maps.data(),
-                              .n = on_->x.size(),
-                              .quantum = level_.quanta_.size,
-                              .still = level_.ghosts_.still(),
-                              .gravity = {g.x(), g.y(), g.z()},
-                              .place = on_->place.data(),
-                              .motion = on_->motion.data(),
-                              .stress = stress},
-          on_->links.size());
+    launch(*device_, "tw_refresh_images",
+           cuda::RefreshImages{.links = on_->links.data(),
+                               .maps = on_->maps.data(),
+                               .n = on_->p.size(),
+                               .quantum = level_.quanta_.size,
+                               .still = level_.ghosts_.still(),
+                               .gravity = {g.x(), g.y(), g.z()},
+                               .place = on_->place.data(),
+                               .motion = on_->motion.data(),
+                               .stress = stress},
+           on_->links.size());
 }
 
 /// Of the device's arrays in place of the host's.
@@ -229,7 +434,7 @@ WaterView LevelOnDevice::water() const {
     w.list = on_->lists.view();
     w.place = on_->place.data(), w.motion = on_->motion.data(), w.stress = on_->stress.data();
     w.surface = on_->surface.data();
-    if (w.kind) w.kind = on_->kind.data();
+    if (w.kind) w.kind = on_->p.kind.data();
     return w;
 }
 WallView LevelOnDevice::walls() const {
@@ -244,52 +449,50 @@ WallView LevelOnDevice::walls() const {
 
 void LevelOnDevice::first_sweep(double compress, double drift) {
     Arrays& on = *on_;
-    const std::size_t n = on.x.size(), all = on.place.size(), words = on.surface.size();
+    const std::size_t n = on.p.size(), all = on.place.size(), words = on.surface.size();
     FirstSweepData d = level_.first_sweep_data();
     d.water = water(), d.walls = walls();
     d.stress = on.stress.data(), d.shift = on.shift.data(), d.rate = on.rate.data();
     d.carried = nullptr;
     sweep("tw_first_sweep", d, on.groups);
-    start("tw_mark_surface",
-          cuda::MarkSurface{on.shift.data(), level_.setup_.surface_support, on.links.data(), n, all,
-                            on.surface.data()},
-          words);
-    if (on.aired.size() > 0) note_air();
+    launch(
+        *device_, "tw_mark_surface",
+        cuda::MarkSurface{on.shift.data(), level_.setup_.surface_support, on.links.data(), n, all, on.surface.data()},
+        words);
+    if (on.p.aired.size() > 0) note_air();
     AfterFirstSweep after = level_.after_first_sweep(compress, drift);
-    after.p = on.state();
-    after.kind = on.kind.data(), after.rate = on.rate.data(), after.shift = on.shift.data();
-    after.aired = or_null(on.aired);
+    after.p = on.p.view();
+    after.kind = on.p.kind.data(), after.rate = on.rate.data(), after.shift = on.shift.data();
+    after.aired = or_null(on.p.aired);
     after.place = on.place.data(), after.motion = on.motion.data(), after.stress = on.stress.data();
     after.wall = or_null(on.wall_normal);
     const double c0 = level_.setup_.state_equation.c0;
-    start("tw_compress", cuda::Compress{after, static_cast<float>(c0 * c0)}, n);
+    launch(*device_, "tw_compress", cuda::Compress{after, static_cast<float>(c0 * c0)}, n);
     refresh_images(on.stress.data());
-    state_is_home_ = all_is_home_ = false;
+    home_ = false;
 }
 
 void LevelOnDevice::note_air() {
     Arrays& on = *on_;
-    const std::size_t n = on.x.size(), all = on.place.size();
+    const std::size_t n = on.p.size(), all = on.place.size();
     const Ventilation v;
-    const AirAtParticles air{on.aired.data(),
-                             or_null(on.wall_normal),
-                             on.drho.data(),
-                             on.shift.data(),
-                             on.surface.data(),
-                             v.reach_over_dp * static_cast<float>(level_.setup_.dp),
+    const AirAtParticles air{on.p.aired.data(), or_null(on.wall_normal),
+                             on.p.drho.data(),  on.shift.data(),
+                             on.surface.data(), v.reach_over_dp * static_cast<float>(level_.setup_.dp),
                              v.support};
-    start("tw_mark_air", cuda::MarkAir{air, on.links.data(), n, all, on.air_stays.data()}, on.surface.size());
+    launch(*device_, "tw_mark_air", cuda::MarkAir{air, on.links.data(), n, all, on.air_stays.data()},
+           on.surface.size());
     on.count.set_zero(), on.air_near.set_zero();
-    start("tw_find_asking",
-          cuda::FindAsking{air, on.air_stays.data(), on.groups.data(), on.asking.data(), on.count.data()},
-          on.groups.size());
+    launch(*device_, "tw_find_asking",
+           cuda::FindAsking{air, on.air_stays.data(), on.groups.data(), on.asking.data(), on.count.data()},
+           on.groups.size());
     NearAirData d{.water = water(), .near = on.air_near.data()};
     d.water.surface = on.air_stays.data();
     const Group* asking = on.asking.data();
     const int* count = on.count.data();
     void* const arguments[] = {&d, &asking, &count};
     device_->launch("tw_near_air", on.groups.size() * cuda::warp, arguments);
-    start("tw_note_air", cuda::NoteAir{air, on.air_stays.data(), on.air_near.data()}, n);
+    launch(*device_, "tw_note_air", cuda::NoteAir{air, on.air_stays.data(), on.air_near.data()}, n);
 }
 
 void LevelOnDevice::second_sweep(double t) {
@@ -308,24 +511,24 @@ void LevelOnDevice::second_sweep(double t) {
     d.shift = on.shift.data(), d.rate = on.rate.data(), d.wall_load = on.wall_load.data();
     sweep("tw_second_sweep", d, on.groups);
     on.wall_load.give(level_.walls_.group_loads());
-    state_is_home_ = all_is_home_ = false;
+    home_ = false;
 }
 
 LevelOnDevice::Moved LevelOnDevice::move(const Move& of_host) {
     Arrays& on = *on_;
-    std::size_t n = on.x.size();
+    std::size_t n = on.p.size();
     cuda::MoveAll task{.move = of_host,
                        .wall = or_null(on.wall_normal),
                        .held_from = Level::held_at_wall_over_dp * level_.setup_.dp,
                        .too_near = on.too_near.data(),
                        .count = on.count.data()};
-    task.move.p = on.state();
-    task.move.kind = on.kind.data(), task.move.rate = on.rate.data(), task.move.shift_support = on.shift.data();
+    task.move.p = on.p.view();
+    task.move.kind = on.p.kind.data(), task.move.rate = on.rate.data(), task.move.shift_support = on.shift.data();
     on.count.set_zero();
     MovedExtremes* of_blocks = on.extremes.data();
     void* const arguments[] = {&task, &of_blocks, &n};
     device_->launch("tw_move", n, arguments);
-    state_is_home_ = all_is_home_ = false;
+    home_ = false;
 
     Moved moved;
     std::vector<MovedExtremes> parts(on.extremes.size());
@@ -343,17 +546,17 @@ LevelOnDevice::Moved LevelOnDevice::move(const Move& of_host) {
 }
 
 void LevelOnDevice::bring_home(const std::vector<std::size_t>& particles) {
-    if (!state_is_home_) fetch({particles.begin(), particles.end()});
+    if (!home_) fetch({particles.begin(), particles.end()});
 }
 
 void LevelOnDevice::fetch(std::vector<std::int32_t> which) {
     Arrays& on = *on_;
     on.fetched.take(which);
     on.held.resize(which.size());
-    start("tw_take_held",
-          cuda::TakeHeld{on.state(), or_null(on.wall_normal), or_null(on.wall_leaving), on.fetched.data(),
-                         on.held.data()},
-          which.size());
+    launch(*device_, "tw_take_held",
+           cuda::TakeHeld{on.p.view(), or_null(on.wall_normal), or_null(on.wall_leaving), on.p.id.data(),
+                          on.fetched.data(), on.held.data()},
+           which.size());
     std::vector<cuda::HeldParticle> held(which.size());
     on.held.give(held);
     Particles& p = level_.particles_;
@@ -361,6 +564,7 @@ void LevelOnDevice::fetch(std::vector<std::int32_t> which) {
         const auto i = static_cast<std::size_t>(h.index);
         p.x[i] = h.x, p.y[i] = h.y, p.z[i] = h.z;
         p.u[i] = h.u, p.v[i] = h.v, p.w[i] = h.w, p.drho[i] = h.drho;
+        p.id[i] = h.id;
         if (!p.wall_normal.empty()) p.wall_normal[i] = h.wall, p.wall_leaving[i] = h.leaving;
     }
 }
@@ -370,19 +574,12 @@ void LevelOnDevice::put_back(const std::vector<std::size_t>& held_at_home) {
     const Particles& p = level_.particles_;
     std::vector<cuda::HeldParticle> held;
     for (const std::size_t i : held_at_home)
-        held.push_back({static_cast<std::int64_t>(i), p.x[i], p.y[i], p.z[i], p.u[i], p.v[i], p.w[i], p.drho[i],
-                        p.wall_normal[i], p.wall_leaving[i]});
+        held.push_back({static_cast<std::int64_t>(i), p.id[i], p.x[i], p.y[i], p.z[i], p.u[i], p.v[i], p.w[i],
+                        p.drho[i], p.wall_normal[i], p.wall_leaving[i]});
     on_->held.take(held);
-    start("tw_put_held",
-          cuda::PutHeld{on_->held.data(), on_->state(), on_->wall_normal.data(), on_->wall_leaving.data()},
-          held.size());
-}
-
-double LevelOnDevice::bytes() const {
-    double sum = 0;
-    on_->each([&](const auto& array) { sum += double(array.bytes()); });
-    for (const Arrays::Part& part : on_->parts) sum += double(part.groups.bytes() + part.lists.bytes());
-    return sum;
+    launch(*device_, "tw_put_held",
+           cuda::PutHeld{on_->held.data(), on_->p.view(), on_->wall_normal.data(), on_->wall_leaving.data()},
+           held.size());
 }
 
 }  // namespace tw

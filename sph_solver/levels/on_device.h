@@ -11,20 +11,21 @@ class Level;
 
 /// A level whose steps are made by a graphics processor: water on particles of one size under constant gravity, with
 /// walls at rest, whose pressure is linear in the density. In a step the host gets the loads of the groups at walls, the
-/// extremes, and the few particles that a wall has to hold.
+/// extremes, and the few particles that a wall has to hold; when lists are made, the places of those near walls, of which
+/// it finds the nearest.
 class LevelOnDevice : public DeviceSteps {
 public:
     /// `level` must outlive this; its lists are made afterwards.
     LevelOnDevice(Level& level, std::shared_ptr<cuda::Device> device);
     ~LevelOnDevice() override;
 
-    void bring_state_home() override;
     void bring_all_home() override;
     void bring_home(const std::vector<std::size_t>& particles) override;
-    void note_changed_state() override { state_changed_ = true; }
-    void forget() override { state_is_home_ = all_is_home_ = true; }
-    void take_lists() override;
+    void note_changed_state() override { host_counts_ = true; }
+    void make_lists(double drift) override;
     void refresh(double drift) override;
+    Vec3 centre_of_group(std::size_t k) const override { return centres_[k]; }
+    std::int64_t live_pairs() const override;
     void first_sweep(double compress, double drift) override;
     void second_sweep(double t) override;
     Moved move(const Move& of_host) override;
@@ -33,13 +34,18 @@ public:
 
 private:
     struct Arrays;
-    template <class Task>
-    void start(const char* kernel, const Task& task, std::size_t count);
     template <class View>
     void sweep(const char* kernel, const View& view, const cuda::Array<Group>& groups);
     WaterView water() const;
     WallView walls() const;
     void take_state();
+    void update_records();
+    void cross_faces();
+    void sort_particles();
+    void find_images(double reach);
+    void make_groups();
+    void find_walls(const Reaches& reaches);
+    void ask_walls(std::size_t groups);
     void refresh_images(GradientPressureRecord* stress);
     void note_air();
     void fetch(std::vector<std::int32_t> particles);
@@ -47,7 +53,9 @@ private:
     Level& level_;
     std::shared_ptr<cuda::Device> device_;
     std::unique_ptr<Arrays> on_;
-    bool state_is_home_ = true, all_is_home_ = true, state_changed_ = false;
+    std::vector<Vec3> centres_;
+    bool home_ = true, order_is_home_ = true;  ///< the host has the state; and who stands where
+    bool host_counts_ = true;                  ///< the device has not taken what the host has
 };
 
 }  // namespace tw

@@ -12,7 +12,7 @@ namespace tw {
 /// Largest values of some particles after a step, and who has them.
 struct MovedExtremes {
     double speed2 = 0, acceleration2 = 0, relative2 = 0, relative2_before = 0, shift2 = 0;  ///< [m2/s2], ..., [m2]
-    double low = 0, high = 0;                                                              ///< of drho [kg/m3]
+    double low = 0, high = 0;                                                               ///< of drho [kg/m3]
     std::size_t fastest = 0, densest = 0, thinnest = 0;
     bool broken = false;  ///< the fastest has a number that is none
 
@@ -43,8 +43,8 @@ struct Move {
     V3<double> kick(std::size_t i, MovedExtremes& part) const {
         const double u0 = p.u[i], v0 = p.v[i], w0 = p.w[i];
         if (drifted > 0)
-            part.relative2_before = larger(
-                part.relative2_before, (u0 - stream_before) * (u0 - stream_before) + v0 * v0 + w0 * w0);
+            part.relative2_before =
+                larger(part.relative2_before, (u0 - stream_before) * (u0 - stream_before) + v0 * v0 + w0 * w0);
         V3<double> shift{0, 0, 0};
         const auto shift_towards_voids = [&] {
             const ShiftSupportRecord& sum = shift_support[i];
@@ -62,8 +62,7 @@ struct Move {
             case Kind::fluid:
             case Kind::band: {
                 const RateRecord& r = rate[i];
-                if (kind[i] == Kind::fluid)
-                    part.acceleration2 = larger(part.acceleration2, squared(r.ax, r.ay, r.az));
+                if (kind[i] == Kind::fluid) part.acceleration2 = larger(part.acceleration2, squared(r.ax, r.ay, r.az));
                 add(r.ax, r.ay, r.az);
                 p.drho[i] = static_cast<float>(static_cast<double>(p.drho[i]) + dt * static_cast<double>(r.drho));
                 shift_towards_voids();

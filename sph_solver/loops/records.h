@@ -21,8 +21,8 @@ struct ToQuanta {
 
 /// The particles' state: one array for each quantity.
 struct StateView {
-    double *x = nullptr, *y = nullptr, *z = nullptr;                      ///< [m]
-    float *u = nullptr, *v = nullptr, *w = nullptr, *drho = nullptr;      ///< [m/s], [kg/m3]
+    double *x = nullptr, *y = nullptr, *z = nullptr;                  ///< [m]
+    float *u = nullptr, *v = nullptr, *w = nullptr, *drho = nullptr;  ///< [m/s], [kg/m3]
 };
 
 /// What the sweeps read of the state.

@@ -161,13 +161,9 @@ template <class Sum>
 class Slices {
 public:
     template <class... Arguments>
-    explicit Slices(const Arguments&... a)
-        requires(slices == 1)
-        : of_{Sum{a...}} {}
+    explicit Slices(const Arguments&... a) requires(slices == 1) : of_{Sum{a...}} {}
     template <class... Arguments>
-    explicit Slices(const Arguments&... a)
-        requires(slices == 4)
-        : of_{Sum{a...}, Sum{a...}, Sum{a...}, Sum{a...}} {}
+    explicit Slices(const Arguments&... a) requires(slices == 4) : of_{Sum{a...}, Sum{a...}, Sum{a...}, Sum{a...}} {}
 
     Sum& operator[](int slice) { return of_[slice]; }
     template <class Function>

@@ -125,8 +125,7 @@ template <class Sweep, class Data>
         if constexpr (requires(const Met& ij) { sweep[0].meet_beside_wall(ij); })
             if (g.wall_list.size > 0)
                 in_water(
-                    g.list, [&](int slice, std::int32_t, const Met& ij) { sweep[slice].meet_beside_wall(ij); },
-                    Live{});
+                    g.list, [&](int slice, std::int32_t, const Met& ij) { sweep[slice].meet_beside_wall(ij); }, Live{});
         if constexpr (requires(const Met& ij) { sweep[0].meet_wall(0, ij); })
             at_walls(d.walls, g.wall_list,
                      [&](int slice, std::int32_t j, const Met& ij) { sweep[slice].meet_wall(j, ij); });

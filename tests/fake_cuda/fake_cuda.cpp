@@ -13,6 +13,7 @@
 #include <string>
 
 #include "sph_solver/backend/cuda/kernel_list.h"
+#include "sph_solver/backend/cuda/sorting.h"
 #include "sph_solver/backend/cuda/tasks.h"
 #include "sph_solver/effects/ventilation.h"
 #include "sph_solver/sweeps/views.h"
@@ -20,7 +21,9 @@
 namespace tw::in_fake_cuda {
 template <class View>
 void pass(const View&, const Group*, int count);
-}
+GroupReach reach_of(const PlaceRecord* places, const Group& g, const Reaches& reaches);
+Reached reached(const GroupReach& g, const PlaceRecord* first, const PlaceRecord* end, int count, std::int64_t top);
+}  // namespace tw::in_fake_cuda
 
 namespace {
 
@@ -94,6 +97,46 @@ void find_asking(void** a) {
     // from the end: what comes of it must not depend on the order
     for (std::size_t i = argument<std::size_t>(a, 1); i-- > 0;) task(i, add_one);
 }
+void count_in_bins(void** a) {
+    const auto& task = argument<cuda::CountInBins>(a, 0);
+    for (std::size_t i = argument<std::size_t>(a, 1); i-- > 0;) task(i, add_one);  // from the end, as above
+}
+void search(void** a) {
+    const auto& task = argument<cuda::SearchNeighbours>(a, 0);
+    for (int n = 0; n < argument<int>(a, 2); ++n) {
+        const GroupReach own = in_fake_cuda::reach_of(task.places, task.groups[n], task.reaches);
+        const auto ask = [&](const PlaceRecord* first, const PlaceRecord* end, int places, std::int64_t top) {
+            return in_fake_cuda::reached(own, first, end, places, top);
+        };
+        task(static_cast<std::size_t>(n), ask, [](const auto& act) { act(); });
+    }
+}
+void scan_blocks(void** a) {
+    const int n = argument<int>(a, 2);
+    for (int first = 0; first < n; first += cuda::scanned_by_block) {
+        int sum = 0;
+        for (int k = first; k < std::min(n, first + cuda::scanned_by_block); ++k) sum += argument<const int*>(a, 0)[k];
+        argument<int*>(a, 1)[first / cuda::scanned_by_block] = sum;
+    }
+}
+void scan_sums(void** a) {
+    int before = 0, n = argument<int>(a, 1);
+    for (int k = 0; k <= n; ++k) {
+        const int value = k < n ? argument<int*>(a, 0)[k] : 0;
+        argument<int*>(a, 0)[k] = before;
+        before += value;
+    }
+}
+void scan_fill(void** a) {
+    const int n = argument<int>(a, 3);
+    int before = 0;
+    for (int k = 0; k < n; ++k) {
+        if (k % cuda::scanned_by_block == 0) before = argument<const int*>(a, 1)[k / cuda::scanned_by_block];
+        argument<int*>(a, 2)[k] = before;
+        before += argument<const int*>(a, 0)[k];
+    }
+    argument<int*>(a, 2)[n] = before;
+}
 void move(void** a) {
     const auto& task = argument<cuda::MoveAll>(a, 0);
     auto* parts = argument<MovedExtremes*>(a, 1);
@@ -120,6 +163,11 @@ const std::map<std::string, EmulatedKernel>& kernels() {
             {"tw_near_air", near_air},
         {"tw_find_asking", find_asking},
         {"tw_move", move},
+        {"tw_count_in_bins", count_in_bins},
+        {"tw_search", search},
+        {"tw_scan_blocks", scan_blocks},
+        {"tw_scan_sums", scan_sums},
+        {"tw_scan_fill", scan_fill},
     };
     return all;
 }
@@ -189,6 +237,11 @@ DRIVER cuMemcpyDtoH_v2(void* to, std::uint64_t from, std::size_t bytes) {
     if (is_lost()) return lost;
     check_inside(from, bytes);
     return std::memcpy(to, reinterpret_cast<const void*>(from), bytes), success;
+}
+DRIVER cuMemcpyDtoD_v2(std::uint64_t to, std::uint64_t from, std::size_t bytes) {
+    if (is_lost()) return lost;
+    check_inside(to, bytes), check_inside(from, bytes);
+    return std::memcpy(reinterpret_cast<void*>(to), reinterpret_cast<const void*>(from), bytes), success;
 }
 DRIVER cuMemsetD8_v2(std::uint64_t at, unsigned char value, std::size_t bytes) {
     if (is_lost()) return lost;

@@ -55,6 +55,7 @@ struct Device::Library {
     Result (*cuMemGetInfo)(std::size_t*, std::size_t*) = nullptr;
     Result (*cuMemcpyHtoD)(Pointer, const void*, std::size_t) = nullptr;
     Result (*cuMemcpyDtoH)(void*, Pointer, std::size_t) = nullptr;
+    Result (*cuMemcpyDtoD)(Pointer, Pointer, std::size_t) = nullptr;
     Result (*cuMemsetD8)(Pointer, unsigned char, std::size_t) = nullptr;
     Result (*cuLaunchKernel)(void*, unsigned, unsigned, unsigned, unsigned, unsigned, unsigned, unsigned, void*, void**,
                              void**) = nullptr;
@@ -88,6 +89,7 @@ struct Device::Library {
         find(cuModuleGetFunction, "cuModuleGetFunction");
         find(cuMemAlloc, "cuMemAlloc_v2"), find(cuMemFree, "cuMemFree_v2"), find(cuMemGetInfo, "cuMemGetInfo_v2");
         find(cuMemcpyHtoD, "cuMemcpyHtoD_v2"), find(cuMemcpyDtoH, "cuMemcpyDtoH_v2");
+        find(cuMemcpyDtoD, "cuMemcpyDtoD_v2");
         find(cuMemsetD8, "cuMemsetD8_v2"), find(cuLaunchKernel, "cuLaunchKernel");
         find(cuGetErrorString, "cuGetErrorString");
         if (!missing.empty()) return fmt::format("{} is too old, it has no {}", file, missing);
@@ -137,7 +139,8 @@ std::shared_ptr<Device> Device::open() { return std::shared_ptr<Device>(new Devi
 Device::Device() : library_(std::make_unique<Library>()) {
     Library& l = *library_;
     if (const std::string against = l.load(); !against.empty())
-        throw InputError(fmt::format("a GPU was asked for, and {}; `twinwake doctor` says what was looked for", against));
+        throw InputError(
+            fmt::format("a GPU was asked for, and {}; `twinwake doctor` says what was looked for", against));
     l.check(l.cuDevicePrimaryCtxRetain(&l.context, l.device), "opening it");
     l.check(l.cuCtxSetCurrent(l.context), "opening it");
     const char* strict = std::getenv("TWINWAKE_STRICT_KERNELS");
@@ -178,6 +181,9 @@ void Device::to_device(std::uint64_t to, const void* from, std::size_t bytes) {
 }
 void Device::to_host(void* to, std::uint64_t from, std::size_t bytes) {
     library_->check(library_->cuMemcpyDtoH(to, from, bytes), "copying from it");
+}
+void Device::within_device(std::uint64_t to, std::uint64_t from, std::size_t bytes) {
+    library_->check(library_->cuMemcpyDtoD(to, from, bytes), "copying within it");
 }
 void Device::set_zero(std::uint64_t at, std::size_t bytes) {
     library_->check(library_->cuMemsetD8(at, 0, bytes), "clearing its memory");

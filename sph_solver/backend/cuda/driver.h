@@ -4,7 +4,7 @@
 #include <memory>
 #include <span>
 #include <string>
-#include <vector>
+#include <utility>
 
 namespace tw::cuda {
 
@@ -23,11 +23,11 @@ public:
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;
 
-    const std::string& name() const;      ///< as its maker calls it
-    const std::string& driver() const;    ///< the driver's version, as "13.0"
-    const std::string& library() const;   ///< the file of the driver
-    std::size_t memory() const;           ///< of the device [B]
-    std::size_t free_memory() const;      ///< now [B]
+    const std::string& name() const;     ///< as its maker calls it
+    const std::string& driver() const;   ///< the driver's version, as "13.0"
+    const std::string& library() const;  ///< the file of the driver
+    std::size_t memory() const;          ///< of the device [B]
+    std::size_t free_memory() const;     ///< now [B]
     int multiprocessors() const;
 
     /// Bytes of the device.
@@ -35,6 +35,7 @@ public:
     void release(std::uint64_t at) noexcept;
     void to_device(std::uint64_t to, const void* from, std::size_t bytes);
     void to_host(void* to, std::uint64_t from, std::size_t bytes);
+    void within_device(std::uint64_t to, std::uint64_t from, std::size_t bytes);
     void set_zero(std::uint64_t at, std::size_t bytes);
     /// Starts a kernel on `threads` threads, in order after all before. `arguments`: their places, as it wants them.
     void launch(const char* kernel, std::size_t threads, std::span<void* const> arguments);
@@ -71,13 +72,31 @@ public:
         capacity_ = n + n / 8;
         at_ = device_->allocate(capacity_ * sizeof(T));
     }
+    /// The same, but it keeps what it holds.
+    void grow(std::size_t n) {
+        if (n > capacity_) {
+            Array larger(*device_);
+            larger.resize(n);
+            if (size_ > 0) device_->within_device(larger.at_, at_, size_ * sizeof(T));
+            swap(larger);
+        }
+        size_ = n;
+    }
+    void swap(Array& other) noexcept {
+        std::swap(at_, other.at_), std::swap(size_, other.size_), std::swap(capacity_, other.capacity_);
+    }
     void take(std::span<const T> from) {
         resize(from.size());
         if (size_ > 0) device_->to_device(at_, from.data(), size_ * sizeof(T));
     }
-    /// Into as many elements of the host.
-    void give(std::span<T> to) const {
-        if (!to.empty()) device_->to_host(to.data(), at_, to.size() * sizeof(T));
+    /// Into as many elements of the host, from the first or another one on.
+    void give(std::span<T> to, std::size_t first = 0) const {
+        if (!to.empty()) device_->to_host(to.data(), at_ + first * sizeof(T), to.size() * sizeof(T));
+    }
+    T value(std::size_t k) const {
+        T one;
+        give(std::span(&one, 1), k);
+        return one;
     }
     void set_zero() {
         if (size_ > 0) device_->set_zero(at_, size_ * sizeof(T));

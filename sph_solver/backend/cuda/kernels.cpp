@@ -16,6 +16,7 @@ extern "C++" __device__ inline double sqrt(double x) { return __builtin_sqrt(x);
 #define TW_THREADS
 #define TW_ISA on_device
 #include "sph_solver/backend/cuda/kernel_list.h"
+#include "sph_solver/backend/cuda/sorting.h"
 #include "sph_solver/backend/cuda/tasks.h"
 #include "sph_solver/effects/ventilation_isa.cpp"
 #include "sph_solver/sweeps/engine_isa.cpp"
@@ -58,6 +59,83 @@ TW_KERNEL tw_move(cuda::MoveAll task, MovedExtremes* parts, std::size_t count) {
         if (thread < half) cuda::join(room[thread], room[thread + half]);
     }
     if (thread == 0) parts[device::block()] = room[0];
+}
+
+TW_KERNEL tw_count_in_bins(cuda::CountInBins task, std::size_t count) {
+    const std::size_t k = device::index();
+    if (k < count) task(k, device::add_one);
+}
+
+/// A warp for each group, which asks for 32 places at once.
+TW_KERNEL tw_search(cuda::SearchNeighbours task, const Group* groups, int count) {
+    using namespace on_device;
+    const int thread = device::thread();
+    for (int n = first_group(); n < count; n = next_group(n)) {
+        const GroupReach& own = reach_of_warp(task.places, groups[n], task.reaches);
+        const auto ask = [&](const PlaceRecord* first, const PlaceRecord*, int places, std::int64_t top) {
+            const bool there = thread < places;
+            const PlaceRecord p = first[there ? thread : 0];
+            // places are asked eight at a time, up to the first eight that begin above
+            const std::uint32_t below = device::threads_where(there && difference(p.z, own.z) <= top);
+            const bool asked = there && (below >> (thread & ~(lanes - 1)) & 1) != 0;
+            const float d2 = distance2(own, p);
+            return Reached{device::threads_where(asked && d2 < own.far2), device::threads_where(asked && d2 < own.now2),
+                           device::threads_where(asked && d2 < own.sure2)};
+        };
+        task(static_cast<std::size_t>(n), ask, [&](const auto& act) {
+            if (thread == 0) act();
+        });
+    }
+}
+
+// Sums of all before, in three steps: of blocks, of these, and within them.
+namespace {
+constexpr int of_thread = cuda::scanned_by_block / cuda::threads_in_block;
+}
+TW_KERNEL tw_scan_blocks(const int* of, int* sums, int n) {
+    int* const room = device::room_of_block<int, cuda::threads_in_block>();
+    const int thread = device::thread_in_block(), first = device::block() * cuda::scanned_by_block + thread * of_thread;
+    int sum = 0;
+    for (int k = first; k < first + of_thread && k < n; ++k) sum += of[k];
+    room[thread] = sum;
+    for (int half = cuda::threads_in_block / 2; half > 0; half /= 2) {
+        device::sync_block();
+        if (thread < half) room[thread] += room[thread + half];
+    }
+    if (thread == 0) sums[device::block()] = room[0];
+}
+/// By one block: each sum becomes that of all before it, and the one past the last that of all.
+TW_KERNEL tw_scan_sums(int* sums, int n) {
+    int* const room = device::room_of_block<int, cuda::threads_in_block>();
+    const int thread = device::thread_in_block(), each = (n + cuda::threads_in_block - 1) / cuda::threads_in_block;
+    int own = 0;
+    for (int k = thread * each; k < (thread + 1) * each && k < n; ++k) own += sums[k];
+    room[thread] = own;
+    device::sync_block();
+    int before = 0;
+    for (int t = 0; t < thread; ++t) before += room[t];
+    for (int k = thread * each; k < (thread + 1) * each && k < n; ++k) {
+        const int value = sums[k];
+        sums[k] = before;
+        before += value;
+    }
+    if (thread == cuda::threads_in_block - 1) sums[n] = before;
+}
+TW_KERNEL tw_scan_fill(const int* of, const int* sums, int* before_each, int n) {
+    int* const room = device::room_of_block<int, cuda::threads_in_block>();
+    const int thread = device::thread_in_block(), first = device::block() * cuda::scanned_by_block + thread * of_thread;
+    int own = 0;
+    for (int k = first; k < first + of_thread && k < n; ++k) own += of[k];
+    room[thread] = own;
+    device::sync_block();
+    int before = sums[device::block()];
+    for (int t = 0; t < thread; ++t) before += room[t];
+    for (int k = first; k < first + of_thread && k < n; ++k) {
+        const int value = of[k];
+        before_each[k] = before;
+        before += value;
+        if (k == n - 1) before_each[n] = before;
+    }
 }
 
 }  // namespace tw

@@ -103,8 +103,7 @@ struct Compress {
             i, [&](float drho) { return c0_squared * drho; },
             [&](std::size_t k, const V3<double>& u) {
                 const WallNormalRecord& n = after.wall[k];
-                return u.x * static_cast<double>(n.x) + u.y * static_cast<double>(n.y) +
-                       u.z * static_cast<double>(n.z);
+                return u.x * static_cast<double>(n.x) + u.y * static_cast<double>(n.y) + u.z * static_cast<double>(n.z);
             });
     }
 };
@@ -156,7 +155,7 @@ inline void join(MovedExtremes& a, const MovedExtremes& b) {
 
 /// What one particle is given that the host had to look after.
 struct HeldParticle {
-    std::int64_t index;
+    std::int64_t index, id;
     double x, y, z;
     float u, v, w, drho;
     WallNormalRecord wall;
@@ -167,13 +166,14 @@ struct TakeHeld {
     StateView p;
     const WallNormalRecord* wall;  ///< null: there are none
     const LeavingRecord* leaving;
+    const std::int64_t* id;
     const std::int32_t* which;
     HeldParticle* to;
 
     void operator()(std::size_t k) const {
         const std::int64_t i = which[k];
         HeldParticle& h = to[k];
-        h.index = i;
+        h.index = i, h.id = id[i];
         h.x = p.x[i], h.y = p.y[i], h.z = p.z[i];
         h.u = p.u[i], h.v = p.v[i], h.w = p.w[i], h.drho = p.drho[i];
         if (wall) h.wall = wall[i], h.leaving = leaving[i];

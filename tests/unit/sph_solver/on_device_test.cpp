@@ -163,9 +163,7 @@ TEST_F(OnDevice, NotANumberStopsTheRunThereToo) {
 std::string complaint() {
     try {
         cuda::Device::open();
-    } catch (const InputError& e) {
-        return e.what();
-    }
+    } catch (const InputError& e) { return e.what(); }
     return {};
 }
 
@@ -189,9 +187,7 @@ TEST_F(OnDevice, TooLittleMemoryAndALostDeviceEndTheRunInWords) {
         put_on_device(device);
         try {
             for (int k = 0; k < 20; ++k) device.step();
-        } catch (const RunError& e) {
-            return e.what();
-        }
+        } catch (const RunError& e) { return e.what(); }
         return {};
     };
     EXPECT_NE(what_ends("memory=200000").find("MB left for the particles"), std::string::npos);

@@ -1,0 +1,86 @@
+#include "sph_solver/levels/lists_on_device.h"
+
+#include <bit>
+
+namespace tw {
+
+int RunningSum::add_up() {
+    int n = static_cast<int>(of_.size());
+    before_.resize(of_.size() + 1);
+    if (n == 0) {
+        before_.set_zero();
+        return 0;
+    }
+    int blocks = (n + cuda::scanned_by_block - 1) / cuda::scanned_by_block;
+    sums_.resize(static_cast<std::size_t>(blocks) + 1);
+    const int* of = of_.data();
+    int *sums = sums_.data(), *before = before_.data();
+    const std::size_t threads = static_cast<std::size_t>(blocks) * cuda::threads_in_block;
+    void* const of_blocks[] = {&of, &sums, &n};
+    device_.launch("tw_scan_blocks", threads, of_blocks);
+    void* const of_sums[] = {&sums, &blocks};
+    device_.launch("tw_scan_sums", cuda::threads_in_block, of_sums);
+    void* const of_each[] = {&of, &sums, &before, &n};
+    device_.launch("tw_scan_fill", threads, of_each);
+    return before_.value(of_.size());
+}
+
+void RunningSum::give_before(std::vector<std::int32_t>& to, std::size_t stride) const {
+    std::vector<int> all(before_.size());
+    before_.give(all);
+    to.clear();
+    for (std::size_t k = 0; k < all.size(); k += stride) to.push_back(all[k]);
+}
+
+std::size_t SortedOnDevice::sort(const WidePlace* wide, const std::uint8_t* left, const std::int64_t* tie,
+                                 std::size_t n) {
+    bin_.resize(n), slot_.resize(n), member_.resize(n), order_.resize(n);
+    int* const count = start_.of(static_cast<std::size_t>(bins_.count()));
+    start_.set_zero();
+    launch(device_, "tw_count_in_bins", cuda::CountInBins{bins_, wide, left, bin_.data(), slot_.data(), count}, n);
+    const int all = start_.add_up();
+    launch(device_, "tw_put_in_bins", cuda::PutInBins{bin_.data(), slot_.data(), start_.before(), member_.data()}, n);
+    launch(device_, "tw_rank_in_bins",
+           cuda::RankInBins{wide, tie, bin_.data(), start_.before(), member_.data(), order_.data()}, n);
+    return static_cast<std::size_t>(all);
+}
+
+void ListsOnDevice::build(const Columns& columns, const PlaceRecord* places, const cuda::Array<int>& column,
+                          cuda::Array<Group>& groups, const std::vector<cuda::DeviceSource>& sources,
+                          const Reaches& quanta, ListRef Group::*list) {
+    sources_.take(sources);
+    cuda::SearchNeighbours search{.columns = columns,
+                                  .places = places,
+                                  .column = column.data(),
+                                  .groups = groups.data(),
+                                  .sources = sources_.data(),
+                                  .source_count = static_cast<int>(sources.size()),
+                                  .reach = quanta.far + quanta.stale,
+                                  .reaches = quanta,
+                                  .write = false,
+                                  .count = count_.of(groups.size()),
+                                  .blocks = nullptr,
+                                  .list = list};
+    const auto run = [&] {
+        const Group* of = groups.data();
+        int n = static_cast<int>(groups.size());
+        void* const arguments[] = {&search, &of, &n};
+        device_.launch("tw_search", groups.size() * cuda::warp, arguments);
+    };
+    run();
+    blocks_.resize(static_cast<std::size_t>(count_.add_up()));
+    search.write = true, search.count = count_.before(), search.blocks = blocks_.data();
+    run();
+    NeighbourBlock* const first = blocks_.data();
+    chunk_.take(std::span(&first, 1));
+}
+
+std::int64_t ListsOnDevice::live() const {
+    std::vector<NeighbourBlock> blocks(blocks_.size());
+    blocks_.give(blocks);
+    std::int64_t live = 0;
+    for (const NeighbourBlock& b : blocks) live += std::popcount(b.live);
+    return live;
+}
+
+}  // namespace tw

@@ -1,0 +1,88 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "sph_solver/backend/cuda/driver.h"
+#include "sph_solver/backend/cuda/sorting.h"
+
+namespace tw {
+
+/// Starts a kernel that does a task for `count` indices (backend/cuda/kernel_list.h).
+template <class Task>
+void launch(cuda::Device& device, const char* kernel, const Task& task, std::size_t count) {
+    void* const arguments[] = {const_cast<Task*>(&task), &count};
+    device.launch(kernel, count, arguments);
+}
+
+/// Numbers on a device, and for each the sum of all before it.
+class RunningSum {
+public:
+    explicit RunningSum(cuda::Device& device) : device_(device), of_(device), before_(device), sums_(device) {}
+    /// So many numbers, to be written.
+    int* of(std::size_t n) {
+        of_.resize(n);
+        return of_.data();
+    }
+    void set_zero() { of_.set_zero(); }
+    /// After they were written; gives the sum of all.
+    int add_up();
+    const int* numbers() const { return of_.data(); }
+    int* before() const { return before_.data(); }  ///< one more than there are numbers: the last is the sum of all
+    void give_before(std::vector<std::int32_t>& to, std::size_t stride) const;
+    std::size_t bytes() const { return of_.bytes() + before_.bytes() + sums_.bytes(); }
+
+private:
+    cuda::Device& device_;
+    cuda::Array<int> of_, before_, sums_;
+};
+
+/// Places sorted by columns on a device.
+class SortedOnDevice {
+public:
+    SortedOnDevice(cuda::Device& device, const cuda::Bins& bins)
+        : device_(device), bins_(bins), start_(device), bin_(device), slot_(device), member_(device), order_(device) {}
+    /// Of `n` places; those marked in `left` (null: none) are left out. Gives how many are left.
+    std::size_t sort(const WidePlace* wide, const std::uint8_t* left, const std::int64_t* tie, std::size_t n);
+    const int* order() const { return order_.data(); }  ///< k-th in order
+    const int* start() const { return start_.before(); }
+    int in_column() const { return bins_.in_column; }
+    cuda::DeviceSource source(const PlaceRecord* places, std::int32_t offset) const {
+        return {places, start(), in_column(), offset};
+    }
+    void give_start(std::vector<std::int32_t>& of_columns) const {
+        start_.give_before(of_columns, static_cast<std::size_t>(in_column()));
+    }
+    std::size_t bytes() const {
+        return start_.bytes() + bin_.bytes() + slot_.bytes() + member_.bytes() + order_.bytes();
+    }
+
+private:
+    cuda::Device& device_;
+    cuda::Bins bins_;
+    RunningSum start_;
+    cuda::Array<int> bin_, slot_, member_, order_;
+};
+
+/// Groups of places, and lists of their neighbours, on a device.
+class ListsOnDevice {
+public:
+    explicit ListsOnDevice(cuda::Device& device)
+        : device_(device), count_(device), blocks_(device), chunk_(device), sources_(device) {}
+    /// Of all `groups`, which are in the columns `column`, among the sources.
+    void build(const Columns& columns, const PlaceRecord* places, const cuda::Array<int>& column,
+               cuda::Array<Group>& groups, const std::vector<cuda::DeviceSource>& sources, const Reaches& quanta,
+               ListRef Group::*list);
+    Lists view() const { return {chunk_.data()}; }
+    const NeighbourBlock* blocks() const { return blocks_.data(); }
+    std::int64_t live() const;  ///< marks of all blocks
+    std::size_t bytes() const { return count_.bytes() + blocks_.bytes() + chunk_.bytes() + sources_.bytes(); }
+
+private:
+    cuda::Device& device_;
+    RunningSum count_;
+    cuda::Array<NeighbourBlock> blocks_;
+    cuda::Array<NeighbourBlock*> chunk_;
+    cuda::Array<cuda::DeviceSource> sources_;
+};
+
+}  // namespace tw
