@@ -12,6 +12,7 @@
 #include "sph_solver/domain/schedule.h"
 #include "sph_solver/simulation.h"
 #ifdef TWINWAKE_CUDA
+#include "sph_solver/backend/cuda/peaks.h"
 #include "sph_solver/levels/on_device.h"
 #endif
 
@@ -66,6 +67,12 @@ std::string gpu_in_words() {
                        device->multiprocessors(), device->driver());
 }
 
+std::string gpu_peaks_in_words() {
+    const cuda::Peaks peaks = cuda::measure_peaks(*cuda::Device::open());
+    return fmt::format("{:.1f} TFLOP/s in single precision, {:.1f} TB/s from the second cache", peaks.flops / 1e12,
+                       peaks.cache_bytes / 1e12);
+}
+
 std::string leave_steps_to_gpu(Simulation& simulation) {
     const std::shared_ptr<cuda::Device> device = cuda::Device::open();
     Level& level = simulation.level(0);
@@ -77,6 +84,7 @@ std::string leave_steps_to_gpu(Simulation& simulation) {
 
 bool built_for_gpu() { return false; }
 std::string why_no_gpu_here() { return "this twinwake was built without kernels; install clang and build it anew"; }
+std::string gpu_peaks_in_words() { throw InputError(why_no_gpu_here()); }
 std::string gpu_in_words() { throw InputError(why_no_gpu_here()); }
 std::string leave_steps_to_gpu(Simulation&) { throw InputError(why_no_gpu_here()); }
 

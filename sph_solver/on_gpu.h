@@ -19,6 +19,9 @@ std::string why_no_gpu_here();
 /// Its name, driver and memory, in a line; throws InputError where there is none.
 std::string gpu_in_words();
 
+/// What it was measured to do at most: arithmetic in single precision, and reading what its second cache holds.
+std::string gpu_peaks_in_words();
+
 /// Whether a scene's `[run] device` and this machine say that a GPU makes the steps. Throws InputError with the reason
 /// where one is asked for by "gpu" and cannot.
 bool gpu_wanted(const Scene& scene);

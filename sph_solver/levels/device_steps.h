@@ -5,6 +5,7 @@
 
 #include "base/vec3.h"
 #include "sph_solver/loops/move.h"
+#include "sph_solver/sweeps/views.h"
 
 namespace tw {
 
@@ -35,6 +36,14 @@ public:
     };
     virtual Moved move(const Move& of_host) = 0;
     virtual void put_back(const std::vector<std::size_t>& held) = 0;  ///< at_walls, looked after at home
+
+    /// Pressure and kernel support at points, of which `to` says all but where the water is; sorted by the level's columns.
+    struct Points {
+        const std::vector<PlaceRecord>& places;
+        const std::vector<std::int32_t>& start;  ///< first point of each column
+        const std::vector<Group>& groups;
+    };
+    virtual void sample(const Points& points, const Reaches& quanta, const ExtrapolateData& to) = 0;
 
     virtual double bytes() const = 0;  ///< on the device
 };

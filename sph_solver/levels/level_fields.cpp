@@ -38,9 +38,11 @@ struct SortedPlaces {
 
     /// `travel`: how far the sources have moved since they were sorted [m].
     void find_neighbours(const Kernel& kernel, const Level& level, const std::vector<Source>& sources, double travel) {
+        lists.build(level.passes(), level.quanta(), sorted(), groups, sources, reaches(kernel, level, travel));
+    }
+    static Reaches reaches(const Kernel& kernel, const Level& level, double travel) {
         const double support = kernel.support();
-        lists.build(level.passes(), level.quanta(), sorted(), groups, sources,
-                    {support, support, support, stale(level, travel)});
+        return {support, support, support, stale(level, travel)};
     }
     /// How far sources may be from where they were sorted, with a margin, because the travel is that of particles that
     /// the water's equations move: what others come farther is missing at the rim of the kernel, where it weighs
@@ -97,9 +99,8 @@ void Level::sample(PointSamples& points) const {
     points.support.assign(n, 0);
     if (points.want_flux) points.flux.assign(6 * n, 0);
     if (n == 0) return;
-    if (device_) device_->bring_all_home();
     SortedPlaces sorted(points.places, 1, *this, own_columns());  // whose columns are those of the particles
-    sorted.find_neighbours(kernel_, *this, sources(), life_.travel);
+    if (!device_) sorted.find_neighbours(kernel_, *this, sources(), life_.travel);
     std::vector<float> p(n), support(n), flux(points.want_flux ? 6 * n : 0);
     ExtrapolateData e = extrapolation();
     e.list = sorted.lists.view();
@@ -111,7 +112,11 @@ void Level::sample(PointSamples& points) const {
         e.flux = flux.data();
         e.gx = e.gy = e.gz = 0;  // pairs carry the particles' own pressure
     }
-    for_pairs(passes_, e, sorted.groups);
+    if (device_)
+        device_->sample({sorted.places, sorted.start, sorted.groups},
+                        sorted.reaches(kernel_, *this, life_.travel) / quanta_.size, e);
+    else
+        for_pairs(passes_, e, sorted.groups);
     for (std::size_t k = 0; k < n; ++k) {
         const auto i = static_cast<std::size_t>(sorted.order[k]);
         points.p[i] = p[k];

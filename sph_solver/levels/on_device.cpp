@@ -111,6 +111,16 @@ cuda::Bins bins_of(const ColumnGrid& grid, double dp, const Quanta& quanta) {
     return {grid, height, static_cast<int>(grid.height / height) + 1};
 }
 
+std::vector<int> columns_of(const std::vector<Group>& groups, const std::vector<std::int32_t>& start) {
+    std::vector<int> column;
+    std::size_t c = 0;
+    for (const Group& g : groups) {
+        while (start[c + 1] <= g.first) ++c;
+        column.push_back(static_cast<int>(c));
+    }
+    return column;
+}
+
 void set_origin(double (&to)[3], const Quanta& quanta) {
     for (int a = 0; a < 3; ++a) to[a] = quanta.origin[a];
 }
@@ -130,14 +140,9 @@ LevelOnDevice::LevelOnDevice(Level& level, std::shared_ptr<cuda::Device> device)
     on_->wall_p.resize(walls.size());
     if (walls.empty()) return;
     for (const Walls::Part& part : walls.parts()) {
-        std::vector<int> column;
-        for (std::size_t g = 0, c = 0; g < part.groups.size(); ++g) {
-            while (part.start[c + 1] <= part.groups[g].first) ++c;
-            column.push_back(static_cast<int>(c));
-        }
         Arrays::Part& on = on_->parts.emplace_back(Arrays::Part{part.first, cuda::Array<int>(d), cuda::Array<int>(d),
                                                                 cuda::Array<Group>(d), ListsOnDevice(d)});
-        on.start.take(part.start), on.column.take(column), on.groups.take(part.groups);
+        on.start.take(part.start), on.column.take(columns_of(part.groups, part.start)), on.groups.take(part.groups);
     }
 }
 
@@ -555,7 +560,7 @@ void LevelOnDevice::fetch(std::vector<std::int32_t> which) {
     on.held.resize(which.size());
     launch(*device_, "tw_take_held",
            cuda::TakeHeld{on.p.view(), or_null(on.wall_normal), or_null(on.wall_leaving), on.p.id.data(),
-                          on.fetched.data(), on.held.data()},
+                          on.p.kind.data(), on.fetched.data(), on.held.data()},
            which.size());
     std::vector<cuda::HeldParticle> held(which.size());
     on.held.give(held);
@@ -564,7 +569,7 @@ void LevelOnDevice::fetch(std::vector<std::int32_t> which) {
         const auto i = static_cast<std::size_t>(h.index);
         p.x[i] = h.x, p.y[i] = h.y, p.z[i] = h.z;
         p.u[i] = h.u, p.v[i] = h.v, p.w[i] = h.w, p.drho[i] = h.drho;
-        p.id[i] = h.id;
+        p.id[i] = h.id, p.kind[i] = h.kind;
         if (!p.wall_normal.empty()) p.wall_normal[i] = h.wall, p.wall_leaving[i] = h.leaving;
     }
 }
@@ -575,11 +580,37 @@ void LevelOnDevice::put_back(const std::vector<std::size_t>& held_at_home) {
     std::vector<cuda::HeldParticle> held;
     for (const std::size_t i : held_at_home)
         held.push_back({static_cast<std::int64_t>(i), p.id[i], p.x[i], p.y[i], p.z[i], p.u[i], p.v[i], p.w[i],
-                        p.drho[i], p.wall_normal[i], p.wall_leaving[i]});
+                        p.drho[i], p.wall_normal[i], p.wall_leaving[i], p.kind[i]});
     on_->held.take(held);
     launch(*device_, "tw_put_held",
            cuda::PutHeld{on_->held.data(), on_->p.view(), on_->wall_normal.data(), on_->wall_leaving.data()},
            held.size());
+}
+
+// --- points -------------------------------------------------------------------------------------------------------------
+
+void LevelOnDevice::sample(const Points& points, const Reaches& quanta, const ExtrapolateData& to) {
+    Arrays& on = *on_;
+    cuda::Device& d = *device_;
+    const std::size_t n = points.places.size(), own = on.p.size();
+    cuda::Array<PlaceRecord> places(d);
+    cuda::Array<Group> groups(d);
+    cuda::Array<int> column(d);
+    cuda::Array<float> p(d), support(d);
+    ListsOnDevice lists(d);
+    places.take(points.places), groups.take(points.groups);
+    column.take(columns_of(points.groups, points.start));
+    p.resize(n), support.resize(n);
+    lists.build(level_.grid_, places.data(), column, groups,
+                {on.order.source(on.place.data(), 0),
+                 on.image_order.source(on.place.data() + own, static_cast<std::int32_t>(own))},
+                quanta, &Group::list);
+    ExtrapolateData e = to;
+    e.water = water();
+    e.list = lists.view();
+    e.at = places.data(), e.p = p.data(), e.support = support.data();
+    sweep("tw_extrapolate", e, groups);
+    p.give(std::span(to.p, n)), support.give(std::span(to.support, n));
 }
 
 }  // namespace tw

@@ -30,6 +30,7 @@ public:
     void second_sweep(double t) override;
     Moved move(const Move& of_host) override;
     void put_back(const std::vector<std::size_t>& held) override;
+    void sample(const Points& points, const Reaches& quanta, const ExtrapolateData& to) override;
     double bytes() const override;
 
 private:

@@ -88,6 +88,30 @@ TW_KERNEL tw_search(cuda::SearchNeighbours task, const Group* groups, int count)
     }
 }
 
+// What the card can do at most, for benchmarks: 16 fused products and sums a round, in eight chains; and reading an array
+// over and over that the second cache holds.
+TW_KERNEL tw_peak_arithmetic(float* result, int rounds) {
+    float x[8];
+    for (int k = 0; k < 8; ++k) x[k] = static_cast<float>(device::thread_in_block() + k);
+    for (int r = 0; r < rounds; ++r)
+        for (int twice = 0; twice < 2; ++twice)
+#pragma unroll
+            for (int k = 0; k < 8; ++k) x[k] = __builtin_fmaf(x[k], 0.999f, 0.5f);
+    float sum = 0;
+    for (int k = 0; k < 8; ++k) sum += x[k];
+    if (sum == -1) *result = sum;
+}
+TW_KERNEL tw_peak_cache(float* result, const PlaceRecord* array, int length, int rounds) {
+    int sum = 0;
+    const int all = static_cast<int>(__nvvm_read_ptx_sreg_nctaid_x()) * cuda::threads_in_block;
+    for (int r = 0; r < rounds; ++r)
+        for (int k = static_cast<int>(device::index()); k < length; k += all) {
+            const PlaceRecord p = array[k];
+            sum += p.x + p.y + p.z + static_cast<int>(p.volume);
+        }
+    if (sum == -12345) *result = 1;
+}
+
 // Sums of all before, in three steps: of blocks, of these, and within them.
 namespace {
 constexpr int of_thread = cuda::scanned_by_block / cuda::threads_in_block;

@@ -232,13 +232,15 @@ inline GroupBox box_of(const PlaceRecord* places, const Group& g, const WidePlac
         return near + difference(x, static_cast<std::int32_t>(near));
     };
     GroupBox box;
+    const auto widen = [&](int a, std::int64_t x, bool first) {
+        if (first || x < box.lo[a]) box.lo[a] = x;
+        if (first || x > box.hi[a]) box.hi[a] = x;
+    };
     for (int k = 0; k < g.size; ++k) {
         const PlaceRecord& p = places[g.first + k];
-        const std::int64_t xyz[3] = {in_full(p.x, from.x), in_full(p.y, from.y), in_full(p.z, from.z)};
-        for (int a = 0; a < 3; ++a) {
-            if (k == 0 || xyz[a] < box.lo[a]) box.lo[a] = xyz[a];
-            if (k == 0 || xyz[a] > box.hi[a]) box.hi[a] = xyz[a];
-        }
+        widen(0, in_full(p.x, from.x), k == 0);
+        widen(1, in_full(p.y, from.y), k == 0);
+        widen(2, in_full(p.z, from.z), k == 0);
     }
     return box;
 }

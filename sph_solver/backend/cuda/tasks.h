@@ -160,6 +160,7 @@ struct HeldParticle {
     float u, v, w, drho;
     WallNormalRecord wall;
     LeavingRecord leaving;
+    Kind kind;
 };
 /// Takes such particles out of the arrays, and puts them back.
 struct TakeHeld {
@@ -167,13 +168,14 @@ struct TakeHeld {
     const WallNormalRecord* wall;  ///< null: there are none
     const LeavingRecord* leaving;
     const std::int64_t* id;
+    const Kind* kind;
     const std::int32_t* which;
     HeldParticle* to;
 
     void operator()(std::size_t k) const {
         const std::int64_t i = which[k];
         HeldParticle& h = to[k];
-        h.index = i, h.id = id[i];
+        h.index = i, h.id = id[i], h.kind = kind[i];
         h.x = p.x[i], h.y = p.y[i], h.z = p.z[i];
         h.u = p.u[i], h.v = p.v[i], h.w = p.w[i], h.drho = p.drho[i];
         if (wall) h.wall = wall[i], h.leaving = leaving[i];

@@ -6,6 +6,7 @@
 // (tools/gpu_evidence.sh).
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 
@@ -87,7 +88,10 @@ void expect_the_same_run(const SimulationSetup& s, const Fluid& water, int steps
         PointSamples on_host, on_device;
         on_host.places = on_device.places = {Vec3(0.05, 0.1, 0.02), Vec3(-0.31, 0.1, -0.1)};
         host.sample(on_host), device.sample(on_device);
-        ASSERT_EQ(on_host.p, on_device.p) << "step " << k;
+        for (std::size_t n = 0; n < on_host.p.size(); ++n) {  // slices may begin at other neighbours
+            ASSERT_NEAR(on_host.p[n], on_device.p[n], 1e-5 * std::abs(on_host.p[n]) + 1e-3) << "step " << k;
+            ASSERT_NEAR(on_host.support[n], on_device.support[n], 1e-6) << "step " << k;
+        }
     }
     EXPECT_TRUE(same_bits(host.particles(), device.particles()));
     EXPECT_GT(host.level(0).timers().rebuilds, 2);

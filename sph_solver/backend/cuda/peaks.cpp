@@ -1,0 +1,44 @@
+#include "sph_solver/backend/cuda/peaks.h"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
+#include "sph_solver/backend/cuda/launch.h"
+#include "sph_solver/sweeps/records.h"
+
+namespace tw::cuda {
+
+Peaks measure_peaks(Device& device) {
+    const auto seconds_of = [&](const auto& work) {
+        double least = std::numeric_limits<double>::infinity();
+        for (int trial = 0; trial < 5; ++trial) {
+            device.finish();
+            const auto start = std::chrono::steady_clock::now();
+            work();
+            device.finish();
+            least = std::min(least, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+        }
+        return least;
+    };
+    Array<float> result(device);
+    result.resize(1);
+    float* to = result.data();
+    const std::size_t threads = static_cast<std::size_t>(device.multiprocessors()) * 16 * threads_in_block;
+    int rounds = 20000;
+    void* const arithmetic[] = {&to, &rounds};
+    const double flops = 2.0 * 16 * rounds * double(threads) /
+                         seconds_of([&] { device.launch("tw_peak_arithmetic", threads, arithmetic); });
+    constexpr int length = 1 << 20;  // 16 MB
+    Array<PlaceRecord> array(device);
+    array.resize(length);
+    array.set_zero();
+    const PlaceRecord* from = array.data();
+    int places = length, times = 100;
+    void* const cache[] = {&to, &from, &places, &times};
+    const double bytes = double(length) * sizeof(PlaceRecord) * times /
+                         seconds_of([&] { device.launch("tw_peak_cache", threads, cache); });
+    return {flops, bytes};
+}
+
+}  // namespace tw::cuda
