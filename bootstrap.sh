@@ -15,7 +15,7 @@ build_packages=(
 # interFoam, and what its mended build from the distribution's source package takes (tools/build_openfoam_solvers.sh).
 openfoam_packages=(openfoam dpkg-dev flex)
 # A Slurm on one host, for the tests of studies on a cluster; without it they are skipped.
-test_packages=(slurm-wlm munge)
+test_packages=(slurm-wlm munge clang)
 # ---------------------------------------------------------------------------------------------------------------------
 
 usage() {
@@ -85,6 +85,7 @@ wanted_packages() {
     printf '%s\n' "${build_packages[@]}"
     if [ "$with_openfoam" = 1 ] && ! own_openfoam; then printf '%s\n' "${openfoam_packages[@]}"; fi
     if [ "$command" = test ] || [ "$command" = deps ]; then printf '%s\n' "${test_packages[@]}"; fi
+    if [ -e /proc/driver/nvidia ]; then echo clang; fi  # makes the kernels of a GPU
     # The sources are C++20 as GCC 12 knows it; Ubuntu 22.04's default is GCC 11.
     if [ "${ID:-}" = ubuntu ] && [ "${VERSION_ID:-}" = 22.04 ]; then echo g++-12; fi
 }

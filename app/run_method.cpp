@@ -49,7 +49,7 @@ RunRecord run_method(const std::string& method, const PlannedRun& plan, const Me
     if (record.state == "finished" && !run.resume && !record.attributes.contains("ranks") && !scene.effect_on("air")) {
         double taken = 0;
         for (const Phase& phase : record.phases) taken += phase.wall;
-        learn_pace(method, predict_by_table(scene).of(method).seconds, taken);
+        learn_pace(pace_of(scene, method), predict_by_table(scene).of(method).seconds, taken);
     }
     return record;
 }

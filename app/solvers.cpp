@@ -1,6 +1,7 @@
 #include "app/solvers.h"
 
 #include <algorithm>
+#include <functional>
 #include <stdexcept>
 
 #include "app/machine_pace.h"
@@ -16,7 +17,7 @@ void refuse_gpu(const Scene& scene) { gpu_wanted(scene); }
 
 std::string openfoam_line(const Scene& scene) { return "OpenFOAM: " + openfoam_for(scene).verdict + "\n"; }
 
-Prediction predict_all(const Scene& scene, double (*pace)(const std::string& method)) {
+Prediction predict_all(const Scene& scene, const std::function<double(const std::string& method)>& pace) {
     std::vector<CostOf> costs;
     for (const Solver& s : solvers()) costs.push_back({s.method, s.predict, pace(s.method)});
     return predict(scene, costs);
@@ -50,7 +51,15 @@ std::vector<std::string> method_choices() {
     return words;
 }
 
-Prediction predict_here(const Scene& scene) { return predict_all(scene, machine_pace); }
+std::string pace_of(const Scene& scene, const std::string& method) {
+    if (method != "sph" || scene.run.device == "cpu" || !why_not_on_gpu(scene).empty() || !why_no_gpu_here().empty())
+        return method;
+    return method + " on gpu";
+}
+
+Prediction predict_here(const Scene& scene) {
+    return predict_all(scene, [&](const std::string& method) { return machine_pace(pace_of(scene, method)); });
+}
 
 Prediction predict_by_table(const Scene& scene) {
     return predict_all(scene, [](const std::string&) { return 1.0; });

@@ -32,6 +32,8 @@ inline constexpr const char* every_method = "both";
 /// The names, and that.
 std::vector<std::string> method_choices();
 
+/// The name under which runs of a method teach the machine's speed: what makes the steps is part of it.
+std::string pace_of(const Scene& scene, const std::string& method);
 /// Of every method, by what runs have taught of this machine's speed (machine_pace.h).
 Prediction predict_here(const Scene& scene);
 /// Of every method, as on the machine that the throughput table was made on.

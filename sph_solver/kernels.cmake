@@ -1,4 +1,4 @@
-# Makes the kernels of backend/cuda and adds them and what starts them to `sources`; sets TWINWAKE_HAS_CUDA.
+# Makes the kernels of cuda and adds them and what starts them to `sources`; sets TWINWAKE_HAS_CUDA.
 find_program(TWINWAKE_CLANG NAMES clang++ clang++-19 clang++-18 clang++-17 clang++-16 clang++-15 clang++-14)
 set(ptx_flags -x cuda -std=c++20 -O3 -nocudainc -nocudalib --cuda-gpu-arch=sm_80 --cuda-device-only -Xclang
               -target-feature -Xclang +ptx70 -Wno-unknown-cuda-version -fno-math-errno -fno-exceptions
@@ -18,7 +18,7 @@ if(NOT TWINWAKE_HAS_CUDA)
   return()
 endif()
 
-set(kernels ${CMAKE_CURRENT_SOURCE_DIR}/backend/cuda/kernels.cpp)
+set(kernels ${CMAKE_CURRENT_SOURCE_DIR}/cuda/kernels.cpp)
 foreach(kind kernels strict_kernels)
   set(ptx ${CMAKE_CURRENT_BINARY_DIR}/${kind}.ptx)
   set(flags)
@@ -35,4 +35,4 @@ foreach(kind kernels strict_kernels)
   set_source_files_properties(${ptx}.S PROPERTIES OBJECT_DEPENDS ${ptx})
   list(APPEND sources ${ptx}.S)
 endforeach()
-list(APPEND sources backend/cuda/driver.cpp backend/cuda/peaks.cpp levels/lists_on_device.cpp levels/on_device.cpp)
+list(APPEND sources cuda/driver.cpp cuda/peaks.cpp levels/lists_on_device.cpp levels/on_device.cpp)

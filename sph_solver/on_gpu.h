@@ -8,7 +8,7 @@ namespace tw {
 
 class Simulation;
 
-/// Particle runs on a GPU (backend/cuda).
+/// Particle runs on a GPU (cuda).
 
 /// Whether this program has the kernels.
 bool built_for_gpu();

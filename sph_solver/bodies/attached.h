@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/vec3.h"
+#include "sph_solver/loops/wall_motion.h"
 
 namespace tw {
 
@@ -26,6 +27,8 @@ public:
     virtual Motion motion(std::size_t /*k*/, const Vec3& /*place*/) const { return {}; }
     /// Velocity of the body's surface by `x`, on or near one of its triangles (-1: none) [m/s].
     virtual Vec3 surface_velocity(const Vec3& /*x*/, std::int32_t /*triangle*/) const { return Vec3::Zero(); }
+    /// The same of a rigid body everywhere.
+    virtual WallMotion surface_motion() const { return {}; }
     /// The largest speed of a point or of the surface [m/s].
     virtual double fastest() const { return 0; }
     /// The k-th is then what order[k] is now.

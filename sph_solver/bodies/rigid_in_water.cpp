@@ -20,6 +20,10 @@ public:
         return {motion_.velocity_at(x), motion_.acceleration_at(x)};
     }
     Vec3 surface_velocity(const Vec3& x, std::int32_t) const override { return motion_.velocity_at(x); }
+    WallMotion surface_motion() const override {
+        const auto v3 = [](const Vec3& v) { return V3<double>{v.x(), v.y(), v.z()}; };
+        return {v3(motion_.centre), v3(motion_.velocity), v3(motion_.rotation)};
+    }
     double fastest() const override { return motion_.velocity.norm() + motion_.rotation.norm() * reach_; }
 
 private:

@@ -59,6 +59,13 @@ double Walls::fastest() const {
     return most;
 }
 
+std::vector<WallMotion> Walls::motions() const {
+    std::vector<WallMotion> all;
+    if (move())
+        for (const auto& body : attached_) all.push_back(body->surface_motion());
+    return all;
+}
+
 void Walls::note_motions() {
     for (const auto& body : attached_) body->look();
 }

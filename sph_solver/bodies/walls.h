@@ -54,6 +54,8 @@ public:
     Vec3 velocity_at(std::size_t body, const Vec3& x, std::int32_t triangle) const {
         return attached_[body]->surface_velocity(x, triangle);
     }
+    /// Of all bodies, as `note_motions` found them; for rigid ones. Empty: none moves.
+    std::vector<WallMotion> motions() const;
     /// Looks at how the bodies move now.
     void note_motions();
     /// Puts the dummies of bodies that move where those are now, with their velocities and accelerations.

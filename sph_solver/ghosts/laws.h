@@ -1,7 +1,7 @@
 #pragma once
 #include "sph_solver/equations/vector.h"
 #include "sph_solver/fields/law.h"
-#include "sph_solver/ghosts/link_map.h"
+#include "sph_solver/loops/link_map.h"
 
 namespace tw {
 

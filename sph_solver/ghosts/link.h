@@ -7,7 +7,7 @@
 #include "base/vec3.h"
 #include "sph_solver/domain/mirrors.h"
 #include "sph_solver/fields/particles.h"
-#include "sph_solver/ghosts/link_map.h"
+#include "sph_solver/loops/link_map.h"
 #include "sph_solver/loops/cross.h"
 #include "sph_solver/neighbours/columns.h"
 

@@ -183,7 +183,7 @@ void Level::first_sweep(double t, double compress, double drift, const OtherSums
     for_particles(p.size(), [&](std::size_t i) {
         after(
             i, [&](float drho) { return setup_.state_equation.pressure(setup_.rho0, drho); },
-            [&](std::size_t k, const V3<double>& u) { return leaving(k, Vec3(u.x, u.y, u.z)); });
+            [&](std::size_t k, const V3<double>& u) { return leaving(k, u); });
     });
     for (const auto& effect : effects_) effect->change_pressure(view);
     ghosts_.refresh(p, t, p.velocity_density, p.gradient_pressure, p.carried);
@@ -221,6 +221,8 @@ void Level::second_sweep(double t) {
     if (device_) {
         const Stopwatch watch(timers_.forces);
         timers_.evaluations += static_cast<std::int64_t>(particles_.size());
+        wall_speed_ = walls_.fastest();
+        walls_.follow(quanta_);
         return device_->second_sweep(t);
     }
     if (!walls_.empty()) {

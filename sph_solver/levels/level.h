@@ -231,15 +231,15 @@ private:
     double reach_to_walls(double drift) const {
         return kernel_.support() + drift * (extremes_.speed + walls_.fastest());
     }
-    /// Velocity away from the wall that particle i has near, relative to that wall, when it moves with `u` [m/s].
-    double leaving(std::size_t i, const Vec3& u) const {
+    /// Speed away from the wall that particle i has near, relative to that wall, when it moves with `u` [m/s].
+    double leaving(std::size_t i, const V3<double>& u) const {
         const Particles& p = particles_;
-        const WallNormalRecord& n = p.wall_normal[i];
-        const double of_water = u.x() * n.x + u.y() * n.y + u.z() * n.z;
+        const V3<double> n = normal_of(p.wall_normal[i]);
+        const double of_water = dot(u, n);
         if (p.wall_body.empty()) return of_water;
         const std::int32_t triangle = p.wall_triangle.empty() ? -1 : p.wall_triangle[i];
-        return of_water -
-               walls_.velocity_at(p.wall_body[i], {p.x[i], p.y[i], p.z[i]}, triangle).dot(Vec3(n.x, n.y, n.z));
+        const Vec3 of_wall = walls_.velocity_at(p.wall_body[i], {p.x[i], p.y[i], p.z[i]}, triangle);
+        return of_water - dot(V3<double>{of_wall.x(), of_wall.y(), of_wall.z()}, n);
     }
     StateView state_view() {
         Particles& p = particles_;

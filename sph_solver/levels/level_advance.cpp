@@ -69,7 +69,7 @@ std::optional<Level::Held> Level::hold_at_wall(std::size_t i) {
     } else {
         r.distance = static_cast<float>(setup_.dp);
     }
-    const double approach = leaving(i, Vec3(p.u[i], p.v[i], p.w[i]));
+    const double approach = leaving(i, {p.u[i], p.v[i], p.w[i]});
     if (r.distance >= held_at_wall_over_dp * setup_.dp || approach >= 0) return {};
     if (r.distance < 0) {
         p.x[i] -= double(r.distance) * r.x;
@@ -142,8 +142,7 @@ Level::Struck Level::advance(const Schedule::Move& move, const Vec3& moment_refe
             // what stands for another level's water is kept out of solids as well: it may become active there
             if (!p.wall_normal.empty() && p.kind[i] != Kind::inlet && p.kind[i] != Kind::outlet) {
                 WallNormalRecord& r = p.wall_normal[i];
-                r.distance += static_cast<float>(drift * leaving(i, Vec3(along.x, along.y, along.z)) + shift.x * r.x +
-                                                 shift.y * r.y + shift.z * r.z);
+                r.distance += static_cast<float>(drift * leaving(i, along) + dot(shift, normal_of(r)));
                 if (r.distance < held_at_wall_over_dp * s.dp) hold(i, part);
             }
             move_on.note(i, part);

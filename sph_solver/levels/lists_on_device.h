@@ -2,12 +2,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "sph_solver/backend/cuda/driver.h"
-#include "sph_solver/backend/cuda/sorting.h"
+#include "sph_solver/cuda/driver.h"
+#include "sph_solver/cuda/sorting.h"
 
 namespace tw {
 
-/// Starts a kernel that does a task for `count` indices (backend/cuda/kernel_list.h).
+/// Starts a kernel that does a task for `count` indices (cuda/kernel_list.h).
 template <class Task>
 void launch(cuda::Device& device, const char* kernel, const Task& task, std::size_t count) {
     void* const arguments[] = {const_cast<Task*>(&task), &count};

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sph_solver/backend/cuda/tasks.h"
+#include "sph_solver/cuda/tasks.h"
 #include "sph_solver/effects/ventilation.h"
 #include "sph_solver/levels/level.h"
 #include "sph_solver/levels/lists_on_device.h"
@@ -50,6 +50,7 @@ struct LevelOnDevice::Arrays {
     cuda::Array<std::uint32_t> surface{device};
     cuda::Array<WallNormalRecord> wall_normal{device};
     cuda::Array<LeavingRecord> wall_leaving{device};
+    cuda::Array<std::uint16_t> wall_body{device};  ///< empty: no body moves
 
     // who stands where
     cuda::Bins bins;
@@ -65,6 +66,9 @@ struct LevelOnDevice::Arrays {
 
     cuda::Array<PlaceRecord> wall_place{device};
     cuda::Array<float> wall_p{device};
+    cuda::Array<WallVelocity> wall_velocity{device};
+    cuda::Array<WallAcceleration> wall_acceleration{device};
+    cuda::Array<WallMotion> motions{device};
     cuda::Array<std::int32_t> body_end{device};
     cuda::Array<WallLoad> wall_load{device};
     RunningSum loads{device}, at_wall{device};
@@ -94,10 +98,11 @@ struct LevelOnDevice::Arrays {
         double sum = 0;
         const auto add = [&](const auto&... array) { ((sum += double(array.bytes())), ...); };
         p.each(add), sorted.each(add);
-        add(place, motion, stress, shift, rate, surface, wall_normal, wall_leaving, entered, images, groups_before,
-            gone, column, left, wide, order, image_order, found, links, maps, groups, lists, wall_lists, wall_place,
-            wall_p, body_end, wall_load, loads, at_wall, groups_at_walls, near_walls, walls_found, air_stays, air_near,
-            asking, count, extremes, too_near, fetched, held);
+        add(place, motion, stress, shift, rate, surface, wall_normal, wall_leaving, wall_body, wall_velocity,
+            wall_acceleration, motions, entered, images, groups_before, gone, column, left, wide, order, image_order,
+            found, links, maps, groups, lists, wall_lists, wall_place, wall_p, body_end, wall_load, loads, at_wall,
+            groups_at_walls, near_walls, walls_found, air_stays, air_near, asking, count, extremes, too_near, fetched,
+            held);
         for (const Part& part : parts) add(part.start, part.column, part.groups, part.lists);
         return sum;
     }
@@ -136,14 +141,39 @@ LevelOnDevice::LevelOnDevice(Level& level, std::shared_ptr<cuda::Device> device)
     on_->maps.take(level_.ghosts_.maps());
     on_->count.resize(1);
     on_->body_end.take(walls.body_end());
-    on_->wall_place.take(walls.places());
     on_->wall_p.resize(walls.size());
     if (walls.empty()) return;
-    for (const Walls::Part& part : walls.parts()) {
-        Arrays::Part& on = on_->parts.emplace_back(Arrays::Part{part.first, cuda::Array<int>(d), cuda::Array<int>(d),
-                                                                cuda::Array<Group>(d), ListsOnDevice(d)});
-        on.start.take(part.start), on.column.take(columns_of(part.groups, part.start)), on.groups.take(part.groups);
+    for (const Walls::Part& part : walls.parts())
+        on_->parts.push_back(
+            {part.first, cuda::Array<int>(d), cuda::Array<int>(d), cuda::Array<Group>(d), ListsOnDevice(d)});
+    take_sorted_dummies();
+}
+
+/// In their order and groups.
+void LevelOnDevice::take_sorted_dummies() {
+    const Walls& walls = level_.walls_;
+    for (std::size_t b = 0; b < on_->parts.size(); ++b) {
+        const Walls::Part& part = walls.parts()[b];
+        Arrays::Part& on = on_->parts[b];
+        on.start.take(part.start), on.groups.take(part.groups);
+        on.column.take(columns_of(part.groups, part.start));
     }
+    on_->wall_place.take(walls.places());
+    take_dummies();
+}
+
+/// Where they are now, and how they move.
+void LevelOnDevice::take_dummies() {
+    const Walls& walls = level_.walls_;
+    if (!walls.move()) return;
+    on_->wall_place.take(walls.places());
+    on_->wall_velocity.take(std::span(walls.velocities(), walls.size()));
+    on_->wall_acceleration.take(std::span(walls.accelerations(), walls.size()));
+}
+
+NearWalls LevelOnDevice::near_walls() {
+    on_->motions.take(level_.walls_.motions());
+    return {or_null(on_->wall_normal), or_null(on_->motions), or_null(on_->wall_body)};
 }
 
 LevelOnDevice::~LevelOnDevice() = default;
@@ -176,7 +206,7 @@ void LevelOnDevice::bring_all_home() {
     on.p.id.give(p.id), on.p.kind.give(p.kind), on.p.aired.give(p.aired);
     on.place.give(p.place), on.motion.give(p.velocity_density), on.stress.give(p.gradient_pressure);
     on.shift.give(p.shift_support), on.rate.give(p.rate), on.surface.give(p.surface);
-    on.wall_normal.give(p.wall_normal), on.wall_leaving.give(p.wall_leaving);
+    on.wall_normal.give(p.wall_normal), on.wall_leaving.give(p.wall_leaving), on.wall_body.give(p.wall_body);
     on.wall_p.give(level_.walls_.pressures());
     if (!order_is_home_) {
         on.order.give_start(level_.start_);
@@ -222,6 +252,8 @@ void LevelOnDevice::make_lists(double drift) {
     on.lists.build(level_.grid_, on.place.data(), on.column, on.groups, water, among / level_.quanta_.size,
                    &Group::list);
     if (!level_.walls_.empty()) {
+        level_.walls_.sort(level_.grid_, level_.quanta_, cuda::lanes_of_group);
+        if (level_.walls_.move()) take_sorted_dummies();
         for (Arrays::Part& part : on.parts)
             part.lists.build(level_.grid_, on.wall_place.data() + part.first, part.column, part.groups, water,
                              to_walls / level_.quanta_.size, &Group::list);
@@ -358,8 +390,9 @@ void LevelOnDevice::find_walls(const Reaches& reaches) {
 void LevelOnDevice::ask_walls(std::size_t groups) {
     Arrays& on = *on_;
     const std::size_t n = on.p.size(), asked = groups * cuda::lanes_of_group;
-    on.wall_normal.resize(n), on.wall_leaving.resize(n);
-    launch(*device_, "tw_no_walls", cuda::NoWalls{on.wall_normal.data(), on.wall_leaving.data()}, n);
+    on.wall_normal.resize(n), on.wall_leaving.resize(n), on.wall_body.resize(level_.walls_.move() ? n : 0);
+    launch(*device_, "tw_no_walls", cuda::NoWalls{on.wall_normal.data(), on.wall_leaving.data(), or_null(on.wall_body)},
+           n);
     on.near_walls.resize(asked), on.walls_found.resize(asked);
     launch(*device_, "tw_take_near_walls",
            cuda::TakeNearWalls{on.p.view(), on.groups_at_walls.data(), on.near_walls.data()}, asked);
@@ -373,10 +406,12 @@ void LevelOnDevice::ask_walls(std::size_t groups) {
         if (q.index < 0) return;
         const Walls::Nearest nearest = level_.walls_.nearest(Vec3(q.x, q.y, q.z), Vec3(q.u, q.v, q.w), reach);
         found[k].wall = nearest.normal, found[k].leaving = nearest.leaving;
+        found[k].body = static_cast<std::uint16_t>(nearest.body);
     });
     on.walls_found.take(found);
     launch(*device_, "tw_put_walls",
-           cuda::PutWalls{on.walls_found.data(), on.wall_normal.data(), on.wall_leaving.data()}, asked);
+           cuda::PutWalls{on.walls_found.data(), on.wall_normal.data(), on.wall_leaving.data(), or_null(on.wall_body)},
+           asked);
     std::optional<std::size_t> through;
     for (const cuda::WallFound& f : found)
         if (f.index >= 0 && double(f.wall.distance) < -level_.setup_.dp) through = static_cast<std::size_t>(f.index);
@@ -392,6 +427,7 @@ void LevelOnDevice::refresh(double drift) {
     Arrays& on = *on_;
     if (host_counts_) take_state();
     update_records();
+    take_dummies();
     PruneData d;
     d.lists = on.lists.view();
     d.of = d.place = on.place.data();
@@ -446,7 +482,7 @@ WallView LevelOnDevice::walls() const {
     WallView w = level_.wall_view();
     w.list = on_->wall_lists.view();
     w.place = or_null(on_->wall_place), w.p = on_->wall_p.data();
-    w.velocity = nullptr;
+    w.velocity = or_null(on_->wall_velocity);
     w.body_end = on_->body_end.data();
     w.normal = or_null(on_->wall_normal);
     return w;
@@ -472,7 +508,7 @@ void LevelOnDevice::first_sweep(double compress, double drift) {
     after.place = on.place.data(), after.motion = on.motion.data(), after.stress = on.stress.data();
     after.wall = or_null(on.wall_normal);
     const double c0 = level_.setup_.state_equation.c0;
-    launch(*device_, "tw_compress", cuda::Compress{after, static_cast<float>(c0 * c0)}, n);
+    launch(*device_, "tw_compress", cuda::Compress{after, near_walls(), static_cast<float>(c0 * c0)}, n);
     refresh_images(on.stress.data());
     home_ = false;
 }
@@ -502,12 +538,14 @@ void LevelOnDevice::note_air() {
 
 void LevelOnDevice::second_sweep(double t) {
     Arrays& on = *on_;
+    take_dummies();
     for (const Arrays::Part& part : on.parts) {
         ExtrapolateData e = level_.extrapolation();
         e.water = water();
         e.list = part.lists.view();
         e.at = on.wall_place.data() + part.first;
         e.p = on.wall_p.data() + part.first;
+        if (on.wall_acceleration.size() > 0) e.acceleration = on.wall_acceleration.data() + part.first;
         sweep("tw_extrapolate", e, part.groups);
     }
     SecondSweepData d = level_.second_sweep_data(t);
@@ -524,6 +562,7 @@ LevelOnDevice::Moved LevelOnDevice::move(const Move& of_host) {
     std::size_t n = on.p.size();
     cuda::MoveAll task{.move = of_host,
                        .wall = or_null(on.wall_normal),
+                       .walls = near_walls(),
                        .held_from = Level::held_at_wall_over_dp * level_.setup_.dp,
                        .too_near = on.too_near.data(),
                        .count = on.count.data()};
@@ -559,8 +598,8 @@ void LevelOnDevice::fetch(std::vector<std::int32_t> which) {
     on.fetched.take(which);
     on.held.resize(which.size());
     launch(*device_, "tw_take_held",
-           cuda::TakeHeld{on.p.view(), or_null(on.wall_normal), or_null(on.wall_leaving), on.p.id.data(),
-                          on.p.kind.data(), on.fetched.data(), on.held.data()},
+           cuda::TakeHeld{on.p.view(), or_null(on.wall_normal), or_null(on.wall_leaving), or_null(on.wall_body),
+                          on.p.id.data(), on.p.kind.data(), on.fetched.data(), on.held.data()},
            which.size());
     std::vector<cuda::HeldParticle> held(which.size());
     on.held.give(held);
@@ -570,6 +609,7 @@ void LevelOnDevice::fetch(std::vector<std::int32_t> which) {
         p.x[i] = h.x, p.y[i] = h.y, p.z[i] = h.z;
         p.u[i] = h.u, p.v[i] = h.v, p.w[i] = h.w, p.drho[i] = h.drho;
         p.id[i] = h.id, p.kind[i] = h.kind;
+        if (!p.wall_body.empty()) p.wall_body[i] = h.body;
         if (!p.wall_normal.empty()) p.wall_normal[i] = h.wall, p.wall_leaving[i] = h.leaving;
     }
 }
@@ -580,10 +620,12 @@ void LevelOnDevice::put_back(const std::vector<std::size_t>& held_at_home) {
     std::vector<cuda::HeldParticle> held;
     for (const std::size_t i : held_at_home)
         held.push_back({static_cast<std::int64_t>(i), p.id[i], p.x[i], p.y[i], p.z[i], p.u[i], p.v[i], p.w[i],
-                        p.drho[i], p.wall_normal[i], p.wall_leaving[i], p.kind[i]});
+                        p.drho[i], p.wall_normal[i], p.wall_leaving[i], p.kind[i],
+                        p.wall_body.empty() ? std::uint16_t{0} : p.wall_body[i]});
     on_->held.take(held);
     launch(*device_, "tw_put_held",
-           cuda::PutHeld{on_->held.data(), on_->p.view(), on_->wall_normal.data(), on_->wall_leaving.data()},
+           cuda::PutHeld{on_->held.data(), on_->p.view(), on_->wall_normal.data(), on_->wall_leaving.data(),
+                         or_null(on_->wall_body)},
            held.size());
 }
 

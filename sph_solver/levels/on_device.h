@@ -1,8 +1,9 @@
 #pragma once
 #include <memory>
 
-#include "sph_solver/backend/cuda/driver.h"
+#include "sph_solver/cuda/driver.h"
 #include "sph_solver/levels/device_steps.h"
+#include "sph_solver/loops/wall_motion.h"
 #include "sph_solver/sweeps/views.h"
 
 namespace tw {
@@ -10,7 +11,7 @@ namespace tw {
 class Level;
 
 /// A level whose steps are made by a graphics processor: water on particles of one size under constant gravity, with
-/// walls at rest, whose pressure is linear in the density. In a step the host gets the loads of the groups at walls, the
+/// rigid walls, whose pressure is linear in the density. In a step the host gets the loads of the groups at walls, the
 /// extremes, and the few particles that a wall has to hold; when lists are made, the places of those near walls, of which
 /// it finds the nearest.
 class LevelOnDevice : public DeviceSteps {
@@ -40,6 +41,9 @@ private:
     WaterView water() const;
     WallView walls() const;
     void take_state();
+    void take_sorted_dummies();
+    void take_dummies();
+    NearWalls near_walls();
     void update_records();
     void cross_faces();
     void sort_particles();

@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "sph_solver/ghosts/link_map.h"
+#include "sph_solver/loops/link_map.h"
 #include "sph_solver/sweeps/records.h"
 
 namespace tw {

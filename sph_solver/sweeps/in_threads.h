@@ -3,7 +3,7 @@
 // particle in lane t % 8 and every fourth neighbour, from its slice t / 8 on; the four sums of a lane are added at the
 // end, in an order of their own. So a neighbour is loaded once for eight threads and four neighbours stand side by side.
 // Part of sweep.h; the same numbers on a processor: in_lanes.h with TW_SLICES = 4.
-#include "sph_solver/backend/cuda/language.h"
+#include "sph_solver/device/language.h"
 #include "sph_solver/sweeps/sweep_parts.h"
 
 #define TW_ALONE inline

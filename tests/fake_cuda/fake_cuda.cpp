@@ -1,6 +1,6 @@
 // The functions of the CUDA driver that twinwake calls, for a machine without one. "Device" memory comes from the host's
 // heap, filled with a pattern that is no number, between two fences; every copy, clearing and launch is checked against
-// what is allocated. Kernels are those of the variant device_emulated and the loops of backend/cuda/tasks.h, one index
+// what is allocated. Kernels are those of the variant device_emulated and the loops of cuda/tasks.h, one index
 // after another.
 //
 // FAKE_CUDA (environment): words of "no_device", "old_device", "old_driver" (a driver without cuLaunchKernel's kin is not
@@ -12,9 +12,9 @@
 #include <map>
 #include <string>
 
-#include "sph_solver/backend/cuda/kernel_list.h"
-#include "sph_solver/backend/cuda/sorting.h"
-#include "sph_solver/backend/cuda/tasks.h"
+#include "sph_solver/cuda/kernel_list.h"
+#include "sph_solver/cuda/sorting.h"
+#include "sph_solver/cuda/tasks.h"
 #include "sph_solver/effects/ventilation.h"
 #include "sph_solver/sweeps/views.h"
 

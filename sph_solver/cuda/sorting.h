@@ -5,8 +5,8 @@
 #include <cstdint>
 
 #include "sph_solver/fields/quantities.h"
-#include "sph_solver/ghosts/link_map.h"
 #include "sph_solver/loops/cross.h"
+#include "sph_solver/loops/link_map.h"
 #include "sph_solver/neighbours/column_grid.h"
 #include "sph_solver/sweeps/groups.h"
 
@@ -428,23 +428,31 @@ struct TakeNearWalls {
 struct NoWalls {
     WallNormalRecord* wall;
     LeavingRecord* leaving;
+    std::uint16_t* body;  ///< null: none moves
 
-    void operator()(std::size_t i) const { wall[i] = no_wall, leaving[i] = {0, 0, 0, 0}; }
+    void operator()(std::size_t i) const {
+        wall[i] = no_wall, leaving[i] = {0, 0, 0, 0};
+        if (body) body[i] = 0;
+    }
 };
 /// What the host has found of them.
 struct WallFound {
     std::int32_t index;
     WallNormalRecord wall;
     LeavingRecord leaving;
+    std::uint16_t body;
 };
 struct PutWalls {
     const WallFound* found;
     WallNormalRecord* wall;
     LeavingRecord* leaving;
+    std::uint16_t* body;  ///< null: none moves
 
     void operator()(std::size_t k) const {
         const WallFound& f = found[k];
-        if (f.index >= 0) wall[f.index] = f.wall, leaving[f.index] = f.leaving;
+        if (f.index < 0) return;
+        wall[f.index] = f.wall, leaving[f.index] = f.leaving;
+        if (body) body[f.index] = f.body;
     }
 };
 

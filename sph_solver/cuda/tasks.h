@@ -4,13 +4,14 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "sph_solver/backend/cuda/launch.h"
+#include "sph_solver/device/launch.h"
 #include "sph_solver/ghosts/laws.h"
 #include "sph_solver/loops/after_first_sweep.h"
 #include "sph_solver/loops/air.h"
 #include "sph_solver/loops/move.h"
 #include "sph_solver/loops/records.h"
 #include "sph_solver/loops/surface.h"
+#include "sph_solver/loops/wall_motion.h"
 #include "sph_solver/sweeps/groups.h"
 
 namespace tw::cuda {
@@ -93,27 +94,28 @@ struct NoteAir {
     void operator()(std::size_t i) const { air.note(i, stays, near); }
 };
 
-/// AfterFirstSweep of water whose pressure is c0^2 drho, beside walls at rest.
+/// AfterFirstSweep of water whose pressure is c0^2 drho, beside rigid walls.
 struct Compress {
     AfterFirstSweep after;
+    NearWalls walls;
     float c0_squared;
 
     void operator()(std::size_t i) const {
         after(
             i, [&](float drho) { return c0_squared * drho; },
             [&](std::size_t k, const V3<double>& u) {
-                const WallNormalRecord& n = after.wall[k];
-                return u.x * static_cast<double>(n.x) + u.y * static_cast<double>(n.y) + u.z * static_cast<double>(n.z);
+                return walls.leaving(k, {after.p.x[k], after.p.y[k], after.p.z[k]}, u);
             });
     }
 };
 
-/// Move beside walls at rest. A particle too near to one is left to the host: it is put on a list, in no order, and does
+/// Move beside rigid walls. A particle too near to one is left to the host: it is put on a list, in no order, and does
 /// not count for the extremes.
 struct MoveAll {
     Move move;
     WallNormalRecord* wall;  ///< null: there are none
-    double held_from;        ///< nearer than this to a wall a particle is held [m]
+    NearWalls walls;
+    double held_from;  ///< nearer than this to a wall a particle is held [m]
     std::int32_t* too_near;
     int* count;
 
@@ -124,9 +126,8 @@ struct MoveAll {
         move.drift_along(i, along, shift);
         if (wall && move.kind[i] == Kind::fluid) {
             WallNormalRecord& r = wall[i];
-            const V3<double> n{r.x, r.y, r.z};
-            const double leaving = along.x * n.x + along.y * n.y + along.z * n.z;
-            r.distance += static_cast<float>(move.drift * leaving + shift.x * n.x + shift.y * n.y + shift.z * n.z);
+            const double leaving = walls.leaving(i, {move.p.x[i], move.p.y[i], move.p.z[i]}, along);
+            r.distance += static_cast<float>(move.drift * leaving + dot(shift, normal_of(r)));
             if (static_cast<double>(r.distance) < held_from) {
                 too_near[add_one(count)] = static_cast<std::int32_t>(i);
                 return;
@@ -161,12 +162,14 @@ struct HeldParticle {
     WallNormalRecord wall;
     LeavingRecord leaving;
     Kind kind;
+    std::uint16_t body;
 };
 /// Takes such particles out of the arrays, and puts them back.
 struct TakeHeld {
     StateView p;
     const WallNormalRecord* wall;  ///< null: there are none
     const LeavingRecord* leaving;
+    const std::uint16_t* body;  ///< null: none moves
     const std::int64_t* id;
     const Kind* kind;
     const std::int32_t* which;
@@ -179,6 +182,7 @@ struct TakeHeld {
         h.x = p.x[i], h.y = p.y[i], h.z = p.z[i];
         h.u = p.u[i], h.v = p.v[i], h.w = p.w[i], h.drho = p.drho[i];
         if (wall) h.wall = wall[i], h.leaving = leaving[i];
+        if (body) h.body = body[i];
     }
 };
 struct PutHeld {
@@ -186,6 +190,7 @@ struct PutHeld {
     StateView p;
     WallNormalRecord* wall;
     LeavingRecord* leaving;
+    std::uint16_t* body;  ///< null: none moves
 
     void operator()(std::size_t k) const {
         const HeldParticle& h = from[k];
@@ -193,6 +198,7 @@ struct PutHeld {
         p.x[i] = h.x, p.y[i] = h.y, p.z[i] = h.z;
         p.u[i] = h.u, p.v[i] = h.v, p.w[i] = h.w, p.drho[i] = h.drho;
         wall[i] = h.wall, leaving[i] = h.leaving;
+        if (body) body[i] = h.body;
     }
 };
 

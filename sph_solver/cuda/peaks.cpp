@@ -1,10 +1,10 @@
-#include "sph_solver/backend/cuda/peaks.h"
+#include "sph_solver/cuda/peaks.h"
 
 #include <algorithm>
 #include <chrono>
 #include <limits>
 
-#include "sph_solver/backend/cuda/launch.h"
+#include "sph_solver/device/launch.h"
 #include "sph_solver/sweeps/records.h"
 
 namespace tw::cuda {

@@ -3,7 +3,7 @@
 // this is compiled for the device alone (kernels.cpp).
 #include <cstdint>
 
-#include "sph_solver/backend/cuda/launch.h"
+#include "sph_solver/device/launch.h"
 
 #if !defined(__CUDA_ARCH__)
 #error "for kernels only"

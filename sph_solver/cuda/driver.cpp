@@ -1,4 +1,4 @@
-#include "sph_solver/backend/cuda/driver.h"
+#include "sph_solver/cuda/driver.h"
 
 #include <dlfcn.h>
 
@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
-#include "sph_solver/backend/cuda/launch.h"
+#include "sph_solver/device/launch.h"
 
 // The kernels as PTX, ends with a zero (sph_solver/CMakeLists.txt).
 extern "C" const char tw_kernels_ptx[], tw_strict_kernels_ptx[];

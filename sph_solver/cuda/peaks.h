@@ -1,5 +1,5 @@
 #pragma once
-#include "sph_solver/backend/cuda/driver.h"
+#include "sph_solver/cuda/driver.h"
 
 namespace tw::cuda {
 

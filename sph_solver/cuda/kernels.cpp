@@ -15,9 +15,9 @@ extern "C++" __device__ inline double sqrt(double x) { return __builtin_sqrt(x);
 #pragma clang force_cuda_host_device begin
 #define TW_THREADS
 #define TW_ISA on_device
-#include "sph_solver/backend/cuda/kernel_list.h"
-#include "sph_solver/backend/cuda/sorting.h"
-#include "sph_solver/backend/cuda/tasks.h"
+#include "sph_solver/cuda/kernel_list.h"
+#include "sph_solver/cuda/sorting.h"
+#include "sph_solver/cuda/tasks.h"
 #include "sph_solver/effects/ventilation_isa.cpp"
 #include "sph_solver/sweeps/engine_isa.cpp"
 #pragma clang force_cuda_host_device end
