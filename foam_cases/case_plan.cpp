@@ -188,7 +188,7 @@ void plan_body(CasePlan& plan, std::set<std::string>& names) {
         throw InputError("bodies that move were measured with OpenFOAM of openfoam.com alone, and this is " +
                          plan.flavour.vendor_name() + " " + plan.flavour.version_name() +
                          "; use the particle method, or name another installation in [fvm] openfoam");
-    if (plan.hull_is_free()) {
+    if (plan.scene->hull_is_free()) {
         plan.bodies.push_back({plan.solids.front().name, followed.front()});
         plan.solids.front().moves = true;
     } else {
@@ -250,11 +250,11 @@ AxisCells split_axis(double low, double high, double spacing, std::vector<double
 }
 
 std::string CasePlan::solver_program() const {
-    return scene->fvm.interface == "isoadvector" ? geometric_solver : flavour.solver_program();
+    return scene->fvm.captures_geometrically() ? geometric_solver : flavour.solver_program();
 }
 
 std::string CasePlan::motion_table(const BodyInMesh& body) const {
-    return hull_is_free() ? hull_motion_table : body_table(body.body.name);
+    return scene->hull_is_free() ? hull_motion_table : body_table(body.body.name);
 }
 
 CasePlan plan_case(const Scene& scene, const Flavour& flavour) {
@@ -315,7 +315,7 @@ CasePlan plan_case(const Scene& scene, const Flavour& flavour) {
     plan.inlet_k = 10 * scene.water.kinematic_viscosity * plan.inlet_omega;
 
     plan_times(plan);
-    if (!plan.bodies.empty() && !plan.hull_is_free() && plan.moving().plate()) {
+    if (!plan.bodies.empty() && !plan.scene->hull_is_free() && plan.moving().plate()) {
         plan.plate_interval = plan.moving().plate()->first_period() / pressures_per_period;
         plan.largest_step = std::min(plan.largest_step, plan.plate_interval);  // or there would be no pressures at it
     }

@@ -83,7 +83,6 @@ struct CasePlan {
     const MovingBody& moving() const { return bodies.at(0).body; }
     /// interFoam, or what stands for it in the flavour; interIsoFoam where the surface is captured geometrically.
     std::string solver_program() const;
-    bool hull_is_free() const { return scene->hull && scene->hull->free; }
     std::string motion_table(const BodyInMesh& body) const;  ///< of the record, in which its motion stands
     /// Of what is solved: a half model's body weighs half, a section as much as the mesh is thick.
     double solved_share() const { return scene->span() / scene->symmetry_factor(); }

@@ -193,7 +193,7 @@ OpenFoam sound_openfoam(const std::string& preferred) {
 
 OpenFoam openfoam_for(const Scene& scene) {
     OpenFoam openfoam = sound_openfoam(scene.fvm.openfoam);
-    if (scene.fvm.interface != "isoadvector") return openfoam;
+    if (!scene.fvm.captures_geometrically()) return openfoam;
     openfoam.solver.replace_filename(geometric_solver);
     const auto refuse = [&](const std::string& why) {
         throw InputError(

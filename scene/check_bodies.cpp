@@ -105,7 +105,7 @@ void check_elastic(const Scene& scene, Sections& s) {
 }
 
 void check_free_hull(Scene& scene, Sections& s) {
-    if (!scene.hull || !scene.hull->free) return;
+    if (!scene.hull_is_free()) return;
     Hull& hull = *scene.hull;
     const FreeHull& free = *hull.free;
     if (scene.motion.kind != Motion::Kind::stream)

@@ -22,14 +22,14 @@ int level_for(double cell, double spacing) { return static_cast<int>(std::ceil(s
 /// Heave of a free hull, roughly [s]: m w^2 (1 + a) = rho g L B, with as much added mass as mass (a = 1) and a waterplane
 /// as long and wide as the hull; 0 of a hull that is held.
 double heave_period(const Scene& scene) {
-    if (!scene.hull || !scene.hull->free || !(scene.water.gravity > 0)) return 0;
+    if (!scene.hull_is_free() || !(scene.water.gravity > 0)) return 0;
     const double stiffness = scene.water.density * scene.water.gravity * scene.hull->length * scene.hull->beam;
     return 2 * std::numbers::pi * std::sqrt(2 * scene.hull->free->motion.mass.mass / stiffness);
 }
 
 /// When the stream has its speed, and a free hull is released [s].
 double start_of(const Scene& scene) {
-    return std::max(scene.motion.ramp, scene.hull && scene.hull->free ? scene.hull->free->motion.release : 0);
+    return std::max(scene.motion.ramp, scene.hull_is_free() ? scene.hull->free->motion.release : 0);
 }
 
 /// Settling of a stream after its start [s]. Measured: the force of a planing hull is settled one L/U after the start to

@@ -153,7 +153,7 @@ void add_geometry(Lines& t, const Scene& scene, bool sizes) {
     for (const Side side : {d.x_min, d.x_max, d.y_min, d.y_max, d.z_min, d.z_max})
         t.add("side", {static_cast<double>(side)});
     if (scene.hull) t.add("hull", scene.hull->hash).add("half", {scene.hull->half ? 1.0 : 0.0});
-    if (scene.hull && scene.hull->free) add_free_hull(t, *scene.hull->free);
+    if (scene.hull_is_free()) add_free_hull(t, *scene.hull->free);
     const bool flat = d.dimensions == 2 && !sizes;
     const double middle = 0.5 * (d.box.min.y() + d.box.max.y());
     for (const Obstacle& o : scene.obstacles) {
@@ -204,7 +204,7 @@ std::string numerics_of(const Scene& scene, const std::string& method) {
     add_keys(t, scene, SceneKey::Hashed::run, method);
     // how a run begins
     if (scene.motion.kind == Motion::Kind::stream) t.add("ramp", {scene.motion.ramp});
-    if (scene.hull && scene.hull->free) t.add("release", {scene.hull->free->motion.release});
+    if (scene.hull_is_free()) t.add("release", {scene.hull->free->motion.release});
     if (method == "fvm")
         if (const EdgeRefinement shedding = edge_refinement(scene); !shedding.edges.empty())
             t.add("edge_halvings", {static_cast<double>(shedding.halvings)});

@@ -145,7 +145,7 @@ std::string MeshMotion::sentence() const {
 }
 
 std::vector<MovingBody> followed_by_mesh(const Scene& scene) {
-    if (scene.hull && scene.hull->free)
+    if (scene.hull_is_free())
         return {MovingBody{
             .name = "hull",
             .source = scene.hull->source,
@@ -234,8 +234,8 @@ MeshMotion mesh_motion(const Scene& scene) {
     const std::vector<MovingBody> followed = followed_by_mesh(scene);
     for (const MovingBody& body : followed) check_body(body, scene);
     if (followed.empty()) return m;
-    const bool free_hull = scene.hull && scene.hull->free, stream = scene.motion.kind == Motion::Kind::stream;
-    if (scene.fvm.interface == "isoadvector")
+    const bool free_hull = scene.hull_is_free(), stream = scene.motion.kind == Motion::Kind::stream;
+    if (scene.fvm.captures_geometrically())
         refuse(scene, "fvm.interface",
                fmt::format("body {} moves, and interIsoFoam is used with meshes at rest alone; expected \"mules\"",
                            followed.front().name));

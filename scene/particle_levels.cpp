@@ -35,12 +35,10 @@ Box reached_hull(const Scene& scene, Box hull) {
     return hull;
 }
 
-bool hull_is_free(const Scene& scene) { return scene.hull && scene.hull->free; }
-
 /// The solids: hull, obstacles, and bodies; what moves where `moving` says that it is.
 std::vector<Root> roots(const Scene& scene, std::span<const MovedSolid> moving) {
     std::vector<Root> all;
-    const bool free = hull_is_free(scene);
+    const bool free = scene.hull_is_free();
     if (scene.hull)
         all.push_back({reached_hull(scene, free ? moving.front().bounds : scene.hull->surface.bounds()), free});
     for (const Obstacle& o : scene.obstacles) all.push_back({o.surface.bounds()});
@@ -185,7 +183,7 @@ void follow_spacing(Scene& scene, const std::function<void()>& make_domain) {
     const bool solids = scene.hull || !scene.obstacles.empty() || !scene.bodies.empty();
     const bool stream = scene.motion.kind == Motion::Kind::stream;
     const bool follows = stream ? scene.hull.has_value() : solids && !elastic;
-    r.of_particles = follows && r.spacing > r.near_hull && !(scene.hull && scene.hull->free);
+    r.of_particles = follows && r.spacing > r.near_hull && !scene.hull_is_free();
     if (follows && scene.sph.scheme == "kick_drift_kick")
         levels = std::min(most_levels, 1 + static_cast<int>(std::lround(std::log2(r.spacing / r.near_hull))));
     if (!scene.places.contains("sph.wake") && follows_its_hull(scene) && scene.hull->surface.bounds().max.z() > 0)
@@ -200,11 +198,11 @@ void follow_spacing(Scene& scene, const std::function<void()>& make_domain) {
     }
 }
 
-bool zones_move(const Scene& scene) { return hull_is_free(scene) || !scene.bodies.empty(); }
+bool zones_move(const Scene& scene) { return scene.hull_is_free() || !scene.bodies.empty(); }
 
 std::vector<MovedSolid> moving_at_start(const Scene& scene) {
     std::vector<MovedSolid> solids;
-    if (hull_is_free(scene)) solids.push_back({scene.hull->surface.bounds()});
+    if (scene.hull_is_free()) solids.push_back({scene.hull->surface.bounds()});
     for (const MovingBody& b : scene.bodies) solids.push_back({b.surface.bounds()});
     return solids;
 }
@@ -241,8 +239,9 @@ std::vector<Zone> particle_zones(const Scene& scene, std::span<const MovedSolid>
             const double width = scene.sph.zone * scene.resolution.near_hull + reach[static_cast<std::size_t>(below)];
             zones.insert(zones.begin(), zone_near_hull(std::move(parts), width, coarse_dp, scene));
         } else {
-            zones.insert(zones.begin(), Zone(std::move(parts), start[static_cast<std::size_t>(finer - k)],
-                                             hull_is_free(scene) ? moving.front().way : Eigen::Isometry3d::Identity()));
+            zones.insert(zones.begin(),
+                         Zone(std::move(parts), start[static_cast<std::size_t>(finer - k)],
+                              scene.hull_is_free() ? moving.front().way : Eigen::Isometry3d::Identity()));
         }
         for (int size = 0; size < k && size < finer; ++size)
             reach[static_cast<std::size_t>(size)] += between * coarse_dp;

@@ -194,7 +194,7 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
         if (scene.bodies[i].plate()) stand_elastic(scene.bodies[i], scene.resolution.near_hull, s.bodies[i]);
     // A stream without a hull has no length to settle over: its ramp is the domain's, so the domain comes first.
     const auto make_domain = [&] { scene.domain = domain_of(domain, tank, scene, s, depth); };
-    const bool free_hull = scene.hull && scene.hull->free;
+    const bool free_hull = scene.hull_is_free();
     if ((resolution.spacing || is_refined_unasked(scene)) && !scene.tank_motion && !particles.has("levels") &&
         !s.effects.on_off("air").value_or(false))
         follow_spacing(scene, make_domain);
@@ -223,7 +223,7 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     check_free_hull(scene, s);
     // Measured with the entry of a body (docs/decisions/034-moving-bodies-in-interfoam.md).
     if (scene.fvm.max_alpha_courant == 0 && !scene.bodies.empty()) scene.fvm.max_alpha_courant = 0.5;
-    if (scene.fvm.max_alpha_courant == 0 && scene.fvm.interface == "isoadvector")
+    if (scene.fvm.max_alpha_courant == 0 && scene.fvm.captures_geometrically())
         scene.fvm.max_alpha_courant = std::min(2.0, default_courant(scene));
     for (double* courant : {&scene.fvm.max_courant, &scene.fvm.max_alpha_courant})
         if (*courant == 0) *courant = default_courant(scene);

@@ -167,6 +167,7 @@ struct FvmOptions {
     double max_courant = 0, max_alpha_courant = 0;  ///< as written, else 4 in a stream and 1 without
     double interface_compression = 2;               ///< cAlpha
     std::string interface = "mules";  ///< how the water's surface is captured: mules, isoadvector
+    bool captures_geometrically() const { return interface == "isoadvector"; }
     int correctors = 3;
     std::string body_mesh = "auto";  ///< how the mesh follows a body that moves: auto, morphing, whole (mesh_motion.h)
     std::string openfoam;            ///< folder of an OpenFOAM installation; empty: found
@@ -202,6 +203,7 @@ struct Scene {
     std::string place_of(const std::string& key) const;
     /// Throws std::logic_error for a name that no effect has.
     bool effect_on(const std::string& name) const;
+    bool hull_is_free() const { return hull && hull->free; }
     int symmetry_factor() const { return hull && hull->half ? 2 : 1; }
     /// What is solved reaches over this many metres of span; results of two dimensions are divided by it [m]. Of three
     /// dimensions 1: they are not divided.

@@ -125,7 +125,7 @@ Dictionary functions(const CasePlan& plan) {
     if (plan.scene->hull) f.add("forces", forces(plan, "hull"));
     if (plan.mesh_moves()) {
         for (const BodyInMesh& b : plan.bodies)
-            if (!plan.hull_is_free()) f.add(b.forces(), forces(plan, b.patch));
+            if (!plan.scene->hull_is_free()) f.add(b.forces(), forces(plan, b.patch));
         // the log says where several bodies are
         if (!plan.several_bodies() && !plan.moving().motion.law) f.add("bodyState", body_state());
         if (plan.plate_interval > 0) f.add("plateSurface", plate_surface(plan));

@@ -20,7 +20,7 @@ Dictionary geometric_capture() {
 std::string fv_solution(const CasePlan& plan) {
     const Box& box = plan.scene->domain.box;
     Dictionary alpha{{"nAlphaCorr", 1},
-                     {"nAlphaSubCycles", plan.scene->fvm.interface == "isoadvector" ? 4 : 1},
+                     {"nAlphaSubCycles", plan.scene->fvm.captures_geometrically() ? 4 : 1},
                      {"MULESCorr", true},
                      {"nLimiterIter", 8},
                      {"alphaApplyPrevCorr", !plan.mesh_moves()},
@@ -32,7 +32,7 @@ std::string fv_solution(const CasePlan& plan) {
     if (!plan.flavour.compression_in_scheme())
         alpha.add({{"cAlpha", plan.scene->fvm.interface_compression},
                    {"icAlpha", 0}});  // 1 lets twice the air under a hull (measured)
-    if (plan.scene->fvm.interface == "isoadvector") alpha.add(geometric_capture());
+    if (plan.scene->fvm.captures_geometrically()) alpha.add(geometric_capture());
     Dictionary solvers;
     const auto pressure_solver = [](double relative) {
         return Dictionary{

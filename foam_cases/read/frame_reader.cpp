@@ -143,8 +143,8 @@ void FrameReader::read_hull(const TimeFolders::Moment& moment, RunRecord& record
     if (record.numbers.count("hull_mesh_error") == 0) {  // once: corners near and below still water
         const Vec3 low = scene.hull->surface.bounds().min;
         const double edge = plan_.finest_cell;
-        const Surface all =
-            plan_.hull_is_free() ? free_hull_at(plan_, case_ / "postProcessing", moment.time) : scene.hull->surface;
+        const Surface all = plan_.scene->hull_is_free() ? free_hull_at(plan_, case_ / "postProcessing", moment.time)
+                                                        : scene.hull->surface;
         const Surface hull = scene.hull->section ? with_span(all, scene.span()) : all;
         const double error =
             mesh_error(*patch, hull, half ? -1e-6 * edge : low.y(), std::max(0.0, 0.3 * std::abs(low.z())));

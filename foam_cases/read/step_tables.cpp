@@ -96,9 +96,9 @@ void read_heights(const CasePlan& plan, const fs::path& post, RunRecord& record)
 void read_step_tables(const CasePlan& plan, const fs::path& case_folder, const SolverLog& log, RunRecord& record) {
     if (plan.scene->hull) read_forces(plan, case_folder, record);
     const fs::path post = case_folder / "postProcessing";
-    if (plan.hull_is_free()) read_free_hull(plan, post, record);
+    if (plan.scene->hull_is_free()) read_free_hull(plan, post, record);
     for (const BodyInMesh& b : plan.bodies)
-        if (!plan.hull_is_free()) read_body(plan, b, post, log, record);
+        if (!plan.scene->hull_is_free()) read_body(plan, b, post, log, record);
     read_pressure(plan, post, record);
     read_heights(plan, post, record);
 }
