@@ -61,8 +61,12 @@ SurfaceSamples SurfaceSamples::of_section(const Surface& prism, double size) {
 SurfaceSamples SurfaceSamples::moved_with(const Body& body) const {
     SurfaceSamples moved;
     for (std::size_t k = 0; k < area.size(); ++k) moved.add(body.now(points.places[k]), body.turned(area[k]));
-    moved.patches_ = patches_;
-    for (Vec3& p : moved.patches_.points) p = body.now(p);
+    return moved;
+}
+
+Surface SurfaceSamples::patches_with(const Body& body) const {
+    Surface moved = patches_;
+    for (Vec3& p : moved.points) p = body.now(p);
     return moved;
 }
 

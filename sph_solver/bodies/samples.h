@@ -22,8 +22,10 @@ struct PointSamples {
 struct SurfaceSamples {
     PointSamples points;
     std::vector<Vec3> area;  ///< outward area vector of each patch [m2]
-    /// The patches as a surface, one triangle each, in the same order.
+    /// The patches as a surface, one triangle each, in the same order; not of samples that were moved.
     const Surface& patches() const { return patches_; }
+    /// The same where the body has taken them.
+    Surface patches_with(const Body& body) const;
 
     SurfaceSamples() = default;
     /// `region`: patches whose centre is outside are left out.
@@ -31,7 +33,7 @@ struct SurfaceSamples {
     /// Two dimensions: of a prism along y (meshes/section.h) its sides alone, in strips across the whole span no wider
     /// than `size`, with their centres at y = 0. Each strip is two patches.
     static SurfaceSamples of_section(const Surface& prism, double size);
-    /// The same patches where a body has taken them from where they stood at its start.
+    /// The samples where a body has taken them from where they stood at its start.
     SurfaceSamples moved_with(const Body& body) const;
 
     /// A quarter of the full support, half of what a flat wetted wall sees: water enough within reach for a pressure.

@@ -367,7 +367,7 @@ void Recorder::rewind(Simulation& simulation) {
 void Recorder::fill_hull_pressure(Simulation& simulation) {
     if (!hull_) return;
     sample_hull(simulation);
-    record_.hull = hull_->patches();
+    record_.hull = hull_at_start_->patches_with(*simulation.hull());
     record_.hull_pressure.clear();
     record_.hull_wet.clear();
     for (std::size_t k = 0; k < hull_->area.size(); ++k) {
