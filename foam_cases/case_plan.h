@@ -76,6 +76,7 @@ struct CasePlan {
     std::vector<BodyInMesh> bodies;  ///< that the mesh follows
     double relaxation = 1;           ///< of their accelerations, in each outer corrector
     double newmark_gamma = 0.5;      ///< of the rule that moves them; 1 damps what swings from step to step
+    double release_factor = 1;       ///< on the scene's velocity at the release (run/first_steps.h)
     int outer_correctors = 1;        ///< in which mesh, flow and bodies are solved once more in each step
     bool mesh_moves() const { return !bodies.empty(); }
     bool several_bodies() const { return bodies.size() > 1; }

@@ -17,4 +17,8 @@ void plan_coupling(CasePlan& plan);
 /// The time steps of the first while, where bodies are released at rest.
 void plan_release(CasePlan& plan);
 
+/// A single free body, not a hull, that comes down through the air: released with a velocity, and farther from all water
+/// than it moves in its first steps.
+bool released_in_air(const CasePlan& plan);
+
 }  // namespace tw

@@ -19,6 +19,8 @@
 #include "foam_cases/read/hull_patch.h"
 #include "foam_cases/read/number_rows.h"
 #include "foam_cases/read/plate_pressures.h"
+#include "foam_cases/release.h"
+#include "foam_cases/run/first_steps.h"
 #include "foam_cases/run/solve.h"
 #include "foam_cases/run/watchdog.h"
 #include "foam_cases/write_case.h"
@@ -29,6 +31,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
+const char* const release_factor_name = "release_factor";  // in the record: on the scene's first velocity of a body
 constexpr double save_interval = 20;  // wall seconds between saves of the record while the solver runs
 
 /// One run of one scene, from the empty folder to the record.
@@ -83,6 +86,7 @@ private:
         }
         if (options_.resume && fs::exists(record_file_)) take_up(read_record(record_file_));
         if (options_.resume && fs::exists(meshed_mark())) {
+            if (record_.numbers.contains(release_factor_name)) release_with(record_.numbers[release_factor_name]);
             if (const std::string file = changed_file(plan_, case_); !file.empty())
                 throw InputError(
                     (case_ / file).string() +
@@ -137,6 +141,8 @@ private:
         record_.certificate = std::move(earlier.certificate);
         record_.peak_memory = earlier.peak_memory;
         record_.elements = earlier.elements;
+        if (const auto factor = earlier.numbers.find(release_factor_name); factor != earlier.numbers.end())
+            record_.numbers[release_factor_name] = factor->second;
         for (const char* kept : {"started", "mesh_check", "restarts"})
             if (earlier.attributes.count(kept) != 0) record_.attributes[kept] = earlier.attributes[kept];
         record_.attributes["restarts"] = std::to_string(std::atoi(record_.attributes["restarts"].c_str()) + 1);
@@ -189,6 +195,10 @@ private:
         record_.elements = static_cast<double>(reader.cells());
         if (plan_.plate_interval > 0) plate_.emplace(plan_, case_);
 
+        if (moments.empty() && released_in_air(plan_) && !record_.numbers.contains(release_factor_name) &&
+            !find_release(programs, ranks))
+            return end("stopped", "stopped in the body's first steps, as asked; --resume begins them anew");
+
         const double began = wall_clock(), earlier_wall = phase("solving").wall, earlier_cpu = phase("solving").cpu;
         double saved = began;
         const double duration = plan_.scene->run.duration;
@@ -238,6 +248,24 @@ private:
                             "from the last saved state before that",
                             (case_ / "postProcessing").string(), gap->what));
         return end("finished", "");
+    }
+
+    /// False: a stop was asked for.
+    bool find_release(const CasePrograms& programs, int ranks) {
+        const double began = wall_clock();
+        tell(0, 0, 0, 0, "first steps of the body, to find the speed of its release");
+        const auto factor = release_factor(plan_, programs, ranks, [&] { return stop_asked(); });
+        phase("first steps") = {"first steps", wall_clock() - began, 0};
+        if (!factor) return false;
+        record_.numbers[release_factor_name] = *factor;
+        write_record(record_file_, record_);
+        release_with(*factor);
+        return true;
+    }
+    void release_with(double factor) {
+        plan_.release_factor = factor;
+        for (const CaseFile& f : mesh_motion_files(plan_))
+            if (f.path == "constant/dynamicMeshDict") write_text_atomically(case_ / f.path, f.text);
     }
 
     /// Removes the time folders from the first gap on: a kill or a full disk can take rows and leave fields, and what

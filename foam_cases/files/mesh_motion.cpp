@@ -68,7 +68,7 @@ Dictionary free_body(const CasePlan& plan) {
         {"centreOfMass", motion.mass.centre},
         {"orientation", tensor(own_axes.axes)},
         {"momentOfInertia", Vec3(share * own_axes.moments)},
-        {"velocity", motion.velocity},
+        {"velocity", Vec3(plan.release_factor * motion.velocity)},
         {"angularMomentum", Vec3(share * own_axes.moments.cwiseProduct(own_axes.axes.transpose() * motion.spin))},
         {"acceleration", Vec3(0, 0, rise)},
         {"report", true},

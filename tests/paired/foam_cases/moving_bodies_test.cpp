@@ -84,6 +84,22 @@ TEST_F(MovingBodies, WhatTheWaterGivesAFallingBodyIsItsChangeOfMomentum) {
     EXPECT_EQ(last(t, "q0"), 1);
 }
 
+// Wide and light: the air between it and the water weighs a tenth of what it weighs, and has been moving for long when it
+// is released. Falling on a cushion of air it loses no more than 1 % of its speed before it touches.
+TEST_F(MovingBodies, AWideLightBodyThatComesDownThroughTheAirKeepsItsSpeed) {
+    const RunRecord r = run_fvm(scene(body_in_tank(R"(["-2 m", 0, "-1.2 m"])", R"(["2 m", "40 mm", "0.8 m"])",
+                                                   "name = \"wedge\"\nshape = \"wedge\"\nwidth = \"1.2 m\"\ndeadrise "
+                                                   "= \"25 deg\"\nside_height = \"0.2 m\"\ndraft = \"-20 mm\"\n"
+                                                   "mass = \"94 kg\"\nvelocity = [0, 0, -5]\nlocked = [\"surge\", "
+                                                   "\"pitch\"]",
+                                                   "2.5 ms")),
+                                options());
+    ASSERT_EQ(r.state, "finished") << r.reason;
+    const Table& t = r.tables.at("body_wedge");
+    EXPECT_GT(r.numbers.at("release_factor"), 1.01) << "or this tests nothing";
+    EXPECT_NEAR(last(t, "vz") / -(5 + 9.81 * t.time.back()), 1, 0.01);
+}
+
 TEST_F(MovingBodies, APrescribedBodyIsWhereItsLawHasItAndItsMeshToo) {
     const RunRecord r = run_fvm(scene(box_in_tank("draft = \"50 mm\"\nmotion = \"prescribed\"\nlaw = \"sinusoid\"\n"
                                                   "along = [0, 0, 1]\namplitude = \"5 mm\"\nperiod = 0.8",

@@ -254,6 +254,31 @@ TEST(CaseFiles, StepsOfABodyReleasedAtRestAreAFiftiethOfTheTimeSince) {
 
     scene.bodies[0].motion.velocity.z() = -5;
     EXPECT_TRUE(plan_case(scene, v1912).step_caps.empty()) << "its Courant number sets its steps";
+    EXPECT_FALSE(released_in_air(plan_case(scene, v1912))) << "it is under water";
+}
+
+// Its first steps are run to find the speed with which it has to be released (run/first_steps.h).
+TEST(CaseFiles, ABodyThatComesThroughTheAirIsReleasedFaster) {
+    Scene scene = dam_break_scene();
+    scene.domain.box = {Vec3(-1, 0, -1), Vec3(1, 0.02, 1)};
+    scene.water_blocks.clear();
+    MovingBody& b = scene.bodies.emplace_back();
+    b.name = "box";
+    b.surface = make_hull("box", {{"length", 0.2}, {"beam", 1}, {"height", 0.1}});
+    const auto lies = [&](double above) {
+        for (Vec3& p : b.surface.points) p.z() += above - b.surface.bounds().min.z();
+        b.motion.mass = {10, Vec3(0, 0, above + 0.05), Eigen::Matrix3d::Identity()};
+        return plan_case(scene, v1912);
+    };
+    b.motion.free = {{false, false, true}, {false, false, false}};
+    b.motion.velocity.z() = -5;
+    CasePlan plan = lies(0.1);
+    EXPECT_TRUE(released_in_air(plan));
+    EXPECT_FALSE(released_in_air(lies(0.5 * plan.finest_cell))) << "the water's force in its first steps is real";
+    plan.release_factor = 1.04;
+    EXPECT_SAYS(mesh_motion_files(plan)[0].text, "velocity (0 0 -5.2);");
+    b.motion.velocity.z() = 0;
+    EXPECT_FALSE(released_in_air(lies(0.1))) << "it falls from rest";
 }
 
 // A sphere driven in for 10 ms took a last step to 10.4 ms, beyond a table that ended at 10.1 ms.
