@@ -80,7 +80,7 @@ std::optional<HullPatch> read_hull_patch(const fs::path& folder, const std::stri
 
 WetWall wet_wall(const HullPatch& patch) {
     WetWall wall;
-    for (const HullPatch::Face& f : patch.faces) wall.add(-f.area, f.pressure, f.water > 0.5);
+    for (const HullPatch::Face& f : patch.faces) wall.add(-f.area, f.pressure, f.water > 0.5, 1 - f.water);
     return wall;
 }
 

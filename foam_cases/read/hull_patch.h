@@ -28,7 +28,7 @@ struct HullPatch {
 /// Reads NAME.vtp (openfoam.com) or NAME.vtk (openfoam.org) below `folder`; nothing when neither is there or whole.
 std::optional<HullPatch> read_hull_patch(const std::filesystem::path& folder, const std::string& name = "hull");
 
-/// A face is wet from a water fraction of 0.5 on.
+/// A face is wet from a water fraction of 0.5 on; the gap is the share of air in the cell at it.
 WetWall wet_wall(const HullPatch& patch);
 
 /// How well the mesh shows the hull: the largest distance from a corner of its surface that lies at y >= `y_min` and

@@ -17,6 +17,7 @@
 #include "scene/hull_motion.h"
 #include "sph_solver/air.h"
 #include "sph_solver/bodies/rigid_in_water.h"
+#include "sph_solver/equations/half_space.h"
 #include "sph_solver/measure/certificate.h"
 #include "sph_solver/measure/level_ledger.h"
 #include "sph_solver/measure/water_energy.h"
@@ -262,10 +263,12 @@ void Recorder::record_bodies(const Simulation& simulation) {
 /// Of each solid that keeps its shape: how hard its wall pulls at the water, and where water leaves one that moves.
 void Recorder::record_walls(Simulation& simulation, std::size_t row) {
     Table& t = record_.table("samples");
+    const double h_over_dp = simulation.finest().h() / simulation.finest().setup().dp;
     const auto put = [&](const SurfaceSamples& samples, const Body& body) {
         WetWall wall;
         for (std::size_t k = 0; k < samples.area.size(); ++k)
-            wall.add(samples.area[k], samples.presses(k) ? double(samples.points.p[k]) : 0.0, samples.wet(k));
+            wall.add(samples.area[k], samples.presses(k) ? double(samples.points.p[k]) : 0.0, samples.wet(k),
+                     h_over_dp * half_space_distance(double(samples.points.support[k])));
         t.set(row, "suction_area_" + body.name(), per_span("m2"), factor_ * wall.suction_area());
         t.set(row, "suction_force_" + body.name(), per_span("N"), factor_ * wall.suction_force());
         if (!body.fixed() && !body.is_hull())

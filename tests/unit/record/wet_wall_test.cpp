@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/numbers.h"
+#include "free_streamline.h"
 
 namespace tw {
 namespace wet_wall_test {
@@ -14,7 +15,8 @@ WetWall cylinder(int faces, double angle, double pressure) {
     WetWall wall;
     for (int k = 0; k < faces; ++k) {
         const double at = 2 * pi * (k + 0.5) / faces - pi;
-        wall.add(2 * pi / faces * Vec3(std::sin(at), 0, -std::cos(at)), pressure, std::abs(at) < angle);
+        const bool wet = std::abs(at) < angle;
+        wall.add(2 * pi / faces * Vec3(std::sin(at), 0, -std::cos(at)), pressure, wet, wet ? 0 : 1);
     }
     return wall;
 }
@@ -29,8 +31,26 @@ TEST(WetWall, WaterLeavesACylinderWhereItsWetPartEnds) {
 TEST(WetWall, ADryPatchBelowAndAWetOneAboveMoveTheAngleByTheirAreaAlone) {
     WetWall wall = cylinder(720, 60 * degree, 0);
     const double area = 4 * degree;  // two degrees on either side
-    wall.add(Vec3(0, 0, area), 0, true);
+    wall.add(Vec3(0, 0, area), 0, true, 0);
     EXPECT_NEAR(wall.leaving_angle() / degree, 62, 1);
+}
+
+// Where water leaves a cylinder in a free jet smoothly is known, and the streamline behind (tests/data/README.md).
+TEST(WetWall, ASheetThatLeavesSmoothlyHasLeftWhereItsGapBegins) {
+    const FreeStreamlines exact;
+    for (const auto& [breadth, line] : exact.lines)
+        for (const double spacings : {5.5, 11., 22., 44.}) {  // in the radius
+            WetWall wall;
+            double within_half = 0;
+            constexpr int faces = 1440;
+            for (int k = 0; k < faces; ++k) {
+                const double at = 2 * pi * (k + 0.5) / faces - pi, gap = spacings * line.gap(std::abs(at) / degree);
+                wall.add(2 * pi / faces * Vec3(std::sin(at), 0, -std::cos(at)), 0, gap < 0.5, std::min(gap, 1.0));
+                if (gap < 0.5) within_half = std::max(within_half, std::abs(at));
+            }
+            EXPECT_NEAR(wall.leaving_angle() / degree, line.leaves(), 1.5) << breadth << ", " << spacings;
+            EXPECT_GT(within_half / degree, line.leaves() + (spacings < 30 ? 15 : 11)) << "or there is nothing to mend";
+        }
 }
 
 TEST(WetWall, SuctionIsPressureBelowTheAirsOnWetFacesAlone) {

@@ -4,7 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "../record/free_streamline.h"
+#include "record/wet_wall.h"
 #include "sph_solver/bodies/samples.h"
+#include "sph_solver/equations/half_space.h"
 #include "sph_solver/equations/kernel.h"
 
 namespace tw {
@@ -76,6 +79,47 @@ TEST(Wetness, OfAKeelIsItsLengthUpToTheWaterline) {
         const double theta = 5 * std::numbers::pi / 180;
         const Plate plate(theta, h);
         EXPECT_NEAR(plate.samples.wetted_length(1) / h, 6 * std::cos(theta), 0.6);
+    }
+}
+
+TEST(Wetness, TheGapToWaterIsKnownFromItsSupport) {
+    const double h = 0.1, fine = h / 16;
+    const Kernel kernel(h, 3);
+    for (const double gap : {0.0, 0.13, 0.4, 1.0}) {
+        double support = 0;
+        for (double x = -2 * h + fine / 2; x < 2 * h; x += fine)
+            for (double y = -2 * h + fine / 2; y < 2 * h; y += fine)
+                for (double z = gap * h + fine / 2; z < 2 * h; z += fine)
+                    support += fine * fine * fine * kernel.W(Vec3(x, y, z).norm());
+        EXPECT_NEAR(support, half_space_support(gap), 1e-3) << gap;
+        EXPECT_NEAR(half_space_distance(half_space_support(gap)), gap, 1e-5);
+    }
+    EXPECT_EQ(half_space_distance(0.52), 0);
+    EXPECT_NEAR(half_space_distance(0), 2, 1e-5);
+}
+
+// Water about a cylinder in a free jet, whose exact streamline leaves it at 49 degrees; what the patches see of it.
+TEST(Wetness, WaterHasLeftACylinderWhereItsExactStreamlineDoes) {
+    const FreeStreamlines exact;
+    const FreeStreamlines::Line& line = exact.lines.at(0.5);
+    for (const double spacings : {11., 22.}) {  // in the radius
+        const double R = 1, dp = R / spacings, h = 1.55 * dp, fine = h / 8;
+        const Kernel kernel(h, 2);
+        const auto is_water = [&](double x, double z) {
+            const double r = std::hypot(x, z), angle = std::atan2(std::abs(x), -z) * 180 / std::numbers::pi;
+            return r > R * (1 + line.gap(angle)) && line.gap(angle) < 1;
+        };
+        WetWall wall;
+        for (int k = 0; k < 4 * int(spacings); ++k) {  // one side
+            const double at = std::numbers::pi * (k + 0.5) / (4 * spacings);
+            const Vec3 out(std::sin(at), 0, -std::cos(at));
+            double support = 0;
+            for (double x = R * out.x() - 2 * h + fine / 2; x < R * out.x() + 2 * h; x += fine)
+                for (double z = R * out.z() - 2 * h + fine / 2; z < R * out.z() + 2 * h; z += fine)
+                    if (is_water(x, z)) support += fine * fine * kernel.W(std::hypot(x - R * out.x(), z - R * out.z()));
+            wall.add(out, 0, true, 1.55 * half_space_distance(support));
+        }
+        EXPECT_NEAR(wall.leaving_angle() * 180 / std::numbers::pi, line.leaves(), 4) << spacings;
     }
 }
 
