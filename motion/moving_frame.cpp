@@ -30,11 +30,15 @@ FrameForce MovingFrame::force(double t, const Vec3& gravity) const {
 
 Vec3 MovingFrame::velocity_of_rest() const { return law.turns ? Vec3::Zero() : Vec3(-law.at(0).rate * law.axis); }
 
+Vec3 moment_on(const Eigen::Matrix3d& inertia, const Vec3& spin, const FrameForce& f) {
+    const Eigen::Matrix3d S = 0.5 * inertia.trace() * Eigen::Matrix3d::Identity() - inertia,
+                          AS = (f.gradient - 2 * cross(f.spin) * cross(spin)) * S;
+    return {AS(2, 1) - AS(1, 2), AS(0, 2) - AS(2, 0), AS(1, 0) - AS(0, 1)};
+}
+
 FrameLoad load_on(const RigidBody& body, const FrameForce& f) {
-    const Eigen::Matrix3d I = body.inertia(), S = 0.5 * I.trace() * Eigen::Matrix3d::Identity() - I;
-    const Eigen::Matrix3d AS = (f.gradient - 2 * cross(f.spin) * cross(body.spin())) * S;
     return {body.mass().mass * f.at(body.state().centre, body.state().velocity),
-            Vec3(AS(2, 1) - AS(1, 2), AS(0, 2) - AS(2, 0), AS(1, 0) - AS(0, 1))};
+            moment_on(body.inertia(), body.spin(), f)};
 }
 
 }  // namespace tw

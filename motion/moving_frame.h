@@ -35,17 +35,20 @@ struct MovingFrame {
     Vec3 velocity_of_rest() const;
 };
 
+/// Moment about its centre of mass that a rigid body of this inertia about it and this spin in the frame feels [N m]:
+///
+///   M_i = e_ijk (A S)_kj,   A = gradient - 2 [spin x] [omega x],   S = int r r^T dm = tr(I) / 2 - I,
+///
+/// which is int r x f(X + r, U + omega x r) dm over the body.
+Vec3 moment_on(const Eigen::Matrix3d& inertia, const Vec3& spin, const FrameForce& f);
+
 /// Force and moment about the centre of mass [N], [N m].
 struct FrameLoad {
     Vec3 force, moment;
 };
 
-/// What a rigid body feels in such a frame, whose centre X, velocity U and spin omega are those in it:
-///
-///   F = m f(X, U),   M_i = e_ijk (A S)_kj,   A = gradient - 2 [spin x] [omega x],   S = int r r^T dm = tr(I) / 2 - I
-///
-/// which is int r x f(X + r, U + omega x r) dm over the body. With it the body's momentum in the frame obeys Newton's
-/// law as it does in the earth.
+/// What a rigid body feels in such a frame, whose centre X, velocity U and spin omega are those in it: F = m f(X, U), and
+/// the moment above. With it the body's momentum in the frame obeys Newton's law as it does in the earth.
 FrameLoad load_on(const RigidBody& body, const FrameForce& f);
 
 }  // namespace tw

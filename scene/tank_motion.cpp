@@ -37,11 +37,6 @@ std::optional<MovingFrame> read_tank_motion(SceneSection& s, int dimensions) {
 
 void check_tank_motion(const Scene& scene, Sections& s) {
     if (!scene.tank_motion) return;
-    for (std::size_t b = 0; b < scene.bodies.size(); ++b)
-        if (scene.bodies[b].elastic)
-            s.bodies[b].fail("elastic",
-                             "the inertia of an elastic body does not follow the motion of a tank; expected a rigid "
-                             "body, or [tank] without law");
     if (scene.effect_on("damping_layers"))
         s.effects.fail("damping_layers", "they hold the water to a tank at rest; remove this effect");
 }

@@ -178,10 +178,10 @@ SphSetup sph_setup(const Scene& scene, int threads) {
         s.bodies.emplace_back(through_mirrors(o.surface, s, coarsest_dp)).name = o.name;
     for (const MovingBody& b : scene.bodies) {
         if (b.elastic) {
-            s.bodies
-                .emplace_back(std::make_shared<const ElasticSetup>(
-                    b.tyre() ? elastic_setup(*b.tyre(), s.domain.min.z() + s.dp) : elastic_setup(*b.plate())))
-                .name = b.name;
+            ElasticSetup made =
+                b.tyre() ? elastic_setup(*b.tyre(), s.domain.min.z() + s.dp) : elastic_setup(*b.plate());
+            if (s.frame) made.velocity += s.frame->velocity_of_rest();
+            s.bodies.emplace_back(std::make_shared<const ElasticSetup>(std::move(made))).name = b.name;
             continue;
         }
         BodySetup& body =

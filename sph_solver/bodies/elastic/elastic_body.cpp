@@ -212,20 +212,41 @@ void ElasticBody::relax(const VectorXd& acceleration) {
     }
 }
 
-VectorXd ElasticBody::load_of(const VectorXd& water) const {
+/// By mass, on the nodes where they are shown to the water and on rigid parts a time `ahead` from where they stand; on
+/// what turns with a shell's nodes or a rigid part too.
+void ElasticBody::add_weight(VectorXd& load, double ahead) const {
     const structure::Freedoms& freedoms = setup_->freedoms;
-    VectorXd load = water;
     const VectorXd& mass = structure_->mass();
-    for (std::size_t k = 0; k < nodes_.size(); ++k) load.segment<3>(first_of(k)) += mass[first_of(k)] * water_.gravity;
-    for (std::size_t p = 0; p < freedoms.parts().size(); ++p)
-        load.segment<3>(freedoms.first_of_part(static_cast<int>(p))) += freedoms.parts()[p].mass * water_.gravity;
-    if (setup_->damping > 0) load -= setup_->damping * (freedoms.mass(mass) * v_);
+    FrameForce f;
+    f.at_pivot = water_.gravity;
+    if (water_.frame) f = water_.frame->force(time_ + ahead, water_.gravity);
+    const bool turns = water_.frame && water_.frame->law.turns && freedoms.per_node() == 6;
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+        const Eigen::Index first = first_of(k);
+        load.segment<3>(first) += mass[first] * f.at(nodes_[k].x, nodes_[k].v);
+        if (turns)
+            load.segment<3>(first + 3) +=
+                moment_on(mass.segment<3>(first + 3).asDiagonal(), v_.segment<3>(first + 3), f);
+    }
+    for (std::size_t p = 0; p < freedoms.parts().size(); ++p) {
+        const structure::RigidPart& part = freedoms.parts()[p];
+        const int first = freedoms.first_of_part(static_cast<int>(p));
+        const Vec3 u = u_.segment<3>(first), v = v_.segment<3>(first);
+        load.segment<3>(first) += part.mass * f.at(part.centre + u + ahead * v, v);
+        if (turns) load.segment<3>(first + 3) += moment_on(part.inertia, v_.segment<3>(first + 3), f);
+    }
+}
+
+VectorXd ElasticBody::load_of(const VectorXd& water, const BodyStep& step) const {
+    VectorXd load = water;
+    add_weight(load, step.drifted);
+    if (setup_->damping > 0) load -= setup_->damping * (setup_->freedoms.mass(structure_->mass()) * v_);
     return load;
 }
 
 void ElasticBody::rehearse(const BodyStep& step) {
     const std::vector<double> now = structure_->state();
-    structure_->step(step.kick, step.drift, load_of(force_.value() + impulses_.value() / step.kick));
+    structure_->step(step.kick, step.drift, load_of(force_.value() + impulses_.value() / step.kick, step));
     relax((structure_->velocity() - v_) / step.kick);
     structure_->restore(now);
     force_ = FreedomSums(v_.size());
@@ -236,7 +257,8 @@ void ElasticBody::move(const BodyStep& step) {
     const double dt = step.kick, felt = 2 * step.drifted;
     const VectorXd force = force_.value(), impulses = impulses_.value(), water = force + impulses / dt;
     const VectorXd before = v_;
-    const VectorXd change = structure_->step(dt, step.drift, load_of(water));
+    const VectorXd change = structure_->step(dt, step.drift, load_of(water, step));
+    time_ += step.drifted + step.drift;
     u_ = structure_->displacement();
     v_ = structure_->velocity();
     const double taken = water.dot(change);
@@ -308,7 +330,7 @@ std::vector<double> ElasticBody::state() const {
     for (const VectorXd* part : {&accelerations_, &last_acceleration_, &impulses})
         all.insert(all.end(), part->begin(), part->end());
     all.insert(all.end(), {power_before_, work_taken_, work_given_, work_exchanged_, impulse_.x(), impulse_.y(),
-                           impulse_.z(), made_lately_, exchanged_lately_});
+                           impulse_.z(), made_lately_, exchanged_lately_, time_});
     const std::vector<double> own = structure_->state();
     all.insert(all.end(), own.begin(), own.end());
     return all;
@@ -325,10 +347,10 @@ void ElasticBody::restore(std::span<const double> state) {
     for (VectorXd* part : {&accelerations_, &last_acceleration_, &impulses})
         std::ranges::copy(next(static_cast<std::size_t>(part->size())), part->begin());
     impulses_ = FreedomSums(impulses);
-    const auto sums = next(9);
+    const auto sums = next(10);
     power_before_ = sums[0], work_taken_ = sums[1], work_given_ = sums[2], work_exchanged_ = sums[3];
     impulse_ = Vec3(sums[4], sums[5], sums[6]);
-    made_lately_ = sums[7], exchanged_lately_ = sums[8];
+    made_lately_ = sums[7], exchanged_lately_ = sums[8], time_ = sums[9];
     structure_->restore(state.subspan(at));
     u_ = structure_->displacement();
     v_ = structure_->velocity();

@@ -125,7 +125,9 @@ private:
     Vec3 barycentric(int triangle, const Vec3& x) const;
     void relax(const Eigen::VectorXd& acceleration);
     void push(const Tie& tie, const Vec3& force);
-    Eigen::VectorXd load_of(const Eigen::VectorXd& water) const;
+    /// With the body's own weight, or what it feels in a tank that moves, and its damping, in the middle of the step.
+    Eigen::VectorXd load_of(const Eigen::VectorXd& water, const BodyStep& step) const;
+    void add_weight(Eigen::VectorXd& load, double ahead) const;
     /// Of a node's freedoms.
     Eigen::Index first_of(std::size_t node) const {
         return static_cast<Eigen::Index>(node) * setup_->freedoms.per_node();
@@ -149,6 +151,7 @@ private:
     ExactSum power_;                     ///< of the forces in force_, with the velocities that the water felt [W]
     double power_before_ = 0;            ///< of the forces before, with the same velocities [W]
     std::vector<double> relaxation_;     ///< theta of each node
+    double time_ = 0;                    ///< at which the structure stands [s]
     double lightest_ = 0;                ///< the largest rho0 dp A / m of a node that may move [-]
     WaterNear water_;
     double interface_step_ = HUGE_VAL;  ///< what the interface allows [s]
