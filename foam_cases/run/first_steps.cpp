@@ -42,8 +42,8 @@ bool run_solver(const CasePlan& plan, const CasePrograms& programs, int ranks,
 std::optional<double> release_factor(const CasePlan& plan, const CasePrograms& programs, int ranks,
                                      const std::function<bool()>& stop_asked) {
     const fs::path folder = programs.case_folder(), control = folder / "system/controlDict";
-    // Steps grow by a fifth: six of them, in which the body has moved by half a cell. Body and air answer each other with
-    // a relaxation, which has done its work by then.
+    // Steps grow by a fifth: six of them, in which the body has moved by half a cell. Body and air answer each other
+    // with a relaxation, which has done its work by then.
     Scene scene = *plan.scene;
     scene.run.duration = 10 * plan.first_step;
     CasePlan trial = plan;

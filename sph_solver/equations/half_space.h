@@ -3,10 +3,11 @@
 
 namespace tw {
 
-/// Kernel support at a distance d from water that fills a half space (equations/kernel.h, in three dimensions; in two it
-/// is 0 to 0.003 more):
+/// Kernel support at a distance d from water that fills a half space (equations/kernel.h, in three dimensions; in two
+/// it is 0 to 0.003 more):
 ///
-///   S = integral_d^2h A(z) dz,   A(z) = 2 pi integral_z^2h W r dr,   so   S = T^6 (7/2 - 9/2 T + 3/2 T^2),  T = 1 - d/2h
+///   S = integral_d^2h A(z) dz,   A(z) = 2 pi integral_z^2h W r dr
+///   S = T^6 (7/2 - 9/2 T + 3/2 T^2),   T = 1 - d/2h
 ///
 /// `d` in h.
 inline double half_space_support(double d) {

@@ -1,4 +1,4 @@
-// Elastic bodies in a tank that moves, without water: they bend under what their own mass feels, which is known.
+// Elastic bodies in a tank that moves: they bend under what their own mass feels, and under water, as formulas say.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -83,8 +83,8 @@ TEST(ElasticInTank, ACantileverBendsAsTheTankHeaves) {
     }
 }
 
-// In a tank that turns about a pivot the distance r behind its root with the angular acceleration alpha it feels m alpha
-// (r + x): at its tip m alpha (r L^4 / 8 + 11 L^5 / 120) / D, and the shear's m alpha (r L^2 / 2 + L^3 / 3) / S.
+// In a tank that turns about a pivot the distance r behind its root with the angular acceleration alpha it feels m
+// alpha (r + x): at its tip m alpha (r L^4 / 8 + 11 L^5 / 120) / D, and the shear's m alpha (r L^2 / 2 + L^3 / 3) / S.
 TEST(ElasticInTank, ACantileverBendsAsTheTankTurns) {
     const Cantilever c;
     const double r = 0.3, L = c.L;
@@ -99,8 +99,8 @@ TEST(ElasticInTank, ACantileverBendsAsTheTankTurns) {
     }
 }
 
-// A block that stands on the tank's floor between walls, with c^2 = M / rho: its top goes down by a / w^2 (1 / cos(w H / c)
-// - 1) in a tank that heaves with a cos(w t).
+// A block that stands on the tank's floor between walls, with c^2 = M / rho: its top goes down by a / w^2 (1 / cos(w H
+// / c) - 1) in a tank that heaves with a cos(w t).
 TEST(ElasticInTank, ABlockIsCompressedAsTheTankHeaves) {
     constexpr double H = 0.04, E = 2e5, nu = 0.3, rho = 1100, period = 0.2, omega = 2 * std::numbers::pi / period;
     structure::SolidMesh mesh = structure::block_mesh(
@@ -123,8 +123,8 @@ TEST(ElasticInTank, ABlockIsCompressedAsTheTankHeaves) {
     EXPECT_NEAR(found / exact, 1, 0.01);
 }
 
-// Water on a plate in a tank that heaves weighs rho (g + a) h, and so does the plate. Both parts of the deflection, of g and
-// of a, are fitted to it over the whole run, weighted by a bell that leaves the swing after the release alone.
+// Water on a plate in a tank that heaves weighs rho (g + a) h, and so does the plate. Both parts of the deflection, of
+// g and of a, are fitted to it over the whole run, weighted by a bell that leaves the swing after the release alone.
 TEST(ElasticInTank, WaterOnAPlateWeighsMoreAsTheTankRises) {
     const ColumnOnPlate column{0.01};
     SimulationSetup s = column.setup();
