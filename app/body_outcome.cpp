@@ -6,9 +6,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "text/plain_number.h"
+
 namespace tw::app {
 
 namespace {
+
+/// As people write it; rounding about 0 is 0.
+std::string in_words(double value) { return plain_number(std::abs(value) < 1e-9 ? 0 : value, 4); }
 
 /// The largest of each gauge and of the frame's acceleration, and what the interface made of the energy.
 std::string outcome_of_elastic(const MovingBody& body, const Table& t, const Scene& scene) {
@@ -19,10 +24,11 @@ std::string outcome_of_elastic(const MovingBody& body, const Table& t, const Sce
         for (std::size_t k = 0; k < c->values.size(); ++k)
             if (std::isfinite(c->values[k]) && !(at < k && std::abs(c->values[k]) <= std::abs(c->values[at]))) at = k;
         if (at == c->values.size()) return std::string();
-        return fmt::format("  {} at most {:.4g}{} at {:.4g} s\n", column, c->values[at], unit, t.time[at]);
+        return fmt::format("  {} at most {}{} at {} s\n", column, in_words(c->values[at]), unit, in_words(t.time[at]));
     };
-    std::string out = fmt::format("elastic body {} at {:.4g} s:\n", body.name, t.time.back()) + most("az", " m/s2") +
-                      most("fx", scene.spanwise_unit(" N").c_str()) + most("fz", scene.spanwise_unit(" N").c_str());
+    std::string out = fmt::format("elastic body {} at {} s:\n", body.name, in_words(t.time.back())) +
+                      most("az", " m/s2") + most("fx", scene.spanwise_unit(" N").c_str()) +
+                      most("fz", scene.spanwise_unit(" N").c_str());
     out += most("floor_force", " N");
     for (const ElasticGauge& g : std::visit([](const auto& part) { return part.gauges; }, *body.elastic))
         if (g.direction)
@@ -32,9 +38,9 @@ std::string outcome_of_elastic(const MovingBody& body, const Table& t, const Sce
     if (!t.find("work_taken")) return out;  // rigid in this method's run
     const auto last = [&](const char* column) { return t.find(column)->values.back(); };
     out += fmt::format(
-        "  work of the water on it {:.4g} {}, {:.4g} exchanged in both directions; the interface generated {:+.2g} % "
+        "  work of the water on it {} {}, {} exchanged in both directions; the interface generated {:+.2g} % "
         "of the latter\n",
-        last("work_taken"), scene.spanwise_unit("J"), last("work_exchanged"),
+        in_words(last("work_taken")), scene.spanwise_unit("J"), in_words(last("work_exchanged")),
         100 * (last("work_taken") - last("work_given")) / std::max(1e-300, last("work_exchanged")));
     return out;
 }
@@ -57,6 +63,9 @@ std::string outcome_of_bodies(const Scene& scene, const RunRecord& record) {
             const Column* c = t.find(column);
             return c && !c->values.empty() ? c->values.back() : std::numeric_limits<double>::quiet_NaN();
         };
+        const auto place = [&](const char* x, const char* y, const char* z) {
+            return "(" + in_words(last(x)) + ", " + in_words(last(y)) + ", " + in_words(last(z)) + ")";
+        };
         double most = 0, when = 0;
         const Column *fx = t.find("fx"), *fy = t.find("fy"), *fz = t.find("fz");
         for (std::size_t k = 0; fx && fy && fz && k < t.time.size(); ++k)
@@ -64,10 +73,10 @@ std::string outcome_of_bodies(const Scene& scene, const RunRecord& record) {
                 most = f, when = t.time[k];
         const double turned = 2 * std::acos(std::clamp(std::abs(last("q0")), 0.0, 1.0)) * 180 / std::numbers::pi;
         out += fmt::format(
-            "body {} at {:.4g} s: centre at ({:.4g}, {:.4g}, {:.4g}) m, {:.4g} m below its start; ({:.4g}, {:.4g}, "
-            "{:.4g}) m/s; turned by {:.3g} deg; largest force {:.4g} {} at {:.4g} s\n",
-            body.name, t.time.back(), last("x"), last("y"), last("z"), body.motion.mass.centre.z() - last("z"),
-            last("vx"), last("vy"), last("vz"), turned, most, scene.spanwise_unit("N"), when);
+            "body {} at {} s: centre at {} m, {} m below its start; {} m/s; turned by {} deg; largest force {} {} at "
+            "{} s\n",
+            body.name, in_words(t.time.back()), place("x", "y", "z"), in_words(body.motion.mass.centre.z() - last("z")),
+            place("vx", "vy", "vz"), in_words(turned), in_words(most), scene.spanwise_unit("N"), in_words(when));
     }
     if (const auto how = record.attributes.find("mesh_motion"); how != record.attributes.end() && !out.empty())
         out += how->second + "\n";

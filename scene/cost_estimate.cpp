@@ -15,6 +15,7 @@
 #include "scene/refined_places.h"
 #include "scene/running_water.h"
 #include "scene/scene.h"
+#include "text/plain_number.h"
 #include "text/units.h"
 
 namespace tw {
@@ -150,9 +151,9 @@ MethodCost predict_particles(const Scene& scene, const Prediction& p, double pac
     cost.elements = p.particles + p.air_particles;
     cost.with_walls = cost.elements + p.wall_particles;
     cost.most = cost.with_walls + p.most_particles - p.particles;
-    cost.in_words =
-        fmt::format("{:.3g} particles{} + {:.3g} in walls", p.particles,
-                    p.air_particles > 0 ? fmt::format(" + {:.3g} of air", p.air_particles) : "", p.wall_particles);
+    cost.in_words = fmt::format("{} particles{} + {} in walls", plain_number(p.particles),
+                                p.air_particles > 0 ? " + " + plain_number(p.air_particles) + " of air" : "",
+                                plain_number(p.wall_particles));
     cost.lengthened_by = {{"sph.cfl", SphOptions{}.cfl / scene.sph.cfl},
                           {"sph.c0", scene.sph.c0 / default_sound_speed(scene)}};
     return cost;
@@ -169,7 +170,7 @@ MethodCost predict_cells(const Scene& scene, const Prediction& p, double pace) {
                            p.cells * cost.steps / (cell_steps_per_core_second * (1 + (n - 1) * parallel_share)));
     cost.bytes = p.raster_bytes + p.cells * bytes_per_cell + bytes_of_interfoam * n;
     cost.elements = cost.with_walls = cost.most = p.cells;
-    cost.in_words = fmt::format("{:.3g} cells", p.cells);
+    cost.in_words = plain_number(p.cells) + " cells";
     cost.lengthened_by = {{"fvm.max_courant", default_courant(scene) / scene.fvm.max_courant},
                           {"sampling.interval", default_interval(scene) / scene.sampling.interval}};
     return cost;

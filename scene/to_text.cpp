@@ -16,6 +16,7 @@
 #include "scene/tank_walls.h"
 #include "structure/shell/shell.h"
 #include "structure/solid/solid.h"
+#include "text/plain_number.h"
 #include "text/units.h"
 
 namespace tw {
@@ -170,17 +171,17 @@ std::string sizes_text(const Scene& scene, const Prediction& p, const MethodCost
     std::string out;
     if (p.most_particles > p.particles)
         out += fmt::format(
-            "       water runs into the finer zones: {:.2g} particles at the start, {:.2g} in the mean (time), up to "
-            "{:.2g} (memory)\n",
-            p.particles_at_start, p.particles, p.most_particles);
+            "       water runs into the finer zones: {} particles at the start, {} in the mean (time), up to {} "
+            "(memory)\n",
+            plain_number(p.particles_at_start, 2), plain_number(p.particles, 2), plain_number(p.most_particles, 2));
     const std::vector<CostOfSize> sizes = cost_of_sizes(scene, p, cost);
     if (sizes.size() < 2) return out;
     out += "       particles      all = active + guards + parents      memory  of the time     time step\n";
     for (const CostOfSize& s : sizes) {
         const ParticlesOfSize& n = s.particles;
-        out += fmt::format("       {:7.4g} m {:8.3g} {:8.3g} {:8.3g}  {:8.3g} {:8.3g} MB {:10.0f} % {:11.3g} s\n",
-                           n.spacing, n.all(), n.active, n.guards, n.parents, s.bytes / 1e6,
-                           100 * s.seconds / cost.seconds, s.dt);
+        out += fmt::format("       {:7.4g} m {:>8} {:>8} {:>8}  {:>8} {:8.3g} MB {:10.0f} % {:>11} s\n", n.spacing,
+                           plain_number(n.all()), plain_number(n.active), plain_number(n.guards),
+                           plain_number(n.parents), s.bytes / 1e6, 100 * s.seconds / cost.seconds, plain_number(s.dt));
     }
     return out;
 }
@@ -272,7 +273,7 @@ std::string to_text(const Scene& scene, const Prediction& p) {
         "\npredicted for this machine (two significant digits at best; drawing the report takes {:.2g} GB at least)\n",
         bytes_of_report / 1e9);
     for (const MethodCost& cost : p.costs) {
-        out += fmt::format("  {:4} {}, {:.3g} steps, {:.2g} GB, {}\n", cost.method, cost.in_words, cost.steps,
+        out += fmt::format("  {:4} {}, {} steps, {:.2g} GB, {}\n", cost.method, cost.in_words, plain_number(cost.steps),
                            cost.bytes / 1e9, time_in_words(cost.seconds));
         if (elements_of(cost.method) == "particles") out += sizes_text(scene, p, cost);
     }

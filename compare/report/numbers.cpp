@@ -22,7 +22,7 @@ int decimals(double value, double half_width) {
 std::string digits(double value, int places, double size) {
     const std::string sign = value < 0 ? "−" : "";
     if (size != 0 && (size >= 1e7 || size < 1e-4)) return sign + plain_number(std::abs(value));
-    if (std::abs(value) < 0.5 * std::pow(10.0, -places)) return fmt::format("{:.{}f}", 0.0, places);  // no "-0.00"
+    if (std::abs(value) < 0.5 * std::pow(10.0, -places)) return "0";  // and no "-0.00"
     return fmt::format("{}{:.{}f}", sign, std::abs(value), places);
 }
 }  // namespace
@@ -43,7 +43,8 @@ std::string mean_text(const MeanValue& mean) {
 
 std::string signed_text(double value, double half_width) {
     if (!std::isfinite(value)) return "–";
-    return fmt::format("{}{}", value > 0 ? "+" : "", value_text(value, half_width));
+    const std::string text = value_text(value, half_width);
+    return (value > 0 && text != "0" && !text.starts_with("0 ") ? "+" : "") + text;
 }
 
 std::string per_cent_text(double per_cent) {

@@ -6,6 +6,7 @@
 
 #include "meshes/below_water.h"
 #include "scene/defaults.h"
+#include "text/plain_number.h"
 
 namespace tw {
 namespace {
@@ -63,6 +64,6 @@ double ittc57(double reynolds) {
     return 0.075 / (l * l);
 }
 
-std::string per_cent(double share) { return fmt::format("{:.2g} %", 100 * share); }
+std::string per_cent(double share) { return plain_number(100 * share, 2) + " %"; }
 
 }  // namespace tw

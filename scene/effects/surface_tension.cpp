@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "scene/effects/part.h"
+#include "text/plain_number.h"
 
 namespace tw::effect_parts {
 namespace {
@@ -17,8 +18,8 @@ EffectChoice plan_surface_tension(const EffectQuestion& q) {
                                               : "it acts only on the finest resolved sheets and drops");
     const std::string share = per_cent(std::min(1.0, 1 / n.weber));
     c.influence = influence(share, share,
-                            fmt::format("drops smaller than {:.2g} m are held together by it",
-                                        12 * q.scene.water.surface_tension / (2 * n.head)));
+                            fmt::format("drops smaller than {} m are held together by it",
+                                        plain_number(12 * q.scene.water.surface_tension / (2 * n.head), 2)));
     c.cost = 0.23;
     return c;
 }

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "scene/effects/part.h"
+#include "text/plain_number.h"
 
 namespace tw::effect_parts {
 namespace {
@@ -18,15 +19,16 @@ EffectChoice plan_viscosity(const EffectQuestion& q) {
     const double ratio = scene.water.kinematic_viscosity > 0 ? numerical / scene.water.kinematic_viscosity : INFINITY;
     c.reason = fmt::format(
         "Re = {:.3g}: a laminar boundary layer is {:.2g} spacings thick ({}); the numerical viscosity of the particle "
-        "method is {:.2g} times that of the water",
-        n.reynolds, layer / dp, layer > 5 * dp ? "resolved" : "at least five are needed to resolve it", ratio);
+        "method is {} times that of the water",
+        n.reynolds, layer / dp, layer > 5 * dp ? "resolved" : "at least five are needed to resolve it",
+        plain_number(ratio, 2));
     if (c.on && ratio > 10) c.reason += ", so its friction is no prediction";
     if (n.wetted_area > 0) {
         const double cf = std::isfinite(n.reynolds) ? ittc57(n.reynolds) : 0;
-        c.influence = influence(
-            fmt::format("about {:.3g} N of friction (ITTC 1957, Cf = {:.3g}, wetted area {:.3g} m2){}",
-                        cf * n.head * n.wetted_area, cf, n.wetted_area, c.on ? "" : ", left out by both methods"),
-            "below 1 %", "below 1 %");
+        c.influence = influence(fmt::format("about {} N of friction (ITTC 1957, Cf = {:.3g}, wetted area {:.3g} m2){}",
+                                            plain_number(cf * n.head * n.wetted_area), cf, n.wetted_area,
+                                            c.on ? "" : ", left out by both methods"),
+                                "below 1 %", "below 1 %");
     } else {
         c.influence = influence(
             "wall friction", "none",

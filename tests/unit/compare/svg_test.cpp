@@ -123,7 +123,9 @@ TEST(Base64, KnownVectors) {  // RFC 4648, section 10
 TEST(Numbers, ShowTheDigitsTheirIntervalSupports) {
     EXPECT_EQ(value_text(2722.4, 13.2), "2722 ± 13");
     EXPECT_EQ(value_text(0.41234, 0.0251), "0.412 ± 0.025");
-    EXPECT_EQ(value_text(-0.00001, 0.05), "0.000 ± 0.050");
+    EXPECT_EQ(value_text(-0.00001, 0.05), "0 ± 0.050");
+    EXPECT_EQ(value_text(0, 6.5), "0 ± 6.5");
+    EXPECT_EQ(signed_text(0.00001, 0.05), "0 ± 0.050");
     EXPECT_EQ(signed_text(-82.3, 19), "−82 ± 19");
     EXPECT_EQ(per_cent_text(-3.02), "−3.0 %");
     EXPECT_EQ(value_text(std::nan(""), 1), "–");
