@@ -7,6 +7,7 @@
 
 #include "record/code_version.h"
 #include "record/hull_motion.h"
+#include "record/solid_at_rest.h"
 #include "record/this_machine.h"
 #include "scene/hash.h"
 #include "scene/hull_motion.h"
@@ -162,6 +163,8 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
         for (std::size_t k = 0; k < hull.repairs.size(); ++k)
             record.attributes[fmt::format("hull_repair_{:02}", k)] = hull.repairs[k];
     }
+    for (const Obstacle& o : scene.obstacles)
+        record.bodies.push_back({obstacle_table(o.name), o.surface, Vec3::Zero()});
     for (const MovingBody& b : scene.bodies) {
         record.numbers["mass_" + b.name] = b.motion.mass.mass;
         if (!b.elastic || method != "sph")  // that bends

@@ -7,6 +7,7 @@
 
 #include "base/errors.h"
 #include "compare/read/record_numbers.h"
+#include "compare/verdict/left_out.h"
 #include "methods/methods.h"
 
 namespace tw {
@@ -106,19 +107,6 @@ std::string to_string(Seen seen) {
         case Seen::not_known: break;
     }
     return "not known";
-}
-
-std::string influence_on(const std::string& quantity, const std::string& influence) {
-    const auto begins = [&](const char* word) { return quantity.starts_with(word); };
-    const std::string key = begins("drag")                           ? "drag: "
-                            : begins("lift")                         ? "lift: "
-                            : begins("splash") || begins("airborne") ? "splash: "
-                                                                     : "";
-    if (key.empty()) return {};
-    auto at = influence.find(key);
-    if (at == influence.npos || (at > 0 && influence.compare(at - 2, 2, "; ") != 0)) return {};
-    at += key.size();
-    return influence.substr(at, influence.find("; ", at) - at);
 }
 
 double predicted_cost_change(const std::vector<EffectChoice>& before, const std::vector<EffectChoice>& after) {

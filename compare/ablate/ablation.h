@@ -79,8 +79,6 @@ struct Ablation {
 /// it.
 Ablation build_ablation(std::string title, std::vector<AblationRun> runs);
 
-/// The part of a plan's influence ("drag: ...; lift: ...; splash: ...; ...") that speaks of a quantity; empty: none.
-std::string influence_on(const std::string& quantity, const std::string& influence);
 /// Change of the cost of a particle run that the two plans' costs make [%].
 double predicted_cost_change(const std::vector<EffectChoice>& before, const std::vector<EffectChoice>& after);
 

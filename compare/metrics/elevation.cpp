@@ -9,6 +9,7 @@
 #include "base/numbers.h"
 #include "compare/align/time_bins.h"
 #include "compare/metrics/raster_columns.h"
+#include "compare/metrics/solid_voxels.h"
 #include "compare/read/record_numbers.h"
 
 namespace tw {
@@ -72,10 +73,11 @@ ElevationMap mean_elevation(const RunRecord& record, double from) {
     if (grid.empty() || record.frames.empty()) return map;
     std::vector<double> sum(grid.columns(), 0.0), squares(grid.columns(), 0.0);
     std::vector<int> count(grid.columns(), 0);
+    const SolidVoxels solid = solid_voxels(record);
     for (const RasterFrame& frame : record.frames) {
         if (frame.time < from && &frame != &record.frames.back()) continue;
         ++map.frames;
-        const auto height = elevations(grid, frame, main_body(grid, frame));
+        const auto height = elevations(grid, frame, main_body(grid, frame, solid), solid);
         for (std::size_t c = 0; c < height.size(); ++c) {
             if (!std::isfinite(height[c])) continue;
             sum[c] += height[c];

@@ -8,9 +8,17 @@ namespace tw {
 
 namespace {
 constexpr float no_height = std::numeric_limits<float>::quiet_NaN();
+/// What a solid leaves of a voxel counts from an eighth on, in 255ths: water in less is mostly what was poured past it.
+constexpr int least_room = 32;
+
+int solid_in(const SolidVoxels& solid, std::size_t v) { return solid.empty() ? 0 : solid[v]; }
 }  // namespace
 
-std::vector<std::uint8_t> main_body(const RasterGrid& grid, const RasterFrame& frame) {
+std::vector<std::uint8_t> main_body(const RasterGrid& grid, const RasterFrame& frame, const SolidVoxels& solid) {
+    const auto is_water = [&](std::size_t v) {
+        const int room = 255 - solid_in(solid, v);
+        return room == 255 ? frame.water[v] >= half_full : room >= least_room && 2 * frame.water[v] >= room;
+    };
     std::vector<int> label(grid.voxels(), 0);
     std::vector<std::array<int, 3>> open;
     int labels = 0, largest = 0;
@@ -19,7 +27,7 @@ std::vector<std::uint8_t> main_body(const RasterGrid& grid, const RasterFrame& f
         for (int j0 = 0; j0 < grid.ny; ++j0)
             for (int i0 = 0; i0 < grid.nx; ++i0) {
                 const std::size_t seed = grid.voxel(i0, j0, k0);
-                if (label[seed] != 0 || frame.water[seed] < half_full) continue;
+                if (label[seed] != 0 || !is_water(seed)) continue;
                 label[seed] = ++labels;
                 open.assign(1, {i0, j0, k0});
                 std::size_t size = 0;
@@ -31,7 +39,7 @@ std::vector<std::uint8_t> main_body(const RasterGrid& grid, const RasterFrame& f
                         for (int b = std::max(j - 1, 0); b <= std::min(j + 1, grid.ny - 1); ++b)
                             for (int a = std::max(i - 1, 0); a <= std::min(i + 1, grid.nx - 1); ++a) {
                                 const std::size_t v = grid.voxel(a, b, c);
-                                if (label[v] != 0 || frame.water[v] < half_full) continue;
+                                if (label[v] != 0 || !is_water(v)) continue;
                                 label[v] = labels;
                                 open.push_back({a, b, c});
                             }
@@ -46,7 +54,8 @@ std::vector<std::uint8_t> main_body(const RasterGrid& grid, const RasterFrame& f
     return body;
 }
 
-std::vector<float> sheet_tops(const RasterGrid& grid, const RasterFrame& frame, const std::vector<std::uint8_t>& body) {
+std::vector<float> sheet_tops(const RasterGrid& grid, const RasterFrame& frame, const std::vector<std::uint8_t>& body,
+                              const SolidVoxels& solid) {
     std::vector<float> top(grid.columns(), no_height);
     for (int k = 0; k < grid.nz; ++k)
         for (int j = 0; j < grid.ny; ++j)
@@ -57,26 +66,37 @@ std::vector<float> sheet_tops(const RasterGrid& grid, const RasterFrame& frame, 
                 const double above = k + 1 < grid.nz && !body[grid.voxel(i, j, k + 1)]
                                          ? frame.water[grid.voxel(i, j, k + 1)] / 255.0
                                          : 0;
-                top[grid.column(i, j)] =
-                    static_cast<float>(grid.z_low(k) + grid.spec.voxel * (frame.water[v] / 255.0 + above));
+                const double here = std::min(1.0, (frame.water[v] + solid_in(solid, v)) / 255.0);
+                top[grid.column(i, j)] = static_cast<float>(grid.z_low(k) + grid.spec.voxel * (here + above));
             }
     return top;
 }
 
-std::vector<float> elevations(const RasterGrid& grid, const RasterFrame& frame, const std::vector<std::uint8_t>& body) {
+std::vector<float> elevations(const RasterGrid& grid, const RasterFrame& frame, const std::vector<std::uint8_t>& body,
+                              const SolidVoxels& solid) {
     std::vector<float> height(grid.columns(), no_height);
     for (int j = 0; j < grid.ny; ++j)
         for (int i = 0; i < grid.nx; ++i) {
-            double sum = 0;
-            bool any = false;
+            double sum = 0, solid_above = 0;  // above the highest water so far
+            bool any = false, covered = false;
             for (int k = 0; k < grid.nz; ++k) {
                 const std::size_t v = grid.voxel(i, j, k);
                 const bool on_body = k > 0 && body[grid.voxel(i, j, k - 1)];
-                if (!body[v] && !on_body) continue;
+                const double taken = solid_in(solid, v) / 255.0;
+                if (!body[v] && on_body) covered = taken >= 0.5;
+                if (!body[v] && !on_body) {
+                    solid_above += taken;
+                    continue;
+                }
                 any = true;
                 sum += frame.water[v] / 255.0;
+                solid_above += taken;
+                if (!body[v]) continue;
+                sum += solid_above;
+                solid_above = 0, covered = false;
             }
-            if (any) height[grid.column(i, j)] = static_cast<float>(grid.spec.origin.z() + grid.spec.voxel * sum);
+            if (any && !covered)
+                height[grid.column(i, j)] = static_cast<float>(grid.spec.origin.z() + grid.spec.voxel * sum);
         }
     return height;
 }

@@ -7,6 +7,7 @@
 
 #include "base/numbers.h"
 #include "compare/metrics/raster_columns.h"
+#include "compare/metrics/solid_voxels.h"
 #include "compare/metrics/wave_surface.h"
 #include "compare/read/record_numbers.h"
 
@@ -68,7 +69,15 @@ double still_level(const RunRecord& record) {
     if (is_stream(record) || record.frames.empty() || grid.empty()) return 0;
     double water = 0;
     for (const std::uint8_t v : record.frames.front().water) water += v / 255.0;
-    return grid.spec.origin.z() + water * grid.spec.voxel / static_cast<double>(grid.columns());
+    const SolidVoxels solid = solid_voxels(record);
+    for (int k = 0; k < grid.nz; ++k) {
+        auto room = static_cast<double>(grid.columns());
+        for (std::size_t c = 0; !solid.empty() && c < grid.columns(); ++c)
+            room -= solid[static_cast<std::size_t>(k) * grid.columns() + c] / 255.0;
+        if (water <= room) return grid.z_low(k) + (room > 0 ? grid.spec.voxel * water / room : 0);
+        water -= room;
+    }
+    return grid.z_low(grid.nz);
 }
 
 Table splash_series(const RunRecord& record, double level) {
@@ -87,9 +96,10 @@ Table splash_series(const RunRecord& record, double level) {
                      {"raw_height", "m", {}}};
     const auto covered = under_hull(grid, record.hull);
     const auto cells = surface_cells(record);
+    const SolidVoxels solid = solid_voxels(record);
     std::vector<double> cut_off(grid.columns());
     for (const RasterFrame& frame : record.frames) {
-        const auto tops = sheet_tops(grid, frame, main_body(grid, frame));
+        const auto tops = sheet_tops(grid, frame, main_body(grid, frame, solid), solid);
         const auto wave = wave_surface(grid, tops, covered, level);
         double sheet = level;
         for (std::size_t c = 0; c < tops.size(); ++c) {
@@ -123,9 +133,10 @@ std::vector<float> splash_envelope(const RunRecord& record, double from) {
     const RasterGrid grid(record.raster);
     std::vector<float> envelope(grid.empty() ? 0 : grid.columns(), std::numeric_limits<float>::quiet_NaN());
     if (grid.empty()) return envelope;
+    const SolidVoxels solid = solid_voxels(record);
     for (const RasterFrame& frame : record.frames) {
         if (frame.time < from) continue;
-        const auto tops = sheet_tops(grid, frame, main_body(grid, frame));
+        const auto tops = sheet_tops(grid, frame, main_body(grid, frame, solid), solid);
         for (std::size_t c = 0; c < tops.size(); ++c)
             if (std::isfinite(tops[c]) && !(envelope[c] >= tops[c])) envelope[c] = tops[c];
     }

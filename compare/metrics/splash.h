@@ -20,7 +20,8 @@ bool is_stream(const RunRecord& record);
 /// it. No height is better than half a voxel edge.
 Table splash_series(const RunRecord& record, double still_level);
 
-/// z = 0 in a stream. In a tank: where the water of the first frame would stand if it were spread over the raster.
+/// z = 0 in a stream. In a tank: where the water of the first frame would stand at rest in what solids leave of the
+/// raster.
 double still_level(const RunRecord& record);
 
 /// Highest connected water per raster column over all frames from `from` on [m].

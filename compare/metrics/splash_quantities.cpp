@@ -16,6 +16,7 @@
 #include "compare/statistics/student_t.h"
 #include "compare/verdict/judge.h"
 #include "record/hull_motion.h"
+#include "record/solid_at_rest.h"
 
 namespace tw {
 
@@ -28,7 +29,8 @@ Analysis analyse(const RunRecord& record) {
     const double from = std::min(a.settled_from, record.frames.back().time);
     a.splash = splash_series(record, a.still_level);
     for (const BodyShape& body : record.bodies)
-        if (body.table != hull_motion_table) a.entries.push_back(entry_series(record, body, a.still_level));
+        if (body.table != hull_motion_table && !is_at_rest(body))
+            a.entries.push_back(entry_series(record, body, a.still_level));
     // A tank's surface has no mean worth a name: its last frame is shown.
     a.surface_from = is_stream(record) ? from : record.frames.back().time;
     const ElevationMap map = mean_elevation(record, a.surface_from);
@@ -87,6 +89,17 @@ double largest(const Table& table, const Column& column, double from) {
     return most;
 }
 
+/// Water that reaches the top of what is seen of it, of the raster or of the domain, may have gone higher: of a height
+/// within a voxel of there only a lower bound is known. Leaves the value out and says so.
+void withhold_if_cut_off(MeanValue& value, double highest, double still_level, const RunRecord& record) {
+    const RasterSpec& r = record.raster;
+    const double top = std::min(r.origin.z() + r.count[2] * r.voxel, number_of(record, "domain_z_max", HUGE_VAL));
+    if (!(highest > 0) || highest < top - still_level - r.voxel) return;
+    value = {};
+    value.why_not =
+        fmt::format("water reaches the top, {:.3g} m above still water, where heights are cut off", top - still_level);
+}
+
 bool has_frames(const Comparison& c) {
     return std::ranges::any_of(c.sources, [](const RunRecord& r) { return !r.frames.empty(); });
 }
@@ -139,6 +152,11 @@ void add_splash(Comparison& comparison, const CompareOptions& options) {
                 widen_to(value, floor);
                 if (!value.known && value.seconds_needed == 0) value.why_not = "no airborne water";
             }
+            if (column && m.height)
+                withhold_if_cut_off(
+                    value,
+                    largest(comparison.analyses[s].splash, *column, stream ? comparison.analyses[s].settled_from : 0),
+                    comparison.analyses[s].still_level, record);
             q.values.push_back(value);
         }
         if (m.height)

@@ -10,6 +10,8 @@
 #include "compare/metrics/splash.h"
 #include "compare/read/record_numbers.h"
 #include "compare/report/numbers.h"
+#include "compare/verdict/left_out.h"
+#include "compare/verdict/sentence.h"
 #include "methods/methods.h"
 #include "text/plain_number.h"
 
@@ -140,6 +142,34 @@ ReportTable quantities_table(const Comparison& c, bool judged) {
             "lies outside. Undecided: inside, but the interval is too wide to tell. The influence of the walls of the "
             "box is not part of the joint interval, because both methods solve the same box.",
             100 * c.agree_within));
+    return table;
+}
+
+ReportTable left_out_table(const Comparison& c) {
+    ReportTable table{"Not in these intervals",
+                      {words("Quantity"), words("unit"), words("left out, with its influence")}};
+    add_source_columns(table, c, true);
+    for (const Quantity* q : main_quantities(c.quantities)) {
+        std::string left_out;
+        std::vector<ReportCell> outer;
+        for (std::size_t s = 0; s < c.sources.size(); ++s) {
+            std::string here;
+            for (const LeftOut& l : left_out_of(*q, q->values[s], c.sources[s]))
+                here += (here.empty() ? "" : ", ") + l.name + (l.influence.empty() ? "" : " (" + l.influence + ")");
+            if (!here.empty() && left_out.find(here) == left_out.npos)
+                left_out += (left_out.empty() ? "" : "; ") + here;
+            const double U = outer_half_width(*q, q->values[s], c.sources[s]);
+            outer.emplace_back(std::isfinite(U) ? value_text(q->values[s].value, U) : "–");
+        }
+        if (left_out.empty()) continue;
+        ReportRow row{{q->label, q->unit, left_out}};
+        row.cells.insert(row.cells.end(), outer.begin(), outer.end());
+        table.rows.push_back(std::move(row));
+    }
+    table.notes.push_back(
+        "Values with outer intervals: root of the sum of squares of the interval and of the influences that have a "
+        "bound. "
+        "What both methods leave out is not in their difference.");
     return table;
 }
 

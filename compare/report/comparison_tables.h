@@ -8,6 +8,9 @@ namespace tw {
 
 /// Values and differences: those that get a verdict where one can be given, or what is shown beside them.
 ReportTable quantities_table(const Comparison& comparison, bool judged);
+/// What the intervals do not contain, for the main quantities: what the runs leave out, by their effect plan, and the
+/// outer intervals with it. Empty where nothing is known to be left out.
+ReportTable left_out_table(const Comparison& comparison);
 /// How the settled means were taken.
 ReportTable settling_table(const Comparison& comparison);
 /// Soundness checks and the lines of the stability certificates; `failed_only`: those that are not met.

@@ -14,6 +14,7 @@
 #include "compare/report/next_steps.h"
 #include "compare/report/numbers.h"
 #include "compare/report/strip.h"
+#include "compare/verdict/left_out.h"
 #include "compare/verdict/sentence.h"
 #include "methods/methods.h"
 #include "text/plain_number.h"
@@ -59,7 +60,8 @@ std::string strip_of(const Comparison& c, const Quantity& q) {
     Strip strip{q.label, {}};
     for (std::size_t s = 0; s < q.values.size(); ++s)
         strip.values.push_back({method_label(c.names[s]), value_with_unit(q.values[s], q.unit), s,
-                                q.values[s].known ? q.values[s].value : std::nan(""), q.values[s].bar()});
+                                q.values[s].known ? q.values[s].value : std::nan(""), q.values[s].bar(),
+                                outer_half_width(q, q.values[s], c.sources[s])});
     for (const Reference& r : c.references)
         if (r.quantity == q.name) strip.references.push_back({r.source, r.value, r.half_width});
     return svg(strip);
@@ -79,6 +81,8 @@ std::string answer(const Comparison& c) {
     }
     if (out.empty())
         for (const std::string& sentence : verdict_sentences(c)) out += "<p>" + escaped(sentence) + "</p>";
+    if (const std::string left_out = left_out_text(c); !left_out.empty())
+        out += "<p class=\"note\">Not in these intervals: " + escaped(left_out) + "; thin lines are with it.</p>";
     return "<div class=\"verdict\">" + out + "</div>";
 }
 

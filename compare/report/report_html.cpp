@@ -172,7 +172,8 @@ std::string report_html(const Comparison& c, const Figures& f, const std::string
     if (!f.wetting.empty() || !f.cuts.empty())
         out += "<h2>Wetted length and free surface</h2>" + figure_list(f.wetting) + figure_list(f.cuts);
     out += details + resolution_section(c, f) + "<h2>All numbers</h2>";
-    for (const ReportTable& table : {quantities_table(c, true), quantities_table(c, false)}) out += folded_html(table);
+    for (const ReportTable& table : {quantities_table(c, true), left_out_table(c), quantities_table(c, false)})
+        out += folded_html(table);
     out += settling(c) + folded_html(checks_table(c.gates, false)) + folded_html(effects_table(c)) + hull_section(c) +
            folded_html(cost_table(c)) + folded_html(provenance_table(c)) + definitions(c) + reproduce(c);
     return out + "<script>" + plot_hover_script + "</script>" + page_end;

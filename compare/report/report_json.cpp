@@ -3,6 +3,7 @@
 
 #include "compare/compare.h"
 #include "compare/read/record_numbers.h"
+#include "compare/verdict/left_out.h"
 
 namespace tw {
 
@@ -22,6 +23,7 @@ Json quantity_json(const Comparison& comparison, const Quantity& q) {
                   {"scatter", number(m.half_width)},
                   {"discretisation", number(m.discretisation)},
                   {"choices", number(m.choices)},
+                  {"outer_interval", number(outer_half_width(q, m, comparison.sources[i]))},
                   {"no_interval", m.no_uncertainty},
                   {"from", m.from},
                   {"to", m.to},
@@ -32,6 +34,8 @@ Json quantity_json(const Comparison& comparison, const Quantity& q) {
             s["why_not"] = m.why_not;
             s["seconds_needed"] = number(m.seconds_needed);
         }
+        for (const LeftOut& l : left_out_of(q, m, comparison.sources[i]))
+            s["left_out"].push_back({{"name", l.name}, {"influence", l.influence}, {"bound", number(l.bound)}});
         sources.push_back(std::move(s));
     }
     Json json = {{"name", q.name},

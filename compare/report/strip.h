@@ -2,6 +2,8 @@
 #include <string>
 #include <vector>
 
+#include "base/numbers.h"
+
 namespace tw {
 
 /// Values of one quantity below each other on one axis, each with its interval, and references as ticks across them.
@@ -11,6 +13,7 @@ struct Strip {
         std::size_t source = 0;  ///< its colour
         double value = 0;
         double half_width = 0;  ///< not finite: no interval, drawn hollow
+        double outer = nan;     ///< half width with what the run leaves out; not finite: not drawn
     };
     struct Reference {
         std::string name;

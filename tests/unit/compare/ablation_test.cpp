@@ -5,6 +5,7 @@
 
 #include "base/errors.h"
 #include "compare/ablate/ablation.h"
+#include "compare/verdict/left_out.h"
 #include "tests/unit/compare/synthetic_pair.h"
 
 namespace tw {

@@ -4,11 +4,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "compare/compare.h"
 #include "compare/metrics/elevation.h"
 #include "compare/metrics/raster_columns.h"
+#include "compare/metrics/solid_voxels.h"
 #include "compare/metrics/splash.h"
 #include "meshes/generate.h"
 #include "record/raster.h"
+#include "record/solid_at_rest.h"
 
 namespace tw {
 namespace splash_test {
@@ -67,6 +70,23 @@ TEST(Splash, ADropIsNoSheetHoweverHigh) {
     // A thread of half-full voxels down to the water makes the same drop part of a sheet.
     for (double z = 0.05; z < 1; z += edge) c.raster.pour({1.05, 1.05, z}, edge, 0.6 * edge * edge * edge);
     EXPECT_NEAR(at(splash_series(c.record(), 0), "sheet_height"), 1.1, 1e-5);
+}
+
+TEST(Splash, OfWaterThatReachesTheTopNoHeightIsGiven) {
+    const auto sheet = [](double height) {
+        Channel c;
+        c.fill({2, 1, 0}, {2.1, 1.5, height});  // the raster ends at 1.5 m
+        RunRecord r = c.record();
+        r.attributes["motion"] = "none";
+        r.attributes["method"] = "sph", r.attributes["scene_hash"] = "tank";
+        r.attributes["symmetry_factor"] = "1";
+        return compare_records({r}).find("splash_sheet_height")->values.front();
+    };
+    const MeanValue below = sheet(1.3), at_the_top = sheet(1.5);
+    EXPECT_TRUE(below.known);
+    EXPECT_NEAR(below.value, 1.3, 0.05);
+    EXPECT_FALSE(at_the_top.known);
+    EXPECT_NE(at_the_top.why_not.find("water reaches the top, 1.49 m"), std::string::npos) << at_the_top.why_not;
 }
 
 TEST(Splash, WhatAMeshSmearsUpAHullIsNoWater) {
@@ -217,6 +237,63 @@ TEST(WakeWidth, TwoWallsBehindTheHullAreAsFarApartAsTheyStand) {
     r.attributes["symmetry_factor"] = "2";  // the half beyond y = 0 mirrored
     EXPECT_NEAR(wake_width(r, splash_envelope(r, 0), 0), 3.2, 1e-9);
     EXPECT_TRUE(std::isnan(wake_width(Channel().record(), {}, 0)));
+}
+
+/// A tank of still water up to z = 0 with a solid at rest, out of whose voxels the water is taken.
+RunRecord with_solid(const Surface& surface) {
+    RunRecord r = Channel().record();
+    r.attributes["motion"] = "none";
+    r.bodies.push_back({obstacle_table("bar"), surface, Vec3::Zero()});
+    const SolidVoxels solid = solid_voxels(r);
+    std::vector<std::uint8_t>& water = r.frames.front().water;
+    for (std::size_t v = 0; v < water.size(); ++v)
+        water[v] = static_cast<std::uint8_t>(std::min<int>(water[v], 255 - solid[v]));
+    return r;
+}
+Surface box(const Vec3& low, const Vec3& high) {
+    Surface s = make_hull("box", {{"length", 1.0}, {"beam", 1.0}});
+    const Box b = s.bounds();
+    for (Vec3& p : s.points) p = low.array() + (p - b.min).array() / b.size().array() * (high - low).array();
+    return s;
+}
+
+TEST(Solids, TakeTheirShareOfVoxels) {
+    RunRecord r = with_solid(box({1, 0.5, -0.33}, {1.5, 1.5, -0.1}));
+    const SolidVoxels solid = solid_voxels(r);
+    double volume = 0;
+    for (const std::uint8_t s : solid) volume += s / 255.0 * edge * edge * edge;
+    EXPECT_NEAR(volume, 0.5 * 1 * 0.23, 0.01 * 0.115);
+    EXPECT_TRUE(solid_voxels(Channel().record()).empty());
+}
+
+TEST(Solids, ABarInStillWaterLeavesItsSurfaceWhereItIs) {
+    for (const Surface& bar : {box({1, 0, -0.3}, {2, 2, -0.1}),      // under water
+                               box({1, 0, -0.5}, {2, 2, -0.25})}) {  // on the bed
+        RunRecord r = with_solid(bar);
+        EXPECT_NEAR(still_level(r), 0, 1e-6);
+        EXPECT_EQ(at(splash_series(r, still_level(r)), "sheet_height"), 0);
+        for (const float z : mean_elevation(r, 0).mean) EXPECT_NEAR(z, 0, 1e-6);
+        r.bodies.clear();  // or this test sees nothing
+        EXPECT_LT(still_level(r), -0.04);
+        const std::vector<float> hollow = mean_elevation(r, 0).mean;
+        EXPECT_LT(std::ranges::min(hollow), -0.15);
+    }
+}
+
+TEST(Solids, UnderOneThatLiesOnTheWaterThereIsNoFreeSurface) {
+    const auto mean = mean_elevation(with_solid(box({1, 0, -0.2}, {2, 2, 0.3})), 0).mean;
+    EXPECT_TRUE(std::isnan(mean[15]));
+    EXPECT_NEAR(mean[5], 0, 1e-6);
+}
+
+TEST(Solids, ARoundTankHalfFullIsAtRest) {
+    // what a round tank leaves of its box: here a wedge along one side
+    Surface wedge = box({0, 0, -0.5}, {4, 1, 0.5});
+    for (Vec3& p : wedge.points)
+        if (p.z() > 0) p.y() = std::min(p.y(), 0.01);
+    const RunRecord r = with_solid(wedge);
+    EXPECT_NEAR(still_level(r), 0, 0.004);
+    EXPECT_EQ(at(splash_series(r, still_level(r)), "sheet_height"), 0);
 }
 
 TEST(StillLevel, OfATankIsThatOfItsWaterSpreadOut) {
