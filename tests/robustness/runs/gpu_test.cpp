@@ -1,0 +1,82 @@
+// The program with a GPU, or none, as a user meets it; the GPU is the driver without a device of tests/fake_cuda.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+#include "program.h"
+#include "record/run_record.h"
+#include "test_paths.h"
+
+namespace tw::test {
+namespace gpu_test {
+
+namespace fs = std::filesystem;
+
+class Gpu : public testing::Test {
+protected:
+    void SetUp() override { setenv("TWINWAKE_LIBCUDA", TWINWAKE_FAKE_CUDA, 1); }
+    void TearDown() override { unsetenv("TWINWAKE_LIBCUDA"), unsetenv("FAKE_CUDA"), unsetenv("TWINWAKE_ISA"); }
+};
+
+const fs::path scene = fs::path(TWINWAKE_SOURCE) / "tests/robustness/runs/small_planing.toml";
+
+struct Ended {
+    int status;
+    std::string output;
+};
+Ended run(const fs::path& folder, const std::string& out, const std::vector<std::string>& more) {
+    std::vector<std::string> words{"run",   scene.string(),          "--no-twins", "--method", "sph",
+                                   "--out", (folder / out).string(), "--threads",  "1"};
+    words.insert(words.end(), more.begin(), more.end());
+    Program program(words, folder);
+    const int status = program.wait();
+    return {status, program.output()};
+}
+
+TEST_F(Gpu, MakesTheStepsOfARunWhoseRecordIsThatOfTheEmulatedVariant) {
+    const ScratchFolder folder("gpu");
+    setenv("TWINWAKE_ISA", "device_emulated", 1);
+    const Ended host = run(folder.path(), "host", {"--device", "cpu"}),
+                gpu = run(folder.path(), "gpu", {"--device", "gpu"});
+    ASSERT_EQ(host.status, 0) << host.output;
+    ASSERT_EQ(gpu.status, 0) << gpu.output;
+    RunRecord a = read_record(folder.path() / "host/sph/record.h5"),
+              b = read_record(folder.path() / "gpu/sph/record.h5");
+    EXPECT_EQ(b.attributes["device"], "Emulated device");
+    const std::vector<double>& lift = a.table("forces").column("force_z");
+    for (const Column& column : b.table("forces").columns) {
+        const Column* same = a.table("forces").find(column.name);
+        ASSERT_TRUE(same) << column.name;
+        for (std::size_t k = 0; k < column.values.size(); ++k)
+            if (!std::isnan(column.values[k])) ASSERT_EQ(column.values[k], same->values[k]) << column.name << " " << k;
+    }
+    EXPECT_GT(b.table("forces").time.size(), 20u);
+}
+
+TEST_F(Gpu, ThatIsNotThereIsSaidAndAutoGoesOnWithout) {
+    const ScratchFolder folder("gpu_none");
+    setenv("TWINWAKE_LIBCUDA", "/nowhere/libcuda.so.1", 1);
+    const Ended asked = run(folder.path(), "gpu", {"--device", "gpu"});
+    EXPECT_EQ(asked.status, 2) << asked.output;
+    EXPECT_NE(asked.output.find("no driver was found"), std::string::npos) << asked.output;
+    EXPECT_FALSE(fs::exists(folder.path() / "gpu"));
+    const Ended automatic = run(folder.path(), "auto", {"--device", "auto"});
+    EXPECT_EQ(automatic.status, 0) << automatic.output;
+    EXPECT_EQ(read_record(folder.path() / "auto/sph/record.h5").attributes.contains("device"), false);
+}
+
+TEST_F(Gpu, LostInTheMiddleFailsTheRunWhichGoesOnWithoutIt) {
+    const ScratchFolder folder("gpu_lost");
+    setenv("FAKE_CUDA", "lost_after=3000", 1);
+    const Ended lost = run(folder.path(), "run", {"--device", "gpu"});
+    EXPECT_EQ(lost.status, 3) << lost.output;
+    EXPECT_NE(lost.output.find("unspecified launch failure"), std::string::npos) << lost.output;
+    const Ended resumed = run(folder.path(), "run", {"--device", "cpu", "--resume"});
+    EXPECT_EQ(resumed.status, 0) << resumed.output;
+    EXPECT_EQ(read_record(folder.path() / "run/sph/record.h5").state, "finished");
+}
+
+}  // namespace gpu_test
+}  // namespace tw::test
