@@ -57,9 +57,11 @@ std::string value_with_unit(const MeanValue& m, const std::string& unit) {
 
 std::string strip_of(const Comparison& c, const Quantity& q) {
     Strip strip{q.label, {}};
-    for (std::size_t s = 0; s < q.values.size(); ++s)
-        strip.values.push_back({method_label(c.names[s]), value_with_unit(q.values[s], q.unit), s,
-                                q.values[s].known ? q.values[s].value : std::nan(""), q.values[s].bar()});
+    for (std::size_t s = 0; s < q.values.size(); ++s) {
+        const MeanValue& m = q.values[s];
+        strip.values.push_back({method_label(c.names[s]), c.failed(s) ? "failed" : value_with_unit(m, q.unit), s,
+                                m.known && !c.failed(s) ? m.value : std::nan(""), m.bar()});
+    }
     for (const Reference& r : c.references)
         if (r.quantity == q.name) strip.references.push_back({r.source, r.value, r.half_width});
     return svg(strip);
@@ -67,7 +69,8 @@ std::string strip_of(const Comparison& c, const Quantity& q) {
 
 /// The sentences, with a strip each for the first quantities.
 std::string answer(const Comparison& c) {
-    std::string out;
+    std::string failures, out;
+    for (const std::string& sentence : failures_of(c)) failures += "<p>" + escaped(sentence) + "</p>";
     std::size_t strips = 0;
     for (const Quantity* q : main_quantities(c.quantities)) {
         std::string sentences;
@@ -77,9 +80,9 @@ std::string answer(const Comparison& c) {
         if (sentences.empty() && !strip.empty()) sentences = "<p>" + escaped(q->label) + "</p>";
         if (!sentences.empty()) out += "<div class=\"answer\">" + sentences + strip + "</div>";
     }
-    if (out.empty())
+    if (out.empty() && failures.empty())
         for (const std::string& sentence : verdict_sentences(c)) out += "<p>" + escaped(sentence) + "</p>";
-    return "<div class=\"verdict\">" + out + "</div>";
+    return "<div class=\"verdict\">" + failures + out + "</div>";
 }
 
 std::string pictures(const Comparison& c, const Figures& f) {
