@@ -34,16 +34,22 @@ OfferedCommand offered(const CLI::App& app, const std::string& path) {
     OfferedCommand c;
     c.path = path;
     c.help = app.get_description();
+    c.more = app.get_footer();  // of its own, and what all commands have
+    if (const CLI::App* parent = app.get_parent(); parent && c.more.ends_with(parent->get_footer()))
+        c.more.resize(c.more.size() - parent->get_footer().size());
     for (const CLI::Option* option : app.get_options()) {
         const std::string type = option->get_type_name();
         const std::vector<std::string> values = values_of(type);
+        OfferedOption o;
+        o.type = type;
+        o.help = option->get_description();
         if (option->get_positional()) {
             c.words.insert(c.words.end(), values.begin(), values.end());
             c.takes_file = c.takes_file || may_be_file(type, values);
+            o.names = {option->get_name(true)};
+            c.places.push_back(std::move(o));
             continue;
         }
-        OfferedOption o;
-        o.help = option->get_description();
         o.takes_value = option->get_items_expected_max() > 0;
         if (o.takes_value) o.values = values, o.takes_file = may_be_file(type, values);
         for (const std::string& name : option->get_lnames()) o.names.push_back("--" + name);
@@ -59,9 +65,10 @@ OfferedCommand offered(const CLI::App& app, const std::string& path) {
 
 int run_completion(const CompletionCommand& command, const Common& common) {
     const OfferedCommand program = offered(*command.program, "");
-    say(common, command.shell == "fish"  ? fish_completion(program)
-                : command.shell == "zsh" ? zsh_completion(program)
-                                         : bash_completion(program));
+    say(common, command.shell == "man"    ? man_page(program)
+                : command.shell == "fish" ? fish_completion(program)
+                : command.shell == "zsh"  ? zsh_completion(program)
+                                          : bash_completion(program));
     return done;
 }
 

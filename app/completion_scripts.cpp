@@ -78,8 +78,10 @@ complete -o filenames -F _twinwake twinwake
 }
 
 std::string zsh_completion(const OfferedCommand& program) {
-    return "# source <(twinwake completion zsh)\nautoload -U +X compinit bashcompinit && compinit && bashcompinit\n" +
-           bash_completion(program);
+    // Also as the file _twinwake of zsh's own folder: that is run where its first completion is asked for.
+    return "#compdef twinwake\n# source <(twinwake completion zsh)\nautoload -U +X compinit bashcompinit\n"
+           "whence compdef >/dev/null || compinit\nbashcompinit\n" +
+           bash_completion(program) + "if [[ ${funcstack[1]} == _twinwake ]]; then _bash_complete -F _twinwake; fi\n";
 }
 
 std::string fish_completion(const OfferedCommand& program) {

@@ -37,6 +37,7 @@ RunRecord run_method(const std::string& method, const PlannedRun& plan, const Me
     options.predicted_seconds = cost.seconds;
     options.predicted_elements = cost.with_walls;
     options.predicted_bytes = cost.bytes;
+    options.predicted_steps = cost.steps;
     options.command = common.command;
     ProgressBar bar(method, common.quiet);
     options.progress = [&](const Progress& p) {

@@ -366,9 +366,9 @@ void bench_options(CLI::App& c, BenchCommand& bench) {
 
 void completion_options(CLI::App& c, CompletionCommand& completion) {
     completion.program = c.get_parent();
-    c.add_option("shell", completion.shell, "bash, zsh or fish")
+    c.add_option("shell", completion.shell, "bash, zsh or fish; man: the manual page instead")
         ->required()
-        ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+        ->check(CLI::IsMember({"bash", "zsh", "fish", "man"}));
 }
 
 }  // namespace

@@ -124,6 +124,8 @@ struct Comparison {
     std::string discretisation_from;  ///< "runs of 3 sizes", "the twins of prism, 6 m/s"; empty: not estimated
 
     const Quantity* find(const std::string& name) const;
+    /// Of a source that failed: what it recorded stands in the tables, and no difference is taken from it.
+    bool failed(std::size_t source) const { return sources[source].state == "failed"; }
 };
 
 struct CompareOptions {

@@ -21,6 +21,7 @@
 #include "compare/read/record_numbers.h"
 #include "compare/reference/planing_plate.h"
 #include "compare/reference/prismatic_hull.h"
+#include "compare/verdict/judge.h"
 #include "methods/methods.h"
 
 namespace tw {
@@ -97,7 +98,7 @@ void add_state_banners(Comparison& comparison) {
                                      ": its values are shown without a comparison.");
     for (std::size_t i = 0; i < comparison.sources.size(); ++i) {
         const RunRecord& r = comparison.sources[i];
-        if (r.state == "finished") continue;
+        if (r.state == "finished" || comparison.failed(i)) continue;  // a failure is the first thing that is said
         comparison.banners.push_back(
             fmt::format("{} did not finish (state: {}{}{}); what it recorded is compared as far as it goes.",
                         comparison.names[i], r.state, r.reason.empty() ? "" : ": ", r.reason));
@@ -108,6 +109,17 @@ void add_state_banners(Comparison& comparison) {
             comparison.banners.push_back(
                 fmt::format("{} was tuned: {}. Agreement with the data used for that is no validation.",
                             comparison.names[i], calibrated));
+    }
+}
+
+/// A run that went wrong says nothing of its method: what it recorded is compared with nothing.
+void set_failed_aside(Comparison& c) {
+    if (c.sources.size() < 2) return;
+    for (Quantity& q : c.quantities) {
+        for (Difference& d : q.differences())
+            for (const std::size_t s : {d.b, d.a})
+                if (c.failed(s)) d = Difference{.a = d.a, .b = d.b, .remark = c.names[s] + " failed"};
+        if (!q.pairs.empty()) take_farthest(q);
     }
 }
 
@@ -208,6 +220,7 @@ Comparison compare_records(std::vector<RunRecord> sources, const CompareOptions&
     add_entries(comparison);
     add_gauges(comparison);
     add_walls(comparison);
+    set_failed_aside(comparison);
     add_savitsky(comparison);
     add_planing_plate(comparison);
     for (std::size_t i = 0; i < comparison.sources.size(); ++i)

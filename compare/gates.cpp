@@ -102,7 +102,8 @@ std::vector<Gate> check_gates(const RunRecord& record, const std::string& name) 
     for (const auto& [table_name, table] : record.tables)
         if (!table.time.empty()) end = std::max(end, table.time.back());
     Gate finished{"finished", name, "s", end, duration, record.state == "finished", record.state};
-    if (!record.reason.empty()) finished.remark += ": " + record.reason;
+    // Why a run failed is the first sentence of its report (failures_of).
+    if (!record.reason.empty() && record.state != "failed") finished.remark += ": " + record.reason;
     gates.push_back(finished);
 
     if (const auto lost = largest(record, "particles_lost", 0))

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <set>
 
@@ -167,16 +168,20 @@ void plan_times(CasePlan& plan) {
     if (scene.sampling.snapshot_interval > 0)
         plan.snapshot_every =
             std::max(1, static_cast<int>(std::lround(scene.sampling.snapshot_interval / plan.write_interval)));
-    const double falls = std::sqrt(2 * g * height);
-    double fall = falls;
-    for (const BodyInMesh& b : plan.bodies) fall = std::max(fall, b.body.fastest(g));
-    plan.first_step = 0.05 * plan.finest_cell / std::max({scene.motion.speed, fall, 1e-6});
+    double driven = std::sqrt(2 * g * height) + fastest_wall(scene);
+    for (const BodyInMesh& b : plan.bodies) driven = std::max(driven, b.body.fastest(g));
+    // Ripples as long as two cells: all that moves where nothing falls.
+    if (scene.effect_on("surface_tension"))
+        driven = std::max(driven, std::sqrt(std::numbers::pi * scene.water.surface_tension /
+                                            (scene.water.density * plan.finest_cell)));
+    plan.first_step = 0.05 * plan.finest_cell / std::max({scene.motion.speed, driven, 1e-6});
     plan.first_step = std::min(plan.first_step, 0.1 * plan.write_interval);
     // Gravity acts explicitly on the surface: still water would otherwise be taken in steps that shake it.
     plan.largest_step = g > 0 ? 0.5 * std::sqrt(plan.finest_cell / g) : plan.write_interval;
     const double length = scene.hull ? scene.hull->length : height;
     plan.start_up = std::max(scene.motion.ramp, default_ramp(scene));
-    plan.speed_limit = 10 * (scene.motion.speed + std::sqrt(g * length) + fall);
+    const double explained = scene.motion.speed + std::sqrt(g * length) + driven;
+    plan.speed_limit = explained > 0 ? 10 * explained : std::numeric_limits<double>::infinity();
 }
 
 void plan_body(CasePlan& plan, std::set<std::string>& names) {
@@ -309,7 +314,8 @@ CasePlan plan_case(const Scene& scene, const Flavour& flavour) {
     if (plan.snappy) plan.point_in_fluid = find_point_in_fluid(plan);
 
     const double length = scene.hull ? scene.hull->length : box.size().x();
-    const double speed = plan.stream ? scene.motion.speed : std::sqrt(std::abs(scene.water.gravity) * box.size().z());
+    const double speed = plan.stream ? scene.motion.speed
+                                     : std::sqrt(std::abs(scene.water.gravity) * box.size().z()) + fastest_wall(scene);
     plan.inlet_omega =
         5 * speed / length;  // a clean stream; the force does not react to it (measured over a factor 10)
     plan.inlet_k = 10 * scene.water.kinematic_viscosity * plan.inlet_omega;

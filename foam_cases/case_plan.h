@@ -109,7 +109,7 @@ struct CasePlan {
         double until, step;  ///< [s]
     };
     std::vector<StepCap> step_caps;  ///< of bodies released at rest: steps are no longer than this at first
-    double speed_limit = 0;          ///< [m/s]; faster water or air stops the run
+    double speed_limit = 0;          ///< [m/s]; faster water or air stops the run; infinite where nothing moves
     double start_up = 0;             ///< of the flow [s], in which the air may be faster than that
 
     // probes

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "base/errors.h"
 #include "base/numbers.h"
@@ -17,7 +18,7 @@ namespace {
 ///     = 3 ((y_k - y_{k-1}) / h_{k-1}^2 + (y_{k+1} - y_k) / h_k^2),   m_0 = m_n = 0,
 ///
 /// by elimination.
-std::vector<double> slopes(const std::vector<double>& t, const std::vector<double>& y) {
+std::vector<double> slopes(std::span<const double> t, std::span<const double> y) {
     const std::size_t n = t.size();
     std::vector<double> m(n, 0), diagonal(n, 1), right(n, 0);
     for (std::size_t k = 1; k + 1 < n; ++k) {
@@ -34,14 +35,24 @@ std::vector<double> slopes(const std::vector<double>& t, const std::vector<doubl
     return m;
 }
 
-MotionLaw::At on_spline(const std::vector<double>& t, const std::vector<double>& y, double time) {
-    if (time <= t.front()) return {y.front(), 0, 0};
-    if (time >= t.back()) return {y.back(), 0, 0};
-    const std::vector<double> m = slopes(t, y);
-    const auto k = static_cast<std::size_t>(std::upper_bound(t.begin(), t.end(), time) - t.begin()) - 1;
+/// Behind knot `k`, with the slopes `m` at the knots.
+MotionLaw::At between_knots(std::span<const double> t, std::span<const double> y, std::span<const double> m,
+                            std::size_t k, double time) {
     const double h = t[k + 1] - t[k], q = (time - t[k]) / h, d = y[k + 1] - y[k];
     const double a = h * m[k], c = a + h * m[k + 1] - 2 * d, b = d - a - c;  // y_k + a q + b q^2 + c q^3
     return {y[k] + q * (a + q * (b + q * c)), (a + q * (2 * b + 3 * c * q)) / h, (2 * b + 6 * c * q) / (h * h)};
+}
+
+/// By the knots around `time` alone: what a knot does to a slope is halved or more with every knot between them, so
+/// those further off would change nothing above rounding, and a table of any length costs the same.
+MotionLaw::At on_spline(const std::vector<double>& times, const std::vector<double>& values, double time) {
+    constexpr std::size_t reach = 64;
+    if (time <= times.front()) return {values.front(), 0, 0};
+    if (time >= times.back()) return {values.back(), 0, 0};
+    const auto k = static_cast<std::size_t>(std::upper_bound(times.begin(), times.end(), time) - times.begin()) - 1;
+    const std::size_t from = k - std::min(k, reach), count = std::min(times.size(), k + 2 + reach) - from;
+    const auto t = std::span(times).subspan(from, count), y = std::span(values).subspan(from, count);
+    return between_knots(t, y, slopes(t, y), k - from, time);
 }
 
 }  // namespace
@@ -81,9 +92,12 @@ double MotionLaw::fastest() const {
     }
     if (kind != Kind::table) return std::abs(rate);
     double most = 0;
+    const std::vector<double> m = slopes(times, values);
     for (std::size_t k = 0; k + 1 < times.size(); ++k)
-        for (int part = 0; part < 64; ++part)
-            most = std::max(most, std::abs(at(times[k] + (times[k + 1] - times[k]) * part / 64).rate));
+        for (int part = 0; part < 64; ++part) {
+            const double t = times[k] + (times[k + 1] - times[k]) * part / 64;
+            most = std::max(most, std::abs(between_knots(times, values, m, k, t).rate));
+        }
     return most;
 }
 

@@ -36,23 +36,29 @@ double given_to_bodies(const RunRecord& record, double time) {
 
 }  // namespace
 
-void watch_energy(RunRecord& record) {
+std::optional<double> energy_made(const RunRecord& record) {
     const auto motion = record.attributes.find("motion");
-    if (motion == record.attributes.end() || motion->second != "none") return;
+    if (motion == record.attributes.end() || motion->second != "none") return {};
     const Column *kinetic = record.series("samples", "kinetic_energy"),
                  *potential = record.series("samples", "potential_energy"),
                  *elastic = record.series("samples", "elastic_energy"), *air = record.series("samples", "air_energy"),
                  *work = record.series(tank_table, tank_work);
-    if (!kinetic || !potential || kinetic->values.empty()) return;
+    if (!kinetic || !potential || kinetic->values.empty()) return {};
     const std::vector<double>& times = record.tables.at("samples").time;
     const auto energy = [&](std::size_t i) {
         return kinetic->values[i] + potential->values[i] + (elastic ? elastic->values[i] : 0) +
                (air ? air->values[i] : 0) - (work ? work->values[i] : 0) + given_to_bodies(record, times[i]);
     };
-    const double scale = std::abs(potential->values.front());
+    return energy(kinetic->values.size() - 1) - energy(0);
+}
+
+void watch_energy(RunRecord& record) {
+    const std::optional<double> made = energy_made(record);
+    if (!made) return;
+    const double scale = std::abs(record.series("samples", "potential_energy")->values.front());
     if (!(scale > 0)) return;
     CertificateLine line{"energy made", "%"};
-    line.value = 100 * (energy(kinetic->values.size() - 1) - energy(0)) / scale;
+    line.value = 100 * *made / scale;
     line.limit = 1;
     line.time = record.tables.at("samples").time.back();
     note_worst(record, line);

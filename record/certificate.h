@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "record/run_record.h"
 
 namespace tw {
@@ -15,14 +17,14 @@ bool only_warns(const CertificateLine& line);
 /// Keeps the worst of the record's line of this name and this one; a value that is not a number is the worst.
 void note_worst(RunRecord& record, const CertificateLine& line);
 
-/// In a tank, after each frame (the last row of table `samples`): the energy that was not there at the first one, as a
-/// share of the potential energy then,
+/// In a tank, at the last frame (row of table `samples`), the energy that was not there at the first one,
 ///
-///   energy made = (E(t) - E(0)) / |E_p(0)|   [%],  limit 1 %,  E: kinetic, potential and, where known, elastic and the
-///   air's
+///   energy made = E(t) - E(0)   [J],  E: kinetic, potential and, where known, elastic and the air's
 ///
 /// and the work of the water on bodies that move (free or prescribed) less that of a tank that moves. Walls at rest do no
-/// work, so nothing but a fault of the method makes energy. A stream brings its own: no line.
+/// work, so nothing but a fault of the method makes energy. A stream brings its own: nothing, as before the first frame.
+std::optional<double> energy_made(const RunRecord& record);
+/// The same after each frame as a line of the certificate: a share of |E_p(0)|, limit 1 %.
 void watch_energy(RunRecord& record);
 
 }  // namespace tw

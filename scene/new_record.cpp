@@ -28,6 +28,7 @@ void note_prediction(RunRecord& record, const RunOptions& options) {
     record.numbers["predicted_seconds"] = options.predicted_seconds;
     record.numbers["predicted_elements"] = options.predicted_elements;
     record.numbers["predicted_memory"] = options.predicted_bytes;
+    record.numbers["predicted_steps"] = options.predicted_steps;
 }
 
 namespace {

@@ -25,12 +25,12 @@ void override_key(TextValue& document, const std::string& section, const std::st
     if (!table) {
         TextValue empty;
         empty.kind = TextValue::Kind::table;
-        document.members.emplace_back(section, empty);
+        document.members.push_back({section, empty});
         table = &document.members.back().second;
     }
     value.option = option;
     std::erase_if(table->members, [&](const auto& m) { return m.first == key; });
-    table->members.emplace_back(key, std::move(value));
+    table->members.push_back({key, std::move(value)});
 }
 
 TextValue number_value(double number) {

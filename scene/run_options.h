@@ -19,7 +19,7 @@ struct RunOptions {
     bool overwrite = false;        ///< begin anew in a folder that holds a run
     int threads = 0;               ///< 0: all cores (OpenMP threads; MPI ranks for the FVM side)
     /// As said before the run; go into its record; 0: not said.
-    double predicted_seconds = 0, predicted_elements = 0, predicted_bytes = 0;
+    double predicted_seconds = 0, predicted_elements = 0, predicted_bytes = 0, predicted_steps = 0;
     std::string command;  ///< that makes the run again, a word a line; goes into its record; empty: not said
     std::function<void(const Progress&)> progress = {};
     std::function<bool()> stop_asked = {};  ///< polled: true ends the run after saving state

@@ -17,6 +17,7 @@
 #include "record/snapshot.h"
 #include "record/spray_table.h"
 #include "record/water_surface.h"
+#include "scene/defaults.h"
 #include "scene/hash.h"
 #include "scene/new_record.h"
 #include "scene/refined_places.h"
@@ -346,7 +347,9 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
                                : 2 * duration;
     const double started = wall_now(), time_at_start = simulation->time();
     double last_report = 0;
-    RunWatch watch;
+    RunWatch watch({.speed = 0.1 * default_sound_speed(scene),
+                    .duration = duration - time_at_start,
+                    .steps = options.predicted_steps});
 
     const auto save = [&](const std::string& state, const std::string& reason) {
         record.state = state;
@@ -408,7 +411,7 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
             {
                 const PhaseTimer timer(record, "output");
                 recorder.after_step(*simulation, frame);
-                if (frame) next_frame = next_after(simulation->time(), interval);
+                if (frame) watch.after_frame(record), next_frame = next_after(simulation->time(), interval);
                 if (last || simulation->time() >= next_snapshot) {
                     recorder.fill_hull_pressure(*simulation);
                     if (scene.sampling.snapshot_interval > 0) snapshots.write(*simulation, record);

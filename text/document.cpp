@@ -24,7 +24,7 @@ TextValue converted_table(const toml::table& table) {
     for (const auto& [key, node] : table) {
         TextValue member = converted(node);
         member.key_place = place_of(key.source());
-        v.members.emplace_back(std::string(key.str()), std::move(member));
+        v.members.push_back({std::string(key.str()), std::move(member)});
     }
     // toml++ sorts by name; people expect the order of their file.
     std::stable_sort(v.members.begin(), v.members.end(), [](const auto& a, const auto& b) {

@@ -1,7 +1,6 @@
 #pragma once
 #include <filesystem>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace tw {
@@ -18,7 +17,8 @@ struct TextValue {
     double number = 0;
     bool flag = false;
     std::vector<TextValue> list;
-    std::vector<std::pair<std::string, TextValue>> members;
+    struct Member;
+    std::vector<Member> members;
     Place place;         ///< of the value
     Place key_place;     ///< of its key, when it has one
     std::string option;  ///< the command line option it came from, empty for the file
@@ -27,6 +27,10 @@ struct TextValue {
     TextValue* find(const std::string& key);
     /// As it may stand in a message: strings quoted, control characters escaped, long ones cut.
     std::string shown() const;
+};
+struct TextValue::Member {
+    std::string first;  ///< its key
+    TextValue second;
 };
 
 /// The scene file as a tree. The only place that knows TOML. Throws InputError `file:line:column: ...`.

@@ -58,10 +58,12 @@ std::string value_with_unit(const MeanValue& m, const std::string& unit) {
 
 std::string strip_of(const Comparison& c, const Quantity& q) {
     Strip strip{q.label, {}};
-    for (std::size_t s = 0; s < q.values.size(); ++s)
-        strip.values.push_back({method_label(c.names[s]), value_with_unit(q.values[s], q.unit), s,
-                                q.values[s].known ? q.values[s].value : std::nan(""), q.values[s].bar(),
-                                outer_half_width(q, q.values[s], c.sources[s])});
+    for (std::size_t s = 0; s < q.values.size(); ++s) {
+        const MeanValue& m = q.values[s];
+        strip.values.push_back({method_label(c.names[s]), c.failed(s) ? "failed" : value_with_unit(m, q.unit), s,
+                                m.known && !c.failed(s) ? m.value : std::nan(""), m.bar(),
+                                outer_half_width(q, m, c.sources[s])});
+    }
     for (const Reference& r : c.references)
         if (r.quantity == q.name) strip.references.push_back({r.source, r.value, r.half_width});
     return svg(strip);
@@ -69,7 +71,8 @@ std::string strip_of(const Comparison& c, const Quantity& q) {
 
 /// The sentences, with a strip each for the first quantities.
 std::string answer(const Comparison& c) {
-    std::string out;
+    std::string failures, out;
+    for (const std::string& sentence : failures_of(c)) failures += "<p>" + escaped(sentence) + "</p>";
     std::size_t strips = 0;
     for (const Quantity* q : main_quantities(c.quantities)) {
         std::string sentences;
@@ -79,11 +82,11 @@ std::string answer(const Comparison& c) {
         if (sentences.empty() && !strip.empty()) sentences = "<p>" + escaped(q->label) + "</p>";
         if (!sentences.empty()) out += "<div class=\"answer\">" + sentences + strip + "</div>";
     }
-    if (out.empty())
+    if (out.empty() && failures.empty())
         for (const std::string& sentence : verdict_sentences(c)) out += "<p>" + escaped(sentence) + "</p>";
     if (const std::string left_out = left_out_text(c); !left_out.empty())
         out += "<p class=\"note\">Not in these intervals: " + escaped(left_out) + "; thin lines are with it.</p>";
-    return "<div class=\"verdict\">" + out + "</div>";
+    return "<div class=\"verdict\">" + failures + out + "</div>";
 }
 
 std::string pictures(const Comparison& c, const Figures& f) {

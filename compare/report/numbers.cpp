@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compare/verdict/sentence.h"
+#include "methods/methods.h"
 #include "text/plain_number.h"
 
 namespace tw {
@@ -118,8 +119,23 @@ std::string apart_sentence(const Comparison& comparison, const Quantity& q) {
 }
 }  // namespace
 
+std::vector<std::string> failures_of(const Comparison& comparison) {
+    std::vector<std::string> sentences;
+    for (std::size_t s = 0; s < comparison.sources.size(); ++s) {
+        if (!comparison.failed(s)) continue;
+        const std::string& reason = comparison.sources[s].reason;
+        sentences.push_back(fmt::format("{} failed{}{}. What it recorded until then {}.",
+                                        method_label(comparison.names[s]), reason.empty() ? "" : ": ", reason,
+                                        comparison.sources.size() > 1 ? "is compared with nothing" : "is shown below"));
+    }
+    return sentences;
+}
+
 std::vector<std::string> sentences_on(const Comparison& comparison, const Quantity& q) {
     std::vector<std::string> sentences;
+    std::size_t left = 0;
+    for (std::size_t s = 0; s < comparison.sources.size(); ++s) left += comparison.failed(s) ? 0 : 1;
+    if (left < 2 && left < comparison.sources.size()) return sentences;
     for (const Difference& d : q.differences())
         if (!d.sentence.empty()) sentences.push_back(d.sentence);
     if (sentences.empty() && comparison.sources.size() > 1) sentences.push_back(apart_sentence(comparison, q));
@@ -129,7 +145,7 @@ std::vector<std::string> sentences_on(const Comparison& comparison, const Quanti
 }
 
 std::vector<std::string> verdict_sentences(const Comparison& comparison) {
-    std::vector<std::string> sentences;
+    std::vector<std::string> sentences = failures_of(comparison);
     for (const Quantity* q : main_quantities(comparison.quantities))
         std::ranges::move(sentences_on(comparison, *q), std::back_inserter(sentences));
     if (sentences.empty())

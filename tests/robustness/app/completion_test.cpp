@@ -59,7 +59,7 @@ TEST_F(Completion, OffersEverySubcommandAndEveryOptionThatHelpLists) {
     ASSERT_EQ(actions.size(), 4u);
     for (const std::string& action : actions) EXPECT_TRUE(has(offered({"hull", ""}), action)) << action;
     for (const std::string& action : actions) commands.push_back("hull " + action);
-    const std::string fish = twinwake({"completion", "fish"}).out;
+    const std::string fish = twinwake({"completion", "fish"}).out, man = twinwake({"completion", "man"}).out;
     for (const std::string& command : commands) {
         Words words, call;
         std::istringstream parts(command);
@@ -70,8 +70,14 @@ TEST_F(Completion, OffersEverySubcommandAndEveryOptionThatHelpLists) {
         ASSERT_TRUE(has(options, "--help")) << command;
         words.push_back("-");
         const Words offers = offered(words);
+        const std::size_t section = man.find("\n.SS \"twinwake " + command + "\"\n");
+        const std::string page =
+            section == man.npos ? "" : man.substr(section, man.find("\n.S", section + 1) - section);
         for (const std::string& option : options) {
             EXPECT_TRUE(has(offers, option)) << command << " " << option;
+            std::string in_page = option;
+            for (std::size_t k = 0; (k = in_page.find('-', k)) != in_page.npos; k += 2) in_page.insert(k, "\\");
+            EXPECT_NE(page.find("\\fB" + in_page + "\\fR"), page.npos) << command << " " << option;
             if (!option.starts_with("--")) continue;
             bool in_fish = false;  // a line for this subcommand with this option
             std::istringstream lines(fish);

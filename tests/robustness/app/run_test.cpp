@@ -167,8 +167,25 @@ TEST_F(Command, ARunThatFailsLeavesAReportOfWhatThereIs) {
     EXPECT_NE(o.err.find("often a sound speed that is too low"), std::string::npos) << o.err;
     const std::string page = content(folder_ / "runs/column/report.html");
     EXPECT_NE(page.find("One run only, sph"), std::string::npos);
-    EXPECT_NE(page.find("did not finish (state: failed"), std::string::npos);
+    EXPECT_NE(page.find("<div class=\"verdict\"><p>SPH failed: "), std::string::npos);
     EXPECT_NE(page.find("<pre>twinwake run column.toml"), std::string::npos);
+}
+
+TEST_F(Command, ARunWhoseWaterHasLeftEndsAndLeavesAReport) {
+    // The tank falls faster than the drop in it, which leaves through the open top.
+    write("lost.toml",
+          "[tank]\nsize = [0.1, 0.1, 0.1]\nlaw = \"ramp\"\nalong = [0, 0, -1]\nrate = \"20 m/s\"\nramp = 0.5\n"
+          "[domain]\ndimensions = 2\n[[water_block]]\nmin = [0.03, 0, 0.04]\nmax = [0.07, 0.1, 0.07]\n"
+          "[resolution]\nnear_hull = 0.01\n[run]\nduration = 1\nmethods = [\"sph\"]\n");
+    const Outcome o = twinwake({"run", "lost.toml", "--no-twins"});
+    EXPECT_EQ(o.status, 3) << o.out;
+    EXPECT_NE(o.err.find("no water is left at t = 0."), std::string::npos) << o.err;
+    EXPECT_NE(o.err.find("12 particles have left"), std::string::npos) << o.err;
+    const auto left = nlohmann::json::parse(content(folder_ / "runs/lost/report.json"));
+    EXPECT_EQ(left["sources"][0]["state"], "failed");
+    EXPECT_EQ(left["cost"][0]["elements"], 0);
+    EXPECT_FALSE(left["sources"][0]["numbers"]["bytes_per_particle"].is_null()) << "per particle of none";
+    EXPECT_NE(content(folder_ / "runs/lost/report.html").find("SPH failed: no water is left"), std::string::npos);
 }
 
 TEST_F(Command, ALadderOfRunsThatAllFailSaysWhy) {

@@ -326,14 +326,42 @@ TEST(Compare, AShortRunIsUndecidedWithTheTimeThatIsMissing) {
 
 TEST(Compare, RunsThatDidNotFinishCarryABannerAndAGate) {
     RunRecord stopped = synthetic_run(fvm);
-    stopped.state = "failed";
-    stopped.reason = "time step collapsed";
+    stopped.state = "stopped";
+    stopped.reason = "asked to stop";
     const Comparison c = compare_records({synthetic_run(sph), stopped});
     bool banner = false, gate = false;
-    for (const auto& b : c.banners) banner = banner || b.find("time step collapsed") != std::string::npos;
+    for (const auto& b : c.banners) banner = banner || b.find("asked to stop") != std::string::npos;
     for (const Gate& g : c.gates) gate = gate || (g.source == "fvm" && g.name == "finished" && !g.pass);
     EXPECT_TRUE(banner);
     EXPECT_TRUE(gate);
+}
+
+/// How often a text stands in another.
+int count_of(const std::string& what, const std::string& text) {
+    int n = 0;
+    for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + 1)) ++n;
+    return n;
+}
+
+TEST(Compare, ARunThatFailedIsNamedOnceAndComparedWithNothing) {
+    const auto summary = [](std::vector<RunRecord> records) {
+        records[0].state = "failed";
+        records[0].reason = "the time step has collapsed";
+        return summary_text(compare_records(std::move(records)));
+    };
+    SyntheticRun wrecked = sph;
+    wrecked.lift = 193e3;
+    const std::string two = summary({synthetic_run(wrecked), synthetic_run(fvm)});
+    EXPECT_EQ(two.find("SPH failed: the time step has collapsed. "), 0u) << two;
+    EXPECT_EQ(count_of("the time step has collapsed", two), 1) << two;
+    EXPECT_EQ(count_of("apart by", two), 0) << two;
+    EXPECT_NE(two.find(" 193"), std::string::npos) << "what it recorded is in the tables\n" << two;
+    EXPECT_EQ(count_of("One run only", summary({synthetic_run(wrecked)})), 1);
+
+    RunRecord third = synthetic_run(fvm);
+    third.attributes["method"] = "measured";
+    const std::string three = summary({synthetic_run(wrecked), synthetic_run(fvm), third});
+    EXPECT_NE(three.find("Lift: fvm and measured are farthest apart"), std::string::npos) << three;
 }
 
 TEST(Compare, LostParticlesFailTheirGate) {

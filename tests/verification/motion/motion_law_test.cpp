@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "base/errors.h"
+#include "base/numbers.h"
 #include "motion/motion_law.h"
 
 namespace tw {
@@ -59,6 +60,23 @@ TEST(MotionLaw, OfATableGoesThroughItsRowsSmoothlyAndRestsBeyondThem) {
     EXPECT_EQ(law.at(2).rate, 0);
     EXPECT_NEAR(law.at(1.2 - 1e-9).rate, 0, 1e-7);
     EXPECT_GE(law.fastest(), std::abs(law.at(0.15).rate));
+}
+
+// Each place needs the knots around it alone: a million places of it would take hours otherwise.
+TEST(MotionLaw, OfATableOfAHundredThousandRowsIsTheSmoothMotionThatTheyAreOf) {
+    MotionLaw law{.kind = MotionLaw::Kind::table};
+    const double w = 2 * pi / 100;
+    for (int k = 0; k <= 100000; ++k)
+        law.times.push_back(1e-3 * k), law.values.push_back(1 - std::cos(w * law.times.back()));
+    EXPECT_NEAR(law.fastest(), w, 1e-9 * w);
+    for (int k = 1; k < 100000; k += 997) {
+        const double knot = law.times[static_cast<std::size_t>(k)];
+        for (const double t : {knot, knot + 0.37e-3}) {
+            EXPECT_NEAR(law.at(t).rate, w * std::sin(w * t), 1e-9 * w);
+            EXPECT_NEAR(law.at(t).acceleration, w * w * std::cos(w * t), 1e-4 * w * w);
+        }
+        EXPECT_NEAR(law.at(knot * (1 - 1e-12)).acceleration, law.at(knot).acceleration, 1e-4 * w * w);
+    }
 }
 
 TEST(MotionLaw, OfATableThatDoesNotRiseInTimeIsRefused) {
