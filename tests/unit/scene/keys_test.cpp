@@ -288,6 +288,7 @@ std::map<std::string, Change> changes() {
         {"fvm.correctors", set(fixed, "fvm", "correctors", "3", "4")},
         {"fvm.body_mesh", set(fixed, "fvm", "body_mesh", "\"auto\"", "\"whole\"")},
         {"run.threads", set(fixed, "run", "threads", "1", "2")},
+        {"run.device", set(fixed, "run", "device", "\"cpu\"", "\"auto\"")},
     };
     for (const char* key : {"density", "viscosity", "surface_tension", "gravity", "air_density", "air_viscosity"})
         all[std::string("water.") + key] = set(fixed, "water", key, "1.5e-1", "1e-1");
@@ -334,9 +335,9 @@ TEST(Keys, EachKeyIsCoveredByTheHashThatTheTableNames) {
 }
 
 TEST(Keys, OnlyWhatChangesNothingThatIsSolvedIsInNoHash) {
-    const std::set<std::string> in_none{".title",         "run.duration",  "run.methods",  "run.threads",
-                                        "run.checkpoint", "obstacle.name", "fvm.openfoam", "sampling.snapshots",
-                                        "refine.name",    "ply.name",      "gauge.body"},
+    const std::set<std::string> in_none{
+        ".title",        "run.duration", "run.methods",        "run.threads", "run.device", "run.checkpoint",
+        "obstacle.name", "fvm.openfoam", "sampling.snapshots", "refine.name", "ply.name",   "gauge.body"},
         beginning{"motion.ramp", "hull.release"};
     for (const SceneKey& key : scene_keys()) {
         const std::string name = key.section + "." + key.name;
