@@ -11,7 +11,7 @@
 #include "base/errors.h"
 #include "sph_solver/device/launch.h"
 
-// The kernels as PTX, ends with a zero (sph_solver/CMakeLists.txt).
+// The kernels as PTX, each ends with a zero (sph_solver/kernels.cmake).
 extern "C" const char tw_kernels_ptx[], tw_strict_kernels_ptx[];
 
 namespace tw::cuda {
@@ -158,7 +158,6 @@ Device::~Device() = default;
 
 const std::string& Device::name() const { return library_->name; }
 const std::string& Device::driver() const { return library_->driver; }
-const std::string& Device::library() const { return library_->file; }
 std::size_t Device::memory() const { return library_->memory; }
 int Device::multiprocessors() const { return library_->multiprocessors; }
 

@@ -23,11 +23,10 @@ public:
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;
 
-    const std::string& name() const;     ///< as its maker calls it
-    const std::string& driver() const;   ///< the driver's version, as "13.0"
-    const std::string& library() const;  ///< the file of the driver
-    std::size_t memory() const;          ///< of the device [B]
-    std::size_t free_memory() const;     ///< now [B]
+    const std::string& name() const;    ///< as its maker calls it
+    const std::string& driver() const;  ///< the driver's version, as "13.0"
+    std::size_t memory() const;         ///< of the device [B]
+    std::size_t free_memory() const;    ///< now [B]
     int multiprocessors() const;
 
     /// Bytes of the device.
