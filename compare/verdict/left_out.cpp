@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <regex>
+#include <optional>
+#include <string_view>
 
 #include "compare/read/record_numbers.h"
 #include "compare/verdict/sentence.h"
@@ -32,14 +34,30 @@ bool said_elsewhere(const EffectChoice& e, const std::string& planned, const Run
            (e.name == "viscosity" && planned == "drag" && is_on(run, "friction"));
 }
 
+/// Takes a number off the front of a text.
+std::optional<double> take_number(std::string_view& text) {
+    double number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc{}) return std::nullopt;
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    return number;
+}
+
+/// Takes a word off the front of a text; whether it stood there.
+bool take_word(std::string_view& text, std::string_view word) {
+    if (!text.starts_with(word)) return false;
+    text.remove_prefix(word.size());
+    return true;
+}
+
 /// "about 116 N of friction", "3 to 5 % (measured)": the larger number, of the value where it is in per cent.
-double bound_of(const std::string& influence, const Quantity& q, double value) {
-    static const std::regex form(R"(^(?:about )?([-+.\de]+)(?: to ([-+.\de]+))? (%|N)(?!.*and more).*)");
-    std::smatch part;
-    if (!std::regex_match(influence, part, form)) return nan;
-    const double most = std::abs(std::stod(part[2].matched ? part[2] : part[1]));
-    if (part[3] == "%") return most / 100 * std::abs(value);
-    return q.unit == "N" ? most : nan;
+double bound_of(std::string_view influence, const Quantity& q, double value) {
+    take_word(influence, "about ");
+    std::optional<double> most = take_number(influence);
+    if (most && take_word(influence, " to ")) most = take_number(influence);
+    if (!most || influence.find("and more") != influence.npos) return nan;
+    if (take_word(influence, " %")) return std::abs(*most) / 100 * std::abs(value);
+    return take_word(influence, " N") && q.unit == "N" ? std::abs(*most) : nan;
 }
 
 /// Without what stands in brackets behind it, and without who leaves it out.
