@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
-#include "scene/refined_places.h"
 #include "sph_solver/backend/variants.h"
 #include "sph_solver/domain/schedule.h"
 #include "sph_solver/simulation.h"
@@ -19,8 +18,6 @@
 namespace tw {
 
 std::string why_not_on_gpu(const Scene& scene) {
-    if (sizes_of_particles(scene) > 1)
-        return "particles of several sizes: their edges are not there yet ([sph] levels = 1 can)";
     if (scene.tank_motion) return "a tank that moves: images would need the force of its frame";
     for (const MovingBody& body : scene.bodies)
         if (body.elastic) return "a body that bends: its walls are rigid";
@@ -75,16 +72,19 @@ std::string gpu_peaks_in_words() {
 
 std::string leave_steps_to_gpu(Simulation& simulation) {
     const std::shared_ptr<cuda::Device> device = cuda::Device::open();
-    Level& level = simulation.level(0);
     // with lists and room to grow: 300 to 500 were measured, the more the longer the kernel reaches
     constexpr double bytes_of_particle = 600;
-    const double needed = bytes_of_particle * double(level.particles().size() + level.walls().size());
+    std::int64_t particles = 0;
+    std::size_t dummies = 0;
+    for (const auto& level : simulation.levels()) particles += level->count(), dummies += level->walls().size();
+    const double needed = bytes_of_particle * (double(particles) + double(dummies));
     if (needed > double(device->free_memory()))
         throw InputError(fmt::format(
             "{} has {:.3g} GB free, and {} particles need {:.3g} GB there: coarser particles, a smaller domain, or "
             "[run] device = \"cpu\"",
-            device->name(), double(device->free_memory()) / 1e9, level.particles().size(), needed / 1e9));
-    level.leave_steps_to(std::make_unique<LevelOnDevice>(level, device));
+            device->name(), double(device->free_memory()) / 1e9, particles, needed / 1e9));
+    for (std::size_t k = 0; k < simulation.levels().size(); ++k)
+        simulation.level(k).leave_steps_to(std::make_unique<LevelOnDevice>(simulation.level(k), device));
     return device->name();
 }
 

@@ -123,7 +123,7 @@ void Simulation::refuse_collisions() const {
 }
 
 void Simulation::mark_restart_point() {
-    for (const auto& level : levels_) level->make_lists_due();
+    for (const auto& level : levels_) level->mark_restart_point();
 }
 
 void Simulation::follow_bodies() {

@@ -177,9 +177,11 @@ std::uint64_t Device::allocate(std::size_t bytes) {
 void Device::release(std::uint64_t at) noexcept { library_->cuMemFree(at); }
 void Device::to_device(std::uint64_t to, const void* from, std::size_t bytes) {
     library_->check(library_->cuMemcpyHtoD(to, from, bytes), "copying to it");
+    traffic_.to_device += bytes;
 }
 void Device::to_host(void* to, std::uint64_t from, std::size_t bytes) {
     library_->check(library_->cuMemcpyDtoH(to, from, bytes), "copying from it");
+    traffic_.to_host += bytes;
 }
 void Device::within_device(std::uint64_t to, std::uint64_t from, std::size_t bytes) {
     library_->check(library_->cuMemcpyDtoD(to, from, bytes), "copying within it");

@@ -28,6 +28,11 @@ public:
     std::size_t memory() const;         ///< of the device [B]
     std::size_t free_memory() const;    ///< now [B]
     int multiprocessors() const;
+    /// Bytes copied since it was opened.
+    struct Traffic {
+        std::uint64_t to_device = 0, to_host = 0;
+    };
+    const Traffic& traffic() const { return traffic_; }
 
     /// Bytes of the device.
     std::uint64_t allocate(std::size_t bytes);
@@ -45,6 +50,7 @@ private:
     Device();
     struct Library;
     std::unique_ptr<Library> library_;
+    Traffic traffic_;
 };
 
 /// An array on a device.

@@ -46,7 +46,9 @@ struct Cross {
 struct Enter {
     StateView p;
     Kind* kind;
-    Aired* aired;  ///< null: there is none
+    Aired* aired;        ///< null: there is none
+    Trend* trend;        ///< the same
+    float* compression;  ///< the same
     std::int64_t* id;
     const int *entered, *before;  ///< how many of those before have entered
     int* gone;
@@ -61,6 +63,8 @@ struct Enter {
         p.u[k] = p.u[i], p.v[k] = 0, p.w[k] = 0, p.drho[k] = p.drho[i];
         kind[k] = Kind::inlet, id[k] = next_id + before[i], gone[k] = 0;
         if (aired) aired[k] = Aired::unknown;
+        if (trend) trend[k] = {};
+        if (compression) compression[k] = 0;
     }
 };
 /// Puts back what has crossed a mirror, takes what has left through an open top, and says where the others are.
@@ -68,7 +72,7 @@ struct PutBack {
     ReturnFromMirrors mirrors;
     double top;  ///< [m]
     bool open_top;
-    double origin[3], per_metre;  ///< of Quanta
+    ToQuanta to_quanta;
     const int* gone;              ///< null: nobody is
     WidePlace* wide;
     std::uint8_t* left;
@@ -77,8 +81,7 @@ struct PutBack {
         mirrors(i);
         const StateView& p = mirrors.p;
         left[i] = (gone && gone[i]) || (open_top && p.z[i] > top);
-        wide[i] = {nearest_whole((p.x[i] - origin[0]) * per_metre), nearest_whole((p.y[i] - origin[1]) * per_metre),
-                   nearest_whole((p.z[i] - origin[2]) * per_metre)};
+        wide[i] = to_quanta.wide(p.x[i], p.y[i], p.z[i]);
     }
 };
 
@@ -135,18 +138,24 @@ struct Reorder {
     const int* order;
     StateView from, to;
     const Kind* kind;
-    const Aired* aired;
     const std::int64_t* id;
+    const Aired* aired;        ///< null: there is none
+    const Trend* trend;        ///< the same
+    const float* compression;  ///< the same
     Kind* to_kind;
-    Aired* to_aired;  ///< null: there is none
     std::int64_t* to_id;
+    Aired* to_aired;
+    Trend* to_trend;
+    float* to_compression;
 
     void operator()(std::size_t k) const {
         const auto i = static_cast<std::size_t>(order[k]);
         to.x[k] = from.x[i], to.y[k] = from.y[i], to.z[k] = from.z[i];
         to.u[k] = from.u[i], to.v[k] = from.v[i], to.w[k] = from.w[i], to.drho[k] = from.drho[i];
         to_kind[k] = kind[i], to_id[k] = id[i];
-        if (to_aired) to_aired[k] = aired[i];
+        if (aired) to_aired[k] = aired[i];
+        if (trend) to_trend[k] = trend[i];
+        if (compression) to_compression[k] = compression[i];
     }
 };
 
@@ -167,16 +176,14 @@ struct FindImages {
     StateView p;
     ImagesNear near;
     const LinkMap* maps;
-    double origin[3], per_metre;
+    ToQuanta to_quanta;
     const int* first;
     Link* links;
     WidePlace* wide;
 
     void operator()(std::size_t i) const {
         int k = first[i];
-        const WidePlace own{nearest_whole((p.x[i] - origin[0]) * per_metre),
-                            nearest_whole((p.y[i] - origin[1]) * per_metre),
-                            nearest_whole((p.z[i] - origin[2]) * per_metre)};
+        const WidePlace own = to_quanta.wide(p.x[i], p.y[i], p.z[i]);
         near(p.x[i], p.y[i], p.z[i], [&](unsigned number) {
             links[k] = {static_cast<std::int32_t>(i), static_cast<std::uint16_t>(number)};
             wide[k++] = maps[number].place(own);
@@ -408,9 +415,11 @@ struct NearWall {
     double x, y, z;
     float u, v, w;
     std::int32_t index;  ///< -1: none
+    Kind kind;
 };
 struct TakeNearWalls {
     StateView p;
+    const Kind* kind;
     const GroupAtWall* list;
     NearWall* to;
 
@@ -423,6 +432,7 @@ struct TakeNearWalls {
         const auto i = static_cast<std::size_t>(near.index);
         near.x = p.x[i], near.y = p.y[i], near.z = p.z[i];
         near.u = p.u[i], near.v = p.v[i], near.w = p.w[i];
+        near.kind = kind[i];
     }
 };
 struct NoWalls {

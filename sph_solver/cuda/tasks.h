@@ -40,18 +40,14 @@ struct RefreshImages {
     }
 };
 
-/// Marks those at the free surface, of particles of one size; by words of 32.
+/// Marks those at the free surface; by words of 32.
 struct MarkSurface {
-    const ShiftSupportRecord* shift;
-    double surface_support;
+    LacksSupport lacks_support;
     const Link* links;
     std::size_t n, all;
     std::uint32_t* words;
 
     void operator()(std::size_t word) const {
-        const auto lacks_support = [&](std::size_t i) {
-            return static_cast<double>(shift[i].support) < surface_support;
-        };
         MarkBits{lacks_support, links, n, all, words}(word);
     }
 };
@@ -124,7 +120,7 @@ struct MoveAll {
         const V3<double> shift = move.kick(i, part);
         const V3<double> along{move.p.u[i], move.p.v[i], move.p.w[i]};
         move.drift_along(i, along, shift);
-        if (wall && move.kind[i] == Kind::fluid) {
+        if (wall && kept_out_of_solids(move.kind[i])) {
             WallNormalRecord& r = wall[i];
             const double leaving = walls.leaving(i, {move.p.x[i], move.p.y[i], move.p.z[i]}, along);
             r.distance += static_cast<float>(move.drift * leaving + dot(shift, normal_of(r)));

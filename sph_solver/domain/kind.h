@@ -17,5 +17,7 @@ enum class Kind : std::uint8_t {
 constexpr bool is_active(Kind k) { return k <= Kind::outlet; }
 constexpr bool stands_for_finer(Kind k) { return k == Kind::band || k == Kind::carried; }
 constexpr bool follows_the_equations(Kind k) { return k == Kind::fluid || k == Kind::band; }
+/// What stands for another level's water is kept out of solids as well: it may become active there.
+constexpr bool kept_out_of_solids(Kind k) { return k != Kind::inlet && k != Kind::outlet; }
 
 }  // namespace tw

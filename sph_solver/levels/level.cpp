@@ -212,8 +212,7 @@ AfterFirstSweep Level::after_first_sweep(double compress, double drift) {
 
 void Level::mark_surface() {
     const std::size_t n = particles_.size();
-    const MarkBits mark{[&](std::size_t i) { return lacks_support(i); }, ghosts_.links().data(), n,
-                        particles_.place.size(), particles_.surface.data()};
+    const MarkBits mark{lacks_support(), ghosts_.links().data(), n, particles_.place.size(), particles_.surface.data()};
     for_particles(particles_.surface.size(), mark);
 }
 
@@ -354,6 +353,12 @@ void Level::keep_only(const std::vector<std::int32_t>& staying, std::int64_t act
     ledger_.out += active;
     particles();
     particles_.reorder(staying);
+    start_anew();
+}
+
+void Level::mark_restart_point() {
+    if (!particles_.has(With::finer)) return make_lists_due();
+    home();  // a finer level has changed velocities since the last step: the lists reach as far as after a restart
     start_anew();
 }
 

@@ -21,6 +21,7 @@
 #include "sph_solver/levels/device_steps.h"
 #include "sph_solver/levels/surface_excess.h"
 #include "sph_solver/loops/after_first_sweep.h"
+#include "sph_solver/loops/surface.h"
 #include "sph_solver/neighbours/list_life.h"
 #include "sph_solver/parallel/comm.h"
 #include "sph_solver/parallel/decomposition.h"
@@ -134,6 +135,7 @@ public:
     double wall_travel_ahead() const;
     bool lists_due() const { return life_.over; }
     void make_lists_due() { life_.over = true; }
+    void mark_restart_point();  ///< see Simulation
     /// Whether a place is in no buffer of an inlet or outlet.
     bool between_openings(double x) const {
         return !around_.stream || (x >= around_.domain.min.x() && x <= around_.domain.max.x());
@@ -250,9 +252,10 @@ private:
         return {o.x(), o.y(), o.z(), quanta_.per_metre, static_cast<float>(mass_), static_cast<float>(setup_.rho0)};
     }
     AfterFirstSweep after_first_sweep(double compress, double drift);
-    bool lacks_support(std::size_t i) const {
-        const bool guard = particles_.kind[i] == Kind::guard;
-        return (guard ? particles_.trend[i].support : particles_.shift_support[i].support) < setup_.surface_support;
+    LacksSupport lacks_support() const {
+        const Particles& p = particles_;
+        return {p.kind.data(), p.trend.empty() ? nullptr : p.trend.data(), p.shift_support.data(),
+                setup_.surface_support};
     }
     StepView step_view(double t);
     ExtrapolateData extrapolation() const;  ///< from the present records; the caller says where to

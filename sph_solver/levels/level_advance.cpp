@@ -139,8 +139,7 @@ Level::Struck Level::advance(const Schedule::Move& move, const Vec3& moment_refe
                                          ? V3<double>{p.u[i], p.v[i], p.w[i]}
                                          : V3<double>{stages_.mean[i].u, stages_.mean[i].v, stages_.mean[i].w};
             move_on.drift_along(i, along, shift);
-            // what stands for another level's water is kept out of solids as well: it may become active there
-            if (!p.wall_normal.empty() && p.kind[i] != Kind::inlet && p.kind[i] != Kind::outlet) {
+            if (!p.wall_normal.empty() && kept_out_of_solids(p.kind[i])) {
                 WallNormalRecord& r = p.wall_normal[i];
                 r.distance += static_cast<float>(drift * leaving(i, along) + dot(shift, normal_of(r)));
                 if (r.distance < held_at_wall_over_dp * s.dp) hold(i, part);

@@ -138,6 +138,7 @@ double Level::density_of_row() const {
 }
 
 void Level::interpolate(FieldsAt& at) {
+    home();
     const std::size_t n = at.places.size(), own = particles_.size();
     at.value.resize(n);
     at.support.resize(n);

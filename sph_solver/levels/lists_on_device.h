@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "sph_solver/cuda/driver.h"
@@ -44,6 +45,7 @@ public:
     /// Of `n` places; those marked in `left` (null: none) are left out. Gives how many are left.
     std::size_t sort(const WidePlace* wide, const std::uint8_t* left, const std::int64_t* tie, std::size_t n);
     const int* order() const { return order_.data(); }  ///< k-th in order
+    void give_order(std::span<int> to) const { order_.give(to); }
     const int* start() const { return start_.before(); }
     int in_column() const { return bins_.in_column; }
     cuda::DeviceSource source(const PlaceRecord* places, std::int32_t offset) const {

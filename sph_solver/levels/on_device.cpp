@@ -26,17 +26,22 @@ struct LevelOnDevice::Arrays {
         cuda::Array<float> u, v, w, drho;
         cuda::Array<std::int64_t> id;
         cuda::Array<Kind> kind;
-        cuda::Array<Aired> aired;
-        explicit State(cuda::Device& d) : x(d), y(d), z(d), u(d), v(d), w(d), drho(d), id(d), kind(d), aired(d) {}
+        cuda::Array<Aired> aired;        ///< empty: there is none
+        cuda::Array<Trend> trend;        ///< empty: no coarser level
+        cuda::Array<float> compression;  ///< empty: no finer level
+        explicit State(cuda::Device& d)
+            : x(d), y(d), z(d), u(d), v(d), w(d), drho(d), id(d), kind(d), aired(d), trend(d), compression(d) {}
 
+        /// Calls `f(field, other)` for each and what `others` has of it.
+        template <class Others, class Function>
+        void each_with(Others& others, const Function& f) {
+            f(x, others.x), f(y, others.y), f(z, others.z), f(u, others.u), f(v, others.v), f(w, others.w);
+            f(drho, others.drho), f(id, others.id), f(kind, others.kind), f(aired, others.aired);
+            f(trend, others.trend), f(compression, others.compression);
+        }
         template <class Function>
         void each(const Function& f) {
-            f(x), f(y), f(z), f(u), f(v), f(w), f(drho), f(id), f(kind), f(aired);
-        }
-        void swap(State& other) {
-            x.swap(other.x), y.swap(other.y), z.swap(other.z);
-            u.swap(other.u), v.swap(other.v), w.swap(other.w), drho.swap(other.drho);
-            id.swap(other.id), kind.swap(other.kind), aired.swap(other.aired);
+            each_with(*this, [&](auto& field, auto&) { f(field); });
         }
         StateView view() const { return {x.data(), y.data(), z.data(), u.data(), v.data(), w.data(), drho.data()}; }
         std::size_t size() const { return x.size(); }
@@ -47,6 +52,7 @@ struct LevelOnDevice::Arrays {
     cuda::Array<GradientPressureRecord> stress{device};
     cuda::Array<ShiftSupportRecord> shift{device};
     cuda::Array<RateRecord> rate{device};
+    cuda::Array<float> density_rate{device};  ///< empty: no coarser level
     cuda::Array<std::uint32_t> surface{device};
     cuda::Array<WallNormalRecord> wall_normal{device};
     cuda::Array<LeavingRecord> wall_leaving{device};
@@ -98,7 +104,7 @@ struct LevelOnDevice::Arrays {
         double sum = 0;
         const auto add = [&](const auto&... array) { ((sum += double(array.bytes())), ...); };
         p.each(add), sorted.each(add);
-        add(place, motion, stress, shift, rate, surface, wall_normal, wall_leaving, wall_body, wall_velocity,
+        add(place, motion, stress, shift, rate, density_rate, surface, wall_normal, wall_leaving, wall_body, wall_velocity,
             wall_acceleration, motions, entered, images, groups_before, gone, column, left, wide, order, image_order,
             found, links, maps, groups, lists, wall_lists, wall_place, wall_p, body_end, wall_load, loads, at_wall,
             groups_at_walls, near_walls, walls_found, air_stays, air_near, asking, count, extremes, too_near, fetched,
@@ -189,11 +195,7 @@ void LevelOnDevice::sweep(const char* kernel, const View& view, const cuda::Arra
 // --- from and to the host ---------------------------------------------------------------------------------------------
 
 void LevelOnDevice::take_state() {
-    Particles& p = level_.particles_;
-    Arrays::State& on = on_->p;
-    on.x.take(p.x), on.y.take(p.y), on.z.take(p.z);
-    on.u.take(p.u), on.v.take(p.v), on.w.take(p.w), on.drho.take(p.drho);
-    on.id.take(p.id), on.kind.take(p.kind), on.aired.take(p.aired);
+    on_->p.each_with(level_.particles_, [](auto& on, const auto& field) { on.take(field); });
     host_counts_ = false;
 }
 
@@ -201,11 +203,10 @@ void LevelOnDevice::bring_all_home() {
     if (home_ || host_counts_) return;
     Particles& p = level_.particles_;
     Arrays& on = *on_;
-    on.p.x.give(p.x), on.p.y.give(p.y), on.p.z.give(p.z);
-    on.p.u.give(p.u), on.p.v.give(p.v), on.p.w.give(p.w), on.p.drho.give(p.drho);
-    on.p.id.give(p.id), on.p.kind.give(p.kind), on.p.aired.give(p.aired);
+    on.p.each_with(p, [](const auto& field, auto& to) { field.give(to); });
     on.place.give(p.place), on.motion.give(p.velocity_density), on.stress.give(p.gradient_pressure);
     on.shift.give(p.shift_support), on.rate.give(p.rate), on.surface.give(p.surface);
+    on.density_rate.give(p.density_rate);
     on.wall_normal.give(p.wall_normal), on.wall_leaving.give(p.wall_leaving), on.wall_body.give(p.wall_body);
     on.wall_p.give(level_.walls_.pressures());
     if (!order_is_home_) {
@@ -241,6 +242,7 @@ void LevelOnDevice::make_lists(double drift) {
     p.make_room(on.links.size());
     on.place.resize(all), on.motion.resize(all), on.stress.resize(all);
     on.shift.resize(n), on.rate.resize(n), on.surface.resize(p.surface.size());
+    on.density_rate.resize(p.density_rate.size());
     on.air_stays.resize(p.surface.size()), on.air_near.resize(n);
     on.extremes.resize((n + cuda::threads_in_block - 1) / cuda::threads_in_block);
     on.too_near.resize(n);
@@ -281,35 +283,57 @@ void LevelOnDevice::cross_faces() {
         });
         on.gone.grow(all);
         launch(*device_, "tw_enter",
-               cuda::Enter{on.p.view(), on.p.kind.data(), or_null(on.p.aired), on.p.id.data(), on.entered.numbers(),
-                           on.entered.before(), on.gone.data(), n, stream->buffer, ledger.next_id},
+               cuda::Enter{on.p.view(), on.p.kind.data(), or_null(on.p.aired), or_null(on.p.trend),
+                           or_null(on.p.compression), on.p.id.data(), on.entered.numbers(), on.entered.before(),
+                           on.gone.data(), n, stream->buffer, ledger.next_id},
                n);
         ledger.in += count, ledger.next_id += count;
     }
     on.wide.resize(all), on.left.resize(all);
-    cuda::PutBack back{.mirrors = {on.p.view(), faces},
-                       .top = domain.max.z(),
-                       .open_top = !faces.mirror[2][1] && !faces.periodic[2],
-                       .origin = {},
-                       .per_metre = level_.quanta_.per_metre,
-                       .gone = level_.around_.stream ? on.gone.data() : nullptr,
-                       .wide = on.wide.data(),
-                       .left = on.left.data()};
-    set_origin(back.origin, level_.quanta_);
-    launch(*device_, "tw_put_back", back, all);
+    launch(*device_, "tw_put_back",
+           cuda::PutBack{.mirrors = {on.p.view(), faces},
+                         .top = domain.max.z(),
+                         .open_top = !faces.mirror[2][1] && !faces.periodic[2],
+                         .to_quanta = level_.to_quanta(),
+                         .gone = level_.around_.stream ? on.gone.data() : nullptr,
+                         .wide = on.wide.data(),
+                         .left = on.left.data()},
+           all);
 }
 
 void LevelOnDevice::sort_particles() {
     Arrays& on = *on_;
     const std::size_t all = on.p.size(), n = on.order.sort(on.wide.data(), on.left.data(), on.p.id.data(), all);
     level_.ledger_.out += static_cast<std::int64_t>(all - n);
-    on.sorted.each([&](auto& field) { field.resize(n); });
-    if (on.p.aired.size() == 0) on.sorted.aired.resize(0);
+    on.p.each_with(on.sorted, [&](const auto& field, auto& sorted) { sorted.resize(field.size() > 0 ? n : 0); });
     launch(*device_, "tw_reorder",
-           cuda::Reorder{on.order.order(), on.p.view(), on.sorted.view(), on.p.kind.data(), or_null(on.p.aired),
-                         on.p.id.data(), on.sorted.kind.data(), or_null(on.sorted.aired), on.sorted.id.data()},
+           cuda::Reorder{.order = on.order.order(),
+                         .from = on.p.view(),
+                         .to = on.sorted.view(),
+                         .kind = on.p.kind.data(),
+                         .id = on.p.id.data(),
+                         .aired = or_null(on.p.aired),
+                         .trend = or_null(on.p.trend),
+                         .compression = or_null(on.p.compression),
+                         .to_kind = on.sorted.kind.data(),
+                         .to_id = on.sorted.id.data(),
+                         .to_aired = on.sorted.aired.data(),
+                         .to_trend = on.sorted.trend.data(),
+                         .to_compression = on.sorted.compression.data()},
            n);
-    on.p.swap(on.sorted);
+    on.p.each_with(on.sorted, [](auto& field, auto& sorted) { field.swap(sorted); });
+    sort_at_home(all, n);
+}
+
+/// What the host alone knows of the particles, for the edges of zones.
+void LevelOnDevice::sort_at_home(std::size_t before, std::size_t n) {
+    Particles& p = level_.particles_;
+    if (!p.has(With::coarser) && !p.has(With::finer)) return;
+    std::vector<std::int32_t> order(n);
+    on_->order.give_order(order);
+    p.resize(before);
+    if (p.has(With::coarser)) p.from_edge.take(order);
+    if (p.has(With::finer)) p.children.take(order), p.from_finer_edge.take(order);
 }
 
 void LevelOnDevice::find_images(double reach) {
@@ -319,16 +343,15 @@ void LevelOnDevice::find_images(double reach) {
     launch(*device_, "tw_count_images", cuda::CountImages{on.p.view(), near, on.images.of(n)}, n);
     const auto count = static_cast<std::size_t>(on.images.add_up());
     on.found.resize(count), on.links.resize(count), on.wide.resize(count);
-    cuda::FindImages find{.p = on.p.view(),
-                          .near = near,
-                          .maps = on.maps.data(),
-                          .origin = {},
-                          .per_metre = level_.quanta_.per_metre,
-                          .first = on.images.before(),
-                          .links = on.found.data(),
-                          .wide = on.wide.data()};
-    set_origin(find.origin, level_.quanta_);
-    launch(*device_, "tw_find_images", find, n);
+    launch(*device_, "tw_find_images",
+           cuda::FindImages{.p = on.p.view(),
+                            .near = near,
+                            .maps = on.maps.data(),
+                            .to_quanta = level_.to_quanta(),
+                            .first = on.images.before(),
+                            .links = on.found.data(),
+                            .wide = on.wide.data()},
+           n);
     on.image_order.sort(on.wide.data(), nullptr, nullptr, count);
     launch(*device_, "tw_reorder_links", cuda::ReorderLinks{on.image_order.order(), on.found.data(), on.links.data()},
            count);
@@ -395,7 +418,7 @@ void LevelOnDevice::ask_walls(std::size_t groups) {
            n);
     on.near_walls.resize(asked), on.walls_found.resize(asked);
     launch(*device_, "tw_take_near_walls",
-           cuda::TakeNearWalls{on.p.view(), on.groups_at_walls.data(), on.near_walls.data()}, asked);
+           cuda::TakeNearWalls{on.p.view(), on.p.kind.data(), on.groups_at_walls.data(), on.near_walls.data()}, asked);
     std::vector<cuda::NearWall> near(asked);
     on.near_walls.give(near);
     std::vector<cuda::WallFound> found(asked);
@@ -413,8 +436,9 @@ void LevelOnDevice::ask_walls(std::size_t groups) {
            cuda::PutWalls{on.walls_found.data(), on.wall_normal.data(), on.wall_leaving.data(), or_null(on.wall_body)},
            asked);
     std::optional<std::size_t> through;
-    for (const cuda::WallFound& f : found)
-        if (f.index >= 0 && double(f.wall.distance) < -level_.setup_.dp) through = static_cast<std::size_t>(f.index);
+    for (std::size_t k = 0; k < asked; ++k)
+        if (found[k].index >= 0 && double(found[k].wall.distance) < -level_.setup_.dp && is_active(near[k].kind))
+            through = static_cast<std::size_t>(found[k].index);
     if (!through) return;
     home_ = order_is_home_ = false;
     bring_all_home();
@@ -491,15 +515,16 @@ WallView LevelOnDevice::walls() const {
 void LevelOnDevice::first_sweep(double compress, double drift) {
     Arrays& on = *on_;
     const std::size_t n = on.p.size(), all = on.place.size(), words = on.surface.size();
+    if (host_counts_) take_state();
     FirstSweepData d = level_.first_sweep_data();
     d.water = water(), d.walls = walls();
     d.stress = on.stress.data(), d.shift = on.shift.data(), d.rate = on.rate.data();
     d.carried = nullptr;
     sweep("tw_first_sweep", d, on.groups);
-    launch(
-        *device_, "tw_mark_surface",
-        cuda::MarkSurface{on.shift.data(), level_.setup_.surface_support, on.links.data(), n, all, on.surface.data()},
-        words);
+    const LacksSupport lacks_support{on.p.kind.data(), or_null(on.p.trend), on.shift.data(),
+                                     level_.setup_.surface_support};
+    launch(*device_, "tw_mark_surface",
+           cuda::MarkSurface{lacks_support, on.links.data(), n, all, on.surface.data()}, words);
     if (on.p.aired.size() > 0) note_air();
     AfterFirstSweep after = level_.after_first_sweep(compress, drift);
     after.p = on.p.view();
@@ -507,6 +532,9 @@ void LevelOnDevice::first_sweep(double compress, double drift) {
     after.aired = or_null(on.p.aired);
     after.place = on.place.data(), after.motion = on.motion.data(), after.stress = on.stress.data();
     after.wall = or_null(on.wall_normal);
+    after.trend = or_null(on.p.trend), after.compression = or_null(on.p.compression);
+    after.density_rate = or_null(on.density_rate);
+    on.density_rate.set_zero();
     const double c0 = level_.setup_.state_equation.c0;
     launch(*device_, "tw_compress", cuda::Compress{after, near_walls(), static_cast<float>(c0 * c0)}, n);
     refresh_images(on.stress.data());
@@ -568,6 +596,7 @@ LevelOnDevice::Moved LevelOnDevice::move(const Move& of_host) {
                        .count = on.count.data()};
     task.move.p = on.p.view();
     task.move.kind = on.p.kind.data(), task.move.rate = on.rate.data(), task.move.shift_support = on.shift.data();
+    task.move.trend = or_null(on.p.trend);
     on.count.set_zero();
     MovedExtremes* of_blocks = on.extremes.data();
     void* const arguments[] = {&task, &of_blocks, &n};

@@ -10,8 +10,7 @@ namespace tw {
 
 class Level;
 
-/// A level whose steps are made by a graphics processor: water on particles of one size under constant gravity, with
-/// rigid walls, whose pressure is linear in the density. In a step the host gets the loads of the groups at walls, the
+/// A level whose steps are made by a graphics processor: water under constant gravity, with rigid walls, whose pressure is linear in the density. In a step the host gets the loads of the groups at walls, the
 /// extremes, and the few particles that a wall has to hold; when lists are made, the places of those near walls, of which
 /// it finds the nearest.
 class LevelOnDevice : public DeviceSteps {
@@ -47,6 +46,7 @@ private:
     void update_records();
     void cross_faces();
     void sort_particles();
+    void sort_at_home(std::size_t before, std::size_t n);
     void find_images(double reach);
     void make_groups();
     void find_walls(const Reaches& reaches);

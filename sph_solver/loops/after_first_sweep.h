@@ -5,6 +5,7 @@
 #include "sph_solver/equations/vector.h"
 #include "sph_solver/fields/quantities.h"
 #include "sph_solver/loops/records.h"
+#include "sph_solver/loops/surface.h"
 
 namespace tw {
 
@@ -29,11 +30,7 @@ struct AfterFirstSweep {
     const float* compression = nullptr;
     float* density_rate = nullptr;
 
-    /// `lacks_support`: at the free surface.
-    bool lacks_support(std::size_t i) const {
-        const bool guard = kind[i] == Kind::guard;
-        return static_cast<double>(guard ? trend[i].support : shift[i].support) < surface_support;
-    }
+    bool lacks_support(std::size_t i) const { return LacksSupport{kind, trend, shift, surface_support}(i); }
     /// `pressure(drho)` [Pa]; `leaving(i, u)`: speed away from the wall near by of one that moves with u [m/s].
     template <class Pressure, class Leaving>
     void operator()(std::size_t i, const Pressure& pressure, const Leaving& leaving) const {

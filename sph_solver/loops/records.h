@@ -2,6 +2,7 @@
 #include <cstddef>
 
 #include "sph_solver/loops/whole.h"
+#include "sph_solver/neighbours/wide_place.h"
 #include "sph_solver/sweeps/records.h"
 
 namespace tw {
@@ -12,10 +13,14 @@ struct ToQuanta {
     double per_metre;  ///< quanta
     float mass, rho0;  ///< of a particle [kg], [kg/m3]
 
+    WidePlace wide(double px, double py, double pz) const {
+        return {nearest_whole((px - x) * per_metre), nearest_whole((py - y) * per_metre),
+                nearest_whole((pz - z) * per_metre)};
+    }
     PlaceRecord operator()(double px, double py, double pz, float drho) const {
-        return {static_cast<std::int32_t>(nearest_whole((px - x) * per_metre)),
-                static_cast<std::int32_t>(nearest_whole((py - y) * per_metre)),
-                static_cast<std::int32_t>(nearest_whole((pz - z) * per_metre)), mass / (rho0 + drho)};
+        const WidePlace p = wide(px, py, pz);
+        return {static_cast<std::int32_t>(p.x), static_cast<std::int32_t>(p.y), static_cast<std::int32_t>(p.z),
+                mass / (rho0 + drho)};
     }
 };
 

@@ -2,10 +2,25 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "sph_solver/domain/kind.h"
+#include "sph_solver/fields/quantities.h"
 #include "sph_solver/loops/link_map.h"
 #include "sph_solver/sweeps/records.h"
 
 namespace tw {
+
+/// Whether a particle is at the free surface: a guard where the coarser particles near it are.
+struct LacksSupport {
+    const Kind* kind;
+    const Trend* trend;  ///< null: there are no guards
+    const ShiftSupportRecord* shift;
+    double surface_support;  ///< of LevelSetup
+
+    bool operator()(std::size_t i) const {
+        const bool guard = trend && kind[i] == Kind::guard;
+        return static_cast<double>(guard ? trend[i].support : shift[i].support) < surface_support;
+    }
+};
 
 /// A bit for each particle and each image of one: `has(i)`, i < n; images are those of `links`.
 template <class Has>

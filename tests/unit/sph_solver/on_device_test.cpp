@@ -1,33 +1,16 @@
-// Steps that a device makes, through a driver that has none (tests/fake_cuda): all that the host does for a real one, with
-// kernels that compute what the variant device_emulated does, to the last bit. Memory that nobody wrote is not a number
-// there, and every access beyond an array ends the program.
-//
-// With TWINWAKE_TEST_LIBCUDA=libcuda.so.1 and TWINWAKE_STRICT_KERNELS=1 in the environment the same is asked of a real one
-// (tools/gpu_evidence.sh).
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 
 #include "base/errors.h"
 #include "meshes/generate.h"
 #include "sph_solver/effects/ventilation.h"
-#include "sph_solver/levels/on_device.h"
-#include "sph_solver/simulation.h"
 #include "sph_solver/state/checkpoint.h"
+#include "on_device.h"
 
 namespace tw {
 namespace on_device_test {
-
-class OnDevice : public ::testing::Test {
-protected:
-    void SetUp() override { setenv("TWINWAKE_LIBCUDA", real() ? real() : TWINWAKE_FAKE_CUDA, 1); }
-    static const char* real() { return std::getenv("TWINWAKE_TEST_LIBCUDA"); }
-    void TearDown() override { pretend(""), unsetenv("TWINWAKE_LIBCUDA"); }
-    /// See fake_cuda.cpp.
-    static void pretend(const char* what) { setenv("FAKE_CUDA", what, 1); }
-};
 
 /// A column of water that falls against a block on the floor of its tank.
 SimulationSetup dam_break() {
@@ -59,20 +42,6 @@ Fluid stream_water(const SimulationSetup& s) {
     Box water = s.domain;
     water.min.x() -= s.stream->buffer, water.max.x() += s.stream->buffer, water.max.z() = 0;
     return fill_with_fluid(s, {water});
-}
-
-const Passes& emulated() { return passes("device_emulated"); }
-void put_on_device(Simulation& s) {
-    s.level(0).leave_steps_to(std::make_unique<LevelOnDevice>(s.level(0), cuda::Device::open()));
-}
-
-::testing::AssertionResult same_bits(const Particles& a, const Particles& b) {
-    if (a.size() != b.size()) return ::testing::AssertionFailure() << a.size() << " particles against " << b.size();
-    for (std::size_t i = 0; i < a.size(); ++i)
-        if (a.id[i] != b.id[i] || a.kind[i] != b.kind[i] || a.x[i] != b.x[i] || a.y[i] != b.y[i] || a.z[i] != b.z[i] ||
-            a.u[i] != b.u[i] || a.v[i] != b.v[i] || a.w[i] != b.w[i] || a.drho[i] != b.drho[i])
-            return ::testing::AssertionFailure() << "particle " << i << " differs";
-    return ::testing::AssertionSuccess();
 }
 
 /// How often a wall had to hold a particle comes out.

@@ -1,0 +1,155 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+
+#include "meshes/generate.h"
+#include "sph_solver/effects/ventilation.h"
+#include "sph_solver/state/checkpoint.h"
+#include "on_device.h"
+
+namespace tw {
+namespace levels_on_device_test {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+Zone zone_between(double x0, double x1, double z0, double z1) {
+    return Zone({Box{Vec3(x0, -infinite, z0), Vec3(x1, infinite, z1)}});
+}
+
+/// A stream with a free surface past a box, three sizes of particles.
+SimulationSetup stream() {
+    SimulationSetup s;
+    s.dimensions = 2;
+    s.dp = 0.02;
+    s.state_equation.c0 = 20;
+    s.domain = {Vec3(-2.4, -1, -1.6), Vec3(2.4, 1, 1.6)};
+    s.mirrors.on = {{{false, false}, {false, false}, {true, false}}};
+    s.stream = Stream{1, 0.1, 6 * 0.08};
+    s.zones = {zone_between(-1.2, 1.2, -0.96, infinite), zone_between(-0.48, 0.48, -0.4, infinite)};
+    s.bodies.emplace_back(box_surface({Vec3(-0.1, -1, -0.1), Vec3(0.1, 1, 0.3)}));
+    s.effects.push_back(Ventilation{});
+    s.threads = 1;
+    return s;
+}
+std::vector<Fluid> stream_water(const SimulationSetup& s) {
+    const double end = 2.4 + s.stream->buffer;
+    return fill_levels(s, {Box{Vec3(-end, -1, -1.6), Vec3(end, 1, 0)}});
+}
+
+::testing::AssertionResult same_levels(const Simulation& a, const Simulation& b) {
+    for (std::size_t k = 0; k < a.levels().size(); ++k) {
+        const Particles &p = a.level(k).particles(), &q = b.level(k).particles();
+        if (const auto same = same_bits(p, q); !same) return ::testing::AssertionFailure() << "level " << k << ": " << same.message();
+        if (p.children != q.children || p.compression != q.compression || p.aired != q.aired)
+            return ::testing::AssertionFailure() << "level " << k << " knows other children, compressions or air";
+    }
+    for (std::size_t k = 0; k < a.refinements().size(); ++k) {
+        const Refinement::Ledger &p = a.refinements()[k].ledger(), &q = b.refinements()[k].ledger();
+        if (p.births != q.births || p.deaths != q.deaths || p.spray != q.spray || p.orphans != q.orphans)
+            return ::testing::AssertionFailure() << "edge " << k << " has other births, deaths, spray or orphans";
+        if (a.refinements()[k].mass_drift() != b.refinements()[k].mass_drift())
+            return ::testing::AssertionFailure() << "edge " << k << " has another drift of mass";
+    }
+    return ::testing::AssertionSuccess();
+}
+
+void expect_same_steps(Simulation& host, Simulation& device, int steps) {
+    for (int k = 0; k < steps; ++k) {
+        host.step(), device.step();
+        ASSERT_EQ(host.dt(), device.dt()) << "step " << k;
+        for (std::size_t b = 0; b < host.bodies().size(); ++b) {
+            ASSERT_EQ(host.load(b).force, device.load(b).force) << "step " << k;
+            ASSERT_EQ(host.load(b).moment, device.load(b).moment) << "step " << k;
+        }
+    }
+    EXPECT_TRUE(same_levels(host, device));
+}
+
+TEST_F(OnDevice, ThreeSizesOfParticlesInAStreamMeetAsOnTheHost) {
+    const SimulationSetup s = stream();
+    Simulation host(s, stream_water(s), emulated()), device(s, stream_water(s), emulated());
+    put_on_device(device);
+    expect_same_steps(host, device, 30);
+    for (const Refinement& edge : device.refinements()) {
+        EXPECT_GT(edge.ledger().births, 0);
+        EXPECT_GT(edge.ledger().deaths, 0);
+    }
+    EXPECT_GT(device.load().force.norm(), 0);
+    PointSamples at_host, at_device;
+    at_host.places = at_device.places = {Vec3(-0.11, 0, -0.05), Vec3(-0.8, 0, -0.5), Vec3(1.8, 0, -1.2)};
+    host.sample(at_host), device.sample(at_device);
+    for (std::size_t n = 0; n < at_host.p.size(); ++n) {
+        EXPECT_NEAR(at_host.p[n], at_device.p[n], 1e-5 * std::abs(at_host.p[n])) << n;
+        EXPECT_NEAR(at_host.support[n], at_device.support[n], 1e-6) << n;
+        EXPECT_GT(at_device.support[n], 0.5) << n;
+    }
+}
+
+TEST_F(OnDevice, AColumnSurgesAcrossTheEdgeOfAZoneInThreeDimensions) {
+    SimulationSetup s;
+    s.dp = 0.025;
+    s.state_equation.c0 = 30;
+    s.domain = {Vec3(0, 0, 0), Vec3(1, 0.3, 1)};
+    s.mirrors.on = {{{true, true}, {true, true}, {true, false}}};
+    s.bodies = {box_surface({Vec3(0.6, -0.4, -0.3), Vec3(0.8, 0.7, 0.15)})};
+    s.zones = {zone_between(0.4, infinite, -infinite, infinite)};
+    s.threads = 1;
+    const std::vector<Fluid> water = fill_levels(s, {Box{Vec3(0, 0, 0), Vec3(0.5, 0.3, 0.6)}});
+    Simulation host(s, water, emulated()), device(s, water, emulated());
+    put_on_device(device);
+    for (Simulation* run : {&host, &device})
+        for (std::size_t k = 0; k < 2; ++k) std::ranges::fill(run->level(k).particles().u, 2.0f);
+    expect_same_steps(host, device, 40);
+    EXPECT_GT(device.refinements()[0].ledger().births, 0);
+}
+
+/// A box that falls into water at rest, with a zone that goes with it.
+TEST_F(OnDevice, AZoneGoesWithABodyThatFalls) {
+    SimulationSetup s;
+    s.dimensions = 2;
+    s.dp = 0.025;
+    s.state_equation.c0 = 30;
+    s.domain = {Vec3(-1, -1, -1), Vec3(1, 1, 1)};
+    s.mirrors.on = {{{true, true}, {false, false}, {true, false}}};
+    BodySetup falls = box_surface({Vec3(-0.1, -1, -0.05), Vec3(0.1, 1, 0.15)});
+    falls.moving.emplace();
+    falls.moving->mass = solid_mass(falls.surface, 700);
+    falls.moving->velocity = Vec3(0, 0, -2);
+    s.bodies = {falls};
+    s.zones_round = [](std::span<const MovedSolid> moving) {
+        const Box& b = moving.front().bounds;
+        return std::vector{zone_between(b.min.x() - 0.3, b.max.x() + 0.3, b.min.z() - 0.3, b.max.z() + 0.3)};
+    };
+    s.zones = s.zones_round(std::vector<MovedSolid>{Body::of(s.bodies[0])->moved()});
+    s.threads = 1;
+    const std::vector<Fluid> water = fill_levels(s, {Box{Vec3(-1, -1, -1), Vec3(1, 1, 0)}});
+    Simulation host(s, water, emulated()), device(s, water, emulated());
+    put_on_device(device);
+    expect_same_steps(host, device, 60);
+    EXPECT_EQ(host.body(0).state(), device.body(0).state());
+    EXPECT_GT(device.refinements()[0].ledger().births, 0);
+}
+
+TEST_F(OnDevice, ACheckpointOfSeveralSizesGoesFromTheHostToADeviceAndBack) {
+    const auto file = std::filesystem::temp_directory_path() / "levels_on_device_test.h5";
+    const SimulationSetup s = stream();
+    Simulation whole(s, stream_water(s), emulated());
+    for (int k = 0; k < 8; ++k) whole.step();
+    const auto hand_over = [&](const Simulation& from, Simulation& to) {
+        write_checkpoint(file, "a scene", from, 1);
+        whole.mark_restart_point();
+        restore(to, read_checkpoint(file, "a scene"));
+        for (int k = 0; k < 8; ++k) whole.step(), to.step();
+        EXPECT_TRUE(same_levels(whole, to));
+    };
+    Simulation device(s, stream_water(s), emulated()), back(s, stream_water(s), emulated());
+    put_on_device(device);
+    hand_over(whole, device);
+    hand_over(device, back);
+    std::filesystem::remove(file);
+}
+
+}  // namespace levels_on_device_test
+}  // namespace tw
