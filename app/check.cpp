@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "app/facts_json.h"
 #include "app/output.h"
 #include "app/run_method.h"
@@ -6,6 +8,7 @@
 #include "compare/report/resolution_picture.h"
 #include "compare/report/svg_plot.h"
 #include "scene/new_record.h"
+#include "scene/refined_places.h"
 #include "sph_solver/on_gpu.h"
 #include "sph_solver/parallel/comm.h"
 #include "sph_solver/ranks_refused.h"
@@ -46,11 +49,16 @@ int run_check(const CheckCommand& command, const Common& common) {
     }
     if (built_for_gpu()) {
         const std::string why = why_not_on_gpu(scene);
-        say(common, "gpu: " +
-                        (why.empty() ? "one can make the particles' steps (run --device gpu); the force by the control "
-                                       "volume is left out"
-                                     : "none yet, because of " + why) +
-                        "\n");
+        const Prediction& p = plan.prediction;
+        const double bytes = bytes_on_gpu(p.most_particles + p.wall_particles, sizes_of_particles(scene) > 1);
+        say(common,
+            "gpu: " +
+                (why.empty()
+                     ? fmt::format("one can make the particles' steps (run --device gpu) with {:.2g} GB of its memory; "
+                                   "the force by the control volume is left out",
+                                   bytes / 1e9)
+                     : "none yet, because of " + why) +
+                "\n");
     }
     if (!command.picture.empty()) draw_sizes(scene, command.picture);
     write_json(common, check_json(scene, plan.prediction));

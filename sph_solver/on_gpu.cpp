@@ -34,6 +34,11 @@ std::string why_not_on_gpu(const Scene& scene) {
     return {};
 }
 
+double bytes_on_gpu(double particles, bool several_sizes) {
+    // Measured were 300 to 500 with one size, the more the longer the kernel reaches; what the edges ask for comes on top.
+    return particles * (several_sizes ? 900 : 600);
+}
+
 bool gpu_wanted(const Scene& scene) {
     if (scene.run.device == "cpu") return false;
     std::string why = why_not_on_gpu(scene);
@@ -72,12 +77,10 @@ std::string gpu_peaks_in_words() {
 
 std::string leave_steps_to_gpu(Simulation& simulation) {
     const std::shared_ptr<cuda::Device> device = cuda::Device::open();
-    // with lists and room to grow: 300 to 500 were measured, the more the longer the kernel reaches
-    constexpr double bytes_of_particle = 600;
     std::int64_t particles = 0;
     std::size_t dummies = 0;
     for (const auto& level : simulation.levels()) particles += level->count(), dummies += level->walls().size();
-    const double needed = bytes_of_particle * (double(particles) + double(dummies));
+    const double needed = bytes_on_gpu(double(particles) + double(dummies), simulation.levels().size() > 1);
     if (needed > double(device->free_memory()))
         throw InputError(fmt::format(
             "{} has {:.3g} GB free, and {} particles need {:.3g} GB there: coarser particles, a smaller domain, or "

@@ -14,6 +14,8 @@ class Simulation;
 bool built_for_gpu();
 /// Why a GPU cannot make the steps of a scene; empty: it can, where there is one.
 std::string why_not_on_gpu(const Scene& scene);
+/// Memory of a GPU for so many particles and dummies of one or of several sizes, with lists and room to grow [B].
+double bytes_on_gpu(double particles, bool several_sizes);
 /// Why this machine has no GPU that can be used; empty: it has.
 std::string why_no_gpu_here();
 /// Its name, driver and memory, in a line; throws InputError where there is none.

@@ -15,11 +15,13 @@ extern "C++" __device__ inline double sqrt(double x) { return __builtin_sqrt(x);
 #pragma clang force_cuda_host_device begin
 #define TW_THREADS
 #define TW_ISA on_device
+#include "sph_solver/cuda/edges.h"
 #include "sph_solver/cuda/kernel_list.h"
 #include "sph_solver/cuda/sorting.h"
 #include "sph_solver/cuda/tasks.h"
 #include "sph_solver/effects/ventilation_isa.cpp"
 #include "sph_solver/sweeps/engine_isa.cpp"
+#include "sph_solver/sweeps/interpolate_isa.cpp"
 #pragma clang force_cuda_host_device end
 
 namespace tw {
@@ -59,6 +61,24 @@ TW_KERNEL tw_move(cuda::MoveAll task, MovedExtremes* parts, std::size_t count) {
         if (thread < half) cuda::join(room[thread], room[thread + half]);
     }
     if (thread == 0) parts[device::block()] = room[0];
+}
+
+/// Each block leaves the largest of its own.
+TW_KERNEL tw_fastest(cuda::FastestOf task, double* parts, std::size_t count) {
+    double* const room = device::room_of_block<double, cuda::threads_in_block>();
+    const int thread = device::thread_in_block();
+    const std::size_t k = device::index();
+    room[thread] = k < count ? task(k) : 0;
+    for (int half = cuda::threads_in_block / 2; half > 0; half /= 2) {
+        device::sync_block();
+        if (thread < half && room[thread + half] > room[thread]) room[thread] = room[thread + half];
+    }
+    if (thread == 0) parts[device::block()] = room[0];
+}
+
+TW_KERNEL tw_label_known(cuda::LabelKnown task, std::size_t count) {
+    const std::size_t i = device::index();
+    if (i < count) task(i, device::add_one);
 }
 
 TW_KERNEL tw_count_in_bins(cuda::CountInBins task, std::size_t count) {

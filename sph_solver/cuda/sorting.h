@@ -7,6 +7,7 @@
 #include "sph_solver/fields/quantities.h"
 #include "sph_solver/loops/cross.h"
 #include "sph_solver/loops/link_map.h"
+#include "sph_solver/loops/moving.h"
 #include "sph_solver/neighbours/column_grid.h"
 #include "sph_solver/sweeps/groups.h"
 
@@ -44,12 +45,7 @@ struct Cross {
 };
 /// The particle that takes the place of one that has entered, a buffer's length upstream.
 struct Enter {
-    StateView p;
-    Kind* kind;
-    Aired* aired;        ///< null: there is none
-    Trend* trend;        ///< the same
-    float* compression;  ///< the same
-    std::int64_t* id;
+    MovingView on;
     const int *entered, *before;  ///< how many of those before have entered
     int* gone;
     std::size_t n;
@@ -59,12 +55,10 @@ struct Enter {
     void operator()(std::size_t i) const {
         if (!entered[i]) return;
         const std::size_t k = n + static_cast<std::size_t>(before[i]);
-        p.x[k] = p.x[i] - buffer, p.y[k] = p.y[i], p.z[k] = p.z[i];
-        p.u[k] = p.u[i], p.v[k] = 0, p.w[k] = 0, p.drho[k] = p.drho[i];
-        kind[k] = Kind::inlet, id[k] = next_id + before[i], gone[k] = 0;
-        if (aired) aired[k] = Aired::unknown;
-        if (trend) trend[k] = {};
-        if (compression) compression[k] = 0;
+        on.copy(k, on, i);
+        on.begin(k);
+        on.p.x[k] -= buffer, on.p.v[k] = 0, on.p.w[k] = 0;
+        on.kind[k] = Kind::inlet, on.id[k] = next_id + before[i], gone[k] = 0;
     }
 };
 /// Puts back what has crossed a mirror, takes what has left through an open top, and says where the others are.
@@ -73,7 +67,7 @@ struct PutBack {
     double top;  ///< [m]
     bool open_top;
     ToQuanta to_quanta;
-    const int* gone;              ///< null: nobody is
+    const int* gone;  ///< null: nobody is
     WidePlace* wide;
     std::uint8_t* left;
 
@@ -133,30 +127,12 @@ struct RankInBins {
     }
 };
 
-/// The state in its new order.
+/// What stays with the particles, in their new order.
 struct Reorder {
     const int* order;
-    StateView from, to;
-    const Kind* kind;
-    const std::int64_t* id;
-    const Aired* aired;        ///< null: there is none
-    const Trend* trend;        ///< the same
-    const float* compression;  ///< the same
-    Kind* to_kind;
-    std::int64_t* to_id;
-    Aired* to_aired;
-    Trend* to_trend;
-    float* to_compression;
+    MovingView from, to;
 
-    void operator()(std::size_t k) const {
-        const auto i = static_cast<std::size_t>(order[k]);
-        to.x[k] = from.x[i], to.y[k] = from.y[i], to.z[k] = from.z[i];
-        to.u[k] = from.u[i], to.v[k] = from.v[i], to.w[k] = from.w[i], to.drho[k] = from.drho[i];
-        to_kind[k] = kind[i], to_id[k] = id[i];
-        if (aired) to_aired[k] = aired[i];
-        if (trend) to_trend[k] = trend[i];
-        if (compression) to_compression[k] = compression[i];
-    }
+    void operator()(std::size_t k) const { to.copy(k, from, static_cast<std::size_t>(order[k])); }
 };
 
 // --- images
@@ -281,7 +257,8 @@ struct DeviceSource {
 /// Who is within reach of each group's particles, block by block as Search in neighbours/columns.cpp finds them. A first
 /// run counts the blocks, a second one writes them.
 struct SearchNeighbours {
-    Columns columns;
+    Columns columns;            ///< of the sources
+    Columns of_groups;          ///< the same, or others over the same box
     const PlaceRecord* places;  ///< of the groups
     const int* column;          ///< of each group
     Group* groups;
@@ -298,7 +275,7 @@ struct SearchNeighbours {
     template <class Ask, class Once>
     void operator()(std::size_t n, const Ask& ask, const Once& once) const {
         const Group g = groups[n];
-        const WidePlace centre = columns.centre(column[n]);
+        const WidePlace centre = of_groups.centre(column[n]);
         const GroupBox box = box_of(places, g, centre);
         const std::int64_t group_z = centre.z + difference(g.z, static_cast<std::int32_t>(centre.z));
         const int first = write ? count[n] : 0;

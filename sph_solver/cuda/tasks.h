@@ -47,9 +47,7 @@ struct MarkSurface {
     std::size_t n, all;
     std::uint32_t* words;
 
-    void operator()(std::size_t word) const {
-        MarkBits{lacks_support, links, n, all, words}(word);
-    }
+    void operator()(std::size_t word) const { MarkBits{lacks_support, links, n, all, words}(word); }
 };
 
 /// Marks those that air stays at; by words of 32.

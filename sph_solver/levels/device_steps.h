@@ -4,6 +4,11 @@
 #include <vector>
 
 #include "base/vec3.h"
+#include "meshes/zone.h"
+#include "sph_solver/fields/field_table.h"
+#include "sph_solver/levels/fields_at.h"
+#include "sph_solver/loops/at_edge.h"
+#include "sph_solver/loops/edge_labels.h"
 #include "sph_solver/loops/move.h"
 #include "sph_solver/sweeps/views.h"
 
@@ -17,6 +22,7 @@ public:
 
     /// What the host has is that of the device from now on.
     virtual void bring_all_home() = 0;
+    virtual void bring_state_home() = 0;                                     ///< of that what stays with the particles
     virtual void bring_home(const std::vector<std::size_t>& particles) = 0;  ///< what Move changes of these
     /// What the host has counts from now on: it has changed the state of particles, or has others.
     virtual void note_changed_state() = 0;
@@ -44,6 +50,16 @@ public:
         const std::vector<Group>& groups;
     };
     virtual void sample(const Points& points, const Reaches& quanta, const ExtrapolateData& to) = 0;
+
+    /// What this level's particles are by the edge of a finer level's zone.
+    virtual void label(const AskEdge& ask, LabelCoarse label, const Zone& zone) = 0;
+    /// Distances from the edge of the level's own zone (With::coarser) or a finer level's are no longer known.
+    virtual void forget_edge(With whose) = 0;
+    /// As Level::interpolate.
+    virtual void interpolate(FieldsAt& at) = 0;
+    /// Lets the guards of this level follow a coarser one, and what stands for a finer level's water that one.
+    virtual Followed follow_coarser(DeviceSteps& coarser, const Asking& asking, FollowCoarser follow) = 0;
+    virtual Followed follow_finer(DeviceSteps& finer, const Asking& asking, FollowFiner follow) = 0;
 
     virtual double bytes() const = 0;  ///< on the device
 };

@@ -19,7 +19,7 @@
 #include "sph_solver/ghosts/open_boundaries.h"
 #include "sph_solver/levels/control_volume.h"
 #include "sph_solver/levels/device_steps.h"
-#include "sph_solver/levels/surface_excess.h"
+#include "sph_solver/levels/fields_at.h"
 #include "sph_solver/loops/after_first_sweep.h"
 #include "sph_solver/loops/surface.h"
 #include "sph_solver/neighbours/list_life.h"
@@ -34,21 +34,6 @@ struct EffectOptions;
 struct Timers {
     double lists = 0, gradient = 0, walls = 0, forces = 0, effects = 0, update = 0;  ///< [s] wall
     std::int64_t evaluations = 0, rebuilds = 0;
-};
-
-/// Places that are none of a level's particles, and what it is there, see Level::interpolate.
-struct FieldsAt {
-    std::vector<Vec3> places;
-    double apart = 1;           ///< roughly, in spacings of the level: places near each other are worked out together
-    double density_before = 0;  ///< the density as it was so long before the last evaluation [s], by its rate there
-    bool want_compression = false;
-    SurfaceExcess without;  ///< taken off the densities of the particles
-    /// Of which particles: the level's own water; that and what stands for a finer level's; all, guards included.
-    enum class Of { active, not_guards, all } of = Of::active;
-    std::vector<VelocityDensityRecord> value;
-    std::vector<float> support;       ///< sum_j V_j W_j of those particles [-]
-    std::vector<float> mean_support;  ///< of the particles near, each with its own surroundings [-]
-    std::vector<float> compression;   ///< rate of the density at the last evaluation [kg/m3/s]; empty unless wanted
 };
 
 /// One material on particles of one size: its particles, records, neighbour lists, walls, ghosts, effects and time
@@ -85,8 +70,14 @@ public:
         if (device_) device_->note_changed_state();
         return particles_;
     }
+    /// The same to change what stays with them, and no more than that.
+    Particles& state_to_change() {
+        if (device_) device_->bring_state_home(), device_->note_changed_state();
+        return particles_;
+    }
     /// From now on a device makes the steps, see device_steps.h; before the first step.
     void leave_steps_to(std::unique_ptr<DeviceSteps> device) { device_ = std::move(device); }
+    DeviceSteps* device() { return device_.get(); }  ///< null: this processor makes the steps
     const Comm& ranks() const;
     bool owns(std::size_t i) const { return own_.empty() || own_[i] != 0; }
     std::size_t copies() const { return halo_.received(); }
@@ -169,6 +160,10 @@ public:
     WallView wall_view() const;
     FirstSweepData first_sweep_data();
     SecondSweepData second_sweep_data(double t);
+    StateView state_view() {
+        Particles& p = particles_;
+        return {p.x.data(), p.y.data(), p.z.data(), p.u.data(), p.v.data(), p.w.data(), p.drho.data()};
+    }
     const std::vector<Group>& groups() const { return groups_; }
     const ColumnGrid& grid() const { return grid_; }
     const Quanta& quanta() const { return quanta_; }
@@ -243,10 +238,6 @@ private:
         const Vec3 of_wall = walls_.velocity_at(p.wall_body[i], {p.x[i], p.y[i], p.z[i]}, triangle);
         return of_water - dot(V3<double>{of_wall.x(), of_wall.y(), of_wall.z()}, n);
     }
-    StateView state_view() {
-        Particles& p = particles_;
-        return {p.x.data(), p.y.data(), p.z.data(), p.u.data(), p.v.data(), p.w.data(), p.drho.data()};
-    }
     ToQuanta to_quanta() const {
         const Vec3& o = quanta_.origin;
         return {o.x(), o.y(), o.z(), quanta_.per_metre, static_cast<float>(mass_), static_cast<float>(setup_.rho0)};
@@ -259,6 +250,9 @@ private:
     }
     StepView step_view(double t);
     ExtrapolateData extrapolation() const;  ///< from the present records; the caller says where to
+    InterpolateData interpolation() const;  ///< the caller says of whom, where to and what
+    Reaches reaches_of_interpolation() const;
+    TakeGiving giving(const Asking& asking);  ///< the caller says where to
     double stream_velocity(double t) const { return around_.stream ? around_.stream->velocity(t) : 0; }
 
     struct Held {

@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "sph_solver/backend/for_particles.h"
-#include "sph_solver/levels/interpolate.h"
 #include "sph_solver/levels/level.h"
+#include "sph_solver/sweeps/interpolate.h"
 
 namespace tw {
 
@@ -137,31 +137,53 @@ double Level::density_of_row() const {
     return setup_.rho0 * around_.gravity.norm() * setup_.dp / (c0 * c0);
 }
 
+Reaches Level::reaches_of_interpolation() const {
+    return SortedPlaces::reaches(Kernel(interpolation_h_over_dp * setup_.dp, around_.dimensions), *this, life_.travel);
+}
+
+InterpolateData Level::interpolation() const {
+    const Eigen::Vector3f slope =
+        (setup_.rho0 / (setup_.state_equation.c0 * setup_.state_equation.c0) * around_.gravity).cast<float>();
+    InterpolateData d;
+    d.water.kernel = Kernel(interpolation_h_over_dp * setup_.dp, around_.dimensions);
+    d.water.quantum = static_cast<float>(quanta_.size);
+    d.gx = slope.x(), d.gy = slope.y(), d.gz = slope.z();
+    d.water.two_dimensional = around_.dimensions == 2;
+    return d;
+}
+
+TakeGiving Level::giving(const Asking& asking) {
+    const Particles& p = particles_;
+    return {.place = p.place.data(),
+            .motion = p.velocity_density.data(),
+            .shift = p.shift_support.data(),
+            .density_rate = p.density_rate.data(),
+            .kind = p.kind.data(),
+            .links = ghosts_.links().data(),
+            .n = p.size(),
+            .asking = asking,
+            .row = density_of_row(),
+            .to_place = nullptr,
+            .to_motion = nullptr,
+            .known_support = nullptr,
+            .rate = nullptr};
+}
+
 void Level::interpolate(FieldsAt& at) {
-    home();
     const std::size_t n = at.places.size(), own = particles_.size();
-    at.value.resize(n);
-    at.support.resize(n);
-    at.mean_support.resize(n);
+    at.resize();
     if (n == 0) return;
+    if (device_) return device_->interpolate(at);
     update_records();
-    const Kernel kernel(interpolation_h_over_dp * setup_.dp, around_.dimensions);
+    InterpolateData d = interpolation();
     SortedPlaces sorted(at.places, at.apart, *this);
-    const std::vector<Span> asked =
-        within_reach(sorted, grid_, (kernel.support() + SortedPlaces::stale(*this, life_.travel)) / quanta_.size);
-    const auto source_of = [&](std::size_t i) {
-        return i < own ? i : static_cast<std::size_t>(ghosts_.links()[i - own].index);
-    };
-    const auto counts = [&](std::size_t i) {
-        const Kind kind = particles_.kind[source_of(i)];
-        return at.of == FieldsAt::Of::all || is_active(kind) ||
-               (at.of == FieldsAt::Of::not_guards && kind != Kind::guard);
-    };
+    const Reaches reaches = reaches_of_interpolation();
+    const std::vector<Span> asked = within_reach(sorted, grid_, (reaches.far + reaches.stale) / quanta_.size);
+    TakeGiving giving = this->giving(at);
     // of those that count and may be asked for, in the order of the level's particles and then of their images
     std::vector<PlaceRecord> place;
     std::vector<VelocityDensityRecord> motion;
     std::vector<float> known_support, rate;
-    const double row = density_of_row();
     const auto take = [&](const std::vector<std::int32_t>& all_start, std::size_t offset) {
         const std::size_t columns = all_start.size() - 1, before = place.size();
         const auto each_in = [&](std::size_t column, const auto& f) {
@@ -172,7 +194,7 @@ void Level::interpolate(FieldsAt& at) {
                  k < static_cast<std::size_t>(all_start[column + 1]); ++k) {
                 const std::int64_t z =
                     middle + difference(particles_.place[offset + k].z, static_cast<std::int32_t>(middle));
-                if (z >= span.from && z <= span.to && counts(offset + k)) f(offset + k);
+                if (z >= span.from && z <= span.to && giving.counts(offset + k)) f(offset + k);
             }
         };
         std::vector<std::int32_t> start(all_start.size(), 0);
@@ -180,19 +202,11 @@ void Level::interpolate(FieldsAt& at) {
         std::partial_sum(start.begin(), start.end(), start.begin());
         const std::size_t end = before + static_cast<std::size_t>(start.back());
         place.resize(end), motion.resize(end), known_support.resize(end), rate.resize(at.want_compression ? end : 0);
+        giving.to_place = place.data(), giving.to_motion = motion.data(), giving.known_support = known_support.data();
+        giving.rate = at.want_compression ? rate.data() : nullptr;
         for_particles(columns, [&](std::size_t c) {
             std::size_t k = before + static_cast<std::size_t>(start[c]);
-            each_in(c, [&](std::size_t i) {
-                const std::size_t of = source_of(i);
-                place[k] = particles_.place[i];
-                known_support[k] = particles_.shift_support[of].support;
-                motion[k] = particles_.velocity_density[i];
-                if (at.want_compression) rate[k] = particles_.density_rate[of];
-                if (at.density_before > 0)
-                    motion[k].drho -= static_cast<float>(at.density_before * particles_.density_rate[of]);
-                motion[k].drho -= static_cast<float>(row * at.without.of(double(known_support[k])));
-                ++k;
-            });
+            each_in(c, [&](std::size_t i) { giving.put(i, k++); });
         });
         return start;
     };
@@ -200,34 +214,17 @@ void Level::interpolate(FieldsAt& at) {
     const auto images_from = static_cast<std::int32_t>(start.back());
     const std::vector<Source> from{{&grid_, place.data(), &start, 0},
                                    {&grid_, place.data() + images_from, &images_start, images_from}};
-    sorted.find_neighbours(kernel, *this, from, life_.travel);
-    std::vector<VelocityDensityRecord> value(n);
-    std::vector<float> support(n), mean_support(n), compression(at.want_compression ? n : 0);
-    at.compression.resize(compression.size());
-    const Eigen::Vector3f slope =
-        (setup_.rho0 / (setup_.state_equation.c0 * setup_.state_equation.c0) * around_.gravity).cast<float>();
-    InterpolateData d;
+    sorted.find_neighbours(d.water.kernel, *this, from, life_.travel);
+    FieldsAt in_order{at};
     d.list = sorted.lists.view();
     d.at = sorted.places.data();
-    d.water.place = place.data();
-    d.water.motion = motion.data();
-    d.known_support = known_support.data();
-    d.value = value.data();
-    d.support = support.data();
-    d.mean_support = mean_support.data();
-    if (at.want_compression) d.rate = rate.data(), d.compression = compression.data();
-    d.water.kernel = kernel;
-    d.water.quantum = static_cast<float>(quanta_.size);
-    d.gx = slope.x(), d.gy = slope.y(), d.gz = slope.z();
-    d.water.two_dimensional = around_.dimensions == 2;
+    d.water.place = place.data(), d.water.motion = motion.data();
+    d.known_support = known_support.data(), d.rate = giving.rate;
+    d.value = in_order.value.data(), d.support = in_order.support.data();
+    d.mean_support = in_order.mean_support.data();
+    d.compression = at.want_compression ? in_order.compression.data() : nullptr;
     for_pairs(passes_, d, sorted.groups);
-    for_particles(n, [&](std::size_t k) {
-        const auto i = static_cast<std::size_t>(sorted.order[k]);
-        at.value[i] = value[k];
-        at.support[i] = support[k];
-        at.mean_support[i] = mean_support[k];
-        if (at.want_compression) at.compression[i] = compression[k];
-    });
+    for_particles(n, [&](std::size_t k) { at.take(static_cast<std::size_t>(sorted.order[k]), in_order.given(k)); });
 }
 
 }  // namespace tw

@@ -45,11 +45,22 @@ std::size_t SortedOnDevice::sort(const WidePlace* wide, const std::uint8_t* left
     return static_cast<std::size_t>(all);
 }
 
-void ListsOnDevice::build(const Columns& columns, const PlaceRecord* places, const cuda::Array<int>& column,
-                          cuda::Array<Group>& groups, const std::vector<cuda::DeviceSource>& sources,
-                          const Reaches& quanta, ListRef Group::*list) {
+void GroupsOnDevice::make(const Columns& columns, const SortedOnDevice& order, const PlaceRecord* places) {
+    const auto n = static_cast<std::size_t>(columns.count());
+    launch(device_, "tw_count_groups", cuda::CountGroups{order.start(), order.in_column(), before_.of(n)}, n);
+    const auto count = static_cast<std::size_t>(before_.add_up());
+    groups_.resize(count), column_.resize(count);
+    launch(device_, "tw_make_groups",
+           cuda::MakeGroups{order.start(), order.in_column(), before_.before(), groups_.data(), column_.data()}, n);
+    launch(device_, "tw_centre_groups", cuda::CentreGroups{columns, places, column_.data(), groups_.data()}, count);
+}
+
+void ListsOnDevice::build(const Columns& columns, const Columns& of_groups, const PlaceRecord* places,
+                          const cuda::Array<int>& column, cuda::Array<Group>& groups,
+                          const std::vector<cuda::DeviceSource>& sources, const Reaches& quanta, ListRef Group::*list) {
     sources_.take(sources);
     cuda::SearchNeighbours search{.columns = columns,
+                                  .of_groups = of_groups,
                                   .places = places,
                                   .column = column.data(),
                                   .groups = groups.data(),

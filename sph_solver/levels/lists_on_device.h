@@ -1,6 +1,5 @@
 #pragma once
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "sph_solver/cuda/driver.h"
@@ -45,7 +44,6 @@ public:
     /// Of `n` places; those marked in `left` (null: none) are left out. Gives how many are left.
     std::size_t sort(const WidePlace* wide, const std::uint8_t* left, const std::int64_t* tie, std::size_t n);
     const int* order() const { return order_.data(); }  ///< k-th in order
-    void give_order(std::span<int> to) const { order_.give(to); }
     const int* start() const { return start_.before(); }
     int in_column() const { return bins_.in_column; }
     cuda::DeviceSource source(const PlaceRecord* places, std::int32_t offset) const {
@@ -65,15 +63,41 @@ private:
     cuda::Array<int> bin_, slot_, member_, order_;
 };
 
-/// Groups of places, and lists of their neighbours, on a device.
+/// Columns in bins of eight spacings: some 32 particles each.
+inline cuda::Bins bins_of(const Columns& grid, double dp, double quantum) {
+    const auto height = static_cast<std::int64_t>(8 * dp / quantum);
+    return {grid, height, static_cast<int>(grid.height / height) + 1};
+}
+
+/// Sorted places in groups, on a device.
+class GroupsOnDevice {
+public:
+    explicit GroupsOnDevice(cuda::Device& device)
+        : device_(device), before_(device), groups_(device), column_(device) {}
+    void make(const Columns& columns, const SortedOnDevice& order, const PlaceRecord* places);
+    const cuda::Array<Group>& groups() const { return groups_; }
+    cuda::Array<Group>& groups() { return groups_; }
+    std::size_t size() const { return groups_.size(); }
+    const cuda::Array<int>& column() const { return column_; }  ///< of each group
+    std::size_t bytes() const { return before_.bytes() + groups_.bytes() + column_.bytes(); }
+
+private:
+    cuda::Device& device_;
+    RunningSum before_;
+    cuda::Array<Group> groups_;
+    cuda::Array<int> column_;
+};
+
+/// Lists of the neighbours of groups, on a device.
 class ListsOnDevice {
 public:
     explicit ListsOnDevice(cuda::Device& device)
         : device_(device), count_(device), blocks_(device), chunk_(device), sources_(device) {}
-    /// Of all `groups`, which are in the columns `column`, among the sources.
-    void build(const Columns& columns, const PlaceRecord* places, const cuda::Array<int>& column,
-               cuda::Array<Group>& groups, const std::vector<cuda::DeviceSource>& sources, const Reaches& quanta,
-               ListRef Group::*list);
+    /// Of all `groups`, of which the k-th is in the column column[k] of `of_groups`, among sources sorted by `columns`.
+    void build(const Columns& columns, const Columns& of_groups, const PlaceRecord* places,
+               const cuda::Array<int>& column, cuda::Array<Group>& groups,
+               const std::vector<cuda::DeviceSource>& sources, const Reaches& quanta,
+               ListRef Group::*list = &Group::list);
     Lists view() const { return {chunk_.data()}; }
     const NeighbourBlock* blocks() const { return blocks_.data(); }
     std::int64_t live() const;  ///< marks of all blocks

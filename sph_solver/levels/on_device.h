@@ -2,6 +2,8 @@
 #include <memory>
 
 #include "sph_solver/cuda/driver.h"
+#include "sph_solver/cuda/edges.h"
+#include "sph_solver/cuda/sorting.h"
 #include "sph_solver/levels/device_steps.h"
 #include "sph_solver/loops/wall_motion.h"
 #include "sph_solver/sweeps/views.h"
@@ -20,6 +22,7 @@ public:
     ~LevelOnDevice() override;
 
     void bring_all_home() override;
+    void bring_state_home() override;
     void bring_home(const std::vector<std::size_t>& particles) override;
     void note_changed_state() override { host_counts_ = true; }
     void make_lists(double drift) override;
@@ -31,6 +34,11 @@ public:
     Moved move(const Move& of_host) override;
     void put_back(const std::vector<std::size_t>& held) override;
     void sample(const Points& points, const Reaches& quanta, const ExtrapolateData& to) override;
+    void label(const AskEdge& ask, LabelCoarse label, const Zone& zone) override;
+    void forget_edge(With whose) override;
+    void interpolate(FieldsAt& at) override;
+    Followed follow_coarser(DeviceSteps& coarser, const Asking& asking, FollowCoarser follow) override;
+    Followed follow_finer(DeviceSteps& finer, const Asking& asking, FollowFiner follow) override;
     double bytes() const override;
 
 private:
@@ -40,26 +48,33 @@ private:
     WaterView water() const;
     WallView walls() const;
     void take_state();
+    void leave_home() { home_ = state_is_home_ = false; }
     void take_sorted_dummies();
     void take_dummies();
     NearWalls near_walls();
     void update_records();
     void cross_faces();
     void sort_particles();
-    void sort_at_home(std::size_t before, std::size_t n);
     void find_images(double reach);
-    void make_groups();
     void find_walls(const Reaches& reaches);
     void ask_walls(std::size_t groups);
     void refresh_images(GradientPressureRecord* stress);
     void note_air();
     void fetch(std::vector<std::int32_t> particles);
+    /// Fields at places in this level's quanta.
+    cuda::FoundAt ask(const cuda::Array<WidePlace>& wide, const Asking& asking);
+    std::vector<cuda::DeviceSource> note_giving(const Asking& asking);
+    std::size_t list_following(bool guards);
+    template <class Task>
+    std::int64_t hand(const char* kernel, const Task& task, std::size_t n);
+    double fastest2_of_following();
 
     Level& level_;
     std::shared_ptr<cuda::Device> device_;
     std::unique_ptr<Arrays> on_;
     std::vector<Vec3> centres_;
-    bool home_ = true, order_is_home_ = true;  ///< the host has the state; and who stands where
+    bool home_ = true, state_is_home_ = true;  ///< the host has all; and what stays with the particles
+    bool order_is_home_ = true;                ///< who stands where
     bool host_counts_ = true;                  ///< the device has not taken what the host has
 };
 

@@ -16,9 +16,7 @@ namespace tw {
 
 namespace {
 
-/// Below this kernel support the other level has no water at a place: half of what a plane free surface leaves.
-constexpr float no_water = 0.25f;
-/// From this one on it covers the place, half a fine spacing below a plane free surface included.
+/// From this kernel support on the other level covers a place, half a fine spacing below a plane free surface included.
 constexpr float covered = 0.5f;
 
 /// Fine places among coarse particles and coarse ones among fine, in spacings of those.
@@ -39,33 +37,18 @@ void set_fields(Particles& p, std::size_t i, const VelocityDensityRecord& r) {
     p.u[i] = r.u, p.v[i] = r.v, p.w[i] = r.w, p.drho[i] = r.drho;
 }
 
-/// A zone whose edge has moved on by the sums `shifted` since the start.
-struct MovingEdge {
-    const Zone& zone;
-    const Zone::Shift& shifted;
-    Vec3 pivot = zone.pivot();
-};
+std::int64_t orphans(const FieldsAt& at) {
+    std::int64_t n = 0;
+    for (std::size_t k = 0; k < at.places.size(); ++k) n += !at.given(k).known();
+    return n;
+}
 
-/// A particle's distance from the zone's edge, worked out again only where one of the two may have come past a `limit`
-/// since: it compares with every limit as the true distance does. What is known is kept to 2^-24 of itself.
-double ask_edge(const MovingEdge& edge, const Vec3& x, EdgeDistance& known, std::span<const double> limits) {
-    constexpr double rounding = 2e-7;
-    double gap = std::numeric_limits<double>::infinity();
-    for (const double limit : limits) gap = std::min(gap, std::abs(double(known.outside) - limit));
-    const Vec3 from(known.x, known.y, known.z);
-    double change =
-        Zone::steepest * ((x - from).norm() + rounding * x.lpNorm<1>()) + rounding * std::abs(double(known.outside));
-    const double by = edge.shifted.by, turn = edge.shifted.turn;
-    if (by > 0 || turn > 0) {
-        const double turned = turn - double(known.turn) + rounding * turn;
-        // The place came by the shift as well while its distance from the pivot was another.
-        change += (by - double(known.by) + rounding * by + turned * (x - edge.pivot).norm()) / (1 - turned);
-        if (turned >= 1) change = std::numeric_limits<double>::infinity();
-    }
-    if (change < gap) return double(known.outside);
-    const double outside = edge.zone.outside(x);
-    known = {static_cast<float>(x.x()),   static_cast<float>(x.y()), static_cast<float>(x.z()),
-             static_cast<float>(outside), static_cast<float>(by),    static_cast<float>(turn)};
+/// The distance from a zone's edge: what is known of it, or worked out again.
+double ask_edge(const AskEdge& ask, const Zone& zone, const Vec3& at, EdgeDistance& known) {
+    const V3<double> x{at.x(), at.y(), at.z()};
+    if (ask.knows(x, known)) return double(known.outside);
+    const double outside = zone.outside(at);
+    known = ask.found(x, outside);
     return outside;
 }
 
@@ -150,49 +133,60 @@ void Refinement::set_zone(Zone zone) {
         return;
     }
     gone_since_ = std::numeric_limits<double>::infinity();
+    if (coarse_.device()) {
+        fine_.device()->forget_edge(With::coarser), coarse_.device()->forget_edge(With::finer);
+        return;
+    }
     std::ranges::fill(fine_.particles().from_edge, EdgeDistance{});
     std::ranges::fill(coarse_.particles().from_finer_edge, EdgeDistance{});
 }
 
-VelocityDensityRecord Refinement::for_fine(const FieldsAt& from_coarse, std::size_t k) const {
-    VelocityDensityRecord r = from_coarse.value[k];
-    r.drho += static_cast<float>(fine_.density_of_row() * excess_.of_child(double(from_coarse.mean_support[k])));
-    return r;
+AskEdge Refinement::edge(std::initializer_list<double> limits) const {
+    const Vec3 pivot = zone_.pivot();
+    AskEdge ask{.limits = {},
+                .count = static_cast<int>(limits.size()),
+                .steepest = Zone::steepest,
+                .by = shifted_.by,
+                .turn = shifted_.turn,
+                .pivot = {pivot.x(), pivot.y(), pivot.z()}};
+    std::ranges::copy(limits, ask.limits);
+    return ask;
+}
+
+AskEdge Refinement::edge_for_coarse() const {
+    return edge({-band_over_dp * dp_, 0.0, guard_over_dp * dp_, again_over_dp * dp_, barren_over_dp * dp_});
+}
+
+LabelCoarse Refinement::labels() const {
+    return {.band = band_over_dp * dp_, .again = again_over_dp * dp_, .barren = barren_over_dp * dp_};
 }
 
 void Refinement::label_coarse() {
-    Particles& c = coarse_.particles();
-    const std::array limits{-band_over_dp * dp_, 0.0, guard_over_dp * dp_, again_over_dp * dp_, barren_over_dp * dp_};
+    Particles& c = coarse_.state_to_change();
     outside_coarse_.resize(c.size());
-    const MovingEdge edge{zone_, shifted_};
+    const AskEdge ask = edge_for_coarse();
+    LabelCoarse label = labels();
+    label.kind = c.kind.data(), label.children = c.children.data();
     for_particles(c.size(), [&](std::size_t i) {
-        const double s = outside_coarse_[i] = ask_edge(edge, place_of(c, i), c.from_finer_edge[i], limits);
-        Kind& kind = c.kind[i];
-        const bool under = stands_for_finer(kind);
-        if (s < 0 && (under || kind == Kind::fluid))
-            kind = s > -band_over_dp * dp_ ? Kind::band : Kind::carried;
-        else if (s >= 0 && under)
-            kind = Kind::fluid;
-        if (s > barren_over_dp * dp_)
-            c.children[i] = Children::none;
-        else if (s > again_over_dp * dp_ && c.children[i] == Children::all)
-            c.children[i] = Children::some;
+        outside_coarse_[i] = ask_edge(ask, zone_, place_of(c, i), c.from_finer_edge[i]);
+        label(i, outside_coarse_[i]);
     });
 }
 
 void Refinement::relabel() {
     const Stopwatch watch(ledger_.seconds);
+    const bool due = fine_.lists_due() || fine_.lists_outlived() || gone_since_ + in_a_step_ >= patience_over_dp * dp_;
+    if (!due && coarse_.device()) return coarse_.device()->label(edge_for_coarse(), labels(), zone_);
     label_coarse();
-    if (!fine_.lists_due() && !fine_.lists_outlived() && gone_since_ + in_a_step_ < patience_over_dp * dp_) return;
+    if (!due) return;
     gone_since_ = 0;
-    Particles& f = fine_.particles();
-    const std::array limits{0.0, gone_over_dp * dp_};
-    const MovingEdge own{zone_, shifted_};
+    Particles& f = fine_.state_to_change();
+    const AskEdge ask = edge({0.0, gone_over_dp * dp_});
     std::vector<double> outside(f.size());
-    for_particles(f.size(), [&](std::size_t i) { outside[i] = ask_edge(own, place_of(f, i), f.from_edge[i], limits); });
+    for_particles(f.size(), [&](std::size_t i) { outside[i] = ask_edge(ask, zone_, place_of(f, i), f.from_edge[i]); });
     std::vector<char> gone(f.size(), 0);
     FieldsAt leaving;
-    leaving.of = FieldsAt::Of::all;
+    leaving.of = Giving::all;
     leaving.apart = fine_apart;
     std::vector<std::size_t> who;
     for (std::size_t i = 0; i < f.size(); ++i) {
@@ -226,7 +220,7 @@ void Refinement::relabel() {
 
 std::vector<char> Refinement::covers(const Particles& p, const std::vector<std::size_t>& who) const {
     FieldsAt at;
-    at.of = FieldsAt::Of::all;
+    at.of = Giving::all;
     at.apart = fine_apart;
     for (const std::size_t i : who) at.places.push_back(place_of(p, i));
     coarse_.interpolate(at);
@@ -251,7 +245,7 @@ std::vector<Vec3> Refinement::octants(const Vec3& parent) const {
 
 std::unordered_map<std::size_t, std::vector<std::size_t>> Refinement::families_of(
     const std::vector<std::size_t>& parents) const {
-    const Particles &c = coarse_.particles(), &f = fine_.particles();
+    const Particles &c = coarse().particles(), &f = fine().particles();
     std::unordered_map<std::size_t, std::vector<std::size_t>> families;
     if (parents.empty()) return families;
     Crowd crowd(coarse_.setup().dp, coarse_.dimensions());
@@ -269,7 +263,7 @@ std::unordered_map<std::size_t, std::vector<std::size_t>> Refinement::families_o
 }
 
 void Refinement::give_birth() {
-    Particles &c = coarse_.particles(), &f = fine_.particles();
+    Particles &c = coarse_.state_to_change(), &f = fine_.state_to_change();
     std::vector<std::size_t> parents, returning;
     for (std::size_t i = 0; i < c.size(); ++i) {
         const bool may = c.kind[i] == Kind::fluid || stands_for_finer(c.kind[i]);
@@ -307,7 +301,7 @@ void Refinement::give_birth() {
         const Vec3& x = children.places[k];
         const std::size_t i = parent_of[k];
         f.add(x.x(), x.y(), x.z(), 0, 0, fine_.next_id(), zone_.outside(x) < 0 ? Kind::fluid : Kind::guard);
-        const bool known = children.support[k] >= no_water;
+        const bool known = children.given(k).known();
         set_fields(f, f.size() - 1,
                    known ? children.value[k] : VelocityDensityRecord{c.u[i], c.v[i], c.w[i], c.drho[i]});
         f.trend.back().support = known ? children.mean_support[k] : 0;
@@ -326,83 +320,82 @@ void Refinement::remove(const std::vector<char>& gone) {
     const auto deaths = static_cast<std::int64_t>(gone.size() - kept.size());
     ledger_.deaths += deaths;
     if (deaths == 0) return;
-    fine_.particles().reorder(kept);
+    fine_.state_to_change().reorder(kept);
     fine_.make_lists_due();
 }
 
 void Refinement::prolong(double moved, double compressed) {
     const Stopwatch watch(ledger_.seconds);
-    Particles& f = fine_.particles();
-    FieldsAt guards;
-    guards.without = excess_;
-    guards.apart = fine_apart;
-    const std::vector<std::size_t> who = those(f, [](Kind kind) { return kind == Kind::guard; });
-    guards.places.resize(who.size());
-    double fastest = coarse_.extremes().speed;  // of those that are to have children
-    for (const std::size_t i : who) fastest = std::max(fastest, Vec3(f.u[i], f.v[i], f.w[i]).norm());
-    in_a_step_ = moved * fastest;
+    const Eigen::Vector3f fall = fine_.body_force().cast<float>();
+    const FollowCoarser follow{.excess = excess_,
+                               .row = fine_.density_of_row(),
+                               .moved = moved,
+                               .compressed = compressed,
+                               .fall = {fall.x(), fall.y(), fall.z()}};
+    const Asking asking{.apart = fine_apart, .without = excess_};
+    const Followed guards = fine_.device() ? fine_.device()->follow_coarser(*coarse_.device(), asking, follow)
+                                           : follow_coarser(asking, follow);
+    ledger_.orphans = guards.orphans;
+    // that of the coarse level: of those that are to have children
+    in_a_step_ = moved * std::max(coarse_.extremes().speed, std::sqrt(guards.fastest2));
     gone_since_ += in_a_step_;
+}
+
+Followed Refinement::follow_coarser(const Asking& asking, FollowCoarser follow) {
+    Particles& f = fine_.particles();
+    follow.p = fine_.state_view(), follow.trend = f.trend.data();
+    const std::vector<std::size_t> who = those(f, [](Kind kind) { return kind == Kind::guard; });
+    FieldsAt guards{asking};
+    guards.places.resize(who.size());
+    Followed followed;
+    for (const std::size_t i : who) followed.fastest2 = std::max(followed.fastest2, speed2(follow.p, i));
     for_particles(who.size(), [&](std::size_t k) {
-        const std::size_t i = who[k];
-        guards.places[k] = place_of(f, i) + moved * Vec3(f.u[i], f.v[i], f.w[i]);
+        const V3<double> x = follow.place_ahead(who[k]);
+        guards.places[k] = {x.x, x.y, x.z};
     });
     coarse_.interpolate(guards);
-    ledger_.orphans = std::ranges::count_if(guards.support, [](float support) { return support < no_water; });
-    const Eigen::Vector3f fall = fine_.body_force().cast<float>();
-    for_particles(who.size(), [&](std::size_t k) {
-        const std::size_t i = who[k];
-        const VelocityDensityRecord to = for_fine(guards, k);
-        if (guards.support[k] < no_water) {
-            f.trend[i] = {fall.x(), fall.y(), fall.z(), 0, 0};
-            return;
-        }
-        const auto rate = [&](float after, float now, double time) {
-            return time > 0 ? static_cast<float>((double(after) - double(now)) / time) : 0;
-        };
-        if (compressed <= 0) f.drho[i] = to.drho;
-        f.trend[i] = {rate(to.u, f.u[i], moved), rate(to.v, f.v[i], moved), rate(to.w, f.w[i], moved),
-                      rate(to.drho, f.drho[i], compressed), guards.mean_support[k]};
-    });
+    for_particles(who.size(), [&](std::size_t k) { follow(who[k], guards.given(k)); });
+    followed.orphans = orphans(guards);
+    return followed;
 }
 
 void Refinement::restrict_over(double moved, double density_before) {
     const Stopwatch watch(ledger_.seconds);
+    const Eigen::Vector3f fall = static_cast<float>(moved) * coarse_.body_force().cast<float>();
+    const FollowFiner follow{
+        .excess = excess_, .row = coarse_.density_of_row(), .fall = {fall.x(), fall.y(), fall.z()}};
+    const Asking asking{.of = Giving::not_guards,
+                        .apart = coarse_apart,
+                        .density_before = density_before,
+                        .want_compression = true,
+                        .without = excess_};
+    const Followed under = coarse_.device() ? coarse_.device()->follow_finer(*fine_.device(), asking, follow)
+                                            : follow_finer(asking, follow);
+    ledger_.orphans += under.orphans;
+}
+
+Followed Refinement::follow_finer(const Asking& asking, FollowFiner follow) {
     Particles& c = coarse_.particles();
-    FieldsAt under;
-    under.without = excess_;
-    under.want_compression = true;
-    under.density_before = density_before;
-    under.of = FieldsAt::Of::not_guards;
-    under.apart = coarse_apart;
+    follow.p = coarse_.state_view(), follow.kind = c.kind.data();
+    follow.shift = c.shift_support.data(), follow.compression = c.compression.data();
     const std::vector<std::size_t> who = those(c, stands_for_finer);
+    FieldsAt under{asking};
     under.places.resize(who.size());
     for_particles(who.size(), [&](std::size_t k) { under.places[k] = place_of(c, who[k]); });
     fine_.interpolate(under);
-    ledger_.orphans += std::ranges::count_if(under.support, [](float support) { return support < no_water; });
-    const Eigen::Vector3f fall = static_cast<float>(moved) * coarse_.body_force().cast<float>();
-    for_particles(who.size(), [&](std::size_t k) {
-        const std::size_t i = who[k];
-        if (under.support[k] >= no_water) {
-            VelocityDensityRecord r = under.value[k];
-            r.drho += static_cast<float>(coarse_.density_of_row() * excess_.of(coarse_.support(i)));
-            set_fields(c, i, r);
-            c.compression[i] = under.compression[k];
-            return;
-        }
-        c.compression[i] = 0;
-        if (c.kind[i] == Kind::carried) set_fields(c, i, {c.u[i] + fall.x(), c.v[i] + fall.y(), c.w[i] + fall.z(), 0});
-    });
+    for_particles(who.size(), [&](std::size_t k) { follow(who[k], under.given(k)); });
+    return {0, orphans(under)};
 }
 
 double Refinement::mass_under() const {
-    const Particles& c = coarse_.particles();
+    const Particles& c = coarse().particles();
     std::int64_t under = 0;
     for (std::size_t i = 0; i < c.size(); ++i) under += stands_for_finer(c.kind[i]) && coarse_.between_openings(c.x[i]);
     return coarse_.mass() * double(under);
 }
 
 double Refinement::surplus() const {
-    const Particles& f = fine_.particles();
+    const Particles& f = fine().particles();
     std::int64_t water = -ledger_.spray;
     for (std::size_t i = 0; i < f.size(); ++i) water += f.kind[i] != Kind::guard && fine_.between_openings(f.x[i]);
     return fine_.mass() * double(water) - mass_under();

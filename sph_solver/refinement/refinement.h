@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
 #include <unordered_map>
 #include <vector>
@@ -84,9 +85,12 @@ private:
     static constexpr double guard_over_dp = 4, again_over_dp = 4.1, gone_over_dp = 5, barren_over_dp = 6,
                             band_over_dp = 8, patience_over_dp = 0.75;
 
-    /// As the coarse level has them there, with the excess of a fine surface in place of a coarse one's.
-    VelocityDensityRecord for_fine(const FieldsAt& from_coarse, std::size_t k) const;
+    Followed follow_coarser(const Asking& asking, FollowCoarser follow);
+    Followed follow_finer(const Asking& asking, FollowFiner follow);
     void label_coarse();
+    AskEdge edge(std::initializer_list<double> limits) const;
+    AskEdge edge_for_coarse() const;
+    LabelCoarse labels() const;  ///< but for whose
     void give_birth();
     std::vector<Vec3> octants(const Vec3& parent) const;  ///< places of its children
     /// The guards that have one of some coarse particles nearest of all coarse particles.

@@ -83,16 +83,6 @@ struct Own {
         return part[0];
     }
 };
-inline Own own_places(const PlaceRecord* place, const Group& g, const Frame& frame) {
-    Own own{g, {}};
-    own.x = own.each_vector([&](int i) {
-        const PlaceRecord& a = place[i];
-        return V3<float>{static_cast<float>(difference(a.x, g.x)) * frame.length,
-                         static_cast<float>(difference(a.y, g.y)) * frame.length,
-                         static_cast<float>(difference(a.z, g.z)) * frame.length};
-    });
-    return own;
-}
 
 inline V3<Real> separation(const V3<Real>& x_i, const float* xyz) {
     return {xyz[0] - x_i.x, xyz[1] - x_i.y, xyz[2] - x_i.z};

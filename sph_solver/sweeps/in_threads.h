@@ -94,16 +94,6 @@ struct Own {
         return part;
     }
 };
-inline Own own_places(const PlaceRecord* place, const Group& g, const Frame& frame) {
-    Own own{g, {}};
-    own.x = own.each_vector([&](int i) {
-        const PlaceRecord& a = place[i];
-        return V3<float>{static_cast<float>(difference(a.x, g.x)) * frame.length,
-                         static_cast<float>(difference(a.y, g.y)) * frame.length,
-                         static_cast<float>(difference(a.z, g.z)) * frame.length};
-    });
-    return own;
-}
 
 template <class Body, class Which>
 inline void for_each_neighbour(const PlaceRecord* place, const Lists& lists, const ListRef& ref, const Own& own,

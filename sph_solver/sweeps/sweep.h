@@ -84,6 +84,17 @@ inline void control_tension(float from, const ShiftSupportRecord* shift, const O
     own.for_every_lane([&](int i, int l) { p_i[l] = tension_controlled(p_i[l], shift[i].support, from); });
 }
 
+inline Own own_places(const PlaceRecord* place, const Group& g, const Frame& frame) {
+    Own own{g, {}};
+    own.x = own.each_vector([&](int i) {
+        const PlaceRecord& a = place[i];
+        return V3<float>{static_cast<float>(difference(a.x, g.x)) * frame.length,
+                         static_cast<float>(difference(a.y, g.y)) * frame.length,
+                         static_cast<float>(difference(a.z, g.z)) * frame.length};
+    });
+    return own;
+}
+
 /// The groups' own places, whom they meet, and the lists of these.
 template <class Data>
 struct Meeting {

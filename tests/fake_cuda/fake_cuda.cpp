@@ -12,10 +12,12 @@
 #include <map>
 #include <string>
 
+#include "sph_solver/cuda/edges.h"
 #include "sph_solver/cuda/kernel_list.h"
 #include "sph_solver/cuda/sorting.h"
 #include "sph_solver/cuda/tasks.h"
 #include "sph_solver/effects/ventilation.h"
+#include "sph_solver/sweeps/interpolate.h"
 #include "sph_solver/sweeps/views.h"
 
 namespace tw::in_fake_cuda {
@@ -152,6 +154,20 @@ void move(void** a) {
     }
 }
 
+void label_known(void** a) {
+    const auto& task = argument<cuda::LabelKnown>(a, 0);
+    for (std::size_t i = argument<std::size_t>(a, 1); i-- > 0;) task(i, add_one);  // from the end, as above
+}
+void fastest(void** a) {
+    const auto& task = argument<cuda::FastestOf>(a, 0);
+    const auto n = argument<std::size_t>(a, 2);
+    for (std::size_t first = 0; first < n; first += cuda::threads_in_block) {
+        double& part = argument<double*>(a, 1)[first / cuda::threads_in_block] = 0;
+        for (std::size_t k = first; k < std::min(n, first + cuda::threads_in_block); ++k)
+            part = std::max(part, task(k));
+    }
+}
+
 using EmulatedKernel = void (*)(void** arguments);
 const std::map<std::string, EmulatedKernel>& kernels() {
     static const std::map<std::string, EmulatedKernel> all{
@@ -163,6 +179,8 @@ const std::map<std::string, EmulatedKernel>& kernels() {
             {"tw_near_air", near_air},
         {"tw_find_asking", find_asking},
         {"tw_move", move},
+        {"tw_fastest", fastest},
+        {"tw_label_known", label_known},
         {"tw_count_in_bins", count_in_bins},
         {"tw_search", search},
         {"tw_scan_blocks", scan_blocks},

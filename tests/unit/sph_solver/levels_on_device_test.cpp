@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "meshes/generate.h"
+#include "on_device.h"
 #include "sph_solver/effects/ventilation.h"
 #include "sph_solver/state/checkpoint.h"
-#include "on_device.h"
 
 namespace tw {
 namespace levels_on_device_test {
@@ -41,7 +41,8 @@ std::vector<Fluid> stream_water(const SimulationSetup& s) {
 ::testing::AssertionResult same_levels(const Simulation& a, const Simulation& b) {
     for (std::size_t k = 0; k < a.levels().size(); ++k) {
         const Particles &p = a.level(k).particles(), &q = b.level(k).particles();
-        if (const auto same = same_bits(p, q); !same) return ::testing::AssertionFailure() << "level " << k << ": " << same.message();
+        if (const auto same = same_bits(p, q); !same)
+            return ::testing::AssertionFailure() << "level " << k << ": " << same.message();
         if (p.children != q.children || p.compression != q.compression || p.aired != q.aired)
             return ::testing::AssertionFailure() << "level " << k << " knows other children, compressions or air";
     }
@@ -85,6 +86,31 @@ TEST_F(OnDevice, ThreeSizesOfParticlesInAStreamMeetAsOnTheHost) {
         EXPECT_NEAR(at_host.support[n], at_device.support[n], 1e-6) << n;
         EXPECT_GT(at_device.support[n], 0.5) << n;
     }
+}
+
+TEST_F(OnDevice, FieldsGoFromSizeToSizeOnTheDevice) {
+    const SimulationSetup s = stream();
+    Simulation run(s, stream_water(s), emulated());
+    const auto device = put_on_device(run);
+    std::int64_t particles = 0;
+    for (const auto& level : run.levels()) particles += level->count();
+    int seen = 0;
+    for (int k = 0; k < 12; ++k) {
+        const auto lists = [&] {
+            std::int64_t sum = 0;
+            for (const auto& level : run.levels()) sum += level->timers().rebuilds;
+            return sum;
+        };
+        const std::int64_t before = lists();
+        const cuda::Device::Traffic from = device->traffic();
+        run.step();
+        const cuda::Device::Traffic to = device->traffic();
+        if (lists() > before) continue;
+        const std::uint64_t bytes = to.to_device - from.to_device + to.to_host - from.to_host;
+        EXPECT_LT(double(bytes), 8 * double(particles)) << "step " << k;  // places alone would be 24 a particle
+        ++seen;
+    }
+    EXPECT_GT(seen, 2);
 }
 
 TEST_F(OnDevice, AColumnSurgesAcrossTheEdgeOfAZoneInThreeDimensions) {

@@ -84,7 +84,7 @@ TEST(Interpolation, FromNothingThatCountsIsNothing) {
     FieldsAt at;
     at.places = {Vec3(0.8, 0, 0.4), Vec3(0.33, 0, 0.4)};
     at.want_compression = true;
-    at.of = FieldsAt::Of::not_guards;
+    at.of = Giving::not_guards;
     simulation.level(0).interpolate(at);
     ASSERT_EQ(at.compression.size(), 2u);
     for (std::size_t k = 0; k < 2; ++k) {

@@ -5,9 +5,9 @@
 
 #include "base/errors.h"
 #include "meshes/generate.h"
+#include "on_device.h"
 #include "sph_solver/effects/ventilation.h"
 #include "sph_solver/state/checkpoint.h"
-#include "on_device.h"
 
 namespace tw {
 namespace on_device_test {

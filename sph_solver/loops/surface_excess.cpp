@@ -1,9 +1,8 @@
-#include "sph_solver/levels/surface_excess.h"
+#include "sph_solver/loops/surface_excess.h"
 
-#include <algorithm>
 #include <cmath>
 
-#include "sph_solver/levels/interpolate.h"
+#include "sph_solver/sweeps/interpolate.h"
 
 namespace tw {
 
@@ -42,12 +41,6 @@ SurfaceExcess::SurfaceExcess(const Kernel& kernel, double dp, int dimensions) {
         return sum / weight / support(reach);
     };
     m_0_ = mean_support(dp / 4), m_1_ = mean_support(3 * dp / 4);
-}
-
-double SurfaceExcess::of(double support) const { return e_0_ * std::clamp((1 - support) / (1 - S_0_), 0.0, 1.0); }
-
-double SurfaceExcess::of_child(double mean_support) const {
-    return e_0_ * std::clamp((m_1_ - mean_support) / (m_1_ - m_0_), 0.0, 1.0);
 }
 
 }  // namespace tw

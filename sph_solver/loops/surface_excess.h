@@ -18,13 +18,15 @@ public:
     SurfaceExcess() = default;
     SurfaceExcess(const Kernel& kernel, double dp, int dimensions);
     /// Of a particle of kernel support S.
-    double of(double support) const;
+    double of(double support) const { return e_0_ * share((1 - support) / (1 - S_0_)); }
     /// Of a particle of half the spacing, where particles of this spacing near it have the mean support m: e_0 at the
     /// depth of its uppermost row, nothing from its second row on.
-    double of_child(double mean_support) const;
+    double of_child(double mean_support) const { return e_0_ * share((m_1_ - mean_support) / (m_1_ - m_0_)); }
     double uppermost() const { return e_0_; }
 
 private:
+    static double share(double x) { return x < 0 ? 0 : 1 < x ? 1 : x; }
+
     double e_0_ = 0, S_0_ = 0;
     double m_0_ = 0, m_1_ = 1;  ///< mean support at a quarter and at three quarters of a spacing below the surface
 };

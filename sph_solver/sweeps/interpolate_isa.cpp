@@ -1,5 +1,5 @@
 // The sweep that carries fields from one level of particle size to another, once per variant.
-#include "sph_solver/levels/interpolate.h"
+#include "sph_solver/sweeps/interpolate.h"
 
 #include "sph_solver/equations/first_order.h"
 #include "sph_solver/sweeps/sweep.h"

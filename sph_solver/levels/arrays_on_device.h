@@ -1,0 +1,181 @@
+#pragma once
+#include <map>
+#include <vector>
+
+#include "sph_solver/cuda/edges.h"
+#include "sph_solver/cuda/tasks.h"
+#include "sph_solver/levels/lists_on_device.h"
+#include "sph_solver/levels/on_device.h"
+
+namespace tw {
+
+template <class T>
+T* or_null(const cuda::Array<T>& array) {
+    return array.size() > 0 ? array.data() : nullptr;
+}
+
+struct LevelOnDevice::Arrays {
+    cuda::Device& device;
+    /// What stays with a particle.
+    struct State {
+        cuda::Array<double> x, y, z;
+        cuda::Array<float> u, v, w, drho;
+        cuda::Array<std::int64_t> id;
+        cuda::Array<Kind> kind;
+        cuda::Array<Aired> aired;             ///< empty: there is none
+        cuda::Array<Trend> trend;             ///< empty: no coarser level
+        cuda::Array<EdgeDistance> from_edge;  ///< the same
+        cuda::Array<Children> children;       ///< empty: no finer level
+        cuda::Array<float> compression;       ///< the same
+        cuda::Array<EdgeDistance> from_finer_edge;
+        explicit State(cuda::Device& d)
+            : x(d),
+              y(d),
+              z(d),
+              u(d),
+              v(d),
+              w(d),
+              drho(d),
+              id(d),
+              kind(d),
+              aired(d),
+              trend(d),
+              from_edge(d),
+              children(d),
+              compression(d),
+              from_finer_edge(d) {}
+
+        /// Calls `f(field, other)` for each and what `others` has of it.
+        template <class Others, class Function>
+        void each_with(Others& others, const Function& f) {
+            f(x, others.x), f(y, others.y), f(z, others.z), f(u, others.u), f(v, others.v), f(w, others.w);
+            f(drho, others.drho), f(id, others.id), f(kind, others.kind), f(aired, others.aired);
+            f(trend, others.trend), f(from_edge, others.from_edge), f(children, others.children);
+            f(compression, others.compression), f(from_finer_edge, others.from_finer_edge);
+        }
+        MovingView all() const {
+            return {view(),
+                    kind.data(),
+                    id.data(),
+                    or_null(aired),
+                    or_null(trend),
+                    or_null(from_edge),
+                    or_null(children),
+                    or_null(compression),
+                    or_null(from_finer_edge)};
+        }
+        template <class Function>
+        void each(const Function& f) {
+            each_with(*this, [&](auto& field, auto&) { f(field); });
+        }
+        StateView view() const { return {x.data(), y.data(), z.data(), u.data(), v.data(), w.data(), drho.data()}; }
+        std::size_t size() const { return x.size(); }
+    };
+    State p{device}, sorted{device};
+    cuda::Array<PlaceRecord> place{device};
+    cuda::Array<VelocityDensityRecord> motion{device};
+    cuda::Array<GradientPressureRecord> stress{device};
+    cuda::Array<ShiftSupportRecord> shift{device};
+    cuda::Array<RateRecord> rate{device};
+    cuda::Array<float> density_rate{device};  ///< empty: no coarser level
+    cuda::Array<std::uint32_t> surface{device};
+    cuda::Array<WallNormalRecord> wall_normal{device};
+    cuda::Array<LeavingRecord> wall_leaving{device};
+    cuda::Array<std::uint16_t> wall_body{device};  ///< empty: no body moves
+
+    // who stands where
+    cuda::Bins bins;
+    RunningSum entered{device}, images{device};
+    cuda::Array<int> gone{device};
+    cuda::Array<std::uint8_t> left{device};
+    cuda::Array<WidePlace> wide{device};
+    SortedOnDevice order{device, bins}, image_order{device, bins};
+    cuda::Array<Link> found{device}, links{device};
+    cuda::Array<LinkMap> maps{device};
+    GroupsOnDevice groups{device};
+    ListsOnDevice lists{device}, wall_lists{device};
+
+    cuda::Array<PlaceRecord> wall_place{device};
+    cuda::Array<float> wall_p{device};
+    cuda::Array<WallVelocity> wall_velocity{device};
+    cuda::Array<WallAcceleration> wall_acceleration{device};
+    cuda::Array<WallMotion> motions{device};
+    cuda::Array<std::int32_t> body_end{device};
+    cuda::Array<WallLoad> wall_load{device};
+    RunningSum loads{device}, at_wall{device};
+    cuda::Array<cuda::GroupAtWall> groups_at_walls{device};
+    cuda::Array<cuda::NearWall> near_walls{device};
+    cuda::Array<cuda::WallFound> walls_found{device};
+    /// The dummies of one body.
+    struct Part {
+        std::size_t first;
+        cuda::Array<int> start, column;
+        cuda::Array<Group> groups;
+        ListsOnDevice lists;
+    };
+    std::vector<Part> parts;
+
+    cuda::Array<std::uint32_t> air_stays{device};
+    cuda::Array<std::uint8_t> air_near{device};
+    cuda::Array<Group> asking{device};
+    cuda::Array<int> count{device};
+    cuda::Array<MovedExtremes> extremes{device};
+    cuda::Array<std::int32_t> too_near{device}, fetched{device};
+    cuda::Array<cuda::HeldParticle> held{device};
+
+    // what other levels ask for
+    RunningSum gives{device};
+    cuda::Array<PlaceRecord> giving_place{device};
+    cuda::Array<VelocityDensityRecord> giving_motion{device};
+    cuda::Array<float> giving_support{device}, giving_rate{device};
+    cuda::Array<int> giving_start{device}, giving_images{device};
+    /// The places where they ask, in order, and what is found there.
+    struct Asked {
+        SortedOnDevice order;
+        GroupsOnDevice groups;
+        ListsOnDevice lists;
+        cuda::Array<PlaceRecord> place;
+        cuda::Array<VelocityDensityRecord> value;
+        cuda::Array<float> support, mean_support, compression;
+        Asked(cuda::Device& d, const cuda::Bins& bins)
+            : order(d, bins), groups(d), lists(d), place(d), value(d), support(d), mean_support(d), compression(d) {}
+    };
+    std::map<double, Asked> asked;  ///< by how far apart the places are
+    // who follows other levels
+    RunningSum following{device}, orphans{device};
+    cuda::Array<int> which{device};
+    cuda::Array<WidePlace> wide_of_others{device};
+    cuda::Array<double> fastest{device};
+    cuda::Array<Given> given{device};
+    cuda::Array<int> at_edge{device};
+    cuda::Array<V3<double>> places_at_edge{device};
+    cuda::Array<double> outside{device};
+
+    Arrays(cuda::Device& d, const cuda::Bins& of_columns) : device(d), bins(of_columns) {}
+
+    double bytes() {
+        double sum = 0;
+        const auto add = [&](const auto&... array) { ((sum += double(array.bytes())), ...); };
+        p.each(add), sorted.each(add);
+        add(place, motion, stress, shift, rate, density_rate, surface, wall_normal, wall_leaving, wall_body,
+            wall_velocity, wall_acceleration, motions, entered, images, gone, left, wide, order, image_order, found,
+            links, maps, groups, lists, wall_lists, wall_place, wall_p, body_end, wall_load, loads, at_wall,
+            groups_at_walls, near_walls, walls_found, air_stays, air_near, asking, count, extremes, too_near, fetched,
+            held, gives, giving_place, giving_motion, giving_support, giving_rate, giving_start, giving_images,
+            following, orphans, which, wide_of_others, fastest, given, at_edge, places_at_edge, outside);
+        for (const auto& [apart, a] : asked)
+            add(a.order, a.groups, a.lists, a.place, a.value, a.support, a.mean_support, a.compression);
+        for (const Part& part : parts) add(part.start, part.column, part.groups, part.lists);
+        return sum;
+    }
+};
+
+template <class View>
+void LevelOnDevice::sweep(const char* kernel, const View& view, const cuda::Array<Group>& groups) {
+    const Group* first = groups.data();
+    int count = static_cast<int>(groups.size());
+    void* const arguments[] = {const_cast<View*>(&view), &first, &count};
+    device_->launch(kernel, groups.size() * cuda::warp, arguments);
+}
+
+}  // namespace tw

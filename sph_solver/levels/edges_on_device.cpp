@@ -1,0 +1,173 @@
+// What a level on a device gives to levels of other sizes, and how its particles follow theirs.
+#include <algorithm>
+
+#include "sph_solver/backend/for_particles.h"
+#include "sph_solver/levels/arrays_on_device.h"
+#include "sph_solver/levels/level.h"
+#include "sph_solver/sweeps/interpolate.h"
+
+namespace tw {
+
+/// Copies what counts of the level's particles and images to arrays of its own, where neighbours can be looked for.
+std::vector<cuda::DeviceSource> LevelOnDevice::note_giving(const Asking& asking) {
+    Arrays& on = *on_;
+    const std::size_t n = on.p.size(), all = on.place.size();
+    TakeGiving take = level_.giving(asking);
+    take.place = on.place.data(), take.motion = on.motion.data(), take.shift = on.shift.data();
+    take.density_rate = or_null(on.density_rate), take.kind = on.p.kind.data();
+    take.links = on.links.data(), take.n = n;
+    launch(*device_, "tw_mark_giving", cuda::MarkGiving{take, on.gives.of(all)}, all);
+    const auto giving = static_cast<std::size_t>(on.gives.add_up());
+    on.giving_place.resize(giving), on.giving_motion.resize(giving), on.giving_support.resize(giving);
+    on.giving_rate.resize(asking.want_compression ? giving : 0);
+    take.to_place = on.giving_place.data(), take.to_motion = on.giving_motion.data();
+    take.known_support = on.giving_support.data(), take.rate = or_null(on.giving_rate);
+    launch(*device_, "tw_put_giving", cuda::PutGiving{take, on.gives.numbers(), on.gives.before()}, all);
+    const auto columns = static_cast<std::size_t>(level_.grid_.count()) + 1;
+    const auto source = [&](const SortedOnDevice& order, std::size_t from, cuda::Array<int>& start) {
+        start.resize(columns);
+        launch(*device_, "tw_start_giving",
+               cuda::StartGiving{order.start(), order.in_column(), from, on.gives.before(), start.data()}, columns);
+        return cuda::DeviceSource{on.giving_place.data(), start.data(), 1, 0};
+    };
+    return {source(on.order, 0, on.giving_start), source(on.image_order, n, on.giving_images)};
+}
+
+cuda::FoundAt LevelOnDevice::ask(const cuda::Array<WidePlace>& wide, const Asking& asking) {
+    if (host_counts_) take_state();
+    update_records();
+    Arrays& on = *on_;
+    const ColumnGrid grid = level_.grid_.scaled(asking.apart);
+    const double quantum = level_.quanta_.size;
+    Arrays::Asked& at =
+        on.asked.try_emplace(asking.apart, *device_, bins_of(grid, asking.apart * level_.setup_.dp, quantum))
+            .first->second;
+    const std::size_t n = at.order.sort(wide.data(), nullptr, nullptr, wide.size());
+    at.place.resize(n), at.value.resize(n), at.support.resize(n), at.mean_support.resize(n);
+    at.compression.resize(asking.want_compression ? n : 0);
+    launch(*device_, "tw_sort_asked", cuda::SortAsked{at.order.order(), wide.data(), at.place.data()}, n);
+    at.groups.make(grid, at.order, at.place.data());
+    const std::vector<cuda::DeviceSource> giving = note_giving(asking);
+    at.lists.build(level_.grid_, grid, at.place.data(), at.groups.column(), at.groups.groups(), giving,
+                   level_.reaches_of_interpolation() / quantum);
+    InterpolateData d = level_.interpolation();
+    d.list = at.lists.view();
+    d.at = at.place.data();
+    d.water.place = on.giving_place.data(), d.water.motion = on.giving_motion.data();
+    d.known_support = on.giving_support.data(), d.rate = or_null(on.giving_rate);
+    d.value = at.value.data(), d.support = at.support.data(), d.mean_support = at.mean_support.data();
+    d.compression = or_null(at.compression);
+    at.mean_support.set_zero(), at.compression.set_zero();  // where nobody gives anything they are not worked out
+    sweep("tw_interpolate", d, at.groups.groups());
+    return {at.order.order(), d.value, d.support, d.mean_support, d.compression};
+}
+
+void LevelOnDevice::interpolate(FieldsAt& at) {
+    Arrays& on = *on_;
+    std::vector<WidePlace> wide;
+    for (const Vec3& x : at.places) wide.push_back(level_.quanta_.wide(x));
+    on.wide_of_others.take(wide);
+    const cuda::FoundAt found = ask(on.wide_of_others, at);
+    on.given.resize(wide.size());
+    launch(*device_, "tw_hand_to_host", cuda::HandToHost{found, on.given.data()}, wide.size());
+    std::vector<Given> given(wide.size());
+    on.given.give(given);
+    for (std::size_t k = 0; k < given.size(); ++k) at.take(k, given[k]);
+}
+
+// --- who is what ------------------------------------------------------------------------------------------------------
+
+void LevelOnDevice::label(const AskEdge& ask, LabelCoarse label, const Zone& zone) {
+    if (host_counts_) take_state();
+    Arrays& on = *on_;
+    const std::size_t n = on.p.size();
+    label.kind = on.p.kind.data(), label.children = on.p.children.data();
+    on.at_edge.resize(n);
+    on.count.set_zero();
+    const cuda::LabelKnown known{
+        ask, label, on.p.view(), on.p.from_finer_edge.data(), on.at_edge.data(), on.count.data()};
+    launch(*device_, "tw_label_known", known, n);
+    leave_home();
+    const auto asked = static_cast<std::size_t>(on.count.value(0));
+    if (asked == 0) return;
+    on.places_at_edge.resize(asked);
+    launch(*device_, "tw_take_places", cuda::TakePlaces{known.p, known.unknown, on.places_at_edge.data()}, asked);
+    std::vector<V3<double>> places(asked);
+    on.places_at_edge.give(places);
+    std::vector<double> outside(asked);
+    for_particles(asked, [&](std::size_t k) { outside[k] = zone.outside({places[k].x, places[k].y, places[k].z}); });
+    on.outside.take(outside);
+    launch(*device_, "tw_label_asked", cuda::LabelAsked{known, on.outside.data()}, asked);
+}
+
+void LevelOnDevice::forget_edge(With whose) {
+    if (host_counts_) take_state();
+    cuda::Array<EdgeDistance>& known = whose == With::coarser ? on_->p.from_edge : on_->p.from_finer_edge;
+    launch(*device_, "tw_forget_edge", cuda::ForgetEdge{known.data()}, known.size());
+    leave_home();
+}
+
+// --- who follows ------------------------------------------------------------------------------------------------------
+
+std::size_t LevelOnDevice::list_following(bool guards) {
+    if (host_counts_) take_state();
+    Arrays& on = *on_;
+    const std::size_t n = on.p.size();
+    launch(*device_, "tw_mark_following", cuda::MarkFollowing{on.p.kind.data(), guards, on.following.of(n)}, n);
+    const auto following = static_cast<std::size_t>(on.following.add_up());
+    on.which.resize(following), on.wide_of_others.resize(following);
+    launch(*device_, "tw_list_marked", cuda::ListMarked{on.following.numbers(), on.following.before(), on.which.data()},
+           n);
+    return following;
+}
+
+/// How many of `n` are orphans.
+template <class Task>
+std::int64_t LevelOnDevice::hand(const char* kernel, const Task& task, std::size_t n) {
+    launch(*device_, kernel, task, n);
+    leave_home();
+    return on_->orphans.add_up();
+}
+
+double LevelOnDevice::fastest2_of_following() {
+    Arrays& on = *on_;
+    cuda::FastestOf task{on.p.view(), on.which.data()};
+    std::size_t n = on.which.size();
+    on.fastest.resize((n + cuda::threads_in_block - 1) / cuda::threads_in_block);
+    double* parts = on.fastest.data();
+    void* const arguments[] = {&task, &parts, &n};
+    device_->launch("tw_fastest", n, arguments);
+    std::vector<double> home(on.fastest.size());
+    on.fastest.give(home);
+    return home.empty() ? 0 : *std::ranges::max_element(home);
+}
+
+Followed LevelOnDevice::follow_coarser(DeviceSteps& coarser, const Asking& asking, FollowCoarser follow) {
+    Arrays& on = *on_;
+    auto& other = static_cast<LevelOnDevice&>(coarser);
+    const std::size_t n = list_following(true);
+    follow.p = on.p.view(), follow.trend = on.p.trend.data();
+    Followed followed{fastest2_of_following(), 0};
+    if (n == 0) return followed;
+    launch(*device_, "tw_guards_ahead",
+           cuda::GuardsAhead{follow, other.level_.to_quanta(), on.which.data(), on.wide_of_others.data()}, n);
+    const cuda::FoundAt found = other.ask(on.wide_of_others, asking);
+    followed.orphans =
+        hand("tw_hand_to_guards", cuda::HandToGuards{follow, found, on.which.data(), on.orphans.of(n)}, n);
+    return followed;
+}
+
+Followed LevelOnDevice::follow_finer(DeviceSteps& finer, const Asking& asking, FollowFiner follow) {
+    Arrays& on = *on_;
+    auto& other = static_cast<LevelOnDevice&>(finer);
+    const std::size_t n = list_following(false);
+    if (n == 0) return {};
+    follow.p = on.p.view(), follow.kind = on.p.kind.data();
+    follow.shift = on.shift.data(), follow.compression = on.p.compression.data();
+    launch(*device_, "tw_under_zone",
+           cuda::UnderZone{follow.p, other.level_.to_quanta(), on.which.data(), on.wide_of_others.data()}, n);
+    const cuda::FoundAt found = other.ask(on.wide_of_others, asking);
+    return {0, hand("tw_hand_to_under", cuda::HandToUnder{follow, found, on.which.data(), on.orphans.of(n)}, n)};
+}
+
+}  // namespace tw

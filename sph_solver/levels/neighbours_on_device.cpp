@@ -1,0 +1,183 @@
+// Who is whose neighbour in a level on a device: what crosses the domain's faces, sorting, images, groups, lists, and walls.
+#include "sph_solver/levels/arrays_on_device.h"
+#include "sph_solver/levels/level.h"
+
+namespace tw {
+
+void LevelOnDevice::make_lists(double drift) {
+    Arrays& on = *on_;
+    const auto [among, to_walls] = level_.reaches_of_lists(drift);
+    if (host_counts_) take_state();
+    cross_faces();
+    sort_particles();
+    find_images(std::max(among.far, to_walls.far));
+    Particles& p = level_.particles_;
+    const std::size_t n = on.p.size(), all = n + on.links.size();
+    p.resize(n);
+    p.make_room(on.links.size());
+    on.place.resize(all), on.motion.resize(all), on.stress.resize(all);
+    on.shift.resize(n), on.rate.resize(n), on.surface.resize(p.surface.size());
+    on.density_rate.resize(p.density_rate.size());
+    on.air_stays.resize(p.surface.size()), on.air_near.resize(n);
+    on.extremes.resize((n + cuda::threads_in_block - 1) / cuda::threads_in_block);
+    on.too_near.resize(n);
+    update_records();
+    on.groups.make(level_.grid_, on.order, on.place.data());
+    on.asking.resize(on.groups.size());
+    const std::vector<cuda::DeviceSource> water{
+        on.order.source(on.place.data(), 0), on.image_order.source(on.place.data() + n, static_cast<std::int32_t>(n))};
+    on.lists.build(level_.grid_, level_.grid_, on.place.data(), on.groups.column(), on.groups.groups(), water,
+                   among / level_.quanta_.size);
+    if (!level_.walls_.empty()) {
+        level_.walls_.sort(level_.grid_, level_.quanta_, cuda::lanes_of_group);
+        if (level_.walls_.move()) take_sorted_dummies();
+        for (Arrays::Part& part : on.parts)
+            part.lists.build(level_.grid_, level_.grid_, on.wall_place.data() + part.first, part.column, part.groups,
+                             water, to_walls / level_.quanta_.size);
+        find_walls(to_walls);
+    }
+    order_is_home_ = false;
+    leave_home();
+}
+
+void LevelOnDevice::cross_faces() {
+    Arrays& on = *on_;
+    const std::size_t n = on.p.size();
+    const Box& domain = level_.around_.domain;
+    const Faces faces = faces_of(level_.around_.mirrors, domain);
+    Ledger& ledger = level_.ledger_;
+    std::size_t all = n;
+    if (const auto& stream = level_.around_.stream) {
+        const CrossOpenings cross{domain.min.x(), domain.max.x(), stream->buffer, level_.setup_.dp};
+        on.gone.resize(n);
+        int* const entered = on.entered.of(n);
+        launch(*device_, "tw_cross", cuda::Cross{cross, on.p.x.data(), on.p.kind.data(), entered, on.gone.data()}, n);
+        const int count = on.entered.add_up();
+        all += static_cast<std::size_t>(count);
+        on.p.each([&](auto& field) {
+            if (field.size() > 0) field.grow(all);
+        });
+        on.gone.grow(all);
+        launch(*device_, "tw_enter",
+               cuda::Enter{on.p.all(), on.entered.numbers(), on.entered.before(), on.gone.data(), n, stream->buffer,
+                           ledger.next_id},
+               n);
+        ledger.in += count, ledger.next_id += count;
+    }
+    on.wide.resize(all), on.left.resize(all);
+    launch(*device_, "tw_put_back",
+           cuda::PutBack{.mirrors = {on.p.view(), faces},
+                         .top = domain.max.z(),
+                         .open_top = !faces.mirror[2][1] && !faces.periodic[2],
+                         .to_quanta = level_.to_quanta(),
+                         .gone = level_.around_.stream ? on.gone.data() : nullptr,
+                         .wide = on.wide.data(),
+                         .left = on.left.data()},
+           all);
+}
+
+void LevelOnDevice::sort_particles() {
+    Arrays& on = *on_;
+    const std::size_t all = on.p.size(), n = on.order.sort(on.wide.data(), on.left.data(), on.p.id.data(), all);
+    level_.ledger_.out += static_cast<std::int64_t>(all - n);
+    on.p.each_with(on.sorted, [&](const auto& field, auto& sorted) { sorted.resize(field.size() > 0 ? n : 0); });
+    launch(*device_, "tw_reorder", cuda::Reorder{on.order.order(), on.p.all(), on.sorted.all()}, n);
+    on.p.each_with(on.sorted, [](auto& field, auto& sorted) { field.swap(sorted); });
+}
+
+void LevelOnDevice::find_images(double reach) {
+    Arrays& on = *on_;
+    const std::size_t n = on.p.size();
+    const ImagesNear near{faces_of(level_.around_.mirrors, level_.around_.domain), reach};
+    launch(*device_, "tw_count_images", cuda::CountImages{on.p.view(), near, on.images.of(n)}, n);
+    const auto count = static_cast<std::size_t>(on.images.add_up());
+    on.found.resize(count), on.links.resize(count), on.wide.resize(count);
+    launch(*device_, "tw_find_images",
+           cuda::FindImages{.p = on.p.view(),
+                            .near = near,
+                            .maps = on.maps.data(),
+                            .to_quanta = level_.to_quanta(),
+                            .first = on.images.before(),
+                            .links = on.found.data(),
+                            .wide = on.wide.data()},
+           n);
+    on.image_order.sort(on.wide.data(), nullptr, nullptr, count);
+    launch(*device_, "tw_reorder_links", cuda::ReorderLinks{on.image_order.order(), on.found.data(), on.links.data()},
+           count);
+}
+
+void LevelOnDevice::find_walls(const Reaches& reaches) {
+    Arrays& on = *on_;
+    Walls& walls = level_.walls_;
+    std::vector<cuda::DeviceSource> dummies;
+    for (const Arrays::Part& part : on.parts)
+        dummies.push_back(
+            {on.wall_place.data() + part.first, part.start.data(), 1, static_cast<std::int32_t>(part.first)});
+    on.wall_lists.build(level_.grid_, level_.grid_, on.place.data(), on.groups.column(), on.groups.groups(), dummies,
+                        reaches / level_.quanta_.size, &Group::wall_list);
+    const std::size_t groups = on.groups.size();
+    launch(*device_, "tw_count_wall_loads",
+           cuda::CountWallLoads{on.groups.groups().data(), on.wall_lists.blocks(), on.body_end.data(),
+                                static_cast<int>(on.body_end.size()), on.loads.of(groups), on.at_wall.of(groups)},
+           groups);
+    const auto loads = static_cast<std::size_t>(on.loads.add_up()),
+               at_walls = static_cast<std::size_t>(on.at_wall.add_up());
+    on.wall_load.resize(loads);
+    walls.group_loads().resize(loads);
+    on.groups_at_walls.resize(at_walls);
+    cuda::ListGroupsAtWalls list{.columns = level_.grid_,
+                                 .column = on.groups.column().data(),
+                                 .first_load = on.loads.before(),
+                                 .at_wall = on.at_wall.numbers(),
+                                 .before = on.at_wall.before(),
+                                 .origin = {},
+                                 .quantum = level_.quanta_.size,
+                                 .groups = on.groups.groups().data(),
+                                 .list = on.groups_at_walls.data()};
+    for (int a = 0; a < 3; ++a) list.origin[a] = level_.quanta_.origin[a];
+    launch(*device_, "tw_list_groups_at_walls", list, groups);
+    std::vector<cuda::GroupAtWall> home(at_walls);
+    on.groups_at_walls.give(home);
+    level_.groups_.clear(), centres_.clear();
+    for (const cuda::GroupAtWall& g : home) level_.groups_.push_back(g.group), centres_.emplace_back(g.x, g.y, g.z);
+    ask_walls(at_walls);
+}
+
+/// The host finds the wall nearest to each particle of the groups at walls.
+void LevelOnDevice::ask_walls(std::size_t groups) {
+    Arrays& on = *on_;
+    const std::size_t n = on.p.size(), asked = groups * cuda::lanes_of_group;
+    on.wall_normal.resize(n), on.wall_leaving.resize(n), on.wall_body.resize(level_.walls_.move() ? n : 0);
+    launch(*device_, "tw_no_walls", cuda::NoWalls{on.wall_normal.data(), on.wall_leaving.data(), or_null(on.wall_body)},
+           n);
+    on.near_walls.resize(asked), on.walls_found.resize(asked);
+    launch(*device_, "tw_take_near_walls",
+           cuda::TakeNearWalls{on.p.view(), on.p.kind.data(), on.groups_at_walls.data(), on.near_walls.data()}, asked);
+    std::vector<cuda::NearWall> near(asked);
+    on.near_walls.give(near);
+    std::vector<cuda::WallFound> found(asked);
+    const double reach = level_.reach_of_normals();
+    for_particles(asked, [&](std::size_t k) {
+        const cuda::NearWall& q = near[k];
+        found[k].index = q.index;
+        if (q.index < 0) return;
+        const Walls::Nearest nearest = level_.walls_.nearest(Vec3(q.x, q.y, q.z), Vec3(q.u, q.v, q.w), reach);
+        found[k].wall = nearest.normal, found[k].leaving = nearest.leaving;
+        found[k].body = static_cast<std::uint16_t>(nearest.body);
+    });
+    on.walls_found.take(found);
+    launch(*device_, "tw_put_walls",
+           cuda::PutWalls{on.walls_found.data(), on.wall_normal.data(), on.wall_leaving.data(), or_null(on.wall_body)},
+           asked);
+    std::optional<std::size_t> through;
+    for (std::size_t k = 0; k < asked; ++k)
+        if (found[k].index >= 0 && double(found[k].wall.distance) < -level_.setup_.dp && is_active(near[k].kind))
+            through = static_cast<std::size_t>(found[k].index);
+    if (!through) return;
+    order_is_home_ = false;
+    leave_home();
+    bring_all_home();
+    level_.fail_through_wall(through);
+}
+
+}  // namespace tw

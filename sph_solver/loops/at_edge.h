@@ -1,0 +1,141 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+#include "sph_solver/domain/kind.h"
+#include "sph_solver/equations/vector.h"
+#include "sph_solver/fields/quantities.h"
+#include "sph_solver/loops/link_map.h"
+#include "sph_solver/loops/records.h"
+#include "sph_solver/loops/surface_excess.h"
+
+namespace tw {
+
+/// Which particles of a level give fields to places of another level's: its own water; that and what stands for a finer
+/// level's; all, guards included.
+enum class Giving : std::uint8_t { active, not_guards, all };
+
+/// What is asked of a level at places that are none of its particles.
+struct Asking {
+    Giving of = Giving::active;
+    double apart = 1;           ///< roughly, in spacings of the level: places near each other are worked out together
+    double density_before = 0;  ///< the density as it was so long before the last evaluation [s], by its rate there
+    bool want_compression = false;
+    SurfaceExcess without;  ///< taken off the densities of the particles
+};
+
+/// What a level's particles and their images give, one after another in the order of the level.
+struct TakeGiving {
+    const PlaceRecord* place;
+    const VelocityDensityRecord* motion;
+    const ShiftSupportRecord* shift;
+    const float* density_rate;  ///< null: there is none, and it is not asked for
+    const Kind* kind;
+    const Link* links;
+    std::size_t n;  ///< particles; images are those of `links`
+    Asking asking;
+    double row;  ///< Level::density_of_row [kg/m3]
+    PlaceRecord* to_place;
+    VelocityDensityRecord* to_motion;
+    float* known_support;
+    float* rate;  ///< null: it is not asked for
+
+    std::size_t source_of(std::size_t i) const { return i < n ? i : static_cast<std::size_t>(links[i - n].index); }
+    bool counts(std::size_t i) const {
+        const Kind of = kind[source_of(i)];
+        return asking.of == Giving::all || is_active(of) || (asking.of == Giving::not_guards && of != Kind::guard);
+    }
+    /// As the k-th of those that count.
+    void put(std::size_t i, std::size_t k) const {
+        const std::size_t of = source_of(i);
+        to_place[k] = place[i];
+        known_support[k] = shift[of].support;
+        VelocityDensityRecord& r = to_motion[k] = motion[i];
+        if (rate) rate[k] = density_rate[of];
+        if (asking.density_before > 0)
+            r.drho -= static_cast<float>(asking.density_before * static_cast<double>(density_rate[of]));
+        r.drho -= static_cast<float>(row * asking.without.of(static_cast<double>(known_support[k])));
+    }
+};
+
+/// What is known at a place of another level's.
+struct Given {
+    VelocityDensityRecord value;
+    float support;       ///< sum_j V_j W_j of the particles that give [-]
+    float mean_support;  ///< of those near, each with its own surroundings [-]
+    float compression;   ///< 0 unless asked for [kg/m3/s]
+
+    /// Below this kernel support the other level has no water at a place: half of what a plane free surface leaves.
+    static constexpr float no_water = 0.25f;
+    bool known() const { return support >= no_water; }
+};
+
+/// Of particles that a level gave its fields to.
+struct Followed {
+    double fastest2 = 0;       ///< the largest square of their speeds before, of guards [m2/s2]
+    std::int64_t orphans = 0;  ///< without water of the other level near
+};
+
+inline double speed2(const StateView& p, std::size_t i) {
+    const double u = p.u[i], v = p.v[i], w = p.w[i];
+    return u * u + v * v + w * w;
+}
+
+/// What a guard becomes until its level has moved as far as the coarser one, see Refinement::prolong.
+struct FollowCoarser {
+    StateView p{};
+    Trend* trend = nullptr;
+    SurfaceExcess excess{};            ///< a fine surface's comes in place of a coarse one's
+    double row = 0;                    ///< of the guard's level [kg/m3]
+    double moved = 0, compressed = 0;  ///< [s]
+    V3<float> fall{};                  ///< acceleration of what has no water near [m/s2]
+
+    void operator()(std::size_t i, const Given& given) const {
+        if (!given.known()) {
+            trend[i] = {fall.x, fall.y, fall.z, 0, 0};
+            return;
+        }
+        VelocityDensityRecord to = given.value;
+        to.drho += static_cast<float>(row * excess.of_child(static_cast<double>(given.mean_support)));
+        const auto rate = [](float after, float now, double time) {
+            return time > 0 ? static_cast<float>((static_cast<double>(after) - static_cast<double>(now)) / time) : 0;
+        };
+        if (compressed <= 0) p.drho[i] = to.drho;
+        trend[i] = {rate(to.u, p.u[i], moved), rate(to.v, p.v[i], moved), rate(to.w, p.w[i], moved),
+                    rate(to.drho, p.drho[i], compressed), given.mean_support};
+    }
+    /// Where the guard will be.
+    V3<double> place_ahead(std::size_t i) const {
+        return {p.x[i] + moved * static_cast<double>(p.u[i]), p.y[i] + moved * static_cast<double>(p.v[i]),
+                p.z[i] + moved * static_cast<double>(p.w[i])};
+    }
+};
+
+/// What a particle under the zone of a finer level becomes, see Refinement::restrict_over.
+struct FollowFiner {
+    StateView p{};
+    const Kind* kind = nullptr;
+    const ShiftSupportRecord* shift = nullptr;
+    float* compression = nullptr;
+    SurfaceExcess excess{};
+    double row = 0;    ///< of the particle's level [kg/m3]
+    V3<float> fall{};  ///< what the velocity of one that has no water near changes by [m/s]
+
+    void operator()(std::size_t i, const Given& given) const {
+        if (given.known()) {
+            const VelocityDensityRecord& r = given.value;
+            set(i, r.u, r.v, r.w, r.drho + static_cast<float>(row * excess.of(static_cast<double>(shift[i].support))));
+            compression[i] = given.compression;
+            return;
+        }
+        compression[i] = 0;
+        if (kind[i] == Kind::carried) set(i, p.u[i] + fall.x, p.v[i] + fall.y, p.w[i] + fall.z, 0);
+    }
+
+private:
+    void set(std::size_t i, float u, float v, float w, float drho) const {
+        p.u[i] = u, p.v[i] = v, p.w[i] = w, p.drho[i] = drho;
+    }
+};
+
+}  // namespace tw
