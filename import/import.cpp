@@ -20,14 +20,14 @@ MomentPoint read_source(const Mapping& mapping, RunRecord& record) {
 
 /// A series without a single number is a wrong column more often than a result.
 void refuse_empty_series(const Mapping& mapping, const RunRecord& record) {
-    for (const auto& [table_name, table] : record.tables)
-        for (const Column& c : table.columns) {
+    for (const auto& table : record.tables)
+        for (const Column& c : table.second.columns) {
             if (std::ranges::any_of(c.values, [](double v) { return std::isfinite(v); })) continue;
             const auto source = std::ranges::find_if(
-                mapping.columns, [&](const ColumnSource& s) { return s.table == table_name && s.name == c.name; });
+                mapping.columns, [&](const ColumnSource& s) { return s.table == table.first && s.name == c.name; });
             throw InputError(fmt::format("{}: {} of {} has no number in any row; expected at least one",
                                          source == mapping.columns.end() ? mapping.source.string() : source->place,
-                                         c.name, table_name));
+                                         c.name, table.first));
         }
 }
 
@@ -43,17 +43,19 @@ void note_uncertainties(const Mapping& mapping, RunRecord& record) {
 /// that change as a time step does are none.
 void note_gaps(RunRecord& record) {
     constexpr double far_longer = 4;
-    for (const auto& [name, table] : record.tables)
-        for (std::size_t i = 1; i + 2 < table.time.size(); ++i) {
-            const auto interval = [&](std::size_t k) { return table.time[k + 1] - table.time[k]; };
+    for (const auto& [name, table] : record.tables) {
+        const std::vector<double>& time = table.time;
+        for (std::size_t i = 1; i + 2 < time.size(); ++i) {
+            const auto interval = [&](std::size_t k) { return time[k + 1] - time[k]; };
             const double usual = std::max(interval(i - 1), interval(i + 1));
             if (!(interval(i) > far_longer * usual)) continue;
             record.attributes["gap:" + name] = fmt::format(
                 "no row between {:.6g} and {:.6g} s, where a row every {:.3g} s was expected: about {:.0f} "
                 "rows are missing",
-                table.time[i], table.time[i + 1], usual, interval(i) / usual - 1);
+                time[i], time[i + 1], usual, interval(i) / usual - 1);
             break;  // the first says enough
         }
+    }
 }
 
 /// Says whether the drag holds friction where no column tells it.

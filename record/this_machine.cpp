@@ -24,7 +24,7 @@ std::string cpu_model() {
 }
 
 std::string instruction_set() {
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !(defined(__clang__) && __clang_major__ < 18)  // which do not know the levels' names
     if (__builtin_cpu_supports("x86-64-v4")) return "x86-64-v4";
     if (__builtin_cpu_supports("x86-64-v3")) return "x86-64-v3";
     if (__builtin_cpu_supports("x86-64-v2")) return "x86-64-v2";

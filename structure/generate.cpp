@@ -25,7 +25,7 @@ ShellMesh plate_mesh(double a, double b, int cells_x, int cells_y) {
 
 SolidMesh block_mesh(std::array<int, 3> cells, const std::function<Vec3(const Vec3&)>& place, bool closed_x) {
     SolidMesh m;
-    const auto [nx, ny, nz] = cells;
+    const int nx = cells[0], ny = cells[1], nz = cells[2];
     const int columns = closed_x ? nx : nx + 1;
     const auto node = [&](int i, int j, int k) { return (k * (ny + 1) + j) * columns + i % columns; };
     const auto into = [&](const char* set, bool is_in, int n) {

@@ -33,10 +33,10 @@ public:
         if (partners_.empty()) return;
         std::vector<Comm::Parcel> to, from;
         for (const Partner& p : partners_) {
-            Comm::Bytes& out = to.emplace_back(p.rank, Comm::Bytes(p.sent * bytes)).bytes;
-            std::byte* at = out.data();
+            to.push_back({p.rank, Comm::Bytes(p.sent * bytes)});
+            std::byte* at = to.back().bytes.data();
             each(p.send, [&](std::size_t i) { pack(i, at), at += bytes; });
-            from.emplace_back(p.rank, Comm::Bytes(p.received * bytes));
+            from.push_back({p.rank, Comm::Bytes(p.received * bytes)});
         }
         ranks_->exchange(to, from);
         for (std::size_t k = 0; k < partners_.size(); ++k) {
