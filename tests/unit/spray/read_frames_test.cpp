@@ -1,7 +1,12 @@
 #include <gtest/gtest.h>
+#include <hdf5.h>
+
+#include <cmath>
+#include <functional>
 
 #include "base/atomic_file.h"
 #include "base/errors.h"
+#include "record/hdf5_file.h"
 #include "record/snapshot.h"
 #include "spray/extract/read_frames.h"
 #include "tests/unit/record/example_record.h"
@@ -42,6 +47,35 @@ TEST(Snapshots, RefuseWhatIsNone) {
     EXPECT_THROW(read_particles({0, folder / "flat.hdf"}), InputError);  // two dimensions
     write_particles(folder / "bare.hdf", 0, {{0, 0, 0}}, {});
     EXPECT_THROW(read_particles({0, folder / "bare.hdf"}), InputError);
+}
+
+/// Numbers that nobody can have meant, in a file whose own checksums are right.
+TEST(Snapshots, RefuseNumbersThatContradictEachOther) {
+    const ScratchFolder folder;
+    const auto complaint = [&](const std::function<void(hid_t)>& change) -> std::string {
+        const fs::path file = folder / "particles_1.hdf";
+        write_particles(file, 1, {{0, 0, 0}, {1, 2, 3}}, {{"velocity", 3, {1, 2, 3, 4, 5, 6}}, {"spacing", 1, {1, 1}}});
+        change(h5::Handle(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose));
+        try {
+            read_particles({1, file});
+            return "";
+        } catch (const InputError& e) { return e.what(); }
+    };
+    const auto put = [](hid_t file, const char* name, hid_t type, auto value) {
+        const h5::Handle set(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
+        std::vector<decltype(value)> values(
+            static_cast<std::size_t>(H5Sget_simple_extent_npoints(h5::Handle(H5Dget_space(set), H5Sclose))), value);
+        ASSERT_GE(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0);
+    };
+    EXPECT_EQ(complaint([](hid_t) {}), "");
+    for (const long long count : {-1LL, 3LL, 1LL << 39, 1LL << 60})
+        EXPECT_NE(complaint([&](hid_t f) { put(f, "VTKHDF/NumberOfPoints", H5T_NATIVE_LLONG, count); }).find("points"),
+                  std::string::npos)
+            << count;
+    for (const char* name : {"VTKHDF/Points", "VTKHDF/PointData/velocity", "VTKHDF/PointData/spacing"})
+        EXPECT_NE(complaint([&](hid_t f) { put(f, name, H5T_NATIVE_FLOAT, NAN); }).find("particle 0"),
+                  std::string::npos)
+            << name;
 }
 
 TEST(Cells, GiveTheirWaterAndWhatWasLeftOut) {
