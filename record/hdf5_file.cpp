@@ -129,6 +129,8 @@ std::string read_text_attribute(hid_t object, const char* name) {
     const Handle attribute = open_attribute(object, name);
     const Handle type(checked(H5Aget_type(attribute), name), H5Tclose);
     if (H5Tget_class(type) != H5T_STRING) throw Failure{std::string(name) + " is not text"};
+    const Handle space(checked(H5Aget_space(attribute), name), H5Sclose);
+    if (H5Sget_simple_extent_npoints(space) != 1) throw Failure{std::string(name) + " is not one text"};
     if (H5Tis_variable_str(type) > 0) {  // written by other tools, e.g. h5py
         char* text = nullptr;
         checked_status(H5Aread(attribute, type, &text), name);
@@ -256,6 +258,8 @@ std::vector<std::string> read_texts(hid_t parent, const char* name) {
     const std::size_t width = H5Tget_size(type);
     const auto dims = dimensions(parent, name);
     if (dims.size() != 1) throw Failure{std::string(name) + " is not a list"};
+    if (width == 0 || dims[0] > (hsize_t{1} << 40) / width)
+        throw Failure{std::string(name) + " claims a senseless size"};
     std::string bytes(width * dims[0], '\0');
     read_array(parent, name, type, bytes.data(), dims[0]);
     std::vector<std::string> texts;

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cmath>
+#include <cstdint>
 #include <new>
 #include <stdexcept>
 
@@ -17,6 +19,12 @@ namespace {
 namespace fs = std::filesystem;
 using namespace checkpoint_layout;
 
+std::int64_t whole(double number) {
+    constexpr double most = 0x1p53;  // up to which a double is exact
+    if (!(std::abs(number) <= most)) throw h5::Failure{"a count in it is no whole number"};
+    return static_cast<std::int64_t>(number);
+}
+
 Checkpoint::OfLevel read_level(hid_t at) {
     Checkpoint::OfLevel level;
     level.material = h5::read_text_attribute(at, "material");
@@ -26,8 +34,8 @@ Checkpoint::OfLevel read_level(hid_t at) {
     s.time = state[0], s.dt = state[1];
     s.extremes.speed = state[2], s.extremes.acceleration = state[3], s.extremes.density_deviation_low = state[4],
     s.extremes.density_deviation_high = state[5];
-    const auto whole = [&](std::size_t k) { return static_cast<std::int64_t>(counts[k]); };
-    s.steps = whole(0), s.ledger = {whole(1), whole(2), whole(3), whole(4), whole(5)};
+    s.steps = whole(counts[0]);
+    s.ledger = {whole(counts[1]), whole(counts[2]), whole(counts[3]), whole(counts[4]), whole(counts[5])};
     Particles& particles = level.particles;
     particles.each([&](AnyField& field) {
         if (!field.saved() || (field.with() != With::water && !h5::has(at, field.name()))) return;
@@ -76,7 +84,7 @@ Checkpoint contents(const fs::path& path, const std::string& run_hash) {
     for (std::size_t k = 0; h5::has_attribute(levels, edge_name(k).c_str()); ++k) {
         const auto counts = h5::read_numbers_attribute(levels, edge_name(k).c_str());
         if (counts.size() != 2) throw h5::Failure{"the births and deaths of its levels are not whole"};
-        c.edges.push_back({static_cast<std::int64_t>(counts[0]), static_cast<std::int64_t>(counts[1])});
+        c.edges.push_back({whole(counts[0]), whole(counts[1])});
     }
     if (c.levels.empty()) throw h5::Failure{"it holds no level of particles"};
     if (h5::has(file, "control_volume")) c.control = read_control_volume(h5::open_group(file, "control_volume"));
