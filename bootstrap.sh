@@ -14,8 +14,9 @@ build_packages=(
 )
 # interFoam, and what its mended build from the distribution's source package takes (tools/build_openfoam_solvers.sh).
 openfoam_packages=(openfoam dpkg-dev flex)
-# A Slurm on one host, for the tests of studies on a cluster; without it they are skipped.
-test_packages=(slurm-wlm munge clang)
+# A Slurm on one host, for the tests of studies on a cluster; without it they are skipped. Clang with its libFuzzer and
+# its OpenMP, for tools/fuzz.sh.
+test_packages=(slurm-wlm munge clang libclang-rt-dev libomp-dev)
 # ---------------------------------------------------------------------------------------------------------------------
 
 usage() {

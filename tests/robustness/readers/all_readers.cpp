@@ -1,9 +1,12 @@
 #include "tests/robustness/readers/all_readers.h"
 
+#include <algorithm>
 #include <fstream>
 
+#include "base/atomic_file.h"
 #include "base/errors.h"
 #include "compare/uncertainty/read_table.h"
+#include "foam_cases/cloud/cloud_case.h"
 #include "foam_cases/read/field_file.h"
 #include "foam_cases/read/hull_patch.h"
 #include "foam_cases/read/number_rows.h"
@@ -17,10 +20,13 @@
 #include "record/snapshot.h"
 #include "scene/scene.h"
 #include "sph_solver/state/checkpoint.h"
+#include "spray/air/foam_air.h"
 #include "spray/extract/read_frames.h"
 #include "spray/read_droplets.h"
 #include "spray/read_study.h"
 #include "structure/read_mesh.h"
+#include "test_paths.h"
+#include "tests/robustness/readers/edited_hdf5.h"
 
 namespace tw::readers {
 namespace fs = std::filesystem;
@@ -34,12 +40,22 @@ fs::path Input::file(const std::string& name, std::string_view content) const {
 
 namespace {
 
-/// As it is, and with the checksum line that our own files end in: what lies behind the check is to hold as well.
-template <class Read>
-void read_signed(const Input& in, const std::string& name, Read read) {
-    try {
-        read(in.file(name));
-    } catch (const InputError&) { read(in.file(name, with_checksum_line(std::string(in.bytes())))); }
+/// The input as several files: behind each line "== NAME" the content of that file, if it is one of `names`. The others
+/// are empty. Returns their folder, which holds nothing else.
+fs::path folder_of_files(const Input& in, const std::vector<std::string>& names) {
+    static constexpr std::string_view mark = "== ";
+    const fs::path folder = in.file("case/none", "").parent_path();
+    for (const std::string& name : names) in.file("case/" + name, "");
+    std::string_view rest = in.bytes();
+    for (std::size_t at = rest.find(mark); at != std::string_view::npos; at = rest.find(mark)) {
+        rest.remove_prefix(at + mark.size());
+        const std::size_t line = std::min(rest.find('\n'), rest.size());
+        const std::string name(rest.substr(0, line));
+        rest.remove_prefix(std::min(line + 1, rest.size()));
+        if (std::ranges::find(names, name) != names.end())
+            in.file("case/" + name, rest.substr(0, std::min(rest.find(mark), rest.size())));
+    }
+    return folder;
 }
 
 void read_log(const Input& in) {
@@ -66,6 +82,74 @@ void read_dualsphysics_forces(const Input& in) {
     mapping.place["source"] = "mapping.toml:3:1: source";
     RunRecord record;
     read_dualsphysics(mapping, record);
+}
+
+ColumnSource column(const std::string& table, const std::string& name, int number) {
+    ColumnSource c;
+    c.table = table, c.name = name, c.number = number, c.place = "mapping.toml:8:6: [" + table + "] " + name;
+    c.si_unit = table == "forces" ? "N" : table == "height" ? "m" : "s";
+    return c;
+}
+
+void read_forces_csv(const Input& in) {
+    Mapping mapping;
+    mapping.kind = "csv";
+    mapping.source = in.file("forces.csv");
+    mapping.time = column("", "time", 1);
+    mapping.columns = {column("forces", "fx", 2), column("height", "H1", 3)};
+    RunRecord record;
+    read_csv(mapping, record);
+}
+
+void read_water_csv(const Input& in) {
+    WaterSource water;
+    water.source = in.file("water.csv");
+    const auto metres = [](int number) { return column("height", "water", number); };
+    water.time = column("", "time", 1), water.x = metres(2), water.y = metres(3), water.z = metres(4);
+    water.volume = metres(5), water.volume.si_unit = "m3";
+    RunRecord record;
+    record.raster = {.origin = Vec3::Zero(), .voxel = 0.25, .count = {4, 4, 2}};
+    read_water(water, record);
+    water.cell = water.volume;
+    read_water(water, record);
+}
+
+void read_foreign_case(const Input& in) {
+    for (const char* file : {"force.dat", "moment.dat"})
+        in.file(std::string("foreign/postProcessing/forces/0/") + file);
+    Mapping mapping;
+    mapping.kind = "openfoam";
+    mapping.source = in.file("foreign/none").parent_path();
+    mapping.place["source"] = "mapping.toml:3:1: source";
+    RunRecord record;
+    read_openfoam(mapping, record);
+}
+
+/// A mesh and its fields: as air, whose velocity is asked for inside and outside, and as cells that hold water.
+void read_foam_case(const Input& in) {
+    const fs::path folder = folder_of_files(
+        in, {"system/controlDict", "constant/polyMesh/points", "constant/polyMesh/faces", "constant/polyMesh/owner",
+             "constant/polyMesh/neighbour", "constant/polyMesh/boundary", "0/C", "0/V", "1/alpha.water", "1/U"});
+    const spray::FoamAir air(folder, 1, {});
+    for (const double x : {-1.0, 0.3, 1.5, 4.0}) {
+        spray::AirState state;
+        air.at({x, 0.4, 0.6}, state);
+    }
+    double left_out = 0;
+    spray::read_cells({1, folder / "1"}, 0.5, left_out);
+}
+
+/// The seed of a reader of HDF5 with other values, and the checksum line that makes it one of our own again.
+fs::path edited_seed(const Input& in, const std::string& reader) {
+    const fs::path seed = fs::path(TWINWAKE_SOURCE) / "tests/robustness/readers/corpus" / reader / "seed";
+    const fs::path file = in.file("edited.h5", read_text(seed));
+    edit_hdf5(file, in.bytes());
+    return in.file("signed.h5", with_checksum_line(read_text(file)));
+}
+
+void read_parcels(const Input& in) {
+    const std::string cloud = "0.5/lagrangian/kinematicCloud/";
+    read_cloud(folder_of_files(in, {cloud + "positions", cloud + "U", cloud + "age", cloud + "origId"}));
 }
 
 void read_columns(const Input& in) {
@@ -96,6 +180,8 @@ const std::vector<Reader>& all_readers() {
         {"scene", [](const Input& in) { read_scene(in.file("scene.toml")); }},
         {"mapping", [](const Input& in) { read_mapping(in.file("mapping.toml")); }},
         {"csv", read_columns},
+        {"forces_csv", read_forces_csv},
+        {"water_csv", read_water_csv},
         {"dualsphysics", read_dualsphysics_forces},
         {"refinement_table", [](const Input& in) { read_refinement_table(in.file("table.csv")); }},
         {"droplets", [](const Input& in) { spray::read_droplets(in.file("droplets.csv")); }},
@@ -109,10 +195,16 @@ const std::vector<Reader>& all_readers() {
         {"foam_forces", read_loads_of_all},
         {"foam_field", [](const Input& in) { read_field(in.file("U")); }},
         {"foam_surface", read_patch},
-        {"record", [](const Input& in) { read_signed(in, "record.h5", read_record); }},
-        {"checkpoint",
+        {"foam_import", read_foreign_case},
+        {"foam_case", read_foam_case},
+        {"foam_cloud", read_parcels},
+        {"record", [](const Input& in) { read_record(in.file("record.h5")); }},
+        {"checkpoint", [](const Input& in) { read_checkpoint(in.file("checkpoint.h5"), "a scene"); }},
+        {"record_values", [](const Input& in) { read_record(edited_seed(in, "record")); }},
+        {"checkpoint_values", [](const Input& in) { read_checkpoint(edited_seed(in, "checkpoint"), "a scene"); }},
+        {"snapshot_values",
          [](const Input& in) {
-             read_signed(in, "checkpoint.h5", [](const fs::path& file) { read_checkpoint(file, "a scene"); });
+             spray::read_particles({0, edited_seed(in, "snapshot")});
          }},
         {"snapshot",
          [](const Input& in) {
