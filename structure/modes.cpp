@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <Eigen/Eigenvalues>
-#include <Eigen/SparseCholesky>
 #include <numbers>
 
 #include "base/errors.h"
+#include "structure/eigenvalues.h"
 #include "structure/shell/shell.h"
+#include "structure/sparse_cholesky.h"
 
 namespace tw::structure {
 
@@ -15,8 +15,8 @@ Modes lowest_modes(const SparseMatrix& K, const SparseMatrix& M, int count) {
     const int n = static_cast<int>(K.rows()), wanted = std::min(count, n), size = std::min(n, 2 * count + 8);
     // A small shift keeps rigid motions from making K singular; it is taken off again below.
     const double shift = 1e-9 * K.diagonal().sum() / M.diagonal().sum();
-    const Eigen::SimplicialLDLT<SparseMatrix> solver(K + shift * M);
-    if (solver.info() != Eigen::Success) throw RunError("the stiffness of the structure cannot be factorised");
+    const SparseCholesky solver(K + shift * M);
+    if (!solver.factorised()) throw RunError("the stiffness of the structure cannot be factorised");
 
     Eigen::MatrixXd X(n, size);  // a fixed start, without symmetry: no mode is orthogonal to it
     unsigned state = 12345;
@@ -28,12 +28,11 @@ Modes lowest_modes(const SparseMatrix& K, const SparseMatrix& M, int count) {
     Eigen::VectorXd last = Eigen::VectorXd::Zero(size);
     for (int sweep = 0; sweep < 200; ++sweep) {
         const Eigen::MatrixXd Y = M * X;
-        X = solver.solve(Y);
+        X = solver.solve_columns(Y);
         const Eigen::MatrixXd small_K = X.transpose() * Y, small_M = X.transpose() * (M * X);
-        const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> ritz(small_K, small_M);
-        if (ritz.info() != Eigen::Success) throw RunError("the subspace of the modes has collapsed");
-        X = X * ritz.eigenvectors();
-        const Eigen::VectorXd now = ritz.eigenvalues();
+        const EigenPairs ritz = generalised_eigenpairs(small_K, small_M);
+        X = X * ritz.vectors;
+        const Eigen::VectorXd& now = ritz.values;
         const double change = ((now - last).head(wanted).array() / now.head(wanted).array()).abs().maxCoeff();
         last = now;
         if (change < 1e-10) return {(now.head(wanted).array() - shift).max(0).sqrt().matrix(), X.leftCols(wanted)};

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <Eigen/Eigenvalues>
 
 #include "base/errors.h"
+#include "structure/eigenvalues.h"
 
 namespace tw::structure {
 
@@ -99,10 +99,8 @@ double Shell::explicit_step() const {
             root.segment<3>(6 * i).setConstant(std::sqrt(element.node_area()[i] * laminate_.areal_mass()));
             root.segment<3>(6 * i + 3).setConstant(std::sqrt(element.node_area()[i] * laminate_.rotary_inertia()));
         }
-        const Mitc4::Matrix24 scaled =
-            root.cwiseInverse().asDiagonal() * element.stiffness(section) * root.cwiseInverse().asDiagonal();
-        const Eigen::SelfAdjointEigenSolver<Mitc4::Matrix24> solver(scaled, Eigen::EigenvaluesOnly);
-        highest = std::max(highest, solver.eigenvalues().maxCoeff());
+        highest = std::max(highest, largest_eigenvalue(root.cwiseInverse().asDiagonal() * element.stiffness(section) *
+                                                       root.cwiseInverse().asDiagonal()));
     }
     return 2 / std::sqrt(highest);
 }

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <Eigen/Eigenvalues>
 
 #include "base/errors.h"
+#include "structure/eigenvalues.h"
 
 namespace tw::structure {
 namespace {
@@ -155,10 +155,9 @@ double Solid::explicit_step(const Eigen::VectorXd& u) const {
         Hexahedron::Vector24 root;
         for (int i = 0; i < 8; ++i)
             root.segment<3>(3 * i).setConstant(1 / std::sqrt(material(e).density * elements_[e].node_volume()[i]));
-        const Hexahedron::Matrix24 scaled =
-            root.asDiagonal() * elements_[e].tangent(corners(u, e), material(e)) * root.asDiagonal();
-        const Eigen::SelfAdjointEigenSolver<Hexahedron::Matrix24> solver(scaled, Eigen::EigenvaluesOnly);
-        highest = std::max(highest, solver.eigenvalues().maxCoeff());
+        highest = std::max(highest, largest_eigenvalue(root.asDiagonal() *
+                                                       elements_[e].tangent(corners(u, e), material(e)) *
+                                                       root.asDiagonal()));
     }
     return 2 / std::sqrt(highest);
 }

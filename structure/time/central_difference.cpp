@@ -11,7 +11,7 @@ namespace tw::structure {
 
 CentralDifference::CentralDifference(const SparseMatrix& mass, SparseMatrix basis, Force force)
     : basis_(std::move(basis)), M_(basis_.transpose() * mass * basis_), inertia_(M_), force_(std::move(force)) {
-    if (inertia_.info() != Eigen::Success || !(inertia_.vectorD().minCoeff() > 0))
+    if (!inertia_.positive_definite())
         throw RunError("the structure has a freedom without mass");
     state_.q = state_.v = Eigen::VectorXd::Zero(basis_.cols());
     state_.f = basis_.transpose() * force_(basis_ * state_.q, 0);
@@ -21,7 +21,7 @@ namespace {
 /// The unknowns of which all freedoms follow: exact where supports and rigid parts allow them.
 Eigen::VectorXd unknowns(const SparseMatrix& basis, const Eigen::VectorXd& all) {
     const SparseMatrix normal = basis.transpose() * basis;
-    return Eigen::SimplicialLDLT<SparseMatrix>(normal).solve(basis.transpose() * all);
+    return SparseCholesky(normal).solve(basis.transpose() * all);
 }
 }  // namespace
 

@@ -1,8 +1,8 @@
 #pragma once
-#include <Eigen/SparseCholesky>
 #include <functional>
 
 #include "structure/freedoms.h"
+#include "structure/sparse_cholesky.h"
 
 namespace tw::structure {
 
@@ -41,7 +41,7 @@ public:
 
 private:
     SparseMatrix basis_, M_;
-    Eigen::SimplicialLDLT<SparseMatrix> inertia_;
+    SparseCholesky inertia_;
     Force force_;
     State state_;
 };

@@ -24,8 +24,8 @@ GeneralisedAlpha::GeneralisedAlpha(const SparseMatrix& stiffness, const SparseMa
     af_ = r / (r + 1);
     gamma_ = 0.5 - am_ + af_;
     beta_ = (1 - am_ + af_) * (1 - am_ + af_) / 4;
-    solver_.compute((1 - am_) * M_ + (1 - af_) * beta_ * dt * dt * K_);
-    if (solver_.info() != Eigen::Success || !(solver_.vectorD().minCoeff() > 0))
+    solver_.factorise((1 - am_) * M_ + (1 - af_) * beta_ * dt * dt * K_);
+    if (!solver_.positive_definite())
         throw RunError("the structure has a freedom with neither mass nor stiffness");
     const Eigen::VectorXd none = Eigen::VectorXd::Zero(basis_.cols());
     state_ = {none, none, none, none};
@@ -34,8 +34,8 @@ GeneralisedAlpha::GeneralisedAlpha(const SparseMatrix& stiffness, const SparseMa
 void GeneralisedAlpha::start(const Eigen::VectorXd& u, const Eigen::VectorXd& v, const Eigen::VectorXd& load) {
     // The unknowns of given displacements: exact where supports and rigid parts allow them.
     const SparseMatrix normal = basis_.transpose() * basis_;
-    const Eigen::SimplicialLDLT<SparseMatrix> unknowns(normal), inertia(M_);
-    if (inertia.info() != Eigen::Success) throw RunError("the structure has a freedom without mass");
+    const SparseCholesky unknowns(normal), inertia(M_);
+    if (!inertia.factorised()) throw RunError("the structure has a freedom without mass");
     state_.q = unknowns.solve(basis_.transpose() * u);
     state_.v = unknowns.solve(basis_.transpose() * v);
     state_.f = basis_.transpose() * load;

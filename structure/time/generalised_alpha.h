@@ -1,7 +1,7 @@
 #pragma once
-#include <Eigen/SparseCholesky>
 
 #include "structure/freedoms.h"
+#include "structure/sparse_cholesky.h"
 
 namespace tw::structure {
 
@@ -45,7 +45,7 @@ public:
 private:
     SparseMatrix basis_, K_, M_;
     double dt_, am_, af_, beta_, gamma_;
-    Eigen::SimplicialLDLT<SparseMatrix> solver_;
+    SparseCholesky solver_;
     State state_;
 };
 

@@ -70,8 +70,8 @@ NonlinearAlpha::NonlinearAlpha(const Shell& shell, const Freedoms& freedoms, dou
     rounding_ =
         (basis_.transpose() * freedoms.widened(Eigen::VectorXd(of_nodes.cwiseAbs() * rounding_of_places(shell))))
             .norm();
-    solver_.compute(2 / (dt * dt) * M_ + 0.5 * K);
-    if (solver_.info() != Eigen::Success || !(solver_.vectorD().minCoeff() > 0))
+    solver_.factorise(2 / (dt * dt) * M_ + 0.5 * K);
+    if (!solver_.positive_definite())
         throw RunError("the structure has a freedom with neither mass nor stiffness");
     const Eigen::VectorXd none = Eigen::VectorXd::Zero(basis_.cols());
     state_ = {Eigen::VectorXd::Zero(freedoms.all()), none, none, none, none};
@@ -90,8 +90,8 @@ Eigen::VectorXd NonlinearAlpha::moved(const Eigen::VectorXd& u, const Eigen::Vec
 
 void NonlinearAlpha::start(const Eigen::VectorXd& v, const Eigen::VectorXd& load) {
     const SparseMatrix normal = basis_.transpose() * basis_;
-    const Eigen::SimplicialLDLT<SparseMatrix> unknowns(normal), inertia(M_);
-    if (inertia.info() != Eigen::Success) throw RunError("the structure has a freedom without mass");
+    const SparseCholesky unknowns(normal), inertia(M_);
+    if (!inertia.factorised()) throw RunError("the structure has a freedom without mass");
     state_.u.setZero();
     state_.v = unknowns.solve(basis_.transpose() * v);
     state_.f = basis_.transpose() * load;

@@ -1,8 +1,8 @@
 #pragma once
-#include <Eigen/SparseCholesky>
 
 #include "structure/freedoms.h"
 #include "structure/shell/corotational.h"
+#include "structure/sparse_cholesky.h"
 
 namespace tw::structure {
 
@@ -53,7 +53,7 @@ private:
     /// Forces that places known to 1e-15 of the structure's extent make: what no iteration balances. It decides where
     /// next to nothing loads a structure at rest [N].
     double rounding_ = 0;
-    Eigen::SimplicialLDLT<SparseMatrix> solver_;
+    SparseCholesky solver_;
     State state_;
 };
 
