@@ -98,7 +98,7 @@ bool follows_its_hull(const Scene& scene) {
 Zone zone_near_hull(std::vector<Box> boxes, double width, double coarse_dp, const Scene& scene) {
     const Box& first = boxes.front();
     const Box wet{first.min.cwiseMax(scene.domain.box.min), first.max.cwiseMin(scene.domain.box.max)};
-    const double nodes_apart = sampling_distance(coarse_dp, wet.volume(), most_nodes);
+    const double nodes_apart = sampling_distance(coarse_dp, wet.size(), most_nodes);
     auto near =
         std::make_shared<DistanceGrid>(scene.hull->surface, wet, nodes_apart, width + from_openings * coarse_dp);
     for (int a = 0; a < 3; ++a) {
@@ -167,9 +167,13 @@ std::vector<RefinedPlace> finer_places(const Scene& scene) {
 
 }  // namespace
 
-double sampling_distance(double asked, double volume, double most) {
-    const double needed = std::cbrt(volume / most);
-    return asked * 10 < needed ? std::cbrt(volume * 50 / most) : std::max(asked, needed);
+double sampling_distance(double asked, const Vec3& size, double most) {
+    const double volume = size.prod(), needed = std::cbrt(volume / most);
+    double distance = asked * 10 < needed ? std::cbrt(volume * 50 / most) : std::max(asked, needed);
+    // A box thinner than this has more places along its length than its volume tells.
+    const Eigen::Array3d along = size;
+    while ((along / distance).max(1).prod() > 2 * most) distance *= 2;
+    return distance;
 }
 
 bool is_refined_unasked(const Scene& scene) {

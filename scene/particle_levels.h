@@ -33,8 +33,9 @@ bool is_refined_unasked(const Scene& scene);
 /// the surface the default of `[sph] wake`. Without a solid one size is left. The domain is made in any case.
 void follow_spacing(Scene& scene, const std::function<void()>& make_domain);
 
-/// Between places that sample `volume` [m3]: as `asked` [m], unless that makes more than `most` places. Where it makes a
-/// thousand times as many, no machine holds the particles, and a fiftieth of `most` tells how far from that they are.
-double sampling_distance(double asked, double volume, double most);
+/// Between places that sample a box of this size [m]: as `asked` [m], unless that makes more than `most` places (twice as
+/// many in a box thinner than the distance). Where it makes a thousand times as many, no machine holds the particles, and
+/// a fiftieth of `most` tells how far from that they are.
+double sampling_distance(double asked, const Vec3& size, double most);
 
 }  // namespace tw

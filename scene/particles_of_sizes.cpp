@@ -34,7 +34,7 @@ struct Sampled {
 };
 Sampled sampled(const Box& box, double spacing) {
     constexpr double most = 2e6;
-    spacing = sampling_distance(spacing, box.volume(), most);
+    spacing = sampling_distance(spacing, box.size(), most);
     const Eigen::Array3d count = (box.size() / spacing).array().round().max(1);
     const Vec3 cell = box.size().array() / count;
     Sampled s{cell.prod(), {}};

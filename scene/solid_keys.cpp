@@ -182,7 +182,7 @@ Rows body_keys() {
          .meaning = "Thickness of an isotropic plate."},
         {.name = "youngs_modulus", .unit = "Pa", .range = positive, .hashed = Hashed::scene, .fallback = "from `layup`",
          .meaning = "Young's modulus of an isotropic plate."},
-        {.name = "poisson", .range = {-1, 0.5}, .hashed = Hashed::scene, .fallback = "from `layup`",
+        {.name = "poisson", .range = {-1, 0.5, true}, .hashed = Hashed::scene, .fallback = "from `layup`",
          .meaning = "Poisson's ratio of an isotropic plate."},
         {.name = "layup", .kind = Kind::text, .hashed = Hashed::scene, .fallback = "an isotropic plate",
          .meaning = "Stacking sequence, bottom first, as \"[45 C1/0 2*C2/90 C2]s\" with plies of the [[ply]] sections."},

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <Eigen/SparseLU>
 
 #include "base/errors.h"
@@ -24,6 +25,7 @@ Eigen::VectorXd equilibrium(const Eigen::VectorXd& start, const SparseMatrix& ba
         const Eigen::VectorXd by = basis * solver.solve(r);
         u = balance.moved ? balance.moved(u, by) : Eigen::VectorXd(u + by);
     }
+    if (!std::isfinite(left)) throw RunError("no equilibrium of the structure: its forces grow beyond all bounds");
     throw RunError(
         fmt::format("no equilibrium of the structure in 30 iterations: {:.3g} N are out of balance, {:.3g} N "
                     "allowed; smaller steps of the load may help",

@@ -14,6 +14,10 @@ inline constexpr Range any_value{};
 inline constexpr Range positive{0, std::numeric_limits<double>::infinity(), true};
 inline constexpr Range not_negative{0, std::numeric_limits<double>::infinity(), false};
 
+/// What any number of a text file may be in size, in SI units, where it is not 0: beyond lies no quantity of a flow of
+/// water, and products of several such numbers are still finite.
+inline constexpr double smallest_number = 1e-18, largest_number = 1e18;
+
 /// "1000 m/s"; angles in degrees.
 std::string value_text(double si, std::string_view unit);
 /// "greater than 0 m/s and at most 1000 m/s"; empty: any value.

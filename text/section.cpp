@@ -18,6 +18,15 @@ std::string joined(const std::vector<std::string>& words) {
     return out;
 }
 
+/// Refuses a number beyond the largest and smallest of text/range.h.
+void check_size(const Section& section, const std::string& key, double si, std::string_view unit) {
+    if (std::abs(si) > largest_number)
+        section.fail(key, fmt::format("too large; expected at most {} in size", value_text(largest_number, unit)));
+    if (si != 0 && std::abs(si) < smallest_number)
+        section.fail(key, fmt::format("too small; expected at least {} in size, or 0 where the key takes it",
+                                      value_text(smallest_number, unit)));
+}
+
 }  // namespace
 
 Section::Section(std::filesystem::path file, std::string name, const TextValue* table)
@@ -89,6 +98,7 @@ std::optional<double> Section::number(const std::string& key, std::string_view u
             message += fmt::format(" (a plain number is in radians; write \"{} deg\" for degrees)", value->text);
         fail(key, message);
     }
+    check_size(*this, key, si, unit);
     return si;
 }
 
@@ -108,7 +118,10 @@ std::optional<std::vector<double>> Section::numbers(const std::string& key, std:
     if (!value) return {};
     if (value->kind != TextValue::Kind::list) fail(key, "expected a list such as [1, 2]");
     std::vector<double> all;
-    for (const TextValue& item : value->list) all.push_back(as_number(key, item, unit));
+    for (const TextValue& item : value->list) {
+        all.push_back(as_number(key, item, unit));
+        check_size(*this, key, all.back(), unit);
+    }
     if (count > 0 && all.size() != count) fail(key, fmt::format("has {} numbers; expected {}", all.size(), count));
     return all;
 }

@@ -64,6 +64,10 @@ double ittc57(double reynolds) {
     return 0.075 / (l * l);
 }
 
+std::string reynolds_text(const FlowNumbers& n) {
+    return std::isfinite(n.reynolds) ? fmt::format("Re = {:.3g}", n.reynolds) : "the water has no viscosity";
+}
+
 std::string per_cent(double share) { return plain_number(100 * share, 2) + " %"; }
 
 }  // namespace tw

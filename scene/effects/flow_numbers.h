@@ -19,6 +19,9 @@ FlowNumbers flow_numbers(const Scene& scene);
 /// Skin friction coefficient of a flat plate, ITTC 1957: 0.075 / (log10 Re - 2)^2; for Re > 1e4, else 0.
 double ittc57(double reynolds);
 
+/// "Re = 1.2e+06", or that the water has no viscosity.
+std::string reynolds_text(const FlowNumbers& n);
+
 /// A share in the words of the plan: "1.2 %".
 std::string per_cent(double share);
 

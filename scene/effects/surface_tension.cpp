@@ -11,6 +11,12 @@ namespace {
 EffectChoice plan_surface_tension(const EffectQuestion& q) {
     const FlowNumbers& n = q.flow;
     EffectChoice c = q.choice(n.weber < 100);
+    c.cost = 0.23;
+    if (!(q.scene.water.surface_tension > 0)) {
+        c.reason = "the water has no surface tension";
+        c.influence = influence("none", "none", "none");
+        return c;
+    }
     c.reason = fmt::format("We = {:.3g}, Bo = {:.3g}; at the finest size of {:.3g} m We = {:.3g}: {}", n.weber, n.bond,
                            q.scene.resolution.near_hull, n.weber_dp,
                            n.weber < 100      ? "it acts on the whole flow"
@@ -20,7 +26,6 @@ EffectChoice plan_surface_tension(const EffectQuestion& q) {
     c.influence = influence(share, share,
                             fmt::format("drops smaller than {} m are held together by it",
                                         plain_number(12 * q.scene.water.surface_tension / (2 * n.head), 2)));
-    c.cost = 0.23;
     return c;
 }
 

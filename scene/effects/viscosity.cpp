@@ -16,13 +16,18 @@ EffectChoice plan_viscosity(const EffectQuestion& q) {
     EffectChoice c = q.choice(layer > 5 * dp);
     const int dimensions = scene.domain.dimensions;
     const double numerical = scene.sph.alpha * scene.sph.h_over_dp * dp * scene.sph.c0 / (2 * (dimensions + 2));
-    const double ratio = scene.water.kinematic_viscosity > 0 ? numerical / scene.water.kinematic_viscosity : INFINITY;
-    c.reason = fmt::format(
-        "Re = {:.3g}: a laminar boundary layer is {:.2g} spacings thick ({}); the numerical viscosity of the particle "
-        "method is {} times that of the water",
-        n.reynolds, layer / dp, layer > 5 * dp ? "resolved" : "at least five are needed to resolve it",
-        plain_number(ratio, 2));
-    if (c.on && ratio > 10) c.reason += ", so its friction is no prediction";
+    if (scene.water.kinematic_viscosity > 0) {
+        const double ratio = numerical / scene.water.kinematic_viscosity;
+        c.reason = fmt::format(
+            "{}: a laminar boundary layer is {:.2g} spacings thick ({}); the numerical viscosity of the particle "
+            "method is {} times that of the water",
+            reynolds_text(n), layer / dp, layer > 5 * dp ? "resolved" : "at least five are needed to resolve it",
+            plain_number(ratio, 2));
+        if (c.on && ratio > 10) c.reason += ", so its friction is no prediction";
+    } else {
+        c.reason = fmt::format("{}; the numerical one of the particle method is {} m2/s", reynolds_text(n),
+                               plain_number(numerical, 2));
+    }
     if (n.wetted_area > 0) {
         const double cf = std::isfinite(n.reynolds) ? ittc57(n.reynolds) : 0;
         c.influence = influence(fmt::format("about {} N of friction (ITTC 1957, Cf = {:.3g}, wetted area {:.3g} m2){}",

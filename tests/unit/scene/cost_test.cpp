@@ -152,11 +152,11 @@ TEST(Cost, ADomainThatNoSizeCouldFillIsNamedItself) {
         EXPECT_NE(message.find("[domain] " + key + " = 1000000000: the domain of "), std::string::npos) << message;
         EXPECT_NE(message.find("is too large for this machine: "), std::string::npos) << message;
     }
-    EXPECT_NE(refusal(with(planing, "1.5 s", "1e308")).find("[run] duration = \"1e308\""), std::string::npos);
+    EXPECT_NE(refusal(with(planing, "1.5 s", "1e18")).find("[run] duration = \"1e18\""), std::string::npos);
 }
 
 TEST(Cost, AbsurdlySmallParticlesAreRefusedAsThat) {
-    for (const char* size : {"1e-9", "1e-300"})
+    for (const char* size : {"1e-9", "1e-18"})
         EXPECT_NE(refusal(with(planing, "\"0.05 m\"", size)).find("[resolution] near_hull = "), std::string::npos)
             << size;
 }

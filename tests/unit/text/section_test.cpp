@@ -51,6 +51,13 @@ TEST(Section, ComplaintsNameThePlaceWhatWasFoundAndWhatIsExpected) {
                             s.number("share", "-", Range{0, 1});
                         })),
               "a.toml:2:9: [air] share = 2: out of range; expected from 0 to 1");
+    for (const char* speed : {"1e+300", "\"1e19 m/s\"", "-1e+19"})
+        EXPECT_EQ(
+            complaint(std::string("[air]\nspeed = ") + speed + "\n", air([](Section& s) { s.number("speed", "m/s"); })),
+            std::string("a.toml:2:9: [air] speed = ") + speed + ": too large; expected at most 1e+18 m/s in size");
+    EXPECT_EQ(complaint("[air]\nspeed = 1e-300\n", air([](Section& s) { s.number("speed", "m/s"); })),
+              "a.toml:2:9: [air] speed = 1e-300: too small; expected at least 1e-18 m/s in size, or 0 where the key "
+              "takes it");
     EXPECT_EQ(complaint("[air]\nlaw = \"roof\"\n", air([](Section& s) {
                             s.choice("law", "root", {"root", "study"});
                         })),
