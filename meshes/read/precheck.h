@@ -9,13 +9,6 @@ namespace tw {
 // without bound or return nothing without a word. These look at the structure first. All throw InputError naming the
 // file (and the line, in text files), what was found, what was expected and what to do.
 
-/// True when the content is an ascii STL file; judged by its text, because binary files may begin with "solid" too.
-bool is_ascii_stl(std::string_view content);
-/// Size against the promised number of triangles.
-void check_binary_stl(const std::filesystem::path& file, std::string_view content);
-/// Facets, loops and vertices in their order with three numbers each, closed by endsolid. Returns the number of
-/// triangles.
-std::size_t check_ascii_stl(const std::filesystem::path& file, std::string_view content);
 /// Vertices with three numbers; faces of at least three corners that exist.
 void check_obj(const std::filesystem::path& file, std::string_view content);
 /// An XML file of `type` (PolyData, UnstructuredGrid) that is complete.

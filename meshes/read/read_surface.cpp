@@ -3,18 +3,15 @@
 #include <vtkOBJReader.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
-#include <vtkSTLReader.h>
 #include <vtkTriangleFilter.h>
 #include <vtkXMLPolyDataReader.h>
 
 #include <algorithm>
-#include <bit>
 #include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <new>
 #include <optional>
-#include <type_traits>
 
 #include "base/atomic_file.h"
 #include "base/errors.h"
@@ -22,6 +19,7 @@
 #include "meshes/read/gzip.h"
 #include "meshes/read/ply.h"
 #include "meshes/read/precheck.h"
+#include "meshes/read/stl.h"
 #include "meshes/read/vtk_arrays.h"
 #include "meshes/read/vtk_complaints.h"
 #include "meshes/surface.h"
@@ -31,11 +29,9 @@ namespace fs = std::filesystem;
 namespace {
 
 /// `file` is named in messages, `readable` is read: the file itself, or its unpacked content.
-template <class Reader>
-vtkSmartPointer<vtkPolyData> read_with(const fs::path& file, const fs::path& readable) {
-    vtkNew<Reader> reader;
+vtkSmartPointer<vtkPolyData> read_obj(const fs::path& file, const fs::path& readable) {
+    vtkNew<vtkOBJReader> reader;
     const VtkComplaints complaints;
-    if constexpr (std::is_same_v<Reader, vtkSTLReader>) reader->MergingOff();  // it would drop triangles; see welded()
     reader->SetFileName(readable.c_str());
     try {
         reader->Update();
@@ -112,26 +108,6 @@ Surface read_vtp(const fs::path& file, const fs::path& readable) {
     }
 }
 
-/// Binary STL is read here and not by vtkSTLReader, which guesses the kind of file by bytes above 127 and takes some
-/// binary files whose header begins with "solid" for text.
-Surface read_binary_stl(std::string_view content) {
-    const auto coordinate = [&](std::size_t at) {
-        std::uint32_t bits = 0;
-        for (std::size_t k = 4; k-- > 0;) bits = bits << 8 | static_cast<unsigned char>(content[at + k]);
-        return static_cast<double>(std::bit_cast<float>(bits));
-    };
-    Surface surface;
-    for (std::size_t facet = 84; facet + 50 <= content.size(); facet += 50) {
-        const int first = static_cast<int>(surface.points.size());
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::size_t at = facet + 12 + 12 * k;  // the facet's own normal comes first and is not used
-            surface.points.emplace_back(coordinate(at), coordinate(at + 4), coordinate(at + 8));
-        }
-        surface.triangles.push_back({first, first + 1, first + 2});
-    }
-    return surface;
-}
-
 std::string lower_case(std::string text) {
     std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return text;
@@ -166,23 +142,14 @@ Surface read_by_type(const fs::path& file) {
     }
     if (type == ".obj") {
         check_obj(file, content);
-        return from_vtk(file, read_with<vtkOBJReader>(file, readable));
+        return from_vtk(file, read_obj(file, readable));
     }
     if (type == ".ply") { return from_vtk(file, read_ply(file, content)); }
     if (type == ".vtp") {
         check_vtk_xml(file, content, "PolyData");
         return read_vtp(file, readable);
     }
-    if (!is_ascii_stl(content)) {
-        check_binary_stl(file, content);
-        return read_binary_stl(content);
-    }
-    const std::size_t facets = check_ascii_stl(file, content);
-    Surface surface = from_vtk(file, read_with<vtkSTLReader>(file, readable));
-    if (surface.triangles.size() != facets)
-        throw InputError(file.string() + ": " + std::to_string(surface.triangles.size()) + " triangles read of " +
-                         std::to_string(facets) + " in the file; export the hull again");
-    return surface;
+    return is_ascii_stl(content) ? read_ascii_stl(file, content) : read_binary_stl(file, content);
 }
 
 }  // namespace

@@ -110,6 +110,14 @@ TEST_F(ReadWrite, BinaryStlThatCallsItselfSolidIsNotTakenForText) {
     EXPECT_NEAR(mass_properties(read_surface(folder / "box.stl")).volume, 32, 1e-12);
 }
 
+TEST_F(ReadWrite, TextStlWithLettersOfAnotherCodeIsText) {
+    // Bytes above 127, by which some readers tell binary from text, where a binary file has its number of triangles.
+    std::string text = read_text(written<vtkSTLWriter>("plain.stl", 0));
+    const std::size_t place = text.find("outer loop") + std::string("outer loop").size();
+    std::ofstream(folder / "foreign.stl", std::ios::binary) << text.insert(place, " " + std::string(100, '\xfc'));
+    EXPECT_EQ(surface_hash(read_surface(folder / "foreign.stl")), surface_hash(read_surface(folder / "plain.stl")));
+}
+
 TEST_F(ReadWrite, MillimetresBecomeMetres) {
     write_stl(folder / "hull.stl", hull);
     expect_the_hull(read_surface(folder / "hull.stl", "mm"), 1e-3);
