@@ -8,9 +8,9 @@ namespace tw {
 namespace fs = std::filesystem;
 namespace {
 
-/// The numbers of a parcel field of `width` numbers a parcel, as ascii text: n(a b ...) or, where all are the same,
-/// n{a}.
-std::vector<double> parcel_numbers(const fs::path& file, std::size_t width) {
+/// The numbers of a parcel field of `width` numbers a parcel, as ascii text: n(a b ...) or, where those of all `parcels`
+/// are the same, n{a}.
+std::vector<double> parcel_numbers(const fs::path& file, std::size_t width, std::size_t parcels) {
     const auto fail = [&](const std::string& why) {
         return RunError(file.string() + ": " + why + "; the solver was probably stopped while it wrote");
     };
@@ -26,6 +26,7 @@ std::vector<double> parcel_numbers(const fs::path& file, std::size_t width) {
     const auto n = static_cast<std::size_t>(numbers[0]);
     numbers.erase(numbers.begin());
     if (text[end] == '}' && numbers.size() == width) {
+        if (n != parcels) throw fail("is of another number of parcels");
         const std::vector<double> one = numbers;
         for (std::size_t i = 1; i < n; ++i) numbers.insert(numbers.end(), one.begin(), one.end());
     }
@@ -43,10 +44,12 @@ std::vector<std::vector<ParcelState>> read_cloud(const fs::path& folder) {
             frames.emplace_back();
             continue;
         }
-        const auto places = parcel_numbers(at / "positions", 4),  // and the cell
-            velocities = parcel_numbers(at / "U", 3), ages = parcel_numbers(at / "age", 1),
-                   names = parcel_numbers(at / "origId", 1);
+        const auto names = parcel_numbers(at / "origId", 1, 1);  // each has its own
         const std::size_t n = names.size();
+        const auto places = parcel_numbers(at / "positions", 4, n),  // and the cell
+            velocities = parcel_numbers(at / "U", 3, n), ages = parcel_numbers(at / "age", 1, n);
+        for (const double name : names)
+            if (!(name >= 0 && name <= 1e9)) throw RunError((at / "origId").string() + ": holds no names of parcels");
         if (places.size() != 4 * n || velocities.size() != 3 * n || ages.size() != n)
             throw RunError(at.string() + ": its fields are of different numbers of parcels");
         std::vector<ParcelState>& frame = frames.emplace_back(n);

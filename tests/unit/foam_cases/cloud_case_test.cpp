@@ -61,7 +61,7 @@ TEST(CloudCase, ThatCannotFlyIsRefusedAndNothingIsWritten) {
     refused(cloud);
 }
 
-void write_cloud(const fs::path& folder, const std::string& ages) {
+void write_cloud(const fs::path& folder, const std::string& ages, const std::string& names = "2(1 0)") {
     const auto put = [&](const std::string& name, const std::string& body) {
         fs::create_directories(folder / "0.5/lagrangian/kinematicCloud");
         write_text_atomically(folder / "0.5/lagrangian/kinematicCloud" / name,
@@ -72,7 +72,7 @@ void write_cloud(const fs::path& folder, const std::string& ages) {
     put("positions", "2\n(\n(1 2 3) 7\n(4 5 6) 8\n)");
     put("U", "2{(1 0 0)}");
     put("age", ages);
-    put("origId", "2(1 0)");
+    put("origId", names);
 }
 
 TEST(CloudTracks, AreReadWithTheirParcels) {
@@ -103,8 +103,14 @@ TEST(CloudTracks, CutOffOrMissingAreRefused) {
     EXPECT_THROW(read_cloud(folder / ""), RunError);
     write_cloud(folder / "", "2(0.5");
     EXPECT_THROW(read_cloud(folder / ""), RunError);
-    write_cloud(folder / "", "3(0.5 0.5 0.5)");
-    EXPECT_THROW(read_cloud(folder / ""), RunError);
+    for (const char* ages : {"3(0.5 0.5 0.5)", "1000000000{0.5}"}) {  // of another number of parcels
+        write_cloud(folder / "", ages);
+        EXPECT_THROW(read_cloud(folder / ""), RunError);
+    }
+    for (const char* names : {"2(1 -3)", "2(1 1e300)", "2{1}"}) {
+        write_cloud(folder / "", "2(0.5 0.499)", names);
+        EXPECT_THROW(read_cloud(folder / ""), RunError) << names;
+    }
     write_cloud(folder / "", "2(0.5 0.499)");
     fs::remove(folder / "0.5/lagrangian/kinematicCloud/positions");
     EXPECT_THROW(read_cloud(folder / ""), RunError);
