@@ -4,7 +4,7 @@
 //   fuzz_readers --reader=NAME FILE                                this input once
 //
 // The inputs of a seed are the same on every machine. Before each the driver writes it to a file, so that an input that
-// crashes the process, runs for ten seconds of its own or takes too much memory is there afterwards; the last line names
+// crashes the process, runs for ten seconds of its own or takes too much memory is there afterwards; the first line names
 // it.
 #include <sanitizer/common_interface_defs.h>
 #include <sys/resource.h>
@@ -82,6 +82,9 @@ void fuzz(const fs::path& folder, const std::string& reader, std::uint64_t seed,
         std::exit(2);
     }
     const fs::path kept = fs::current_path() / ("crash_" + reader + "_" + std::to_string(seed));
+    std::printf("%s: --seed=%llu; the input at hand is in %s\n", reader.c_str(), static_cast<unsigned long long>(seed),
+                kept.c_str());
+    std::fflush(stdout);
     std::mt19937_64 random(seed);
     std::size_t count = 0;
     const auto begin = std::chrono::steady_clock::now();
@@ -94,8 +97,7 @@ void fuzz(const fs::path& folder, const std::string& reader, std::uint64_t seed,
         feed_one(bytes);
     }
     fs::remove(kept);
-    std::printf("%s: %zu inputs of seed %llu in %.1f s, none did harm\n", reader.c_str(), count,
-                static_cast<unsigned long long>(seed), passed());
+    std::printf("%zu inputs in %.1f s, none did harm\n", count, passed());
 }
 
 double number(std::string_view text) {
@@ -128,7 +130,7 @@ int main(int count, char** words) {
         else
             inputs = word;
     }
-    __sanitizer_set_death_callback([] { tw::say("is an error of memory or an undefined operation"); });
+    __sanitizer_set_death_callback([] { tw::say("is an error of memory or an exception that is none of ours"); });
     for (const int signal : {SIGPROF, SIGALRM}) std::signal(signal, tw::on_signal);
     if (tw::fs::is_directory(inputs)) {
         tw::fuzz(inputs, reader, static_cast<std::uint64_t>(seed), seconds);
