@@ -3,6 +3,7 @@
 #include "sph_solver/device/launch.h"
 #include "sph_solver/loops/at_edge.h"
 #include "sph_solver/loops/edge_labels.h"
+#include "sph_solver/loops/moving.h"
 #include "sph_solver/neighbours/wide_place.h"
 
 namespace tw::cuda {
@@ -55,25 +56,44 @@ struct FastestOf {
     double operator()(std::size_t k) const { return speed2(p, static_cast<std::size_t>(which[k])); }
 };
 
+/// What a sweep has found at sorted places.
+struct FoundAt {
+    const int* order;  ///< which place stands at k
+    const VelocityDensityRecord* value;
+    const float *support, *mean_support;
+    const float* compression;  ///< null: it was not asked for
+
+    Given operator()(std::size_t k) const {
+        return {value[k], support[k], mean_support[k], compression ? compression[k] : 0};
+    }
+};
 // --- who is what
 
 /// Labels those whose distance from the edge is known, and puts the others on a list, in no order.
+template <class Label>
 struct LabelKnown {
     AskEdge ask;
-    LabelCoarse label;
+    Label label;
     StateView p;
     EdgeDistance* known;
+    double* outside;
     int *unknown, *count;
 
     V3<double> place(std::size_t i) const { return {p.x[i], p.y[i], p.z[i]}; }
+    void is(std::size_t i, double at) const {
+        outside[i] = at;
+        label(i, at);
+    }
     template <class AddOne>
     void operator()(std::size_t i, const AddOne& add_one) const {
         if (ask.knows(place(i), known[i]))
-            label(i, static_cast<double>(known[i].outside));
+            is(i, static_cast<double>(known[i].outside));
         else
             unknown[add_one(count)] = static_cast<int>(i);
     }
 };
+using LabelCoarseKnown = LabelKnown<LabelCoarse>;
+using LabelFineKnown = LabelKnown<LabelFine>;
 struct TakePlaces {
     StateView p;
     const int* which;
@@ -85,20 +105,116 @@ struct TakePlaces {
     }
 };
 /// Labels those of the list, of whom the host has worked it out.
+template <class Label>
 struct LabelAsked {
-    LabelKnown of;
+    LabelKnown<Label> of;
     const double* outside;  ///< [m]
 
     void operator()(std::size_t k) const {
         const auto i = static_cast<std::size_t>(of.unknown[k]);
         of.known[i] = of.ask.found(of.place(i), outside[k]);
-        of.label(i, outside[k]);
+        of.is(i, outside[k]);
     }
 };
+using LabelCoarseAsked = LabelAsked<LabelCoarse>;
+using LabelFineAsked = LabelAsked<LabelFine>;
 struct ForgetEdge {
     EdgeDistance* known;
 
     void operator()(std::size_t i) const { known[i] = {}; }
+};
+
+// --- who comes and goes
+
+/// What has become of one that was outside its zone.
+struct Left {
+    Located at;
+    bool stays;  ///< as spray
+    bool far;    ///< where guards are gone
+};
+struct LeaveZone {
+    BecomeGuard become;
+    FoundAt found;
+    StateView p;
+    const int* which;
+    const double* outside;
+    double gone_beyond;
+    int* gone;
+    Left* left;
+
+    void operator()(std::size_t k) const {
+        const int at = found.order[k];
+        const auto i = static_cast<std::size_t>(which[at]);
+        const bool far = outside[i] > gone_beyond, stays = !become(i, found(k));
+        if (!stays) gone[i] = far;
+        left[at] = {{which[at], {p.x[i], p.y[i], p.z[i]}}, stays, far};
+    }
+};
+struct MarkGone {
+    const int* which;
+    int* gone;
+
+    void operator()(std::size_t k) const { gone[which[k]] = 1; }
+};
+struct MarkStaying {
+    const int* gone;
+    int* stays;
+
+    void operator()(std::size_t i) const { stays[i] = !gone[i]; }
+};
+struct MarkParents {
+    const Kind* kind;
+    const Children* children;
+    const double* outside;
+    double within;
+    int* marks;
+
+    void operator()(std::size_t i) const { marks[i] = Parent::is(kind[i], children[i], outside[i], within); }
+};
+struct TakeParents {
+    StateView p;
+    Children* children;
+    const int* which;
+    Parent* to;
+
+    void operator()(std::size_t k) const {
+        const auto i = static_cast<std::size_t>(which[k]);
+        to[k] = {which[k], {p.x[i], p.y[i], p.z[i]}, {p.u[i], p.v[i], p.w[i], p.drho[i]}, children[i]};
+        children[i] = Children::all;
+    }
+};
+struct MarkBetween {
+    const double* outside;
+    double from, to;
+    int* marks;
+
+    void operator()(std::size_t i) const { marks[i] = outside[i] > from && outside[i] < to; }
+};
+struct TakeLocated {
+    StateView p;
+    const int* which;
+    Located* to;
+
+    void operator()(std::size_t k) const {
+        const auto i = static_cast<std::size_t>(which[k]);
+        to[k] = {which[k], {p.x[i], p.y[i], p.z[i]}};
+    }
+};
+/// Puts them behind the n that are there.
+struct AddChildren {
+    const Child* children;
+    MovingView on;
+    std::size_t n;
+
+    void operator()(std::size_t k) const {
+        const Child& c = children[k];
+        const std::size_t i = n + k;
+        on.begin(i);
+        on.p.x[i] = c.place.x, on.p.y[i] = c.place.y, on.p.z[i] = c.place.z;
+        on.p.u[i] = c.state.u, on.p.v[i] = c.state.v, on.p.w[i] = c.state.w, on.p.drho[i] = c.state.drho;
+        on.kind[i] = c.kind, on.id[i] = c.id;
+        on.trend[i].support = c.support;
+    }
 };
 
 // --- who gives
@@ -138,17 +254,6 @@ struct SortAsked {
     PlaceRecord* place;
 
     void operator()(std::size_t k) const { place[k] = wide[order[k]].record(0); }
-};
-/// What a sweep has found at sorted places.
-struct FoundAt {
-    const int* order;  ///< which place stands at k
-    const VelocityDensityRecord* value;
-    const float *support, *mean_support;
-    const float* compression;  ///< null: it was not asked for
-
-    Given operator()(std::size_t k) const {
-        return {value[k], support[k], mean_support[k], compression ? compression[k] : 0};
-    }
 };
 /// Lets the k-th of sorted places' particles follow what was found there, and marks those that nobody has water for.
 template <class Follow>

@@ -76,7 +76,11 @@ TW_KERNEL tw_fastest(cuda::FastestOf task, double* parts, std::size_t count) {
     if (thread == 0) parts[device::block()] = room[0];
 }
 
-TW_KERNEL tw_label_known(cuda::LabelKnown task, std::size_t count) {
+TW_KERNEL tw_label_coarse(cuda::LabelCoarseKnown task, std::size_t count) {
+    const std::size_t i = device::index();
+    if (i < count) task(i, device::add_one);
+}
+TW_KERNEL tw_label_fine(cuda::LabelFineKnown task, std::size_t count) {
     const std::size_t i = device::index();
     if (i < count) task(i, device::add_one);
 }

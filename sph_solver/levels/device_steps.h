@@ -22,7 +22,6 @@ public:
 
     /// What the host has is that of the device from now on.
     virtual void bring_all_home() = 0;
-    virtual void bring_state_home() = 0;                                     ///< of that what stays with the particles
     virtual void bring_home(const std::vector<std::size_t>& particles) = 0;  ///< what Move changes of these
     /// What the host has counts from now on: it has changed the state of particles, or has others.
     virtual void note_changed_state() = 0;
@@ -53,6 +52,20 @@ public:
 
     /// What this level's particles are by the edge of a finer level's zone.
     virtual void label(const AskEdge& ask, LabelCoarse label, const Zone& zone) = 0;
+    /// And by that of its own zone, where the coarser level is asked about those outside. Some are gone from then on.
+    struct Spray {
+        std::int64_t count = 0;
+        std::vector<Located> far{};  ///< those of them where guards are gone
+    };
+    virtual Spray label(const AskEdge& ask, LabelFine label, const Zone& zone, DeviceSteps& coarser,
+                        const Asking& asking) = 0;
+    /// Takes those away that are gone, and some more; how many.
+    virtual std::int64_t remove_gone(const std::vector<std::size_t>& more) = 0;
+    /// Those nearer to the edge of the finer level's zone, or under it; all their children are there from then on.
+    virtual std::vector<Parent> find_parents(double within) = 0;
+    virtual std::vector<Located> between(double from, double to) = 0;  ///< distances from that edge
+    virtual std::vector<Located> guards() = 0;
+    virtual void add(const std::vector<Child>& children) = 0;
     /// Distances from the edge of the level's own zone (With::coarser) or a finer level's are no longer known.
     virtual void forget_edge(With whose) = 0;
     /// As Level::interpolate.

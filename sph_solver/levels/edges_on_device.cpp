@@ -77,34 +77,154 @@ void LevelOnDevice::interpolate(FieldsAt& at) {
 
 // --- who is what ------------------------------------------------------------------------------------------------------
 
-void LevelOnDevice::label(const AskEdge& ask, LabelCoarse label, const Zone& zone) {
-    if (host_counts_) take_state();
+template <class Label>
+void LevelOnDevice::label_all(const char* known, const char* asked_of, const cuda::LabelKnown<Label>& task,
+                              const Zone& zone) {
     Arrays& on = *on_;
-    const std::size_t n = on.p.size();
-    label.kind = on.p.kind.data(), label.children = on.p.children.data();
-    on.at_edge.resize(n);
-    on.count.set_zero();
-    const cuda::LabelKnown known{
-        ask, label, on.p.view(), on.p.from_finer_edge.data(), on.at_edge.data(), on.count.data()};
-    launch(*device_, "tw_label_known", known, n);
-    leave_home();
+    launch(*device_, known, task, on.p.size());
+    home_ = false;
     const auto asked = static_cast<std::size_t>(on.count.value(0));
     if (asked == 0) return;
     on.places_at_edge.resize(asked);
-    launch(*device_, "tw_take_places", cuda::TakePlaces{known.p, known.unknown, on.places_at_edge.data()}, asked);
+    launch(*device_, "tw_take_places", cuda::TakePlaces{task.p, task.unknown, on.places_at_edge.data()}, asked);
     std::vector<V3<double>> places(asked);
     on.places_at_edge.give(places);
     std::vector<double> outside(asked);
     for_particles(asked, [&](std::size_t k) { outside[k] = zone.outside({places[k].x, places[k].y, places[k].z}); });
-    on.outside.take(outside);
-    launch(*device_, "tw_label_asked", cuda::LabelAsked{known, on.outside.data()}, asked);
+    on.asked_outside.take(outside);
+    launch(*device_, asked_of, cuda::LabelAsked<Label>{task, on.asked_outside.data()}, asked);
+}
+
+void LevelOnDevice::label(const AskEdge& ask, LabelCoarse label, const Zone& zone) {
+    if (host_counts_) take_state();
+    Arrays& on = *on_;
+    on.at_edge.resize(on.p.size()), on.outside.resize(on.p.size());
+    on.count.set_zero();
+    label.kind = on.p.kind.data(), label.children = on.p.children.data();
+    label_all("tw_label_coarse", "tw_ask_coarse",
+              cuda::LabelCoarseKnown{ask, label, on.p.view(), on.p.from_finer_edge.data(), on.outside.data(),
+                                     on.at_edge.data(), on.count.data()},
+              zone);
+}
+
+/// Those that are marked in `following`: how many, in `which`.
+std::size_t LevelOnDevice::list_marked() {
+    Arrays& on = *on_;
+    const auto marked = static_cast<std::size_t>(on.following.add_up());
+    on.which.resize(marked);
+    launch(*device_, "tw_list_marked", cuda::ListMarked{on.following.numbers(), on.following.before(), on.which.data()},
+           on.p.size());
+    return marked;
+}
+
+DeviceSteps::Spray LevelOnDevice::label(const AskEdge& ask, LabelFine label, const Zone& zone, DeviceSteps& coarser,
+                                        const Asking& asking) {
+    if (host_counts_) take_state();
+    Arrays& on = *on_;
+    auto& other = static_cast<LevelOnDevice&>(coarser);
+    const std::size_t n = on.p.size();
+    on.at_edge.resize(n), on.outside.resize(n), on.gone_at_edge.resize(n);
+    on.count.set_zero();
+    label.kind = on.p.kind.data(), label.leaves = on.following.of(n), label.gone = on.gone_at_edge.data();
+    label_all("tw_label_fine", "tw_ask_fine",
+              cuda::LabelFineKnown{ask, label, on.p.view(), on.p.from_edge.data(), on.outside.data(), on.at_edge.data(),
+                                   on.count.data()},
+              zone);
+    const std::size_t leaving = list_marked();
+    if (leaving == 0) return {};
+    on.wide_of_others.resize(leaving);
+    launch(*device_, "tw_under_zone",
+           cuda::UnderZone{on.p.view(), other.level_.to_quanta(), on.which.data(), on.wide_of_others.data()}, leaving);
+    on.left_zone.resize(leaving);
+    launch(*device_, "tw_leave_zone",
+           cuda::LeaveZone{.become = {on.p.kind.data(), on.p.trend.data()},
+                           .found = other.ask(on.wide_of_others, asking),
+                           .p = on.p.view(),
+                           .which = on.which.data(),
+                           .outside = on.outside.data(),
+                           .gone_beyond = label.gone_beyond,
+                           .gone = label.gone,
+                           .left = on.left_zone.data()},
+           leaving);
+    std::vector<cuda::Left> left(leaving);
+    on.left_zone.give(left);
+    Spray spray;
+    for (const cuda::Left& l : left) {
+        spray.count += l.stays;
+        if (l.stays && l.far) spray.far.push_back(l.at);
+    }
+    return spray;
+}
+
+std::int64_t LevelOnDevice::remove_gone(const std::vector<std::size_t>& more) {
+    Arrays& on = *on_;
+    const std::size_t n = on.p.size();
+    on.which.take(std::vector<int>(more.begin(), more.end()));
+    launch(*device_, "tw_mark_gone", cuda::MarkGone{on.which.data(), on.gone_at_edge.data()}, more.size());
+    launch(*device_, "tw_mark_staying", cuda::MarkStaying{on.gone_at_edge.data(), on.following.of(n)}, n);
+    const std::size_t staying = list_marked();
+    if (staying == n) return 0;
+    on.p.each_with(on.sorted, [&](const auto& field, auto& sorted) { sorted.resize(field.size() > 0 ? staying : 0); });
+    launch(*device_, "tw_reorder", cuda::Reorder{on.which.data(), on.p.all(), on.sorted.all()}, staying);
+    on.p.each_with(on.sorted, [](auto& field, auto& sorted) { field.swap(sorted); });
+    level_.particles_.resize(staying);
+    on.gone_at_edge.resize(staying);
+    on.gone_at_edge.set_zero();
+    home_ = false;
+    return static_cast<std::int64_t>(n - staying);
+}
+
+std::vector<Parent> LevelOnDevice::find_parents(double within) {
+    Arrays& on = *on_;
+    const std::size_t n = on.p.size();
+    launch(*device_, "tw_mark_parents",
+           cuda::MarkParents{on.p.kind.data(), on.p.children.data(), on.outside.data(), within, on.following.of(n)}, n);
+    std::vector<Parent> parents(list_marked());
+    on.parents.resize(parents.size());
+    launch(*device_, "tw_take_parents",
+           cuda::TakeParents{on.p.view(), on.p.children.data(), on.which.data(), on.parents.data()}, parents.size());
+    on.parents.give(parents);
+    home_ = false;
+    return parents;
+}
+
+std::vector<Located> LevelOnDevice::marked() {
+    Arrays& on = *on_;
+    std::vector<Located> located(list_marked());
+    on.located.resize(located.size());
+    launch(*device_, "tw_take_located", cuda::TakeLocated{on.p.view(), on.which.data(), on.located.data()},
+           located.size());
+    on.located.give(located);
+    return located;
+}
+
+std::vector<Located> LevelOnDevice::between(double from, double to) {
+    const std::size_t n = on_->p.size();
+    launch(*device_, "tw_mark_between", cuda::MarkBetween{on_->outside.data(), from, to, on_->following.of(n)}, n);
+    return marked();
+}
+
+std::vector<Located> LevelOnDevice::guards() {
+    const std::size_t n = on_->p.size();
+    launch(*device_, "tw_mark_following", cuda::MarkFollowing{on_->p.kind.data(), true, on_->following.of(n)}, n);
+    return marked();
+}
+
+void LevelOnDevice::add(const std::vector<Child>& children) {
+    Arrays& on = *on_;
+    const std::size_t n = on.p.size();
+    level_.particles_.resize(n + children.size());
+    on.p.each_with(level_.particles_, [](auto& field, const auto& at_home) { field.grow(at_home.size()); });
+    on.children.take(children);
+    launch(*device_, "tw_add_children", cuda::AddChildren{on.children.data(), on.p.all(), n}, children.size());
+    home_ = false;
 }
 
 void LevelOnDevice::forget_edge(With whose) {
     if (host_counts_) take_state();
     cuda::Array<EdgeDistance>& known = whose == With::coarser ? on_->p.from_edge : on_->p.from_finer_edge;
     launch(*device_, "tw_forget_edge", cuda::ForgetEdge{known.data()}, known.size());
-    leave_home();
+    home_ = false;
 }
 
 // --- who follows ------------------------------------------------------------------------------------------------------
@@ -114,18 +234,15 @@ std::size_t LevelOnDevice::list_following(bool guards) {
     Arrays& on = *on_;
     const std::size_t n = on.p.size();
     launch(*device_, "tw_mark_following", cuda::MarkFollowing{on.p.kind.data(), guards, on.following.of(n)}, n);
-    const auto following = static_cast<std::size_t>(on.following.add_up());
-    on.which.resize(following), on.wide_of_others.resize(following);
-    launch(*device_, "tw_list_marked", cuda::ListMarked{on.following.numbers(), on.following.before(), on.which.data()},
-           n);
-    return following;
+    on.wide_of_others.resize(list_marked());
+    return on.which.size();
 }
 
 /// How many of `n` are orphans.
 template <class Task>
 std::int64_t LevelOnDevice::hand(const char* kernel, const Task& task, std::size_t n) {
     launch(*device_, kernel, task, n);
-    leave_home();
+    home_ = false;
     return on_->orphans.add_up();
 }
 

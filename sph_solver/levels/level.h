@@ -70,11 +70,6 @@ public:
         if (device_) device_->note_changed_state();
         return particles_;
     }
-    /// The same to change what stays with them, and no more than that.
-    Particles& state_to_change() {
-        if (device_) device_->bring_state_home(), device_->note_changed_state();
-        return particles_;
-    }
     /// From now on a device makes the steps, see device_steps.h; before the first step.
     void leave_steps_to(std::unique_ptr<DeviceSteps> device) { device_ = std::move(device); }
     DeviceSteps* device() { return device_.get(); }  ///< null: this processor makes the steps

@@ -36,8 +36,7 @@ void LevelOnDevice::make_lists(double drift) {
                              water, to_walls / level_.quanta_.size);
         find_walls(to_walls);
     }
-    order_is_home_ = false;
-    leave_home();
+    home_ = order_is_home_ = false;
 }
 
 void LevelOnDevice::cross_faces() {
@@ -174,8 +173,7 @@ void LevelOnDevice::ask_walls(std::size_t groups) {
         if (found[k].index >= 0 && double(found[k].wall.distance) < -level_.setup_.dp && is_active(near[k].kind))
             through = static_cast<std::size_t>(found[k].index);
     if (!through) return;
-    order_is_home_ = false;
-    leave_home();
+    home_ = order_is_home_ = false;
     bring_all_home();
     level_.fail_through_wall(through);
 }

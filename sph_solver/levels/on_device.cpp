@@ -75,17 +75,11 @@ void LevelOnDevice::take_state() {
     host_counts_ = false;
 }
 
-void LevelOnDevice::bring_state_home() {
-    if (home_ || state_is_home_ || host_counts_) return;
-    on_->p.each_with(level_.particles_, [](const auto& field, auto& to) { field.give(to); });
-    state_is_home_ = true;
-}
-
 void LevelOnDevice::bring_all_home() {
     if (home_ || host_counts_) return;
-    bring_state_home();
     Particles& p = level_.particles_;
     Arrays& on = *on_;
+    on.p.each_with(p, [](const auto& field, auto& to) { field.give(to); });
     on.place.give(p.place), on.motion.give(p.velocity_density), on.stress.give(p.gradient_pressure);
     on.shift.give(p.shift_support), on.rate.give(p.rate), on.surface.give(p.surface);
     on.density_rate.give(p.density_rate);
@@ -121,7 +115,7 @@ void LevelOnDevice::refresh(double drift) {
     d.of = d.place = on.place.data();
     d.reach = level_.reach_among(drift) / level_.quanta_.size;
     sweep("tw_prune", d, on.groups.groups());
-    leave_home();
+    home_ = false;
     if (level_.walls_.empty()) return;
     d.reach = level_.reach_to_walls(drift) / level_.quanta_.size;
     for (const Arrays::Part& part : on.parts) {
@@ -202,7 +196,7 @@ void LevelOnDevice::first_sweep(double compress, double drift) {
     const double c0 = level_.setup_.state_equation.c0;
     launch(*device_, "tw_compress", cuda::Compress{after, near_walls(), static_cast<float>(c0 * c0)}, n);
     refresh_images(on.stress.data());
-    leave_home();
+    home_ = false;
 }
 
 void LevelOnDevice::note_air() {
@@ -246,7 +240,7 @@ void LevelOnDevice::second_sweep(double t) {
     d.shift = on.shift.data(), d.rate = on.rate.data(), d.wall_load = on.wall_load.data();
     sweep("tw_second_sweep", d, on.groups.groups());
     on.wall_load.give(level_.walls_.group_loads());
-    leave_home();
+    home_ = false;
 }
 
 LevelOnDevice::Moved LevelOnDevice::move(const Move& of_host) {
@@ -265,7 +259,7 @@ LevelOnDevice::Moved LevelOnDevice::move(const Move& of_host) {
     MovedExtremes* of_blocks = on.extremes.data();
     void* const arguments[] = {&task, &of_blocks, &n};
     device_->launch("tw_move", n, arguments);
-    leave_home();
+    home_ = false;
 
     Moved moved;
     std::vector<MovedExtremes> parts(on.extremes.size());

@@ -22,7 +22,6 @@ public:
     ~LevelOnDevice() override;
 
     void bring_all_home() override;
-    void bring_state_home() override;
     void bring_home(const std::vector<std::size_t>& particles) override;
     void note_changed_state() override { host_counts_ = true; }
     void make_lists(double drift) override;
@@ -35,6 +34,13 @@ public:
     void put_back(const std::vector<std::size_t>& held) override;
     void sample(const Points& points, const Reaches& quanta, const ExtrapolateData& to) override;
     void label(const AskEdge& ask, LabelCoarse label, const Zone& zone) override;
+    Spray label(const AskEdge& ask, LabelFine label, const Zone& zone, DeviceSteps& coarser,
+                const Asking& asking) override;
+    std::int64_t remove_gone(const std::vector<std::size_t>& more) override;
+    std::vector<Parent> find_parents(double within) override;
+    std::vector<Located> between(double from, double to) override;
+    std::vector<Located> guards() override;
+    void add(const std::vector<Child>& children) override;
     void forget_edge(With whose) override;
     void interpolate(FieldsAt& at) override;
     Followed follow_coarser(DeviceSteps& coarser, const Asking& asking, FollowCoarser follow) override;
@@ -48,7 +54,6 @@ private:
     WaterView water() const;
     WallView walls() const;
     void take_state();
-    void leave_home() { home_ = state_is_home_ = false; }
     void take_sorted_dummies();
     void take_dummies();
     NearWalls near_walls();
@@ -64,6 +69,10 @@ private:
     /// Fields at places in this level's quanta.
     cuda::FoundAt ask(const cuda::Array<WidePlace>& wide, const Asking& asking);
     std::vector<cuda::DeviceSource> note_giving(const Asking& asking);
+    template <class Label>
+    void label_all(const char* known, const char* asked, const cuda::LabelKnown<Label>& task, const Zone& zone);
+    std::size_t list_marked();
+    std::vector<Located> marked();
     std::size_t list_following(bool guards);
     template <class Task>
     std::int64_t hand(const char* kernel, const Task& task, std::size_t n);
@@ -73,8 +82,7 @@ private:
     std::shared_ptr<cuda::Device> device_;
     std::unique_ptr<Arrays> on_;
     std::vector<Vec3> centres_;
-    bool home_ = true, state_is_home_ = true;  ///< the host has all; and what stays with the particles
-    bool order_is_home_ = true;                ///< who stands where
+    bool home_ = true, order_is_home_ = true;  ///< the host has the state; and who stands where
     bool host_counts_ = true;                  ///< the device has not taken what the host has
 };
 

@@ -21,7 +21,7 @@ struct Asking {
     double apart = 1;           ///< roughly, in spacings of the level: places near each other are worked out together
     double density_before = 0;  ///< the density as it was so long before the last evaluation [s], by its rate there
     bool want_compression = false;
-    SurfaceExcess without;  ///< taken off the densities of the particles
+    SurfaceExcess without{};  ///< taken off the densities of the particles
 };
 
 /// What a level's particles and their images give, one after another in the order of the level.
@@ -68,6 +68,22 @@ struct Given {
     /// Below this kernel support the other level has no water at a place: half of what a plane free surface leaves.
     static constexpr float no_water = 0.25f;
     bool known() const { return support >= no_water; }
+};
+
+/// Water that leaves its level's zone becomes a guard where the coarser level covers it, half a fine spacing below a plane
+/// free surface included; else it goes on as spray.
+struct BecomeGuard {
+    static constexpr float covered = 0.5f;
+    Kind* kind = nullptr;
+    Trend* trend = nullptr;
+
+    /// Whether it has.
+    bool operator()(std::size_t i, const Given& given) const {
+        if (given.support < covered) return false;
+        kind[i] = Kind::guard;
+        trend[i].support = given.mean_support;
+        return true;
+    }
 };
 
 /// Of particles that a level gave its fields to.

@@ -1,11 +1,13 @@
 #pragma once
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
 #include "sph_solver/domain/kind.h"
 #include "sph_solver/equations/vector.h"
 #include "sph_solver/fields/quantities.h"
+#include "sph_solver/sweeps/records.h"
 
 namespace tw {
 
@@ -14,8 +16,7 @@ namespace tw {
 /// 2^-24 of itself.
 struct AskEdge {
     static constexpr int most_limits = 5;
-    double limits[most_limits];  ///< [m]
-    int count;                   ///< of them
+    double limits[most_limits];  ///< [m]; infinite where there are fewer
     double steepest;             ///< of Zone
     double by, turn;             ///< how far the edge has come, sums of Zone::Shift since the start
     V3<double> pivot;            ///< of the zone [m]
@@ -24,8 +25,8 @@ struct AskEdge {
         constexpr double rounding = 2e-7;
         const double outside = static_cast<double>(known.outside);
         double gap = std::numeric_limits<double>::infinity();
-        for (int k = 0; k < count; ++k) {
-            const double off = magnitude(outside - limits[k]);
+        for (const double limit : limits) {
+            const double off = magnitude(outside - limit);
             gap = off < gap ? off : gap;
         }
         const V3<double> from{known.x, known.y, known.z};
@@ -66,6 +67,43 @@ struct LabelCoarse {
         else if (outside > again && children[i] == Children::all)
             children[i] = Children::some;
     }
+};
+
+/// What a particle is by its distance from the edge of its own level's zone, see Refinement.
+struct LabelFine {
+    Kind* kind = nullptr;
+    double gone_beyond = 0;  ///< [m]
+    int* leaves = nullptr;   ///< whether it is water outside the zone
+    int* gone = nullptr;     ///< whether it is a guard that nobody needs
+
+    void operator()(std::size_t i, double outside) const {
+        if (kind[i] == Kind::guard && outside < 0) kind[i] = Kind::fluid;
+        leaves[i] = kind[i] == Kind::fluid && outside >= 0;
+        gone[i] = kind[i] == Kind::guard && outside > gone_beyond;
+    }
+};
+
+/// A coarse particle that is to have children.
+struct Parent {
+    std::int64_t index;
+    V3<double> place;  ///< [m]
+    VelocityDensityRecord state;
+    Children before;
+
+    static bool is(Kind kind, Children children, double outside, double within) {
+        return (kind == Kind::fluid || stands_for_finer(kind)) && children != Children::all && outside < within;
+    }
+};
+struct Child {
+    V3<double> place;  ///< [m]
+    VelocityDensityRecord state;
+    float support;  ///< Trend::support
+    Kind kind;
+    std::int64_t id;
+};
+struct Located {
+    std::int64_t index;
+    V3<double> place;  ///< [m]
 };
 
 }  // namespace tw

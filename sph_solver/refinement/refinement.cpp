@@ -16,9 +16,6 @@ namespace tw {
 
 namespace {
 
-/// From this kernel support on the other level covers a place, half a fine spacing below a plane free surface included.
-constexpr float covered = 0.5f;
-
 /// Fine places among coarse particles and coarse ones among fine, in spacings of those.
 constexpr double fine_apart = 0.5, coarse_apart = 2;
 
@@ -33,8 +30,13 @@ std::vector<std::size_t> those(const Particles& p, const Of& of) {
     return found;
 }
 
-void set_fields(Particles& p, std::size_t i, const VelocityDensityRecord& r) {
-    p.u[i] = r.u, p.v[i] = r.v, p.w[i] = r.w, p.drho[i] = r.drho;
+Vec3 place_of(const auto& one) { return {one.place.x, one.place.y, one.place.z}; }
+Located located(const Particles& p, std::size_t i) { return {static_cast<std::int64_t>(i), {p.x[i], p.y[i], p.z[i]}}; }
+std::vector<Located> those_located(const Particles& p, const auto& of) {
+    std::vector<Located> found;
+    for (std::size_t i = 0; i < p.size(); ++i)
+        if (of(i)) found.push_back(located(p, i));
+    return found;
 }
 
 std::int64_t orphans(const FieldsAt& at) {
@@ -144,28 +146,22 @@ void Refinement::set_zone(Zone zone) {
 AskEdge Refinement::edge(std::initializer_list<double> limits) const {
     const Vec3 pivot = zone_.pivot();
     AskEdge ask{.limits = {},
-                .count = static_cast<int>(limits.size()),
                 .steepest = Zone::steepest,
                 .by = shifted_.by,
                 .turn = shifted_.turn,
                 .pivot = {pivot.x(), pivot.y(), pivot.z()}};
+    std::ranges::fill(ask.limits, std::numeric_limits<double>::infinity());
     std::ranges::copy(limits, ask.limits);
     return ask;
 }
 
-AskEdge Refinement::edge_for_coarse() const {
-    return edge({-band_over_dp * dp_, 0.0, guard_over_dp * dp_, again_over_dp * dp_, barren_over_dp * dp_});
-}
-
-LabelCoarse Refinement::labels() const {
-    return {.band = band_over_dp * dp_, .again = again_over_dp * dp_, .barren = barren_over_dp * dp_};
-}
-
 void Refinement::label_coarse() {
-    Particles& c = coarse_.state_to_change();
+    LabelCoarse label{.band = band_over_dp * dp_, .again = again_over_dp * dp_, .barren = barren_over_dp * dp_};
+    const AskEdge ask =
+        edge({-band_over_dp * dp_, 0.0, guard_over_dp * dp_, again_over_dp * dp_, barren_over_dp * dp_});
+    if (coarse_.device()) return coarse_.device()->label(ask, label, zone_);
+    Particles& c = coarse_.particles();
     outside_coarse_.resize(c.size());
-    const AskEdge ask = edge_for_coarse();
-    LabelCoarse label = labels();
     label.kind = c.kind.data(), label.children = c.children.data();
     for_particles(c.size(), [&](std::size_t i) {
         outside_coarse_[i] = ask_edge(ask, zone_, place_of(c, i), c.from_finer_edge[i]);
@@ -173,59 +169,68 @@ void Refinement::label_coarse() {
     });
 }
 
-void Refinement::relabel() {
-    const Stopwatch watch(ledger_.seconds);
-    const bool due = fine_.lists_due() || fine_.lists_outlived() || gone_since_ + in_a_step_ >= patience_over_dp * dp_;
-    if (!due && coarse_.device()) return coarse_.device()->label(edge_for_coarse(), labels(), zone_);
-    label_coarse();
-    if (!due) return;
-    gone_since_ = 0;
-    Particles& f = fine_.state_to_change();
+DeviceSteps::Spray Refinement::label_fine() {
+    LabelFine label{.gone_beyond = gone_over_dp * dp_};
     const AskEdge ask = edge({0.0, gone_over_dp * dp_});
+    const Asking asking{.of = Giving::all, .apart = fine_apart};
+    if (fine_.device()) return fine_.device()->label(ask, label, zone_, *coarse_.device(), asking);
+    Particles& f = fine_.particles();
+    std::vector<int> leaves(f.size());
+    gone_.resize(f.size());
+    label.kind = f.kind.data(), label.leaves = leaves.data(), label.gone = gone_.data();
     std::vector<double> outside(f.size());
-    for_particles(f.size(), [&](std::size_t i) { outside[i] = ask_edge(ask, zone_, place_of(f, i), f.from_edge[i]); });
-    std::vector<char> gone(f.size(), 0);
-    FieldsAt leaving;
-    leaving.of = Giving::all;
-    leaving.apart = fine_apart;
+    for_particles(f.size(), [&](std::size_t i) {
+        outside[i] = ask_edge(ask, zone_, place_of(f, i), f.from_edge[i]);
+        label(i, outside[i]);
+    });
+    FieldsAt leaving{asking};
     std::vector<std::size_t> who;
-    for (std::size_t i = 0; i < f.size(); ++i) {
-        const double s = outside[i];
-        if (f.kind[i] == Kind::guard && s < 0) f.kind[i] = Kind::fluid;
-        if (f.kind[i] == Kind::fluid && s >= 0) leaving.places.push_back(place_of(f, i)), who.push_back(i);
-        gone[i] = f.kind[i] == Kind::guard && s > gone_over_dp * dp_;
-    }
+    for (std::size_t i = 0; i < f.size(); ++i)
+        if (leaves[i]) leaving.places.push_back(place_of(f, i)), who.push_back(i);
     coarse_.interpolate(leaving);
-    std::vector<std::size_t> spray;
+    const BecomeGuard become{f.kind.data(), f.trend.data()};
+    DeviceSteps::Spray spray;
     for (std::size_t k = 0; k < who.size(); ++k) {
         const std::size_t i = who[k];
-        if (leaving.support[k] < covered) {
-            spray.push_back(i);
+        const bool far = outside[i] > label.gone_beyond;
+        if (become(i, leaving.given(k))) {
+            gone_[i] = far;
             continue;
         }
-        f.kind[i] = Kind::guard;
-        f.trend[i].support = leaving.mean_support[k];
-        gone[i] = outside[i] > gone_over_dp * dp_;
+        ++spray.count;
+        if (far) spray.far.push_back(located(f, i));
     }
-    ledger_.spray = static_cast<std::int64_t>(spray.size());
-    std::erase_if(spray, [&](std::size_t i) { return outside[i] <= gone_over_dp * dp_; });
-    for (const Refinement* edge = outer_; edge && !spray.empty(); edge = edge->outer_) {
-        const std::vector<char> fallen = edge->covers(f, spray);
-        for (std::size_t k = 0; k < spray.size(); ++k) gone[spray[k]] = fallen[k];
-        ledger_.spray -= static_cast<std::int64_t>(std::erase_if(spray, [&](std::size_t i) { return gone[i] != 0; }));
+    return spray;
+}
+
+void Refinement::relabel() {
+    const Stopwatch watch(ledger_.seconds);
+    label_coarse();
+    if (!fine_.lists_due() && !fine_.lists_outlived() && gone_since_ + in_a_step_ < patience_over_dp * dp_) return;
+    gone_since_ = 0;
+    DeviceSteps::Spray spray = label_fine();
+    std::vector<std::size_t> fallen;
+    for (const Refinement* edge = outer_; edge && !spray.far.empty(); edge = edge->outer_) {
+        const std::vector<char> covered = edge->covers(spray.far);
+        std::vector<Located> left;
+        for (std::size_t k = 0; k < covered.size(); ++k)
+            if (covered[k])
+                fallen.push_back(static_cast<std::size_t>(spray.far[k].index));
+            else
+                left.push_back(spray.far[k]);
+        spray.far = std::move(left);
     }
-    remove(gone);
+    ledger_.spray = spray.count - static_cast<std::int64_t>(fallen.size());
+    remove_gone(fallen);
     give_birth();
 }
 
-std::vector<char> Refinement::covers(const Particles& p, const std::vector<std::size_t>& who) const {
-    FieldsAt at;
-    at.of = Giving::all;
-    at.apart = fine_apart;
-    for (const std::size_t i : who) at.places.push_back(place_of(p, i));
+std::vector<char> Refinement::covers(const std::vector<Located>& who) const {
+    FieldsAt at{Asking{.of = Giving::all, .apart = fine_apart}};
+    for (const Located& one : who) at.places.push_back(place_of(one));
     coarse_.interpolate(at);
     std::vector<char> yes;
-    for (const float support : at.support) yes.push_back(support >= covered);
+    for (const float support : at.support) yes.push_back(support >= BecomeGuard::covered);
     return yes;
 }
 
@@ -243,85 +248,121 @@ std::vector<Vec3> Refinement::octants(const Vec3& parent) const {
     return places;
 }
 
-std::unordered_map<std::size_t, std::vector<std::size_t>> Refinement::families_of(
-    const std::vector<std::size_t>& parents) const {
-    const Particles &c = coarse().particles(), &f = fine().particles();
-    std::unordered_map<std::size_t, std::vector<std::size_t>> families;
-    if (parents.empty()) return families;
+std::vector<Parent> Refinement::find_parents() {
+    const double within = guard_over_dp * dp_;
+    if (coarse_.device()) return coarse_.device()->find_parents(within);
+    Particles& c = coarse_.particles();
+    std::vector<Parent> parents;
+    for (std::size_t i = 0; i < c.size(); ++i) {
+        if (!Parent::is(c.kind[i], c.children[i], outside_coarse_[i], within)) continue;
+        const Located at = located(c, i);
+        parents.push_back({at.index, at.place, {c.u[i], c.v[i], c.w[i], c.drho[i]}, c.children[i]});
+        c.children[i] = Children::all;
+    }
+    return parents;
+}
+
+std::vector<Located> Refinement::coarse_between(double from, double to) const {
+    if (coarse_.device()) return coarse_.device()->between(from, to);
+    return those_located(coarse().particles(),
+                         [&](std::size_t i) { return outside_coarse_[i] > from && outside_coarse_[i] < to; });
+}
+
+std::vector<Located> Refinement::guards() const {
+    if (fine_.device()) return fine_.device()->guards();
+    const Particles& f = fine().particles();
+    return those_located(f, [&](std::size_t i) { return f.kind[i] == Kind::guard; });
+}
+
+std::unordered_map<std::int64_t, std::vector<Located>> Refinement::families_of(
+    const std::vector<Parent>& parents) const {
+    std::unordered_map<std::int64_t, std::vector<Located>> families;
     Crowd crowd(coarse_.setup().dp, coarse_.dimensions());
-    for (const std::size_t i : parents) families[i], crowd.mark(place_of(c, i));
-    for (std::size_t i = 0; i < c.size(); ++i)
-        if (outside_coarse_[i] > 0 && outside_coarse_[i] < band_over_dp * dp_ && crowd.is_marked(place_of(c, i)))
-            crowd.add(place_of(c, i), i);
-    for (std::size_t i = 0; i < f.size(); ++i) {
-        if (f.kind[i] != Kind::guard || !crowd.is_marked(place_of(f, i))) continue;
-        const std::optional<std::size_t> parent = crowd.nearest(place_of(f, i));
+    for (const Parent& p : parents)
+        if (p.before == Children::some) families[p.index], crowd.mark(place_of(p));
+    if (families.empty()) return families;
+    for (const Located& near : coarse_between(0, band_over_dp * dp_))
+        if (crowd.is_marked(place_of(near))) crowd.add(place_of(near), static_cast<std::size_t>(near.index));
+    for (const Located& guard : guards()) {
+        if (!crowd.is_marked(place_of(guard))) continue;
+        const std::optional<std::size_t> parent = crowd.nearest(place_of(guard));
         if (!parent) continue;
-        if (const auto family = families.find(*parent); family != families.end()) family->second.push_back(i);
+        if (const auto family = families.find(static_cast<std::int64_t>(*parent)); family != families.end())
+            family->second.push_back(guard);
     }
     return families;
 }
 
 void Refinement::give_birth() {
-    Particles &c = coarse_.state_to_change(), &f = fine_.state_to_change();
-    std::vector<std::size_t> parents, returning;
-    for (std::size_t i = 0; i < c.size(); ++i) {
-        const bool may = c.kind[i] == Kind::fluid || stands_for_finer(c.kind[i]);
-        if (!may || c.children[i] == Children::all || outside_coarse_[i] >= guard_over_dp * dp_) continue;
-        parents.push_back(i);
-        if (c.children[i] == Children::some) returning.push_back(i);
-        c.children[i] = Children::all;
-    }
+    const std::vector<Parent> parents = find_parents();
     if (parents.empty()) return;
-    const auto families = families_of(returning);
-    FieldsAt children;
-    children.apart = fine_apart;
-    std::vector<std::size_t> parent_of, too_many;
-    for (const std::size_t i : parents) {
-        std::vector<Vec3> places = octants(place_of(c, i));
-        if (const auto found = families.find(i); found != families.end()) {
-            std::vector<std::size_t> family = found->second;
+    const auto families = families_of(parents);
+    FieldsAt at;
+    at.apart = fine_apart;
+    std::vector<const Parent*> parent_of;
+    std::vector<std::size_t> too_many;
+    for (const Parent& parent : parents) {
+        std::vector<Vec3> places = octants(place_of(parent));
+        if (const auto found = families.find(parent.index); found != families.end()) {
+            std::vector<Located> family = found->second;
             const auto from_family = [&](const Vec3& x) {
                 double least = std::numeric_limits<double>::infinity();
-                for (const std::size_t k : family) least = std::min(least, (place_of(f, k) - x).squaredNorm());
+                for (const Located& k : family) least = std::min(least, (place_of(k) - x).squaredNorm());
                 return least;
             };
             std::ranges::stable_sort(places, std::ranges::greater{}, from_family);
             std::ranges::stable_sort(family, {},
-                                     [&](std::size_t k) { return (place_of(f, k) - place_of(c, i)).squaredNorm(); });
+                                     [&](const Located& k) { return (place_of(k) - place_of(parent)).squaredNorm(); });
             const std::size_t whole = places.size(), there = std::min(family.size(), whole);
             places.resize(whole - there);
-            too_many.insert(too_many.end(), family.begin() + static_cast<std::ptrdiff_t>(there), family.end());
+            for (std::size_t k = there; k < family.size(); ++k)
+                too_many.push_back(static_cast<std::size_t>(family[k].index));
         }
-        children.places.insert(children.places.end(), places.begin(), places.end());
-        parent_of.resize(children.places.size(), i);
+        at.places.insert(at.places.end(), places.begin(), places.end());
+        parent_of.resize(at.places.size(), &parent);
     }
-    coarse_.interpolate(children);
+    coarse_.interpolate(at);
+    std::vector<Child> children;
     for (std::size_t k = 0; k < parent_of.size(); ++k) {
-        const Vec3& x = children.places[k];
-        const std::size_t i = parent_of[k];
-        f.add(x.x(), x.y(), x.z(), 0, 0, fine_.next_id(), zone_.outside(x) < 0 ? Kind::fluid : Kind::guard);
-        const bool known = children.given(k).known();
-        set_fields(f, f.size() - 1,
-                   known ? children.value[k] : VelocityDensityRecord{c.u[i], c.v[i], c.w[i], c.drho[i]});
-        f.trend.back().support = known ? children.mean_support[k] : 0;
-        ++ledger_.births;
+        const Vec3& x = at.places[k];
+        const bool known = at.given(k).known();
+        children.push_back({.place = {x.x(), x.y(), x.z()},
+                            .state = known ? at.value[k] : parent_of[k]->state,
+                            .support = known ? at.mean_support[k] : 0,
+                            .kind = zone_.outside(x) < 0 ? Kind::fluid : Kind::guard,
+                            .id = fine_.next_id()});
     }
-    std::vector<char> gone(f.size(), 0);
-    for (const std::size_t k : too_many) gone[k] = 1;
-    remove(gone);
+    ledger_.births += static_cast<std::int64_t>(children.size());
+    remove_gone(too_many);
+    add(children);
     fine_.make_lists_due();
 }
 
-void Refinement::remove(const std::vector<char>& gone) {
-    std::vector<std::int32_t> kept;
-    for (std::size_t i = 0; i < gone.size(); ++i)
-        if (!gone[i]) kept.push_back(static_cast<std::int32_t>(i));
-    const auto deaths = static_cast<std::int64_t>(gone.size() - kept.size());
+void Refinement::add(const std::vector<Child>& children) {
+    if (fine_.device()) return fine_.device()->add(children);
+    Particles& f = fine_.particles();
+    for (const Child& c : children) {
+        f.add(c.place.x, c.place.y, c.place.z, c.state.u, c.state.drho, c.id, c.kind);
+        f.v.back() = c.state.v, f.w.back() = c.state.w;
+        f.trend.back().support = c.support;
+    }
+}
+
+void Refinement::remove_gone(const std::vector<std::size_t>& more) {
+    std::int64_t deaths = 0;
+    if (fine_.device()) {
+        deaths = fine_.device()->remove_gone(more);
+    } else {
+        for (const std::size_t i : more) gone_[i] = 1;
+        std::vector<std::int32_t> kept;
+        for (std::size_t i = 0; i < gone_.size(); ++i)
+            if (!gone_[i]) kept.push_back(static_cast<std::int32_t>(i));
+        deaths = static_cast<std::int64_t>(gone_.size() - kept.size());
+        if (deaths > 0) fine_.particles().reorder(kept);
+        gone_.assign(kept.size(), 0);
+    }
     ledger_.deaths += deaths;
-    if (deaths == 0) return;
-    fine_.state_to_change().reorder(kept);
-    fine_.make_lists_due();
+    if (deaths > 0) fine_.make_lists_due();
 }
 
 void Refinement::prolong(double moved, double compressed) {

@@ -89,24 +89,28 @@ private:
     Followed follow_finer(const Asking& asking, FollowFiner follow);
     void label_coarse();
     AskEdge edge(std::initializer_list<double> limits) const;
-    AskEdge edge_for_coarse() const;
-    LabelCoarse labels() const;  ///< but for whose
+    DeviceSteps::Spray label_fine();
     void give_birth();
     std::vector<Vec3> octants(const Vec3& parent) const;  ///< places of its children
-    /// The guards that have one of some coarse particles nearest of all coarse particles.
-    std::unordered_map<std::size_t, std::vector<std::size_t>> families_of(
-        const std::vector<std::size_t>& parents) const;
-    /// Of each of some particles whether the coarse level has water there.
-    std::vector<char> covers(const Particles& p, const std::vector<std::size_t>& who) const;
-    void remove(const std::vector<char>& gone);  ///< of the fine particles
-    double mass_under() const;                   ///< of the coarse particles under the zone [kg]
+    std::vector<Parent> find_parents();                   ///< who is to have children, and has them from then on
+    std::vector<Located> coarse_between(double from, double to) const;  ///< distances from the edge [m]
+    std::vector<Located> guards() const;
+    /// The guards that have one of the parents that come back nearest of all coarse particles.
+    std::unordered_map<std::int64_t, std::vector<Located>> families_of(const std::vector<Parent>& parents) const;
+    /// Of each of some places whether the coarse level has water there.
+    std::vector<char> covers(const std::vector<Located>& who) const;
+    void add(const std::vector<Child>& children);
+    void remove_gone(const std::vector<std::size_t>& more);  ///< of the fine particles
+    double mass_under() const;                               ///< of the coarse particles under the zone [kg]
 
     Level& coarse_;
     Level& fine_;
     const Refinement* outer_;
     Zone zone_;
-    Zone::Shift shifted_;                 ///< of its edge, sums since the start
+    Zone::Shift shifted_;  ///< of its edge, sums since the start
+    // at home, with no device
     std::vector<double> outside_coarse_;  ///< of each coarse particle since the last relabelling [m]
+    std::vector<int> gone_;               ///< of each fine particle
     double dp_;                           ///< of the fine level
     double in_a_step_ = 0;  ///< how far guards and coarse particles go in a step of the coarse level, at most [m]
     /// And since fine particles were labelled, with what the edge has come towards them.

@@ -154,8 +154,9 @@ void move(void** a) {
     }
 }
 
-void label_known(void** a) {
-    const auto& task = argument<cuda::LabelKnown>(a, 0);
+template <class Label>
+void label(void** a) {
+    const auto& task = argument<cuda::LabelKnown<Label>>(a, 0);
     for (std::size_t i = argument<std::size_t>(a, 1); i-- > 0;) task(i, add_one);  // from the end, as above
 }
 void fastest(void** a) {
@@ -180,7 +181,8 @@ const std::map<std::string, EmulatedKernel>& kernels() {
         {"tw_find_asking", find_asking},
         {"tw_move", move},
         {"tw_fastest", fastest},
-        {"tw_label_known", label_known},
+        {"tw_label_coarse", label<LabelCoarse>},
+        {"tw_label_fine", label<LabelFine>},
         {"tw_count_in_bins", count_in_bins},
         {"tw_search", search},
         {"tw_scan_blocks", scan_blocks},
