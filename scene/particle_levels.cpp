@@ -77,14 +77,27 @@ struct ZoneBox {
 /// Until the boxes round different things are at least `gap` apart or overlap: coarse particles need room between two
 /// edges. A chain of boxes round one place is one piece.
 void join_near(std::vector<ZoneBox>& boxes, double gap) {
+    const auto near = [&](std::size_t i, std::size_t j) {
+        const Box &a = boxes[i].box, &b = boxes[j].box;
+        const double apart = (b.min - a.max).cwiseMax(a.min - b.max).maxCoeff();
+        return boxes[i].round != boxes[j].round && apart > 0 && apart < gap;
+    };
+    const auto join = [&](std::size_t i, std::size_t j) {
+        Box &a = boxes[i].box, &b = boxes[j].box;
+        a = {a.min.cwiseMin(b.min), a.max.cwiseMax(b.max)};
+        boxes.erase(boxes.begin() + static_cast<std::ptrdiff_t>(j));
+    };
     for (std::size_t i = 0; i < boxes.size(); ++i)
         for (std::size_t j = i + 1; j < boxes.size(); ++j) {
-            Box &a = boxes[i].box, &b = boxes[j].box;
-            const double apart = (b.min - a.max).cwiseMax(a.min - b.max).maxCoeff();
-            if (boxes[i].round == boxes[j].round || apart <= 0 || apart >= gap) continue;
-            a = {a.min.cwiseMin(b.min), a.max.cwiseMax(b.max)};
-            boxes.erase(boxes.begin() + static_cast<std::ptrdiff_t>(j));
-            return join_near(boxes, gap);
+            if (!near(i, j)) continue;
+            join(i, j);
+            // The larger box may be near one before it; boxes before it are as far from each other as they were.
+            for (std::size_t k = 0; k < i; ++k) {
+                if (!near(k, i)) continue;
+                join(k, i);
+                i = k, k = std::size_t(-1);
+            }
+            j = i;
         }
 }
 

@@ -1,4 +1,6 @@
 // Sizes of particles in a scene: where their zones lie, and what a run is predicted to take.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -126,6 +128,23 @@ TEST(ParticleLevels, BoxesWithoutRoomForCoarseParticlesBetweenBecomeOne) {
     const Zone zone = particle_zones(scene)[0];
     ASSERT_EQ(zone.boxes().size(), 1u);
     EXPECT_GE(zone.boxes()[0].max.x(), 4.2);
+}
+
+TEST(ParticleLevels, ManyBoxesAreOneOrFarApart) {
+    std::string text = with_levels(2) + "[domain]\nahead = \"60 m\"\nbehind = \"60 m\"\nside = \"60 m\"\n";
+    for (int i = 0; i < 120; ++i) {
+        const double x = 15 + 0.45 * (i * 37 % 47), y = 0.45 * (i * 29 % 53);
+        text += fmt::format("[[refine]]\nmin = [{}, {}, -0.5]\nmax = [{}, {}, 0.2]\n", x, y, x + 0.2, y + 0.2);
+    }
+    const Zone zone = particle_zones(scene_of(text))[0];
+    const std::vector<Box>& boxes = zone.boxes();
+    EXPECT_GT(boxes.size(), 1u);
+    EXPECT_LT(boxes.size(), 121u);
+    for (const Box& a : boxes)
+        for (const Box& b : boxes) {
+            const double apart = (b.min - a.max).cwiseMax(a.min - b.max).maxCoeff();
+            EXPECT_TRUE(apart <= 0 || apart >= 8 * 0.1 - 1e-9) << apart;
+        }
 }
 
 TEST(ParticleLevels, BoxesAreRefusedWhereTheyCanDoNothing) {
