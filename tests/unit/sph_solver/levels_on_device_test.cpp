@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <memory>
 
 #include "meshes/generate.h"
 #include "on_device.h"
@@ -173,6 +174,30 @@ TEST_F(OnDevice, AZoneGoesWithABodyThatFalls) {
     expect_same_steps(host, device, 60);
     EXPECT_EQ(host.body(0).state(), device.body(0).state());
     EXPECT_GT(device.refinements()[0].ledger().births, 0);
+}
+
+TEST_F(OnDevice, AZoneThatGetsAnotherPartIsFoundAnew) {
+    const auto tank = [] {
+        SimulationSetup s;
+        s.dimensions = 2;
+        s.dp = 0.025;
+        s.state_equation.c0 = 30;
+        s.domain = {Vec3(-1, -1, -0.8), Vec3(1, 1, 0.8)};
+        s.mirrors.on = {{{true, true}, {false, false}, {true, false}}};
+        s.zones = {zone_between(-infinite, -0.5, -infinite, infinite)};
+        s.zones_round = [start = s.zones.front(), calls = std::make_shared<int>(0)](std::span<const MovedSolid>) {
+            std::vector<Box> boxes = start.boxes();
+            if (++*calls > 6) boxes.push_back({Vec3(0.4, -infinite, -0.5), Vec3(0.8, infinite, infinite)});
+            return std::vector{Zone(boxes)};
+        };
+        s.threads = 1;
+        return s;
+    };
+    const std::vector<Fluid> water = fill_levels(tank(), {Box{Vec3(-1, -1, -0.8), Vec3(1, 1, 0)}});
+    Simulation host(tank(), water, emulated()), device(tank(), water, emulated());
+    put_on_device(device);
+    expect_same_steps(host, device, 15);
+    EXPECT_GT(device.refinements()[0].ledger().births, 300);  // the new part's
 }
 
 TEST_F(OnDevice, ACheckpointOfSeveralSizesGoesFromTheHostToADeviceAndBack) {
