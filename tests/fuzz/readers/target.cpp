@@ -24,17 +24,22 @@ const readers::Reader* reader_named(std::string_view name) {
 }
 
 /// Of this process, in $TMPDIR; gone when it ends by itself.
+class FolderOfInputs {
+public:
+    FolderOfInputs() : path(fs::temp_directory_path() / ("twinwake_fuzz_" + std::to_string(getpid()))) {
+        fs::create_directory(path);
+    }
+    ~FolderOfInputs() {
+        std::error_code ignored;
+        fs::remove_all(path, ignored);
+    }
+    FolderOfInputs(const FolderOfInputs&) = delete;
+    FolderOfInputs& operator=(const FolderOfInputs&) = delete;
+    const fs::path path;
+};
 const fs::path& folder_of_inputs() {
-    static const fs::path folder = [] {
-        const fs::path made = fs::temp_directory_path() / ("twinwake_fuzz_" + std::to_string(getpid()));
-        fs::create_directory(made);
-        std::atexit([] {
-            std::error_code ignored;
-            fs::remove_all(folder_of_inputs(), ignored);
-        });
-        return made;
-    }();
-    return folder;
+    static const FolderOfInputs folder;
+    return folder.path;
 }
 
 }  // namespace
