@@ -20,6 +20,7 @@ extern "C++" __device__ inline double sqrt(double x) { return __builtin_sqrt(x);
 #include "sph_solver/cuda/sorting.h"
 #include "sph_solver/cuda/tasks.h"
 #include "sph_solver/effects/ventilation_isa.cpp"
+#include "sph_solver/loops/count_kinds.h"
 #include "sph_solver/sweeps/engine_isa.cpp"
 #include "sph_solver/sweeps/interpolate_isa.cpp"
 #pragma clang force_cuda_host_device end
@@ -46,6 +47,11 @@ TW_DEVICE_TASKS(task)
 TW_KERNEL tw_find_asking(cuda::FindAsking task, std::size_t count) {
     const std::size_t k = device::index();
     if (k < count) task(k, device::add_one);
+}
+
+TW_KERNEL tw_count_kinds(CountKinds task, std::size_t count) {
+    const std::size_t i = device::index();
+    if (i < count) task(i, device::add_one);
 }
 
 /// Each block leaves one part.

@@ -119,6 +119,7 @@ struct LevelOnDevice::Arrays {
     cuda::Array<std::uint8_t> air_near{device};
     cuda::Array<Group> asking{device};
     cuda::Array<int> count{device};
+    cuda::Array<KindCounts> kinds{device};
     cuda::Array<MovedExtremes> extremes{device};
     cuda::Array<std::int32_t> too_near{device}, fetched{device};
     cuda::Array<cuda::HeldParticle> held{device};
@@ -165,7 +166,7 @@ struct LevelOnDevice::Arrays {
         add(place, motion, stress, shift, rate, density_rate, surface, wall_normal, wall_leaving, wall_body,
             wall_velocity, wall_acceleration, motions, entered, images, gone, left, wide, order, image_order, found,
             links, maps, groups, lists, wall_lists, wall_place, wall_p, body_end, wall_load, loads, at_wall,
-            groups_at_walls, near_walls, walls_found, air_stays, air_near, asking, count, extremes, too_near, fetched,
+            groups_at_walls, near_walls, walls_found, air_stays, air_near, asking, count, kinds, extremes, too_near, fetched,
             held, gives, giving_place, giving_motion, giving_support, giving_rate, giving_start, giving_images,
             following, orphans, which, wide_of_others, fastest, given, at_edge, places_at_edge, outside, asked_outside,
             gone_at_edge, left_zone, located, parents, children);

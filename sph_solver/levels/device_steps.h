@@ -8,6 +8,7 @@
 #include "sph_solver/fields/field_table.h"
 #include "sph_solver/levels/fields_at.h"
 #include "sph_solver/loops/at_edge.h"
+#include "sph_solver/loops/count_kinds.h"
 #include "sph_solver/loops/edge_labels.h"
 #include "sph_solver/loops/move.h"
 #include "sph_solver/sweeps/views.h"
@@ -74,6 +75,7 @@ public:
     virtual Followed follow_coarser(DeviceSteps& coarser, const Asking& asking, FollowCoarser follow) = 0;
     virtual Followed follow_finer(DeviceSteps& finer, const Asking& asking, FollowFiner follow) = 0;
 
+    virtual KindCounts count(CountKinds kinds) = 0;  ///< which says all but of whom
     virtual double bytes() const = 0;  ///< on the device
 };
 

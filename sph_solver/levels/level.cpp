@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
+#include "base/numbers.h"
 #include "sph_solver/backend/for_particles.h"
 #include "sph_solver/backend/stopwatch.h"
 #include "sph_solver/bodies/group_loads.h"
@@ -318,6 +319,15 @@ std::int64_t Level::live_pairs(const Group& g) const {
     count(lists_.view(), g.list);
     count(walls_.lists(), g.wall_list);
     return live;
+}
+
+KindCounts Level::kinds() const {
+    KindCounts counts;
+    CountKinds kinds{particles_.kind.data(), particles_.x.data(), -infinite, infinite, &counts};
+    if (around_.stream) kinds.first = around_.domain.min.x(), kinds.last = around_.domain.max.x();
+    if (device_) return device_->count(kinds);
+    for (std::size_t i = 0; i < particles_.size(); ++i) kinds(i, [](int* count) { ++*count; });
+    return counts;
 }
 
 double Level::visited_per_particle() const {

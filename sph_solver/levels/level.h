@@ -21,6 +21,7 @@
 #include "sph_solver/levels/device_steps.h"
 #include "sph_solver/levels/fields_at.h"
 #include "sph_solver/loops/after_first_sweep.h"
+#include "sph_solver/loops/count_kinds.h"
 #include "sph_solver/loops/surface.h"
 #include "sph_solver/neighbours/list_life.h"
 #include "sph_solver/parallel/comm.h"
@@ -91,6 +92,7 @@ public:
     void share_columns_with(Level& leading) { leading.following_ = this, columns_of_ = &leading; }
     /// All particles of all ranks, in the order in which one process holds them; on the first rank, elsewhere none.
     Particles gathered() const;
+    KindCounts kinds() const;  ///< of the particles that this process holds
     double pressure(std::size_t i) const { return setup_.state_equation.pressure(setup_.rho0, home().drho[i]); }
     const Ledger& ledger() const { return ledger_; }
     const Extremes& extremes() const { return extremes_; }
@@ -122,10 +124,6 @@ public:
     bool lists_due() const { return life_.over; }
     void make_lists_due() { life_.over = true; }
     void mark_restart_point();  ///< see Simulation
-    /// Whether a place is in no buffer of an inlet or outlet.
-    bool between_openings(double x) const {
-        return !around_.stream || (x >= around_.domain.min.x() && x <= around_.domain.max.x());
-    }
     void follow_bodies() { walls_.follow(quanta_); }
     void refresh(double drift);
     /// `other`: sums over another level's particles, one entry a particle; null: there is none.

@@ -101,6 +101,16 @@ std::int64_t LevelOnDevice::live_pairs() const {
     return cuda::lanes_of_group * (on_->lists.live() + on_->wall_lists.live());
 }
 
+KindCounts LevelOnDevice::count(CountKinds kinds) {
+    if (host_counts_) take_state();
+    Arrays& on = *on_;
+    on.kinds.resize(1);
+    on.kinds.set_zero();
+    kinds.kind = on.p.kind.data(), kinds.x = on.p.x.data(), kinds.counts = on.kinds.data();
+    launch(*device_, "tw_count_kinds", kinds, on.p.size());
+    return on.kinds.value(0);
+}
+
 double LevelOnDevice::bytes() const { return on_->bytes(); }
 
 // --- a step -------------------------------------------------------------------------------------------------------------

@@ -46,6 +46,7 @@ public:
     void interpolate(FieldsAt& at) override;
     Followed follow_coarser(DeviceSteps& coarser, const Asking& asking, FollowCoarser follow) override;
     Followed follow_finer(DeviceSteps& finer, const Asking& asking, FollowFiner follow) override;
+    KindCounts count(CountKinds kinds) override;
     double bytes() const override;
 
 private:

@@ -6,12 +6,9 @@ LevelLedger level_ledger(const Simulation& simulation, std::size_t k) {
     const Level& level = simulation.level(k);
     LevelLedger l;
     l.spacing = level.setup().dp, l.dt = level.dt();
-    for (const Kind kind : level.particles().kind) {
-        l.active += is_active(kind);
-        l.guards += kind == Kind::guard;
-        l.band += kind == Kind::band;
-        l.carried += kind == Kind::carried;
-    }
+    const KindCounts kinds = level.kinds();
+    l.guards = kinds.guards, l.band = kinds.band, l.carried = kinds.carried;
+    l.active = level.count() - kinds.guards - kinds.under();
     const Timers& t = level.timers();
     l.seconds = t.lists + t.gradient + t.walls + t.forces + t.effects + t.update;
     if (k == 0) return l;

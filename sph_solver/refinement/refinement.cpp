@@ -429,16 +429,13 @@ Followed Refinement::follow_finer(const Asking& asking, FollowFiner follow) {
 }
 
 double Refinement::mass_under() const {
-    const Particles& c = coarse().particles();
-    std::int64_t under = 0;
-    for (std::size_t i = 0; i < c.size(); ++i) under += stands_for_finer(c.kind[i]) && coarse_.between_openings(c.x[i]);
-    return coarse_.mass() * double(under);
+    const KindCounts of = coarse().kinds();
+    return coarse_.mass() * double(of.under() - of.under_beyond);
 }
 
 double Refinement::surplus() const {
-    const Particles& f = fine().particles();
-    std::int64_t water = -ledger_.spray;
-    for (std::size_t i = 0; i < f.size(); ++i) water += f.kind[i] != Kind::guard && fine_.between_openings(f.x[i]);
+    const KindCounts of = fine().kinds();
+    const std::int64_t water = fine_.count() - of.guards - of.water_beyond - ledger_.spray;
     return fine_.mass() * double(water) - mass_under();
 }
 

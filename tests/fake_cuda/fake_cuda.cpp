@@ -17,6 +17,7 @@
 #include "sph_solver/cuda/sorting.h"
 #include "sph_solver/cuda/tasks.h"
 #include "sph_solver/effects/ventilation.h"
+#include "sph_solver/loops/count_kinds.h"
 #include "sph_solver/sweeps/interpolate.h"
 #include "sph_solver/sweeps/views.h"
 
@@ -98,6 +99,10 @@ void find_asking(void** a) {
     const auto& task = argument<cuda::FindAsking>(a, 0);
     // from the end: what comes of it must not depend on the order
     for (std::size_t i = argument<std::size_t>(a, 1); i-- > 0;) task(i, add_one);
+}
+void count_kinds(void** a) {
+    const auto& task = argument<CountKinds>(a, 0);
+    for (std::size_t i = 0; i < argument<std::size_t>(a, 1); ++i) task(i, add_one);
 }
 void count_in_bins(void** a) {
     const auto& task = argument<cuda::CountInBins>(a, 0);
@@ -181,6 +186,7 @@ const std::map<std::string, EmulatedKernel>& kernels() {
         {"tw_find_asking", find_asking},
         {"tw_move", move},
         {"tw_fastest", fastest},
+        {"tw_count_kinds", count_kinds},
         {"tw_label_coarse", label<LabelCoarse>},
         {"tw_label_fine", label<LabelFine>},
         {"tw_count_in_bins", count_in_bins},

@@ -8,6 +8,8 @@
 #include "meshes/generate.h"
 #include "on_device.h"
 #include "sph_solver/effects/ventilation.h"
+#include "sph_solver/measure/certificate.h"
+#include "sph_solver/measure/level_ledger.h"
 #include "sph_solver/state/checkpoint.h"
 
 namespace tw {
@@ -44,6 +46,10 @@ std::vector<Fluid> stream_water(const SimulationSetup& s) {
         const Particles &p = a.level(k).particles(), &q = b.level(k).particles();
         if (const auto same = same_bits(p, q); !same)
             return ::testing::AssertionFailure() << "level " << k << ": " << same.message();
+        const LevelLedger of_a = level_ledger(a, k), of_b = level_ledger(b, k);
+        if (of_a.active != of_b.active || of_a.guards != of_b.guards || of_a.band != of_b.band ||
+            of_a.carried != of_b.carried || of_a.active + of_a.guards + of_a.band + of_a.carried != static_cast<std::int64_t>(q.size()))
+            return ::testing::AssertionFailure() << "level " << k << " counts others";
         if (p.children != q.children || p.compression != q.compression || p.aired != q.aired)
             return ::testing::AssertionFailure() << "level " << k << " knows other children, compressions or air";
     }
@@ -98,7 +104,11 @@ TEST_F(OnDevice, WhereSizesMeetFewParticlesTravel) {
     for (const auto& level : run.levels()) particles += level->count();
     const cuda::Device::Traffic from = device->traffic();
     constexpr int steps = 29;
-    for (int k = 0; k < steps; ++k) run.step();
+    RunRecord record;
+    for (int k = 0; k < steps; ++k) {
+        run.step();
+        watch_stability(run, record);  // as a run does
+    }
     const cuda::Device::Traffic to = device->traffic();
     const double bytes = double(to.to_device - from.to_device) + double(to.to_host - from.to_host);
     std::printf("%.1f bytes a particle and step between host and device\n", bytes / steps / double(particles));
