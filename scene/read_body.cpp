@@ -44,6 +44,7 @@ RigidMass read_mass(SceneSection& s, const Surface& surface, const Eigen::Matrix
     const double factor = mass ? *mass / m.mass : *density;
     m.mass *= factor;
     m.inertia *= factor;
+    if (!free) return {m.mass, centre.value_or(m.centre), m.inertia};  // what a law moves needs no inertia
     if (centre) m = with_centre(m, *centre);
     if (inertia) m.inertia = turn * inertia->asDiagonal() * turn.transpose();
     if (const std::string why = impossible(m); !why.empty())

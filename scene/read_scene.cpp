@@ -14,6 +14,7 @@
 #include "scene/particle_levels.h"
 #include "scene/read.h"
 #include "scene/refined_places.h"
+#include "scene/vortex_shedding.h"
 
 namespace tw {
 namespace {
@@ -253,6 +254,7 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     check_elastic(scene, s);
     check_gate(scene, particles);
     check_tank_motion(scene, s);
+    if (const auto shedding = check_vortex_shedding(scene)) scene.hull->findings.push_back(*shedding);
     scene.hash = scene_hash(scene);
     return scene;
 }

@@ -276,5 +276,13 @@ INSTANTIATE_TEST_SUITE_P(
             "scene.toml:17:10: [sph] scheme = \"rk4_frozen_diffusion\": bodies that the water moves answer to the "
             "water that moves with them once a step"}));
 
+// A centre far outside leaves a uniform solid no inertia that a body can have, and a law needs none.
+TEST(Bodies, WhatALawMovesIsNotAskedForItsInertia) {
+    const std::string outside = with(afloat, "[motion]", "centre = [0, 0, 0.9]\n[motion]"),
+                      law = "motion = \"prescribed\"\nlaw = \"constant\"\nalong = [1, 0, 0]\nrate = 0.01\n[motion]";
+    EXPECT_NE(complaint(outside).find("so give inertia"), std::string::npos) << complaint(outside);
+    EXPECT_EQ(complaint(with(outside, "[motion]", law)), "");
+}
+
 }  // namespace bodies_test
 }  // namespace tw::test

@@ -148,5 +148,41 @@ TEST(Defaults, AShipsRunWaitsForTheOscillationOfItsStart) {
     EXPECT_NEAR(start_up_period(at_froude(0.8)) * 0.8, start_up_period(at_froude(0.5)) * 0.5, 1e-9);
 }
 
+/// A round section of 0.1 m in water of 2 m at Re 200, `dp` [m], its middle `depth` below still water.
+std::string round_section(const std::string& dp, double depth, const std::string& more = "") {
+    return "[hull]\nshape = 'cylinder'\ndiameter = 0.1\ndraft = " + std::to_string(depth + 0.05) +
+           "\n[motion]\nspeed = 0.2\n[water]\nviscosity = 1e-4\n[domain]\nx = [-1, 2]\nz = [-2, 0.2]\n"
+           "dimensions = 2\n[resolution]\nnear_hull = " +
+           dp + "\n" + more;
+}
+
+/// What is found of the shedding, with its level.
+std::string shedding(const std::string& text) {
+    const Scene scene = scene_of(text);
+    for (const Finding& f : scene.hull->findings)
+        if (f.name == "vortex_shedding") return (f.level == Finding::Level::note ? "note: " : "warning: ") + f.message;
+    return {};
+}
+
+TEST(VortexShedding, ACheckSaysWhatARunTakesToShedAndNothingWhereNoneIsExpected) {
+    // 1.2 D/sqrt(200) = 8.5 mm of boundary layer: 1.7 mm, and a pair in 0.1/(0.2 0.2) s.
+    const std::string on = "[effects]\nviscosity = 'on'\n", off = "[effects]\nviscosity = 'off'\n";
+    EXPECT_EQ(shedding(round_section("0.0016", 1, on)),
+              "note: at Re = 200 on its height it sheds vortices, about one pair in 2.5 s");
+    const std::string coarse = shedding(round_section("0.005", 1, off));
+    EXPECT_EQ(coarse.find("warning: at Re = 200"), 0u) << coarse;
+    EXPECT_NE(coarse.find("[effects] viscosity = \"on\""), std::string::npos) << coarse;
+    EXPECT_NE(coarse.find("particles of 0.0017 m"), std::string::npos) << coarse;
+    EXPECT_EQ(coarse.find("still water 0.8 m"), std::string::npos) << coarse;
+    const std::string shallow = shedding(round_section("0.0016", 0.5, on));
+    EXPECT_NE(shallow.find("floor and still water 0.8 m from its middle, eight of its heights (here 0.5 m)"),
+              std::string::npos)
+        << shallow;
+    EXPECT_EQ(shedding(with(round_section("0.005", 1), "1e-4", "1e-3")), "");  // Re = 20
+    EXPECT_EQ(shedding(with(round_section("0.005", 1), "'cylinder'\ndiameter = 0.1",
+                            "'box'\nlength = 0.4\nbeam = 0.3\nheight = 0.1")),
+              "");  // a plate
+}
+
 }  // namespace defaults_test
 }  // namespace tw::test
