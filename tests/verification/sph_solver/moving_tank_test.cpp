@@ -10,8 +10,10 @@
 //   x_c = 1/(h L) int x eta dx = - sum_n 2 b_n / (h L k_n^2)
 #include <gtest/gtest.h>
 
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <complex>
 #include <cstdio>
 #include <limits>
 
@@ -77,7 +79,7 @@ std::vector<double> linear_centre(const MovingFrame& frame, double end, double d
 struct Swung {
     double history = 0;    ///< largest difference of x_c from linear theory's over its largest value
     double frequency = 0;  ///< of the swings after the tank has stopped, over linear theory's
-    double first = 0;      ///< the same of the first whole swing alone
+    double early = 0;      ///< the same of the first swing and a half, by how the phase of the fundamental moves
 };
 
 /// `fine_from`: particles right of it have the size dp, those left of it twice that; -1: all have dp. `air`: above it.
@@ -98,6 +100,9 @@ Swung swing(double dp, double fine_from = -1, bool air = false) {
     Swung r;
     double most = 0, before = 0, before_time = 0;
     std::vector<double> crossings;
+    // The fundamental in two windows of linear theory's period T, half of it apart: what is off it has no part in them.
+    const double w = frequency(1), begin = 0.7;
+    std::array<std::complex<double>, 2> fundamental{};
     for (std::size_t i = 1; double(i) * sample < end; ++i) {
         run_to(run, double(i) * sample);
         const double t = run.time(), x = centre_of_mass(run).x() - x0, at = t / sample;
@@ -106,11 +111,16 @@ Swung swing(double dp, double fine_from = -1, bool air = false) {
         if (t < 1.5) r.history = std::max(r.history, std::abs(x - theory));
         most = std::max(most, std::abs(theory));
         if (t > 0.7 && before * x < 0) crossings.push_back(before_time + (t - before_time) * before / (before - x));
+        for (int n = 0; n < 2; ++n) {
+            const double from = std::max(before_time, begin + n * pi / w),
+                         to = std::min(t, begin + (n + 2) * pi / w), middle = (before_time + t) / 2;
+            if (to > from) fundamental[std::size_t(n)] += (to - from) * (before + x) / 2 * std::polar(1.0, -w * middle);
+        }
         before = x, before_time = t;
     }
     r.history /= most;
     r.frequency = pi * double(crossings.size() - 1) / (crossings.back() - crossings.front()) / frequency(1);
-    r.first = 2 * pi / (crossings.at(2) - crossings.front()) / frequency(1);
+    r.early = 1 + std::arg(fundamental[1] / fundamental[0]) / pi;
     return r;
 }
 
@@ -134,12 +144,12 @@ TEST(MovingTank, SwingsAsLinearTheorySays) {
 /// of a gravity wave that an edge reflects on its way out of the smaller one (docs/results/levels.md).
 TEST(MovingTank, SwingsAsLinearTheorySaysWithTwoSizesOfParticles) {
     const Swung found = swing(0.0125, 0);
-    std::printf("two sizes: frequency - 1 %.2f %%, of the first swing %.2f %%, centre of mass %.2f %%\n",
-                100 * (found.frequency - 1), 100 * (found.first - 1), 100 * found.history);
-    // Judged on the first whole swing, +1.9 and +2.1 % with two variants of the pair loops. Later ones have half of linear
-    // theory's height and another one with each variant: all together gave +0.2 and +2.0 %. The bound is the 1 % of one
-    // size and what the reflected 5 % do: they move a crossing by up to 0.05 / pi of half a swing, and there are two.
-    EXPECT_LT(std::abs(found.first - 1), 0.01 + 0.05 / pi);
+    std::printf("two sizes: frequency - 1 %.2f %%, of the first swing and a half %.2f %%, centre of mass %.2f %%\n",
+                100 * (found.frequency - 1), 100 * (found.early - 1), 100 * found.history);
+    // Judged on the first swing and a half: 1.1 to 1.6 % with six variants of the pair loops. Later ones have half of linear
+    // theory's height and another one with each variant: all crossings together give 0.2 to 3.3 %. The bound is the 1 % of
+    // one size and half of what the reflected 5 % could do, if they moved the phases of both windows by 0.05 apart.
+    EXPECT_LT(std::abs(found.early - 1), 0.01 + 0.05 / pi);
     EXPECT_LT(found.history, 0.07 + 0.05);
 }
 
