@@ -1,0 +1,60 @@
+#!/usr/bin/env bash
+# Writes the bill of materials of a built twinwake as SPDX 2.3 (JSON): the program with its SHA-256, the Debian packages
+# whose libraries it loads, and those whose headers are compiled into it, each with version and source package. The same
+# program on the same packages gives the same bytes when SOURCE_DATE_EPOCH says the date.
+#
+#   package/sbom.sh PROGRAM VERSION [HEADER_PACKAGE ...] > twinwake.spdx.json
+#
+# Exit status: 0 written, 1 something has no Debian package, 2 wrong usage.
+set -euo pipefail
+export LC_ALL=C
+[ $# -ge 2 ] && [ -f "$1" ] || { sed -n '2,8p' "${BASH_SOURCE[0]}" | cut -c3- >&2; exit 2; }
+program=$1 version=$2
+shift 2
+die() { echo "sbom.sh: $*" >&2; exit 1; }
+
+# The packages that brought these files, one a line; /lib is /usr/lib, and packages know a file by either name.
+packages_of() {
+    { dpkg-query -S "$@" "${@#/usr}" 2>/dev/null || true; } | sed 's/: .*//' | sort -u
+}
+mapfile -t files < <(ldd "$program" | sed -n 's/.*=> \(\/[^ ]*\) .*/\1/p; s/^[[:space:]]*\(\/[^ ]*\) (.*/\1/p' | xargs -r realpath)
+[ ${#files[@]} -gt 0 ] || die "$program loads no library"
+mapfile -t loaded < <(packages_of "${files[@]}")
+[ ${#loaded[@]} -gt 0 ] || die "no library that $program loads is of a Debian package"
+headers=("$@")
+
+# entries PACKAGE...: their entries in the list of packages. A plus is none of an identifier's letters, and an URL's blank.
+entries() {
+    dpkg-query -W -f '${Package}\t${Version}\t${source:Package} ${source:Version}\n' "$@" | while IFS=$'\t' read -r name at source; do
+        local url=${at//+/%2B}
+        printf ',\n    {"SPDXID": "SPDXRef-%s", "name": "%s", "versionInfo": "%s",\n' "${name//+/-plus}" "$name" "$at"
+        printf '     "sourceInfo": "Debian source package %s", "downloadLocation": "NOASSERTION", "filesAnalyzed": false,\n' "$source"
+        printf '     "externalRefs": [{"referenceCategory": "PACKAGE-MANAGER", "referenceType": "purl",\n'
+        printf '                       "referenceLocator": "pkg:deb/debian/%s@%s"}]}' "${name//+/%2B}" "${url//:/%3A}"
+    done
+}
+# relations KIND PACKAGE...
+relations() {
+    local kind=$1
+    shift
+    for package; do
+        package=${package%%:*}
+        printf ',\n    {"spdxElementId": "SPDXRef-program", "relationshipType": "%s", "relatedSpdxElement": "SPDXRef-%s"}' \
+            "$kind" "${package//+/-plus}"
+    done
+}
+
+hash=$(sha256sum "$program" | cut -d ' ' -f 1)
+list=$(entries "${loaded[@]}" "${headers[@]}")
+printf '{\n  "spdxVersion": "SPDX-2.3", "dataLicense": "CC0-1.0", "SPDXID": "SPDXRef-DOCUMENT",\n'
+printf '  "name": "twinwake-%s", "documentNamespace": "urn:sha256:%s",\n' "$version" "$hash"
+printf '  "creationInfo": {"created": "%s", "creators": ["Organization: twinwake developers"]},\n' \
+    "$(date -u -d "@${SOURCE_DATE_EPOCH:-$(date +%s)}" +%Y-%m-%dT%H:%M:%SZ)"
+printf '  "packages": [\n    {"SPDXID": "SPDXRef-program", "name": "twinwake", "versionInfo": "%s",\n' "$version"
+printf '     "downloadLocation": "NOASSERTION", "filesAnalyzed": false,\n'
+printf '     "checksums": [{"algorithm": "SHA256", "checksumValue": "%s"}]}%s\n  ],\n' "$hash" "$list"
+printf '  "relationships": [\n'
+printf '    {"spdxElementId": "SPDXRef-DOCUMENT", "relationshipType": "DESCRIBES", "relatedSpdxElement": "SPDXRef-program"}'
+relations DYNAMIC_LINK "${loaded[@]}"
+relations STATIC_LINK "${headers[@]}"
+printf '\n  ]\n}\n'
