@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <limits>
 #include <memory>
 
 #include "meshes/generate.h"
@@ -11,34 +10,15 @@
 #include "sph_solver/measure/certificate.h"
 #include "sph_solver/measure/level_ledger.h"
 #include "sph_solver/state/checkpoint.h"
+#include "three_levels.h"
 
 namespace tw {
 namespace levels_on_device_test {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
-Zone zone_between(double x0, double x1, double z0, double z1) {
-    return Zone({Box{Vec3(x0, -infinite, z0), Vec3(x1, infinite, z1)}});
-}
-
-/// A stream with a free surface past a box, three sizes of particles.
 SimulationSetup stream() {
-    SimulationSetup s;
-    s.dimensions = 2;
-    s.dp = 0.02;
-    s.state_equation.c0 = 20;
-    s.domain = {Vec3(-2.4, -1, -1.6), Vec3(2.4, 1, 1.6)};
-    s.mirrors.on = {{{false, false}, {false, false}, {true, false}}};
-    s.stream = Stream{1, 0.1, 6 * 0.08};
-    s.zones = {zone_between(-1.2, 1.2, -0.96, infinite), zone_between(-0.48, 0.48, -0.4, infinite)};
-    s.bodies.emplace_back(box_surface({Vec3(-0.1, -1, -0.1), Vec3(0.1, 1, 0.3)}));
+    SimulationSetup s = three_levels(1);
     s.effects.push_back(Ventilation{});
-    s.threads = 1;
     return s;
-}
-std::vector<Fluid> stream_water(const SimulationSetup& s) {
-    const double end = 2.4 + s.stream->buffer;
-    return fill_levels(s, {Box{Vec3(-end, -1, -1.6), Vec3(end, 1, 0)}});
 }
 
 ::testing::AssertionResult same_levels(const Simulation& a, const Simulation& b) {
@@ -77,7 +57,7 @@ void expect_same_steps(Simulation& host, Simulation& device, int steps) {
 
 TEST_F(OnDevice, ThreeSizesOfParticlesInAStreamMeetAsOnTheHost) {
     const SimulationSetup s = stream();
-    Simulation host(s, stream_water(s), emulated()), device(s, stream_water(s), emulated());
+    Simulation host(s, water_of_stream(s), emulated()), device(s, water_of_stream(s), emulated());
     put_on_device(device);
     expect_same_steps(host, device, 30);
     for (const Refinement& edge : device.refinements()) {
@@ -97,7 +77,7 @@ TEST_F(OnDevice, ThreeSizesOfParticlesInAStreamMeetAsOnTheHost) {
 
 TEST_F(OnDevice, WhereSizesMeetFewParticlesTravel) {
     const SimulationSetup s = stream();
-    Simulation run(s, stream_water(s), emulated());
+    Simulation run(s, water_of_stream(s), emulated());
     const auto device = put_on_device(run);
     run.step();  // takes all there
     std::int64_t particles = 0;
@@ -143,7 +123,7 @@ TEST_F(OnDevice, AColumnSurgesAcrossTheEdgeOfAZoneInThreeDimensions) {
 
 TEST_F(OnDevice, SprayEndsInWaterOfAnyCoarserSize) {
     const SimulationSetup s = stream();
-    Simulation host(s, stream_water(s), emulated()), device(s, stream_water(s), emulated());
+    Simulation host(s, water_of_stream(s), emulated()), device(s, water_of_stream(s), emulated());
     put_on_device(device);
     std::int64_t drop = 0;
     for (Simulation* run : {&host, &device}) {
@@ -213,7 +193,7 @@ TEST_F(OnDevice, AZoneThatGetsAnotherPartIsFoundAnew) {
 TEST_F(OnDevice, ACheckpointOfSeveralSizesGoesFromTheHostToADeviceAndBack) {
     const auto file = std::filesystem::temp_directory_path() / "levels_on_device_test.h5";
     const SimulationSetup s = stream();
-    Simulation whole(s, stream_water(s), emulated());
+    Simulation whole(s, water_of_stream(s), emulated());
     for (int k = 0; k < 8; ++k) whole.step();
     const auto hand_over = [&](const Simulation& from, Simulation& to) {
         write_checkpoint(file, "a scene", from, 1);
@@ -222,7 +202,7 @@ TEST_F(OnDevice, ACheckpointOfSeveralSizesGoesFromTheHostToADeviceAndBack) {
         for (int k = 0; k < 8; ++k) whole.step(), to.step();
         EXPECT_TRUE(same_levels(whole, to));
     };
-    Simulation device(s, stream_water(s), emulated()), back(s, stream_water(s), emulated());
+    Simulation device(s, water_of_stream(s), emulated()), back(s, water_of_stream(s), emulated());
     put_on_device(device);
     hand_over(whole, device);
     hand_over(device, back);

@@ -11,13 +11,10 @@
 #include "meshes/generate.h"
 #include "sph_solver/simulation.h"
 #include "sph_solver/state/checkpoint.h"
+#include "three_levels.h"
 
 namespace tw {
 namespace levels_test {
-
-Zone zone_between(double x0, double x1, double z0, double z1) {
-    return Zone({Box{Vec3(x0, -infinite, z0), Vec3(x1, infinite, z1)}});
-}
 
 TEST(Zones, TellTheDistanceFromTheirEdgeOnBothSides) {
     const Zone open_above = zone_between(0, 2, -1, infinite);
@@ -92,27 +89,9 @@ TEST(Interpolation, FromNothingThatCountsIsNothing) {
         EXPECT_EQ(at.compression[k], 0);
     }
 }
-
-/// A stream with a free surface past a box, three sizes of particles.
-SimulationSetup three_levels(int threads) {
-    SimulationSetup s;
-    s.dimensions = 2;
-    s.dp = 0.02;
-    s.state_equation.c0 = 20;
-    s.domain = {Vec3(-2.4, -1, -1.6), Vec3(2.4, 1, 1.6)};
-    s.mirrors.on = {{{false, false}, {false, false}, {true, false}}};
-    s.stream = Stream{1, 0.1, 6 * 0.08};
-    s.zones = {zone_between(-1.2, 1.2, -0.96, infinite), zone_between(-0.48, 0.48, -0.4, infinite)};
-    s.bodies.emplace_back(box_surface({Vec3(-0.1, -1, -0.1), Vec3(0.1, 1, 0.3)}));
-    s.threads = threads;
-    return s;
-}
-std::vector<Fluid> water_of(const SimulationSetup& s) {
-    return fill_levels(s, {Box{Vec3(-2.4 - s.stream->buffer, -1, -1.6), Vec3(2.4 + s.stream->buffer, 1, 0)}});
-}
 Simulation make(int threads) {
     const SimulationSetup s = three_levels(threads);
-    return Simulation(s, water_of(s));
+    return Simulation(s, water_of_stream(s));
 }
 
 /// The same stream in a wider and deeper box, four sizes of particles: two zones beside each other in the second.
@@ -215,7 +194,7 @@ TEST(Levels, AZoneThroughTheOutletKeepsItsMass) {
     SimulationSetup s = three_levels(1);
     s.bodies.clear();
     s.zones = {zone_between(-1.2, infinite, -0.96, infinite), zone_between(-0.48, infinite, -0.4, infinite)};
-    Simulation simulation(s, water_of(s));
+    Simulation simulation(s, water_of_stream(s));
     while (simulation.time() < 0.8) simulation.step();  // farther than the buffer is long
     // three coarse columns
     for (const Refinement& edge : simulation.refinements()) EXPECT_NEAR(edge.mass_drift(), 0, 0.045);
@@ -252,7 +231,7 @@ TEST(Levels, FourSizesWithTwoZonesOfOneKeepTheirBitsToo) { expect_same_bits_afte
 TEST(Levels, RefuseSchemesThatTheyHaveNoCouplingFor) {
     SimulationSetup s = three_levels(1);
     s.scheme = Scheme::predictor_corrector;
-    EXPECT_THROW(Simulation(s, water_of(s)), InputError);
+    EXPECT_THROW(Simulation(s, water_of_stream(s)), InputError);
 }
 
 }  // namespace levels_test
