@@ -5,10 +5,11 @@
 #
 #   package/sbom.sh PROGRAM VERSION [HEADER_PACKAGE ...] > twinwake.spdx.json
 #
-# Exit status: 0 written, 1 something has no Debian package, 2 wrong usage.
+# Libraries that no Debian package brought are left out. Exit status: 0 written, 1 none of its libraries, or not a
+# header package, is an installed Debian package, 2 wrong usage.
 set -euo pipefail
 export LC_ALL=C
-[ $# -ge 2 ] && [ -f "$1" ] || { sed -n '2,8p' "${BASH_SOURCE[0]}" | cut -c3- >&2; exit 2; }
+[ $# -ge 2 ] && [ -f "$1" ] || { sed -n '2,9p' "${BASH_SOURCE[0]}" | cut -c3- >&2; exit 2; }
 program=$1 version=$2
 shift 2
 die() { echo "sbom.sh: $*" >&2; exit 1; }
@@ -23,7 +24,7 @@ mapfile -t loaded < <(packages_of "${files[@]}")
 [ ${#loaded[@]} -gt 0 ] || die "no library that $program loads is of a Debian package"
 headers=("$@")
 
-# entries PACKAGE...: their entries in the list of packages. A plus is none of an identifier's letters, and an URL's blank.
+# entries PACKAGE...: their entries in the list of packages. Identifiers allow no plus, and in a URL it means a blank.
 entries() {
     dpkg-query -W -f '${Package}\t${Version}\t${source:Package} ${source:Version}\n' "$@" | while IFS=$'\t' read -r name at source; do
         local url=${at//+/%2B}
