@@ -129,11 +129,11 @@ private:
         auto& nodes = mesh_.set(name_);
         if (generate_) {
             if (fields.size() < 2) refuse("a generated set takes its first and last node and a step");
-            const int first = number<int>(fields[0]), last = number<int>(fields[1]),
-                      step = fields.size() > 2 ? number<int>(fields[2]) : 1;
+            const std::int64_t first = number<int>(fields[0]), last = number<int>(fields[1]),
+                               step = fields.size() > 2 ? number<int>(fields[2]) : 1;
             if (step <= 0 || last < first || (last - first) / step > 100'000'000)
                 refuse(fmt::format("nodes {} to {} in steps of {}", first, last, step));
-            for (int id = first; id <= last; id += step) into(nodes, id);
+            for (std::int64_t id = first; id <= last; id += step) into(nodes, static_cast<int>(id));
             return;
         }
         for (const std::string& f : fields) {

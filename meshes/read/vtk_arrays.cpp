@@ -1,5 +1,6 @@
 #include "meshes/read/vtk_arrays.h"
 
+#include <SMP/Common/vtkSMPToolsAPI.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
@@ -133,6 +134,8 @@ const std::vector<double>* VtkArrays::find(const std::string& name, bool of_poin
 
 VtkArrays read_by_vtk(const std::function<vtkSmartPointer<vtkPointSet>()>& read, bool every_complaint,
                       const TrialLimits& limits) {
+    // A child of a process with threads of VTK waits for ever for what one of them held when it was forked.
+    vtk::detail::smp::vtkSMPToolsAPI::GetInstance().SetBackend("Sequential");
     return unpacked(answer_of_trial(
         [&] {
             const VtkComplaints complaints;

@@ -39,9 +39,9 @@ struct VtkArrays {
 };
 
 /// Reads by `read` in a child process, as VTK's readers follow the counts and labels of a file unchecked, and takes
-/// over what is sound. VTK stays off the terminal. `every_complaint`: what VTK complains of is refused. Throws
-/// InputError that says why nothing can be read, without the file's name: VTK's complaint, cells whose corners are no
-/// points, a crash, no end.
+/// over what is sound. VTK stays off the terminal, and works in one thread from here on, in this process too.
+/// `every_complaint`: what VTK complains of is refused. Throws InputError that says why nothing can be read, without
+/// the file's name: VTK's complaint, cells whose corners are no points, a crash, no end.
 VtkArrays read_by_vtk(const std::function<vtkSmartPointer<vtkPointSet>()>& read, bool every_complaint,
                       const TrialLimits& limits = {});
 

@@ -1,11 +1,11 @@
 // Feeds a reader with changed seeds where the compiler has no libFuzzer:
 //
-//   fuzz_readers --reader=NAME [--seconds=N] [--seed=N] FOLDER     seeds are the files of the folder
-//   fuzz_readers --reader=NAME FILE                                this input once
+//   fuzz_readers --reader=NAME [--seconds=N] [--inputs=N] [--seed=N] FOLDER     seeds are the files of the folder
+//   fuzz_readers --reader=NAME FILE                                             this input once
 //
-// The inputs of a seed are the same on every machine. Before each the driver writes it to a file, so that an input that
-// crashes the process, runs for ten seconds of its own or takes too much memory is there afterwards; the first line names
-// it.
+// The inputs of a seed are one row, the same on every machine; a fast one gets further along it. The driver writes each
+// to a file before it is read, so that an input that crashes the process, runs for ten seconds of its own or takes too
+// much memory is there afterwards; the first line names it.
 #include <sanitizer/common_interface_defs.h>
 #include <sys/resource.h>
 #include <sys/time.h>
@@ -75,7 +75,12 @@ std::vector<std::string> seeds_in(const fs::path& folder) {
     return seeds;
 }
 
-void fuzz(const fs::path& folder, const std::string& reader, std::uint64_t seed, double seconds) {
+/// Where a walk along the row of inputs ends, whichever comes first.
+struct Reach {
+    double seconds = 10, inputs = 1e15;
+};
+
+void fuzz(const fs::path& folder, const std::string& reader, std::uint64_t seed, const Reach& reach) {
     const std::vector<std::string> seeds = seeds_in(folder);
     if (seeds.empty()) {
         std::fprintf(stderr, "%s holds no seed\n", folder.c_str());
@@ -89,7 +94,7 @@ void fuzz(const fs::path& folder, const std::string& reader, std::uint64_t seed,
     std::size_t count = 0;
     const auto begin = std::chrono::steady_clock::now();
     const auto passed = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
-    for (; passed() < seconds; ++count) {
+    for (; passed() < reach.seconds && static_cast<double>(count) < reach.inputs; ++count) {
         const std::string bytes = count < seeds.size() ? seeds[count] : readers::mutated(seeds, random);
         std::ofstream(kept, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
         last_words = " at input " + std::to_string(count) + " of --seed=" + std::to_string(seed) + ", kept in " +
@@ -116,7 +121,8 @@ extern "C" const char* __asan_default_options() { return "max_allocation_size_mb
 
 int main(int count, char** words) {
     LLVMFuzzerInitialize(&count, &words);
-    double seconds = 10, seed = 1;
+    tw::Reach reach;
+    double seed = 1;
     std::string reader;
     tw::fs::path inputs;
     for (int k = 1; k < count; ++k) {
@@ -124,7 +130,9 @@ int main(int count, char** words) {
         if (word.starts_with("--reader="))
             reader = value;
         else if (word.starts_with("--seconds="))
-            seconds = tw::number(value);
+            reach.seconds = tw::number(value);
+        else if (word.starts_with("--inputs="))
+            reach.inputs = tw::number(value);
         else if (word.starts_with("--seed="))
             seed = tw::number(value);
         else
@@ -133,7 +141,7 @@ int main(int count, char** words) {
     __sanitizer_set_death_callback([] { tw::say("is an error of memory or an exception that is none of ours"); });
     for (const int signal : {SIGPROF, SIGALRM}) std::signal(signal, tw::on_signal);
     if (tw::fs::is_directory(inputs)) {
-        tw::fuzz(inputs, reader, static_cast<std::uint64_t>(seed), seconds);
+        tw::fuzz(inputs, reader, static_cast<std::uint64_t>(seed), reach);
     } else {
         tw::last_words = ": " + inputs.string() + "\n";
         tw::feed_one(tw::read_text(inputs));

@@ -69,6 +69,21 @@ TEST(FoamAir, DoesNotDependOnWhatWasAskedBefore) {
     EXPECT_EQ(other.back(), forth.back());
 }
 
+/// A reader's child is forked: it would wait for ever for a lock that a thread of VTK held just then.
+TEST(FoamAir, LeavesNoThreadsOfVtkBehind) {
+    const auto threads = [] {
+        const fs::directory_iterator all("/proc/self/task");
+        return std::distance(begin(all), end(all));
+    };
+    const ScratchFolder folder;
+    write_row_of_cells(folder / "case");
+    const auto before = threads();
+    const FoamAir air(folder / "", 1, {});
+    AirState s;
+    EXPECT_TRUE(air.at({1, 0.5, 0.5}, s));
+    EXPECT_EQ(threads(), before);
+}
+
 TEST(FoamAir, EndsWhereTheMeshEnds) {
     const ScratchFolder folder;
     write_row_of_cells(folder / "case");
