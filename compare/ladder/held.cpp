@@ -22,7 +22,7 @@ Validation validate(const LadderValue& v, const MeanValue& measured, double targ
     out.verdict = Verdict::not_converged;
     if (!std::isfinite(v.uncertainty)) return out;
     out.U_val = std::hypot(v.uncertainty, measured.half_width);
-    out.verdict = decide(out.E, out.U_val, target, std::abs(measured.value));
+    out.verdict = holds(out.E, out.U_val, target, std::abs(measured.value));
     return out;
 }
 

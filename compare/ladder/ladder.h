@@ -69,7 +69,7 @@ struct Sensitivity {
 };
 
 /// One method's finest value S against one from elsewhere D (ASME V&V 20): E = S - D, U_val^2 = U^2 + U_D^2. The
-/// verdict is decide.h's: agree and undecided hold the measurement within U_val, differ does not.
+/// verdict is holds() of decide.h: agree and undecided hold the measurement within U_val, differ does not.
 struct Validation {
     double E = std::numeric_limits<double>::quiet_NaN(), U_val = std::numeric_limits<double>::quiet_NaN();
     double per_cent = std::numeric_limits<double>::quiet_NaN();  ///< E over |D| [%]

@@ -65,8 +65,8 @@ ReportTable ladder_verdicts(const Ladder& ladder) {
         "Finest values with 95 % intervals that include the statistical scatter of the mean, the "
         "discretisation error (from three sizes on a fit of trend and noise, of two the grid convergence index) and "
         "the runs with other choices. Agree: the difference lies inside the joint interval, and that is at most {:g} % "
-        "of the "
-        "value. Differ: it lies outside. Undecided: inside, but the interval is too wide to tell. Not converged: the "
+        "of the value, or both together are. Differ: it lies outside. Undecided: inside, but the interval is too wide "
+        "to tell. Not converged: the "
         "values of a method diverge as the sizes shrink, or have no uncertainty. The influence of the walls of the box "
         "is part of the values' intervals and not of that of the difference, because both methods solve the same box.",
         100 * ladder.agree_within));

@@ -138,8 +138,9 @@ ReportTable quantities_table(const Comparison& c, bool judged) {
                           ") and of other choices (box, sound speed, time step) as far as runs were made for them.");
     if (pair)
         table.notes.push_back(fmt::format(
-            "Agree: the difference lies inside the joint interval, and that is at most {:g} % of the value. Differ: it "
-            "lies outside. Undecided: inside, but the interval is too wide to tell. The influence of the walls of the "
+            "Agree: the difference lies inside the joint interval, and that is at most {:g} % of the value, or both "
+            "together are. Differ: it lies outside. Undecided: inside, but the interval is too wide to tell. The "
+            "influence of the walls of the "
             "box is not part of the joint interval, because both methods solve the same box.",
             100 * c.agree_within));
     return table;

@@ -58,6 +58,10 @@ TEST(Verdict, TheRuleOfALadder) {
     EXPECT_EQ(decide(-3, 2.5, 0.05, 100), Verdict::differ);
     EXPECT_EQ(decide(5, 12, 0.05, 100), Verdict::undecided);
     EXPECT_EQ(decide(0, 0, 0.05, 100), Verdict::agree);
+    // A difference that is shown, and shown to be within the target.
+    EXPECT_EQ(decide(-0.5, 0.3, 0.05, 100), Verdict::agree);
+    EXPECT_EQ(decide(4.8, 0.3, 0.05, 100), Verdict::differ);
+    EXPECT_EQ(holds(-0.5, 0.3, 0.05, 100), Verdict::differ) << "a measurement outside the interval is outside";
 }
 
 TEST(Verdict, ATooShortRecordIsUndecidedAMissingValueNotComparable) {
