@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <Eigen/Geometry>
+#include <map>
 #include <set>
 
 #include "meshes/check/edges.h"
@@ -57,13 +58,58 @@ std::size_t remove_slivers(Surface& s) {
     return removed;
 }
 
+std::array<int, 3> sorted_corners(std::array<int, 3> t) {
+    std::ranges::sort(t);
+    return t;
+}
+
+/// Two parts that touch have a wall inside, of pairs of faces that lie upon each other and look opposite ways. A patch of
+/// such pairs goes where the surface is closed without it, all along its outline. Elsewhere it is one wall, exported
+/// twice, or a plate without thickness.
+std::size_t remove_inner_walls(Surface& s) {
+    const auto turned = [](const std::array<int, 3>& t) {  // an odd number of swaps from its sorted corners
+        return (t[0] > t[1]) != ((t[1] > t[2]) != (t[0] > t[2]));
+    };
+    std::map<std::array<int, 3>, std::array<int, 2>> faces;
+    for (const auto& t : s.triangles) ++faces[sorted_corners(t)][turned(t)];
+    const auto paired = [&](const std::array<int, 3>& t) {
+        const auto& [one, other] = faces.at(sorted_corners(t));
+        return one == 1 && other == 1;
+    };
+    const auto edge = [](const std::array<int, 3>& t, std::size_t k) { return std::minmax({t[k], t[(k + 1) % 3]}); };
+    std::map<std::pair<int, int>, int> of_others;
+    std::map<std::pair<int, int>, std::vector<std::array<int, 3>>> of_pairs;
+    for (const auto& t : s.triangles)
+        for (std::size_t k = 0; k < 3; ++k)
+            if (paired(t))
+                of_pairs[edge(t, k)].push_back(sorted_corners(t));
+            else
+                ++of_others[edge(t, k)];
+    std::set<std::array<int, 3>> seen, gone;
+    for (const auto& [first, count] : faces) {
+        if (!paired(first) || !seen.insert(first).second) continue;
+        std::vector<std::array<int, 3>> patch{first};
+        bool bounded = false, closed_without = true;
+        for (std::size_t i = 0; i < patch.size(); ++i)
+            for (std::size_t k = 0; k < 3; ++k) {
+                const auto side = edge(patch[i], k);
+                const auto found = of_others.find(side);
+                const int others = found == of_others.end() ? 0 : found->second;
+                const bool outline = of_pairs[side].size() == 2;
+                bounded = bounded || outline;
+                closed_without = closed_without && others != 1 && (others > 0 || !outline);
+                for (const auto& next : of_pairs[side])
+                    if (seen.insert(next).second) patch.push_back(next);
+            }
+        if (bounded && closed_without) gone.insert(patch.begin(), patch.end());
+    }
+    return std::erase_if(s.triangles, [&](const auto& t) { return gone.contains(sorted_corners(t)); });
+}
+
 std::size_t remove_duplicates(Surface& s) {
     std::set<std::array<int, 3>> seen;
     const std::size_t before = s.triangles.size();
-    std::erase_if(s.triangles, [&](std::array<int, 3> t) {
-        std::ranges::sort(t);
-        return !seen.insert(t).second;
-    });
+    std::erase_if(s.triangles, [&](const auto& t) { return !seen.insert(sorted_corners(t)).second; });
     return before - s.triangles.size();
 }
 
@@ -161,6 +207,8 @@ Repaired repair_surface(const Surface& surface) {
     const std::size_t collapsed = surface.triangles.size() - r.surface.triangles.size();
     const std::size_t slivers = collapsed + remove_slivers(r.surface);
     if (slivers > 0) r.done.push_back(fmt::format("removed {} triangles without area", slivers));
+    if (const std::size_t n = remove_inner_walls(r.surface); n > 0)
+        r.done.push_back(fmt::format("removed {} triangles of walls inside, where two parts touch", n));
     if (const std::size_t n = remove_duplicates(r.surface); n > 0)
         r.done.push_back(fmt::format("removed {} triangles that were there twice", n));
     if (const std::size_t n = make_consistent(r.surface); n > 0)

@@ -192,6 +192,31 @@ TEST(RepairSurface, TurnsFlippedAndInvertedTriangles) {
     }
 }
 
+TEST(RepairSurface, RemovesTheWallInsideWhereTwoPartsTouch) {
+    const Surface half = refined(make_hull("box", {{"length", 2}, {"beam", 1}, {"height", 0.5}}), 0.4);
+    const Box at = half.bounds();
+    const Surface both = together(half, shifted(half, {at.size().x(), 0, 0}));
+    EXPECT_FALSE(usable(check_surface(welded(both, 1e-9))));
+    const Repaired r = repair_surface(both);
+    EXPECT_EQ(names(check_surface(r.surface)), "");
+    EXPECT_NEAR(mass_properties(r.surface).volume, 2 * mass_properties(half).volume, 1e-9);
+    EXPECT_NE(r.done.back().find("triangles of walls inside"), std::string::npos) << r.done.back();
+}
+
+// A face that is there twice, once turned, is no wall inside: without both there would be a hole.
+TEST(RepairSurface, OfAWallThatIsThereTwiceLeavesOne) {
+    const Surface box = refined(make_hull("box", {}), 0.2);
+    Surface doubled = box;
+    for (const std::size_t t : {0u, 1u, 2u, 9u})
+        doubled.triangles.push_back({box.triangles[t][0], box.triangles[t][2], box.triangles[t][1]});
+    const Surface all = together(box, turned_inside_out(box));
+    for (const Surface& s : {doubled, all}) {
+        const Repaired r = repair_surface(s);
+        EXPECT_EQ(names(check_surface(r.surface)), "");
+        EXPECT_NEAR(mass_properties(r.surface).volume, mass_properties(box).volume, 1e-9);
+    }
+}
+
 TEST(RepairSurface, WeldsCornersThatSinglePrecisionTookApart) {
     const Surface hull = make_hull("wigley", {});
     Surface soup;
