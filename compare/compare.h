@@ -51,7 +51,7 @@ struct Difference {
 };
 
 /// One compared number. Its own difference is that of the only two sources, or of the pair that lies farthest apart in
-/// units of its interval. `name` is a stable key: drag, lift, trim_moment, splash_sheet_height, splash_p95, splash_p99,
+/// units of its interval. `name` is a stable key: drag, lift, trim_moment, splash_raised, splash_sheet_height, splash_p95, splash_p99,
 /// splash_p99_9, airborne_volume, airborne_energy, splash_envelope, wake_width, wetted_length, crest_y_0.75,
 /// trough_y_0.75, ...
 struct Quantity : Difference {
@@ -61,6 +61,9 @@ struct Quantity : Difference {
     std::vector<Difference> pairs;  ///< of more than two sources: every pair of them, in their order
     std::string caveat;             ///< what the difference contains besides that of the methods
     bool judged = true;             ///< raw maxima are shown beside, and no ladder judges them
+    /// Not judged, since what makes it is smaller than the runs resolve: "not resolved: jet of 0.4 spacings, ..."; empty:
+    /// it is resolved.
+    std::string not_resolved = {};
     /// Judged by a ladder all the same: a history's mean has no interval of its own, but its resolution gives it one.
     bool judged_in_ladder = false;
     double scale = 0;  ///< |values| the target refers to are at least this [unit]

@@ -13,6 +13,7 @@
 #include "scene/hull_motion.h"
 #include "scene/particle_levels.h"
 #include "scene/refined_places.h"
+#include "scene/thin_jet.h"
 
 namespace tw {
 
@@ -153,6 +154,10 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
         record.numbers["heel"] = hull.heel;
         record.numbers["draft"] = hull.draft;
         record.numbers["displaced_volume"] = hull.still.volume;
+        if (const std::optional<SprayJet> jet = thin_jet(scene)) {
+            record.numbers["jet_thickness"] = jet->thickness;
+            record.numbers["jet_spacing"] = jet->size;
+        }
         if (hull.free) {
             note_free_hull(record, hull);
             record.bodies.push_back({hull_motion_table, hull.surface, hull.free->motion.mass.centre});

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/numbers.h"
+#include "scene/hull_bottom.h"
 #include "scene/read.h"
 
 namespace tw {
@@ -19,38 +20,6 @@ constexpr double default_width = 8;  ///< of a place, in its spacings
 constexpr int slices = 16;           ///< of the hull, along which the spray root is followed
 
 Box grown(const Box& box, double by) { return {box.min - Vec3::Constant(by), box.max + Vec3::Constant(by)}; }
-
-/// What is left of a convex polygon where `n . x <= at`.
-std::vector<Vec3> cut(const std::vector<Vec3>& polygon, const Vec3& n, double at) {
-    std::vector<Vec3> kept;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Vec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-        const double from = n.dot(a) - at, to = n.dot(b) - at;
-        if (from <= 0) kept.push_back(a);
-        if (from * to < 0) kept.push_back(a + from / (from - to) * (b - a));
-    }
-    return kept;
-}
-
-/// Bounds of the hull's bottom within `part`; none where nothing of it lies there. Its bottom is what looks down: on
-/// topsides no jet is born.
-std::optional<Box> bottom_within(const Surface& hull, const Box& part) {
-    constexpr double looks_down = -0.2;
-    Box bounds{Vec3::Constant(infinite), Vec3::Constant(-infinite)};
-    for (const auto& t : hull.triangles) {
-        std::vector<Vec3> polygon;
-        for (const auto corner : t) polygon.push_back(hull.points[static_cast<std::size_t>(corner)]);
-        const Vec3 normal = (polygon[1] - polygon[0]).cross(polygon[2] - polygon[0]);
-        if (!(normal.z() < looks_down * normal.norm())) continue;
-        for (int a = 0; a < 3; ++a) {
-            polygon = cut(polygon, Vec3::Unit(a), part.max[a]);
-            polygon = cut(polygon, -Vec3::Unit(a), -part.min[a]);
-        }
-        for (const Vec3& x : polygon) bounds = {bounds.min.cwiseMin(x), bounds.max.cwiseMax(x)};
-    }
-    if (!(bounds.min.array() <= bounds.max.array()).all()) return {};
-    return bounds;
-}
 
 /// Where jets leave the hull's bottom: between still water and the height to which it rises on a wedge that enters it,
 /// (pi/2 - 1) of the local draft (Wagner 1932, ZAMM 12, 193), slice by slice; of a section, whose jet runs ahead of it,

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 
 #include <fmt/format.h>
@@ -14,6 +15,7 @@
 #include "scene/refined_places.h"
 #include "scene/scene.h"
 #include "scene/tank_walls.h"
+#include "scene/thin_jet.h"
 #include "structure/shell/shell.h"
 #include "structure/solid/solid.h"
 #include "text/plain_number.h"
@@ -186,6 +188,17 @@ std::string sizes_text(const Scene& scene, const Prediction& p, const MethodCost
     return out;
 }
 
+/// Whether splash will be judged, and what would do where not.
+std::string jet_text(const Scene& scene) {
+    const std::optional<SprayJet> jet = thin_jet(scene);
+    if (!jet) return {};
+    const std::string why = jet->why_not_resolved();
+    return fmt::format("  {:13} about {:.2g} m thick where it leaves the hull, by thin-jet theory; {}\n", "spray jet",
+                       jet->thickness,
+                       why.empty() ? fmt::format("resolved by {:.2g} spacings", jet->across())
+                                   : why + "; no height of splash is judged");
+}
+
 /// `where`: how much of the box.
 std::string zone_line(double size, const std::string& where, const Box& box, const Domain& d) {
     return fmt::format("  {:13} {:.4g} m {}in {} to {} m, twice that outside (sph only)\n", "particles", size, where,
@@ -247,6 +260,7 @@ std::string to_text(const Scene& scene, const Prediction& p) {
     if (const EdgeRefinement shedding = edge_refinement(scene); !shedding.edges.empty())
         out += fmt::format("  {:13} {:.4g} m cells along {:.3g} m of edges from which the water leaves (fvm only)\n",
                            "edges", scene.resolution.near_hull / (1 << shedding.halvings), length_of(shedding.edges));
+    out += jet_text(scene);
     const Sampling& s = scene.sampling;
     out += fmt::format("sampling    every {:.4g} s into {} x {} x {} voxels of {:.4g} m; ", s.interval,
                        s.raster.count[0], s.raster.count[1], s.raster.count[2], s.raster.voxel);

@@ -31,6 +31,7 @@ bool follows_from_others(const std::string& name) {
                                                 "depth",
                                                 "levels",
                                                 "finest_spacing",
+                                                "jet_spacing",
                                                 "mean_from"};
     return names.contains(name) || name.starts_with("predicted_") || name.starts_with("domain_") ||
            name.starts_with("cut_") || name.starts_with("level_") || name.starts_with("uncertainty:");

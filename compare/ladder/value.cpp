@@ -20,8 +20,9 @@ LadderValue value_of(const std::vector<LadderSide>& sides, std::size_t k, const 
     std::vector<const LadderRun*> known;
     for (const LadderRun& run : side.runs) {
         const Quantity* q = find_quantity(run, name);
-        if (!q || !q->values[0].known) {
-            v.absent.push_back(fmt::format("{:g} m: {}", run.spacing, q ? q->values[0].why_not : "not measured"));
+        if (!q || !q->values[0].known || !q->not_resolved.empty()) {
+            const std::string why = !q ? "not measured" : q->values[0].known ? q->not_resolved : q->values[0].why_not;
+            v.absent.push_back(fmt::format("{:g} m: {}", run.spacing, why));
             continue;
         }
         known.push_back(&run);

@@ -15,8 +15,8 @@ namespace tw {
 
 namespace {
 
-/// Airborne water by layers: volume and lower edge of each layer above the cut-off.
-struct Airborne {
+/// Water above a cut-off by layers: volume and lower edge of each.
+struct WaterAbove {
     std::vector<double> low, high, volume;
     double total = 0;
 
@@ -31,11 +31,17 @@ struct Airborne {
         }
         return high.back();
     }
+    /// sum w V (z - level): the potential energy where w = rho g.
+    double moment(double weight, double level) const {
+        double sum = 0;
+        for (std::size_t k = 0; k < volume.size(); ++k) sum += weight * volume[k] * (0.5 * (low[k] + high[k]) - level);
+        return sum;
+    }
 };
 
-/// `cut_off`: height per column above which water is airborne [m]. Water lies at the bottom of a voxel.
-Airborne airborne(const RasterGrid& grid, const RasterFrame& frame, const std::vector<double>& cut_off) {
-    Airborne air;
+/// `cut_off`: height per column from which on water counts [m]. Water lies at the bottom of a voxel.
+WaterAbove water_above(const RasterGrid& grid, const RasterFrame& frame, const std::vector<double>& cut_off) {
+    WaterAbove air;
     const double edge = grid.spec.voxel;
     for (int k = 0; k < grid.nz; ++k) {
         const double low = grid.z_low(k);
@@ -55,6 +61,30 @@ Airborne airborne(const RasterGrid& grid, const RasterFrame& frame, const std::v
         air.total += air.volume.back();
     }
     return air;
+}
+
+/// x of the hull's aftmost point [m].
+double stern_of(const RunRecord& record) {
+    double stern = -infinite;
+    for (const Vec3& p : record.hull.points) stern = std::max(stern, p.x());
+    return stern;
+}
+
+/// The columns behind the hull, and how far they reach along x [m]: none of a section, or where no hull is.
+struct Wake {
+    std::vector<double> cut_off;  ///< still water behind the hull, beyond all heights elsewhere [m]
+    double length = 0;
+};
+Wake wake_of(const RunRecord& record, const RasterGrid& grid, double level) {
+    Wake wake{std::vector<double>(grid.columns(), infinite)};
+    if (!is_stream(record) || record.hull.points.empty() || number_of(record, "dimensions", 3) == 2) return wake;
+    const double stern = stern_of(record);
+    for (int i = 0; i < grid.nx; ++i) {
+        if (grid.x(i) <= stern) continue;
+        wake.length += grid.spec.voxel;
+        for (int j = 0; j < grid.ny; ++j) wake.cut_off[grid.column(i, j)] = level;
+    }
+    return wake;
 }
 
 }  // namespace
@@ -93,10 +123,14 @@ Table splash_series(const RunRecord& record, double level) {
                      {"p99_9", "m", {}},
                      {"airborne_volume", "m3", {}},
                      {"airborne_energy", "J", {}},
-                     {"raw_height", "m", {}}};
+                     {"raw_height", "m", {}},
+                     {"raised_area", "m2", {}},
+                     {"raised_mean", "m", {}},
+                     {"raised_p90", "m", {}}};
     const auto covered = under_hull(grid, record.hull);
     const auto cells = surface_cells(record);
     const SolidVoxels solid = solid_voxels(record);
+    const Wake wake = wake_of(record, grid, level);
     std::vector<double> cut_off(grid.columns());
     for (const RasterFrame& frame : record.frames) {
         const auto tops = sheet_tops(grid, frame, main_body(grid, frame, solid), solid);
@@ -106,10 +140,8 @@ Table splash_series(const RunRecord& record, double level) {
             cut_off[c] = double(wave[c]) + cells[c];
             if (tops[c] > cut_off[c]) sheet = std::max(sheet, static_cast<double>(tops[c]));
         }
-        const Airborne air = airborne(grid, frame, cut_off);
-        double energy = 0;
-        for (std::size_t k = 0; k < air.volume.size(); ++k)
-            energy += weight * air.volume[k] * (0.5 * (air.low[k] + air.high[k]) - level);
+        const WaterAbove air = water_above(grid, frame, cut_off);
+        const WaterAbove raised = water_above(grid, frame, wake.cut_off);
         double raw = nan;
         for (int k = grid.nz - 1; k >= 0 && std::isnan(raw); --k) {
             const auto first = frame.water.begin() + static_cast<std::ptrdiff_t>(grid.voxel(0, 0, k));
@@ -117,13 +149,16 @@ Table splash_series(const RunRecord& record, double level) {
             if (most >= least_share) raw = grid.z_low(k + 1) - level;
         }
         const std::size_t at = table.append(frame.time);
-        const std::array<double, 7> row{sheet - level,
-                                        air.height(0.95) - level,
-                                        air.height(0.99) - level,
-                                        air.height(0.999) - level,
-                                        factor * air.total,
-                                        factor * energy,
-                                        raw};
+        const std::array<double, 10> row{sheet - level,
+                                         air.height(0.95) - level,
+                                         air.height(0.99) - level,
+                                         air.height(0.999) - level,
+                                         factor * air.total,
+                                         factor * air.moment(weight, level),
+                                         raw,
+                                         wake.length > 0 ? factor * raised.total / wake.length : nan,
+                                         raised.total > 0 ? raised.moment(1, level) / raised.total : nan,
+                                         raised.height(0.9) - level};
         for (std::size_t c = 0; c < row.size(); ++c) table.columns[c].values[at] = row[c];
     }
     return table;
@@ -146,8 +181,7 @@ std::vector<float> splash_envelope(const RunRecord& record, double from) {
 double wake_width(const RunRecord& record, const std::vector<float>& envelope, double level) {
     const RasterGrid grid(record.raster);
     if (grid.empty() || envelope.empty() || record.hull.points.empty()) return nan;
-    double stern = -std::numeric_limits<double>::infinity();
-    for (const Vec3& p : record.hull.points) stern = std::max(stern, p.x());
+    const double stern = stern_of(record);
     std::vector<int> stations;
     double mean_crest = 0;
     for (int i = 0; i < grid.nx; ++i) {

@@ -13,6 +13,9 @@ bool is_stream(const RunRecord& record);
 ///   p95, p99, p99_9 [m]  height above still water below which 95 / 99 / 99.9 % of the airborne water lies
 ///   airborne_volume [m3], airborne_energy [J] = rho g sum V (z - level)   times the symmetry factor
 ///   raw_height [m]     highest voxel with a water share of at least 1/100: shown, never judged
+///   raised_area [m2]   behind a hull in a stream of three dimensions: water above still water, wave and splash, per
+///                      metre of way: volume over the length of the raster behind the hull, times the symmetry factor
+///   raised_mean, raised_p90 [m]  height above still water of that water's centre, and that below which 90 % of it lies
 ///
 /// Splash starts above what the wave and the resolution explain: by more than the surface cell of its column
 /// (surface_cells(), a voxel or a mesh cell) above the smooth wave, which is nowhere steeper than a gravity wave can be

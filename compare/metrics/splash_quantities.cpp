@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "compare/metrics/elevation.h"
 #include "compare/metrics/entry.h"
@@ -17,6 +18,7 @@
 #include "compare/verdict/judge.h"
 #include "record/hull_motion.h"
 #include "record/solid_at_rest.h"
+#include "record/spray_jet.h"
 
 namespace tw {
 
@@ -81,6 +83,16 @@ void withhold_if_short(MeanValue& value, const Analysis& analysis, const RunReco
                     std::max(window, 0.0), needed, value.seconds_needed);
 }
 
+/// Why what the jet throws is not judged: of the runs that know their jet, the one with the fewest spacings across it.
+std::string unresolved_jet(const std::vector<RunRecord>& records) {
+    std::optional<SprayJet> worst;
+    for (const RunRecord& r : records) {
+        const SprayJet jet{number_of(r, "jet_thickness", 0), number_of(r, "jet_spacing", 0)};
+        if (jet.thickness > 0 && jet.size > 0 && (!worst || jet.across() < worst->across())) worst = jet;
+    }
+    return worst ? worst->why_not_resolved() : "";
+}
+
 /// Largest finite value from `from` on; NaN where there is none.
 double largest(const Table& table, const Column& column, double from) {
     double most = std::numeric_limits<double>::quiet_NaN();
@@ -109,30 +121,43 @@ bool has_frames(const Comparison& c) {
 void add_splash(Comparison& comparison, const CompareOptions& options) {
     if (!has_frames(comparison)) return;
     const bool stream = is_stream(comparison.sources.front());
+    const std::string unresolved = stream ? unresolved_jet(comparison.sources) : "";
+    enum class Kind { integral, height, amount };
     struct Measure {
         const char *name, *label, *unit, *column, *definition;
-        bool height;
+        Kind kind;
     };
     for (const Measure& m :
-         {Measure{"splash_sheet_height", "Splash height (connected sheet)", "m", "sheet_height",
+         {Measure{
+              "splash_raised", "Water raised behind the hull", "m2", "raised_area",
+              "wave and splash: water above still water behind the hull, per metre of way, whole hull: its volume in "
+              "the raster over the length there",
+              Kind::integral},
+          Measure{"splash_raised_mean", "Mean height of the raised water", "m", "raised_mean",
+                  "height above still water of the centre of the water raised behind the hull", Kind::integral},
+          Measure{"splash_raised_p90", "Upper decile of the raised water", "m", "raised_p90",
+                  "height above still water below which 90 % of the water raised behind the hull lies", Kind::integral},
+          Measure{"splash_sheet_height", "Splash height (connected sheet)", "m", "sheet_height",
                   "height above still water of the highest splash that hangs together with the main "
                   "body: voxels at least half full, 26 neighbours; splash stands more than a surface "
                   "cell above the smooth wave",
-                  true},
+                  Kind::height},
           Measure{"splash_p95", "Splash height, 95 % of airborne water", "m", "p95",
-                  "height above still water below which 95 % of the airborne water lies", true},
+                  "height above still water below which 95 % of the airborne water lies", Kind::height},
           Measure{"splash_p99", "Splash height, 99 % of airborne water", "m", "p99",
-                  "height above still water below which 99 % of the airborne water lies", true},
+                  "height above still water below which 99 % of the airborne water lies", Kind::height},
           Measure{"splash_p99_9", "Splash height, 99.9 % of airborne water", "m", "p99_9",
-                  "height above still water below which 99.9 % of the airborne water lies", true},
+                  "height above still water below which 99.9 % of the airborne water lies", Kind::height},
           Measure{"airborne_volume", "Airborne water", "m3", "airborne_volume",
-                  "water more than a surface cell above the smooth wave, attached or not, whole hull", false},
+                  "water more than a surface cell above the smooth wave, attached or not, whole hull", Kind::amount},
           Measure{"airborne_energy", "Potential energy of airborne water", "J", "airborne_energy",
-                  "rho g times the airborne water's volume times height", false}}) {
+                  "rho g times the airborne water's volume times height", Kind::amount}}) {
+        const bool height = m.kind == Kind::height;
+        if (m.kind == Kind::integral && !stream) continue;
         Quantity q = new_quantity(m.name, m.label, m.unit, m.definition);
         for (std::size_t s = 0; s < comparison.sources.size(); ++s) {
             const RunRecord& record = comparison.sources[s];
-            const double floor = m.height ? 0.5 * record.raster.voxel : 0;
+            const double floor = height ? 0.5 * record.raster.voxel : 0;
             MeanValue value;
             const Column* column = comparison.analyses[s].splash.find(m.column);
             if (!column) {
@@ -150,21 +175,23 @@ void add_splash(Comparison& comparison, const CompareOptions& options) {
                 rules.allowed_error = floor;
                 value = settled_mean(comparison.analyses[s].splash.time, column->values, rules);
                 widen_to(value, floor);
-                if (!value.known && value.seconds_needed == 0) value.why_not = "no airborne water";
+                if (!value.known && value.seconds_needed == 0)
+                    value.why_not = m.kind == Kind::integral ? "no water behind a hull" : "no airborne water";
             }
-            if (column && m.height)
+            if (column && height)
                 withhold_if_cut_off(
                     value,
                     largest(comparison.analyses[s].splash, *column, stream ? comparison.analyses[s].settled_from : 0),
                     comparison.analyses[s].still_level, record);
             q.values.push_back(value);
         }
-        if (m.height)
+        if (height)
             q.definition +=
                 fmt::format("; no better than half a voxel ({:.3g} m)", 0.5 * comparison.sources[0].raster.voxel);
         if (!stream) q.definition += "; the largest of the run, since a tank's water does not settle";
+        if (m.kind != Kind::integral) q.not_resolved = q.remark = unresolved;
         // A volume's largest value has no interval that could carry a verdict.
-        if (stream || m.height)
+        if (q.not_resolved.empty() && (stream || height))
             judge(q, comparison.names, comparison.agree_within);
         else
             beside(q);

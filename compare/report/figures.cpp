@@ -206,6 +206,10 @@ Figures draw_figures(const Comparison& c) {
         f.resolution.push_back({"resolution", picture});
     const bool frames = std::ranges::any_of(c.sources, [](const RunRecord& r) { return !r.frames.empty(); });
     if (frames) {
+        if (const Quantity* raised = c.find("splash_raised");
+            raised && std::ranges::any_of(raised->values, &MeanValue::known))
+            f.splash.push_back(splash_figure(c, "splash_raised", "Water raised behind the hull, per metre of way",
+                                             "area [m2]", "raised_area", "splash_raised"));
         f.splash.push_back(splash_figure(c, "splash_sheet", "Highest connected water", "height [m]", "sheet_height",
                                          "splash_sheet_height"));
         f.splash.push_back(

@@ -105,6 +105,7 @@ std::string limit_of(const Quantity& q) {
 
 /// "Lift: apart by 2.8 % at this size (fvm lower), ± 0.2 % ...; discretisation error not estimated."
 std::string apart_sentence(const Comparison& comparison, const Quantity& q) {
+    if (!q.not_resolved.empty()) return q.label + ": " + q.not_resolved + ".";
     const bool without_verdict = q.verdict == Verdict::not_estimated || q.judged_in_ladder;
     if (!without_verdict || !std::isfinite(q.per_cent))
         return q.label + ": " + verdict_label(q.verdict) + (q.remark.empty() ? "" : " (" + q.remark + ")") + ".";
@@ -138,7 +139,8 @@ std::vector<std::string> sentences_on(const Comparison& comparison, const Quanti
     if (left < 2 && left < comparison.sources.size()) return sentences;
     for (const Difference& d : q.differences())
         if (!d.sentence.empty()) sentences.push_back(d.sentence);
-    if (sentences.empty() && comparison.sources.size() > 1) sentences.push_back(apart_sentence(comparison, q));
+    if (sentences.empty() && (comparison.sources.size() > 1 || !q.not_resolved.empty()))
+        sentences.push_back(apart_sentence(comparison, q));
     if (!q.caveat.empty())
         for (std::string& sentence : sentences) sentence += " (" + q.caveat + ")";
     return sentences;

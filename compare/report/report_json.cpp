@@ -43,6 +43,7 @@ Json quantity_json(const Comparison& comparison, const Quantity& q) {
                  {"unit", q.unit},
                  {"definition", q.definition},
                  {"judged", q.judged},
+                 {"not_resolved", q.not_resolved},
                  {"values", values},
                  {"intervals", intervals},
                  {"difference", number(q.difference)},

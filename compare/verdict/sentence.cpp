@@ -85,9 +85,9 @@ std::string two_methods(const Statement& s) {
 }  // namespace
 
 int main_rank(const std::string& name) {
-    static constexpr std::string_view main[] = {"drag",        "total_drag",  "lift",
-                                                "trim_moment", "body_depth",  "body_speed",
-                                                "body_peak",   "strain_peak", "splash_sheet_height"};
+    static constexpr std::string_view main[] = {"drag",          "total_drag",         "lift",      "trim_moment",
+                                                "body_depth",    "body_speed",         "body_peak", "strain_peak",
+                                                "splash_raised", "splash_sheet_height"};
     const auto* found = std::ranges::find(main, std::string_view(name).substr(0, name.find(':')));
     return found == std::end(main) ? -1 : static_cast<int>(found - std::begin(main));
 }

@@ -11,6 +11,7 @@
 #include "compare/compare.h"
 #include "compare/gates.h"
 #include "compare/report/csv.h"
+#include "compare/verdict/sentence.h"
 #include "methods/methods.h"
 #include "tests/unit/compare/synthetic_pair.h"
 
@@ -533,6 +534,31 @@ TEST(Compare, SplashOfBothSidesOnTheCommonRaster) {
     EXPECT_FALSE(c.find("splash_raw_max")->judged);
     EXPECT_NEAR(c.find("splash_raw_max")->values[0].value, 0.9, 0.05);  // the lone drop
     EXPECT_TRUE(c.find("wake_width")->values[0].known);
+}
+
+TEST(Compare, OfAJetThatIsNotResolvedTheHeightIsShownAndNotJudged) {
+    const auto compared = [](double jet) {
+        SyntheticRun a = sph, b = fvm;
+        a.frames = b.frames = true;
+        RunRecord first = synthetic_run(a), second = synthetic_run(b);
+        for (RunRecord* r : {&first, &second}) r->numbers["jet_thickness"] = jet, r->numbers["jet_spacing"] = 0.05;
+        second.numbers["jet_spacing"] = 0.1;  // the coarser one decides
+        return compare_records({first, second});
+    };
+    const Comparison thin = compared(0.04), thick = compared(0.31);
+    const std::string why = "not resolved: jet of 0.4 spacings, near_hull = 0.013 m would do";
+    for (const char* name : {"splash_sheet_height", "splash_p99", "airborne_volume"}) {
+        EXPECT_EQ(thin.find(name)->not_resolved, why) << name;
+        EXPECT_FALSE(thin.find(name)->judged) << name;
+        EXPECT_EQ(thick.find(name)->not_resolved, "") << name;
+        EXPECT_TRUE(thick.find(name)->judged) << name;
+    }
+    EXPECT_TRUE(thin.find("splash_sheet_height")->values[0].known);
+    const std::string text = summary_text(thin);
+    EXPECT_NE(text.find("Splash height (connected sheet): " + why + "."), std::string::npos) << text;
+    EXPECT_EQ(summary_text(thick).find("not resolved"), std::string::npos);
+    EXPECT_TRUE(thin.find("splash_raised")->judged) << "an integral needs no jet";
+    EXPECT_LT(main_rank("splash_raised"), main_rank("splash_sheet_height"));
 }
 
 TEST(Compare, AColumnInTwoUnitsIsRefused) {

@@ -198,6 +198,29 @@ TEST(Splash, TheSameWaterOnAFinerParticleSpacingGivesTheSameNumbers) {
         EXPECT_NEAR(at(a, c), at(b, c), 1e-3 * at(a, c)) << c;
 }
 
+TEST(Splash, WaterRaisedBehindAHullIsAnIntegralPerMetreOfWay) {
+    Channel c;
+    RunRecord r = c.record();
+    EXPECT_TRUE(std::isnan(at(splash_series(r, 0), "raised_area"))) << "no hull to be behind of";
+    r.hull = make_hull("box", {{"length", 1.0}, {"beam", 0.4}, {"height", 0.4}});
+    for (Vec3& p : r.hull.points) p += Vec3(0.98, 1, -0.1);  // its stern at 1.48 m: 25 columns of the raster behind it
+    EXPECT_EQ(at(splash_series(r, 0), "raised_area"), 0);
+    c.fill({0.3, 0, 0}, {0.5, 2, 0.3});   // ahead of it, where it does not count
+    c.fill({2, 1, 0}, {2.1, 1.5, 0.8});   // a wall of water, 0.1 x 0.5 x 0.8 m3
+    c.fill({3, 1, -0.2}, {3.1, 1.5, 0});  // below still water: there already
+    for (double y = 0.05; y < 1; y += edge) c.raster.pour({3.55, y, 0.05}, edge, 0.3 * edge * edge * edge);
+    r.frames = {c.raster.frame(1.0)};
+    const Table t = splash_series(r, 0);
+    const double wall = 0.1 * 0.5 * 0.8, skin = 0.1 * 1.0 * 0.03;  // the skin lies lower than the wall's lower half
+    EXPECT_NEAR(at(t, "raised_area"), (wall + skin) / 2.5, 1e-4);
+    EXPECT_NEAR(at(t, "raised_mean"), (wall * 0.4 + skin * 0.05) / (wall + skin), 1e-3);
+    EXPECT_NEAR(at(t, "raised_p90"), 0.8 * (1 - 0.1 * (wall + skin) / wall), 1e-3);
+    r.attributes["symmetry_factor"] = "2";
+    EXPECT_NEAR(at(splash_series(r, 0), "raised_area"), 2 * (wall + skin) / 2.5, 2e-4);
+    r.numbers["dimensions"] = 2;
+    EXPECT_TRUE(std::isnan(at(splash_series(r, 0), "raised_area")));
+}
+
 TEST(Elevation, FlatWaterIsFlatAndABumpIsItsHeight) {
     Channel c;
     c.fill({1, 0, 0}, {2, 2, 0.3});

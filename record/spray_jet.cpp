@@ -1,0 +1,16 @@
+#include "record/spray_jet.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace tw {
+
+std::string SprayJet::why_not_resolved() const {
+    if (resolved()) return {};
+    const double enough = thickness / 3, digit = std::pow(10, std::floor(std::log10(enough)) - 1);
+    return fmt::format("not resolved: jet of {:.2g} spacings, near_hull = {:.2g} m would do", across(),
+                       digit * std::floor(enough / digit));
+}
+
+}  // namespace tw

@@ -1,0 +1,17 @@
+#pragma once
+#include <string>
+
+namespace tw {
+
+/// The jet that a hull throws, and the size of the particles and cells where it leaves the hull. Of a record the numbers
+/// jet_thickness and jet_spacing [m]; what gives the thickness is scene/thin_jet.h.
+struct SprayJet {
+    double thickness = 0, size = 0;  ///< [m]
+    double across() const { return thickness / size; }
+    /// From three particles or cells across it on heights of splash are judged.
+    bool resolved() const { return across() >= 3 * (1 - 1e-9); }
+    /// "not resolved: jet of 0.4 spacings, near_hull = 0.02 m would do"; empty where it is resolved.
+    std::string why_not_resolved() const;
+};
+
+}  // namespace tw

@@ -1,0 +1,46 @@
+#include "scene/hull_bottom.h"
+
+#include <vector>
+
+#include "base/numbers.h"
+
+namespace tw {
+
+namespace {
+
+/// What is left of a convex polygon where `n . x <= at`.
+std::vector<Vec3> cut(const std::vector<Vec3>& polygon, const Vec3& n, double at) {
+    std::vector<Vec3> kept;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+        const double from = n.dot(a) - at, to = n.dot(b) - at;
+        if (from <= 0) kept.push_back(a);
+        if (from * to < 0) kept.push_back(a + from / (from - to) * (b - a));
+    }
+    return kept;
+}
+
+}  // namespace
+
+std::optional<Box> bottom_within(const Surface& hull, const Box& part) {
+    constexpr double looks_down = -0.2;
+    Box bounds{Vec3::Constant(infinite), Vec3::Constant(-infinite)};
+    for (const auto& t : hull.triangles) {
+        std::vector<Vec3> polygon;
+        for (const auto corner : t) polygon.push_back(hull.points[static_cast<std::size_t>(corner)]);
+        const Vec3 normal = (polygon[1] - polygon[0]).cross(polygon[2] - polygon[0]);
+        if (!(normal.z() < looks_down * normal.norm())) continue;
+        const Vec3 low = polygon[0].cwiseMin(polygon[1]).cwiseMin(polygon[2]),
+                   high = polygon[0].cwiseMax(polygon[1]).cwiseMax(polygon[2]);
+        if ((low.array() > part.max.array()).any() || (high.array() < part.min.array()).any()) continue;
+        for (int a = 0; a < 3; ++a) {
+            polygon = cut(polygon, Vec3::Unit(a), part.max[a]);
+            polygon = cut(polygon, -Vec3::Unit(a), -part.min[a]);
+        }
+        for (const Vec3& x : polygon) bounds = {bounds.min.cwiseMin(x), bounds.max.cwiseMax(x)};
+    }
+    if (!(bounds.min.array() <= bounds.max.array()).all()) return {};
+    return bounds;
+}
+
+}  // namespace tw

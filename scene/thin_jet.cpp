@@ -1,0 +1,61 @@
+#include "scene/thin_jet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/numbers.h"
+#include "scene/hull_bottom.h"
+
+namespace tw {
+
+namespace {
+
+constexpr int stations = 128;
+constexpr double thin = 1e-4;  ///< of a station, over the hull's length: the keel's depth changes little along it
+
+/// Of one side of the bottom in the slice from x on; 0 where it is dry.
+double of_wedge(const Hull& hull, double x, bool port, double flattest) {
+    using std::numbers::pi;
+    Box part{Vec3(x, -infinite, -infinite), Vec3(x + thin * hull.length, infinite, infinite)};
+    (port ? part.max : part.min).y() = 0;
+    const std::optional<Box> bottom = bottom_within(hull.surface, part);
+    if (!bottom || bottom->min.z() >= 0) return 0;
+    part.max.z() = (1 - pi / 2) * bottom->min.z();  // to where the water rises
+    const std::optional<Box> wet = bottom_within(hull.surface, part);
+    if (!wet) return 0;
+    const double c = port ? -wet->min.y() : wet->max.y();
+    const double tan_beta = c > 0 ? wet->size().z() / c : 0;
+    return tan_beta > flattest ? c * tan_beta * tan_beta / (2 * pi) : 0;
+}
+
+/// Of particles and cells where a place of the scene makes them finest.
+double size_of_root(const Scene& scene) {
+    int halvings = 0;
+    for (const RefinedPlace& place : scene.refined)
+        if (place.around == RefinedPlace::Around::spray_root) halvings = std::max(halvings, -place.halvings_short);
+    return std::ldexp(scene.resolution.near_hull, -halvings);
+}
+
+}  // namespace
+
+std::optional<SprayJet> thin_jet(const Scene& scene) {
+    using std::numbers::pi;
+    if (!scene.hull || scene.hull->section || scene.motion.kind != Motion::Kind::stream) return {};
+    const Hull& hull = *scene.hull;
+    const Box bounds = hull.surface.bounds();
+    if (!(bounds.min.z() < 0) || !(bounds.max.z() > 0)) return {};
+    const double tau = std::max(hull.trim, 0.0), flattest = pi / 2 * std::tan(tau);
+    double thickness = 0;
+    for (int k = 0; k < stations; ++k)
+        for (const bool port : {false, true}) {
+            if (port && hull.half) continue;
+            const double x = bounds.min.x() + (k + 0.5) / stations * bounds.size().x();
+            thickness = std::max(thickness, of_wedge(hull, x, port, flattest));
+        }
+    if (!(thickness > 0)) thickness = pi * hull.still.wet_bounds.size().x() * tau * tau / (4 + 2 * pi * tau);
+    if (!(thickness > 0)) return {};
+    return SprayJet{thickness, size_of_root(scene)};
+}
+
+}  // namespace tw

@@ -1,0 +1,68 @@
+// The jet that a hull throws by thin-jet theory, and what check says of it.
+#include "scene/thin_jet.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "scene/new_record.h"
+#include "scene_text.h"
+
+namespace tw::test {
+namespace thin_jet_test {
+
+constexpr double pi = std::numbers::pi;
+
+double thickness(const std::string& text) {
+    const std::optional<SprayJet> jet = thin_jet(scene_of(text));
+    return jet ? jet->thickness : 0;
+}
+double tan_of(double degrees) { return std::tan(degrees * pi / 180); }
+
+TEST(ThinJet, OfWedgesIsWagnersAtTheChine) {
+    // The chine is wet from a draft of (2/pi) 0.5 m tan(20 deg) = 0.116 m on: c = 0.5 m there. In the hull's own section
+    // the deadrise is 20 degrees; in the upright section that the stream meets it is so to 0.4 %.
+    const double exact = 0.5 * std::pow(tan_of(20), 2) / (2 * pi);
+    EXPECT_NEAR(thickness(planing), exact, 0.02 * exact);
+    EXPECT_NEAR(thickness(with(planing, "half     = true\n", "")), exact, 0.02 * exact);
+    // Dry chines: at the transom c = (pi/2) d / tan(beta), so delta = d tan(beta) / 4.
+    const double dry = 0.1 * tan_of(20) / 4;
+    EXPECT_NEAR(thickness(with(planing, "0.2 m", "0.1 m")), dry, 0.05 * dry);
+}
+
+TEST(ThinJet, OfAFlatBottomFollowsFromLengthAndTrim) {
+    const double tau = 5 * pi / 180, length = 0.2 / std::sin(tau);
+    const double exact = pi * length * tau * tau / (4 + 2 * pi * tau);
+    EXPECT_NEAR(thickness(with(planing, "20 deg", "0 deg")), exact, 0.03 * exact);
+    EXPECT_EQ(thickness(with(with(planing, "20 deg", "0 deg"), "5 deg", "0 deg")), 0) << "no jet is known";
+}
+
+TEST(ThinJet, CheckSaysBeforeTheRunWhetherItIsResolved) {
+    const Scene scene = scene_of(planing);  // near_hull = 0.05 m
+    const std::string coarse = to_text(scene, predict(scene));
+    EXPECT_NE(coarse.find("not resolved: jet of 0.21 spacings, near_hull = 0.0035 m would do"), std::string::npos)
+        << coarse;
+    const Scene fine = scene_of(planing + "[[refine]]\naround = \"spray_root\"\nspacing = \"0.0125 m\"\n");
+    EXPECT_DOUBLE_EQ(thin_jet(fine)->size, 0.0125);
+    EXPECT_FALSE(thin_jet(fine)->resolved());
+    const RunRecord record = new_record(fine, "sph");
+    EXPECT_DOUBLE_EQ(record.numbers.at("jet_spacing"), 0.0125);
+    EXPECT_DOUBLE_EQ(record.numbers.at("jet_thickness"), thin_jet(scene)->thickness);
+}
+
+TEST(ThinJet, WhatWouldDoDoes) {
+    for (const double thickness : {0.0104999, 0.0105, 0.3, 1.0, 2.9999})
+        for (const double size : {1.0, 12.3}) {
+            const std::string why = SprayJet{thickness, size}.why_not_resolved();
+            const auto at = why.find("near_hull = ");
+            ASSERT_NE(at, std::string::npos) << why;
+            EXPECT_TRUE((SprayJet{thickness, std::stod(why.substr(at + 12))}.resolved())) << why;
+        }
+    EXPECT_EQ((SprayJet{0.3, 0.1}.why_not_resolved()), "");
+}
+
+TEST(ThinJet, TanksAndSectionsHaveNoneThatIsKnown) {
+    EXPECT_FALSE(thin_jet(scene_of(with(planing, "half     = true\n", "") + "\n[domain]\ndimensions = 2\n")));
+}
+
+}  // namespace thin_jet_test
+}  // namespace tw::test
