@@ -93,7 +93,7 @@ double sound_frequency(const How& how) {
     SimulationSetup s = closed_box(how, 1.0 / 20, 1, 0.5, 20);
     s.alpha = s.delta = s.shifting = 0;
     Simulation simulation(s, still(s, s.domain));
-    Particles& p = simulation.particles();
+    const FieldsToSet p = simulation.fields_to_set();
     for (std::size_t i = 0; i < p.size(); ++i) p.u[i] = static_cast<float>(1e-3 * std::sin(pi * p.x[i]));
     std::vector<double> zeros;
     double before = 0, then = 0;
@@ -111,7 +111,7 @@ double vortex_energy(const How& how, bool dissipation) {
     SimulationSetup s = closed_box(how, 1.0 / 32, 1, 1, 15);
     if (!dissipation) s.alpha = s.delta = s.shifting = 0;
     Simulation simulation(s, still(s, s.domain));
-    Particles& p = simulation.particles();
+    const FieldsToSet p = simulation.fields_to_set();
     for (std::size_t i = 0; i < p.size(); ++i) {
         p.u[i] = static_cast<float>(std::sin(pi * p.x[i]) * std::cos(pi * p.z[i]));
         p.w[i] = static_cast<float>(-std::cos(pi * p.x[i]) * std::sin(pi * p.z[i]));
@@ -152,7 +152,7 @@ double drop_error(const How& how) {
     for (const Vec3& place : fill_with_fluid(s, {Box{Vec3(-1, 0, -1), Vec3(1, 0, 1)}}).places)
         if (std::hypot(place.x(), place.z()) < 1) drop.places.push_back(place), drop.depth.push_back(0);
     Simulation simulation(s, drop);
-    Particles& p = simulation.particles();
+    const FieldsToSet p = simulation.fields_to_set();
     for (std::size_t i = 0; i < p.size(); ++i)
         p.u[i] = static_cast<float>(-A * p.x[i]), p.w[i] = static_cast<float>(A * p.z[i]);
     // the axes at `end` itself, between two steps
@@ -219,7 +219,7 @@ double wedge_force(const How& how) {
     s.mirrors.on[0][0] = true;
     s.bodies = {wedge_of(height / slope, height)};
     Simulation simulation(s, still(s, Box{Vec3(0, 0, -half), Vec3(half, 0, 0)}));
-    for (float& w : simulation.particles().w) w = static_cast<float>(V);
+    for (float& w : simulation.fields_to_set().w) w = static_cast<float>(V);
     double impulse = 0, before = 0, t1 = 0, impulse1 = 0;
     run(simulation, until, [&] {
         impulse += simulation.load().force.z() * (simulation.time() - before);

@@ -360,11 +360,11 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
         if (gas > 0) record.numbers["air_particles"] = double(gas);
         record.steps = double(simulation->steps());
         record.resolution = resolution_of(*simulation);
-        for (std::size_t k = 0; k < simulation->water().size() && !simulation->refinements().empty(); ++k) {
-            const LevelLedger l = level_ledger(*simulation, k);
-            record.numbers[level_table(k) + "_seconds"] = l.seconds;
-            record.numbers[level_table(k) + "_edge_seconds"] = l.edge.seconds;
-        }
+        if (const std::vector<LevelLedger> sizes = level_ledgers(*simulation); sizes.size() > 1)
+            for (std::size_t k = 0; k < sizes.size(); ++k) {
+                record.numbers[level_table(k) + "_seconds"] = sizes[k].seconds;
+                record.numbers[level_table(k) + "_edge_seconds"] = sizes[k].edge.seconds;
+            }
         if (std::ranges::any_of(scene.bodies, [](const MovingBody& b) { return b.elastic.has_value(); }))
             record.numbers["structure_seconds"] = simulation->structure_seconds();
         record.peak_memory = std::max(record.peak_memory, ranks.sum(peak_memory()));

@@ -96,7 +96,7 @@ public:
 
     // of the first level: all the water where particles have one size
     const Particles& particles() const { return level(0).particles(); }
-    Particles& particles() { return level(0).particles(); }
+    FieldsToSet fields_to_set() { return level(0).fields_to_set(); }
     double pressure(std::size_t i) const { return level(0).pressure(i); }
     double mass() const { return level(0).mass(); }
     double h() const { return level(0).h(); }

@@ -211,7 +211,7 @@ HardCaseRun run_hard_case(const HardCase& c, const std::function<bool(double)>& 
         Simulation simulation(std::move(start.setup), start.fluid);
         if (start.upwards)
             for (const auto& level : simulation.levels())
-                std::ranges::fill(level->particles().w, static_cast<float>(c.speed));
+                std::ranges::fill(level->fields_to_set().w, static_cast<float>(c.speed));
         run.particles = static_cast<double>(simulation.particles().size());  // the coarsest are everywhere
         const double energy = energy_of(simulation),
                      kinetic = 0.5 * simulation.mass() * run.particles * c.speed * c.speed;

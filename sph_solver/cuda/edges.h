@@ -25,27 +25,17 @@ struct ListMarked {
         if (marked[i]) which[before[i]] = static_cast<int>(i);
     }
 };
-/// Where they are asked for, as the other level sees places.
-struct GuardsAhead {
-    FollowCoarser follow;
-    ToQuanta to_quanta;
-    const int* which;
-    WidePlace* wide;
-
-    void operator()(std::size_t k) const {
-        const V3<double> x = follow.place_ahead(static_cast<std::size_t>(which[k]));
-        wide[k] = to_quanta.wide(x.x, x.y, x.z);
-    }
-};
-struct UnderZone {
+/// Where they are, or will be after a time, as the other level sees places.
+struct PlacesToAsk {
     StateView p;
+    double ahead;  ///< [s]
     ToQuanta to_quanta;
     const int* which;
     WidePlace* wide;
 
     void operator()(std::size_t k) const {
-        const auto i = static_cast<std::size_t>(which[k]);
-        wide[k] = to_quanta.wide(p.x[i], p.y[i], p.z[i]);
+        const V3<double> x = place_ahead(p, static_cast<std::size_t>(which[k]), ahead);
+        wide[k] = to_quanta.wide(x.x, x.y, x.z);
     }
 };
 /// The squares of their speeds.
@@ -94,16 +84,6 @@ struct LabelKnown {
 };
 using LabelCoarseKnown = LabelKnown<LabelCoarse>;
 using LabelFineKnown = LabelKnown<LabelFine>;
-struct TakePlaces {
-    StateView p;
-    const int* which;
-    V3<double>* to;
-
-    void operator()(std::size_t k) const {
-        const auto i = static_cast<std::size_t>(which[k]);
-        to[k] = {p.x[i], p.y[i], p.z[i]};
-    }
-};
 /// Labels those of the list, of whom the host has worked it out.
 template <class Label>
 struct LabelAsked {

@@ -1,38 +1,62 @@
 #pragma once
-// The kernels by name, once for all who make or start them.
+// The kernels by name, once for all who make or start them: a line each.
+// clang-format off
 
 // Sweeps over groups and their neighbours: sweep(NAME, VIEW).
-#define TW_DEVICE_SWEEPS(sweep)                                                                              \
-    sweep(tw_prune, PruneData) sweep(tw_first_sweep, FirstSweepData) sweep(tw_second_sweep, SecondSweepData) \
-        sweep(tw_extrapolate, ExtrapolateData) sweep(tw_interpolate, InterpolateData)
+#define TW_DEVICE_SWEEPS(sweep)             \
+    sweep(tw_prune,        PruneData)       \
+    sweep(tw_first_sweep,  FirstSweepData)  \
+    sweep(tw_second_sweep, SecondSweepData) \
+    sweep(tw_extrapolate,  ExtrapolateData) \
+    sweep(tw_interpolate,  InterpolateData)
 
 // One index by one thread: task(NAME, TASK).
-#define TW_DEVICE_TASKS(task)                                                                                          \
-    task(tw_update_records, UpdateRecords) task(tw_refresh_images, cuda::RefreshImages) task(                          \
-        tw_mark_surface, cuda::MarkSurface) task(tw_mark_air, cuda::MarkAir) task(tw_note_air, cuda::NoteAir)          \
-        task(tw_compress, cuda::Compress) task(tw_take_held, cuda::TakeHeld) task(tw_put_held, cuda::PutHeld) task(    \
-            tw_cross, cuda::Cross) task(tw_enter, cuda::Enter) task(tw_put_back, cuda::PutBack)                        \
-            task(tw_put_in_bins, cuda::PutInBins) task(tw_rank_in_bins, cuda::RankInBins) task(                        \
-                tw_reorder, cuda::Reorder) task(tw_count_images, cuda::CountImages)                                    \
-                task(tw_find_images, cuda::FindImages) task(tw_reorder_links, cuda::ReorderLinks) task(                \
-                    tw_count_groups, cuda::CountGroups) task(tw_make_groups, cuda::MakeGroups)                         \
-                    task(tw_centre_groups, cuda::CentreGroups) task(tw_count_wall_loads, cuda::CountWallLoads) task(   \
-                        tw_list_groups_at_walls, cuda::ListGroupsAtWalls)                                              \
-                        task(tw_take_near_walls, cuda::TakeNearWalls) task(tw_no_walls, cuda::NoWalls) task(           \
-                            tw_put_walls, cuda::PutWalls) task(tw_mark_following, cuda::MarkFollowing)                 \
-                            task(tw_list_marked, cuda::ListMarked) task(tw_guards_ahead, cuda::GuardsAhead) task(      \
-                                tw_under_zone, cuda::UnderZone) task(tw_mark_giving, cuda::MarkGiving)                 \
-                                task(tw_put_giving, cuda::PutGiving) task(tw_start_giving, cuda::StartGiving) task(    \
-                                    tw_sort_asked, cuda::SortAsked) task(tw_hand_to_guards, cuda::HandToGuards)        \
-                                    task(tw_hand_to_under, cuda::HandToUnder) task(tw_hand_to_host, cuda::HandToHost)  \
-                                        task(tw_take_places, cuda::TakePlaces)                                         \
-                                            task(tw_ask_coarse, cuda::LabelCoarseAsked)                                \
-                                                task(tw_ask_fine, cuda::LabelFineAsked) task(                          \
-                                                    tw_leave_zone, cuda::LeaveZone) task(tw_mark_gone, cuda::MarkGone) \
-                                                    task(tw_mark_staying, cuda::MarkStaying)                           \
-                                                        task(tw_mark_parents, cuda::MarkParents)                       \
-                                                            task(tw_take_parents, cuda::TakeParents)                   \
-                                                                task(tw_mark_between, cuda::MarkBetween)               \
-                                                                    task(tw_take_located, cuda::TakeLocated)           \
-                                                                        task(tw_add_children, cuda::AddChildren)       \
-                                                                            task(tw_forget_edge, cuda::ForgetEdge)
+#define TW_DEVICE_TASKS(task)                              \
+    task(tw_update_records,       UpdateRecords)           \
+    task(tw_refresh_images,       cuda::RefreshImages)     \
+    task(tw_mark_surface,         cuda::MarkSurface)       \
+    task(tw_mark_air,             cuda::MarkAir)           \
+    task(tw_note_air,             cuda::NoteAir)           \
+    task(tw_compress,             cuda::Compress)          \
+    task(tw_take_held,            cuda::TakeHeld)          \
+    task(tw_put_held,             cuda::PutHeld)           \
+    task(tw_cross,                cuda::Cross)             \
+    task(tw_enter,                cuda::Enter)             \
+    task(tw_put_back,             cuda::PutBack)           \
+    task(tw_put_in_bins,          cuda::PutInBins)         \
+    task(tw_rank_in_bins,         cuda::RankInBins)        \
+    task(tw_reorder,              cuda::Reorder)           \
+    task(tw_count_images,         cuda::CountImages)       \
+    task(tw_find_images,          cuda::FindImages)        \
+    task(tw_reorder_links,        cuda::ReorderLinks)      \
+    task(tw_count_groups,         cuda::CountGroups)       \
+    task(tw_make_groups,          cuda::MakeGroups)        \
+    task(tw_centre_groups,        cuda::CentreGroups)      \
+    task(tw_count_wall_loads,     cuda::CountWallLoads)    \
+    task(tw_list_groups_at_walls, cuda::ListGroupsAtWalls) \
+    task(tw_take_near_walls,      cuda::TakeNearWalls)     \
+    task(tw_no_walls,             cuda::NoWalls)           \
+    task(tw_put_walls,            cuda::PutWalls)          \
+    task(tw_mark_following,       cuda::MarkFollowing)     \
+    task(tw_list_marked,          cuda::ListMarked)        \
+    task(tw_places_to_ask,        cuda::PlacesToAsk)       \
+    task(tw_mark_giving,          cuda::MarkGiving)        \
+    task(tw_put_giving,           cuda::PutGiving)         \
+    task(tw_start_giving,         cuda::StartGiving)       \
+    task(tw_sort_asked,           cuda::SortAsked)         \
+    task(tw_hand_to_guards,       cuda::HandToGuards)      \
+    task(tw_hand_to_under,        cuda::HandToUnder)       \
+    task(tw_hand_to_host,         cuda::HandToHost)        \
+    task(tw_ask_coarse,           cuda::LabelCoarseAsked)  \
+    task(tw_ask_fine,             cuda::LabelFineAsked)    \
+    task(tw_leave_zone,           cuda::LeaveZone)         \
+    task(tw_mark_gone,            cuda::MarkGone)          \
+    task(tw_mark_staying,         cuda::MarkStaying)       \
+    task(tw_mark_parents,         cuda::MarkParents)       \
+    task(tw_take_parents,         cuda::TakeParents)       \
+    task(tw_mark_between,         cuda::MarkBetween)       \
+    task(tw_take_located,         cuda::TakeLocated)       \
+    task(tw_add_children,         cuda::AddChildren)       \
+    task(tw_forget_edge,          cuda::ForgetEdge)
+
+// clang-format on

@@ -149,7 +149,6 @@ struct LevelOnDevice::Arrays {
     cuda::Array<double> fastest{device};
     cuda::Array<Given> given{device};
     cuda::Array<int> at_edge{device};
-    cuda::Array<V3<double>> places_at_edge{device};
     cuda::Array<double> outside{device}, asked_outside{device};  ///< of each; of those that the host was asked about
     cuda::Array<int> gone_at_edge{device};
     cuda::Array<cuda::Left> left_zone{device};
@@ -168,7 +167,7 @@ struct LevelOnDevice::Arrays {
             links, maps, groups, lists, wall_lists, wall_place, wall_p, body_end, wall_load, loads, at_wall,
             groups_at_walls, near_walls, walls_found, air_stays, air_near, asking, count, kinds, extremes, too_near, fetched,
             held, gives, giving_place, giving_motion, giving_support, giving_rate, giving_start, giving_images,
-            following, orphans, which, wide_of_others, fastest, given, at_edge, places_at_edge, outside, asked_outside,
+            following, orphans, which, wide_of_others, fastest, given, at_edge, outside, asked_outside,
             gone_at_edge, left_zone, located, parents, children);
         for (const auto& [apart, a] : asked)
             add(a.order, a.groups, a.lists, a.place, a.value, a.support, a.mean_support, a.compression);

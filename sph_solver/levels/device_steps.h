@@ -4,12 +4,8 @@
 #include <vector>
 
 #include "base/vec3.h"
-#include "meshes/zone.h"
-#include "sph_solver/fields/field_table.h"
-#include "sph_solver/levels/fields_at.h"
-#include "sph_solver/loops/at_edge.h"
+#include "sph_solver/levels/edge_steps.h"
 #include "sph_solver/loops/count_kinds.h"
-#include "sph_solver/loops/edge_labels.h"
 #include "sph_solver/loops/move.h"
 #include "sph_solver/sweeps/views.h"
 
@@ -17,10 +13,8 @@ namespace tw {
 
 /// The steps of a level that a device makes. Particles, records and lists stay there; what is asked of the level comes
 /// home when it is asked for.
-class DeviceSteps {
+class DeviceSteps : public EdgeSteps {
 public:
-    virtual ~DeviceSteps() = default;
-
     /// What the host has is that of the device from now on.
     virtual void bring_all_home() = 0;
     virtual void bring_home(const std::vector<std::size_t>& particles) = 0;  ///< what Move changes of these
@@ -51,32 +45,8 @@ public:
     };
     virtual void sample(const Points& points, const Reaches& quanta, const ExtrapolateData& to) = 0;
 
-    /// What this level's particles are by the edge of a finer level's zone.
-    virtual void label(const AskEdge& ask, LabelCoarse label, const Zone& zone) = 0;
-    /// And by that of its own zone, where the coarser level is asked about those outside. Some are gone from then on.
-    struct Spray {
-        std::int64_t count = 0;
-        std::vector<Located> far{};  ///< those of them where guards are gone
-    };
-    virtual Spray label(const AskEdge& ask, LabelFine label, const Zone& zone, DeviceSteps& coarser,
-                        const Asking& asking) = 0;
-    /// Takes those away that are gone, and some more; how many.
-    virtual std::int64_t remove_gone(const std::vector<std::size_t>& more) = 0;
-    /// Those nearer to the edge of the finer level's zone, or under it; all their children are there from then on.
-    virtual std::vector<Parent> find_parents(double within) = 0;
-    virtual std::vector<Located> between(double from, double to) = 0;  ///< distances from that edge
-    virtual std::vector<Located> guards() = 0;
-    virtual void add(const std::vector<Child>& children) = 0;
-    /// Distances from the edge of the level's own zone (With::coarser) or a finer level's are no longer known.
-    virtual void forget_edge(With whose) = 0;
-    /// As Level::interpolate.
-    virtual void interpolate(FieldsAt& at) = 0;
-    /// Lets the guards of this level follow a coarser one, and what stands for a finer level's water that one.
-    virtual Followed follow_coarser(DeviceSteps& coarser, const Asking& asking, FollowCoarser follow) = 0;
-    virtual Followed follow_finer(DeviceSteps& finer, const Asking& asking, FollowFiner follow) = 0;
-
     virtual KindCounts count(CountKinds kinds) = 0;  ///< which says all but of whom
-    virtual double bytes() const = 0;  ///< on the device
+    virtual double bytes() const = 0;                ///< on the device
 };
 
 }  // namespace tw

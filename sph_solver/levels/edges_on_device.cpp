@@ -62,6 +62,18 @@ cuda::FoundAt LevelOnDevice::ask(const cuda::Array<WidePlace>& wide, const Askin
     return {at.order.order(), d.value, d.support, d.mean_support, d.compression};
 }
 
+/// Fields of another level where those in `which` are, or will be after a time [s].
+cuda::FoundAt LevelOnDevice::ask_other(EdgeSteps& level, double ahead, const Asking& asking) {
+    Arrays& on = *on_;
+    auto& other = static_cast<LevelOnDevice&>(level);
+    const std::size_t n = on.which.size();
+    on.wide_of_others.resize(n);
+    launch(*device_, "tw_places_to_ask",
+           cuda::PlacesToAsk{on.p.view(), ahead, other.level_.to_quanta(), on.which.data(), on.wide_of_others.data()},
+           n);
+    return other.ask(on.wide_of_others, asking);
+}
+
 void LevelOnDevice::interpolate(FieldsAt& at) {
     Arrays& on = *on_;
     std::vector<WidePlace> wide;
@@ -85,12 +97,12 @@ void LevelOnDevice::label_all(const char* known, const char* asked_of, const cud
     home_ = false;
     const auto asked = static_cast<std::size_t>(on.count.value(0));
     if (asked == 0) return;
-    on.places_at_edge.resize(asked);
-    launch(*device_, "tw_take_places", cuda::TakePlaces{task.p, task.unknown, on.places_at_edge.data()}, asked);
-    std::vector<V3<double>> places(asked);
-    on.places_at_edge.give(places);
+    const std::vector<Located> at = located(task.unknown, asked);
     std::vector<double> outside(asked);
-    for_particles(asked, [&](std::size_t k) { outside[k] = zone.outside({places[k].x, places[k].y, places[k].z}); });
+    for_particles(asked, [&](std::size_t k) {
+        const V3<double>& x = at[k].place;
+        outside[k] = zone.outside({x.x, x.y, x.z});
+    });
     on.asked_outside.take(outside);
     launch(*device_, asked_of, cuda::LabelAsked<Label>{task, on.asked_outside.data()}, asked);
 }
@@ -117,11 +129,10 @@ std::size_t LevelOnDevice::list_marked() {
     return marked;
 }
 
-DeviceSteps::Spray LevelOnDevice::label(const AskEdge& ask, LabelFine label, const Zone& zone, DeviceSteps& coarser,
-                                        const Asking& asking) {
+EdgeSteps::Spray LevelOnDevice::label(const AskEdge& ask, LabelFine label, const Zone& zone, EdgeSteps& coarser,
+                                      const Asking& asking) {
     if (host_counts_) take_state();
     Arrays& on = *on_;
-    auto& other = static_cast<LevelOnDevice&>(coarser);
     const std::size_t n = on.p.size();
     on.at_edge.resize(n), on.outside.resize(n), on.gone_at_edge.resize(n);
     on.count.set_zero();
@@ -132,13 +143,10 @@ DeviceSteps::Spray LevelOnDevice::label(const AskEdge& ask, LabelFine label, con
               zone);
     const std::size_t leaving = list_marked();
     if (leaving == 0) return {};
-    on.wide_of_others.resize(leaving);
-    launch(*device_, "tw_under_zone",
-           cuda::UnderZone{on.p.view(), other.level_.to_quanta(), on.which.data(), on.wide_of_others.data()}, leaving);
     on.left_zone.resize(leaving);
     launch(*device_, "tw_leave_zone",
            cuda::LeaveZone{.become = {on.p.kind.data(), on.p.trend.data()},
-                           .found = other.ask(on.wide_of_others, asking),
+                           .found = ask_other(coarser, 0, asking),
                            .p = on.p.view(),
                            .which = on.which.data(),
                            .outside = on.outside.data(),
@@ -188,14 +196,19 @@ std::vector<Parent> LevelOnDevice::find_parents(double within) {
     return parents;
 }
 
-std::vector<Located> LevelOnDevice::marked() {
+/// The first `n` of a list, with their places.
+std::vector<Located> LevelOnDevice::located(const int* which, std::size_t n) {
     Arrays& on = *on_;
-    std::vector<Located> located(list_marked());
-    on.located.resize(located.size());
-    launch(*device_, "tw_take_located", cuda::TakeLocated{on.p.view(), on.which.data(), on.located.data()},
-           located.size());
-    on.located.give(located);
-    return located;
+    std::vector<Located> home(n);
+    on.located.resize(n);
+    launch(*device_, "tw_take_located", cuda::TakeLocated{on.p.view(), which, on.located.data()}, n);
+    on.located.give(home);
+    return home;
+}
+
+std::vector<Located> LevelOnDevice::marked() {
+    const std::size_t n = list_marked();
+    return located(on_->which.data(), n);
 }
 
 std::vector<Located> LevelOnDevice::between(double from, double to) {
@@ -234,8 +247,7 @@ std::size_t LevelOnDevice::list_following(bool guards) {
     Arrays& on = *on_;
     const std::size_t n = on.p.size();
     launch(*device_, "tw_mark_following", cuda::MarkFollowing{on.p.kind.data(), guards, on.following.of(n)}, n);
-    on.wide_of_others.resize(list_marked());
-    return on.which.size();
+    return list_marked();
 }
 
 /// How many of `n` are orphans.
@@ -259,31 +271,25 @@ double LevelOnDevice::fastest2_of_following() {
     return home.empty() ? 0 : *std::ranges::max_element(home);
 }
 
-Followed LevelOnDevice::follow_coarser(DeviceSteps& coarser, const Asking& asking, FollowCoarser follow) {
+Followed LevelOnDevice::follow_coarser(EdgeSteps& coarser, const Asking& asking, FollowCoarser follow) {
     Arrays& on = *on_;
-    auto& other = static_cast<LevelOnDevice&>(coarser);
     const std::size_t n = list_following(true);
     follow.p = on.p.view(), follow.trend = on.p.trend.data();
     Followed followed{fastest2_of_following(), 0};
     if (n == 0) return followed;
-    launch(*device_, "tw_guards_ahead",
-           cuda::GuardsAhead{follow, other.level_.to_quanta(), on.which.data(), on.wide_of_others.data()}, n);
-    const cuda::FoundAt found = other.ask(on.wide_of_others, asking);
+    const cuda::FoundAt found = ask_other(coarser, follow.moved, asking);
     followed.orphans =
         hand("tw_hand_to_guards", cuda::HandToGuards{follow, found, on.which.data(), on.orphans.of(n)}, n);
     return followed;
 }
 
-Followed LevelOnDevice::follow_finer(DeviceSteps& finer, const Asking& asking, FollowFiner follow) {
+Followed LevelOnDevice::follow_finer(EdgeSteps& finer, const Asking& asking, FollowFiner follow) {
     Arrays& on = *on_;
-    auto& other = static_cast<LevelOnDevice&>(finer);
     const std::size_t n = list_following(false);
     if (n == 0) return {};
     follow.p = on.p.view(), follow.kind = on.p.kind.data();
     follow.shift = on.shift.data(), follow.compression = on.p.compression.data();
-    launch(*device_, "tw_under_zone",
-           cuda::UnderZone{follow.p, other.level_.to_quanta(), on.which.data(), on.wide_of_others.data()}, n);
-    const cuda::FoundAt found = other.ask(on.wide_of_others, asking);
+    const cuda::FoundAt found = ask_other(finer, 0, asking);
     return {0, hand("tw_hand_to_under", cuda::HandToUnder{follow, found, on.which.data(), on.orphans.of(n)}, n)};
 }
 

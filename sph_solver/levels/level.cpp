@@ -359,9 +359,16 @@ void Level::restore(const State& s, Particles particles) {
     start_anew();
 }
 
+FieldsToSet Level::fields_to_set() {
+    home();
+    if (device_) device_->note_changed_state();
+    return FieldsToSet(particles_);
+}
+
 void Level::keep_only(const std::vector<std::int32_t>& staying, std::int64_t active) {
     ledger_.out += active;
-    particles();
+    home();
+    if (device_) device_->note_changed_state();
     particles_.reorder(staying);
     start_anew();
 }

@@ -14,11 +14,13 @@
 #include "sph_solver/domain/schedule.h"
 #include "sph_solver/domain/surroundings.h"
 #include "sph_solver/effects/effect.h"
+#include "sph_solver/fields/fields_to_set.h"
 #include "sph_solver/fields/particles.h"
 #include "sph_solver/ghosts/ghosts.h"
 #include "sph_solver/ghosts/open_boundaries.h"
 #include "sph_solver/levels/control_volume.h"
 #include "sph_solver/levels/device_steps.h"
+#include "sph_solver/levels/edges_at_home.h"
 #include "sph_solver/levels/fields_at.h"
 #include "sph_solver/loops/after_first_sweep.h"
 #include "sph_solver/loops/count_kinds.h"
@@ -66,14 +68,10 @@ public:
     std::int64_t steps() const { return steps_; }
     /// Those that this process holds: all, or its own and copies of those near them (`owns`).
     const Particles& particles() const { return home(); }
-    Particles& particles() {
-        home();
-        if (device_) device_->note_changed_state();
-        return particles_;
-    }
+    /// To give the particles another state than a run starts with, or between two steps.
+    FieldsToSet fields_to_set();
     /// From now on a device makes the steps, see device_steps.h; before the first step.
     void leave_steps_to(std::unique_ptr<DeviceSteps> device) { device_ = std::move(device); }
-    DeviceSteps* device() { return device_.get(); }  ///< null: this processor makes the steps
     const Comm& ranks() const;
     bool owns(std::size_t i) const { return own_.empty() || own_[i] != 0; }
     std::size_t copies() const { return halo_.received(); }
@@ -141,6 +139,13 @@ public:
     /// Throws RunError: not a number, density or Mach number out of bounds.
     Struck advance(const Schedule::Move& move, const Vec3& moment_reference);
 
+    // --- where levels of two sizes meet; before the first step
+    /// A finer level's zone lies in this one, and particles that are nearer to it than `with_children` [m] have children.
+    void begin_over(const Zone& finer, double with_children);
+    /// This level's zone lies in a coarser one, and particles outside it are guards.
+    void begin_within(const Zone& own);
+    EdgeSteps& edges();  ///< of a level that has begun so
+
     // --- steps in stages (explicit Runge-Kutta) instead of one evaluation
     void begin_stages(bool freeze_diffusion);
     void go_to_stage(double since);
@@ -153,10 +158,6 @@ public:
     WallView wall_view() const;
     FirstSweepData first_sweep_data();
     SecondSweepData second_sweep_data(double t);
-    StateView state_view() {
-        Particles& p = particles_;
-        return {p.x.data(), p.y.data(), p.z.data(), p.u.data(), p.v.data(), p.w.data(), p.drho.data()};
-    }
     const std::vector<Group>& groups() const { return groups_; }
     const ColumnGrid& grid() const { return grid_; }
     const Quanta& quanta() const { return quanta_; }
@@ -196,6 +197,8 @@ public:
 
 private:
     friend class LevelOnDevice;
+    friend class EdgesAtHome;
+    friend struct LevelInsides;  ///< of tests
     static constexpr double held_at_wall_over_dp = 0.1;  ///< nearer than this a particle is not let towards a wall
 
     /// The particles, as they are now.
@@ -204,6 +207,10 @@ private:
         return particles_;
     }
     void start_anew();  ///< with other particles than before
+    StateView state_view() {
+        Particles& p = particles_;
+        return {p.x.data(), p.y.data(), p.z.data(), p.u.data(), p.v.data(), p.w.data(), p.drho.data()};
+    }
     void rebuild(double drift);
     void prune(double drift);
     void find_normals();
@@ -309,6 +316,7 @@ private:
     Timers timers_;
 
     std::unique_ptr<DeviceSteps> device_;  ///< null: this processor makes the steps
+    EdgesAtHome at_home_{*this};           ///< unless a device does
 
     /// Of several ranks only.
     Decomposition columns_;

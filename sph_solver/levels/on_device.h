@@ -35,7 +35,7 @@ public:
     void put_back(const std::vector<std::size_t>& held) override;
     void sample(const Points& points, const Reaches& quanta, const ExtrapolateData& to) override;
     void label(const AskEdge& ask, LabelCoarse label, const Zone& zone) override;
-    Spray label(const AskEdge& ask, LabelFine label, const Zone& zone, DeviceSteps& coarser,
+    Spray label(const AskEdge& ask, LabelFine label, const Zone& zone, EdgeSteps& coarser,
                 const Asking& asking) override;
     std::int64_t remove_gone(const std::vector<std::size_t>& more) override;
     std::vector<Parent> find_parents(double within) override;
@@ -44,8 +44,8 @@ public:
     void add(const std::vector<Child>& children) override;
     void forget_edge(With whose) override;
     void interpolate(FieldsAt& at) override;
-    Followed follow_coarser(DeviceSteps& coarser, const Asking& asking, FollowCoarser follow) override;
-    Followed follow_finer(DeviceSteps& finer, const Asking& asking, FollowFiner follow) override;
+    Followed follow_coarser(EdgeSteps& coarser, const Asking& asking, FollowCoarser follow) override;
+    Followed follow_finer(EdgeSteps& finer, const Asking& asking, FollowFiner follow) override;
     KindCounts count(CountKinds kinds) override;
     double bytes() const override;
 
@@ -74,7 +74,9 @@ private:
     template <class Label>
     void label_all(const char* known, const char* asked, const cuda::LabelKnown<Label>& task, const Zone& zone);
     std::size_t list_marked();
+    std::vector<Located> located(const int* which, std::size_t n);
     std::vector<Located> marked();
+    cuda::FoundAt ask_other(EdgeSteps& level, double ahead, const Asking& asking);
     std::size_t list_following(bool guards);
     template <class Task>
     std::int64_t hand(const char* kernel, const Task& task, std::size_t n);

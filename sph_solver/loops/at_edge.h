@@ -97,6 +97,12 @@ inline double speed2(const StateView& p, std::size_t i) {
     return u * u + v * v + w * w;
 }
 
+/// Where a particle will be after so long [s], as it moves now.
+inline V3<double> place_ahead(const StateView& p, std::size_t i, double time) {
+    return {p.x[i] + time * static_cast<double>(p.u[i]), p.y[i] + time * static_cast<double>(p.v[i]),
+            p.z[i] + time * static_cast<double>(p.w[i])};
+}
+
 /// What a guard becomes until its level has moved as far as the coarser one, see Refinement::prolong.
 struct FollowCoarser {
     StateView p{};
@@ -119,11 +125,6 @@ struct FollowCoarser {
         if (compressed <= 0) p.drho[i] = to.drho;
         trend[i] = {rate(to.u, p.u[i], moved), rate(to.v, p.v[i], moved), rate(to.w, p.w[i], moved),
                     rate(to.drho, p.drho[i], compressed), given.mean_support};
-    }
-    /// Where the guard will be.
-    V3<double> place_ahead(std::size_t i) const {
-        return {p.x[i] + moved * static_cast<double>(p.u[i]), p.y[i] + moved * static_cast<double>(p.v[i]),
-                p.z[i] + moved * static_cast<double>(p.w[i])};
     }
 };
 

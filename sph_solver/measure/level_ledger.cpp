@@ -2,20 +2,26 @@
 
 namespace tw {
 
-LevelLedger level_ledger(const Simulation& simulation, std::size_t k) {
-    const Level& level = simulation.level(k);
-    LevelLedger l;
-    l.spacing = level.setup().dp, l.dt = level.dt();
-    const KindCounts kinds = level.kinds();
-    l.guards = kinds.guards, l.band = kinds.band, l.carried = kinds.carried;
-    l.active = level.count() - kinds.guards - kinds.under();
-    const Timers& t = level.timers();
-    l.seconds = t.lists + t.gradient + t.walls + t.forces + t.effects + t.update;
-    if (k == 0) return l;
-    const Refinement& edge = simulation.refinements()[k - 1];
-    l.edge = edge.ledger();
-    l.mass_drift = edge.mass_drift();
-    return l;
+std::vector<LevelLedger> level_ledgers(const Simulation& simulation) {
+    std::vector<LevelLedger> ledgers;
+    KindCounts coarser;
+    for (std::size_t k = 0; k < simulation.water().size(); ++k) {
+        const Level& level = simulation.level(k);
+        LevelLedger& l = ledgers.emplace_back();
+        l.spacing = level.setup().dp, l.dt = level.dt();
+        const KindCounts kinds = level.kinds();
+        l.guards = kinds.guards, l.band = kinds.band, l.carried = kinds.carried;
+        l.active = level.count() - kinds.guards - kinds.under();
+        const Timers& t = level.timers();
+        l.seconds = t.lists + t.gradient + t.walls + t.forces + t.effects + t.update;
+        if (k > 0) {
+            const Refinement& edge = simulation.refinements()[k - 1];
+            l.edge = edge.ledger();
+            l.mass_drift = edge.mass_drift(coarser, kinds);
+        }
+        coarser = kinds;
+    }
+    return ledgers;
 }
 
 std::vector<ResolvedBox> resolution_of(const Simulation& simulation) {

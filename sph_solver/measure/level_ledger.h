@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <vector>
 
 #include "record/resolution.h"
 #include "sph_solver/simulation.h"
@@ -15,8 +16,8 @@ struct LevelLedger {
     double mass_drift = 0;  ///< of its zone, as a share of the zone's mass
     double seconds = 0;     ///< wall time that its sweeps and lists have taken, without interpolation at edges [s]
 };
-/// Of the water of size `k`, coarsest first.
-LevelLedger level_ledger(const Simulation& simulation, std::size_t k);
+/// Of the water of each size, coarsest first.
+std::vector<LevelLedger> level_ledgers(const Simulation& simulation);
 
 /// Where the zones are now.
 std::vector<ResolvedBox> resolution_of(const Simulation& simulation);

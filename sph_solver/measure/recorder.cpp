@@ -286,8 +286,10 @@ void Recorder::record_walls(Simulation& simulation, std::size_t row) {
 /// Of each size of particles, in a table of its own: who is there, and what has passed the edge of its zone.
 void Recorder::record_levels(const Simulation& simulation) {
     const std::size_t edges = simulation.refinements().size();
-    for (std::size_t k = 0; k <= edges && edges > 0; ++k) {
-        const LevelLedger l = level_ledger(simulation, k);
+    if (edges == 0) return;
+    const std::vector<LevelLedger> sizes = level_ledgers(simulation);
+    for (std::size_t k = 0; k <= edges; ++k) {
+        const LevelLedger& l = sizes[k];
         Table& t = record_.table(level_table(k));
         const std::size_t row = t.append(simulation.time());
         const auto put = [&](const char* name, double value, const char* unit = "-") { t.set(row, name, unit, value); };

@@ -76,42 +76,38 @@ public:
     /// Mass of the fine level's particles in the zone less that of the coarse particles under it [kg]. Spray beyond the
     /// zone is not counted: the coarse particles that it belongs to left the zone with the water it came from. Nor is
     /// what is past an outlet, where coarse particles that were there at the start stand for nobody.
-    double surplus() const;
+    double surplus() const { return surplus(coarse_.kinds(), fine_.kinds()); }
     /// How far the surplus has come from what it was at the start (where a solid cuts the two lattices differently it
     /// is not zero), as a share of the mass of the coarse particles under the zone.
-    double mass_drift() const;
+    double mass_drift() const { return mass_drift(coarse_.kinds(), fine_.kinds()); }
+    /// The same for who has counted the two levels' particles.
+    double mass_drift(const KindCounts& coarse, const KindCounts& fine) const;
 
 private:
     static constexpr double guard_over_dp = 4, again_over_dp = 4.1, gone_over_dp = 5, barren_over_dp = 6,
                             band_over_dp = 8, patience_over_dp = 0.75;
+    /// Fine places among coarse particles and coarse ones among fine, in spacings of those.
+    static constexpr double fine_apart = 0.5, coarse_apart = 2;
 
-    Followed follow_coarser(const Asking& asking, FollowCoarser follow);
-    Followed follow_finer(const Asking& asking, FollowFiner follow);
     void label_coarse();
     AskEdge edge(std::initializer_list<double> limits) const;
-    DeviceSteps::Spray label_fine();
+    EdgeSteps::Spray label_fine();
     void give_birth();
     std::vector<Vec3> octants(const Vec3& parent) const;  ///< places of its children
-    std::vector<Parent> find_parents();                   ///< who is to have children, and has them from then on
-    std::vector<Located> coarse_between(double from, double to) const;  ///< distances from the edge [m]
-    std::vector<Located> guards() const;
     /// The guards that have one of the parents that come back nearest of all coarse particles.
     std::unordered_map<std::int64_t, std::vector<Located>> families_of(const std::vector<Parent>& parents) const;
     /// Of each of some places whether the coarse level has water there.
     std::vector<char> covers(const std::vector<Located>& who) const;
-    void add(const std::vector<Child>& children);
     void remove_gone(const std::vector<std::size_t>& more);  ///< of the fine particles
-    double mass_under() const;                               ///< of the coarse particles under the zone [kg]
+    double mass_under(const KindCounts& coarse) const;       ///< of the coarse particles under the zone [kg]
+    double surplus(const KindCounts& coarse, const KindCounts& fine) const;
 
     Level& coarse_;
     Level& fine_;
     const Refinement* outer_;
     Zone zone_;
     Zone::Shift shifted_;  ///< of its edge, sums since the start
-    // at home, with no device
-    std::vector<double> outside_coarse_;  ///< of each coarse particle since the last relabelling [m]
-    std::vector<int> gone_;               ///< of each fine particle
-    double dp_;                           ///< of the fine level
+    double dp_;             ///< of the fine level
     double in_a_step_ = 0;  ///< how far guards and coarse particles go in a step of the coarse level, at most [m]
     /// And since fine particles were labelled, with what the edge has come towards them.
     double gone_since_ = std::numeric_limits<double>::infinity();

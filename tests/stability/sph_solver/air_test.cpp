@@ -65,12 +65,12 @@ TEST(AirStability, MomentumIsKept) {
     Simulation simulation(s, weightless(s, block[0]));
     add_air(simulation, {}, fill_with_air(s, block));
     // 20 kPa everywhere: no tension anywhere
-    const auto press = [](Particles& p, const LevelSetup& of) {
+    const auto press = [](const FieldsToSet& p, const LevelSetup& of) {
         for (float& drho : p.drho) drho = of.state_equation.deviation(of.rho0, 2e4);
     };
-    press(simulation.particles(), simulation.setup());
-    press(simulation.gas()->particles(), simulation.gas()->setup());
-    for (float& u : simulation.particles().u) u = 3;
+    press(simulation.fields_to_set(), simulation.setup());
+    press(simulation.gas()->fields_to_set(), simulation.gas()->setup());
+    for (float& u : simulation.fields_to_set().u) u = 3;
     const double before = sums_of(simulation).x;
     while (simulation.time() < 0.05) simulation.step();
     const double gained = sums_of(*simulation.gas()).x, after = sums_of(simulation).x + gained;

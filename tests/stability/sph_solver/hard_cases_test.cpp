@@ -15,7 +15,7 @@ TEST(RotatingSquarePatch, KeepsItsMomentaAndOnlyLosesEnergy) {
     // doi:10.1002/fld.3805). Turned by 4 rad; arms of an ideal fluid reach 2.8 half widths and more.
     const SimulationSetup s = plane(0.02, 40, 3);
     Simulation simulation(s, weightless(s, {Vec3(-0.5, 0, -0.5), Vec3(0.5, 0, 0.5)}));
-    Particles& p = simulation.particles();
+    const FieldsToSet p = simulation.fields_to_set();
     const std::size_t n = p.size();
     for (std::size_t i = 0; i < n; ++i)
         p.u[i] = static_cast<float>(4 * p.z[i]), p.w[i] = static_cast<float>(-4 * p.x[i]);
@@ -36,7 +36,7 @@ TEST(ImpingingJets, MakeNoEnergyAndTheStagnationPressure) {
     // Two equal jets meet head on: a blow of sound first, then Bernoulli's rho U^2 / 2 in the middle.
     const SimulationSetup s = plane(0.05, 20, 15);  // what the blow throws out does not reach the edges
     Simulation simulation(s, weightless(s, {Vec3(-3, 0, -0.5), Vec3(3, 0, 0.5)}));
-    Particles& p = simulation.particles();
+    const FieldsToSet p = simulation.fields_to_set();
     for (std::size_t i = 0; i < p.size(); ++i) p.u[i] = p.x[i] < 0 ? 1 : -1;
     const double start = sums_of(simulation).energy;
     run_on(simulation, 1, 0.15, 0.1);

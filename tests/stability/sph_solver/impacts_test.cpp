@@ -49,7 +49,7 @@ Simulation thrown_at(const Surface& solid, const Box& block, double dp, double c
             }
     }
     Simulation simulation(s, water);
-    for (float& w : simulation.particles().w) w = 1;
+    for (float& w : simulation.fields_to_set().w) w = 1;
     return simulation;
 }
 

@@ -109,7 +109,7 @@ TEST(FreeJet, IsDrawnIntoDropsAndNothingIsLost) {
     // thick and torn; in two there are drops.
     SimulationSetup s = plane(0.02, 40, 8);
     Simulation simulation(s, weightless(s, {Vec3(-0.5, 0, -0.04), Vec3(0.5, 0, 0.04)}));
-    Particles& p = simulation.particles();
+    const FieldsToSet p = simulation.fields_to_set();
     const std::size_t n = p.size();
     for (std::size_t i = 0; i < n; ++i) p.u[i] = static_cast<float>(3 * p.x[i]);
     const Sums start = sums_of(simulation);
@@ -122,7 +122,7 @@ TEST(FreeJet, IsDrawnIntoDropsAndNothingIsLost) {
     ASSERT_EQ(p.size(), n);
     const Sums end = sums_of(simulation);
     double volume = 0, gap = 0;
-    std::vector<double> places = p.x;
+    std::vector<double> places = simulation.particles().x;
     std::sort(places.begin(), places.end());
     for (std::size_t i = 0; i < n; ++i) volume += s.rho0 / (s.rho0 + double(p.drho[i])) / double(n);
     for (std::size_t i = 1; i < n; ++i) gap = std::max(gap, places[i] - places[i - 1]);

@@ -182,7 +182,7 @@ TEST(Engine, AFreeBlobKeepsItsMomentumWhateverItsParticlesDo) {
     Simulation simulation(s, blob);
     std::mt19937 random(3);
     std::normal_distribution<float> noise(0, 0.3f);
-    Particles& p = simulation.particles();
+    const FieldsToSet p = simulation.fields_to_set();
     for (std::size_t i = 0; i < p.size(); ++i)
         p.u[i] = 1 + noise(random), p.v[i] = noise(random), p.w[i] = noise(random);
     const auto momentum = [&] {
@@ -293,7 +293,7 @@ TEST(Engine, TheCertificateNamesThePlaceOfTheWorst) {
     std::size_t densest = 0;
     const auto compression = std::ranges::find(record.certificate, "compression", &CertificateLine::name);
     ASSERT_NE(compression, record.certificate.end());
-    simulation.particles().drho[29] = 150;  // 15 %: more than is trusted, and than anything the falling column does
+    simulation.fields_to_set().drho[29] = 150;  // 15 %: more than is trusted, and than anything the falling column does
     const Vec3 there(simulation.particles().x[29], simulation.particles().y[29], simulation.particles().z[29]);
     simulation.step();
     watch_stability(simulation, record);
@@ -310,7 +310,7 @@ TEST(Engine, NotANumberStopsTheRun) {
     const SimulationSetup s = tank();
     Simulation simulation(s, column(s));
     simulation.step();
-    simulation.particles().u[17] = std::numeric_limits<float>::quiet_NaN();
+    simulation.fields_to_set().u[17] = std::numeric_limits<float>::quiet_NaN();
     EXPECT_THROW(simulation.step(), RunError);
 }
 
@@ -407,7 +407,7 @@ Impact throw_at_wall(int count, double speed, const SchemeCase& c) {
         drops.depth.push_back(0);
     }
     Simulation simulation(s, drops);
-    for (float& w : simulation.particles().w) w = static_cast<float>(-speed);
+    for (float& w : simulation.fields_to_set().w) w = static_cast<float>(-speed);
     Impact r;
     r.deepest = 1e30;
     const auto momentum = [&] {

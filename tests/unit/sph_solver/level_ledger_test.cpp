@@ -11,6 +11,7 @@
 #include "record/certificate.h"
 #include "sph_solver/measure/certificate.h"
 #include "sph_solver/run_sph.h"
+#include "tests/unit/sph_solver/level_insides.h"
 
 namespace tw {
 namespace level_ledger_test {
@@ -30,7 +31,7 @@ Simulation stream_through_a_zone(double air_above = 0) {
     std::vector<Fluid> water = fill_levels(s, {water_in});
     for (Fluid& fluid : water) fluid.depth.assign(fluid.depth.size(), 0);
     Simulation simulation(s, water);
-    for (const auto& level : simulation.levels()) std::ranges::fill(level->particles().u, 1.0f);
+    for (const auto& level : simulation.levels()) std::ranges::fill(level->fields_to_set().u, 1.0f);
     return simulation;
 }
 
@@ -39,13 +40,14 @@ TEST(LevelLedger, CountsEveryParticleOnceAndBalancesBirthsAndDeaths) {
     const std::size_t at_start = simulation.level(1).particles().size();
     for (int k = 0; k < 30; ++k) simulation.step();
     for (std::size_t k = 0; k < 2; ++k) {
-        const LevelLedger l = level_ledger(simulation, k);
+        const LevelLedger l = level_ledgers(simulation)[k];
         EXPECT_EQ(l.active + l.guards + l.band + l.carried,
                   static_cast<std::int64_t>(simulation.level(k).particles().size()));
         EXPECT_EQ(l.guards > 0, k == 1);
         EXPECT_EQ(l.band + l.carried > 0, k == 0);
     }
-    const LevelLedger coarse = level_ledger(simulation, 0), fine = level_ledger(simulation, 1);
+    const std::vector<LevelLedger> sizes = level_ledgers(simulation);
+    const LevelLedger &coarse = sizes[0], &fine = sizes[1];
     EXPECT_EQ(fine.dt, coarse.dt / 2);
     EXPECT_EQ(fine.spacing, coarse.spacing / 2);
     ASSERT_GT(fine.edge.births, 0);
@@ -57,11 +59,11 @@ TEST(LevelLedger, CountsEveryParticleOnceAndBalancesBirthsAndDeaths) {
 // A zone of 20 x 20 coarse particles that loses eight fine ones, two coarse ones' mass, has lost 1/200 of its mass.
 TEST(LevelLedger, MassThatAZoneLosesIsTold) {
     Simulation simulation = stream_through_a_zone();
-    EXPECT_EQ(level_ledger(simulation, 1).mass_drift, 0);
+    EXPECT_EQ(level_ledgers(simulation)[1].mass_drift, 0);
     int taken = 0;
-    for (Kind& kind : simulation.level(1).particles().kind)
+    for (Kind& kind : LevelInsides::particles(simulation.level(1)).kind)
         if (kind == Kind::fluid && taken < 8) kind = Kind::guard, ++taken;
-    EXPECT_NEAR(level_ledger(simulation, 1).mass_drift, -1.0 / 200, 1e-12);
+    EXPECT_NEAR(level_ledgers(simulation)[1].mass_drift, -1.0 / 200, 1e-12);
     RunRecord record;
     watch_stability(simulation, record);
     const auto line = std::ranges::find(record.certificate, mass_drift_line, &CertificateLine::name);
@@ -73,12 +75,12 @@ TEST(LevelLedger, MassThatAZoneLosesIsTold) {
 // Fine particles that fly beyond the zone, where there is no coarse water, are spray and no longer the zone's water.
 TEST(LevelLedger, SprayBeyondAZoneIsNotCountedAsItsWater) {
     Simulation simulation = stream_through_a_zone(1);
-    Particles& p = simulation.level(1).particles();
+    const FieldsToSet p = simulation.level(1).fields_to_set();
     std::int64_t flying = 0;
     for (std::size_t i = 0; i < p.size() && flying < 8; ++i)
         if (p.kind[i] == Kind::fluid) p.z[i] = 1.2 + 0.01 * double(flying++);
     simulation.step();
-    const LevelLedger l = level_ledger(simulation, 1);
+    const LevelLedger l = level_ledgers(simulation)[1];
     EXPECT_EQ(l.edge.spray, 8);
     EXPECT_NEAR(l.mass_drift, -1.0 / 200, 1e-12);
 }

@@ -26,7 +26,7 @@ SimulationSetup stream() {
         const Particles &p = a.level(k).particles(), &q = b.level(k).particles();
         if (const auto same = same_bits(p, q); !same)
             return ::testing::AssertionFailure() << "level " << k << ": " << same.message();
-        const LevelLedger of_a = level_ledger(a, k), of_b = level_ledger(b, k);
+        const LevelLedger of_a = level_ledgers(a)[k], of_b = level_ledgers(b)[k];
         if (of_a.active != of_b.active || of_a.guards != of_b.guards || of_a.band != of_b.band ||
             of_a.carried != of_b.carried || of_a.active + of_a.guards + of_a.band + of_a.carried != static_cast<std::int64_t>(q.size()))
             return ::testing::AssertionFailure() << "level " << k << " counts others";
@@ -110,7 +110,7 @@ TEST_F(OnDevice, AColumnSurgesAcrossTheEdgeOfAZoneInThreeDimensions) {
     put_on_device(device);
     const auto surge = [&](float u) {
         for (Simulation* run : {&host, &device})
-            for (std::size_t k = 0; k < 2; ++k) std::ranges::fill(run->level(k).particles().u, u);
+            for (std::size_t k = 0; k < 2; ++k) std::ranges::fill(run->level(k).fields_to_set().u, u);
         expect_same_steps(host, device, 30);
         return device.refinements()[0].ledger().births;
     };
@@ -127,10 +127,11 @@ TEST_F(OnDevice, SprayEndsInWaterOfAnyCoarserSize) {
     put_on_device(device);
     std::int64_t drop = 0;
     for (Simulation* run : {&host, &device}) {
-        Particles& p = run->finest().particles();
+        Particles p = run->finest().particles();
         drop = p.id[0];
         p.kind[0] = Kind::fluid;
         p.x[0] = -1.8, p.z[0] = 0.1, p.u[0] = 0, p.w[0] = -2;  // beyond the zone of the next coarser size
+        run->finest().restore(run->finest().state(), std::move(p));
     }
     const auto there = [&](const Simulation& run) { return std::ranges::count(run.finest().particles().id, drop); };
     expect_same_steps(host, device, 4);

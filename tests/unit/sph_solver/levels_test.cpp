@@ -11,6 +11,7 @@
 #include "meshes/generate.h"
 #include "sph_solver/simulation.h"
 #include "sph_solver/state/checkpoint.h"
+#include "tests/unit/sph_solver/level_insides.h"
 #include "three_levels.h"
 
 namespace tw {
@@ -45,7 +46,7 @@ Simulation linear_water(int dimensions, bool with_surface) {
     for (double& depth : fluid.depth) depth = 0;
     Simulation simulation(s, fluid);
     simulation.step();
-    Particles& p = simulation.particles();
+    const FieldsToSet p = simulation.fields_to_set();
     for (std::size_t i = 0; i < p.size(); ++i) {
         p.u[i] = static_cast<float>(1 + 2 * p.x[i] - p.z[i]);
         p.v[i] = static_cast<float>(dimensions == 3 ? p.y[i] : 0);
@@ -77,7 +78,7 @@ TEST(Interpolation, IsExactForLinearFieldsInsideAtTheSurfaceAndInCorners) {
 // A zone that the water is just coming to holds guards alone.
 TEST(Interpolation, FromNothingThatCountsIsNothing) {
     Simulation simulation = linear_water(2, true);
-    for (Kind& kind : simulation.particles().kind) kind = Kind::guard;
+    for (Kind& kind : LevelInsides::particles(simulation.level(0)).kind) kind = Kind::guard;
     FieldsAt at;
     at.places = {Vec3(0.8, 0, 0.4), Vec3(0.33, 0, 0.4)};
     at.want_compression = true;
@@ -173,7 +174,7 @@ TEST(Levels, TheCoarsestKeepsItsMassButForInletAndOutlet) {
 // neighbour of its own. It ends there, as spray over the next size does, and does not fall through to the floor.
 TEST(Levels, FineSprayEndsInWaterOfAnyCoarserSize) {
     Simulation simulation = make(1);
-    Particles& p = simulation.finest().particles();
+    Particles& p = LevelInsides::particles(simulation.finest());
     const std::int64_t id = p.id[0];
     const auto drop = [&] { return std::ranges::find(p.id, id); };
     p.kind[0] = Kind::fluid;

@@ -146,7 +146,7 @@ TEST_F(OnDevice, WhatTheHostChangesBetweenTwoStepsCounts) {
     Simulation host(s, water_of(s), emulated()), device(s, water_of(s), emulated());
     put_on_device(device);
     for (int k = 0; k < 5; ++k) host.step(), device.step();
-    host.particles().u[17] += 0.5f, device.particles().u[17] += 0.5f;
+    host.fields_to_set().u[17] += 0.5f, device.fields_to_set().u[17] += 0.5f;
     for (int k = 0; k < 5; ++k) host.step(), device.step();
     EXPECT_TRUE(same_bits(host.particles(), device.particles()));
 }
@@ -156,7 +156,7 @@ TEST_F(OnDevice, NotANumberStopsTheRunThereToo) {
     Simulation device(s, water_of(s), emulated());
     put_on_device(device);
     device.step();
-    device.particles().u[17] = std::numeric_limits<float>::quiet_NaN();
+    device.fields_to_set().u[17] = std::numeric_limits<float>::quiet_NaN();
     try {
         device.step();
         FAIL() << "went on";

@@ -51,7 +51,7 @@ Sums sums_of(const Simulation& simulation) {
 TEST(SprayGate, TakesADetachedLumpWithItsMassMomentumAndEnergy) {
     Simulation simulation(tank(), sea_with_two_lumps(tank()));
     for (int n = 0; n < 3; ++n) simulation.step();
-    Particles& p = simulation.particles();
+    const FieldsToSet p = simulation.fields_to_set();
     for (std::size_t i = 0; i < p.size(); ++i)  // the lump at x = 0.2 flies and turns
         if (p.z[i] > 0.5 && p.x[i] < 0.5) p.u[i] = 3, p.w[i] = p.z[i] > 0.75 ? 2 : 1;
     const Sums before = sums_of(simulation);

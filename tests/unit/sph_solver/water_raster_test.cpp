@@ -29,7 +29,7 @@ Simulation stream(double depth) {
     std::vector<Fluid> fluids = fill_levels(s, {water});
     for (Fluid& fluid : fluids) fluid.depth.assign(fluid.depth.size(), 0);
     Simulation simulation(s, fluids);
-    for (const auto& level : simulation.levels()) std::ranges::fill(level->particles().u, 1.0f);
+    for (const auto& level : simulation.levels()) std::ranges::fill(level->fields_to_set().u, 1.0f);
     return simulation;
 }
 
@@ -59,7 +59,7 @@ TEST(WaterRaster, EndsAtTheSurfaceInBothSizes) {
 TEST(WaterRaster, ShowsFineSprayBeyondItsZone) {
     Simulation simulation = stream(0.28);
     Level& fine = *simulation.levels()[1];
-    Particles& p = fine.particles();
+    const FieldsToSet p = fine.fields_to_set();
     const auto drop = static_cast<std::size_t>(std::ranges::find(p.kind, Kind::fluid) - p.kind.begin());
     ASSERT_LT(drop, p.size());
     p.x[drop] = 1.02, p.z[drop] = 0.34;

@@ -48,7 +48,7 @@ Pulse pulse_of(double dp) {
     Fluid water = fill_with_fluid(s, {s.domain});
     for (double& depth : water.depth) depth = 0;
     Simulation simulation(s, water);
-    Particles& p = simulation.particles();
+    const FieldsToSet p = simulation.fields_to_set();
     for (std::size_t i = 0; i < p.size(); ++i) {
         const double f = strength * std::exp(-0.5 * std::pow((p.x[i] - 0.3) / width, 2));
         p.drho[i] = static_cast<float>(s.rho0 * f), p.u[i] = static_cast<float>(c0 * f);

@@ -73,7 +73,7 @@ struct Cushions {
         Simulation simulation(s, fill_with_fluid(s, water));
         add_air(simulation, air, fill_with_air(s, water));
         EXPECT_EQ(simulation.gas()->particles().size(), simulation.particles().size());
-        for (float& w : simulation.particles().w) w = 0.05f;  // of the cushion's height: 0.4 %
+        for (float& w : simulation.fields_to_set().w) w = 0.05f;  // of the cushion's height: 0.4 %
         std::vector<double> time, momentum;
         while (simulation.time() < 2.5 * 2 * pi / exact()) {
             simulation.step();
@@ -120,7 +120,7 @@ TEST(Air, WavesAtTheInterfaceOfTwoLayers) {
         const double omega = layers.exact(), dp = Layers::H / 20;
         Simulation simulation = layers.simulation(dp);
         // velocity of the linear wave: potential A cosh k(H -+ z) cos kx in each layer, opposite signs along x
-        const auto start = [&](Particles& p, double side) {
+        const auto start = [&](const FieldsToSet& p, double side) {
             for (std::size_t i = 0; i < p.size(); ++i) {
                 const double a = Layers::amplitude * omega / std::sinh(Layers::k * Layers::H),
                              up = Layers::k * (Layers::H - side * p.z[i]);
@@ -128,8 +128,8 @@ TEST(Air, WavesAtTheInterfaceOfTwoLayers) {
                 p.u[i] = static_cast<float>(side * a * std::cosh(up) * std::sin(Layers::k * p.x[i]));
             }
         };
-        start(simulation.particles(), -1);
-        start(simulation.gas()->particles(), 1);
+        start(simulation.fields_to_set(), -1);
+        start(simulation.gas()->fields_to_set(), 1);
         std::vector<double> time, share;
         while (simulation.time() < 1.75 * 2 * pi / omega) {
             simulation.step();

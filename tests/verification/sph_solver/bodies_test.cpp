@@ -354,7 +354,7 @@ TEST(Bodies, FloatUnderAirAsArchimedesSays) {
     AirOptions air;
     air.sound_speed = 60;
     add_air(afloat, air, fill_with_air(s, {below}));
-    for (float& drho : afloat.gas()->particles().drho) drho = 0.1f * static_cast<float>(of_air);
+    for (float& drho : afloat.gas()->fields_to_set().drho) drho = 0.1f * static_cast<float>(of_air);
     const double start = centre_of(afloat).z(), weight = density * 9.81 * 0.3 * height;
     double mean = 0, pressed = 0;
     int steps = 0;

@@ -48,7 +48,7 @@ Packet cross(int edges, double length, double rows, bool into_fine) {
     const double along = rows > 0 ? length / rows : 0;  // sine of the angle
     const Vec3 way(std::sqrt(1 - along * along), 0, along);
     for (const auto& level : run.levels()) {
-        Particles& p = level->particles();
+        const FieldsToSet p = level->fields_to_set();
         for (std::size_t i = 0; i < p.size(); ++i) {
             const Vec3 x(p.x[i] + half / 2, 0, p.z[i]);
             const double d = 1e-4 * std::sin(2 * std::numbers::pi / lambda * way.dot(x)) *

@@ -53,7 +53,7 @@ double taylor_green_error(int n, double reynolds) {
     s.mirrors.on = {{{true, true}, {false, false}, {true, true}}};
     s.effects.push_back(Viscosity{nu, true, {}});
     Simulation simulation(s, weightless(s, s.domain));
-    Particles& p = simulation.particles();
+    const FieldsToSet p = simulation.fields_to_set();
     for (std::size_t i = 0; i < p.size(); ++i) {
         p.u[i] = static_cast<float>(U * std::sin(k * p.x[i]) * std::cos(k * p.z[i]));
         p.w[i] = static_cast<float>(-U * std::cos(k * p.x[i]) * std::sin(k * p.z[i]));
@@ -228,7 +228,7 @@ TEST(EddyViscosity, IsTheMixingLengthSquaredTimesTheShear) {
     s.effects.push_back(Viscosity{0, false, EddyViscosity{cs}});
     s.scheme = Scheme::symplectic_euler;  // its first kick lasts the whole step
     Simulation simulation(s, weightless(s, s.domain));
-    Particles& p = simulation.particles();
+    const FieldsToSet p = simulation.fields_to_set();
     for (std::size_t i = 0; i < p.size(); ++i) p.u[i] = static_cast<float>(A * p.z[i] * p.z[i] / 2);
     simulation.step();
     const double l = cs * dp, dt = simulation.dt();
@@ -257,7 +257,7 @@ double sound_left(double alpha2, int n, double periods) {
     s.cfl = 0.2;
     if (alpha2 > 0) s.effects.push_back(AcousticDamping{alpha2});
     Simulation simulation(s, weightless(s, s.domain));
-    Particles& p = simulation.particles();
+    const FieldsToSet p = simulation.fields_to_set();
     std::vector<double> start(p.size());
     for (std::size_t i = 0; i < p.size(); ++i) p.u[i] = static_cast<float>(A * std::sin(k * p.x[i]));
     const double end = periods * 2 * L / c0;
@@ -291,7 +291,7 @@ TEST(Cavitation, NoPressureFallsBelowTheCutOff) {
         s.mirrors.on = {{{true, true}, {false, false}, {true, true}}};
         if (on) s.effects.push_back(Cavitation{-5000});
         Simulation simulation(s, weightless(s, s.domain));
-        Particles& p = simulation.particles();
+        const FieldsToSet p = simulation.fields_to_set();
         for (std::size_t i = 0; i < p.size(); ++i) p.u[i] = static_cast<float>(std::sin(pi * p.x[i]));
         PointSamples middle;
         middle.places = {Vec3(0.1, 0, 0.1), Vec3(0.5, 0, 0.1), Vec3(0.9, 0, 0.1)};
@@ -349,7 +349,7 @@ double drop_period(int n, double h_over_dp) {
     for (const Vec3& x : weightless(s, s.domain).places)
         if (x.norm() < R) drop.places.push_back(x), drop.depth.push_back(0);
     Simulation simulation(s, drop);
-    Particles& p = simulation.particles();
+    const FieldsToSet p = simulation.fields_to_set();
     const double A = 0.1;  // velocity gradient [1/s]: swings by a tenth of the radius
     for (std::size_t i = 0; i < p.size(); ++i) {
         p.u[i] = static_cast<float>(A * p.x[i]);

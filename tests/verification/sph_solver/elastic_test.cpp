@@ -114,6 +114,15 @@ TEST(Elastic, AirShutInUnderAPlateBearsItAsASpring) {
     EXPECT_EQ(run.ledger().lost, 0);
 }
 
+TEST(Elastic, NeedsTheSchemeWhoseDriftItMeetsInTheMiddle) {
+    const ColumnOnPlate column{0.02};
+    SimulationSetup s = column.setup();
+    for (const Scheme scheme : {Scheme::symplectic_euler, Scheme::predictor_corrector}) {
+        s.scheme = scheme;
+        EXPECT_THROW(Simulation(s, column.water(s)), InputError);
+    }
+}
+
 /// By penalty contact it rests on forces between particles and surface alone; how stiff they are moves where it rests, not
 /// how heavy it is.
 TEST(Elastic, APenaltyContactBearsTheWaterWhateverItsStiffness) {

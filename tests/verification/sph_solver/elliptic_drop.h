@@ -20,7 +20,7 @@ inline Simulation elliptic_drop(double dp, double A, double spin = 0, double shi
     for (const Vec3& place : fill_with_fluid(s, {Box{Vec3(-1, 0, -1), Vec3(1, 0, 1)}}).places)
         if (std::hypot(place.x(), place.z()) < 1) drop.places.push_back(place), drop.depth.push_back(0);
     Simulation simulation(s, drop);
-    Particles& p = simulation.particles();
+    const FieldsToSet p = simulation.fields_to_set();
     for (std::size_t i = 0; i < p.size(); ++i) {
         p.u[i] = static_cast<float>(-A * p.x[i] + spin * p.z[i]);
         p.w[i] = static_cast<float>(A * p.z[i] - spin * p.x[i]);

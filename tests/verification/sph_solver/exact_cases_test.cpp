@@ -59,7 +59,7 @@ TEST(SharpEdge, WaterLeavesItWithoutSuction) {
     Fluid block = fill_with_fluid(s, {Box{Vec3(-1, 0, -thickness), Vec3(-1 + length, 0, 0)}});
     for (double& depth : block.depth) depth = 0;
     Simulation simulation(s, block);
-    for (float& u : simulation.particles().u) u = 1;
+    for (float& u : simulation.fields_to_set().u) u = 1;
     Vec3 impulse = Vec3::Zero();
     while (simulation.time() < 1.2) {
         const double before = simulation.time();

@@ -48,7 +48,7 @@ Film turn(double delta_over_dp) {
     Fluid water = fill_with_fluid(s, {Box{Vec3(-length, -1, 0), Vec3(0, 1, delta)}});
     for (double& depth : water.depth) depth = 0;
     Simulation simulation(s, water);
-    for (float& u : simulation.particles().u) u = static_cast<float>(U);
+    for (float& u : simulation.fields_to_set().u) u = static_cast<float>(U);
     const double full = (std::numbers::pi / 2 * R + 0.6) / U, until = 0.95 * length / U;
     Vec3 impulse = Vec3::Zero();
     double from = 0, before = 0;

@@ -40,7 +40,7 @@ TEST(LevelEdge, AUniformStreamCrossesItUnchanged) {
     s.mirrors.periodic = {true, false, false};
     s.zones = {zone_between(0.6, 2.6, 0.3, 1.3), zone_between(1.2, 2, 0.6, 1)};
     Simulation simulation = weightless(s);
-    for (const auto& level : simulation.levels()) std::ranges::fill(level->particles().u, 1.0f);
+    for (const auto& level : simulation.levels()) std::ranges::fill(level->fields_to_set().u, 1.0f);
     while (simulation.time() < 1) simulation.step();  // through the inner zone
     for (const auto& level : simulation.levels()) {
         const Particles& p = level->particles();
@@ -79,7 +79,7 @@ Crossing pulse(int levels, double width, bool into_fine) {
     Simulation simulation = weightless(s);
     const double start = into_fine ? 1.2 : 2.8, direction = into_fine ? 1 : -1;
     for (const auto& level : simulation.levels()) {
-        Particles& p = level->particles();
+        const FieldsToSet p = level->fields_to_set();
         for (std::size_t i = 0; i < p.size(); ++i) {
             const double f = strength * std::exp(-0.5 * std::pow((p.x[i] - start) / (width * coarse), 2));
             p.drho[i] = static_cast<float>(s.rho0 * f), p.u[i] = static_cast<float>(direction * c0 * f);
@@ -130,7 +130,7 @@ Simulation wave(int levels) {
     Simulation simulation(s, fill_levels(s, {Box{s.domain.min, Vec3(2, 1, 0)}}));
     const double k = 2 * std::numbers::pi;
     for (const auto& level : simulation.levels()) {
-        Particles& p = level->particles();
+        const FieldsToSet p = level->fields_to_set();
         for (std::size_t i = 0; i < p.size(); ++i) {
             const double a = 0.3 / std::cosh(k), up = k * (p.z[i] + 1);
             p.u[i] = static_cast<float>(a * std::cosh(up) * std::sin(k * p.x[i]));
@@ -275,7 +275,7 @@ Swing swing(int periods, double vortices) {
     s.zones = {zone_between(0.24, 0.56, -infinite, infinite)};
     Simulation simulation = weightless(s);
     for (const auto& level : simulation.levels()) {
-        Particles& p = level->particles();
+        const FieldsToSet p = level->fields_to_set();
         const double kx = 4 * std::numbers::pi / length, kz = std::numbers::pi / height;
         for (std::size_t i = 0; i < p.size(); ++i) {
             p.u[i] = static_cast<float>(vortices * U * std::sin(kx * p.x[i]) * std::cos(kz * p.z[i]));
@@ -376,7 +376,7 @@ Vortex carried_vortex(double dp, std::vector<Zone> zones) {
         return v;
     };
     for (const auto& level : simulation.levels()) {
-        Particles& p = level->particles();
+        const FieldsToSet p = level->fields_to_set();
         for (std::size_t i = 0; i < p.size(); ++i) {
             const double x = p.x[i] - 0.4, z = p.z[i] - 0.4;
             const double turn = 0.3 * U / R * std::exp((1 - (x * x + z * z) / (R * R)) / 2);

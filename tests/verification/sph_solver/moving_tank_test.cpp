@@ -232,7 +232,7 @@ TEST(MovingTank, LeavesWaterInBalanceAloneAtItsWalls) {
     SimulationSetup s = swaying_tank(0.02, frame);
     s.state_equation.c0 = 200;  // so that the water is nearly as dense below as above
     Simulation run(s, water(s));
-    Particles& p = run.particles();
+    const FieldsToSet p = run.fields_to_set();
     const double c2 = s.state_equation.c0 * s.state_equation.c0;
     for (std::size_t i = 0; i < p.size(); ++i)
         p.drho[i] = static_cast<float>(1000 / c2 * (across * (p.x[i] + 0.5) - g * p.z[i]));

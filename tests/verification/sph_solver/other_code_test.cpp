@@ -33,7 +33,7 @@ TEST(OtherCode, FindsTheSameAccelerationsAndDensityDiffusion) {
     Fluid block;
     for (const Row& row : rows) block.places.emplace_back(row[0], row[1], row[2]), block.depth.push_back(0);
     Simulation simulation(s, block);
-    Particles& p = simulation.particles();
+    const FieldsToSet p = simulation.fields_to_set();
     for (std::size_t i = 0; i < rows.size(); ++i) {
         p.u[i] = static_cast<float>(rows[i][3]), p.v[i] = static_cast<float>(rows[i][4]);
         p.w[i] = static_cast<float>(rows[i][5]), p.drho[i] = static_cast<float>(rows[i][6]);

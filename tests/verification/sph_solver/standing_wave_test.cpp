@@ -110,7 +110,7 @@ Wave wave_of(double dp, double h_over_dp) {
     s.domain = {Vec3(0, -1, -depth), Vec3(length, 1, depth)};
     s.mirrors.on = {{{true, true}, {false, false}, {true, false}}};
     Simulation simulation(s, fill_with_fluid(s, {Box{s.domain.min, Vec3(length, 1, 0)}}));
-    Particles& p = simulation.particles();
+    const FieldsToSet p = simulation.fields_to_set();
     const double omega = linear_frequency(), potential = amplitude * g / omega;  // A of phi
     for (std::size_t i = 0; i < p.size(); ++i) {
         const Vec3 u = potential * mode(p.x[i], p.z[i]);

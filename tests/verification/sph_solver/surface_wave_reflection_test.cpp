@@ -120,7 +120,7 @@ Ways cross(Sizes sizes, const Packet& of, double sign) {
     }
     Simulation run(s, water);
     for (std::size_t n = 0; n < velocities.size(); ++n) {
-        Particles& p = run.level(n).particles();
+        const FieldsToSet p = run.level(n).fields_to_set();
         for (std::size_t i = 0; i < p.size(); ++i) {
             const Vec3& u = velocities[n][static_cast<std::size_t>(p.id[i])];
             p.u[i] = static_cast<float>(u.x()), p.w[i] = static_cast<float>(u.z());

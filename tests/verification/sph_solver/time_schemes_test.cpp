@@ -39,7 +39,7 @@ void swing(Scheme scheme, double cfl, double until, Look look) {
     Fluid water = fill_with_fluid(s, {s.domain});
     for (double& depth : water.depth) depth = 0;
     Simulation simulation(s, water);
-    Particles& p = simulation.particles();
+    const FieldsToSet p = simulation.fields_to_set();
     constexpr double U = 1e-3;
     for (std::size_t i = 0; i < p.size(); ++i) p.u[i] = static_cast<float>(U * std::sin(pi * p.x[i]));
     while (simulation.time() < until) {
@@ -110,7 +110,7 @@ double energy_gained(Scheme scheme, double cfl) {
     Fluid water = fill_with_fluid(s, {s.domain});
     for (double& depth : water.depth) depth = 0;
     Simulation simulation(s, water);
-    Particles& p = simulation.particles();
+    const FieldsToSet p = simulation.fields_to_set();
     for (std::size_t i = 0; i < p.size(); ++i) {
         p.u[i] = static_cast<float>(std::sin(pi * p.x[i]) * std::cos(pi * p.z[i]));
         p.w[i] = static_cast<float>(-std::cos(pi * p.x[i]) * std::sin(pi * p.z[i]));

@@ -49,7 +49,7 @@ struct Jet {
         Fluid slab = fill_with_fluid(s, {Box{Vec3(0, 0, -1.6), Vec3(H, 0, 0)}});
         for (double& depth : slab.depth) depth = 0;
         Simulation made(s, slab);
-        for (float& w : made.particles().w) w = static_cast<float>(V);
+        for (float& w : made.fields_to_set().w) w = static_cast<float>(V);
         return made;
     }
 };
@@ -96,7 +96,7 @@ TEST(Ventilation, DeepUnderWaterSuctionStays) {
         s.bodies = {prism_along_y(circle(-0.4, -0.7, 0.1), 3)};
         if (ventilated) s.effects = {Ventilation{}};
         Simulation simulation(s, water(s));
-        for (float& u : simulation.particles().u) u = 3;  // all of the water starts past the cylinder at once
+        for (float& u : simulation.fields_to_set().u) u = 3;  // all of the water starts past the cylinder at once
         double lowest = 0;
         while (simulation.time() < 0.1) simulation.step();
         for (std::size_t i = 0; i < simulation.particles().size(); ++i)

@@ -103,7 +103,7 @@ Found enter(const Entry& entry, const Exact& exact) {
     Fluid water = fill_with_fluid(s, {Box{Vec3(0, 0, -half), Vec3(half, 0, 0)}});
     for (double& depth : water.depth) depth = 0;
     Simulation simulation(s, water);
-    for (float& w : simulation.particles().w) w = static_cast<float>(V);
+    for (float& w : simulation.fields_to_set().w) w = static_cast<float>(V);
 
     // c_p at points along the flank, averaged in boxes of the similarity coordinate y over the second half of the entry
     PointSamples flank;

@@ -1,0 +1,190 @@
+#include "sph_solver/levels/edges_at_home.h"
+
+#include <algorithm>
+
+#include "sph_solver/backend/for_particles.h"
+#include "sph_solver/levels/level.h"
+
+namespace tw {
+
+namespace {
+
+Vec3 place_at(const Particles& p, std::size_t i) { return {p.x[i], p.y[i], p.z[i]}; }
+Located located(const Particles& p, std::size_t i) { return {static_cast<std::int64_t>(i), {p.x[i], p.y[i], p.z[i]}}; }
+
+std::vector<Located> those_located(const Particles& p, const auto& of) {
+    std::vector<Located> found;
+    for (std::size_t i = 0; i < p.size(); ++i)
+        if (of(i)) found.push_back(located(p, i));
+    return found;
+}
+
+/// The particles of some kinds.
+std::vector<std::size_t> those_of_kind(const Particles& p, const auto& of) {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < p.size(); ++i)
+        if (of(p.kind[i])) found.push_back(i);
+    return found;
+}
+
+/// The distance from a zone's edge: what is known of it, or worked out again.
+double ask_edge(const AskEdge& ask, const Zone& zone, const Vec3& at, EdgeDistance& known) {
+    const V3<double> x{at.x(), at.y(), at.z()};
+    if (ask.knows(x, known)) return double(known.outside);
+    const double outside = zone.outside(at);
+    known = ask.found(x, outside);
+    return outside;
+}
+
+std::int64_t orphans_of(const FieldsAt& at) {
+    std::int64_t n = 0;
+    for (std::size_t k = 0; k < at.places.size(); ++k) n += !at.given(k).known();
+    return n;
+}
+
+}  // namespace
+
+// --- who is what ------------------------------------------------------------------------------------------------------
+
+void Level::begin_over(const Zone& finer, double with_children) {
+    particles_.bring(With::finer);
+    for (std::size_t i = 0; i < particles_.size(); ++i)
+        if (finer.outside(place_at(particles_, i)) < with_children) particles_.children[i] = Children::all;
+}
+
+void Level::begin_within(const Zone& own) {
+    particles_.bring(With::coarser);
+    for (std::size_t i = 0; i < particles_.size(); ++i)
+        if (own.outside(place_at(particles_, i)) >= 0) particles_.kind[i] = Kind::guard;
+}
+
+EdgeSteps& Level::edges() {
+    if (device_) return *device_;
+    return at_home_;
+}
+
+void EdgesAtHome::label(const AskEdge& ask, LabelCoarse label, const Zone& zone) {
+    Particles& p = level_.particles_;
+    outside_.resize(p.size());
+    label.kind = p.kind.data(), label.children = p.children.data();
+    for_particles(p.size(), [&](std::size_t i) {
+        outside_[i] = ask_edge(ask, zone, place_at(p, i), p.from_finer_edge[i]);
+        label(i, outside_[i]);
+    });
+}
+
+EdgeSteps::Spray EdgesAtHome::label(const AskEdge& ask, LabelFine label, const Zone& zone, EdgeSteps& coarser,
+                                    const Asking& asking) {
+    Particles& p = level_.particles_;
+    std::vector<int> leaves(p.size());
+    gone_.resize(p.size());
+    label.kind = p.kind.data(), label.leaves = leaves.data(), label.gone = gone_.data();
+    std::vector<double> outside(p.size());
+    for_particles(p.size(), [&](std::size_t i) {
+        outside[i] = ask_edge(ask, zone, place_at(p, i), p.from_edge[i]);
+        label(i, outside[i]);
+    });
+    FieldsAt leaving{asking};
+    std::vector<std::size_t> who;
+    for (std::size_t i = 0; i < p.size(); ++i)
+        if (leaves[i]) leaving.places.push_back(place_at(p, i)), who.push_back(i);
+    coarser.interpolate(leaving);
+    const BecomeGuard become{p.kind.data(), p.trend.data()};
+    Spray spray;
+    for (std::size_t k = 0; k < who.size(); ++k) {
+        const std::size_t i = who[k];
+        const bool far = outside[i] > label.gone_beyond;
+        if (become(i, leaving.given(k))) {
+            gone_[i] = far;
+            continue;
+        }
+        ++spray.count;
+        if (far) spray.far.push_back(located(p, i));
+    }
+    return spray;
+}
+
+std::vector<Located> EdgesAtHome::between(double from, double to) {
+    return those_located(level_.particles_, [&](std::size_t i) { return outside_[i] > from && outside_[i] < to; });
+}
+
+std::vector<Located> EdgesAtHome::guards() {
+    const Particles& p = level_.particles_;
+    return those_located(p, [&](std::size_t i) { return p.kind[i] == Kind::guard; });
+}
+
+void EdgesAtHome::forget_edge(With whose) {
+    Particles& p = level_.particles_;
+    std::ranges::fill(whose == With::coarser ? p.from_edge : p.from_finer_edge, EdgeDistance{});
+}
+
+// --- who comes and goes -----------------------------------------------------------------------------------------------
+
+std::vector<Parent> EdgesAtHome::find_parents(double within) {
+    Particles& p = level_.particles_;
+    std::vector<Parent> parents;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        if (!Parent::is(p.kind[i], p.children[i], outside_[i], within)) continue;
+        const Located at = located(p, i);
+        parents.push_back({at.index, at.place, {p.u[i], p.v[i], p.w[i], p.drho[i]}, p.children[i]});
+        p.children[i] = Children::all;
+    }
+    return parents;
+}
+
+void EdgesAtHome::add(const std::vector<Child>& children) {
+    Particles& p = level_.particles_;
+    for (const Child& c : children) {
+        p.add(c.place.x, c.place.y, c.place.z, c.state.u, c.state.drho, c.id, c.kind);
+        p.v.back() = c.state.v, p.w.back() = c.state.w;
+        p.trend.back().support = c.support;
+    }
+}
+
+std::int64_t EdgesAtHome::remove_gone(const std::vector<std::size_t>& more) {
+    for (const std::size_t i : more) gone_[i] = 1;
+    std::vector<std::int32_t> kept;
+    for (std::size_t i = 0; i < gone_.size(); ++i)
+        if (!gone_[i]) kept.push_back(static_cast<std::int32_t>(i));
+    const auto deaths = static_cast<std::int64_t>(gone_.size() - kept.size());
+    if (deaths > 0) level_.particles_.reorder(kept);
+    gone_.assign(kept.size(), 0);
+    return deaths;
+}
+
+// --- who follows ------------------------------------------------------------------------------------------------------
+
+void EdgesAtHome::interpolate(FieldsAt& at) { level_.interpolate(at); }
+
+Followed EdgesAtHome::follow_coarser(EdgeSteps& coarser, const Asking& asking, FollowCoarser follow) {
+    Particles& p = level_.particles_;
+    follow.p = level_.state_view(), follow.trend = p.trend.data();
+    const std::vector<std::size_t> who = those_of_kind(p, [](Kind kind) { return kind == Kind::guard; });
+    FieldsAt guards{asking};
+    guards.places.resize(who.size());
+    Followed followed;
+    for (const std::size_t i : who) followed.fastest2 = std::max(followed.fastest2, speed2(follow.p, i));
+    for_particles(who.size(), [&](std::size_t k) {
+        const V3<double> x = place_ahead(follow.p, who[k], follow.moved);
+        guards.places[k] = {x.x, x.y, x.z};
+    });
+    coarser.interpolate(guards);
+    for_particles(who.size(), [&](std::size_t k) { follow(who[k], guards.given(k)); });
+    followed.orphans = orphans_of(guards);
+    return followed;
+}
+
+Followed EdgesAtHome::follow_finer(EdgeSteps& finer, const Asking& asking, FollowFiner follow) {
+    Particles& p = level_.particles_;
+    follow.p = level_.state_view(), follow.kind = p.kind.data();
+    follow.shift = p.shift_support.data(), follow.compression = p.compression.data();
+    const std::vector<std::size_t> who = those_of_kind(p, stands_for_finer);
+    FieldsAt under{asking};
+    under.places.resize(who.size());
+    for_particles(who.size(), [&](std::size_t k) { under.places[k] = place_at(p, who[k]); });
+    finer.interpolate(under);
+    for_particles(who.size(), [&](std::size_t k) { follow(who[k], under.given(k)); });
+    return {0, orphans_of(under)};
+}
+
+}  // namespace tw
