@@ -190,14 +190,13 @@ void Device::set_zero(std::uint64_t at, std::size_t bytes) {
     library_->check(library_->cuMemsetD8(at, 0, bytes), "clearing its memory");
 }
 
-void Device::launch(const char* kernel, std::size_t threads, std::span<void* const> arguments) {
+void Device::launch(const char* kernel, std::size_t threads, std::span<void*> arguments) {
     if (threads == 0) return;
     Library& l = *library_;
     void*& function = l.kernels[kernel];
     if (!function) l.check(l.cuModuleGetFunction(&function, l.module, kernel), kernel);
     const auto blocks = static_cast<unsigned>((threads + threads_in_block - 1) / threads_in_block);
-    l.check(l.cuLaunchKernel(function, blocks, 1, 1, threads_in_block, 1, 1, 0, nullptr,
-                             const_cast<void**>(arguments.data()), nullptr),
+    l.check(l.cuLaunchKernel(function, blocks, 1, 1, threads_in_block, 1, 1, 0, nullptr, arguments.data(), nullptr),
             kernel);
 }
 

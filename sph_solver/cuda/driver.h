@@ -42,7 +42,7 @@ public:
     void within_device(std::uint64_t to, std::uint64_t from, std::size_t bytes);
     void set_zero(std::uint64_t at, std::size_t bytes);
     /// Starts a kernel on `threads` threads, in order after all before. `arguments`: their places, as it wants them.
-    void launch(const char* kernel, std::size_t threads, std::span<void* const> arguments);
+    void launch(const char* kernel, std::size_t threads, std::span<void*> arguments);
     /// Waits for all that was started.
     void finish();
 

@@ -16,7 +16,10 @@ extern "C++" __device__ inline double sqrt(double x) { return __builtin_sqrt(x);
 #define TW_THREADS
 #define TW_ISA on_device
 #include "sph_solver/cuda/edges.h"
+#include "sph_solver/cuda/faces.h"
 #include "sph_solver/cuda/kernel_list.h"
+#include "sph_solver/cuda/near_walls.h"
+#include "sph_solver/cuda/search.h"
 #include "sph_solver/cuda/sorting.h"
 #include "sph_solver/cuda/tasks.h"
 #include "sph_solver/effects/ventilation_isa.cpp"

@@ -26,7 +26,7 @@ Peaks measure_peaks(Device& device) {
     float* to = result.data();
     const std::size_t threads = static_cast<std::size_t>(device.multiprocessors()) * 16 * threads_in_block;
     int rounds = 20000;
-    void* const arithmetic[] = {&to, &rounds};
+    void* arithmetic[] = {&to, &rounds};
     const double flops = 2.0 * 16 * rounds * double(threads) /
                          seconds_of([&] { device.launch("tw_peak_arithmetic", threads, arithmetic); });
     constexpr int length = 1 << 20;  // 16 MB
@@ -35,7 +35,7 @@ Peaks measure_peaks(Device& device) {
     array.set_zero();
     const PlaceRecord* from = array.data();
     int places = length, times = 100;
-    void* const cache[] = {&to, &from, &places, &times};
+    void* cache[] = {&to, &from, &places, &times};
     const double bytes = double(length) * sizeof(PlaceRecord) * times /
                          seconds_of([&] { device.launch("tw_peak_cache", threads, cache); });
     return {flops, bytes};

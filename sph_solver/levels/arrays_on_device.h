@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "sph_solver/cuda/edges.h"
+#include "sph_solver/cuda/near_walls.h"
 #include "sph_solver/cuda/tasks.h"
 #include "sph_solver/levels/lists_on_device.h"
 #include "sph_solver/levels/on_device.h"
@@ -177,10 +178,10 @@ struct LevelOnDevice::Arrays {
 };
 
 template <class View>
-void LevelOnDevice::sweep(const char* kernel, const View& view, const cuda::Array<Group>& groups) {
+void LevelOnDevice::sweep(const char* kernel, View view, const cuda::Array<Group>& groups) {
     const Group* first = groups.data();
     int count = static_cast<int>(groups.size());
-    void* const arguments[] = {const_cast<View*>(&view), &first, &count};
+    void* arguments[] = {&view, &first, &count};
     device_->launch(kernel, groups.size() * cuda::warp, arguments);
 }
 

@@ -264,7 +264,7 @@ double LevelOnDevice::fastest2_of_following() {
     std::size_t n = on.which.size();
     on.fastest.resize((n + cuda::threads_in_block - 1) / cuda::threads_in_block);
     double* parts = on.fastest.data();
-    void* const arguments[] = {&task, &parts, &n};
+    void* arguments[] = {&task, &parts, &n};
     device_->launch("tw_fastest", n, arguments);
     std::vector<double> home(on.fastest.size());
     on.fastest.give(home);

@@ -16,11 +16,11 @@ int RunningSum::add_up() {
     const int* of = of_.data();
     int *sums = sums_.data(), *before = before_.data();
     const std::size_t threads = static_cast<std::size_t>(blocks) * cuda::threads_in_block;
-    void* const of_blocks[] = {&of, &sums, &n};
+    void* of_blocks[] = {&of, &sums, &n};
     device_.launch("tw_scan_blocks", threads, of_blocks);
-    void* const of_sums[] = {&sums, &blocks};
+    void* of_sums[] = {&sums, &blocks};
     device_.launch("tw_scan_sums", cuda::threads_in_block, of_sums);
-    void* const of_each[] = {&of, &sums, &before, &n};
+    void* of_each[] = {&of, &sums, &before, &n};
     device_.launch("tw_scan_fill", threads, of_each);
     return before_.value(of_.size());
 }
@@ -75,7 +75,7 @@ void ListsOnDevice::build(const Columns& columns, const Columns& of_groups, cons
     const auto run = [&] {
         const Group* of = groups.data();
         int n = static_cast<int>(groups.size());
-        void* const arguments[] = {&search, &of, &n};
+        void* arguments[] = {&search, &of, &n};
         device_.launch("tw_search", groups.size() * cuda::warp, arguments);
     };
     run();

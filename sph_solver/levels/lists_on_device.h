@@ -3,14 +3,15 @@
 #include <vector>
 
 #include "sph_solver/cuda/driver.h"
+#include "sph_solver/cuda/search.h"
 #include "sph_solver/cuda/sorting.h"
 
 namespace tw {
 
 /// Starts a kernel that does a task for `count` indices (cuda/kernel_list.h).
 template <class Task>
-void launch(cuda::Device& device, const char* kernel, const Task& task, std::size_t count) {
-    void* const arguments[] = {const_cast<Task*>(&task), &count};
+void launch(cuda::Device& device, const char* kernel, Task task, std::size_t count) {
+    void* arguments[] = {&task, &count};
     device.launch(kernel, count, arguments);
 }
 

@@ -1,4 +1,5 @@
 // Who is whose neighbour in a level on a device: what crosses the domain's faces, sorting, images, groups, lists, and walls.
+#include "sph_solver/cuda/faces.h"
 #include "sph_solver/levels/arrays_on_device.h"
 #include "sph_solver/levels/level.h"
 

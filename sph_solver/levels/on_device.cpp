@@ -227,7 +227,7 @@ void LevelOnDevice::note_air() {
     d.water.surface = on.air_stays.data();
     const Group* asking = on.asking.data();
     const int* count = on.count.data();
-    void* const arguments[] = {&d, &asking, &count};
+    void* arguments[] = {&d, &asking, &count};
     device_->launch("tw_near_air", on.groups.size() * cuda::warp, arguments);
     launch(*device_, "tw_note_air", cuda::NoteAir{air, on.air_stays.data(), on.air_near.data()}, n);
 }
@@ -267,7 +267,7 @@ LevelOnDevice::Moved LevelOnDevice::move(const Move& of_host) {
     task.move.trend = or_null(on.p.trend);
     on.count.set_zero();
     MovedExtremes* of_blocks = on.extremes.data();
-    void* const arguments[] = {&task, &of_blocks, &n};
+    void* arguments[] = {&task, &of_blocks, &n};
     device_->launch("tw_move", n, arguments);
     home_ = false;
 

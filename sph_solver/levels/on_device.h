@@ -3,7 +3,7 @@
 
 #include "sph_solver/cuda/driver.h"
 #include "sph_solver/cuda/edges.h"
-#include "sph_solver/cuda/sorting.h"
+#include "sph_solver/cuda/search.h"
 #include "sph_solver/levels/device_steps.h"
 #include "sph_solver/loops/wall_motion.h"
 #include "sph_solver/sweeps/views.h"
@@ -52,7 +52,7 @@ public:
 private:
     struct Arrays;
     template <class View>
-    void sweep(const char* kernel, const View& view, const cuda::Array<Group>& groups);
+    void sweep(const char* kernel, View view, const cuda::Array<Group>& groups);
     WaterView water() const;
     WallView walls() const;
     void take_state();

@@ -13,7 +13,10 @@
 #include <string>
 
 #include "sph_solver/cuda/edges.h"
+#include "sph_solver/cuda/faces.h"
 #include "sph_solver/cuda/kernel_list.h"
+#include "sph_solver/cuda/near_walls.h"
+#include "sph_solver/cuda/search.h"
 #include "sph_solver/cuda/sorting.h"
 #include "sph_solver/cuda/tasks.h"
 #include "sph_solver/effects/ventilation.h"

@@ -1,0 +1,111 @@
+#pragma once
+// Groups at walls, and the walls near their particles, which the host finds: plain data for kernels, as in tasks.h.
+#include <cstddef>
+#include <cstdint>
+
+#include "sph_solver/cuda/sorting.h"
+#include "sph_solver/sweeps/records.h"
+
+namespace tw::cuda {
+
+/// How many bodies each group has in reach, each of which gets a slot for its load.
+struct CountWallLoads {
+    const Group* groups;
+    const NeighbourBlock* blocks;
+    const std::int32_t* body_end;
+    int bodies;
+    int *loads, *at_wall;
+
+    void operator()(std::size_t n) const {
+        const Group& g = groups[n];
+        int count = 0;
+        for (std::int32_t k = 0, body = -1; k < g.wall_list.size; ++k) {
+            int of = 0;
+            while (of + 1 < bodies && blocks[g.wall_list.first + k].first >= body_end[of]) ++of;
+            count += of != body;
+            body = of;
+        }
+        loads[n] = count, at_wall[n] = count > 0;
+    }
+};
+/// A group at a wall, and its centre [m].
+struct GroupAtWall {
+    Group group;
+    double x, y, z;
+};
+struct ListGroupsAtWalls {
+    Columns columns;
+    const int* column;
+    const int *first_load, *at_wall, *before;
+    double origin[3], quantum;
+    Group* groups;
+    GroupAtWall* list;
+
+    void operator()(std::size_t n) const {
+        Group& g = groups[n];
+        g.wall_load = at_wall[n] ? first_load[n] : -1;
+        if (!at_wall[n]) return;
+        const WidePlace c = columns.centre(column[n]);
+        const auto metres = [&](std::int32_t q, std::int64_t near, double from) {
+            return from + quantum * static_cast<double>(near + difference(q, static_cast<std::int32_t>(near)));
+        };
+        list[before[n]] = {g, metres(g.x, c.x, origin[0]), metres(g.y, c.y, origin[1]), metres(g.z, c.z, origin[2])};
+    }
+};
+/// Where a particle is that may be near a wall.
+struct NearWall {
+    double x, y, z;
+    float u, v, w;
+    std::int32_t index;  ///< -1: none
+    Kind kind;
+};
+struct TakeNearWalls {
+    StateView p;
+    const Kind* kind;
+    const GroupAtWall* list;
+    NearWall* to;
+
+    void operator()(std::size_t k) const {
+        const Group& g = list[k / lanes_of_group].group;
+        const int l = static_cast<int>(k % lanes_of_group);
+        NearWall& near = to[k];
+        near.index = l < g.size ? g.first + l : -1;
+        if (near.index < 0) return;
+        const auto i = static_cast<std::size_t>(near.index);
+        near.x = p.x[i], near.y = p.y[i], near.z = p.z[i];
+        near.u = p.u[i], near.v = p.v[i], near.w = p.w[i];
+        near.kind = kind[i];
+    }
+};
+struct NoWalls {
+    WallNormalRecord* wall;
+    LeavingRecord* leaving;
+    std::uint16_t* body;  ///< null: none moves
+
+    void operator()(std::size_t i) const {
+        wall[i] = no_wall, leaving[i] = {0, 0, 0, 0};
+        if (body) body[i] = 0;
+    }
+};
+/// What the host has found of them.
+struct WallFound {
+    std::int32_t index;
+    WallNormalRecord wall;
+    LeavingRecord leaving;
+    std::uint16_t body;
+};
+struct PutWalls {
+    const WallFound* found;
+    WallNormalRecord* wall;
+    LeavingRecord* leaving;
+    std::uint16_t* body;  ///< null: none moves
+
+    void operator()(std::size_t k) const {
+        const WallFound& f = found[k];
+        if (f.index < 0) return;
+        wall[f.index] = f.wall, leaving[f.index] = f.leaving;
+        if (body) body[f.index] = f.body;
+    }
+};
+
+}  // namespace tw::cuda
