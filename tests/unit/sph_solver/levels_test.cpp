@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <random>
 
-#include "base/errors.h"
 #include "base/numbers.h"
 #include "meshes/generate.h"
 #include "sph_solver/simulation.h"
@@ -228,12 +227,6 @@ void expect_same_bits_after_a_restart(Simulation (*make_with)(int threads), int 
 TEST(Levels, AnyNumberOfThreadsAndARestartGiveTheSameBits) { expect_same_bits_after_a_restart(make, 25); }
 
 TEST(Levels, FourSizesWithTwoZonesOfOneKeepTheirBitsToo) { expect_same_bits_after_a_restart(four_levels, 12); }
-
-TEST(Levels, RefuseSchemesThatTheyHaveNoCouplingFor) {
-    SimulationSetup s = three_levels(1);
-    s.scheme = Scheme::predictor_corrector;
-    EXPECT_THROW(Simulation(s, water_of_stream(s)), InputError);
-}
 
 }  // namespace levels_test
 }  // namespace tw

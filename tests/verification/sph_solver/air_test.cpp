@@ -16,10 +16,8 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
-#include <limits>
 #include <vector>
 
-#include "base/errors.h"
 #include "base/numbers.h"
 #include "sph_solver/air.h"
 #include "sph_solver/simulation.h"
@@ -185,17 +183,6 @@ TEST(Air, IsASpringInStepsOfSeveralStagesToo) {
                     cushions.exact(), 100 * (found / cushions.exact() - 1));
         EXPECT_NEAR(found, cushions.exact(), 0.01 * cushions.exact());
     }
-}
-
-TEST(Air, WantsWaterOfOneSizeOfParticles) {
-    SimulationSetup s = box(0.05, Vec3(0, -1, 0), Vec3(4, 1, 2));
-    s.state_equation.c0 = 20;
-    const std::vector<Box> water{{s.domain.min, Vec3(4, 1, 1)}};
-    const Fluid gas = fill_with_air(s, water);
-    constexpr double endless = std::numeric_limits<double>::infinity();
-    s.zones = {Zone({Box{Vec3(2, -endless, -endless), Vec3(endless, endless, endless)}})};
-    Simulation simulation(s, fill_levels(s, water));
-    EXPECT_THROW(add_air(simulation, {}, gas), InputError);
 }
 
 }  // namespace air_test

@@ -10,7 +10,6 @@
 
 #include <Eigen/Dense>
 
-#include "base/errors.h"
 #include "base/numbers.h"
 #include "bodies.h"
 
@@ -216,16 +215,6 @@ TEST(LevelEdge, StillWaterAcrossTheSurfaceStaysSlow) {
     EXPECT_LT(rms, 0.015);
     EXPECT_LT(std::abs(drift), 0.04);
     for (const auto& level : simulation.levels()) EXPECT_EQ(level->ledger().lost, 0);
-}
-
-TEST(LevelEdge, CutsNoBodyThatMoves) {
-    SimulationSetup s = tank(0.01, 0.8, 0.8, 0.3, 25);
-    s.bodies = {box_body(0.4, 0.24, 0.48, 1000)};
-    s.zones = {zone_between(0.04, infinite, -infinite, infinite)};
-    s.partial_zones = 1;
-    Box below = s.domain;
-    below.max.z() = 0;
-    EXPECT_THROW(Simulation(s, fill_levels(s, {below})), InputError);
 }
 
 // Archimedes for a body that an edge cuts in two: each size bears the water that it has, and none is counted twice.
