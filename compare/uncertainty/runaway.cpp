@@ -13,8 +13,12 @@ namespace {
 
 std::string of_three(std::span<const StudyLevel> levels) {
     const Triplet t = finest_triplet(levels);
-    const double finest = t.eps21 / std::log(t.r21), coarser = t.eps32 / std::log(t.r32);
+    const double l21 = std::log(t.r21), l32 = std::log(t.r32), finest = t.eps21 / l21, coarser = t.eps32 / l32;
     if (t.convergence == Convergence::unchanged || coarser == 0 || !(finest / coarser >= 2 * (1 - 1e-9))) return {};
+    // The half width of finest - 2 coarser, of the values' own noise.
+    const double U = std::hypot(levels[0].half_width / l21, levels[1].half_width * (1 / l21 + 2 / l32),
+                                2 * levels[2].half_width / l32);
+    if (std::abs(finest - 2 * coarser) < U) return {};
     return fmt::format("the changes grow {:.2g}-fold from the coarser pair of sizes to the finest", finest / coarser);
 }
 

@@ -284,6 +284,18 @@ TEST(Estimate, TheIntervalHoldsTheTruthInMostNoisyStudies) {
     EXPECT_LT(held_by_gci, 170);  // three levels do not see the noise: the count can come out low
 }
 
+TEST(Estimate, ChangesThatGrowWithinTheValuesOwnNoiseAreNoDivergence) {
+    // A lift by interFoam: the mean of the middle size is known to 3 % only.
+    const auto lift = [](double noise) {
+        return estimate({{0.0442, 3130.6, 7.8 * noise}, {0.0625, 3199.6, 88.6 * noise}, {0.0884, 3225.3, 13.7 * noise}},
+                        2);
+    };
+    EXPECT_EQ(lift(0).convergence, Convergence::divergent);
+    EXPECT_FALSE(std::isfinite(lift(0).uncertainty));
+    EXPECT_NE(lift(1).convergence, Convergence::divergent);
+    EXPECT_GT(lift(1).uncertainty, 3199.6 - 3130.6) << "no less than the change";
+}
+
 TEST(Estimate, DivergentValuesHaveNoUncertaintyAndThatIsNoError) {
     for (const std::vector<StudyLevel>& levels : {power(five, 1, 0.05, -1), power({1, 2, 4}, 1, 0.05, -1),
                                                   study({1, 2, 4, 8}, {1.0, 1.1, 1.2, 1.3}),  // as the logarithm of h

@@ -63,6 +63,24 @@ TEST(Coverage, SizesFilledInBetweenTheCoarseOnesOfFourNarrowTheIntervalAndBeside
     EXPECT_LT(beside_three, 2 * three) << "two large terms that cancel within the sizes explain no scatter";
 }
 
+// Three values whose changes grow: refused where that is the sizes' doing, not where it is within their known noise.
+TEST(Coverage, ValuesThatGrowApartWithinTheirKnownNoiseGetAnIntervalThatHolds) {
+    const std::vector<std::vector<double>> three{{1, std::sqrt(2.0), 2}};
+    const std::vector<Estimated> without = estimate_all(manufactured_families(200, 31, three)),
+                                 with = estimate_all(manufactured_families(200, 31, three, true));
+    std::vector<Estimated> freed;
+    std::size_t refused = 0;
+    for (std::size_t k = 0; k < with.size(); ++k) {
+        if (std::isfinite(without[k].estimate.uncertainty)) continue;
+        ++refused;
+        if (std::isfinite(with[k].estimate.uncertainty)) freed.push_back(with[k]);
+    }
+    EXPECT_GT(freed.size(), 0.8 * static_cast<double>(refused));
+    EXPECT_GT(refused, 500u);
+    const Coverage c = coverage_of(freed, estimators[0]);
+    EXPECT_GE(c.share_held(), 90);
+}
+
 // Solved by the project's own methods, answer known: three sizes or more.
 TEST(Coverage, TheExactCasesAreHeldInNineOfTen) {
     const std::vector<Estimated> exact = estimate_all(exact_families(TWINWAKE_TEST_DATA "/exact_families.csv"));

@@ -43,7 +43,7 @@ std::vector<KnownFamily> manufactured_families(int repetitions, unsigned seed) {
 }
 
 std::vector<KnownFamily> manufactured_families(int repetitions, unsigned seed,
-                                               const std::vector<std::vector<double>>& sizes) {
+                                               const std::vector<std::vector<double>>& sizes, bool known) {
     constexpr double error = 0.02;
     std::mt19937 random(seed);
     std::normal_distribution<double> normal;
@@ -56,8 +56,9 @@ std::vector<KnownFamily> manufactured_families(int repetitions, unsigned seed,
                         if (noise == 0 && (grows || trend.name == "none")) continue;
                         KnownFamily family{.name = {}, .trend = trend.name, .noise = noise, .levels = {}, .truth = 1};
                         for (std::size_t i = 0; i < x.size(); ++i) {
-                            const double e = noise * (grows ? x[i] : 1) * normal(random);
-                            family.levels.push_back({x[i], 1 + error * (trend.f(x[i], static_cast<int>(i)) + e)});
+                            const double deviation = noise * (grows ? x[i] : 1), e = deviation * normal(random);
+                            family.levels.push_back({x[i], 1 + error * (trend.f(x[i], static_cast<int>(i)) + e),
+                                                     known ? 1.96 * error * deviation : 0});
                         }
                         families.push_back(std::move(family));
                     }

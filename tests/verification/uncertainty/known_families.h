@@ -23,9 +23,10 @@ struct KnownFamily {
 /// - sizes: 3, 4, 5, 6 and 8 (ratios of sqrt 2; of 1.2 to 1.25 from five on; the eight of the planing prism);
 /// `repetitions` draws. The same seed gives the same families.
 std::vector<KnownFamily> manufactured_families(int repetitions, unsigned seed);
-/// The same of other sizes, over the one whose error is 2 %, finest first.
+/// The same of other sizes, over the one whose error is 2 %, finest first. `known`: each level has the half width of its
+/// noise, as a time mean has.
 std::vector<KnownFamily> manufactured_families(int repetitions, unsigned seed,
-                                               const std::vector<std::vector<double>>& sizes);
+                                               const std::vector<std::vector<double>>& sizes, bool known = false);
 
 /// The cases with an exact answer of docs/results, from tests/data/exact_families.csv (values in per cent of the exact
 /// one). Two sizes or more.
