@@ -91,7 +91,7 @@ std::string influence_on(const std::string& quantity, const std::string& influen
 std::vector<LeftOut> left_out_of(const Quantity& quantity, const MeanValue& value, const RunRecord& run) {
     std::vector<LeftOut> all;
     const std::string planned = planned_name(quantity.name);
-    if (planned.empty() || !is_main_quantity(quantity.name)) return all;
+    if (planned.empty() || !is_main_quantity(quantity.name) || !value.known) return all;
     for (const EffectChoice& e : run.effects) {
         if (e.on || said_elsewhere(e, planned, run)) continue;
         const std::string influence = influence_on(planned, e.influence);

@@ -53,6 +53,7 @@ TEST(LeftOut, IsWhatIsOffAndMattersToTheQuantity) {
     EXPECT_EQ(of("lift", true), "turbulence air ventilation? ");
     EXPECT_EQ(of("splash_sheet_height", true), "air? surface tension? ");
     EXPECT_EQ(of("wetted_length", true), "");
+    EXPECT_EQ(names(left_out_of(quantity("lift", 400, 30), MeanValue(), run(true))), "") << "of no value";
     RunRecord section = run(true);
     section.effects.clear();
     section.numbers["dimensions"] = 2;
