@@ -32,11 +32,12 @@ namespace tw {
 /// with the guards' fields linear in time between the coarse level's; then the fine level's fields go to band and
 /// carried. Momentum is not conserved across the edge (to the accuracy of the interpolation only).
 ///
-/// Densities change hands without what the uppermost row of either size has too much, see surface_excess.h.
+/// A density is handed over less the excess that the uppermost row of its size has, see surface_excess.h.
 ///
 /// Where the coarse level has no water (kernel support below 1/2), what leaves the zone stays active: spray goes on as
-/// fine particles until water of the coarse level covers it, or of one that is coarser still: it may fall far beyond the
-/// zone of the next coarser size, and the coarsest has particles for all water that is not spray. Where the fine level has none, carried particles fall freely.
+/// fine particles until water of the coarse level covers it, or of one that is coarser still: it may fall far beyond
+/// the zone of the next coarser size, and the coarsest has particles for all water that is not spray. Where the fine
+/// level has none, carried particles fall freely.
 class Refinement {
 public:
     /// `fine` holds children of the particles of `coarse` (see `belongs`). `outer`: the edge at which `coarse` is the
