@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <span>
 
 #include "meshes/surface.h"
 
@@ -8,5 +9,7 @@ namespace tw {
 /// Bounds of the hull's bottom within `part`; none where nothing of it lies there. Its bottom is what looks down: on
 /// topsides no jet is born.
 std::optional<Box> bottom_within(const Surface& hull, const Box& part);
+/// As far as it consists of those triangles.
+std::optional<Box> bottom_within(const Surface& hull, std::span<const std::size_t> triangles, const Box& part);
 
 }  // namespace tw

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <vector>
 
 #include "base/numbers.h"
 #include "scene/hull_bottom.h"
@@ -14,19 +16,37 @@ namespace {
 constexpr int stations = 128;
 constexpr double thin = 1e-4;  ///< of a station, over the hull's length: the keel's depth changes little along it
 
-/// Of one side of the bottom in the slice from x on; 0 where it is dry.
-double of_wedge(const Hull& hull, double x, bool port, double flattest) {
+/// Of one side of the bottom in the slice from x on, of those triangles; 0 where it is dry.
+double of_wedge(const Hull& hull, double x, std::span<const std::size_t> triangles, bool port, double flattest) {
     using std::numbers::pi;
     Box part{Vec3(x, -infinite, -infinite), Vec3(x + thin * hull.length, infinite, infinite)};
     (port ? part.max : part.min).y() = 0;
-    const std::optional<Box> bottom = bottom_within(hull.surface, part);
+    const std::optional<Box> bottom = bottom_within(hull.surface, triangles, part);
     if (!bottom || bottom->min.z() >= 0) return 0;
     part.max.z() = (1 - pi / 2) * bottom->min.z();  // to where the water rises
-    const std::optional<Box> wet = bottom_within(hull.surface, part);
+    const std::optional<Box> wet = bottom_within(hull.surface, triangles, part);
     if (!wet) return 0;
     const double c = port ? -wet->min.y() : wet->max.y();
     const double tan_beta = c > 0 ? wet->size().z() / c : 0;
     return tan_beta > flattest ? c * tan_beta * tan_beta / (2 * pi) : 0;
+}
+
+/// The triangles in each station's slice, so that a fine surface is gone through once and not once a slice.
+std::vector<std::vector<std::size_t>> by_station(const Hull& hull, const Box& bounds) {
+    std::vector<std::vector<std::size_t>> in(stations);
+    const double between = bounds.size().x() / stations;
+    for (std::size_t k = 0; k < hull.surface.triangles.size(); ++k) {
+        double low = infinite, high = -infinite;
+        for (const auto corner : hull.surface.triangles[k]) {
+            const double x = hull.surface.points[static_cast<std::size_t>(corner)].x();
+            low = std::min(low, x), high = std::max(high, x);
+        }
+        const auto station = [&](double x) { return (x - bounds.min.x()) / between - 0.5; };
+        const int first = std::max(0, static_cast<int>(std::ceil(station(low - thin * hull.length) - 1e-6))),
+                  last = std::min(stations - 1, static_cast<int>(std::floor(station(high) + 1e-6)));
+        for (int s = first; s <= last; ++s) in[static_cast<std::size_t>(s)].push_back(k);
+    }
+    return in;
 }
 
 /// Of particles and cells where a place of the scene makes them finest.
@@ -46,12 +66,13 @@ std::optional<SprayJet> thin_jet(const Scene& scene) {
     const Box bounds = hull.surface.bounds();
     if (!(bounds.min.z() < 0) || !(bounds.max.z() > 0)) return {};
     const double tau = std::max(hull.trim, 0.0), flattest = pi / 2 * std::tan(tau);
+    const auto triangles = by_station(hull, bounds);
     double thickness = 0;
     for (int k = 0; k < stations; ++k)
         for (const bool port : {false, true}) {
             if (port && hull.half) continue;
             const double x = bounds.min.x() + (k + 0.5) / stations * bounds.size().x();
-            thickness = std::max(thickness, of_wedge(hull, x, port, flattest));
+            thickness = std::max(thickness, of_wedge(hull, x, triangles[static_cast<std::size_t>(k)], port, flattest));
         }
     if (!(thickness > 0)) thickness = pi * hull.still.wet_bounds.size().x() * tau * tau / (4 + 2 * pi * tau);
     if (!(thickness > 0)) return {};

@@ -141,7 +141,7 @@ Table splash_series(const RunRecord& record, double level) {
             if (tops[c] > cut_off[c]) sheet = std::max(sheet, static_cast<double>(tops[c]));
         }
         const WaterAbove air = water_above(grid, frame, cut_off);
-        const WaterAbove raised = water_above(grid, frame, wake.cut_off);
+        const WaterAbove raised = wake.length > 0 ? water_above(grid, frame, wake.cut_off) : WaterAbove{};
         double raw = nan;
         for (int k = grid.nz - 1; k >= 0 && std::isnan(raw); --k) {
             const auto first = frame.water.begin() + static_cast<std::ptrdiff_t>(grid.voxel(0, 0, k));
