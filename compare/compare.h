@@ -51,9 +51,9 @@ struct Difference {
 };
 
 /// One compared number. Its own difference is that of the only two sources, or of the pair that lies farthest apart in
-/// units of its interval. `name` is a stable key: drag, lift, trim_moment, splash_raised, splash_sheet_height, splash_p95, splash_p99,
-/// splash_p99_9, airborne_volume, airborne_energy, splash_envelope, wake_width, wetted_length, crest_y_0.75,
-/// trough_y_0.75, ...
+/// units of its interval. `name` is a stable key: drag, lift, trim_moment, splash_raised, splash_sheet_height,
+/// splash_p95, splash_p99, splash_p99_9, airborne_volume, airborne_energy, splash_envelope, wake_width, wetted_length,
+/// crest_y_0.75, trough_y_0.75, ...
 struct Quantity : Difference {
     std::string name, unit, definition;
     std::string label;              ///< for people, e.g. "Lift"
