@@ -58,6 +58,9 @@ template <class T>
 class Array {
 public:
     explicit Array(Device& device) : device_(&device) {}
+    /// Empty for ever, unless it gets a device.
+    Array() = default;
+    void live_on(Device& device) { device_ = &device; }
     ~Array() { give_back(); }
     Array(Array&& other) noexcept
         : device_(other.device_), at_(other.at_), size_(other.size_), capacity_(other.capacity_) {
@@ -113,7 +116,7 @@ private:
         at_ = 0, capacity_ = 0;
     }
 
-    Device* device_;
+    Device* device_ = nullptr;
     std::uint64_t at_ = 0;
     std::size_t size_ = 0, capacity_ = 0;
 };

@@ -190,8 +190,8 @@ struct AddChildren {
         const Child& c = children[k];
         const std::size_t i = n + k;
         on.begin(i);
-        on.p.x[i] = c.place.x, on.p.y[i] = c.place.y, on.p.z[i] = c.place.z;
-        on.p.u[i] = c.state.u, on.p.v[i] = c.state.v, on.p.w[i] = c.state.w, on.p.drho[i] = c.state.drho;
+        on.x[i] = c.place.x, on.y[i] = c.place.y, on.z[i] = c.place.z;
+        on.u[i] = c.state.u, on.v[i] = c.state.v, on.w[i] = c.state.w, on.drho[i] = c.state.drho;
         on.kind[i] = c.kind, on.id[i] = c.id;
         on.trend[i].support = c.support;
     }

@@ -7,6 +7,7 @@
 #include "sph_solver/cuda/tasks.h"
 #include "sph_solver/levels/lists_on_device.h"
 #include "sph_solver/levels/on_device.h"
+#include "sph_solver/loops/moving.h"
 
 namespace tw {
 
@@ -18,56 +19,23 @@ T* or_null(const cuda::Array<T>& array) {
 struct LevelOnDevice::Arrays {
     cuda::Device& device;
     /// What stays with a particle.
-    struct State {
-        cuda::Array<double> x, y, z;
-        cuda::Array<float> u, v, w, drho;
-        cuda::Array<std::int64_t> id;
-        cuda::Array<Kind> kind;
-        cuda::Array<Aired> aired;             ///< empty: there is none
-        cuda::Array<Trend> trend;             ///< empty: no coarser level
-        cuda::Array<EdgeDistance> from_edge;  ///< the same
-        cuda::Array<Children> children;       ///< empty: no finer level
-        cuda::Array<float> compression;       ///< the same
-        cuda::Array<EdgeDistance> from_finer_edge;
-        explicit State(cuda::Device& d)
-            : x(d),
-              y(d),
-              z(d),
-              u(d),
-              v(d),
-              w(d),
-              drho(d),
-              id(d),
-              kind(d),
-              aired(d),
-              trend(d),
-              from_edge(d),
-              children(d),
-              compression(d),
-              from_finer_edge(d) {}
-
+    struct State : Moving<cuda::Array> {
+        explicit State(cuda::Device& d) {
+            each([&d](auto& field) { field.live_on(d); });
+        }
         /// Calls `f(field, other)` for each and what `others` has of it.
         template <class Others, class Function>
         void each_with(Others& others, const Function& f) {
-            f(x, others.x), f(y, others.y), f(z, others.z), f(u, others.u), f(v, others.v), f(w, others.w);
-            f(drho, others.drho), f(id, others.id), f(kind, others.kind), f(aired, others.aired);
-            f(trend, others.trend), f(from_edge, others.from_edge), f(children, others.children);
-            f(compression, others.compression), f(from_finer_edge, others.from_finer_edge);
-        }
-        MovingView all() const {
-            return {view(),
-                    kind.data(),
-                    id.data(),
-                    or_null(aired),
-                    or_null(trend),
-                    or_null(from_edge),
-                    or_null(children),
-                    or_null(compression),
-                    or_null(from_finer_edge)};
+            Moving::each(*this, others, f);
         }
         template <class Function>
         void each(const Function& f) {
-            each_with(*this, [&](auto& field, auto&) { f(field); });
+            each_with(*this, [&f](auto& field, auto&) { f(field); });
+        }
+        MovingView all() const {
+            MovingView view;
+            Moving::each(*this, view, [](const auto& field, auto& pointer) { pointer = or_null(field); });
+            return view;
         }
         StateView view() const { return {x.data(), y.data(), z.data(), u.data(), v.data(), w.data(), drho.data()}; }
         std::size_t size() const { return x.size(); }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "sph_solver/fields/particles.h"
+#include "sph_solver/loops/moving.h"
 
 namespace tw {
 namespace field_table_test {
@@ -104,6 +105,18 @@ TEST(Particles, WhatIsSavedHasANameOfItsOwnAndHoldsNumbers) {
         EXPECT_TRUE(!f.saved() || f.element() != AnyField::Element::record) << f.name();
     });
     EXPECT_TRUE(names.contains("x"));
+}
+
+TEST(Particles, WhatMovesWithThemMovesOnADeviceToo) {
+    Particles p;
+    std::set<const void*> on_device, here;
+    MovingView::each(p, p, [&](const AnyField& f, const AnyField&) { on_device.insert(&f); });
+    p.each([&](const AnyField& f) {
+        if (!f.moves()) return;
+        here.insert(&f);
+        EXPECT_TRUE(on_device.contains(&f)) << f.name() << " is not in the lists of loops/moving.h";
+    });
+    EXPECT_EQ(on_device.size(), here.size()) << "a quantity that does not move is in the lists of loops/moving.h";
 }
 
 }  // namespace field_table_test
