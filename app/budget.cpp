@@ -5,12 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
 
 #include "app/output.h"
-#include "base/atomic_file.h"
 #include "base/errors.h"
 #include "compare/report/numbers.h"
 #include "text/units.h"
@@ -77,31 +75,6 @@ PaidSizes sizes_for_budget(const LadderSizes& family, double budget) {
     if (best) return *best;
     throw InputError(fmt::format("--budget {}: no sizes that the scene allows fit; the cheapest found need {}",
                                  time_text(budget), about_text(cheapest)));
-}
-
-namespace {
-std::filesystem::path sizes_file(const std::filesystem::path& out) { return out / "sizes.json"; }
-}  // namespace
-
-std::optional<PaidSizes> remembered_sizes(const std::filesystem::path& out, double budget) {
-    const std::filesystem::path file = sizes_file(out);
-    if (!std::filesystem::exists(file)) return {};
-    try {
-        const auto json = nlohmann::json::parse(read_text(file));
-        if (json.at("budget") == budget) return PaidSizes{json.at("scale"), json.at("near_hull"), json.at("seconds")};
-        throw InputError(fmt::format(
-            "{}: the sizes there were chosen for --budget {}; go on with that, run anew with --overwrite, or choose "
-            "another folder with --out",
-            file.string(), time_text(json.at("budget"))));
-    } catch (const nlohmann::json::exception& e) {
-        throw InputError(fmt::format("{}: is not as twinwake writes it: {}", file.string(), e.what()));
-    }
-}
-
-void remember(const PaidSizes& sizes, double budget, const std::filesystem::path& out) {
-    const nlohmann::ordered_json json = {
-        {"budget", budget}, {"scale", sizes.scale}, {"near_hull", sizes.near_hull}, {"seconds", sizes.seconds}};
-    write_file(sizes_file(out), json.dump(1) + "\n");
 }
 
 }  // namespace tw::app

@@ -6,8 +6,9 @@
 
 #include "base/atomic_file.h"
 #include "base/cache_folder.h"
+#include "base/errors.h"
+#include "base/own_json.h"
 #include "record/this_machine.h"
-#include "sph_solver/bench.h"
 
 namespace tw::app {
 namespace {
@@ -17,8 +18,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t remembered = 5;
 constexpr double shortest = 10;  ///< [s]
-/// `twinwake bench` on one thread of the machine that the table of scene/cost_estimate.cpp was made on [1/s].
-constexpr double evaluations_of_the_table = 1.9e6;
 
 fs::path pace_file() {
     const fs::path folder = cache_folder();
@@ -26,11 +25,14 @@ fs::path pace_file() {
 }
 
 Json read_paces() {
+    Json paces = Json::object();
     try {
         if (fs::is_regular_file(pace_file()))
-            if (Json paces = Json::parse(read_text(pace_file())); paces.is_object()) return paces;
-    } catch (const std::exception&) {}
-    return Json::object();
+            read_own_json(pace_file(), [&](const nlohmann::json& json) {
+                if (json.is_object()) paces = json;
+            });
+    } catch (const InputError&) {}
+    return paces;
 }
 
 double median(const Json& paces, const std::string& method) {
@@ -56,7 +58,9 @@ void change(Change apply) {
     if (file.empty()) return;
     try {
         Json paces = read_paces();
-        apply(paces[cpu_model()]);
+        Json& of_machine = paces[cpu_model()];
+        if (!of_machine.is_object()) of_machine = Json::object();
+        apply(of_machine);
         fs::create_directories(file.parent_path());
         write_text_atomically(file, paces.dump(1) + "\n");
     } catch (const std::exception&) {}
@@ -66,10 +70,8 @@ void change(Change apply) {
 
 double machine_pace(const std::string& method) { return median(read_paces(), method); }
 
-double calibrate_pace() {
-    const double pace = evaluations_of_the_table / run_bench(30000, 1.5, 1, 1).evaluations_per_second;
+void remember_calibration(double pace) {
     change([&](Json& of_machine) { of_machine["bench"] = pace; });
-    return pace;
 }
 
 void learn_pace(const std::string& method, double expected, double taken) {

@@ -10,6 +10,7 @@ double machine_pace(const std::string& method);
 /// A short calibration (1 s): the particle engine's throughput over that of the table's machine, for all methods until
 /// runs have taught more. Returns the pace [-].
 double calibrate_pace();
+void remember_calibration(double pace);
 /// A finished run: `expected` seconds by the table alone (pace 1), `taken` seconds. Runs under 10 s teach nothing. What
 /// cannot be written is silently not learned.
 void learn_pace(const std::string& method, double expected, double taken);

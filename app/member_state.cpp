@@ -6,7 +6,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "base/atomic_file.h"
+#include "base/errors.h"
+#include "base/own_json.h"
 
 namespace tw::app {
 namespace {
@@ -18,17 +19,18 @@ constexpr std::array kind_names = {"waiting", "running", "done", "stopped", "fai
 std::string name_of(MemberState::Kind kind) { return kind_names.at(static_cast<std::size_t>(kind)); }
 
 MemberState read_member_state(const std::filesystem::path& file) {
+    if (!std::filesystem::exists(file)) return {};
+    MemberState s;
     try {
-        if (!std::filesystem::exists(file)) return {};
-        const auto facts = nlohmann::json::parse(read_text(file));
-        MemberState s;
-        const auto* const kind = std::ranges::find(kind_names, facts.at("state").get<std::string>());
-        s.kind = static_cast<MemberState::Kind>(kind - kind_names.begin());
-        if (kind == kind_names.end()) return {};
-        s.why = facts.at("why"), s.share = facts.at("share"), s.left = facts.at("left");
-        s.note = facts.at("note"), s.node = facts.at("node");
-        return s;
-    } catch (const std::exception&) { return {}; }
+        read_own_json(file, [&](const nlohmann::json& facts) {
+            const auto* const kind = std::ranges::find(kind_names, facts.at("state").get<std::string>());
+            if (kind == kind_names.end()) return;
+            s.why = facts.at("why"), s.note = facts.at("note"), s.node = facts.at("node");
+            s.share = number_within(facts, "share", 0, 1), s.left = number_within(facts, "left", 0, 1e12);
+            s.kind = static_cast<MemberState::Kind>(kind - kind_names.begin());
+        });
+    } catch (const InputError&) { return {}; }
+    return s;
 }
 
 void write_member_state(const std::filesystem::path& file, const MemberState& s) {

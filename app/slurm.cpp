@@ -20,8 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path jobs_file(const fs::path& out) { return study_folder(out) / "jobs.json"; }
-
 /// Lines "12_3|RUNNING|node2" as a map.
 std::map<std::string, std::string> states_in(const SlurmAnswer& answer) {
     std::map<std::string, std::string> states;
@@ -63,18 +61,6 @@ void write_jobs(const fs::path& out, const std::vector<SubmittedJob>& jobs) {
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
     for (const SubmittedJob& job : jobs) json.push_back({{"id", job.id}, {"members", job.members}});
     write_file(jobs_file(out), json.dump(1) + "\n");
-}
-
-std::vector<SubmittedJob> read_jobs(const fs::path& out) {
-    if (!fs::exists(jobs_file(out))) return {};
-    try {
-        std::vector<SubmittedJob> jobs;
-        for (const auto& job : nlohmann::json::parse(read_text(jobs_file(out))))
-            jobs.push_back({job.at("id"), job.at("members").get<std::vector<std::size_t>>()});
-        return jobs;
-    } catch (const nlohmann::json::exception& e) {
-        throw InputError(fmt::format("{}: is not a list of jobs: {}", jobs_file(out).string(), e.what()));
-    }
 }
 
 std::string ids_of(const std::vector<SubmittedJob>& jobs, char between) {

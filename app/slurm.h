@@ -22,6 +22,7 @@ struct SubmittedJob {
     std::string id;                         ///< as sbatch gave it
     std::vector<std::size_t> members = {};  ///< that it runs; none: the report
 };
+std::filesystem::path jobs_file(const std::filesystem::path& out);
 void write_jobs(const std::filesystem::path& out, const std::vector<SubmittedJob>& jobs);
 /// None where nothing was submitted. Throws InputError: its file cannot be read.
 std::vector<SubmittedJob> read_jobs(const std::filesystem::path& out);

@@ -7,6 +7,7 @@
 #include "app/job_scripts.h"
 #include "app/member_state.h"
 #include "app/output.h"
+#include "app/study_keys.h"
 #include "base/atomic_file.h"
 #include "base/errors.h"
 
@@ -16,37 +17,16 @@ namespace {
 namespace fs = std::filesystem;
 using StudyJson = nlohmann::ordered_json;
 
-constexpr std::pair<const char*, std::optional<double> SceneOverrides::*> given[] = {
-    {"speed", &SceneOverrides::speed},         {"spacing", &SceneOverrides::spacing},
-    {"near_hull", &SceneOverrides::near_hull}, {"duration", &SceneOverrides::duration},
-    {"trim", &SceneOverrides::trim},           {"scale", &SceneOverrides::scale_resolution}};
-constexpr std::pair<const char*, double SceneOverrides::*> factors[] = {
-    {"sound_speed_factor", &SceneOverrides::sound_speed_factor},
-    {"time_step_factor", &SceneOverrides::time_step_factor},
-    {"courant_factor", &SceneOverrides::courant_factor},
-    {"box_factor", &SceneOverrides::box_factor}};
-
 StudyJson json_of(const SceneOverrides& o) {
     StudyJson json = StudyJson::object();
     if (o.hull_file) json["hull"] = o.hull_file->string();
-    for (const auto& [key, value] : given)
+    for (const auto& [key, value] : given_in_study)
         if (o.*value) json[key] = *(o.*value);
-    for (const auto& [key, factor] : factors)
+    for (const auto& [key, factor] : factors_in_study)
         if (o.*factor != 1) json[key] = o.*factor;
     if (!o.effects.empty()) json["effects"] = o.effects;
     if (!o.device.empty()) json["device"] = o.device;
     return json;
-}
-
-SceneOverrides overrides_of(const StudyJson& json) {
-    SceneOverrides o;
-    if (json.contains("hull")) o.hull_file = json["hull"].get<std::string>();
-    for (const auto& [key, value] : given)
-        if (json.contains(key)) o.*value = json[key].get<double>();
-    for (const auto& [key, factor] : factors) o.*factor = json.value(key, 1.0);
-    o.device = json.value("device", "");
-    if (json.contains("effects")) o.effects = json["effects"].get<std::map<std::string, bool>>();
-    return o;
 }
 
 StudyJson json_of(const Member& m) {
@@ -62,18 +42,6 @@ StudyJson json_of(const Member& m) {
             {"snapshots", m.request.snapshots},
             {"needs", StudyJson::array()},
             {"predicted", {{"seconds", m.seconds}, {"bytes", m.bytes}, {"elements", m.elements}}}};
-}
-
-Member member_of(const StudyJson& json) {
-    const StudyJson& predicted = json.at("predicted");
-    return {json.at("name"),
-            json.at("method"),
-            json.at("folder").get<std::string>(),
-            {json.at("scene").get<std::string>(), overrides_of(json.at("changes")), json.at("methods"),
-             json.at("threads"), json.at("snapshots")},
-            predicted.at("seconds"),
-            predicted.at("bytes"),
-            predicted.at("elements")};
 }
 
 }  // namespace
@@ -98,14 +66,6 @@ int hand_over(const Making& making, Study study, Campaign& campaign, const std::
     return making.hand_over(std::move(study), common);
 }
 
-fs::path study_folder(const fs::path& out) { return out / "study"; }
-fs::path state_file(const fs::path& out, std::size_t number) {
-    return study_folder(out) / "members" / (std::to_string(number) + ".json");
-}
-fs::path log_file(const fs::path& out, std::size_t number) {
-    return study_folder(out) / "members" / (std::to_string(number) + ".log");
-}
-
 void write_study(const Study& study) {
     const fs::path members = study_folder(study.out) / "members";
     std::error_code ignored;
@@ -122,23 +82,6 @@ void write_study(const Study& study) {
         write_file(study_folder(study.out) / "study.json", json.dump(1) + "\n");
     } catch (const StudyJson::exception&) {
         throw InputError(study.out.string() + ": a study made by several processes needs names of files in UTF-8");
-    }
-}
-
-Study read_study(const fs::path& out) {
-    const fs::path file = study_folder(out) / "study.json";
-    if (!fs::exists(file))
-        throw InputError(out.string() + ": no study has been submitted or run with --jobs there; expected " +
-                         file.string());
-    try {
-        const StudyJson json = StudyJson::parse(read_text(file));
-        Study study{json.at("out").get<std::string>(), json.at("report"), json.at("overwrite"),
-                    json.at("take_finished")};
-        study.where = json.at("where").get<std::string>();
-        for (const StudyJson& m : json.at("members")) study.members.push_back(member_of(m));
-        return study;
-    } catch (const StudyJson::exception& e) {
-        throw InputError(fmt::format("{}: is not a study as this version writes it: {}", file.string(), e.what()));
     }
 }
 

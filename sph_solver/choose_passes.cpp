@@ -10,6 +10,8 @@
 
 #include "base/atomic_file.h"
 #include "base/cache_folder.h"
+#include "base/errors.h"
+#include "base/own_json.h"
 #include "record/this_machine.h"
 #include "sph_solver/domain/level_setup.h"
 #include "sph_solver/equations/water_touch.h"
@@ -135,11 +137,14 @@ fs::path memory_file() {
     return folder.empty() ? folder : folder / "passes.json";
 }
 Json read_memory() {
+    Json memory = Json::object();
     try {
         if (fs::is_regular_file(memory_file()))
-            if (Json memory = Json::parse(read_text(memory_file())); memory.is_object()) return memory;
-    } catch (const std::exception&) {}
-    return Json::object();
+            read_own_json(memory_file(), [&](const Json& json) {
+                if (json.is_object()) memory = json;
+            });
+    } catch (const InputError&) {}
+    return memory;
 }
 /// A program with other variants measures anew.
 std::string names_to_choose_from() {

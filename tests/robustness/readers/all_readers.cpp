@@ -1,8 +1,15 @@
 #include "tests/robustness/readers/all_readers.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 
+#include "app/budget.h"
+#include "app/machine_pace.h"
+#include "app/member_state.h"
+#include "app/site.h"
+#include "app/slurm.h"
+#include "app/study.h"
 #include "base/atomic_file.h"
 #include "base/errors.h"
 #include "compare/uncertainty/read_table.h"
@@ -18,6 +25,7 @@
 #include "record/checksum_line.h"
 #include "record/run_record.h"
 #include "record/snapshot.h"
+#include "record/this_machine.h"
 #include "scene/scene.h"
 #include "sph_solver/state/checkpoint.h"
 #include "spray/air/foam_air.h"
@@ -165,6 +173,35 @@ void read_patch(const Input& in) {
     }
 }
 
+/// The folder of results in which the input is that file.
+fs::path results_with(const Input& in, const std::string& name) {
+    const fs::path out = in.file("results/none", "").parent_path();
+    in.file("results/" + name);
+    return out;
+}
+
+/// As the file of this user and of this machine; learned from, and so written, as well.
+void read_pace(const Input& in) {
+    const fs::path cache = in.file("cache/none", "").parent_path();
+    std::string text(in.bytes());
+    static constexpr std::string_view machine = "MACHINE";
+    if (const std::size_t at = text.find(machine); at != text.npos) text.replace(at, machine.size(), cpu_model());
+    in.file("cache/twinwake/pace.json", text);
+    const char* before = std::getenv("XDG_CACHE_HOME");
+    const std::string old = before ? before : "";
+    setenv("XDG_CACHE_HOME", cache.c_str(), 1);
+    app::machine_pace("sph");
+    app::learn_pace("sph", 20, 30);
+    const double learned = app::machine_pace("sph");
+    before ? setenv("XDG_CACHE_HOME", old.c_str(), 1) : unsetenv("XDG_CACHE_HOME");
+    if (!(learned > 0 && learned <= 100)) throw std::logic_error("a pace that no machine has");
+}
+
+void read_member(const Input& in) {
+    const app::MemberState s = app::read_member_state(in.file("0.json"));
+    if (!(s.share >= 0 && s.share <= 1 && s.left >= 0)) throw std::logic_error("a share that nothing can be done to");
+}
+
 }  // namespace
 
 const std::vector<Reader>& all_readers() {
@@ -211,6 +248,12 @@ const std::vector<Reader>& all_readers() {
              spray::read_particles({0, in.file("particles_0.hdf")});
          }},
         {"series", [](const Input& in) { read_series(in.file("particles.hdf.series")); }},
+        {"study", [](const Input& in) { app::read_study(results_with(in, "study/study.json")); }},
+        {"member", read_member},
+        {"jobs", [](const Input& in) { app::read_jobs(results_with(in, "study/jobs.json")); }},
+        {"sizes", [](const Input& in) { app::remembered_sizes(results_with(in, "sizes.json"), 600); }},
+        {"pace", read_pace},
+        {"site", [](const Input& in) { app::completed({}, in.file("site.toml")); }},
     };
     return all;
 }

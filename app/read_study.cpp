@@ -1,0 +1,63 @@
+#include "app/study.h"
+#include "app/study_keys.h"
+#include "base/errors.h"
+#include "base/own_json.h"
+#include "methods/methods.h"
+
+namespace tw::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double any_number = 1e300;  ///< what a number of a scene may be, its reader says
+
+SceneOverrides overrides_of(const nlohmann::json& json) {
+    SceneOverrides o;
+    if (json.contains("hull")) o.hull_file = json["hull"].get<std::string>();
+    for (const auto& [key, value] : given_in_study)
+        if (json.contains(key)) o.*value = number_within(json, key, -any_number, any_number);
+    for (const auto& [key, factor] : factors_in_study)
+        if (json.contains(key)) o.*factor = number_within(json, key, 1e-6, 1e6);
+    o.device = json.value("device", "");
+    if (json.contains("effects")) o.effects = json["effects"].get<std::map<std::string, bool>>();
+    return o;
+}
+
+Member member_of(const nlohmann::json& json) {
+    const nlohmann::json& predicted = json.at("predicted");
+    const auto amount = [&](const char* key) { return number_within(predicted, key, 0, any_number); };
+    return {json.at("name"),
+            method_named(json.at("method")).name,
+            json.at("folder").get<std::string>(),
+            {json.at("scene").get<std::string>(), overrides_of(json.at("changes")), json.at("methods"),
+             whole_within(json, "threads", 0, 100'000), json.at("snapshots")},
+            amount("seconds"),
+            amount("bytes"),
+            amount("elements")};
+}
+
+}  // namespace
+
+fs::path study_folder(const fs::path& out) { return out / "study"; }
+fs::path state_file(const fs::path& out, std::size_t number) {
+    return study_folder(out) / "members" / (std::to_string(number) + ".json");
+}
+fs::path log_file(const fs::path& out, std::size_t number) {
+    return study_folder(out) / "members" / (std::to_string(number) + ".log");
+}
+
+Study read_study(const fs::path& out) {
+    const fs::path file = study_folder(out) / "study.json";
+    if (!fs::exists(file))
+        throw InputError(out.string() + ": no study has been submitted or run with --jobs there; expected " +
+                         file.string());
+    Study study;
+    read_own_json(file, [&](const nlohmann::json& json) {
+        study = {json.at("out").get<std::string>(), json.at("report"), json.at("overwrite"), json.at("take_finished")};
+        study.where = json.at("where").get<std::string>();
+        for (const nlohmann::json& m : json.at("members")) study.members.push_back(member_of(m));
+    });
+    return study;
+}
+
+}  // namespace tw::app
