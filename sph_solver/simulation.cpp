@@ -108,18 +108,24 @@ const Body* Simulation::hull() const {
 
 void Simulation::step() {
     const Threads own(setup_.threads);
-    stepper_->step();
+    try {
+        stepper_->step();
+    } catch (const RunError& failure) {
+        refuse_collisions(setup_.dp,
+                          fmt::format(". No whole particle of water was left between them: {}", failure.what()));
+        throw;
+    }
     if (!refinements_.empty()) follow_bodies();
-    refuse_collisions();
+    refuse_collisions(0, "");
 }
 
-void Simulation::refuse_collisions() const {
+void Simulation::refuse_collisions(double gap, const std::string& seen) const {
     if (!collisions_) return;
-    if (const std::string collision = collisions_->found(); !collision.empty())
+    if (const std::string collision = collisions_->found(gap); !collision.empty())
         throw RunError(
             fmt::format("{} at t = {:.6g} s (step {}), and what comes then is not solved: end the run "
-                        "before it, or give the body more room",
-                        collision, time(), steps()));
+                        "before it, or give the body more room{}",
+                        collision, time(), steps(), seen));
 }
 
 void Simulation::mark_restart_point() {

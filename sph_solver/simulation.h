@@ -119,8 +119,8 @@ public:
     void follow_bodies();
 
 private:
-    /// Throws RunError where a body touches another solid.
-    void refuse_collisions() const;
+    /// Throws RunError where a body touches another solid or is within `gap` [m] of that; `seen` is added to its words.
+    void refuse_collisions(double gap, const std::string& seen) const;
     void sample_levels(PointSamples& points);
 
     SimulationSetup setup_;

@@ -61,26 +61,27 @@ std::vector<Vec3> Collisions::clear_at_start(std::size_t body, const std::vector
     return clear;
 }
 
-std::string Collisions::of_one_that_gives_way(std::size_t body) const {
+std::string Collisions::of_one_that_gives_way(std::size_t body, double gap) const {
     for (std::size_t k = 0; k < skin_[body]->size(); ++k) {
         const Vec3 x = skin_[body]->place(k);
-        if (const std::string wall = wall_at(x, around_, 0);
+        if (const std::string wall = wall_at(x, around_, gap);
             !wall.empty() && !(bodies_[body]->meets_floor() && wall == floor_name))
             return "touches " + wall;
         for (std::size_t other = 0; other < bodies_.size(); ++other)
-            if (other != body && bodies_[other]->query().nearest(bodies_[other]->at_start(x), dp_).distance < dp_ / 2)
+            if (other != body &&
+                bodies_[other]->query().nearest(bodies_[other]->at_start(x), dp_ + gap).distance < dp_ / 2 + gap)
                 return "touches " + bodies_[other]->name();
     }
     return with_edge(body);
 }
 
-std::string Collisions::with_domain(const Body& body) const {
+std::string Collisions::with_domain(const Body& body, double gap) const {
     const Box& domain = around_.domain;
     Box box = body.bounds();
     for (int a = 0; a < 3; ++a)  // across a plane of symmetry, or clear of the walls as at the start
         if (body.stays_along(a)) box.min[a] = box.max[a] = 0.5 * (domain.min[a] + domain.max[a]);
     for (const Vec3& corner : {box.min, box.max})
-        if (const std::string wall = wall_at(corner, around_, 0); !wall.empty()) return "touches " + wall;
+        if (const std::string wall = wall_at(corner, around_, gap); !wall.empty()) return "touches " + wall;
     for (int a = 0; a < 3; ++a) {
         if (a == 1 && around_.dimensions == 2) continue;
         if (box.max[a] < domain.min[a] || box.min[a] > domain.max[a]) return "has left the domain";
@@ -100,24 +101,24 @@ std::string Collisions::with_edge(std::size_t body) const {
     return {};
 }
 
-std::string Collisions::of_rigid(std::size_t b) const {
-    if (const std::string wall = with_domain(*bodies_[b]); !wall.empty()) return wall;
+std::string Collisions::of_rigid(std::size_t b, double gap) const {
+    if (const std::string wall = with_domain(*bodies_[b], gap); !wall.empty()) return wall;
     if (const std::string edge = with_edge(b); !edge.empty()) return edge;
     const Box own = bodies_[b]->bounds();
     for (std::size_t other = 0; other < bodies_.size(); ++other) {
         const Body& solid = *bodies_[other];
-        if (other == b || apart(own, solid.bounds(), dp_)) continue;
+        if (other == b || apart(own, solid.bounds(), dp_ + gap)) continue;
         for (std::size_t k = 0; k < skin_[b]->size(); ++k)
-            if (solid.query().nearest(solid.at_start(skin_[b]->place(k)), dp_).distance < dp_ / 2)
+            if (solid.query().nearest(solid.at_start(skin_[b]->place(k)), dp_ + gap).distance < dp_ / 2 + gap)
                 return "touches " + solid.name();
     }
     return {};
 }
 
-std::string Collisions::found() const {
+std::string Collisions::found(double gap) const {
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         if (bodies_[b]->fixed()) continue;
-        const std::string found = bodies_[b]->gives_way() ? of_one_that_gives_way(b) : of_rigid(b);
+        const std::string found = bodies_[b]->gives_way() ? of_one_that_gives_way(b, gap) : of_rigid(b, gap);
         if (!found.empty()) return fmt::format("body {} {}", bodies_[b]->name(), found);
     }
     return {};

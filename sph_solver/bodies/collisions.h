@@ -20,15 +20,15 @@ public:
     /// The zone of the finest particles, which need not follow a body everywhere (must outlive this): a body that comes
     /// nearer to its edge below still water, z = 0, than the guards of that edge reach is found as well.
     void stay_within(const Zone& zone) { zone_ = &zone; }
-    /// The first in words; empty: none.
-    std::string found() const;
+    /// The first in words; empty: none. With `gap` [m] what is as near as that counts as touching too.
+    std::string found(double gap = 0) const;
 
 private:
-    std::string with_domain(const Body& body) const;
+    std::string with_domain(const Body& body, double gap) const;
     std::string with_edge(std::size_t body) const;
     std::vector<Vec3> clear_at_start(std::size_t body, const std::vector<Vec3>& places) const;
-    std::string of_rigid(std::size_t body) const;
-    std::string of_one_that_gives_way(std::size_t body) const;
+    std::string of_rigid(std::size_t body, double gap) const;
+    std::string of_one_that_gives_way(std::size_t body, double gap) const;
 
     const Bodies& bodies_;
     const Surroundings& around_;

@@ -340,6 +340,21 @@ TEST(Bodies, ThatTouchAWallAnObstacleOrEachOtherEndTheRun) {
     EXPECT_EQ(end_of(s).substr(0, 24), "body stone touches shelf");
 }
 
+/// Upright on the floor in a section, a body squeezes the last layer of particles, which cannot all get away: what the
+/// water there fails of is told behind what happened.
+TEST(Bodies, ThatSinkToTheFloorEndInAContact) {
+    SimulationSetup s = tank(0.01, 0.5, 0.2, 0.2, 25);
+    s.bodies = {box_body(0.2, 0.06, 0.06, 2500)};
+    s.bodies[0].name = "stone";
+    Simulation run(s, water(s));
+    std::string end;
+    try {
+        run_to(run, 2);
+    } catch (const RunError& e) { end = e.what(); }
+    EXPECT_EQ(end.substr(0, 29), "body stone touches the floor ") << end;
+    EXPECT_LT(run.bodies()[0]->bounds().min.z(), run.surroundings().domain.min.z() + 1.01 * s.dp) << "it has come down";
+}
+
 /// Shut in with air under pressure a body floats as under a void: what the gas presses on it from above, here a seventh
 /// of its weight, balances what it adds to the water's pressure from below. It starts where it floats, and heaves by less
 /// than a spacing; by the water's pressure alone it would come up by 0.7 of one.
