@@ -12,6 +12,8 @@
 #include "compare/gates.h"
 #include "compare/report/csv.h"
 #include "compare/verdict/sentence.h"
+#include "meshes/generate.h"
+#include "meshes/section.h"
 #include "methods/methods.h"
 #include "tests/unit/compare/synthetic_pair.h"
 
@@ -437,6 +439,51 @@ TEST(Compare, OneFaceThatIsSuckedAtHarderThanTheStreamCanIsTold) {
     EXPECT_EQ(told(run).value, 0);
     run.hull_wet[astern] = 1, run.hull_pressure[astern] = -30000;
     EXPECT_TRUE(told(run).pass);
+}
+
+/// Potential flow sucks at a sphere's side with 1.25 rho U^2 / 2, and at the edges of what lies under water with more: no
+/// cell is bad there, and no air could come in.
+TEST(Compare, SuctionOnRoundHullsAndUnderWaterIsNoFault) {
+    const auto told = [](const RunRecord& r) {
+        std::string all;
+        for (const Gate& g : check_gates(r, "fvm"))
+            if (g.name.starts_with("suction") && !g.pass) all += g.name + "; ";
+        return all;
+    };
+    const auto sucked_at = [](const Surface& hull) {
+        RunRecord run = synthetic_run(fvm);
+        run.hull = hull;
+        run.hull_pressure.assign(hull.triangles.size(), -40000.0f);  // 1.25 rho U^2 / 2
+        run.hull_wet.assign(hull.triangles.size(), 1.0f);
+        return run;
+    };
+    const Surface ball = make_hull("sphere", {{"diameter", 0.5}}), box = make_hull("box", {});
+    EXPECT_EQ(told(sucked_at(posed(ball, {.draft = 0.25}))), "");
+    EXPECT_EQ(told(sucked_at(posed(box, {.draft = 1.01 * box.bounds().size().z()}))), "");
+    EXPECT_NE(told(sucked_at(posed(box, {.draft = 0.5 * box.bounds().size().z()}))), "") << "or this test sees nothing";
+    RunRecord section = sucked_at(section_prism(posed(make_hull("cylinder", {{"diameter", 0.5}}), {.draft = 0.25})));
+    section.numbers["dimensions"] = 2;
+    EXPECT_EQ(told(section), "") << "the ends of a section are cuts";
+}
+
+/// A body under water with 10 N of lift left of 20 kN up and down: measures of its force that differ by 1 N agree.
+TEST(Compare, MeasuresOfALiftNearZeroAreJudgedByTheLoadTheyAreMadeOf) {
+    RunRecord run = synthetic_run(sph);
+    const auto spread = [](const RunRecord& r) {
+        for (const Gate& g : check_gates(r, "sph"))
+            if (g.name == "spread of the force measures") return g;
+        return Gate{};
+    };
+    const Gate lifted = spread(run);
+    EXPECT_NEAR(lifted.value, 3, 1e-6);  // 1.02 and 0.99 of the lift
+    EXPECT_EQ(lifted.remark.find("hardly"), std::string::npos);
+    for (const char* name : {"fz", "fz_surface", "fz_volume"})
+        std::ranges::fill(run.table("forces").column(name, "N").values, name == std::string("fz") ? 10.0 : 11.0);
+    EXPECT_LT(spread(run).value, 1);
+    EXPECT_TRUE(spread(run).pass);
+    EXPECT_NE(spread(run).remark.find("hardly any lift"), std::string::npos);
+    std::ranges::fill(run.hull_pressure, 0.0f);
+    EXPECT_NEAR(spread(run).value, 10, 1e-6) << "without a load to judge by, of the lift";
 }
 
 TEST(Compare, PressureOnAPrismaticBottomStandsSquareOnItsKeel) {
