@@ -1,9 +1,12 @@
 #include "scene/mesh_motion.h"
 
+#include <Eigen/Geometry>
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/errors.h"
 #include "meshes/query.h"
@@ -179,6 +182,32 @@ void check_body(const MovingBody& body, const Scene& scene) {
                            body.name));
 }
 
+/// A mesh that turns with the body has sides that are open to water at rest and a top that is open to air. Where its floor
+/// comes out of the water, or its top goes under, water leaves through the one and air comes in through the other: the
+/// volume fraction leaves its range from there on (decision 034).
+void check_turn(const MovingBody& body, const Scene& scene) {
+    const auto& law = body.motion.law;
+    if (!law || !law->turns) return;
+    constexpr int moments = 2000;
+    const Box& box = scene.domain.box;
+    for (int i = 0; i <= moments; ++i) {
+        const double t = scene.run.duration * i / moments, path = law->at(t).path;
+        const Eigen::AngleAxisd turn(path, law->axis);
+        for (int corner = 0; corner < 8; ++corner) {
+            const auto of = [&](int a) { return (corner >> a & 1) ? box.max[a] : box.min[a]; };
+            const Vec3 &centre = body.motion.mass.centre, at = centre + turn * (Vec3(of(0), of(1), of(2)) - centre);
+            const bool top = corner >> 2;
+            if (top ? at.z() > 0 : at.z() < 0) continue;
+            refuse(scene, "run.methods",
+                   fmt::format("body {} turns the whole mesh with it, and at t = {:.3g} s, turned by {:.3g} deg, a "
+                               "corner of the mesh's {} still water: the mesh method does not solve such turns; "
+                               "expected methods = [\"sph\"], --method sph, or a smaller turn",
+                               body.name, t, std::abs(path) * 180 / std::numbers::pi,
+                               top ? "top goes below" : "floor comes above"));
+        }
+    }
+}
+
 /// Several free bodies: morphed regions that do not overlap, alike round all of them.
 MeshMotion motion_of_several(const std::vector<MovingBody>& bodies, const Scene& scene) {
     MeshMotion m;
@@ -286,6 +315,7 @@ MeshMotion mesh_motion(const Scene& scene) {
                            body.name, way, clearance,
                            scene.obstacles.empty() ? "blocks of water cannot: it is open to water at rest"
                                                    : "the obstacle " + scene.obstacles.front().name + " with it"));
+    check_turn(body, scene);
     return m;
 }
 

@@ -35,7 +35,7 @@ std::vector<MovingBody> followed_by_mesh(const Scene& scene);
 /// the shortest distance between two of them. Throws InputError for what the mesh method cannot move: two free
 /// rotations, a body too near to a wall or another body to morph the mesh between them, several bodies of which one is
 /// prescribed or may come too far, a mesh that would move as a whole in a stream, obstacles or blocks of water beside
-/// a mesh that moves as a whole.
+/// a mesh that moves as a whole, a prescribed turn that takes such a mesh's floor out of the water or its top under it.
 MeshMotion mesh_motion(const Scene& scene);
 
 }  // namespace tw

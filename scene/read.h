@@ -69,6 +69,8 @@ Eigen::Matrix3d turn_of(const Pose& pose);
 /// The surface of [hull], [[obstacle]] or [[body]] in metres, before it is posed: from `file` or from `shape` and its
 /// parameters. `source`: that file or shape as written; `key`: which of the two it was.
 Surface read_solid(SceneSection& s, std::string& source, std::string& key);
+/// The same, refused where it is not closed or not sound: of what has no `repair` of its own.
+Surface read_sound_solid(SceneSection& s, std::string& source, std::string& key);
 /// The `number`-th body, from 1.
 MovingBody read_body(SceneSection& s, std::size_t number, int dimensions);
 /// The elastic ones among the bodies, each with its plies and gauges; nothing for the others.

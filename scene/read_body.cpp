@@ -78,9 +78,7 @@ MovingBody read_body(SceneSection& s, std::size_t number, int dimensions) {
     pose.heel = s.number("heel", 0.0);
     if (const auto position = s.numbers("position")) pose.position = {(*position)[0], (*position)[1], 0};
     std::string key;
-    const Surface as_read = read_solid(s, b.source, key);
-    for (const Finding& f : check_surface(as_read))
-        if (f.level == Finding::Level::error) s.fail(key, f.name + ": " + f.message);
+    const Surface as_read = read_sound_solid(s, b.source, key);
     pose.draft = s.number("draft").value_or(-as_read.bounds().min.z());
     b.surface = posed(as_read, pose);
     if (flat) try {

@@ -42,6 +42,15 @@ Surface read_solid(SceneSection& s, std::string& source, std::string& key) {
     }
 }
 
+Surface read_sound_solid(SceneSection& s, std::string& source, std::string& key) {
+    Surface solid = read_solid(s, source, key);
+    for (const Finding& f : check_surface(solid))
+        if (f.level == Finding::Level::error)
+            s.fail(key, fmt::format("{}: {}{}", f.name, f.message,
+                                    f.mendable ? "; \"twinwake hull repair FILE NEW.stl\" repairs it" : ""));
+    return solid;
+}
+
 HullOptions read_hull(SceneSection& s) {
     HullOptions o;
     Hull& hull = o.hull;
@@ -91,9 +100,7 @@ Obstacle read_obstacle(SceneSection& s, std::size_t number) {
         o.surface = box_surface(box);
     } else {
         std::string source, key;
-        o.surface = read_solid(s, source, key);
-        for (const Finding& f : check_surface(o.surface))
-            if (f.level == Finding::Level::error) s.fail(key, f.name + ": " + f.message);
+        o.surface = read_sound_solid(s, source, key);
         const Vec3 position = s.vector("position").value_or(Vec3::Zero());
         for (Vec3& p : o.surface.points) p += position;
     }

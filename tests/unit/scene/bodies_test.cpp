@@ -2,6 +2,9 @@
 #include <numbers>
 
 #include "base/errors.h"
+#include "meshes/generate.h"
+#include "meshes/health.h"
+#include "meshes/surface.h"
 #include "scene/hash.h"
 #include "scene/mesh_motion.h"
 #include "scene_text.h"
@@ -169,6 +172,45 @@ TEST(BodyScene, WhatTheMeshCannotMoveIsRefused) {
     const std::string post = "[[obstacle]]\nmin = [0.6, -0.1, -1]\nmax = [0.7, 0.1, -0.2]\n[motion]";
     EXPECT_EQ(message(with(afloat, "[motion]", post)), "") << "a mesh that is morphed leaves obstacles where they are";
     EXPECT_NE(message(with(with(afloat, "500 kg", "11000 kg"), "[motion]", post)).find("obstacle"), std::string::npos);
+}
+
+/// A paddle that turns round and round would take the mesh's floor out of the water and its top under it: interFoam's
+/// volume fraction left its range from there on, and the run was lost after 240 degrees. The tank is as wide as it is deep
+/// and high, so that happens at 45 degrees.
+TEST(BodyScene, ATurnThatTakesTheMeshOutOfTheWaterIsRefused) {
+    const auto message = [](const std::string& law) -> std::string {
+        const Scene s = scene_of(with(afloat, "density = \"500 kg/m3\"", "motion = \"prescribed\"\n" + law));
+        try {
+            EXPECT_EQ(mesh_motion(s).kind, MeshMotion::Kind::open_water);
+        } catch (const InputError& e) { return e.what(); }
+        return {};
+    };
+    const std::string round = message("law = \"constant\"\nabout = [0, 1, 0]\nrate = 6.28");
+    EXPECT_NE(round.find("corner of the mesh's floor comes above still water"), std::string::npos) << round;
+    EXPECT_NE(round.find("turned by 45"), std::string::npos) << round;
+    const std::string whole = "\n[fvm]\nbody_mesh = \"whole\"";
+    EXPECT_EQ(message("law = \"sinusoid\"\nabout = [0, 1, 0]\namplitude = 0.7\nperiod = 1" + whole), "");
+    EXPECT_NE(message("law = \"sinusoid\"\nabout = [0, 1, 0]\namplitude = 0.9\nperiod = 1" + whole), "");
+    EXPECT_EQ(message("law = \"constant\"\nabout = [0, 0, 1]\nrate = 6.28"), "") << "about the vertical";
+}
+
+/// Corners that differ by noise leave holes; a body has no `repair`, so the way to a sound file is told.
+TEST(BodyScene, ASurfaceThatCanBeRepairedSaysSo) {
+    const Surface ball = make_hull("sphere", {{"diameter", 0.2}});
+    Surface noisy;
+    for (int t = 0; t < static_cast<int>(ball.triangles.size()); ++t) {
+        const int n = static_cast<int>(noisy.points.size());
+        for (int k = 0; k < 3; ++k)
+            noisy.points.push_back(ball.corner(t, k) + Vec3::Constant(1e-8 * ((t * 7 + k) % 5)));
+        noisy.triangles.push_back({n, n + 1, n + 2});
+    }
+    write_stl(scratch() / "ball.stl", noisy);
+    const std::string text = with(afloat, "shape = \"box\"\nlength = \"0.4 m\"\nbeam = \"0.2 m\"\nheight = \"0.1 m\"",
+                                  "file = \"ball.stl\"");
+    EXPECT_NE(complaint(text).find("\"twinwake hull repair FILE NEW.stl\" repairs it"), std::string::npos)
+        << complaint(text);
+    write_stl(scratch() / "ball.stl", repair_surface(noisy).surface);
+    EXPECT_EQ(complaint(text), "");
 }
 
 /// Beside a hull that is held, in a tank or a stream, a body moves in both methods; one that would go with the stream is
