@@ -70,6 +70,29 @@ void check_way(const MovingBody& body, const Scene& scene, SceneSection& s) {
     }
 }
 
+/// Water gets under the end of a plate that stops where the tank's floor or side begins: its dummies do not overlap the
+/// images there, and give way when it bends.
+void warn_of_end_at_wall(MovingBody& body, const Scene& scene) {
+    static constexpr const char* walls[3][2] = {
+        {"side at low x", "side at high x"}, {"side at low y", "side at high y"}, {"floor", "top"}};
+    const Box at = body.surface.bounds(), &box = scene.domain.box;
+    const double spacing = scene.resolution.near_hull;
+    for (int a = 0; a < 3; ++a) {
+        if (a == 1 && scene.domain.dimensions == 2) continue;
+        for (const bool high : {false, true}) {
+            const double beyond = high ? at.max[a] - box.max[a] : box.min[a] - at.min[a];
+            if (std::abs(beyond) >= spacing || (a == 2 && high)) continue;
+            body.findings.push_back(
+                {Finding::Level::warning, "ends_at_wall",
+                 fmt::format(
+                     "plate {} ends at the tank's {}, where water can get in under it as it bends; let it reach "
+                     "{:.3g} m (four spacings) farther, into the wall that holds it",
+                     body.name, walls[a][high], 4 * spacing),
+                 high ? at.max : at.min});
+        }
+    }
+}
+
 void check_scheme(const Scene& scene, SceneSection& s) {
     if (scene.sph.scheme != "kick_drift_kick" && scene.sph.scheme != "symplectic_euler")
         s.fail("scheme",
@@ -138,6 +161,7 @@ void check_bodies(Scene& scene, Sections& s) {
         SceneSection& section = s.bodies[i];
         const bool supported = body.elastic && body.motion.law;  // then its ends may stand in what holds it
         if (!supported) check_domain(body, scene, section);
+        if (supported && body.plate()) warn_of_end_at_wall(body, scene);
         check_way(body, scene, section);
         const auto refuse = [&](const std::string& other) {
             section.fail(where_key(section),

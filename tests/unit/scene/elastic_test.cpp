@@ -142,6 +142,44 @@ TEST(ElasticScene, WarnsOfASurfaceThinnerThanAWallOfParticlesNeeds) {
     EXPECT_TRUE(warns(with(dropped, "mass = \"5 kg\"", "mass = \"5 kg\"\nskin = \"60 mm\""), "few_particles"));
 }
 
+const std::string dam_break_on_wall = R"(title = "elastic wall behind a dam break"
+[tank]
+size = ["0.584 m", "5 mm", "0.3 m"]
+[domain]
+dimensions = 2
+[[water_block]]
+min = [0, 0, 0]
+max = ["0.146 m", "5 mm", "0.292 m"]
+[[body]]
+name = "wall"
+elastic = "plate"
+plate = ["90 mm", "1 m"]
+cells = [45, 1]
+middle = ["0.292 m", 0, "35 mm"]
+trim = "90 deg"
+thickness = "12 mm"
+youngs_modulus = "1 MPa"
+poisson = 0.3
+density = "2500 kg/m3"
+clamped = ["x_max"]
+margin = 0
+skin = "12 mm"
+[motion]
+kind = "none"
+[resolution]
+near_hull = "2.5 mm"
+[run]
+duration = "0.6 s"
+methods = ["sph"]
+)";
+
+/// A dam break got in under the end of a wall that stood on the floor, and was lost there at 0.50 s with c0 = 48 m/s; with
+/// the wall four spacings into the floor it ran to its end, with the default of 24 m/s and with 48.
+TEST(ElasticScene, WarnsOfAWallThatEndsOnTheFloor) {
+    EXPECT_FALSE(warns(dam_break_on_wall, "ends_at_wall"));
+    EXPECT_TRUE(warns(with(with(dam_break_on_wall, "90 mm", "80 mm"), "35 mm", "40 mm"), "ends_at_wall"));
+}
+
 /// The mesh method moves the rigid counterpart of a plate on a frame, and refuses a plate that is held.
 TEST(ElasticScene, IsRigidForTheMeshMethod) {
     EXPECT_NO_THROW(refuse_unmeshable(scene_of(dropped)));
