@@ -10,6 +10,7 @@ build_packages=(
     cmake ninja-build g++ ccache git make
     libvtk9-dev libeigen3-dev libhdf5-dev libfmt-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libboost-dev
     libssl-dev zlib1g-dev libgtest-dev valgrind openmpi-bin libopenmpi-dev
+    libocct-data-exchange-dev                         # hulls from STEP and IGES
     libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri   # pictures without a display
 )
 # interFoam, and what its mended build from the distribution's source package takes (tools/build_openfoam_solvers.sh).

@@ -294,7 +294,7 @@ void uncertainty_options(CLI::App& c, UncertaintyCommand& uncertainty) {
 }
 
 void add_surface(CLI::App& c, HullCommand& hull) {
-    c.add_option("in", hull.in, "STL, OBJ, PLY or VTP, also compressed (.gz)")->required();
+    c.add_option("in", hull.in, "STL, OBJ, PLY, VTP, STEP or IGES, also compressed (.gz)")->required();
     c.add_option("--unit", hull.unit, "unit of the file: m, mm, cm, ft, in")->type_name("{m,mm,cm,ft,in}");
     c.add_option("--axes", hull.axes, "file axes that become x (stern), y, z (up), e.g. -xyz");
 }

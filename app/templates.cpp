@@ -79,7 +79,7 @@ duration = "0.6 s"
         {"own", R"(title = "My hull at 30 m/s"
 
 [hull]
-file  = "my_hull.stl"      # STL, OBJ, PLY or VTP, relative to this file; twinwake hull info shows what is wrong with it
+file  = "my_hull.stl"      # STL, OBJ, PLY, VTP, STEP or IGES, relative to this file; twinwake hull info shows what is wrong with it
 unit  = "m"                # of the file: m, mm, cm, ft, in
 axes  = "xyz"              # which file axis points to the stern, to starboard or port, and up; e.g. "-xyz" when x points to the bow
 trim  = "5 deg"

@@ -49,11 +49,12 @@ Surface welded(const Surface& surface, double tolerance = 0);
 /// Metres per unit; throws InputError for an unknown name. Known: m, mm, cm, ft, in.
 double metres_per(std::string_view unit);
 
-/// Reads STL (ascii, binary), OBJ, PLY, VTP through VTK, each also compressed (.gz), merges equal corners, scales to
+/// Reads STL (ascii, binary), OBJ, PLY, VTP, STEP and IGES, each also compressed (.gz), merges equal corners, scales to
 /// metres and applies `axes`: three signed axis letters saying which file axis becomes x, y, z: "xyz" as is, "x-zy" for
-/// a file with y up, "-x-yz" for one whose bow points to +x. A left-handed choice mirrors the hull; its triangles are
-/// then turned to keep normals outward. Polygons are cut into triangles. Throws InputError naming the file: missing,
-/// empty, truncated, unreadable or of unknown type, no triangles, non-finite coordinates, or an unknown unit or axis.
+/// a file with y up, "-x-yz" for one whose bow points to +x. STEP and IGES name their own unit: `unit` stays "m". A
+/// left-handed choice mirrors the hull; its triangles are then turned to keep normals outward. Polygons and drawings
+/// (meshes/read/cad.h) are cut into triangles. Throws InputError naming the file: missing, empty, truncated, unreadable
+/// or of unknown type, no triangles, non-finite coordinates, or an unknown unit or axis.
 Surface read_surface(const std::filesystem::path& file, std::string_view unit = "m", std::string_view axes = "xyz");
 
 /// Binary STL (single precision) written atomically; `name` goes into the 80-byte header only.

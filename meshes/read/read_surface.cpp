@@ -16,6 +16,7 @@
 #include "base/atomic_file.h"
 #include "base/errors.h"
 #include "meshes/axis_turn.h"
+#include "meshes/read/cad.h"
 #include "meshes/read/gzip.h"
 #include "meshes/read/ply.h"
 #include "meshes/read/precheck.h"
@@ -27,6 +28,9 @@
 namespace tw {
 namespace fs = std::filesystem;
 namespace {
+
+/// Edges of neighbouring faces are cut alike; what is left is rounding and the faces' own tolerance.
+constexpr double metres_apart_in_drawings = 1e-6;
 
 /// `file` is named in messages, `readable` is read: the file itself, or its unpacked content.
 vtkSmartPointer<vtkPolyData> read_obj(const fs::path& file, const fs::path& readable) {
@@ -113,15 +117,19 @@ std::string lower_case(std::string text) {
     return text;
 }
 
-Surface read_by_type(const fs::path& file) {
+Surface read_by_type(const fs::path& file, std::string_view unit) {
     const bool packed = lower_case(file.extension().string()) == ".gz";
     const std::string type = lower_case((packed ? file.stem() : file.filename()).extension().string());
-    const bool known = type == ".stl" || type == ".obj" || type == ".ply" || type == ".vtp";
+    const bool iges = type == ".igs" || type == ".iges", drawing = iges || type == ".stp" || type == ".step";
+    const bool known = drawing || type == ".stl" || type == ".obj" || type == ".ply" || type == ".vtp";
     if (!known)
         throw InputError(file.string() +
-                         ": surfaces are read from .stl, .obj, .ply and .vtp files (also compressed, as "
+                         ": surfaces are read from .stl, .obj, .ply, .vtp, .step and .iges files (also compressed, as "
                          ".stl.gz), not from \"" +
                          type + (packed ? ".gz\"" : "\""));
+    if (drawing && unit != "m")
+        throw InputError(file.string() + ": names its own unit, and unit = \"" + std::string(unit) +
+                         "\" is given beside it; leave the unit out");
     std::error_code error;
     if (!fs::exists(file, error)) throw InputError(file.string() + ": no such file; check the name and the folder");
     if (!fs::is_regular_file(file, error)) throw InputError(file.string() + ": is not a file");
@@ -145,6 +153,7 @@ Surface read_by_type(const fs::path& file) {
         return from_vtk(file, read_obj(file, readable));
     }
     if (type == ".ply") { return from_vtk(file, read_ply(file, content)); }
+    if (drawing) return welded(from_vtk(file, read_cad(file, readable, iges)), metres_apart_in_drawings);
     if (type == ".vtp") {
         check_vtk_xml(file, content, "PolyData");
         return read_vtp(file, readable);
@@ -157,7 +166,7 @@ Surface read_by_type(const fs::path& file) {
 Surface read_surface(const fs::path& file, std::string_view unit, std::string_view axes) {
     const double scale = metres_per(unit);
     const Eigen::Matrix3d turn = axis_turn(axes);
-    Surface surface = welded(read_by_type(file));
+    Surface surface = welded(read_by_type(file, unit));
     if (surface.triangles.empty())
         throw InputError(file.string() + ": holds no triangles; export the hull as a surface mesh");
     for (Vec3& p : surface.points) {

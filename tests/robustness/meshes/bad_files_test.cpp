@@ -70,7 +70,7 @@ TEST_F(BadFiles, MissingEmptyFolderOrUnknownType) {
     expect_complaint(file("empty.vtp", ""), "empty");
     fs::create_directory(folder / "folder.stl");
     expect_complaint(folder / "folder.stl", "not a file");
-    expect_complaint(file("hull.step", "ISO-10303-21;"), ".stl, .obj, .ply and .vtp");
+    expect_complaint(file("hull.dwg", "AC1032"), ".stl, .obj, .ply, .vtp, .step and .iges");
     expect_complaint(file("hull", "solid"), ".stl");
 }
 
