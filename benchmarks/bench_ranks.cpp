@@ -23,6 +23,21 @@ double wall_clock() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+/// Of the particles of one size.
+void count_size(const Comm& ranks, const Level& level) {
+    std::int64_t pairs = 0;
+    for (const Group& g : level.groups()) pairs += g.size * level.live_pairs(g);
+    const double most_pairs = ranks.largest(double(pairs)), all_pairs = double(ranks.sum(pairs));
+    const auto copies = static_cast<std::int64_t>(level.copies());
+    const double most_copies = ranks.largest(double(copies)), all_copies = double(ranks.sum(copies));
+    if (!ranks.first()) return;
+    std::printf("%d ranks, %lld particles of %g m\n", ranks.size(), static_cast<long long>(level.count()),
+                level.setup().dp);
+    std::printf("pairs, largest over mean             %.3f\n", most_pairs * ranks.size() / all_pairs);
+    std::printf("copies over own particles            %.3f (largest rank: %.0f)\n", all_copies / double(level.count()),
+                most_copies);
+}
+
 void count(const Comm& ranks, const Scene& scene, int steps) {
     refuse_ranks(scene, ranks.size());
     SphSetup setup = sph_setup(scene, 1);
@@ -44,24 +59,14 @@ void count(const Comm& ranks, const Scene& scene, int steps) {
                  exchanges = most_a_step(&Comm::Traffic::exchanges),
                  collectives = most_a_step(&Comm::Traffic::collectives);
 
-    Level& level = simulation.level(0);
-    std::int64_t pairs = 0;
-    for (const Group& g : level.groups()) pairs += g.size * level.live_pairs(g);
-    const double most_pairs = ranks.largest(double(pairs)), all_pairs = double(ranks.sum(pairs));
-    const auto copies = static_cast<std::int64_t>(level.copies());
-    const double most_copies = ranks.largest(double(copies)), all_copies = double(ranks.sum(copies));
-
     constexpr int repeats = 100;
     const double sums_start = wall_clock();
-    for (int k = 0; k < repeats; ++k) level.gather_loads(setup.simulation.moment_reference);
+    for (int k = 0; k < repeats; ++k) simulation.finest().gather_loads(setup.simulation.moment_reference);
     const double sums = (wall_clock() - sums_start) / repeats;
+    for (const auto& level : simulation.water()) count_size(ranks, *level);
     if (!ranks.first()) return;
-    std::printf("%d ranks, %lld particles, lists made every %.1f steps\n", ranks.size(),
-                static_cast<long long>(level.count()),
+    std::printf("lists made every %.1f steps of the largest size\n",
                 double(steps) / double(std::max<std::int64_t>(1, simulation.timers().rebuilds - lists_before)));
-    std::printf("pairs, largest over mean             %.3f\n", most_pairs * ranks.size() / all_pairs);
-    std::printf("copies over own particles            %.3f (largest rank: %.0f)\n", all_copies / double(level.count()),
-                most_copies);
     std::printf("a step of the rank with most: exchanges %.2f, messages %.2f, kB %.1f, collectives %.2f\n", exchanges,
                 messages, bytes / 1e3, collectives);
     std::printf("exact sums of the loads              %.2f %% of a step, on this machine\n", 100 * sums / step);

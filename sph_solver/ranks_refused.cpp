@@ -3,14 +3,10 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
-#include "scene/refined_places.h"
 
 namespace tw {
 
 std::string why_not_over_ranks(const Scene& scene) {
-    if (sizes_of_particles(scene) > 1)
-        return "particles of several sizes: what crosses the edge between two sizes is found by a search through all "
-               "particles ([sph] levels = 1 can)";
     if (scene.effect_on("air"))
         return "air: water and air are divided together, and that is not finished (air = off can)";
     if (!scene.sph.gate_point.empty())

@@ -19,11 +19,12 @@ std::vector<Located> those_located(const Particles& p, const auto& of) {
     return found;
 }
 
-/// The particles of some kinds.
-std::vector<std::size_t> those_of_kind(const Particles& p, const auto& of) {
+/// The particles of some kinds that this process owns.
+std::vector<std::size_t> those_of_kind(const Level& level, const auto& of) {
+    const Particles& p = level.particles();
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < p.size(); ++i)
-        if (of(p.kind[i])) found.push_back(i);
+        if (of(p.kind[i]) && level.owns(i)) found.push_back(i);
     return found;
 }
 
@@ -87,7 +88,7 @@ EdgeSteps::Spray EdgesAtHome::label(const AskEdge& ask, LabelFine label, const Z
     FieldsAt leaving{asking};
     std::vector<std::size_t> who;
     for (std::size_t i = 0; i < p.size(); ++i)
-        if (leaves[i]) leaving.places.push_back(place_at(p, i)), who.push_back(i);
+        if (leaves[i] && level_.owns(i)) leaving.places.push_back(place_at(p, i)), who.push_back(i);
     coarser.interpolate(leaving);
     const BecomeGuard become{p.kind.data(), p.trend.data()};
     Spray spray;
@@ -101,16 +102,18 @@ EdgeSteps::Spray EdgesAtHome::label(const AskEdge& ask, LabelFine label, const Z
         ++spray.count;
         if (far) spray.far.push_back(located(p, i));
     }
+    level_.halo_.tell(p.kind.data(), p.trend.data());
     return spray;
 }
 
 std::vector<Located> EdgesAtHome::between(double from, double to) {
-    return those_located(level_.particles_, [&](std::size_t i) { return outside_[i] > from && outside_[i] < to; });
+    return those_located(level_.particles_,
+                         [&](std::size_t i) { return level_.owns(i) && outside_[i] > from && outside_[i] < to; });
 }
 
 std::vector<Located> EdgesAtHome::guards() {
     const Particles& p = level_.particles_;
-    return those_located(p, [&](std::size_t i) { return p.kind[i] == Kind::guard; });
+    return those_located(p, [&](std::size_t i) { return level_.owns(i) && p.kind[i] == Kind::guard; });
 }
 
 void EdgesAtHome::forget_edge(With whose) {
@@ -126,7 +129,7 @@ std::vector<Parent> EdgesAtHome::find_parents(double within) {
     for (std::size_t i = 0; i < p.size(); ++i) {
         if (!Parent::is(p.kind[i], p.children[i], outside_[i], within)) continue;
         const Located at = located(p, i);
-        parents.push_back({at.index, at.place, {p.u[i], p.v[i], p.w[i], p.drho[i]}, p.children[i]});
+        if (level_.owns(i)) parents.push_back({at.index, at.place, {p.u[i], p.v[i], p.w[i], p.drho[i]}, p.children[i]});
         p.children[i] = Children::all;
     }
     return parents;
@@ -134,21 +137,22 @@ std::vector<Parent> EdgesAtHome::find_parents(double within) {
 
 void EdgesAtHome::add(const std::vector<Child>& children) {
     Particles& p = level_.particles_;
+    if (level_.ranks().many()) level_.let_go({});
     for (const Child& c : children) {
         p.add(c.place.x, c.place.y, c.place.z, c.state.u, c.state.drho, c.id, c.kind);
         p.v.back() = c.state.v, p.w.back() = c.state.w;
         p.trend.back().support = c.support;
     }
+    if (level_.ranks().many()) level_.own_.resize(p.size(), 1);
 }
 
 std::int64_t EdgesAtHome::remove_gone(const std::vector<std::size_t>& more) {
     for (const std::size_t i : more) gone_[i] = 1;
-    std::vector<std::int32_t> kept;
-    for (std::size_t i = 0; i < gone_.size(); ++i)
-        if (!gone_[i]) kept.push_back(static_cast<std::int32_t>(i));
-    const auto deaths = static_cast<std::int64_t>(gone_.size() - kept.size());
-    if (deaths > 0) level_.particles_.reorder(kept);
-    gone_.assign(kept.size(), 0);
+    std::int64_t deaths = 0;
+    for (std::size_t i = 0; i < gone_.size(); ++i) deaths += gone_[i] && level_.owns(i);
+    deaths = level_.ranks().sum(deaths);
+    if (deaths > 0) level_.let_go(gone_);
+    gone_.assign(level_.particles_.size(), 0);
     return deaths;
 }
 
@@ -159,7 +163,7 @@ void EdgesAtHome::interpolate(FieldsAt& at) { level_.interpolate(at); }
 Followed EdgesAtHome::follow_coarser(EdgeSteps& coarser, const Asking& asking, FollowCoarser follow) {
     Particles& p = level_.particles_;
     follow.p = level_.state_view(), follow.trend = p.trend.data();
-    const std::vector<std::size_t> who = those_of_kind(p, [](Kind kind) { return kind == Kind::guard; });
+    const std::vector<std::size_t> who = those_of_kind(level_, [](Kind kind) { return kind == Kind::guard; });
     FieldsAt guards{asking};
     guards.places.resize(who.size());
     Followed followed;
@@ -170,21 +174,23 @@ Followed EdgesAtHome::follow_coarser(EdgeSteps& coarser, const Asking& asking, F
     });
     coarser.interpolate(guards);
     for_particles(who.size(), [&](std::size_t k) { follow(who[k], guards.given(k)); });
+    level_.halo_.tell(p.trend.data(), p.drho.data());
     followed.orphans = orphans_of(guards);
-    return followed;
+    return level_.ranks().sum(followed);
 }
 
 Followed EdgesAtHome::follow_finer(EdgeSteps& finer, const Asking& asking, FollowFiner follow) {
     Particles& p = level_.particles_;
     follow.p = level_.state_view(), follow.kind = p.kind.data();
     follow.shift = p.shift_support.data(), follow.compression = p.compression.data();
-    const std::vector<std::size_t> who = those_of_kind(p, stands_for_finer);
+    const std::vector<std::size_t> who = those_of_kind(level_, stands_for_finer);
     FieldsAt under{asking};
     under.places.resize(who.size());
     for_particles(who.size(), [&](std::size_t k) { under.places[k] = place_at(p, who[k]); });
     finer.interpolate(under);
     for_particles(who.size(), [&](std::size_t k) { follow(who[k], under.given(k)); });
-    return {0, orphans_of(under)};
+    level_.halo_.tell(p.u.data(), p.v.data(), p.w.data(), p.drho.data(), p.compression.data());
+    return level_.ranks().sum(Followed{0, orphans_of(under)});
 }
 
 }  // namespace tw

@@ -326,8 +326,9 @@ KindCounts Level::kinds() const {
     CountKinds kinds{particles_.kind.data(), particles_.x.data(), -infinite, infinite, &counts};
     if (around_.stream) kinds.first = around_.domain.min.x(), kinds.last = around_.domain.max.x();
     if (device_) return device_->count(kinds);
-    for (std::size_t i = 0; i < particles_.size(); ++i) kinds(i, [](int* count) { ++*count; });
-    return counts;
+    for (std::size_t i = 0; i < particles_.size(); ++i)
+        if (owns(i)) kinds(i, [](int* count) { ++*count; });
+    return ranks().sum(counts);
 }
 
 double Level::visited_per_particle() const {
@@ -386,6 +387,7 @@ void Level::start_anew() {
         life_.relative_speed =
             std::max(life_.relative_speed,
                      Vec3(particles_.u[i] - stream, double(particles_.v[i]), double(particles_.w[i])).norm());
+    life_.relative_speed = ranks().largest(life_.relative_speed);
     make_lists_due();
 }
 

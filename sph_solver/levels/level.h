@@ -73,6 +73,8 @@ public:
     /// From now on a device makes the steps, see device_steps.h; before the first step.
     void leave_steps_to(std::unique_ptr<DeviceSteps> device) { device_ = std::move(device); }
     const Comm& ranks() const;
+    /// Throws InputError where there are fewer columns with particles than ranks, before the first step.
+    void refuse_idle_ranks() const;
     bool owns(std::size_t i) const { return own_.empty() || own_[i] != 0; }
     std::size_t copies() const { return halo_.received(); }
     std::int64_t live_pairs(const Group& g) const;  ///< that each of a group's particles meets, useful or not
@@ -90,7 +92,7 @@ public:
     void share_columns_with(Level& leading) { leading.following_ = this, columns_of_ = &leading; }
     /// All particles of all ranks, in the order in which one process holds them; on the first rank, elsewhere none.
     Particles gathered() const;
-    KindCounts kinds() const;  ///< of the particles that this process holds
+    KindCounts kinds() const;  ///< of the particles of all ranks
     double pressure(std::size_t i) const { return setup_.state_equation.pressure(setup_.rho0, home().drho[i]); }
     const Ledger& ledger() const { return ledger_; }
     const Extremes& extremes() const { return extremes_; }
@@ -109,7 +111,12 @@ public:
     double density_of_row() const;
     /// Acceleration of all water alike now: gravity and the stream's [m/s2].
     Vec3 body_force() const;
-    std::int64_t next_id() { return ledger_.next_id++; }  ///< for a particle that is added
+    /// For so many particles that are added: the first of their numbers.
+    std::int64_t take_ids(std::int64_t count) {
+        const std::int64_t first = ledger_.next_id;
+        ledger_.next_id += count;
+        return first;
+    }
     /// Mean pressure of the particles in the uppermost 2h of the domain [Pa]; 0 where there are none.
     double lid_pressure() const;
 
@@ -146,6 +153,22 @@ public:
     void begin_within(const Zone& own);
     EdgeSteps& edges();  ///< of a level that has begun so
 
+    // --- what all ranks have of something that some of this level's particles bring
+    /// Of several ranks all of it, with indices in the order in which one process holds all; else `own`.
+    std::vector<Located> of_all_ranks(std::vector<Located> own) const;
+    std::int64_t among_all(std::size_t i) const;  ///< that index of one that this process owns
+    /// The one that has it; nothing: another process owns it.
+    std::optional<std::size_t> owned(std::int64_t among_all) const;
+    /// The numbers 0, 1, ... of things of all ranks, each by a particle, in the order of these; `by` names those of the
+    /// own things in ascending order.
+    struct Numbers {
+        std::vector<std::int64_t> own;
+        std::int64_t all;
+    };
+    Numbers number_by_column(const std::vector<std::int32_t>& by) const;
+    /// Where all ranks hold all particles still: leaves each to one of them, until the level's lists are made.
+    void share_out();
+
     // --- steps in stages (explicit Runge-Kutta) instead of one evaluation
     void begin_stages(bool freeze_diffusion);
     void go_to_stage(double since);
@@ -168,7 +191,7 @@ public:
     /// Pressure, kernel support and (where the points want it) carried pressure at points, from the present records.
     void sample(PointSamples& points) const;
     /// Velocity and density of the particles at places near them, as they are between two sweeps. The lists must
-    /// not be due.
+    /// not be due. Of several ranks all call it, each with places of its own.
     void interpolate(FieldsAt& at);
     /// Kernel support below which a particle counts as free surface.
     void set_surface_support(double support) { setup_.surface_support = support; }
@@ -198,7 +221,7 @@ public:
 private:
     friend class LevelOnDevice;
     friend class EdgesAtHome;
-    friend struct LevelInsides;  ///< of tests
+    friend struct LevelInsides;                          ///< of tests
     static constexpr double held_at_wall_over_dp = 0.1;  ///< nearer than this a particle is not let towards a wall
 
     /// The particles, as they are now.
@@ -252,7 +275,10 @@ private:
     ExtrapolateData extrapolation() const;  ///< from the present records; the caller says where to
     InterpolateData interpolation() const;  ///< the caller says of whom, where to and what
     Reaches reaches_of_interpolation() const;
+    double reach_of_others() const;           ///< how far other levels look in this one while its lists hold [m]
     TakeGiving giving(const Asking& asking);  ///< the caller says where to
+    void interpolate_here(FieldsAt& at);      ///< from the particles that this process holds
+    void interpolate_together(FieldsAt& at);  ///< each place on the rank that owns its column
     double stream_velocity(double t) const { return around_.stream ? around_.stream->velocity(t) : 0; }
 
     struct Held {
@@ -277,7 +303,9 @@ private:
     std::int32_t column_of(std::size_t i) const;   ///< in which it stood when it was sorted last
     std::function<bool(int)> own_columns() const;  ///< empty: all are
     void begin_whole();
-    void let_copies_go();
+    /// Lets particles go, and copies of others' particles; lists are due then. Empty: only the copies.
+    void let_go(const std::vector<int>& gone);
+    ColumnGrid blocks() const;
     void add_work(std::vector<std::int64_t>& of_columns) const;
     /// Puts what all ranks have of blows in the order of their columns.
     template <class Blow>
@@ -322,9 +350,10 @@ private:
     Decomposition columns_;
     Level *columns_of_ = nullptr, *following_ = nullptr;  ///< see share_columns_with
     Halo halo_;
-    bool whole_ = false;      ///< all ranks hold all particles, until lists are made
-    std::vector<char> own_;   ///< of each particle; empty: all are
-    std::int64_t total_ = 0;  ///< particles of all ranks
+    bool whole_ = false;                       ///< all ranks hold all particles, until lists are made
+    std::vector<char> own_;                    ///< of each particle; empty: all are
+    std::int64_t total_ = 0;                   ///< particles of all ranks
+    std::vector<std::int32_t> group_columns_;  ///< in which the groups stand
 
     /// Of steps in stages only, else empty.
     struct {

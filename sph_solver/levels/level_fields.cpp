@@ -169,12 +169,25 @@ TakeGiving Level::giving(const Asking& asking) {
             .rate = nullptr};
 }
 
+double Level::reach_of_others() const {
+    if (!particles_.has(With::coarser) && !particles_.has(With::finer)) return 0;
+    return Kernel(interpolation_h_over_dp * setup_.dp, around_.dimensions).support() +
+           ListLife::wall_skin_over_dp * setup_.dp;
+}
+
 void Level::interpolate(FieldsAt& at) {
+    at.resize();
+    if (ranks().many()) return interpolate_together(at);
+    if (at.places.empty()) return;
+    if (device_) return device_->interpolate(at);
+    update_records();
+    interpolate_here(at);
+}
+
+void Level::interpolate_here(FieldsAt& at) {
     const std::size_t n = at.places.size(), own = particles_.size();
     at.resize();
     if (n == 0) return;
-    if (device_) return device_->interpolate(at);
-    update_records();
     InterpolateData d = interpolation();
     SortedPlaces sorted(at.places, at.apart, *this);
     const Reaches reaches = reaches_of_interpolation();

@@ -82,7 +82,7 @@ void Level::rebuild(double drift) {
     const bool shared = ranks().many();
     if (shared) {
         divide_columns();
-        let_copies_go();
+        let_go({});
     }
     const Ledger before = ledger_;
     const auto [gone, entered] = cross_open_boundaries(around_, s.dp, p, ledger_);
@@ -95,7 +95,7 @@ void Level::rebuild(double drift) {
     const double reach = std::max(among.far, to_walls.far);
     if (shared) {
         agree_on_crossings(before, entered);
-        hold_columns(index, reach);
+        hold_columns(index, std::max(reach, reach_of_others()));
         index.resize(p.size());
         std::iota(index.begin(), index.end(), 0);
     }
@@ -121,6 +121,10 @@ void Level::rebuild(double drift) {
 
     const std::vector<Source> own = sources();
     make_groups(own.front(), passes_.lanes, groups_, own_columns());
+    if (shared) {
+        group_columns_.clear();
+        for (const Group& g : groups_) group_columns_.push_back(column_of(static_cast<std::size_t>(g.first)));
+    }
     lists_.build(passes_, quanta_, own.front(), groups_, own, among);
     if (!walls_.empty()) {
         walls_.find_neighbours(passes_, grid_, quanta_, groups_, own, to_walls, own_columns());

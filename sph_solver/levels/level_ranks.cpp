@@ -4,6 +4,7 @@
 // tells (parallel/halo.h).
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <limits>
 #include <numeric>
 
@@ -18,6 +19,13 @@ namespace tw {
 namespace {
 /// Work that a rank may have beyond the mean before the columns are divided anew.
 constexpr double largest_imbalance = 1.05;
+
+template <class T>
+void append(Comm::Bytes& to, const T& what) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    to.resize(to.size() + sizeof(T));
+    std::memcpy(to.data() + to.size() - sizeof(T), &what, sizeof(T));
+}
 }  // namespace
 
 const Comm& Level::ranks() const { return around_.ranks ? *around_.ranks : Comm::alone(); }
@@ -39,6 +47,11 @@ void Level::begin_whole() {
     whole_ = true;
     own_.assign(particles_.size(), ranks().first() ? 1 : 0);
     total_ = static_cast<std::int64_t>(particles_.size());
+    halo_ = {};
+}
+
+void Level::refuse_idle_ranks() const {
+    if (!ranks().many()) return;
     std::vector<char> busy(static_cast<std::size_t>(grid_.count()), 0);
     for (std::size_t i = 0; i < particles_.size(); ++i)
         busy[static_cast<std::size_t>(grid_.of(quanta_.wide({particles_.x[i], particles_.y[i], particles_.z[i]})))] = 1;
@@ -48,17 +61,69 @@ void Level::begin_whole() {
                                      setup_.material, columns, ranks().size()));
 }
 
-/// Lets go of the copies of others' particles.
-void Level::let_copies_go() {
+/// What is left keeps its order, and its columns; what has been added behind them is in none.
+void Level::let_go(const std::vector<int>& gone) {
     if (whole_) return;
-    std::vector<std::int32_t> mine, start(start_.size(), 0);
-    for (std::size_t c = 0; c + 1 < start_.size(); ++c) {
-        for (std::int32_t i = start_[c]; i < start_[c + 1]; ++i)
-            if (own_[static_cast<std::size_t>(i)]) mine.push_back(i);
-        start[c + 1] = static_cast<std::int32_t>(mine.size());
+    const std::size_t n = particles_.size();
+    std::vector<std::int32_t> kept, before(n + 1);
+    for (std::size_t i = 0; i < n; ++i) {
+        before[i] = static_cast<std::int32_t>(kept.size());
+        if (owns(i) && (gone.empty() || !gone[i])) kept.push_back(static_cast<std::int32_t>(i));
     }
-    particles_.reorder(mine);
-    start_ = std::move(start);
+    before[n] = static_cast<std::int32_t>(kept.size());
+    particles_.reorder(kept);
+    if (!ranks().many()) return;
+    for (std::int32_t& first : start_) first = before[static_cast<std::size_t>(first)];
+    own_.assign(kept.size(), 1);
+    halo_ = {};
+}
+
+/// The first rank has all, until the others get theirs with the first lists.
+void Level::share_out() {
+    if (!whole_) return;
+    divide_columns();
+    whole_ = false;
+    const std::size_t n = ranks().first() ? particles_.size() : 0;
+    particles_.resize(n);
+    own_.assign(n, 1);
+    start_.assign(static_cast<std::size_t>(grid_.count()) + 1, static_cast<std::int32_t>(n));
+    start_.front() = 0;
+}
+
+std::int64_t Level::among_all(std::size_t i) const {
+    const auto index = static_cast<std::int64_t>(i);
+    return ranks().many() ? std::int64_t{column_of(i)} << 32 | index : index;
+}
+
+std::optional<std::size_t> Level::owned(std::int64_t index) const {
+    if (!ranks().many()) return static_cast<std::size_t>(index);
+    const auto i = static_cast<std::size_t>(index & 0xffffffff);
+    if (i < particles_.size() && owns(i) && among_all(i) == index) return i;
+    return {};
+}
+
+std::vector<Located> Level::of_all_ranks(std::vector<Located> own) const {
+    if (!ranks().many()) return own;
+    for (Located& one : own) one.index = among_all(static_cast<std::size_t>(one.index));
+    std::vector<Located> all = ranks().gathered(own);
+    std::ranges::sort(all, {}, &Located::index);
+    return all;
+}
+
+Level::Numbers Level::number_by_column(const std::vector<std::int32_t>& by) const {
+    Numbers numbers{{}, static_cast<std::int64_t>(by.size())};
+    numbers.own.resize(by.size());
+    std::iota(numbers.own.begin(), numbers.own.end(), 0);
+    if (!ranks().many()) return numbers;
+    std::vector<std::int32_t> own(by.size());
+    for (std::size_t k = 0; k < own.size(); ++k) own[k] = column_of(static_cast<std::size_t>(by[k]));
+    std::vector<std::int32_t> all = ranks().gathered(own);
+    std::ranges::sort(all);
+    for (std::size_t k = 0; k < own.size(); ++k)
+        numbers.own[k] += (std::ranges::lower_bound(all, own[k]) - all.begin()) -
+                          (std::ranges::lower_bound(own, own[k]) - own.begin());
+    numbers.all = static_cast<std::int64_t>(all.size());
+    return numbers;
 }
 
 /// What has crossed open boundaries of all ranks' columns; particles that entered get the ids that they have where one
@@ -67,27 +132,18 @@ void Level::agree_on_crossings(const Ledger& before, const std::vector<std::int3
     if (whole_) return;
     ledger_.out = before.out + ranks().sum(ledger_.out - before.out);
     if (!around_.stream) return;
-    std::vector<std::int32_t> own(entered.size());
-    for (std::size_t k = 0; k < own.size(); ++k) own[k] = column_of(static_cast<std::size_t>(entered[k]));
-    std::vector<std::int32_t> all = ranks().gathered(own);
-    std::ranges::sort(all);
-    const std::size_t first_new = particles_.size() - own.size();
-    for (std::size_t k = 0; k < own.size(); ++k) {
-        const auto in_column = static_cast<std::int64_t>(k) - (std::ranges::lower_bound(own, own[k]) - own.begin());
-        particles_.id[first_new + k] =
-            before.next_id + (std::ranges::lower_bound(all, own[k]) - all.begin()) + in_column;
-    }
-    const auto came = static_cast<std::int64_t>(all.size());
-    ledger_.in = before.in + came, ledger_.next_id = before.next_id + came;
+    const Numbers numbers = number_by_column(entered);
+    const std::size_t first_new = particles_.size() - entered.size();
+    for (std::size_t k = 0; k < entered.size(); ++k) particles_.id[first_new + k] = before.next_id + numbers.own[k];
+    ledger_.in = before.in + numbers.all, ledger_.next_id = before.next_id + numbers.all;
 }
 
 /// Adds the work of this rank's particles to that of their columns: pairs by the lists as they are, or particles where
 /// none were made yet, of which the first rank counts all.
 void Level::add_work(std::vector<std::int64_t>& of_columns) const {
     if (!whole_)
-        for (const Group& g : groups_)
-            of_columns[static_cast<std::size_t>(column_of(static_cast<std::size_t>(g.first)))] +=
-                g.size * (1 + live_pairs(g));
+        for (std::size_t k = 0; k < groups_.size(); ++k)
+            of_columns[static_cast<std::size_t>(group_columns_[k])] += groups_[k].size * (1 + live_pairs(groups_[k]));
     for (std::size_t i = 0; i < particles_.size() && whole_ && ranks().first(); ++i)
         ++of_columns[static_cast<std::size_t>(
             grid_.of(quanta_.wide({particles_.x[i], particles_.y[i], particles_.z[i]})))];
@@ -112,8 +168,11 @@ void Level::divide_columns() {
         });
     if (double(load.largest) * ranks().size() <= largest_imbalance * double(load.sum)) return;
     ranks().add(std::span<std::int64_t>(of_columns));
-    columns_ = Decomposition(grid_, of_columns, ranks().size());
+    columns_ = Decomposition(grid_, blocks(), of_columns, ranks().size());
 }
+
+/// What is left together when columns are divided. A coarser level's places are sorted by columns twice as wide.
+ColumnGrid Level::blocks() const { return particles_.has(With::coarser) ? grid_.scaled(2) : grid_; }
 
 /// Sends particles to the ranks that own their columns, and copies to those that need them; then the level has those of
 /// the columns that it holds, in no order. `staying`: which of the present ones stay in the run.
@@ -191,6 +250,53 @@ void Level::tell_first_sweep() {
             p.shift_support[i].support = sums.support, p.rate[i].drho = sums.drho;
             if (carried > 0) std::memcpy(&p.carried[i], from + sizeof(Sums), carried);
         });
+}
+
+/// The places of a column go to one rank, so those that are worked out together are those of one process. Places that
+/// coincide have the same fields, whatever the order of the ranks makes of theirs.
+void Level::interpolate_together(FieldsAt& at) {
+    const Comm& all = ranks();
+    const std::size_t n = at.places.size();
+    if (all.sum(static_cast<std::int64_t>(n)) == 0) return;
+    update_records();
+    const ColumnGrid columns = grid_.scaled(at.apart);
+    const auto size = static_cast<std::size_t>(all.size());
+    std::vector<std::size_t> asked(n);  // whom
+    std::vector<Comm::Bytes> questions(size);
+    for (std::size_t k = 0; k < n; ++k) {
+        const Vec3& x = at.places[k];
+        asked[k] = static_cast<std::size_t>(columns_.owner(grid_.of(columns.centre(columns.of(quanta_.wide(x))))));
+        append(questions[asked[k]], std::array{x.x(), x.y(), x.z()});
+    }
+    const std::vector<Comm::Bytes> theirs = all.exchange(questions);
+    constexpr std::size_t bytes = sizeof(std::array<double, 3>);
+    FieldsAt here{static_cast<const Asking&>(at)};
+    for (const Comm::Bytes& of_rank : theirs)
+        for (std::size_t from = 0; from < of_rank.size(); from += bytes) {
+            std::array<double, 3> x;
+            std::memcpy(x.data(), of_rank.data() + from, bytes);
+            here.places.emplace_back(x[0], x[1], x[2]);
+        }
+    interpolate_here(here);
+
+    std::vector<Comm::Parcel> answers, given;
+    std::vector<std::size_t> of(size);  // whose answers stand where
+    std::size_t next = 0;
+    for (std::size_t r = 0; r < size; ++r) {
+        if (!theirs[r].empty()) answers.push_back({static_cast<int>(r), {}});
+        for (std::size_t k = 0; k < theirs[r].size() / bytes; ++k) append(answers.back().bytes, here.given(next++));
+        of[r] = given.size();
+        if (const std::size_t count = questions[r].size() / bytes; count > 0)
+            given.push_back({static_cast<int>(r), Comm::Bytes(count * sizeof(Given))});
+    }
+    all.exchange(answers, given);
+    std::vector<std::size_t> read(size, 0);
+    for (std::size_t k = 0; k < n; ++k) {
+        Given g;
+        std::memcpy(&g, given[of[asked[k]]].bytes.data() + read[asked[k]], sizeof(Given));
+        read[asked[k]] += sizeof(Given);
+        at.take(k, g);
+    }
 }
 
 Particles Level::gathered() const {

@@ -90,6 +90,12 @@ struct BecomeGuard {
 struct Followed {
     double fastest2 = 0;       ///< the largest square of their speeds before, of guards [m2/s2]
     std::int64_t orphans = 0;  ///< without water of the other level near
+
+    Followed& operator+=(const Followed& other) {
+        fastest2 = fastest2 < other.fastest2 ? other.fastest2 : fastest2;
+        orphans += other.orphans;
+        return *this;
+    }
 };
 
 inline double speed2(const StateView& p, std::size_t i) {

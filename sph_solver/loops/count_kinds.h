@@ -13,6 +13,11 @@ struct KindCounts {
     int water_beyond = 0;  ///< of all but guards
 
     int under() const { return band + carried; }
+    KindCounts& operator+=(const KindCounts& other) {
+        guards += other.guards, band += other.band, carried += other.carried;
+        under_beyond += other.under_beyond, water_beyond += other.water_beyond;
+        return *this;
+    }
 };
 
 /// Adds a particle to them.

@@ -25,7 +25,6 @@ Raster water_raster(const Simulation& simulation, const RasterSpec& spec, double
     if (spec.voxel <= 0) return all;
     const auto each = [](Kind, const Vec3&) { return true; };
     pour(all, *levels[0], span, each);
-    levels[0]->ranks().add(all.parts());
     for (std::size_t k = 1; k < levels.size(); ++k) {
         const Level& level = *levels[k];
         Raster of_size(spec);
@@ -36,6 +35,7 @@ Raster water_raster(const Simulation& simulation, const RasterSpec& spec, double
              [&](Kind kind, const Vec3& place) { return kind == Kind::fluid && zone.outside(place) > beyond; });
         all.take_where([&](const Vec3& centre) { return zone.outside(centre) < 0; }, of_size);
     }
+    levels[0]->ranks().add(all.parts());
     return all;
 }
 

@@ -93,11 +93,18 @@ std::vector<Interval> with_images(const Interval& of, const Mirrors& mirrors, st
 
 }  // namespace
 
-Decomposition::Decomposition(const ColumnGrid& grid, std::span<const std::int64_t> work, int ranks)
+Decomposition::Decomposition(const ColumnGrid& grid, const ColumnGrid& blocks, std::span<const std::int64_t> work,
+                             int ranks)
     : owner_(static_cast<std::size_t>(grid.count())) {
-    std::vector<std::int32_t> columns(owner_.size());
-    std::iota(columns.begin(), columns.end(), 0);
-    Bisection(grid, work, owner_).divide(columns, 0, ranks);
+    const auto block = [&](std::size_t column) {
+        return static_cast<std::size_t>(blocks.of(grid.centre(static_cast<int>(column))));
+    };
+    std::vector<std::int32_t> all(static_cast<std::size_t>(blocks.count())), of_blocks(all.size());
+    std::vector<std::int64_t> work_of_blocks(all.size());
+    for (std::size_t c = 0; c < owner_.size(); ++c) work_of_blocks[block(c)] += work[c];
+    std::iota(all.begin(), all.end(), 0);
+    Bisection(blocks, work_of_blocks, of_blocks).divide(all, 0, ranks);
+    for (std::size_t c = 0; c < owner_.size(); ++c) owner_[c] = of_blocks[block(c)];
 }
 
 void Decomposition::find_holders(const ColumnGrid& grid, const Mirrors& mirrors, const WidePlace& low,

@@ -19,8 +19,9 @@ class Decomposition {
 public:
     /// One rank, which owns all.
     Decomposition() = default;
-    /// `work` of each column in any unit; all ranks give the same.
-    Decomposition(const ColumnGrid& grid, std::span<const std::int64_t> work, int ranks);
+    /// `work` of each column in any unit; all ranks give the same. `blocks`: those columns, or wider ones that each hold
+    /// whole ones of them, which go to the same rank.
+    Decomposition(const ColumnGrid& grid, const ColumnGrid& blocks, std::span<const std::int64_t> work, int ranks);
 
     int owner(int column) const { return owner_.empty() ? 0 : owner_[static_cast<std::size_t>(column)]; }
 

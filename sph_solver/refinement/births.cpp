@@ -14,7 +14,7 @@ Vec3 place_of(const auto& one) { return {one.place.x, one.place.y, one.place.z};
 
 std::vector<Vec3> Refinement::octants(const Vec3& parent) const {
     std::vector<Vec3> places;
-    for (int octant = 0; octant < (coarse_.dimensions() == 3 ? 8 : 4); ++octant) {
+    for (int octant = 0; octant < static_cast<int>(children_of_one()); ++octant) {
         const double half = dp_ / 2;
         const Vec3 to(octant & 1 ? half : -half,
                       coarse_.dimensions() == 2 ? 0
@@ -26,54 +26,65 @@ std::vector<Vec3> Refinement::octants(const Vec3& parent) const {
     return places;
 }
 
-std::unordered_map<std::int64_t, std::vector<Located>> Refinement::families_of(
-    const std::vector<Parent>& parents) const {
-    std::unordered_map<std::int64_t, std::vector<Located>> families;
-    Crowd crowd(coarse_.setup().dp, coarse_.dimensions());
+Refinement::Families Refinement::families_of(const std::vector<Parent>& parents) const {
+    Families families;
+    std::vector<Located> back, near, guards;
     for (const Parent& p : parents)
-        if (p.before == Children::some) families[p.index], crowd.mark(place_of(p));
-    if (families.empty()) return families;
-    for (const Located& near : coarse_.edges().between(0, band_over_dp * dp_))
-        if (crowd.is_marked(place_of(near))) crowd.add(place_of(near), static_cast<std::size_t>(near.index));
-    for (const Located& guard : fine_.edges().guards()) {
-        if (!crowd.is_marked(place_of(guard))) continue;
+        if (p.before == Children::some) back.push_back({p.index, p.place});
+    back = coarse_.of_all_ranks(std::move(back));
+    if (back.empty()) return families;
+    Crowd crowd(coarse_.setup().dp, coarse_.dimensions());
+    for (const Located& parent : back) families.of[parent.index], crowd.mark(place_of(parent));
+    const auto not_marked = [&](const Located& one) { return !crowd.is_marked(place_of(one)); };
+    near = coarse_.edges().between(0, band_over_dp * dp_);
+    std::erase_if(near, not_marked);
+    for (const Located& one : coarse_.of_all_ranks(std::move(near)))
+        crowd.add(place_of(one), static_cast<std::size_t>(one.index));
+    guards = fine_.edges().guards();
+    std::erase_if(guards, not_marked);
+    for (const Located& guard : fine_.of_all_ranks(std::move(guards))) {
         const std::optional<std::size_t> parent = crowd.nearest(place_of(guard));
         if (!parent) continue;
-        if (const auto family = families.find(static_cast<std::int64_t>(*parent)); family != families.end())
+        if (const auto family = families.of.find(static_cast<std::int64_t>(*parent)); family != families.of.end())
             family->second.push_back(guard);
+    }
+    for (const Located& parent : back) {
+        std::vector<Located>& family = families.of[parent.index];
+        std::ranges::stable_sort(family, {},
+                                 [&](const Located& k) { return (place_of(k) - place_of(parent)).squaredNorm(); });
+        for (std::size_t k = children_of_one(); k < family.size(); ++k)
+            if (const auto own = fine_.owned(family[k].index)) families.too_many.push_back(*own);
     }
     return families;
 }
 
 void Refinement::give_birth() {
     const std::vector<Parent> parents = coarse_.edges().find_parents(guard_over_dp * dp_);
-    if (parents.empty()) return;
-    const auto families = families_of(parents);
+    if (coarse_.ranks().sum(static_cast<std::int64_t>(parents.size())) == 0) return;
+    const Families families = families_of(parents);
     FieldsAt at;
     at.apart = fine_apart;
     std::vector<const Parent*> parent_of;
-    std::vector<std::size_t> too_many;
+    std::vector<std::int32_t> by;
     for (const Parent& parent : parents) {
         std::vector<Vec3> places = octants(place_of(parent));
-        if (const auto found = families.find(parent.index); found != families.end()) {
-            std::vector<Located> family = found->second;
+        if (const auto found = families.of.find(coarse_.among_all(static_cast<std::size_t>(parent.index)));
+            found != families.of.end()) {
             const auto from_family = [&](const Vec3& x) {
                 double least = std::numeric_limits<double>::infinity();
-                for (const Located& k : family) least = std::min(least, (place_of(k) - x).squaredNorm());
+                for (const Located& k : found->second) least = std::min(least, (place_of(k) - x).squaredNorm());
                 return least;
             };
             std::ranges::stable_sort(places, std::ranges::greater{}, from_family);
-            std::ranges::stable_sort(family, {},
-                                     [&](const Located& k) { return (place_of(k) - place_of(parent)).squaredNorm(); });
-            const std::size_t whole = places.size(), there = std::min(family.size(), whole);
-            places.resize(whole - there);
-            for (std::size_t k = there; k < family.size(); ++k)
-                too_many.push_back(static_cast<std::size_t>(family[k].index));
+            places.resize(places.size() - std::min(found->second.size(), places.size()));
         }
         at.places.insert(at.places.end(), places.begin(), places.end());
         parent_of.resize(at.places.size(), &parent);
+        by.resize(at.places.size(), static_cast<std::int32_t>(parent.index));
     }
     coarse_.interpolate(at);
+    const Level::Numbers numbers = coarse_.number_by_column(by);
+    const std::int64_t first_id = fine_.take_ids(numbers.all);
     std::vector<Child> children;
     for (std::size_t k = 0; k < parent_of.size(); ++k) {
         const Vec3& x = at.places[k];
@@ -82,10 +93,10 @@ void Refinement::give_birth() {
                             .state = known ? at.value[k] : parent_of[k]->state,
                             .support = known ? at.mean_support[k] : 0,
                             .kind = zone_.outside(x) < 0 ? Kind::fluid : Kind::guard,
-                            .id = fine_.next_id()});
+                            .id = first_id + numbers.own[k]});
     }
-    ledger_.births += static_cast<std::int64_t>(children.size());
-    remove_gone(too_many);
+    ledger_.births += numbers.all;
+    remove_gone(families.too_many);
     fine_.edges().add(children);
     fine_.make_lists_due();
 }

@@ -67,9 +67,12 @@ void Refinement::relabel() {
     label_coarse();
     if (!fine_.lists_due() && !fine_.lists_outlived() && gone_since_ + in_a_step_ < patience_over_dp * dp_) return;
     gone_since_ = 0;
+    fine_.share_out();
     EdgeSteps::Spray spray = label_fine();
+    const Comm& ranks = fine_.ranks();
     std::vector<std::size_t> fallen;
-    for (const Refinement* edge = outer_; edge && !spray.far.empty(); edge = edge->outer_) {
+    for (const Refinement* edge = outer_; edge; edge = edge->outer_) {
+        if (ranks.sum(static_cast<std::int64_t>(spray.far.size())) == 0) break;
         const std::vector<char> covered = edge->covers(spray.far);
         std::vector<Located> left;
         for (std::size_t k = 0; k < covered.size(); ++k)
@@ -79,7 +82,7 @@ void Refinement::relabel() {
                 left.push_back(spray.far[k]);
         spray.far = std::move(left);
     }
-    ledger_.spray = spray.count - static_cast<std::int64_t>(fallen.size());
+    ledger_.spray = ranks.sum(spray.count - static_cast<std::int64_t>(fallen.size()));
     remove_gone(fallen);
     give_birth();
 }

@@ -94,9 +94,15 @@ private:
     AskEdge edge(std::initializer_list<double> limits) const;
     EdgeSteps::Spray label_fine();
     void give_birth();
+    std::size_t children_of_one() const { return coarse_.dimensions() == 3 ? 8 : 4; }
     std::vector<Vec3> octants(const Vec3& parent) const;  ///< places of its children
-    /// The guards that have one of the parents that come back nearest of all coarse particles.
-    std::unordered_map<std::int64_t, std::vector<Located>> families_of(const std::vector<Parent>& parents) const;
+    /// The guards that have one of the parents that come back, of all ranks, nearest of all coarse particles, and which of
+    /// the own ones are too many there. Indices are those of Level::of_all_ranks.
+    struct Families {
+        std::unordered_map<std::int64_t, std::vector<Located>> of;
+        std::vector<std::size_t> too_many;
+    };
+    Families families_of(const std::vector<Parent>& parents) const;
     /// Of each of some places whether the coarse level has water there.
     std::vector<char> covers(const std::vector<Located>& who) const;
     void remove_gone(const std::vector<std::size_t>& more);  ///< of the fine particles
@@ -107,7 +113,7 @@ private:
     Level& fine_;
     const Refinement* outer_;
     Zone zone_;
-    Zone::Shift shifted_;  ///< of its edge, sums since the start
+    Zone::Shift shifted_;   ///< of its edge, sums since the start
     double dp_;             ///< of the fine level
     double in_a_step_ = 0;  ///< how far guards and coarse particles go in a step of the coarse level, at most [m]
     /// And since fine particles were labelled, with what the edge has come towards them.

@@ -131,10 +131,66 @@ TEST_F(Ranks, APlateThatBendsHasTheSameBytes) {
                        {"--near-hull", "2mm", "--duration", "2ms"});
 }
 
-TEST_F(Ranks, ARunGoesOnWithAnotherNumberOfRanks) {
-    const ScratchFolder folder("ranks_resume");
+/// `text` with what stands in it once replaced by something else.
+std::string with(std::string text, const std::string& what, const std::string& by) {
+    const std::size_t at = text.find(what);
+    EXPECT_NE(at, std::string::npos) << what;
+    return at == std::string::npos ? text : text.replace(at, what.size(), by);
+}
+std::string text_of(const char* file) { return read_text(fs::path(TWINWAKE_SOURCE) / "tests/robustness/runs" / file); }
+/// Of the particles of the k-th size, the last entry of a column in the record.
+double last(const fs::path& run, int k, const char* column) {
+    RunRecord record = read_record(run / "record.h5");
+    const std::vector<double>& values =
+        record.table(level_table(static_cast<std::size_t>(k))).column(column, "-").values;
+    return values.empty() ? 0 : values.back();
+}
+
+TEST_F(Ranks, AHullWithTwoSizesOfParticlesHasTheSameBytes) {
+    const ScratchFolder folder("ranks_two_sizes");
     const fs::path scene = folder.path() / "scene.toml";
-    write_text_atomically(scene, column_on_an_obstacle);
+    std::string text = text_of("small_planing.toml");
+    for (const auto& [what, by] : {std::pair{R"(ahead  = "0.4 m")", R"(ahead  = "1.3 m")"},
+                                   {R"(side   = "0.5 m")", R"(side   = "0.9 m")"},
+                                   {R"(below  = "0.4 m")", R"(below  = "0.6 m")"},
+                                   {"spacing   = \"0.05 m\"\n", ""}})
+        text = with(text, what, by);
+    write_text_atomically(scene, text + "[sph]\nlevels = 2\nzone = 8\n");
+    same_for_any_ranks(scene, folder.path(), {3}, {"--duration", "0.1s"});
+    EXPECT_GT(last(folder.path() / "ranks_1/sph", 1, "births"), 100);
+}
+
+TEST_F(Ranks, ThreeSizesRoundABodyThatFallsHaveTheSameBytes) {
+    const ScratchFolder folder("ranks_three_sizes");
+    const fs::path scene = folder.path() / "scene.toml";
+    std::string text = text_of("small_entry.toml");
+    for (const auto& [what, by] : {std::pair{"size = [1, 0.01, 0.8]", "size = [2, 0.01, 0.96]"},
+                                   {"max = [1, 0.01, 0.4]", "max = [2, 0.01, 0.48]"},
+                                   {"draft    = -0.45", "draft    = -0.53"},
+                                   {"position = [0.5, 0]", "position = [1, 0]"}})
+        text = with(text, what, by);
+    write_text_atomically(scene, text + "[sph]\nlevels = 3\nzone = 8\n");
+    same_for_any_ranks(scene, folder.path(), {2}, {"--duration", "0.1s"});
+    const fs::path one = folder.path() / "ranks_1/sph";
+    for (const int k : {1, 2}) EXPECT_GT(last(one, k, "births"), 10) << k;
+    EXPECT_GT(last(one, 2, "deaths"), 10);
+}
+
+/// Water that runs into the zone of finer particles about an obstacle.
+std::string column_and_fine_particles() {
+    std::string text = column_on_an_obstacle;
+    for (const auto& [what, by] : {std::pair{"[0.8, 0.24, 0.4]", "[1.28, 0.24, 0.4]"},
+                                   {"[0.3, 0.24, 0.3]", "[0.4, 0.24, 0.32]"},
+                                   {"[0.46, 0.08, 0]", "[0.66, 0.08, 0]"},
+                                   {"[0.54, 0.16, 0.08]", "[0.74, 0.16, 0.08]"},
+                                   {"[0.46, 0.12, 0.02]", "[0.66, 0.12, 0.02]"}})
+        text = with(text, what, by);
+    return text + "[sph]\nlevels = 2\nzone = 8\n";
+}
+
+void goes_on_with_another_number_of_ranks(const std::string& text, const ScratchFolder& folder) {
+    const fs::path scene = folder.path() / "scene.toml";
+    write_text_atomically(scene, text);
     const fs::path whole = run(scene, folder.path(), 1), parts = run(scene, folder.path(), 4, {"--duration", "0.1s"});
     for (const auto& [ranks, until] : {std::pair{1, "0.2s"}, {3, "0.3s"}}) {
         std::vector<std::string> words = command(scene, parts.parent_path(), ranks);
@@ -143,6 +199,17 @@ TEST_F(Ranks, ARunGoesOnWithAnotherNumberOfRanks) {
         ASSERT_EQ(program.wait(), 0) << program.output();
     }
     expect_same(whole, parts, "4, then 1, then 3 ranks");
+}
+
+TEST_F(Ranks, ARunWithTwoSizesGoesOnWithAnotherNumberOfRanks) {
+    const ScratchFolder folder("ranks_resume_sizes");
+    goes_on_with_another_number_of_ranks(column_and_fine_particles(), folder);
+    for (const char* of : {"births", "spray"}) EXPECT_GT(last(folder.path() / "ranks_1/sph", 1, of), 10) << of;
+}
+
+TEST_F(Ranks, ARunGoesOnWithAnotherNumberOfRanks) {
+    const ScratchFolder folder("ranks_resume");
+    goes_on_with_another_number_of_ranks(column_on_an_obstacle, folder);
 }
 
 /// The processes that a process has started and that still run.

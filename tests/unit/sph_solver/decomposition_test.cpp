@@ -34,7 +34,7 @@ TEST(Decomposition, ItsPartsHaveTheSameWorkToWithinAColumn) {
     const ColumnGrid grid = grid_over_domain();
     const std::vector<std::int64_t> work = work_of(grid);
     for (const int ranks : {1, 2, 3, 4, 7, 16}) {
-        const Decomposition columns(grid, work, ranks);
+        const Decomposition columns(grid, grid, work, ranks);
         std::vector<std::int64_t> of_rank(static_cast<std::size_t>(ranks), 0);
         std::int64_t all = 0;
         for (int c = 0; c < grid.count(); ++c) {
@@ -52,9 +52,27 @@ TEST(Decomposition, NoRankIsLeftWithoutWaterWhileThereAreColumns) {
     std::vector<std::int64_t> work(static_cast<std::size_t>(grid.count()), 0);
     work[static_cast<std::size_t>(grid.column(3, 3, 0))] = 1000000;  // of three columns one has nearly all
     work[static_cast<std::size_t>(grid.column(4, 3, 0))] = work[static_cast<std::size_t>(grid.column(9, 3, 0))] = 1;
-    const Decomposition columns(grid, work, 3);
+    const Decomposition columns(grid, grid, work, 3);
     EXPECT_NE(columns.owner(grid.column(3, 3, 0)), columns.owner(grid.column(4, 3, 0)));
     EXPECT_NE(columns.owner(grid.column(4, 3, 0)), columns.owner(grid.column(9, 3, 0)));
+}
+
+TEST(Decomposition, TheColumnsOfABlockGoToOneRank) {
+    const ColumnGrid grid = grid_over_domain(), blocks = grid.scaled(2);
+    const auto block = [&](int c) { return blocks.of(grid.centre(c)); };
+    const Decomposition columns(grid, blocks, work_of(grid), 5), apart(grid, grid, work_of(grid), 5);
+    std::vector<std::int64_t> of_rank(5, 0);
+    bool cut = false;
+    for (int c = 0; c < grid.count(); ++c) {
+        of_rank[static_cast<std::size_t>(columns.owner(c))] += work_of(grid)[static_cast<std::size_t>(c)];
+        for (int other = 0; other < c; ++other) {
+            if (block(c) != block(other)) continue;
+            ASSERT_EQ(columns.owner(c), columns.owner(other)) << c << " " << other;
+            cut = cut || apart.owner(c) != apart.owner(other);
+        }
+    }
+    EXPECT_TRUE(cut) << "no block would be cut anyhow";
+    for (const std::int64_t own : of_rank) EXPECT_GT(own, 0);
 }
 
 TEST(Decomposition, ACopyIsHeldByAllWhoHaveAPlaceWithinReachOfItOrOfItsImage) {
@@ -63,7 +81,7 @@ TEST(Decomposition, ACopyIsHeldByAllWhoHaveAPlaceWithinReachOfItOrOfItsImage) {
     mirrors.on[0] = {true, false};
     mirrors.on[1] = {true, true};
     const double reach = 3.7 * dp;
-    Decomposition columns(grid, work_of(grid), 5);
+    Decomposition columns(grid, grid, work_of(grid), 5);
     columns.find_holders(grid, mirrors, quanta.wide(domain.min), quanta.wide(domain.max),
                          static_cast<std::int64_t>(reach * quanta.per_metre) + 1);
     std::mt19937 random(1);
