@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Writes the bill of materials of a built twinwake as SPDX 2.3 (JSON): the program with its SHA-256, the Debian packages
-# whose libraries it loads, and those whose headers are compiled into it, each with version and source package. The same
+# whose libraries it or its own libraries load, and those whose headers are compiled into it, each with version and source package. The same
 # program on the same packages gives the same bytes when SOURCE_DATE_EPOCH says the date.
 #
 #   package/sbom.sh PROGRAM VERSION [HEADER_PACKAGE ...] > twinwake.spdx.json
@@ -18,7 +18,9 @@ die() { echo "sbom.sh: $*" >&2; exit 1; }
 packages_of() {
     { dpkg-query -S "$@" "${@#/usr}" 2>/dev/null || true; } | sed 's/: .*//' | sort -u
 }
-mapfile -t files < <(ldd "$program" | sed -n 's/.*=> \(\/[^ ]*\) .*/\1/p; s/^[[:space:]]*\(\/[^ ]*\) (.*/\1/p' | xargs -r realpath)
+shopt -s nullglob
+own=("$(dirname "$program")"/../lib/twinwake/*.so)  # loaded where it is needed
+mapfile -t files < <(ldd "$program" "${own[@]}" | sed -n 's/.*=> \(\/[^ ]*\) .*/\1/p; s/^[[:space:]]*\(\/[^ ]*\) (.*/\1/p' | xargs -r realpath)
 [ ${#files[@]} -gt 0 ] || die "$program loads no library"
 mapfile -t loaded < <(packages_of "${files[@]}")
 [ ${#loaded[@]} -gt 0 ] || die "no library that $program loads is of a Debian package"

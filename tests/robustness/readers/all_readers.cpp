@@ -202,10 +202,19 @@ void read_member(const Input& in) {
     if (!(s.share >= 0 && s.share <= 1 && s.left >= 0)) throw std::logic_error("a share that nothing can be done to");
 }
 
+/// Drawings where they can be read: the library for them is built where Open CASCADE is found.
+std::vector<Reader> with_drawings(std::vector<Reader> all) {
+    if (fs::exists(fs::path(TWINWAKE_PROGRAM).parent_path() / "meshes/libtwinwake_drawings.so")) {
+        all.push_back({"step", [](const Input& in) { read_surface(in.file("hull.step")); }});
+        all.push_back({"iges", [](const Input& in) { read_surface(in.file("hull.igs")); }});
+    }
+    return all;
+}
+
 }  // namespace
 
 const std::vector<Reader>& all_readers() {
-    static const std::vector<Reader> all{
+    static const std::vector<Reader> all = with_drawings({
         {"stl", [](const Input& in) { read_surface(in.file("hull.stl")); }},
         {"obj", [](const Input& in) { read_surface(in.file("hull.obj")); }},
         {"ply", [](const Input& in) { read_surface(in.file("hull.ply")); }},
@@ -254,7 +263,7 @@ const std::vector<Reader>& all_readers() {
         {"sizes", [](const Input& in) { app::remembered_sizes(results_with(in, "sizes.json"), 600); }},
         {"pace", read_pace},
         {"site", [](const Input& in) { app::completed({}, in.file("site.toml")); }},
-    };
+    });
     return all;
 }
 
