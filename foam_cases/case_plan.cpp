@@ -1,5 +1,7 @@
 #include "foam_cases/case_plan.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -184,15 +186,20 @@ void plan_times(CasePlan& plan) {
     plan.speed_limit = explained > 0 ? 10 * explained : std::numeric_limits<double>::infinity();
 }
 
+void need_motion(const Flavour& flavour, const char* what) {
+    if (flavour.moves_bodies_and_tanks()) return;
+    throw InputError(fmt::format(
+        "{} that move are written for OpenFOAM of openfoam.com and for openfoam.org from 11, and this is {} {}; use "
+        "the particle method, or name another installation in [fvm] openfoam",
+        what, flavour.vendor_name(), flavour.version_name()));
+}
+
 void plan_body(CasePlan& plan, std::set<std::string>& names) {
     const Scene& scene = *plan.scene;
     plan.mesh_motion = mesh_motion(scene);
     const std::vector<MovingBody> followed = followed_by_mesh(scene);
     if (followed.empty()) return;
-    if (plan.flavour.vendor != Flavour::Vendor::com)
-        throw InputError("bodies that move were measured with OpenFOAM of openfoam.com alone, and this is " +
-                         plan.flavour.vendor_name() + " " + plan.flavour.version_name() +
-                         "; use the particle method, or name another installation in [fvm] openfoam");
+    need_motion(plan.flavour, "bodies");
     if (plan.scene->hull_is_free()) {
         plan.bodies.push_back({plan.solids.front().name, followed.front()});
         plan.solids.front().moves = true;
@@ -290,10 +297,7 @@ CasePlan plan_case(const Scene& scene, const Flavour& flavour) {
         plan.solids.push_back({name, o.surface, false});
     }
 
-    if (scene.tank_motion && flavour.vendor != Flavour::Vendor::com)
-        throw InputError("tanks that move were measured with OpenFOAM of openfoam.com alone, and this is " +
-                         flavour.vendor_name() + " " + flavour.version_name() +
-                         "; use the particle method, or name another installation in [fvm] openfoam");
+    if (scene.tank_motion) need_motion(flavour, "tanks");
     plan_body(plan, names);
     plan.background_cell = plan.finest_cell = background_cell(scene);
     plan_refinement(plan);

@@ -38,5 +38,29 @@ List Flavour::library(std::string_view name) const {
 }
 bool Flavour::field_extremes() const { return !org_from(*this, 9); }
 std::string Flavour::iso_surface() const { return vendor == Vendor::org ? "isoSurface" : "isoSurfaceCell"; }
+bool Flavour::distance_in_box_level() const { return vendor == Vendor::com; }
+bool Flavour::moves_bodies_and_tanks() const { return vendor == Vendor::com || number >= 11; }
+bool Flavour::end_of_object() const { return vendor == Vendor::org; }
+bool Flavour::tables_in_files() const { return vendor == Vendor::com; }
+bool Flavour::expressions() const { return vendor == Vendor::com; }
+bool Flavour::motion_in_parts() const { return org_from(*this, 13); }
+
+Dictionary Flavour::motion_solver(std::string_view name, std::string_view library_name,
+                                  const Dictionary& coefficients) const {
+    Dictionary d;
+    if (vendor == Vendor::com) {
+        d.add("dynamicFvMesh", Word("dynamicMotionSolverFvMesh"));
+        if (!library_name.empty()) d.add("motionSolverLibs", library(library_name));
+        return d.add("motionSolver", Word(name)).add(std::string(name) + "Coeffs", coefficients);
+    }
+    List libraries = library(library_name.empty() ? "fvMotionSolvers" : library_name);
+    if (!org_from(*this, 12)) libraries.insert(libraries.begin(), Quoted("libfvMeshMovers.so"));
+    d.add({{"type", Word("motionSolver")}, {"libs", libraries}, {"motionSolver", Word(name)}});
+    return {{"mover", d.add(coefficients)}};
+}
+
+Dictionary Flavour::table_of_times(const List& rows) const {
+    return {{"type", Word("table")}, {"interpolationScheme", Word("spline")}, {"values", rows}};
+}
 
 }  // namespace tw

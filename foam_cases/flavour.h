@@ -44,6 +44,20 @@ struct Flavour {
     List library(std::string_view name) const;  ///< (forces); openfoam.org: ("libforces.so")
     bool field_extremes() const;                ///< fieldMinMax is there; openfoam.org from 9: volFieldValue alone
     std::string iso_surface() const;            ///< isoSurfaceCell; openfoam.org: isoSurface, which cuts cells too
+    bool distance_in_box_level() const;         ///< openfoam.org has `level` of a box as one number alone
+    /// openfoam.com, and openfoam.org from 11: bodies and tanks that move.
+    bool moves_bodies_and_tanks() const;
+    bool end_of_object() const;    ///< openfoam.org: the last time of a function object is endTime, timeEnd elsewhere
+    bool expressions() const;      ///< openfoam.com: a boundary value may be an expression of the place
+    bool tables_in_files() const;  ///< openfoam.com: a prescribed motion is a file beside its dictionary, else in it
+    /// openfoam.org from 13: translation and rotation, or acceleration, angular velocity and angular acceleration, are
+    /// tables of their own.
+    bool motion_in_parts() const;
+    /// constant/dynamicMeshDict of one motion solver, with the `library` that has it (empty: the one of solid-body motion)
+    /// and its coefficients. openfoam.org has a mover around it, up to 11 in a library of its own.
+    Dictionary motion_solver(std::string_view name, std::string_view library, const Dictionary& coefficients) const;
+    /// openfoam.org: a function of time by rows of time and value, read as the same spline as openfoam.com's tables.
+    Dictionary table_of_times(const List& rows) const;
 };
 
 }  // namespace tw

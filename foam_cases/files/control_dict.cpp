@@ -21,9 +21,9 @@ Dictionary forces(const CasePlan& plan, const std::string& patch) {
 }
 
 /// Place, attitude and velocity of a free body, every step.
-Dictionary body_state() {
+Dictionary body_state(const CasePlan& plan) {
     Dictionary d{{"type", Word("sixDoFRigidBodyState")},
-                 {"libs", List{Word("sixDoFRigidBodyState")}},
+                 {"libs", plan.flavour.library("sixDoFRigidBodyState")},
                  {"angleFormat", Word("radians")},
                  {"writePrecision", 14}};
     return d.add(every_step());
@@ -127,7 +127,7 @@ Dictionary functions(const CasePlan& plan) {
         for (const BodyInMesh& b : plan.bodies)
             if (!plan.scene->hull_is_free()) f.add(b.forces(), forces(plan, b.patch));
         // the log says where several bodies are
-        if (!plan.several_bodies() && !plan.moving().motion.law) f.add("bodyState", body_state());
+        if (!plan.several_bodies() && !plan.moving().motion.law) f.add("bodyState", body_state(plan));
         if (plan.plate_interval > 0) f.add("plateSurface", plate_surface(plan));
         f.add("cellCentres", cells_now(plan, "writeCellCentres"));
         f.add("cellVolumes", cells_now(plan, "writeCellVolumes"));
@@ -151,7 +151,7 @@ Dictionary functions(const CasePlan& plan) {
     // largest time step for a while.
     for (std::size_t k = 0; k < plan.step_caps.size(); ++k) {
         Dictionary cap = stop;
-        cap.add({{"timeEnd", plan.step_caps[k].until},
+        cap.add({{plan.flavour.end_of_object() ? "endTime" : "timeEnd", plan.step_caps[k].until},
                  {"writeControl", Word("adjustableRunTime")},
                  {"writeInterval", plan.step_caps[k].step}});
         f.add("largestStep" + std::to_string(k), cap);

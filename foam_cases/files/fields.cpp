@@ -21,15 +21,27 @@ std::string field(const CasePlan& plan, const char* foam_class, const char* name
                      {{"dimensions", dimensions}, {"internalField", inside}, {"boundaryField", boundary}});
 }
 
+/// Water below z = 0 and air above, wherever the faces have moved to.
+Dictionary still_water(const Flavour& flavour) {
+    if (flavour.expressions())
+        return {{"type", Word("exprFixedValue")}, {"valueExpr", Quoted("neg(pos().z())")}, {"value", uniform(0.0)}};
+    constexpr double far = 1e5, edge = 1e-9;  // [m]
+    const List heights{List{-far, 1}, List{-edge, 1}, List{0, 0}, List{far, 0}};
+    return {{"type", Word("fixedProfile")},
+            {"profile", Dictionary{{"type", Word("table")}, {"values", heights}}},
+            {"direction", Vec3(0, 0, 1)},
+            {"origin", 0},
+            {"value", uniform(0.0)}};
+}
+
 }  // namespace
 
 /// 0/alpha.water: the volume fraction of water; setFields pours it in.
 std::string alpha_water(const CasePlan& plan) {
-    const auto open = [](const Patch& p) -> Dictionary {
+    const auto open = [&](const Patch& p) -> Dictionary {
         if (p.open == Patch::Open::resting_water)
             return {{"type", Word("inletOutlet")}, {"inletValue", uniform(1.0)}, {"value", uniform(1.0)}};
-        if (p.open == Patch::Open::water_and_air)  // still water is z = 0
-            return {{"type", Word("exprFixedValue")}, {"valueExpr", Quoted("neg(pos().z())")}, {"value", uniform(0.0)}};
+        if (p.open == Patch::Open::water_and_air) return still_water(plan.flavour);
         const Side side = p.side;
         if (side == Side::inlet) return {{"type", Word("fixedValue")}, {"value", uniform(0.0)}};
         if (side == Side::outlet)  // keeps what arrives, within 0..1

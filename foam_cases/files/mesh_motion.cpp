@@ -76,45 +76,56 @@ Dictionary free_body(const CasePlan& plan) {
         {"accelerationDamping", 1},  // anything else scales gravity too
         {"solver", symplectic ? Dictionary{{"type", Word("symplectic")}} : newmark(plan)},
         {"constraints", constraints(motion.free)}};
-    return {{"dynamicFvMesh", Word("dynamicMotionSolverFvMesh")},
-            {"motionSolverLibs", plan.flavour.library("sixDoFRigidBodyMotion")},
-            {"motionSolver", Word("sixDoFRigidBodyMotion")},
-            {"sixDoFRigidBodyMotionCoeffs", body}};
+    return plan.flavour.motion_solver("sixDoFRigidBodyMotion", "sixDoFRigidBodyMotion", body);
 }
 
-/// A table of the prescribed motion.
-std::string motion_table(const CasePlan& plan) {
+/// Where a prescribed body is, at the times of a table: the way along and the angles about the axes [deg].
+struct TableOfMotion {
+    List times, along, about, both;
+};
+
+TableOfMotion table_of_motion(const CasePlan& plan) {
     const MotionLaw& law = *plan.moving().motion.law;
-    List table;
+    TableOfMotion table;
     for (const double t : times_of_table(law, plan.scene->run.duration, plan.largest_step)) {
         const double path = law.at(t).path;
         const Vec3 along = law.turns ? Vec3(Vec3::Zero()) : Vec3(path * law.axis);
         const Vec3 about = law.turns ? Vec3(path * law.axis * 180 / std::numbers::pi) : Vec3(Vec3::Zero());
-        table.push_back(List{t, List{along, about}});
+        table.along.push_back(List{t, along});
+        table.about.push_back(List{t, about});
+        table.both.push_back(List{t, List{along, about}});
     }
-    return Value(table).text() + "\n";
+    return table;
 }
 
-Dictionary table_of_motion(const CasePlan& plan) {
-    const Value type = Word("tabulated6DoFMotion");
+Dictionary motion_function(const CasePlan& plan) {
+    const Flavour& f = plan.flavour;
+    const std::string type = f.tables_in_files() ? "tabulated6DoFMotion" : "sixDoFMotion";
     // the coefficients name the function once more: they alone are read again when a case is split for several cores
-    const Dictionary coefficients{{"solidBodyMotionFunction", type},
-                                  {"CofG", plan.moving().motion.mass.centre},
-                                  {"timeDataFileName", Quoted("<case>/constant/motionOfBody.dat")}};
-    return {{"solidBodyMotionFunction", type}, {"tabulated6DoFMotionCoeffs", coefficients}};
+    Dictionary coefficients{{"solidBodyMotionFunction", Word(type)}, {"CofG", plan.moving().motion.mass.centre}};
+    if (f.tables_in_files()) {
+        coefficients.add("timeDataFileName", Quoted("<case>/constant/motionOfBody.dat"));
+    } else {
+        const TableOfMotion table = table_of_motion(plan);
+        if (f.motion_in_parts())
+            coefficients.add(
+                {{"translation", f.table_of_times(table.along)}, {"rotation", f.table_of_times(table.about)}});
+        else
+            coefficients.add("translationRotation", f.table_of_times(table.both));
+    }
+    return {{"solidBodyMotionFunction", Word(type)}, {type + "Coeffs", coefficients}};
 }
 
 Dictionary moved_body(const CasePlan& plan) {
-    if (plan.mesh_motion.whole_mesh())
-        return {{"dynamicFvMesh", Word("dynamicMotionSolverFvMesh")},
-                {"motionSolver", Word("solidBody")},
-                {"solidBodyCoeffs", table_of_motion(plan)}};
-    return {{"dynamicFvMesh", Word("dynamicMotionSolverFvMesh")},
-            {"motionSolverLibs", plan.flavour.library("fvMotionSolvers")},
-            {"motionSolver", Word("displacementLaplacian")},
-            {"displacementLaplacianCoeffs",
-             Dictionary{{"diffusivity", Value::sequence({Word("quadratic inverseDistance"),
-                                                         List{Word(plan.bodies.front().patch)}})}}}};
+    if (plan.mesh_motion.whole_mesh()) {
+        Dictionary whole = motion_function(plan);
+        if (!plan.flavour.tables_in_files())
+            whole.add(plan.flavour.motion_in_parts() ? "cellZone" : "select", Word("all"));
+        return plan.flavour.motion_solver("solidBody", "", whole);
+    }
+    return plan.flavour.motion_solver(
+        "displacementLaplacian", "fvMotionSolvers",
+        {{"diffusivity", Value::sequence({Word("quadratic inverseDistance"), List{Word(plan.bodies.front().patch)}})}});
 }
 
 /// 0/pointDisplacement: where the mesh is morphed, walls, floor and top stay; else every point goes with the body.
@@ -129,9 +140,9 @@ std::string point_displacement(const CasePlan& plan) {
                                        : of_type(morphs ? "fixedValue" : "calculated"));
     for (const Solid& s : plan.solids) {
         if (s.moves && morphs && plan.moving().motion.law) {
-            Dictionary table = table_of_motion(plan);
-            boundary.add(s.name,
-                         Dictionary{{"type", Word("solidBodyMotionDisplacement")}}.add(table).add("value", nothing));
+            boundary.add(s.name, Dictionary{{"type", Word("solidBodyMotionDisplacement")}}
+                                     .add(motion_function(plan))
+                                     .add("value", nothing));
         } else {
             boundary.add(s.name, of_type(s.moves || !morphs ? "calculated" : "fixedValue"));
         }
@@ -148,7 +159,8 @@ std::vector<CaseFile> mesh_motion_files(const CasePlan& plan) {
     const Dictionary motion = plan.several_bodies() ? several_bodies(plan) : moved ? moved_body(plan) : free_body(plan);
     std::vector<CaseFile> files{{"constant/dynamicMeshDict", foam_file("dictionary", "dynamicMeshDict", motion)},
                                 {"0.orig/pointDisplacement", point_displacement(plan)}};
-    if (moved) files.push_back({"constant/motionOfBody.dat", motion_table(plan)});
+    if (moved && plan.flavour.tables_in_files())
+        files.push_back({"constant/motionOfBody.dat", Value(table_of_motion(plan).both).text() + "\n"});
     return files;
 }
 

@@ -57,17 +57,15 @@ Dictionary several_bodies(const CasePlan& plan) {
         append_by_joint(velocities, motion.free, motion.velocity, motion.spin);
         append_by_joint(accelerations, motion.free, Vec3(0, 0, first_rise(b.body, *plan.scene)), Vec3::Zero());
     }
-    return {{"dynamicFvMesh", Word("dynamicMotionSolverFvMesh")},
-            {"motionSolverLibs", plan.flavour.library("rigidBodyMeshMotion")},
-            {"motionSolver", Word("rigidBodyMotion")},
-            {"rigidBodyMotionCoeffs", Dictionary{{"report", true},
-                                                 {"solver", newmark(plan)},
-                                                 {"accelerationRelaxation", plan.relaxation},
-                                                 {"accelerationDamping", 1},  // anything else scales gravity too
-                                                 {"q", places},
-                                                 {"qDot", velocities},
-                                                 {"qDdot", accelerations},
-                                                 {"bodies", bodies}}}};
+    return plan.flavour.motion_solver("rigidBodyMotion", "rigidBodyMeshMotion",
+                                      {{"report", true},
+                                       {"solver", newmark(plan)},
+                                       {"accelerationRelaxation", plan.relaxation},
+                                       {"accelerationDamping", 1},  // anything else scales gravity too
+                                       {"q", places},
+                                       {"qDot", velocities},
+                                       {"qDdot", accelerations},
+                                       {"bodies", bodies}});
 }
 
 }  // namespace tw

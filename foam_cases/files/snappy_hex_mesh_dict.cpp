@@ -84,9 +84,9 @@ std::string snappy_hex_mesh_dict(const CasePlan& plan) {
     }
     for (const RefinementBox& b : plan.boxes) {
         geometry.add(b.name, Dictionary{{"type", Word("searchableBox")}, {"min", b.box.min}, {"max", b.box.max}});
-        regions.add(b.name, Dictionary{{"mode", Word("inside")},
-                                       {"level", List{1e15, b.level}},
-                                       {"levels", List{List{1e15, b.level}}}});
+        Dictionary region{{"mode", Word("inside")}};
+        if (plan.flavour.distance_in_box_level()) region.add("level", List{1e15, b.level});
+        regions.add(b.name, region.add("levels", List{List{1e15, b.level}}));
     }
     if (!plan.ribbon.empty()) {
         const List near{List{plan.shedding.reach, plan.wet_level + plan.shedding.halvings}};

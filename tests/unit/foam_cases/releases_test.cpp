@@ -2,10 +2,12 @@
 // lists follow the sources of the releases 7 to 13.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <sstream>
 
+#include "base/errors.h"
 #include "foam_cases/files/case_files.h"
 #include "scenes.h"
 
@@ -156,6 +158,160 @@ TEST_P(OpenFoamOrg, DrawsAFlatHullsLayerOutOfTheCaseItself) {
     ASSERT_EQ(patches.parts.at("patches").parts.size(), 2u);
     for (const auto& [number, patch] : patches.parts.at("patches").parts)
         EXPECT_TRUE(holds(patch.keys(), {"name", "patchInfo", "constructFrom", "patches"})) << number;
+}
+
+/// A box in water, open all round, whose mesh moves as a whole.
+Scene body_scene() {
+    Scene scene = dam_break_scene();
+    scene.domain.box = {Vec3(-1, 0, -1), Vec3(1, 0.02, 1)};
+    scene.water_blocks.clear();
+    scene.fvm.body_mesh = "whole";
+    MovingBody& b = scene.bodies.emplace_back();
+    b.name = "box";
+    b.surface = make_hull("box", {{"length", 0.2}, {"beam", 1}, {"height", 0.1}});
+    for (Vec3& p : b.surface.points) p.z() -= 0.5 + b.surface.bounds().max.z();
+    b.motion.mass = {10, Vec3(0, 0, -0.5), Eigen::Matrix3d::Identity()};
+    return scene;
+}
+
+MotionLaw swaying() {
+    MotionLaw law;
+    law.kind = MotionLaw::Kind::sinusoid, law.axis = Vec3::UnitX(), law.amplitude = 0.01, law.period = 0.5;
+    return law;
+}
+
+/// A function of time as rows of a time and one vector, or of a time and a list of vectors.
+void expect_table(const Read& table, int vectors) {
+    EXPECT_EQ(table.parts.at("type").words, "table");
+    EXPECT_EQ(table.parts.at("interpolationScheme").words, "spline");
+    int depth = 0, deepest = 0, numbers = 0, rows = 0;
+    std::istringstream words(table.parts.at("values").words);
+    for (std::string word; words >> word;) {
+        depth += (word == "(") - (word == ")");
+        deepest = std::max(deepest, depth);
+        rows += word == "(" && depth == 2;
+        numbers += word != "(" && word != ")";
+    }
+    EXPECT_EQ(deepest, vectors == 1 ? 3 : 4);
+    EXPECT_GT(rows, 20);
+    EXPECT_EQ(numbers, rows * (1 + 3 * vectors));
+}
+
+/// constant/dynamicMeshDict's mover, and that its libraries are those of the release.
+Read mover_of(const CasePlan& plan, const std::string& library) {
+    const std::vector<CaseFile> files = mesh_motion_files(plan);
+    EXPECT_EQ(files.size(), 2u) << "dynamicMeshDict and pointDisplacement";
+    const Read file = read_back(files.at(0).text);
+    EXPECT_EQ(file.keys(), std::set<std::string>{"mover"});
+    const Read& mover = file.parts.at("mover");
+    EXPECT_EQ(mover.parts.at("type").words, "motionSolver");
+    const std::string own = plan.flavour.number < 12 ? "\"libfvMeshMovers.so\" " : "";
+    EXPECT_EQ(mover.parts.at("libs").words, "( " + own + "\"lib" + library + ".so\" )");
+    return mover;
+}
+
+TEST_P(OpenFoamOrg, MovesBodiesAndTanksFromElevenOn) {
+    Scene free = body_scene(), tank = dam_break_scene();
+    free.bodies[0].motion.free = {{false, false, true}, {false, false, false}};
+    tank.tank_motion.emplace().law = swaying();
+    for (const Scene* scene : {&free, &tank}) {
+        std::string refusal;
+        try {
+            plan_case(*scene, flavour);
+        } catch (const InputError& e) { refusal = e.what(); }
+        EXPECT_EQ(refusal.empty(), GetParam() >= 11) << refusal;
+        const std::string found = "openfoam.org from 11, and this is openfoam.org " + std::to_string(GetParam());
+        EXPECT_TRUE(refusal.empty() || refusal.find(found) != std::string::npos) << refusal;
+    }
+}
+
+TEST_P(OpenFoamOrg, AFreeBodyIsMovedByAMover) {
+    if (GetParam() < 11) GTEST_SKIP() << "refused, see above";
+    Scene scene = body_scene();
+    scene.bodies[0].motion.free = {{false, false, true}, {false, true, false}};
+    const CasePlan plan = plan_case(scene, flavour);
+    const Read mover = mover_of(plan, "sixDoFRigidBodyMotion");
+    EXPECT_EQ(mover.parts.at("motionSolver").words, "sixDoFRigidBodyMotion");
+    EXPECT_TRUE(holds(mover.keys(), {"patches", "innerDistance", "outerDistance", "mass", "centreOfMass", "orientation",
+                                     "momentOfInertia", "velocity", "angularMomentum", "acceleration", "solver"}));
+    const Read control = read_back(control_dict(plan));
+    const auto& objects = control.parts.at("functions").parts;
+    EXPECT_EQ(objects.at("bodyState").parts.at("libs").words, "( \"libsixDoFRigidBodyState.so\" )");
+    ASSERT_TRUE(objects.contains("largestStep0"));
+    EXPECT_TRUE(objects.at("largestStep0").parts.contains("endTime")) << "timeEnd is a word of openfoam.com";
+    const Read water = read_back(alpha_water(plan)).parts.at("boundaryField");
+    int open = 0;
+    for (const auto& [name, patch] : water.parts) {
+        if (patch.parts.at("type").words != "fixedProfile") continue;
+        ++open;
+        EXPECT_TRUE(holds(patch.keys(), {"profile", "direction", "origin"})) << name;
+        EXPECT_EQ(patch.parts.at("profile").parts.at("type").words, "table");
+    }
+    EXPECT_EQ(open, 4) << "exprFixedValue is a type of openfoam.com";
+}
+
+TEST_P(OpenFoamOrg, APrescribedBodyFollowsATable) {
+    if (GetParam() < 11) GTEST_SKIP() << "refused, see above";
+    Scene scene = body_scene();
+    scene.bodies[0].motion.law = swaying();
+    const Read mover = mover_of(plan_case(scene, flavour), "fvMotionSolvers");
+    EXPECT_EQ(mover.parts.at("motionSolver").words, "solidBody");
+    EXPECT_EQ(mover.parts.at(GetParam() < 13 ? "select" : "cellZone").words, "all");
+    EXPECT_EQ(mover.parts.at("solidBodyMotionFunction").words, "sixDoFMotion");
+    const Read& motion = mover.parts.at("sixDoFMotionCoeffs");
+    EXPECT_TRUE(motion.parts.contains("CofG"));
+    if (GetParam() < 13) return expect_table(motion.parts.at("translationRotation"), 2);
+    expect_table(motion.parts.at("translation"), 1);
+    expect_table(motion.parts.at("rotation"), 1);
+}
+
+TEST_P(OpenFoamOrg, SeveralBodiesAreOneMover) {
+    if (GetParam() < 11) GTEST_SKIP() << "refused, see above";
+    Scene scene = body_scene();
+    scene.fvm.body_mesh = "morphing";
+    scene.bodies[0].surface = make_hull("box", {{"length", 0.2}, {"beam", 0.1}, {"height", 0.1}});
+    scene.bodies[0].motion.free = {{false, false, true}, {false, false, false}};
+    scene.bodies[0].motion.mass = {8, Vec3::Zero(), Eigen::Matrix3d::Identity()};
+    MovingBody second = scene.bodies[0];
+    second.name = "crate";
+    for (MovingBody* body : {&scene.bodies[0], &second}) {
+        const Vec3 to(body == &second ? 0.5 : -0.5, 0, 0);
+        for (Vec3& p : body->surface.points) p += to;
+        body->motion.mass.centre += to;
+    }
+    scene.bodies.push_back(second);
+    const Read mover = mover_of(plan_case(scene, flavour), "rigidBodyMeshMotion");
+    EXPECT_EQ(mover.parts.at("motionSolver").words, "rigidBodyMotion");
+    EXPECT_TRUE(holds(mover.keys(), {"report", "solver", "q", "qDot", "qDdot", "bodies"}));
+    EXPECT_EQ(mover.parts.at("bodies").parts.size(), 2u);
+    for (const auto& [name, body] : mover.parts.at("bodies").parts)
+        EXPECT_TRUE(holds(body.keys(), {"type", "parent", "mass", "centreOfMass", "inertia", "transform", "joint",
+                                        "patches", "innerDistance", "outerDistance"}))
+            << name;
+}
+
+TEST_P(OpenFoamOrg, ATanksAccelerationIsAModel) {
+    if (GetParam() < 11) GTEST_SKIP() << "refused, see above";
+    Scene scene = dam_break_scene();
+    scene.tank_motion.emplace().law = swaying();
+    const std::vector<CaseFile> files = tank_motion_files(plan_case(scene, flavour));
+    ASSERT_EQ(files.size(), 1u);
+    EXPECT_EQ(files[0].path, "constant/fvModels");
+    const Read model = read_back(files[0].text).parts.at("tank");
+    EXPECT_EQ(model.parts.at("type").words, "sixDoFAccelerationSource");
+    if (GetParam() < 13) return expect_table(model.parts.at("accelerations"), 3);
+    for (const char* part : {"acceleration", "angularVelocity", "angularAcceleration"})
+        expect_table(model.parts.at(part), 1);
+}
+
+// With `level` beside it, later releases would read the list of one distance and level as a number, and stop.
+TEST_P(OpenFoamOrg, RefinesBoxesByTheListOfLevelsAlone) {
+    const Scene scene = planing_scene();
+    const Read mesh = read_back(snappy_hex_mesh_dict(plan_case(scene, flavour)));
+    const Read& regions = mesh.parts.at("castellatedMeshControls").parts.at("refinementRegions");
+    ASSERT_GE(regions.parts.size(), 2u);
+    for (const auto& [name, region] : regions.parts)
+        EXPECT_EQ(region.keys(), (std::set<std::string>{"mode", "levels"})) << name;
 }
 
 INSTANTIATE_TEST_SUITE_P(Releases, OpenFoamOrg, testing::Range(7, 14));
