@@ -55,6 +55,20 @@ bool is_aligned_box(const Surface& s) {
     return true;
 }
 
+/// In two dimensions a solid that reaches the plane's front or back is drawn out beyond it: its ends would lie in the
+/// mesh's own sides, and snappyHexMesh would snap to either.
+Surface through_plane(Surface surface, const Domain& domain) {
+    if (domain.dimensions == 3) return surface;
+    const double low = domain.box.min.y(), high = domain.box.max.y(), thickness = high - low;
+    for (Vec3& p : surface.points) {
+        if (p.y() >= high - 0.01 * thickness)
+            p.y() += thickness;
+        else if (p.y() <= low + 0.01 * thickness)
+            p.y() -= thickness;
+    }
+    return surface;
+}
+
 Vec3 find_point_in_fluid(const CasePlan& plan) {
     const Box& b = plan.scene->domain.box;
     std::vector<SurfaceQuery> solids;
@@ -121,9 +135,11 @@ void plan_probes(CasePlan& plan) {
 void plan_refinement(CasePlan& plan) {
     const Scene& scene = *plan.scene;
     if (scene.domain.dimensions == 2) {  // cells of one size, but at the hull: its edges need more
+        // snappyHexMesh halves the slab across as well, and its time to move a mesh with `empty` sides grows with the
+        // square of the cells (docs/decisions/027-two-dimensional-hulls.md)
+        plan.extrude = !plan.solids.empty();
         if (!scene.hull && !plan.mesh_moves()) return;
         plan.surface_level = plan.feature_level = section_levels;
-        plan.extrude = plan.surface_level > 0;  // snappyHexMesh halves the slab across as well
         plan.finest_cell = plan.background_cell / std::pow(2.0, plan.surface_level);
         return;
     }
@@ -294,7 +310,7 @@ CasePlan plan_case(const Scene& scene, const Flavour& flavour) {
     for (const Obstacle& o : scene.obstacles) {
         std::string name = word_from(o.name, "obstacle");
         while (!names.insert(name).second) name += "_";
-        plan.solids.push_back({name, o.surface, false});
+        plan.solids.push_back({name, through_plane(o.surface, scene.domain), false});
     }
 
     if (scene.tank_motion) need_motion(flavour, "tanks");

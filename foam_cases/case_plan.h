@@ -63,7 +63,7 @@ struct CasePlan {
     std::vector<Solid> solids;         ///< the hull first
     std::vector<RefinementBox> boxes;  ///< names are OpenFOAM words, each once
     bool snappy = false;               ///< something has to be cut out or refined
-    bool extrude = false;  ///< two dimensions with refined cells: one layer is drawn out of the slab's front
+    bool extrude = false;              ///< two dimensions with solids: one layer is drawn out of the slab's front
     int wet_level = 0, surface_level = 0, feature_level = 0;
     EdgeRefinement shedding;                      ///< finer cells along the edges from which the stream leaves the hull
     std::string ribbon;                           ///< name of their surface, an OpenFOAM word; empty without such edges
