@@ -24,6 +24,15 @@ TEST(Cost, HalvingTheSpacingCostsSixteenTimes) {
     EXPECT_GT(fine.of("fvm").seconds / coarse.of("fvm").seconds, 12);  // meshing grows with the cells alone
 }
 
+// Processor time of snappyHexMesh, v1912, which makes most of it: 2.5, 8.1 and 1.7 s for the 26 423, 29 551 (a section)
+// and 21 798 cells of the studies demo_coarse, planing_plate and cylinder_entry.
+TEST(Cost, MeshingIsPartOfThePrediction) {
+    const Prediction p = predict(scene_of(with(tank, "duration = 1", "duration = 1e-9")));
+    EXPECT_LT(p.of("fvm").steps, 1);
+    EXPECT_GT(p.of("fvm").seconds, 8.1 / 29551 * p.cells * 0.9);
+    EXPECT_LT(p.of("fvm").seconds, 8.1 / 29551 * p.cells * 1.5);
+}
+
 TEST(Cost, TheReferenceMeshIsPredictedWithinATenth) {
     // Measured: 74 thousand cells (cells L/12, wet bottom beam/48, domain -5..9 x 0..4 x -3..2 m), with these levels.
     Scene s = scene_of(
