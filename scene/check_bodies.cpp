@@ -12,10 +12,12 @@
 namespace tw {
 namespace {
 
+bool apart(const Box& a, const Box& b, double gap) {
+    return ((a.min - b.max).array() > gap).any() || ((b.min - a.max).array() > gap).any();
+}
+
 /// Whether two closed surfaces come nearer to each other than `gap` [m], judged at corners and middles of triangles.
 bool meet(const Surface& a, const Surface& b, double gap) {
-    const Box at = a.bounds(), other = b.bounds();
-    if (((at.min - other.max).array() > gap).any() || ((other.min - at.max).array() > gap).any()) return false;
     const auto reaches = [gap](const Surface& from, const Surface& to) {
         const SurfaceQuery query(to);
         const auto within = [&](const Vec3& p) { return query.nearest(p, 2 * gap).distance < gap; };
@@ -156,6 +158,9 @@ void check_bodies(Scene& scene, Sections& s) {
     if (!std::ranges::all_of(scene.bodies, [](const MovingBody& b) { return b.motion.law && !b.elastic; }))
         check_scheme(scene, s.numerics.at("sph"));
     const double gap = scene.resolution.near_hull / 2;
+    std::vector<Box> boxes, of_obstacles;
+    for (const MovingBody& b : scene.bodies) boxes.push_back(b.surface.bounds());
+    for (const Obstacle& o : scene.obstacles) of_obstacles.push_back(o.surface.bounds());
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         MovingBody& body = scene.bodies[i];
         SceneSection& section = s.bodies[i];
@@ -167,13 +172,16 @@ void check_bodies(Scene& scene, Sections& s) {
             section.fail(where_key(section),
                          fmt::format("body {} starts in {} or within half a particle of it", body.name, other));
         };
-        for (const Obstacle& o : scene.obstacles)
-            if (!supported && meet(body.surface, o.surface, gap)) refuse("obstacle " + o.name);
-        if (scene.hull && meet(body.surface, scene.hull->surface, gap)) refuse("the hull");
+        const auto meets = [&](const Surface& other, const Box& box) {
+            return !apart(boxes[i], box, gap) && meet(body.surface, other, gap);
+        };
+        for (std::size_t k = 0; k < scene.obstacles.size() && !supported; ++k)
+            if (meets(scene.obstacles[k].surface, of_obstacles[k])) refuse("obstacle " + scene.obstacles[k].name);
+        if (scene.hull && meets(scene.hull->surface, scene.hull->surface.bounds())) refuse("the hull");
         for (std::size_t j = 0; j < i; ++j)
-            if (meet(body.surface, scene.bodies[j].surface, gap)) refuse("body " + scene.bodies[j].name);
+            if (meets(scene.bodies[j].surface, boxes[j])) refuse("body " + scene.bodies[j].name);
         note_centre("body " + body.name, body.surface, body.motion.mass.centre, body.findings);
-        const Vec3 size = body.surface.bounds().size();
+        const Vec3 size = boxes[i].size();
         const double smallest = scene.domain.dimensions == 2 ? std::min(size.x(), size.z()) : size.minCoeff();
         if (smallest < 6 * scene.resolution.near_hull)
             body.findings.push_back(

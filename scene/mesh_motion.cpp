@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 #include "base/errors.h"
@@ -94,12 +95,31 @@ bool moves_vertically(const MovingBody& body) {
     return !f.along[0] && !f.along[1] && !f.about[0] && !f.about[1] && !f.about[2];
 }
 
-/// From the corners of either surface to the other one [m].
-double gap_between(const Surface& a, const Surface& b) {
+/// A solid whose distances to others are asked for. Its tree is built when it is needed: of many solids few come near
+/// another.
+class Solid {
+public:
+    explicit Solid(const Surface& surface) : surface_(surface), bounds_(surface.bounds()) {}
+    const Surface& surface() const { return surface_; }
+    const Box& bounds() const { return bounds_; }
+    const SurfaceQuery& query() const {
+        if (!query_) query_ = std::make_unique<SurfaceQuery>(surface_);
+        return *query_;
+    }
+
+private:
+    const Surface& surface_;
+    Box bounds_;
+    mutable std::unique_ptr<SurfaceQuery> query_;
+};
+
+/// From the corners of either surface to the other one [m]; infinite where their boxes are `most` or more apart.
+double gap_between(const Solid& a, const Solid& b, double most) {
     double nearest = HUGE_VAL;
-    const auto look = [&](const Surface& from, const Surface& to) {
-        const SurfaceQuery query(to);
-        for (const Vec3& p : from.points) nearest = std::min(nearest, query.nearest(p).distance);
+    const Box &at = a.bounds(), &other = b.bounds();
+    if ((other.min - at.max).cwiseMax(at.min - other.max).maxCoeff() >= most) return nearest;
+    const auto look = [&](const Solid& from, const Solid& to) {
+        for (const Vec3& p : from.surface().points) nearest = std::min(nearest, to.query().nearest(p).distance);
     };
     look(a, b);
     look(b, a);
@@ -108,8 +128,8 @@ double gap_between(const Surface& a, const Surface& b) {
 
 /// Distance from the body to what stays where it is while the mesh is morphed: floor, top, obstacles, inlet and outlet,
 /// and, unless the body moves along them, the sides [m].
-double clearance_of(const MovingBody& body, const Scene& scene) {
-    const Box at = body.surface.bounds(), &box = scene.domain.box;
+double clearance_of(const MovingBody& body, const Solid& solid, const std::vector<Solid>& at_rest, const Scene& scene) {
+    const Box &at = solid.bounds(), &box = scene.domain.box;
     double nearest = std::min(at.min.z() - box.min.z(), box.max.z() - at.max.z());
     const bool along_walls = moves_vertically(body);
     if (!along_walls || scene.motion.kind == Motion::Kind::stream)
@@ -118,9 +138,16 @@ double clearance_of(const MovingBody& body, const Scene& scene) {
         nearest = std::min(nearest, box.max.y() - at.max.y());
         if (scene.domain.y_min != Side::symmetry) nearest = std::min(nearest, at.min.y() - box.min.y());
     }
-    for (const Obstacle& o : scene.obstacles) nearest = std::min(nearest, gap_between(body.surface, o.surface));
-    if (scene.hull && !scene.hull->free) nearest = std::min(nearest, gap_between(body.surface, scene.hull->surface));
+    for (const Solid& other : at_rest) nearest = std::min(nearest, gap_between(solid, other, nearest));
     return nearest;
+}
+
+/// Obstacles, and the hull unless it is free.
+std::vector<Solid> solids_at_rest(const Scene& scene) {
+    std::vector<Solid> solids;
+    for (const Obstacle& o : scene.obstacles) solids.emplace_back(o.surface);
+    if (scene.hull && !scene.hull->free) solids.emplace_back(scene.hull->surface);
+    return solids;
 }
 
 [[noreturn]] void refuse(const Scene& scene, const std::string& key, const std::string& why) {
@@ -217,8 +244,10 @@ MeshMotion motion_of_several(const std::vector<MovingBody>& bodies, const Scene&
     const auto limit = [&](double to, const std::string& name, const std::string& what) {
         if (to < room) room = to, tightest = name, between = what;
     };
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        const MovingBody& body = bodies[i];
+    const std::vector<Solid> at_rest = solids_at_rest(scene);
+    std::vector<Solid> solids;
+    for (const MovingBody& body : bodies) {
+        const Solid& solid = solids.emplace_back(body.surface);
         if (body.motion.law)
             refuse(scene, "run.methods",
                    fmt::format("body {} has a prescribed motion beside another body, and the mesh method moves several "
@@ -229,10 +258,10 @@ MeshMotion motion_of_several(const std::vector<MovingBody>& bodies, const Scene&
         bound_travel(body, scene, own);
         const double most = std::hypot(std::max(own.down, own.up), own.aside);
         if (most >= way) way = most, farthest = body.name;
-        limit(clearance_of(body, scene), body.name, "what stays where it is");
-        for (std::size_t j = 0; j < i; ++j)
-            limit(gap_between(body.surface, bodies[j].surface) / 2, body.name,
-                  "the middle between it and body " + bodies[j].name);
+        limit(clearance_of(body, solid, at_rest, scene), body.name, "what stays where it is");
+        for (std::size_t j = 0; j + 1 < solids.size(); ++j)
+            if (const double gap = gap_between(solid, solids[j], 2 * room); gap < 2 * room)
+                limit(gap / 2, body.name, "the middle between it and body " + bodies[j].name);
     }
     m.outer = 0.98 * room;
     m.inner = 0.05 * m.outer;
@@ -281,7 +310,7 @@ MeshMotion mesh_motion(const Scene& scene) {
     if (followed.size() > 1) return motion_of_several(followed, scene);
     const MovingBody& body = followed.front();
     if (!free_hull) bound_travel(body, scene, m);  // what a stream makes of a hull is what the run is for
-    const double clearance = clearance_of(body, scene);
+    const double clearance = clearance_of(body, Solid(body.surface), solids_at_rest(scene), scene);
     m.outer = 0.98 * clearance;
     m.inner = 0.05 * m.outer;
     const std::string& asked = scene.fvm.body_mesh;

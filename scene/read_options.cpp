@@ -1,4 +1,5 @@
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -86,9 +87,10 @@ std::optional<double> read_sampling(SceneSection& s, std::vector<SceneSection>& 
     s.read_into(scene);
     s.finish();
     Sampling& sampling = scene.sampling;
-    const auto refuse_taken = [](const auto& others, const std::string& name, const SceneSection& p) {
-        for (const auto& other : others)
-            if (other.name == name) p.fail("name", fmt::format("the name {} is taken; give every probe its own", name));
+    std::set<std::string> of_pressures, of_heights;
+    const auto take = [](std::set<std::string>& taken, const std::string& name, const SceneSection& p) {
+        if (!taken.insert(name).second)
+            p.fail("name", fmt::format("the name {} is taken; give every probe its own", name));
     };
     for (SceneSection& p : probes) {
         const auto pressure = p.vector("pressure");
@@ -97,11 +99,11 @@ std::optional<double> read_sampling(SceneSection& s, std::vector<SceneSection>& 
             p.fail("pressure", "expected either pressure = [x, y, z] or height = [x, y]");
         if (pressure) {
             const std::string name = p.identifier("name", fmt::format("P{}", sampling.pressure.size() + 1));
-            refuse_taken(sampling.pressure, name, p);
+            take(of_pressures, name, p);
             sampling.pressure.push_back({name, *pressure});
         } else {
             const std::string name = p.identifier("name", fmt::format("H{}", sampling.height.size() + 1));
-            refuse_taken(sampling.height, name, p);
+            take(of_heights, name, p);
             sampling.height.push_back({name, (*height)[0], (*height)[1]});
         }
         p.finish();

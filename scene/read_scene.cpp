@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <set>
 
 #include "base/atomic_file.h"
 #include "base/errors.h"
@@ -85,11 +86,10 @@ void note_places(const Sections& s, Scene& scene) {
 
 template <class List>
 void refuse_same_names(const List& items, std::vector<SceneSection>& sections) {
+    std::set<std::string> taken;
     for (std::size_t i = 0; i < items.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-            if (items[i].name == items[j].name)
-                sections[i].fail("name",
-                                 fmt::format("'{}' is taken already; give every one its own name", items[i].name));
+        if (!taken.insert(items[i].name).second)
+            sections[i].fail("name", fmt::format("'{}' is taken already; give every one its own name", items[i].name));
 }
 
 }  // namespace
