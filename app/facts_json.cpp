@@ -97,9 +97,11 @@ std::string check_json(const Scene& scene, const Prediction& p) {
                          {"seconds", s.seconds},
                          {"dt", s.dt}});
     Json predicted = Json::object();
-    for (const MethodCost& cost : p.costs)
-        predicted[cost.method] = {{"seconds", cost.seconds}, {"bytes", cost.bytes}, {"steps", std::round(cost.steps)}};
-    predicted["sph"]["sizes"] = sizes;
+    for (const std::string& method : scene.run.methods) {
+        const MethodCost& cost = p.of(method);
+        predicted[method] = {{"seconds", cost.seconds}, {"bytes", cost.bytes}, {"steps", std::round(cost.steps)}};
+        if (method == "sph") predicted[method]["sizes"] = sizes;
+    }
     const WallEffect walls = wall_effect(scene);
     return written({{"title", scene.title},
                     {"scene_hash", scene.hash},

@@ -70,6 +70,11 @@ std::string hull_text(const Hull& h) {
     return out;
 }
 
+/// Whether the scene asks for runs by a method; what the others would take is predicted as well.
+bool is_run(const std::string& method, const Scene& scene) {
+    return std::ranges::find(scene.run.methods, method) != scene.run.methods.end();
+}
+
 /// What the oscillation after the start asks of the duration, and what that costs.
 std::string start_up_text(const Scene& scene, const Prediction& p) {
     const double period = start_up_period(scene), wanted = default_duration(scene);
@@ -89,9 +94,12 @@ std::string start_up_text(const Scene& scene, const Prediction& p) {
     if (!(rest > 0)) return out + "the run is long enough for it\n";
     out +=
         fmt::format("waiting for one and averaging over three takes {:.0f} % of this\n            run: ", 100 * rest);
-    for (const MethodCost& cost : p.costs)
-        out += fmt::format("{}{} {}", &cost == &p.costs.front() ? "" : ", ", cost.method,
-                           time_in_words(rest * cost.seconds));
+    const char* between = "";
+    for (const MethodCost& cost : p.costs) {
+        if (!is_run(cost.method, scene)) continue;
+        out += fmt::format("{}{} {}", between, cost.method, time_in_words(rest * cost.seconds));
+        between = ", ";
+    }
     return out + "\n";
 }
 
@@ -220,7 +228,7 @@ std::string to_text(const Scene& scene, const Prediction& p) {
             out += fmt::format("            through {} m\n", place(scene.tank_motion->pivot));
     }
     for (const MovingBody& b : scene.bodies) out += body_text(b, scene);
-    if (std::ranges::find(scene.run.methods, "fvm") != scene.run.methods.end())
+    if (is_run("fvm", scene))
         if (const std::string mesh = mesh_motion(scene).sentence(); !mesh.empty()) out += "  fvm       " + mesh + "\n";
     for (const Box& b : scene.water_blocks)
         out += fmt::format("water       block {} to {} m\n", place(b.min), place(b.max));
@@ -287,6 +295,7 @@ std::string to_text(const Scene& scene, const Prediction& p) {
         "\npredicted for this machine (two significant digits at best; drawing the report takes {:.2g} GB at least)\n",
         bytes_of_report / 1e9);
     for (const MethodCost& cost : p.costs) {
+        if (!is_run(cost.method, scene)) continue;
         out += fmt::format("  {:4} {}, {} steps, {:.2g} GB, {}\n", cost.method, cost.in_words, plain_number(cost.steps),
                            cost.bytes / 1e9, time_in_words(cost.seconds));
         if (elements_of(cost.method) == "particles") out += sizes_text(scene, p, cost);
