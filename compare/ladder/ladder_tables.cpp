@@ -54,7 +54,7 @@ ReportTable ladder_verdicts(const Ladder& ladder) {
             if (matrix) row.cells.emplace_back(ladder.sides[d.b].method + " − " + ladder.sides[d.a].method);
             row.remark = ladder.sides.size() > 1 ? d.reason : "";
             row.cells.emplace_back(signed_text(d.difference, d.interval));
-            row.cells.emplace_back(per_cent_text(d.per_cent, d.size > 0 ? 100 * d.interval / d.size : std::nan("")));
+            row.cells.emplace_back(difference_text(d.per_cent, d.size > 0 ? 100 * d.interval / d.size : std::nan("")));
             row.cells.push_back(verdict_cell(d.verdict));
             table.rows.push_back(row);
             row = {std::vector<ReportCell>(2 + q.values.size())};  // its values stand once

@@ -8,6 +8,7 @@
 #include "compare/report/numbers.h"
 #include "compare/verdict/decide.h"
 #include "compare/verdict/judge.h"
+#include "compare/verdict/sentence.h"
 
 namespace tw {
 
@@ -83,6 +84,9 @@ std::string remedy(const Term& term, const LadderDifference& d, const LadderQuan
                            q.unit,
                            e.levels.size() > 3 ? "sizes between these narrow the interval"
                                                : "three do not tell it from a trend; twinwake ladder runs more");
+    if (term.kind == Term::discretisation && d.seconds_to_target > longest_runs)
+        return fmt::format("finer runs of {} would not suffice, by the slopes of this ladder",
+                           about_text(longest_runs));
     if (term.kind == Term::discretisation && std::isfinite(d.seconds_to_target))
         return fmt::format("finer runs of {} would suffice, by the slopes of this ladder",
                            about_text(d.seconds_to_target));

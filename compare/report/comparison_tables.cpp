@@ -99,7 +99,7 @@ ReportTable quantities_table(const Comparison& c, bool judged) {
                         (row.remark.empty() ? "" : "; ") + c.names[d.b] + " − " + c.names[d.a] + ": " + d.remark;
             }
             row.cells.emplace_back(signed_text(d.difference, d.interval));
-            row.cells.emplace_back(per_cent_text(d.per_cent, relative_interval(d)));
+            row.cells.emplace_back(difference_text(d.per_cent, relative_interval(d)));
             if (judged) row.cells.push_back(verdict_cell(d.verdict));
             table.rows.push_back(row);
             row = {std::vector<ReportCell>(2 + c.sources.size())};

@@ -65,6 +65,10 @@ std::string per_cent_text(double per_cent, double interval) {
                                         : fmt::format("{:.{}f}", interval, places));
 }
 
+std::string difference_text(double per_cent, double interval) {
+    return std::abs(per_cent) > 150 ? "too far apart for per cent" : per_cent_text(per_cent, interval);
+}
+
 std::string share_text(double per_cent) {
     const double size = std::abs(per_cent);
     if (size >= 9.95) return fmt::format("{:.0f} %", size);

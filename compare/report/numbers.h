@@ -15,6 +15,9 @@ std::string per_cent_text(double per_cent);                ///< "+3.2 %", "–" 
 /// "+3.2 ± 9.0 %", "+3.2 %, no interval" without one, "–" when not finite.
 std::string per_cent_text(double per_cent, double interval);
 inline constexpr double least_per_cent = 0.01;  ///< of a size in per cent that words tell from nothing
+/// The same of two methods' difference over their mean: where that is more than 150 % one is nearly nothing, or of the
+/// other sign, and no per cent tell how far apart they are.
+std::string difference_text(double per_cent, double interval);
 std::string share_text(double per_cent);        ///< a size in per cent without sign: "9.0 %", "23 %", at least "0.01 %"
 /// Seconds as people say them: "42 s", "13 min", "2.4 h", "9 days".
 std::string time_text(double seconds);

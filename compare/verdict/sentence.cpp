@@ -14,14 +14,23 @@ namespace tw {
 
 namespace {
 
+/// Whether one of two values is nothing beside the other: per cent of their mean would be 200 however near to nothing.
+bool one_is_nothing(const Statement& s) {
+    if (s.values.size() != 2) return s.values.size() == 1 && s.values[0] == 0;
+    const double a = std::abs(s.values[0]), b = std::abs(s.values[1]);
+    return std::min(a, b) <= 0.05 * std::max(a, b);
+}
+
 /// "SPH 3.1 % above interFoam", in magnitude where both are negative.
 std::string apart_text(const Statement& s) {
     const std::string a = method_label(s.methods[0]), b = method_label(s.methods[1]);
-    if (!(s.size > 0)) return fmt::format("{} and {} are both 0", a, b);
-    for (const auto& [zero, other] : {std::pair{0, 1}, std::pair{1, 0}})
-        if (s.values[zero] == 0 && s.values[other] != 0)
-            return fmt::format("{} {} {}, {} 0", other == 0 ? a : b, value_text(s.values[other], 0), s.unit,
-                               zero == 0 ? a : b);
+    if (!(s.size > 0) || (s.values[0] == 0 && s.values[1] == 0)) return fmt::format("{} and {} are both 0", a, b);
+    if (one_is_nothing(s)) {
+        const int larger = std::abs(s.values[0]) > std::abs(s.values[1]) ? 0 : 1, nothing = 1 - larger;
+        const double rest = s.values[nothing];
+        return fmt::format("{} {} {}, {} {}", larger == 0 ? a : b, value_text(s.values[larger], 0), s.unit,
+                           nothing == 0 ? a : b, rest == 0 ? "0" : plain_number(rest, 2) + " " + s.unit);
+    }
     const double per_cent = 100 * std::abs(s.values[1] - s.values[0]) / s.size;
     if (s.values[0] * s.values[1] < 0)
         return fmt::format("{} and {} are {} apart, of opposite sign", a, b, share_text(per_cent));
@@ -31,10 +40,9 @@ std::string apart_text(const Statement& s) {
     return fmt::format("{} {} {} {}{}", a, share_text(per_cent), where, b, negative ? " in magnitude" : "");
 }
 
-/// In per cent of the values, or in their unit where one is zero.
+/// In per cent of the values, or in their unit where one is nothing.
 std::string plus_minus(double U, const Statement& s) {
-    const bool zero = std::ranges::find(s.values, 0.0) != s.values.end();
-    return s.size > 0 && !zero ? "±" + share_text(100 * U / s.size) : fmt::format("±{} {}", plain_number(U, 2), s.unit);
+    return s.size > 0 && !one_is_nothing(s) ? "±" + share_text(100 * U / s.size) : fmt::format("±{} {}", plain_number(U, 2), s.unit);
 }
 
 /// "discretisation error ±9 %" where one part is all that matters, else "uncertainty ±9 % (discretisation error ±7 %, ...)".
@@ -60,6 +68,9 @@ std::string one_method(const Statement& s) {
 
 std::string remedy(const Statement& s) {
     if (!std::isfinite(s.seconds_to_target)) return {};
+    if (s.seconds_to_target > longest_runs)
+        return fmt::format("; further runs of {} would not bring it to ±{}", time_text(longest_runs),
+                           share_text(100 * s.target));
     return fmt::format("; {} of further runs would bring it to ±{}", time_text(s.seconds_to_target),
                        share_text(100 * s.target));
 }

@@ -21,6 +21,10 @@ TEST(Sentence, CanBeForwardedAsItIs) {
         sentence_of(s),
         "Lift: SPH 3.3 % above interFoam, discretisation error ±9.0 %: no difference shown; 40 min of further runs "
         "would bring it to ±5.0 %.");
+    s.seconds_to_target = 110 * 86400.0;  // of a row that is nowhere near it
+    EXPECT_EQ(sentence_of(s),
+              "Lift: SPH 3.3 % above interFoam, discretisation error ±9.0 %: no difference shown; further runs of "
+              "30 days would not bring it to ±5.0 %.");
     s.seconds_to_target = nan;  // not known: nothing is promised
     EXPECT_EQ(sentence_of(s), "Lift: SPH 3.3 % above interFoam, discretisation error ±9.0 %: no difference shown.");
     s.verdict = Verdict::differ, s.interval = s.discretisation = 0.02 * 3050;
@@ -58,6 +62,18 @@ TEST(Sentence, OfZerosHasItsIntervalInTheirUnit) {
               "Splash height: SPH and interFoam are both 0, scatter of the mean ±0.14 m: no difference shown.");
     s.values = {0.15, 0}, s.size = 0.075, s.verdict = Verdict::differ, s.interval = s.statistics = 0.03;
     EXPECT_EQ(sentence_of(s), "Splash height: SPH 0.1500 m, interFoam 0, scatter of the mean ±0.03 m: they differ.");
+}
+
+/// Per cent of the mean of something and nearly nothing are 200, whatever the nothing is.
+TEST(Sentence, OfAValueThatIsNothingBesideTheOtherHasBothInTheirUnit) {
+    Statement s = lift();
+    s.label = "Suction on hull", s.values = {0.3, 61}, s.size = 30.65, s.interval = s.discretisation = 9;
+    s.statistics = 0, s.verdict = Verdict::differ;
+    EXPECT_EQ(sentence_of(s), "Suction on hull: interFoam 61.00 N, SPH 0.3 N, discretisation error ±9 N: they differ.");
+    s.values = {3.5, 61};
+    EXPECT_NE(sentence_of(s).find("SPH 188 % below interFoam"), std::string::npos) << sentence_of(s);
+    EXPECT_EQ(difference_text(-200, 30), "too far apart for per cent");
+    EXPECT_EQ(difference_text(-31.4, 9.04), "−31 ± 9 %");
 }
 
 TEST(Sentence, NegativeValuesAreComparedInMagnitude) {
