@@ -7,8 +7,6 @@
 namespace tw {
 
 std::string why_not_over_ranks(const Scene& scene) {
-    if (scene.effect_on("air"))
-        return "air: water and air are divided together, and that is not finished (air = off can)";
     if (!scene.sph.gate_point.empty())
         return "the spray gate: what hangs together is found by a search through all particles";
     return {};
