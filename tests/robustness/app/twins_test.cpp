@@ -158,7 +158,7 @@ TEST_F(Command, ARunWithABudgetGoesOnAtTheSizesItBeganWith) {
     };
     const Outcome other = run({"--out", "out", "--budget", "2h"});
     EXPECT_EQ(other.status, 2);
-    EXPECT_TRUE(has(other.err, "chosen for --budget 60 min")) << other.err;
+    EXPECT_TRUE(has(other.err, "chosen for --budget 3600 s")) << other.err;
     const Outcome o = run({"--out", "out", "--budget", "1h"});
     ASSERT_EQ(o.status, 0) << o.err;
     EXPECT_TRUE(has(o.out, "near_hull = 0.025 m, 1.25 times the scene's size")) << o.out;
