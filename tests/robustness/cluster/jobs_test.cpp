@@ -81,7 +81,7 @@ TEST_F(Command, ABudgetHoldsForJobsByWhatIsPredicted) {
 TEST_F(Command, AMemberIsRefusedByNumberAndByFolder) {
     EXPECT_TRUE(has(twinwake({"member", "nowhere", "0"}).err, "no study has been submitted or run with --jobs there"));
     write("out/study/study.json", "{\"out\": 3}");
-    EXPECT_TRUE(has(twinwake({"member", "out", "0"}).err, "is not a study as this version writes it"));
+    EXPECT_TRUE(has(twinwake({"member", "out", "0"}).err, "is not as this version writes it"));
     write("column.toml", small_column);
     EXPECT_EQ(twinwake(ladder_of("column.toml", "out", {"--emit", "snakemake"})).status, 0);
     EXPECT_TRUE(has(twinwake({"member", "out", "5"}).err, "this study has 5 runs, numbered from 0"));
