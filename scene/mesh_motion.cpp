@@ -225,10 +225,10 @@ void check_turn(const MovingBody& body, const Scene& scene) {
             const Vec3 &centre = body.motion.mass.centre, at = centre + turn * (Vec3(of(0), of(1), of(2)) - centre);
             const bool top = corner >> 2;
             if (top ? at.z() > 0 : at.z() < 0) continue;
-            refuse(scene, "run.methods",
+            refuse(scene, scene.places.contains("run.methods") ? "run.methods" : top ? "tank.max" : "tank.min",
                    fmt::format("body {} turns the whole mesh with it, and at t = {:.3g} s, turned by {:.3g} deg, a "
                                "corner of the mesh's {} still water: the mesh method does not solve such turns; "
-                               "expected methods = [\"sph\"], --method sph, or a smaller turn",
+                               "expected methods = [\"sph\"], --method sph, a smaller turn, or a shorter duration",
                                body.name, t, std::abs(path) * 180 / std::numbers::pi,
                                top ? "top goes below" : "floor comes above"));
         }

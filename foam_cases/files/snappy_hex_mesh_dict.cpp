@@ -74,9 +74,13 @@ Dictionary no_layers() {
 std::string snappy_hex_mesh_dict(const CasePlan& plan) {
     Dictionary geometry, surfaces, regions;
     List features;
+    // openfoam.org 12 wants the file; others take it from the name of the entry, and allow this as well
+    const auto surface_of = [](const std::string& name) {
+        return Dictionary{{"type", Word("triSurfaceMesh")}, {"file", Quoted(name + ".stl")}, {"name", Word(name)}};
+    };
     for (const Solid& s : plan.solids) {
         const int level = s.is_hull ? plan.surface_level : std::max(plan.surface_level, plan.wet_level);
-        geometry.add(s.name + ".stl", Dictionary{{"type", Word("triSurfaceMesh")}, {"name", Word(s.name)}});
+        geometry.add(s.name + ".stl", surface_of(s.name));
         features.push_back(
             Dictionary{{"file", Quoted(s.name + ".eMesh")}, {"level", s.is_hull ? plan.feature_level : level}});
         surfaces.add(s.name,
@@ -90,7 +94,7 @@ std::string snappy_hex_mesh_dict(const CasePlan& plan) {
     }
     if (!plan.ribbon.empty()) {
         const List near{List{plan.shedding.reach, plan.wet_level + plan.shedding.halvings}};
-        geometry.add(plan.ribbon + ".stl", Dictionary{{"type", Word("triSurfaceMesh")}, {"name", Word(plan.ribbon)}});
+        geometry.add(plan.ribbon + ".stl", surface_of(plan.ribbon));
         regions.add(plan.ribbon, Dictionary{{"mode", Word("distance")}, {"levels", near}});
     }
     const Dictionary castellation{{"maxLocalCells", 100000000},

@@ -83,4 +83,8 @@ FieldFile read_field(const std::filesystem::path& file) {
     return field;
 }
 
+std::string cell_volumes_in(const std::filesystem::path& time_folder) {
+    return std::filesystem::exists(time_folder / "Vc") ? "Vc" : "V";
+}
+
 }  // namespace tw

@@ -24,4 +24,7 @@ struct FieldFile {
 /// Throws RunError naming the file: not there, another class, cut off.
 FieldFile read_field(const std::filesystem::path& file);
 
+/// The field of cell volumes in a time folder: V, or Vc as openfoam.org writes it from 12 on.
+std::string cell_volumes_in(const std::filesystem::path& time_folder);
+
 }  // namespace tw

@@ -59,7 +59,7 @@ FrameReader::FrameReader(const CasePlan& plan, const fs::path& case_folder)
 }
 
 FrameReader::Part FrameReader::read_part(const fs::path& folder) {
-    const FieldFile centres = read_field(folder / "C"), volumes = read_field(folder / "V");
+    const FieldFile centres = read_field(folder / "C"), volumes = read_field(folder / cell_volumes_in(folder));
     Part part;
     const std::size_t n = std::max(centres.uniform ? 0 : centres.cells(), volumes.uniform ? 0 : volumes.cells());
     for (std::size_t i = 0; i < n; ++i) {

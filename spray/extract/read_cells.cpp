@@ -27,7 +27,8 @@ std::vector<FrameFile> foam_frames(const fs::path& run, const FrameRange& range)
 WaterFrame read_cells(const FrameFile& from, double least, double& left_out) {
     const fs::path folder = from.file.parent_path();
     const FoamFields mesh(folder, 0, FoamFields::At::cells), state(folder, from.time, FoamFields::At::cells);
-    vtkDataArray &centre = mesh.field("C", 3), &volume = mesh.field("V", 1), &alpha = state.field("alpha.water", 1),
+    // openfoam.org writes the volumes as Vc from 12 on
+    vtkDataArray &centre = mesh.field("C", 3), &volume = mesh.field(mesh.has("Vc") ? "Vc" : "V", 1), &alpha = state.field("alpha.water", 1),
                  &u = state.field("U", 3);
     if (mesh.grid().GetNumberOfCells() != state.grid().GetNumberOfCells())
         throw InputError(folder.string() + ": its mesh changes with time, which is not read here");
@@ -35,7 +36,7 @@ WaterFrame read_cells(const FrameFile& from, double least, double& left_out) {
     frame.time = from.time;
     for (vtkIdType i = 0; i < mesh.grid().GetNumberOfCells(); ++i) {
         const double share = std::clamp(alpha.GetTuple1(i), 0.0, 1.0), cell = volume.GetTuple1(i);
-        if (!(cell > 0)) throw InputError(folder.string() + ": a cell without volume in field V");
+        if (!(cell > 0)) throw InputError(folder.string() + ": a cell without volume");
         if (share < least) {
             left_out += share * cell;
             continue;

@@ -68,6 +68,11 @@ FoamFields::FoamFields(const fs::path& folder, double time, At at) : folder_(fol
     }
 }
 
+bool FoamFields::has(const char* name) const {
+    return (at_ == At::points ? static_cast<vtkDataSetAttributes*>(grid_->GetPointData()) : grid_->GetCellData())
+               ->GetArray(name) != nullptr;
+}
+
 vtkDataArray& FoamFields::field(const char* name, int components) const {
     vtkDataSetAttributes* fields = grid_->GetCellData();
     vtkIdType count = grid_->GetNumberOfCells();

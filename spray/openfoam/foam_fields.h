@@ -23,6 +23,7 @@ public:
     FoamFields(const std::filesystem::path& folder, double time, At at);
 
     vtkUnstructuredGrid& grid() const { return *grid_; }
+    bool has(const char* name) const;
     /// A field of that many components. Throws InputError naming the case, the field and the time: it is not there.
     vtkDataArray& field(const char* name, int components) const;
 

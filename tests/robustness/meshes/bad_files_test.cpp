@@ -270,7 +270,7 @@ TEST_F(BadFiles, CompressedFiles) {
     EXPECT_NE(complaint(file("damaged.stl.gz", damaged)), "");
     expect_complaint(file("bomb.stl.gz", gzipped(std::string(300'000'000, ' '))), "unpacks to more than");
     expect_complaint(file("empty.stl.gz", gzipped("")), "nothing is in it");
-    expect_complaint(file("hull.dwg.gz", packed), "not from \".step.gz\"");
+    expect_complaint(file("hull.dwg.gz", packed), "not from \".dwg.gz\"");
     expect_complaint(file("hull.gz", packed), ".stl.gz");
 }
 

@@ -81,6 +81,14 @@ TEST_F(ReadTest, FilesThatAreCutOffOrOfAnotherClassAreErrorsThatNameThem) {
     } catch (const RunError& e) { EXPECT_NE(std::string(e.what()).find("missing"), std::string::npos); }
 }
 
+TEST_F(ReadTest, CellVolumesHaveTheNameThatTheReleaseGivesThem) {
+    std::ofstream(folder / "V") << "";
+    EXPECT_EQ(cell_volumes_in(folder), "V");
+    fs::remove(folder / "V");
+    std::ofstream(folder / "Vc") << "";
+    EXPECT_EQ(cell_volumes_in(folder), "Vc") << "openfoam.org 12";
+}
+
 /// A box in still water, 0.3 m wide, its top `above` the surface; pressure rho g depth on it, all faces wet below z =
 /// 0.
 HullPatch box_in_water(const fs::path& folder, double above) {
