@@ -27,8 +27,8 @@ namespace {
 
 /// The machine of the model: a rank is a core of a node with 64, which share a network card of 25 GB/s.
 struct Machine {
-    double pace = 2.0e6;          ///< evaluations of the largest density of pairs that a core makes a second
-    double latency = 2e-6;        ///< of a message [s]
+    double pace = 2.0e6;           ///< evaluations of the largest density of pairs that a core makes a second
+    double latency = 2e-6;         ///< of a message [s]
     double bandwidth = 25e9 / 64;  ///< of a rank [B/s]
 };
 /// What was counted on four ranks with two sizes (bench_ranks): for each step of one size.

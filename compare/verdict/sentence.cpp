@@ -42,7 +42,8 @@ std::string apart_text(const Statement& s) {
 
 /// In per cent of the values, or in their unit where one is nothing.
 std::string plus_minus(double U, const Statement& s) {
-    return s.size > 0 && !one_is_nothing(s) ? "±" + share_text(100 * U / s.size) : fmt::format("±{} {}", plain_number(U, 2), s.unit);
+    return s.size > 0 && !one_is_nothing(s) ? "±" + share_text(100 * U / s.size)
+                                            : fmt::format("±{} {}", plain_number(U, 2), s.unit);
 }
 
 /// "discretisation error ±9 %" where one part is all that matters, else "uncertainty ±9 % (discretisation error ±7 %, ...)".

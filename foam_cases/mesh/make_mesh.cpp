@@ -86,7 +86,8 @@ MeshOutcome make_mesh(const CasePlan& plan, const CasePrograms& programs, const 
         step(plan.flavour.post_process_program(), {"-func", "writeCellCentres", "-time", "0"}, "writeCellCentres");
         step(plan.flavour.post_process_program(), {"-func", "writeCellVolumes", "-time", "0"}, "writeCellVolumes");
         if (out.stopped) return 1.0;
-        const FieldFile centres = read_field(folder / "0/C"), volumes = read_field(folder / "0" / cell_volumes_in(folder / "0"));
+        const FieldFile centres = read_field(folder / "0/C"),
+                        volumes = read_field(folder / "0" / cell_volumes_in(folder / "0"));
         std::vector<Vec3> middles;
         std::vector<double> of;
         for (std::size_t i = 0; i < centres.cells(); ++i)

@@ -38,7 +38,8 @@ TimeFolders::TimeFolders(fs::path case_folder)
     for (const auto& [n, path] : processors) roots_.push_back(path);
     if (roots_.empty()) roots_ = {case_};
     if (fs::exists(case_ / "0.orig" / "pointDisplacement"))  // cells that move are written anew each time
-        for (const std::string& name : {std::string("C"), cell_volumes_in(roots_[0] / "0"), std::string("polyMesh/points")})
+        for (const std::string& name :
+             {std::string("C"), cell_volumes_in(roots_[0] / "0"), std::string("polyMesh/points")})
             fields_.push_back(name);
     for (const char* name : {"k", "omega", "nut"})
         if (fs::exists(case_ / "0.orig" / name)) fields_.push_back(name);

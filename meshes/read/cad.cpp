@@ -18,7 +18,8 @@ using Cut = decltype(&tw_cut_drawing);
 
 /// Null: the library is not there, or one of Open CASCADE's that it needs.
 Cut cutter() {
-    void* const library = dlopen("libtwinwake_drawings.so", RTLD_NOW | RTLD_LOCAL);  // beside the program, by its RUNPATH
+    void* const library =
+        dlopen("libtwinwake_drawings.so", RTLD_NOW | RTLD_LOCAL);  // beside the program, by its RUNPATH
     return library != nullptr ? reinterpret_cast<Cut>(dlsym(library, "tw_cut_drawing")) : nullptr;
 }
 
@@ -39,12 +40,14 @@ vtkSmartPointer<vtkPolyData> surface_of(const CutDrawing& drawing) {
 
 }  // namespace
 
-vtkSmartPointer<vtkPolyData> read_cad(const std::filesystem::path& file, const std::filesystem::path& readable, bool iges) {
+vtkSmartPointer<vtkPolyData> read_cad(const std::filesystem::path& file, const std::filesystem::path& readable,
+                                      bool iges) {
     const auto read = [&]() -> vtkSmartPointer<vtkPointSet> {
         const Cut cut = cutter();
         if (cut == nullptr)
-            throw InputError("this program has no Open CASCADE, which reads STEP and IGES; export the hull as STL, or "
-                             "install libocct-data-exchange-dev and build again");
+            throw InputError(
+                "this program has no Open CASCADE, which reads STEP and IGES; export the hull as STL, or "
+                "install libocct-data-exchange-dev and build again");
         CutDrawing drawing;
         try {
             cut(readable.c_str(), iges, cad_chord, 12 * std::numbers::pi / 180, &drawing);

@@ -1,5 +1,5 @@
-// Drawings by Open CASCADE: a library of its own, loaded where a drawing is read, because Open CASCADE takes every start of
-// the program a tenth of a second.
+// Drawings by Open CASCADE: a library of its own, loaded where a drawing is read, because linked into the program Open
+// CASCADE would add a tenth of a second to each of its starts.
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepLib.hxx>
@@ -13,6 +13,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -108,8 +109,9 @@ CutDrawing triangles_of(const TopoDS_Shape& drawing, double chord, double turn) 
 
 extern "C" void tw_cut_drawing(const char* file, bool iges, double chord, double turn, CutDrawing* to) {
     try {
-        *to = triangles_of(iges ? shape_in<IGESControl_Reader>(file, "IGES") : shape_in<STEPControl_Reader>(file, "STEP"),
-                           chord, turn);
+        *to =
+            triangles_of(iges ? shape_in<IGESControl_Reader>(file, "IGES") : shape_in<STEPControl_Reader>(file, "STEP"),
+                         chord, turn);
     } catch (const Standard_Failure& e) {  // not a std::exception
         throw std::runtime_error(std::string("Open CASCADE says: ") + e.GetMessageString());
     }

@@ -28,8 +28,8 @@ WaterFrame read_cells(const FrameFile& from, double least, double& left_out) {
     const fs::path folder = from.file.parent_path();
     const FoamFields mesh(folder, 0, FoamFields::At::cells), state(folder, from.time, FoamFields::At::cells);
     // openfoam.org writes the volumes as Vc from 12 on
-    vtkDataArray &centre = mesh.field("C", 3), &volume = mesh.field(mesh.has("Vc") ? "Vc" : "V", 1), &alpha = state.field("alpha.water", 1),
-                 &u = state.field("U", 3);
+    vtkDataArray &centre = mesh.field("C", 3), &volume = mesh.field(mesh.has("Vc") ? "Vc" : "V", 1),
+                 &alpha = state.field("alpha.water", 1), &u = state.field("U", 3);
     if (mesh.grid().GetNumberOfCells() != state.grid().GetNumberOfCells())
         throw InputError(folder.string() + ": its mesh changes with time, which is not read here");
     WaterFrame frame;

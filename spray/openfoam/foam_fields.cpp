@@ -68,16 +68,15 @@ FoamFields::FoamFields(const fs::path& folder, double time, At at) : folder_(fol
     }
 }
 
-bool FoamFields::has(const char* name) const {
-    return (at_ == At::points ? static_cast<vtkDataSetAttributes*>(grid_->GetPointData()) : grid_->GetCellData())
-               ->GetArray(name) != nullptr;
+vtkDataArray* FoamFields::found(const char* name) const {
+    vtkDataSetAttributes* fields = grid_->GetCellData();
+    if (at_ == At::points) fields = grid_->GetPointData();
+    return fields->GetArray(name);
 }
 
 vtkDataArray& FoamFields::field(const char* name, int components) const {
-    vtkDataSetAttributes* fields = grid_->GetCellData();
-    vtkIdType count = grid_->GetNumberOfCells();
-    if (at_ == At::points) fields = grid_->GetPointData(), count = grid_->GetNumberOfPoints();
-    vtkDataArray* array = fields->GetArray(name);
+    const vtkIdType count = at_ == At::points ? grid_->GetNumberOfPoints() : grid_->GetNumberOfCells();
+    vtkDataArray* array = found(name);
     if (!array || array->GetNumberOfComponents() != components || array->GetNumberOfTuples() != count)
         throw InputError(
             fmt::format("{}: field {} is not there at {:g} s, or not on all cells; expected {} in its "

@@ -23,11 +23,13 @@ public:
     FoamFields(const std::filesystem::path& folder, double time, At at);
 
     vtkUnstructuredGrid& grid() const { return *grid_; }
-    bool has(const char* name) const;
+    bool has(const char* name) const { return found(name) != nullptr; }
     /// A field of that many components. Throws InputError naming the case, the field and the time: it is not there.
     vtkDataArray& field(const char* name, int components) const;
 
 private:
+    vtkDataArray* found(const char* name) const;
+
     std::filesystem::path folder_;
     double time_;
     At at_;
