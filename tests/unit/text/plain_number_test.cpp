@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace tw {
 namespace plain_number_test {
 
@@ -15,6 +17,12 @@ TEST(PlainNumber, HasNoPowersOfTenWherePeopleWriteNone) {
     EXPECT_EQ(plain_number(4.0), "4");
     EXPECT_EQ(plain_number(0), "0");
     EXPECT_EQ(plain_number(3e12), "3e+12");  // beyond them a power of ten is the plain form
+}
+
+TEST(PlainNumber, WritesWhatHasNoFullPrecisionAndWhatRoundsBeyondTheLargest) {
+    EXPECT_EQ(plain_number(1e-320, 2), "1e-320");
+    EXPECT_EQ(plain_number(1.797e308, 2), "1.8e+308");
+    EXPECT_EQ(plain_number(-INFINITY), "-inf");
 }
 
 }  // namespace plain_number_test
