@@ -5,16 +5,13 @@
 #include <algorithm>
 
 #include "base/errors.h"
+#include "base/gap.h"
 #include "meshes/query.h"
 #include "scene/check_scene.h"
 #include "scene/mesh_motion.h"
 
 namespace tw {
 namespace {
-
-bool apart(const Box& a, const Box& b, double gap) {
-    return ((a.min - b.max).array() > gap).any() || ((b.min - a.max).array() > gap).any();
-}
 
 /// Whether two closed surfaces come nearer to each other than `gap` [m], judged at corners and middles of triangles.
 bool meet(const Surface& a, const Surface& b, double gap) {
@@ -173,7 +170,7 @@ void check_bodies(Scene& scene, Sections& s) {
                          fmt::format("body {} starts in {} or within half a particle of it", body.name, other));
         };
         const auto meets = [&](const Surface& other, const Box& box) {
-            return !apart(boxes[i], box, gap) && meet(body.surface, other, gap);
+            return gap_of_boxes(boxes[i], box) <= gap && meet(body.surface, other, gap);
         };
         for (std::size_t k = 0; k < scene.obstacles.size() && !supported; ++k)
             if (meets(scene.obstacles[k].surface, of_obstacles[k])) refuse("obstacle " + scene.obstacles[k].name);

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "base/errors.h"
+#include "base/gap.h"
 #include "meshes/query.h"
 
 namespace tw {
@@ -116,8 +117,7 @@ private:
 /// From the corners of either surface to the other one [m]; infinite where their boxes are `most` or more apart.
 double gap_between(const Solid& a, const Solid& b, double most) {
     double nearest = HUGE_VAL;
-    const Box &at = a.bounds(), &other = b.bounds();
-    if ((other.min - at.max).cwiseMax(at.min - other.max).maxCoeff() >= most) return nearest;
+    if (gap_of_boxes(a.bounds(), b.bounds()) >= most) return nearest;
     const auto look = [&](const Solid& from, const Solid& to) {
         for (const Vec3& p : from.surface().points) nearest = std::min(nearest, to.query().nearest(p).distance);
     };

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/gap.h"
 #include "sph_solver/bodies/samples.h"
 
 namespace tw {
@@ -31,10 +32,6 @@ std::string wall_at(const Vec3& x, const Surroundings& around, double gap) {
         if (on[a][1] && x[axis] >= around.domain.max[axis] - gap) return sides[a][1];
     }
     return {};
-}
-
-bool apart(const Box& a, const Box& b, double gap) {
-    return ((a.min - b.max).array() > gap).any() || ((b.min - a.max).array() > gap).any();
 }
 
 }  // namespace
@@ -107,7 +104,7 @@ std::string Collisions::of_rigid(std::size_t b, double gap) const {
     const Box own = bodies_[b]->bounds();
     for (std::size_t other = 0; other < bodies_.size(); ++other) {
         const Body& solid = *bodies_[other];
-        if (other == b || apart(own, solid.bounds(), dp_ + gap)) continue;
+        if (other == b || gap_of_boxes(own, solid.bounds()) > dp_ + gap) continue;
         for (std::size_t k = 0; k < skin_[b]->size(); ++k)
             if (solid.query().nearest(solid.at_start(skin_[b]->place(k)), dp_ + gap).distance < dp_ / 2 + gap)
                 return "touches " + solid.name();
