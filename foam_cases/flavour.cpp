@@ -39,7 +39,10 @@ List Flavour::library(std::string_view name) const {
 bool Flavour::field_extremes() const { return !org_from(*this, 9); }
 std::string Flavour::iso_surface() const { return vendor == Vendor::org ? "isoSurface" : "isoSurfaceCell"; }
 bool Flavour::distance_in_box_level() const { return vendor == Vendor::com; }
+bool Flavour::keeps_planes_without_faces() const { return vendor == Vendor::org; }
 bool Flavour::moves_bodies_and_tanks() const { return vendor == Vendor::com || number >= 11; }
+bool Flavour::objects_set_steps() const { return vendor == Vendor::com; }
+bool Flavour::steps_limited_by_table() const { return org_from(*this, 12); }
 bool Flavour::end_of_object() const { return vendor == Vendor::org; }
 bool Flavour::tables_in_files() const { return vendor == Vendor::com; }
 bool Flavour::expressions() const { return vendor == Vendor::com; }

@@ -45,8 +45,11 @@ struct Flavour {
     bool field_extremes() const;                ///< fieldMinMax is there; openfoam.org from 9: volFieldValue alone
     std::string iso_surface() const;            ///< isoSurfaceCell; openfoam.org: isoSurface, which cuts cells too
     bool distance_in_box_level() const;         ///< openfoam.org has `level` of a box as one number alone
+    bool keeps_planes_without_faces() const;    ///< openfoam.org: createPatch leaves symmetry planes that are empty
     /// openfoam.com, and openfoam.org from 11: bodies and tanks that move.
     bool moves_bodies_and_tanks() const;
+    bool objects_set_steps() const;       ///< openfoam.com, or writeControl must be adjustableRunTime too
+    bool steps_limited_by_table() const;  ///< openfoam.org from 12: fluidMaxDeltaT, the largest time step by a table
     bool end_of_object() const;    ///< openfoam.org: the last time of a function object is endTime, timeEnd elsewhere
     bool expressions() const;      ///< openfoam.com: a boundary value may be an expression of the place
     bool tables_in_files() const;  ///< openfoam.com: a prescribed motion is a file beside its dictionary, else in it

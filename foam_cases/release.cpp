@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/gap.h"
+
 // Measured: docs/decisions/064-released-bodies-in-interfoam.md.
 
 namespace tw {
@@ -65,12 +67,9 @@ bool released_in_air(const CasePlan& plan) {
     if (plan.bodies.size() != 1 || plan.scene->hull_is_free() || plan.moving().motion.law) return false;
     if (!(plan.moving().motion.velocity.norm() > 0) || !plan.step_caps.empty()) return false;
     const Box body = plan.moving().surface.bounds();
-    const auto apart = [&](const Box& water) {
-        return std::max((body.min - water.max).maxCoeff(), (water.min - body.max).maxCoeff());
-    };
     double nearest = plan.half_space ? body.min.z() : HUGE_VAL;
     if (!plan.half_space)
-        for (const Box& block : plan.scene->water_blocks) nearest = std::min(nearest, apart(block));
+        for (const Box& block : plan.scene->water_blocks) nearest = std::min(nearest, gap_of_boxes(body, block));
     return nearest > plan.finest_cell;
 }
 

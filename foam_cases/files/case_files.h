@@ -16,6 +16,8 @@ struct CaseFile {
 std::string block_mesh_dict(const CasePlan& plan);
 std::string slab_side(const Patch& patch);  ///< name of a side of the slab that a flat mesh is drawn out of
 std::string extrude_mesh_dict(const CasePlan& plan);
+/// Adds a field's entries for what is left of the slab's sides.
+void add_sides_of_slab(const CasePlan& plan, Dictionary& boundary);
 std::string create_patch_dict(const CasePlan& plan);
 std::string surface_features_dict(const CasePlan& plan);
 std::string snappy_hex_mesh_dict(const CasePlan& plan);

@@ -120,6 +120,22 @@ Dictionary probes(const CasePlan& plan, const char* field, const std::vector<Vec
     return d;
 }
 
+/// No step is longer than a fiftieth of the time since the release, nor need be shorter than the first cap (release.cpp).
+Dictionary largest_step_by_table(const CasePlan& plan) {
+    const auto &first = plan.step_caps.front(), &last = plan.step_caps.back();
+    const List rows{List{0, first.step}, List{first.until / 2, first.step}, List{last.until, 2 * last.step}};
+    return {{"type", Word("fluidMaxDeltaT")},
+            {"libs", plan.flavour.library("fluidSolver")},
+            {"maxCo", plan.scene->fvm.max_courant},
+            {"maxDeltaT", Dictionary{{"type", Word("table")}, {"values", rows}}}};
+}
+
+/// Steps that meet the times of writing; for a body that moves they do not, or where its steps are limited without that.
+bool steps_meet_writing(const CasePlan& plan) {
+    if (!plan.writes_at_steps) return true;
+    return !plan.step_caps.empty() && !plan.flavour.objects_set_steps() && !plan.flavour.steps_limited_by_table();
+}
+
 Dictionary functions(const CasePlan& plan) {
     Dictionary f;
     if (plan.scene->hull) f.add("forces", forces(plan, "hull"));
@@ -147,6 +163,10 @@ Dictionary functions(const CasePlan& plan) {
                           {"libs", plan.flavour.library("utilityFunctionObjects")},
                           {"action", Word("writeNow")}};
     f.add("stop", stop);
+    if (plan.flavour.steps_limited_by_table()) {
+        if (!plan.step_caps.empty()) f.add("largestStep", largest_step_by_table(plan));
+        return f;
+    }
     // An object that is to be written at set times shortens the steps that lead there: one that writes nothing is a
     // largest time step for a while.
     for (std::size_t k = 0; k < plan.step_caps.size(); ++k) {
@@ -173,7 +193,7 @@ std::string control_dict(const CasePlan& plan) {
            {"stopAt", Word("endTime")},
            {"endTime", plan.scene->run.duration},
            {"deltaT", plan.first_step},  // of the first step only
-           {"writeControl", Word(plan.writes_at_steps ? "runTime" : "adjustableRunTime")},
+           {"writeControl", Word(steps_meet_writing(plan) ? "adjustableRunTime" : "runTime")},
            {"writeInterval", plan.write_interval},
            {"purgeWrite", 0},
            {"writeFormat", Word("binary")},

@@ -36,4 +36,10 @@ std::string create_patch_dict(const CasePlan& plan) {
     return foam_file("dictionary", "createPatchDict", {{"pointSync", false}, {"patches", patches}});
 }
 
+void add_sides_of_slab(const CasePlan& plan, Dictionary& boundary) {
+    if (!plan.extrude || !plan.flavour.keeps_planes_without_faces()) return;
+    for (const std::size_t side : {2u, 3u})
+        boundary.add(slab_side(plan.sides[side]), Dictionary{{"type", Word("symmetryPlane")}});
+}
+
 }  // namespace tw

@@ -17,6 +17,7 @@ std::string field(const CasePlan& plan, const char* foam_class, const char* name
     for (const Patch& p : plan.sides)
         boundary.add(p.name, p.plane() ? Dictionary{{"type", Word(p.mesh_type())}} : p.holds ? wall : open(p));
     for (const Solid& s : plan.solids) boundary.add(s.name, solid ? solid(s) : wall);
+    add_sides_of_slab(plan, boundary);
     return foam_file(foam_class, name,
                      {{"dimensions", dimensions}, {"internalField", inside}, {"boundaryField", boundary}});
 }

@@ -147,6 +147,7 @@ std::string point_displacement(const CasePlan& plan) {
             boundary.add(s.name, of_type(s.moves || !morphs ? "calculated" : "fixedValue"));
         }
     }
+    add_sides_of_slab(plan, boundary);
     return foam_file("pointVectorField", "pointDisplacement",
                      {{"dimensions", metres}, {"internalField", nothing}, {"boundaryField", boundary}});
 }
