@@ -42,4 +42,12 @@ const char* const about_ablate =
     "A finished run is reused; after a stop (Ctrl-C) the same command continues. A run that fails is listed with its\n"
     "reason and does not stop the others.\n\n";
 
+const char* const about_openfoam =
+    "\nWhich OpenFOAM is taken:\n"
+    "  module, own build  the one whose environment is loaded in this shell (module load, or source its etc/bashrc)\n"
+    "  container          export TWINWAKE_OPENFOAM_PREFIX=\"apptainer exec of.sif openfoam2506\": words after which a\n"
+    "                     program runs in OpenFOAM's environment; the run's folder has the same path there (--bind)\n"
+    "  neither            Debian's package with the interFoam of tools/build_openfoam_solvers.sh, then the usual "
+    "places\n";
+
 }  // namespace tw::app

@@ -6,5 +6,6 @@ namespace tw::app {
 extern const char* const about_uncertainty;
 extern const char* const about_import;
 extern const char* const about_ablate;
+extern const char* const about_openfoam;
 
 }  // namespace tw::app

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <thread>
 
+#include "app/about.h"
 #include "app/facts_json.h"
 #include "app/machine_pace.h"
 #include "app/output.h"
@@ -74,10 +75,8 @@ int run_doctor(const DoctorCommand& command, const Common& common) {
     for (const std::string& c : f.compilers) out += "compiler    " + c + "\n";
     out +=
         "mpirun      " + (f.mpirun.empty() ? std::string("none: the mesh method runs on one core") : f.mpirun) + "\n";
-    out += "graphics    " +
-           (f.gpu.empty() ? std::string("no NVIDIA card") : f.gpu) + "; " +
-           (f.gpu_reason.empty() ? "particles can run on it: " + gpu_in_words() : "not used: " + f.gpu_reason) +
-           "\n";
+    out += "graphics    " + (f.gpu.empty() ? std::string("no NVIDIA card") : f.gpu) + "; " +
+           (f.gpu_reason.empty() ? "particles can run on it: " + gpu_in_words() : "not used: " + f.gpu_reason) + "\n";
     out += fmt::format(
         "pace        {:.2g} times the speed of the cost table's machine, from a calibration on one core; refined by "
         "every "
@@ -85,15 +84,17 @@ int run_doctor(const DoctorCommand& command, const Common& common) {
         f.pace);
     out += fmt::format("pair loops  {} in new runs; on one core {}\n", f.chosen_passes, passes_line(f.passes));
     for (const OpenFoam& o : f.openfoam)
-        out += fmt::format("openfoam    {}{}: {}: {}\n", o.solver.string(), o.loaded ? " (environment loaded)" : "",
+        out += fmt::format("openfoam    {}{}: {}: {}\n", o.command(), o.loaded ? " (environment loaded)" : "",
                            o.sound ? "sound" : "NOT SOUND", o.verdict);
     if (f.openfoam.empty())
         out +=
             "openfoam    none found: ./bootstrap.sh build installs it (or apt-get install openfoam and run the script "
             "again)\n";
-    out += f.sound
-               ? "\nsound: both methods can run here\n"
-               : "\nnot sound: only the particle method can run here; ./bootstrap.sh build installs a sound OpenFOAM\n";
+    out +=
+        f.sound
+            ? "\nsound: both methods can run here\n"
+            : "\nnot sound: only the particle method can run here; ./bootstrap.sh build installs a sound OpenFOAM\n" +
+                  std::string(about_openfoam);
     say(common, out);
     if (common.quiet && !f.sound) complain("not sound: only the particle method can run here");
     write_json(common, doctor_json(f));

@@ -142,7 +142,7 @@ std::string hull_json(const HullFacts& f) {
 std::string doctor_json(const MachineFacts& f) {
     Json openfoam = Json::array();
     for (const OpenFoam& o : f.openfoam)
-        openfoam.push_back({{"solver", o.solver.string()},
+        openfoam.push_back({{"solver", o.command()},
                             {"project_dir", o.project_dir.string()},
                             {"version", o.version},
                             {"vendor", o.vendor},

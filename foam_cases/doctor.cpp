@@ -12,6 +12,7 @@
 #include "base/errors.h"
 #include "foam_cases/flavour.h"
 #include "foam_cases/read/number_rows.h"
+#include "foam_cases/run/wrapper.h"
 #include "scene/scene.h"
 
 namespace tw {
@@ -52,8 +53,7 @@ void read_version(OpenFoam& found) {
     }
     if (found.version.empty() && fs::exists(found.project_dir / "etc/bashrc", none))
         found.version = behind(read_text(found.project_dir / "etc/bashrc"), "WM_PROJECT_VERSION=");
-    // openfoam.com numbers its releases by year and month with a v, openfoam.org simply counts.
-    found.vendor = found.version.rfind('v', 0) == 0 ? "openfoam.com" : "openfoam.org";
+    found.vendor = vendor_of(found.version);
 }
 
 /// Fills in programs, version and what is missing; false when no installation is there.
@@ -130,7 +130,20 @@ bool belongs_to(const OpenFoam& found, const std::string& preferred) {
 
 }  // namespace
 
+std::string vendor_of(const std::string& version) { return version.starts_with('v') ? "openfoam.com" : "openfoam.org"; }
+
+std::string OpenFoam::command() const {
+    std::string words;
+    for (const std::string& word : prefix) words += word + " ";
+    return words + solver.string();
+}
+
 std::vector<OpenFoam> find_openfoam(const std::string& preferred) {
+    if (const std::vector<std::string> prefix = openfoam_prefix(); !prefix.empty()) {
+        OpenFoam found = openfoam_behind(prefix);
+        if (found.verdict.empty()) self_test(found);
+        return {found};
+    }
     std::vector<OpenFoam> installed, all;
     for (const fs::path& folder : project_folders(preferred)) {
         OpenFoam found;
@@ -172,7 +185,7 @@ OpenFoam sound_openfoam(const std::string& preferred) {
     for (const OpenFoam& f : all)
         if (f.sound) return f;
     std::string text;
-    for (const OpenFoam& f : all) text += fmt::format("\n  {}: {}", f.solver.string(), f.verdict);
+    for (const OpenFoam& f : all) text += fmt::format("\n  {}: {}", f.command(), f.verdict);
     if (all.empty()) {
         const std::string where = preferred.empty() ? "on this machine" : "in '" + preferred + "'";
         throw InputError(
@@ -186,6 +199,9 @@ OpenFoam sound_openfoam(const std::string& preferred) {
         throw InputError("the OpenFOAM whose environment is loaded (WM_PROJECT_DIR) cannot be used:" + text +
                          "\n  start from a shell without that environment, or name another release's folder: "
                          "[fvm] openfoam = \"...\"");
+    if (!all.empty() && !all.front().prefix.empty())
+        throw InputError("the OpenFOAM behind TWINWAKE_OPENFOAM_PREFIX cannot be used:" + text +
+                         "\n  unset it to take one of this machine");
     throw InputError("no sound OpenFOAM solver was found; a faulty one is never used:" + text +
                      "\n  Debian, Ubuntu: tools/build_openfoam_solvers.sh .openfoam builds a sound interFoam in a "
                      "minute, from the package's own source");
@@ -201,7 +217,7 @@ OpenFoam openfoam_for(const Scene& scene) {
                         "and Ubuntu tools/build_openfoam_solvers.sh .openfoam {}",
                         scene.place_of("fvm.interface"), geometric_solver, why, geometric_solver));
     };
-    if (!is_program(openfoam.solver)) refuse(openfoam.solver.string() + " is not there");
+    if (openfoam.prefix.empty() && !is_program(openfoam.solver)) refuse(openfoam.solver.string() + " is not there");
     self_test(openfoam);
     if (!openfoam.sound) refuse(openfoam.verdict);
     return openfoam;

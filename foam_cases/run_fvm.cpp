@@ -101,7 +101,7 @@ private:
             write_case(plan_, case_, 1);
         }
         record_.attributes["openfoam"] = openfoam_.vendor + " " + openfoam_.version;
-        record_.attributes["openfoam_solver"] = openfoam_.solver.string();
+        record_.attributes["openfoam_solver"] = openfoam_.command();
         record_.attributes["openfoam_self_test"] = openfoam_.verdict;
         record_.numbers["openfoam_self_test_error"] = openfoam_.self_test_error;
         if (!plan_.solids.empty()) record_.attributes["walls"] = plan_.walls;
@@ -125,7 +125,7 @@ private:
             throw InputError(fmt::format(
                 "{}: was begun with {}, which is not the OpenFOAM that is taken now ({} {}, "
                 "{}); go on with the former, or begin anew with --overwrite",
-                record_file_.string(), begun_with, openfoam_.vendor, openfoam_.version, openfoam_.solver.string()));
+                record_file_.string(), begun_with, openfoam_.vendor, openfoam_.version, openfoam_.command()));
         if (earlier.attributes["run_hash"] != record_.attributes["run_hash"])
             throw InputError(record_file_.string() +
                              ": belongs to another scene (or the scene file was changed); put it back, or begin anew "

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 
 #include "base/atomic_file.h"
@@ -10,6 +9,7 @@
 #include "foam_cases/files/case_files.h"
 #include "foam_cases/read/field_file.h"
 #include "foam_cases/run/case_programs.h"
+#include "foam_cases/run/temporary_folder.h"
 
 namespace tw {
 namespace fs = std::filesystem;
@@ -138,20 +138,6 @@ std::vector<CaseFile> pipe_case(const Flavour& flavour, const fs::path& wall_lib
     return files;
 }
 
-/// A folder that vanishes with this object.
-struct TemporaryFolder {
-    fs::path path;
-    TemporaryFolder() {
-        std::string name = (fs::temp_directory_path() / "twinwake-XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr) throw RunError(name + ": no temporary folder could be made");
-        path = name;
-    }
-    ~TemporaryFolder() {
-        std::error_code none;
-        fs::remove_all(path, none);
-    }
-};
-
 double largest_error(const fs::path& case_folder) {
     const FieldFile u = read_field(case_folder / "0.1" / "U");
     const Vec3 exact = exact_speed * turned({1, 0, 0});
@@ -174,11 +160,12 @@ void flow_through_pipe(OpenFoam& candidate) {
             write_text_atomically(folder.path / f.path, f.text);
         const CasePrograms programs(candidate, folder.path);
         // A solver that hangs is no sound one.
-        const double until = wall_clock() + 30;
+        const double most = candidate.prefix.empty() ? 30 : 120;  // a container starts slowly
+        const double until = wall_clock() + most;
         const Watch patience = [&](Child&) { return wall_clock() > until; };
         const bool done = programs.run("blockMesh", {}, patience).ok() &&
                           programs.run(candidate.solver, flavour.solver_arguments(), patience, "solver").ok();
-        if (!done) throw RunError("it did not end within 30 s");
+        if (!done) throw RunError(fmt::format("it did not end within {:g} s", most));
         candidate.self_test_error = largest_error(folder.path);
         candidate.sound = candidate.self_test_error < 1e-4;
         const char* judged = candidate.sound

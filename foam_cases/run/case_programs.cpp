@@ -12,6 +12,7 @@
 #include "base/errors.h"
 #include "foam_cases/run/environment.h"
 #include "foam_cases/run/solver_log.h"
+#include "foam_cases/run/wrapper.h"
 
 namespace tw {
 namespace fs = std::filesystem;
@@ -49,15 +50,18 @@ fs::path CasePrograms::find_mpirun() const { return find_program(environment_, "
 
 std::unique_ptr<Child> CasePrograms::start(const fs::path& program, std::vector<std::string> arguments,
                                            const std::string& log_name, int ranks) const {
+    const bool wrapped = !openfoam_.prefix.empty();
     const fs::path path = program.has_parent_path() ? program : openfoam_.bin / program;  // never another release's
-    if (!fs::exists(path))
+    if (!wrapped && !fs::exists(path))
         throw RunError(
             fmt::format("'{}' is not in the OpenFOAM installation {} (programs in {}); its package is not complete",
                         program.string(), openfoam_.project_dir.string(), openfoam_.bin.string()));
-    if (!link_.empty()) arguments.insert(arguments.end(), {"-case", link_.string()});
+    // Behind a prefix a program may start elsewhere: a container goes to / where it has not this folder.
+    if (!link_.empty() || wrapped)
+        arguments.insert(arguments.end(), {"-case", (link_.empty() ? folder_ : link_).string()});
     Command command{path, arguments};
     if (ranks > 1) {
-        const fs::path mpirun = find_mpirun();
+        const fs::path mpirun = wrapped ? "mpirun" : find_mpirun();
         if (mpirun.empty()) throw RunError("mpirun is not on the PATH; install openmpi-bin, or run with one thread");
         // Not bound to cores and yielding while they wait: ranks share the machine with whatever else runs on it. By
         // its full path Open MPI would put its own folder's libraries, and any OpenFOAM there, before the release's.
@@ -67,6 +71,7 @@ std::unique_ptr<Child> CasePrograms::start(const fs::path& program, std::vector<
         command.arguments.insert(command.arguments.end(), arguments.begin(), arguments.end());
         command.arguments.push_back("-parallel");
     }
+    if (wrapped) command = behind(openfoam_.prefix, command.program.string(), command.arguments, environment_);
     return std::make_unique<Child>(command, environment_, folder_, log(log_name));
 }
 
@@ -80,9 +85,12 @@ Ended CasePrograms::run(const fs::path& program, const std::vector<std::string>&
         if (const auto ended = child->poll()) {
             if (ended->ok()) return *ended;
             throw RunError(fmt::format(
-                "{} failed ({}):\n{}", name,
+                "{} failed ({}):\n{}{}", name,
                 ended->signal != 0 ? signal_in_words(ended->signal) : fmt::format("exit status {}", ended->status),
-                why_it_failed(log(name))));
+                why_it_failed(log(name)),
+                openfoam_.prefix.empty() ? ""
+                                         : "\n  (it ran behind TWINWAKE_OPENFOAM_PREFIX: " + folder_.string() +
+                                               " must be seen there under the same path)"));
         }
         if (watch && watch(*child)) {
             child->signal_group(SIGKILL);

@@ -36,7 +36,8 @@ public:
     const OpenFoam& openfoam() const { return openfoam_; }
     const std::filesystem::path& case_folder() const { return case_; }
     std::filesystem::path log(const std::string& name) const { return case_ / ("log." + name); }
-    bool has_mpi() const { return !find_mpirun().empty(); }
+    /// Behind a prefix it is not asked for: mpirun of the container then says what is wrong.
+    bool has_mpi() const { return !openfoam_.prefix.empty() || !find_mpirun().empty(); }
 
 private:
     std::filesystem::path find_mpirun() const;

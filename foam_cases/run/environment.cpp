@@ -79,11 +79,13 @@ std::vector<std::string> environment_of(const OpenFoam& openfoam, const fs::path
         std::string& v = variables[name];
         v = v.empty() ? value : value + ":" + v;
     };
-    in_front("PATH", openfoam.bin.string());
-    in_front("LD_LIBRARY_PATH", library_path(openfoam, variables["FOAM_MPI"]));
-    variables["WM_PROJECT_DIR"] = openfoam.project_dir.string();
-    variables["FOAM_ETC"] = (openfoam.project_dir / "etc").string();
-    variables["WM_PROJECT_VERSION"] = openfoam.version;
+    if (openfoam.prefix.empty()) {  // what stands there brings its own
+        in_front("PATH", openfoam.bin.string());
+        in_front("LD_LIBRARY_PATH", library_path(openfoam, variables["FOAM_MPI"]));
+        variables["WM_PROJECT_DIR"] = openfoam.project_dir.string();
+        variables["FOAM_ETC"] = (openfoam.project_dir / "etc").string();
+        variables["WM_PROJECT_VERSION"] = openfoam.version;
+    }
     variables["FOAM_SIGFPE"] = "true";  // a division by zero ends the run instead of spreading
     variables["LC_ALL"] = "C";
     variables["PWD"] = folder.string();  // OpenFOAM warns of one that is not the folder it runs in

@@ -29,7 +29,8 @@ protected:
         ::setenv(name, value.c_str(), 1);
     }
     void SetUp() override {
-        for (const char* name : {"WM_PROJECT_DIR", "TWINWAKE_OPENFOAM_BIN", "LD_LIBRARY_PATH", "WM_OPTIONS"})
+        for (const char* name :
+             {"WM_PROJECT_DIR", "TWINWAKE_OPENFOAM_BIN", "TWINWAKE_OPENFOAM_PREFIX", "LD_LIBRARY_PATH", "WM_OPTIONS"})
             set(name, "");
         set("TWINWAKE_OPENFOAM_PLACES", "/nowhere");
         set("HOME", folder.string());
@@ -120,6 +121,42 @@ TEST_F(InstallationTest, RanksKeepTheReleasesLibrariesAndTheFolderIsTheCase) {
     const std::string told = read_text(programs.log("ranks"));
     EXPECT_NE(told.find(" --noprefix "), std::string::npos) << told;
     EXPECT_NE(told.find("PWD=" + folder.string() + "\n"), std::string::npos) << told;
+}
+
+TEST_F(InstallationTest, BehindAPrefixProgramsRunInTheEnvironmentThere) {
+    const fs::path inside = release("v2506", "2506");
+    program(bin_of("v2506") / "mpirun", tells);
+    program(bin_of("v2506") / "tells", tells);
+    program(folder / "container", "shift; export WM_PROJECT_DIR=" + inside.string() +
+                                      " WM_PROJECT_VERSION=v2506 FOAM_APPBIN=" + bin_of("v2506").string() +
+                                      " PATH=" + bin_of("v2506").string() + ":$PATH\nexec \"$@\"\n");
+    set("LD_LIBRARY_PATH", "/opt/mine/lib");
+    set("TWINWAKE_OPENFOAM_PREFIX", (folder / "container").string() + "  exec ");
+    const OpenFoam found = sound_openfoam();
+    EXPECT_EQ(found.vendor + " " + found.version, "openfoam.com v2506");
+    EXPECT_EQ(found.command(), (folder / "container").string() + " exec " + (bin_of("v2506") / "interFoam").string());
+    const CasePrograms programs(found, folder);
+    programs.run("tells", {"a b; c"}, {});
+    std::string told = read_text(programs.log("tells"));
+    EXPECT_NE(told.find("args=a b; c -case " + folder.string() + "\n"), std::string::npos) << told;
+    EXPECT_NE(told.find("DIR=" + inside.string() + "\n"), std::string::npos) << told;
+    EXPECT_NE(told.find("LIB=/opt/mine/lib\n"), std::string::npos) << told;
+    EXPECT_TRUE(programs.start("tells", {}, "ranks", 2)->wait().ok());
+    told = read_text(programs.log("ranks"));
+    EXPECT_NE(told.find("args=-np 2 "), std::string::npos) << "mpirun runs there too: " << told;
+}
+
+TEST_F(InstallationTest, APrefixThatLeadsToNoOpenFoamIsRefusedWithWhatIsWrong) {
+    set("TWINWAKE_OPENFOAM_PREFIX", "no_such_container exec of.sif");
+    EXPECT_NE(refusal().find("'no_such_container', the first word of TWINWAKE_OPENFOAM_PREFIX, is not on the PATH"),
+              std::string::npos)
+        << refusal();
+    set("TWINWAKE_OPENFOAM_PREFIX", "env");
+    EXPECT_NE(refusal().find("no OpenFOAM's environment is loaded behind it"), std::string::npos) << refusal();
+    program(folder / "broken", "echo of.sif: no such image; exit 255\n");
+    set("TWINWAKE_OPENFOAM_PREFIX", (folder / "broken").string());
+    EXPECT_NE(refusal().find("printenv behind it failed (exit status 255): of.sif: no such image"), std::string::npos)
+        << refusal();
 }
 
 TEST_F(InstallationTest, AnotherReleasesEnvironmentIsTakenOut) {
