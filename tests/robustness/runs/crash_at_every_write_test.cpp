@@ -11,6 +11,7 @@
 #include "first_difference.h"
 #include "program.h"
 #include "record/snapshot.h"
+#include "record/spray_table.h"
 #include "scene/hash.h"
 #include "sph_solver/run_sph.h"
 
@@ -124,6 +125,105 @@ TEST_F(Crash, OfTwoSizesOfParticlesLosesNothing) {
     std::string text = read_text(scene);
     write_text_atomically(scene, text.replace(text.find("near_hull = 0.05"), 16, "near_hull = 0.025"));
     EXPECT_TRUE(loses_nothing(11).tables.contains("level_1"));
+}
+
+// What was taken at the gate is in the record alone: the particles are gone.
+TEST_F(Crash, OfARunThatTakesSprayAtAGateLosesNothing) {
+    write_text_atomically(scene, R"([tank]
+size = [0.6, 0.2, 0.6]
+[[water_block]]
+min = [0, 0, 0]
+max = [0.2, 0.2, 0.2]
+[[water_block]]
+min = [0.36, 0.06, 0.24]
+max = [0.42, 0.14, 0.3]
+[resolution]
+near_hull = 0.04
+[sampling]
+interval = 0.02
+snapshots = 0.02
+[sph]
+gate_point = [0.3, 0, 0.25]
+gate_normal = [1, 0, 1]
+gate_link = 1.7
+[run]
+methods = ["sph"]
+checkpoint = 0.01
+duration = 0.05
+)");
+    const RunRecord run = loses_nothing(13);
+    ASSERT_TRUE(run.tables.contains(spray_table));
+    EXPECT_GT(run.tables.at("samples").find("spray_mass")->values.back(), 0) << "or nothing was taken";
+}
+
+TEST_F(Crash, OfAHullThatIsFreeInAStreamLosesNothing) {
+    write_text_atomically(scene, R"([hull]
+shape = "prismatic"
+length = 1
+beam = 0.3
+height = 0.3
+trim = "5 deg"
+draft = 0.1
+half = true
+free = ["heave", "pitch"]
+mass = 8
+lcg = 0.4
+vcg = 0.1
+release = 0.01
+[motion]
+kind = "stream"
+speed = 4
+ramp = 0.01
+[domain]
+x = [-1, 1]
+y = [-0.6, 0.6]
+z = [-0.5, 0.7]
+[resolution]
+near_hull = 0.06
+spacing = 0.06
+[sampling]
+interval = 0.015
+snapshots = 0.015
+[run]
+methods = ["sph"]
+checkpoint = 0.01
+duration = 0.035
+)");
+    const RunRecord run = loses_nothing(17);
+    const std::vector<double>& trim = run.tables.at("hull_motion").find("trim")->values;
+    EXPECT_NE(trim.back(), trim.front()) << "or it was held";
+}
+
+TEST_F(Crash, OfATyreThatFallsOnWaterLosesNothing) {
+    write_text_atomically(scene, R"([tank]
+min = [-0.16, -0.16, -0.02]
+max = [0.16, 0.16, 0.4]
+[[water_block]]
+min = [-0.05, -0.05, -0.02]
+max = [0.05, 0.05, 0]
+[[body]]
+name = "tyre"
+elastic = "tyre"
+mass = "10 kg"
+draft = "-1 mm"
+cells = [8, 8]
+velocity = [0, 0, -3]
+[motion]
+kind = "none"
+[resolution]
+near_hull = 0.01
+[sph]
+c0 = 40
+[sampling]
+interval = 0.001
+snapshots = 0.001
+[run]
+methods = ["sph"]
+checkpoint = 0.0008
+duration = 0.003
+)");
+    const RunRecord run = loses_nothing(19);
+    EXPECT_NE(run.tables.at("body_tyre").find("lowest")->values.back(), 0.001) << "or it did not fall";
 }
 
 TEST_F(Crash, ARunAskedToStopBeforeItsFirstCheckpointBeginsAgain) {
