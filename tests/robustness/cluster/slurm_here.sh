@@ -81,7 +81,7 @@ JobAcctGatherType=jobacct_gather/none
 PreemptType=preempt/partition_prio
 PreemptMode=REQUEUE
 NodeName=node[1-3] NodeHostname=$host NodeAddr=127.0.0.1 Port=[$((port + 1))-$((port + 3))] CPUs=1 RealMemory=2000
-PartitionName=main Nodes=node[1-3] Default=YES PriorityTier=1 MaxTime=INFINITE GraceTime=3
+PartitionName=main Nodes=node[1-3] Default=YES PriorityTier=1 MaxTime=INFINITE
 PartitionName=urgent Nodes=node[1-3] PriorityTier=10 PreemptMode=OFF
 END
         setsid slurmctld -D -c >"$R/log/slurmctld.out" 2>&1 &

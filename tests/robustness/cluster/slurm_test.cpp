@@ -1,5 +1,7 @@
 // Studies on a real Slurm: three nodes on this host, where they can be started (slurm_here.sh).
+#include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <thread>
 
 #include "study_folder.h"
@@ -8,6 +10,11 @@ namespace tw::test {
 namespace slurm_test {
 
 using Words = std::vector<std::string>;
+
+Words with_words(Words words, const Words& more) {
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
 
 class Slurm : public Command {
 protected:
@@ -43,7 +50,7 @@ protected:
         const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
         while (!what()) {
             if (std::chrono::steady_clock::now() > end) return false;
-            std::this_thread::sleep_for(std::chrono::milliseconds(200));
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));
         }
         return true;
     }
@@ -58,15 +65,44 @@ protected:
         return nlohmann::json::parse(content(folder_ / "status.json"));
     }
 
+    /// Stops each run of a study as soon as it has saved a state in its folder, so that it cannot end before what is to
+    /// meet it; the processes, by its number. Throws std::runtime_error: one ended.
+    std::vector<pid_t> stopped_when_saved(const std::vector<fs::path>& runs) const {
+        std::vector<pid_t> stopped(runs.size(), 0);
+        std::vector<fs::file_time_type> before;
+        const auto saved = [&](std::size_t k) {
+            std::error_code not_there;
+            return fs::last_write_time(folder_ / runs[k] / "checkpoint.h5", not_there);
+        };
+        for (std::size_t k = 0; k < runs.size(); ++k) before.push_back(saved(k));
+        const bool all = happens(
+            [&] {
+                for (std::size_t k = 0; k < runs.size(); ++k)
+                    if (stopped[k] == 0 && saved(k) != before[k] && (stopped[k] = member(k)) != 0)
+                        kill(stopped[k], SIGSTOP);
+                return std::ranges::find(stopped, 0) == stopped.end();
+            },
+            60);
+        if (!all) throw std::runtime_error("a run ended before it could be stopped");
+        return stopped;
+    }
+    /// The process that makes run `number` of a study that was submitted here; 0: there is none.
+    pid_t member(std::size_t number) const {
+        const std::string words = std::string("member\0..\0", 10) + std::to_string(number) + '\0';
+        for (const auto& entry : fs::directory_iterator("/proc")) {
+            std::error_code gone;
+            if (has(content(entry.path() / "cmdline"), words) &&
+                fs::read_symlink(entry.path() / "cwd", gone) == folder_)
+                return std::stoi(entry.path().filename().string());
+        }
+        return 0;
+    }
+
     fs::path cluster_;
 };
 
 TEST_F(Slurm, StudiesEndInTheReportsOfLocalOnesThoughANodeDiesAndARunFails) {
     const Words ladder{"ladder", "column.toml", "--levels", "3", "--no-fill"};
-    const auto with_words = [](Words words, const Words& more) {
-        words.insert(words.end(), more.begin(), more.end());
-        return words;
-    };
     // A run that is long enough to lose its node, and a ladder of which one run cannot begin.
     write("long.toml", with(small_column, "duration = 0.1\ncheckpoint = 0.02", "duration = 12\ncheckpoint = 0.2"));
     const Outcome submitted = twinwake({"submit", "run", "long.toml", "--no-twins", "--out", "lost"});
@@ -102,6 +138,42 @@ TEST_F(Slurm, StudiesEndInTheReportsOfLocalOnesThoughANodeDiesAndARunFails) {
     EXPECT_TRUE(has(content(folder_ / "failing/ladder.md"), "sph at 0.0424264 m: failed: ")) << logs("failing");
     EXPECT_EQ(status_of("failing")["runs"][1]["state"], "failed");
     EXPECT_EQ(status_of("ladder")["runs"][1]["state"], "done");
+}
+
+TEST_F(Slurm, JobsThatArePreemptedToldToStopOrKilledEndInTheReportOfALocalLadder) {
+    write("column.toml", with(small_column, "duration = 0.1\ncheckpoint = 0.02", "duration = 2\ncheckpoint = 0.1"));
+    const Words ladder{"ladder", "column.toml", "--levels", "2", "--ratio", "1.1", "--no-fill", "--no-variations"};
+    const Words submission = with_words({"submit"}, with_words(ladder, {"--out", "slurm"}));
+    const Outcome submitted = twinwake(submission);
+    ASSERT_EQ(submitted.status, 0) << submitted.err;
+    const std::vector<fs::path> runs{"slurm/near_hull_33mm/sph", "slurm/near_hull_30mm/sph"};
+    stopped_when_saved(runs);
+
+    // Somebody who is served first asks for all three nodes.
+    const std::string urgent = "sbatch --partition=urgent --nodes=3 --exclusive --output=/dev/null --wrap=true";
+    ASSERT_EQ(std::system((urgent + " > '" + (folder_ / "urgent").string() + "'").c_str()), 0);
+    const auto journal = [&] { return content(cluster_ / "log/slurmctld.log"); };
+    const auto twice = [](const std::string& text, const char* what) { return text.find(what) != text.rfind(what); };
+    ASSERT_TRUE(happens([&] { return twice(journal(), "preempted JobId=2_"); }, 60)) << journal();
+
+    // The next time one is told to stop as --signal=B:TERM tells it, and the other is killed.
+    const std::vector<pid_t> again = stopped_when_saved(runs);
+    const std::string job = status_of("slurm")["runs"][0]["job"];  // "2_0: RUNNING node1"
+    EXPECT_EQ(std::system(("scancel --batch --signal=TERM " + job.substr(0, job.find(':'))).c_str()), 0);
+    kill(again[0], SIGCONT);
+    kill(again[1], SIGKILL);
+    ASSERT_TRUE(all_ended()) << logs("slurm");
+    EXPECT_TRUE(twice(journal(), "Requeuing JobId=2_0")) << "once by who was served first, once by itself\n"
+                                                         << journal();
+    EXPECT_EQ(status_of("slurm")["runs"][0]["state"], "done");
+    EXPECT_EQ(status_of("slurm")["runs"][1]["state"], "lost");
+    EXPECT_TRUE(has(logs("slurm"), "sph at 0.03 m: not finished: ")) << logs("slurm");
+
+    ASSERT_EQ(twinwake(submission).status, 0);
+    ASSERT_TRUE(all_ended()) << logs("slurm");
+    ASSERT_EQ(twinwake(with_words(ladder, {"--out", "whole"})).status, 0);
+    expect_same_records(folder_ / "whole", folder_ / "slurm");
+    expect_same_tables(folder_ / "whole", folder_ / "slurm");
 }
 
 }  // namespace slurm_test

@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "../app/program.h"
@@ -32,6 +33,24 @@ inline void expect_same_records(const fs::path& a, const fs::path& b) {
         EXPECT_EQ(of_a.attributes.at("command"), of_b.attributes.at("command")) << name;
         EXPECT_EQ(of_a.attributes.at("run_hash"), of_b.attributes.at("run_hash")) << name;
     }
+}
+
+/// Two folders of results hold the same tables (CSV), but for what an ablation's runs cost.
+inline void expect_same_tables(const fs::path& a, const fs::path& b) {
+    const auto tables = [](const fs::path& folder) {
+        std::map<std::string, std::string> all;
+        for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+            if (entry.path().extension() != ".csv") continue;
+            std::ifstream file(entry.path());
+            std::string& text = all[fs::relative(entry.path(), folder).string()];
+            for (std::string line; std::getline(file, line);)
+                if (!has(line, ",cost,")) text += line + "\n";
+        }
+        return all;
+    };
+    const auto of_a = tables(a), of_b = tables(b);
+    EXPECT_FALSE(of_a.empty());
+    EXPECT_EQ(of_a, of_b);
 }
 
 }  // namespace tw::test
