@@ -13,6 +13,8 @@ build_packages=(
     libocct-data-exchange-dev                         # hulls from STEP and IGES
     libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri   # pictures without a display
 )
+# Used if it is there: npm, whose packages make the report's plots and 3-D view (compare/README.md). Debian's own brings 355
+# packages, so it is not asked for.
 # interFoam, and what its mended build from the distribution's source package takes (tools/build_openfoam_solvers.sh).
 openfoam_packages=(openfoam dpkg-dev flex)
 # A Slurm on one host, for the tests of studies on a cluster; without it they are skipped. Clang with its libFuzzer and

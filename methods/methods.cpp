@@ -39,8 +39,9 @@ std::size_t method_rank(const std::string& name) {
 }
 
 std::string method_label(const std::string& name) {
-    const Method* row = find_method(name);
-    return row ? row->label : name;
+    const std::size_t end = std::min(name.find(' '), name.size());
+    const Method* row = find_method(name.substr(0, end));
+    return row ? row->label + name.substr(end) : name;
 }
 
 std::string elements_of(const std::string& name) {

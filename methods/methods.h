@@ -22,7 +22,7 @@ const Method& method_named(const std::string& name);
 
 /// Place in the order of tables; all others stand behind.
 std::size_t method_rank(const std::string& name);
-/// "SPH"; others as they are.
+/// "SPH" of "sph", "SPH 2" of "sph 2"; others as they are.
 std::string method_label(const std::string& name);
 /// "particles"; "elements" of others.
 std::string elements_of(const std::string& name);

@@ -5,21 +5,22 @@
 
 #include "compare/ladder/ladder_tables.h"
 #include "compare/report/escape.h"
-#include "compare/report/svg_plot.h"
+#include "compare/report/plot_data.h"
+#include "methods/methods.h"
 
 namespace tw {
 
 namespace {
 
 /// Values over spacing with their intervals, and where the fit points at spacing 0.
-std::string convergence_plot(const Ladder& ladder, const LadderQuantity& q) {
+LivePlot convergence_plot(const Ladder& ladder, const LadderQuantity& q) {
     Plot plot;
     plot.title = q.label;
     plot.x_label = "spacing at the hull [m]";
     plot.y_label = q.unit;
     for (std::size_t k = 0; k < q.values.size(); ++k) {
         const LadderValue& v = q.values[k];
-        PlotLine line{ladder.sides[k].method, k, {}, {}, false, false, true};
+        PlotLine line{method_label(ladder.sides[k].method), k, {}, {}, false, false, true};
         for (const StudyLevel& l : v.levels) line.x.push_back(l.h), line.y.push_back(l.value);
         if (line.x.empty()) continue;
         if (std::isfinite(v.estimate.limit))
@@ -34,11 +35,11 @@ std::string convergence_plot(const Ladder& ladder, const LadderQuantity& q) {
                                   false});
         plot.lines.push_back(std::move(line));
     }
-    return svg(plot);
+    return live_plot(plot);
 }
 
 /// The uncertainty of each level over its wall time, with the fitted line drawn on to 1 % of the value.
-std::string cost_plot(const Ladder& ladder, const LadderQuantity& q) {
+LivePlot cost_plot(const Ladder& ladder, const LadderQuantity& q) {
     Plot plot;
     plot.title = q.label + ": what accuracy costs";
     plot.x_label = "wall time [s]";
@@ -46,7 +47,7 @@ std::string cost_plot(const Ladder& ladder, const LadderQuantity& q) {
     plot.log_x = plot.log_y = true;
     for (std::size_t k = 0; k < q.values.size(); ++k) {
         const LadderValue& v = q.values[k];
-        PlotLine line{ladder.sides[k].method, k, {}, {}, false, false, true};
+        PlotLine line{method_label(ladder.sides[k].method), k, {}, {}, false, false, true};
         for (const CostPoint& p : v.cost.points) line.x.push_back(p.seconds), line.y.push_back(p.uncertainty);
         if (line.x.empty()) continue;
         if (v.cost.known()) {
@@ -60,15 +61,15 @@ std::string cost_plot(const Ladder& ladder, const LadderQuantity& q) {
     if (plot.lines.empty()) return {};
     for (const double share : {0.05, 0.02, 0.01})
         plot.levels.push_back({fmt::format("{:g} %", 100 * share), share * q.size});
-    return svg(plot);
+    return live_plot(plot);
 }
 
 std::string plots(const Ladder& ladder) {
     std::string out;
     for (const LadderQuantity& q : ladder.quantities)
         if (std::ranges::any_of(q.values, [](const LadderValue& v) { return v.levels.size() > 2; })) {
-            out += "<figure>" + convergence_plot(ladder, q) + "</figure>";
-            if (const std::string cost = cost_plot(ladder, q); !cost.empty()) out += "<figure>" + cost + "</figure>";
+            out += figure_html(convergence_plot(ladder, q));
+            if (const LivePlot cost = cost_plot(ladder, q); !cost.svg.empty()) out += figure_html(cost);
         }
     return out.empty() ? out
                        : "<h2>Convergence, and accuracy over time</h2><div class=\"pair\">" + out +

@@ -13,7 +13,7 @@
 #include "compare/report/base64.h"
 #include "compare/report/drawn_bodies.h"
 #include "compare/report/resolution_picture.h"
-#include "compare/report/svg_plot.h"
+#include "methods/methods.h"
 #include "record/hull_motion.h"
 
 namespace tw {
@@ -46,8 +46,8 @@ Figure force_figure(const Comparison& c, const Trace& t) {
         const double width = display_filter(c.sources[s]);
         filter = std::max(filter, width);
         if (width > 0) plot.lines.push_back({"", s, time, column->values, true, false});
-        smooth.push_back(
-            {c.names[s], s, time, width > 0 ? moving_mean(time, column->values, width) : column->values, false, false});
+        smooth.push_back({method_label(c.names[s]), s, time,
+                          width > 0 ? moving_mean(time, column->values, width) : column->values, false, false});
     }
     for (PlotLine& l : smooth) plot.lines.push_back(std::move(l));
     if (const Quantity* q = c.find(t.quantity))
@@ -63,7 +63,7 @@ Figure force_figure(const Comparison& c, const Trace& t) {
                                  : ""),
                  r.value});
     if (filter > 0) plot.title += fmt::format(" (bold: moving mean of {:.2g} ms)", 1e3 * filter);
-    return {std::string("force_") + t.quantity, svg(plot)};
+    return {std::string("force_") + t.quantity, live_plot(plot)};
 }
 
 Figure splash_figure(const Comparison& c, const std::string& file, const std::string& title, const std::string& unit,
@@ -75,13 +75,13 @@ Figure splash_figure(const Comparison& c, const std::string& file, const std::st
     plot.include_zero = true;
     for (std::size_t s = 0; s < c.sources.size(); ++s)
         if (const Column* v = c.analyses[s].splash.find(column))
-            plot.lines.push_back({c.names[s], s, c.analyses[s].splash.time, v->values, false, false});
+            plot.lines.push_back({method_label(c.names[s]), s, c.analyses[s].splash.time, v->values, false, false});
     if (const Quantity* q = c.find(quantity))
         for (std::size_t s = 0; s < q->values.size(); ++s)
             if (q->values[s].known)
                 plot.bands.push_back(
                     {s, q->values[s].from, q->values[s].to, q->values[s].value, q->values[s].half_width});
-    return {file, svg(plot)};
+    return {file, live_plot(plot)};
 }
 
 /// The open cavity or the crown of a body, of all sources over the frames; nothing where the body left none.
@@ -99,9 +99,9 @@ std::vector<Figure> entry_figures(const Comparison& c, const std::string& name, 
             for (const Table& entry : c.analyses[s].entries)
                 if (const Column* v = entry.name == "entry_" + name ? entry.find(column) : nullptr) {
                     plot.y_label = fmt::format("[{}]", v->unit);
-                    plot.lines.push_back({c.names[s], s, entry.time, v->values, false, false});
+                    plot.lines.push_back({method_label(c.names[s]), s, entry.time, v->values, false, false});
                 }
-        figures.push_back({fmt::format("entry_{}_{}", number, column), svg(plot)});
+        figures.push_back({fmt::format("entry_{}_{}", number, column), live_plot(plot)});
     }
     return figures;
 }
@@ -116,13 +116,14 @@ Figure series_figure(const Comparison& c, const std::string& table, const std::s
     plot.clip_spikes = true;
     for (std::size_t s = 0; s < c.sources.size(); ++s)
         if (const Column* v = c.sources[s].series(table, column))
-            plot.lines.push_back({c.names[s], s, c.sources[s].tables.at(table).time, v->values, false, false});
+            plot.lines.push_back(
+                {method_label(c.names[s]), s, c.sources[s].tables.at(table).time, v->values, false, false});
     if (const Quantity* q = c.find(quantity))
         for (std::size_t s = 0; s < q->values.size(); ++s)
             if (q->values[s].known)
                 plot.bands.push_back(
                     {s, q->values[s].from, q->values[s].to, q->values[s].value, q->values[s].half_width});
-    return {file, svg(plot)};
+    return {file, live_plot(plot)};
 }
 
 Figure cut_figure(const Comparison& c, const Analysis& like, std::size_t k) {
@@ -139,9 +140,9 @@ Figure cut_figure(const Comparison& c, const Analysis& like, std::size_t k) {
     for (std::size_t s = 0; s < c.analyses.size(); ++s) {
         if (k >= c.analyses[s].cuts.size()) continue;
         const Cut& cut = c.analyses[s].cuts[k];
-        plot.lines.push_back({c.names[s], s, cut.position, cut.elevation, false, false});
+        plot.lines.push_back({method_label(c.names[s]), s, cut.position, cut.elevation, false, false});
     }
-    return {fmt::format("cut_{}_{}", first.along_x ? "y" : "x", k), svg(plot)};
+    return {fmt::format("cut_{}_{}", first.along_x ? "y" : "x", k), live_plot(plot)};
 }
 
 /// Plan view of the hull as the outline of its columns would be too coarse: the convex hull of its points (monotone
@@ -173,7 +174,7 @@ PlotLine plan_outline(const Surface& hull) {
 Figure map_figure(const Comparison& c, std::size_t s, const ColourScale& scale) {
     const ElevationPicture picture = elevation_picture(c.sources[s], c.analyses[s], scale);
     Plot plot;
-    plot.title = c.names[s];
+    plot.title = method_label(c.names[s]);
     plot.x_label = "x, to the stern [m]";
     plot.y_label = "y [m]";
     plot.equal_scales = true;
@@ -182,7 +183,7 @@ Figure map_figure(const Comparison& c, std::size_t s, const ColourScale& scale) 
     if (!c.sources[s].hull.points.empty()) plot.outlines.push_back(plan_outline(c.sources[s].hull));
     for (const Surface& body : bodies_at(c.sources[s], c.sources[s].frames.back().time))
         plot.outlines.push_back(plan_outline(body));
-    return {fmt::format("elevation_map_{}", s), svg(plot)};
+    return {fmt::format("elevation_map_{}", s), live_plot(plot)};
 }
 
 }  // namespace
@@ -203,7 +204,7 @@ Figures draw_figures(const Comparison& c) {
             f.forces.push_back(
                 series_figure(c, hull_motion_table, column, title, unit, quantity, fmt::format("hull_{}", column)));
     if (const std::string picture = resolution_picture(c.sources, c.names); !picture.empty())
-        f.resolution.push_back({"resolution", picture});
+        f.resolution.push_back({"resolution", {picture, {}}});
     const bool frames = std::ranges::any_of(c.sources, [](const RunRecord& r) { return !r.frames.empty(); });
     if (frames) {
         if (const Quantity* raised = c.find("splash_raised");

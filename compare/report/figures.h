@@ -4,12 +4,14 @@
 
 #include "compare/compare.h"
 #include "compare/report/pictures.h"
+#include "compare/report/plot_data.h"
 
 namespace tw {
 
 /// Everything drawn of a comparison. `file`: name (without suffix) under figures/.
 struct Figure {
-    std::string file, svg;
+    std::string file;
+    LivePlot plot;
 };
 struct Figures {
     std::vector<Figure> forces, splash, wetting, cuts, probes, bodies;  ///< plots over time and along cuts

@@ -96,9 +96,10 @@ std::string pictures(const Comparison& c, const Figures& f) {
             out += fmt::format(
                 "<figure><figcaption><span class=\"key k{}\"></span>{}</figcaption><img alt=\"free surface of the last "
                 "frame, {}\" src=\"data:image/png;base64,{}\"></figure>",
-                s, escaped(method_label(c.names[s])), escaped(c.names[s]), base64(f.pictures.free_surface[s]));
+                s, escaped(method_label(c.names[s])), escaped(method_label(c.names[s])),
+                base64(f.pictures.free_surface[s]));
     if (!out.empty()) return "<div class=\"shots\">" + out + "</div>" + f.elevation_legend;
-    return f.forces.empty() ? std::string() : "<figure>" + f.forces.front().svg + "</figure>";
+    return f.forces.empty() ? std::string() : figure_html(f.forces.front().plot);
 }
 
 /// One line on the screen; opened, and on paper, all of it.

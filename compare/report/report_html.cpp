@@ -18,23 +18,18 @@
 #include "compare/report/page_scripts.h"
 #include "compare/report/script_source.h"
 #include "compare/report/view3d.h"
+#include "methods/methods.h"
 
 namespace tw {
 
 namespace {
-
-/// Of the note that plot_hover.js shows beside the pointer.
-constexpr const char* plot_hover_style =
-    "#hover-values{position:fixed;z-index:2;pointer-events:none;white-space:pre;font-size:13px;line-height:1.35;"
-    "padding:4px 9px;border:1px solid var(--line);border-radius:4px;background:var(--panel);color:var(--text);"
-    "font-variant-numeric:tabular-nums}@media print{#hover-values{display:none}}";
 
 std::string key(std::size_t source) { return fmt::format("<span class=\"key k{}\"></span>", source); }
 
 std::string figure_list(const std::vector<Figure>& figures) {
     if (figures.empty()) return {};
     std::string out = "<div class=\"pair\">";
-    for (const Figure& f : figures) out += "<figure>" + f.svg + "</figure>";
+    for (const Figure& f : figures) out += figure_html(f.plot);
     return out + "</div>";
 }
 
@@ -45,7 +40,8 @@ std::string picture_pair(const Comparison& c, const std::vector<std::string>& pn
             out += fmt::format(
                 "<figure><figcaption>{}{}: {}</figcaption><img alt=\"{}, {}\" "
                 "src=\"data:image/png;base64,{}\"></figure>",
-                key(s), escaped(c.names[s]), what, what, escaped(c.names[s]), base64(pngs[s]));
+                key(s), escaped(method_label(c.names[s])), what, what, escaped(method_label(c.names[s])),
+                base64(pngs[s]));
     return out.empty() ? out : "<div class=\"pair\">" + out + "</div>";
 }
 
@@ -95,7 +91,7 @@ std::string hull_section(const Comparison& c) {
 
 std::string resolution_section(const Comparison& c, const Figures& f) {
     if (f.resolution.empty()) return {};
-    return "<h2>Resolution</h2><figure>" + f.resolution.front().svg +
+    return "<h2>Resolution</h2><figure>" + f.resolution.front().plot.svg +
            "</figure><p class=\"note\">Sizes of particles and cells: each size applies in its box except where a "
            "smaller box lies "
            "within; "
@@ -156,10 +152,11 @@ std::string settling(const Comparison& c) {
 
 std::string report_html(const Comparison& c, const Figures& f, const std::string& details) {
     const std::string title = text_of(c.sources.front(), "title", "twinwake comparison");
-    const std::string view = view3d_section(c);
-    std::string out =
-        page_begin(title, std::string(plot_hover_style) + (view.empty() ? "" : view3d_style),
-                   script_source(plot_hover_script) + (view.empty() ? "" : " " + script_source(view3d_script)));
+    const std::string view = *view3d_script ? view3d_section(c) : std::string();
+    std::string sources;
+    for (const char* script : {plots_script, view.empty() ? "" : view3d_script})
+        if (*script) sources += (sources.empty() ? "" : " ") + script_source(script);
+    std::string out = page_begin(title, view.empty() ? "" : view3d_style, sources);
     out += first_screen(c, f);
     if (!f.forces.empty())
         out += "<h2>Forces over time</h2>" + figure_list(f.forces) +
@@ -176,7 +173,7 @@ std::string report_html(const Comparison& c, const Figures& f, const std::string
         out += folded_html(table);
     out += settling(c) + folded_html(checks_table(c.gates, false)) + folded_html(effects_table(c)) + hull_section(c) +
            folded_html(cost_table(c)) + folded_html(provenance_table(c)) + definitions(c) + reproduce(c);
-    return out + "<script>" + plot_hover_script + "</script>" + page_end;
+    return out + (*plots_script ? std::string("<script>") + plots_script + "</script>" : "") + page_end;
 }
 
 }  // namespace tw

@@ -9,6 +9,7 @@
 #include "compare/read/record_numbers.h"
 #include "compare/report/silhouette.h"
 #include "compare/report/svg_plot.h"
+#include "methods/methods.h"
 
 namespace tw {
 
@@ -75,7 +76,7 @@ Plot view(std::span<const RunRecord> runs, const std::vector<std::string>& names
     if (up == 2 && stream) plot.levels.push_back({"", 0});
     for (std::size_t s = 0; s < runs.size(); ++s) {
         if (runs[s].resolution.empty()) continue;
-        plot.lines.push_back({.name = names[s], .source = s, .x = {}, .y = {}, .dashed = s % 2 == 1});
+        plot.lines.push_back({.name = method_label(names[s]), .source = s, .x = {}, .y = {}, .dashed = s % 2 == 1});
         for (const ResolvedBox& r : runs[s].resolution) {
             const PlotBox box{fmt::format("{:.3g} m", r.size),
                               s,

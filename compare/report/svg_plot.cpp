@@ -64,33 +64,14 @@ Range y_range(const Plot& p) {
     return r;
 }
 
-/// Path of a line; many points per pixel column are thinned to first, lowest, highest and last of it.
+/// Path of a line, its points thinned to what a pixel column shows.
 std::string path(const PlotLine& line, const auto& X, const auto& Y) {
     std::string d;
     bool pen_down = false;
-    const auto point = [&](std::size_t i) {
-        d += fmt::format("{}{:.1f},{:.1f}", pen_down ? 'L' : 'M', X(line.x[i]), Y(line.y[i]));
-        pen_down = true;
-    };
-    const std::size_t n = std::min(line.x.size(), line.y.size());
-    for (std::size_t i = 0; i < n;) {
-        if (!std::isfinite(line.x[i]) || !std::isfinite(line.y[i])) {
-            pen_down = false;
-            ++i;
-            continue;
-        }
-        std::size_t last = i, low = i, high = i;
-        const double pixel = std::floor(X(line.x[i]));
-        while (last + 1 < n && std::isfinite(line.y[last + 1]) && std::floor(X(line.x[last + 1])) == pixel) {
-            ++last;
-            if (line.y[last] < line.y[low]) low = last;
-            if (line.y[last] > line.y[high]) high = last;
-        }
-        std::vector<std::size_t> keep{i, low, high, last};
-        std::ranges::sort(keep);
-        keep.erase(std::unique(keep.begin(), keep.end()), keep.end());
-        for (const std::size_t k : keep) point(k);
-        i = last + 1;
+    for (const std::size_t i : thinned(line, [&](double x) { return std::floor(X(x)); })) {
+        const bool finite = std::isfinite(line.x[i]) && std::isfinite(line.y[i]);
+        if (finite) d += fmt::format("{}{:.1f},{:.1f}", pen_down ? 'L' : 'M', X(line.x[i]), Y(line.y[i]));
+        pen_down = finite;
     }
     return d;
 }
@@ -228,9 +209,8 @@ Drawing draw(const Plot& plot) {
                            b.source, X(b.from), X(b.to), Y(b.value));
     }
     for (const PlotLine& l : p.lines)
-        out += fmt::format("<path class=\"line s{}{}{}\"{} d=\"{}\"/>", l.source, l.faint ? " faint" : "",
-                           l.dashed ? " dashed" : "",
-                           l.name.empty() ? "" : fmt::format(" data-name=\"{}\"", escaped(l.name)), path(l, X, Y));
+        out += fmt::format("<path class=\"line s{}{}{}\" d=\"{}\"/>", l.source, l.faint ? " faint" : "",
+                           l.dashed ? " dashed" : "", path(l, X, Y));
     for (const PlotLine& l : p.lines)
         for (std::size_t i = 0; l.points && i < std::min(l.x.size(), l.y.size()); ++i)
             if (std::isfinite(l.x[i]) && std::isfinite(l.y[i]))
@@ -249,7 +229,7 @@ Drawing draw(const Plot& plot) {
                                places[i]->left, places[i]->bottom - 3, escaped(p.boxes[i].label));
     out += "</svg>";
 
-    // What plot_hover.js reads the values of the curves with.
+    // Where plots.js puts its axes.
     out += fmt::format(
         "<rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{:.0f}\" height=\"{:.0f}\" data-axes=\"{:.9g} {:.9g} {:.9g} "
         "{:.9g}\" data-log=\"{}{}\" data-x=\"{}\" data-y=\"{}\"/>",
@@ -277,6 +257,31 @@ std::string framed(const std::string& content, int width, int height, const std:
 }
 
 }  // namespace
+
+std::vector<std::size_t> thinned(const PlotLine& line, const std::function<double(double)>& column_of) {
+    std::vector<std::size_t> kept;
+    const std::size_t n = std::min(line.x.size(), line.y.size());
+    const auto finite = [&](std::size_t i) { return std::isfinite(line.x[i]) && std::isfinite(line.y[i]); };
+    for (std::size_t i = 0; i < n;) {
+        std::size_t last = i, low = i, high = i;
+        if (finite(i)) {
+            const double column = column_of(line.x[i]);
+            while (last + 1 < n && finite(last + 1) && column_of(line.x[last + 1]) == column) {
+                ++last;
+                if (line.y[last] < line.y[low]) low = last;
+                if (line.y[last] > line.y[high]) high = last;
+            }
+        } else {
+            while (last + 1 < n && !finite(last + 1)) ++last;
+        }
+        std::vector<std::size_t> keep{i, low, high, last};
+        std::ranges::sort(keep);
+        keep.erase(std::unique(keep.begin(), keep.end()), keep.end());
+        std::ranges::copy(keep, std::back_inserter(kept));
+        i = last + 1;
+    }
+    return kept;
+}
 
 std::string svg(const Plot& plot) {
     const Drawing d = draw(plot);

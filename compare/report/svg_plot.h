@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -59,6 +60,10 @@ struct Plot {
     bool log_x = false, log_y = false;  ///< values of 0 and below are not drawn on such an axis
     int width = 640, height = 300;      ///< [px]
 };
+
+/// Places of the points of a line that a drawing needs: of those that follow each other in one column (a number of its x)
+/// the first, lowest, highest and last, and of a gap at least one that is not finite.
+std::vector<std::size_t> thinned(const PlotLine& line, const std::function<double(double)>& column_of);
 
 /// The plot as one <svg> element without scripts; colours come from the page's style sheet. "no data" when it has none.
 std::string svg(const Plot& plot);

@@ -15,7 +15,9 @@
 #include "compare/report/escape.h"
 #include "compare/report/page_scripts.h"
 #include "compare/report/pictures.h"
+#include "compare/report/script_data.h"
 #include "compare/report/view3d_mesh.h"
+#include "methods/methods.h"
 #include "record/water_surface.h"
 
 namespace tw {
@@ -211,13 +213,13 @@ Json solids_json(const Comparison& c, const Stage& stage, const View& view) {
 Json point_json(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 Json box_json(const Box& box) { return {point_json(box.min), point_json(box.max)}; }
 
-/// The block that the script reads. JSON within markup: no character of it can end the block or begin an element.
+/// The block that the script reads.
 std::string data_block(const Comparison& c, const Stage& stage, const View& view, const ColourScale& scale) {
     Json sources = Json::array(), stops = Json::array();
     for (std::size_t s = 0; s < c.sources.size(); ++s) {
         Json times = Json::array();
         for (const std::size_t frame : view.films[s].frame) times.push_back(stage.frames[s][frame]->time);
-        sources.push_back({{"name", c.names[s]},
+        sources.push_back({{"name", method_label(c.names[s])},
                            {"mirror", is_mirrored(c.sources[s])},
                            {"time", times},
                            {"step", view.films[s].step},
@@ -237,13 +239,7 @@ std::string data_block(const Comparison& c, const Stage& stage, const View& view
                        {"time", view.times},
                        {"sources", sources},
                        {"hulls", solids_json(c, stage, view)}};
-    std::string text;
-    for (const char ch : data.dump(-1, ' ', true, Json::error_handler_t::replace))
-        if (ch == '<' || ch == '>' || ch == '&')
-            text += fmt::format("\\u{:04x}", static_cast<int>(ch));
-        else
-            text += ch;
-    return "<script type=\"application/json\" id=\"view3d-data\">" + text + "</script>";
+    return script_data("id=\"view3d-data\"", data);
 }
 
 /// Which frames are shown, and how finely.
@@ -254,7 +250,7 @@ std::string what_is_shown(const Comparison& c, const Stage& stage, const View& v
         if (stage.frames[s].empty()) continue;
         const std::size_t shown = view.films[s].frame.size(), has = stage.frames[s].size();
         all = all && shown == has;
-        counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", escaped(c.names[s]),
+        counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", escaped(method_label(c.names[s])),
                               shown == has ? fmt::format("all {}", has) : fmt::format("{} of {}", shown, has));
     }
     std::string text = "Frames shown: " + counts + (all ? "." : ", evenly through the run, with the last one.");

@@ -7,7 +7,7 @@
 namespace tw {
 
 /// The water of all sources over time and their hull, to be turned, played and laid over each other in the page: one
-/// section of HTML with its data and its script (view3d.js), at most `view3d_most_bytes` long. Empty when no source
+/// section of HTML with its data and its script (page/view3d.js), at most `view3d_most_bytes` long. Empty when no source
 /// has raster frames that can be drawn. Without scripts or WebGL one sentence stands in its place; print leaves it out.
 ///
 /// Each source shows up to 60 of its frames, evenly through the run and the last one always; where these are too much

@@ -18,7 +18,7 @@ ReportFiles write_report(const Comparison& comparison, const fs::path& folder, c
     for (const auto* list : {&figures.forces, &figures.splash, &figures.wetting, &figures.cuts, &figures.probes,
                              &figures.bodies, &figures.maps, &figures.resolution})
         for (const Figure& f : *list)
-            if (const std::string text = svg_file(f.svg); !text.empty())
+            if (const std::string text = svg_file(f.plot.svg); !text.empty())
                 write_text_atomically(folder / "figures" / (f.file + ".svg"), text);
     for (std::size_t s = 0; s < figures.pictures.free_surface.size(); ++s) {
         if (!figures.pictures.free_surface[s].empty())

@@ -1,5 +1,5 @@
-// The report in a real browser (Chromium, where it is installed): its one script is allowed to run, draws the view and
-// complains of nothing.
+// The report in a real browser (Chromium, where it is installed): its scripts are allowed to run, draw plots and view and
+// complain of nothing. In a build without npm there are none.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -9,6 +9,7 @@
 
 #include "base/atomic_file.h"
 #include "compare/compare.h"
+#include "compare/report/page_scripts.h"
 #include "compare/report/script_source.h"
 #include "tests/unit/compare/synthetic_pair.h"
 #include "tests/unit/record/example_record.h"
@@ -37,6 +38,7 @@ std::pair<std::string, std::string> opened(const std::filesystem::path& page, co
 
 TEST(Browser, TheReportsViewRunsOfflineUnderItsOwnPolicy) {
     if (!installed()) GTEST_SKIP() << "no chromium here";
+    if (!*view3d_script) GTEST_SKIP() << "a build without npm";
     const ScratchFolder folder;
     const Comparison c = compare_records({synthetic_run({}), synthetic_run({.method = "fvm", .lift = 2600})});
     const auto [markup, log] = opened(write_report(c, folder.path()).html, folder / "profile");
@@ -92,22 +94,57 @@ TEST(Browser, TheFirstScreenHoldsAnswerPicturesAndTrust) {
     }
 }
 
-TEST(Browser, ThePointerIsToldTheValuesOfTheCurves) {
+// Which of its values each curve has at the pointer, in the whole plot, in a part of it, and in the whole again; then what
+// the keys say to who does not see it.
+TEST(Browser, PlotsTellTheirValuesAndZoom) {
     if (!installed()) GTEST_SKIP() << "no chromium here";
+    if (!*plots_script) GTEST_SKIP() << "a build without npm";
     const ScratchFolder folder;
     const Comparison c = compare_records({synthetic_run({}), synthetic_run({.method = "fvm", .lift = 2600})});
-    const auto page = with_script(write_report(c, folder.path()).html, R"(addEventListener('load', () => {
-        const plot = document.querySelector('svg.plot[aria-label^="Lift"]');
-        const box = plot.querySelector('rect.frame').getBoundingClientRect();
-        plot.dispatchEvent(new PointerEvent('pointermove',
-            {clientX: box.left + 0.75 * box.width, clientY: box.top + 0.5 * box.height, bubbles: true}));
-        document.body.dataset.hover = document.getElementById('hover-values').textContent;
-    });)");
+    const auto page =
+        with_script(write_report(c, folder.path()).html, R"(addEventListener('load', () => setTimeout(async () => {
+        const live = Array.from(document.querySelectorAll('.plot-live')).find(e => e.textContent.startsWith('Lift'));
+        const box = live.querySelector('.plot-box'), over = live.querySelector('.u-over');
+        const drawn = () => new Promise(then => setTimeout(then, 100));
+        const mouse = (kind, share) => {
+            const at = over.getBoundingClientRect();
+            over.dispatchEvent(new MouseEvent(kind, {clientX: at.left + share * at.width, clientY: at.top + at.height / 2,
+                movementX: 1, bubbles: true}));
+        };
+        const told = async share => {
+            mouse('mousemove', share);
+            await drawn();
+            const rows = Array.from(live.querySelectorAll('.u-series')).filter(row => row.getClientRects().length > 0);
+            return rows.map(row => row.querySelector('.u-label').textContent + ': ' + row.querySelector('.u-value').textContent).join(', ');
+        };
+        const answer = document.body.dataset;
+        mouse('mouseenter', 0.5);
+        answer.whole = await told(0.75);
+        mouse('mousedown', 0.25);
+        mouse('mousemove', 0.5);
+        mouse('mouseup', 0.5);
+        await drawn();
+        answer.part = await told(0.5);
+        mouse('dblclick', 0.5);
+        await drawn();
+        answer.again = await told(0.75);
+        box.dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowLeft', bubbles: true}));
+        answer.said = live.querySelector('[aria-live]').textContent;
+        answer.name = box.getAttribute('aria-label');
+        answer.drawing = getComputedStyle(live.parentElement.querySelector('svg.plot')).display;
+    }, 500));)");
     const auto [markup, log] = opened(page, folder / "profile");
-    const std::string values = left(markup, "hover");
-    EXPECT_NEAR(number_after(values, "time [s]: "), 1.5, 0.02) << values << log;
-    EXPECT_NEAR(number_after(values, "sph: "), 2800, 100) << values;  // twice and a half the scatter of the series
-    EXPECT_NEAR(number_after(values, "fvm: "), 2600, 100) << values;
+    const std::string whole = left(markup, "whole"), part = left(markup, "part"), said = left(markup, "said");
+    EXPECT_NEAR(number_after(whole, "time [s]: "), 1.5, 0.02) << whole << log;
+    EXPECT_NEAR(number_after(whole, "SPH: "), 2800, 100) << whole;  // two and a half times the scatter of the series
+    EXPECT_NEAR(number_after(whole, "interFoam: "), 2600, 100) << whole;
+    EXPECT_EQ(whole.find("Value"), std::string::npos) << "the pale raw traces have no row: " << whole;
+    EXPECT_NEAR(number_after(part, "time [s]: "), 0.75, 0.02) << part;
+    EXPECT_EQ(left(markup, "again"), whole);
+    EXPECT_NEAR(number_after(said, "time [s]: "), 1.48, 0.02) << said;
+    EXPECT_NEAR(number_after(said, "interFoam: "), 2600, 100) << said;
+    EXPECT_EQ(left(markup, "name").substr(0, 4), "Lift");
+    EXPECT_EQ(left(markup, "drawing"), "none") << "it is for paper";
     EXPECT_EQ(log.find("Uncaught"), std::string::npos) << log;
     EXPECT_EQ(log.find("Content Security Policy"), std::string::npos) << log;
 }
@@ -115,6 +152,7 @@ TEST(Browser, ThePointerIsToldTheValuesOfTheCurves) {
 // Shaders, too, are compiled there alone: a body on its way through the water, with the water cut open.
 TEST(Browser, TheViewDrawsABodyThatMovesAndOffersToCutTheWaterOpen) {
     if (!installed()) GTEST_SKIP() << "no chromium here";
+    if (!*view3d_script) GTEST_SKIP() << "a build without npm";
     RunRecord r = synthetic_run({});
     r.bodies.push_back({"body_buoy", r.hull, Vec3::Zero()});
     r.attributes["motion"] = "none";

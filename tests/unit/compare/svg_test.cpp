@@ -1,11 +1,16 @@
 #include <gtest/gtest.h>
+#include <openssl/evp.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <nlohmann/json.hpp>
 
 #include "compare/report/base64.h"
 #include "compare/report/colours.h"
 #include "compare/report/escape.h"
 #include "compare/report/numbers.h"
+#include "compare/report/plot_data.h"
 #include "compare/report/svg_plot.h"
 
 namespace tw {
@@ -80,6 +85,52 @@ TEST(SvgPlot, LongSeriesAreThinnedWithoutLosingTheirExtremes) {
     p.lines.push_back(l);
     EXPECT_LT(svg(p).size(), 60000u);
     EXPECT_NE(svg(p).find(">5<"), std::string::npos);
+}
+
+/// The 32-bit floats that plots.js reads from a line of the page's data.
+std::vector<float> floats(const std::string& packed) {
+    std::string bytes(packed.size(), '\0');
+    const int n =
+        EVP_DecodeBlock(reinterpret_cast<unsigned char*>(bytes.data()),
+                        reinterpret_cast<const unsigned char*>(packed.data()), static_cast<int>(packed.size()));
+    const std::size_t padding = packed.ends_with("==") ? 2 : packed.ends_with("=") ? 1 : 0;
+    std::vector<float> values((static_cast<std::size_t>(n) - padding) / sizeof(float));
+    std::memcpy(values.data(), bytes.data(), values.size() * sizeof(float));
+    return values;
+}
+
+TEST(PlotData, HoldsTheValuesWithTheirExtremesAndGaps) {
+    Plot p{.title = "t"};
+    PlotLine l{"</script><b>", 1, {}, {}, false, false};
+    for (int i = 0; i < 200000; ++i)
+        l.x.push_back(1e-3 * i), l.y.push_back(i == 77777 ? 5 : i == 100000 ? std::nan("") : std::sin(1e-3 * i));
+    p.lines.push_back(l);
+    p.bands.push_back({1, 10, 20, 0.5, 0.1});
+    const std::string block = live_plot(p).data;
+    EXPECT_LT(block.size(), 100'000u);
+    EXPECT_EQ(count(block, "</script"), 1u) << "a name ends no block";
+    const auto from = block.find('>') + 1;
+    const auto data = nlohmann::json::parse(block.substr(from, block.rfind("</script>") - from));
+    EXPECT_EQ(data["lines"][0]["name"], l.name);
+    EXPECT_EQ(data["bands"][0]["half_width"], 0.1);
+    const std::vector<float> x = floats(data["lines"][0]["x"]), y = floats(data["lines"][0]["y"]);
+    ASSERT_EQ(x.size(), y.size());
+    EXPECT_EQ(x.front(), 0);
+    EXPECT_EQ(x.back(), 199.999f);
+    EXPECT_EQ(std::ranges::count(y, 5.0f), 1);
+    EXPECT_EQ(std::ranges::count_if(y, [](float v) { return std::isnan(v); }), 1);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        if (i > 0) { EXPECT_GT(x[i], x[i - 1]); }
+        if (!std::isnan(y[i]) && y[i] != 5) { EXPECT_NEAR(y[i], std::sin(x[i]), 1e-5) << x[i]; }
+    }
+}
+
+TEST(PlotData, OfMapsAndOfNothingThereIsNone) {
+    EXPECT_TRUE(live_plot({.title = "empty"}).data.empty());
+    Plot map{.title = "map"};
+    map.images.push_back({"", 0, 1, 0, 1});
+    EXPECT_TRUE(live_plot(map).data.empty());
+    EXPECT_TRUE(live_plot(map).svg.starts_with("<svg"));
 }
 
 TEST(Ticks, AreOneTwoFive) {
