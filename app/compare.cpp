@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "app/output.h"
 #include "app/write_ladder.h"
 #include "base/errors.h"
+#include "compare/reports/two_reports.h"
 #include "methods/methods.h"
 
 namespace tw::app {
@@ -43,9 +46,35 @@ int compare_ladder(const CompareCommand& command, const Common& common) {
     return not_agreed;
 }
 
+bool is_report(const fs::path& source) { return source.extension() == ".json"; }
+
+/// Two report.json files: what their runs say otherwise.
+int compare_two_reports(const CompareCommand& command, const Common& common) {
+    if (command.sources.size() != 2 || !std::ranges::all_of(command.sources, is_report))
+        throw InputError(
+            fmt::format("compare: {} is a report, and the command has {} sources; expected two reports (A/report.json "
+                        "B/report.json), or records only",
+                        std::ranges::find_if(command.sources, is_report)->string(), command.sources.size()));
+    for (const auto& [given, option] : {std::pair{!command.out.empty(), "--out"},
+                                        {command.ladder, "--ladder"},
+                                        {!command.measured.empty(), "--measured"},
+                                        {command.force, "--force"},
+                                        {command.require_agree, "--require"}})
+        if (given)
+            throw InputError(
+                fmt::format("compare: {} is for records; two reports are compared on the terminal, and with --json "
+                            "FILE as facts",
+                            option));
+    const TwoReports reports = compare_reports(read_report(command.sources[0]), read_report(command.sources[1]));
+    say(common, text_of(reports));
+    write_json(common, json_of(reports));
+    return done;
+}
+
 }  // namespace
 
 int run_compare(const CompareCommand& command, const Common& common) {
+    if (std::ranges::any_of(command.sources, is_report)) return compare_two_reports(command, common);
     if (command.ladder) return compare_ladder(command, common);
     std::vector<RunRecord> records;
     for (const fs::path& source : command.sources)

@@ -206,7 +206,9 @@ void run_options(CLI::App& c, RunCommand& run) {
 }
 
 void compare_options(CLI::App& c, CompareCommand& compare) {
-    c.add_option("sources", compare.sources, "run records, or folders of runs")->required()->expected(1, 64);
+    c.add_option("sources", compare.sources, "run records, or folders of runs; or two report.json files")
+        ->required()
+        ->expected(1, 64);
     c.add_option("--out", compare.out, "folder for report.html, report.json, CSV and figures");
     c.add_flag("--ladder", compare.ladder,
                "the records are runs of one scene at several sizes: verdicts that include the discretisation error");
@@ -400,7 +402,8 @@ std::vector<Subcommand> subcommands() {
             "run a scene with both methods, coarser twins first, and compare them: verdicts that include the "
             "discretisation error",
             here<RunCommand, run_options>, run_run),
-        row("compare", "compare run records: verdict and report", compare_options, run_compare),
+        row("compare", "compare run records: verdict and report; or two reports with each other", compare_options,
+            run_compare),
         with_about(row("import", "a run record from CSV histories, DualSPHysics or another OpenFOAM case, for compare",
                        import_options, run_import),
                    about_import),

@@ -40,6 +40,27 @@ TEST_F(Command, WrongUsageIsStatusTwoAndSaysWhatIsKnown) {
     EXPECT_EQ(files(), std::set<std::string>{"a.toml"});
 }
 
+TEST_F(Command, TwoReportsAreComparedWithEachOther) {
+    const auto report = [](const std::string& drag) {
+        return R"({"sources":[{"name":"sph","numbers":{"speed":8},"attributes":{}}],"quantities":[{"name":"drag","label":)"
+               R"("Drag","unit":"N","definition":"force","values":[)" +
+               drag + R"(],"intervals":[2]}]})";
+    };
+    write("a.json", report("250"));
+    write("b.json", report("240"));
+    const Outcome o = twinwake({"compare", "a.json", "b.json", "--json", "facts.json"});
+    EXPECT_EQ(o.status, 0) << o.err;
+    EXPECT_NE(o.out.find("beyond the interval"), std::string::npos) << o.out;
+    EXPECT_EQ(nlohmann::json::parse(content(folder_ / "facts.json"))["quantities"][0]["difference"], -10);
+    EXPECT_NE(twinwake({"compare", "a.json"}).err.find("expected two reports"), std::string::npos);
+    EXPECT_NE(twinwake({"compare", "a.json", "b.json", "--out", "o"}).err.find("--out is for records"),
+              std::string::npos);
+    write("c.json", "{}");
+    const Outcome none = twinwake({"compare", "a.json", "c.json"});
+    EXPECT_EQ(none.status, 2);
+    EXPECT_NE(none.err.find("c.json: is not as this version writes it"), std::string::npos) << none.err;
+}
+
 TEST_F(Command, WhatThisMachineWasFoundToTakeIsInThePrediction) {
     write("a.toml", planing);
     const auto seconds = [&] {

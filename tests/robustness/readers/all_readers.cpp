@@ -12,6 +12,7 @@
 #include "app/study.h"
 #include "base/atomic_file.h"
 #include "base/errors.h"
+#include "compare/reports/read_report.h"
 #include "compare/uncertainty/read_table.h"
 #include "foam_cases/cloud/cloud_case.h"
 #include "foam_cases/read/field_file.h"
@@ -262,6 +263,7 @@ const std::vector<Reader>& all_readers() {
         {"jobs", [](const Input& in) { app::read_jobs(results_with(in, "study/jobs.json")); }},
         {"sizes", [](const Input& in) { app::remembered_sizes(results_with(in, "sizes.json"), 600); }},
         {"pace", read_pace},
+        {"report", [](const Input& in) { read_report(in.file("report.json")); }},
         {"site", [](const Input& in) { app::completed({}, in.file("site.toml")); }},
     });
     return all;
