@@ -24,7 +24,7 @@ constexpr std::size_t longest_text = 60;  ///< of an attribute in a table
 const std::set<std::string> attributes_of_scene = {"title",       "motion",     "hull_source", "symmetry_factor",
                                                    "scene_hash",  "hull_hash",  "run_hash",    "family_hash",
                                                    "time_scheme", "compliance", "mesh_motion", "equation_of_state"};
-/// Numbers that say what a run was expected to take.
+/// Numbers that say what a run was expected to take; they differ whenever something else does.
 bool is_forecast(const std::string& name) { return name.starts_with("predicted_") || name.starts_with("bytes_per_"); }
 
 const ReportedQuantity* find(const ReportFacts& report, const std::string& name) {
@@ -35,6 +35,12 @@ std::optional<std::size_t> place_of(const ReportFacts& report, const std::string
     const auto r = std::ranges::find(report.runs, run, &ReportedRun::name);
     if (r == report.runs.end()) return {};
     return static_cast<std::size_t>(r - report.runs.begin());
+}
+
+/// A definition without its numbers: sizes that stand in it (of a voxel, a spacing) differ between runs of one kind.
+std::string without_numbers(std::string definition) {
+    std::erase_if(definition, [](char c) { return (c >= '0' && c <= '9') || c == '.'; });
+    return definition;
 }
 
 ReportChange change_of(const ReportedQuantity& a, const ReportedQuantity& b, const std::string& run, std::size_t in_a,
@@ -50,10 +56,12 @@ ReportChange change_of(const ReportedQuantity& a, const ReportedQuantity& b, con
                         std::hypot(first.half_width, second.half_width)};
     if (a.unit != b.unit)
         change.why_not = fmt::format("{} against {}", a.unit, b.unit);
-    else if (a.definition != b.definition)
+    else if (without_numbers(a.definition) != without_numbers(b.definition))
         change.why_not = "defined otherwise in the two reports";
     else if (!std::isfinite(change.difference))
-        change.why_not = "no value in " + std::string(std::isfinite(first.value) ? "the second" : "the first");
+        change.why_not = std::string("no value in ") + (std::isfinite(first.value)    ? "the second"
+                                                        : std::isfinite(second.value) ? "the first"
+                                                                                      : "either");
     if (!change.why_not.empty()) change.difference = change.interval = std::nan("");
     return change;
 }
@@ -63,7 +71,7 @@ std::string number_text(double v) { return std::isfinite(v) ? plain_number(v) : 
 /// What one run says otherwise: its numbers, then its attributes.
 std::vector<ReportOtherwise> otherwise_of(const ReportedRun& a, const ReportedRun& b) {
     std::vector<ReportOtherwise> list;
-    const auto compare = [&](const auto& first, const auto& second, const auto& text, const auto& is_provenance) {
+    const auto compare = [&](const auto& first, const auto& second, const auto& text, bool solved) {
         std::set<std::string> names;
         for (const auto* all : {&first, &second})
             for (const auto& [name, value] : *all) names.insert(name);
@@ -71,13 +79,13 @@ std::vector<ReportOtherwise> otherwise_of(const ReportedRun& a, const ReportedRu
             const auto x = first.find(name), y = second.find(name);
             const std::string said = x == first.end() ? "–" : text(x->second);
             const std::string says = y == second.end() ? "–" : text(y->second);
-            if (said != says) list.push_back({name, a.name, said, says, is_provenance(name)});
+            if (said != says && !is_forecast(name))
+                list.push_back({name, a.name, said, says, !solved && !attributes_of_scene.contains(name)});
         }
     };
-    compare(a.numbers, b.numbers, number_text, is_forecast);
+    compare(a.numbers, b.numbers, number_text, true);
     compare(
-        a.attributes, b.attributes, [](const std::string& text) { return text; },
-        [](const std::string& name) { return !attributes_of_scene.contains(name); });
+        a.attributes, b.attributes, [](const std::string& text) { return text; }, false);
     return list;
 }
 

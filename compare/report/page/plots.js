@@ -1,5 +1,5 @@
 // Plots with values under the pointer and zoom, by uPlot, in the place of the page's drawings. Each figure with a block
-// of class plot-data becomes one; paper gets the drawing. The axes are read from the
+// of class plot-data becomes one when it comes near the screen; paper gets the drawing. The axes are read from the
 // drawing (data-axes: low and high of x and y, as logarithms where data-log names the axis; data-x, data-y: labels), the
 // curves from the block:
 //   lines   name (in the legend; empty: not there), source (its colour), faint, dashed, points (a dot at every value), x
@@ -14,7 +14,8 @@ figure.live>svg.plot{display:none}
 .plot-live{position:relative}.plot-live .plot-title{font-size:13.5px;font-weight:600;margin-left:66px}
 .plot-live .plot-box:focus-visible{outline:2px solid var(--s0)}
 .plot-live .u-legend{font-size:13px;text-align:left;margin-left:60px;color:var(--text);line-height:1.3;width:auto}
-.plot-live .u-legend tr{border:0}.plot-live .u-legend th,.plot-live .u-legend td{border:0;padding:1px 3px;font-size:13px;color:var(--text)}
+.plot-live .u-legend tr{border:0}
+.plot-live .u-legend th,.plot-live .u-legend td{border:0;padding:1px 3px;font-size:13px;color:var(--text)}
 .plot-live .u-legend td{font-variant-numeric:tabular-nums}.plot-live .u-unnamed{display:none}
 .plot-live .u-select{background:var(--soft);opacity:.25}.plot-live .u-hz .u-cursor-x{border-color:var(--soft)}
 .plot-said{position:absolute;width:1px;height:1px;overflow:hidden;clip-path:inset(50%)}
@@ -45,7 +46,8 @@ function shown(value, step, logarithmic) {
 
 class LivePlot {
   constructor(figure, drawing, block) {
-    const frame = drawing.querySelector('rect[data-axes]'), [xLow, xHigh, yLow, yHigh] = frame.dataset.axes.split(' ').map(Number);
+    const frame = drawing.querySelector('rect[data-axes]');
+    const [xLow, xHigh, yLow, yHigh] = frame.dataset.axes.split(' ').map(Number);
     this.log = {x: frame.dataset.log.includes('x'), y: frame.dataset.log.includes('y')};
     const raised = (v, axis) => (this.log[axis] ? 10 ** v : v);
     this.whole = {x: [raised(xLow, 'x'), raised(xHigh, 'x')], y: [raised(yLow, 'y'), raised(yHigh, 'y')]};
@@ -67,7 +69,8 @@ class LivePlot {
     live.append(made('div', {className: 'plot-title', textContent: title}));
     this.box = live.appendChild(made('div', {className: 'plot-box', tabIndex: 0}));
     this.box.setAttribute('role', 'application');
-    this.box.setAttribute('aria-label', title + '. Left and right arrow tell the values, plus and minus zoom, 0 shows everything.');
+    this.box.setAttribute('aria-label',
+      title + '. Left and right arrow tell the values, plus and minus zoom, 0 shows everything.');
     this.said = live.appendChild(made('div', {className: 'plot-said'}));
     this.said.setAttribute('aria-live', 'polite');
     this.figure = figure;
@@ -81,7 +84,8 @@ class LivePlot {
 
   options() {
     const axis = (name, size) => ({
-      scale: name, label: this.labels[name], labelSize: 20, labelFont: '12px system-ui, sans-serif', font: '11px system-ui, sans-serif', size,
+      scale: name, label: this.labels[name], labelSize: 20, labelFont: '12px system-ui, sans-serif', size,
+      font: '11px system-ui, sans-serif',
       stroke: () => colour('--text'), grid: {stroke: () => colour('--line'), width: 1}, ticks: {show: false},
       ...(name === 'x' ? {gap: 4} : {}),
       values: (u, splits, k, space, step) => splits.map(v => (v == null ? '' : shown(v, step, this.log[name]))),
@@ -98,7 +102,8 @@ class LivePlot {
         ...this.lines.map(line => ({
           label: line.name, class: line.name ? null : 'u-unnamed', scale: 'y',
           stroke: () => colour('--s' + line.source) + (line.faint ? '52' : ''), width: line.faint ? 0.8 : 1.7,
-          dash: line.dashed ? [5, 3] : undefined, spanGaps: false, points: {show: line.points, size: 7, fill: () => colour('--s' + line.source)},
+          dash: line.dashed ? [5, 3] : undefined, spanGaps: false,
+          points: {show: line.points, size: 7, fill: () => colour('--s' + line.source)},
           value: (u, v) => shown(v, this.step, this.log.y),
         })),
       ],
@@ -129,7 +134,7 @@ class LivePlot {
     return this.log.y ? uPlot.rangeLog(low, high, 10, false) : uPlot.rangeNum(low, high, 0.1, false);
   }
 
-  /** Number of the series' value nearest to the pointer. Series have values of their own times: all others lie between. */
+  /** Number of the series' value nearest to the pointer; between its values lie the times of the other series. */
   nearest(u, series, at, x) {
     if (series === 0) return at;
     const values = u.data[series], times = u.data[0];
@@ -187,7 +192,8 @@ class LivePlot {
 
   /** Shows the part around the cursor, `factor` times as large as now. */
   zoom(factor) {
-    const u = this.plot, {min, max} = u.scales.x, logarithm = this.log.x ? Math.log10 : v => v, power = this.log.x ? v => 10 ** v : v => v;
+    const u = this.plot, {min, max} = u.scales.x;
+    const [logarithm, power] = this.log.x ? [Math.log10, v => 10 ** v] : [v => v, v => v];
     const [low, high] = [logarithm(min), logarithm(max)];
     const left = u.cursor.left >= 0 ? u.cursor.left : u.over.clientWidth / 2, share = left / u.over.clientWidth;
     const middle = low + share * (high - low), edge = factor * (high - low);
@@ -229,16 +235,18 @@ class LivePlot {
   }
 }
 
-// One after the other, so that the page answers in between; what is folded away, when it is opened.
-const make = figure => new LivePlot(figure, figure.querySelector('svg.plot'), figure.querySelector('.plot-data'));
-const opened = new ResizeObserver(entries => {
-  for (const {target} of entries)
-    if (target.clientWidth > 0) {
-      opened.unobserve(target);
-      make(target);
-    }
-});
-for (const block of document.querySelectorAll('.plot-data')) {
-  const figure = block.closest('figure');
-  setTimeout(() => (figure.clientWidth > 0 ? make(figure) : opened.observe(figure)));
+// Those on the screen and near it, one after the other so that the page answers in between; the others when they come
+// near.
+const waiting = new Set(Array.from(document.querySelectorAll('.plot-data'), block => block.closest('figure')));
+function makeNear() {
+  for (const figure of waiting) {
+    const {top, bottom, width} = figure.getBoundingClientRect();
+    if (width === 0 || top > innerHeight + 600 || bottom < -600) continue;
+    waiting.delete(figure);
+    setTimeout(() => new LivePlot(figure, figure.querySelector('svg.plot'), figure.querySelector('.plot-data')));
+  }
 }
+addEventListener('load', makeNear);
+addEventListener('scroll', makeNear, {passive: true});
+addEventListener('resize', makeNear);
+document.addEventListener('toggle', makeNear, {capture: true});  // something folded away is opened

@@ -10,8 +10,8 @@
 //   hulls    sources (numbers of those it belongs to), points, triangles; of what moves also poses, for each of its
 //            sources one matrix per surface of that source, columns first
 import {
-  AmbientLight, BufferAttribute, BufferGeometry, Color, ColorManagement, DirectionalLight, DoubleSide, LinearSRGBColorSpace, MathUtils, Mesh,
-  MeshPhongMaterial, PerspectiveCamera, Plane, Scene, Vector3, WebGLRenderer,
+  AmbientLight, BufferAttribute, BufferGeometry, Color, ColorManagement, DirectionalLight, DoubleSide,
+  LinearSRGBColorSpace, MathUtils, Mesh, MeshPhongMaterial, PerspectiveCamera, Plane, Scene, Vector3, WebGLRenderer,
 } from 'three';
 import {OrbitControls} from 'three/examples/jsm/controls/OrbitControls.js';
 
@@ -45,7 +45,8 @@ class View3d {
     this.geometries = new Map();  // by key, made when first shown
     this.shown = {step: data.time.length - 1, hull: true, cut: data.cut !== null, colour: 'height', layout: 'beside'};
     const clippingPlanes = [];
-    const material = properties => new MeshPhongMaterial({side: DoubleSide, specular: 0x1f1f1f, shininess: 30, ...properties});
+    const shine = {side: DoubleSide, specular: 0x1f1f1f, shininess: 30};
+    const material = properties => new MeshPhongMaterial({...shine, ...properties});
     this.byHeight = material({vertexColors: true, clippingPlanes});
     this.waterPlanes = clippingPlanes;
     const hullMaterial = material({color: grey, flatShading: true});  // hulls have edges
@@ -61,7 +62,8 @@ class View3d {
     }
     // What stays is there once; what moves, once for each source that has it.
     this.solids = data.hulls.flatMap((hull, h) => (hull.poses ? hull.sources : [null]).map((s, k) => {
-      const mesh = new Mesh(this.geometry('hull ' + h, () => this.makeGeometry(hull.points, hull.triangles)), hullMaterial);
+      const geometry = this.geometry('hull ' + h, () => this.makeGeometry(hull.points, hull.triangles));
+      const mesh = new Mesh(geometry, hullMaterial);
       mesh.matrixAutoUpdate = false;
       this.scene.add(mesh);
       return {mesh, s, having: hull.sources, poses: hull.poses && hull.poses[k]};
@@ -117,29 +119,35 @@ class View3d {
   }
   /** A hull from astern, to one side and above, as in the pictures; a tank, or the way of its bodies, x to the right. */
   resetCamera() {
-    const {ship, cut, subject} = this.data, low = new Vector3(...subject[0]), size = new Vector3(...subject[1]).sub(low);
+    const {ship, cut, subject} = this.data;
+    const low = new Vector3(...subject[0]), size = new Vector3(...subject[1]).sub(low);
     const target = low.addScaledVector(size, 0.5);
     if (ship) target.add(new Vector3(0.35 * size.x, 0, -0.35 * size.z));
     const yaw = ship ? 0.65 : -1.1, pitch = ship ? 0.445 : cut === null ? 0.5 : 0.25;
     const back = new Vector3(Math.cos(pitch) * Math.cos(yaw), Math.cos(pitch) * Math.sin(yaw), Math.sin(pitch));
-    const right = new Vector3(-Math.sin(yaw), Math.cos(yaw), 0), up = back.clone().cross(right), f = 1.05 / Math.tan(opening / 2);
+    const right = new Vector3(-Math.sin(yaw), Math.cos(yaw), 0), up = back.clone().cross(right);
+    const f = 1.05 / Math.tan(opening / 2);
     let distance = 1.74 * Math.max(size.x, 2 * size.y);
     if (!ship) {
-      const corners = [0, 1, 2, 3, 4, 5, 6, 7].map(k => new Vector3(k & 1 ? 0.5 : -0.5, k & 2 ? 0.5 : -0.5, k & 4 ? 0.5 : -0.5).multiply(size));
-      distance = Math.max(...corners.map(c => back.dot(c) + f * Math.max(Math.abs(right.dot(c)) / narrow, Math.abs(up.dot(c)))));
+      const half = on => (on ? 0.5 : -0.5);
+      const corner = k => new Vector3(half(k & 1), half(k & 2), half(k & 4)).multiply(size);
+      const corners = [0, 1, 2, 3, 4, 5, 6, 7].map(corner);
+      const clear = c => back.dot(c) + f * Math.max(Math.abs(right.dot(c)) / narrow, Math.abs(up.dot(c)));
+      distance = Math.max(...corners.map(clear));
     }
     this.controls.minDistance = 0.02 * distance;
     this.controls.maxDistance = 20 * distance;
     this.place(target, yaw, pitch, distance);
   }
   turn(right, up) {
-    const {target} = this.controls, back = this.back();
-    this.place(target.clone(), Math.atan2(back.y, back.x) - right, MathUtils.clamp(Math.asin(back.z) + up, -1.55, 1.55), this.camera.position.distanceTo(target));
+    const {target} = this.controls, back = this.back(), pitch = MathUtils.clamp(Math.asin(back.z) + up, -1.55, 1.55);
+    const yaw = Math.atan2(back.y, back.x) - right;
+    this.place(target.clone(), yaw, pitch, this.camera.position.distanceTo(target));
   }
   /** By shares of the picture's height. */
   move(right, up) {
     const metres = 2 * this.camera.position.distanceTo(this.controls.target) * Math.tan(opening / 2);
-    const across = new Vector3().setFromMatrixColumn(this.camera.matrix, 0), upwards = new Vector3().setFromMatrixColumn(this.camera.matrix, 1);
+    const axis = k => new Vector3().setFromMatrixColumn(this.camera.matrix, k), across = axis(0), upwards = axis(1);
     const by = across.multiplyScalar(-right * metres).addScaledVector(upwards, -up * metres);
     this.controls.target.add(by);
     this.camera.position.add(by);
@@ -163,9 +171,11 @@ class View3d {
       const there = panel.includes(x);
       for (const mesh of x.water) mesh.visible = there;
       if (!there) continue;
-      const k = x.source.step[shown.step], geometry = this.geometry(`water ${x.s} ${k}`, () => this.makeWater(x.source, k));
+      const k = x.source.step[shown.step];
+      const geometry = this.geometry(`water ${x.s} ${k}`, () => this.makeWater(x.source, k));
       x.ofMethod.color.set(this.styled('--s' + x.s % 4));
-      for (const mesh of x.water) Object.assign(mesh, {geometry, material: shown.colour === 'height' ? this.byHeight : x.ofMethod});
+      const material = shown.colour === 'height' ? this.byHeight : x.ofMethod;
+      for (const mesh of x.water) Object.assign(mesh, {geometry, material});
     }
     for (const solid of this.solids) {
       const x = solid.poses ? panel.find(y => y.s === solid.s) : panel.find(y => solid.having.includes(y.s));
@@ -181,7 +191,8 @@ class View3d {
     camera.aspect = width / height;
     camera.fov = MathUtils.radToDeg(2 * Math.atan(Math.tan(opening / 2) * Math.max(1, narrow / camera.aspect)));
     camera.near = 0.02 * distance;
-    camera.far = distance + 2 * this.edge.length() + this.low.clone().addScaledVector(this.edge, 0.5).distanceTo(controls.target);
+    const middle = this.low.clone().addScaledVector(this.edge, 0.5);
+    camera.far = distance + 2 * this.edge.length() + middle.distanceTo(controls.target);
     camera.updateProjectionMatrix();
     this.lamp.target.position.copy(controls.target);
     this.lamp.position.copy(controls.target).add(this.back().add(new Vector3(0, 0, 0.5)));
@@ -198,13 +209,15 @@ class View3d {
   }
   draw() {
     this.waiting = 0;
-    const {renderer, canvas, data} = this, width = Math.max(1, canvas.clientWidth), height = Math.max(1, canvas.clientHeight);
+    const {renderer, canvas, data} = this;
+    const width = Math.max(1, canvas.clientWidth), height = Math.max(1, canvas.clientHeight);
     renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
     renderer.setSize(width, height, false);
     renderer.setClearColor(this.styled('--panel'));
     const shown = this.sources.filter(x => x.shown);
     const panels = this.shown.layout === 'beside' && shown.length > 1 ? shown.map(x => [x]) : [shown];
-    const across = width >= height ? panels.length : 1, down = panels.length / across, w = width / across, h = height / down;
+    const across = width >= height ? panels.length : 1, down = panels.length / across;
+    const w = width / across, h = height / down;
     const labels = element('labels');
     labels.textContent = '';
     panels.forEach((panel, k) => {

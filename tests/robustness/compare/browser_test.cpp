@@ -51,8 +51,12 @@ TEST(Browser, TheReportsViewRunsOfflineUnderItsOwnPolicy) {
 /// The page with one more script at its end, which its policy then allows.
 std::filesystem::path with_script(const std::filesystem::path& page, const std::string& script) {
     std::string text = read_text(page);
-    const std::string policy = "script-src ", end = "</main></body>";
-    text.insert(text.find(policy) + policy.size(), script_source(script) + " ");
+    const std::string policy = "style-src 'unsafe-inline'", others = "; script-src ", end = "</main></body>";
+    const std::size_t at = text.find(policy) + policy.size();
+    if (text.compare(at, others.size(), others) == 0)
+        text.insert(at + others.size(), script_source(script) + " ");
+    else
+        text.insert(at, others + script_source(script));
     text.insert(text.find(end), "<script>" + script + "</script>");
     const std::filesystem::path probed = page.parent_path() / "probed.html";
     write_text_atomically(probed, text);

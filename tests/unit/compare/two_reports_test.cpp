@@ -59,7 +59,11 @@ TEST(TwoReports, OfOneReportNothingDiffers) {
 TEST(TwoReports, WhatDiffersIsSaidOnceForAllRunsAndProvenanceApart) {
     const ScratchFolder folder;
     std::vector<RunRecord> first{run("sph", 2800), run("fvm", 2600)}, second = first;
-    for (RunRecord& r : second) r.numbers["draft"] = 0.25, r.attributes["code_version"] = "0.2.0";
+    for (RunRecord& r : second) {
+        r.numbers["draft"] = 0.25;
+        r.numbers["predicted_steps"] = 1e5;  // follows from the others
+        r.attributes["code_version"] = "0.2.0";
+    }
     second[0].numbers["near_hull"] = 0.02;
     const TwoReports t = compare_reports(report_of(folder, "a.json", first), report_of(folder, "b.json", second));
     ASSERT_EQ(t.otherwise.size(), 3u) << text_of(t);
@@ -95,6 +99,20 @@ TEST(TwoReports, WhatOnlyOneHasIsListedAndNothingInCommonIsRefused) {
         EXPECT_NE(std::string(e.what()).find("b.json has the runs sph, "), std::string::npos) << e.what();
         EXPECT_NE(std::string(e.what()).find("no run is in both"), std::string::npos) << e.what();
     }
+}
+
+TEST(TwoReports, QuantitiesOfAnotherMeaningAreNotCompared) {
+    ReportFacts a{"a.json", {{"sph", {}, {}}}, {{"drag", "Drag", "N", "known to half a voxel (0.004 m)", {{250, 1}}}}};
+    ReportFacts b = a;
+    b.quantities[0].values[0].value = 240;
+    b.quantities[0].definition = "known to half a voxel (0.002 m)";
+    EXPECT_EQ(change(compare_reports(a, b), "drag", "sph").difference, -10) << "its size is no other meaning";
+    b.quantities[0].definition = "of the pressure alone";
+    EXPECT_FALSE(change(compare_reports(a, b), "drag", "sph").why_not.empty());
+    b = a;
+    b.quantities[0].unit = "N/m";
+    EXPECT_EQ(change(compare_reports(a, b), "drag", "sph").why_not, "N against N/m");
+    EXPECT_TRUE(std::isnan(change(compare_reports(a, b), "drag", "sph").difference));
 }
 
 TEST(TwoReports, WhatIsNoReportIsRefusedByName) {
