@@ -45,6 +45,14 @@ double speed_of_water(const Scene& scene) {
     return scene.motion.kind == Motion::Kind::stream ? scene.motion.speed : 0.1 * default_sound_speed(scene);
 }
 
+/// The first of these keys that the scene gives; else what their defaults follow from, its hull or tank.
+std::string given_of(const Scene& scene, std::vector<std::string> keys) {
+    const std::string first = keys.front();
+    keys.insert(keys.end(), {"hull.shape", "hull.file", "tank.size", "tank.max"});
+    const auto given = std::ranges::find_if(keys, [&](const auto& key) { return scene.places.contains(key); });
+    return given == keys.end() ? first : *given;
+}
+
 /// The key that made the domain's longest edge.
 std::string key_of_domain(const Scene& scene) {
     static const std::array<std::vector<std::string>, 3> keys{
@@ -53,9 +61,7 @@ std::string key_of_domain(const Scene& scene) {
          {"domain.z", "domain.below", "domain.above", "tank.size"}}};
     Eigen::Index longest = 0;
     scene.domain.box.size().maxCoeff(&longest);
-    for (const std::string& key : keys[static_cast<std::size_t>(longest)])
-        if (scene.places.contains(key)) return key;
-    return "domain.x";
+    return given_of(scene, keys[static_cast<std::size_t>(longest)]);
 }
 
 void refuse_too_fine(const Scene& scene, const MethodCost& cost, double raster_bytes) {
@@ -70,9 +76,9 @@ void refuse_too_fine(const Scene& scene, const MethodCost& cost, double raster_b
         throw InputError(fmt::format("{}: the domain of {:.3g} x {:.3g} x {:.3g} m is too large for this machine: {}",
                                      scene.place_of(key_of_domain(scene)), size.x(), size.y(), size.z(), need));
     }
-    throw InputError(
-        fmt::format("{}: too fine for this machine: {}{}", scene.place_of("resolution.near_hull"), need,
-                    std::isfinite(enough) ? fmt::format("; expected at least near_hull = {:.3g} m", enough) : ""));
+    throw InputError(fmt::format(
+        "{}: too fine for this machine: {}{}", scene.place_of(given_of(scene, {"resolution.near_hull"})), need,
+        std::isfinite(enough) ? fmt::format("; expected at least near_hull = {:.3g} m", enough) : ""));
 }
 
 /// The key that departs most from its default towards a long run, among those that were given.
@@ -83,7 +89,7 @@ std::string reason_of_length(const Scene& scene, const MethodCost& cost) {
         {"run.duration", scene.run.duration / default_duration(scene)}};
     departures.insert(departures.end(), cost.lengthened_by.begin(), cost.lengthened_by.end());
     std::erase_if(departures, [&](const auto& d) { return !scene.places.contains(d.first); });
-    if (departures.empty()) return "resolution.near_hull";
+    if (departures.empty()) return given_of(scene, {"resolution.near_hull"});
     return std::ranges::max_element(departures, {}, [](const auto& d) { return d.second; })->first;
 }
 
@@ -98,7 +104,8 @@ void refuse_too_long(const Scene& scene, const MethodCost& cost) {
 
 void refuse_too_many_samples(const Scene& scene, const Prediction& p) {
     const auto refuse = [&](const char* key, const std::string& what, double expected, const char* unit) {
-        throw InputError(fmt::format("{}: {}; expected at least {:.3g} {}", scene.place_of(key), what, expected, unit));
+        throw InputError(fmt::format("{}: {}; expected at least {:.3g} {}", scene.place_of(given_of(scene, {key})),
+                                     what, expected, unit));
     };
     const double duration = scene.run.duration;
     if (p.snapshots > most_snapshots)

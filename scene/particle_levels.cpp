@@ -18,7 +18,8 @@ namespace tw {
 namespace {
 
 constexpr double between = 10, from_openings = 8;  ///< spacings
-constexpr double most_nodes = 5e6;                 ///< of the grid of distances from a hull
+/// Of the grid of distances from a hull: of a run, and where particles are only counted.
+constexpr double most_nodes = 5e6, most_counted_nodes = 5e5;
 
 /// What finer particles stand round.
 struct Root {
@@ -108,10 +109,10 @@ bool follows_its_hull(const Scene& scene) {
 
 /// Of the first box what is nearer to the hull at the start than `width`, and what lies behind that towards faces at
 /// infinity.
-Zone zone_near_hull(std::vector<Box> boxes, double width, double coarse_dp, const Scene& scene) {
+Zone zone_near_hull(std::vector<Box> boxes, double width, double coarse_dp, const Scene& scene, double most) {
     const Box& first = boxes.front();
     const Box wet{first.min.cwiseMax(scene.domain.box.min), first.max.cwiseMin(scene.domain.box.max)};
-    const double nodes_apart = sampling_distance(coarse_dp, wet.size(), most_nodes);
+    const double nodes_apart = sampling_distance(coarse_dp, wet.size(), most);
     auto near =
         std::make_shared<DistanceGrid>(scene.hull->surface, wet, nodes_apart, width + from_openings * coarse_dp);
     for (int a = 0; a < 3; ++a) {
@@ -224,7 +225,11 @@ std::vector<MovedSolid> moving_at_start(const Scene& scene) {
     return solids;
 }
 
-std::vector<Zone> particle_zones(const Scene& scene, std::span<const MovedSolid> moving, std::span<const Zone> start) {
+namespace {
+
+/// `most`: nodes of a grid of distances.
+std::vector<Zone> zones_of(const Scene& scene, std::span<const MovedSolid> moving, std::span<const Zone> start,
+                           double most) {
     const int below = sizes_below_near_hull(scene), finer = below + scene.sph.levels - 1;
     const std::vector<Root> solids = roots(scene, moving);
     const std::vector<std::vector<Box>> round = boxes_round(solids, scene);
@@ -254,7 +259,7 @@ std::vector<Zone> particle_zones(const Scene& scene, std::span<const MovedSolid>
             zones.insert(zones.begin(), Zone(std::move(parts)));
         } else if (start.empty()) {
             const double width = scene.sph.zone * scene.resolution.near_hull + reach[static_cast<std::size_t>(below)];
-            zones.insert(zones.begin(), zone_near_hull(std::move(parts), width, coarse_dp, scene));
+            zones.insert(zones.begin(), zone_near_hull(std::move(parts), width, coarse_dp, scene, most));
         } else {
             zones.insert(zones.begin(),
                          Zone(std::move(parts), start[static_cast<std::size_t>(finer - k)],
@@ -266,7 +271,8 @@ std::vector<Zone> particle_zones(const Scene& scene, std::span<const MovedSolid>
     return zones;
 }
 
-std::vector<Zone> particle_zones(const Scene& scene) {
+/// At the start. Throws InputError.
+std::vector<Zone> zones_at_start(const Scene& scene, double most) {
     if (sizes_of_particles(scene) == 1) return {};
     const auto refuse = [&](const std::string& why) { throw InputError(scene.place_of("sph.levels") + ": " + why); };
     const bool stream = scene.motion.kind == Motion::Kind::stream;
@@ -282,7 +288,17 @@ std::vector<Zone> particle_zones(const Scene& scene) {
                    : fmt::format("particles of {:.4g} m have no room in this tank, or fill its water only to more than "
                                  "2 % of its length; at most {} here",
                                  std::ldexp(scene.resolution.near_hull, fit + 1), fit + 1));
-    return particle_zones(scene, moving, {});
+    return zones_of(scene, moving, {}, most);
+}
+
+}  // namespace
+
+std::vector<Zone> particle_zones(const Scene& scene) { return zones_at_start(scene, most_nodes); }
+
+std::vector<Zone> zones_to_count(const Scene& scene) { return zones_at_start(scene, most_counted_nodes); }
+
+std::vector<Zone> particle_zones(const Scene& scene, std::span<const MovedSolid> moving, std::span<const Zone> start) {
+    return zones_of(scene, moving, start, most_nodes);
 }
 
 }  // namespace tw

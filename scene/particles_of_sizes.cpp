@@ -87,7 +87,7 @@ std::vector<ParticlesOfSize> counted(const Scene& scene, const std::vector<Zone>
 }  // namespace
 
 std::vector<ParticlesOfSize> particles_of_sizes(const Scene& scene, During when) {
-    std::vector<Zone> zones = particle_zones(scene);
+    std::vector<Zone> zones = zones_to_count(scene);
     if (!zones.empty() && !scene.bodies.empty()) zones = particle_zones(scene, bodies_half_way(scene), zones);
     const auto at_start = [&] {
         const std::vector<Box> blocks = blocks_of_water(scene);

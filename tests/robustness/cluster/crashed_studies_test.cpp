@@ -60,9 +60,9 @@ protected:
 
 // Strides are no multiples of three: each of a file's three steps takes its turn.
 
-TEST_F(CrashedStudy, ALadderLosesNothing) { EXPECT_GT(loses_nothing(ladder, ladder, "crash", "", 19), 4); }
+TEST_F(CrashedStudy, ALadderLosesNothing) { EXPECT_GT(loses_nothing(ladder, ladder, "crash", "", 25), 3); }
 
-TEST_F(CrashedStudy, ARunWithTwinsLosesNothing) { EXPECT_GT(loses_nothing(run, resumed, "crash", "", 31), 4); }
+TEST_F(CrashedStudy, ARunWithTwinsLosesNothing) { EXPECT_GT(loses_nothing(run, resumed, "crash", "", 40), 3); }
 
 TEST_F(CrashedStudy, ALadderThatIsInterruptedWhileItWritesGoesOn) {
     EXPECT_GT(loses_nothing(ladder, ladder, "interrupt", "stopped on request; the same command continues", 40), 1);

@@ -98,7 +98,7 @@ interval = 0.02
 duration = 0.04
 threads = 1
 )");
-    expect_same_by_jobs({"sweep", "box.toml", "--trims", "3 deg", "5 deg", "--twins", "none"}, 4);
+    expect_same_by_jobs({"sweep", "box.toml", "--trims", "3 deg", "--twins", "none"}, 2);
     EXPECT_EQ(content(folder_ / "one/sweep.md"), content(folder_ / "two/sweep.md"));
 }
 

@@ -14,6 +14,7 @@
 #include <stdexcept>
 
 #include "base/errors.h"
+#include "meshes/generate.h"
 #include "scene/keys.h"
 #include "test_paths.h"
 #include "tests/unit/scene/every_key.h"
@@ -198,6 +199,44 @@ TEST(Extremes, TheProgramSaysTheSameOfEveryTwentieth) {
     const std::vector<Check> checks = checks_of_all_keys();
     for (std::size_t k = 0; k < checks.size(); k += 20) some.push_back(checks[k]);
     run_program(some);
+}
+
+/// A scene whose hull, body or obstacle has a shape with one of its parameters set.
+std::string scene_with_shape(const std::string& section, const std::string& shape, const std::string& line) {
+    const std::string solid = "shape = \"" + shape + "\"\n" + line + "\n";
+    if (section == "hull")
+        return "[hull]\n" + solid +
+               "draft = 0.02\n[motion]\nkind = \"stream\"\nspeed = 8\n[resolution]\nnear_hull = 0.2\n";
+    const std::string text =
+        "[tank]\nmin = [-9, -9, -9]\nmax = [9, 9, 9]\n[resolution]\nnear_hull = 0.1\n[run]\nduration = 1\n";
+    if (section == "body") return text + "[[body]]\n" + solid + "draft = 0.02\ndensity = 500\n";
+    return text + "[[obstacle]]\n" + solid;
+}
+
+/// A scene for each extreme of each shape's parameters; of bodies and obstacles the largest lengths and angles.
+std::vector<Check> checks_of_all_shapes() {
+    std::vector<Check> checks;
+    for (const HullShape& shape : hull_shapes())
+        for (const HullParameter& p : shape.parameters) {
+            const auto add = [&](const std::string& section, double value) {
+                const std::string line = fmt::format("{} = {:.17g}", p.name, value);
+                checks.push_back(
+                    {section + ": " + shape.name + ", " + line, scene_with_shape(section, shape.name, line)});
+            };
+            for (const double value : {p.min, p.max, -1.0, 0.0, 1e-300, 1e300}) add("hull", value);
+            if (p.kind == "-") continue;
+            for (const char* section : {"body", "obstacle"}) add(section, p.max);
+        }
+    return checks;
+}
+
+TEST(Extremes, EachParameterOfAShapeIsRefusedOrEndsFinite) {
+    std::vector<Check> checks = checks_of_all_shapes();
+    EXPECT_GT(checks.size(), 250u);
+    // A thin disc, all of whose domain is near it: of 11 s most went into distances for counting particles.
+    const std::string disc = scene_with_shape("hull", "torpedo", "diameter = 50");
+    checks.push_back({"a disc", with(with(disc, "near_hull = 0.2", "near_hull = 0.04"), "0.02", "0.1")});
+    run(checks);
 }
 
 // What hung or printed infinities once.
