@@ -11,7 +11,6 @@
 #include "scene/refined_places.h"
 #include "sph_solver/on_gpu.h"
 #include "sph_solver/parallel/comm.h"
-#include "sph_solver/ranks_refused.h"
 
 namespace tw::app {
 
@@ -40,13 +39,7 @@ int run_check(const CheckCommand& command, const Common& common) {
     const Twins twins(command.scene.file, command.scene.overrides(), "", command.threads, {});
     say(common, to_text(scene, plan.prediction) + twins.prediction_text(own) +
                     "budget: none, the scene's own sizes are run; run --budget TIME chooses the finest that fit\n");
-    if (Comm::built_with_mpi()) {
-        const std::string why = why_not_over_ranks(scene);
-        say(common, "ranks: " +
-                        (why.empty() ? "several processes can share the particles (run --ranks)"
-                                     : "one process only, because of " + why) +
-                        "\n");
-    }
+    if (Comm::built_with_mpi()) say(common, "ranks: several processes can share the particles (run --ranks)\n");
     if (built_for_gpu()) {
         const std::string why = why_not_on_gpu(scene);
         const Prediction& p = plan.prediction;

@@ -1,13 +1,16 @@
-// What the ranks of a particle run do and tell each other, counted and not timed: it says the same on any machine.
+// What the ranks of a particle run do and tell each other, counted: that says the same on any machine; and what a step
+// takes on this one.
 //
-//   mpirun -n 4 build/benchmarks/bench_ranks SCENE.toml [STEPS] [NEAR_HULL]
+//   mpirun -n 4 build/benchmarks/bench_ranks SCENE.toml [STEPS] [NEAR_HULL] [THREADS]
 //
-// Prints the work of the rank that has most over the mean, the copies of others' particles that a rank holds, what a step
-// sends; and, timed, the share that exact sums of the loads have of a step. docs/decisions/067-ranks.md has the table.
+// Prints the work of the rank that has most over the mean, the copies of others' particles that a rank holds, what a
+// step sends; and, timed, a step with so many threads a rank (1), and the share that a rank's own sums of the loads have
+// of it. docs/decisions/067-ranks.md has the tables.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 
 #include "scene/scene.h"
 #include "sph_solver/backend/threads.h"
@@ -22,6 +25,9 @@ namespace {
 double wall_clock() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
+
+/// Of this process, all threads together [s].
+double processor_clock() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
 /// Of the particles of one size.
 void count_size(const Comm& ranks, const Level& level) {
@@ -38,9 +44,9 @@ void count_size(const Comm& ranks, const Level& level) {
                 most_copies);
 }
 
-void count(const Comm& ranks, const Scene& scene, int steps) {
+void count(const Comm& ranks, const Scene& scene, int steps, int threads) {
     refuse_ranks(scene, ranks.size());
-    SphSetup setup = sph_setup(scene, 1);
+    SphSetup setup = sph_setup(scene, threads);
     setup.simulation.ranks = &ranks;
     Simulation simulation(setup.simulation, setup.fluid);
     if (setup.control_volume) simulation.set_control_volume(*setup.control_volume);
@@ -48,9 +54,10 @@ void count(const Comm& ranks, const Scene& scene, int steps) {
 
     const Comm::Traffic before = ranks.traffic();
     const std::int64_t lists_before = simulation.timers().rebuilds;
-    const double start = wall_clock();
+    const double start = wall_clock(), processor_start = processor_clock();
     for (int k = 0; k < steps; ++k) simulation.step();
     const double step = (wall_clock() - start) / steps;
+    const double processor = ranks.sum(processor_clock() - processor_start) / steps;
     const Comm::Traffic& after = ranks.traffic();
     const auto most_a_step = [&](std::int64_t Comm::Traffic::*what) {
         return ranks.largest(double(after.*what - before.*what)) / steps;
@@ -69,6 +76,7 @@ void count(const Comm& ranks, const Scene& scene, int steps) {
                 double(steps) / double(std::max<std::int64_t>(1, simulation.timers().rebuilds - lists_before)));
     std::printf("a step of the rank with most: exchanges %.2f, messages %.2f, kB %.1f, collectives %.2f\n", exchanges,
                 messages, bytes / 1e3, collectives);
+    std::printf("a step                               %.3f s, processor time of all ranks %.3f s\n", step, processor);
     std::printf("exact sums of the loads              %.2f %% of a step, on this machine\n", 100 * sums / step);
 }
 
@@ -76,14 +84,15 @@ void count(const Comm& ranks, const Scene& scene, int steps) {
 
 int main(int argc, char** argv) {
     if (argc < 2) {
-        std::fprintf(stderr, "usage: mpirun -n RANKS bench_ranks SCENE.toml [STEPS] [NEAR_HULL]\n");
+        std::fprintf(stderr, "usage: mpirun -n RANKS bench_ranks SCENE.toml [STEPS] [NEAR_HULL] [THREADS]\n");
         return 2;
     }
     std::string failure;
     try {
         SceneOverrides overrides;
         if (argc > 3) overrides.near_hull = std::atof(argv[3]);
-        count(Comm::world(), read_scene(argv[1], overrides), argc > 2 ? std::atoi(argv[2]) : 100);
+        count(Comm::world(), read_scene(argv[1], overrides), argc > 2 ? std::atoi(argv[2]) : 100,
+              argc > 4 ? std::max(1, std::atoi(argv[4])) : 1);
     } catch (const std::exception& e) { failure = e.what(); }
     if (!failure.empty() && Comm::world().first()) std::fprintf(stderr, "%s\n", failure.c_str());
     Comm::world().end(failure.empty() ? 0 : 2, failure);

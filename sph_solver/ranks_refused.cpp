@@ -3,22 +3,15 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
+#include "sph_solver/on_gpu.h"
 
 namespace tw {
 
-std::string why_not_over_ranks(const Scene& scene) {
-    if (!scene.sph.gate_point.empty())
-        return "the spray gate: what hangs together is found by a search through all particles";
-    return {};
-}
-
 void refuse_ranks(const Scene& scene, int ranks) {
-    if (ranks <= 1) return;
-    if (const std::string why = why_not_over_ranks(scene); !why.empty())
+    if (ranks > 1 && gpu_wanted(scene))
         throw InputError(
-            fmt::format("{}: {} ranks cannot share the particles yet where a scene has {}; run it in one "
-                        "process with --threads",
-                        scene.file.string(), ranks, why));
+            fmt::format("{}: {} ranks and a GPU do not go together yet: give --device cpu, or run it in one process",
+                        scene.place_of("run.device"), ranks));
 }
 
 }  // namespace tw

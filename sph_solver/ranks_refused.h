@@ -1,14 +1,9 @@
 #pragma once
-#include <string>
-
 #include "scene/scene.h"
 
 namespace tw {
 
-/// Why the particles of a scene cannot be shared by several ranks; empty: they can.
-std::string why_not_over_ranks(const Scene& scene);
-
-/// Throws InputError with the reason.
+/// Throws InputError with the reason: so many ranks cannot share the particles of this scene.
 void refuse_ranks(const Scene& scene, int ranks);
 
 }  // namespace tw

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <functional>
 #include <map>
 
 #include <fmt/format.h>
@@ -22,6 +21,7 @@
 #include "scene/new_record.h"
 #include "scene/refined_places.h"
 #include "scene/time_left.h"
+#include "sph_solver/all_particles.h"
 #include "sph_solver/backend/threads.h"
 #include "sph_solver/choose_passes.h"
 #include "sph_solver/measure/certificate.h"
@@ -83,12 +83,7 @@ public:
     /// All ranks call it, and the first one writes.
     void write(const Simulation& simulation, const RunRecord& record) {
         const Comm& ranks = simulation.level(0).ranks();
-        std::vector<Particles> of_all_ranks;
-        for (const auto& level : simulation.levels())
-            if (ranks.many()) of_all_ranks.push_back(level->gathered());
-        const auto particles = [&](std::size_t k) -> const Particles& {
-            return ranks.many() ? of_all_ranks[k] : simulation.level(k).particles();
-        };
+        const AllParticles particles(simulation);
         ranks.on_first([&] { write_files(simulation, particles, record); });
     }
     /// The free surface of the last raster frame, under its own time; a frame that is there already is left.
@@ -122,9 +117,8 @@ public:
 
 private:
     using Series = std::vector<std::pair<std::string, double>>;
-    using ParticlesOf = std::function<const Particles&(std::size_t level)>;
 
-    void write_files(const Simulation& simulation, const ParticlesOf& particles, const RunRecord& record) {
+    void write_files(const Simulation& simulation, const AllParticles& particles, const RunRecord& record) {
         fs::create_directory(folder_);  // in the run's folder; where that was moved away, nothing is made
         const std::string stamp = fmt::format("{:09.5f}", simulation.time());
         const std::size_t water = simulation.water().size();
@@ -142,13 +136,13 @@ private:
         write_series(folder_ / "hull.vtp.series", hulls_);
     }
     /// Active particles of one material, which has the levels [first, last), in one file.
-    void write_levels(const Simulation& simulation, std::size_t first, std::size_t last, const ParticlesOf& particles,
+    void write_levels(const Simulation& simulation, std::size_t first, std::size_t last, const AllParticles& particles,
                       const std::string& name, Series& series, const std::string& stamp) {
         std::vector<Vec3> places;
         Field velocity{"velocity", 3, {}}, pressure{"pressure", 1, {}}, kind{"kind", 1, {}}, size{"spacing", 1, {}};
         for (std::size_t k = first; k < last; ++k) {
             const LevelSetup& setup = simulation.level(k).setup();
-            const Particles& p = particles(k);
+            const Particles& p = particles.of(k);
             for (std::size_t i = 0; i < p.size(); ++i) {
                 if (!is_active(p.kind[i])) continue;
                 places.emplace_back(p.x[i], p.y[i], p.z[i]);
@@ -237,9 +231,6 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
     refuse_ranks(scene, ranks.size());
     refuse_other_builds(ranks);
     const bool on_gpu = gpu_wanted(scene);
-    if (on_gpu && ranks.many())
-        throw InputError(fmt::format("{}: several ranks and a GPU do not go together yet: leave out one of them",
-                                     scene.file.string()));
     std::optional<FolderLock> lock;
     ranks.on_first([&] { lock.emplace(options.folder); });
     std::optional<RunRecord> finished;

@@ -60,7 +60,7 @@ Simulation::Simulation(const SimulationSetup& setup, std::span<const Fluid> flui
         levels_.push_back(std::make_unique<Level>(*around_, level, setup.effects, Schedule(setup.scheme), *bodies_,
                                                   *passes_, fluids[k]));
     }
-    levels_.front()->refuse_idle_ranks();  // finer ones may have few particles, or none yet
+    levels_.front()->refuse_idle(levels_.front()->ranks().size());  // finer ones may have few particles, or none yet
     refinements_.reserve(finest);
     for (std::size_t k = 0; k < finest; ++k)
         refinements_.emplace_back(*levels_[k], *levels_[k + 1], setup.zones[k], k > 0 ? &refinements_[k - 1] : nullptr);

@@ -295,7 +295,17 @@ void Level::gather_loads(const Vec3& moment_reference) {
         for (const WallPush& p : own) of_bodies[p.body].add(p.force, p.place - moment_reference);
         walls_.set_pushes(of_all_ranks(own, columns));
     }
+    if (ranks().many() && all_fixed(bodies_) && schedule_.stages().empty()) {
+        waiting_loads_ = std::move(sums);  // nobody asks for them before the step's end
+        return;
+    }
     ranks().add(std::span(sums));
+    set_loads(sums);
+}
+
+void Level::set_loads(std::span<const PushSum> sums) {
+    const std::size_t n = bodies_.size();
+    const auto pressed = sums.first(n), rubbed = sums.subspan(n, n), of_bodies = sums.last(n);
     // force on the bodies = minus what they exert on the water
     std::vector<Load> loads(n);
     for (std::size_t b = 0; b < n; ++b) {
@@ -366,11 +376,15 @@ FieldsToSet Level::fields_to_set() {
     return FieldsToSet(particles_);
 }
 
-void Level::keep_only(const std::vector<std::int32_t>& staying, std::int64_t active) {
+void Level::take_out(std::vector<std::int64_t> ids, std::int64_t active) {
     ledger_.out += active;
     home();
     if (device_) device_->note_changed_state();
-    particles_.reorder(staying);
+    std::ranges::sort(ids);
+    std::vector<int> gone(particles_.size());
+    for_particles(gone.size(), [&](std::size_t i) { gone[i] = std::ranges::binary_search(ids, particles_.id[i]); });
+    let_go(gone);
+    total_ -= static_cast<std::int64_t>(ids.size());
     start_anew();
 }
 

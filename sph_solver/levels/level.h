@@ -73,8 +73,8 @@ public:
     /// From now on a device makes the steps, see device_steps.h; before the first step.
     void leave_steps_to(std::unique_ptr<DeviceSteps> device) { device_ = std::move(device); }
     const Comm& ranks() const;
-    /// Throws InputError where there are fewer columns with particles than ranks, before the first step.
-    void refuse_idle_ranks() const;
+    /// Throws InputError where so many ranks are more than the columns with particles; before the first step.
+    void refuse_idle(int ranks) const;
     bool owns(std::size_t i) const { return own_.empty() || own_[i] != 0; }
     std::size_t copies() const { return halo_.received(); }
     std::int64_t live_pairs(const Group& g) const;  ///< that each of a group's particles meets, useful or not
@@ -105,6 +105,7 @@ public:
     /// The larger of the fastest particle's speed and the stream's [m/s].
     double reference_speed() const;
     int dimensions() const { return around_.dimensions; }
+    const Box& domain() const { return around_.domain; }
     /// Kernel support of a particle at the last evaluation [-].
     double support(std::size_t i) const { return double(home().shift_support[i].support); }
     /// Density that the weight of one row of particles makes at rest, rho0 g dp / c0^2 [kg/m3].
@@ -136,6 +137,7 @@ public:
     void second_sweep(double t);
     /// Of several ranks: the rates are whole, and told to who holds copies.
     void tell_rates() { halo_.tell(particles_.rate.data(), particles_.shift_support.data()); }
+    /// Loads on bodies that stay where they are may wait for the end of `advance`.
     void gather_loads(const Vec3& moment_reference);
     void set_step(double dt) { dt_ = dt; }
     /// What particles that a wall had to hold did to the bodies in a step.
@@ -214,9 +216,9 @@ public:
     };
     State state() const;
     void restore(const State& state, Particles particles);
-    /// Takes all particles but some out of the run, of which so many that are `active` count as out, and goes on as after
-    /// a restart.
-    void keep_only(const std::vector<std::int32_t>& staying, std::int64_t active);
+    /// Takes particles out of the run by their ids, of which so many that are `active` count as out, and goes on as
+    /// after a restart. Of several ranks all call it with the ids of all, once their lists are made.
+    void take_out(std::vector<std::int64_t> ids, std::int64_t active);
 
 private:
     friend class LevelOnDevice;
@@ -315,6 +317,8 @@ private:
     void hold_columns(const std::vector<std::int32_t>& staying, double reach);
     void note_own();
     void tell_first_sweep();
+    /// Of all ranks: pressed, rubbed and by bodies, one for each body.
+    void set_loads(std::span<const PushSum> sums);
     void tell_samples(PointSamples& points) const;
 
     const Surroundings& around_;
@@ -354,6 +358,7 @@ private:
     std::vector<char> own_;                    ///< of each particle; empty: all are
     std::int64_t total_ = 0;                   ///< particles of all ranks
     std::vector<std::int32_t> group_columns_;  ///< in which the groups stand
+    std::vector<PushSum> waiting_loads_;       ///< of this rank; empty: none wait
 
     /// Of steps in stages only, else empty.
     struct {

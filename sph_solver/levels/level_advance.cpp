@@ -188,11 +188,10 @@ Level::Struck Level::advance(const Schedule::Move& move, const Vec3& moment_refe
     };
     note(all.fastest, fastest), note(all.densest, densest), note(all.thinnest, thinnest);
     const double own_speed2 = all.fastest.value;
-    all = ranks().sum(all);
-    if (all.held > 0) {
-        ranks().add(std::span(on_bodies));
-        if (walls_.give_way()) struck.places = of_all_ranks(strikes, strike_columns);
-    }
+    ranks().add(std::span(&all, 1), std::span(on_bodies), std::span(waiting_loads_));
+    if (!waiting_loads_.empty()) set_loads(waiting_loads_);
+    waiting_loads_.clear();
+    if (all.held > 0 && walls_.give_way()) struck.places = of_all_ranks(strikes, strike_columns);
     if (all.broken > 0)
         fail_together({broken, broken ? column_of(*broken) : 0,
                        "has a velocity, density or place that is not a number; often a time step or sound speed that "

@@ -50,15 +50,15 @@ void Level::begin_whole() {
     halo_ = {};
 }
 
-void Level::refuse_idle_ranks() const {
-    if (!ranks().many()) return;
+void Level::refuse_idle(int count) const {
+    if (count <= 1) return;
     std::vector<char> busy(static_cast<std::size_t>(grid_.count()), 0);
     for (std::size_t i = 0; i < particles_.size(); ++i)
         busy[static_cast<std::size_t>(grid_.of(quanta_.wide({particles_.x[i], particles_.y[i], particles_.z[i]})))] = 1;
     const std::int64_t columns = std::ranges::count(busy, 1);
-    if (columns < ranks().size())
+    if (columns < count)
         throw InputError(fmt::format("the {} stands in {} columns of particles, and there are {} ranks: take fewer",
-                                     setup_.material, columns, ranks().size()));
+                                     setup_.material, columns, count));
 }
 
 /// What is left keeps its order, and its columns; what has been added behind them is in none.

@@ -2,6 +2,8 @@
 
 #include <bit>
 
+#include "sph_solver/device/launch.h"
+
 namespace tw {
 
 int RunningSum::add_up() {

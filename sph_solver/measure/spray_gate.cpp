@@ -1,9 +1,11 @@
 #include "sph_solver/measure/spray_gate.h"
 
 #include <algorithm>
+#include <array>
 
 #include "base/exact_sum.h"
 #include "record/components.h"
+#include "sph_solver/all_particles.h"
 #include "sph_solver/simulation.h"
 
 namespace tw {
@@ -18,10 +20,10 @@ struct ActiveWater {
     std::vector<std::pair<std::size_t, std::size_t>> who;  ///< level, particle
 };
 
-ActiveWater water_of(const Simulation& simulation) {
+ActiveWater water_of(const Simulation& simulation, const AllParticles& all) {
     ActiveWater water;
     for (std::size_t k = 0; k < simulation.levels().size(); ++k) {
-        const Particles& p = simulation.level(k).particles();
+        const Particles& p = all.of(k);
         const double dp = simulation.level(k).setup().dp;
         for (std::size_t i = 0; i < p.size(); ++i) {
             if (!is_active(p.kind[i])) continue;
@@ -62,6 +64,29 @@ private:
     Eigen::AlignedBox3d round_;
 };
 
+/// All ranks have what the first one has.
+SprayGate::Leaving told_by_first(const Comm& ranks, SprayGate::Leaving own) {
+    if (!ranks.many()) return own;
+    struct Lump {
+        std::array<double, 3> place, velocity;
+        double mass, inner_energy;
+        std::int64_t particles;
+    };
+    std::vector<Lump> sent;
+    for (const SprayLump& l : own.lumps)
+        sent.push_back({{l.place.x(), l.place.y(), l.place.z()},
+                        {l.velocity.x(), l.velocity.y(), l.velocity.z()},
+                        l.mass,
+                        l.inner_energy,
+                        l.particles});
+    SprayGate::Leaving told;
+    for (const Lump& l : ranks.gathered(sent))
+        told.lumps.push_back({Vec3(l.place.data()), Vec3(l.velocity.data()), l.mass, l.inner_energy, l.particles});
+    for (const SprayGate::Leaving::OfSize& size : own.sizes)
+        told.sizes.push_back({ranks.gathered(size.ids), ranks.sum(size.active)});
+    return told;
+}
+
 }  // namespace
 
 std::optional<SprayGate> SprayGate::of(const SphOptions& o) {
@@ -70,16 +95,37 @@ std::optional<SprayGate> SprayGate::of(const SphOptions& o) {
 }
 
 std::vector<SprayLump> SprayGate::take(Simulation& simulation) const {
-    const ActiveWater water = water_of(simulation);
-    const auto is_beyond = [&](const Vec3& x) { return (x - point_).dot(normal_) > 0; };
+    const Comm& ranks = simulation.level(0).ranks();
+    if (ranks.sum(std::int64_t{any_beyond(simulation)}) == 0) return {};  // the search costs as much as a step
+    Leaving leaving;
+    leaving.sizes.resize(simulation.levels().size());
+    {
+        const AllParticles all(simulation);
+        ranks.on_first([&] { find(simulation, all, leaving); });
+    }
+    leaving = told_by_first(ranks, std::move(leaving));
+    for (std::size_t k = 0; k < leaving.sizes.size(); ++k)
+        if (auto& [ids, active] = leaving.sizes[k]; !ids.empty()) simulation.level(k).take_out(std::move(ids), active);
+    return leaving.lumps;
+}
+
+bool SprayGate::is_beyond(const Vec3& x) const { return (x - point_).dot(normal_) > 0; }
+
+bool SprayGate::any_beyond(const Simulation& simulation) const {
+    for (const auto& level : simulation.levels()) {
+        const Particles& p = level->particles();
+        for (std::size_t i = 0; i < p.size(); ++i)
+            if (p.kind[i] == Kind::fluid && is_beyond(place(p, i))) return true;
+    }
+    return false;
+}
+
+void SprayGate::find(const Simulation& simulation, const AllParticles& particles, Leaving& leaving) const {
+    const ActiveWater water = water_of(simulation, particles);
     const auto is_inner = [&](std::size_t n) {
         const auto [k, i] = water.who[n];
-        return simulation.level(k).particles().kind[i] == Kind::fluid;
+        return particles.of(k).kind[i] == Kind::fluid;
     };
-    bool any = false;
-    for (std::size_t n = 0; n < water.who.size() && !any; ++n) any = is_inner(n) && is_beyond(water.elements[n].place);
-    if (!any) return {};  // the search for components costs as much as a step
-
     const std::vector<int> number = components(water.elements, link_);
     const auto count = static_cast<std::size_t>(*std::ranges::max_element(number)) + 1;
     std::vector<SprayLump> all(count);
@@ -107,7 +153,6 @@ std::vector<SprayLump> SprayGate::take(Simulation& simulation) const {
         all[c].mass = coarsest * share;
         leaves[c] = leaves[c] && is_beyond(all[c].place);
     }
-    std::vector<SprayLump> lumps;
     for (std::size_t n = 0; n < water.who.size(); ++n) {
         const auto c = static_cast<std::size_t>(number[n]);
         sums[c].inner_energy += share_of(n) * (water.elements[n].velocity - all[c].velocity).squaredNorm();
@@ -115,25 +160,22 @@ std::vector<SprayLump> SprayGate::take(Simulation& simulation) const {
     }
     for (std::size_t c = 0; c < count; ++c) {
         all[c].inner_energy = 0.5 * coarsest * sums[c].inner_energy.value();
-        if (leaves[c]) lumps.push_back(all[c]);
+        if (leaves[c]) leaving.lumps.push_back(all[c]);
     }
-    if (lumps.empty()) return {};
+    if (leaving.lumps.empty()) return;
 
     const Bereft bereft(water, taken);
     std::size_t n = 0;
     for (std::size_t k = 0; k < simulation.levels().size(); ++k) {
-        Level& level = simulation.level(k);
-        const Particles& p = level.particles();
-        std::int64_t out = 0;
-        std::vector<std::int32_t> staying;
+        const Particles& p = particles.of(k);
+        auto& [ids, active] = leaving.sizes[k];
         for (std::size_t i = 0; i < p.size(); ++i) {
-            const bool active = is_active(p.kind[i]), goes = active ? taken[n] : bereft(place(p, i), level.setup().dp);
-            if (active) out += taken[n++];
-            if (!goes) staying.push_back(static_cast<std::int32_t>(i));
+            const bool water_itself = is_active(p.kind[i]),
+                       goes = water_itself ? taken[n] : bereft(place(p, i), simulation.level(k).setup().dp);
+            if (water_itself) active += taken[n++];
+            if (goes) ids.push_back(p.id[i]);
         }
-        if (staying.size() < p.size()) level.keep_only(staying, out);
     }
-    return lumps;
 }
 
 }  // namespace tw

@@ -3,11 +3,12 @@
 #include <optional>
 #include <vector>
 
-#include "scene/sph_options.h"
 #include "base/vec3.h"
+#include "scene/sph_options.h"
 
 namespace tw {
 
+class AllParticles;
 class Simulation;
 
 /// Detached water that has left a run, as one lump.
@@ -28,10 +29,25 @@ public:
 
     /// Takes the lumps whose centre is beyond out of the run, whose particles count as out; with several sizes of
     /// particles also those that stand for them in another size. Between two steps, when nothing looks at the last
-    /// evaluation any more: levels that lose any go on as after a restart.
+    /// evaluation any more: levels that lose any go on as after a restart. Of several ranks all call it; the first one
+    /// searches all of the water, and each takes out what it holds.
     std::vector<SprayLump> take(Simulation& simulation) const;
 
+    /// What goes at one moment.
+    struct Leaving {
+        struct OfSize {
+            std::vector<std::int64_t> ids = {};  ///< also of those that stand for the water of another size
+            std::int64_t active = 0;             ///< of those that are water themselves
+        };
+        std::vector<SprayLump> lumps = {};
+        std::vector<OfSize> sizes = {};  ///< of the particles, by level
+    };
+
 private:
+    bool is_beyond(const Vec3& x) const;
+    bool any_beyond(const Simulation& simulation) const;  ///< water of this process
+    void find(const Simulation& simulation, const AllParticles& particles, Leaving& leaving) const;
+
     SprayGate(const Vec3& point, const Vec3& normal, double link) : point_(point), normal_(normal), link_(link) {}
     Vec3 point_, normal_;
     double link_;

@@ -56,6 +56,36 @@ public:
         combine(
             values, +[](T& all, const T& own) { all += own; });
     }
+    /// Likewise of several lists of different things, in one message.
+    template <class... T>
+    requires(sizeof...(T) > 1) void add(std::span<T>... lists) const {
+        static_assert((std::is_trivially_copyable_v<T> && ...));
+        if (!many()) return;
+        Bytes message((lists.size_bytes() + ...));
+        std::byte* at = message.data();
+        const auto each_list = [&](const auto& of_list) { (of_list(lists), ...); };
+        each_list([&](auto list) {
+            if (!list.empty()) std::memcpy(at, list.data(), list.size_bytes());
+            at += list.size_bytes();
+        });
+        combine_bytes(message.data(), message.size(), 1, [&](void* all, const void* own) {
+            std::size_t from = 0;
+            each_list([&]<class U>(std::span<U> list) {
+                for (std::size_t k = 0; k < list.size(); ++k, from += sizeof(U)) {
+                    U a, b;
+                    std::memcpy(&a, static_cast<std::byte*>(all) + from, sizeof(U));
+                    std::memcpy(&b, static_cast<const std::byte*>(own) + from, sizeof(U));
+                    a += b;
+                    std::memcpy(static_cast<std::byte*>(all) + from, &a, sizeof(U));
+                }
+            });
+        });
+        at = message.data();
+        each_list([&](auto list) {
+            if (!list.empty()) std::memcpy(list.data(), at, list.size_bytes());
+            at += list.size_bytes();
+        });
+    }
     template <class T>
     T sum(T own) const {
         add(std::span<T>(&own, 1));

@@ -6,6 +6,7 @@
 #include "base/errors.h"
 #include "record/checksum_line.h"
 #include "record/hdf5_file.h"
+#include "sph_solver/all_particles.h"
 #include "sph_solver/state/checkpoint_layout.h"
 
 namespace tw {
@@ -44,9 +45,7 @@ void write_control_volume(hid_t at, const ControlVolume::State& s) {
 void write_checkpoint(const std::filesystem::path& path, const std::string& run_hash, const Simulation& simulation,
                       double mass_at_start) {
     const Comm& ranks = simulation.level(0).ranks();
-    std::vector<Particles> of_all_ranks;  // empty where this process has all
-    for (const auto& level : simulation.levels())
-        if (ranks.many()) of_all_ranks.push_back(level->gathered());
+    const AllParticles particles(simulation);
     if (!ranks.first()) return;
     try {
         const h5::Silence silence;
@@ -60,8 +59,7 @@ void write_checkpoint(const std::filesystem::path& path, const std::string& run_
         }
         const h5::Handle levels = h5::create_group(file, "levels");
         for (std::size_t k = 0; k < simulation.levels().size(); ++k)
-            write_level(h5::create_group(levels, std::to_string(k).c_str()), simulation.level(k),
-                        ranks.many() ? of_all_ranks[k] : simulation.level(k).particles());
+            write_level(h5::create_group(levels, std::to_string(k).c_str()), simulation.level(k), particles.of(k));
         for (std::size_t k = 0; k < simulation.refinements().size(); ++k) {
             const Refinement::Ledger& l = simulation.refinements()[k].ledger();
             const long long counts[] = {l.births, l.deaths};

@@ -16,11 +16,12 @@
 namespace tw::test {
 
 Program::Program(const std::vector<std::string>& arguments, const std::filesystem::path& working_folder,
-                 long largest_file) {
+                 long largest_file, const std::filesystem::path& program) {
     static int number = 0;
     output_ = std::filesystem::temp_directory_path() /
               ("twinwake_output_" + std::to_string(getpid()) + "_" + std::to_string(++number));
-    std::vector<std::string> words{TWINWAKE_PROGRAM};
+    const std::string file = program.empty() ? TWINWAKE_PROGRAM : program.string();
+    std::vector<std::string> words{file};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());
@@ -39,7 +40,7 @@ Program::Program(const std::vector<std::string>& arguments, const std::filesyste
         const rlimit limit{static_cast<rlim_t>(largest_file), static_cast<rlim_t>(largest_file)};
         setrlimit(RLIMIT_FSIZE, &limit);
     }
-    execv(TWINWAKE_PROGRAM, argv.data());
+    execv(file.c_str(), argv.data());
     _exit(127);
 }
 

@@ -12,8 +12,9 @@ namespace tw::test {
 class Program {
 public:
     /// Starts at once; output and errors go to one file. `largest_file` > 0: no file may grow beyond this [bytes], as on
-    /// a full disk.
-    explicit Program(const std::vector<std::string>& arguments, const std::filesystem::path& working_folder, long largest_file = 0);
+    /// a full disk. `program`: another one, its path; empty: twinwake.
+    explicit Program(const std::vector<std::string>& arguments, const std::filesystem::path& working_folder,
+                     long largest_file = 0, const std::filesystem::path& program = {});
     ~Program();
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
@@ -21,7 +22,7 @@ public:
     /// Waits for its end: exit status, or -signal.
     int wait();
     bool running();
-    void kill_hard();   ///< SIGKILL
+    void kill_hard();  ///< SIGKILL
     pid_t pid() const { return pid_; }
     std::string output() const;
 
@@ -46,6 +47,7 @@ private:
 bool wait_until(const std::function<bool()>& happened, double seconds);
 
 /// Writes a small two-dimensional collapsing column; a run of one simulated second takes some seconds.
-std::filesystem::path write_small_scene(const std::filesystem::path& file, double duration, const std::string& title = "small column");
+std::filesystem::path write_small_scene(const std::filesystem::path& file, double duration,
+                                        const std::string& title = "small column");
 
 }  // namespace tw::test

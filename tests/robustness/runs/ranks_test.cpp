@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <signal.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <bit>
@@ -10,6 +11,7 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <numeric>
 #include <optional>
 #include <sstream>
 
@@ -17,6 +19,7 @@
 #include "first_difference.h"
 #include "program.h"
 #include "record/run_record.h"
+#include "record/spray_table.h"
 #include "sph_solver/parallel/comm.h"
 #include "test_paths.h"
 
@@ -185,6 +188,13 @@ TEST_F(Ranks, ThreeSizesRoundABodyThatFallsHaveTheSameBytes) {
     EXPECT_GT(last(one, 2, "deaths"), 10);
 }
 
+/// Particles in all.
+double taken_by_gate(const fs::path& run) {
+    RunRecord record = read_record(run / "record.h5");
+    const std::vector<double>& lumps = record.table(spray_table).column("particles", "-").values;
+    return std::accumulate(lumps.begin(), lumps.end(), 0.0);
+}
+
 /// Water that runs into the zone of finer particles about an obstacle.
 std::string column_and_fine_particles() {
     std::string text = column_on_an_obstacle;
@@ -214,6 +224,26 @@ TEST_F(Ranks, ARunWithTwoSizesGoesOnWithAnotherNumberOfRanks) {
     const ScratchFolder folder("ranks_resume_sizes");
     goes_on_with_another_number_of_ranks(column_and_fine_particles(), folder);
     for (const char* of : {"births", "spray"}) EXPECT_GT(last(folder.path() / "ranks_1/sph", 1, of), 10) << of;
+}
+
+/// What the gate takes is found in the water of all ranks: a block in the air, which stands in the columns of several.
+TEST_F(Ranks, TheSprayGateTakesTheSameBytes) {
+    const ScratchFolder folder("ranks_gate");
+    const fs::path scene = folder.path() / "scene.toml";
+    write_text_atomically(scene, with(text_of("small_spray.toml"), "0.46, 0.06, 0.4]\nmax = [0.52, 0.14,",
+                                      "0.32, 0, 0.4]\nmax = [0.52, 0.2,"));
+    same_for_any_ranks(scene, folder.path(), {2, 4}, {"--near-hull", "30mm", "--duration", "0.2s"});
+    EXPECT_GT(taken_by_gate(folder.path() / "ranks_1/sph"), 50);
+}
+
+/// A lump across the edge of two sizes goes with the guards and parents that stand for it; saved and gone on with.
+TEST_F(Ranks, TheSprayGateTakesTwoSizesTheSame) {
+    const ScratchFolder folder("ranks_gate_sizes");
+    const std::string lump = "[[water_block]]\nmin = [0.4, 0.08, 0.32]\nmax = [0.72, 0.16, 0.36]\n[[obstacle]]";
+    goes_on_with_another_number_of_ranks(with(column_and_fine_particles(), "[[obstacle]]", lump) +
+                                             "gate_point = [0.42, 0, 0.25]\ngate_normal = [1, 0, 1]\ngate_link = 1.7\n",
+                                         folder);
+    EXPECT_GT(taken_by_gate(folder.path() / "ranks_1/sph"), 20);
 }
 
 TEST_F(Ranks, ARunGoesOnWithAnotherNumberOfRanks) {
@@ -269,6 +299,79 @@ TEST_F(Ranks, AKilledRankEndsAllAndTheRunGoesOn) {
     expect_same(run(scene, folder.path(), 1), out / "sph", "killed and gone on");
 }
 
+/// The words behind `env` of a run on so many ranks that take a file which may not grow for an error, as of a full
+/// disk, and not for a signal.
+std::vector<std::string> command_without_signal(std::vector<std::string> of_twinwake, int ranks) {
+    of_twinwake.insert(of_twinwake.begin(),
+                       {"OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1", "mpirun", "-n",
+                        std::to_string(ranks), "--oversubscribe", "--bind-to", "none", "--quiet", "sh", "-c",
+                        "trap '' XFSZ; exec \"$0\" \"$@\"", TWINWAKE_PROGRAM});
+    return of_twinwake;
+}
+/// No file of the rank may grow beyond 20 kB from now on.
+void fill_disk_of(pid_t rank) {
+    const rlimit limit{20'000, 20'000};
+    ASSERT_EQ(prlimit(rank, RLIMIT_FSIZE, &limit, nullptr), 0);
+}
+/// Of the process, as mpirun has told it.
+int rank_of(pid_t process) {
+    const std::string all = read_text(fs::path("/proc") / std::to_string(process) / "environ"),
+                      name = "OMPI_COMM_WORLD_RANK=";
+    const std::size_t at = all.find(name);
+    return at == std::string::npos ? -1 : std::atoi(all.c_str() + at + name.size());
+}
+
+/// The first rank writes; the others have nothing on a disk, and theirs may be full.
+TEST_F(Ranks, AFullDiskOfOneRankEndsAllAndTheRunGoesOn) {
+    const ScratchFolder folder("ranks_full");
+    const fs::path scene = folder.path() / "scene.toml";
+    write_text_atomically(scene, column_on_an_obstacle);
+    const fs::path out = folder.path() / "full";
+    std::vector<std::string> words = command_without_signal(command(scene, out, 1), 3);
+    Program program(words, folder.path(), 0, "/usr/bin/env");
+    ASSERT_TRUE(wait_until([&] { return fs::exists(out / "sph/checkpoint.h5") || !program.running(); }, 60));
+    ASSERT_TRUE(program.running()) << program.output();
+    const std::vector<pid_t> ranks = children_of(program.pid());
+    ASSERT_EQ(ranks.size(), 3u);
+    const auto first = std::ranges::find(ranks, 0, rank_of);
+    ASSERT_NE(first, ranks.end());
+    fill_disk_of(*first);
+    ASSERT_TRUE(wait_until([&] { return !program.running(); }, 30)) << "the other ranks wait for it";
+    EXPECT_EQ(program.wait(), 3);
+    EXPECT_NE(program.output().find(".h5: cannot be written: File too large"), std::string::npos) << program.output();
+    EXPECT_TRUE(std::ranges::none_of(ranks, is_alive)) << "a rank is left";
+    for (const auto& entry : fs::recursive_directory_iterator(out))
+        EXPECT_NE(entry.path().extension(), ".tmp") << "left behind: " << entry.path();
+
+    words.emplace_back("--resume");
+    Program rest(words, folder.path(), 0, "/usr/bin/env");
+    const auto begun = [&] { return rest.output().find("3 ranks, results in") != std::string::npos; };
+    ASSERT_TRUE(wait_until([&] { return begun() || !rest.running(); }, 60));
+    for (const pid_t rank : children_of(rest.pid()))
+        if (rank_of(rank) > 0) fill_disk_of(rank);
+    ASSERT_EQ(rest.wait(), 0) << rest.output();
+    expect_same(run(scene, folder.path(), 1), out / "sph", "a full disk, and gone on");
+}
+
+/// As on two nodes: ranks that reach each other by TCP alone, and have another name and folder for temporary files.
+TEST_F(Ranks, OfTwoNetworkNamespacesHaveTheSameBytes) {
+    const fs::path two_nodes = fs::path(TWINWAKE_SOURCE) / "tools/two_nodes.sh";
+    const ScratchFolder folder("ranks_nodes");
+    Program names({"1", "hostname"}, folder.path(), 0, two_nodes);
+    if (names.wait() == 77) GTEST_SKIP() << names.output();
+    for (const char* node : {"node1", "node2"}) EXPECT_NE(names.output().find(node), std::string::npos);
+    const fs::path scene = folder.path() / "scene.toml", out = folder.path() / "nodes";
+    write_text_atomically(scene, column_on_an_obstacle);
+    std::vector<std::string> words = command(scene, out, 1);
+    words.insert(words.begin(), {"2", TWINWAKE_PROGRAM});
+    const std::vector<std::string> coarse{"--near-hull", "40mm", "--duration", "0.2s"};
+    words.insert(words.end(), coarse.begin(), coarse.end());
+    Program nodes(words, folder.path(), 0, two_nodes);
+    ASSERT_EQ(nodes.wait(), 0) << nodes.output();
+    EXPECT_EQ(read_record(out / "sph/record.h5").attributes["ranks"], "4");
+    expect_same(run(scene, folder.path(), 1, coarse), out / "sph", "two nodes");
+}
+
 TEST(RanksRefused, WithTheReason) {
     const ScratchFolder folder("ranks_refused");
     const fs::path scene = folder.path() / "scene.toml";
@@ -287,10 +390,6 @@ TEST(RanksRefused, WithTheReason) {
     has(refused(column_on_an_obstacle, {"--ranks", "0", "--method", "sph", "--no-twins"}), "--ranks");
     has(refused(column_on_an_obstacle, {"--ranks", "2", "--method", "both", "--no-twins"}), "--method sph");
     has(refused(column_on_an_obstacle, {"--ranks", "2", "--method", "sph"}), "--no-twins");
-    has(refused(std::string(column_on_an_obstacle) +
-                    "[sph]\ngate_point = [0.7, 0, 0.3]\ngate_normal = [1, 0, 0]\ngate_link = 1.7\n",
-                two),
-        "spray gate");
     if (!Comm::built_with_mpi()) {
         has(refused(column_on_an_obstacle, two), "built without MPI");
         return;
