@@ -1,9 +1,9 @@
 // Plots with values under the pointer and zoom, by uPlot, in the place of the page's drawings. Each figure with a block
 // of class plot-data becomes one when it comes near the screen; paper gets the drawing. The axes are read from the
-// drawing (data-axes: low and high of x and y, as logarithms where data-log names the axis; data-x, data-y: labels), the
-// curves from the block:
-//   lines   name (in the legend; empty: not there), source (its colour), faint, dashed, points (a dot at every value), x
-//           and y: base64 of 32-bit floats; what is not finite interrupts the line
+// drawing (data-axes: low and high of x and y, as logarithms where data-log names the axis; data-x, data-y: labels),
+// the curves from the block:
+//   lines   name (in the legend; empty: not there), source (its colour), faint, dashed, points (a dot at every value),
+//           x and y: base64 of 32-bit floats; what is not finite interrupts the line
 //   bands   source, from, to, value, half_width: settled means with their intervals
 //   levels  name, value: horizontal references
 import uPlot from 'uplot';
@@ -42,6 +42,17 @@ function shown(value, step, logarithmic) {
   const places = Math.min(8, Math.max(0, Math.ceil(-Math.log10(step))));
   const text = logarithmic || Math.abs(value) >= 1e6 ? Number(value.toPrecision(4)).toString() : value.toFixed(places);
   return text.replace(/^-(?=0(\.0*)?$)/, '').replace('-', '−');
+}
+
+/** Decades within the range, and 2 and 5 of each where there are fewer than four. */
+function logarithmicTicks(low, high) {
+  const digits = Math.log10(high / low) < 4 ? [1, 2, 5] : [1], ticks = [];
+  for (let power = Math.floor(Math.log10(low)); power <= Math.log10(high); ++power)
+    for (const digit of digits) {
+      const tick = Number(digit + 'e' + power);
+      if (tick >= low && tick <= high) ticks.push(tick);
+    }
+  return ticks;
 }
 
 class LivePlot {
@@ -88,6 +99,7 @@ class LivePlot {
       font: '11px system-ui, sans-serif',
       stroke: () => colour('--text'), grid: {stroke: () => colour('--line'), width: 1}, ticks: {show: false},
       ...(name === 'x' ? {gap: 4} : {}),
+      ...(this.log[name] ? {splits: (u, k, low, high) => logarithmicTicks(low, high), filter: (u, at) => at} : {}),
       values: (u, splits, k, space, step) => splits.map(v => (v == null ? '' : shown(v, step, this.log[name]))),
     });
     return {
