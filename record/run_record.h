@@ -108,6 +108,10 @@ struct RunRecord {
 
 /// The table of a body that moves.
 inline std::string body_table(const std::string& name) { return "body_" + name; }
+/// The number that says over which time [s] the peak of a probe ("pressure", "height") or a "body" is a mean.
+inline std::string peak_filter(const std::string& table, const std::string& name) {
+    return "peak_filter_" + table + "_" + name;
+}
 /// The table of one of several sizes of particles, coarsest first.
 inline std::string level_table(std::size_t k) { return "level_" + std::to_string(k); }
 

@@ -120,9 +120,15 @@ void add_law(Lines& t, const MotionLaw& law) {
     for (std::size_t k = 0; k < law.times.size(); ++k) t.add("row", {law.times[k], law.values[k]});
 }
 
+/// Of a peak; scenes that do not say it keep the hash they had before it could be said.
+void add_filter(Lines& t, double filter) {
+    if (filter > 0) t.add("filter", {filter});
+}
+
 void add_body(Lines& t, const MovingBody& body, bool sizes) {
     const RigidBodySetup& m = body.motion;
     t.add("name", body.name);  // names are those of the record's tables and columns
+    add_filter(t, body.filter);
     if (body.elastic) {
         t.add("mass", {m.mass.mass}).add("velocity", m.velocity);
         if (const ElasticTyre* tyre = body.tyre()) return add_tyre(t, *tyre);
@@ -169,8 +175,14 @@ void add_geometry(Lines& t, const Scene& scene, bool sizes) {
     }
     for (const Box& block : scene.water_blocks)
         t.add("block", flat ? Box{flattened(block.min, middle), flattened(block.max, middle)} : block);
-    for (const PressureProbe& p : scene.sampling.pressure) t.add("pressure", p.name).add("at", p.place);
-    for (const HeightProbe& p : scene.sampling.height) t.add("height", p.name).add("at", {p.x, p.y});
+    for (const PressureProbe& p : scene.sampling.pressure) {
+        t.add("pressure", p.name).add("at", p.place);
+        add_filter(t, p.filter);
+    }
+    for (const HeightProbe& p : scene.sampling.height) {
+        t.add("height", p.name).add("at", {p.x, p.y});
+        add_filter(t, p.filter);
+    }
     for (const RefinedPlace& place : scene.refined) {
         if (place.around == RefinedPlace::Around::box)
             t.add("refined", place.boxes.front());

@@ -119,6 +119,12 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
         record.numbers["domain_" + axis + "_min"] = scene.domain.box.min[static_cast<Eigen::Index>(k)];
         record.numbers["domain_" + axis + "_max"] = scene.domain.box.max[static_cast<Eigen::Index>(k)];
     }
+    const auto add_filter = [&](const std::string& table, const std::string& name, double filter) {
+        if (filter > 0) record.numbers[peak_filter(table, name)] = filter;
+    };
+    for (const PressureProbe& p : scene.sampling.pressure) add_filter("pressure", p.name, p.filter);
+    for (const HeightProbe& p : scene.sampling.height) add_filter("height", p.name, p.filter);
+    for (const MovingBody& b : scene.bodies) add_filter("body", b.name, b.filter);
     if (scene.hull && scene.sampling.cuts_x.empty() && scene.sampling.cuts_y.empty()) {
         // from the scene's hull: that of a mesh ends elsewhere at each size
         const Box hull = scene.hull->surface.bounds();

@@ -97,14 +97,15 @@ std::optional<double> read_sampling(SceneSection& s, std::vector<SceneSection>& 
         const auto height = p.numbers("height");
         if (pressure.has_value() == height.has_value())
             p.fail("pressure", "expected either pressure = [x, y, z] or height = [x, y]");
+        const double filter = p.number("filter", 0);
         if (pressure) {
             const std::string name = p.identifier("name", fmt::format("P{}", sampling.pressure.size() + 1));
             take(of_pressures, name, p);
-            sampling.pressure.push_back({name, *pressure});
+            sampling.pressure.push_back({name, *pressure, filter});
         } else {
             const std::string name = p.identifier("name", fmt::format("H{}", sampling.height.size() + 1));
             take(of_heights, name, p);
-            sampling.height.push_back({name, (*height)[0], (*height)[1]});
+            sampling.height.push_back({name, (*height)[0], (*height)[1], filter});
         }
         p.finish();
     }

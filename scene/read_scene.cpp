@@ -157,11 +157,14 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     refuse_same_names(scene.obstacles, s.obstacles);
     std::vector<std::optional<ElasticPart>> elastic =
         read_elastic(s.bodies, s.plies, s.gauges, domain.dimensions, scene.water.gravity);
-    for (std::size_t i = 0; i < s.bodies.size(); ++i)
+    for (std::size_t i = 0; i < s.bodies.size(); ++i) {
+        const double filter = s.bodies[i].number("filter", 0);
         scene.bodies.push_back(!elastic[i] ? read_body(s.bodies[i], i + 1, domain.dimensions)
                                : std::holds_alternative<ElasticTyre>(*elastic[i])
                                    ? tyre_body(s.bodies[i], i + 1, std::get<ElasticTyre>(std::move(*elastic[i])))
                                    : elastic_body(s.bodies[i], i + 1, std::get<ElasticPlate>(std::move(*elastic[i]))));
+        scene.bodies.back().filter = filter;
+    }
     refuse_same_names(scene.bodies, s.bodies);
 
     std::optional<HullOptions> hull;

@@ -151,6 +151,8 @@ Rows probe_keys() {
          .meaning = "Place at which the pressure is recorded."},
         {.name = "height", .kind = Kind::place2, .unit = "m", .hashed = Hashed::scene, .fallback = "none",
          .meaning = "Place at which the height of the water is recorded."},
+        {.name = "filter", .unit = "s", .range = positive, .hashed = Hashed::scene, .fallback = "5 ms",
+         .meaning = "Time over which its peak is a mean, as the measurement it is compared with was filtered: 0.44 over the cut-off frequency of a low pass."},
     };
 }
 

@@ -125,6 +125,7 @@ struct MovingBody {
     Surface surface;        ///< as it stands at the start [m]
     RigidBodySetup motion;  ///< a prescribed body without a mass has zeros there, but for the centre
     std::vector<Finding> findings;
+    double filter = 0;  ///< the largest force is a mean over this time [s]; 0: 5 ms
     /// Of an elastic body, whose surface is that which the water sees and whose motion that of its rigid counterpart.
     std::optional<ElasticPart> elastic = {};
 
@@ -138,11 +139,13 @@ struct MovingBody {
 
 struct PressureProbe {
     std::string name;
-    Vec3 place;  ///< [m]
+    Vec3 place;         ///< [m]
+    double filter = 0;  ///< its peak is a mean over this time [s]; 0: 5 ms
 };
 struct HeightProbe {
     std::string name;
     double x = 0, y = 0;  ///< [m]
+    double filter = 0;    ///< as a pressure probe's
 };
 
 struct Sampling {

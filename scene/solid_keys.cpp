@@ -153,6 +153,8 @@ Rows body_keys() {
         {.name = "inertia", .kind = Kind::place3, .unit = "kg m2", .hashed = Hashed::scene,
          .fallback = "of a uniform solid",
          .meaning = "Moments of inertia about the centre of mass and the shape's own x, y and z; of a section per metre."},
+        {.name = "filter", .unit = "s", .range = positive, .hashed = Hashed::scene, .fallback = "5 ms",
+         .meaning = "Time over which the largest force is a mean, as the measurement it is compared with was filtered."},
         {.name = "motion", .kind = Kind::choice, .choices = {"free", "prescribed"}, .hashed = Hashed::scene,
          .fallback = "free", .meaning = "Moved by water and weight, or as `law` says."},
         {.name = "locked", .kind = Kind::choices, .choices = {"surge", "sway", "heave", "roll", "pitch", "yaw"},

@@ -46,12 +46,12 @@ double impulse_of(const BodyHistory& h) {
     return sum;
 }
 
-double peak_of(const BodyHistory& h) {
-    return h.has("fz") ? largest_window_mean(h.times(), h.values("fz"), shortest_window) : nan;
+double peak_of(const BodyHistory& h, double filter) {
+    return h.has("fz") ? largest_window_mean(h.times(), h.values("fz"), filter) : nan;
 }
 
-double arrival_of(const BodyHistory& h) {
-    const double peak = peak_of(h);
+double arrival_of(const BodyHistory& h, double filter) {
+    const double peak = peak_of(h, filter);
     if (!(peak > 0)) return nan;
     return arrival_time(h.times(), h.values("fz"), arrival_share * peak);
 }
@@ -157,10 +157,14 @@ void add_bodies(Comparison& comparison) {
                                comparison.names[b], lag_of(A.times(), A.values("vz"), B.times(), B.values("vz")),
                                comparison.names[a]);
         });
-        add("peak", "Largest force on " + name + ", mean over 5 ms", N,
-            "largest mean of the water's vertical force over 5 ms: shorter peaks are sound and sampling", peak_of);
+        const double filter = filter_of(comparison.sources, "body", name);
+        const std::string over = fmt::format("over {:g} ms", 1e3 * filter);
+        add("peak", "Largest force on " + name + ", mean " + over, N,
+            "largest mean of the water's vertical force " + over + ": shorter peaks are sound and sampling",
+            [&](const BodyHistory& h) { return peak_of(h, filter); });
         add("arrival", "Arrival of the force on " + name, "s",
-            "when the water's vertical force has risen to a tenth of its largest mean over 5 ms", arrival_of);
+            "when the water's vertical force has risen to a tenth of its largest mean " + over,
+            [&](const BodyHistory& h) { return arrival_of(h, filter); });
         Quantity& impulse =
             add("impulse", "Impulse on " + at, N + " s", "integral of the water's vertical force", impulse_of);
         impulse.remark = of_every_pair(comparison.names, [&](std::size_t a, std::size_t b) {

@@ -9,7 +9,7 @@ namespace tw {
 /// determines has no statistical interval; a ladder judges all of them by the runs of several sizes:
 ///   body_depth:NAME    how far the centre of mass has come down at the end [m]
 ///   body_speed:NAME    velocity downward at the end [m/s]
-///   body_peak:NAME     largest vertical force of the water, mean over 5 ms [N]; shorter peaks are sound and sampling
+///   body_peak:NAME     largest vertical force of the water, mean over 5 ms or its filter [N]; shorter peaks are sound and sampling
 ///   body_arrival:NAME  when that force has risen by a tenth of the way to its largest value [s]
 ///   body_impulse:NAME  what the water has given it upward, over that time [N s]
 ///   body_turn:NAME     how far it has turned at the end [deg]; where it turns at all

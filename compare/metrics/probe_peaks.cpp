@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/numbers.h"
+#include "compare/read/record_numbers.h"
 
 namespace tw {
 
@@ -37,6 +38,12 @@ double largest_in_stretch(std::span<const double> t, std::span<const double> x, 
 }
 
 }  // namespace
+
+double filter_of(const std::vector<RunRecord>& records, const std::string& table, const std::string& name) {
+    double longest = 0;
+    for (const RunRecord& r : records) longest = std::max(longest, number_of(r, peak_filter(table, name), 0));
+    return longest > 0 ? longest : default_filter;
+}
 
 double largest_window_mean(std::span<const double> t, std::span<const double> x, double width) {
     double most = nan;

@@ -1,5 +1,9 @@
 #pragma once
 #include <span>
+#include <string>
+#include <vector>
+
+#include "record/run_record.h"
 
 namespace tw {
 
@@ -17,8 +21,12 @@ double time_percentile(std::span<const double> t, std::span<const double> x, dou
 /// First time at which the history is above `threshold` [s]: linear between the samples. NaN where it never is.
 double arrival_time(std::span<const double> t, std::span<const double> x, double threshold);
 
-/// Shorter peaks of pressure on a wall are sound and sampling; structures of a hull answer in tens of milliseconds [s].
-inline constexpr double shortest_window = 5e-3;
+/// Time over which peaks are means where the scene does not say one [s]: shorter peaks of pressure on a wall are sound and
+/// sampling; structures of a hull answer in tens of milliseconds.
+inline constexpr double default_filter = 5e-3;
+
+/// That of a probe or body, by the longest that a record has for it (peak_filter of record/run_record.h) [s].
+double filter_of(const std::vector<RunRecord>& records, const std::string& table, const std::string& name);
 
 /// Water has arrived when a tenth of what it brings has.
 inline constexpr double arrival_share = 0.1;

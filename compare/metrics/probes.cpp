@@ -80,10 +80,10 @@ double time_between_samples(const RunRecord& record, const std::string& table) {
     return *middle;
 }
 
-/// The filter of all records: 5 ms, or the longest time between samples of any of them. Heights are samples of the
+/// Of all records: the probe's filter, or the longest time between samples of any of them. Heights are samples of the
 /// frames in one method and of every step in the other: theirs is the scene's sampling interval in both.
-double window_of(const Comparison& comparison, const std::string& table) {
-    double window = shortest_window;
+double window_of(const Comparison& comparison, const std::string& table, const std::string& name) {
+    double window = filter_of(comparison.sources, table, name);
     for (const RunRecord& r : comparison.sources)
         window =
             std::max(window, table == "height" ? number_of(r, "sampling_interval", 0) : time_between_samples(r, table));
@@ -141,12 +141,13 @@ MeanValue mean_over_run(const RunRecord& record, const std::string& table, const
 
 void add_probes(Comparison& comparison, const CompareOptions& options) {
     for (const std::string table : {"pressure", "height"}) {
-        const double window = window_of(comparison, table);
         std::set<std::pair<std::string, std::string>> probes;  // name, unit
         for (const RunRecord& r : comparison.sources)
             if (const auto found = r.tables.find(table); found != r.tables.end())
                 for (const Column& c : found->second.columns) probes.emplace(c.name, c.unit);
         for (const auto& [name, unit] : probes) {
+            const double filter = filter_of(comparison.sources, table, name),
+                         window = window_of(comparison, table, name);
             const Span span = common_span(comparison.sources, table, name);
             std::vector<History> histories;
             for (const RunRecord& r : comparison.sources) histories.push_back(history_of(r, table, name, span));
@@ -173,10 +174,10 @@ void add_probes(Comparison& comparison, const CompareOptions& options) {
                            : std::string();
             });
             add("_peak", fmt::format("Peak {} at {}, mean over {:g} ms", table, name, 1e3 * window), unit,
-                fmt::format("largest mean over {:g} ms (5 ms, or the time between samples where that is longer) in the "
-                            "time that all "
-                            "records cover: the largest impulse over its time",
-                            1e3 * window),
+                fmt::format(
+                    "largest mean over {:g} ms ({:g} ms, or the time between samples where that is longer) in the "
+                    "time that all records cover: the largest impulse over its time",
+                    1e3 * window, 1e3 * filter),
                 true, "its record is shorter than the window",
                 [&](const History& h) { return largest_window_mean(h.t, h.x, window); });
             add("_p99",

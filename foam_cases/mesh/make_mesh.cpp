@@ -83,6 +83,8 @@ MeshOutcome make_mesh(const CasePlan& plan, const CasePrograms& programs, const 
     const auto smallest = [&] {
         const EdgeCell cell = edge_cell(plan);
         fs::create_directories(folder / "0");
+        if (fs::exists(folder / "0.orig/pointDisplacement"))  // openfoam.org's programs ask for it where the mesh moves
+            fs::copy(folder / "0.orig/pointDisplacement", folder / "0/pointDisplacement");
         step(plan.flavour.post_process_program(), {"-func", "writeCellCentres", "-time", "0"}, "writeCellCentres");
         step(plan.flavour.post_process_program(), {"-func", "writeCellVolumes", "-time", "0"}, "writeCellVolumes");
         if (out.stopped) return 1.0;

@@ -47,6 +47,16 @@ TEST(Bodies, AreMeasuredByDepthSpeedPeakArrivalAndImpulse) {
     EXPECT_TRUE(c.find("body_depth:ball")->judged_in_ladder);
 }
 
+TEST(Bodies, ThePeakIsAMeanOverTheTimeThatTheSceneSays) {
+    RunRecord r = falling("sph", 1e-3);
+    for (const double filter : {5e-3, 0.15}) {  // the force lasts for the last 0.1 s
+        r.numbers[peak_filter("body", "ball")] = filter;
+        const Comparison c = compare_records({r});
+        EXPECT_NEAR(value(c, "body_peak:ball"), filter < 0.1 ? 3000 : 3000 * 0.1 / 0.15, 25) << filter;
+        EXPECT_NE(c.find("body_peak:ball")->label.find(filter < 0.1 ? "5 ms" : "150 ms"), std::string::npos);
+    }
+}
+
 TEST(Bodies, StepsAndFalseStartsDoNotCount) {
     const Comparison c = compare_records({falling("sph", 1e-3), falling("fvm", 3.7e-4)});
     EXPECT_NEAR(value(c, "body_depth:ball", 1) / value(c, "body_depth:ball", 0), 1, 1e-3);

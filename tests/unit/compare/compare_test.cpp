@@ -205,6 +205,16 @@ TEST(Compare, APeakIsJudgedByItsImpulseAndNotByItsSound) {
     EXPECT_TRUE(c.find("pressure_arrival:P1")->judged_in_ladder);
 }
 
+TEST(Compare, APeakIsAMeanOverTheTimeThatTheSceneSays) {
+    std::vector<RunRecord> pair{struck_wall("sph", 1e-4, true), struck_wall("fvm", 1e-4, true)};
+    for (RunRecord& r : pair) r.numbers[peak_filter("pressure", "P1")] = 1e-3;
+    const Comparison c = compare_records(pair);
+    const Quantity& peak = *c.find("pressure_peak:P1");
+    EXPECT_NEAR(peak.values[0].value, 1000 + 45e3 * 1e-4 / 1e-3, 1) << "a triangle of 0.2 ms, over 1 ms";
+    EXPECT_NE(peak.label.find("mean over 1 ms"), std::string::npos) << peak.label;
+    EXPECT_TRUE(peak.judged_in_ladder) << "with an interval, as that over 5 ms";
+}
+
 TEST(Compare, AProbeThatNothingReachesHasNoArrival) {
     RunRecord dry = struck_wall("sph", 1e-3, false);
     for (double& p : dry.tables["pressure"].columns[0].values) p = 0;

@@ -271,6 +271,7 @@ TEST(Scene, NonsenseIsRefusedAtTheKeyThatIsToBlame) {
     const std::string tank =
         "[tank]\nsize = [1, 1, 1]\n[[water_block]]\nmin = [0, 0, 0]\nmax = [0.5, 1, 0.5]\n[resolution]\nnear_hull = "
         "0.1\n";
+    blamed(tank + "[[probe]]\nheight = [0.2, 0.5]\nfilter = '-1 ms'\n", "scene.toml:10:10: [[probe]] filter = \"-1 ms\": out of range");
     blamed(tank + "[[probe]]\nname = 'a'\nheight = [0.2, 0.5]\n[[probe]]\nname = 'a'\nheight = [0.3, 0.5]\n",
            "scene.toml:12:8: [[probe]] name = \"a\": the name a is taken; give every probe its own");
     blamed(
