@@ -161,15 +161,15 @@ struct Sampling {
 struct Run {
     double duration = 0;  ///< [s]
     std::vector<std::string> methods = method_names();
-    int threads = 0;        ///< 0: all cores
+    int threads = 0;             ///< 0: all cores
     std::string device = "cpu";  ///< what makes the particles' steps: cpu, gpu, auto (sph_solver/on_gpu.h)
-    double checkpoint = 0;  ///< between SPH checkpoints [s of simulated time]
+    double checkpoint = 0;       ///< between SPH checkpoints [s of simulated time]
 };
 
 struct FvmOptions {
     double max_courant = 0, max_alpha_courant = 0;  ///< as written, else 4 in a stream and 1 without
     double interface_compression = 2;               ///< cAlpha
-    std::string interface = "mules";  ///< how the water's surface is captured: mules, isoadvector
+    std::string interface = "mules";                ///< how the water's surface is captured: mules, isoadvector
     bool captures_geometrically() const { return interface == "isoadvector"; }
     int correctors = 3;
     std::string body_mesh = "auto";  ///< how the mesh follows a body that moves: auto, morphing, whole (mesh_motion.h)
