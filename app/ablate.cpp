@@ -4,6 +4,7 @@
 
 #include "app/campaign.h"
 #include "app/output.h"
+#include "app/ranks.h"
 #include "app/solvers.h"
 #include "app/stop_signal.h"
 #include "app/study.h"
@@ -164,6 +165,7 @@ int run_ablate(const AblateCommand& command, const Common& common) {
     const std::vector<Variant> variants = variants_of(command);
     const Scene& scene = variants.front().plan->scene;
     if (!command.making.hand_over && !command.making.collect) say(common, ready_text(variants.front().methods, scene));
+    say(common, unused_ranks(scene));
     double seconds = 0;
     int count = 0;
     for (const Variant& v : variants) {

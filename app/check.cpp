@@ -2,6 +2,7 @@
 
 #include "app/facts_json.h"
 #include "app/output.h"
+#include "app/ranks.h"
 #include "app/run_method.h"
 #include "app/twins.h"
 #include "base/errors.h"
@@ -10,7 +11,6 @@
 #include "scene/new_record.h"
 #include "scene/refined_places.h"
 #include "sph_solver/on_gpu.h"
-#include "sph_solver/parallel/comm.h"
 
 namespace tw::app {
 
@@ -32,14 +32,18 @@ void draw_sizes(const Scene& scene, const std::filesystem::path& file) {
 }  // namespace
 
 int run_check(const CheckCommand& command, const Common& common) {
-    const PlannedRun plan = plan_run({command.scene.file, command.scene.overrides(), "", command.threads});
+    const PlannedRun plan = plan_run({.file = command.scene.file,
+                                      .overrides = command.scene.overrides(),
+                                      .threads = command.threads,
+                                      .ranks = command.ranks});
     const Scene& scene = plan.scene;
     double own = 0;
     for (const std::string& method : scene.run.methods) own += plan.seconds(method);
     const Twins twins(command.scene.file, command.scene.overrides(), "", command.threads, {});
     say(common, to_text(scene, plan.prediction) + twins.prediction_text(own) +
                     "budget: none, the scene's own sizes are run; run --budget TIME chooses the finest that fit\n");
-    if (Comm::built_with_mpi()) say(common, "ranks: several processes can share the particles (run --ranks)\n");
+    const RanksTake ranks = ranks_take(plan, command.ranks);
+    say(common, ranks.line);
     if (built_for_gpu()) {
         const std::string why = why_not_on_gpu(scene);
         const Prediction& p = plan.prediction;
@@ -54,7 +58,7 @@ int run_check(const CheckCommand& command, const Common& common) {
                 "\n");
     }
     if (!command.picture.empty()) draw_sizes(scene, command.picture);
-    write_json(common, check_json(scene, plan.prediction));
+    write_json(common, check_json(scene, plan.prediction, ranks));
     return done;
 }
 

@@ -53,7 +53,7 @@ void refuse_unknown_effect(const std::string& option, const std::string& name);
 
 struct CheckCommand {
     SceneArguments scene;
-    int threads = 0;                ///< 0: the scene's
+    int threads = 0, ranks = 0;     ///< 0: the scene's
     std::filesystem::path picture;  ///< SVG file of the sizes of particles and cells; empty: none
 };
 int run_check(const CheckCommand& command, const Common& common);
@@ -74,7 +74,7 @@ struct RunCommand {
     bool require_agree = false;  ///< not_agreed unless every quantity agrees
     int threads = 0;
     Making making;
-    int ranks = 0;  ///< processes that share the particles; 0: not asked for
+    int ranks = 0;  ///< processes that share the particles; 0: the scene's
 };
 int run_run(const RunCommand& command, const Common& common);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "app/ranks.h"
 #include "scene/box_walls.h"
 #include "scene/cost_of_sizes.h"
 
@@ -61,7 +62,7 @@ std::string passes_line(std::vector<PassesPace> paces) {
     return line + " million evaluations/s";
 }
 
-std::string check_json(const Scene& scene, const Prediction& p) {
+std::string check_json(const Scene& scene, const Prediction& p, const RanksTake& ranks) {
     Json hull = Json::object();
     if (scene.hull) {
         const Hull& h = *scene.hull;
@@ -102,6 +103,13 @@ std::string check_json(const Scene& scene, const Prediction& p) {
         predicted[method] = {{"seconds", cost.seconds}, {"bytes", cost.bytes}, {"steps", std::round(cost.steps)}};
         if (method == "sph") predicted[method]["sizes"] = sizes;
     }
+    Json of_ranks = {{"number", ranks.ranks}};
+    if (ranks.ranks > 1)
+        of_ranks.update({{"particles", ranks.particles},
+                         {"copies", ranks.copies},
+                         {"bytes", ranks.bytes},
+                         {"bytes_at_start", ranks.bytes_at_start},
+                         {"seconds", ranks.seconds}});
     const WallEffect walls = wall_effect(scene);
     return written({{"title", scene.title},
                     {"scene_hash", scene.hash},
@@ -122,7 +130,8 @@ std::string check_json(const Scene& scene, const Prediction& p) {
                     {"ramp", scene.motion.ramp},
                     {"c0", scene.sph.c0},
                     {"effects", effects},
-                    {"predicted", predicted}});
+                    {"predicted", predicted},
+                    {"ranks", of_ranks}});
 }
 
 std::string hull_json(const HullFacts& f) {

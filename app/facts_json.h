@@ -14,7 +14,8 @@ namespace tw::app {
 
 // The facts of each subcommand for programs; keys may be added, they keep their names.
 
-std::string check_json(const Scene& scene, const Prediction& prediction);
+struct RanksTake;
+std::string check_json(const Scene& scene, const Prediction& prediction, const RanksTake& ranks);
 
 struct HullFacts {
     std::string source, hash;

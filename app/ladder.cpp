@@ -9,6 +9,7 @@
 #include "app/campaign.h"
 #include "app/ladder_jobs.h"
 #include "app/output.h"
+#include "app/ranks.h"
 #include "app/solvers.h"
 #include "app/stop_signal.h"
 #include "app/study.h"
@@ -61,7 +62,7 @@ int run_ladder(const LadderCommand& command, const Common& common) {
                                         out);
     const std::vector<LadderJob>& jobs = plan.jobs;
     const double budget = budget_seconds(command.budget);
-    say(common, plan_text(plan, budget));
+    say(common, plan_text(plan, budget) + unused_ranks(jobs.front().run.plan.scene));
     if (command.plan) return done;
     const std::vector<RunRecord> measured = measured_records(command.measured);  // before hours are spent
     const Scene& scene = jobs.front().run.plan.scene;

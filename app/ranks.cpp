@@ -9,8 +9,12 @@
 
 #include "app/command_words.h"
 #include "base/errors.h"
+#include "compare/report/numbers.h"
 #include "sph_solver/parallel/comm.h"
+#include "sph_solver/rank_model.h"
 #include "sph_solver/ranks_refused.h"
+#include "sph_solver/scene_setup.h"
+#include "text/plain_number.h"
 
 namespace tw::app {
 namespace {
@@ -24,30 +28,103 @@ std::vector<std::string> own_words() {
     return words;
 }
 
+/// What asks for the ranks, for messages.
+std::string asked_by(const Scene& scene, int option) {
+    return option > 0 ? fmt::format("--ranks {}", option) : scene.place_of("run.ranks");
+}
+
+/// Runs `part`, whose InputError then begins with what asks for the ranks.
+template <class Part>
+auto placed(const Scene& scene, int option, const Part& part) {
+    try {
+        return part();
+    } catch (const InputError& e) { throw InputError(asked_by(scene, option) + ": " + e.what()); }
+}
+
 }  // namespace
 
-void refuse_unshared(const Scene& scene, const RunCommand& command, int ranks) {
-    const int started = Comm::world().size();
+void refuse_unshared(const PlannedRun& plan, int option) {
+    const Scene& scene = plan.scene;
+    const int ranks = scene.run.ranks;
+    if (ranks <= 1) return;
+    const auto refuse = [&](const std::string& why) {
+        throw InputError(fmt::format("{}: {}", asked_by(scene, option), why));
+    };
+    if (scene.run.methods != std::vector<std::string>{"sph"})
+        refuse(fmt::format(
+            "{} ranks share a run of the particles alone: give --method sph, or write methods = [\"sph\"]; the mesh "
+            "method starts its own ranks, --threads",
+            ranks));
+    placed(scene, option, [&] { refuse_ranks(scene, ranks); });
+    if (!Comm::built_with_mpi())
+        refuse(
+            "this twinwake was built without MPI; install libopenmpi-dev and build anew, or use --threads with one "
+            "rank");
+}
+
+void refuse_unshared(const PlannedRun& plan, const RunCommand& command) {
+    const int started = Comm::world().size(), ranks = plan.scene.run.ranks;
     if (started > 1 && command.ranks > 0 && command.ranks != started)
         throw InputError(fmt::format("--ranks {}: mpirun has started {} processes; leave the option out, or mpirun",
                                      command.ranks, started));
-    if (scene.run.methods != std::vector<std::string>{"sph"})
+    if (ranks <= 1) return;
+    const std::string asked = started > 1 ? fmt::format("mpirun -n {}", started) : asked_by(plan.scene, command.ranks);
+    if (command.making.hand_over)
         throw InputError(fmt::format(
-            "{} ranks share a run of the particles alone: give --method sph; the mesh method starts its own ranks, "
-            "--threads",
-            ranks));
+            "{}: the runs of a study have one process each: give --ranks 1, or start mpirun twinwake run in a job of "
+            "your own",
+            asked));
     if (command.twins)
         throw InputError(fmt::format(
-            "{} ranks make one run: give --no-twins; the coarser runs for the discretisation error fit one process",
-            ranks));
-    refuse_ranks(scene, ranks);
+            "{}: {} ranks make one run: give --no-twins; the coarser runs for the discretisation error fit one "
+            "process, and so does --ranks 1 with them",
+            asked, ranks));
+    refuse_unshared(plan, started > 1 ? started : command.ranks);
+}
+
+RanksTake ranks_take(const PlannedRun& plan, int option) {
+    const Scene& scene = plan.scene;
+    RanksTake take;
+    take.ranks = scene.run.ranks;
+    if (take.ranks <= 1) {
+        if (Comm::built_with_mpi()) take.line = "ranks: one; several processes can share the particles (run --ranks)\n";
+        return take;
+    }
+    refuse_unshared(plan, option);
+    SphSetup setup = sph_setup(scene, scene.run.threads);
+    const Simulation simulation(setup.simulation, setup.fluid);
+    placed(scene, option, [&] { simulation.level(0).refuse_idle(take.ranks); });
+    take.bytes_at_start = simulation.bytes();
+    for (const Fluid& fluid : setup.fluid)
+        take.bytes_at_start += double(fluid.places.size()) * double(sizeof(fluid.places[0]) + sizeof(fluid.depth[0]));
+
+    double all = 0, work = 0, talk = 0, largest_work = 0;
+    int steps = 1;  // of the finest size in one of the largest
+    for (const ColumnsOfSize& size : columns_of_water(simulation)) {
+        const Division d = divide(size, setup.simulation.mirrors, take.ranks);
+        take.particles += d.own_particles, take.copies += d.copies, all += size.all_particles;
+        work += size.steps * size.all_work, largest_work += size.steps * d.imbalance * size.all_work;
+        talk += size.steps * seconds_of_talk(d, take.ranks);
+        steps = size.steps;
+    }
+    const MethodCost& cost = plan.prediction.of("sph");
+    const double raster = plan.prediction.raster_bytes;
+    take.bytes = raster + (cost.bytes - raster) * (take.particles + take.copies) / all;
+    take.seconds = cost.seconds * largest_work / work + talk * cost.steps / steps;
+    take.line = fmt::format(
+        "ranks: {}; the one with most has {} particles of its own and {} copies, {:.3g} MB, and all of the particles "
+        "while it starts, {:.3g} MB; {}\n",
+        take.ranks, plain_number(take.particles), plain_number(take.copies), take.bytes / 1e6,
+        take.bytes_at_start / 1e6, about_text(take.seconds));
+    return take;
+}
+
+std::string unused_ranks(const Scene& scene) {
+    if (!scene.places.contains("run.ranks")) return {};
+    return scene.place_of("run.ranks") + ": not used here; each run of a study is one process\n";
 }
 
 void start_on_ranks(int ranks) {
-    if (!Comm::built_with_mpi())
-        throw InputError(fmt::format(
-            "--ranks {}: this twinwake was built without MPI; install libopenmpi-dev and build anew, or use --threads",
-            ranks));
     std::vector<std::string> words{"mpirun", "-n", std::to_string(ranks), "--oversubscribe", "--bind-to", "none"};
     if (geteuid() == 0) words.emplace_back("--allow-run-as-root");
     words.emplace_back("--quiet");  // of mpirun's own remarks on an exit status that is ours

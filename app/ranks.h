@@ -1,13 +1,33 @@
 #pragma once
+#include <string>
+
+#include "app/commands.h"
 #include "app/run_method.h"
+#include "scene/scene.h"
 
 namespace tw::app {
 
-/// Throws InputError where a run cannot be shared among so many processes: another method than the particles, twins, a
-/// scene that the engine refuses (sph_solver/ranks_refused.h), or other ranks than mpirun has started.
-void refuse_unshared(const Scene& scene, const RunCommand& command, int ranks);
+/// Throws InputError where the ranks of `plan` cannot share its run: methods that are not the particles, a scene that
+/// the engine refuses (sph_solver/ranks_refused.h), a program without MPI. `option`: that of --ranks; 0: the scene's
+/// key, whose place the text then names.
+void refuse_unshared(const PlannedRun& plan, int option);
 
-/// Becomes mpirun, which starts this very command on so many ranks. Returns only by InputError: no MPI, or no mpirun.
+/// Likewise of what else was asked of the run: twins, a study, other ranks than mpirun has started.
+void refuse_unshared(const PlannedRun& plan, const RunCommand& command);
+
+/// What each of the ranks takes, in a line and for programs; of one rank a line alone. Throws InputError likewise, and
+/// where there are fewer columns of particles than ranks.
+struct RanksTake {
+    std::string line;
+    int ranks = 1;
+    double particles = 0, copies = 0, bytes = 0, bytes_at_start = 0, seconds = 0;  ///< of the rank with most
+};
+RanksTake ranks_take(const PlannedRun& plan, int option);
+
+/// Where a scene asks for ranks, that the runs of a study have none; else nothing.
+std::string unused_ranks(const Scene& scene);
+
+/// Becomes mpirun, which starts this very command on so many ranks. Returns only by InputError: no mpirun.
 [[noreturn]] void start_on_ranks(int ranks);
 
 }  // namespace tw::app

@@ -131,7 +131,7 @@ int report(const PlannedRun& plan, const RunCommand& command, const Common& comm
 /// One run of the particles that all processes make together. The first one speaks and writes.
 int run_together(const PlannedRun& plan, const RunCommand& command, const Common& common, const fs::path& out) {
     const Comm& ranks = Comm::world();
-    refuse_unshared(plan.scene, command, ranks.size());
+    refuse_unshared(plan, command);
     const fs::path folder = out / "sph";
     ranks.together([&] { refuse_taken(folder, "sph", command); });
     Common own = common;
@@ -153,15 +153,20 @@ int run_run(const RunCommand& command, const Common& common) {
     SceneOverrides overrides = command.scene.overrides();
     const std::optional<PaidSizes> paid = paid_sizes(command, overrides, out);
     if (paid) overrides.scale_resolution = paid->scale;
-    const PlannedRun plan = plan_run({command.scene.file, overrides, command.method, command.threads});
+    const Comm& started = Comm::world();
+    const PlannedRun plan = plan_run({.file = command.scene.file,
+                                      .overrides = overrides,
+                                      .method = command.method,
+                                      .threads = command.threads,
+                                      .ranks = started.many() ? started.size() : command.ranks});
     const Scene& scene = plan.scene;
     const std::vector<std::string> methods = methods_of(scene);
 
-    if (Comm::world().many()) return run_together(plan, command, common, out);
-    if (command.ranks > 1) {
-        refuse_unshared(scene, command, command.ranks);
+    if (started.many()) return run_together(plan, command, common, out);
+    if (scene.run.ranks > 1 && !command.making.collect) {
+        refuse_unshared(plan, command);
         refuse_taken(out / "sph", "sph", command);
-        start_on_ranks(command.ranks);
+        start_on_ranks(scene.run.ranks);
     }
     for (const std::string& method : methods) refuse_taken(out / method, method, command);
     std::optional<Twins> twins;

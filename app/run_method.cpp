@@ -18,6 +18,7 @@ PlannedRun plan_run(const RunRequest& request) {
     else if (!request.method.empty())
         scene.run.methods = {request.method};
     if (request.threads > 0) scene.run.threads = request.threads;
+    if (request.ranks > 0) scene.run.ranks = request.ranks;
     if (!request.snapshots) scene.sampling.snapshot_interval = 0;
     for (const std::string& m : scene.run.methods)
         if (const Solver& solver = solver_of(m); solver.refuse) solver.refuse(scene);
@@ -47,7 +48,7 @@ RunRecord run_method(const std::string& method, const PlannedRun& plan, const Me
     options.stop_asked = stop_asked;
     RunRecord record = solver_of(method).run(scene, options);
     // what an effect costs is an estimate of its own, and air's is the roughest
-    if (record.state == "finished" && !run.resume && !record.attributes.contains("ranks") && !scene.effect_on("air")) {
+    if (record.state == "finished" && !run.resume && scene.run.ranks == 1 && !scene.effect_on("air")) {
         double taken = 0;
         for (const Phase& phase : record.phases) taken += phase.wall;
         learn_pace(pace_of(scene, method), predict_by_table(scene).of(method).seconds, taken);

@@ -17,6 +17,7 @@ struct RunRequest {
     std::string method = {};  ///< a name, or every_method; empty: the scene's
     int threads = 0;          ///< 0: the scene's
     bool snapshots = true;
+    int ranks = 1;  ///< 0: the scene's; a run of a study is one process
 };
 /// A scene as it will be run, and what that is expected to cost on this machine.
 struct PlannedRun {

@@ -75,6 +75,10 @@ void add_threads(CLI::App& c, int& threads,
     c.add_option("--threads", threads, help)->check(CLI::Range(1, 4096));
 }
 
+CLI::Option* add_ranks(CLI::App& c, int& ranks, const char* help) {
+    return c.add_option("--ranks", ranks, help)->check(CLI::Range(1, 65535));
+}
+
 void add_jobs(CLI::App& c, Making& making) {
     CLI::Option* jobs =
         c.add_option(
@@ -169,6 +173,8 @@ void new_options(CLI::App& c, NewCommand& create) {
 void check_options(CLI::App& c, CheckCommand& check) {
     add_scene(c, check.scene);
     add_threads(c, check.threads, "predict for this many threads (particles) and ranks (mesh); all cores unless given");
+    add_ranks(c, check.ranks,
+              "say what each of so many processes takes that share the particles (MPI), instead of the scene's");
     c.add_option("--picture", check.picture,
                  "SVG file to write: side and plan view of the sizes of particles and cells round the hull");
 }
@@ -193,9 +199,9 @@ void run_options(CLI::App& c, RunCommand& run) {
     add_require_agree(c, run.require_agree, "agree: exit status 4 unless every quantity agrees; needs the twins");
     add_threads(c, run.threads);
     CLI::Option* ranks =
-        c.add_option("--ranks", run.ranks,
-                     "share the particles among so many processes (MPI), each with its threads; the same bits as one")
-            ->check(CLI::Range(1, 65535));
+        add_ranks(c, run.ranks,
+                  "share the particles among so many processes (MPI), each with its threads, instead of the scene's "
+                  "[run] ranks; the same bits as one");
     CLI::Option* budget = c.add_option("--budget", run.budget,
                                        "choose the sizes: the finest, or the coarser ones, whose runs all together are "
                                        "predicted to take at most this time, e.g. 5min (the scene's own sizes, however "

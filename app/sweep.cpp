@@ -7,6 +7,7 @@
 
 #include "app/campaign.h"
 #include "app/output.h"
+#include "app/ranks.h"
 #include "app/solvers.h"
 #include "app/stop_signal.h"
 #include "app/study.h"
@@ -148,6 +149,7 @@ int run_sweep(const SweepCommand& command, const Common& common) {
         command.out.empty() ? fs::path("runs") / (command.scene.file.stem().string() + "_sweep") : command.out;
     std::vector<SweptHull> variants = variants_of(command);
     plan_all(variants, command);
+    if (const std::optional<PlannedRun>& first = variants.front().plan) say(common, unused_ranks(first->scene));
     const FolderLock lock(out);
     CampaignRules rules = rules_of(command.making, out);
     rules.overwrite = command.overwrite;

@@ -39,6 +39,8 @@ double cores(const Scene& scene) {
     if (scene.run.threads > 0) return scene.run.threads;
     return std::max(1u, std::thread::hardware_concurrency());
 }
+/// Ranks share those of this machine, unless each has threads of its own.
+double cores_of_particles(const Scene& scene) { return cores(scene) * (scene.run.threads > 0 ? scene.run.ranks : 1); }
 
 /// By which time steps are predicted [m/s].
 double speed_of_water(const Scene& scene) {
@@ -146,7 +148,7 @@ MethodCost predict_particles(const Scene& scene, const Prediction& p, double pac
     // Work grows with the number of neighbours: the throughput above is that of h/dp = 1.5.
     const double neighbours = std::pow(scene.sph.h_over_dp / 1.5, flat ? 2 : 3) * (flat ? 0.3 : 1);
     cost.seconds = pace * (steps_of_finest + p.wall_particles) * cost.steps * neighbours /
-                   (particle_steps_per_core_second * cores(scene));
+                   (particle_steps_per_core_second * cores_of_particles(scene));
     for (const EffectChoice& e : scene.effects)
         if (e.on && !effect_part(e.name).in_the_throughput) cost.seconds *= 1 + e.cost;
     if (scene.effect_on("air"))

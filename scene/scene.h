@@ -162,6 +162,7 @@ struct Run {
     double duration = 0;  ///< [s]
     std::vector<std::string> methods = method_names();
     int threads = 0;             ///< 0: all cores
+    int ranks = 1;               ///< processes that share the particles
     std::string device = "cpu";  ///< what makes the particles' steps: cpu, gpu, auto (sph_solver/on_gpu.h)
     double checkpoint = 0;       ///< between SPH checkpoints [s of simulated time]
 };

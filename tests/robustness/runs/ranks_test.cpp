@@ -372,6 +372,65 @@ TEST_F(Ranks, OfTwoNetworkNamespacesHaveTheSameBytes) {
     expect_same(run(scene, folder.path(), 1, coarse), out / "sph", "two nodes");
 }
 
+/// `[run] ranks` of a scene; the option goes before it.
+TEST_F(Ranks, ASceneAsksForThem) {
+    const ScratchFolder folder("ranks_key");
+    const fs::path scene = folder.path() / "scene.toml";
+    write_text_atomically(scene, with(column_on_an_obstacle, "[run]", "[run]\nranks = 2"));
+    const std::vector<std::string> coarse{"--near-hull", "40mm", "--duration", "0.1s"};
+    const auto ranks_of = [&](const char* name, const std::vector<std::string>& more) {
+        std::vector<std::string> words = command(scene, folder.path() / name, 1);
+        words.insert(words.end(), coarse.begin(), coarse.end());
+        words.insert(words.end(), more.begin(), more.end());
+        Program program(words, folder.path());
+        EXPECT_EQ(program.wait(), 0) << program.output();
+        return read_record(folder.path() / name / "sph/record.h5").attributes["ranks"];
+    };
+    EXPECT_EQ(ranks_of("key", {}), "2");
+    EXPECT_EQ(ranks_of("more", {"--ranks", "3"}), "3");
+    EXPECT_EQ(ranks_of("one", {"--ranks", "1"}), "");
+    for (const char* many : {"key", "more"}) expect_same(folder.path() / "one/sph", folder.path() / many / "sph", many);
+}
+
+/// What `check` says of the ranks; what it has refused, `run` does not begin.
+TEST_F(Ranks, CheckSaysWhatEachTakes) {
+    const ScratchFolder folder("ranks_check");
+    const fs::path scene = folder.path() / "scene.toml", facts = folder.path() / "facts.json";
+    write_text_atomically(scene, with(column_on_an_obstacle, "[run]", "[run]\nranks = 2\nthreads = 1"));
+    const auto check = [&](const std::vector<std::string>& more, int status) {
+        std::vector<std::string> words{"check", scene.string(), "--json", facts.string()};
+        words.insert(words.end(), more.begin(), more.end());
+        Program program(words, folder.path());
+        EXPECT_EQ(program.wait(), status) << program.output();
+        return program.output();
+    };
+    const auto fact = [&](const std::string& name) {
+        const std::string text = read_text(facts), key = "\"" + name + "\": ";
+        const std::size_t of_ranks = text.find("\"ranks\": {"), at = text.find(key, of_ranks);
+        EXPECT_NE(at, std::string::npos) << name;
+        return at == std::string::npos ? 0 : std::atof(text.c_str() + at + key.size());
+    };
+    EXPECT_NE(check({}, 0).find("ranks: 2; the one with most has "), std::string::npos);
+    const double two = fact("particles"), two_bytes = fact("bytes"), two_seconds = fact("seconds");
+    EXPECT_NEAR(two, 0.5 * 15 * 12 * 15, 0.05 * two);  // of 2700
+    EXPECT_GT(fact("copies"), 0.05 * two);
+    check({"--ranks", "4"}, 0);
+    EXPECT_NEAR(fact("particles"), 0.5 * two, 0.1 * two);
+    EXPECT_LT(fact("bytes"), two_bytes);
+    EXPECT_GT(fact("bytes_at_start"), 2700 * 50);  // places and velocities of all
+    EXPECT_LT(fact("seconds"), 0.7 * two_seconds);
+    check({"--ranks", "1"}, 0);
+    EXPECT_EQ(fact("number"), 1);
+
+    const auto refused = [&](const std::vector<std::string>& more, const std::string& words) {
+        const std::string said = check(more, 2);
+        EXPECT_NE(said.find(words), std::string::npos) << said;
+    };
+    refused({"--ranks", "500"}, "--ranks 500: the water stands in ");
+    write_text_atomically(scene, with(column_on_an_obstacle, "[run]", "[run]\nranks = 500"));
+    refused({}, "scene.toml:23:9: [run] ranks = 500: the water stands in ");
+}
+
 TEST(RanksRefused, WithTheReason) {
     const ScratchFolder folder("ranks_refused");
     const fs::path scene = folder.path() / "scene.toml";
@@ -390,6 +449,12 @@ TEST(RanksRefused, WithTheReason) {
     has(refused(column_on_an_obstacle, {"--ranks", "0", "--method", "sph", "--no-twins"}), "--ranks");
     has(refused(column_on_an_obstacle, {"--ranks", "2", "--method", "both", "--no-twins"}), "--method sph");
     has(refused(column_on_an_obstacle, {"--ranks", "2", "--method", "sph"}), "--no-twins");
+    const std::string with_key = with(column_on_an_obstacle, "[run]", "[run]\nranks = 2");
+    const std::string place = "scene.toml:23:9: [run] ranks = 2: ";
+    has(refused(with_key, {}), (place + "2 ranks make one run: give --no-twins").c_str());
+    has(refused(with_key, {"--no-twins", "--method", "both"}), (place + "2 ranks share a run of the").c_str());
+    has(refused(with_key, {"--no-twins", "--emit", "snakemake"}), (place + "the runs of a study").c_str());
+    has(refused(with(column_on_an_obstacle, "[run]", "[run]\nranks = 0"), {}), "ranks = 0");
     if (!Comm::built_with_mpi()) {
         has(refused(column_on_an_obstacle, two), "built without MPI");
         return;
