@@ -1,0 +1,86 @@
+// Files that openfoam.org 12 wrote, of a floating box that is not yet at its draft (tests/data/openfoam_org_12).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/atomic_file.h"
+#include "foam_cases/read/field_file.h"
+#include "foam_cases/read/hull_patch.h"
+#include "foam_cases/read/number_rows.h"
+#include "foam_cases/read/step_loads.h"
+#include "foam_cases/run/solver_log.h"
+#include "foam_cases/run/watchdog.h"
+#include "test_paths.h"
+
+namespace tw {
+namespace org_files_test {
+namespace fs = std::filesystem;
+
+const fs::path folder = fs::path(TWINWAKE_SOURCE) / "tests/data/openfoam_org_12", post = folder / "postProcessing";
+constexpr double last = 0.0028556862;                                          // [s]
+constexpr double length = 0.2, height = 0.1, draft = 0.04, thickness = 0.025;  // of the box and the plane [m]
+constexpr double mass = 500 * length * height * thickness, g = 9.81;
+
+TEST(OrgFiles, TheLogHasItsFourStepsAndItsEnd) {
+    SolverLog log;
+    log.feed(read_text(folder / "log.solver"));
+    EXPECT_TRUE(log.ended());
+    EXPECT_TRUE(log.fatal().empty()) << log.fatal();
+    ASSERT_EQ(log.steps().size(), 4u);
+    EXPECT_NEAR(log.steps().back().time, last, 1e-9);
+    EXPECT_NEAR(log.steps().back().step, last / 4, 1e-9);
+    EXPECT_NEAR(log.steps().back().water, 4.3 / 7, 1e-3) << "of the tank less the box";
+}
+
+TEST(OrgFiles, TheForceIsBuoyancyAtFirstAndThenWeightLessMassTimesAcceleration) {
+    const StepLoads loads = read_loads(post / "forces_box");
+    const auto motion = joined_rows(post / "bodyState", "sixDoFRigidBodyState.dat");
+    ASSERT_EQ(loads.time.size(), 5u);
+    ASSERT_EQ(motion.size(), 5u);
+    EXPECT_NEAR(loads.pressure[0][2], 1000 * g * length * draft * thickness, 0.005);
+    const auto speed = [&](std::size_t i) { return motion[i].at(12); };
+    double mean = 0;
+    for (std::size_t i = 2; i < 5; ++i) mean += loads.pressure[i][2] / 3;
+    const double rise = (speed(4) - speed(1)) / (motion[4][0] - motion[1][0]);
+    EXPECT_LT(rise, 0) << "it is 10 mm too high";
+    EXPECT_NEAR(mean, mass * (g + rise), 0.01 * mass * g);
+}
+
+TEST(OrgFiles, VolumesOfCellsAndWaterAreThoseOfTheTank) {
+    const fs::path time = folder / "0.0028556862";
+    const FieldFile volume = read_field(time / cell_volumes_in(time)), water = read_field(time / "alpha.water");
+    ASSERT_EQ(volume.cells(), 901u);
+    ASSERT_EQ(water.cells(), 901u);
+    double all = 0, wet = 0;
+    for (std::size_t i = 0; i < volume.cells(); ++i) {
+        all += volume.scalar(i);
+        wet += volume.scalar(i) * water.scalar(i);
+    }
+    EXPECT_NEAR(all, 0.6 * 0.5 * thickness - length * height * thickness, 1e-8);
+    EXPECT_NEAR(wet, 0.6 * 0.3 * thickness - length * draft * thickness, 2e-3 * wet);
+}
+
+TEST(OrgFiles, TheBoxIsWetToItsDraftAndPressedUp) {
+    const auto patch = read_hull_patch(post / "bodySurfaces/0.0028556862", "box");
+    ASSERT_TRUE(patch);
+    double area = 0, wet = 0;
+    for (const HullPatch::Face& f : patch->faces) {
+        area += f.area.norm();
+        wet += f.water * f.area.norm();
+    }
+    EXPECT_NEAR(area, 2 * (length + height) * thickness, 1e-6);
+    EXPECT_NEAR(wet, (length + 2 * draft) * thickness, 0.05 * wet);
+    const WaterLoad load = water_load(*patch, 1000, 1.2, Vec3::Zero());
+    EXPECT_NEAR(load.pressure.z(), read_loads(post / "forces_box").pressure.back()[2], 0.02);
+}
+
+TEST(OrgFiles, ProbeAndLargestSpeedAreRead) {
+    const auto rows = joined_rows(post / "pressureProbes", "p");
+    ASSERT_EQ(rows.size(), 5u);
+    EXPECT_NEAR(rows.front().at(1), 1000 * g * 0.28, 1);
+    EXPECT_NEAR(latest_fastest(post, last), 4.1572e-3, 1e-6);
+}
+
+}  // namespace org_files_test
+}  // namespace tw
