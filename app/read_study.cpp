@@ -26,14 +26,20 @@ SceneOverrides overrides_of(const nlohmann::json& json) {
 Member member_of(const nlohmann::json& json) {
     const nlohmann::json& predicted = json.at("predicted");
     const auto amount = [&](const char* key) { return number_within(predicted, key, 0, any_number); };
-    return {json.at("name"),
-            method_named(json.at("method")).name,
-            json.at("folder").get<std::string>(),
-            {json.at("scene").get<std::string>(), overrides_of(json.at("changes")), json.at("methods"),
-             whole_within(json, "threads", 0, 100'000), json.at("snapshots")},
-            amount("seconds"),
-            amount("bytes"),
-            amount("elements")};
+    // One by one: GCC 12 destroys twice what a list in braces within another holds when a later entry throws.
+    Member m;
+    m.name = json.at("name");
+    m.method = method_named(json.at("method")).name;
+    m.folder = json.at("folder").get<std::string>();
+    m.request.file = json.at("scene").get<std::string>();
+    m.request.overrides = overrides_of(json.at("changes"));
+    m.request.method = json.at("methods");
+    m.request.threads = whole_within(json, "threads", 0, 100'000);
+    m.request.snapshots = json.at("snapshots");
+    m.seconds = amount("seconds");
+    m.bytes = amount("bytes");
+    m.elements = amount("elements");
+    return m;
 }
 
 }  // namespace
@@ -53,7 +59,10 @@ Study read_study(const fs::path& out) {
                          file.string());
     Study study;
     read_own_json(file, [&](const nlohmann::json& json) {
-        study = {json.at("out").get<std::string>(), json.at("report"), json.at("overwrite"), json.at("take_finished")};
+        study.out = json.at("out").get<std::string>();
+        study.words = json.at("report");
+        study.overwrite = json.at("overwrite");
+        study.take_finished = json.at("take_finished");
         study.where = json.at("where").get<std::string>();
         for (const nlohmann::json& m : json.at("members")) study.members.push_back(member_of(m));
     });

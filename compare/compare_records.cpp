@@ -94,21 +94,21 @@ void add_unknown_methods(Comparison& comparison) {
 
 void add_state_banners(Comparison& comparison) {
     if (comparison.sources.size() == 1)
-        comparison.banners.push_back("One run only, " + comparison.names[0] +
+        comparison.banners.push_back("One run only, " + method_label(comparison.names[0]) +
                                      ": its values are shown without a comparison.");
     for (std::size_t i = 0; i < comparison.sources.size(); ++i) {
         const RunRecord& r = comparison.sources[i];
         if (r.state == "finished" || comparison.failed(i)) continue;  // a failure is the first thing that is said
         comparison.banners.push_back(
             fmt::format("{} did not finish (state: {}{}{}); what it recorded is compared as far as it goes.",
-                        comparison.names[i], r.state, r.reason.empty() ? "" : ": ", r.reason));
+                        method_label(comparison.names[i]), r.state, r.reason.empty() ? "" : ": ", r.reason));
     }
     for (std::size_t i = 0; i < comparison.sources.size(); ++i) {
         const std::string calibrated = text_of(comparison.sources[i], "calibrated");
         if (!calibrated.empty() && calibrated != "none")
             comparison.banners.push_back(
                 fmt::format("{} was tuned: {}. Agreement with the data used for that is no validation.",
-                            comparison.names[i], calibrated));
+                            method_label(comparison.names[i]), calibrated));
     }
 }
 
@@ -118,7 +118,7 @@ void set_failed_aside(Comparison& c) {
     for (Quantity& q : c.quantities) {
         for (Difference& d : q.differences())
             for (const std::size_t s : {d.b, d.a})
-                if (c.failed(s)) d = Difference{.a = d.a, .b = d.b, .remark = c.names[s] + " failed"};
+                if (c.failed(s)) d = Difference{.a = d.a, .b = d.b, .remark = method_label(c.names[s]) + " failed"};
         if (!q.pairs.empty()) take_farthest(q);
     }
 }

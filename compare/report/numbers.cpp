@@ -107,7 +107,7 @@ std::string limit_of(const Quantity& q) {
     return widest && !widest->limited_by.empty() ? "from " + widest->limited_by : "statistical scatter of the means";
 }
 
-/// "Lift: apart by 2.8 % at this size (fvm lower), ± 0.2 % ...; discretisation error not estimated."
+/// "Lift: apart by 2.8 % at this size (interFoam lower), ± 0.2 % ...; discretisation error not estimated."
 std::string apart_sentence(const Comparison& comparison, const Quantity& q) {
     if (!q.not_resolved.empty()) return q.label + ": " + q.not_resolved + ".";
     const bool without_verdict = q.verdict == Verdict::not_estimated || q.judged_in_ladder;
@@ -115,10 +115,11 @@ std::string apart_sentence(const Comparison& comparison, const Quantity& q) {
         return q.label + ": " + verdict_label(q.verdict) + (q.remark.empty() ? "" : " (" + q.remark + ")") + ".";
     std::string text = fmt::format("{}: apart by {:.1f} % at this size", q.label, std::abs(q.per_cent));
     if (comparison.sources.size() > 2)
-        text = fmt::format("{}: {} and {} are farthest apart, by {:.1f} % at this size", q.label, comparison.names[q.a],
-                           comparison.names[q.b], std::abs(q.per_cent));
+        text =
+            fmt::format("{}: {} and {} are farthest apart, by {:.1f} % at this size", q.label,
+                        method_label(comparison.names[q.a]), method_label(comparison.names[q.b]), std::abs(q.per_cent));
     if (q.difference != 0)
-        text += fmt::format(" ({} {})", comparison.names[q.b], q.difference < 0 ? "lower" : "higher");
+        text += fmt::format(" ({} {})", method_label(comparison.names[q.b]), q.difference < 0 ? "lower" : "higher");
     if (q.interval > 0 && q.size > 0) text += fmt::format(", ± {:.1f} % {}", 100 * q.interval / q.size, limit_of(q));
     return text + "; discretisation error not estimated.";
 }

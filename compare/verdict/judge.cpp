@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "methods/methods.h"
+
 namespace tw {
 
 std::string to_string(Verdict verdict) {
@@ -36,7 +38,7 @@ void judge_incomplete(Difference& d, const Quantity& q, const std::vector<std::s
         const MeanValue& value = q.values[i];
         if (value.known) continue;
         if (!(value.seconds_needed > 0)) all_too_short = false;
-        add_remark(d, names[i] + ": " + (value.why_not.empty() ? "not known" : value.why_not));
+        add_remark(d, method_label(names[i]) + ": " + (value.why_not.empty() ? "not known" : value.why_not));
     }
     d.verdict = all_too_short ? Verdict::undecided : Verdict::not_comparable;
 }
@@ -58,7 +60,7 @@ std::string width_remark(const Difference& d, const Quantity& q, const std::vect
     const MeanValue& wider = q.values[first ? d.a : d.b];
     const std::string who = shared > wider.half_width   ? shared_name
                             : !wider.limited_by.empty() ? wider.limited_by
-                                                        : "the mean of " + names[first ? d.a : d.b];
+                                                        : "the mean of " + method_label(names[first ? d.a : d.b]);
     // what would make the widest mean's interval small enough, the others as they are
     const double rest2 = d.interval * d.interval - wider.half_width * wider.half_width,
                  room = target * target * d.size * d.size - rest2, window = wider.to - wider.from;
@@ -77,7 +79,8 @@ void judge_pair(Difference& d, const Quantity& q, const std::vector<std::string>
     add_remark(d, width_remark(d, q, names, target, shared, shared_name));
     for (const std::size_t i : {d.a, d.b})
         if (q.values[i].unreliable && q.values[i].limited_by.empty())
-            add_remark(d, names[i] + ": two estimates of its interval differ by more than 1.5; the wider is used");
+            add_remark(d, method_label(names[i]) +
+                              ": two estimates of its interval differ by more than 1.5; the wider is used");
 }
 
 }  // namespace

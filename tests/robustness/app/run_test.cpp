@@ -166,7 +166,7 @@ TEST_F(Command, ARunThatFailsLeavesAReportOfWhatThereIs) {
     EXPECT_EQ(o.status, 3) << o.out;
     EXPECT_NE(o.err.find("often a sound speed that is too low"), std::string::npos) << o.err;
     const std::string page = content(folder_ / "runs/column/report.html");
-    EXPECT_NE(page.find("One run only, sph"), std::string::npos);
+    EXPECT_NE(page.find("One run only, SPH"), std::string::npos);
     EXPECT_NE(page.find("<div class=\"verdict\"><p>SPH failed: "), std::string::npos);
     EXPECT_NE(page.find("<pre>twinwake run column.toml"), std::string::npos);
 }
@@ -229,7 +229,7 @@ TEST_F(Command, AnotherScenesRecordInTheFolderIsLeftOutOfTheReport) {
     const Outcome o = twinwake({"run", "column.toml", "--near-hull", "0.025"});
     EXPECT_EQ(o.status, 0) << o.err;
     EXPECT_NE(o.out.find("fvm/record.h5: of another scene than this run, left out"), std::string::npos) << o.out;
-    EXPECT_NE(content(folder_ / "runs/column/report.html").find("One run only, sph"), std::string::npos);
+    EXPECT_NE(content(folder_ / "runs/column/report.html").find("One run only, SPH"), std::string::npos);
 }
 
 TEST_F(Command, ARunThatFailedBeforeItSavedIsRunAnewWhereverItIsAskedForAgain) {

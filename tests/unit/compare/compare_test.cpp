@@ -374,7 +374,7 @@ TEST(Compare, ARunThatFailedIsNamedOnceAndComparedWithNothing) {
     RunRecord third = synthetic_run(fvm);
     third.attributes["method"] = "measured";
     const std::string three = summary({synthetic_run(wrecked), synthetic_run(fvm), third});
-    EXPECT_NE(three.find("Lift: fvm and measured are farthest apart"), std::string::npos) << three;
+    EXPECT_NE(three.find("Lift: interFoam and measured are farthest apart"), std::string::npos) << three;
 }
 
 TEST(Compare, LostParticlesFailTheirGate) {
@@ -639,7 +639,7 @@ TEST(Compare, AColumnInTwoUnitsIsRefused) {
 TEST(Compare, OneRunAloneSaysSo) {
     const Comparison c = compare_records({synthetic_run({})});
     ASSERT_FALSE(c.banners.empty());
-    EXPECT_NE(c.banners.front().find("One run only, sph"), std::string::npos);
+    EXPECT_NE(c.banners.front().find("One run only, SPH"), std::string::npos);
 }
 
 }  // namespace compare_test
