@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <fstream>
 #include <thread>
 
@@ -30,20 +29,12 @@ bool openfoam_takes(const fs::path& path) {
 CasePrograms::CasePrograms(const OpenFoam& openfoam, fs::path case_folder)
     : openfoam_(openfoam), case_(fs::absolute(case_folder).lexically_normal()), folder_(case_) {
     if (!openfoam_takes(case_)) {
-        std::string name = (fs::temp_directory_path() / "twinwake-XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr) throw RunError(name + ": no temporary folder could be made");
-        folder_ = name;
+        aside_.emplace();
+        folder_ = aside_->path;
         link_ = folder_ / "case";
         fs::create_directory_symlink(case_, link_);
     }
     environment_ = environment_of(openfoam, folder_);
-}
-
-CasePrograms::~CasePrograms() {
-    if (link_.empty()) return;
-    std::error_code none;
-    fs::remove(link_, none);
-    fs::remove(folder_, none);
 }
 
 fs::path CasePrograms::find_mpirun() const { return find_program(environment_, "mpirun"); }

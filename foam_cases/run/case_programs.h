@@ -2,12 +2,14 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "foam_cases/doctor.h"
 #include "foam_cases/flavour.h"
 #include "foam_cases/run/child.h"
+#include "foam_cases/run/temporary_folder.h"
 
 namespace tw {
 
@@ -20,7 +22,6 @@ using Watch = std::function<bool(Child&)>;
 class CasePrograms {
 public:
     CasePrograms(const OpenFoam& openfoam, std::filesystem::path case_folder);
-    ~CasePrograms();
     CasePrograms(const CasePrograms&) = delete;
     CasePrograms& operator=(const CasePrograms&) = delete;
 
@@ -42,6 +43,7 @@ public:
 private:
     std::filesystem::path find_mpirun() const;
     OpenFoam openfoam_;
+    std::optional<TemporaryFolder> aside_;        ///< of the link; empty where the programs take the case's own path
     std::filesystem::path case_, folder_, link_;  ///< folder_: where the programs run
     std::vector<std::string> environment_;
 };
