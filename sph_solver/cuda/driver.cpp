@@ -60,6 +60,7 @@ struct Device::Library {
     Result (*cuLaunchKernel)(void*, unsigned, unsigned, unsigned, unsigned, unsigned, unsigned, unsigned, void*, void**,
                              void**) = nullptr;
     Result (*cuGetErrorString)(Result, const char**) = nullptr;
+    void (*forget)(Pointer, std::size_t) = nullptr;  ///< of tests/fake_cuda alone
 
     ~Library() {
         if (module) cuModuleUnload(module);
@@ -92,6 +93,7 @@ struct Device::Library {
         find(cuMemcpyDtoD, "cuMemcpyDtoD_v2");
         find(cuMemsetD8, "cuMemsetD8_v2"), find(cuLaunchKernel, "cuLaunchKernel");
         find(cuGetErrorString, "cuGetErrorString");
+        forget = reinterpret_cast<decltype(forget)>(dlsym(handle, "twinwake_forget"));
         if (!missing.empty()) return fmt::format("{} is too old, it has no {}", file, missing);
         if (const Result r = cuInit(0)) return words(r);
         int version = 0, count = 0;
@@ -175,6 +177,9 @@ std::uint64_t Device::allocate(std::size_t bytes) {
     return at;
 }
 void Device::release(std::uint64_t at) noexcept { library_->cuMemFree(at); }
+void Device::forget(std::uint64_t at, std::size_t bytes) {
+    if (library_->forget) library_->forget(at, bytes);
+}
 void Device::to_device(std::uint64_t to, const void* from, std::size_t bytes) {
     library_->check(library_->cuMemcpyHtoD(to, from, bytes), "copying to it");
     traffic_.to_device += bytes;

@@ -37,6 +37,9 @@ public:
     /// Bytes of the device.
     std::uint64_t allocate(std::size_t bytes);
     void release(std::uint64_t at) noexcept;
+    /// What these bytes hold is of no use any more. A driver that tests stand in for the real one overwrites them; that
+    /// one is not asked.
+    void forget(std::uint64_t at, std::size_t bytes);
     void to_device(std::uint64_t to, const void* from, std::size_t bytes);
     void to_host(void* to, std::uint64_t from, std::size_t bytes);
     void within_device(std::uint64_t to, std::uint64_t from, std::size_t bytes);
@@ -72,15 +75,18 @@ public:
     T* data() const { return reinterpret_cast<T*>(at_); }
     std::size_t size() const { return size_; }
     std::size_t bytes() const { return capacity_ * sizeof(T); }
-    /// What it holds is lost where it has to grow.
+    /// What it holds is lost.
     void resize(std::size_t n) {
         size_ = n;
-        if (n <= capacity_) return;
+        if (n <= capacity_) {
+            if (n > 0) device_->forget(at_, n * sizeof(T));
+            return;
+        }
         give_back();
         capacity_ = n + n / 8;
         at_ = device_->allocate(capacity_ * sizeof(T));
     }
-    /// The same, but it keeps what it holds.
+    /// What it holds stays.
     void grow(std::size_t n) {
         if (n > capacity_) {
             Array larger(*device_);

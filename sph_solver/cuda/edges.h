@@ -193,7 +193,6 @@ struct AddChildren {
         on.x[i] = c.place.x, on.y[i] = c.place.y, on.z[i] = c.place.z;
         on.u[i] = c.state.u, on.v[i] = c.state.v, on.w[i] = c.state.w, on.drho[i] = c.state.drho;
         on.kind[i] = c.kind, on.id[i] = c.id;
-        on.trend[i].support = c.support;
     }
 };
 

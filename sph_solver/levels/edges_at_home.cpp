@@ -90,7 +90,7 @@ EdgeSteps::Spray EdgesAtHome::label(const AskEdge& ask, LabelFine label, const Z
     for (std::size_t i = 0; i < p.size(); ++i)
         if (leaves[i] && level_.owns(i)) leaving.places.push_back(place_at(p, i)), who.push_back(i);
     coarser.interpolate(leaving);
-    const BecomeGuard become{p.kind.data(), p.trend.data()};
+    const BecomeGuard become{p.kind.data()};
     Spray spray;
     for (std::size_t k = 0; k < who.size(); ++k) {
         const std::size_t i = who[k];
@@ -102,7 +102,7 @@ EdgeSteps::Spray EdgesAtHome::label(const AskEdge& ask, LabelFine label, const Z
         ++spray.count;
         if (far) spray.far.push_back(located(p, i));
     }
-    level_.halo_.tell(p.kind.data(), p.trend.data());
+    level_.halo_.tell(p.kind.data());
     return spray;
 }
 
@@ -141,7 +141,6 @@ void EdgesAtHome::add(const std::vector<Child>& children) {
     for (const Child& c : children) {
         p.add(c.place.x, c.place.y, c.place.z, c.state.u, c.state.drho, c.id, c.kind);
         p.v.back() = c.state.v, p.w.back() = c.state.w;
-        p.trend.back().support = c.support;
     }
     if (level_.ranks().many()) level_.own_.resize(p.size(), 1);
 }

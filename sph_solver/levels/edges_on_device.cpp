@@ -18,10 +18,11 @@ std::vector<cuda::DeviceSource> LevelOnDevice::note_giving(const Asking& asking)
     take.links = on.links.data(), take.n = n;
     launch(*device_, "tw_mark_giving", cuda::MarkGiving{take, on.gives.of(all)}, all);
     const auto giving = static_cast<std::size_t>(on.gives.add_up());
-    on.giving_place.resize(giving), on.giving_motion.resize(giving), on.giving_support.resize(giving);
+    on.giving_place.resize(giving), on.giving_motion.resize(giving);
+    on.giving_support.resize(asking.without ? giving : 0);
     on.giving_rate.resize(asking.want_compression ? giving : 0);
     take.to_place = on.giving_place.data(), take.to_motion = on.giving_motion.data();
-    take.known_support = on.giving_support.data(), take.rate = or_null(on.giving_rate);
+    take.known_support = or_null(on.giving_support), take.rate = or_null(on.giving_rate);
     launch(*device_, "tw_put_giving", cuda::PutGiving{take, on.gives.numbers(), on.gives.before()}, all);
     const auto columns = static_cast<std::size_t>(level_.grid_.count()) + 1;
     const auto source = [&](const SortedOnDevice& order, std::size_t from, cuda::Array<int>& start) {
@@ -54,7 +55,7 @@ cuda::FoundAt LevelOnDevice::ask(const cuda::Array<WidePlace>& wide, const Askin
     d.list = at.lists.view();
     d.at = at.place.data();
     d.water.place = on.giving_place.data(), d.water.motion = on.giving_motion.data();
-    d.known_support = on.giving_support.data(), d.rate = or_null(on.giving_rate);
+    d.known_support = or_null(on.giving_support), d.rate = or_null(on.giving_rate);
     d.value = at.value.data(), d.support = at.support.data(), d.mean_support = at.mean_support.data();
     d.compression = or_null(at.compression);
     at.mean_support.set_zero(), at.compression.set_zero();  // where nobody gives anything they are not worked out
@@ -145,7 +146,7 @@ EdgeSteps::Spray LevelOnDevice::label(const AskEdge& ask, LabelFine label, const
     if (leaving == 0) return {};
     on.left_zone.resize(leaving);
     launch(*device_, "tw_leave_zone",
-           cuda::LeaveZone{.become = {on.p.kind.data(), on.p.trend.data()},
+           cuda::LeaveZone{.become = {on.p.kind.data()},
                            .found = ask_other(coarser, 0, asking),
                            .p = on.p.view(),
                            .which = on.which.data(),

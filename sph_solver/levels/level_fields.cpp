@@ -161,7 +161,9 @@ TakeGiving Level::giving(const Asking& asking) {
             .kind = p.kind.data(),
             .links = ghosts_.links().data(),
             .n = p.size(),
-            .asking = asking,
+            .of = asking.of,
+            .density_before = asking.density_before,
+            .without = asking.without ? *asking.without : SurfaceExcess(),
             .row = density_of_row(),
             .to_place = nullptr,
             .to_motion = nullptr,
@@ -214,8 +216,10 @@ void Level::interpolate_here(FieldsAt& at) {
         for_particles(columns, [&](std::size_t c) { each_in(c, [&](std::size_t) { ++start[c + 1]; }); });
         std::partial_sum(start.begin(), start.end(), start.begin());
         const std::size_t end = before + static_cast<std::size_t>(start.back());
-        place.resize(end), motion.resize(end), known_support.resize(end), rate.resize(at.want_compression ? end : 0);
-        giving.to_place = place.data(), giving.to_motion = motion.data(), giving.known_support = known_support.data();
+        place.resize(end), motion.resize(end), known_support.resize(at.without ? end : 0);
+        rate.resize(at.want_compression ? end : 0);
+        giving.to_place = place.data(), giving.to_motion = motion.data();
+        giving.known_support = at.without ? known_support.data() : nullptr;
         giving.rate = at.want_compression ? rate.data() : nullptr;
         for_particles(columns, [&](std::size_t c) {
             std::size_t k = before + static_cast<std::size_t>(start[c]);
@@ -232,7 +236,7 @@ void Level::interpolate_here(FieldsAt& at) {
     d.list = sorted.lists.view();
     d.at = sorted.places.data();
     d.water.place = place.data(), d.water.motion = motion.data();
-    d.known_support = known_support.data(), d.rate = giving.rate;
+    d.known_support = giving.known_support, d.rate = giving.rate;
     d.value = in_order.value.data(), d.support = in_order.support.data();
     d.mean_support = in_order.mean_support.data();
     d.compression = at.want_compression ? in_order.compression.data() : nullptr;

@@ -21,7 +21,9 @@ struct Asking {
     double apart = 1;           ///< roughly, in spacings of the level: places near each other are worked out together
     double density_before = 0;  ///< the density as it was so long before the last evaluation [s], by its rate there
     bool want_compression = false;
-    SurfaceExcess without{};  ///< taken off the densities of the particles
+    /// The mean kernel support is given, and this taken off the densities of the particles. Null: neither, as before the
+    /// level's first sweep, when its particles may stand in another order than when their supports were found.
+    const SurfaceExcess* without = nullptr;
 };
 
 /// What a level's particles and their images give, one after another in the order of the level.
@@ -33,28 +35,31 @@ struct TakeGiving {
     const Kind* kind;
     const Link* links;
     std::size_t n;  ///< particles; images are those of `links`
-    Asking asking;
+    Giving of;
+    double density_before;  ///< of Asking
+    SurfaceExcess without;
     double row;  ///< Level::density_of_row [kg/m3]
     PlaceRecord* to_place;
     VelocityDensityRecord* to_motion;
-    float* known_support;
-    float* rate;  ///< null: it is not asked for
+    float* known_support;  ///< null: it is not asked for, and nothing is taken off
+    float* rate;           ///< null: it is not asked for
 
     std::size_t source_of(std::size_t i) const { return i < n ? i : static_cast<std::size_t>(links[i - n].index); }
     bool counts(std::size_t i) const {
-        const Kind of = kind[source_of(i)];
-        return asking.of == Giving::all || is_active(of) || (asking.of == Giving::not_guards && of != Kind::guard);
+        const Kind own = kind[source_of(i)];
+        return of == Giving::all || is_active(own) || (of == Giving::not_guards && own != Kind::guard);
     }
     /// As the k-th of those that count.
     void put(std::size_t i, std::size_t k) const {
-        const std::size_t of = source_of(i);
+        const std::size_t source = source_of(i);
         to_place[k] = place[i];
-        known_support[k] = shift[of].support;
         VelocityDensityRecord& r = to_motion[k] = motion[i];
-        if (rate) rate[k] = density_rate[of];
-        if (asking.density_before > 0)
-            r.drho -= static_cast<float>(asking.density_before * static_cast<double>(density_rate[of]));
-        r.drho -= static_cast<float>(row * asking.without.of(static_cast<double>(known_support[k])));
+        if (rate) rate[k] = density_rate[source];
+        if (density_before > 0)
+            r.drho -= static_cast<float>(density_before * static_cast<double>(density_rate[source]));
+        if (!known_support) return;
+        known_support[k] = shift[source].support;
+        r.drho -= static_cast<float>(row * without.of(static_cast<double>(known_support[k])));
     }
 };
 
@@ -62,7 +67,7 @@ struct TakeGiving {
 struct Given {
     VelocityDensityRecord value;
     float support;       ///< sum_j V_j W_j of the particles that give [-]
-    float mean_support;  ///< of those near, each with its own surroundings [-]
+    float mean_support;  ///< of those near, each with its own surroundings [-]; 0 unless asked for
     float compression;   ///< 0 unless asked for [kg/m3/s]
 
     /// Below this kernel support the other level has no water at a place: half of what a plane free surface leaves.
@@ -75,13 +80,11 @@ struct Given {
 struct BecomeGuard {
     static constexpr float covered = 0.5f;
     Kind* kind = nullptr;
-    Trend* trend = nullptr;
 
     /// Whether it has.
     bool operator()(std::size_t i, const Given& given) const {
         if (given.support < covered) return false;
         kind[i] = Kind::guard;
-        trend[i].support = given.mean_support;
         return true;
     }
 };

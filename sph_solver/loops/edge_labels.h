@@ -97,7 +97,6 @@ struct Parent {
 struct Child {
     V3<double> place;  ///< [m]
     VelocityDensityRecord state;
-    float support;  ///< Trend::support
     Kind kind;
     std::int64_t id;
 };

@@ -91,7 +91,6 @@ void Refinement::give_birth() {
         const bool known = at.given(k).known();
         children.push_back({.place = {x.x(), x.y(), x.z()},
                             .state = known ? at.value[k] : parent_of[k]->state,
-                            .support = known ? at.mean_support[k] : 0,
                             .kind = zone_.outside(x) < 0 ? Kind::fluid : Kind::guard,
                             .id = first_id + numbers.own[k]});
     }

@@ -104,7 +104,7 @@ void Refinement::prolong(double moved, double compressed) {
                                .moved = moved,
                                .compressed = compressed,
                                .fall = {fall.x(), fall.y(), fall.z()}};
-    const Asking asking{.apart = fine_apart, .without = excess_};
+    const Asking asking{.apart = fine_apart, .without = &excess_};
     const Followed guards = fine_.edges().follow_coarser(coarse_.edges(), asking, follow);
     ledger_.orphans = guards.orphans;
     // that of the coarse level: of those that are to have children
@@ -121,7 +121,7 @@ void Refinement::restrict_over(double moved, double density_before) {
                         .apart = coarse_apart,
                         .density_before = density_before,
                         .want_compression = true,
-                        .without = excess_};
+                        .without = &excess_};
     const Followed under = coarse_.edges().follow_finer(fine_.edges(), asking, follow);
     ledger_.orphans += under.orphans;
 }

@@ -1,7 +1,7 @@
 // The functions of the CUDA driver that twinwake calls, for a machine without one. "Device" memory comes from the host's
-// heap, filled with a pattern that is no number, between two fences; every copy, clearing and launch is checked against
-// what is allocated. Kernels are those of the variant device_emulated and the loops of cuda/tasks.h, one index
-// after another.
+// heap, filled with a pattern that is no number when it is allocated or an array there gets another length, between two
+// fences; every copy, clearing and launch is checked against what is allocated. Kernels are those of the variant
+// device_emulated and the loops of cuda/tasks.h, one index after another.
 //
 // FAKE_CUDA (environment): words of "no_device", "old_device", "old_driver" (a driver without cuLaunchKernel's kin is not
 // pretended, only its version), "memory=N" (bytes of the device), "lost_after=N" (launches until every call fails).
@@ -256,6 +256,10 @@ DRIVER cuMemFree_v2(std::uint64_t at) {
 }
 DRIVER cuMemGetInfo_v2(std::size_t* free, std::size_t* all) {
     return *all = memory(), *free = memory() - taken(), success;
+}
+extern "C" __attribute__((visibility("default"))) void twinwake_forget(std::uint64_t at, std::size_t bytes) {
+    check_inside(at, bytes);
+    std::memset(reinterpret_cast<void*>(at), poison, bytes);
 }
 DRIVER cuMemcpyHtoD_v2(std::uint64_t to, const void* from, std::size_t bytes) {
     if (is_lost()) return lost;
