@@ -12,6 +12,7 @@
 #include "base/folder_lock.h"
 #include "compare/ablate/ablation.h"
 #include "compare/report/numbers.h"
+#include "methods/methods.h"
 #include "scene/effects/registry.h"
 
 namespace tw::app {
@@ -125,7 +126,7 @@ std::vector<Variant> variants_of(const AblateCommand& command) {
 }
 
 CampaignRun run_of(const Variant& variant, const std::string& method, const fs::path& out) {
-    return {variant.name + ": " + method, method, *variant.plan, out / variant.folder / method};
+    return {variant.name + ": " + method_label(method), method, *variant.plan, out / variant.folder / method};
 }
 
 std::vector<CampaignRun> runs_of(const std::vector<Variant>& variants, const fs::path& out) {

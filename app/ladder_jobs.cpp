@@ -6,7 +6,9 @@
 #include <cmath>
 #include <optional>
 
+#include "app/solvers.h"
 #include "base/errors.h"
+#include "methods/methods.h"
 
 namespace tw::app {
 namespace {
@@ -57,7 +59,7 @@ private:
     void add(PlannedRun plan, const std::string& method, const fs::path& folder, const LadderChoice* choice,
              bool fills_in = false) {
         const std::string name =
-            fmt::format("{} at {:g} m{}{}", method, plan.scene.resolution.near_hull,
+            fmt::format("{} at {:g} m{}{}", method_label(method), plan.scene.resolution.near_hull,
                         choice ? fmt::format(", {}", choice->name) : "", fills_in ? ", between two sizes" : "");
         plan_.jobs.push_back({{name, method, std::move(plan), folder / method}, choice, fills_in});
     }
@@ -92,13 +94,18 @@ private:
             add(planned(o), method, folder / choice.folder, &choice);
         } catch (const InputError& e) { leave_out(o, choice.name, e); }
     }
-    /// Where the scene is open water: in the method that is expected to take the least time.
+    /// Where the scene is open water: in the method that is expected to take the least time, by the table of one core.
+    /// What runs teach of this machine would choose otherwise after the runs than before them, and --collect, --resume
+    /// and another machine have to find the run that was made.
     void add_box(const PlannedRun& plan) {
         const Domain& box = plan.scene.domain;
         if (!plan.scene.hull || plan.scene.motion.kind != Motion::Kind::stream) return;
         if (box.dimensions == 2 && !box.floor_ends_the_box) return;  // a channel: its bed and surface are all it has
+        Scene on_one_core = plan.scene;
+        on_one_core.run.threads = 1;
+        const Prediction cost = predict_by_table(on_one_core);
         const std::string cheaper = *std::ranges::min_element(
-            plan.scene.run.methods, {}, [&](const std::string& method) { return plan.seconds(method); });
+            plan.scene.run.methods, {}, [&](const std::string& method) { return cost.of(method).seconds; });
         SceneOverrides o = sizes_.overrides;
         o.scale_resolution = plan.scene.resolution.scale;
         add_choice(o, folder_of(plan), wider_box, cheaper);

@@ -17,6 +17,7 @@
 #include "compare/compare.h"
 #include "compare/ladder/judge_by_sizes.h"
 #include "compare/report/numbers.h"
+#include "methods/methods.h"
 #include "scene/hash.h"
 #include "sph_solver/parallel/comm.h"
 #include "text/plain_number.h"
@@ -45,12 +46,12 @@ void refuse_taken(const fs::path& folder, const std::string& method, const RunCo
                         folder.string()));
 }
 
-/// "sph: 45600 particles, about 2 min": of the methods that will run.
+/// "SPH: 45600 particles, about 2 min": of the methods that will run.
 std::string prediction_text(const PlannedRun& plan) {
     std::string text;
     for (const std::string& method : methods_of(plan.scene)) {
         const MethodCost& cost = plan.prediction.of(method);
-        text += fmt::format("{}: {} {}, {}\n", method, plain_number(cost.elements), elements_of(method),
+        text += fmt::format("{}: {} {}, {}\n", method_label(method), plain_number(cost.elements), elements_of(method),
                             about_text(cost.seconds));
     }
     return text;
@@ -141,7 +142,7 @@ int run_together(const PlannedRun& plan, const RunCommand& command, const Common
     catch_stop_signals();
     const RunRecord record = run_method("sph", plan, {folder, command.resume, command.overwrite}, own);
     const RunFacts facts = facts_of("sph", record, folder);
-    say(own, "sph: " + closing_line(facts));
+    say(own, method_label("sph") + ": " + closing_line(facts));
     if (record.state != "finished") return run_failed;
     return ranks.first() ? report(plan, command, own, out, {{facts}, false}, nullptr) : static_cast<int>(done);
 }
@@ -186,7 +187,7 @@ int run_run(const RunCommand& command, const Common& common) {
     Campaign campaign(common, rules);
     const Study study{out, common.words, rules.overwrite, rules.take_finished};
     std::vector<CampaignRun> all = twins ? twins->runs() : std::vector<CampaignRun>{};
-    for (const std::string& method : methods) all.push_back({method, method, plan, out / method});
+    for (const std::string& method : methods) all.push_back({method_label(method), method, plan, out / method});
     if (command.making.hand_over) return hand_over(command.making, study, campaign, all, common);
 
     catch_stop_signals();
@@ -200,13 +201,13 @@ int run_run(const RunCommand& command, const Common& common) {
     if (twins && !twins->run(campaign)) return stopped("twins");
     bool failed = false;
     for (const std::string& method : methods) {
-        const CampaignResult result = campaign.run_or_take({method, method, plan, out / method});
+        const CampaignResult result = campaign.run_or_take({method_label(method), method, plan, out / method});
         failed |= result.state == CampaignResult::State::failed;  // the other methods run all the same
         if (result.record) {
             runs.push_back(facts_of(method, *result.record, out / method));
             say(common, outcome_of_bodies(scene, *result.record));
         }
-        if (result.state == CampaignResult::State::stopped) return stopped(method);
+        if (result.state == CampaignResult::State::stopped) return stopped(method_label(method));
     }
 
     return report(plan, command, common, out, {std::move(runs), failed}, twins ? &*twins : nullptr);

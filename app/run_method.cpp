@@ -7,6 +7,7 @@
 #include "app/solvers.h"
 #include "app/stop_signal.h"
 #include "compare/report/numbers.h"
+#include "methods/methods.h"
 #include "text/plain_number.h"
 
 namespace tw::app {
@@ -40,7 +41,7 @@ RunRecord run_method(const std::string& method, const PlannedRun& plan, const Me
     options.predicted_bytes = cost.bytes;
     options.predicted_steps = cost.steps;
     options.command = common.command;
-    ProgressBar bar(method, common.quiet);
+    ProgressBar bar(method_label(method), common.quiet);
     options.progress = [&](const Progress& p) {
         bar.show(p);
         if (run.progress) run.progress(p);

@@ -15,6 +15,7 @@
 #include "base/errors.h"
 #include "base/folder_lock.h"
 #include "compare/ladder/judge_by_sizes.h"
+#include "methods/methods.h"
 
 namespace tw::app {
 namespace {
@@ -72,7 +73,7 @@ Twins twins_of(const SweptHull& variant, const fs::path& out, const SweepCommand
 }
 
 CampaignRun run_of(const SweptHull& variant, const std::string& method, const fs::path& out) {
-    return {variant.name + ": " + method, method, *variant.plan, out / variant.folder / method};
+    return {variant.name + ": " + method_label(method), method, *variant.plan, out / variant.folder / method};
 }
 
 /// All that will be run as long as no twins fail.

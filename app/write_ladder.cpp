@@ -5,6 +5,7 @@
 #include "app/output.h"
 #include "compare/ladder/judge_by_sizes.h"
 #include "compare/report/numbers.h"
+#include "methods/methods.h"
 
 namespace tw::app {
 
@@ -68,8 +69,9 @@ std::string not_agreeing(const Ladder& ladder) {
     for (const LadderQuantity& q : ladder.quantities)
         for (const LadderDifference& d : q.differences()) {
             if (d.verdict == Verdict::agree) continue;
-            const std::string who =
-                q.pairs.empty() ? "" : " (" + ladder.sides[d.a].method + ", " + ladder.sides[d.b].method + ")";
+            const std::string who = q.pairs.empty() ? ""
+                                                    : " (" + method_label(ladder.sides[d.a].method) + ", " +
+                                                          method_label(ladder.sides[d.b].method) + ")";
             others += (others.empty() ? "" : ", ") + q.label + who + ": " + verdict_label(d.verdict);
         }
     return others;

@@ -55,8 +55,8 @@ void check_same(Comparison& comparison, const std::string& attribute, const std:
             return hash.empty() ? std::string("none") : hash.substr(0, 12);
         };
         const std::string difference =
-            fmt::format("{} ({} {}) and {} ({} {}) were not made from the same {}", comparison.names[0], attribute,
-                        brief(a), comparison.names[i], attribute, brief(b), what);
+            fmt::format("{} ({} {}) and {} ({} {}) were not made from the same {}", method_label(comparison.names[0]),
+                        attribute, brief(a), method_label(comparison.names[i]), attribute, brief(b), what);
         if (!force)
             throw InputError(
                 difference +
@@ -72,12 +72,12 @@ void check_units(const Comparison& comparison) {
     for (std::size_t i = 0; i < comparison.sources.size(); ++i)
         for (const auto& [table, content] : comparison.sources[i].tables)
             for (const Column& c : content.columns) {
-                const auto at = first.try_emplace({table, c.name}, c.unit, comparison.names[i]).first;
+                const auto at = first.try_emplace({table, c.name}, c.unit, method_label(comparison.names[i])).first;
                 if (at->second.first != c.unit)
-                    throw InputError(
-                        fmt::format("{} of table {} is in {} in {} and in {} in {}; expected one unit: import "
-                                    "with a unit, or convert the record",
-                                    c.name, table, at->second.first, at->second.second, c.unit, comparison.names[i]));
+                    throw InputError(fmt::format(
+                        "{} of table {} is in {} in {} and in {} in {}; expected one unit: import "
+                        "with a unit, or convert the record",
+                        c.name, table, at->second.first, at->second.second, c.unit, method_label(comparison.names[i])));
             }
 }
 
@@ -100,8 +100,9 @@ void add_state_banners(Comparison& comparison) {
         const RunRecord& r = comparison.sources[i];
         if (r.state == "finished" || comparison.failed(i)) continue;  // a failure is the first thing that is said
         comparison.banners.push_back(
-            fmt::format("{} did not finish (state: {}{}{}); what it recorded is compared as far as it goes.",
-                        method_label(comparison.names[i]), r.state, r.reason.empty() ? "" : ": ", r.reason));
+            fmt::format("{} did not finish (state: {}{}{}); what it recorded is {} as far as it goes.",
+                        method_label(comparison.names[i]), r.state, r.reason.empty() ? "" : ": ", r.reason,
+                        comparison.sources.size() > 1 ? "compared" : "shown"));
     }
     for (std::size_t i = 0; i < comparison.sources.size(); ++i) {
         const std::string calibrated = text_of(comparison.sources[i], "calibrated");

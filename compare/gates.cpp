@@ -153,17 +153,22 @@ std::vector<Gate> check_gates(const RunRecord& record, const std::string& name) 
     }
     if (const auto air = time_mean(record, "samples", "ventilation"))
         add("ventilation index", "-", *air, 0.2,
-            "air smeared under the hull: friction is too low in proportion, lift by 2 % at most");
+            "beyond it, air smeared under the hull makes friction too low in proportion, and lift by 2 % at most");
     const bool edges = speed > 0 && !record.hull_pressure.empty() && has_edges_in_air(record);
     if (const auto suction = suction_share(record); suction && edges)
         add("suction on the hull", "%", *suction, 15,
-            "water stays attached where it should leave the hull: a step or transom edge that the resolution misses");
+            "beyond it, water stays attached where it should leave the hull: a step or transom edge that the "
+            "resolution "
+            "misses");
     if (edges)
         if (const auto pocket = deepest_suction(record, speed))
             add("suction over rho U^2 / 2", "-", pocket->coefficient, 1,
-                fmt::format("at ({:.3g}, {:.3g}, {:.3g}) m, usually a single bad cell at an edge; such faces make "
-                            "{:.3g} % of the pressure drag, and the lift beside them is too low",
-                            pocket->place.x(), pocket->place.y(), pocket->place.z(), 100 * pocket->of_drag));
+                fmt::format("at ({:.3g}, {:.3g}, {:.3g}) m", pocket->place.x(), pocket->place.y(), pocket->place.z()) +
+                    (pocket->coefficient > 1
+                         ? fmt::format(", usually a single bad cell at an edge; such faces make {:.3g} % of the "
+                                       "pressure drag, and the lift beside them is too low",
+                                       100 * pocket->of_drag)
+                         : ""));
     if (const auto hull = prismatic_hull(record)) {
         const auto drag = time_mean(record, "forces", "fx_pressure"), lift = time_mean(record, "forces", "fz_pressure");
         const double expected = lift.value_or(0) * std::tan(hull->state.trim);

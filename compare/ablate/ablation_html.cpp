@@ -6,6 +6,7 @@
 #include "compare/ablate/ablation_tables.h"
 #include "compare/report/page.h"
 #include "compare/report/svg_plot.h"
+#include "methods/methods.h"
 
 namespace tw {
 
@@ -92,7 +93,7 @@ std::string ablation_html(const Ablation& ablation) {
     out += std::string("<p class=\"note\">") + ablation_note + "</p>" + html_of(ablation_missing(ablation));
     for (const AblationMethod& method : ablation.methods) {
         if (method.rows.empty()) continue;
-        out += "<h2>Effect by effect: " + escaped(method.method) + "</h2>";
+        out += "<h2>Effect by effect: " + escaped(method_label(method.method)) + "</h2>";
         for (const AblationRow& row : method.rows) out += html_of(ablation_details(ablation, row, method.method), 3);
     }
     return out + page_end;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compare/report/numbers.h"
+#include "methods/methods.h"
 
 namespace tw {
 
@@ -40,7 +41,7 @@ std::string change_label(const AblationMethod& method, const std::string& name) 
 
 ReportTable ablation_overview(const Ablation& ablation, const AblationMethod& method) {
     const std::vector<std::string> names = headline_of(method);
-    ReportTable table{method.method, {words("Switched"), words("compared with")}};
+    ReportTable table{method_label(method.method), {words("Switched"), words("compared with")}};
     for (const std::string& name : names) table.columns.push_back(numbers(change_label(method, name)));
     table.columns.push_back(numbers("processor time"));
     table.columns.push_back(numbers("predicted"));
@@ -60,9 +61,10 @@ ReportTable ablation_overview(const Ablation& ablation, const AblationMethod& me
 
 ReportTable ablation_details(const Ablation& ablation, const AblationRow& row, const std::string& method) {
     const AblationRun& run = ablation.runs[row.run];
-    ReportTable table{fmt::format("{}: {}, compared with {}", method, run.name, ablation.runs[run.against].name),
-                      {words("Quantity"), words("unit"), numbers("before"), numbers("after"), numbers("change"),
-                       words(""), words("the plan's estimate")}};
+    ReportTable table{
+        fmt::format("{}: {}, compared with {}", method_label(method), run.name, ablation.runs[run.against].name),
+        {words("Quantity"), words("unit"), numbers("before"), numbers("after"), numbers("change"), words(""),
+         words("the plan's estimate")}};
     for (const AblationChange& c : row.changes)
         table.rows.push_back({{c.label, c.unit, mean_text(c.before), mean_text(c.after), change_text(c),
                                ReportCell(to_string(c.seen), mark_of(c.seen)), c.predicted},

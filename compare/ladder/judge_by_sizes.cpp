@@ -9,6 +9,7 @@
 #include "compare/read/record_numbers.h"
 #include "compare/verdict/decide.h"
 #include "compare/verdict/judge.h"
+#include "methods/methods.h"
 
 namespace tw {
 
@@ -157,7 +158,7 @@ void judge_by_errors_of(Difference& d, Quantity& q, const Comparison& c, const R
         m.choices = std::hypot(choices, box);
         m.uncertainty = std::hypot(std::hypot(m.half_width, m.discretisation), m.choices);
         if (!std::isfinite(m.uncertainty)) m.no_uncertainty = share->second.why_not;
-        if (s.why.empty() && !std::isfinite(m.uncertainty)) s.why = method + ": " + share->second.why_not;
+        if (s.why.empty() && !std::isfinite(m.uncertainty)) s.why = method_label(method) + ": " + share->second.why_not;
         s.methods.push_back(method);
         s.values.push_back(m.value);
         s.statistics = std::hypot(s.statistics, m.half_width);

@@ -12,6 +12,7 @@
 #include "compare/ladder/value.h"
 #include "compare/ladder/variation.h"
 #include "compare/ladder/verdict.h"
+#include "methods/methods.h"
 
 namespace tw {
 
@@ -73,14 +74,14 @@ Ladder build_ladder(std::vector<LadderRun> runs, std::vector<LadderVariation> va
             throw InputError(
                 fmt::format("{} and {} were not run with the same hull: their difference would not be one of "
                             "method; expected records of one scene",
-                            ladder.sides.front().method, side.method));
+                            method_label(ladder.sides.front().method), method_label(side.method)));
     for (LadderVariation& v : variations) add_variation(ladder.sides, std::move(v));
     for (const LadderSide& side : ladder.sides) {
         if (const std::string note = steps_note(side); !note.empty()) ladder.notes.push_back(note);
         for (const LadderVariation& v : side.variations)
             if (!v.refused.empty())
                 ladder.notes.push_back(fmt::format("{} with {}: no evidence, and no share of the intervals: {}",
-                                                   side.method, v.name, v.refused));
+                                                   method_label(side.method), v.name, v.refused));
     }
     for (const LadderSide& side : ladder.sides)  // the union of what the runs measured, in their order
         for (const LadderRun& run : side.runs)
@@ -91,7 +92,7 @@ Ladder build_ladder(std::vector<LadderRun> runs, std::vector<LadderVariation> va
                         throw InputError(
                             fmt::format("{} at {:g} m: {} is in {}, elsewhere in {}; expected one unit in "
                                         "all records",
-                                        side.method, run.spacing, from.label, from.unit, at->unit));
+                                        method_label(side.method), run.spacing, from.label, from.unit, at->unit));
                     if (at != ladder.quantities.end()) continue;
                     LadderQuantity q;
                     q.name = from.name, q.label = from.label, q.unit = from.unit;
@@ -108,7 +109,7 @@ Ladder build_ladder(std::vector<LadderRun> runs, std::vector<LadderVariation> va
     }
     for (const LadderSide& side : ladder.sides)
         for (const LadderRun& run : side.runs)
-            if (const std::string line = side.method + ": " + run.calibrated;
+            if (const std::string line = method_label(side.method) + ": " + run.calibrated;
                 !run.calibrated.empty() && std::ranges::find(ladder.calibrated, line) == ladder.calibrated.end())
                 ladder.calibrated.push_back(line);
     add_references(ladder);

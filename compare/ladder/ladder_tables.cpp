@@ -19,13 +19,20 @@ bool has_levels(const LadderQuantity& q) {
 }
 
 ReportCell method_cell(const Ladder& ladder, std::size_t k, const std::string& more = {}) {
-    return run_cell(ladder.sides[k].method + more, k);
+    return run_cell(method_label(ladder.sides[k].method) + more, k);
 }
 
 /// An uncertainty in the value's unit; "none" where it is no more than rounding.
 std::string uncertainty_cell(double U, double value) {
     if (!std::isfinite(U)) return "–";
     return no_more_than_rounding(U, value) ? "none" : plain_number(U);
+}
+
+/// The difference in per cent.
+std::string relative_text(const LadderDifference& d, const LadderQuantity& q) {
+    if (!std::isfinite(d.per_cent)) return "–";
+    const auto finest = [&](std::size_t k) { return q.values[k].levels.front().value; };
+    return difference_text(d.per_cent, 100 * d.interval / d.size, of_scale(d.size, finest(d.a), finest(d.b), q.unit));
 }
 
 std::string joined(const std::vector<std::string>& parts) {
@@ -39,7 +46,7 @@ std::string joined(const std::vector<std::string>& parts) {
 ReportTable ladder_verdicts(const Ladder& ladder) {
     ReportTable table{"Verdict of the ladder", {words("Quantity"), words("unit")}};
     for (std::size_t k = 0; k < ladder.sides.size(); ++k) {
-        table.columns.push_back(numbers(ladder.sides[k].method));
+        table.columns.push_back(numbers(method_label(ladder.sides[k].method)));
         table.columns.back().source = static_cast<int>(k);
     }
     const bool matrix = ladder.sides.size() > 2;
@@ -51,10 +58,12 @@ ReportTable ladder_verdicts(const Ladder& ladder) {
         for (const LadderValue& v : q.values)
             row.cells.emplace_back(v.levels.empty() ? "–" : value_text(v.levels.front().value, v.uncertainty));
         for (const LadderDifference& d : q.differences()) {
-            if (matrix) row.cells.emplace_back(ladder.sides[d.b].method + " − " + ladder.sides[d.a].method);
+            if (matrix)
+                row.cells.emplace_back(method_label(ladder.sides[d.b].method) + " − " +
+                                       method_label(ladder.sides[d.a].method));
             row.remark = ladder.sides.size() > 1 ? d.reason : "";
             row.cells.emplace_back(signed_text(d.difference, d.interval));
-            row.cells.emplace_back(difference_text(d.per_cent, d.size > 0 ? 100 * d.interval / d.size : std::nan("")));
+            row.cells.emplace_back(relative_text(d, q));
             row.cells.push_back(verdict_cell(d.verdict));
             table.rows.push_back(row);
             row = {std::vector<ReportCell>(2 + q.values.size())};  // its values stand once
@@ -112,7 +121,7 @@ ReportTable ladder_values(const Ladder& ladder) {
             const bool some =
                 std::isfinite(v.uncertainty) && q.size > 0 && !no_more_than_rounding(v.uncertainty, finest);
             std::vector<std::string> remarks;
-            if (!v.levels.empty()) remarks.push_back(ladder.sides[k].method + ": " + verdict_sentence(e));
+            if (!v.levels.empty()) remarks.push_back(method_label(ladder.sides[k].method) + ": " + verdict_sentence(e));
             for (const std::string& why : v.absent) remarks.push_back("not at " + why);
             table.rows.push_back(
                 {{q.label, q.unit, method_cell(ladder, k), joined(values), uncertainty_cell(v.statistical, finest),
@@ -196,14 +205,16 @@ ReportTable ladder_prices(const Ladder& ladder) {
             ReportRow row{{q.label, method_cell(ladder, k)}};
             if (!v.cost.known() || v.levels.empty()) {
                 for (int c = 0; c < 7; ++c) row.cells.emplace_back("–");
-                row.remark = ladder.sides[k].method + ": " + (v.levels.empty() ? "no value" : v.cost.why_not);
+                row.remark =
+                    method_label(ladder.sides[k].method) + ": " + (v.levels.empty() ? "no value" : v.cost.why_not);
             } else {
                 row.cells.emplace_back(fmt::format("{:.2f}", v.cost.slope));
                 for (const double share : {0.05, 0.02, 0.01}) {
                     const double seconds = v.cost.seconds_for(share * q.size);
-                    row.cells.emplace_back((v.cost.measured(seconds) ? "" : "~ ") + time_text(seconds));
+                    const bool told = v.cost.measured(seconds) || seconds > most_time || seconds < least_time;
+                    row.cells.emplace_back((told ? "" : "~ ") + time_text(seconds));
                 }
-                row.cells.emplace_back("× " + plain_number(v.cost.price_of_halving()));
+                row.cells.emplace_back(factor_text(v.cost.price_of_halving()));
                 row.cells.emplace_back(cores_text(v.cost_in_cores, 0.02 * q.size));
                 row.cells.emplace_back(memory_text(v.cost_in_memory, 0.02 * q.size));
             }

@@ -7,6 +7,7 @@
 #include "compare/report/escape.h"
 #include "compare/report/numbers.h"
 #include "compare/verdict/sentence.h"
+#include "methods/methods.h"
 #include "text/plain_number.h"
 
 namespace tw {
@@ -21,8 +22,8 @@ std::string crossover_sentence(const Ladder& ladder, const LadderQuantity& q) {
         const bool first_steeper = a.slope > b.slope;
         out += fmt::format("{}Beyond {}, at U = {} {}, {} is the cheaper one, before it {}.", out.empty() ? "" : " ",
                            time_text(seconds), U, for_terminal(q.unit),
-                           for_terminal(ladder.sides[first_steeper ? d.a : d.b].method),
-                           for_terminal(ladder.sides[first_steeper ? d.b : d.a].method));
+                           for_terminal(method_label(ladder.sides[first_steeper ? d.a : d.b].method)),
+                           for_terminal(method_label(ladder.sides[first_steeper ? d.b : d.a].method)));
     }
     return out;
 }
@@ -31,7 +32,7 @@ std::vector<std::string> ladder_banners(const Ladder& ladder) {
     std::vector<std::string> lines;
     for (const LadderSide& side : ladder.sides)
         if (!side.similar)
-            lines.push_back("The " + side.method +
+            lines.push_back("The " + method_label(side.method) +
                             " runs differ in more than their resolution: they do not form a family.");
     for (const auto* list : {&ladder.notes, &ladder.left_out}) lines.insert(lines.end(), list->begin(), list->end());
     return lines;

@@ -22,7 +22,7 @@ std::vector<LadderSide> sides_of(std::vector<LadderRun> runs) {
         LadderSide& side = sides.back();
         if (!side.runs.empty() && run.spacing <= side.runs.back().spacing * (1 + 1e-6))
             throw InputError(fmt::format("two {} runs with the spacing {:g} m; expected one run of every size",
-                                         side.method, run.spacing));
+                                         method_label(side.method), run.spacing));
         if (!side.runs.empty()) {
             const Family &first = side.runs.front().family, &here = run.family;
             const bool hashes = !first.hash.empty() && !here.hash.empty();
@@ -30,7 +30,8 @@ std::vector<LadderSide> sides_of(std::vector<LadderRun> runs) {
                 throw InputError(fmt::format(
                     "{0} at {1:g} m and {0} at {2:g} m are not of one family: {3}; expected runs of one scene with one "
                     "set of numerics, which differ in their sizes alone",
-                    side.method, side.runs.front().spacing, run.spacing, family_differences(first, here)));
+                    method_label(side.method), side.runs.front().spacing, run.spacing,
+                    family_differences(first, here)));
             side.similar = side.similar && (hashes || first.likeness == here.likeness);
         }
         side.runs.push_back(std::move(run));

@@ -1,4 +1,5 @@
 #include "compare/ladder/variation.h"
+#include "methods/methods.h"
 
 #include <fmt/format.h>
 
@@ -77,7 +78,7 @@ std::vector<Sensitivity> sensitivities_of(const std::vector<LadderSide>& sides, 
         for (const LadderVariation& v : sides[i].variations) {
             if (i != k && !v.box) continue;
             Sensitivity s = sensitivity_of(sides[i], v, name);
-            if (i != k) s.name += " (as in " + sides[i].method + ")";
+            if (i != k) s.name += " (as in " + method_label(sides[i].method) + ")";
             if (const double size = std::max(std::abs(s.value), scale); v.box && size > 0)
                 s.uncertainty *= std::max(std::abs(finest), scale) / size;
             all.push_back(std::move(s));
@@ -96,7 +97,7 @@ std::string steps_note(const LadderSide& side) {
         "{}: {} time steps at {} sizes, finest first: the step does not follow the spacing, so the discretisation "
         "error "
         "below is that of the spacing alone",
-        side.method, counts, side.runs.size());
+        method_label(side.method), counts, side.runs.size());
 }
 
 }  // namespace tw

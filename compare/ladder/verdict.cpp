@@ -9,6 +9,7 @@
 #include "compare/verdict/decide.h"
 #include "compare/verdict/judge.h"
 #include "compare/verdict/sentence.h"
+#include "methods/methods.h"
 
 namespace tw {
 
@@ -26,13 +27,19 @@ std::vector<Term> terms_of(const LadderDifference& d, const LadderQuantity& q, c
     std::vector<Term> terms;
     for (const std::size_t k : {d.a, d.b}) {
         const LadderValue& v = q.values[k];
-        terms.push_back({v.statistical, sides[k].method + "'s mean", k, Term::statistics});
-        terms.push_back({v.estimate.uncertainty, sides[k].method + "'s discretisation error", k, Term::discretisation});
+        terms.push_back({v.statistical, method_label(sides[k].method) + "'s mean", k, Term::statistics});
+        terms.push_back({v.estimate.uncertainty, method_label(sides[k].method) + "'s discretisation error", k,
+                         Term::discretisation});
         for (const Sensitivity& s : v.sensitivities)
             if (std::isfinite(s.uncertainty) && !s.box)
-                terms.push_back({s.uncertainty, sides[k].method + "'s " + s.name, k, Term::choice});
+                terms.push_back({s.uncertainty, method_label(sides[k].method) + "'s " + s.name, k, Term::choice});
     }
     return terms;
+}
+
+/// Of both methods.
+double discretisation_of(const LadderDifference& d, const LadderQuantity& q) {
+    return std::hypot(q.values[d.a].estimate.uncertainty, q.values[d.b].estimate.uncertainty);
 }
 
 /// Wall time of the runs that would bring the joint interval to the target: where the discretisation error is the
@@ -40,8 +47,7 @@ std::vector<Term> terms_of(const LadderDifference& d, const LadderQuantity& q, c
 /// longer record of that method. nan: not known, or the other terms are above the target.
 double seconds_to_target(const LadderDifference& d, const LadderQuantity& q, const std::vector<LadderSide>& sides,
                          const Term& largest, double target_U) {
-    double D = 0;
-    for (const std::size_t k : {d.a, d.b}) D = std::hypot(D, q.values[k].estimate.uncertainty);
+    const double D = discretisation_of(d, q);
     const double U = largest.kind == Term::discretisation ? D : largest.U;
     const double room = target_U * target_U - (d.interval * d.interval - U * U);
     if (!(room > 0) || largest.kind == Term::choice) return std::nan("");
@@ -56,10 +62,12 @@ double seconds_to_target(const LadderDifference& d, const LadderQuantity& q, con
     return seconds;
 }
 
-/// What would make the largest term small enough for the target, the others as they are.
+/// What would make the largest term small enough for the target, the others as they are. Finer runs make the
+/// discretisation error of both methods smaller.
 std::string remedy(const Term& term, const LadderDifference& d, const LadderQuantity& q, const LadderSide& side,
                    double target_U) {
-    const double rest = d.interval * d.interval - term.U * term.U, room = target_U * target_U - rest;
+    const double together = term.kind == Term::discretisation ? discretisation_of(d, q) : term.U;
+    const double rest = d.interval * d.interval - together * together, room = target_U * target_U - rest;
     if (!(room > 0)) return "the other terms are already above the target";
     const double needed = std::sqrt(room);
     if (term.kind == Term::statistics) {
@@ -98,9 +106,9 @@ void judge_pair(LadderDifference& d, const LadderQuantity& q, const std::vector<
     const LadderValue &a = q.values[d.a], &b = q.values[d.b];
     for (const std::size_t k : {d.a, d.b})
         if (q.values[k].levels.empty()) {
-            d.reason = sides[k].method + (q.values[k].absent.empty()
-                                              ? ": no size has a mean"
-                                              : ": no size has a mean; at " + q.values[k].absent.front());
+            d.reason = method_label(sides[k].method) + (q.values[k].absent.empty()
+                                                            ? ": no size has a mean"
+                                                            : ": no size has a mean; at " + q.values[k].absent.front());
             return;
         }
     const double Sa = a.levels.front().value, Sb = b.levels.front().value;
@@ -110,13 +118,14 @@ void judge_pair(LadderDifference& d, const LadderQuantity& q, const std::vector<
     for (const std::size_t k : {d.a, d.b})
         if (!std::isfinite(q.values[k].uncertainty)) {
             d.verdict = Verdict::not_converged;
-            d.reason = fmt::format("{}: {}", sides[k].method, q.values[k].estimate.why_not);
+            d.reason = fmt::format("{}: {}", method_label(sides[k].method), q.values[k].estimate.why_not);
             return;
         }
     for (const std::size_t k : {d.a, d.b})
         if (no_more_than_rounding(q.values[k].own, S) && !no_more_than_rounding(d.difference, S)) {
             d.verdict = Verdict::not_converged;
-            d.reason = sides[k].method + ": the values do not change with the size, so no uncertainty can be estimated";
+            d.reason = method_label(sides[k].method) +
+                       ": the values do not change with the size, so no uncertainty can be estimated";
             return;
         }
     d.interval = std::hypot(a.own, b.own);

@@ -15,6 +15,7 @@
 #include "compare/metrics/quantity.h"
 #include "compare/read/record_numbers.h"
 #include "compare/verdict/judge.h"
+#include "methods/methods.h"
 
 namespace tw {
 namespace {
@@ -154,8 +155,9 @@ void add_bodies(Comparison& comparison) {
             const BodyHistory &A = histories[a], &B = histories[b];
             if (!A.has("vz") || !B.has("vz")) return std::string();
             return fmt::format("{} comes {:.3g} s later than {} (least difference of the velocities)",
-                               comparison.names[b], lag_of(A.times(), A.values("vz"), B.times(), B.values("vz")),
-                               comparison.names[a]);
+                               method_label(comparison.names[b]),
+                               lag_of(A.times(), A.values("vz"), B.times(), B.values("vz")),
+                               method_label(comparison.names[a]));
         });
         const double filter = filter_of(comparison.sources, "body", name);
         const std::string over = fmt::format("over {:g} ms", 1e3 * filter);

@@ -11,6 +11,7 @@
 #include "compare/read/record_numbers.h"
 #include "compare/statistics/settled_mean.h"
 #include "compare/verdict/judge.h"
+#include "methods/methods.h"
 
 namespace tw {
 
@@ -255,7 +256,7 @@ void add_total_drag(Comparison& comparison, const CompareOptions& options) {
                      whole = 0.5 * number_of(r, "density", 0) * U * U * area;
         if (total.known && friction.known && whole > 0)
             coefficients += fmt::format("{}{}: C_T {:.3g}, C_F {:.3g}", coefficients.empty() ? "" : "; ",
-                                        comparison.names[i], total.value / whole, friction.value / whole);
+                                        method_label(comparison.names[i]), total.value / whole, friction.value / whole);
         q.values.push_back(total);
     }
     add_beside(comparison, line);

@@ -10,6 +10,7 @@
 #include "compare/metrics/quantity.h"
 #include "compare/read/record_numbers.h"
 #include "compare/verdict/judge.h"
+#include "methods/methods.h"
 
 namespace tw {
 namespace {
@@ -33,7 +34,7 @@ MeanValue peak_of(const RunRecord& r, const std::string& table, const std::strin
     return m;
 }
 
-/// "sph bends, fvm is rigid", or nothing where all are alike.
+/// "SPH: elastic; interFoam: rigid", or nothing where all are alike.
 std::string unlike_structures(const Comparison& c) {
     std::set<std::string> kinds;
     std::vector<std::string> parts;
@@ -41,7 +42,7 @@ std::string unlike_structures(const Comparison& c) {
         const std::string kind = text_of(c.sources[i], "structure");
         if (kind.empty()) continue;
         kinds.insert(kind);
-        parts.push_back(fmt::format("{}: {}", c.names[i], kind));
+        parts.push_back(fmt::format("{}: {}", method_label(c.names[i]), kind));
     }
     return kinds.size() < 2 ? std::string() : fmt::format("{}", fmt::join(parts, "; "));
 }

@@ -10,6 +10,7 @@
 #include "compare/metrics/quantity.h"
 #include "compare/read/record_numbers.h"
 #include "compare/verdict/judge.h"
+#include "methods/methods.h"
 #include "record/hull_motion.h"
 
 namespace tw {
@@ -71,7 +72,8 @@ void add_porpoising(Comparison& comparison) {
             comparison.banners.push_back(fmt::format(
                 "{}: the hull porpoises, {:.3g} deg in pitch and {:.3g} m in heave to each side every {:.3g} s, and "
                 "this does not die out; its running trim, rise and forces are means of that oscillation.",
-                comparison.names[i], found[i]->pitch.amplitude, found[i]->heave.amplitude, found[i]->period()));
+                method_label(comparison.names[i]), found[i]->pitch.amplitude, found[i]->heave.amplitude,
+                found[i]->period()));
     const auto add = [&](const char* name, const char* label, const char* unit, const char* definition,
                          const std::function<double(const Porpoising&)>& value) {
         Quantity q = new_quantity(name, label, unit, definition);

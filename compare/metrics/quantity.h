@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "compare/compare.h"
+#include "methods/methods.h"
 
 namespace tw {
 
@@ -26,7 +27,8 @@ std::string of_every_pair(const std::vector<std::string>& names, Say say) {
     for (std::size_t a = 0; a < names.size(); ++a)
         for (std::size_t b = a + 1; b < names.size(); ++b)
             if (const std::string one = say(a, b); !one.empty())
-                all += (all.empty() ? "" : "; ") + (names.size() > 2 ? names[a] + " and " + names[b] + ": " : "") + one;
+                all += (all.empty() ? "" : "; ") +
+                       (names.size() > 2 ? method_label(names[a]) + " and " + method_label(names[b]) + ": " : "") + one;
     return all;
 }
 

@@ -16,6 +16,7 @@
 #include "compare/statistics/settled_mean.h"
 #include "compare/statistics/student_t.h"
 #include "compare/verdict/judge.h"
+#include "methods/methods.h"
 #include "record/hull_motion.h"
 #include "record/solid_at_rest.h"
 #include "record/spray_jet.h"
@@ -226,7 +227,7 @@ void add_splash(Comparison& comparison, const CompareOptions& options) {
             number_of_text(record, "symmetry_factor", 1) * record.raster.count[1] * record.raster.voxel;
         if (wake.values.back().known && wake.values.back().value > widest - 1.5 * record.raster.voxel)
             wake.remark += fmt::format("{}{}: as wide as the raster ({:.3g} m), so the wake may be wider",
-                                       wake.remark.empty() ? "" : "; ", comparison.names[s], widest);
+                                       wake.remark.empty() ? "" : "; ", method_label(comparison.names[s]), widest);
     }
     for (Quantity* q : {&envelope, &raw}) {
         beside(*q);

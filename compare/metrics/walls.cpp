@@ -9,6 +9,7 @@
 #include "compare/metrics/quantity.h"
 #include "compare/read/record_numbers.h"
 #include "compare/verdict/judge.h"
+#include "methods/methods.h"
 
 namespace tw {
 namespace {
@@ -46,7 +47,7 @@ void warn(Comparison& comparison, std::size_t i, const std::string& name, double
     comparison.banners.push_back(fmt::format(
         "{}: the walls {}. Water is held on {} by suction of {:.3g} {} on average, {:.0f} % of the force on it: where "
         "air can come, real water leaves there, and the force is another.",
-        comparison.names[i], walls, name, pull, unit, 100 * pull / force));
+        method_label(comparison.names[i]), walls, name, pull, unit, 100 * pull / force));
 }
 
 /// What follows the prefix in the samples' columns of any source.
@@ -76,8 +77,9 @@ void add_suction(Comparison& comparison) {
                 m.half_width = 0, m.from = samples.time.front(), m.to = samples.time.back();
                 q.unit = r.series("samples", force_prefix + name)->unit;
                 if (const Column* area = r.series("samples", area_prefix + name))
-                    areas += fmt::format("{}{}: on {:.3g} {}", areas.empty() ? "" : "; ", comparison.names[i],
-                                         mean_of_samples(r, area_prefix + name), area->unit);
+                    areas +=
+                        fmt::format("{}{}: on {:.3g} {}", areas.empty() ? "" : "; ", method_label(comparison.names[i]),
+                                    mean_of_samples(r, area_prefix + name), area->unit);
                 warn(comparison, i, name, m.value, q.unit);
             } else {
                 m.why_not = not_given;

@@ -21,7 +21,7 @@ namespace {
 
 void add_source_columns(ReportTable& table, const Comparison& c, bool right) {
     for (std::size_t s = 0; s < c.names.size(); ++s) {
-        table.columns.push_back(right ? numbers(c.names[s]) : words(c.names[s]));
+        table.columns.push_back(right ? numbers(method_label(c.names[s])) : words(method_label(c.names[s])));
         table.columns.back().source = static_cast<int>(s);
     }
 }
@@ -32,7 +32,7 @@ std::string missing_text(const Comparison& c, const Quantity& q) {
     for (std::size_t s = 0; s < q.values.size(); ++s) {
         const std::string& why = q.values[s].why_not;
         if (q.values[s].known || why.empty() || why == not_given || q.remark.find(why) != q.remark.npos) continue;
-        text += (text.empty() ? "" : "; ") + c.names[s] + ": " + why;
+        text += (text.empty() ? "" : "; ") + method_label(c.names[s]) + ": " + why;
     }
     return text;
 }
@@ -65,7 +65,8 @@ ReportTable quantities_table(const Comparison& c, bool judged) {
     const bool matrix = c.sources.size() > 2;
     if (pair) {
         if (matrix) table.columns.push_back(words("between"));
-        table.columns.push_back(numbers(matrix ? "difference" : c.names[1] + " − " + c.names[0]));
+        table.columns.push_back(
+            numbers(matrix ? "difference" : method_label(c.names[1]) + " − " + method_label(c.names[0])));
         table.columns.push_back(numbers("relative"));
         if (judged) table.columns.push_back(words("verdict"));
     }
@@ -93,13 +94,14 @@ ReportTable quantities_table(const Comparison& c, bool judged) {
                 continue;  // a value is missing: said once
             if (matrix) {
                 row.cells.resize(2 + c.sources.size());  // its values stand once
-                row.cells.emplace_back(c.names[d.b] + " − " + c.names[d.a]);
+                row.cells.emplace_back(method_label(c.names[d.b]) + " − " + method_label(c.names[d.a]));
                 if (!d.remark.empty() && std::isfinite(d.difference))
-                    row.remark +=
-                        (row.remark.empty() ? "" : "; ") + c.names[d.b] + " − " + c.names[d.a] + ": " + d.remark;
+                    row.remark += (row.remark.empty() ? "" : "; ") + method_label(c.names[d.b]) + " − " +
+                                  method_label(c.names[d.a]) + ": " + d.remark;
             }
             row.cells.emplace_back(signed_text(d.difference, d.interval));
-            row.cells.emplace_back(difference_text(d.per_cent, relative_interval(d)));
+            row.cells.emplace_back(difference_text(d.per_cent, relative_interval(d),
+                                                   of_scale(d.size, q.values[d.a].value, q.values[d.b].value, q.unit)));
             if (judged) row.cells.push_back(verdict_cell(d.verdict));
             table.rows.push_back(row);
             row = {std::vector<ReportCell>(2 + c.sources.size())};
@@ -114,7 +116,9 @@ ReportTable quantities_table(const Comparison& c, bool judged) {
     if (!zero.empty()) table.notes.push_back("0 in every run: " + zero + ".");
     if (!unknown.empty()) table.notes.push_back("Without a value in any run: " + unknown + ".");
     if (!judged) {
-        table.notes.push_back("± is the scatter of the means alone (95 %); the discretisation error is not estimated.");
+        table.notes.push_back(
+            "± is the scatter of the means (95 %), or what else limits them (raster, time between frames); the "
+            "discretisation error is not in it.");
         return table;
     }
     const std::string values = is_stream(c.sources.front())
@@ -168,11 +172,26 @@ ReportTable left_out_table(const Comparison& c) {
         table.rows.push_back(std::move(row));
     }
     table.notes.push_back(
-        "Values with outer intervals: root of the sum of squares of the interval and of the influences that have a "
-        "bound. "
-        "What both methods leave out is not in their difference.");
+        std::string("Values with outer intervals: root of the sum of squares of the interval and of the influences "
+                    "that have a bound.") +
+        (c.sources.size() > 1 ? " What both methods leave out is not in their difference." : ""));
     return table;
 }
+
+namespace {
+
+std::string half_width_text(double half_width, const MeanValue& m) {
+    if (!m.known) return "–";
+    return half_width <= 1e-9 * std::abs(m.value) ? "0" : value_text(half_width, 0);  // no more than rounding
+}
+
+std::string settling_remark(const MeanValue& m) {
+    if (!m.known) return m.why_not;
+    if (!m.limited_by.empty()) return "± is that of " + m.limited_by;
+    return m.unreliable ? "the two estimates differ by more than a factor of 1.5; the wider is used" : "";
+}
+
+}  // namespace
 
 ReportTable settling_table(const Comparison& c) {
     ReportTable table{"",
@@ -183,9 +202,9 @@ ReportTable settling_table(const Comparison& c) {
             const MeanValue& m = q.values[s];
             if (!q.judged || !(m.n_effective > 0)) continue;
             table.rows.push_back(
-                {{q.label, run_cell(c.names[s], s), fmt::format("{:.3g} … {:.3g} s", m.from, m.to), m.n_effective,
-                  m.known ? value_text(m.half_width, 0) : "–", m.known ? value_text(m.second_opinion, 0) : "–",
-                  m.known ? (m.unreliable ? "the two estimates differ by more than 1.5" : "") : m.why_not}});
+                {{q.label, run_cell(method_label(c.names[s]), s), fmt::format("{:.3g} … {:.3g} s", m.from, m.to),
+                  m.n_effective, half_width_text(m.half_width, m), half_width_text(m.second_opinion, m),
+                  settling_remark(m)}});
         }
     return table;
 }
@@ -196,8 +215,8 @@ ReportTable checks_table(const std::vector<Gate>& gates, bool failed_only) {
         {words("Check"), words("run"), numbers("value"), words("unit"), numbers("limit"), words(""), words("remark")}};
     for (const Gate& g : gates)
         if (!failed_only || !g.pass)
-            table.rows.push_back(
-                {{g.name, g.source, g.value, g.unit == "-" ? "" : g.unit, g.limit, mark_of(g), g.remark}});
+            table.rows.push_back({{g.name, method_label(g.source), g.value, g.unit == "-" ? "" : g.unit, g.limit,
+                                   mark_of(g), g.remark}});
     return table;
 }
 

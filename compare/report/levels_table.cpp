@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "compare/read/record_numbers.h"
+#include "methods/methods.h"
 
 namespace tw {
 
@@ -26,12 +27,12 @@ double largest_drift(const RunRecord& run, const std::string& table) {
 }  // namespace
 
 ReportTable levels_table(const Comparison& c) {
-    ReportTable table{"Sizes of particles at the last frame",
-                      {words("Run"), numbers("size", "m"), numbers("time step", "s"), numbers("active", "", 9),
-                       numbers("guards", "", 9), numbers("parents", "", 9), numbers("births", "", 9),
-                       numbers("deaths", "", 9), numbers("spray", "", 9), numbers("orphans", "", 9),
-                       numbers("mass drift", "%", 2), numbers("largest", "%", 2), numbers("time", "%", 2),
-                       numbers("edge", "%", 2)}};
+    ReportTable table{
+        "Sizes of particles at the last frame",
+        {words("Run"), numbers("size", "m"), numbers("time step", "s"), numbers("active", "", 9),
+         numbers("guards", "", 9), numbers("parents", "", 9), numbers("births", "", 9), numbers("deaths", "", 9),
+         numbers("spray", "", 9), numbers("orphans", "", 9), numbers("mass drift", "%", 2), numbers("largest", "%", 2),
+         numbers("time", "%", 2), numbers("edge", "%", 2)}};
     for (std::size_t s = 0; s < c.sources.size(); ++s) {
         const RunRecord& run = c.sources[s];
         std::vector<std::string> levels;
@@ -42,7 +43,7 @@ ReportTable levels_table(const Comparison& c) {
             all_seconds += number_of(run, levels.back() + "_edge_seconds", 0);
         }
         for (const std::string& level : levels) {
-            ReportRow row{{run_cell(c.names[s], s), last(run, level, "spacing"), last(run, level, "dt"),
+            ReportRow row{{run_cell(method_label(c.names[s]), s), last(run, level, "spacing"), last(run, level, "dt"),
                            last(run, level, "active"), last(run, level, "guards"),
                            last(run, level, "band") + last(run, level, "carried")}};
             for (const char* name : {"births", "deaths", "spray", "orphans", "mass_drift"})

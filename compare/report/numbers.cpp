@@ -65,8 +65,21 @@ std::string per_cent_text(double per_cent, double interval) {
                                         : fmt::format("{:.{}f}", interval, places));
 }
 
-std::string difference_text(double per_cent, double interval) {
-    return std::abs(per_cent) > 150 ? "too far apart for per cent" : per_cent_text(per_cent, interval);
+namespace {
+bool is_mean(double size, double a, double b) { return size <= 0.5 * std::abs(a + b) * (1 + 1e-9); }
+}  // namespace
+
+bool told_in_per_cent(double a, double b, double size) {
+    return size > 0 && std::abs(b - a) <= size && is_mean(size, a, b);
+}
+
+std::string difference_text(double per_cent, double interval, const std::string& of) {
+    if (std::abs(per_cent) > 100) return "too far apart for per cent";
+    return per_cent_text(per_cent, interval) + (std::isfinite(per_cent) ? of : "");
+}
+
+std::string of_scale(double size, double a, double b, const std::string& unit) {
+    return size > 0 && !is_mean(size, a, b) ? fmt::format(" of {} {}", plain_number(size, 2), unit) : std::string();
 }
 
 std::string share_text(double per_cent) {
@@ -76,19 +89,25 @@ std::string share_text(double per_cent) {
     return fmt::format("{:.2f} %", std::max(size, least_per_cent));
 }
 
+std::string factor_text(double factor) {
+    if (!std::isfinite(factor)) return std::isnan(factor) ? "–" : "more than × 1000";
+    if (factor > 1000) return "more than × 1000";
+    return factor < 1e-3 ? "less than × 0.001" : "× " + plain_number(factor, 3);
+}
+
 std::string time_text(double seconds) {
     if (!std::isfinite(seconds)) return "–";
-    if (seconds < 0.01) return "under 0.01 s";
+    if (seconds < least_time) return "under 0.01 s";
     if (seconds < 99.5) return plain_number(seconds, 2) + " s";
     if (seconds < 120) return fmt::format("{:.0f} s", seconds);
     if (seconds < 7200) return plain_number(seconds / 60, 2) + " min";
     if (seconds < 172800) return plain_number(seconds / 3600, 2) + " h";
-    if (seconds < 3e7) return plain_number(seconds / 86400, 2) + " days";
+    if (seconds < most_time) return plain_number(seconds / 86400, 2) + " days";
     return "more than a year";
 }
 
 std::string about_text(double seconds) {
-    const bool bound = !std::isfinite(seconds) || seconds < 0.01 || seconds >= 3e7;
+    const bool bound = !std::isfinite(seconds) || seconds < least_time || seconds >= most_time;
     return (bound ? "" : "about ") + time_text(seconds);
 }
 
@@ -113,14 +132,22 @@ std::string apart_sentence(const Comparison& comparison, const Quantity& q) {
     const bool without_verdict = q.verdict == Verdict::not_estimated || q.judged_in_ladder;
     if (!without_verdict || !std::isfinite(q.per_cent))
         return q.label + ": " + verdict_label(q.verdict) + (q.remark.empty() ? "" : " (" + q.remark + ")") + ".";
-    std::string text = fmt::format("{}: apart by {:.1f} % at this size", q.label, std::abs(q.per_cent));
+    const std::string a = method_label(comparison.names[q.a]), b = method_label(comparison.names[q.b]);
+    const double value_a = q.values[q.a].value, value_b = q.values[q.b].value;
+    const bool in_per_cent = told_in_per_cent(value_a, value_b, q.size);
+    const auto size_text = [&](double size) {
+        return in_per_cent ? fmt::format("{:.1f} %", 100 * std::abs(size) / q.size)
+                           : fmt::format("{} {}", plain_number(std::abs(size), 2), q.unit);
+    };
+    std::string text = fmt::format("{}: apart by {} at this size", q.label, size_text(q.difference));
     if (comparison.sources.size() > 2)
         text =
-            fmt::format("{}: {} and {} are farthest apart, by {:.1f} % at this size", q.label,
-                        method_label(comparison.names[q.a]), method_label(comparison.names[q.b]), std::abs(q.per_cent));
-    if (q.difference != 0)
-        text += fmt::format(" ({} {})", method_label(comparison.names[q.b]), q.difference < 0 ? "lower" : "higher");
-    if (q.interval > 0 && q.size > 0) text += fmt::format(", ± {:.1f} % {}", 100 * q.interval / q.size, limit_of(q));
+            fmt::format("{}: {} and {} are farthest apart, by {} at this size", q.label, a, b, size_text(q.difference));
+    if (!in_per_cent)
+        text += fmt::format(" ({} {}, {} {} {})", a, value_text(value_a, 0), b, value_text(value_b, 0), q.unit);
+    else if (q.difference != 0)
+        text += fmt::format(" ({} {})", b, q.difference < 0 ? "lower" : "higher");
+    if (q.interval > 0 && q.size > 0) text += fmt::format(", ± {} {}", size_text(q.interval), limit_of(q));
     return text + "; discretisation error not estimated.";
 }
 }  // namespace

@@ -6,6 +6,7 @@
 #include "compare/report/page.h"
 #include "compare/report/svg_plot.h"
 #include "compare/sweep/sweep_tables.h"
+#include "methods/methods.h"
 
 namespace tw {
 
@@ -15,8 +16,8 @@ namespace {
 std::string scatter_plot(const Sweep& sweep, const SweepSummary& s) {
     Plot plot;
     plot.title = s.label;
-    plot.x_label = sweep.methods[s.a] + " [" + s.unit + "]";
-    plot.y_label = sweep.methods[s.b] + " [" + s.unit + "]";
+    plot.x_label = method_label(sweep.methods[s.a]) + " [" + s.unit + "]";
+    plot.y_label = method_label(sweep.methods[s.b]) + " [" + s.unit + "]";
     plot.width = 460, plot.height = 400;
     double low = HUGE_VAL, high = 0;
     PlotLine dots{"", 0, {}, {}, false, false, true};

@@ -6,6 +6,7 @@
 
 #include "compare/report/comparison_tables.h"
 #include "compare/report/numbers.h"
+#include "methods/methods.h"
 
 namespace tw {
 
@@ -14,17 +15,19 @@ ReportTable sweep_summaries(const Sweep& sweep) {
     const bool matrix = sweep.methods.size() > 2;
     ReportTable table{"Bias and scatter between the methods", {words("Quantity"), words("unit"), numbers("scenes")}};
     if (matrix) table.columns.push_back(words("methods"));
-    for (const std::string& name : {matrix ? "bias" : "bias, " + sweep.methods[1] + " over " + sweep.methods[0],
-                                    std::string("its 95 % interval"), std::string("scatter"), std::string("left out")})
+    for (const std::string& name :
+         {matrix ? "bias" : "bias, " + method_label(sweep.methods[1]) + " over " + method_label(sweep.methods[0]),
+          std::string("its 95 % interval"), std::string("scatter"), std::string("left out")})
         table.columns.push_back(numbers(name));
     for (const SweepSummary& s : sweep.summaries) {
         ReportRow row{{s.label, s.unit, s.points.size()}};
-        if (matrix) row.cells.emplace_back(sweep.methods[s.b] + " over " + sweep.methods[s.a]);
+        if (matrix)
+            row.cells.emplace_back(method_label(sweep.methods[s.b]) + " over " + method_label(sweep.methods[s.a]));
         row.cells.emplace_back(ratio_text(s.bias));
         row.cells.emplace_back(std::isfinite(s.interval)
                                    ? ratio_text(s.bias - s.interval) + " … " + ratio_text(s.bias + s.interval)
                                    : "–");
-        row.cells.emplace_back(std::isfinite(s.scatter) ? fmt::format("× {:.3g}", std::exp(s.scatter)) : "–");
+        row.cells.emplace_back(std::isfinite(s.scatter) ? factor_text(std::exp(s.scatter)) : "–");
         row.cells.emplace_back(s.left_out);
         table.rows.push_back(std::move(row));
     }
@@ -39,8 +42,8 @@ ReportTable sweep_values(const Sweep& sweep) {
     const bool matrix = sweep.methods.size() > 2;
     ReportTable table{"Scene by scene", {words("Quantity"), words("unit"), words("Scene")}};
     if (matrix) table.columns.push_back(words("methods"));
-    for (const std::string& name :
-         matrix ? std::vector<std::string>{"the second", "the first"} : std::vector{sweep.methods[0], sweep.methods[1]})
+    for (const std::string& name : matrix ? std::vector<std::string>{"the second", "the first"}
+                                          : std::vector{method_label(sweep.methods[0]), method_label(sweep.methods[1])})
         table.columns.push_back(numbers(name));
     for (const ReportColumn& column : {numbers("relative"), words("verdict"), words("discretisation error")})
         table.columns.push_back(column);
@@ -48,10 +51,14 @@ ReportTable sweep_values(const Sweep& sweep) {
         for (const auto& p : s.points) {
             const SweepMember& member = sweep.members[p.member];
             ReportRow row{{s.label, s.unit, member.name}};
-            if (matrix) row.cells.emplace_back(sweep.methods[s.a] + ", " + sweep.methods[s.b]);
+            if (matrix)
+                row.cells.emplace_back(method_label(sweep.methods[s.a]) + ", " + method_label(sweep.methods[s.b]));
             row.cells.emplace_back(value_text(p.a, p.Ua));
             row.cells.emplace_back(value_text(p.b, p.Ub));
-            row.cells.emplace_back(per_cent_text(100 * (p.b / p.a - 1), 100 * p.U / std::abs(p.a)));
+            const double ratio = p.b / p.a;
+            row.cells.emplace_back(std::abs(std::log(ratio)) > std::log(10)
+                                       ? factor_text(ratio)
+                                       : per_cent_text(100 * (ratio - 1), 100 * p.U / std::abs(p.a)));
             row.cells.push_back(verdict_cell(p.verdict));
             row.cells.emplace_back(p.verdict == Verdict::not_estimated ? "not estimated" : member.discretisation_from);
             table.rows.push_back(std::move(row));

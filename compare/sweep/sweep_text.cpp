@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 std::string ratio_text(double logarithm) {
     if (!std::isfinite(logarithm)) return "–";
-    if (std::abs(logarithm) > std::log(10)) return fmt::format("× {:.2g}", std::exp(logarithm));
+    if (std::abs(logarithm) > std::log(10)) return factor_text(std::exp(logarithm));
     return per_cent_text(100 * std::expm1(logarithm));
 }
 

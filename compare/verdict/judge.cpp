@@ -80,7 +80,7 @@ void judge_pair(Difference& d, const Quantity& q, const std::vector<std::string>
     for (const std::size_t i : {d.a, d.b})
         if (q.values[i].unreliable && q.values[i].limited_by.empty())
             add_remark(d, method_label(names[i]) +
-                              ": two estimates of its interval differ by more than 1.5; the wider is used");
+                              ": two estimates of its interval differ by more than a factor of 1.5; the wider is used");
 }
 
 }  // namespace

@@ -14,36 +14,41 @@ namespace tw {
 
 namespace {
 
-/// Whether one of two values is nothing beside the other: per cent of their mean would be 200 however near to nothing.
-bool one_is_nothing(const Statement& s) {
-    if (s.values.size() != 2) return s.values.size() == 1 && s.values[0] == 0;
-    const double a = std::abs(s.values[0]), b = std::abs(s.values[1]);
-    return std::min(a, b) <= 0.05 * std::max(a, b);
+bool in_per_cent(const Statement& s) {
+    if (s.values.size() != 2) return s.size > 0 && s.values.size() == 1 && s.values[0] != 0;
+    return told_in_per_cent(s.values[0], s.values[1], s.size);
 }
 
 /// "SPH 3.1 % above interFoam", in magnitude where both are negative.
 std::string apart_text(const Statement& s) {
     const std::string a = method_label(s.methods[0]), b = method_label(s.methods[1]);
     if (!(s.size > 0) || (s.values[0] == 0 && s.values[1] == 0)) return fmt::format("{} and {} are both 0", a, b);
-    if (one_is_nothing(s)) {
-        const int larger = std::abs(s.values[0]) > std::abs(s.values[1]) ? 0 : 1, nothing = 1 - larger;
-        const double rest = s.values[nothing];
+    if (!in_per_cent(s)) {
+        const int larger = std::abs(s.values[0]) > std::abs(s.values[1]) ? 0 : 1, smaller = 1 - larger;
+        const double rest = s.values[smaller];
+        const std::string sign = rest < 0 ? "−" : "";
         return fmt::format("{} {} {}, {} {}", larger == 0 ? a : b, value_text(s.values[larger], 0), s.unit,
-                           nothing == 0 ? a : b, rest == 0 ? "0" : plain_number(rest, 2) + " " + s.unit);
+                           smaller == 0 ? a : b,
+                           rest == 0 ? "0" : sign + plain_number(std::abs(rest), 2) + " " + s.unit);
     }
     const double per_cent = 100 * std::abs(s.values[1] - s.values[0]) / s.size;
-    if (s.values[0] * s.values[1] < 0)
-        return fmt::format("{} and {} are {} apart, of opposite sign", a, b, share_text(per_cent));
     if (per_cent < least_per_cent) return fmt::format("{} and {} are the same to {}", a, b, share_text(least_per_cent));
     const bool negative = s.values[0] < 0 || s.values[1] < 0;
     const char* where = std::abs(s.values[0]) > std::abs(s.values[1]) ? "above" : "below";
     return fmt::format("{} {} {} {}{}", a, share_text(per_cent), where, b, negative ? " in magnitude" : "");
 }
 
-/// In per cent of the values, or in their unit where one is nothing.
-std::string plus_minus(double U, const Statement& s) {
-    return s.size > 0 && !one_is_nothing(s) ? "±" + share_text(100 * U / s.size)
-                                            : fmt::format("±{} {}", plain_number(U, 2), s.unit);
+/// In per cent of the values, or in their unit where per cent say nothing.
+std::string size_text(double size, const Statement& s) {
+    return in_per_cent(s) ? share_text(100 * size / s.size) : fmt::format("{} {}", plain_number(size, 2), s.unit);
+}
+std::string plus_minus(double U, const Statement& s) { return "±" + size_text(U, s); }
+std::string target_text(const Statement& s) { return size_text(s.target * s.size, s); }
+
+/// Significant, yet it may be of no matter.
+std::string within_target(const Statement& s) {
+    const bool within = std::abs(s.values[1] - s.values[0]) <= s.target * s.size;
+    return within ? ", perhaps by less than " + target_text(s) : "";
 }
 
 /// "discretisation error ±9 %" where one part is all that matters, else "uncertainty ±9 % (discretisation error ±7 %, ...)".
@@ -70,18 +75,16 @@ std::string one_method(const Statement& s) {
 std::string remedy(const Statement& s) {
     if (!std::isfinite(s.seconds_to_target)) return {};
     if (s.seconds_to_target > longest_runs)
-        return fmt::format("; further runs of {} would not bring it to ±{}", time_text(longest_runs),
-                           share_text(100 * s.target));
-    return fmt::format("; {} of further runs would bring it to ±{}", time_text(s.seconds_to_target),
-                       share_text(100 * s.target));
+        return fmt::format("; further runs of {} would not bring it to ±{}", time_text(longest_runs), target_text(s));
+    return fmt::format("; {} of further runs would bring it to ±{}", time_text(s.seconds_to_target), target_text(s));
 }
 
 std::string two_methods(const Statement& s) {
     switch (s.verdict) {
         case Verdict::agree:
-            return fmt::format("{}, {}: they agree within {}", apart_text(s), interval_text(s),
-                               share_text(100 * s.target));
-        case Verdict::differ: return fmt::format("{}, {}: they differ", apart_text(s), interval_text(s));
+            return fmt::format("{}, {}: they agree within {}", apart_text(s), interval_text(s), target_text(s));
+        case Verdict::differ:
+            return fmt::format("{}, {}: they differ{}", apart_text(s), interval_text(s), within_target(s));
         case Verdict::undecided:
             return fmt::format("{}, {}: no difference shown{}", apart_text(s), interval_text(s), remedy(s));
         case Verdict::not_converged:

@@ -72,7 +72,7 @@ TEST_F(AblateCommand, EffectsAreSwitchedAndTabulatedAndReused) {
     ASSERT_FALSE(record.empty());
     const Outcome again = twinwake(command);
     EXPECT_EQ(again.status, 0) << again.err;
-    EXPECT_NE(again.out.find("gravity off: sph: finished before, taken from"), std::string::npos) << again.out;
+    EXPECT_NE(again.out.find("gravity off: SPH: finished before, taken from"), std::string::npos) << again.out;
     EXPECT_TRUE(content(out / "gravity_off/sph/record.h5") == record);
 
     // Another base in the same folder is refused, not mixed in.

@@ -20,7 +20,7 @@ std::vector<PlannedLine> lines_of(const std::string& plan) {
     std::vector<PlannedLine> lines;
     std::istringstream text(plan);
     for (std::string line; std::getline(text, line);) {
-        if (line.find("| sph at") != 0) continue;
+        if (line.find("| SPH at") != 0) continue;
         std::vector<std::string> cells;
         std::istringstream row(line);
         for (std::string cell; std::getline(row, cell, '|');) {
@@ -40,10 +40,10 @@ TEST_F(Command, ALadderFillsInBetweenItsCoarseSizesBehindAllOthers) {
         for (const PlannedLine& line : lines_of(twinwake(more).out)) runs += line.run + "; ";
         return runs;
     };
-    const std::string sizes = "sph at 0.0565685 m; sph at 0.04 m; sph at 0.0282843 m; sph at 0.02 m; ";
-    EXPECT_EQ(plan({}), sizes + "sph at 0.0475683 m, between two sizes; sph at 0.0336359 m, between two sizes; ");
+    const std::string sizes = "SPH at 0.0565685 m; SPH at 0.04 m; SPH at 0.0282843 m; SPH at 0.02 m; ";
+    EXPECT_EQ(plan({}), sizes + "SPH at 0.0475683 m, between two sizes; SPH at 0.0336359 m, between two sizes; ");
     EXPECT_EQ(plan({"--no-fill"}), sizes);
-    EXPECT_EQ(plan({"--levels", "3"}), "sph at 0.04 m; sph at 0.0282843 m; sph at 0.02 m; ");
+    EXPECT_EQ(plan({"--levels", "3"}), "SPH at 0.04 m; SPH at 0.0282843 m; SPH at 0.02 m; ");
 }
 
 TEST_F(Command, ABudgetLeavesOutTheFilledInSizesBeforeAnyOther) {

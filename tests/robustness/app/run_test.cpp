@@ -63,7 +63,7 @@ TEST_F(Command, ALadderTakesWhatIsFinishedAndNamesWhatTheBudgetLeavesOut) {
 
     const Outcome plan = twinwake({"ladder", "my column.toml", "--levels", "2", "--plan", "--budget", "1 us"});
     EXPECT_EQ(plan.status, 0) << plan.err;
-    EXPECT_NE(plan.out.find("sph at 0.02 m"), std::string::npos) << plan.out;
+    EXPECT_NE(plan.out.find("SPH at 0.02 m"), std::string::npos) << plan.out;
     EXPECT_NE(plan.out.find("beyond the budget"), std::string::npos) << plan.out;
     EXPECT_FALSE(fs::exists(folder_ / "runs"));
 
@@ -202,10 +202,10 @@ TEST_F(Command, ALadderSaysInItsReportWhatTheBudgetLeftOutAndHowToMakeItAgain) {
     const Outcome o = twinwake({"ladder", "column.toml", "--levels", "3", "--no-variations", "--budget", "0.1 s"});
     ASSERT_EQ(o.status, 0) << o.err << o.out;
     const std::string page = content(folder_ / "runs/column_ladder/report.html");
-    EXPECT_NE(page.find("sph at 0.02 m: left out"), std::string::npos);
+    EXPECT_NE(page.find("SPH at 0.02 m: left out"), std::string::npos);
     EXPECT_NE(page.find("twinwake ladder column.toml --levels 3 --no-variations --budget &#39;0.1 s&#39;"),
               std::string::npos);
-    EXPECT_NE(content(folder_ / "runs/column_ladder/ladder.md").find("! sph at 0.02 m: left out"), std::string::npos);
+    EXPECT_NE(content(folder_ / "runs/column_ladder/ladder.md").find("! SPH at 0.02 m: left out"), std::string::npos);
 }
 
 TEST_F(Command, OneMethodAlonePrintsItsQuantitiesAndLeavesAReport) {

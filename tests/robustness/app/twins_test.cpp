@@ -81,7 +81,7 @@ TEST_F(Command, ARunStoppedAmongItsTwinsGoesOnThere) {
     const std::string coarsest = content(twins / "near_hull_40mm/sph/record.h5");
     const Outcome again = twinwake({"run", "column.toml", "--resume"});
     ASSERT_EQ(again.status, 0) << again.err;
-    EXPECT_TRUE(has(again.out, "sph at 0.04 m: finished before, taken from")) << again.out;
+    EXPECT_TRUE(has(again.out, "SPH at 0.04 m: finished before, taken from")) << again.out;
     EXPECT_TRUE(content(twins / "near_hull_40mm/sph/record.h5") == coarsest);
     EXPECT_TRUE(has(again.out, " by SPH, ")) << again.out;
 }

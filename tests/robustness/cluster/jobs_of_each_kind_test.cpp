@@ -30,9 +30,9 @@ protected:
         expect_same_tables(folder_ / "one", folder_ / "two");
         const std::string all = std::to_string(members);
         EXPECT_TRUE(has(two.err, "runs: 100 %  " + all + " of " + all + " runs")) << two.err;
-        for (const char* own : {"sph: 100 %", "fvm: 100 %", "meshing"}) {
+        for (const char* own : {"SPH: 100 %", "interFoam: 100 %", "meshing"}) {
             EXPECT_FALSE(has(two.err, own)) << "a second display\n" << two.err;
-            EXPECT_TRUE(has(one.err, own) || !has(own, "sph")) << "or there is nothing to see here\n" << one.err;
+            EXPECT_TRUE(has(one.err, own) || !has(own, "SPH")) << "or there is nothing to see here\n" << one.err;
         }
     }
 };

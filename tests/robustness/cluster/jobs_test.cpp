@@ -48,8 +48,8 @@ TEST_F(Command, AMemberThatFailsIsNamedAndTheOthersAreMade) {
     write("out/near_hull_42.4264mm/sph/record.h5.tmp/in/the/way", "");
     const Outcome o = twinwake(ladder_of("column.toml", "out", {"--jobs", "2", "--no-variations"}));
     EXPECT_EQ(o.status, 3) << o.err;
-    EXPECT_TRUE(has(o.err, "sph at 0.0424264 m: failed: ")) << o.err;
-    EXPECT_TRUE(has(content(folder_ / "out/ladder.md"), "sph at 0.0424264 m: failed: "));
+    EXPECT_TRUE(has(o.err, "SPH at 0.0424264 m: failed: ")) << o.err;
+    EXPECT_TRUE(has(content(folder_ / "out/ladder.md"), "SPH at 0.0424264 m: failed: "));
     EXPECT_EQ(read_record(folder_ / "out/near_hull_30mm/sph/record.h5").state, "finished");
 }
 
@@ -73,7 +73,7 @@ TEST_F(Command, ABudgetHoldsForJobsByWhatIsPredicted) {
     write("column.toml", small_column);
     const Outcome o = twinwake(ladder_of("column.toml", "out", {"--jobs", "2", "--budget", "0.03 s"}));
     ASSERT_EQ(o.status, 0) << o.err;
-    EXPECT_TRUE(has(o.out, "sph at 0.03 m: left out, ")) << o.out;
+    EXPECT_TRUE(has(o.out, "SPH at 0.03 m: left out, ")) << o.out;
     EXPECT_FALSE(fs::exists(folder_ / "out/near_hull_30mm"));
     EXPECT_TRUE(fs::exists(folder_ / "out/near_hull_60mm/sph/record.h5"));
 }
@@ -89,7 +89,7 @@ TEST_F(Command, AMemberIsRefusedByNumberAndByFolder) {
     EXPECT_EQ(records_below(folder_ / "out").size(), 1u);
     const Outcome collected = twinwake(ladder_of("column.toml", "out", {"--collect"}));
     EXPECT_EQ(collected.status, 3);
-    EXPECT_TRUE(has(collected.err, "sph at 0.03 m: not finished: not begun")) << collected.err;
+    EXPECT_TRUE(has(collected.err, "SPH at 0.03 m: not finished: not begun")) << collected.err;
 }
 
 }  // namespace jobs_test

@@ -135,7 +135,7 @@ TEST_F(Slurm, StudiesEndInTheReportsOfLocalOnesThoughANodeDiesAndARunFails) {
     EXPECT_EQ(content(folder_ / "own_run/quantities.csv"), content(folder_ / "run/quantities.csv")) << logs("run");
     expect_same_records(folder_ / "own_long", folder_ / "lost");
     EXPECT_TRUE(fs::exists(folder_ / "lost/report.html")) << logs("lost");
-    EXPECT_TRUE(has(content(folder_ / "failing/ladder.md"), "sph at 0.0424264 m: failed: ")) << logs("failing");
+    EXPECT_TRUE(has(content(folder_ / "failing/ladder.md"), "SPH at 0.0424264 m: failed: ")) << logs("failing");
     EXPECT_EQ(status_of("failing")["runs"][1]["state"], "failed");
     EXPECT_EQ(status_of("ladder")["runs"][1]["state"], "done");
 }
@@ -167,7 +167,7 @@ TEST_F(Slurm, JobsThatArePreemptedToldToStopOrKilledEndInTheReportOfALocalLadder
                                                          << journal();
     EXPECT_EQ(status_of("slurm")["runs"][0]["state"], "done");
     EXPECT_EQ(status_of("slurm")["runs"][1]["state"], "lost");
-    EXPECT_TRUE(has(logs("slurm"), "sph at 0.03 m: not finished: ")) << logs("slurm");
+    EXPECT_TRUE(has(logs("slurm"), "SPH at 0.03 m: not finished: ")) << logs("slurm");
 
     ASSERT_EQ(twinwake(submission).status, 0);
     ASSERT_TRUE(all_ended()) << logs("slurm");

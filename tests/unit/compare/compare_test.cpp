@@ -60,7 +60,8 @@ TEST(Compare, OfThreeSourcesEveryTwoHaveTheirDifferenceInTextJsonAndTable) {
     EXPECT_NEAR(lift.pairs[2].difference, -122, 20);
 
     const std::string text = summary_text(c);
-    for (const char* said : {"| fvm − sph", "| towing tank − sph", "| towing tank − fvm", "are farthest apart, by"})
+    for (const char* said :
+         {"| interFoam − SPH", "| towing tank − SPH", "| towing tank − interFoam", "are farthest apart, by"})
         EXPECT_NE(text.find(said), std::string::npos) << said << "\n" << text;
     const auto json = nlohmann::json::parse(comparison_json(c));
     const auto& q = json["quantities"][0];
@@ -255,7 +256,7 @@ TEST(Compare, AWakeAsWideAsTheRasterIsTold) {
                 for (int i = nx - 34; i < nx; ++i) f.water[static_cast<std::size_t>((k * ny + j) * nx + i)] = 255;
     }
     const Quantity wide = *compare_records({narrow}).find("wake_width");
-    EXPECT_NE(wide.remark.find("sph: as wide as the raster"), std::string::npos) << wide.remark;
+    EXPECT_NE(wide.remark.find("SPH: as wide as the raster"), std::string::npos) << wide.remark;
     EXPECT_EQ(compare_records({synthetic_run({.duration = 1.5})}).find("wake_width")->remark.find("as wide"),
               std::string::npos);
 }
@@ -629,7 +630,7 @@ TEST(Compare, AColumnInTwoUnitsIsRefused) {
         compare_records({a, b});
         FAIL() << "compared";
     } catch (const InputError& e) {
-        EXPECT_NE(std::string(e.what()).find("P1 of table pressure is in Pa in sph and in kPa in fvm"),
+        EXPECT_NE(std::string(e.what()).find("P1 of table pressure is in Pa in SPH and in kPa in interFoam"),
                   std::string::npos)
             << e.what();
     }

@@ -102,7 +102,7 @@ TEST(HullMotion, PorpoisingIsNamedWithItsPeriodAndAmplitudes) {
     EXPECT_NEAR(c.find("porpoising_heave")->values[0].value, 0.01, 1e-3);
     EXPECT_FALSE(c.find("porpoising_period")->values[1].known) << "a tenth of a degree is no porpoising";
     EXPECT_TRUE(std::ranges::any_of(c.banners, [](const std::string& b) {
-        return b.starts_with("sph: the hull porpoises") && b.find("means of that oscillation") != std::string::npos;
+        return b.starts_with("SPH: the hull porpoises") && b.find("means of that oscillation") != std::string::npos;
     }));
 }
 

@@ -92,8 +92,8 @@ TEST(Ladder, ThreeSourcesHaveAVerdictForEveryTwoOfThem) {
     EXPECT_EQ(lift.b, 2u);
 
     const std::string text = ladder_text(ladder);
-    for (const char* said : {"Lift: SPH ", " above interFoam, ", " below other code, ", "| fvm − sph",
-                             "| other code − sph", "| other code − fvm"})
+    for (const char* said : {"Lift: SPH ", " above interFoam, ", " below other code, ", "| interFoam − SPH",
+                             "| other code − SPH", "| other code − interFoam"})
         EXPECT_NE(text.find(said), std::string::npos) << said << "\n" << text;
     const auto json = nlohmann::json::parse(ladder_json(ladder));
     for (const auto& q : json["quantities"])
@@ -110,7 +110,19 @@ TEST(Ladder, CoarseRunsAreUndecidedAndTheLargestTermIsNamed) {
     add_family(records, "fvm", 2800, 5, 2);
     const LadderQuantity lift = lift_of(ladder_of(records));
     EXPECT_EQ(lift.verdict, Verdict::undecided);
-    EXPECT_NE(lift.reason.find("sph's discretisation error"), std::string::npos) << lift.reason;
+    EXPECT_NE(lift.reason.find("SPH's discretisation error"), std::string::npos) << lift.reason;
+}
+
+/// The error of the other method is no term that stays as it is: finer runs make both smaller.
+TEST(Ladder, TheRemedyOfADiscretisationErrorIsThatOfBothMethods) {
+    std::vector<RunRecord> records;
+    add_family(records, "sph", 2800, 300, 1);
+    add_family(records, "fvm", 2800, 300, 1);
+    const LadderQuantity lift = lift_of(ladder_of(records));
+    ASSERT_EQ(lift.verdict, Verdict::undecided);
+    ASSERT_TRUE(std::isfinite(lift.seconds_to_target));
+    EXPECT_NE(lift.reason.find("; finer runs of "), std::string::npos) << lift.reason;
+    EXPECT_EQ(lift.reason.find("already above"), std::string::npos) << lift.reason;
 }
 
 TEST(Ladder, AChoiceThatShouldNotMatterAddsToTheInterval) {
@@ -227,7 +239,7 @@ TEST(Ladder, TheReportNamesTheMethodOfEachUncertaintyAndTheOthersBesideIt) {
     add_family(records, "sph", 2800, 100, 2);
     add_family(records, "fvm", 2800, 10, 2, 2);
     Ladder ladder = ladder_of(records);
-    ladder.left_out = {"sph at 0.02 m: beyond the budget"};
+    ladder.left_out = {"SPH at 0.02 m: beyond the budget"};
     const std::string text = ladder_text(ladder), page = ladder_html(ladder);
     for (const std::string& out : {text, page}) {
         EXPECT_NE(out.find("by trend and noise"), std::string::npos) << out;
@@ -297,7 +309,7 @@ TEST(Ladder, RunsOfTwoFamiliesAreRefusedWithWhatDiffers) {
         changed([](RunRecord& r) { r.numbers["delta"] = 0.2; }).find("delta is 0.1 and 0.2; expected runs of one"),
         std::string::npos);
     const std::string scheme = changed([](RunRecord& r) { r.attributes["time_scheme"] = "symplectic"; });
-    EXPECT_NE(scheme.find("sph at 0.04 m and sph at 0.0565685 m are not of one family: time_scheme is leapfrog and "
+    EXPECT_NE(scheme.find("SPH at 0.04 m and SPH at 0.0565685 m are not of one family: time_scheme is leapfrog and "
                           "symplectic"),
               std::string::npos)
         << scheme;
@@ -410,7 +422,7 @@ TEST(Ladder, ChecksThatARunDoesNotMeetAreListedWithItsSize) {
     const Ladder ladder = ladder_of(records);
     for (const std::string& out : {ladder_summary(ladder), ladder_text(ladder), ladder_html(ladder)}) {
         EXPECT_NE(out.find("17.8"), std::string::npos);
-        EXPECT_NE(out.find("sph at 0.08 m"), std::string::npos);
+        EXPECT_NE(out.find("SPH at 0.08 m"), std::string::npos);
     }
 }
 

@@ -116,13 +116,13 @@ TEST(Sizes, AMethodWithoutTwinsKeepsWhatOneSizeSays) {
     std::vector<LadderRun> runs = runs_of(100, 2800, 10);
     std::erase_if(runs, [](const LadderRun& r) { return r.method == "fvm" && r.spacing > 0.05; });
     Ladder ladder = build_ladder(runs);
-    ladder.left_out = {"fvm at 0.08 m: failed: snappyHexMesh"};
+    ladder.left_out = {"interFoam at 0.08 m: failed: snappyHexMesh"};
     Comparison c = finest(100, 2800, 10);
     judge_by_sizes(c, ladder);
     EXPECT_EQ(c.find("lift")->verdict, Verdict::not_estimated);
     EXPECT_TRUE(std::isfinite(c.find("lift")->values[0].uncertainty));
     EXPECT_FALSE(std::isfinite(c.find("lift")->values[1].uncertainty));
-    EXPECT_TRUE(has(summary_text(c), "! fvm at 0.08 m: failed: snappyHexMesh"));
+    EXPECT_TRUE(has(summary_text(c), "! interFoam at 0.08 m: failed: snappyHexMesh"));
 }
 
 TEST(Sizes, OneMethodHasItsErrorBarAndNoVerdict) {
@@ -214,7 +214,7 @@ TEST(Sizes, StepsThatDoNotFollowTheSpacingAreSaid) {
         if (r.method == "fvm") r.steps = counted[k++];
     const Ladder ladder = build_ladder(runs);
     ASSERT_EQ(ladder.notes.size(), 1u);
-    EXPECT_TRUE(has(ladder.notes[0], "fvm: 1275, 1260, 1259 time steps at 3 sizes")) << ladder.notes[0];
+    EXPECT_TRUE(has(ladder.notes[0], "interFoam: 1275, 1260, 1259 time steps at 3 sizes")) << ladder.notes[0];
 }
 
 TEST(Sizes, AWiderBoxIsFoundAmongRecords) {

@@ -50,9 +50,16 @@ TEST(Sweep, OfThreeMethodsEveryTwoHaveTheirBias) {
     EXPECT_NEAR(s.summaries[1].bias, 2 * std::log(1.1), 1e-12);
     EXPECT_NEAR(s.summaries[2].bias, std::log(1.1), 1e-12);
     EXPECT_FALSE(s.members[1].why_not.empty());  // it lacks the third
-    EXPECT_NE(sweep_text(s).find("tank over fvm"), std::string::npos);
+    EXPECT_NE(sweep_text(s).find("tank over interFoam"), std::string::npos);
     EXPECT_EQ(nlohmann::json::parse(sweep_json(s))["quantities"][1]["methods"], nlohmann::json({"sph", "tank"}));
     EXPECT_NE(sweep_csv(s).find(",fvm,tank\n"), std::string::npos);
+}
+
+TEST(Sweep, FactorsThatNobodyWouldReadAreBounds) {
+    EXPECT_EQ(ratio_text(std::log(1.5)), "+50 %");
+    EXPECT_EQ(ratio_text(std::log(20)), "× 20");
+    EXPECT_EQ(ratio_text(19), "more than × 1000");
+    EXPECT_EQ(ratio_text(-22), "less than × 0.001");
 }
 
 TEST(Sweep, TwiceAndHalfCancel) {
