@@ -1,5 +1,7 @@
 #include "sph_solver/measure/water_raster.h"
 
+#include "sph_solver/backend/for_particles.h"
+
 namespace tw {
 
 namespace {
@@ -8,11 +10,18 @@ namespace {
 template <class Wanted>
 void pour(Raster& raster, const Level& level, double span, const Wanted& wanted) {
     const Particles& p = level.particles();
-    for (std::size_t i = 0; i < p.size(); ++i) {
+    for_particles(p.size(), [&](std::size_t i) {
         const Vec3 place(p.x[i], p.y[i], p.z[i]);
         if (level.owns(i) && wanted(p.kind[i], place))
-            raster.pour(place, level.setup().dp, level.mass() * span / (level.setup().rho0 + double(p.drho[i])));
-    }
+            raster.share_out(place, level.setup().dp, level.mass() * span / (level.setup().rho0 + double(p.drho[i])));
+    });
+}
+
+/// A box that holds a zone.
+Box box_of(const Zone& zone) {
+    Box box = zone.boxes().front();
+    for (const Box& part : zone.boxes()) box.min = box.min.cwiseMin(part.min), box.max = box.max.cwiseMax(part.max);
+    return box;
 }
 
 }  // namespace
@@ -27,13 +36,16 @@ Raster water_raster(const Simulation& simulation, const RasterSpec& spec, double
     pour(all, *levels[0], span, each);
     for (std::size_t k = 1; k < levels.size(); ++k) {
         const Level& level = *levels[k];
-        Raster of_size(spec);
-        pour(of_size, level, span, each);
         const Zone& zone = simulation.refinements()[k - 1].zone();
+        Raster of_size(spec, box_of(zone));
+        pour(of_size, level, span, each);
         const double beyond = spray_over_dp * level.setup().dp;
         pour(all, level, span,
              [&](Kind kind, const Vec3& place) { return kind == Kind::fluid && zone.outside(place) > beyond; });
-        all.take_where([&](const Vec3& centre) { return zone.outside(centre) < 0; }, of_size);
+        for_pieces(static_cast<std::size_t>(all.layers()), [&](std::size_t layer) {
+            all.take_where([&](const Vec3& centre) { return zone.outside(centre) < 0; }, of_size,
+                           static_cast<int>(layer));
+        });
     }
     levels[0]->ranks().add(all.parts());
     return all;

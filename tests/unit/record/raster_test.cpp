@@ -3,6 +3,7 @@
 #include <numeric>
 #include <random>
 
+#include "base/numbers.h"
 #include "record/raster.h"
 
 namespace tw {
@@ -119,11 +120,38 @@ TEST(Raster, TakesAnothersWaterWhereItIsAsked) {
     other.pour(centre(6), voxel, cell);
     other.pour(centre(7), voxel, cell);
     const double edge = centre(4).x();
-    raster.take_where([&](const Vec3& at) { return at.x() > edge; }, other);
+    for (int layer = 0; layer < raster.layers(); ++layer)
+        raster.take_where([&](const Vec3& at) { return at.x() > edge; }, other, layer);
     const RasterFrame f = raster.frame(0);
     const auto row = f.water.begin() + (3 * 6 + 2) * 10;
     EXPECT_EQ(std::vector<int>(row, row + 10), (std::vector<int>{0, 0, 51, 0, 0, 0, 255, 255, 0, 0}));
     EXPECT_EQ(std::accumulate(f.water.begin(), f.water.end(), 0), 51 + 2 * 255);
+}
+
+// To the same bits as all of the voxels would, and what is poured beside them is lost.
+TEST(Raster, OfSomeVoxelsIsThatPartOfTheWhole) {
+    std::mt19937 random(9);
+    std::uniform_real_distribution<double> x(-0.4, 0.4), y(0.1, 0.5), z(-0.3, 0.4), edge(0.003, 0.19);
+    const Box within{{-0.13, -infinite, 0.02}, {0.21, 0.38, infinite}};
+    const int first[3] = {3, 0, 4}, end[3] = {8, 4, 9};
+    Raster whole(spec), some(spec, within), empty(spec);
+    for (int n = 0; n < 60; ++n) {
+        const Vec3 centre(x(random), y(random), z(random));
+        const double a = edge(random);
+        whole.pour(centre, a, a * a * a), some.share_out(centre, a, a * a * a);
+    }
+    for (int layer = 0; layer < empty.layers(); ++layer)
+        empty.take_where([](const Vec3&) { return true; }, some, layer);
+    const RasterFrame all = whole.frame(0), part = empty.frame(0);
+    std::size_t v = 0;
+    for (int k = 0; k < spec.count[2]; ++k)
+        for (int j = 0; j < spec.count[1]; ++j)
+            for (int i = 0; i < spec.count[0]; ++i, ++v) {
+                const int at[3] = {i, j, k};
+                bool inside = true;
+                for (int a = 0; a < 3; ++a) inside = inside && at[a] >= first[a] && at[a] < end[a];
+                EXPECT_EQ(part.water[v], inside ? all.water[v] : 0) << i << ' ' << j << ' ' << k;
+            }
 }
 
 // A voxel is half full of one cube and the rest of its water comes in parts of 2e-8: a sum in single precision has room
