@@ -74,14 +74,13 @@ int run_ladder(const LadderCommand& command, const Common& common) {
     // before a folder is made
     if (!fs::exists(out) && std::ranges::none_of(jobs, [&](const LadderJob& job) { return seconds(job) <= budget; }))
         throw no_run_fits();
+    if (!command.making.hand_over && !command.making.collect) say(common, ready_text(scene.run.methods, scene));
     const FolderLock lock(out);
     CampaignRules rules = rules_of(command.making, out);
     rules.overwrite = command.overwrite, rules.budget = budget;
     Campaign campaign(common, rules);
     const Study study{out, common.words, rules.overwrite, rules.take_finished};
     if (command.making.hand_over) return hand_over(command.making, study, campaign, runs_of(jobs), common);
-    if (!command.making.collect) say(common, ready_text(scene.run.methods, scene));
-
     catch_stop_signals();
     LadderHarvest harvest;
     harvest.left_out = plan.left_out;

@@ -13,8 +13,6 @@
 namespace tw::app {
 namespace {
 
-void refuse_gpu(const Scene& scene) { gpu_wanted(scene); }
-
 std::string openfoam_line(const Scene& scene) { return "OpenFOAM: " + openfoam_for(scene).verdict + "\n"; }
 
 Prediction predict_all(const Scene& scene, const std::function<double(const std::string& method)>& pace) {
@@ -27,7 +25,12 @@ Prediction predict_all(const Scene& scene, const std::function<double(const std:
 
 const std::vector<Solver>& solvers() {
     static const std::vector<Solver> rows{
-        {.method = "sph", .predict = predict_particles, .run = run_sph, .state = "checkpoint.h5", .refuse = refuse_gpu},
+        {.method = "sph",
+         .predict = predict_particles,
+         .run = run_sph,
+         .state = "checkpoint.h5",
+         .refuse = refuse_on_gpu,
+         .ready = gpu_line},
         {.method = "fvm",
          .predict = predict_cells,
          .run = run_fvm,

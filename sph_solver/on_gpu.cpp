@@ -39,17 +39,29 @@ double bytes_on_gpu(double particles, bool several_sizes) {
     return particles * (several_sizes ? 900 : 600);
 }
 
-bool gpu_wanted(const Scene& scene) {
-    if (scene.run.device == "cpu") return false;
-    std::string why = why_not_on_gpu(scene);
-    if (!why.empty()) why = "a GPU cannot make the steps yet of a scene with " + why;
-    if (why.empty()) why = why_no_gpu_here();
+namespace {
+/// Whether there is no reason against a GPU. One that is asked for by name and cannot be had is an error.
+bool or_refuse(const Scene& scene, const std::string& why) {
     if (!why.empty() && scene.run.device == "gpu")
         throw InputError(
             fmt::format("{}: [run] device = \"gpu\": {}; leave the key out, or say \"auto\" for a GPU where one can",
                         scene.file.string(), why));
     return why.empty();
 }
+
+bool can_be_on_gpu(const Scene& scene) {
+    const std::string why = why_not_on_gpu(scene);
+    return or_refuse(scene, why.empty() ? why : "a GPU cannot make the steps yet of a scene with " + why);
+}
+}  // namespace
+
+void refuse_on_gpu(const Scene& scene) { can_be_on_gpu(scene); }
+
+bool gpu_wanted(const Scene& scene) {
+    return scene.run.device != "cpu" && can_be_on_gpu(scene) && or_refuse(scene, why_no_gpu_here());
+}
+
+std::string gpu_line(const Scene& scene) { return gpu_wanted(scene) ? "GPU: " + gpu_in_words() + "\n" : ""; }
 
 const Passes& passes_beside_gpu() {
     constexpr int lanes = 8;

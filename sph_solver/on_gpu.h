@@ -24,9 +24,13 @@ std::string gpu_in_words();
 /// What it was measured to do at most: arithmetic in single precision, and reading what its second cache holds.
 std::string gpu_peaks_in_words();
 
+/// Throws InputError with the reason where a scene asks by `[run] device = "gpu"` for what no GPU can do yet.
+void refuse_on_gpu(const Scene& scene);
 /// Whether a scene's `[run] device` and this machine say that a GPU makes the steps. Throws InputError with the reason
-/// where one is asked for by "gpu" and cannot.
+/// where one is asked for by "gpu" and cannot, or is not here.
 bool gpu_wanted(const Scene& scene);
+/// A line of the GPU that will make a scene's steps; empty: none will. Throws as `gpu_wanted`.
+std::string gpu_line(const Scene& scene);
 /// What the host beside a GPU makes lists and samples with: groups have eight particles there.
 const Passes& passes_beside_gpu();
 /// The GPU's name; from now on it makes the steps.

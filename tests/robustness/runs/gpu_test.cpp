@@ -63,6 +63,9 @@ TEST_F(Gpu, ThatIsNotThereIsSaidAndAutoGoesOnWithout) {
     EXPECT_EQ(asked.status, 2) << asked.output;
     EXPECT_NE(asked.output.find("no driver was found"), std::string::npos) << asked.output;
     EXPECT_FALSE(fs::exists(folder.path() / "gpu"));
+    // the runs of a study that is handed over are made elsewhere
+    const Ended elsewhere = run(folder.path(), "elsewhere", {"--device", "gpu", "--emit", "snakemake"});
+    EXPECT_EQ(elsewhere.status, 0) << elsewhere.output;
     const Ended automatic = run(folder.path(), "auto", {"--device", "auto", "--duration", "0.05 s"});
     EXPECT_EQ(automatic.status, 0) << automatic.output;
     EXPECT_EQ(read_record(folder.path() / "auto/sph/record.h5").attributes.contains("device"), false);
