@@ -11,7 +11,18 @@ constexpr double evaluations_of_the_table = 1.9e6;
 
 double calibrate_pace() {
     const double pace = evaluations_of_the_table / run_bench(30000, 1.5, 1, 1).evaluations_per_second;
-    remember_calibration(pace);
+    remember_calibration("", pace);
+    return pace;
+}
+
+double calibrate_gpu_pace(const std::string& method) {
+    // few particles at first: a device that is none takes seconds for them
+    constexpr double fast = 20e6;  // [1/s]
+    constexpr double h_over_dp = 1.5;
+    double evaluations = run_bench_on_gpu(20000, h_over_dp, 0, 0).evaluations_per_second;
+    if (evaluations > fast) evaluations = run_bench_on_gpu(500000, h_over_dp, 0, 0.5).evaluations_per_second;
+    const double pace = evaluations_of_the_table / evaluations;
+    remember_calibration(method, pace);
     return pace;
 }
 

@@ -12,8 +12,11 @@
 #include "app/facts_json.h"
 #include "app/machine_pace.h"
 #include "app/output.h"
+#include "app/solvers.h"
+#include "base/errors.h"
 #include "record/code_version.h"
 #include "record/this_machine.h"
+#include "sph_solver/gpu_self_test.h"
 #include "sph_solver/on_gpu.h"
 
 namespace tw::app {
@@ -42,6 +45,16 @@ std::string graphics_card() {
     return {};
 }
 
+void ask_gpu(MachineFacts& f) {
+    try {
+        f.gpu_error = gpu_self_test();
+        const bool sound = f.gpu_error < sound_gpu_error;
+        f.gpu_verdict = fmt::format("{}: error {:.2g} % of the pressure at the floor in water at rest",
+                                    sound ? "sound" : "NOT SOUND", 100 * f.gpu_error);
+        if (sound) f.gpu_pace = calibrate_gpu_pace(pace_on_gpu("sph"));
+    } catch (const RunError& e) { f.gpu_verdict = std::string("NOT SOUND: ") + e.what(); }
+}
+
 MachineFacts examine(const std::string& preferred) {
     MachineFacts f;
     f.version = TWINWAKE_CODE_VERSION;
@@ -55,6 +68,7 @@ MachineFacts examine(const std::string& preferred) {
     f.mpirun = on_path("mpirun");
     f.gpu = graphics_card();
     f.gpu_reason = why_no_gpu_here();
+    if (f.gpu_reason.empty()) ask_gpu(f);
     f.passes = measure_passes(runnable_passes());
     remember_passes(best_of(f.passes));
     f.chosen_passes = choose_passes().isa;
@@ -76,12 +90,17 @@ int run_doctor(const DoctorCommand& command, const Common& common) {
     out +=
         "mpirun      " + (f.mpirun.empty() ? std::string("none: the mesh method runs on one core") : f.mpirun) + "\n";
     out += "graphics    " + (f.gpu.empty() ? std::string("no NVIDIA card") : f.gpu) + "; " +
-           (f.gpu_reason.empty() ? "particles can run on it: " + gpu_in_words() : "not used: " + f.gpu_reason) + "\n";
+           (f.gpu_reason.empty() ? "particles can run on it: " + gpu_in_words() + "\n            " + f.gpu_verdict
+                                 : "not used: " + f.gpu_reason) +
+           "\n";
+    if (f.gpu_pace > 0)
+        out +=
+            fmt::format("            {:.3g} times the speed of a core of the cost table's machine\n", 1 / f.gpu_pace);
     out += fmt::format(
         "pace        {:.2g} times the speed of the cost table's machine, from a calibration on one core; refined by "
         "every "
         "run\n",
-        f.pace);
+        1 / f.pace);
     out += fmt::format("pair loops  {} in new runs; on one core {}\n", f.chosen_passes, passes_line(f.passes));
     for (const OpenFoam& o : f.openfoam)
         out += fmt::format("openfoam    {}{}: {}: {}\n", o.command(), o.loaded ? " (environment loaded)" : "",

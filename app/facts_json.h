@@ -30,7 +30,10 @@ std::string hull_json(const HullFacts& facts);
 
 struct MachineFacts {
     std::string version, built_with, processor, isa, mpirun, gpu;
-    std::string gpu_reason;  ///< why particles cannot run on a GPU here; empty: they can
+    std::string gpu_reason;   ///< why particles cannot run on a GPU here; empty: they can, and what follows is known
+    std::string gpu_verdict;  ///< of its self-test
+    double gpu_error = 0;     ///< of that, see gpu_self_test [-]
+    double gpu_pace = 0;      ///< as calibrate_gpu_pace [-]
     std::vector<std::string> compilers;
     unsigned cores = 0;
     double memory = 0;  ///< [bytes]

@@ -35,18 +35,30 @@ Json read_paces() {
     return paces;
 }
 
-double median(const Json& paces, const std::string& method) {
-    std::vector<double> ratios;
+/// The key of what was measured for a method without a run.
+std::string calibration(const std::string& method) { return method.empty() ? "bench" : "bench of " + method; }
+
+/// Paces of this machine under a key, one or a list; what is no pace of any machine, a GPU's included, is left out.
+std::vector<double> numbers(const Json& paces, const std::string& key) {
+    std::vector<double> found;
+    const auto take = [&](const Json& r) {
+        if (const double v = r.get<double>(); v > 1e-5 && v < 100) found.push_back(v);
+    };
     try {
-        for (const Json& r : paces.at(cpu_model()).at(method))
-            if (const double v = r.get<double>(); v > 0.01 && v < 100) ratios.push_back(v);
+        const Json& of = paces.at(cpu_model()).at(key);
+        if (!of.is_array())
+            take(of);
+        else
+            for (const Json& r : of) take(r);
     } catch (const Json::exception&) {}
-    if (ratios.empty()) {  // what doctor measured, else the table's own machine
-        try {
-            const double bench = paces.at(cpu_model()).at("bench").get<double>();
-            return bench > 0.01 && bench < 100 ? bench : 1;
-        } catch (const Json::exception&) { return 1; }
-    }
+    return found;
+}
+
+double median(const Json& paces, const std::string& method) {
+    std::vector<double> ratios = numbers(paces, method);
+    for (const std::string& of : {calibration(method), calibration("")})
+        if (ratios.empty()) ratios = numbers(paces, of);
+    if (ratios.empty()) return 1;
     std::ranges::sort(ratios);
     return 0.5 * (ratios[(ratios.size() - 1) / 2] + ratios[ratios.size() / 2]);
 }
@@ -70,8 +82,13 @@ void change(Change apply) {
 
 double machine_pace(const std::string& method) { return median(read_paces(), method); }
 
-void remember_calibration(double pace) {
-    change([&](Json& of_machine) { of_machine["bench"] = pace; });
+bool knows_pace(const std::string& method) {
+    const Json paces = read_paces();
+    return !numbers(paces, method).empty() || !numbers(paces, calibration(method)).empty();
+}
+
+void remember_calibration(const std::string& method, double pace) {
+    change([&](Json& of_machine) { of_machine[calibration(method)] = pace; });
 }
 
 void learn_pace(const std::string& method, double expected, double taken) {

@@ -7,6 +7,7 @@
 #include "app/machine_pace.h"
 #include "foam_cases/doctor.h"
 #include "foam_cases/run_fvm.h"
+#include "scene/cores_of_particles.h"
 #include "sph_solver/on_gpu.h"
 #include "sph_solver/run_sph.h"
 
@@ -57,11 +58,21 @@ std::vector<std::string> method_choices() {
 std::string pace_of(const Scene& scene, const std::string& method) {
     if (method != "sph" || scene.run.device == "cpu" || !why_not_on_gpu(scene).empty() || !why_no_gpu_here().empty())
         return method;
-    return method + " on gpu";
+    return pace_on_gpu(method);
+}
+
+std::string pace_on_gpu(const std::string& method) { return method + " on " + gpu_name(); }
+
+double cores_of_pace(const Scene& scene, const std::string& method) {
+    return pace_of(scene, method) == method ? 1 : cores_of_particles(scene);
 }
 
 Prediction predict_here(const Scene& scene) {
-    return predict_all(scene, [&](const std::string& method) { return machine_pace(pace_of(scene, method)); });
+    return predict_all(scene, [&](const std::string& method) {
+        const std::string pace = pace_of(scene, method);
+        if (pace != method && !knows_pace(pace)) calibrate_gpu_pace(pace);
+        return machine_pace(pace) * cores_of_pace(scene, method);
+    });
 }
 
 Prediction predict_by_table(const Scene& scene) {

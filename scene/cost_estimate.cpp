@@ -7,6 +7,7 @@
 
 #include "base/errors.h"
 #include "record/this_machine.h"
+#include "scene/cores_of_particles.h"
 #include "scene/defaults.h"
 #include "scene/edge_refinement.h"
 #include "scene/effects/registry.h"
@@ -39,8 +40,6 @@ double cores(const Scene& scene) {
     if (scene.run.threads > 0) return scene.run.threads;
     return std::max(1u, std::thread::hardware_concurrency());
 }
-/// Ranks share those of this machine, unless each has threads of its own.
-double cores_of_particles(const Scene& scene) { return cores(scene) * (scene.run.threads > 0 ? scene.run.ranks : 1); }
 
 /// By which time steps are predicted [m/s].
 double speed_of_water(const Scene& scene) {
@@ -136,6 +135,8 @@ void refuse_too_many_samples(const Scene& scene, const Prediction& p) {
 }
 
 }  // namespace
+
+double cores_of_particles(const Scene& scene) { return cores(scene) * (scene.run.threads > 0 ? scene.run.ranks : 1); }
 
 MethodCost predict_particles(const Scene& scene, const Prediction& p, double pace) {
     MethodCost cost;

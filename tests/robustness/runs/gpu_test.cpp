@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "base/atomic_file.h"
 #include "program.h"
 #include "record/run_record.h"
 #include "test_paths.h"
@@ -69,6 +70,25 @@ TEST_F(Gpu, ThatIsNotThereIsSaidAndAutoGoesOnWithout) {
     const Ended automatic = run(folder.path(), "auto", {"--device", "auto", "--duration", "0.05 s"});
     EXPECT_EQ(automatic.status, 0) << automatic.output;
     EXPECT_EQ(read_record(folder.path() / "auto/sph/record.h5").attributes.contains("device"), false);
+}
+
+// The first prediction for a GPU measures it; later ones know.
+TEST_F(Gpu, IsTimedOnceAndTestedByDoctor) {
+    const ScratchFolder folder("gpu_pace");
+    setenv("XDG_CACHE_HOME", folder.path().c_str(), 1);
+    Program check({"check", scene.string(), "--device", "gpu"}, folder.path());
+    EXPECT_EQ(check.wait(), 0) << check.output();
+    const fs::path file = folder.path() / "twinwake/pace.json";
+    const std::string measured = read_text(file);
+    EXPECT_NE(measured.find("bench of sph on Emulated device"), std::string::npos) << measured;
+    Program again({"check", scene.string(), "--device", "gpu"}, folder.path());
+    EXPECT_EQ(again.wait(), 0) << again.output();
+    EXPECT_EQ(read_text(file), measured);
+    Program doctor({"doctor"}, folder.path());
+    doctor.wait();
+    EXPECT_NE(doctor.output().find("Emulated device"), std::string::npos) << doctor.output();
+    EXPECT_NE(doctor.output().find("sound: error 0."), std::string::npos) << doctor.output();
+    unsetenv("XDG_CACHE_HOME");
 }
 
 TEST_F(Gpu, LostInTheMiddleFailsTheRunWhichGoesOnWithoutIt) {

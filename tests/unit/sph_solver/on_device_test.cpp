@@ -7,6 +7,7 @@
 #include "meshes/generate.h"
 #include "on_device.h"
 #include "sph_solver/effects/ventilation.h"
+#include "sph_solver/gpu_self_test.h"
 #include "sph_solver/state/checkpoint.h"
 
 namespace tw {
@@ -72,6 +73,14 @@ void expect_the_same_run(const SimulationSetup& s, const Fluid& water, int steps
 
 TEST_F(OnDevice, AFallingColumnTakesTheStepsOfTheHostBitForBit) {
     expect_the_same_run(dam_break(), water_of(dam_break()), 60);
+}
+
+// What doctor asks a GPU: an exact answer, to a case that sorts, finds neighbours and walls, and steps.
+TEST_F(OnDevice, PassesItsSelfTest) {
+    const double error = gpu_self_test();
+    std::cout << "self-test: error " << error << '\n';
+    EXPECT_LT(error, sound_gpu_error);
+    EXPECT_GT(error, 0) << "no pressure of particles is exact";
 }
 
 TEST_F(OnDevice, SoDoesAStreamWithInletOutletAndAirAlongItsWalls) {
