@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "app/output.h"
@@ -12,6 +13,7 @@
 #include "base/errors.h"
 #include "compare/report/numbers.h"
 #include "scene/hash.h"
+#include "sph_solver/parallel/comm.h"
 
 namespace tw::app {
 namespace {
@@ -45,6 +47,8 @@ bool failed_before_it_saved(const CampaignRun& run) {
 
 }  // namespace
 
+int CampaignRun::ranks() const { return solver_of(method).elements_per_rank > 0 ? 1 : plan.scene.run.ranks; }
+
 bool is_finished(const CampaignRun& run) { return finished_run(run).has_value(); }
 
 std::string Campaign::over_budget(double cost) const {
@@ -70,7 +74,8 @@ std::vector<CampaignRun> Campaign::to_make(const std::vector<CampaignRun>& runs)
 }
 
 void Campaign::ahead(Study study, const std::vector<CampaignRun>& runs) {
-    if (rules_.jobs < 2 || !rules_.collect.empty()) return;
+    const bool here = rules_.jobs < 2 && std::ranges::all_of(runs, [](const CampaignRun& r) { return r.ranks() == 1; });
+    if (here || !rules_.collect.empty()) return;
     const std::vector<CampaignRun> made = to_make(runs);
     for (const CampaignRun& run : made) study.members.push_back(member_of(run));
     const std::vector<MemberState> states = run_side_by_side(study, rules_.jobs, common_);
@@ -122,6 +127,7 @@ CampaignResult Campaign::run_or_take(CampaignRun run) {
     say(common_, fmt::format("{}: {}\n", run.name, about_text(cost)));
     const bool anew = rules_.overwrite || failed_before_it_saved(run);
     const bool resume = fs::exists(run.folder) && !anew;
+    Comm::world().together([] {});  // all processes of the run have looked before one of them writes
     const auto start = std::chrono::steady_clock::now();
     const auto charge = [&] {
         spent_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -16,6 +16,8 @@ struct CampaignRun {
     std::string method;
     PlannedRun plan;
     std::filesystem::path folder;
+
+    int ranks() const;  ///< processes that share it; of the mesh method 1, which starts its own
 };
 
 /// What became of it.
@@ -47,7 +49,7 @@ struct CampaignRules {
 struct Study;
 
 /// The one way to a finished run. A campaign is any number of them under one budget: one after the other, or ahead of
-/// that side by side.
+/// that side by side, or each as processes of its own because several share it.
 class Campaign {
 public:
     explicit Campaign(const Common& common, CampaignRules rules = {}) : common_(common), rules_(std::move(rules)) {}
@@ -55,7 +57,7 @@ public:
     /// Of these, what is not finished and fits the budget by its predicted time; the others of the budget are left out
     /// from now on.
     std::vector<CampaignRun> to_make(const std::vector<CampaignRun>& runs);
-    /// Where runs are made side by side: makes those of the study, whose members follow from `runs`, so that run_or_take
+    /// Where runs are made by other processes: makes those of the study, whose members follow from `runs`, so that run_or_take
     /// finds them. Else nothing.
     void ahead(Study study, const std::vector<CampaignRun>& runs);
 

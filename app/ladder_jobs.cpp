@@ -51,7 +51,7 @@ private:
         return o;
     }
     PlannedRun planned(const SceneOverrides& o) const {
-        return plan_run({sizes_.file, o, sizes_.method, sizes_.threads, sizes_.snapshots});
+        return plan_run({sizes_.file, o, sizes_.method, sizes_.threads, sizes_.snapshots, sizes_.ranks});
     }
     fs::path folder_of(const PlannedRun& plan) const {
         return out_ / fmt::format("near_hull_{:.6g}mm", 1000 * plan.scene.resolution.near_hull);

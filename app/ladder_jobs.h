@@ -31,6 +31,7 @@ struct LadderSizes {
     SceneOverrides overrides;
     std::string method;  ///< sph, fvm, both; empty: what the scene says
     int threads = 0;
+    int ranks = 1;              ///< processes that share the particles of a run
     int first = 0, levels = 4;  ///< sizes near_hull ratio^k, k from `first` to `levels` - 1
     double ratio = 1.4142135623730951;
     bool variations = true;  ///< other sound speed, time step and Courant number, at the second coarsest size

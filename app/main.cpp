@@ -67,6 +67,9 @@ void add(CLI::App& parent, const std::vector<Subcommand>& rows, Common& common, 
     }
 }
 
+/// `member` is one run of a command that starts the processes of each of its runs.
+bool shares_its_work(const std::string& command) { return command == "run" || command == "member"; }
+
 int dispatch(int argc, char** argv) {
     CLI::App app(about, "twinwake");
     app.set_version_flag("--version", std::string("twinwake ") + TWINWAKE_CODE_VERSION);
@@ -80,7 +83,7 @@ int dispatch(int argc, char** argv) {
     add(app, subcommands(), common, chosen);
 
     if (argc > 1 && argv[1][0] != '-') refuse_unknown(app, argv[1]);
-    if (const Comm& ranks = Comm::world(); ranks.many() && (argc < 2 || std::string(argv[1]) != "run"))
+    if (const Comm& ranks = Comm::world(); ranks.many() && !shares_its_work(argc > 1 ? argv[1] : ""))
         throw InputError(fmt::format(
             "started as {} processes: only `twinwake run` shares its work among them; start the others once",
             ranks.size()));

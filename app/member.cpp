@@ -1,13 +1,17 @@
+#include <fmt/format.h>
+
 #include <chrono>
 
 #include "app/campaign.h"
 #include "app/command_words.h"
 #include "app/member_state.h"
 #include "app/output.h"
+#include "app/ranks.h"
 #include "app/stop_signal.h"
 #include "app/study.h"
 #include "base/errors.h"
 #include "record/this_machine.h"
+#include "sph_solver/parallel/comm.h"
 
 namespace tw::app {
 namespace {
@@ -15,10 +19,11 @@ namespace {
 /// Writes how far a run has come, once a second.
 class Teller {
 public:
-    explicit Teller(std::filesystem::path file) : file_(std::move(file)) {
+    /// `speaks`: of the processes that share a run one alone writes.
+    Teller(std::filesystem::path file, bool speaks) : file_(std::move(file)), speaks_(speaks) {
         state_.kind = MemberState::Kind::running;
         state_.node = host_name();
-        write_member_state(file_, state_);
+        write();
     }
     void progress(const Progress& p) {
         state_.share = p.duration > 0 ? p.time / p.duration : 0;
@@ -26,17 +31,22 @@ public:
         const auto now = std::chrono::steady_clock::now();
         if (now - told_ < std::chrono::seconds(1)) return;
         told_ = now;
-        write_member_state(file_, state_);
+        write();
     }
     void end(MemberState::Kind kind, const std::string& why = {}) {
         state_.kind = kind, state_.why = why;
         if (kind == MemberState::Kind::done) state_.share = 1;
         state_.left = 0;
-        write_member_state(file_, state_);
+        write();
     }
 
 private:
+    void write() const {
+        if (speaks_) write_member_state(file_, state_);
+    }
+
     std::filesystem::path file_;
+    bool speaks_;
     MemberState state_;
     std::chrono::steady_clock::time_point told_;
 };
@@ -51,9 +61,15 @@ int run_member(const MemberCommand& command, const Common& common) {
         throw InputError(command.study.string() + ": this study has " + std::to_string(study.members.size()) +
                          " runs, numbered from 0");
     const Member& member = study.members[command.number];
+    const Comm& ranks = Comm::world();
+    if (member.request.ranks > 1 && !ranks.many()) start_on_ranks(member.request.ranks);
+    if (member.request.ranks != ranks.size())
+        throw InputError(fmt::format("{}: run {} is for {} processes, and {} were started", command.study.string(),
+                                     command.number, member.request.ranks, ranks.size()));
     const std::filesystem::path file = std::filesystem::absolute(state_file(command.study, command.number));
-    const bool first = !std::filesystem::exists(file);  // what was begun here is gone on with
-    Teller teller(file);
+    bool first = true;  // what was begun here is gone on with
+    ranks.together([&] { first = !std::filesystem::exists(file); });
+    Teller teller(file, ranks.first());
     try {
         std::filesystem::current_path(study.where);
         RunRequest request = member.request;

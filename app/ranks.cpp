@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -50,10 +51,9 @@ void refuse_unshared(const PlannedRun& plan, int option) {
     const auto refuse = [&](const std::string& why) {
         throw InputError(fmt::format("{}: {}", asked_by(scene, option), why));
     };
-    if (scene.run.methods != std::vector<std::string>{"sph"})
+    if (std::ranges::find(scene.run.methods, "sph") == scene.run.methods.end())
         refuse(fmt::format(
-            "{} ranks share a run of the particles alone: give --method sph, or write methods = [\"sph\"]; the mesh "
-            "method starts its own ranks, --threads",
+            "{} ranks share a run of the particles, and there is none: the mesh method starts its own ranks, --threads",
             ranks));
     placed(scene, option, [&] { refuse_ranks(scene, ranks); });
     if (!Comm::built_with_mpi())
@@ -74,11 +74,12 @@ void refuse_unshared(const PlannedRun& plan, const RunCommand& command) {
             "{}: the runs of a study have one process each: give --ranks 1, or start mpirun twinwake run in a job of "
             "your own",
             asked));
-    if (command.twins)
-        throw InputError(fmt::format(
-            "{}: {} ranks make one run: give --no-twins; the coarser runs for the discretisation error fit one "
-            "process, and so does --ranks 1 with them",
-            asked, ranks));
+    if (started > 1 && (command.twins || plan.scene.run.methods.size() > 1))
+        throw InputError(
+            fmt::format("{}: {} processes make one run: give --method sph --no-twins, or leave mpirun out and give "
+                        "--ranks {}, which "
+                        "starts the processes of each run",
+                        asked, ranks, ranks));
     refuse_unshared(plan, started > 1 ? started : command.ranks);
 }
 

@@ -35,6 +35,7 @@ Member member_of(const nlohmann::json& json) {
     m.request.overrides = overrides_of(json.at("changes"));
     m.request.method = json.at("methods");
     m.request.threads = whole_within(json, "threads", 0, 100'000);
+    m.request.ranks = json.contains("ranks") ? whole_within(json, "ranks", 1, 65'535) : 1;
     m.request.snapshots = json.at("snapshots");
     m.seconds = amount("seconds");
     m.bytes = amount("bytes");

@@ -64,7 +64,7 @@ std::optional<PaidSizes> paid_sizes(const RunCommand& command, const SceneOverri
     std::optional<PaidSizes> sizes;
     if (!command.overwrite) sizes = remembered_sizes(out, budget);
     if (sizes) return sizes;
-    LadderSizes family = sizes_of_twins(command.scene.file, overrides, command.method, command.threads);
+    LadderSizes family = sizes_of_twins(command.scene.file, overrides, command.method, command.threads, 1);
     if (!command.twins) family.levels = 1;
     return sizes_for_budget(family, budget);
 }
@@ -166,12 +166,15 @@ int run_run(const RunCommand& command, const Common& common) {
     if (started.many()) return run_together(plan, command, common, out);
     if (scene.run.ranks > 1 && !command.making.collect) {
         refuse_unshared(plan, command);
-        refuse_taken(out / "sph", "sph", command);
-        start_on_ranks(scene.run.ranks);
+        if (!command.twins && methods.size() == 1) {
+            refuse_taken(out / "sph", "sph", command);
+            start_on_ranks(scene.run.ranks);
+        }
     }
     for (const std::string& method : methods) refuse_taken(out / method, method, command);
     std::optional<Twins> twins;
-    if (command.twins) twins.emplace(command.scene.file, overrides, command.method, command.threads, out / "twins");
+    if (command.twins)
+        twins.emplace(command.scene.file, overrides, command.method, command.threads, scene.run.ranks, out / "twins");
     if (twins && !command.overwrite) twins->refuse_others();
     if (!command.making.hand_over && !command.making.collect) say(common, ready_text(methods, scene));
     double own = 0;

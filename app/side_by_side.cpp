@@ -71,21 +71,21 @@ private:
     }
 
     int cores_of(const Member& m, int free) const {
-        if (m.request.threads > 0) return m.request.threads;
+        if (m.request.threads > 0) return m.request.threads * m.request.ranks;
         if (const double least = solver_of(m.method).elements_per_rank; least > 0)
             return std::clamp(static_cast<int>(m.elements / least), 1, cores_);
         std::vector<double> waiting;
         for (std::size_t k = 0; k < queue_.size() && waiting.size() + running_.size() < static_cast<std::size_t>(jobs_);
              ++k)
             waiting.push_back(study_.members[queue_[k]].seconds);
-        return share_of_cores(waiting, free);
+        return std::max(share_of_cores(waiting, free), m.request.ranks);
     }
 
     void begin(std::size_t k, int cores) {
         std::vector<std::string> words{"member", study_.out.string(), std::to_string(k), "--quiet"};
         const Member& m = study_.members[k];
         if (m.request.threads == 0 && solver_of(m.method).elements_per_rank == 0)
-            words.insert(words.end(), {"--threads", std::to_string(cores)});
+            words.insert(words.end(), {"--threads", std::to_string(cores / m.request.ranks)});
         running_.push_back({k, cores,
                             std::make_unique<Child>(Command{fs::read_symlink("/proc/self/exe"), words},
                                                     environment_here(), fs::current_path(), log_file(study_.out, k))});

@@ -7,7 +7,7 @@
 namespace tw::app {
 
 /// Runs the members of a study on this machine, each as a process of this program (`twinwake member`), the longest
-/// first, at most `jobs` at a time and no more than cores and memory allow. Cores are shared by predicted time among
+/// first, at most `jobs` at a time and no more than cores and memory allow; one that several processes share starts those. Cores are shared by predicted time among
 /// members whose bits do not depend on their number; the others have those that they would have alone. SIGINT and
 /// SIGTERM are handed on. One that fails does not end the others. Returns their states: waiting are those that a stop
 /// kept from being begun.

@@ -38,6 +38,7 @@ StudyJson json_of(const Member& m) {
             {"changes", json_of(m.request.overrides)},
             {"methods", m.request.method},
             {"threads", m.request.threads},
+            {"ranks", m.request.ranks},
             {"cores", cores},
             {"snapshots", m.request.snapshots},
             {"needs", StudyJson::array()},
@@ -50,6 +51,7 @@ Member member_of(const CampaignRun& run) {
     const MethodCost& cost = run.plan.prediction.of(run.method);
     Member member{run.name, run.method, run.folder, run.plan.request, cost.seconds, cost.bytes, cost.elements};
     member.request.threads = run.plan.scene.run.threads;
+    member.request.ranks = run.ranks();
     return member;
 }
 

@@ -69,7 +69,7 @@ void plan_all(std::vector<SweptHull>& variants, const SweepCommand& command) {
 }
 
 Twins twins_of(const SweptHull& variant, const fs::path& out, const SweepCommand& command) {
-    return {command.scene.file, variant.overrides, every_method, command.threads, out / variant.folder / "twins"};
+    return {command.scene.file, variant.overrides, every_method, command.threads, 1, out / variant.folder / "twins"};
 }
 
 CampaignRun run_of(const SweptHull& variant, const std::string& method, const fs::path& out) {

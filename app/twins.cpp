@@ -16,16 +16,16 @@ namespace tw::app {
 namespace fs = std::filesystem;
 
 LadderSizes sizes_of_twins(const fs::path& file, const SceneOverrides& overrides, const std::string& method,
-                           int threads) {
-    LadderSizes sizes{.file = file, .overrides = overrides, .method = method, .threads = threads};
+                           int threads, int ranks) {
+    LadderSizes sizes{.file = file, .overrides = overrides, .method = method, .threads = threads, .ranks = ranks};
     sizes.levels = 3, sizes.ratio = std::numbers::sqrt2;
     sizes.variations = sizes.snapshots = false;
     return sizes;
 }
 
 Twins::Twins(const fs::path& file, const SceneOverrides& overrides, const std::string& method, int threads,
-             fs::path out) {
-    LadderSizes sizes = sizes_of_twins(file, overrides, method, threads);
+             int ranks, fs::path out) {
+    LadderSizes sizes = sizes_of_twins(file, overrides, method, threads, ranks);
     sizes.first = 1;
     plan_ = plan_ladder(sizes, out);
     harvest_.left_out = plan_.left_out;

@@ -392,6 +392,32 @@ TEST_F(Ranks, ASceneAsksForThem) {
     for (const char* many : {"key", "more"}) expect_same(folder.path() / "one/sph", folder.path() / many / "sph", many);
 }
 
+/// Each of the runs of a command is made by as many processes, and the numbers are those of one.
+TEST_F(Ranks, TwinsHaveThemToo) {
+    const ScratchFolder folder("ranks_twins");
+    const fs::path scene = folder.path() / "scene.toml";
+    write_text_atomically(scene, column_on_an_obstacle);
+    const auto made = [&](const std::string& name, const std::vector<std::string>& more) {
+        std::vector<std::string> words{
+            "run", scene.string(), "--method", "sph", "--out", (folder.path() / name).string(), "--threads", "1"};
+        words.insert(words.end(), more.begin(), more.end());
+        Program program(words, folder.path());
+        EXPECT_EQ(program.wait(), 0) << program.output();
+        return program.output();
+    };
+    made("one", {});
+    const std::string said = made("two", {"--ranks", "2"});
+    EXPECT_NE(said.find("discretisation error"), std::string::npos) << said;
+    std::vector<fs::path> runs{"sph"};
+    for (const auto& twin : fs::directory_iterator(folder.path() / "one/twins"))
+        runs.push_back("twins" / twin.path().filename() / "sph");
+    EXPECT_GE(runs.size(), 3u);
+    for (const fs::path& of : runs) {
+        EXPECT_EQ(read_record(folder.path() / "two" / of / "record.h5").attributes["ranks"], "2") << of;
+        expect_same(folder.path() / "one" / of, folder.path() / "two" / of, of.string());
+    }
+}
+
 /// What `check` says of the ranks; what it has refused, `run` does not begin.
 TEST_F(Ranks, CheckSaysWhatEachTakes) {
     const ScratchFolder folder("ranks_check");
@@ -447,12 +473,9 @@ TEST(RanksRefused, WithTheReason) {
     };
     const std::vector<std::string> two{"--ranks", "2", "--method", "sph", "--no-twins"};
     has(refused(column_on_an_obstacle, {"--ranks", "0", "--method", "sph", "--no-twins"}), "--ranks");
-    has(refused(column_on_an_obstacle, {"--ranks", "2", "--method", "both", "--no-twins"}), "--method sph");
-    has(refused(column_on_an_obstacle, {"--ranks", "2", "--method", "sph"}), "--no-twins");
+    has(refused(column_on_an_obstacle, {"--ranks", "2", "--method", "fvm"}), "--ranks 2: 2 ranks share a run of the");
     const std::string with_key = with(column_on_an_obstacle, "[run]", "[run]\nranks = 2");
     const std::string place = "scene.toml:23:9: [run] ranks = 2: ";
-    has(refused(with_key, {}), (place + "2 ranks make one run: give --no-twins").c_str());
-    has(refused(with_key, {"--no-twins", "--method", "both"}), (place + "2 ranks share a run of the").c_str());
     has(refused(with_key, {"--no-twins", "--emit", "snakemake"}), (place + "the runs of a study").c_str());
     has(refused(with(column_on_an_obstacle, "[run]", "[run]\nranks = 0"), {}), "ranks = 0");
     if (!Comm::built_with_mpi()) {
