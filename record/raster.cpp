@@ -18,6 +18,8 @@ struct Reach {
         : first(std::max(static_cast<long>(begin), static_cast<long>(std::floor(low)))),
           last(std::min(static_cast<long>(end) - 1, static_cast<long>(std::ceil(high)) - 1)) {}
 };
+const auto alone = [](std::int64_t& voxel, std::int64_t parts) { voxel += parts; };
+
 /// Share of the interval [low, high] that lies in voxel k [-].
 double share(double low, double high, long k) {
     const double k0 = static_cast<double>(k);
@@ -42,17 +44,24 @@ Raster::Raster(const RasterSpec& spec, const Box& within) : spec_(spec) {
 
 void Raster::pour(const Vec3& centre, double edge, double water) {
     poured_ += water;
-    spread(volume_, centre, edge, water);
+    spread(volume_, centre, edge, water, alone);
+}
+
+void Raster::share_out(const Vec3& centre, double edge, double water) {
+    spread(volume_, centre, edge, water, [](std::int64_t& voxel, std::int64_t parts) {
+        std::atomic_ref(voxel).fetch_add(parts, std::memory_order_relaxed);
+    });
 }
 
 void Raster::pour_cell(const Vec3& centre, double volume, double water) {
     pour(centre, std::cbrt(volume), water);
     space_.resize(volume_.size());
-    spread(space_, centre, std::cbrt(volume), volume);
+    spread(space_, centre, std::cbrt(volume), volume, alone);
 }
 
-void Raster::spread(std::vector<Parts>& into, const Vec3& centre, double edge, double water) const {
-    if (into.empty() || !centre.allFinite() || !std::isfinite(water) || !(edge > 0)) return;
+template <class Add>
+void Raster::spread(std::vector<Parts>& into, const Vec3& centre, double edge, double water, const Add& add) const {
+    if (into.empty() || water == 0 || !centre.allFinite() || !std::isfinite(water) || !(edge > 0)) return;
     const Vec3 low = (centre - spec_.origin).array() / spec_.voxel - 0.5 * edge / spec_.voxel;
     const Vec3 high = low.array() + edge / spec_.voxel;
     // Far outside: also keeps the conversion to integers below in range.
@@ -65,10 +74,9 @@ void Raster::spread(std::vector<Parts>& into, const Vec3& centre, double edge, d
         const double in_z = parts * share(low.z(), high.z(), k);
         for (long j = y.first; j <= y.last; ++j) {
             const double in_yz = in_z * share(low.y(), high.y(), j);
-            for (long i = x.first; i <= x.last; ++i) {
-                const Parts parts_here = std::llround(in_yz * share(low.x(), high.x(), i));
-                std::atomic_ref(into[index(i, j, k)]).fetch_add(parts_here, std::memory_order_relaxed);
-            }
+            Parts* const row = &into[index(x.first, j, k)];
+            for (long i = x.first; i <= x.last; ++i)
+                add(row[i - x.first], std::llround(in_yz * share(low.x(), high.x(), i)));
         }
     }
 }

@@ -23,7 +23,7 @@ public:
     /// `water` [m3] spread evenly over the cube of edge `edge` [m] round `centre`.
     void pour(const Vec3& centre, double edge, double water);
     /// The same by any number of threads at once, and not counted in `poured`.
-    void share_out(const Vec3& centre, double edge, double water) { spread(volume_, centre, edge, water); }
+    void share_out(const Vec3& centre, double edge, double water);
     /// As `pour`, of a mesh's cell: besides its water all of its volume [m3], wet and dry. Cells are no cubes, so the
     /// cubes in their place overlap here and gape there (half a per cent of the water under a hull's mesh); a voxel
     /// that they fill to within a tenth takes water over volume instead.
@@ -41,7 +41,9 @@ private:
     RasterSpec spec_;
     using Parts = std::int64_t;
     static constexpr double parts_of_voxel = 0x1p40;
-    void spread(std::vector<Parts>& into, const Vec3& centre, double edge, double amount) const;
+    /// Calls `add(voxel, parts)` for the voxels of `into` that get some.
+    template <class Add>
+    void spread(std::vector<Parts>& into, const Vec3& centre, double edge, double amount, const Add& add) const;
     std::size_t index(long i, long j, long k) const {
         const long nx = end_[0] - first_[0], ny = end_[1] - first_[1];
         return static_cast<std::size_t>(((k - first_[2]) * ny + j - first_[1]) * nx + i - first_[0]);
