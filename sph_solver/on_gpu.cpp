@@ -1,6 +1,5 @@
 #include "sph_solver/on_gpu.h"
 
-#include <set>
 #include <stdexcept>
 #include <string>
 
@@ -8,7 +7,6 @@
 
 #include "base/errors.h"
 #include "sph_solver/backend/variants.h"
-#include "sph_solver/domain/schedule.h"
 #include "sph_solver/simulation.h"
 #ifdef TWINWAKE_CUDA
 #include "sph_solver/cuda/peaks.h"
@@ -18,19 +16,9 @@
 namespace tw {
 
 std::string why_not_on_gpu(const Scene& scene) {
-    if (scene.tank_motion) return "a tank that moves: images would need the force of its frame";
     for (const MovingBody& body : scene.bodies)
         if (body.elastic) return "a body that bends: its walls are rigid";
-    if (scene.sph.equation_of_state != "linear")
-        return fmt::format("[sph] equation_of_state = \"{}\": only \"linear\" is there", scene.sph.equation_of_state);
-    if (!Schedule(scheme_of(scene.sph.scheme)).stages().empty())
-        return fmt::format("[sph] scheme = \"{}\": only schemes of one evaluation a step are there", scene.sph.scheme);
-    if (!scene.sph.gate_point.empty()) return "the spray gate: it takes particles out of the run";
-    // those that are in the engine's own sweeps, or none of the particles' steps
-    static const std::set<std::string> there{"gravity",         "shifting",        "ventilation",
-                                             "tension_control", "compressibility", "friction"};
-    for (const EffectChoice& effect : scene.effects)
-        if (scene.effect_on(effect.name) && !there.contains(effect.name)) return "the effect " + effect.name;
+    if (scene.effect_on("air")) return "the effect air: particles of two materials meet";
     return {};
 }
 

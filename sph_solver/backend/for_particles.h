@@ -6,6 +6,7 @@
 // same in any order: so any number of threads gives the same bits, and any order in which the particles are kept.
 #include <algorithm>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "sph_solver/sweeps/groups.h"
@@ -53,7 +54,7 @@ void on_each_of(int threads, const Body& body) {
 
 /// Runs a sweep over the neighbours of all groups: the one that reads and writes `View`.
 template <class Variant, class View>
-void for_pairs(const Variant& passes, const View& view, const std::vector<Group>& groups) {
+void for_pairs(const Variant& passes, const View& view, std::span<const Group> groups) {
     constexpr std::size_t block = 16;
     const std::size_t blocks = (groups.size() + block - 1) / block;
 #pragma omp parallel for schedule(dynamic, 4)

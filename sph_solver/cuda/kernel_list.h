@@ -13,11 +13,13 @@
 // One index by one thread: task(NAME, TASK).
 #define TW_DEVICE_TASKS(task)                              \
     task(tw_update_records,       UpdateRecords)           \
-    task(tw_refresh_images,       cuda::RefreshImages)     \
+    task(tw_refresh_images,       cuda::RefreshImagesAtRest)  \
+    task(tw_refresh_images_in_frame, cuda::RefreshImagesInFrame) \
     task(tw_mark_surface,         cuda::MarkSurface)       \
     task(tw_mark_air,             cuda::MarkAir)           \
     task(tw_note_air,             cuda::NoteAir)           \
-    task(tw_compress,             cuda::Compress)          \
+    task(tw_compress,             cuda::CompressLinearly)  \
+    task(tw_compress_by_state,    cuda::CompressByState)   \
     task(tw_take_held,            cuda::TakeHeld)          \
     task(tw_put_held,             cuda::PutHeld)           \
     task(tw_cross,                cuda::Cross)             \
@@ -58,5 +60,9 @@
     task(tw_take_located,         cuda::TakeLocated)       \
     task(tw_add_children,         cuda::AddChildren)       \
     task(tw_forget_edge,          cuda::ForgetEdge)
+
+// The same, and the largest of what they give: largest(NAME, TASK).
+#define TW_DEVICE_LARGEST(largest) \
+    largest(tw_fastest, cuda::FastestOf)
 
 // clang-format on

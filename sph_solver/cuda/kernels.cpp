@@ -10,6 +10,7 @@ extern "C++" __device__ inline double sqrt(double x) { return __builtin_sqrt(x);
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <type_traits>
 
 #pragma clang force_cuda_host_device begin
@@ -22,7 +23,7 @@ extern "C++" __device__ inline double sqrt(double x) { return __builtin_sqrt(x);
 #include "sph_solver/cuda/search.h"
 #include "sph_solver/cuda/sorting.h"
 #include "sph_solver/cuda/tasks.h"
-#include "sph_solver/effects/ventilation_isa.cpp"
+#include "sph_solver/effects/kernels.h"
 #include "sph_solver/loops/count_kinds.h"
 #include "sph_solver/sweeps/engine_isa.cpp"
 #include "sph_solver/sweeps/interpolate_isa.cpp"
@@ -34,6 +35,7 @@ using on_device::pass;
 #define sweep(name, View) \
     TW_SWEEP_KERNEL name(View d, const Group* groups, int count) { pass(d, groups, count); }
 TW_DEVICE_SWEEPS(sweep)
+TW_EFFECT_SWEEPS(sweep)
 #undef sweep
 
 /// How many groups ask is known to the device alone.
@@ -45,6 +47,9 @@ TW_SWEEP_KERNEL tw_near_air(NearAirData d, const Group* groups, const int* count
         if (i < count) task(i);                    \
     }
 TW_DEVICE_TASKS(task)
+TW_EFFECT_TASKS(task)
+TW_IMAGE_TASKS(task)
+TW_STAGE_TASKS(task)
 #undef task
 
 TW_KERNEL tw_find_asking(cuda::FindAsking task, std::size_t count) {
@@ -73,7 +78,8 @@ TW_KERNEL tw_move(cuda::MoveAll task, MovedExtremes* parts, std::size_t count) {
 }
 
 /// Each block leaves the largest of its own.
-TW_KERNEL tw_fastest(cuda::FastestOf task, double* parts, std::size_t count) {
+template <class Task>
+__device__ inline void leave_largest(const Task& task, double* parts, std::size_t count) {
     double* const room = device::room_of_block<double, cuda::threads_in_block>();
     const int thread = device::thread_in_block();
     const std::size_t k = device::index();
@@ -84,6 +90,11 @@ TW_KERNEL tw_fastest(cuda::FastestOf task, double* parts, std::size_t count) {
     }
     if (thread == 0) parts[device::block()] = room[0];
 }
+#define largest(name, Task) \
+    TW_KERNEL name(Task task, double* parts, std::size_t count) { leave_largest(task, parts, count); }
+TW_DEVICE_LARGEST(largest)
+TW_EFFECT_LARGEST(largest)
+#undef largest
 
 TW_KERNEL tw_label_coarse(cuda::LabelCoarseKnown task, std::size_t count) {
     const std::size_t i = device::index();

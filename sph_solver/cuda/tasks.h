@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "sph_solver/device/launch.h"
+#include "sph_solver/equations/state_equation.h"
 #include "sph_solver/ghosts/laws.h"
 #include "sph_solver/loops/after_first_sweep.h"
 #include "sph_solver/loops/air.h"
@@ -16,14 +17,15 @@
 
 namespace tw::cuda {
 
-/// Places of images, and what they have of their sources, under constant gravity.
+/// Places of images, and what they have of their sources. `Force`: SameForce or ForceHalfway.
+template <class Force>
 struct RefreshImages {
     const Link* links;
     const LinkMap* maps;
     std::size_t n;   ///< particles
     double quantum;  ///< [m]
     Hydrostatic still;
-    V3<double> gravity;
+    Force force;
     PlaceRecord* place;
     VelocityDensityRecord* motion;
     GradientPressureRecord* stress;  ///< null: not now
@@ -33,12 +35,17 @@ struct RefreshImages {
         const LinkMap& map = maps[links[k].map];
         place[n + k] = seen_place(place[i], map);
         const V3<double> step = step_to_image(place[i], place[n + k], map, quantum);
-        const HydrostaticLine line{still.gradient(gravity), still.deviation(gravity, step),
-                                   still.pressure(gravity, step)};
+        const HydrostaticLine line = still.line(force(i, step), step);
         motion[n + k] = seen_on(line, motion[i], map);
         if (stress) stress[n + k] = seen_on(line, stress[i], map);
     }
 };
+
+template <class Force>
+RefreshImages(const Link*, const LinkMap*, std::size_t, double, Hydrostatic, Force, PlaceRecord*, VelocityDensityRecord*,
+              GradientPressureRecord*) -> RefreshImages<Force>;
+using RefreshImagesAtRest = RefreshImages<SameForce>;
+using RefreshImagesInFrame = RefreshImages<ForceHalfway>;
 
 /// Marks those at the free surface; by words of 32.
 struct MarkSurface {
@@ -88,20 +95,32 @@ struct NoteAir {
     void operator()(std::size_t i) const { air.note(i, stays, near); }
 };
 
-/// AfterFirstSweep of water whose pressure is c0^2 drho, beside rigid walls.
+struct LinearPressure {
+    float c0_squared;
+    float operator()(float drho) const { return c0_squared * drho; }
+};
+struct PressureOfState {
+    StateEquation state;
+    double rho0;
+    float operator()(float drho) const { return state.pressure(rho0, drho); }
+};
+/// AfterFirstSweep beside rigid walls.
+template <class Pressure>
 struct Compress {
     AfterFirstSweep after;
     NearWalls walls;
-    float c0_squared;
+    Pressure pressure;
 
     void operator()(std::size_t i) const {
-        after(
-            i, [&](float drho) { return c0_squared * drho; },
-            [&](std::size_t k, const V3<double>& u) {
-                return walls.leaving(k, {after.p.x[k], after.p.y[k], after.p.z[k]}, u);
-            });
+        after(i, pressure, [&](std::size_t k, const V3<double>& u) {
+            return walls.leaving(k, {after.p.x[k], after.p.y[k], after.p.z[k]}, u);
+        });
     }
 };
+template <class Pressure>
+Compress(AfterFirstSweep, NearWalls, Pressure) -> Compress<Pressure>;
+using CompressLinearly = Compress<LinearPressure>;
+using CompressByState = Compress<PressureOfState>;
 
 /// Move beside rigid walls. A particle too near to one is left to the host: it is put on a list, in no order, and does
 /// not count for the extremes.
@@ -116,7 +135,7 @@ struct MoveAll {
     template <class AddOne>
     void operator()(std::size_t i, MovedExtremes& part, const AddOne& add_one) const {
         const V3<double> shift = move.kick(i, part);
-        const V3<double> along{move.p.u[i], move.p.v[i], move.p.w[i]};
+        const V3<double> along = move.along(i);
         move.drift_along(i, along, shift);
         if (wall && kept_out_of_solids(move.kind[i])) {
             WallNormalRecord& r = wall[i];

@@ -1,6 +1,6 @@
 #include "sph_solver/effects/acoustic_damping.h"
 
-#include "sph_solver/backend/for_particles.h"
+#include "sph_solver/effects/acoustic_damping_loops.h"
 #include "sph_solver/effects/registry.h"
 
 namespace tw {
@@ -12,10 +12,7 @@ public:
 
     void change_pressure(const StepView& step) override {
         const float factor = static_cast<float>(alpha2_ * step.level.state_equation.c0 * step.h);
-        for_particles(step.count(), [&](std::size_t i) {
-            if (follows_the_equations(step.particles.kind[i]) && !step.at_surface(i))
-                step.stress[i].p += factor * step.rate[i].drho;
-        });
+        step.each(step.n, DampSound{step.stress, step.rate, step.kind, step.water.surface, factor});
     }
     /// Explicit diffusion of div u with the diffusivity alpha2 c0 h.
     double largest_step(const LevelSetup& setup, double h) const override {

@@ -1,8 +1,6 @@
 #include "sph_solver/effects/cavitation.h"
 
-#include <algorithm>
-
-#include "sph_solver/backend/for_particles.h"
+#include "sph_solver/effects/cavitation_loops.h"
 #include "sph_solver/effects/registry.h"
 
 namespace tw {
@@ -12,9 +10,7 @@ class CutOff : public Effect {
 public:
     explicit CutOff(const Cavitation& options) : lowest_(static_cast<float>(options.lowest_pressure)) {}
 
-    void change_pressure(const StepView& step) override {
-        for_particles(step.count(), [&](std::size_t i) { step.stress[i].p = std::max(step.stress[i].p, lowest_); });
-    }
+    void change_pressure(const StepView& step) override { step.each(step.n, CutOffTension{step.stress, lowest_}); }
 
 private:
     float lowest_;

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
-#include "sph_solver/backend/for_particles.h"
+#include "sph_solver/effects/damping_layers_loops.h"
 #include "sph_solver/effects/registry.h"
 
 namespace tw {
@@ -11,29 +12,27 @@ namespace {
 
 class Layers : public Effect {
 public:
-    explicit Layers(DampingLayers options) : o_(std::move(options)) {}
+    explicit Layers(DampingLayers options) : o_(std::move(options)) {
+        if (o_.layers.size() > std::size_t{DampInLayers::most})
+            throw std::logic_error("more damping layers than a domain has faces");
+    }
 
     void add_rates(const StepView& step) override {
-        const Particles& p = step.particles;
         const Box& domain = step.around.domain;
-        const double stream = step.around.stream ? step.around.stream->velocity(step.time) : 0;
         const Vec3 moved = step.time * o_.velocity;
-        for_particles(p.size(), [&](std::size_t i) {
-            if (!follows_the_equations(p.kind[i])) return;
-            const Vec3 x = Vec3(p.x[i], p.y[i], p.z[i]) - moved;
-            double s = 0;
-            for (const DampingLayers::Layer& l : o_.layers) {
-                const double inside = l.high ? domain.max[l.axis] - x[l.axis] : x[l.axis] - domain.min[l.axis];
-                s = std::max(s, 1 - inside / l.width);
-            }
-            if (s <= 0) return;
-            s = std::min(s, 1.0);
-            const double rate = o_.strength * s * s;
-            RateRecord& r = step.rate[i];
-            r.ax -= static_cast<float>(rate * (double(p.u[i]) - stream));
-            r.ay -= static_cast<float>(rate * double(p.v[i]));
-            r.az -= static_cast<float>(rate * double(p.w[i]));
-        });
+        DampInLayers damp{.p = step.p,
+                          .kind = step.kind,
+                          .rate = step.rate,
+                          .layers = {},
+                          .count = static_cast<int>(o_.layers.size()),
+                          .strength = o_.strength,
+                          .stream = step.around.stream ? step.around.stream->velocity(step.time) : 0,
+                          .moved = {moved.x(), moved.y(), moved.z()}};
+        for (std::size_t k = 0; k < o_.layers.size(); ++k) {
+            const DampingLayers::Layer& l = o_.layers[k];
+            damp.layers[k] = {l.axis, l.high, (l.high ? domain.max : domain.min)[l.axis], l.width};
+        }
+        step.each(step.n, damp);
     }
     double largest_step(const LevelSetup&, double) const override { return 0.5 / o_.strength; }
 

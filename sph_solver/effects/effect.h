@@ -1,10 +1,17 @@
 #pragma once
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <vector>
 
+#include "sph_solver/backend/device_loops.h"
+#include "sph_solver/backend/for_particles.h"
+#include "sph_solver/device/kernel_of.h"
+#include "sph_solver/effects/kernel_list.h"
 #include "sph_solver/fields/particles.h"
-#include "sph_solver/ghosts/ghosts.h"
+#include "sph_solver/ghosts/laws.h"
+#include "sph_solver/loops/records.h"
+#include "sph_solver/parallel/comm.h"
 #include "sph_solver/parallel/halo.h"
 #include "sph_solver/sweeps/passes.h"
 #include "sph_solver/sweeps/views.h"
@@ -13,28 +20,75 @@ namespace tw {
 
 struct LevelSetup;
 struct Surroundings;
-class Walls;
+
+TW_EFFECT_SWEEPS(TW_KERNEL_OF_STRUCT)
+TW_EFFECT_TASKS(TW_KERNEL_OF_STRUCT)
+TW_EFFECT_LARGEST(TW_KERNEL_OF_STRUCT)
+TW_IMAGE_TASKS(TW_KERNEL_OF)
 
 /// What an effect sees of one step, and what it may change: the pressure before the forces, and the rates after them.
 /// Indices run over the particles, then over their mirror images; wall dummies have their own.
+///
+/// A device may make the step. All pointers are then its own, so what is done to them is done by the loops below, whose
+/// bodies are structs with a line in kernel_list.h. An effect's arrays are LoopArrays.
 struct StepView {
     const Surroundings& around;
     const LevelSetup& level;
-    Particles& particles;  ///< an effect changes what it has brought, else nothing
+    std::size_t n, images;  ///< particles, and their mirror images
+    StateView p;            ///< to be read
+    const Kind* kind;
+    Aired* aired;  ///< With::ventilation
+    const ShiftSupportRecord* shift;
     WaterView water;
-    WallView dummies;                ///< of the walls
+    WallView dummies;                ///< of the walls; no place: there are none
     GradientPressureRecord* stress;  ///< may be changed before the forces
     RateRecord* rate;                ///< may be changed after them
     const Passes& passes;
-    const std::vector<Group>& groups;
-    const Walls& walls;
-    const Ghosts& ghosts;
+    std::span<const Group> groups;
+    /// Dummies in groups, with lists of the water near them.
+    struct DummiesOfBody {
+        std::size_t first;  ///< of all dummies; groups and lists count from it
+        Lists water;
+        std::span<const Group> groups;
+    };
+    std::vector<DummiesOfBody> bodies;
+    std::size_t dummy_count;
+    const VelocityDensityRecord* sliding;  ///< of the dummies' surfaces along themselves; null: none slides
+    std::size_t wall_load_count;           ///< see SecondSweepData::wall_load
+    const Link* links;
+    const LinkMap* maps;
     const Comm& ranks;
-    const Halo& halo;  ///< of the particles: what a sweep has left has to be told before anybody reads it
+    const Halo &halo, &dummies_halo;  ///< what a sweep has left has to be told before anybody reads it
     double h, mass, time;
+    DeviceLoops* device = nullptr;  ///< null: this process makes the step
 
-    std::size_t count() const { return particles.size(); }
-    bool at_surface(std::size_t i) const { return (water.surface[i / 32] >> (i % 32) & 1u) != 0; }
+    /// Calls `body(i)` for every i < count.
+    template <class Body>
+    void each(std::size_t count, const Body& body) const {
+        if (!device) return for_particles(count, body);
+        device->each(KernelOf<Body>::name, &body, count);
+    }
+    /// The largest `value(i)` over i < count, or 0.
+    template <class Value>
+    double largest(std::size_t count, const Value& value) const {
+        if (!device) return largest_of(count, 0, value);
+        return device->largest(KernelOf<Value>::name, &value, count);
+    }
+    /// A sweep over the neighbours of the level's groups, or of others.
+    template <class View>
+    void pairs(const View& view, std::span<const Group> of) const {
+        if (!device) return for_pairs(passes, view, of);
+        device->pairs(KernelOf<View>::name, &view, of);
+    }
+    template <class View>
+    void pairs(const View& view) const {
+        pairs(view, groups);
+    }
+    /// Gives images what they have of an array for particles and images, by a law that asks for no place.
+    template <Law law, class T>
+    void refresh(T* values) const {
+        each(images, SeeValues<law, T>{links, maps, n, values});
+    }
 };
 
 /// One physical effect that a scene may do without. It is built only when it is on: off, it costs no array, no byte of
@@ -45,7 +99,8 @@ public:
     virtual ~Effect() = default;
     /// What the level's particles have because of it.
     virtual With brings() const { return With::water; }
-    /// The first sweep's sums are there, and the marks at the free surface; densities have not changed yet.
+    /// The first sweep's sums are there, and the marks at the free surface; densities have not changed yet. A device does
+    /// by itself what ventilation does here (LevelOnDevice::note_air).
     virtual void after_first_sweep(const StepView&) {}
     /// Density and pressure are those of this step; `stress[i].p` of the particles may be changed.
     virtual void change_pressure(const StepView&) {}

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "sph_solver/backend/for_particles.h"
 #include "sph_solver/domain/level_setup.h"
 #include "sph_solver/effects/registry.h"
 #include "sph_solver/loops/air.h"
@@ -17,12 +16,11 @@ public:
     With brings() const override { return With::ventilation; }
 
     void after_first_sweep(const StepView& step) override {
-        Particles& p = step.particles;
-        const std::size_t n = p.size();
+        const std::size_t n = step.n, all = n + step.images;
         const AirAtParticles air = rules(step);
-        touched_.resize(p.surface.size());
-        for_particles(touched_.size(), MarkBits{[&](std::size_t i) { return air.stays(i); },
-                                                step.ghosts.links().data(), n, p.place.size(), touched_.data()});
+        touched_.resize(all / 32 + 2);
+        for_particles(touched_.size(), MarkBits{[&](std::size_t i) { return air.stays(i); }, step.links, n, all,
+                                                touched_.data()});
         asking_.clear();
         for (const Group& g : step.groups)
             for (int l = 0; l < g.size; ++l) {
@@ -45,12 +43,11 @@ public:
 
 private:
     AirAtParticles rules(const StepView& step) const {
-        Particles& p = step.particles;
-        return {.aired = p.aired.data(),
-                .wall = p.wall_normal.empty() ? nullptr : p.wall_normal.data(),
-                .drho = p.drho.data(),
-                .shift = p.shift_support.data(),
-                .surface = p.surface.data(),
+        return {.aired = step.aired,
+                .wall = step.dummies.place ? step.dummies.normal : nullptr,
+                .drho = step.p.drho,
+                .shift = step.shift,
+                .surface = step.water.surface,
                 .reach = options_.reach_over_dp * static_cast<float>(step.level.dp),
                 .support = options_.support};
     }

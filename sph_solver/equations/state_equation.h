@@ -1,6 +1,10 @@
 #pragma once
 #include <cmath>
 
+#ifdef TW_THREADS
+#include "sph_solver/equations/power_less_one.h"
+#endif
+
 namespace tw {
 
 /// Pressure from density, gauge (p = 0 at rho0). Negative pressures are allowed; see `surface_support` of LevelSetup
@@ -24,11 +28,12 @@ struct StateEquation {
         switch (form) {
             case Form::linear: return static_cast<float>(c0 * c0) * drho;
             case Form::tait:
-                return static_cast<float>(c0 * c0 * rho0 / gamma * std::expm1(gamma * std::log1p(double(drho) / rho0)));
+                return static_cast<float>(c0 * c0 * rho0 / gamma * power_less_one(double(drho) / rho0, gamma));
             case Form::mie_grueneisen: return static_cast<float>(grueneisen(rho0, double(drho) / rho0));
         }
         return 0;
     }
+#ifndef TW_THREADS
     /// Density deviation of water at rest under pressure p.
     float deviation(double rho0, double p) const {
         switch (form) {
@@ -43,8 +48,17 @@ struct StateEquation {
         }
         return 0;
     }
+#endif
 
 private:
+    /// (1 + x)^n - 1.
+    static double power_less_one(double x, double n) {
+#ifdef TW_THREADS
+        return tw::power_less_one(x, n);
+#else
+        return std::expm1(n * std::log1p(x));
+#endif
+    }
     double grueneisen(double rho0, double k) const {
         const double linear = rho0 * c0 * c0 * k;
         if (k <= 0) return linear;

@@ -31,15 +31,6 @@ public:
     /// `fields`, which are quantities of `particles`, those that the level has.
     template <class... Fields>
     void refresh(Particles& particles, double t, Fields&... fields) const;
-    /// The same for an array of somebody else, of the particles at first, by a law that asks for no place.
-    template <Law law, class T>
-    void refresh(std::vector<T>& values, std::size_t particles) const {
-        values.resize(particles + links_.size());
-        for_particles(links_.size(), [&](std::size_t k) {
-            values[particles + k] = seen<law>(values[static_cast<std::size_t>(links_[k].index)], maps_[links_[k]]);
-        });
-    }
-
     const std::vector<Link>& links() const { return links_; }
     std::span<const LinkMap> maps() const { return maps_.all(); }
     const Hydrostatic& still() const { return still_; }
@@ -67,32 +58,25 @@ private:
 template <class... Fields>
 void Ghosts::refresh(Particles& p, double t, Fields&... fields) const {
     const std::size_t n = p.size();
-    const auto all = [&](const auto& line_over) {
+    const auto all = [&](const auto& force) {
         for_particles(links_.size(), [&](std::size_t k) {
             const auto i = static_cast<std::size_t>(links_[k].index);
             const LinkMap& map = maps_[links_[k]];
             const PlaceRecord &from = p.place[i], &to = p.place[n + k] = seen_place(from, map);
             const V3<double> step = step_to_image(from, to, map, quanta_.size);
-            const HydrostaticLine line = line_over(i, step);
+            const HydrostaticLine line = still_.line(force(i, step), step);
             const auto see = [&](auto& field) {
                 if (!field.empty()) field[n + k] = seen_by_law(field, i, map, line);
             };
             (see(fields), ...);
         });
     };
-    const auto line_under = [&](const V3<double>& g, const V3<double>& step) {
-        return HydrostaticLine{still_.gradient(g), still_.deviation(g, step), still_.pressure(g, step)};
-    };
     if (!around_.frame) {
         const Vec3& g = around_.gravity;
-        return all([&](std::size_t, const V3<double>& step) { return line_under({g.x(), g.y(), g.z()}, step); });
+        return all(SameForce{{g.x(), g.y(), g.z()}});
     }
-    const FrameForce frame = around_.force(t);
-    all([&](std::size_t i, const V3<double>& step) {
-        const Vec3 g =
-            frame.at(Vec3(p.x[i], p.y[i], p.z[i]) + Vec3(step.x, step.y, step.z) / 2, Vec3(p.u[i], p.v[i], p.w[i]));
-        return line_under({g.x(), g.y(), g.z()}, step);
-    });
+    all(ForceHalfway{{p.x.data(), p.y.data(), p.z.data(), p.u.data(), p.v.data(), p.w.data(), p.drho.data()},
+                     ForceOfFrame::of(around_.force(t))});
 }
 
 }  // namespace tw

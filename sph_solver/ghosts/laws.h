@@ -1,7 +1,9 @@
 #pragma once
 #include "sph_solver/equations/vector.h"
 #include "sph_solver/fields/law.h"
+#include "sph_solver/loops/force_of_frame.h"
 #include "sph_solver/loops/link_map.h"
+#include "sph_solver/loops/records.h"
 
 namespace tw {
 
@@ -9,8 +11,16 @@ namespace tw {
 /// hydrostatic one. So an image carries on the source's hydrostatic line over `step` = image - source; without it the
 /// pressure has a kink at a floor, which the diffusion turns into layers of alternating pressure (5 % of rho g H at the
 /// floor of a channel). In a tank that moves g is all that the water feels there.
+struct HydrostaticLine {
+    V3<float> gradient;    ///< of the density [kg/m4]
+    double deviation = 0;  ///< of the image's density from the source's [kg/m3]
+    double pressure = 0;   ///< likewise [Pa]
+};
 struct Hydrostatic {
     double rho0, c0;
+    HydrostaticLine line(const V3<double>& g, const V3<double>& step) const {
+        return {gradient(g), deviation(g, step), pressure(g, step)};
+    }
     double pressure(const V3<double>& g, const V3<double>& step) const {
         return rho0 * (g.x * step.x + (g.y * step.y + g.z * step.z));
     }
@@ -20,11 +30,19 @@ struct Hydrostatic {
         return {static_cast<float>(of.x), static_cast<float>(of.y), static_cast<float>(of.z)};
     }
 };
-/// That line between a source and its image.
-struct HydrostaticLine {
-    V3<float> gradient;    ///< of the density [kg/m4]
-    double deviation = 0;  ///< of the image's density from the source's [kg/m3]
-    double pressure = 0;   ///< likewise [Pa]
+
+/// What water feels between particle i and its image, `step` from it: everywhere the same,
+struct SameForce {
+    V3<double> g;  ///< [m/s2]
+    V3<double> operator()(std::size_t, const V3<double>&) const { return g; }
+};
+/// or, in a tank that moves, what it would feel halfway.
+struct ForceHalfway {
+    StateView p;
+    ForceOfFrame force;
+    V3<double> operator()(std::size_t i, const V3<double>& step) const {
+        return force.at({p.x[i] + step.x / 2, p.y[i] + step.y / 2, p.z[i] + step.z / 2}, {p.u[i], p.v[i], p.w[i]});
+    }
 };
 
 /// What an image has of its source's quantity, by the quantity's law and its elements' type.
@@ -76,5 +94,21 @@ inline GradientPressureRecord seen_on(const HydrostaticLine& line, GradientPress
     r.p += static_cast<float>(line.pressure);
     return r;
 }
+
+/// Gives images what they have of values that stand before theirs, by a law that asks for no place.
+template <Law law, class T>
+struct SeeValues {
+    const Link* links;
+    const LinkMap* maps;
+    std::size_t n;  ///< particles
+    T* values;
+
+    void operator()(std::size_t k) const {
+        values[n + k] = seen<law>(values[static_cast<std::size_t>(links[k].index)], maps[links[k].map]);
+    }
+};
+using SeeScalars = SeeValues<Law::scalar, float>;
+using SeeVectors = SeeValues<Law::vector, VelocityDensityRecord>;
+using SeeHeld = SeeValues<Law::held, VelocityDensityRecord>;
 
 }  // namespace tw

@@ -66,6 +66,7 @@ struct LevelOnDevice::Arrays {
 
     cuda::Array<PlaceRecord> wall_place{device};
     cuda::Array<float> wall_p{device};
+    cuda::Array<VelocityDensityRecord> sliding{device};  ///< empty: no surface slides, or no effect asks
     cuda::Array<WallVelocity> wall_velocity{device};
     cuda::Array<WallAcceleration> wall_acceleration{device};
     cuda::Array<WallMotion> motions{device};
@@ -115,7 +116,6 @@ struct LevelOnDevice::Arrays {
     RunningSum following{device}, orphans{device};
     cuda::Array<int> which{device};
     cuda::Array<WidePlace> wide_of_others{device};
-    cuda::Array<double> fastest{device};
     cuda::Array<Given> given{device};
     cuda::Array<int> at_edge{device};
     cuda::Array<double> outside{device}, asked_outside{device};  ///< of each; of those that the host was asked about
@@ -133,10 +133,10 @@ struct LevelOnDevice::Arrays {
         p.each(add), sorted.each(add);
         add(place, motion, stress, shift, rate, density_rate, surface, wall_normal, wall_leaving, wall_body,
             wall_velocity, wall_acceleration, motions, entered, images, gone, left, wide, order, image_order, found,
-            links, maps, groups, lists, wall_lists, wall_place, wall_p, body_end, wall_load, loads, at_wall,
+            links, maps, groups, lists, wall_lists, wall_place, wall_p, sliding, body_end, wall_load, loads, at_wall,
             groups_at_walls, near_walls, walls_found, air_stays, air_near, asking, count, kinds, extremes, too_near, fetched,
             held, gives, giving_place, giving_motion, giving_support, giving_rate, giving_start, giving_images,
-            following, orphans, which, wide_of_others, fastest, given, at_edge, outside, asked_outside,
+            following, orphans, which, wide_of_others, given, at_edge, outside, asked_outside,
             gone_at_edge, left_zone, located, parents, children);
         for (const auto& [apart, a] : asked)
             add(a.order, a.groups, a.lists, a.place, a.value, a.support, a.mean_support, a.compression);

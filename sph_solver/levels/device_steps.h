@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/vec3.h"
+#include "sph_solver/effects/effect.h"
 #include "sph_solver/levels/edge_steps.h"
 #include "sph_solver/loops/count_kinds.h"
 #include "sph_solver/loops/move.h"
@@ -27,9 +28,10 @@ public:
     /// Middle of the k-th of the level's groups, which are those at walls [m].
     virtual Vec3 centre_of_group(std::size_t k) const = 0;
     virtual std::int64_t live_pairs() const = 0;  ///< that the sweeps visit
-    virtual void first_sweep(double compress, double drift) = 0;
+    virtual void first_sweep(double t, double compress, double drift) = 0;
     /// Leaves the loads of the groups at walls with the host.
     virtual void second_sweep(double t) = 0;
+    virtual StepView step_view(double t) = 0;  ///< for loops of others on the device
     struct Moved {
         MovedExtremes extremes;             ///< but for those of
         std::vector<std::size_t> at_walls;  ///< whom a wall has to hold: these are home, in order

@@ -261,15 +261,8 @@ std::int64_t LevelOnDevice::hand(const char* kernel, const Task& task, std::size
 
 double LevelOnDevice::fastest2_of_following() {
     Arrays& on = *on_;
-    cuda::FastestOf task{on.p.view(), on.which.data()};
-    std::size_t n = on.which.size();
-    on.fastest.resize((n + cuda::threads_in_block - 1) / cuda::threads_in_block);
-    double* parts = on.fastest.data();
-    void* arguments[] = {&task, &parts, &n};
-    device_->launch("tw_fastest", n, arguments);
-    std::vector<double> home(on.fastest.size());
-    on.fastest.give(home);
-    return home.empty() ? 0 : *std::ranges::max_element(home);
+    const cuda::FastestOf of{on.p.view(), on.which.data()};
+    return loops_.largest("tw_fastest", &of, on.which.size());
 }
 
 Followed LevelOnDevice::follow_coarser(EdgeSteps& coarser, const Asking& asking, FollowCoarser follow) {

@@ -164,7 +164,8 @@ SecondSweepData Level::second_sweep_data(double t) {
 void Level::first_sweep(double t, double compress, double drift, const OtherSums* other) {
     if (device_) {
         const Stopwatch watch(timers_.gradient);
-        return device_->first_sweep(compress, drift);
+        device_->first_sweep(t, compress, drift);
+        return note_compression();
     }
     FirstSweepData d = first_sweep_data();
     d.other = other;
@@ -175,18 +176,17 @@ void Level::first_sweep(double t, double compress, double drift, const OtherSums
     const Stopwatch watch(timers_.update);
     tell_first_sweep();
     mark_surface();
-    const StepView view = step_view(t);
-    for (const auto& effect : effects_) effect->after_first_sweep(view);
+    each_effect(t, [](Effect& effect, const StepView& view) { effect.after_first_sweep(view); });
     Particles& p = particles_;
     if (p.has(With::coarser)) p.density_rate.assign(p.size(), 0);
-    for (std::size_t i = 0; i < stages_.compression.size(); ++i) stages_.compression[i] = p.rate[i].drho;
+    note_compression();
     const AfterFirstSweep after = after_first_sweep(compress, drift);
     for_particles(p.size(), [&](std::size_t i) {
         after(
             i, [&](float drho) { return setup_.state_equation.pressure(setup_.rho0, drho); },
             [&](std::size_t k, const V3<double>& u) { return leaving(k, u); });
     });
-    for (const auto& effect : effects_) effect->change_pressure(view);
+    each_effect(t, [](Effect& effect, const StepView& view) { effect.change_pressure(view); });
     ghosts_.refresh(p, t, p.velocity_density, p.gradient_pressure, p.carried);
 }
 
@@ -221,15 +221,12 @@ void Level::second_sweep(double t) {
     if (device_) {
         const Stopwatch watch(timers_.forces);
         timers_.evaluations += static_cast<std::int64_t>(particles_.size());
-        wall_speed_ = walls_.fastest();
-        walls_.follow(quanta_);
+        put_walls(t);
         return device_->second_sweep(t);
     }
     if (!walls_.empty()) {
         const Stopwatch watch(timers_.walls);
-        wall_speed_ = walls_.fastest();
-        walls_.follow(quanta_);
-        if (around_.frame) walls_.feel(around_.force(t), around_.gravity);
+        put_walls(t);
         for (const Walls::Part& part : walls_.parts()) {
             ExtrapolateData e = extrapolation();
             e.list = part.water.view();
@@ -246,29 +243,52 @@ void Level::second_sweep(double t) {
     }
     {
         const Stopwatch watch(timers_.effects);
-        const StepView view = step_view(t);
-        for (const auto& effect : effects_) effect->add_rates(view);
+        each_effect(t, [](Effect& effect, const StepView& view) { effect.add_rates(view); });
     }
     timers_.evaluations += static_cast<std::int64_t>(particles_.size() - copies());
 }
 
-StepView Level::step_view(double t) {
-    return {.around = around_,
-            .level = setup_,
-            .particles = particles_,
-            .water = water_view(),
-            .dummies = wall_view(),
-            .stress = particles_.gradient_pressure.data(),
-            .rate = particles_.rate.data(),
-            .passes = passes_,
-            .groups = groups_,
-            .walls = walls_,
-            .ghosts = ghosts_,
-            .ranks = ranks(),
-            .halo = halo_,
-            .h = h_,
-            .mass = mass_,
-            .time = t};
+void Level::put_walls(double t) {
+    wall_speed_ = walls_.fastest();
+    walls_.follow(quanta_);
+    if (around_.frame && !walls_.empty()) walls_.feel(around_.force(t), around_.gravity);
+}
+
+StepView Level::step_view(double t) { return device_ ? device_->step_view(t) : step_view_here(t); }
+
+StepView Level::step_view_here(double t) {
+    Particles& p = particles_;
+    StepView view{.around = around_,
+                  .level = setup_,
+                  .n = p.size(),
+                  .images = ghosts_.count(),
+                  .p = state_view(),
+                  .kind = p.kind.data(),
+                  .aired = p.aired.data(),
+                  .shift = p.shift_support.data(),
+                  .water = water_view(),
+                  .dummies = {},
+                  .stress = p.gradient_pressure.data(),
+                  .rate = p.rate.data(),
+                  .passes = passes_,
+                  .groups = groups_,
+                  .bodies = {},
+                  .dummy_count = walls_.size(),
+                  .sliding = walls_.sliding().empty() ? nullptr : walls_.sliding().data(),
+                  .wall_load_count = walls_.group_load_count(),
+                  .links = ghosts_.links().data(),
+                  .maps = ghosts_.maps().data(),
+                  .ranks = ranks(),
+                  .halo = halo_,
+                  .dummies_halo = walls_.halo(),
+                  .h = h_,
+                  .mass = mass_,
+                  .time = t};
+    if (walls_.empty()) return view;
+    view.dummies = wall_view();
+    for (const Walls::Part& part : walls_.parts())
+        view.bodies.push_back({part.first, part.water.view(), part.near_water});
+    return view;
 }
 
 void Level::gather_loads(const Vec3& moment_reference) {
@@ -352,7 +372,7 @@ double Level::bytes() const {
     double sum = double(lists_.bytes() + walls_.bytes() + ghosts_.bytes() + particles_.bytes());
     const auto add = [&](const auto& v) { sum += double(v.capacity() * sizeof(v[0])); };
     add(groups_);
-    add(stages_.start), add(stages_.mean), add(stages_.compression), add(stages_.diffusion);
+    sum += double(stages_.start.bytes() + stages_.mean.bytes() + stages_.compression.bytes() + stages_.diffusion.bytes());
     for (const auto& effect : effects_) sum += double(effect->bytes());
     if (device_) sum += device_->bytes();
     return sum;

@@ -24,6 +24,7 @@
 #include "sph_solver/levels/fields_at.h"
 #include "sph_solver/loops/after_first_sweep.h"
 #include "sph_solver/loops/count_kinds.h"
+#include "sph_solver/loops/stages.h"
 #include "sph_solver/loops/surface.h"
 #include "sph_solver/neighbours/list_life.h"
 #include "sph_solver/parallel/comm.h"
@@ -247,6 +248,8 @@ private:
     double reach_of_normals() const { return 2 * kernel_.support() + setup_.dp; }  ///< of `find_normals` [m]
     [[noreturn]] void fail_through_wall(std::optional<std::size_t> particle);
     void update_records();
+    void note_compression();  ///< of a stage
+    void put_walls(double t);  ///< where they are at a time
     void mark_surface();
     /// Distance from which a neighbour may come within the support during `drift` [s] [m].
     double reach_among(double drift) const { return kernel_.support() + 2 * drift * life_.relative_speed; }
@@ -273,7 +276,15 @@ private:
         return {p.kind.data(), p.trend.empty() ? nullptr : p.trend.data(), p.shift_support.data(),
                 setup_.surface_support};
     }
-    StepView step_view(double t);
+    StepView step_view(double t);  ///< of who makes the steps
+    StepView step_view_here(double t);
+    /// Calls `act(effect, view)` for each effect, with what it sees of the step at time t.
+    template <class Act>
+    void each_effect(double t, const Act& act) {
+        if (effects_.empty()) return;
+        const StepView view = step_view(t);
+        for (const auto& effect : effects_) act(*effect, view);
+    }
     ExtrapolateData extrapolation() const;  ///< from the present records; the caller says where to
     InterpolateData interpolation() const;  ///< the caller says of whom, where to and what
     Reaches reaches_of_interpolation() const;
@@ -362,17 +373,10 @@ private:
 
     /// Of steps in stages only, else empty.
     struct {
-        struct Start {
-            double x, y, z;
-            float u, v, w, drho;
-        };
-        struct Mean {
-            double u, v, w, ax, ay, az, drho;  ///< velocity and rates, weighted over the stages
-        };
-        std::vector<Start> start;
-        std::vector<Mean> mean;
-        std::vector<float> compression, diffusion;  ///< -rho div u of this stage, D of the first [kg/m3/s]
-        std::vector<Load> loads;                    ///< mean
+        LoopArray<StageStart> start;
+        LoopArray<StageMean> mean;
+        LoopArray<float> compression, diffusion;  ///< see AddStage
+        std::vector<Load> loads;                  ///< mean
     } stages_;
 };
 

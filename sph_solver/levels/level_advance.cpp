@@ -103,7 +103,8 @@ Level::Struck Level::advance(const Schedule::Move& move, const Vec3& moment_refe
                        .stream_after = stream_after,
                        .shifts = s.shifting > 0,
                        .shifting_support = s.shifting_support,
-                       .shift_step = ShiftStep(s.shifting, dt, h_, s.dp)};
+                       .shift_step = ShiftStep(s.shifting, dt, h_, s.dp),
+                       .stages = stages_.mean.data()};
     walls_.note_motions();
 
     const auto hold = [&](std::size_t i, Part& part) {
@@ -135,9 +136,7 @@ Level::Struck Level::advance(const Schedule::Move& move, const Vec3& moment_refe
             const double was_inside =
                 control_ ? control_->share(p.x[i] - drifted * u0, p.y[i] - drifted * v0, p.z[i] - drifted * w0) : 0;
             const V3<double> shift = move_on.kick(i, part);
-            const V3<double> along = stages_.mean.empty()
-                                         ? V3<double>{p.u[i], p.v[i], p.w[i]}
-                                         : V3<double>{stages_.mean[i].u, stages_.mean[i].v, stages_.mean[i].w};
+            const V3<double> along = move_on.along(i);
             move_on.drift_along(i, along, shift);
             if (!p.wall_normal.empty() && kept_out_of_solids(p.kind[i])) {
                 WallNormalRecord& r = p.wall_normal[i];
@@ -249,70 +248,41 @@ void Level::check_density() const {
 // --- stages ---------------------------------------------------------------------------------------------------------
 
 void Level::begin_stages(bool freeze_diffusion) {
-    const std::size_t n = particles_.size();
-    stages_.compression.resize(n);
-    stages_.start.resize(n);
-    stages_.mean.assign(n, {});
-    if (freeze_diffusion) stages_.diffusion.resize(n);
+    const StepView view = step_view(time_);
+    stages_.compression.resize(view.device, view.n);
+    stages_.start.resize(view.device, view.n);
+    stages_.mean.zeros(view.device, view.n);
+    if (freeze_diffusion) stages_.diffusion.resize(view.device, view.n);
     stages_.loads.assign(bodies_.size(), {});
 }
 
-/// From the step's begin for the time `since`, with the velocities and rates found last.
+void Level::note_compression() {
+    float* const compression = stages_.compression.data();
+    if (!compression) return;
+    const StepView view = step_view(time_);
+    view.each(view.n, NoteCompression{view.rate, compression});
+}
+
 void Level::go_to_stage(double since) {
     const Stopwatch watch(timers_.update);
-    Particles& p = particles_;
-    const double stream = stream_velocity(time_ + since), stream_before = stream_velocity(time_);
-    for_particles(p.size(), [&](std::size_t i) {
-        const auto from = stages_.start[i];
-        const RateRecord& r = particles_.rate[i];
-        p.x[i] = from.x + since * double(p.u[i]);
-        p.y[i] = from.y + since * double(p.v[i]);
-        p.z[i] = from.z + since * double(p.w[i]);
-        switch (p.kind[i]) {
-            case Kind::fluid:
-                p.u[i] = static_cast<float>(from.u + since * r.ax);
-                p.v[i] = static_cast<float>(from.v + since * r.ay);
-                p.w[i] = static_cast<float>(from.w + since * r.az);
-                p.drho[i] = static_cast<float>(from.drho + since * r.drho);
-                break;
-            case Kind::inlet: p.u[i] = static_cast<float>(stream); break;
-            case Kind::outlet: p.u[i] = static_cast<float>(from.u + (stream - stream_before)); break;
-            case Kind::guard:
-            case Kind::band:
-            case Kind::carried: break;  // levels of particle size take steps of one evaluation
-        }
-    });
+    const StepView view = step_view(time_);
+    view.each(view.n, GoToStage{view.p, view.kind, stages_.start.data(), view.rate, since,
+                                stream_velocity(time_ + since), stream_velocity(time_)});
 }
 
 void Level::add_stage(double weight, bool first, bool freeze_diffusion) {
     const Stopwatch watch(timers_.update);
-    const Particles& p = particles_;
-    for_particles(p.size(), [&](std::size_t i) {
-        if (first) {
-            stages_.start[i] = {p.x[i], p.y[i], p.z[i], p.u[i], p.v[i], p.w[i], p.drho[i]};
-            if (freeze_diffusion) stages_.diffusion[i] = particles_.rate[i].drho;
-        }
-        RateRecord& r = particles_.rate[i];
-        r.drho = stages_.compression[i] + (freeze_diffusion ? stages_.diffusion[i] : r.drho);
-        auto& m = stages_.mean[i];
-        m.u += weight * p.u[i], m.v += weight * p.v[i], m.w += weight * p.w[i];
-        m.ax += weight * r.ax, m.ay += weight * r.ay, m.az += weight * r.az;
-        m.drho += weight * r.drho;
-    });
+    const StepView view = step_view(time_);
+    view.each(view.n, AddStage{view.p, view.rate, stages_.start.data(), stages_.mean.data(),
+                               stages_.compression.data(), freeze_diffusion ? stages_.diffusion.data() : nullptr,
+                               weight, first});
     for (std::size_t b = 0; b < stages_.loads.size(); ++b) stages_.loads[b] += weight * walls_.loads()[b];
 }
 
 void Level::end_stages() {
     walls_.set_loads(stages_.loads);
-    Particles& p = particles_;
-    for_particles(p.size(), [&](std::size_t i) {
-        const auto& from = stages_.start[i];
-        const auto& m = stages_.mean[i];
-        p.x[i] = from.x, p.y[i] = from.y, p.z[i] = from.z;
-        p.u[i] = from.u, p.v[i] = from.v, p.w[i] = from.w, p.drho[i] = from.drho;
-        particles_.rate[i] = {static_cast<float>(m.ax), static_cast<float>(m.ay), static_cast<float>(m.az),
-                              static_cast<float>(m.drho)};
-    });
+    const StepView view = step_view(time_);
+    view.each(view.n, EndStages{view.p, view.rate, stages_.start.data(), stages_.mean.data()});
 }
 
 }  // namespace tw

@@ -25,6 +25,7 @@ std::vector<int> columns_of(const std::vector<Group>& groups, const std::vector<
 LevelOnDevice::LevelOnDevice(Level& level, std::shared_ptr<cuda::Device> device)
     : level_(level),
       device_(std::move(device)),
+      loops_(device_),
       on_(std::make_unique<Arrays>(*device_, bins_of(level.grid_, level.setup_.dp, level.quanta_.size))) {
     cuda::Device& d = *device_;
     Walls& walls = level_.walls_;
@@ -55,10 +56,11 @@ void LevelOnDevice::take_sorted_dummies() {
 /// Where they are now, and how they move.
 void LevelOnDevice::take_dummies() {
     const Walls& walls = level_.walls_;
-    if (!walls.move()) return;
-    on_->wall_place.take(walls.places());
-    on_->wall_velocity.take(std::span(walls.velocities(), walls.size()));
-    on_->wall_acceleration.take(std::span(walls.accelerations(), walls.size()));
+    if (walls.move()) {
+        on_->wall_place.take(walls.places());
+        on_->wall_velocity.take(std::span(walls.velocities(), walls.size()));
+    }
+    if (walls.accelerations()) on_->wall_acceleration.take(std::span(walls.accelerations(), walls.size()));
 }
 
 NearWalls LevelOnDevice::near_walls() {
@@ -111,7 +113,7 @@ KindCounts LevelOnDevice::count(CountKinds kinds) {
     return on.kinds.value(0);
 }
 
-double LevelOnDevice::bytes() const { return on_->bytes(); }
+double LevelOnDevice::bytes() const { return on_->bytes() + double(loops_.bytes()); }
 
 // --- a step -------------------------------------------------------------------------------------------------------------
 
@@ -143,22 +145,22 @@ void LevelOnDevice::update_records() {
     Arrays& on = *on_;
     launch(*device_, "tw_update_records",
            UpdateRecords{on.p.view(), level_.to_quanta(), on.place.data(), on.motion.data()}, on.p.size());
-    refresh_images(nullptr);
+    refresh_images(level_.time_, nullptr);
 }
 
-void LevelOnDevice::refresh_images(GradientPressureRecord* stress) {
+void LevelOnDevice::refresh_images(double t, GradientPressureRecord* stress) {
+    const auto refresh = [&](const char* kernel, const auto& force) {
+        launch(*device_, kernel,
+               cuda::RefreshImages{on_->links.data(), on_->maps.data(), on_->p.size(), level_.quanta_.size,
+                                   level_.ghosts_.still(), force, on_->place.data(), on_->motion.data(), stress},
+               on_->links.size());
+    };
     const Vec3& g = level_.around_.gravity;
-    launch(*device_, "tw_refresh_images",
-           cuda::RefreshImages{.links = on_->links.data(),
-                               .maps = on_->maps.data(),
-                               .n = on_->p.size(),
-                               .quantum = level_.quanta_.size,
-                               .still = level_.ghosts_.still(),
-                               .gravity = {g.x(), g.y(), g.z()},
-                               .place = on_->place.data(),
-                               .motion = on_->motion.data(),
-                               .stress = stress},
-           on_->links.size());
+    if (level_.around_.frame)
+        refresh("tw_refresh_images_in_frame",
+                ForceHalfway{on_->p.view(), ForceOfFrame::of(level_.around_.force(t))});
+    else
+        refresh("tw_refresh_images", SameForce{{g.x(), g.y(), g.z()}});
 }
 
 /// Of the device's arrays in place of the host's.
@@ -180,7 +182,27 @@ WallView LevelOnDevice::walls() const {
     return w;
 }
 
-void LevelOnDevice::first_sweep(double compress, double drift) {
+StepView LevelOnDevice::step_view(double t) {
+    Arrays& on = *on_;
+    if (on.sliding.size() == 0) on.sliding.take(level_.walls_.sliding());
+    StepView view = level_.step_view_here(t);
+    view.n = on.p.size(), view.images = on.links.size();
+    view.p = on.p.view(), view.kind = on.p.kind.data();
+    view.aired = or_null(on.p.aired), view.shift = on.shift.data();
+    view.water = water(), view.dummies = walls();
+    view.stress = on.stress.data(), view.rate = on.rate.data();
+    view.groups = {on.groups.groups().data(), on.groups.size()};
+    view.bodies.clear();
+    for (const Arrays::Part& part : on.parts)
+        view.bodies.push_back({part.first, part.lists.view(), {part.groups.data(), part.groups.size()}});
+    view.sliding = or_null(on.sliding);
+    view.links = on.links.data(), view.maps = on.maps.data();
+    view.device = &loops_;
+    home_ = false;
+    return view;
+}
+
+void LevelOnDevice::first_sweep(double t, double compress, double drift) {
     Arrays& on = *on_;
     const std::size_t n = on.p.size(), all = on.place.size(), words = on.surface.size();
     if (host_counts_) take_state();
@@ -203,9 +225,16 @@ void LevelOnDevice::first_sweep(double compress, double drift) {
     after.trend = or_null(on.p.trend), after.compression = or_null(on.p.compression);
     after.density_rate = or_null(on.density_rate);
     on.density_rate.set_zero();
-    const double c0 = level_.setup_.state_equation.c0;
-    launch(*device_, "tw_compress", cuda::Compress{after, near_walls(), static_cast<float>(c0 * c0)}, n);
-    refresh_images(on.stress.data());
+    const StateEquation& state_equation = level_.setup_.state_equation;
+    const double c0 = state_equation.c0;
+    if (state_equation.form == StateEquation::Form::linear)
+        launch(*device_, "tw_compress", cuda::Compress{after, near_walls(), cuda::LinearPressure{static_cast<float>(c0 * c0)}},
+               n);
+    else
+        launch(*device_, "tw_compress_by_state",
+               cuda::Compress{after, near_walls(), cuda::PressureOfState{state_equation, level_.setup_.rho0}}, n);
+    level_.each_effect(t, [](Effect& effect, const StepView& view) { effect.change_pressure(view); });
+    refresh_images(t, on.stress.data());
     home_ = false;
 }
 
@@ -249,6 +278,7 @@ void LevelOnDevice::second_sweep(double t) {
     d.leaving = or_null(on.wall_leaving);
     d.shift = on.shift.data(), d.rate = on.rate.data(), d.wall_load = on.wall_load.data();
     sweep("tw_second_sweep", d, on.groups.groups());
+    level_.each_effect(t, [](Effect& effect, const StepView& view) { effect.add_rates(view); });
     on.wall_load.give(level_.walls_.group_loads());
     home_ = false;
 }

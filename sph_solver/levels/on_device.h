@@ -5,6 +5,7 @@
 #include "sph_solver/cuda/edges.h"
 #include "sph_solver/cuda/search.h"
 #include "sph_solver/levels/device_steps.h"
+#include "sph_solver/levels/loops_on_device.h"
 #include "sph_solver/loops/wall_motion.h"
 #include "sph_solver/sweeps/views.h"
 
@@ -12,8 +13,7 @@ namespace tw {
 
 class Level;
 
-/// A level whose steps are made by a graphics processor: water under constant gravity, with rigid walls, whose pressure is
-/// linear in the density. In a step the host gets the loads of the groups at walls, the extremes, and the few particles
+/// A level whose steps are made by a graphics processor: water with rigid walls. In a step the host gets the loads of the groups at walls, the extremes, and the few particles
 /// that a wall has to hold; when lists are made, the places of those near walls, of which it finds the nearest; and at the
 /// edge of a zone who is to have children.
 class LevelOnDevice : public DeviceSteps {
@@ -29,8 +29,9 @@ public:
     void refresh(double drift) override;
     Vec3 centre_of_group(std::size_t k) const override { return centres_[k]; }
     std::int64_t live_pairs() const override;
-    void first_sweep(double compress, double drift) override;
+    void first_sweep(double t, double compress, double drift) override;
     void second_sweep(double t) override;
+    StepView step_view(double t) override;
     Moved move(const Move& of_host) override;
     void put_back(const std::vector<std::size_t>& held) override;
     void sample(const Points& points, const Reaches& quanta, const ExtrapolateData& to) override;
@@ -65,7 +66,7 @@ private:
     void find_images(double reach);
     void find_walls(const Reaches& reaches);
     void ask_walls(std::size_t groups);
-    void refresh_images(GradientPressureRecord* stress);
+    void refresh_images(double t, GradientPressureRecord* stress);
     void note_air();
     void fetch(std::vector<std::int32_t> particles);
     /// Fields at places in this level's quanta.
@@ -84,6 +85,7 @@ private:
 
     Level& level_;
     std::shared_ptr<cuda::Device> device_;
+    LoopsOnDevice loops_;
     std::unique_ptr<Arrays> on_;
     std::vector<Vec3> centres_;
     bool home_ = true, order_is_home_ = true;  ///< the host has the state; and who stands where

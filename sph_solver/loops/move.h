@@ -6,6 +6,7 @@
 #include "sph_solver/equations/shifting.h"
 #include "sph_solver/fields/quantities.h"
 #include "sph_solver/loops/records.h"
+#include "sph_solver/loops/stages.h"
 
 namespace tw {
 
@@ -38,6 +39,7 @@ struct Move {
     bool shifts;
     double shifting_support;  ///< of LevelSetup
     ShiftStep shift_step;
+    const StageMean* stages = nullptr;  ///< of a step in stages
 
     /// Kicks it, and notes that; gives what shifting adds to its way [m].
     V3<double> kick(std::size_t i, MovedExtremes& part) const {
@@ -80,6 +82,11 @@ struct Move {
             case Kind::carried: shift_towards_voids(); break;
         }
         return shift;
+    }
+    /// The velocity with which it moves on [m/s].
+    V3<double> along(std::size_t i) const {
+        if (stages) return {stages[i].u, stages[i].v, stages[i].w};
+        return {p.u[i], p.v[i], p.w[i]};
     }
     /// Moves it with the velocity `along` and by `shift`.
     void drift_along(std::size_t i, const V3<double>& along, const V3<double>& shift) const {

@@ -19,7 +19,7 @@
 #include "sph_solver/cuda/search.h"
 #include "sph_solver/cuda/sorting.h"
 #include "sph_solver/cuda/tasks.h"
-#include "sph_solver/effects/ventilation.h"
+#include "sph_solver/effects/kernels.h"
 #include "sph_solver/loops/count_kinds.h"
 #include "sph_solver/sweeps/interpolate.h"
 #include "sph_solver/sweeps/views.h"
@@ -167,8 +167,9 @@ void label(void** a) {
     const auto& task = argument<cuda::LabelKnown<Label>>(a, 0);
     for (std::size_t i = argument<std::size_t>(a, 1); i-- > 0;) task(i, add_one);  // from the end, as above
 }
-void fastest(void** a) {
-    const auto& task = argument<cuda::FastestOf>(a, 0);
+template <class Task>
+void run_largest(void** a) {
+    const auto& task = argument<Task>(a, 0);
     const auto n = argument<std::size_t>(a, 2);
     for (std::size_t first = 0; first < n; first += cuda::threads_in_block) {
         double& part = argument<double*>(a, 1)[first / cuda::threads_in_block] = 0;
@@ -182,13 +183,16 @@ const std::map<std::string, EmulatedKernel>& kernels() {
     static const std::map<std::string, EmulatedKernel> all{
 #define sweep(name, View) {#name, run_sweep<View>},
 #define task(name, Task) {#name, run_task<Task>},
-        TW_DEVICE_SWEEPS(sweep) TW_DEVICE_TASKS(task)
+#define largest(name, Task) {#name, run_largest<Task>},
+        TW_DEVICE_SWEEPS(sweep) TW_EFFECT_SWEEPS(sweep) TW_DEVICE_TASKS(task) TW_EFFECT_TASKS(task) TW_IMAGE_TASKS(task)
+            TW_STAGE_TASKS(task)
+            TW_DEVICE_LARGEST(largest) TW_EFFECT_LARGEST(largest)
 #undef sweep
 #undef task
-            {"tw_near_air", near_air},
+#undef largest
+                {"tw_near_air", near_air},
         {"tw_find_asking", find_asking},
         {"tw_move", move},
-        {"tw_fastest", fastest},
         {"tw_count_kinds", count_kinds},
         {"tw_label_coarse", label<LabelCoarse>},
         {"tw_label_fine", label<LabelFine>},

@@ -8,6 +8,7 @@
 #include "on_device.h"
 #include "sph_solver/effects/ventilation.h"
 #include "sph_solver/gpu_self_test.h"
+#include "sph_solver/measure/spray_gate.h"
 #include "sph_solver/state/checkpoint.h"
 
 namespace tw {
@@ -158,6 +159,25 @@ TEST_F(OnDevice, WhatTheHostChangesBetweenTwoStepsCounts) {
     host.fields_to_set().u[17] += 0.5f, device.fields_to_set().u[17] += 0.5f;
     for (int k = 0; k < 5; ++k) host.step(), device.step();
     EXPECT_TRUE(same_bits(host.particles(), device.particles()));
+}
+
+TEST_F(OnDevice, TheSprayGateTakesTheSameLumps) {
+    SimulationSetup s = dam_break();
+    s.bodies.clear();
+    const Fluid water = fill_with_fluid(s, {Box{{0, 0, 0}, {1, 0.3, 0.3}}, Box{{0.2, 0.1, 0.7}, {0.3, 0.2, 0.8}}});
+    SphOptions beyond;
+    beyond.gate_point = {0, 0, 0.5}, beyond.gate_normal = {0, 0, 1};
+    const auto gate = SprayGate::of(beyond);
+    Simulation host(s, water, emulated()), device(s, water, emulated());
+    put_on_device(device);
+    for (int k = 0; k < 5; ++k) host.step(), device.step();
+    const std::vector<SprayLump> from_host = gate->take(host), from_device = gate->take(device);
+    ASSERT_EQ(from_device.size(), 1u);
+    EXPECT_EQ(from_device[0].particles, 8);
+    EXPECT_EQ(from_device[0].velocity, from_host[0].velocity);
+    for (int k = 0; k < 20; ++k) host.step(), device.step();
+    EXPECT_TRUE(same_bits(host.particles(), device.particles()));
+    EXPECT_EQ(device.ledger().out, 8);
 }
 
 TEST_F(OnDevice, NotANumberStopsTheRunThereToo) {

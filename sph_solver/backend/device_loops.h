@@ -1,0 +1,72 @@
+#pragma once
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "sph_solver/sweeps/groups.h"
+
+namespace tw {
+
+/// Memory of a device for an array.
+class RoomOnDevice {
+public:
+    virtual ~RoomOnDevice() = default;
+    /// Gives where it is. What it holds is lost where it has to grow.
+    virtual void* resize(std::size_t bytes) = 0;
+    virtual void set_zero() = 0;
+    virtual void give(void* to, std::size_t bytes) const = 0;
+    virtual std::size_t bytes() const = 0;
+};
+
+/// A device that runs loops of for_particles.h in place of this process. Loops come as kernels by name, with their
+/// bodies or views, whose pointers are the device's.
+class DeviceLoops {
+public:
+    virtual ~DeviceLoops() = default;
+    virtual void each(const char* kernel, const void* body, std::size_t count) = 0;
+    virtual double largest(const char* kernel, const void* value, std::size_t count) = 0;  ///< 0 or more
+    virtual void pairs(const char* kernel, const void* view, std::span<const Group> groups) = 0;
+    virtual std::unique_ptr<RoomOnDevice> make_room() = 0;
+};
+
+/// An array where the loops run: here, or on a device.
+template <class T>
+class LoopArray {
+public:
+    /// Gives where it is. What it holds is lost where it has to grow on a device; null: here.
+    T* resize(DeviceLoops* device, std::size_t n) {
+        size_ = n;
+        if (!device) {
+            here_.resize(n);
+            return at_ = here_.data();
+        }
+        if (!there_) there_ = device->make_room();
+        return at_ = static_cast<T*>(there_->resize(n * sizeof(T)));
+    }
+    T* zeros(DeviceLoops* device, std::size_t n) {
+        if (!device) here_.clear();
+        T* const at = resize(device, n);
+        if (there_) there_->set_zero();
+        return at;
+    }
+    T* data() const { return at_; }  ///< where the loops run; null: it was never used
+    /// What it holds here, which a device is asked for.
+    const std::vector<T>& bring_home() {
+        if (there_) {
+            here_.resize(size_);
+            there_->give(here_.data(), size_ * sizeof(T));
+        }
+        return here_;
+    }
+    const std::vector<T>& home() const { return here_; }  ///< as it was brought
+    std::size_t bytes() const { return here_.capacity() * sizeof(T) + (there_ ? there_->bytes() : 0); }
+
+private:
+    std::vector<T> here_;
+    std::unique_ptr<RoomOnDevice> there_;
+    T* at_ = nullptr;
+    std::size_t size_ = 0;
+};
+
+}  // namespace tw

@@ -1,0 +1,17 @@
+#pragma once
+#include <algorithm>
+#include <cstddef>
+
+#include "sph_solver/sweeps/records.h"
+
+namespace tw {
+
+/// The cut-off of cavitation.h.
+struct CutOffTension {
+    GradientPressureRecord* stress;
+    float lowest;  ///< [Pa]
+
+    void operator()(std::size_t i) const { stress[i].p = std::max(stress[i].p, lowest); }
+};
+
+}  // namespace tw

@@ -1,0 +1,35 @@
+#pragma once
+// What a device does for effects: their loops and sweeps as kernels, a line each. Bodies and views stand beside the effects.
+// clang-format off
+
+// Sweeps over groups and their neighbours: sweep(NAME, VIEW).
+#define TW_EFFECT_SWEEPS(sweep)                     \
+    sweep(tw_velocity_at_walls, WaterVelocityData)  \
+    sweep(tw_friction,          ViscousForceData)   \
+    sweep(tw_strain_rate,       StrainRateData)     \
+    sweep(tw_colour_gradient,   ColourGradientData) \
+    sweep(tw_curvature,         CurvatureData)
+
+// One index by one thread: task(NAME, TASK).
+#define TW_EFFECT_TASKS(task)                        \
+    task(tw_damp_sound,         DampSound)           \
+    task(tw_cut_off_tension,    CutOffTension)       \
+    task(tw_damp_in_layers,     DampInLayers)        \
+    task(tw_feel_motion,        FeelMotion)          \
+    task(tw_set_viscosity,      SetViscosity)        \
+    task(tw_copy_motion,        CopyMotion)          \
+    task(tw_hold_at_walls,      HoldAtWalls)         \
+    task(tw_normal_of_surface,  NormalOfSurface)     \
+    task(tw_pull_at_surface,    PullAtSurface)
+
+// The same, and the largest of what they give: largest(NAME, TASK).
+#define TW_EFFECT_LARGEST(largest)                   \
+    largest(tw_add_eddies,      AddEddies)
+
+// What images have of an effect's own arrays (ghosts/laws.h).
+#define TW_IMAGE_TASKS(task)                         \
+    task(tw_see_scalars,        SeeScalars)          \
+    task(tw_see_vectors,        SeeVectors)          \
+    task(tw_see_held,           SeeHeld)
+
+// clang-format on

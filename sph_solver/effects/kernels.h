@@ -1,0 +1,17 @@
+#pragma once
+// All that a device does for effects: bodies of loops, views of sweeps and, for kernels, the sweeps. A line for each file.
+#include "sph_solver/effects/acoustic_damping_loops.h"
+#include "sph_solver/effects/cavitation_loops.h"
+#include "sph_solver/effects/damping_layers_loops.h"
+#include "sph_solver/effects/kernel_list.h"
+#include "sph_solver/effects/moving_tank_loops.h"
+#include "sph_solver/effects/surface_tension.h"
+#include "sph_solver/effects/surface_tension_loops.h"
+#include "sph_solver/effects/ventilation.h"
+#include "sph_solver/effects/viscosity.h"
+#include "sph_solver/effects/viscosity_loops.h"
+#ifdef TW_THREADS
+#include "sph_solver/effects/surface_tension_isa.cpp"
+#include "sph_solver/effects/ventilation_isa.cpp"
+#include "sph_solver/effects/viscosity_isa.cpp"
+#endif

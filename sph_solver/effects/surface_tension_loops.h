@@ -1,0 +1,42 @@
+#pragma once
+#include <cmath>
+#include <cstddef>
+
+#include "sph_solver/equations/surface_tension.h"
+#include "sph_solver/sweeps/records.h"
+
+namespace tw {
+
+/// grad C becomes the normal, and its length is noted.
+struct NormalOfSurface {
+    VelocityDensityRecord* normal;
+    float* length;  ///< |grad C| [1/m]
+    double h;
+
+    void operator()(std::size_t i) const {
+        VelocityDensityRecord& r = normal[i];
+        length[i] = std::sqrt(r.u * r.u + r.v * r.v + r.w * r.w);
+        const bool counts = static_cast<double>(length[i]) * h > smallest_colour_gradient;
+        const float inv = counts ? 1 / length[i] : 0;
+        r = {r.u * inv, r.v * inv, r.w * inv, counts ? 1.0f : 0.0f};
+    }
+};
+
+/// Adds the surface's force to the rates.
+struct PullAtSurface {
+    SurfaceForce force;
+    const PlaceRecord* place;
+    const VelocityDensityRecord* normal;
+    const float *curvature, *length;
+    RateRecord* rate;
+
+    void operator()(std::size_t i) const {
+        const float f = force.along_normal(place[i].volume, curvature[i], length[i]);
+        RateRecord& r = rate[i];
+        r.ax += f * normal[i].u;
+        r.ay += f * normal[i].v;
+        r.az += f * normal[i].w;
+    }
+};
+
+}  // namespace tw

@@ -1,0 +1,56 @@
+#include "sph_solver/levels/loops_on_device.h"
+
+#include <algorithm>
+
+#include "sph_solver/device/launch.h"
+
+namespace tw {
+
+namespace {
+
+class Room : public RoomOnDevice {
+public:
+    explicit Room(std::shared_ptr<cuda::Device> device) : device_(std::move(device)), of_(*device_) {}
+    void* resize(std::size_t bytes) override {
+        of_.resize(bytes);
+        return of_.data();
+    }
+    void set_zero() override { of_.set_zero(); }
+    void give(void* to, std::size_t bytes) const override { of_.give({static_cast<std::byte*>(to), bytes}); }
+    std::size_t bytes() const override { return of_.bytes(); }
+
+private:
+    std::shared_ptr<cuda::Device> device_;
+    cuda::Array<std::byte> of_;
+};
+
+/// As the driver wants the place of an argument, which it only reads.
+void* place(const void* argument) { return const_cast<void*>(argument); }
+
+}  // namespace
+
+void LoopsOnDevice::each(const char* kernel, const void* body, std::size_t count) {
+    void* arguments[] = {place(body), &count};
+    device_->launch(kernel, count, arguments);
+}
+
+double LoopsOnDevice::largest(const char* kernel, const void* value, std::size_t count) {
+    parts_.resize((count + cuda::threads_in_block - 1) / cuda::threads_in_block);
+    double* parts = parts_.data();
+    void* arguments[] = {place(value), &parts, &count};
+    device_->launch(kernel, count, arguments);
+    std::vector<double> home(parts_.size());
+    parts_.give(home);
+    return home.empty() ? 0 : *std::ranges::max_element(home);
+}
+
+void LoopsOnDevice::pairs(const char* kernel, const void* view, std::span<const Group> groups) {
+    const Group* first = groups.data();
+    int count = static_cast<int>(groups.size());
+    void* arguments[] = {place(view), &first, &count};
+    device_->launch(kernel, groups.size() * cuda::warp, arguments);
+}
+
+std::unique_ptr<RoomOnDevice> LoopsOnDevice::make_room() { return std::make_unique<Room>(device_); }
+
+}  // namespace tw

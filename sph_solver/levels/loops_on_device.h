@@ -1,0 +1,24 @@
+#pragma once
+#include <memory>
+
+#include "sph_solver/backend/device_loops.h"
+#include "sph_solver/cuda/driver.h"
+
+namespace tw {
+
+/// Loops on a graphics processor.
+class LoopsOnDevice : public DeviceLoops {
+public:
+    explicit LoopsOnDevice(std::shared_ptr<cuda::Device> device) : device_(std::move(device)), parts_(*device_) {}
+    void each(const char* kernel, const void* body, std::size_t count) override;
+    double largest(const char* kernel, const void* value, std::size_t count) override;
+    void pairs(const char* kernel, const void* view, std::span<const Group> groups) override;
+    std::unique_ptr<RoomOnDevice> make_room() override;
+    std::size_t bytes() const { return parts_.bytes(); }
+
+private:
+    std::shared_ptr<cuda::Device> device_;
+    cuda::Array<double> parts_;
+};
+
+}  // namespace tw
