@@ -27,6 +27,9 @@ public:
     virtual void each(const char* kernel, const void* body, std::size_t count) = 0;
     virtual double largest(const char* kernel, const void* value, std::size_t count) = 0;  ///< 0 or more
     virtual void pairs(const char* kernel, const void* view, std::span<const Group> groups) = 0;
+    /// The sweep of a view over those of the groups that a condition chooses, which get to `chosen`.
+    virtual void pairs_where(const char* choose_kernel, const void* condition, std::span<const Group> groups,
+                             Group* chosen, const char* kernel, const void* view) = 0;
     virtual std::unique_ptr<RoomOnDevice> make_room() = 0;
 };
 

@@ -11,58 +11,56 @@
     sweep(tw_interpolate,  InterpolateData)
 
 // One index by one thread: task(NAME, TASK).
-#define TW_DEVICE_TASKS(task)                              \
-    task(tw_update_records,       UpdateRecords)           \
-    task(tw_refresh_images,       cuda::RefreshImagesAtRest)  \
+#define TW_DEVICE_TASKS(task)                                    \
+    task(tw_update_records,          UpdateRecords)              \
+    task(tw_refresh_images,          cuda::RefreshImagesAtRest)  \
     task(tw_refresh_images_in_frame, cuda::RefreshImagesInFrame) \
-    task(tw_mark_surface,         cuda::MarkSurface)       \
-    task(tw_mark_air,             cuda::MarkAir)           \
-    task(tw_note_air,             cuda::NoteAir)           \
-    task(tw_compress,             cuda::CompressLinearly)  \
-    task(tw_compress_by_state,    cuda::CompressByState)   \
-    task(tw_take_held,            cuda::TakeHeld)          \
-    task(tw_put_held,             cuda::PutHeld)           \
-    task(tw_cross,                cuda::Cross)             \
-    task(tw_enter,                cuda::Enter)             \
-    task(tw_put_back,             cuda::PutBack)           \
-    task(tw_put_in_bins,          cuda::PutInBins)         \
-    task(tw_rank_in_bins,         cuda::RankInBins)        \
-    task(tw_reorder,              cuda::Reorder)           \
-    task(tw_count_images,         cuda::CountImages)       \
-    task(tw_find_images,          cuda::FindImages)        \
-    task(tw_reorder_links,        cuda::ReorderLinks)      \
-    task(tw_count_groups,         cuda::CountGroups)       \
-    task(tw_make_groups,          cuda::MakeGroups)        \
-    task(tw_centre_groups,        cuda::CentreGroups)      \
-    task(tw_count_wall_loads,     cuda::CountWallLoads)    \
-    task(tw_list_groups_at_walls, cuda::ListGroupsAtWalls) \
-    task(tw_take_near_walls,      cuda::TakeNearWalls)     \
-    task(tw_no_walls,             cuda::NoWalls)           \
-    task(tw_put_walls,            cuda::PutWalls)          \
-    task(tw_mark_following,       cuda::MarkFollowing)     \
-    task(tw_list_marked,          cuda::ListMarked)        \
-    task(tw_places_to_ask,        cuda::PlacesToAsk)       \
-    task(tw_mark_giving,          cuda::MarkGiving)        \
-    task(tw_put_giving,           cuda::PutGiving)         \
-    task(tw_start_giving,         cuda::StartGiving)       \
-    task(tw_sort_asked,           cuda::SortAsked)         \
-    task(tw_hand_to_guards,       cuda::HandToGuards)      \
-    task(tw_hand_to_under,        cuda::HandToUnder)       \
-    task(tw_hand_to_host,         cuda::HandToHost)        \
-    task(tw_ask_coarse,           cuda::LabelCoarseAsked)  \
-    task(tw_ask_fine,             cuda::LabelFineAsked)    \
-    task(tw_leave_zone,           cuda::LeaveZone)         \
-    task(tw_mark_gone,            cuda::MarkGone)          \
-    task(tw_mark_staying,         cuda::MarkStaying)       \
-    task(tw_mark_parents,         cuda::MarkParents)       \
-    task(tw_take_parents,         cuda::TakeParents)       \
-    task(tw_mark_between,         cuda::MarkBetween)       \
-    task(tw_take_located,         cuda::TakeLocated)       \
-    task(tw_add_children,         cuda::AddChildren)       \
-    task(tw_forget_edge,          cuda::ForgetEdge)
+    task(tw_mark_surface,            cuda::MarkSurface)          \
+    task(tw_compress,                cuda::CompressLinearly)     \
+    task(tw_compress_by_state,       cuda::CompressByState)      \
+    task(tw_take_held,               cuda::TakeHeld)             \
+    task(tw_put_held,                cuda::PutHeld)              \
+    task(tw_cross,                   cuda::Cross)                \
+    task(tw_enter,                   cuda::Enter)                \
+    task(tw_put_back,                cuda::PutBack)              \
+    task(tw_put_in_bins,             cuda::PutInBins)            \
+    task(tw_rank_in_bins,            cuda::RankInBins)           \
+    task(tw_reorder,                 cuda::Reorder)              \
+    task(tw_count_images,            cuda::CountImages)          \
+    task(tw_find_images,             cuda::FindImages)           \
+    task(tw_reorder_links,           cuda::ReorderLinks)         \
+    task(tw_count_groups,            cuda::CountGroups)          \
+    task(tw_make_groups,             cuda::MakeGroups)           \
+    task(tw_centre_groups,           cuda::CentreGroups)         \
+    task(tw_count_wall_loads,        cuda::CountWallLoads)       \
+    task(tw_list_groups_at_walls,    cuda::ListGroupsAtWalls)    \
+    task(tw_take_near_walls,         cuda::TakeNearWalls)        \
+    task(tw_no_walls,                cuda::NoWalls)              \
+    task(tw_put_walls,               cuda::PutWalls)             \
+    task(tw_mark_following,          cuda::MarkFollowing)        \
+    task(tw_list_marked,             cuda::ListMarked)           \
+    task(tw_places_to_ask,           cuda::PlacesToAsk)          \
+    task(tw_mark_giving,             cuda::MarkGiving)           \
+    task(tw_put_giving,              cuda::PutGiving)            \
+    task(tw_start_giving,            cuda::StartGiving)          \
+    task(tw_sort_asked,              cuda::SortAsked)            \
+    task(tw_hand_to_guards,          cuda::HandToGuards)         \
+    task(tw_hand_to_under,           cuda::HandToUnder)          \
+    task(tw_hand_to_host,            cuda::HandToHost)           \
+    task(tw_ask_coarse,              cuda::LabelCoarseAsked)     \
+    task(tw_ask_fine,                cuda::LabelFineAsked)       \
+    task(tw_leave_zone,              cuda::LeaveZone)            \
+    task(tw_mark_gone,               cuda::MarkGone)             \
+    task(tw_mark_staying,            cuda::MarkStaying)          \
+    task(tw_mark_parents,            cuda::MarkParents)          \
+    task(tw_take_parents,            cuda::TakeParents)          \
+    task(tw_mark_between,            cuda::MarkBetween)          \
+    task(tw_take_located,            cuda::TakeLocated)          \
+    task(tw_add_children,            cuda::AddChildren)          \
+    task(tw_forget_edge,             cuda::ForgetEdge)
 
 // The same, and the largest of what they give: largest(NAME, TASK).
-#define TW_DEVICE_LARGEST(largest) \
+#define TW_DEVICE_LARGEST(largest)       \
     largest(tw_fastest, cuda::FastestOf)
 
 // clang-format on

@@ -38,8 +38,11 @@ TW_DEVICE_SWEEPS(sweep)
 TW_EFFECT_SWEEPS(sweep)
 #undef sweep
 
-/// How many groups ask is known to the device alone.
-TW_SWEEP_KERNEL tw_near_air(NearAirData d, const Group* groups, const int* count) { pass(d, groups, *count); }
+/// How many groups were chosen is known to the device alone.
+#define sweep(name, View) \
+    TW_SWEEP_KERNEL name(View d, const Group* groups, const int* count) { pass(d, groups, *count); }
+TW_EFFECT_SWEEPS_OF_CHOSEN(sweep)
+#undef sweep
 
 #define task(name, Task)                           \
     TW_KERNEL name(Task task, std::size_t count) { \
@@ -52,10 +55,13 @@ TW_IMAGE_TASKS(task)
 TW_STAGE_TASKS(task)
 #undef task
 
-TW_KERNEL tw_find_asking(cuda::FindAsking task, std::size_t count) {
-    const std::size_t k = device::index();
-    if (k < count) task(k, device::add_one);
-}
+#define choose(name, Condition)                                                                          \
+    TW_KERNEL name(Condition condition, const Group* groups, Group* chosen, int* count, std::size_t n) { \
+        const std::size_t k = device::index();                                                           \
+        if (k < n && condition(groups[k])) chosen[device::add_one(count)] = groups[k];                   \
+    }
+TW_EFFECT_CHOICES(choose)
+#undef choose
 
 TW_KERNEL tw_count_kinds(CountKinds task, std::size_t count) {
     const std::size_t i = device::index();

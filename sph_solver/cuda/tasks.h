@@ -8,7 +8,6 @@
 #include "sph_solver/equations/state_equation.h"
 #include "sph_solver/ghosts/laws.h"
 #include "sph_solver/loops/after_first_sweep.h"
-#include "sph_solver/loops/air.h"
 #include "sph_solver/loops/move.h"
 #include "sph_solver/loops/records.h"
 #include "sph_solver/loops/surface.h"
@@ -42,8 +41,8 @@ struct RefreshImages {
 };
 
 template <class Force>
-RefreshImages(const Link*, const LinkMap*, std::size_t, double, Hydrostatic, Force, PlaceRecord*, VelocityDensityRecord*,
-              GradientPressureRecord*) -> RefreshImages<Force>;
+RefreshImages(const Link*, const LinkMap*, std::size_t, double, Hydrostatic, Force, PlaceRecord*,
+              VelocityDensityRecord*, GradientPressureRecord*) -> RefreshImages<Force>;
 using RefreshImagesAtRest = RefreshImages<SameForce>;
 using RefreshImagesInFrame = RefreshImages<ForceHalfway>;
 
@@ -55,44 +54,6 @@ struct MarkSurface {
     std::uint32_t* words;
 
     void operator()(std::size_t word) const { MarkBits{lacks_support, links, n, all, words}(word); }
-};
-
-/// Marks those that air stays at; by words of 32.
-struct MarkAir {
-    AirAtParticles air;
-    const Link* links;
-    std::size_t n, all;
-    std::uint32_t* words;
-
-    void operator()(std::size_t word) const {
-        MarkBits{[&](std::size_t i) { return air.stays(i); }, links, n, all, words}(word);
-    }
-};
-/// The groups that air may come to, put one after another in no order; by groups.
-struct FindAsking {
-    AirAtParticles air;
-    const std::uint32_t* stays;
-    const Group* groups;
-    Group* asking;
-    int* count;
-
-    template <class AddOne>
-    void operator()(std::size_t k, const AddOne& add_one) const {
-        const Group& g = groups[k];
-        for (int l = 0; l < g.size; ++l) {
-            const auto i = static_cast<std::size_t>(g.first + l);
-            if (marked(stays, i) || !air.may_come(i)) continue;
-            asking[add_one(count)] = g;
-            return;
-        }
-    }
-};
-struct NoteAir {
-    AirAtParticles air;
-    const std::uint32_t* stays;
-    const std::uint8_t* near;
-
-    void operator()(std::size_t i) const { air.note(i, stays, near); }
 };
 
 struct LinearPressure {

@@ -24,6 +24,8 @@ struct Surroundings;
 TW_EFFECT_SWEEPS(TW_KERNEL_OF_STRUCT)
 TW_EFFECT_TASKS(TW_KERNEL_OF_STRUCT)
 TW_EFFECT_LARGEST(TW_KERNEL_OF_STRUCT)
+TW_EFFECT_CHOICES(TW_KERNEL_OF_STRUCT)
+TW_EFFECT_SWEEPS_OF_CHOSEN(TW_KERNEL_OF_STRUCT)
 TW_IMAGE_TASKS(TW_KERNEL_OF)
 
 /// What an effect sees of one step, and what it may change: the pressure before the forces, and the rates after them.
@@ -84,6 +86,17 @@ struct StepView {
     void pairs(const View& view) const {
         pairs(view, groups);
     }
+    /// A sweep over those of the level's groups of which `choose(group)` is true, put into `chosen` in some order.
+    template <class Choose, class View>
+    void pairs_where(const Choose& choose, const View& view, LoopArray<Group>& chosen) const {
+        Group* const to = chosen.resize(device, groups.size());
+        if (device)
+            return device->pairs_where(KernelOf<Choose>::name, &choose, groups, to, KernelOf<View>::name, &view);
+        std::size_t count = 0;
+        for (const Group& g : groups)
+            if (choose(g)) to[count++] = g;
+        for_pairs(passes, view, {to, count});
+    }
     /// Gives images what they have of an array for particles and images, by a law that asks for no place.
     template <Law law, class T>
     void refresh(T* values) const {
@@ -99,8 +112,7 @@ public:
     virtual ~Effect() = default;
     /// What the level's particles have because of it.
     virtual With brings() const { return With::water; }
-    /// The first sweep's sums are there, and the marks at the free surface; densities have not changed yet. A device does
-    /// by itself what ventilation does here (LevelOnDevice::note_air).
+    /// The first sweep's sums are there, and the marks at the free surface; densities have not changed yet.
     virtual void after_first_sweep(const StepView&) {}
     /// Density and pressure are those of this step; `stress[i].p` of the particles may be changed.
     virtual void change_pressure(const StepView&) {}

@@ -11,25 +11,33 @@
     sweep(tw_curvature,         CurvatureData)
 
 // One index by one thread: task(NAME, TASK).
-#define TW_EFFECT_TASKS(task)                        \
-    task(tw_damp_sound,         DampSound)           \
-    task(tw_cut_off_tension,    CutOffTension)       \
-    task(tw_damp_in_layers,     DampInLayers)        \
-    task(tw_feel_motion,        FeelMotion)          \
-    task(tw_set_viscosity,      SetViscosity)        \
-    task(tw_copy_motion,        CopyMotion)          \
-    task(tw_hold_at_walls,      HoldAtWalls)         \
-    task(tw_normal_of_surface,  NormalOfSurface)     \
-    task(tw_pull_at_surface,    PullAtSurface)
+#define TW_EFFECT_TASKS(task)                   \
+    task(tw_mark_air,          MarkAir)         \
+    task(tw_note_air,          NoteAir)         \
+    task(tw_damp_sound,        DampSound)       \
+    task(tw_cut_off_tension,   CutOffTension)   \
+    task(tw_damp_in_layers,    DampInLayers)    \
+    task(tw_feel_motion,       FeelMotion)      \
+    task(tw_set_viscosity,     SetViscosity)    \
+    task(tw_copy_motion,       CopyMotion)      \
+    task(tw_hold_at_walls,     HoldAtWalls)     \
+    task(tw_normal_of_surface, NormalOfSurface) \
+    task(tw_pull_at_surface,   PullAtSurface)
 
 // The same, and the largest of what they give: largest(NAME, TASK).
-#define TW_EFFECT_LARGEST(largest)                   \
-    largest(tw_add_eddies,      AddEddies)
+#define TW_EFFECT_LARGEST(largest)    \
+    largest(tw_add_eddies, AddEddies)
+
+// Groups by a condition, choose(NAME, CONDITION), and sweeps over those that it chose: sweep(NAME, VIEW).
+#define TW_EFFECT_CHOICES(choose)     \
+    choose(tw_may_get_air, MayGetAir)
+#define TW_EFFECT_SWEEPS_OF_CHOSEN(sweep) \
+    sweep(tw_near_air, NearAirData)
 
 // What images have of an effect's own arrays (ghosts/laws.h).
-#define TW_IMAGE_TASKS(task)                         \
-    task(tw_see_scalars,        SeeScalars)          \
-    task(tw_see_vectors,        SeeVectors)          \
-    task(tw_see_held,           SeeHeld)
+#define TW_IMAGE_TASKS(task)         \
+    task(tw_see_scalars, SeeScalars) \
+    task(tw_see_vectors, SeeVectors) \
+    task(tw_see_held,    SeeHeld)
 
 // clang-format on

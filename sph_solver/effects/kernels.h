@@ -8,6 +8,7 @@
 #include "sph_solver/effects/surface_tension.h"
 #include "sph_solver/effects/surface_tension_loops.h"
 #include "sph_solver/effects/ventilation.h"
+#include "sph_solver/effects/ventilation_loops.h"
 #include "sph_solver/effects/viscosity.h"
 #include "sph_solver/effects/viscosity_loops.h"
 #ifdef TW_THREADS

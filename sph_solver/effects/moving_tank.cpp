@@ -10,8 +10,10 @@ class ForcesOfMotion : public Effect {
 public:
     void add_rates(const StepView& step) override {
         const Vec3& g = step.around.gravity;
-        step.each(step.n, FeelMotion{step.p, step.kind, ForceOfFrame::of(step.around.force(step.time)),
-                                     {g.x(), g.y(), g.z()}, step.rate});
+        step.each(
+            step.n,
+            FeelMotion{
+                step.p, step.kind, ForceOfFrame::of(step.around.force(step.time)), {g.x(), g.y(), g.z()}, step.rate});
     }
 };
 

@@ -15,7 +15,8 @@ public:
 
     void add_rates(const StepView& step) override {
         VelocityDensityRecord* const normal = normal_.resize(step.device, step.n + step.images);
-        float *const curvature = curvature_.resize(step.device, step.n), *const length = length_.resize(step.device, step.n);
+        float *const curvature = curvature_.resize(step.device, step.n), *const length =
+                                                                             length_.resize(step.device, step.n);
         step.pairs(ColourGradientData{step.water, step.dummies, normal});
         step.halo.tell(normal);
         step.each(step.n, NormalOfSurface{normal, length, step.h});

@@ -1,10 +1,8 @@
 #include "sph_solver/effects/ventilation.h"
 
-#include <algorithm>
-
 #include "sph_solver/domain/level_setup.h"
 #include "sph_solver/effects/registry.h"
-#include "sph_solver/loops/air.h"
+#include "sph_solver/effects/ventilation_loops.h"
 
 namespace tw {
 namespace {
@@ -16,30 +14,18 @@ public:
     With brings() const override { return With::ventilation; }
 
     void after_first_sweep(const StepView& step) override {
-        const std::size_t n = step.n, all = n + step.images;
+        const std::size_t n = step.n, all = n + step.images, words = all / 32 + 2;
         const AirAtParticles air = rules(step);
-        touched_.resize(all / 32 + 2);
-        for_particles(touched_.size(), MarkBits{[&](std::size_t i) { return air.stays(i); }, step.links, n, all,
-                                                touched_.data()});
-        asking_.clear();
-        for (const Group& g : step.groups)
-            for (int l = 0; l < g.size; ++l) {
-                const auto i = static_cast<std::size_t>(g.first + l);
-                if (!marked(touched_.data(), i) && air.may_come(i)) {
-                    asking_.push_back(g);
-                    break;
-                }
-            }
-        near_.assign(n, 0);
-        NearAirData d{.water = step.water, .near = near_.data()};
-        d.water.surface = touched_.data();
-        for_pairs(step.passes, d, asking_);
-        step.halo.tell(near_.data());
-        for_particles(n, [&](std::size_t i) { air.note(i, touched_.data(), near_.data()); });
+        std::uint32_t* const stays = stays_.resize(step.device, words);
+        step.each(words, MarkAir{air, step.links, n, all, stays});
+        std::uint8_t* const near = near_.zeros(step.device, n);
+        NearAirData d{.water = step.water, .near = near};
+        d.water.surface = stays;
+        step.pairs_where(MayGetAir{air, stays}, d, asking_);
+        step.halo.tell(near);
+        step.each(n, NoteAir{air, stays, near});
     }
-    std::size_t bytes() const override {
-        return touched_.capacity() * sizeof(std::uint32_t) + near_.capacity() + asking_.capacity() * sizeof(Group);
-    }
+    std::size_t bytes() const override { return stays_.bytes() + near_.bytes() + asking_.bytes(); }
 
 private:
     AirAtParticles rules(const StepView& step) const {
@@ -53,9 +39,9 @@ private:
     }
 
     Ventilation options_;
-    std::vector<std::uint32_t> touched_;  ///< a bit for each particle and image, as Particles::surface
-    std::vector<std::uint8_t> near_;
-    std::vector<Group> asking_;
+    LoopArray<std::uint32_t> stays_;  ///< a bit for each particle and image, as Particles::surface
+    LoopArray<std::uint8_t> near_;
+    LoopArray<Group> asking_;
 };
 
 }  // namespace

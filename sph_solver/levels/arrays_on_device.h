@@ -85,9 +85,6 @@ struct LevelOnDevice::Arrays {
     };
     std::vector<Part> parts;
 
-    cuda::Array<std::uint32_t> air_stays{device};
-    cuda::Array<std::uint8_t> air_near{device};
-    cuda::Array<Group> asking{device};
     cuda::Array<int> count{device};
     cuda::Array<KindCounts> kinds{device};
     cuda::Array<MovedExtremes> extremes{device};
@@ -134,7 +131,7 @@ struct LevelOnDevice::Arrays {
         add(place, motion, stress, shift, rate, density_rate, surface, wall_normal, wall_leaving, wall_body,
             wall_velocity, wall_acceleration, motions, entered, images, gone, left, wide, order, image_order, found,
             links, maps, groups, lists, wall_lists, wall_place, wall_p, sliding, body_end, wall_load, loads, at_wall,
-            groups_at_walls, near_walls, walls_found, air_stays, air_near, asking, count, kinds, extremes, too_near, fetched,
+            groups_at_walls, near_walls, walls_found, count, kinds, extremes, too_near, fetched,
             held, gives, giving_place, giving_motion, giving_support, giving_rate, giving_start, giving_images,
             following, orphans, which, wide_of_others, given, at_edge, outside, asked_outside,
             gone_at_edge, left_zone, located, parents, children);

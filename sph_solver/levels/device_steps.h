@@ -18,6 +18,7 @@ class DeviceSteps : public EdgeSteps {
 public:
     /// What the host has is that of the device from now on.
     virtual void bring_all_home() = 0;
+    virtual void bring_motion_home() = 0;  ///< places, velocities and kinds alone
     virtual void bring_home(const std::vector<std::size_t>& particles) = 0;  ///< what Move changes of these
     /// What the host has counts from now on: it has changed the state of particles, or has others.
     virtual void note_changed_state() = 0;

@@ -372,7 +372,8 @@ double Level::bytes() const {
     double sum = double(lists_.bytes() + walls_.bytes() + ghosts_.bytes() + particles_.bytes());
     const auto add = [&](const auto& v) { sum += double(v.capacity() * sizeof(v[0])); };
     add(groups_);
-    sum += double(stages_.start.bytes() + stages_.mean.bytes() + stages_.compression.bytes() + stages_.diffusion.bytes());
+    sum +=
+        double(stages_.start.bytes() + stages_.mean.bytes() + stages_.compression.bytes() + stages_.diffusion.bytes());
     for (const auto& effect : effects_) sum += double(effect->bytes());
     if (device_) sum += device_->bytes();
     return sum;

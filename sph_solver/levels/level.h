@@ -69,6 +69,11 @@ public:
     std::int64_t steps() const { return steps_; }
     /// Those that this process holds: all, or its own and copies of those near them (`owns`).
     const Particles& particles() const { return home(); }
+    /// The same where only places, velocities and kinds are asked for: less has to come from a device.
+    const Particles& particles_in_motion() const {
+        if (device_) device_->bring_motion_home();
+        return particles_;
+    }
     /// To give the particles another state than a run starts with, or between two steps.
     FieldsToSet fields_to_set();
     /// From now on a device makes the steps, see device_steps.h; before the first step.
@@ -248,7 +253,7 @@ private:
     double reach_of_normals() const { return 2 * kernel_.support() + setup_.dp; }  ///< of `find_normals` [m]
     [[noreturn]] void fail_through_wall(std::optional<std::size_t> particle);
     void update_records();
-    void note_compression();  ///< of a stage
+    void note_compression();   ///< of a stage
     void put_walls(double t);  ///< where they are at a time
     void mark_surface();
     /// Distance from which a neighbour may come within the support during `drift` [s] [m].

@@ -273,9 +273,8 @@ void Level::go_to_stage(double since) {
 void Level::add_stage(double weight, bool first, bool freeze_diffusion) {
     const Stopwatch watch(timers_.update);
     const StepView view = step_view(time_);
-    view.each(view.n, AddStage{view.p, view.rate, stages_.start.data(), stages_.mean.data(),
-                               stages_.compression.data(), freeze_diffusion ? stages_.diffusion.data() : nullptr,
-                               weight, first});
+    view.each(view.n, AddStage{view.p, view.rate, stages_.start.data(), stages_.mean.data(), stages_.compression.data(),
+                               freeze_diffusion ? stages_.diffusion.data() : nullptr, weight, first});
     for (std::size_t b = 0; b < stages_.loads.size(); ++b) stages_.loads[b] += weight * walls_.loads()[b];
 }
 

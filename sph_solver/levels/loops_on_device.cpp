@@ -51,6 +51,21 @@ void LoopsOnDevice::pairs(const char* kernel, const void* view, std::span<const 
     device_->launch(kernel, groups.size() * cuda::warp, arguments);
 }
 
+/// How many groups were chosen the device alone knows: nobody waits for it.
+void LoopsOnDevice::pairs_where(const char* choose_kernel, const void* condition, std::span<const Group> groups,
+                                Group* chosen, const char* kernel, const void* view) {
+    count_.resize(1);
+    count_.set_zero();
+    const Group* of = groups.data();
+    int* count = count_.data();
+    std::size_t n = groups.size();
+    void* to_choose[] = {place(condition), &of, &chosen, &count, &n};
+    device_->launch(choose_kernel, n, to_choose);
+    const Group* first = chosen;
+    void* arguments[] = {place(view), &first, &count};
+    device_->launch(kernel, n * cuda::warp, arguments);
+}
+
 std::unique_ptr<RoomOnDevice> LoopsOnDevice::make_room() { return std::make_unique<Room>(device_); }
 
 }  // namespace tw

@@ -9,16 +9,20 @@ namespace tw {
 /// Loops on a graphics processor.
 class LoopsOnDevice : public DeviceLoops {
 public:
-    explicit LoopsOnDevice(std::shared_ptr<cuda::Device> device) : device_(std::move(device)), parts_(*device_) {}
+    explicit LoopsOnDevice(std::shared_ptr<cuda::Device> device)
+        : device_(std::move(device)), parts_(*device_), count_(*device_) {}
     void each(const char* kernel, const void* body, std::size_t count) override;
     double largest(const char* kernel, const void* value, std::size_t count) override;
     void pairs(const char* kernel, const void* view, std::span<const Group> groups) override;
+    void pairs_where(const char* choose_kernel, const void* condition, std::span<const Group> groups, Group* chosen,
+                     const char* kernel, const void* view) override;
     std::unique_ptr<RoomOnDevice> make_room() override;
-    std::size_t bytes() const { return parts_.bytes(); }
+    std::size_t bytes() const { return parts_.bytes() + count_.bytes(); }
 
 private:
     std::shared_ptr<cuda::Device> device_;
     cuda::Array<double> parts_;
+    cuda::Array<int> count_;  ///< of chosen groups
 };
 
 }  // namespace tw

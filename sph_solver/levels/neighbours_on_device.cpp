@@ -19,12 +19,10 @@ void LevelOnDevice::make_lists(double drift) {
     on.place.resize(all), on.motion.resize(all), on.stress.resize(all);
     on.shift.resize(n), on.rate.resize(n), on.surface.resize(p.surface.size());
     on.density_rate.resize(p.density_rate.size());
-    on.air_stays.resize(p.surface.size()), on.air_near.resize(n);
     on.extremes.resize((n + cuda::threads_in_block - 1) / cuda::threads_in_block);
     on.too_near.resize(n);
     update_records();
     on.groups.make(level_.grid_, on.order, on.place.data());
-    on.asking.resize(on.groups.size());
     const std::vector<cuda::DeviceSource> water{
         on.order.source(on.place.data(), 0), on.image_order.source(on.place.data() + n, static_cast<std::int32_t>(n))};
     on.lists.build(level_.grid_, level_.grid_, on.place.data(), on.groups.column(), on.groups.groups(), water,

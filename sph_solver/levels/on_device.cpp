@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "sph_solver/effects/ventilation.h"
 #include "sph_solver/levels/arrays_on_device.h"
 #include "sph_solver/levels/level.h"
 
@@ -98,6 +97,15 @@ void LevelOnDevice::bring_all_home() {
     home_ = order_is_home_ = true;
 }
 
+void LevelOnDevice::bring_motion_home() {
+    if (home_ || host_counts_) return;
+    Particles& p = level_.particles_;
+    const Arrays::State& on = on_->p;
+    on.x.give(p.x), on.y.give(p.y), on.z.give(p.z);
+    on.u.give(p.u), on.v.give(p.v), on.w.give(p.w);
+    on.kind.give(p.kind);
+}
+
 std::int64_t LevelOnDevice::live_pairs() const {
     // groups are full but for the last of each column
     return cuda::lanes_of_group * (on_->lists.live() + on_->wall_lists.live());
@@ -157,8 +165,7 @@ void LevelOnDevice::refresh_images(double t, GradientPressureRecord* stress) {
     };
     const Vec3& g = level_.around_.gravity;
     if (level_.around_.frame)
-        refresh("tw_refresh_images_in_frame",
-                ForceHalfway{on_->p.view(), ForceOfFrame::of(level_.around_.force(t))});
+        refresh("tw_refresh_images_in_frame", ForceHalfway{on_->p.view(), ForceOfFrame::of(level_.around_.force(t))});
     else
         refresh("tw_refresh_images", SameForce{{g.x(), g.y(), g.z()}});
 }
@@ -215,7 +222,7 @@ void LevelOnDevice::first_sweep(double t, double compress, double drift) {
                                      level_.setup_.surface_support};
     launch(*device_, "tw_mark_surface", cuda::MarkSurface{lacks_support, on.links.data(), n, all, on.surface.data()},
            words);
-    if (on.p.aired.size() > 0) note_air();
+    level_.each_effect(t, [](Effect& effect, const StepView& view) { effect.after_first_sweep(view); });
     AfterFirstSweep after = level_.after_first_sweep(compress, drift);
     after.p = on.p.view();
     after.kind = on.p.kind.data(), after.rate = on.rate.data(), after.shift = on.shift.data();
@@ -228,37 +235,14 @@ void LevelOnDevice::first_sweep(double t, double compress, double drift) {
     const StateEquation& state_equation = level_.setup_.state_equation;
     const double c0 = state_equation.c0;
     if (state_equation.form == StateEquation::Form::linear)
-        launch(*device_, "tw_compress", cuda::Compress{after, near_walls(), cuda::LinearPressure{static_cast<float>(c0 * c0)}},
-               n);
+        launch(*device_, "tw_compress",
+               cuda::Compress{after, near_walls(), cuda::LinearPressure{static_cast<float>(c0 * c0)}}, n);
     else
         launch(*device_, "tw_compress_by_state",
                cuda::Compress{after, near_walls(), cuda::PressureOfState{state_equation, level_.setup_.rho0}}, n);
     level_.each_effect(t, [](Effect& effect, const StepView& view) { effect.change_pressure(view); });
     refresh_images(t, on.stress.data());
     home_ = false;
-}
-
-void LevelOnDevice::note_air() {
-    Arrays& on = *on_;
-    const std::size_t n = on.p.size(), all = on.place.size();
-    const Ventilation v;
-    const AirAtParticles air{on.p.aired.data(), or_null(on.wall_normal),
-                             on.p.drho.data(),  on.shift.data(),
-                             on.surface.data(), v.reach_over_dp * static_cast<float>(level_.setup_.dp),
-                             v.support};
-    launch(*device_, "tw_mark_air", cuda::MarkAir{air, on.links.data(), n, all, on.air_stays.data()},
-           on.surface.size());
-    on.count.set_zero(), on.air_near.set_zero();
-    launch(*device_, "tw_find_asking",
-           cuda::FindAsking{air, on.air_stays.data(), on.groups.groups().data(), on.asking.data(), on.count.data()},
-           on.groups.size());
-    NearAirData d{.water = water(), .near = on.air_near.data()};
-    d.water.surface = on.air_stays.data();
-    const Group* asking = on.asking.data();
-    const int* count = on.count.data();
-    void* arguments[] = {&d, &asking, &count};
-    device_->launch("tw_near_air", on.groups.size() * cuda::warp, arguments);
-    launch(*device_, "tw_note_air", cuda::NoteAir{air, on.air_stays.data(), on.air_near.data()}, n);
 }
 
 void LevelOnDevice::second_sweep(double t) {

@@ -23,6 +23,7 @@ public:
     ~LevelOnDevice() override;
 
     void bring_all_home() override;
+    void bring_motion_home() override;
     void bring_home(const std::vector<std::size_t>& particles) override;
     void note_changed_state() override { host_counts_ = true; }
     void make_lists(double drift) override;
@@ -67,7 +68,6 @@ private:
     void find_walls(const Reaches& reaches);
     void ask_walls(std::size_t groups);
     void refresh_images(double t, GradientPressureRecord* stress);
-    void note_air();
     void fetch(std::vector<std::int32_t> particles);
     /// Fields at places in this level's quanta.
     cuda::FoundAt ask(const cuda::Array<WidePlace>& wide, const Asking& asking);

@@ -105,11 +105,9 @@ struct EndStages {
     }
 };
 
-#define TW_STAGE_TASKS(task)                  \
-    task(tw_note_compression, NoteCompression) \
-    task(tw_go_to_stage, GoToStage)           \
-    task(tw_add_stage, AddStage)              \
-    task(tw_end_stages, EndStages)
+#define TW_STAGE_TASKS(task)                                                                                \
+    task(tw_note_compression, NoteCompression) task(tw_go_to_stage, GoToStage) task(tw_add_stage, AddStage) \
+        task(tw_end_stages, EndStages)
 TW_STAGE_TASKS(TW_KERNEL_OF)
 
 }  // namespace tw

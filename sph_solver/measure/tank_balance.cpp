@@ -11,7 +11,7 @@ namespace {
 /// Calls `add(sum, place, velocity)` for the particles of a level that count, on all ranks.
 template <class Sum, class Add>
 Sum sum_over_water(const Level& level, const Add& add) {
-    const Particles& p = level.particles();
+    const Particles& p = level.particles_in_motion();
     return level.sum_over_all<Sum>([&](Sum& sum, std::size_t i) {
         if (is_active(p.kind[i])) add(sum, Vec3(p.x[i], p.y[i], p.z[i]), Vec3(p.u[i], p.v[i], p.w[i]));
     });

@@ -90,18 +90,22 @@ template <class View>
 void run_sweep(void** a) {
     in_fake_cuda::pass(argument<View>(a, 0), argument<const Group*>(a, 1), argument<int>(a, 2));
 }
-void near_air(void** a) {
-    in_fake_cuda::pass(argument<NearAirData>(a, 0), argument<const Group*>(a, 1), *argument<const int*>(a, 2));
+template <class View>
+void run_sweep_of_chosen(void** a) {
+    in_fake_cuda::pass(argument<View>(a, 0), argument<const Group*>(a, 1), *argument<const int*>(a, 2));
 }
 template <class Task>
 void run_task(void** a) {
     const auto& task = argument<Task>(a, 0);
     for (std::size_t i = 0; i < argument<std::size_t>(a, 1); ++i) task(i);
 }
-void find_asking(void** a) {
-    const auto& task = argument<cuda::FindAsking>(a, 0);
+template <class Condition>
+void run_choice(void** a) {
+    const auto& condition = argument<Condition>(a, 0);
+    const auto* groups = argument<const Group*>(a, 1);
     // from the end: what comes of it must not depend on the order
-    for (std::size_t i = argument<std::size_t>(a, 1); i-- > 0;) task(i, add_one);
+    for (std::size_t k = argument<std::size_t>(a, 4); k-- > 0;)
+        if (condition(groups[k])) argument<Group*>(a, 2)[add_one(argument<int*>(a, 3))] = groups[k];
 }
 void count_kinds(void** a) {
     const auto& task = argument<CountKinds>(a, 0);
@@ -184,15 +188,17 @@ const std::map<std::string, EmulatedKernel>& kernels() {
 #define sweep(name, View) {#name, run_sweep<View>},
 #define task(name, Task) {#name, run_task<Task>},
 #define largest(name, Task) {#name, run_largest<Task>},
+#define choose(name, Condition) {#name, run_choice<Condition>},
+#define sweep_of_chosen(name, View) {#name, run_sweep_of_chosen<View>},
         TW_DEVICE_SWEEPS(sweep) TW_EFFECT_SWEEPS(sweep) TW_DEVICE_TASKS(task) TW_EFFECT_TASKS(task) TW_IMAGE_TASKS(task)
-            TW_STAGE_TASKS(task)
-            TW_DEVICE_LARGEST(largest) TW_EFFECT_LARGEST(largest)
+            TW_STAGE_TASKS(task) TW_DEVICE_LARGEST(largest) TW_EFFECT_LARGEST(largest) TW_EFFECT_CHOICES(choose)
+                TW_EFFECT_SWEEPS_OF_CHOSEN(sweep_of_chosen)
 #undef sweep
 #undef task
 #undef largest
-                {"tw_near_air", near_air},
-        {"tw_find_asking", find_asking},
-        {"tw_move", move},
+#undef choose
+#undef sweep_of_chosen
+                    {"tw_move", move},
         {"tw_count_kinds", count_kinds},
         {"tw_label_coarse", label<LabelCoarse>},
         {"tw_label_fine", label<LabelFine>},

@@ -53,13 +53,9 @@ void expect_the_same_run_with(const EffectOptions& effects, const SimulationSetu
     expect_the_same_run(s, plain, steps);
 }
 
-TEST_F(OnDevice, AcousticDampingIsThatOfTheHost) {
-    expect_the_same_run_with({AcousticDamping{}}, dam_break(), 40);
-}
+TEST_F(OnDevice, AcousticDampingIsThatOfTheHost) { expect_the_same_run_with({AcousticDamping{}}, dam_break(), 40); }
 
-TEST_F(OnDevice, TheCutOffOfCavitationToo) {
-    expect_the_same_run_with({Cavitation{-100}}, dam_break(), 60);
-}
+TEST_F(OnDevice, TheCutOffOfCavitationToo) { expect_the_same_run_with({Cavitation{-100}}, dam_break(), 60); }
 
 TEST_F(OnDevice, DampingLayersToo) {
     DampingLayers layers;

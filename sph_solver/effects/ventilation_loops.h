@@ -3,10 +3,11 @@
 
 #include "sph_solver/fields/quantities.h"
 #include "sph_solver/loops/surface.h"
+#include "sph_solver/sweeps/groups.h"
 
 namespace tw {
 
-/// Whether air is at a particle, see effects/ventilation.h; after the marks at the free surface.
+/// Whether air is at a particle, see ventilation.h; after the marks at the free surface.
 struct AirAtParticles {
     Aired* aired;
     const WallNormalRecord* wall;  ///< null: there are no walls
@@ -29,6 +30,38 @@ struct AirAtParticles {
     void note(std::size_t i, const std::uint32_t* stays, const std::uint8_t* near) const {
         aired[i] = marked(stays, i) || (near[i] && may_come(i)) ? Aired::yes : Aired::no;
     }
+};
+
+/// Marks those that air stays at; by words of 32.
+struct MarkAir {
+    AirAtParticles air;
+    const Link* links;
+    std::size_t n, all;
+    std::uint32_t* words;
+
+    void operator()(std::size_t word) const {
+        MarkBits{[&](std::size_t i) { return air.stays(i); }, links, n, all, words}(word);
+    }
+};
+/// The groups that air may come to.
+struct MayGetAir {
+    AirAtParticles air;
+    const std::uint32_t* stays;
+
+    bool operator()(const Group& g) const {
+        for (int l = 0; l < g.size; ++l) {
+            const auto i = static_cast<std::size_t>(g.first + l);
+            if (!marked(stays, i) && air.may_come(i)) return true;
+        }
+        return false;
+    }
+};
+struct NoteAir {
+    AirAtParticles air;
+    const std::uint32_t* stays;
+    const std::uint8_t* near;
+
+    void operator()(std::size_t i) const { air.note(i, stays, near); }
 };
 
 }  // namespace tw
