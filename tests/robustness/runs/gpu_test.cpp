@@ -61,12 +61,12 @@ RunRecord same_table(const std::string& table, const std::vector<std::string>& m
 }
 
 TEST_F(Gpu, MakesTheStepsOfARunWhoseRecordIsThatOfTheEmulatedVariant) {
-    const RunRecord record = same_table("forces", {"--duration", "0.12 s"});
+    RunRecord record = same_table("forces", {"--duration", "0.12 s"});
     EXPECT_GT(record.table("forces").time.size(), 20u);
 }
 
 TEST_F(Gpu, AlsoOfWaterThatRubsOnTheHull) {
-    const RunRecord record =
+    RunRecord record =
         same_table("forces", {"--duration", "0.04 s", "--effect", "viscosity=on", "--effect", "turbulence=on"});
     const Column* friction = record.table("forces").find("fx_viscous");
     ASSERT_TRUE(friction);
@@ -75,7 +75,7 @@ TEST_F(Gpu, AlsoOfWaterThatRubsOnTheHull) {
 
 TEST_F(Gpu, AlsoOfATankThatSways) {
     const fs::path sloshing = fs::path(TWINWAKE_SOURCE) / "studies/sloshing.toml";
-    const RunRecord record = same_table("tank", {"--near-hull", "16mm", "--duration", "0.1s"}, sloshing);
+    RunRecord record = same_table("tank", {"--near-hull", "16mm", "--duration", "0.1s"}, sloshing);
     EXPECT_NE(record.table("tank").find("fx")->values.back(), 0);
 }
 
