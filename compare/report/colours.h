@@ -13,6 +13,7 @@ public:
     explicit ColourScale(std::vector<Rgb> stops, double low, double high)
         : stops_(std::move(stops)), low_(low), high_(high) {}
     Rgb operator()(double value) const;  ///< clamped to the ends
+    const std::vector<Rgb>& stops() const { return stops_; }
     double low() const { return low_; }
     double high() const { return high_; }
     /// A labelled bar as <svg>.

@@ -13,7 +13,8 @@ inline std::string page_begin(const std::string& title, const std::string& style
                               const std::string& scripts = {}) {
     return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
            "content=\"width=device-width, initial-scale=1\">"
-           "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src "
+           "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; base-uri 'none'; form-action "
+           "'none'; img-src data:; style-src "
            "'unsafe-inline'" +
            (scripts.empty() ? "" : "; script-src " + scripts) + "\"><title>" + escaped(title) + "</title><style>" +
            report_style + style + "</style></head><body><main>";

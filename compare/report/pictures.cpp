@@ -28,6 +28,7 @@
 #include "compare/read/record_numbers.h"
 #include "compare/report/drawn_bodies.h"
 #include "compare/report/egl_window.h"
+#include "compare/report/hull_pressure.h"
 #include "record/vtk_surface.h"
 
 namespace tw {
@@ -173,9 +174,8 @@ std::string pressure_picture(EglWindow& window, const RunRecord& record, const C
     vtkNew<vtkUnsignedCharArray> colours;
     colours->SetNumberOfComponents(3);
     for (std::size_t t = 0; t < record.hull.triangles.size(); ++t) {
-        const bool wet = record.hull_wet.empty() || record.hull_wet[t] > 0.05f;
-        const Rgb c =
-            wet && std::isfinite(record.hull_pressure[t]) ? scale(record.hull_pressure[t]) : Rgb{0.80, 0.81, 0.83};
+        const auto pressure = wet_pressure(record, t);
+        const Rgb c = pressure ? scale(*pressure) : Rgb{0.80, 0.81, 0.83};
         colours->InsertNextTuple3(255 * c[0], 255 * c[1], 255 * c[2]);
     }
     data->GetCellData()->SetScalars(colours);
@@ -193,21 +193,6 @@ std::string pressure_picture(EglWindow& window, const RunRecord& record, const C
     camera->SetParallelScale(1.08 * 0.5 * std::max(b.size().y(), b.size().x() * 300 / window_width));
     renderer->ResetCameraClippingRange();
     return window.png(renderer);
-}
-
-/// Middle 98 % of the pressures on wet triangles of all sources.
-bool pressure_range(const Comparison& comparison, double& low, double& high) {
-    std::vector<float> values;
-    for (const RunRecord& r : comparison.sources)
-        for (std::size_t t = 0; t < r.hull_pressure.size(); ++t)
-            if (std::isfinite(r.hull_pressure[t]) && (r.hull_wet.empty() || r.hull_wet[t] > 0.05f))
-                values.push_back(r.hull_pressure[t]);
-    if (values.empty()) return false;
-    std::ranges::sort(values);
-    low = std::min(0.0f, values[values.size() / 100]);
-    high = values[values.size() - 1 - values.size() / 100];
-    if (!(high > low)) high = low + 1;
-    return true;
 }
 
 std::string png_bytes(vtkImageData* image) {
@@ -243,12 +228,13 @@ Pictures render_pictures(const Comparison& comparison, const ColourScale& elevat
         EglWindow window(window_width, window_height);
         // The camera follows the first source with a subject, so all are seen alike.
         const Box view = subject(comparison.sources.front());
-        const bool pressures = pressure_range(comparison, pictures.pressure_low, pictures.pressure_high);
+        const auto pressures = pressure_range(comparison);
         for (std::size_t s = 0; s < comparison.sources.size(); ++s)
             if (can_be_drawn(comparison.sources[s]))
                 pictures.free_surface[s] = surface_picture(window, comparison.sources[s], view, elevation);
         if (!pressures) return pictures;
-        const ColourScale scale = pressure_scale(pictures.pressure_low, pictures.pressure_high);
+        pictures.pressure_low = pressures->low, pictures.pressure_high = pressures->high;
+        const ColourScale scale = pressure_scale(pressures->low, pressures->high);
         EglWindow flat(window_width, 300);
         for (std::size_t s = 0; s < comparison.sources.size(); ++s)
             if (!comparison.sources[s].hull_pressure.empty())

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
 
 #include "compare/metrics/raster_columns.h"
 #include "compare/metrics/splash.h"
@@ -13,6 +15,7 @@
 #include "compare/report/colours.h"
 #include "compare/report/drawn_bodies.h"
 #include "compare/report/escape.h"
+#include "compare/report/hull_pressure.h"
 #include "compare/report/page_scripts.h"
 #include "compare/report/pictures.h"
 #include "compare/report/script_data.h"
@@ -191,13 +194,44 @@ Box subject_of(const Stage& stage) {
     return {(stage.path.min - round).cwiseMax(stage.box.min), (stage.path.max + round).cwiseMin(stage.box.max)};
 }
 
-/// Surfaces of hulls and bodies, and of those that move one pose per surface of water of each source.
-Json solids_json(const Comparison& c, const Stage& stage, const View& view) {
+/// Where the triangles lie to which a source's pressures on a hull belong; null: it has none there.
+const Surface* surface_of_pressures(const Comparison& c, const DrawnSolid& solid, std::size_t k) {
+    const RunRecord& record = c.sources[solid.sources[k]];
+    const Surface& recorded = solid.moves() ? solid.motions[k]->surface : record.hull;
+    const bool known =
+        !solid.is_body() && !record.hull_pressure.empty() && record.hull_pressure.size() == recorded.triangles.size();
+    return known ? &recorded : nullptr;
+}
+
+/// The scale of the pressures, where a hull that is drawn has some.
+std::optional<PressureRange> shown_pressures(const Comparison& c, const Stage& stage) {
+    for (const DrawnSolid& solid : stage.solids)
+        for (std::size_t k = 0; k < solid.sources.size(); ++k)
+            if (surface_of_pressures(c, solid, k)) return pressure_range(c);
+    return {};
+}
+
+/// For each source of a hull what pressure it has on it, or null.
+Json pressures_json(const Comparison& c, const DrawnSolid& solid, const std::optional<PressureRange>& range) {
+    Json all = Json::array();
+    for (std::size_t k = 0; k < solid.sources.size(); ++k) {
+        const Surface* recorded = range ? surface_of_pressures(c, solid, k) : nullptr;
+        all.push_back(recorded ? Json(packed_pressures(c.sources[solid.sources[k]], *recorded, solid.surface, *range))
+                               : Json());
+    }
+    return all;
+}
+
+/// Surfaces of hulls and bodies with their pressures, and of those that move one pose per surface of water of each
+/// source.
+Json solids_json(const Comparison& c, const Stage& stage, const View& view,
+                 const std::optional<PressureRange>& pressure) {
     Json solids = Json::array();
     for (const DrawnSolid& solid : stage.solids) {
         Json json = {{"sources", solid.sources},
                      {"points", packed_points(solid.surface, stage.box)},
-                     {"triangles", packed_triangles(solid.surface)}};
+                     {"triangles", packed_triangles(solid.surface)},
+                     {"pressures", pressures_json(c, solid, pressure)}};
         for (std::size_t k = 0; k < solid.sources.size() && solid.moves(); ++k) {
             const std::size_t s = solid.sources[k];
             Json poses = Json::array();
@@ -214,8 +248,9 @@ Json point_json(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 Json box_json(const Box& box) { return {point_json(box.min), point_json(box.max)}; }
 
 /// The block that the script reads.
-std::string data_block(const Comparison& c, const Stage& stage, const View& view, const ColourScale& scale) {
-    Json sources = Json::array(), stops = Json::array();
+std::string data_block(const Comparison& c, const Stage& stage, const View& view, const ColourScale& scale,
+                       const std::optional<PressureRange>& pressure) {
+    Json sources = Json::array();
     for (std::size_t s = 0; s < c.sources.size(); ++s) {
         Json times = Json::array();
         for (const std::size_t frame : view.films[s].frame) times.push_back(stage.frames[s][frame]->time);
@@ -226,19 +261,19 @@ std::string data_block(const Comparison& c, const Stage& stage, const View& view
                            {"points", view.films[s].points},
                            {"triangles", view.films[s].triangles}});
     }
-    constexpr int segments = 6;  // of the scale of elevations
-    for (int k = 0; k <= segments; ++k)
-        stops.push_back(scale(scale.low() + (scale.high() - scale.low()) * k / segments));
+    const Json pressure_colours =
+        pressure ? Json({{"stops", pressure_scale(pressure->low, pressure->high).stops()}}) : Json();
     const bool bodies = std::ranges::any_of(stage.solids, &DrawnSolid::is_body);
     const bool cut = bodies && std::ranges::any_of(c.sources, [](const RunRecord& r) { return r.raster.count[1] > 1; });
     const Json data = {{"box", box_json(stage.box)},
                        {"subject", box_json(subject_of(stage))},
                        {"ship", !stage.solids.empty() && !stage.solids.front().is_body()},
                        {"cut", cut ? Json((stage.path.min.y() + stage.path.max.y()) / 2) : Json()},
-                       {"scale", {{"low", scale.low()}, {"high", scale.high()}, {"stops", stops}}},
+                       {"scale", {{"low", scale.low()}, {"high", scale.high()}, {"stops", scale.stops()}}},
+                       {"pressure", pressure_colours},
                        {"time", view.times},
                        {"sources", sources},
-                       {"hulls", solids_json(c, stage, view)}};
+                       {"hulls", solids_json(c, stage, view, pressure)}};
     return script_data("id=\"view3d-data\"", data);
 }
 
@@ -268,11 +303,26 @@ constexpr const char* markup =
 <div class="view3d-box"><canvas id="view3d-canvas" tabindex="0" role="application" aria-label="Free surface and hull in three dimensions. Arrow keys turn, with shift they move, plus and minus zoom, 0 resets the view, space plays."></canvas><div id="view3d-labels"></div></div>
 <div class="view3d-bar"><button type="button" id="view3d-play">Play</button><input type="range" id="view3d-time" min="0" step="1" aria-label="time"><span class="view3d-clock" id="view3d-clock"></span></div>
 <div class="view3d-bar"><span class="view3d-bar" id="view3d-toggles"></span>
-<label>Colour <select id="view3d-colour"><option value="height">by height</option><option value="method">one per method</option></select></label>
+<label>Colour <select id="view3d-colour"><option value="height">by height</option><option value="pressure">pressure on the hull</option><option value="method">one per method</option></select></label>
 <label id="view3d-layout-label">Methods <select id="view3d-layout"><option value="beside">side by side</option><option value="over">in one picture</option></select></label>
 <button type="button" id="view3d-reset">Reset view</button></div>
 <p class="note">Turn: drag, or arrow keys. Move: drag with the right button, with shift or with two fingers, or shift and arrow keys. Zoom: wheel (after a click into the view), two fingers, or + and −. 0 resets the view, space plays.</p>
-<div id="view3d-legend">)";
+)";
+
+/// What stands around the view; without pressures they are no choice.
+std::string controls(bool pressures) {
+    std::string text = markup;
+    if (pressures) return text;
+    const std::string_view choice = R"(<option value="pressure">pressure on the hull</option>)";
+    return text.erase(text.find(choice), choice.size());
+}
+
+std::string pressure_legend(const PressureRange& range) {
+    return "<div id=\"view3d-pressure\" hidden>" +
+           pressure_scale(range.low / 1e3, range.high / 1e3).legend("pressure on the hull [kPa]") +
+           "<p class=\"note\">Pressures are those of the last frame, at whatever time the water is shown; grey: dry or "
+           "unknown. The hull is seen from below, through the water.</p></div>";
+}
 
 }  // namespace
 
@@ -282,16 +332,20 @@ std::string view3d_section(const Comparison& c) {
     std::size_t used = markup_bytes;
     for (const DrawnSolid& solid : stage.solids) {
         used += 8 * (solid.surface.points.size() + solid.surface.triangles.size());  // six bytes as base64
+        used += 2 * solid.sources.size() * solid.surface.triangles.size();           // pressures: one byte
         if (solid.moves()) used += solid.sources.size() * most_steps * pose_bytes;
     }
     const View view = fitting_view(c, stage, view3d_most_bytes - std::min(used, view3d_most_bytes / 2));
     const ColourScale scale = elevation_scale(elevation_half_range(c), c.analyses.front().still_level);
+    const std::optional<PressureRange> pressure = shown_pressures(c, stage);
     const bool mirrored = std::ranges::any_of(c.sources, is_mirrored);
     return "<section class=\"view3d\"><h2>The water over time</h2><p class=\"note\">Surfaces where the water share of "
            "the common raster is one half, to turn and to play. " +
-           what_is_shown(c, stage, view) + (mirrored ? " Half models are mirrored." : "") + "</p>\n" + markup +
-           scale.legend(is_stream(c.sources.front()) ? "height above still water [m]" : "height z [m]") +
-           "</div></div>\n" + data_block(c, stage, view, scale) + "\n<script>" + view3d_script + "</script></section>";
+           what_is_shown(c, stage, view) + (mirrored ? " Half models are mirrored." : "") + "</p>\n" +
+           controls(pressure.has_value()) + "<div id=\"view3d-legend\">" +
+           scale.legend(is_stream(c.sources.front()) ? "height above still water [m]" : "height z [m]") + "</div>" +
+           (pressure ? pressure_legend(*pressure) : "") + "</div>\n" + data_block(c, stage, view, scale, pressure) +
+           "\n<script>" + view3d_script + "</script></section>";
 }
 
 }  // namespace tw

@@ -86,8 +86,14 @@ class LivePlot {
     this.said.setAttribute('aria-live', 'polite');
     this.figure = figure;
     this.width = figure.clientWidth;
+    try {
+      this.plot = new uPlot(this.options(), followed.length ? uPlot.join(followed) : [this.whole.x], this.box);
+    } catch (error) {
+      live.remove();
+      throw error;
+    }
     figure.classList.add('live');
-    this.plot = new uPlot(this.options(), followed.length ? uPlot.join(followed) : [this.whole.x], this.box);
+    this.makeLegendKeys();
     this.box.addEventListener('keydown', e => this.key(e));
     new ResizeObserver(() => this.fit()).observe(figure);
     window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.plot.redraw(false));
@@ -123,8 +129,30 @@ class LivePlot {
         y: false, drag: {x: true, y: false, dist: 5}, dataIdx: (u, series, at, x) => this.nearest(u, series, at, x),
         points: {size: (u, series) => (this.lines[series - 1].name ? 8 : 0)},
       },
-      hooks: {drawAxes: [u => this.drawBands(u)], draw: [u => this.drawLevels(u)]},
+      hooks: {
+        drawAxes: [u => this.within(u, ctx => this.drawBands(u, ctx))],
+        draw: [u => this.within(u, (ctx, bbox) => this.drawLevels(u, ctx, bbox))],
+      },
     };
+  }
+
+  /** A click into the legend hides a curve; so do Enter and the space bar. */
+  makeLegendKeys() {
+    const rows = Array.from(this.box.querySelectorAll('.u-series')).slice(1);  // behind that of x
+    rows.forEach((row, i) => {
+      if (!this.lines[i].name) return;
+      const name = row.querySelector('th');
+      const tell = () => name.setAttribute('aria-checked', String(this.plot.series[i + 1].show));
+      name.tabIndex = 0;
+      name.setAttribute('role', 'switch');
+      name.addEventListener('click', () => setTimeout(tell));
+      name.addEventListener('keydown', e => {
+        if (e.key !== 'Enter' && e.key !== ' ') return;
+        e.preventDefault();
+        name.click();
+      });
+      tell();
+    });
   }
 
   // Title and legend stand in what the drawing takes: nothing moves when one takes the other's place.
@@ -158,12 +186,17 @@ class LivePlot {
     return Math.abs(u.valToPos(times[found], 'x') - u.valToPos(x, 'x')) <= reach ? found : null;
   }
 
-  drawBands(u) {
-    const {ctx, bbox} = u;
+  /** The canvas as it is, to be drawn into within the axes; afterwards it is restored. */
+  within({ctx, bbox}, draw) {
     ctx.save();
     ctx.beginPath();
     ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
     ctx.clip();
+    draw(ctx, bbox);
+    ctx.restore();
+  }
+
+  drawBands(u, ctx) {
     ctx.globalAlpha = 0.22;
     for (const b of this.bands) {
       const [left, right] = [b.from, b.to].map(v => u.valToPos(v, 'x', true));
@@ -171,11 +204,10 @@ class LivePlot {
       ctx.fillStyle = colour('--s' + b.source);
       ctx.fillRect(left, Math.min(top, (top + bottom) / 2 - 0.5), Math.max(1, right - left), Math.max(1, bottom - top));
     }
-    ctx.restore();
   }
 
-  drawLevels(u) {
-    const {ctx, bbox} = u, dots = devicePixelRatio || 1;
+  drawLevels(u, ctx, bbox) {
+    const dots = devicePixelRatio || 1;
     const stroke = (points, style, width, dash) => {
       ctx.strokeStyle = style;
       ctx.lineWidth = width * dots;
@@ -184,10 +216,6 @@ class LivePlot {
       for (const [x, y] of points) ctx.lineTo(u.valToPos(x, 'x', true), u.valToPos(y, 'y', true));
       ctx.stroke();
     };
-    ctx.save();
-    ctx.beginPath();
-    ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
-    ctx.clip();
     for (const b of this.bands) stroke([[b.from, b.value], [b.to, b.value]], colour('--s' + b.source), 2.2, []);
     for (const line of this.strokes)
       stroke(Array.from(line.x, (x, i) => [x, line.y[i]]), colour('--s' + line.source), 1.7, line.dashed ? [5, 3] : []);
@@ -199,7 +227,6 @@ class LivePlot {
       stroke([[u.scales.x.min, level.value], [u.scales.x.max, level.value]], colour('--soft'), 1, [2, 3]);
       ctx.fillText(level.name, bbox.left + bbox.width - 6 * dots, y - 4 * dots);
     }
-    ctx.restore();
   }
 
   /** Shows the part around the cursor, `factor` times as large as now. */
@@ -247,18 +274,13 @@ class LivePlot {
   }
 }
 
-// Those on the screen and near it, one after the other so that the page answers in between; the others when they come
-// near.
-const waiting = new Set(Array.from(document.querySelectorAll('.plot-data'), block => block.closest('figure')));
-function makeNear() {
-  for (const figure of waiting) {
-    const {top, bottom, width} = figure.getBoundingClientRect();
-    if (width === 0 || top > innerHeight + 600 || bottom < -600) continue;
-    waiting.delete(figure);
-    setTimeout(() => new LivePlot(figure, figure.querySelector('svg.plot'), figure.querySelector('.plot-data')));
+// Each is made when it comes near the screen, after the page has been shown, and one after the other so that the page
+// answers in between.
+const near = new IntersectionObserver(entries => {
+  for (const {isIntersecting, target} of entries) {
+    if (!isIntersecting) continue;
+    near.unobserve(target);
+    setTimeout(() => new LivePlot(target, target.querySelector('svg.plot'), target.querySelector('.plot-data')));
   }
-}
-addEventListener('load', makeNear);
-addEventListener('scroll', makeNear, {passive: true});
-addEventListener('resize', makeNear);
-document.addEventListener('toggle', makeNear, {capture: true});  // something folded away is opened
+}, {rootMargin: '600px 0px'});
+for (const block of document.querySelectorAll('.plot-data')) near.observe(block.closest('figure'));

@@ -3,12 +3,13 @@
 //   box      low and high corner of everything drawn [m]; subject: the same of the hull or the bodies, for the camera
 //   ship     the subject is a hull, seen from astern
 //   cut      where bodies move in a tank, y of the plane at which the water can be cut open [m], or null
-//   scale    low, high [m] and evenly spaced colours of the heights
+//   scale    low, high [m] and evenly spaced colours of the heights; pressure: the colours of the hull's, or null
 //   time     times of the slider's steps [s]
 //   sources  name, mirror (half model: draw the other side too), time of each surface, step -> number of its surface,
 //            points (base64 of three 16-bit numbers each, 0..65535 over the box) and triangles (16-bit point numbers)
-//   hulls    sources (numbers of those it belongs to), points, triangles; of what moves also poses, for each of its
-//            sources one matrix per surface of that source, columns first
+//   hulls    sources (numbers of those it belongs to), points, triangles; pressures: for each of its sources a byte per
+//            triangle in base64, 0..254 over the colours and 255 for dry, or null; of what moves also poses, for each of
+//            its sources one matrix per surface of that source, columns first
 import {
   AmbientLight, BufferAttribute, BufferGeometry, Color, ColorManagement, DirectionalLight, DoubleSide,
   LinearSRGBColorSpace, MathUtils, Mesh, MeshPhongMaterial, PerspectiveCamera, Plane, Scene, Vector3, WebGLRenderer,
@@ -20,10 +21,19 @@ const element = name => document.getElementById('view3d-' + name);
 /** Colours are shown as the page and its legend name them, without a conversion to a linear space and back. */
 ColorManagement.enabled = false;
 const grey = new Color(0.62, 0.63, 0.65);
-const light = {ambient: 0.25 * Math.PI, direct: 0.75 * Math.PI};  // a surface scatters the 1/pi-th part
+// A surface scatters the 1/pi-th part. Where colours are values of pressure they are hardly shaded, as in the pictures.
+const light = {ambient: 0.25 * Math.PI, direct: 0.75 * Math.PI}, evenLight = {ambient: 0.8 * Math.PI, direct: 0.2 * Math.PI};
+const dry = 255;  // in place of a pressure
 const opening = MathUtils.degToRad(32);  // of the camera, as in the pictures
 const narrow = 1.3;                      // pictures narrower than this, width over height, show more of their height
 const stepsPerSecond = 12;
+
+const bytesOf = base64 => Uint8Array.from(atob(base64), c => c.charCodeAt(0));
+/** The colour at this share of a scale of evenly spaced ones. */
+function colourAt(stops, share) {
+  const last = stops.length - 1, t = MathUtils.clamp(share, 0, 1) * last, k = Math.min(Math.floor(t), last - 1);
+  return stops[k].map((c, i) => MathUtils.lerp(c, stops[k + 1][i], t - k));
+}
 
 class View3d {
   constructor(data, context) {
@@ -31,15 +41,16 @@ class View3d {
     this.canvas = element('canvas');
     this.low = new Vector3(...data.box[0]);
     this.edge = new Vector3(...data.box[1]).sub(this.low);
-    this.renderer = new WebGLRenderer({canvas: this.canvas, context, antialias: true});
+    this.renderer = new WebGLRenderer({canvas: this.canvas, context});
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
     this.renderer.localClippingEnabled = true;
     this.renderer.setScissorTest(true);
     this.scene = new Scene();
     this.camera = new PerspectiveCamera();
     this.camera.up.set(0, 0, 1);
-    this.lamp = new DirectionalLight(0xffffff, light.direct);
-    this.scene.add(new AmbientLight(0xffffff, light.ambient), this.lamp, this.lamp.target);
+    this.lamp = new DirectionalLight(0xffffff);
+    this.glow = new AmbientLight(0xffffff);
+    this.scene.add(this.glow, this.lamp, this.lamp.target);
     this.cutPlane = new Plane();
 
     this.geometries = new Map();  // by key, made when first shown
@@ -49,7 +60,10 @@ class View3d {
     const material = properties => new MeshPhongMaterial({...shine, ...properties});
     this.byHeight = material({vertexColors: true, clippingPlanes});
     this.waterPlanes = clippingPlanes;
-    const hullMaterial = material({color: grey, flatShading: true});  // hulls have edges
+    this.faint = material({color: 0x8fb2c9, transparent: true, opacity: 0.3, depthWrite: false, clippingPlanes});
+    this.hullGrey = material({color: grey, flatShading: true});  // hulls have edges
+    // Behind the faint water in the order of drawing, which would change its colours.
+    this.byPressure = material({vertexColors: true, flatShading: true, specular: 0, transparent: true});
     this.sources = data.sources.map((source, s) => ({source, s, shown: true})).filter(x => x.source.step.length > 0);
     for (const x of this.sources) {
       x.ofMethod = material({clippingPlanes});
@@ -62,11 +76,11 @@ class View3d {
     }
     // What stays is there once; what moves, once for each source that has it.
     this.solids = data.hulls.flatMap((hull, h) => (hull.poses ? hull.sources : [null]).map((s, k) => {
-      const geometry = this.geometry('hull ' + h, () => this.makeGeometry(hull.points, hull.triangles));
-      const mesh = new Mesh(geometry, hullMaterial);
+      const mesh = new Mesh();
       mesh.matrixAutoUpdate = false;
+      mesh.renderOrder = 1;
       this.scene.add(mesh);
-      return {mesh, s, having: hull.sources, poses: hull.poses && hull.poses[k]};
+      return {mesh, s, h, hull, poses: hull.poses && hull.poses[k]};
     }));
     for (const mesh of this.scene.children) mesh.frustumCulled = false;
 
@@ -83,7 +97,7 @@ class View3d {
   }
   makeGeometry(points, triangles) {
     // 16-bit numbers, low byte first, as on every machine that has WebGL.
-    const numbers = base64 => new Uint16Array(Uint8Array.from(atob(base64), c => c.charCodeAt(0)).buffer);
+    const numbers = base64 => new Uint16Array(bytesOf(base64).buffer);
     const low = this.low.toArray(), edge = this.edge.toArray();
     const at = Float32Array.from(numbers(points), (q, i) => low[i % 3] + q / 65535 * edge[i % 3]);
     const geometry = new BufferGeometry();
@@ -98,13 +112,32 @@ class View3d {
     const normals = geometry.attributes.normal.array, step = this.edge.y / 65535;
     for (let i = 1; source.mirror && i < at.length; i += 3)  // the halves meet on y = 0 without a gap or a crease
       if (Math.abs(at[i]) <= step) at[i] = normals[i] = 0;
-    const {low, high, stops} = this.data.scale, last = stops.length - 1, colours = new Float32Array(at.length);
-    for (let i = 0; i < at.length; i += 3) {
-      const t = MathUtils.clamp((at[i + 2] - low) / (high - low), 0, 1) * last, k0 = Math.min(Math.floor(t), last - 1);
-      for (let c = 0; c < 3; ++c) colours[i + c] = MathUtils.lerp(stops[k0][c], stops[k0 + 1][c], t - k0);
-    }
+    const {low, high, stops} = this.data.scale, colours = new Float32Array(at.length);
+    for (let i = 0; i < at.length; i += 3) colours.set(colourAt(stops, (at[i + 2] - low) / (high - low)), i);
     geometry.setAttribute('color', new BufferAttribute(colours, 3));
     return geometry;
+  }
+  hullGeometry(h) {
+    const {points, triangles} = this.data.hulls[h];
+    return this.geometry('hull ' + h, () => this.makeGeometry(points, triangles));
+  }
+  /** Every triangle of a hull with the one colour of its pressure. */
+  makePressed(h, bytes) {
+    const geometry = this.hullGeometry(h).toNonIndexed(), colours = new Float32Array(9 * bytes.length);
+    const {stops} = this.data.pressure, none = grey.toArray();
+    bytes.forEach((byte, t) => {
+      const colour = byte === dry ? none : colourAt(stops, byte / (dry - 1));
+      for (let corner = 0; corner < 3; ++corner) colours.set(colour, 9 * t + 3 * corner);
+    });
+    geometry.setAttribute('color', new BufferAttribute(colours, 3));
+    return geometry;
+  }
+  /** What a hull or a body looks like with this source. */
+  looks({h, hull}, x) {
+    const pressures = x && this.shown.colour === 'pressure' && hull.pressures[hull.sources.indexOf(x.s)];
+    if (!pressures) return {geometry: this.hullGeometry(h), material: this.hullGrey};
+    const geometry = this.geometry(`hull ${h} of ${x.s}`, () => this.makePressed(h, bytesOf(pressures)));
+    return {geometry, material: this.byPressure};
   }
 
   // ---- camera ------------------------------------------------------------------------------------------------------
@@ -117,17 +150,18 @@ class View3d {
     this.controls.update();
     this.redraw();
   }
-  /** A hull from astern, to one side and above, as in the pictures; a tank, or the way of its bodies, x to the right. */
+  /** A hull from astern, to one side and above, as in the pictures, or with its pressures from below; a tank, or the way
+      of its bodies, x to the right. */
   resetCamera() {
-    const {ship, cut, subject} = this.data;
+    const {ship, cut, subject} = this.data, below = this.shown.colour === 'pressure';
     const low = new Vector3(...subject[0]), size = new Vector3(...subject[1]).sub(low);
     const target = low.addScaledVector(size, 0.5);
-    if (ship) target.add(new Vector3(0.35 * size.x, 0, -0.35 * size.z));
-    const yaw = ship ? 0.65 : -1.1, pitch = ship ? 0.445 : cut === null ? 0.5 : 0.25;
+    if (ship && !below) target.add(new Vector3(0.35 * size.x, 0, -0.35 * size.z));
+    const yaw = ship ? 0.65 : -1.1, pitch = below ? -0.7 : ship ? 0.445 : cut === null ? 0.5 : 0.25;
     const back = new Vector3(Math.cos(pitch) * Math.cos(yaw), Math.cos(pitch) * Math.sin(yaw), Math.sin(pitch));
     const right = new Vector3(-Math.sin(yaw), Math.cos(yaw), 0), up = back.clone().cross(right);
     const f = 1.05 / Math.tan(opening / 2);
-    let distance = 1.74 * Math.max(size.x, 2 * size.y);
+    let distance = (below ? 1.6 : 1.74) * Math.max(size.x, 2 * size.y);
     if (!ship) {
       const half = on => (on ? 0.5 : -0.5);
       const corner = k => new Vector3(half(k & 1), half(k & 2), half(k & 4)).multiply(size);
@@ -174,11 +208,12 @@ class View3d {
       const k = x.source.step[shown.step];
       const geometry = this.geometry(`water ${x.s} ${k}`, () => this.makeWater(x.source, k));
       x.ofMethod.color.set(this.styled('--s' + x.s % 4));
-      const material = shown.colour === 'height' ? this.byHeight : x.ofMethod;
+      const material = {height: this.byHeight, pressure: this.faint, method: x.ofMethod}[shown.colour];
       for (const mesh of x.water) Object.assign(mesh, {geometry, material});
     }
     for (const solid of this.solids) {
-      const x = solid.poses ? panel.find(y => y.s === solid.s) : panel.find(y => solid.having.includes(y.s));
+      const x = panel.find(y => (solid.poses ? y.s === solid.s : solid.hull.sources.includes(y.s)));
+      Object.assign(solid.mesh, this.looks(solid, x));
       solid.mesh.visible = shown.hull && Boolean(x || (!solid.poses && panel.length === 0));
       if (solid.poses && x) solid.mesh.matrix.fromArray(solid.poses[x.source.step[shown.step]]);
     }
@@ -194,6 +229,9 @@ class View3d {
     const middle = this.low.clone().addScaledVector(this.edge, 0.5);
     camera.far = distance + 2 * this.edge.length() + middle.distanceTo(controls.target);
     camera.updateProjectionMatrix();
+    const lit = shown.colour === 'pressure' ? evenLight : light;
+    this.glow.intensity = lit.ambient;
+    this.lamp.intensity = lit.direct;
     this.lamp.target.position.copy(controls.target);
     this.lamp.position.copy(controls.target).add(this.back().add(new Vector3(0, 0, 0.5)));
     renderer.setViewport(left, top, width, height);
@@ -215,7 +253,8 @@ class View3d {
     renderer.setSize(width, height, false);
     renderer.setClearColor(this.styled('--panel'));
     const shown = this.sources.filter(x => x.shown);
-    const panels = this.shown.layout === 'beside' && shown.length > 1 ? shown.map(x => [x]) : [shown];
+    const {colour, layout} = this.shown, beside = layout === 'beside' || colour === 'pressure';  // a hull has one colour
+    const panels = beside && shown.length > 1 ? shown.map(x => [x]) : [shown];
     const across = width >= height ? panels.length : 1, down = panels.length / across;
     const w = width / across, h = height / down;
     const labels = element('labels');
@@ -235,7 +274,9 @@ class View3d {
     const clock = 't = ' + data.time[this.shown.step].toFixed(3) + ' s';
     element('clock').textContent = clock;
     element('time').setAttribute('aria-valuetext', clock);
-    element('legend').hidden = this.shown.colour !== 'height';
+    element('legend').hidden = colour !== 'height';
+    if (data.pressure) element('pressure').hidden = colour !== 'pressure';
+    element('layout').disabled = colour === 'pressure';
   }
 
   // ---- time --------------------------------------------------------------------------------------------------------
@@ -289,21 +330,42 @@ function connect(view) {
   slider.addEventListener('input', () => { view.setPlaying(false); view.setStep(Number(slider.value)); });
   element('play').addEventListener('click', () => view.setPlaying(!view.timer));
   element('reset').addEventListener('click', () => view.resetCamera());
-  for (const choice of ['colour', 'layout'])
-    element(choice).addEventListener('change', e => { shown[choice] = e.target.value; view.redraw(); });
+  element('layout').addEventListener('change', e => { shown.layout = e.target.value; view.redraw(); });
+  element('colour').addEventListener('change', e => {
+    const turned = [shown.colour, e.target.value].includes('pressure');
+    shown.colour = e.target.value;
+    if (turned) view.resetCamera();
+    view.redraw();
+  });
   canvas.addEventListener('webglcontextrestored', () => view.redraw());
   window.addEventListener('resize', () => view.redraw());
   window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => view.redraw());
 }
 
-function start() {
-  const context = element('canvas').getContext('webgl2', {antialias: true});
-  if (!context) return;  // the sentence for readers without scripts stays
-  const view = new View3d(JSON.parse(element('data').textContent), context);
-  connect(view);
-  element('fallback').hidden = true;
-  element('stage').hidden = false;
-  view.setStep(view.shown.step);
+/** The stage takes the place of the sentence for readers without scripts, or gives it back. */
+function showStage(shown) {
+  element('fallback').hidden = shown;
+  element('stage').hidden = !shown;
 }
-// After the first screen is shown: the view stands below it.
-addEventListener('load', () => setTimeout(start));
+
+function start() {
+  try {
+    const context = element('canvas').getContext('webgl2', {antialias: true});
+    if (!context) return showStage(false);
+    const view = new View3d(JSON.parse(element('data').textContent), context);
+    connect(view);
+    view.setStep(view.shown.step);
+  } catch (error) {
+    showStage(false);
+    throw error;
+  }
+}
+
+// A drawing context alone can take a second, so it is made when the view comes near the screen. Its place is there from
+// the beginning: nothing moves then.
+showStage(true);
+new IntersectionObserver((entries, observer) => {
+  if (!entries.some(entry => entry.isIntersecting)) return;
+  observer.disconnect();
+  start();
+}, {rootMargin: '600px 0px'}).observe(element('stage'));

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 
 #include "base/atomic_file.h"
 #include "compare/compare.h"
@@ -36,28 +37,42 @@ std::pair<std::string, std::string> opened(const std::filesystem::path& page, co
     return {markup, read_text(log)};
 }
 
-TEST(Browser, TheReportsViewRunsOfflineUnderItsOwnPolicy) {
-    if (!installed()) GTEST_SKIP() << "no chromium here";
-    if (!*view3d_script) GTEST_SKIP() << "a build without npm";
-    const ScratchFolder folder;
-    const Comparison c = compare_records({synthetic_run({}), synthetic_run({.method = "fvm", .lift = 2600})});
-    const auto [markup, log] = opened(write_report(c, folder.path()).html, folder / "profile");
-    EXPECT_NE(markup.find("<div id=\"view3d-stage\">"), std::string::npos) << log;  // no longer hidden
-    EXPECT_NE(markup.find("id=\"view3d-fallback\" hidden"), std::string::npos);
-    EXPECT_EQ(log.find("Uncaught"), std::string::npos) << log;
-    EXPECT_EQ(log.find("Content Security Policy"), std::string::npos) << log;
-}
+/// In place of what comes with the browser's frames, which a busy machine hardly has while the browser's clock runs on:
+/// what waits for a frame is done in one task, and what comes near the screen is looked for twenty times a second.
+constexpr const char* without_frames = R"(
+    const drawings = [];
+    window.requestAnimationFrame = draw => {
+        if (drawings.push(draw) === 1) setTimeout(() => drawings.splice(0).forEach(draw => draw(performance.now())));
+        return 1;
+    };
+    window.IntersectionObserver = class {
+        constructor(tell, {rootMargin}) {
+            this.watched = new Set();
+            setInterval(() => {
+                const near = Array.from(this.watched).filter(element => {
+                    const {top, bottom, width} = element.getBoundingClientRect(), reach = parseFloat(rootMargin);
+                    return width > 0 && top < innerHeight + reach && bottom > -reach;
+                });
+                if (near.length > 0) tell(near.map(target => ({target, isIntersecting: true})), this);
+            }, 50);
+        }
+        observe(element) { this.watched.add(element); }
+        unobserve(element) { this.watched.delete(element); }
+        disconnect() { this.watched.clear(); }
+    };)";
 
-/// The page with one more script at its end, which its policy then allows.
+/// The page with one more script at its end, which its policy then allows, and without the browser's frames.
 std::filesystem::path with_script(const std::filesystem::path& page, const std::string& script) {
     std::string text = read_text(page);
-    const std::string policy = "style-src 'unsafe-inline'", others = "; script-src ", end = "</main></body>";
+    const std::string policy = "style-src 'unsafe-inline'", others = "; script-src ";
+    const std::string both = script_source(script) + " " + script_source(without_frames);
     const std::size_t at = text.find(policy) + policy.size();
     if (text.compare(at, others.size(), others) == 0)
-        text.insert(at + others.size(), script_source(script) + " ");
+        text.insert(at + others.size(), both + " ");
     else
-        text.insert(at, others + script_source(script));
-    text.insert(text.find(end), "<script>" + script + "</script>");
+        text.insert(at, others + both);
+    text.insert(text.find("</main></body>"), "<script>" + script + "</script>");
+    text.insert(text.find("</head>"), "<script>" + std::string(without_frames) + "</script>");
     const std::filesystem::path probed = page.parent_path() / "probed.html";
     write_text_atomically(probed, text);
     return probed;
@@ -76,6 +91,86 @@ std::string left(const std::string& markup, const std::string& name) {
 double number_after(const std::string& text, const std::string& word) {
     const auto at = text.find(word);
     return at == std::string::npos ? std::nan("") : std::stod(text.substr(at + word.size()));
+}
+
+const std::string until = R"(
+    const until = async there => {
+        for (let k = 0; k < 200 && !there(); ++k) await new Promise(then => setTimeout(then, 20));
+    };)";
+
+/// Scrolls to the view once the page is there, and says what its clock shows before and after; then `more` is done.
+std::string at_the_view(const std::string& more) {
+    return until + R"(
+    addEventListener('load', () => setTimeout(async () => {
+        const answer = document.body.dataset, clock = () => document.getElementById('view3d-clock').textContent;
+        answer.before = clock();
+        document.querySelector('section.view3d').scrollIntoView();
+        await until(clock);
+        answer.after = clock();
+        )" +
+           more + "}, 300));";
+}
+
+TEST(Browser, TheReportsViewRunsOfflineUnderItsOwnPolicyWhenItComesNear) {
+    if (!installed()) GTEST_SKIP() << "no chromium here";
+    if (!*view3d_script) GTEST_SKIP() << "a build without npm";
+    const ScratchFolder folder;
+    const Comparison c = compare_records({synthetic_run({}), synthetic_run({.method = "fvm", .lift = 2600})});
+    const auto page = with_script(write_report(c, folder.path()).html, at_the_view(""));
+    const auto [markup, log] = opened(page, folder / "profile");
+    EXPECT_EQ(left(markup, "before"), "") << "a drawing context takes long, and nobody has asked for it";
+    EXPECT_EQ(left(markup, "after").substr(0, 4), "t = ") << log;
+    EXPECT_NE(markup.find("<div id=\"view3d-stage\">"), std::string::npos) << log;  // no longer hidden
+    EXPECT_NE(markup.find("id=\"view3d-fallback\" hidden"), std::string::npos);
+    EXPECT_EQ(log.find("Uncaught"), std::string::npos) << log;
+    EXPECT_EQ(log.find("Content Security Policy"), std::string::npos) << log;
+}
+
+// Whether colours of the pressure scale, which no height has, are in the picture.
+TEST(Browser, TheViewColoursTheHullByPressureWhereThereIsOne) {
+    if (!installed()) GTEST_SKIP() << "no chromium here";
+    if (!*view3d_script) GTEST_SKIP() << "a build without npm";
+    const ScratchFolder folder;
+    std::vector<RunRecord> records{synthetic_run({}), synthetic_run({.method = "fvm", .lift = 2600})};
+    for (RunRecord& r : records) {  // two fifths of the scale nearly everywhere: magenta
+        float pressure = 4000;
+        for (std::size_t t = 0; t < r.hull_pressure.size(); ++t)
+            if (r.hull_wet[t] > 0) r.hull_pressure[t] = std::exchange(pressure, 1600.0f);
+    }
+    const Comparison c = compare_records(std::move(records));
+    const auto page = with_script(write_report(c, folder.path()).html, at_the_view(R"(
+        const canvas = document.getElementById('view3d-canvas'), choice = document.getElementById('view3d-colour');
+        const copy = document.createElement('canvas'), of = id => document.getElementById('view3d-' + id);
+        const magenta = async colour => {
+            choice.value = colour;
+            choice.dispatchEvent(new Event('change'));
+            const pen = copy.getContext('2d');
+            await new Promise(then => requestAnimationFrame(() => {  // behind the view's own
+                copy.width = canvas.width, copy.height = canvas.height;
+                pen.drawImage(canvas, 0, 0);
+                then();
+            }));
+            const [left, right] = [0, copy.width / 2].map(x => {
+                const {data} = pen.getImageData(x, 0, copy.width / 2, copy.height);
+                let count = 0;
+                for (let i = 0; i < data.length; i += 4)
+                    if (data[i] > 110 && data[i] < 200 && data[i + 1] < 70 && data[i + 2] > 60) ++count;
+                return count;
+            });
+            return left + ' ' + right + ' ' + [of('pressure').hidden, of('legend').hidden, of('layout').disabled];
+        };
+        answer.pressure = await magenta('pressure');
+        answer.height = await magenta('height');)"));
+    const auto [markup, log] = opened(page, folder / "profile");
+    const std::string pressure = left(markup, "pressure"), height = left(markup, "height");
+    ASSERT_FALSE(pressure.empty()) << log;
+    EXPECT_GT(number_after(pressure, ""), 500) << pressure << " on the left hull";
+    EXPECT_GT(number_after(pressure, " "), 500) << pressure << " on the right hull";
+    EXPECT_LT(number_after(height, ""), 50) << height;
+    EXPECT_TRUE(pressure.ends_with("false,true,true")) << pressure;
+    EXPECT_TRUE(height.ends_with("true,false,false")) << height;
+    EXPECT_EQ(log.find("Uncaught"), std::string::npos) << log;
+    EXPECT_EQ(log.find("INVALID_"), std::string::npos) << log;  // what WebGL says of wrong calls
 }
 
 // 1400 x 900: who opens the page reads the answer, sees the water and what speaks against it before scrolling.
@@ -105,8 +200,9 @@ TEST(Browser, PlotsTellTheirValuesAndZoom) {
     if (!*plots_script) GTEST_SKIP() << "a build without npm";
     const ScratchFolder folder;
     const Comparison c = compare_records({synthetic_run({}), synthetic_run({.method = "fvm", .lift = 2600})});
-    const auto page =
-        with_script(write_report(c, folder.path()).html, R"(addEventListener('load', () => setTimeout(async () => {
+    const auto page = with_script(write_report(c, folder.path()).html,
+                                  until + R"(addEventListener('load', () => setTimeout(async () => {
+        await until(() => document.querySelector('.plot-live'));
         const live = Array.from(document.querySelectorAll('.plot-live')).find(e => e.textContent.startsWith('Lift'));
         const box = live.querySelector('.plot-box'), over = live.querySelector('.u-over');
         const drawn = () => new Promise(then => setTimeout(then, 100));
@@ -136,6 +232,14 @@ TEST(Browser, PlotsTellTheirValuesAndZoom) {
         answer.said = live.querySelector('[aria-live]').textContent;
         answer.name = box.getAttribute('aria-label');
         answer.drawing = getComputedStyle(live.parentElement.querySelector('svg.plot')).display;
+        const key = live.querySelector('.u-legend th[role=switch]');
+        const press = async () => {
+            key.dispatchEvent(new KeyboardEvent('keydown', {key: 'Enter', bubbles: true}));
+            await drawn();
+            return key.textContent + ' ' + key.getAttribute('aria-checked');
+        };
+        answer.hidden = await press();
+        answer.back = await press();
     }, 500));)");
     const auto [markup, log] = opened(page, folder / "profile");
     const std::string whole = left(markup, "whole"), part = left(markup, "part"), said = left(markup, "said");
@@ -149,6 +253,8 @@ TEST(Browser, PlotsTellTheirValuesAndZoom) {
     EXPECT_NEAR(number_after(said, "interFoam: "), 2600, 100) << said;
     EXPECT_EQ(left(markup, "name").substr(0, 4), "Lift");
     EXPECT_EQ(left(markup, "drawing"), "none") << "it is for paper";
+    EXPECT_EQ(left(markup, "hidden"), "SPH false");
+    EXPECT_EQ(left(markup, "back"), "SPH true");
     EXPECT_EQ(log.find("Uncaught"), std::string::npos) << log;
     EXPECT_EQ(log.find("Content Security Policy"), std::string::npos) << log;
 }
@@ -170,8 +276,9 @@ TEST(Browser, TheViewDrawsABodyThatMovesAndOffersToCutTheWaterOpen) {
         t.column("q0", "-").values.push_back(1);
     }
     const ScratchFolder folder;
-    const auto [markup, log] = opened(write_report(compare_records({r}), folder.path()).html, folder / "profile");
-    EXPECT_NE(markup.find("<div id=\"view3d-stage\">"), std::string::npos) << log;
+    const auto page = with_script(write_report(compare_records({r}), folder.path()).html, at_the_view(""));
+    const auto [markup, log] = opened(page, folder / "profile");
+    EXPECT_EQ(left(markup, "after").substr(0, 4), "t = ") << log;
     EXPECT_NE(markup.find("water cut open</label>"), std::string::npos);
     EXPECT_NE(markup.find("bodies</label>"), std::string::npos);
     EXPECT_EQ(log.find("Uncaught"), std::string::npos) << log;

@@ -7,6 +7,8 @@
 #include <random>
 
 #include "base/atomic_file.h"
+#include "compare/report/colours.h"
+#include "compare/report/hull_pressure.h"
 #include "compare/report/page_scripts.h"
 #include "compare/report/view3d_mesh.h"
 #include "record/water_surface.h"
@@ -34,15 +36,20 @@ Json data_of(const std::string& html) {
     return Json::parse(between(html, "<script type=\"application/json\" id=\"view3d-data\">", "</script>"));
 }
 
-/// What a browser reads: base64 to 16-bit numbers, low byte first.
-std::vector<unsigned> numbers(const std::string& base64) {
+std::vector<unsigned char> bytes_of(const std::string& base64) {
     std::vector<unsigned char> bytes(base64.size() + 1);
     const int n = EVP_DecodeBlock(bytes.data(), reinterpret_cast<const unsigned char*>(base64.data()),
                                   static_cast<int>(base64.size()));
     EXPECT_GE(n, 0);
     const int padding = base64.ends_with("==") ? 2 : base64.ends_with("=") ? 1 : 0;
+    bytes.resize(static_cast<std::size_t>(std::max(0, n - padding)));
+    return bytes;
+}
+/// What a browser reads: base64 to 16-bit numbers, low byte first.
+std::vector<unsigned> numbers(const std::string& base64) {
+    const std::vector<unsigned char> bytes = bytes_of(base64);
     std::vector<unsigned> out;
-    for (std::size_t i = 0; i + 1 < static_cast<std::size_t>(n - padding); i += 2)
+    for (std::size_t i = 0; i + 1 < bytes.size(); i += 2)
         out.push_back(bytes[i] | static_cast<unsigned>(bytes[i + 1]) << 8);
     return out;
 }
@@ -153,6 +160,83 @@ TEST(View3d, TheHullIsThereOnceForBothMethods) {
     const Json forced =
         data_of(view3d_section(compare_records({flat_water({40, 12, 10}, 5, 2), other}, {.force = true})));
     EXPECT_EQ(forced["hulls"].size(), 2u);
+}
+
+TEST(View3d, TheHullHasThePressuresOfEachMethodOnOneScale) {
+    RunRecord a = flat_water({40, 12, 10}, 5, 2), b = a;
+    b.attributes["method"] = "fvm";
+    for (std::size_t t = 0; t < b.hull_pressure.size(); ++t) b.hull_pressure[t] *= 0.5f;
+    const Comparison c = compare_records({a, b});
+    const std::string html = view3d_section(c);
+    EXPECT_TRUE(has(html, "pressure on the hull [kPa]"));
+    EXPECT_TRUE(has(html, "<option value=\"pressure\">"));
+    const Json data = data_of(html);
+    EXPECT_EQ(data["pressure"]["stops"], Json(pressure_scale(0, 1).stops()));
+    const auto range = pressure_range(c);
+    ASSERT_TRUE(range.has_value());
+    for (std::size_t s = 0; s < 2; ++s) {
+        const RunRecord& r = c.sources[s];
+        const auto bytes = bytes_of(data["hulls"][0]["pressures"][s]);
+        ASSERT_EQ(bytes.size(), r.hull.triangles.size());
+        std::size_t wet = 0;
+        for (std::size_t t = 0; t < bytes.size(); ++t) {
+            const auto p = wet_pressure(r, t);
+            wet += p ? 1 : 0;
+            if (!p) {
+                EXPECT_EQ(bytes[t], 255) << "dry";
+                continue;
+            }
+            const double width = range->high - range->low;
+            EXPECT_NEAR(range->low + bytes[t] / 254.0 * width, std::clamp(*p, range->low, range->high), width / 250);
+        }
+        EXPECT_GT(wet, 0u);
+        EXPECT_LT(wet, bytes.size());
+    }
+}
+
+/// A hull of millions of triangles is drawn with fewer: each has what lies under it on its own side.
+TEST(View3d, ALighterHullKeepsWherePressuresAre) {
+    RunRecord r = synthetic_run({.duration = 0.1, .frames = false});
+    r.hull = refined(r.hull, 0.06);
+    r.hull_pressure.clear();
+    r.hull_wet.clear();
+    for (int t = 0; t < static_cast<int>(r.hull.triangles.size()); ++t) {
+        r.hull_pressure.push_back(static_cast<float>(1000 * r.hull.corner(t, 0).x()));
+        r.hull_wet.push_back(r.hull.area_vector2(t).z() < 0 ? 1.0f : 0.0f);
+    }
+    const Surface light = light_surface(r.hull, 2000);
+    const Box box = r.hull.bounds();
+    const PressureRange range{1000 * box.min.x(), 1000 * box.max.x()};
+    const auto bytes = bytes_of(packed_pressures(r, r.hull, light, range));
+    ASSERT_EQ(bytes.size(), light.triangles.size());
+    std::size_t far = 0, wrong_side = 0;
+    for (int t = 0; t < static_cast<int>(light.triangles.size()); ++t) {
+        const unsigned char byte = bytes[static_cast<std::size_t>(t)];
+        const double nz = light.area_vector2(t).normalized().z();
+        const double x = (light.corner(t, 0).x() + light.corner(t, 1).x() + light.corner(t, 2).x()) / 3;
+        if (byte == 255) {
+            wrong_side += nz < -0.2 ? 1 : 0;
+            continue;
+        }
+        wrong_side += nz > 0.2 ? 1 : 0;
+        const double there = box.min.x() + byte / 254.0 * box.size().x();
+        far += std::abs(there - x) > 0.15 ? 1 : 0;
+    }
+    EXPECT_EQ(far, 0u);
+    EXPECT_EQ(wrong_side, 0u);
+    EXPECT_GT(std::ranges::count(bytes, 255), 100);
+}
+
+TEST(View3d, WithoutPressuresThereIsNoChoiceOfThem) {
+    RunRecord r = flat_water({40, 12, 10}, 5, 2);
+    r.hull_pressure.clear();
+    r.hull_wet.clear();
+    const std::string html = view3d_section(compare_records({r}));
+    EXPECT_TRUE(data_of(html)["pressure"].is_null());
+    EXPECT_TRUE(data_of(html)["hulls"][0]["pressures"][0].is_null());
+    EXPECT_FALSE(has(html, "value=\"pressure\""));
+    EXPECT_FALSE(has(html, "view3d-pressure"));
+    EXPECT_TRUE(has(html, "<option value=\"height\">by height</option><option value=\"method\">"));
 }
 
 /// What the script draws of a body: the packed surface, moved by the pose of one surface of water.
@@ -335,7 +419,8 @@ TEST(View3d, OnlyThePagesOwnScriptsMayRun) {
     const std::string page =
         read_text(write_report(compare_records({flat_water({20, 6, 8}, 4, 2)}), folder.path()).html);
     const std::string policy = between(page, "Content-Security-Policy\" content=\"", "\">");
-    const std::string nothing_else = "default-src 'none'; img-src data:; style-src 'unsafe-inline'";
+    const std::string nothing_else =
+        "default-src 'none'; base-uri 'none'; form-action 'none'; img-src data:; style-src 'unsafe-inline'";
     const std::string plots = plots_script, view = view3d_script;
     if (plots.empty()) {  // a build without npm: the page has drawings and pictures
         EXPECT_TRUE(view.empty());
