@@ -350,7 +350,8 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
         record.elements = double(count() + gas);
         if (gas > 0) record.numbers["air_particles"] = double(gas);
         record.steps = double(simulation->steps());
-        record.resolution = resolution_of(*simulation);
+        if (record.resolution.empty() || simulation->setup().zones_round)
+            record.resolution = resolution_of(*simulation);
         if (const std::vector<LevelLedger> sizes = level_ledgers(*simulation); sizes.size() > 1)
             for (std::size_t k = 0; k < sizes.size(); ++k) {
                 record.numbers[level_table(k) + "_seconds"] = sizes[k].seconds;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
+#include "sph_solver/backend/for_particles.h"
 #include "sph_solver/backend/threads.h"
 
 namespace tw {
@@ -155,15 +156,19 @@ void Simulation::sample_levels(PointSamples& points) {
     const std::size_t n = points.places.size();
     points.p.assign(n, 0);
     points.support.assign(n, 0);
+    const auto within = [&](const Refinement& edge) {
+        std::vector<char> yes(n);
+        for_particles(n, [&](std::size_t i) { yes[i] = edge.zone().outside(points.places[i]) < 0; });
+        return yes;
+    };
+    std::vector<char> reached(n, 1);
     for (std::size_t k = 0; k < levels_.size(); ++k) {
         PointSamples own;
         std::vector<std::size_t> who;
-        for (std::size_t i = 0; i < n; ++i) {
-            const Vec3& x = points.places[i];
-            const bool reached = k == 0 || refinements_[k - 1].zone().outside(x) < 0;
-            if (reached && (k == refinements_.size() || refinements_[k].zone().outside(x) >= 0))
-                own.places.push_back(x), who.push_back(i);
-        }
+        std::vector<char> finer = k < refinements_.size() ? within(refinements_[k]) : std::vector<char>(n, 0);
+        for (std::size_t i = 0; i < n; ++i)
+            if (reached[i] && !finer[i]) own.places.push_back(points.places[i]), who.push_back(i);
+        reached = std::move(finer);
         levels_[k]->sample(own);
         for (std::size_t j = 0; j < who.size(); ++j) {
             points.p[who[j]] = own.p[j];
