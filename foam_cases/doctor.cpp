@@ -152,6 +152,11 @@ std::vector<OpenFoam> find_openfoam(const std::string& preferred) {
                                        [&](const OpenFoam& f) { return fs::equivalent(f.project_dir, folder, none); });
         if (!known && look_into(folder, found)) installed.push_back(found);
     }
+    const auto add = [&](OpenFoam found) {  // unless another folder already led to the same program
+        std::error_code none;
+        if (std::ranges::none_of(all, [&](const OpenFoam& f) { return fs::equivalent(f.solver, found.solver, none); }))
+            all.push_back(std::move(found));
+    };
     // Mended solvers run on the libraries of the distribution they were built from.
     const auto debian =
         std::find_if(installed.begin(), installed.end(), [](const OpenFoam& f) { return f.bin == debian_programs; });
@@ -163,14 +168,9 @@ std::vector<OpenFoam> find_openfoam(const std::string& preferred) {
                 mended.verdict.clear();
                 mended.wall_library = folder.parent_path() / "lib" / "libventilatedWall.so";
                 if (!fs::exists(mended.wall_library)) mended.wall_library.clear();
-                all.push_back(mended);
+                add(mended);
             }
-    for (const OpenFoam& f : installed) {  // unless a folder above already led to the same program
-        std::error_code none;
-        if (std::none_of(all.begin(), all.end(),
-                         [&](const OpenFoam& known) { return fs::equivalent(known.solver, f.solver, none); }))
-            all.push_back(f);
-    }
+    for (const OpenFoam& f : installed) add(f);
     std::erase_if(all, [&](const OpenFoam& f) { return !belongs_to(f, preferred); });
     std::stable_partition(all.begin(), all.end(), [](const OpenFoam& f) { return f.loaded; });
     for (OpenFoam& candidate : all)
