@@ -15,10 +15,10 @@ int run_bench_command(const BenchCommand& command, const Common& common) {
             fmt::format("{} particles, {:.0f} neighbours each, {:.0f} visited, {}\n"
                         "{:.3g} million particle evaluations/s, {:.3g} million between two makings of the lists, "
                         "which take {:.0f} % of the time\n"
-                        "{:.0f} bytes per particle, on the device and here; the device at most: {}\n",
+                        "{:.0f} bytes per particle, {:.0f} of them on the device; the device at most: {}\n",
                         r.particles, r.neighbours_per_particle, r.visited_per_particle, r.isa,
                         r.evaluations_per_second / 1e6, r.evaluations_per_second / 1e6 / (1 - r.share_for_lists),
-                        100 * r.share_for_lists, r.bytes_per_particle, gpu_peaks_in_words()));
+                        100 * r.share_for_lists, r.bytes_per_particle, r.bytes_on_device, gpu_peaks_in_words()));
         write_json(common, bench_json(r, {}));
         return done;
     }

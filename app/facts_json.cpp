@@ -196,6 +196,7 @@ std::string bench_json(const BenchResult& r, const std::vector<PassesPace>& pass
                     {"evaluations_per_second", r.evaluations_per_second},
                     {"pairs_per_second", r.pairs_per_second},
                     {"bytes_per_particle", r.bytes_per_particle},
+                    {"bytes_on_device", r.bytes_on_device},
                     {"share_of_kernel_peak", r.share_of_kernel_peak},
                     {"share_outside_pairs", r.share_outside_pairs},
                     {"passes", passes_json(passes)}});

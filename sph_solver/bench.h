@@ -16,6 +16,7 @@ struct BenchResult {
     double evaluations_per_second = 0;  ///< particle evaluations of the whole right-hand side, everything included
     double pairs_per_second = 0;        ///< directed pairs within the support, both passes counted as one
     double bytes_per_particle = 0;
+    double bytes_on_device = 0;       ///< of those, on a GPU
     double visited_per_particle = 0;  ///< pairs that a pass works through, useful or not
     double share_of_kernel_peak = 0;  ///< those per second in the pair passes over those of the same passes on data
                                       ///< that never leaves the first cache

@@ -199,6 +199,12 @@ void Simulation::sample(PointSamples& points) {
         if (weight[k] > 0) points.p[k] = sum[k] / weight[k] - static_cast<float>(lid);
 }
 
+double Simulation::bytes_on_device() const {
+    double sum = 0;
+    for (const auto& level : levels_) sum += level->bytes_on_device();
+    return sum;
+}
+
 double Simulation::bytes() const {
     double sum = stepper_->bytes();
     for (const auto& level : levels_) sum += level->bytes();

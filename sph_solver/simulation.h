@@ -90,6 +90,7 @@ public:
     const Load& load(std::size_t body) const { return stepper_->loads()[body]; }
     Load load() const;
     double bytes() const;
+    double bytes_on_device() const;  ///< of those
     /// Processor time that elastic bodies took since the start or the restart, all threads together: the water's forces
     /// on their dummies and their own steps [s].
     double structure_seconds() const { return stepper_->structure_seconds(); }

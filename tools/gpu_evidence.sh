@@ -42,12 +42,12 @@ if command -v compute-sanitizer >/dev/null; then
     ask initcheck reads_what_was_written 'OnDevice.WhatTheHostChanges*'
 fi
 
-say "particles  h/dp  million evaluations/s, all  between lists  bytes a particle"
+say "particles  h/dp  million evaluations/s, all  between lists  bytes a particle, on the device"
 for h in 1.55 2; do
     for n in ${GPU_EVIDENCE_PARTICLES:-100000 1000000 10000000 50000000}; do
         if "$program" bench --device gpu --particles "$n" --h-over-dp "$h" --seconds 3 >"$out/bench_${n}_$h.txt" 2>&1; then
             say "$(awk -v h="$h" '/ neighbours each/ { n = $1 } /million particle/ { all = $1; for (k = 2; k <= NF; ++k) if ($k == "between") between = $(k - 2) }
-                   / bytes per particle/ { b = $1; sub(/.*at most: /, ""); peak = $0 } END { printf "%9d  %4s  %8s  %8s  %5s   (%s)", n, h, all, between, b, peak }' "$out/bench_${n}_$h.txt")"
+                   / bytes per particle/ { b = $1 ", " $5; sub(/.*at most: /, ""); peak = $0 } END { printf "%9d  %4s  %8s  %8s  %9s   (%s)", n, h, all, between, b, peak }' "$out/bench_${n}_$h.txt")"
         else
             say "$n $h: $(tail -1 "$out/bench_${n}_$h.txt")"
             status=1

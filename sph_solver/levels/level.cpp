@@ -375,7 +375,7 @@ double Level::bytes() const {
     sum +=
         double(stages_.start.bytes() + stages_.mean.bytes() + stages_.compression.bytes() + stages_.diffusion.bytes());
     for (const auto& effect : effects_) sum += double(effect->bytes());
-    if (device_) sum += device_->bytes();
+    sum += bytes_on_device();
     return sum;
 }
 

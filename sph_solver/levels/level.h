@@ -107,7 +107,8 @@ public:
     const Passes& passes() const { return passes_; }
     std::span<const std::unique_ptr<Effect>> effects() const { return effects_; }
     double visited_per_particle() const;  ///< pairs that a sweep works through, useful or not
-    double bytes() const;                 ///< memory of state, lists and walls
+    double bytes() const;                 ///< memory of state, lists and walls, on a device too
+    double bytes_on_device() const { return device_ ? device_->bytes() : 0; }
     /// The larger of the fastest particle's speed and the stream's [m/s].
     double reference_speed() const;
     int dimensions() const { return around_.dimensions; }

@@ -36,10 +36,17 @@ function alongX(line) {
   return 2 * single.length > points.length ? [single.map(p => p[0]), single.map(p => p[1])] : null;
 }
 
+/** Decimal places of a number of this size; of an exact step between ticks, all of its own: 0.25 has two. */
+function placesOf(step, exact) {
+  let places = Math.min(8, Math.max(0, Math.ceil(-Math.log10(step))));
+  while (exact && places < 8 && Math.abs(step * 10 ** places - Math.round(step * 10 ** places)) > 1e-6) ++places;
+  return places;
+}
+
 /** A number with the digits that a step of this size shows. */
-function shown(value, step, logarithmic) {
+function shown(value, step, logarithmic, exact = false) {
   if (value == null) return '–';
-  const places = Math.min(8, Math.max(0, Math.ceil(-Math.log10(step))));
+  const places = placesOf(step, exact);
   const text = logarithmic || Math.abs(value) >= 1e6 ? Number(value.toPrecision(4)).toString() : value.toFixed(places);
   return text.replace(/^-(?=0(\.0*)?$)/, '').replace('-', '−');
 }
@@ -106,7 +113,7 @@ class LivePlot {
       stroke: () => colour('--text'), grid: {stroke: () => colour('--line'), width: 1}, ticks: {show: false},
       ...(name === 'x' ? {gap: 4} : {}),
       ...(this.log[name] ? {splits: (u, k, low, high) => logarithmicTicks(low, high), filter: (u, at) => at} : {}),
-      values: (u, splits, k, space, step) => splits.map(v => (v == null ? '' : shown(v, step, this.log[name]))),
+      values: (u, splits, k, space, step) => splits.map(v => (v == null ? '' : shown(v, step, this.log[name], true))),
     });
     return {
       ...this.size(), legend: {live: true}, drawOrder: ['axes', 'series'],
