@@ -6,6 +6,7 @@
 #include "base/errors.h"
 #include "meshes/generate.h"
 #include "on_device.h"
+#include "sph_solver/bench.h"
 #include "sph_solver/effects/ventilation.h"
 #include "sph_solver/gpu_self_test.h"
 #include "sph_solver/measure/spray_gate.h"
@@ -82,6 +83,14 @@ TEST_F(OnDevice, PassesItsSelfTest) {
     std::cout << "self-test: error " << error << '\n';
     EXPECT_LT(error, sound_gpu_error);
     EXPECT_GT(error, 0) << "no pressure of particles is exact";
+}
+
+// Ten million particles of one size in 4 GB of the device; so few as here have more images each.
+TEST_F(OnDevice, AParticleTakesLessThanFourHundredBytes) {
+    const BenchResult r = run_bench_on_gpu(60000, 1.55, 1, 0);
+    std::cout << r.bytes_on_device << " bytes a particle on the device, of " << r.bytes_per_particle << '\n';
+    EXPECT_LT(r.bytes_on_device, 400);
+    EXPECT_GT(r.bytes_on_device, 2 * 49) << "the state alone, twice for sorting";
 }
 
 TEST_F(OnDevice, SoDoesAStreamWithInletOutletAndAirAlongItsWalls) {
