@@ -9,6 +9,7 @@
 
 #include <cstdlib>
 
+#include "meshes/generate.h"
 #include "sph_solver/levels/on_device.h"
 #include "sph_solver/simulation.h"
 
@@ -22,6 +23,21 @@ protected:
     /// See fake_cuda.cpp.
     static void pretend(const char* what) { setenv("FAKE_CUDA", what, 1); }
 };
+
+/// A column of water that falls against a block on the floor of its tank.
+inline SimulationSetup dam_break() {
+    SimulationSetup s;
+    s.dp = 0.05;
+    s.state_equation.c0 = 30;
+    s.domain = {Vec3(0, 0, 0), Vec3(1, 0.3, 1)};
+    s.mirrors.on = {{{true, true}, {true, true}, {true, false}}};
+    s.bodies = {box_surface({Vec3(0.6, -0.4, -0.3), Vec3(0.8, 0.7, 0.15)})};
+    s.threads = 1;
+    return s;
+}
+inline Fluid water_of(const SimulationSetup& s) {
+    return fill_with_fluid(s, {Box{Vec3(0, 0, 0), Vec3(0.5, 0.3, 0.6)}});
+}
 
 inline const Passes& emulated() { return passes("device_emulated"); }
 /// All its levels; the device they share.

@@ -15,19 +15,6 @@
 namespace tw {
 namespace on_device_test {
 
-/// A column of water that falls against a block on the floor of its tank.
-SimulationSetup dam_break() {
-    SimulationSetup s;
-    s.dp = 0.05;
-    s.state_equation.c0 = 30;
-    s.domain = {Vec3(0, 0, 0), Vec3(1, 0.3, 1)};
-    s.mirrors.on = {{{true, true}, {true, true}, {true, false}}};
-    s.bodies = {box_surface({Vec3(0.6, -0.4, -0.3), Vec3(0.8, 0.7, 0.15)})};
-    s.threads = 1;
-    return s;
-}
-Fluid water_of(const SimulationSetup& s) { return fill_with_fluid(s, {Box{Vec3(0, 0, 0), Vec3(0.5, 0.3, 0.6)}}); }
-
 /// A stream past a box that pierces the surface, with walls that let water go.
 SimulationSetup stream() {
     SimulationSetup s;
