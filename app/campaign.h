@@ -57,8 +57,8 @@ public:
     /// Of these, what is not finished and fits the budget by its predicted time; the others of the budget are left out
     /// from now on.
     std::vector<CampaignRun> to_make(const std::vector<CampaignRun>& runs);
-    /// Where runs are made by other processes: makes those of the study, whose members follow from `runs`, so that run_or_take
-    /// finds them. Else nothing.
+    /// Where runs are made by other processes: makes those of the study, whose members follow from `runs`, so that
+    /// run_or_take finds them. Else nothing.
     void ahead(Study study, const std::vector<CampaignRun>& runs);
 
     /// Takes the record if the run is finished there, by run hash and duration; else resumes it if it was stopped, or

@@ -4,8 +4,9 @@
 namespace tw::app {
 
 /// How long this machine takes, with this method, for work that the table of scene/cost_estimate.cpp calls one second:
-/// the median of the last five runs; before these, what was calibrated; 1 where nothing is known. $XDG_CACHE_HOME/twinwake/pace.json (~/.cache where that
-/// is not set) holds it, by processor; a file that cannot be read counts as nothing.
+/// the median of the last five runs; before these, what was calibrated; 1 where nothing is known.
+/// $XDG_CACHE_HOME/twinwake/pace.json (~/.cache where that is not set) holds it, by processor; a file that cannot be
+/// read counts as nothing.
 double machine_pace(const std::string& method);
 /// A short calibration (1 s): the particle engine's throughput over that of the table's machine, for all methods until
 /// runs have taught more. Returns the pace [-].

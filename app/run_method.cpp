@@ -52,8 +52,8 @@ RunRecord run_method(const std::string& method, const PlannedRun& plan, const Me
     if (record.state == "finished" && !run.resume && scene.run.ranks == 1 && !scene.effect_on("air")) {
         double taken = 0;
         for (const Phase& phase : record.phases) taken += phase.wall;
-        const double expected = predict_by_table(scene).of(method).seconds;
-        learn_pace(pace_of(scene, method), expected * cores_of_pace(scene, method), taken);
+        const PaceName pace = pace_of(scene, method);
+        learn_pace(pace.name, predict_by_table(scene).of(method).seconds * pace.cores, taken);
     }
     return record;
 }

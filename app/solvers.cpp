@@ -55,23 +55,20 @@ std::vector<std::string> method_choices() {
     return words;
 }
 
-std::string pace_of(const Scene& scene, const std::string& method) {
-    if (method != "sph" || scene.run.device == "cpu" || !why_not_on_gpu(scene).empty() || !why_no_gpu_here().empty())
-        return method;
-    return pace_on_gpu(method);
+PaceName pace_of(const Scene& scene, const std::string& method) {
+    const bool of_gpu =
+        method == "sph" && scene.run.device != "cpu" && why_not_on_gpu(scene).empty() && !gpu_name().empty();
+    if (!of_gpu) return {method};
+    return {pace_on_gpu(method), true, cores_of_particles(scene)};
 }
 
 std::string pace_on_gpu(const std::string& method) { return method + " on " + gpu_name(); }
 
-double cores_of_pace(const Scene& scene, const std::string& method) {
-    return pace_of(scene, method) == method ? 1 : cores_of_particles(scene);
-}
-
 Prediction predict_here(const Scene& scene) {
     return predict_all(scene, [&](const std::string& method) {
-        const std::string pace = pace_of(scene, method);
-        if (pace != method && !knows_pace(pace)) calibrate_gpu_pace(pace);
-        return machine_pace(pace) * cores_of_pace(scene, method);
+        const PaceName pace = pace_of(scene, method);
+        if (pace.of_gpu && !knows_pace(pace.name)) calibrate_gpu_pace(pace.name);
+        return machine_pace(pace.name) * pace.cores;
     });
 }
 

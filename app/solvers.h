@@ -32,13 +32,17 @@ inline constexpr const char* every_method = "both";
 /// The names, and that.
 std::vector<std::string> method_choices();
 
-/// The name under which runs of a method teach the machine's speed: what makes the steps is part of it.
-std::string pace_of(const Scene& scene, const std::string& method);
-/// The same where the GPU here makes the steps.
+/// Under which name runs of a method teach the machine's speed.
+struct PaceName {
+    std::string name;  ///< of the method, and of the GPU where that makes the steps
+    bool of_gpu = false;
+    double cores =
+        1;  ///< that the table reckons with, where the pace is that of all of them: a GPU's, whose speed does
+            ///< not depend on the threads beside it
+};
+PaceName pace_of(const Scene& scene, const std::string& method);
+/// The name where the GPU here makes the steps.
 std::string pace_on_gpu(const std::string& method);
-/// How many cores the table reckons with where a pace is that of all of them: a GPU's does not depend on the threads
-/// beside it.
-double cores_of_pace(const Scene& scene, const std::string& method);
 /// Of every method, by what runs have taught of this machine's speed (machine_pace.h).
 Prediction predict_here(const Scene& scene);
 /// Of every method, as on the machine that the throughput table was made on.

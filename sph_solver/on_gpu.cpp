@@ -63,7 +63,7 @@ const Passes& passes_beside_gpu() {
 bool built_for_gpu() { return true; }
 std::string why_no_gpu_here() { return cuda::Device::reason_against(); }
 
-std::string gpu_name() { return cuda::Device::open()->name(); }
+std::string gpu_name() { return cuda::Device::name_here(); }
 
 std::string gpu_in_words() {
     const auto device = cuda::Device::open();
@@ -98,7 +98,7 @@ std::string leave_steps_to_gpu(Simulation& simulation) {
 bool built_for_gpu() { return false; }
 std::string why_no_gpu_here() { return "this twinwake was built without kernels; install clang and build it anew"; }
 std::string gpu_peaks_in_words() { throw InputError(why_no_gpu_here()); }
-std::string gpu_name() { throw InputError(why_no_gpu_here()); }
+std::string gpu_name() { return {}; }
 std::string gpu_in_words() { throw InputError(why_no_gpu_here()); }
 std::string leave_steps_to_gpu(Simulation&) { throw InputError(why_no_gpu_here()); }
 

@@ -18,9 +18,9 @@ std::string why_not_on_gpu(const Scene& scene);
 double bytes_on_gpu(double particles, bool several_sizes);
 /// Why this machine has no GPU that can be used; empty: it has.
 std::string why_no_gpu_here();
-/// As its maker calls it. This and what follows throw InputError where there is none.
+/// As its maker calls it; empty: there is none.
 std::string gpu_name();
-/// Its name, driver and memory, in a line.
+/// Its name, driver and memory, in a line; throws InputError where there is none.
 std::string gpu_in_words();
 
 /// What it was measured to do at most: arithmetic in single precision, and reading what its second cache holds.

@@ -136,6 +136,11 @@ std::string Device::reason_against() {
     return library.load();
 }
 
+std::string Device::name_here() {
+    Library library;
+    return library.load().empty() ? library.name : "";
+}
+
 std::shared_ptr<Device> Device::open() { return std::shared_ptr<Device>(new Device()); }
 
 Device::Device() : library_(std::make_unique<Library>()) {

@@ -17,8 +17,10 @@ class Device {
 public:
     /// The first of the machine that can be used.
     static std::shared_ptr<Device> open();
-    /// Why none can be used; empty: one can.
+    /// Why none can be used; empty: one can. Neither this nor its name opens it, which translates the kernels.
     static std::string reason_against();
+    /// Of the one that would be opened; empty: there is none.
+    static std::string name_here();
     ~Device();
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;
