@@ -12,7 +12,7 @@ namespace tw {
 class RoomOnDevice {
 public:
     virtual ~RoomOnDevice() = default;
-    /// Gives where it is. What it holds is lost where it has to grow.
+    /// Gives where it is. What it holds is lost.
     virtual void* resize(std::size_t bytes) = 0;
     virtual void set_zero() = 0;
     virtual void give(void* to, std::size_t bytes) const = 0;
@@ -37,7 +37,7 @@ public:
 template <class T>
 class LoopArray {
 public:
-    /// Gives where it is. What it holds is lost where it has to grow on a device; null: here.
+    /// Gives where it is. What it holds is lost on a device; null: here.
     T* resize(DeviceLoops* device, std::size_t n) {
         size_ = n;
         if (!device) {

@@ -13,9 +13,9 @@ namespace tw {
 
 class Level;
 
-/// A level whose steps are made by a graphics processor: water with rigid walls. In a step the host gets the loads of the groups at walls, the extremes, and the few particles
-/// that a wall has to hold; when lists are made, the places of those near walls, of which it finds the nearest; and at the
-/// edge of a zone who is to have children.
+/// A level whose steps are made by a graphics processor: water with rigid walls. In a step the host gets the loads of
+/// the groups at walls, the extremes, and the few particles that a wall has to hold; when lists are made, the places of
+/// those near walls, of which it finds the nearest; and at the edge of a zone who is to have children.
 class LevelOnDevice : public DeviceSteps {
 public:
     /// `level` must outlive this; its lists are made afterwards.
