@@ -18,29 +18,27 @@ public:
         const AirAtParticles air = rules(step);
         std::uint32_t* const stays = stays_.resize(step.device, words);
         step.each(words, MarkAir{air, step.links, n, all, stays});
-        std::uint8_t* const near = near_.zeros(step.device, n);
-        NearAirData d{.water = step.water, .near = near};
+        Round* const round = round_.zeros(step.device, n);
+        NearAirData d{.water = step.water, .round = round};
         d.water.surface = stays;
         step.pairs_where(MayGetAir{air, stays}, d, asking_);
-        step.halo.tell(near);
-        step.each(n, NoteAir{air, stays, near});
+        step.halo.tell(round);
+        step.each(n, NoteAir{air, stays, round});
     }
-    std::size_t bytes() const override { return stays_.bytes() + near_.bytes() + asking_.bytes(); }
+    std::size_t bytes() const override { return stays_.bytes() + round_.bytes() + asking_.bytes(); }
 
 private:
     AirAtParticles rules(const StepView& step) const {
         return {.aired = step.aired,
                 .wall = step.dummies.place ? step.dummies.normal : nullptr,
                 .drho = step.p.drho,
-                .shift = step.shift,
                 .surface = step.water.surface,
-                .reach = options_.reach_over_dp * static_cast<float>(step.level.dp),
-                .support = options_.support};
+                .reach = options_.reach_over_dp * static_cast<float>(step.level.dp)};
     }
 
     Ventilation options_;
     LoopArray<std::uint32_t> stays_;  ///< a bit for each particle and image, as Particles::surface
-    LoopArray<std::uint8_t> near_;
+    LoopArray<Round> round_;
     LoopArray<Group> asking_;
 };
 

@@ -13,22 +13,26 @@ class Effect;
 /// 1911, Villat 1914). A particle bears no tension (its density is not let below rho0) where air is at it:
 ///
 ///   at the free surface, where air was at it before or is at a particle within the kernel's support;
-///   at a wall, where the same holds and
-///     its distance from the wall < `reach_over_dp` dp,   its kernel support S < `support`,   rho <= rho0.
+///   within `reach_over_dp` dp of a wall, where rho <= rho0, air was at it before or is at a particle within the
+///     kernel's support, and sum_j V_j W_ij (rho_j - rho0) <= 0 over those round it that no air is at.
 ///
 /// So air comes from where it is, along the surface and along the wall, not to a place with pressure and not into a void
-/// that opens deep in the water. At the start, and when a particle is new, it is at all that are at the free surface.
-/// Calibrated: S < 0.99 (free jets, docs/results/separation.md); a kernel's support that a free surface cuts by more than
-/// a hundredth.
+/// that opens deep in the water; and no particle lets it in whose own density is low by chance. At the start, and when a
+/// particle is new, it is at all that are at the free surface.
 struct Ventilation {
-    float support = 0.99f, reach_over_dp = 2;
+    float reach_over_dp = 2;
 };
 std::unique_ptr<Effect> make_effect(const Ventilation& options);
 
-/// Whether air is at a particle within the kernel's support.
+/// What is within the kernel's support of a particle.
+enum class Round : std::uint8_t {
+    no_air = 0,
+    air = 1,
+    air_and_tension = 2  ///< and the water that no air is at is not under pressure in the mean
+};
 struct NearAirData {
     WaterView water{};  ///< its `surface` marks those that air is at
-    std::uint8_t* near = nullptr;
+    Round* round = nullptr;
 };
 
 }  // namespace tw

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 
+#include "sph_solver/effects/ventilation.h"
 #include "sph_solver/fields/quantities.h"
 #include "sph_solver/loops/surface.h"
 #include "sph_solver/sweeps/groups.h"
@@ -12,23 +13,22 @@ struct AirAtParticles {
     Aired* aired;
     const WallNormalRecord* wall;  ///< null: there are no walls
     const float* drho;
-    const ShiftSupportRecord* shift;
     const std::uint32_t* surface;
-    float reach;    ///< [m]
-    float support;  ///< [-]
+    float reach;  ///< [m]
 
-    /// Beside a wall, not pressed on it and short of support.
-    bool loose(std::size_t i) const {
-        return wall && wall[i].distance < reach && drho[i] <= 0 && shift[i].support < support;
-    }
+    /// Beside a wall and not pressed on it.
+    bool loose(std::size_t i) const { return wall && wall[i].distance < reach && drho[i] <= 0; }
     /// Air that was there is there still.
     bool stays(std::size_t i) const {
         return (marked(surface, i) && aired[i] != Aired::no) || (aired[i] == Aired::yes && loose(i));
     }
     /// From a particle near by.
     bool may_come(std::size_t i) const { return marked(surface, i) || loose(i); }
-    void note(std::size_t i, const std::uint32_t* stays, const std::uint8_t* near) const {
-        aired[i] = marked(stays, i) || (near[i] && may_come(i)) ? Aired::yes : Aired::no;
+    bool comes(std::size_t i, Round round) const {
+        return round != Round::no_air && (marked(surface, i) || (loose(i) && round == Round::air_and_tension));
+    }
+    void note(std::size_t i, const std::uint32_t* stays, const Round* round) const {
+        aired[i] = marked(stays, i) || comes(i, round[i]) ? Aired::yes : Aired::no;
     }
 };
 
@@ -59,9 +59,9 @@ struct MayGetAir {
 struct NoteAir {
     AirAtParticles air;
     const std::uint32_t* stays;
-    const std::uint8_t* near;
+    const Round* round;
 
-    void operator()(std::size_t i) const { air.note(i, stays, near); }
+    void operator()(std::size_t i) const { air.note(i, stays, round); }
 };
 
 }  // namespace tw

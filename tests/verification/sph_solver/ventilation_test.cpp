@@ -89,6 +89,59 @@ TEST(Ventilation, WaterLeavesACylinderInAFreeJetSmoothly) {
     EXPECT_GT(let_go.lowest, -0.02) << "the water comes apart";
 }
 
+/// A film delta thick lies on a sixth of a circle of radius R and runs along it at U. Without suction it goes straight on
+/// and leaves the wall at once, wherever it is; held, it presses with -rho U^2 delta / R. Air is at its ends alone.
+struct RoundFilm {
+    double force = 0;  ///< of suction, mean from 0.02 to 0.2 R / U, over rho U^2 delta [-]
+};
+RoundFilm pull(double R_over_dp, bool ventilated) {
+    constexpr double R = 1, U = 1, delta_over_dp = 8;
+    SimulationSetup s;
+    s.dimensions = 2;
+    s.threads = 1;
+    s.dp = R / R_over_dp;
+    s.state_equation.c0 = 10 * U;
+    s.gravity = Vec3::Zero();
+    s.domain = {Vec3(-2, -1, -1.5), Vec3(2, 1, 1)};
+    s.bodies = {prism_along_y(circle(0, -R, R), 3)};
+    if (ventilated) s.effects = {Ventilation{}};
+    const double delta = delta_over_dp * s.dp;
+    Fluid water;
+    for (double r = R + s.dp / 2; r < R + delta; r += s.dp) {
+        const int along = static_cast<int>(std::lround(std::numbers::pi / 3 * r / s.dp));
+        for (int k = 0; k < along; ++k) {
+            const double angle = std::numbers::pi / 3 * ((k + 0.5) / along - 0.5);
+            water.places.emplace_back(r * std::sin(angle), 0, r * std::cos(angle) - R);
+        }
+    }
+    water.depth.assign(water.places.size(), 0);
+    Simulation simulation(s, water);
+    auto fields = simulation.fields_to_set();
+    for (std::size_t i = 0; i < simulation.particles().size(); ++i) {
+        const double x = simulation.particles().x[i], z = simulation.particles().z[i] + R, r = std::hypot(x, z);
+        fields.u[i] = static_cast<float>(U * z / r), fields.w[i] = static_cast<float>(-U * x / r);
+    }
+    double impulse = 0, before = 0, since = 0;
+    while (simulation.time() < 0.2 * R / U) {
+        simulation.step();
+        if (simulation.time() > 0.02 * R / U) {
+            if (since == 0) since = before;
+            impulse += simulation.load().force.z() * (simulation.time() - before);
+        }
+        before = simulation.time();
+    }
+    return {impulse / (before - since) / (s.rho0 * U * U * delta)};
+}
+TEST(Ventilation, AFilmLeavesAWallThatBendsAwayHoweverLittleItBendsWithinASpacing) {
+    std::printf("R/dp | suction over rho U^2 delta: let go, held\n");
+    for (const double R_over_dp : {40, 80, 160}) {
+        const RoundFilm let_go = pull(R_over_dp, true), held = pull(R_over_dp, false);
+        std::printf("%4.0f | %.3f  %.3f\n", R_over_dp, let_go.force, held.force);
+        EXPECT_GT(held.force, 0.5) << "or this test sees nothing";
+        EXPECT_LT(std::abs(let_go.force), 0.2) << R_over_dp;
+    }
+}
+
 /// Air does not come where no free surface is, however strong the suction: the same bits.
 TEST(Ventilation, DeepUnderWaterSuctionStays) {
     const auto force = [](bool ventilated) {
