@@ -104,6 +104,7 @@ struct LadderCommand {
     std::string budget;                           ///< predicted time of all runs, a text with unit; empty: no limit
     bool plan = false;                            ///< list the runs and their predicted time, and run nothing
     bool variations = true;                       ///< also runs with another sound speed, time step and Courant number
+    bool surface = false;                         ///< also one with the surface captured geometrically
     bool fill = true;                             ///< also sizes between the coarse ones
     bool overwrite = false;                       ///< run anew what another scene left in the folder
     int threads = 0;

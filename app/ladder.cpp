@@ -57,6 +57,7 @@ int run_ladder(const LadderCommand& command, const Common& common) {
                                          .levels = command.levels,
                                          .ratio = command.ratio,
                                          .variations = command.variations,
+                                         .surface = command.surface,
                                          .box = command.variations,
                                          .fill = command.fill},
                                         out);
@@ -74,7 +75,12 @@ int run_ladder(const LadderCommand& command, const Common& common) {
     // before a folder is made
     if (!fs::exists(out) && std::ranges::none_of(jobs, [&](const LadderJob& job) { return seconds(job) <= budget; }))
         throw no_run_fits();
-    if (!command.making.hand_over && !command.making.collect) say(common, ready_text(scene.run.methods, scene));
+    if (!command.making.hand_over && !command.making.collect) {
+        say(common, ready_text(scene.run.methods, scene));
+        for (const LadderJob& job : jobs)
+            if (job.run.plan.scene.fvm.interface != scene.fvm.interface)
+                say(common, ready_text({job.run.method}, job.run.plan.scene));
+    }
     const FolderLock lock(out);
     CampaignRules rules = rules_of(command.making, out);
     rules.overwrite = command.overwrite, rules.budget = budget;

@@ -17,13 +17,21 @@ namespace fs = std::filesystem;
 
 constexpr LadderChoice choices[] = {
     // The error of weak compressibility falls with Ma^2, so with c0^-2: 1/(1 - 1/1.5^2).
-    {"sph", "sound speed x 1.5", "sound_speed_1.5", &SceneOverrides::sound_speed_factor, 1.5, 1.8},
+    {"sph", "sound speed x 1.5", "sound_speed_1.5", [](SceneOverrides& o) { o.sound_speed_factor = 1.5; }, 1.8},
     // Errors of time stepping are taken as of first order: 1/(1 - 1/2).
-    {"sph", "half the time step", "time_step_0.5", &SceneOverrides::time_step_factor, 0.5, 2, 2},
-    {"fvm", "half the Courant number", "courant_0.5", &SceneOverrides::courant_factor, 0.5, 2, 2},
+    {"sph", "half the time step", "time_step_0.5", [](SceneOverrides& o) { o.time_step_factor = 0.5; }, 2, 2},
+    {"fvm", "half the Courant number", "courant_0.5", [](SceneOverrides& o) { o.courant_factor = 0.5; }, 2, 2},
 };
 /// What the walls are worth; the share follows from the two boxes (compare/ladder/variation.h).
-constexpr LadderChoice wider_box = {"", "box x 1.5", "box_1.5", &SceneOverrides::box_factor, 1.5, 1, 1, true};
+constexpr LadderChoice wider_box = {.method = "",
+                                    .name = "box x 1.5",
+                                    .folder = "box_1.5",
+                                    .make = [](SceneOverrides& o) { o.box_factor = 1.5; },
+                                    .share = 1,
+                                    .box = true};
+/// Another model of the same surface: all of the change counts.
+constexpr LadderChoice geometric_surface = {"fvm", "geometric surface", "geometric_surface",
+                                            [](SceneOverrides& o) { o.interface = "isoadvector"; }, 1};
 
 /// Fewer sizes are not filled in: a fourth beside three makes their interval wider (decision 029).
 constexpr int least_filled = 4;
@@ -37,6 +45,7 @@ public:
         int allowed = 0;
         for (int k = sizes_.first; k < sizes_.levels; ++k)
             if (std::optional<PlannedRun> size = add_size(k)) coarsest = std::move(size), ++allowed;
+        if (sizes_.surface && coarsest) refuse_idle_surface(coarsest->scene);
         if (sizes_.box && coarsest && sizes_.levels > 1) add_box(*coarsest);
         for (int k = 1; sizes_.fill && allowed >= least_filled && k + 1 < sizes_.levels; ++k) add_size(k + 0.5);
         std::ranges::stable_sort(
@@ -82,15 +91,29 @@ private:
         }
         for (const std::string& method : plan->scene.run.methods) {
             add(*plan, method, folder_of(*plan), nullptr, k != std::floor(k));
-            if (!sizes_.variations || k != std::max(0, sizes_.levels - 2)) continue;
-            for (const LadderChoice& choice : choices)
+            if (k != std::max(0, sizes_.levels - 2)) continue;
+            const auto vary = [&](const LadderChoice& choice) {
                 if (choice.method == method) add_choice(o, folder_of(*plan), choice, method);
+            };
+            if (sizes_.variations) std::ranges::for_each(choices, vary);
+            if (sizes_.surface) vary(geometric_surface);
         }
         return plan;
     }
+    void refuse_idle_surface(const Scene& scene) const {
+        if (scene.fvm.captures_geometrically())
+            throw InputError(
+                fmt::format("{}: --surface would run the same once more; expected "
+                            "\"mules\", or no --surface",
+                            scene.place_of("fvm.interface")));
+        if (std::ranges::find(scene.run.methods, geometric_surface.method) == scene.run.methods.end())
+            throw InputError(
+                "--surface: it is a run of the mesh method, which is not asked for; expected --method "
+                "both or fvm, or no --surface");
+    }
     void add_choice(SceneOverrides o, const fs::path& folder, const LadderChoice& choice, const std::string& method) {
         try {
-            o.*choice.factor = choice.value;
+            choice.make(o);
             add(planned(o), method, folder / choice.folder, &choice);
         } catch (const InputError& e) { leave_out(o, choice.name, e); }
     }

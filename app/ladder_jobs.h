@@ -11,8 +11,7 @@ namespace tw::app {
 /// A choice that should not matter, made otherwise in one run.
 struct LadderChoice {
     const char *method, *name, *folder;  ///< method: "sph", "fvm"; "": the cheaper one
-    double SceneOverrides::*factor;
-    double value;
+    void (*make)(SceneOverrides& overrides);
     double share;      ///< of the error, see LadderVariation
     double steps = 1;  ///< how many times as many time steps it is to take
     bool box = false;
@@ -35,6 +34,7 @@ struct LadderSizes {
     int first = 0, levels = 4;  ///< sizes near_hull ratio^k, k from `first` to `levels` - 1
     double ratio = 1.4142135623730951;
     bool variations = true;  ///< other sound speed, time step and Courant number, at the second coarsest size
+    bool surface = false;    ///< the water's surface captured geometrically, at the same size
     bool box = true;         ///< a wider box at the coarsest size, where the scene is open water
     /// Of four sizes and more also near_hull ratio^(k + 1/2), between neighbouring ones but for the two finest.
     bool fill = false;

@@ -19,6 +19,9 @@ SceneOverrides overrides_of(const nlohmann::json& json) {
     for (const auto& [key, factor] : factors_in_study)
         if (json.contains(key)) o.*factor = number_within(json, key, 1e-6, 1e6);
     o.device = json.value("device", "");
+    o.interface = json.value("interface", "");
+    if (!o.interface.empty() && o.interface != "isoadvector")
+        throw InputError("interface: \"" + o.interface + "\"; expected \"isoadvector\"");
     if (json.contains("effects")) o.effects = json["effects"].get<std::map<std::string, bool>>();
     return o;
 }

@@ -26,6 +26,7 @@ StudyJson json_of(const SceneOverrides& o) {
         if (o.*factor != 1) json[key] = o.*factor;
     if (!o.effects.empty()) json["effects"] = o.effects;
     if (!o.device.empty()) json["device"] = o.device;
+    if (!o.interface.empty()) json["interface"] = o.interface;
     return json;
 }
 

@@ -236,6 +236,8 @@ void ladder_options(CLI::App& c, LadderCommand& ladder) {
     c.add_flag(
         "!--no-variations", ladder.variations,
         "leave out the runs with sound speed x 1.5, half the time step, half the Courant number and a wider box");
+    c.add_flag("--surface", ladder.surface,
+               "one run more with interIsoFoam's geometric surface, where no body moves: all that it changes counts");
     c.add_flag("!--no-fill", ladder.fill,
                "leave out the sizes between the coarse ones, which tell scatter from a trend and narrow the interval");
     c.add_option("--measured", ladder.measured,

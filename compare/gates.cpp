@@ -153,7 +153,8 @@ std::vector<Gate> check_gates(const RunRecord& record, const std::string& name) 
     }
     if (const auto air = time_mean(record, "samples", "ventilation"))
         add("ventilation index", "-", *air, 0.2,
-            "beyond it, air smeared under the hull makes friction too low in proportion, and lift by 2 % at most");
+            "beyond it, air smeared under the hull makes friction too low in proportion; a sharper surface lowers the "
+            "lift by 3 to 4 % (measured)");
     const bool edges = speed > 0 && !record.hull_pressure.empty() && has_edges_in_air(record);
     if (const auto suction = suction_share(record); suction && edges)
         add("suction on the hull", "%", *suction, 15,

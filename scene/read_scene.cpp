@@ -225,6 +225,7 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     if (free_hull) scene.hull->free->motion.release = hull->free->release.value_or(scene.motion.ramp);
     fill_times(scene);
     check_free_hull(scene, s);
+    if (!overrides.interface.empty()) scene.fvm.interface = overrides.interface;
     // Measured with the entry of a body (docs/decisions/034-moving-bodies-in-interfoam.md).
     if (scene.fvm.max_alpha_courant == 0 && !scene.bodies.empty()) scene.fvm.max_alpha_courant = 0.5;
     if (scene.fvm.max_alpha_courant == 0 && scene.fvm.captures_geometrically())

@@ -230,6 +230,7 @@ struct SceneOverrides {
     double box_factor = 1;
     std::map<std::string, bool> effects = {};  ///< effects forced on or off
     std::string device = {};                   ///< empty: the scene's
+    std::string interface = {};                ///< how the mesh method captures the surface; empty: the scene's
 };
 
 /// Reads, fills in and checks a scene file. Throws InputError `file:line:column: ...` for the first thing that is

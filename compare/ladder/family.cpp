@@ -75,6 +75,8 @@ Family family_of(const RunRecord& record) {
             f.likeness += fmt::format(" {}={:.9g}", name, n->second);
     for (const char* name : {"hull_hash", "motion", "equation_of_state", "time_scheme"})
         if (record.attributes.contains(name)) f.settings[name] = text_of(record, name);
+    if (const std::string surface = text_of(record, "interface"); !surface.empty() && surface != "mules")
+        f.settings["interface"] = surface;
     for (const EffectChoice& e : record.effects) f.settings["effect " + e.name] = e.on ? "on" : "off";
     for (const auto& [name, value] : record.numbers)
         if (!follows_from_others(name) && std::isfinite(value)) f.numbers[name] = value;
@@ -92,7 +94,9 @@ bool same_settings(const Family& a, const Family& b) { return differences_of(a, 
 
 std::optional<Varied> variation_between(const Family& base, const Family& varied) {
     const std::vector<FamilyDifference> all = differences_of(base, varied);
-    if (all.size() != 1 || !(all[0].ratio > 0)) return {};
+    if (all.size() != 1) return {};
+    if (all[0].name == "interface" && all[0].b == "isoadvector") return Varied{"geometric surface"};
+    if (!(all[0].ratio > 0)) return {};
     const double r = all[0].ratio;
     // The error of weak compressibility falls with Ma^2, so with c0^-2; errors of time stepping are of first order.
     if (all[0].name == "c0" && r > 1) return Varied{fmt::format("sound speed x {:g}", r), 1 / (1 - 1 / (r * r))};

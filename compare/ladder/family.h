@@ -30,7 +30,8 @@ struct Varied {
     double factor = 1;
     double steps = 1;  ///< how many times as many time steps it is to take; 1: they are not what it changes
 };
-/// `varied` against `base`, where they differ in nothing but the sound speed, or a time step made shorter.
+/// `varied` against `base`, where they differ in nothing but the sound speed, a time step made shorter, or a surface
+/// captured geometrically, another model whose change counts in full.
 std::optional<Varied> variation_between(const Family& base, const Family& varied);
 
 }  // namespace tw

@@ -65,6 +65,21 @@ TEST(Gates, DragThatTheResolutionMakesIsToldOfASubmergedBody) {
     EXPECT_FALSE(gate(synthetic_run(sph)));
 }
 
+TEST(Gates, AirSmearedUnderAHullIsToldWithWhatItIsWorth) {
+    RunRecord smeared = synthetic_run(fvm);
+    const auto air = [](const RunRecord& r) {
+        for (const Gate& g : check_gates(r, "fvm"))
+            if (g.name == "ventilation index") return g;
+        return Gate{};
+    };
+    EXPECT_TRUE(air(smeared).pass);
+    for (Column& c : smeared.tables.at("samples").columns)
+        if (c.name == "ventilation") std::ranges::fill(c.values, 0.44);
+    EXPECT_FALSE(air(smeared).pass);
+    EXPECT_NE(air(smeared).remark.find("friction too low in proportion"), std::string::npos) << air(smeared).remark;
+    EXPECT_NE(air(smeared).remark.find("a sharper surface lowers the lift"), std::string::npos) << air(smeared).remark;
+}
+
 TEST(Gates, WaterThatStaysAttachedBehindAStepIsTold) {
     RunRecord attached = synthetic_run(fvm);
     const auto suction = [](const RunRecord& r) {

@@ -331,6 +331,24 @@ TEST(Ladder, RecordsWithoutAFamilyFallBackToTheirMainNumbers) {
     EXPECT_FALSE(ladder_of(records).sides[0].similar);
 }
 
+TEST(Ladder, ARunWithAGeometricSurfaceIsAVariationOfItsTwinAndCountsInFull) {
+    std::vector<RunRecord> records = family_with_hash();
+    for (RunRecord& r : records) r.attributes["interface"] = "mules";
+    RunRecord geometric = records[2];
+    geometric.attributes["family_hash"] = "geometric";
+    geometric.attributes["interface"] = "isoadvector";
+    std::vector<LadderRun> runs{ladder_run(geometric)};
+    for (const RunRecord& r : records) runs.push_back(ladder_run(r));
+    const std::vector<LadderVariation> variations = take_variations(runs);
+    ASSERT_EQ(variations.size(), 1u);
+    EXPECT_EQ(variations[0].name, "geometric surface");
+    EXPECT_EQ(variations[0].factor, 1);
+    EXPECT_EQ(runs.size(), 4u);
+    geometric.numbers["delta"] = 0.2;  // and something else
+    runs.push_back(ladder_run(geometric));
+    EXPECT_TRUE(take_variations(runs).empty());
+}
+
 TEST(Ladder, ARunWithAnotherSoundSpeedOrTimeStepIsAVariationOfItsTwin) {
     std::vector<LadderRun> runs;
     const std::vector<RunRecord> records = family_with_hash();
