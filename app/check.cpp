@@ -45,17 +45,11 @@ int run_check(const CheckCommand& command, const Common& common) {
     const RanksTake ranks = ranks_take(plan, command.ranks);
     say(common, ranks.line);
     if (built_for_gpu()) {
-        const std::string why = why_not_on_gpu(scene);
         const Prediction& p = plan.prediction;
-        const double bytes = bytes_on_gpu(p.most_particles + p.wall_particles, sizes_of_particles(scene) > 1);
         say(common,
-            "gpu: " +
-                (why.empty()
-                     ? fmt::format("one can make the particles' steps (run --device gpu) with {:.2g} GB of its memory; "
-                                   "the force by the control volume is left out",
-                                   bytes / 1e9)
-                     : "none yet, because of " + why) +
-                "\n");
+            fmt::format("gpu: one can make the particles' steps (run --device gpu) with {:.2g} GB of its "
+                        "memory; the force by the control volume is left out\n",
+                        bytes_on_gpu(p.most_particles + p.wall_particles, sizes_of_particles(scene) > 1) / 1e9));
     }
     if (!command.picture.empty()) draw_sizes(scene, command.picture);
     write_json(common, check_json(scene, plan.prediction, ranks));

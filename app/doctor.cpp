@@ -52,7 +52,9 @@ void ask_gpu(MachineFacts& f) {
         f.gpu_verdict = fmt::format("{}: error {:.2g} % of the pressure at the floor in water at rest",
                                     sound ? "sound" : "NOT SOUND", 100 * f.gpu_error);
         if (sound) f.gpu_pace = calibrate_gpu_pace(pace_on_gpu("sph"));
-    } catch (const RunError& e) { f.gpu_verdict = std::string("NOT SOUND: ") + e.what(); }
+    } catch (const RunError& e) {
+        f.gpu_verdict = std::string("NOT SOUND: ") + e.what();
+    } catch (const InputError& e) { f.gpu_verdict = std::string("not tested: ") + e.what(); }
 }
 
 MachineFacts examine(const std::string& preferred) {

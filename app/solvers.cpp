@@ -26,12 +26,7 @@ Prediction predict_all(const Scene& scene, const std::function<double(const std:
 
 const std::vector<Solver>& solvers() {
     static const std::vector<Solver> rows{
-        {.method = "sph",
-         .predict = predict_particles,
-         .run = run_sph,
-         .state = "checkpoint.h5",
-         .refuse = refuse_on_gpu,
-         .ready = gpu_line},
+        {.method = "sph", .predict = predict_particles, .run = run_sph, .state = "checkpoint.h5", .ready = gpu_line},
         {.method = "fvm",
          .predict = predict_cells,
          .run = run_fvm,
@@ -56,8 +51,7 @@ std::vector<std::string> method_choices() {
 }
 
 PaceName pace_of(const Scene& scene, const std::string& method) {
-    const bool of_gpu =
-        method == "sph" && scene.run.device != "cpu" && why_not_on_gpu(scene).empty() && !gpu_name().empty();
+    const bool of_gpu = method == "sph" && scene.run.device != "cpu" && !gpu_name().empty();
     if (!of_gpu) return {method};
     return {pace_on_gpu(method), true, cores_of_particles(scene)};
 }

@@ -111,8 +111,8 @@ Rows run_keys() {
          .meaning = "Processes (MPI) that share the particles of `twinwake run`, each with its threads; run --ranks goes "
                     "before it. Runs of other studies have one each. The results have the same bits for any number."},
         {.name = "device", .kind = Kind::choice, .choices = {"cpu", "gpu", "auto"}, .slot = slot(&Scene::run, &Run::device),
-         .meaning = "What makes the particles' steps: this processor, a GPU, or a GPU where there is one that can make "
-                    "the scene's (check tells). Both give the same but for last digits."},
+         .meaning = "What makes the particles' steps: this processor, a GPU, or a GPU where there is one. Both give the "
+                    "same but for last digits."},
         {.name = "checkpoint", .unit = "s", .range = positive, .slot = slot(&Scene::run, &Run::checkpoint),
          .fallback = "a twentieth of the duration",
          .meaning = "Simulated time between saved states of the particle method."},

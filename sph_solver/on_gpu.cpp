@@ -15,38 +15,19 @@
 
 namespace tw {
 
-std::string why_not_on_gpu(const Scene& scene) {
-    for (const MovingBody& body : scene.bodies)
-        if (body.elastic) return "a body that bends: its walls are rigid";
-    if (scene.effect_on("air")) return "the effect air: particles of two materials meet";
-    return {};
-}
-
 double bytes_on_gpu(double particles, bool several_sizes) {
     // Measured were 300 to 500 with one size, the more the longer the kernel reaches; what the edges ask for comes on top.
     return particles * (several_sizes ? 900 : 600);
 }
 
-namespace {
-/// Whether there is no reason against a GPU. One that is asked for by name and cannot be had is an error.
-bool or_refuse(const Scene& scene, const std::string& why) {
-    if (!why.empty() && scene.run.device == "gpu")
-        throw InputError(
-            fmt::format("{}: [run] device = \"gpu\": {}; leave the key out, or say \"auto\" for a GPU where one can",
-                        scene.file.string(), why));
-    return why.empty();
-}
-
-bool can_be_on_gpu(const Scene& scene) {
-    const std::string why = why_not_on_gpu(scene);
-    return or_refuse(scene, why.empty() ? why : "a GPU cannot make the steps yet of a scene with " + why);
-}
-}  // namespace
-
-void refuse_on_gpu(const Scene& scene) { can_be_on_gpu(scene); }
-
 bool gpu_wanted(const Scene& scene) {
-    return scene.run.device != "cpu" && can_be_on_gpu(scene) && or_refuse(scene, why_no_gpu_here());
+    if (scene.run.device == "cpu") return false;
+    const std::string why_not = why_no_gpu_here();
+    if (!why_not.empty() && scene.run.device == "gpu")
+        throw InputError(fmt::format(
+            "{}: [run] device = \"gpu\": {}; leave the key out, or say \"auto\" for a GPU where there is one",
+            scene.file.string(), why_not));
+    return why_not.empty();
 }
 
 std::string gpu_line(const Scene& scene) { return gpu_wanted(scene) ? "GPU: " + gpu_in_words() + "\n" : ""; }
@@ -67,8 +48,12 @@ std::string gpu_name() { return cuda::Device::name_here(); }
 
 std::string gpu_in_words() {
     const auto device = cuda::Device::open();
-    return fmt::format("{}, {:.3g} GB, {} multiprocessors, driver {}", device->name(), double(device->memory()) / 1e9,
-                       device->multiprocessors(), device->driver());
+    const std::string among =
+        device->of() == 1 ? ""
+                          : fmt::format("; number {} of {}, the first that can be used: CUDA_VISIBLE_DEVICES chooses",
+                                        device->number(), device->of());
+    return fmt::format("{}, {:.3g} GB, {} multiprocessors, driver {}{}", device->name(), double(device->memory()) / 1e9,
+                       device->multiprocessors(), device->driver(), among);
 }
 
 std::string gpu_peaks_in_words() {

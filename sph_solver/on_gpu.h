@@ -12,8 +12,6 @@ class Simulation;
 
 /// Whether this program has the kernels.
 bool built_for_gpu();
-/// Why a GPU cannot make the steps of a scene; empty: it can, where there is one.
-std::string why_not_on_gpu(const Scene& scene);
 /// Memory of a GPU for so many particles and dummies of one or of several sizes, with lists and room to grow [B].
 double bytes_on_gpu(double particles, bool several_sizes);
 /// Why this machine has no GPU that can be used; empty: it has.
@@ -26,10 +24,8 @@ std::string gpu_in_words();
 /// What it was measured to do at most: arithmetic in single precision, and reading what its second cache holds.
 std::string gpu_peaks_in_words();
 
-/// Throws InputError with the reason where a scene asks by `[run] device = "gpu"` for what no GPU can do yet.
-void refuse_on_gpu(const Scene& scene);
 /// Whether a scene's `[run] device` and this machine say that a GPU makes the steps. Throws InputError with the reason
-/// where one is asked for by "gpu" and cannot, or is not here.
+/// where one is asked for by "gpu" and is not here.
 bool gpu_wanted(const Scene& scene);
 /// A line of the GPU that will make a scene's steps; empty: none will. Throws as `gpu_wanted`.
 std::string gpu_line(const Scene& scene);

@@ -381,7 +381,7 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
         p.eta = time_left(done, 1 - simulation->time() / duration, wall, options.predicted_seconds);
         const Level* air = simulation->gas();
         p.note = fmt::format("sph {} particles{}, dt {:.3g} s", count(),
-                             air ? fmt::format(" and {} of air", air->particles().size()) : "", simulation->dt());
+                             air ? fmt::format(" and {} of air", air->count()) : "", simulation->dt());
         options.progress(p);
         last_report = wall_now();
     };

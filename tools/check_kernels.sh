@@ -11,7 +11,7 @@ set -uo pipefail
 [ $# = 1 ] && [ -r "$1" ] || { sed -n '2,10p' "${BASH_SOURCE[0]}" | cut -c3-; exit 2; }
 status=0
 pairs='tw_first_sweep|tw_second_sweep|tw_extrapolate|tw_interpolate|tw_near_air'
-pairs+='|tw_velocity_at_walls|tw_friction|tw_strain_rate|tw_colour_gradient|tw_curvature'
+pairs+='|tw_meet_other|tw_press_other|tw_velocity_at_walls|tw_friction|tw_strain_rate|tw_colour_gradient|tw_curvature'
 faults=$(awk -v pairs="^($pairs)$" -v flat="^($pairs|tw_prune|tw_search)$" '
     /\.entry/ { split($3, name, "("); kernel = name[1]; ++kernels }
     /^[ \t]*call/ { print kernel ": calls a function, line " NR }

@@ -29,6 +29,13 @@ public:
     virtual Vec3 surface_velocity(const Vec3& /*x*/, std::int32_t /*triangle*/) const { return Vec3::Zero(); }
     /// The same of a rigid body everywhere.
     virtual WallMotion surface_motion() const { return {}; }
+    /// What says it of a body that gives way; empty: it does not.
+    struct Skin {
+        std::span<const Corners> corners;
+        std::span<const V3<double>> noted, velocity;  ///< as SkinMotion has them
+        std::int64_t times_noted = 0;
+    };
+    virtual Skin skin() const { return {}; }
     /// The largest speed of a point or of the surface [m/s].
     virtual double fastest() const { return 0; }
     /// The k-th is then what order[k] is now.

@@ -1,5 +1,8 @@
 #pragma once
+#include <span>
+
 #include "sph_solver/bodies/body.h"
+#include "sph_solver/equations/vector.h"
 #include "sph_solver/fields/particles.h"
 
 namespace tw {
@@ -8,12 +11,14 @@ namespace tw {
 ///
 ///   a_i += F n / m
 ///
-/// Only bodies nearer than a spacing. Adds to the particles' rates, and gives what the bodies get, and which particle
-/// gives it.
+/// What the bodies get, which particle gives it, and what that gets [m/s2].
 struct WallPushes {
     std::vector<WallPush> pushes;
-    std::vector<std::size_t> by;
+    std::vector<std::int32_t> by;
+    std::vector<V3<float>> accelerations;
 };
-WallPushes add_wall_pushes(const Bodies& bodies, Particles& particles, double dp, double mass);
+/// Of the particles in `near`: MayBePressed (loops/pressed.h), in order.
+WallPushes wall_pushes(const Bodies& bodies, const Particles& particles, std::span<const std::int32_t> near, double dp,
+                       double mass);
 
 }  // namespace tw

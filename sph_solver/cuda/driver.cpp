@@ -34,6 +34,7 @@ struct Device::Library {
     std::string name, driver, file;
     std::size_t memory = 0;
     int multiprocessors = 0;
+    int number = 0, count = 0;  ///< of the device, and of all
     std::map<std::string, void*> kernels;
 
     Result (*cuInit)(unsigned) = nullptr;
@@ -96,7 +97,7 @@ struct Device::Library {
         forget = reinterpret_cast<decltype(forget)>(dlsym(handle, "twinwake_forget"));
         if (!missing.empty()) return fmt::format("{} is too old, it has no {}", file, missing);
         if (const Result r = cuInit(0)) return words(r);
-        int version = 0, count = 0;
+        int version = 0;
         cuDriverGetVersion(&version);
         driver = fmt::format("{}.{}", version / 1000, version % 1000 / 10);
         if (const Result r = cuDeviceGetCount(&count)) return words(r);
@@ -116,6 +117,7 @@ struct Device::Library {
             }
             cuDeviceGetAttribute(&multiprocessors, attribute_multiprocessors, device);
             cuDeviceTotalMem(&memory, device);
+            number = k + 1;
             return "";
         }
         return too_old.empty() ? "the driver does not say what its device is" : too_old;
@@ -167,6 +169,8 @@ const std::string& Device::name() const { return library_->name; }
 const std::string& Device::driver() const { return library_->driver; }
 std::size_t Device::memory() const { return library_->memory; }
 int Device::multiprocessors() const { return library_->multiprocessors; }
+int Device::number() const { return library_->number; }
+int Device::of() const { return library_->count; }
 
 std::size_t Device::free_memory() const {
     std::size_t free = 0, all = 0;

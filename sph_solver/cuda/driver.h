@@ -15,7 +15,8 @@ namespace tw::cuda {
 /// device that can be used, InputError says why.
 class Device {
 public:
-    /// The first of the machine that can be used.
+    /// The first of the machine's that can be used, in the driver's order: it hides those that CUDA_VISIBLE_DEVICES does
+    /// not name.
     static std::shared_ptr<Device> open();
     /// Why none can be used; empty: one can. Neither this nor its name opens it, which translates the kernels.
     static std::string reason_against();
@@ -30,6 +31,9 @@ public:
     std::size_t memory() const;         ///< of the device [B]
     std::size_t free_memory() const;    ///< now [B]
     int multiprocessors() const;
+    /// Which it is in that order, from 1 on, and how many there are.
+    int number() const;
+    int of() const;
     /// Bytes copied since it was opened.
     struct Traffic {
         std::uint64_t to_device = 0, to_host = 0;
@@ -108,6 +112,10 @@ public:
     /// Into as many elements of the host, from the first or another one on.
     void give(std::span<T> to, std::size_t first = 0) const {
         if (!to.empty()) device_->to_host(to.data(), at_ + first * sizeof(T), to.size() * sizeof(T));
+    }
+    void copy(const Array& other) {
+        resize(other.size_);
+        if (size_ > 0) device_->within_device(at_, other.at_, size_ * sizeof(T));
     }
     T value(std::size_t k) const {
         T one;

@@ -37,6 +37,8 @@
     task(tw_take_near_walls,         cuda::TakeNearWalls)        \
     task(tw_no_walls,                cuda::NoWalls)              \
     task(tw_put_walls,               cuda::PutWalls)             \
+    task(tw_mark_pressed,            cuda::MarkPressed)          \
+    task(tw_add_pushes,              AddPushes)                  \
     task(tw_mark_following,          cuda::MarkFollowing)        \
     task(tw_list_marked,             cuda::ListMarked)           \
     task(tw_places_to_ask,           cuda::PlacesToAsk)          \
@@ -59,7 +61,11 @@
     task(tw_add_children,            cuda::AddChildren)          \
     task(tw_forget_edge,             cuda::ForgetEdge)
 
-// The same, and the largest of what they give: largest(NAME, TASK).
+// Groups by a condition: choose(NAME, CONDITION).
+#define TW_DEVICE_CHOICES(choose) \
+    choose(tw_has_neighbours, cuda::HasNeighbours)
+
+// One index by one thread, and the largest of what they give: largest(NAME, TASK).
 #define TW_DEVICE_LARGEST(largest)       \
     largest(tw_fastest, cuda::FastestOf)
 

@@ -25,6 +25,8 @@ extern "C++" __device__ inline double sqrt(double x) { return __builtin_sqrt(x);
 #include "sph_solver/cuda/tasks.h"
 #include "sph_solver/effects/kernels.h"
 #include "sph_solver/loops/count_kinds.h"
+#include "sph_solver/loops/force_on_dummies.h"
+#include "sph_solver/pairs/level_pair_isa.cpp"
 #include "sph_solver/sweeps/engine_isa.cpp"
 #include "sph_solver/sweeps/interpolate_isa.cpp"
 #pragma clang force_cuda_host_device end
@@ -36,6 +38,7 @@ using on_device::pass;
     TW_SWEEP_KERNEL name(View d, const Group* groups, int count) { pass(d, groups, count); }
 TW_DEVICE_SWEEPS(sweep)
 TW_EFFECT_SWEEPS(sweep)
+TW_PAIR_SWEEPS(sweep)
 #undef sweep
 
 /// How many groups were chosen is known to the device alone.
@@ -53,6 +56,7 @@ TW_DEVICE_TASKS(task)
 TW_EFFECT_TASKS(task)
 TW_IMAGE_TASKS(task)
 TW_STAGE_TASKS(task)
+TW_BODY_TASKS(task)
 #undef task
 
 #define choose(name, Condition)                                                                          \
@@ -60,6 +64,7 @@ TW_STAGE_TASKS(task)
         const std::size_t k = device::index();                                                           \
         if (k < n && condition(groups[k])) chosen[device::add_one(count)] = groups[k];                   \
     }
+TW_DEVICE_CHOICES(choose)
 TW_EFFECT_CHOICES(choose)
 #undef choose
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "sph_solver/cuda/sorting.h"
+#include "sph_solver/loops/pressed.h"
 #include "sph_solver/sweeps/records.h"
 
 namespace tw::cuda {
@@ -52,6 +53,13 @@ struct ListGroupsAtWalls {
         list[before[n]] = {g, metres(g.x, c.x, origin[0]), metres(g.y, c.y, origin[1]), metres(g.z, c.z, origin[2])};
     }
 };
+/// Marks those that bodies may press on.
+struct MarkPressed {
+    MayBePressed condition;
+    int* pressed;
+
+    void operator()(std::size_t i) const { pressed[i] = condition(i); }
+};
 /// Where a particle is that may be near a wall.
 struct NearWall {
     double x, y, z;
@@ -80,11 +88,13 @@ struct TakeNearWalls {
 struct NoWalls {
     WallNormalRecord* wall;
     LeavingRecord* leaving;
-    std::uint16_t* body;  ///< null: none moves
+    std::uint16_t* body;     ///< null: none moves
+    std::int32_t* triangle;  ///< null: none gives way
 
     void operator()(std::size_t i) const {
         wall[i] = no_wall, leaving[i] = {0, 0, 0, 0};
         if (body) body[i] = 0;
+        if (triangle) triangle[i] = -1;
     }
 };
 /// What the host has found of them.
@@ -92,19 +102,22 @@ struct WallFound {
     std::int32_t index;
     WallNormalRecord wall;
     LeavingRecord leaving;
+    std::int32_t triangle;
     std::uint16_t body;
 };
 struct PutWalls {
     const WallFound* found;
     WallNormalRecord* wall;
     LeavingRecord* leaving;
-    std::uint16_t* body;  ///< null: none moves
+    std::uint16_t* body;     ///< null: none moves
+    std::int32_t* triangle;  ///< null: none gives way
 
     void operator()(std::size_t k) const {
         const WallFound& f = found[k];
         if (f.index < 0) return;
         wall[f.index] = f.wall, leaving[f.index] = f.leaving;
         if (body) body[f.index] = f.body;
+        if (triangle) triangle[f.index] = f.triangle;
     }
 };
 

@@ -19,6 +19,11 @@ struct DeviceSource {
     int first_of(int column) const { return start[std::int64_t{column} * stride]; }
 };
 
+/// Groups that have some.
+struct HasNeighbours {
+    bool operator()(const Group& g) const { return g.list.size > 0; }
+};
+
 /// Who is within reach of each group's particles, block by block as Search in neighbours/columns.cpp finds them. A first
 /// run counts the blocks, a second one writes them.
 struct SearchNeighbours {

@@ -65,7 +65,7 @@ struct PressureOfState {
     double rho0;
     float operator()(float drho) const { return state.pressure(rho0, drho); }
 };
-/// AfterFirstSweep beside rigid walls.
+/// AfterFirstSweep beside walls.
 template <class Pressure>
 struct Compress {
     AfterFirstSweep after;
@@ -83,7 +83,7 @@ Compress(AfterFirstSweep, NearWalls, Pressure) -> Compress<Pressure>;
 using CompressLinearly = Compress<LinearPressure>;
 using CompressByState = Compress<PressureOfState>;
 
-/// Move beside rigid walls. A particle too near to one is left to the host: it is put on a list, in no order, and does
+/// Move beside walls. A particle too near to one is left to the host: it is put on a list, in no order, and does
 /// not count for the extremes.
 struct MoveAll {
     Move move;
@@ -137,13 +137,15 @@ struct HeldParticle {
     LeavingRecord leaving;
     Kind kind;
     std::uint16_t body;
+    std::int32_t triangle;
 };
 /// Takes such particles out of the arrays, and puts them back.
 struct TakeHeld {
     StateView p;
     const WallNormalRecord* wall;  ///< null: there are none
     const LeavingRecord* leaving;
-    const std::uint16_t* body;  ///< null: none moves
+    const std::uint16_t* body;     ///< null: none moves
+    const std::int32_t* triangle;  ///< null: none gives way
     const std::int64_t* id;
     const Kind* kind;
     const std::int32_t* which;
@@ -157,6 +159,7 @@ struct TakeHeld {
         h.u = p.u[i], h.v = p.v[i], h.w = p.w[i], h.drho = p.drho[i];
         if (wall) h.wall = wall[i], h.leaving = leaving[i];
         if (body) h.body = body[i];
+        if (triangle) h.triangle = triangle[i];
     }
 };
 struct PutHeld {
@@ -164,7 +167,8 @@ struct PutHeld {
     StateView p;
     WallNormalRecord* wall;
     LeavingRecord* leaving;
-    std::uint16_t* body;  ///< null: none moves
+    std::uint16_t* body;     ///< null: none moves
+    std::int32_t* triangle;  ///< null: none gives way
 
     void operator()(std::size_t k) const {
         const HeldParticle& h = from[k];
@@ -173,6 +177,7 @@ struct PutHeld {
         p.u[i] = h.u, p.v[i] = h.v, p.w[i] = h.w, p.drho[i] = h.drho;
         wall[i] = h.wall, leaving[i] = h.leaving;
         if (body) body[i] = h.body;
+        if (triangle) triangle[i] = h.triangle;
     }
 };
 

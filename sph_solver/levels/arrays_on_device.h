@@ -50,7 +50,8 @@ struct LevelOnDevice::Arrays {
     cuda::Array<std::uint32_t> surface{device};
     cuda::Array<WallNormalRecord> wall_normal{device};
     cuda::Array<LeavingRecord> wall_leaving{device};
-    cuda::Array<std::uint16_t> wall_body{device};  ///< empty: no body moves
+    cuda::Array<std::uint16_t> wall_body{device};     ///< empty: no body moves
+    cuda::Array<std::int32_t> wall_triangle{device};  ///< empty: no body gives way
 
     // who stands where
     cuda::Bins bins;
@@ -84,6 +85,20 @@ struct LevelOnDevice::Arrays {
         ListsOnDevice lists;
     };
     std::vector<Part> parts;
+    /// The surface of one body, empty if that is rigid.
+    struct Skin {
+        std::int64_t times_noted = 0;
+        cuda::Array<Corners> corners;
+        cuda::Array<V3<double>> noted, velocity;
+    };
+    std::vector<Skin> skins;
+    cuda::Array<SkinMotion> skin_motions{device};  ///< empty: no body gives way
+    cuda::Array<std::int32_t> pushed{device};
+    cuda::Array<V3<float>> pushes{device};
+
+    // where another level's material is within reach
+    cuda::Array<Group> asking_others{device}, near_others{device};
+    ListsOnDevice lists_of_others{device};
 
     cuda::Array<int> count{device};
     cuda::Array<KindCounts> kinds{device};
@@ -129,15 +144,17 @@ struct LevelOnDevice::Arrays {
         const auto add = [&](const auto&... array) { ((sum += double(array.bytes())), ...); };
         p.each(add), sorted.each(add);
         add(place, motion, stress, shift, rate, density_rate, surface, wall_normal, wall_leaving, wall_body,
-            wall_velocity, wall_acceleration, motions, entered, images, gone, left, wide, order, image_order, found,
-            links, maps, groups, lists, wall_lists, wall_place, wall_p, sliding, body_end, wall_load, loads, at_wall,
-            groups_at_walls, near_walls, walls_found, count, kinds, extremes, too_near, fetched,
-            held, gives, giving_place, giving_motion, giving_support, giving_rate, giving_start, giving_images,
-            following, orphans, which, wide_of_others, given, at_edge, outside, asked_outside,
-            gone_at_edge, left_zone, located, parents, children);
+            wall_triangle, skin_motions, pushed, pushes, asking_others, near_others, lists_of_others, wall_velocity,
+            wall_acceleration, motions, entered, images, gone, left, wide, order, image_order, found, links, maps,
+            groups, lists, wall_lists, wall_place, wall_p, sliding, body_end, wall_load, loads, at_wall,
+            groups_at_walls, near_walls, walls_found, count, kinds, extremes, too_near, fetched, held, gives,
+            giving_place, giving_motion, giving_support, giving_rate, giving_start, giving_images, following, orphans,
+            which, wide_of_others, given, at_edge, outside, asked_outside, gone_at_edge, left_zone, located, parents,
+            children);
         for (const auto& [apart, a] : asked)
             add(a.order, a.groups, a.lists, a.place, a.value, a.support, a.mean_support, a.compression);
         for (const Part& part : parts) add(part.start, part.column, part.groups, part.lists);
+        for (const Skin& skin : skins) add(skin.corners, skin.noted, skin.velocity);
         return sum;
     }
 };

@@ -93,8 +93,11 @@ double Level::lid_pressure() const {
             return *this;
         }
     };
+    const Particles& p = home();
     const Under lid = sum_over_all<Under>([&](Under& sum, std::size_t i) {
-        if (home().z[i] > around_.domain.max.z() - kernel_.support()) sum.pressure += pressure(i), ++sum.count;
+        if (p.z[i] <= around_.domain.max.z() - kernel_.support()) return;
+        sum.pressure += setup_.state_equation.pressure(setup_.rho0, p.drho[i]);
+        ++sum.count;
     });
     return lid.count > 0 ? lid.pressure.value() / double(lid.count) : 0;
 }
@@ -164,7 +167,7 @@ SecondSweepData Level::second_sweep_data(double t) {
 void Level::first_sweep(double t, double compress, double drift, const OtherSums* other) {
     if (device_) {
         const Stopwatch watch(timers_.gradient);
-        device_->first_sweep(t, compress, drift);
+        device_->first_sweep(t, compress, drift, other);
         return note_compression();
     }
     FirstSweepData d = first_sweep_data();
@@ -307,11 +310,13 @@ void Level::gather_loads(const Vec3& moment_reference) {
     for (const auto& effect : effects_)
         if (!effect->wall_loads().empty()) add_group_loads(groups_, effect->wall_loads(), arm, rubbed);
     if (walls_.press()) {
-        const auto [pushes, on] = add_wall_pushes(bodies_, particles_, setup_.dp, mass_);
+        const WallPushes pushed = push_particles();
         std::vector<WallPush> own;
         std::vector<std::int32_t> columns;
-        for (std::size_t k = 0; k < pushes.size(); ++k)
-            if (owns(on[k])) own.push_back(pushes[k]), columns.push_back(column_of(on[k]));
+        for (std::size_t k = 0; k < pushed.pushes.size(); ++k) {
+            const auto by = static_cast<std::size_t>(pushed.by[k]);
+            if (owns(by)) own.push_back(pushed.pushes[k]), columns.push_back(column_of(by));
+        }
         for (const WallPush& p : own) of_bodies[p.body].add(p.force, p.place - moment_reference);
         walls_.set_pushes(of_all_ranks(own, columns));
     }
@@ -321,6 +326,25 @@ void Level::gather_loads(const Vec3& moment_reference) {
     }
     ranks().add(std::span(sums));
     set_loads(sums);
+}
+
+/// By bodies that press.
+WallPushes Level::push_particles() {
+    std::vector<std::int32_t> near;
+    const MayBePressed may_be{particles_.wall_normal.data(), particles_.kind.data(), setup_.dp};
+    if (device_)
+        near = device_->bring_pressed_home(may_be);
+    else
+        for (std::size_t i = 0; i < particles_.size(); ++i)
+            if (may_be(i)) near.push_back(static_cast<std::int32_t>(i));
+    WallPushes pushed = wall_pushes(bodies_, particles_, near, setup_.dp, mass_);
+    if (device_) {
+        device_->push(pushed.by, pushed.accelerations);
+        return pushed;
+    }
+    const AddPushes add{pushed.by.data(), pushed.accelerations.data(), particles_.rate.data()};
+    for (std::size_t k = 0; k < pushed.by.size(); ++k) add(k);
+    return pushed;
 }
 
 void Level::set_loads(std::span<const PushSum> sums) {

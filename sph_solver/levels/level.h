@@ -8,6 +8,7 @@
 
 #include "sph_solver/backend/for_particles.h"
 #include "sph_solver/bodies/samples.h"
+#include "sph_solver/bodies/wall_pushes.h"
 #include "sph_solver/bodies/walls.h"
 #include "sph_solver/domain/extremes.h"
 #include "sph_solver/domain/level_setup.h"
@@ -78,6 +79,7 @@ public:
     FieldsToSet fields_to_set();
     /// From now on a device makes the steps, see device_steps.h; before the first step.
     void leave_steps_to(std::unique_ptr<DeviceSteps> device) { device_ = std::move(device); }
+    DeviceSteps* device() { return device_.get(); }  ///< null: this processor makes the steps
     const Comm& ranks() const;
     /// Throws InputError where so many ranks are more than the columns with particles; before the first step.
     void refuse_idle(int ranks) const;
@@ -146,6 +148,10 @@ public:
     void tell_rates() { halo_.tell(particles_.rate.data(), particles_.shift_support.data()); }
     /// Loads on bodies that stay where they are may wait for the end of `advance`.
     void gather_loads(const Vec3& moment_reference);
+    /// Of the level's water on the dummies of one body, in the order in which the walls hold them
+    /// (loops/force_on_dummies.h) [N]. Their sum is the pressure's part of the body's load, to the rounding of single
+    /// precision; what edges release (edge_release.h) is not in them.
+    std::vector<Vec3> forces_on_dummies(std::size_t body);
     void set_step(double dt) { dt_ = dt; }
     /// What particles that a wall had to hold did to the bodies in a step.
     struct Struck {
@@ -190,6 +196,7 @@ public:
     WallView wall_view() const;
     FirstSweepData first_sweep_data();
     SecondSweepData second_sweep_data(double t);
+    StepView step_view(double t);  ///< of who makes the steps
     const std::vector<Group>& groups() const { return groups_; }
     const ColumnGrid& grid() const { return grid_; }
     const Quanta& quanta() const { return quanta_; }
@@ -282,7 +289,6 @@ private:
         return {p.kind.data(), p.trend.empty() ? nullptr : p.trend.data(), p.shift_support.data(),
                 setup_.surface_support};
     }
-    StepView step_view(double t);  ///< of who makes the steps
     StepView step_view_here(double t);
     /// Calls `act(effect, view)` for each effect, with what it sees of the step at time t.
     template <class Act>
@@ -337,6 +343,7 @@ private:
     /// Of all ranks: pressed, rubbed and by bodies, one for each body.
     void set_loads(std::span<const PushSum> sums);
     void tell_samples(PointSamples& points) const;
+    WallPushes push_particles();
 
     const Surroundings& around_;
     LevelSetup setup_;
@@ -376,6 +383,7 @@ private:
     std::int64_t total_ = 0;                   ///< particles of all ranks
     std::vector<std::int32_t> group_columns_;  ///< in which the groups stand
     std::vector<PushSum> waiting_loads_;       ///< of this rank; empty: none wait
+    LoopArray<V3<double>> forces_on_dummies_;
 
     /// Of steps in stages only, else empty.
     struct {

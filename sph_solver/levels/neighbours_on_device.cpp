@@ -23,8 +23,7 @@ void LevelOnDevice::make_lists(double drift) {
     on.too_near.resize(n);
     update_records();
     on.groups.make(level_.grid_, on.order, on.place.data());
-    const std::vector<cuda::DeviceSource> water{
-        on.order.source(on.place.data(), 0), on.image_order.source(on.place.data() + n, static_cast<std::int32_t>(n))};
+    const std::vector<cuda::DeviceSource> water = sources();
     on.lists.build(level_.grid_, level_.grid_, on.place.data(), on.groups.column(), on.groups.groups(), water,
                    among / level_.quanta_.size);
     if (!level_.walls_.empty()) {
@@ -36,6 +35,32 @@ void LevelOnDevice::make_lists(double drift) {
         find_walls(to_walls);
     }
     home_ = order_is_home_ = false;
+}
+
+/// Where neighbours among the level's particles and images are looked for.
+std::vector<cuda::DeviceSource> LevelOnDevice::sources() const {
+    const Arrays& on = *on_;
+    const std::size_t n = on.p.size();
+    return {on.order.source(on.place.data(), 0),
+            on.image_order.source(on.place.data() + n, static_cast<std::int32_t>(n))};
+}
+
+DeviceSteps::Neighbours LevelOnDevice::find_neighbours(DeviceSteps& other, const Reaches& reaches) {
+    Arrays& on = *on_;
+    const auto& of = static_cast<LevelOnDevice&>(other);
+    on.asking_others.copy(on.groups.groups());
+    on.lists_of_others.build(of.level_.grid_, level_.grid_, on.place.data(), on.groups.column(), on.asking_others,
+                             of.sources(), reaches / level_.quanta_.size);
+    std::size_t n = on.asking_others.size();
+    on.near_others.resize(n);
+    on.count.set_zero();
+    cuda::HasNeighbours condition;
+    const Group* asking = on.asking_others.data();
+    Group* near = on.near_others.data();
+    int* count = on.count.data();
+    void* arguments[] = {&condition, &asking, &near, &count, &n};
+    device_->launch("tw_has_neighbours", n, arguments);
+    return {on.lists_of_others.view(), {near, static_cast<std::size_t>(on.count.value(0))}};
 }
 
 void LevelOnDevice::cross_faces() {
@@ -146,8 +171,11 @@ void LevelOnDevice::ask_walls(std::size_t groups) {
     Arrays& on = *on_;
     const std::size_t n = on.p.size(), asked = groups * cuda::lanes_of_group;
     on.wall_normal.resize(n), on.wall_leaving.resize(n), on.wall_body.resize(level_.walls_.move() ? n : 0);
-    launch(*device_, "tw_no_walls", cuda::NoWalls{on.wall_normal.data(), on.wall_leaving.data(), or_null(on.wall_body)},
-           n);
+    on.wall_triangle.resize(level_.walls_.give_way() ? n : 0);
+    launch(
+        *device_, "tw_no_walls",
+        cuda::NoWalls{on.wall_normal.data(), on.wall_leaving.data(), or_null(on.wall_body), or_null(on.wall_triangle)},
+        n);
     on.near_walls.resize(asked), on.walls_found.resize(asked);
     launch(*device_, "tw_take_near_walls",
            cuda::TakeNearWalls{on.p.view(), on.p.kind.data(), on.groups_at_walls.data(), on.near_walls.data()}, asked);
@@ -161,11 +189,12 @@ void LevelOnDevice::ask_walls(std::size_t groups) {
         if (q.index < 0) return;
         const Walls::Nearest nearest = level_.walls_.nearest(Vec3(q.x, q.y, q.z), Vec3(q.u, q.v, q.w), reach);
         found[k].wall = nearest.normal, found[k].leaving = nearest.leaving;
-        found[k].body = static_cast<std::uint16_t>(nearest.body);
+        found[k].body = static_cast<std::uint16_t>(nearest.body), found[k].triangle = nearest.triangle;
     });
     on.walls_found.take(found);
     launch(*device_, "tw_put_walls",
-           cuda::PutWalls{on.walls_found.data(), on.wall_normal.data(), on.wall_leaving.data(), or_null(on.wall_body)},
+           cuda::PutWalls{on.walls_found.data(), on.wall_normal.data(), on.wall_leaving.data(), or_null(on.wall_body),
+                          or_null(on.wall_triangle)},
            asked);
     std::optional<std::size_t> through;
     for (std::size_t k = 0; k < asked; ++k)

@@ -33,9 +33,11 @@ LevelOnDevice::LevelOnDevice(Level& level, std::shared_ptr<cuda::Device> device)
     on_->body_end.take(walls.body_end());
     on_->wall_p.resize(walls.size());
     if (walls.empty()) return;
-    for (const Walls::Part& part : walls.parts())
+    for (const Walls::Part& part : walls.parts()) {
         on_->parts.push_back(
             {part.first, cuda::Array<int>(d), cuda::Array<int>(d), cuda::Array<Group>(d), ListsOnDevice(d)});
+        on_->skins.push_back({0, cuda::Array<Corners>(d), cuda::Array<V3<double>>(d), cuda::Array<V3<double>>(d)});
+    }
     take_sorted_dummies();
 }
 
@@ -64,7 +66,28 @@ void LevelOnDevice::take_dummies() {
 
 NearWalls LevelOnDevice::near_walls() {
     on_->motions.take(level_.walls_.motions());
-    return {or_null(on_->wall_normal), or_null(on_->motions), or_null(on_->wall_body)};
+    return {.normal = or_null(on_->wall_normal),
+            .motions = or_null(on_->motions),
+            .body = or_null(on_->wall_body),
+            .triangle = or_null(on_->wall_triangle),
+            .skins = take_skins()};
+}
+
+/// How the surfaces of bodies that give way move now; null: there are none.
+const SkinMotion* LevelOnDevice::take_skins() {
+    Walls& walls = level_.walls_;
+    if (!walls.give_way() || walls.empty()) return nullptr;
+    std::vector<SkinMotion> motions;
+    for (std::size_t b = 0; b < on_->skins.size(); ++b) {
+        const Attached::Skin skin = walls.attached(b)->skin();
+        Arrays::Skin& on = on_->skins[b];
+        if (skin.times_noted != on.times_noted) on.corners.take(skin.corners), on.noted.take(skin.noted);
+        on.times_noted = skin.times_noted;
+        on.velocity.take(skin.velocity);
+        motions.push_back({or_null(on.corners), or_null(on.noted), or_null(on.velocity)});
+    }
+    on_->skin_motions.take(motions);
+    return on_->skin_motions.data();
 }
 
 LevelOnDevice::~LevelOnDevice() = default;
@@ -85,6 +108,7 @@ void LevelOnDevice::bring_all_home() {
     on.shift.give(p.shift_support), on.rate.give(p.rate), on.surface.give(p.surface);
     on.density_rate.give(p.density_rate);
     on.wall_normal.give(p.wall_normal), on.wall_leaving.give(p.wall_leaving), on.wall_body.give(p.wall_body);
+    on.wall_triangle.give(p.wall_triangle);
     on.wall_p.give(level_.walls_.pressures());
     if (!order_is_home_) {
         on.order.give_start(level_.start_);
@@ -209,13 +233,14 @@ StepView LevelOnDevice::step_view(double t) {
     return view;
 }
 
-void LevelOnDevice::first_sweep(double t, double compress, double drift) {
+void LevelOnDevice::first_sweep(double t, double compress, double drift, const OtherSums* other) {
     Arrays& on = *on_;
     const std::size_t n = on.p.size(), all = on.place.size(), words = on.surface.size();
     if (host_counts_) take_state();
     FirstSweepData d = level_.first_sweep_data();
     d.water = water(), d.walls = walls();
     d.stress = on.stress.data(), d.shift = on.shift.data(), d.rate = on.rate.data();
+    d.other = other;
     d.carried = nullptr;
     sweep("tw_first_sweep", d, on.groups.groups());
     const LacksSupport lacks_support{on.p.kind.data(), or_null(on.p.trend), on.shift.data(),
@@ -304,14 +329,33 @@ void LevelOnDevice::bring_home(const std::vector<std::size_t>& particles) {
     if (!home_) fetch({particles.begin(), particles.end()});
 }
 
+std::vector<std::int32_t> LevelOnDevice::bring_pressed_home(MayBePressed condition) {
+    Arrays& on = *on_;
+    const std::size_t n = on.p.size();
+    condition.wall = on.wall_normal.data(), condition.kind = on.p.kind.data();
+    launch(*device_, "tw_mark_pressed", cuda::MarkPressed{condition, on.following.of(n)}, n);
+    std::vector<std::int32_t> which(list_marked());
+    on.which.give(which);
+    fetch(which);
+    return which;
+}
+
+void LevelOnDevice::push(const std::vector<std::int32_t>& which, const std::vector<V3<float>>& accelerations) {
+    Arrays& on = *on_;
+    on.pushed.take(which), on.pushes.take(accelerations);
+    launch(*device_, "tw_add_pushes", AddPushes{on.pushed.data(), on.pushes.data(), on.rate.data()}, which.size());
+    home_ = false;
+}
+
 void LevelOnDevice::fetch(std::vector<std::int32_t> which) {
     Arrays& on = *on_;
     on.fetched.take(which);
     on.held.resize(which.size());
-    launch(*device_, "tw_take_held",
-           cuda::TakeHeld{on.p.view(), or_null(on.wall_normal), or_null(on.wall_leaving), or_null(on.wall_body),
-                          on.p.id.data(), on.p.kind.data(), on.fetched.data(), on.held.data()},
-           which.size());
+    launch(
+        *device_, "tw_take_held",
+        cuda::TakeHeld{on.p.view(), or_null(on.wall_normal), or_null(on.wall_leaving), or_null(on.wall_body),
+                       or_null(on.wall_triangle), on.p.id.data(), on.p.kind.data(), on.fetched.data(), on.held.data()},
+        which.size());
     std::vector<cuda::HeldParticle> held(which.size());
     on.held.give(held);
     Particles& p = level_.particles_;
@@ -321,6 +365,7 @@ void LevelOnDevice::fetch(std::vector<std::int32_t> which) {
         p.u[i] = h.u, p.v[i] = h.v, p.w[i] = h.w, p.drho[i] = h.drho;
         p.id[i] = h.id, p.kind[i] = h.kind;
         if (!p.wall_body.empty()) p.wall_body[i] = h.body;
+        if (!p.wall_triangle.empty()) p.wall_triangle[i] = h.triangle;
         if (!p.wall_normal.empty()) p.wall_normal[i] = h.wall, p.wall_leaving[i] = h.leaving;
     }
 }
@@ -332,20 +377,20 @@ void LevelOnDevice::put_back(const std::vector<std::size_t>& held_at_home) {
     for (const std::size_t i : held_at_home)
         held.push_back({static_cast<std::int64_t>(i), p.id[i], p.x[i], p.y[i], p.z[i], p.u[i], p.v[i], p.w[i],
                         p.drho[i], p.wall_normal[i], p.wall_leaving[i], p.kind[i],
-                        p.wall_body.empty() ? std::uint16_t{0} : p.wall_body[i]});
+                        p.wall_body.empty() ? std::uint16_t{0} : p.wall_body[i],
+                        p.wall_triangle.empty() ? -1 : p.wall_triangle[i]});
     on_->held.take(held);
     launch(*device_, "tw_put_held",
            cuda::PutHeld{on_->held.data(), on_->p.view(), on_->wall_normal.data(), on_->wall_leaving.data(),
-                         or_null(on_->wall_body)},
+                         or_null(on_->wall_body), or_null(on_->wall_triangle)},
            held.size());
 }
 
 // --- points -------------------------------------------------------------------------------------------------------------
 
 void LevelOnDevice::sample(const Points& points, const Reaches& quanta, const ExtrapolateData& to) {
-    Arrays& on = *on_;
     cuda::Device& d = *device_;
-    const std::size_t n = points.places.size(), own = on.p.size();
+    const std::size_t n = points.places.size();
     cuda::Array<PlaceRecord> places(d);
     cuda::Array<Group> groups(d);
     cuda::Array<int> column(d);
@@ -354,10 +399,7 @@ void LevelOnDevice::sample(const Points& points, const Reaches& quanta, const Ex
     places.take(points.places), groups.take(points.groups);
     column.take(columns_of(points.groups, points.start));
     p.resize(n), support.resize(n);
-    lists.build(level_.grid_, level_.grid_, places.data(), column, groups,
-                {on.order.source(on.place.data(), 0),
-                 on.image_order.source(on.place.data() + own, static_cast<std::int32_t>(own))},
-                quanta);
+    lists.build(level_.grid_, level_.grid_, places.data(), column, groups, sources(), quanta);
     ExtrapolateData e = to;
     e.water = water();
     e.list = lists.view();

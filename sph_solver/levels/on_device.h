@@ -13,9 +13,10 @@ namespace tw {
 
 class Level;
 
-/// A level whose steps are made by a graphics processor: water with rigid walls. In a step the host gets the loads of
-/// the groups at walls, the extremes, and the few particles that a wall has to hold; when lists are made, the places of
-/// those near walls, of which it finds the nearest; and at the edge of a zone who is to have children.
+/// A level whose steps are made by a graphics processor. In a step the host gets the loads of the groups at walls, the
+/// forces on the dummies of bodies that give way, the extremes, and the few particles that a wall has to hold; when lists
+/// are made, the places of those near walls, of which it finds the nearest; and at the edge of a zone who is to have
+/// children. It sends where the dummies are, and how bodies and the skins of those that give way move.
 class LevelOnDevice : public DeviceSteps {
 public:
     /// `level` must outlive this; its lists are made afterwards.
@@ -25,13 +26,16 @@ public:
     void bring_all_home() override;
     void bring_motion_home() override;
     void bring_home(const std::vector<std::size_t>& particles) override;
+    std::vector<std::int32_t> bring_pressed_home(MayBePressed condition) override;
     void note_changed_state() override { host_counts_ = true; }
     void make_lists(double drift) override;
     void refresh(double drift) override;
     Vec3 centre_of_group(std::size_t k) const override { return centres_[k]; }
     std::int64_t live_pairs() const override;
-    void first_sweep(double t, double compress, double drift) override;
+    Neighbours find_neighbours(DeviceSteps& other, const Reaches& reaches) override;
+    void first_sweep(double t, double compress, double drift, const OtherSums* other) override;
     void second_sweep(double t) override;
+    void push(const std::vector<std::int32_t>& which, const std::vector<V3<float>>& accelerations) override;
     StepView step_view(double t) override;
     Moved move(const Move& of_host) override;
     void put_back(const std::vector<std::size_t>& held) override;
@@ -61,6 +65,8 @@ private:
     void take_sorted_dummies();
     void take_dummies();
     NearWalls near_walls();
+    const SkinMotion* take_skins();
+    std::vector<cuda::DeviceSource> sources() const;
     void update_records();
     void cross_faces();
     void sort_particles();

@@ -13,44 +13,52 @@ bool LevelPair::lists_outlived() const {
 }
 
 void LevelPair::find_neighbours() {
-    const auto find = [&](Side& own, const Side& other) {
-        const Level& level = *own.level;
+    const auto find = [](Side& own, const Side& other) {
+        Level& level = *own.level;
         const double reach = level.kernel().support() + ListLife::wall_skin_over_dp * level.setup().dp;
-        own.groups = level.groups();
-        own.lists.build(level.passes(), level.quanta(), level.sources().front(), own.groups, other.level->sources(),
-                        {reach, reach, reach});
-        std::erase_if(own.groups, [](const Group& g) { return g.list.size == 0; });
-        own.sums.assign(level.particles().size(), {});
+        const Reaches reaches{reach, reach, reach};
+        if (DeviceSteps* const device = level.device()) {
+            own.near = device->find_neighbours(*other.level->device(), reaches);
+        } else {
+            own.groups = level.groups();
+            own.lists.build(level.passes(), level.quanta(), level.sources().front(), own.groups, other.level->sources(),
+                            reaches);
+            std::erase_if(own.groups, [](const Group& g) { return g.list.size == 0; });
+            own.near = {own.lists.view(), own.groups};
+        }
+        const StepView step = level.step_view(level.time());
+        own.sums.zeros(step.device, step.n);
     };
     find(a_, b_);
     find(b_, a_);
 }
 
-void LevelPair::meet() {
-    const FirstSweepData a = a_.level->first_sweep_data(), b = b_.level->first_sweep_data();
-    const auto sums_of = [&](const FirstSweepData& own, const FirstSweepData& other, Side& side) {
-        const MeetOtherData d{.water = own.water,
-                              .other = other.water,
-                              .list = side.lists.view(),
-                              .inv_W_dp = own.inv_W_dp,
-                              .sums = side.sums.data()};
-        for_pairs(a_.level->passes(), d, side.groups);
+void LevelPair::meet(double t) {
+    const StepView a = a_.level->step_view(t), b = b_.level->step_view(t);
+    const auto sums_of = [](const StepView& own, const StepView& other, const Side& side) {
+        own.pairs(MeetOtherData{.water = own.water,
+                                .other = other.water,
+                                .list = side.near.lists,
+                                .inv_W_dp = side.level->first_sweep_data().inv_W_dp,
+                                .sums = side.sums.data()},
+                  side.near.groups);
     };
     sums_of(a, b, a_);
     sums_of(b, a, b_);
 }
 
 void LevelPair::press(double t) {
-    const SecondSweepData a = a_.level->second_sweep_data(t), b = b_.level->second_sweep_data(t);
-    const auto press_on = [&](const SecondSweepData& own, const SecondSweepData& other, const Side& side) {
-        const PressOtherData d{.water = own.water,
-                               .other = other.water,
-                               .list = side.lists.view(),
-                               .shift = own.shift,
-                               .rate = own.rate,
-                               .viscosity = harmonic_mean(own.viscosity, other.viscosity),
-                               .tension_control_from = own.tension_control_from};
-        for_pairs(a_.level->passes(), d, side.groups);
+    const StepView a = a_.level->step_view(t), b = b_.level->step_view(t);
+    const float of_a = a_.level->second_sweep_data(t).viscosity, of_b = b_.level->second_sweep_data(t).viscosity;
+    const auto press_on = [&](const StepView& own, const StepView& other, const Side& side) {
+        own.pairs(PressOtherData{.water = own.water,
+                                 .other = other.water,
+                                 .list = side.near.lists,
+                                 .shift = own.shift,
+                                 .rate = own.rate,
+                                 .viscosity = harmonic_mean(of_a, of_b),
+                                 .tension_control_from = side.level->second_sweep_data(t).tension_control_from},
+                  side.near.groups);
     };
     press_on(a, b, a_);
     press_on(b, a, b_);
@@ -62,7 +70,7 @@ const OtherSums* LevelPair::sums_for(const Level& level) const {
 
 std::size_t LevelPair::bytes() const {
     const auto of = [](const Side& s) {
-        return s.lists.bytes() + s.groups.capacity() * sizeof(Group) + s.sums.capacity() * sizeof(OtherSums);
+        return s.lists.bytes() + s.groups.capacity() * sizeof(Group) + s.sums.bytes();
     };
     return of(a_) + of(b_);
 }

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "sph_solver/levels/device_steps.h"
 #include "sph_solver/neighbours/columns.h"
 
 namespace tw {
@@ -25,26 +26,29 @@ class Level;
 /// surface. pi_ij is the artificial viscosity with the harmonic mean of the levels' alpha c rho.
 class LevelPair {
 public:
-    LevelPair(Level& a, Level& b) : a_{&a, {}, {}, {}}, b_{&b, {}, {}, {}} {}
+    LevelPair(Level& a, Level& b) : a_(a), b_(b) {}
 
     /// Since both lists were made the particles may have come as near to each other as those lists bear.
     bool lists_outlived() const;
     /// Anew after both levels have been sorted.
     void find_neighbours();
-    /// Before the first sweeps: the sums of each level over the other.
-    void meet();
+    /// Before the first sweeps, as of the time t: the sums of each level over the other.
+    void meet(double t);
     /// After the second sweeps: adds to the rates of both.
     void press(double t);
-    /// Over the other level, one entry for each particle of `level`; null when the pair does not hold it.
+    /// Over the other level, one entry for each particle of `level`, where its steps are made; null when the pair does not
+    /// hold it.
     const OtherSums* sums_for(const Level& level) const;
     std::size_t bytes() const;
 
 private:
     struct Side {
         Level* level;
-        std::vector<Group> groups;  ///< those of the level that have the other one within reach
+        DeviceSteps::Neighbours near;  ///< those of the level's groups that have the other one within reach
+        std::vector<Group> groups;     ///< what this processor holds of them
         NeighbourLists lists;
-        std::vector<OtherSums> sums;
+        LoopArray<OtherSums> sums;
+        explicit Side(Level& of) : level(&of) {}
     };
     Side a_, b_;
 };

@@ -1,4 +1,5 @@
 #pragma once
+#include "sph_solver/device/kernel_of.h"
 #include "sph_solver/sweeps/views.h"
 
 namespace tw {
@@ -19,5 +20,8 @@ struct PressOtherData {
     float viscosity = 0;  ///< of the pair, see SecondSweepData
     float tension_control_from = 2;
 };
+
+#define TW_PAIR_SWEEPS(sweep) sweep(tw_meet_other, MeetOtherData) sweep(tw_press_other, PressOtherData)
+TW_PAIR_SWEEPS(TW_KERNEL_OF)
 
 }  // namespace tw

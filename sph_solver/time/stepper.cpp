@@ -5,7 +5,6 @@
 #include <ctime>
 #include <limits>
 
-#include "sph_solver/levels/forces_on_dummies.h"
 #include "sph_solver/time/limits.h"
 
 namespace tw {
@@ -79,7 +78,7 @@ void Stepper::advance(std::size_t k, double dt) {
 
 void Stepper::evaluate(Tier& tier, double t, double compress, double drift) {
     find_neighbours(tier, drift);
-    for (LevelPair& pair : tier.pairs) pair.meet();
+    for (LevelPair& pair : tier.pairs) pair.meet(t);
     for (Level* level : tier.levels) {
         const OtherSums* other = nullptr;
         for (const LevelPair& pair : tier.pairs)
@@ -178,7 +177,7 @@ void Stepper::hand_over(const Tier& tier, Body& body, std::size_t b) {
     body.take(load);
     if (!body.takes_forces_of_dummies()) return;
     for (Level* level : tier.levels) {
-        body.take(*level->walls().attached(b), forces_on_dummies(*level, b));
+        body.take(*level->walls().attached(b), level->forces_on_dummies(b));
         for (const WallPush& push : level->walls().pushes())
             if (push.body == b) body.take(push);
     }

@@ -3,8 +3,8 @@
 // fences; every copy, clearing and launch is checked against what is allocated. Kernels are those of the variant
 // device_emulated and the loops of cuda/tasks.h, one index after another.
 //
-// FAKE_CUDA (environment): words of "no_device", "old_device", "old_driver" (a driver without cuLaunchKernel's kin is not
-// pretended, only its version), "memory=N" (bytes of the device), "lost_after=N" (launches until every call fails).
+// FAKE_CUDA (environment): words of "no_device", "old_device", "two_devices" (the first is too old), "memory=N" (bytes of the
+// device), "lost_after=N" (launches until every call fails).
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -21,6 +21,8 @@
 #include "sph_solver/cuda/tasks.h"
 #include "sph_solver/effects/kernels.h"
 #include "sph_solver/loops/count_kinds.h"
+#include "sph_solver/loops/force_on_dummies.h"
+#include "sph_solver/pairs/level_pair_views.h"
 #include "sph_solver/sweeps/interpolate.h"
 #include "sph_solver/sweeps/views.h"
 
@@ -58,6 +60,9 @@ long launches = 0;
 [[noreturn]] void die(const char* what) {
     std::fprintf(stderr, "fake libcuda: %s\n", what);
     std::abort();
+}
+bool is_old(int device) {
+    return !option("old_device").empty() || (device == 0 && !option("two_devices").empty());
 }
 bool is_lost() {
     const std::string after = option("lost_after");
@@ -190,9 +195,10 @@ const std::map<std::string, EmulatedKernel>& kernels() {
 #define largest(name, Task) {#name, run_largest<Task>},
 #define choose(name, Condition) {#name, run_choice<Condition>},
 #define sweep_of_chosen(name, View) {#name, run_sweep_of_chosen<View>},
-        TW_DEVICE_SWEEPS(sweep) TW_EFFECT_SWEEPS(sweep) TW_DEVICE_TASKS(task) TW_EFFECT_TASKS(task) TW_IMAGE_TASKS(task)
-            TW_STAGE_TASKS(task) TW_DEVICE_LARGEST(largest) TW_EFFECT_LARGEST(largest) TW_EFFECT_CHOICES(choose)
-                TW_EFFECT_SWEEPS_OF_CHOSEN(sweep_of_chosen)
+        TW_DEVICE_SWEEPS(sweep) TW_EFFECT_SWEEPS(sweep) TW_PAIR_SWEEPS(sweep) TW_DEVICE_TASKS(task)
+            TW_EFFECT_TASKS(task) TW_IMAGE_TASKS(task) TW_STAGE_TASKS(task) TW_BODY_TASKS(task)
+                TW_DEVICE_LARGEST(largest) TW_EFFECT_LARGEST(largest) TW_DEVICE_CHOICES(choose)
+                    TW_EFFECT_CHOICES(choose) TW_EFFECT_SWEEPS_OF_CHOSEN(sweep_of_chosen)
 #undef sweep
 #undef task
 #undef largest
@@ -217,13 +223,16 @@ const std::map<std::string, EmulatedKernel>& kernels() {
 
 DRIVER cuInit(unsigned) { return success; }
 DRIVER cuDriverGetVersion(int* version) { return *version = 13000, success; }
-DRIVER cuDeviceGetCount(int* count) { return *count = option("no_device").empty() ? 1 : 0, success; }
-DRIVER cuDeviceGet(int* device, int k) { return *device = k, success; }
-DRIVER cuDeviceGetName(char* name, int size, int) {
-    return std::snprintf(name, static_cast<std::size_t>(size), "Emulated device"), success;
+DRIVER cuDeviceGetCount(int* count) {
+    return *count = !option("no_device").empty() ? 0 : !option("two_devices").empty() ? 2 : 1, success;
 }
-DRIVER cuDeviceGetAttribute(int* value, int which, int) {
-    const bool old = !option("old_device").empty();
+DRIVER cuDeviceGet(int* device, int k) { return *device = k, success; }
+DRIVER cuDeviceGetName(char* name, int size, int device) {
+    const char* const text = is_old(device) ? "Old device" : "Emulated device";
+    return std::snprintf(name, static_cast<std::size_t>(size), "%s", text), success;
+}
+DRIVER cuDeviceGetAttribute(int* value, int which, int device) {
+    const bool old = is_old(device);
     *value = which == 75 ? (old ? 6 : 9) : which == 76 ? 0 : which == 16 ? 4 : -1;
     return *value < 0 ? invalid : success;
 }

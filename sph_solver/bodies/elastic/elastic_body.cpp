@@ -8,6 +8,9 @@ namespace tw {
 namespace {
 using Eigen::VectorXd;
 
+V3<double> plain(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+Vec3 vector_of(const V3<double>& v) { return {v.x, v.y, v.z}; }
+
 /// Points of an elastic body, tied to its nodes.
 class ElasticPoints : public Attached {
 public:
@@ -21,8 +24,9 @@ public:
         return {body_.velocity(ties_[k]), body_.acceleration(ties_[k])};
     }
     Vec3 surface_velocity(const Vec3& x, std::int32_t triangle) const override {
-        return triangle < 0 ? Vec3(Vec3::Zero()) : body_.velocity_on(triangle, x);
+        return body_.velocity_on(triangle, x);
     }
+    Skin skin() const override { return body_.skin(); }
     double fastest() const override { return body_.fastest(); }
     void reorder(const std::vector<std::int32_t>& order) override { ties_ = reordered(ties_, order); }
     std::size_t bytes() const override { return ties_.capacity() * sizeof(Tie); }
@@ -39,6 +43,7 @@ ElasticBody::ElasticBody(BodySetup setup)
     : Body(setup), setup_(std::move(setup.elastic)), structure_(structure_in_time(*setup_)), skin_(structure_->skin()) {
     for (const DeflectionPoint& point : setup_->points) points_.push_back(tie(point.position));
     for (const Vec3& p : skin_.points) skin_ties_.push_back(tie(p));
+    for (const auto& [a, b, c] : skin_.triangles) corners_.push_back({a, b, c});
     note_nodes(0);
     const int all = setup_->freedoms.all();
     relaxation_.assign(nodes_.size(), 1.0);
@@ -80,7 +85,7 @@ void ElasticBody::note_nodes(double ahead) {
     skin_velocity_.resize(skin_.points.size());
     for (std::size_t k = 0; k < skin_ties_.size(); ++k) {
         skin_at_[k] = place(skin_ties_[k]);
-        skin_velocity_[k] = velocity(skin_ties_[k]);
+        skin_velocity_[k] = plain(velocity(skin_ties_[k]));
     }
     moved_since_noted_ = true;
 }
@@ -98,21 +103,16 @@ std::unique_ptr<Attached> ElasticBody::attach(std::vector<Vec3> at_start) const 
 Surface ElasticBody::surface_now(std::optional<double>) const { return {skin_at_, skin_.triangles}; }
 
 void ElasticBody::note_surface() {
-    noted_ = skin_at_;
+    noted_.clear();
+    for (const Vec3& x : skin_at_) noted_.push_back(plain(x));
+    ++times_noted_;
     noted_query_ = std::make_unique<SurfaceQuery>(surface_now());
     moved_since_noted_ = false;
 }
 
 /// Shares of a triangle's corners, as noted, in the place of it that is nearest to `x` but for its edges.
 Vec3 ElasticBody::barycentric(int triangle, const Vec3& x) const {
-    const auto& t = skin_.triangles[static_cast<std::size_t>(triangle)];
-    const auto at = [&](std::size_t k) -> const Vec3& { return noted_[static_cast<std::size_t>(t[k])]; };
-    const Vec3 p = at(1) - at(0), q = at(2) - at(0), r = x - at(0);
-    const double pp = p.squaredNorm(), qq = q.squaredNorm(), pq = p.dot(q), det = pp * qq - pq * pq;
-    if (!(det > 0)) return Vec3::Constant(1. / 3);
-    const double b = std::clamp((qq * p.dot(r) - pq * q.dot(r)) / det, 0.0, 1.0),
-                 c = std::clamp((pp * q.dot(r) - pq * p.dot(r)) / det, 0.0, 1.0 - b);
-    return {1 - b - c, b, c};
+    return vector_of(skin_motion().shares(triangle, plain(x)));
 }
 
 Vec3 ElasticBody::at_start(const Vec3& x) const {
@@ -123,23 +123,18 @@ Vec3 ElasticBody::at_start(const Vec3& x) const {
     for (int k = 0; k < 3; ++k) {
         const auto corner = static_cast<std::size_t>(
             skin_.triangles[static_cast<std::size_t>(near.triangle)][static_cast<std::size_t>(k)]);
-        back -= shares[k] * (skin_at_[corner] - noted_[corner]);
+        back -= shares[k] * (skin_at_[corner] - vector_of(noted_[corner]));
     }
     return back;
 }
 
 Vec3 ElasticBody::velocity_on(int triangle, const Vec3& x) const {
-    const Vec3 shares = barycentric(triangle, x);
-    const auto& t = skin_.triangles[static_cast<std::size_t>(triangle)];
-    Vec3 v = Vec3::Zero();
-    for (int k = 0; k < 3; ++k)
-        v += shares[k] * skin_velocity_[static_cast<std::size_t>(t[static_cast<std::size_t>(k)])];
-    return v;
+    return vector_of(skin_motion().at(triangle, plain(x)));
 }
 
 double ElasticBody::fastest() const {
     double most = 0;
-    for (const Vec3& v : skin_velocity_) most = std::max(most, v.squaredNorm());
+    for (const V3<double>& v : skin_velocity_) most = std::max(most, dot(v, v));
     return std::sqrt(most);
 }
 

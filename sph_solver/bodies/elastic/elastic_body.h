@@ -60,8 +60,9 @@ public:
     Surface surface_now(std::optional<double> span = {}) const override;
     void note_surface() override;
     const SurfaceQuery& query() const override { return *noted_query_; }
-    /// Velocity of the surface by the place `x` on or near a triangle of it [m/s].
+    /// Velocity of the surface by the place `x` on or near a triangle of it (-1: none) [m/s].
     Vec3 velocity_on(int triangle, const Vec3& x) const;
+    Attached::Skin skin() const { return {corners_, noted_, skin_velocity_, times_noted_}; }
     double fastest() const;  ///< speed of a point of the surface [m/s]
 
     // --- time
@@ -122,6 +123,7 @@ public:
 
 private:
     void note_nodes(double ahead);
+    SkinMotion skin_motion() const { return {corners_.data(), noted_.data(), skin_velocity_.data()}; }
     Vec3 barycentric(int triangle, const Vec3& x) const;
     void relax(const Eigen::VectorXd& acceleration);
     void push(const Tie& tie, const Vec3& force);
@@ -137,9 +139,12 @@ private:
     std::unique_ptr<StructureInTime> structure_;
     std::vector<Tie> points_;
 
-    Surface skin_;                ///< at the start
-    std::vector<Tie> skin_ties_;  ///< of its points
-    std::vector<Vec3> skin_at_, skin_velocity_, noted_;
+    Surface skin_;                  ///< at the start
+    std::vector<Tie> skin_ties_;    ///< of its points
+    std::vector<Corners> corners_;  ///< of its triangles
+    std::vector<Vec3> skin_at_;
+    std::vector<V3<double>> skin_velocity_, noted_;
+    std::int64_t times_noted_ = 0;
     std::unique_ptr<SurfaceQuery> noted_query_;
     bool moved_since_noted_ = false;
 

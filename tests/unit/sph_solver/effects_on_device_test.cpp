@@ -135,7 +135,13 @@ TEST(PowerLessOne, IsThatOfTheMathematicalLibrary) {
             const double exact = std::expm1(n * std::log1p(x));
             EXPECT_NEAR(power_less_one(x, n), exact, 1e-14 * std::abs(exact)) << x << " " << n;
         }
+    for (const double n : {0.5, 1.4, 2.0})  // a gas
+        for (double x = -0.95; x <= 10; x += 0.0078125) {
+            const double exact = std::expm1(n * std::log1p(x));
+            EXPECT_NEAR(power_less_one(x, n), exact, 1e-14 * std::abs(exact)) << x << " " << n;
+        }
     EXPECT_NEAR(power_less_one(1e-9, 7), 7e-9 * (1 + 3e-9), 1e-23);
+    for (const double x : {HUGE_VAL, -2.0, -1.0}) power_less_one(x, 1.4);  // comes to an end
 }
 
 }  // namespace effects_on_device_test

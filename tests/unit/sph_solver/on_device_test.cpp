@@ -205,6 +205,11 @@ TEST_F(OnDevice, NoneOrOneThatIsTooOldIsSaid) {
     EXPECT_NE(complaint().find("the driver knows no device"), std::string::npos) << complaint();
     pretend("old_device");
     EXPECT_NE(complaint().find("compute capability 6.0, and 8.0 is needed"), std::string::npos) << complaint();
+    pretend("two_devices");
+    const auto second = cuda::Device::open();
+    EXPECT_EQ(second->name(), "Emulated device");
+    EXPECT_EQ(second->number(), 2);
+    EXPECT_EQ(second->of(), 2);
     setenv("TWINWAKE_LIBCUDA", "/nowhere/libcuda.so.1", 1);
     EXPECT_NE(complaint().find("no driver was found"), std::string::npos) << complaint();
 }
