@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <numbers>
 
@@ -87,6 +88,23 @@ TEST_F(OnDevice, AirUnderAPlateInTwoDimensions) {
     s.domain.min.z() = -skin - 0.1;
     s.mirrors.on[2] = {true, false};
     expect_the_same_run(s, 60, {Box{Vec3(-half, -on_plate.dp / 2, 0), Vec3(half, on_plate.dp / 2, on_plate.depth)}});
+}
+
+TEST_F(OnDevice, OfAirAndWaterNothingTravelsButTheStepsExtremes) {
+    SimulationSetup s = dam_break();
+    s.bodies.clear();
+    Simulation run = with_air(s);
+    const auto device = put_on_device(run);
+    run.step();  // takes all there
+    const cuda::Device::Traffic from = device->traffic();
+    constexpr int steps = 60;
+    for (int k = 0; k < steps; ++k) run.step();
+    const cuda::Device::Traffic to = device->traffic();
+    const double bytes = double(to.to_device - from.to_device + to.to_host - from.to_host) / steps,
+                 particles = double(run.level(0).count() + run.gas()->count());
+    std::printf("air and water: %.2f bytes a particle and step between host and device\n", bytes / particles);
+    EXPECT_LT(bytes, 4 * particles);  // one number of each in single precision
+    EXPECT_GT(run.gas()->timers().rebuilds, 1);
 }
 
 TEST_F(OnDevice, ACheckpointWithAirGoesFromTheHostToADeviceAndBack) {
