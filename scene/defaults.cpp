@@ -179,7 +179,8 @@ double default_sound_speed(const Scene& scene) {
 RasterSpec default_raster(const Scene& scene, double spacing) {
     const Box& domain = scene.domain.box;
     Box region = domain;
-    if (scene.hull && scene.motion.kind == Motion::Kind::stream) {
+    const bool flat = scene.domain.dimensions == 2;
+    if (scene.hull && scene.motion.kind == Motion::Kind::stream && !flat) {  // a section's jet flies far ahead of it
         // From ahead of the spray root to the outlet, over the whole width (the wake opens), from below the trough
         // behind the transom, which fast hulls make deeper than their keels, to where connected spray can be.
         const Hull& hull = *scene.hull;
@@ -190,7 +191,6 @@ RasterSpec default_raster(const Scene& scene, double spacing) {
     }
     RasterSpec raster;
     raster.voxel = spacing;
-    const bool flat = scene.domain.dimensions == 2;
     for (int axis = 0; axis < 3; ++axis) {
         if (flat && axis == 1) {  // one voxel holds the whole thickness
             raster.origin[1] = domain.min.y();

@@ -215,6 +215,7 @@ void add_splash(Comparison& comparison, const CompareOptions& options) {
         for (const float z : a.envelope)
             if (std::isfinite(z) && !(highest >= z - a.still_level)) highest = z - a.still_level;
         envelope.values.push_back(single(highest, 0, 0.5 * record.raster.voxel, record, "no raster frames"));
+        withhold_if_cut_off(envelope.values.back(), highest, a.still_level, record);
         const Column* heights = a.splash.find("raw_height");
         const double droplet =
             heights ? largest(a.splash, *heights, a.settled_from) : std::numeric_limits<double>::quiet_NaN();

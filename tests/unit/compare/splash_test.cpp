@@ -80,13 +80,16 @@ TEST(Splash, OfWaterThatReachesTheTopNoHeightIsGiven) {
         r.attributes["motion"] = "none";
         r.attributes["method"] = "sph", r.attributes["scene_hash"] = "tank";
         r.attributes["symmetry_factor"] = "1";
-        return compare_records({r}).find("splash_sheet_height")->values.front();
+        return compare_records({r});
     };
-    const MeanValue below = sheet(1.3), at_the_top = sheet(1.5);
-    EXPECT_TRUE(below.known);
-    EXPECT_NEAR(below.value, 1.3, 0.05);
-    EXPECT_FALSE(at_the_top.known);
-    EXPECT_NE(at_the_top.why_not.find("water reaches the top, 1.49 m"), std::string::npos) << at_the_top.why_not;
+    const Comparison below = sheet(1.3), at_the_top = sheet(1.5);
+    for (const char* name : {"splash_sheet_height", "splash_envelope"}) {
+        const MeanValue lower = below.find(name)->values.front(), cut = at_the_top.find(name)->values.front();
+        EXPECT_TRUE(lower.known) << name;
+        EXPECT_NEAR(lower.value, 1.3, 0.05) << name;
+        EXPECT_FALSE(cut.known) << name;
+        EXPECT_NE(cut.why_not.find("water reaches the top, 1.49 m"), std::string::npos) << cut.why_not;
+    }
 }
 
 TEST(Splash, WhatAMeshSmearsUpAHullIsNoWater) {

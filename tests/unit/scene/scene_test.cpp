@@ -400,6 +400,16 @@ TEST(Scene, AHullInTwoDimensionsIsItsSectionPerMetreOfSpan) {
     EXPECT_NEAR(scene_of(with(plate, "plate", "prismatic")).hull->mass.volume, 4 * 0.75, 1e-9);
 }
 
+TEST(Scene, TheRasterOfASectionHoldsWhatItThrowsUpAndAhead) {
+    const Scene s = scene_of(plate);
+    const RasterSpec& r = s.sampling.raster;
+    const Vec3 high = r.origin + r.voxel * Vec3(r.count[0], r.count[1], r.count[2]);
+    for (const int axis : {0, 2}) {
+        EXPECT_LE(r.origin[axis], s.domain.box.min[axis] + 1e-9);
+        EXPECT_GE(high[axis], s.domain.box.max[axis] - 1e-9);
+    }
+}
+
 TEST(Scene, AHullWithoutASectionOrWithHalvesIsRefusedInTwoDimensions) {
     const std::string beside = complaint(with(plate, "[water]", "position = [0, \"2 m\"]\n[water]"));
     EXPECT_NE(beside.find("[hull] shape"), std::string::npos) << beside;
