@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/struck_plate.h"
+
 namespace tw {
 namespace {
 
@@ -168,12 +170,16 @@ double default_courant(const Scene& scene) {
     return scene.motion.kind == Motion::Kind::stream ? 4 : 1;
 }
 
-double default_sound_speed(const Scene& scene) {
+double explained_speed(const Scene& scene) {
     // p_max / rho0 of the water at rest is g H; falling from the surface it reaches sqrt(2 g H).
     const double fall = std::sqrt(2 * scene.water.gravity * water_height(scene));
     double body = 0;
     for (const MovingBody& b : scene.bodies) body = std::max(body, b.fastest(scene.water.gravity));
-    return 10 * std::max({scene.motion.speed, fall + fastest_wall(scene), body});
+    return std::max({scene.motion.speed, fall + fastest_wall(scene), body});
+}
+
+double default_sound_speed(const Scene& scene) {
+    return (water_strikes_plate(scene) ? sound_of_impact : 10) * explained_speed(scene);
 }
 
 RasterSpec default_raster(const Scene& scene, double spacing) {

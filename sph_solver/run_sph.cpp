@@ -338,7 +338,7 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
                                : 2 * duration;
     const double started = wall_now(), time_at_start = simulation->time();
     double last_report = 0;
-    RunWatch watch({.speed = 0.1 * default_sound_speed(scene),
+    RunWatch watch({.speed = explained_speed(scene),
                     .duration = duration - time_at_start,
                     .steps = options.predicted_steps});
 

@@ -180,6 +180,23 @@ TEST(ElasticScene, WarnsOfAWallThatEndsOnTheFloor) {
     EXPECT_TRUE(warns(with(with(dam_break_on_wall, "90 mm", "80 mm"), "35 mm", "40 mm"), "ends_at_wall"));
 }
 
+/// What strikes a wall is thrown at the tank's far side: an impact. A wall that has held the water from the start, or one
+/// that does not bend, keeps the default of all scenes.
+TEST(ElasticScene, TakesTheSoundSpeedOfAnImpactWhereWaterStrikesADryPlate) {
+    const double fall = std::sqrt(2 * 9.81 * 0.292);
+    EXPECT_NEAR(scene_of(dam_break_on_wall).sph.c0, 40 * fall, 1e-9);
+    EXPECT_NEAR(scene_of(with(dam_break_on_wall, "[\"0.292 m\", 0, \"35", "[\"0.152 m\", 0, \"35")).sph.c0, 10 * fall,
+                1e-9);
+    const std::size_t body = dam_break_on_wall.find("[[body]]"), motion = dam_break_on_wall.find("[motion]");
+    const std::string rigid = dam_break_on_wall.substr(0, body) +
+                              "[[obstacle]]\nname = \"wall\"\nmin = [0.286, -0.1, 0]\n" + "max = [0.298, 0.1, 0.08]\n" +
+                              dam_break_on_wall.substr(motion);
+    EXPECT_NEAR(scene_of(rigid).sph.c0, 10 * fall, 1e-9);
+    const Scene own = scene_of(dam_break_on_wall + "[sph]\nc0 = 30\n");
+    EXPECT_EQ(own.sph.c0, 30);
+    EXPECT_NE(to_text(own, predict(own)).find("raise [sph] c0"), std::string::npos) << "or nobody is told";
+}
+
 /// The mesh method moves the rigid counterpart of a plate on a frame, and refuses a plate that is held.
 TEST(ElasticScene, IsRigidForTheMeshMethod) {
     EXPECT_NO_THROW(refuse_unmeshable(scene_of(dropped)));
