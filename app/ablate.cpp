@@ -73,7 +73,11 @@ public:
 
 private:
     PlannedRun plan(const SceneOverrides& overrides) const {
-        return plan_run({command_.scene.file, overrides, command_.method, command_.threads});
+        return plan_run({.file = command_.scene.file,
+                         .overrides = overrides,
+                         .method = command_.method,
+                         .threads = command_.threads,
+                         .elsewhere = command_.making.elsewhere()});
     }
 
     void switch_effect(Variant& v, const Variant& reference) const {

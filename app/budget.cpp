@@ -23,7 +23,7 @@ double scale_at(int step) { return std::pow(2, static_cast<double>(step) / steps
 
 /// The family at so many times the scene's sizes; none: the scene does not allow all of its runs.
 std::optional<PaidSizes> sizes_at(LadderSizes family, double scale) {
-    family.overrides.scale_resolution = scale;
+    family.request.overrides.scale_resolution = scale;
     const LadderPlan plan = plan_ladder(family, {});
     if (scale > 1 && !plan.left_out.empty()) return {};
     PaidSizes sizes{scale, std::numeric_limits<double>::infinity(), 0};

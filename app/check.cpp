@@ -39,7 +39,8 @@ int run_check(const CheckCommand& command, const Common& common) {
     const Scene& scene = plan.scene;
     double own = 0;
     for (const std::string& method : scene.run.methods) own += plan.seconds(method);
-    const Twins twins(command.scene.file, command.scene.overrides(), "", command.threads, 1, {});
+    const Twins twins({.file = command.scene.file, .overrides = command.scene.overrides(), .threads = command.threads},
+                      {});
     say(common, to_text(scene, plan.prediction) + twins.prediction_text(own) +
                     "budget: none, the scene's own sizes are run; run --budget TIME chooses the finest that fit\n");
     const RanksTake ranks = ranks_take(plan, command.ranks);

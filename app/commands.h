@@ -29,6 +29,9 @@ struct Making {
     bool collect = false;  ///< none is: the report is made from those that are finished
     /// Takes the study in place of running it; null: it is run. Returns the exit status.
     std::function<int(Study study, const Common& common)> hand_over = {};
+
+    /// Whether the runs are, or were, made by somebody else, who may have other machines.
+    bool elsewhere() const { return collect || hand_over; }
 };
 
 struct NewCommand {

@@ -50,10 +50,11 @@ std::string plan_text(const LadderPlan& plan, double budget) {
 int run_ladder(const LadderCommand& command, const Common& common) {
     const fs::path out =
         command.out.empty() ? fs::path("runs") / (command.scene.file.stem().string() + "_ladder") : command.out;
-    const LadderPlan plan = plan_ladder({.file = command.scene.file,
-                                         .overrides = command.scene.overrides(),
-                                         .method = command.method,
-                                         .threads = command.threads,
+    const LadderPlan plan = plan_ladder({.request = {.file = command.scene.file,
+                                                     .overrides = command.scene.overrides(),
+                                                     .method = command.method,
+                                                     .threads = command.threads,
+                                                     .elsewhere = command.making.elsewhere()},
                                          .levels = command.levels,
                                          .ratio = command.ratio,
                                          .variations = command.variations,

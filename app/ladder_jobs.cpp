@@ -55,12 +55,14 @@ public:
 
 private:
     SceneOverrides overrides(double k) const {
-        SceneOverrides o = sizes_.overrides;
+        SceneOverrides o = sizes_.request.overrides;
         o.scale_resolution = o.scale_resolution.value_or(1) * std::pow(sizes_.ratio, k);
         return o;
     }
     PlannedRun planned(const SceneOverrides& o) const {
-        return plan_run({sizes_.file, o, sizes_.method, sizes_.threads, sizes_.snapshots, sizes_.ranks});
+        RunRequest request = sizes_.request;
+        request.overrides = o;
+        return plan_run(request);
     }
     fs::path folder_of(const PlannedRun& plan) const {
         return out_ / fmt::format("near_hull_{:.6g}mm", 1000 * plan.scene.resolution.near_hull);
@@ -129,7 +131,7 @@ private:
         const Prediction cost = predict_by_table(on_one_core);
         const std::string cheaper = *std::ranges::min_element(
             plan.scene.run.methods, {}, [&](const std::string& method) { return cost.of(method).seconds; });
-        SceneOverrides o = sizes_.overrides;
+        SceneOverrides o = sizes_.request.overrides;
         o.scale_resolution = plan.scene.resolution.scale;
         add_choice(o, folder_of(plan), wider_box, cheaper);
     }

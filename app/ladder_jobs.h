@@ -26,11 +26,7 @@ struct LadderJob {
 
 /// Which sizes of a scene are run, and how.
 struct LadderSizes {
-    std::filesystem::path file;
-    SceneOverrides overrides;
-    std::string method;  ///< sph, fvm, both; empty: what the scene says
-    int threads = 0;
-    int ranks = 1;              ///< processes that share the particles of a run
+    RunRequest request;         ///< of the scene's own size
     int first = 0, levels = 4;  ///< sizes near_hull ratio^k, k from `first` to `levels` - 1
     double ratio = 1.4142135623730951;
     bool variations = true;  ///< other sound speed, time step and Courant number, at the second coarsest size
@@ -38,7 +34,6 @@ struct LadderSizes {
     bool box = true;         ///< a wider box at the coarsest size, where the scene is open water
     /// Of four sizes and more also near_hull ratio^(k + 1/2), between neighbouring ones but for the two finest.
     bool fill = false;
-    bool snapshots = true;
 };
 
 /// The runs of a ladder, cheapest first; behind them all the sizes that fill in, cheapest first: a budget leaves them out

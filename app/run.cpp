@@ -58,13 +58,13 @@ std::string prediction_text(const PlannedRun& plan) {
 }
 
 /// What --budget chooses, or chose when the run was begun; none: it is not given.
-std::optional<PaidSizes> paid_sizes(const RunCommand& command, const SceneOverrides& overrides, const fs::path& out) {
+std::optional<PaidSizes> paid_sizes(const RunCommand& command, const RunRequest& own, const fs::path& out) {
     if (command.budget.empty()) return {};
     const double budget = budget_seconds(command.budget);
     std::optional<PaidSizes> sizes;
     if (!command.overwrite) sizes = remembered_sizes(out, budget);
     if (sizes) return sizes;
-    LadderSizes family = sizes_of_twins(command.scene.file, overrides, command.method, command.threads, 1);
+    LadderSizes family = sizes_of_twins(own);
     if (!command.twins) family.levels = 1;
     return sizes_for_budget(family, budget);
 }
@@ -151,30 +151,31 @@ int run_together(const PlannedRun& plan, const RunCommand& command, const Common
 
 int run_run(const RunCommand& command, const Common& common) {
     const fs::path out = command.out.empty() ? fs::path("runs") / command.scene.file.stem() : command.out;
-    SceneOverrides overrides = command.scene.overrides();
-    const std::optional<PaidSizes> paid = paid_sizes(command, overrides, out);
-    if (paid) overrides.scale_resolution = paid->scale;
+    RunRequest request{.file = command.scene.file,
+                       .overrides = command.scene.overrides(),
+                       .method = command.method,
+                       .threads = command.threads,
+                       .elsewhere = command.making.elsewhere()};
+    const std::optional<PaidSizes> paid = paid_sizes(command, request, out);
+    if (paid) request.overrides.scale_resolution = paid->scale;
     const Comm& started = Comm::world();
-    const PlannedRun plan = plan_run({.file = command.scene.file,
-                                      .overrides = overrides,
-                                      .method = command.method,
-                                      .threads = command.threads,
-                                      .ranks = started.many() ? started.size() : command.ranks});
+    request.ranks = started.many() ? started.size() : command.ranks;
+    const PlannedRun plan = plan_run(request);
     const Scene& scene = plan.scene;
     const std::vector<std::string> methods = methods_of(scene);
 
     if (started.many()) return run_together(plan, command, common, out);
     if (scene.run.ranks > 1 && !command.making.collect) {
         refuse_unshared(plan, command);
-        if (!command.twins && methods.size() == 1) {
+        if (!command.making.hand_over && !command.twins && methods.size() == 1) {
             refuse_taken(out / "sph", "sph", command);
             start_on_ranks(scene.run.ranks);
         }
     }
     for (const std::string& method : methods) refuse_taken(out / method, method, command);
     std::optional<Twins> twins;
-    if (command.twins)
-        twins.emplace(command.scene.file, overrides, command.method, command.threads, scene.run.ranks, out / "twins");
+    request.ranks = scene.run.ranks;
+    if (command.twins) twins.emplace(request, out / "twins");
     if (twins && !command.overwrite) twins->refuse_others();
     if (!command.making.hand_over && !command.making.collect) say(common, ready_text(methods, scene));
     double own = 0;

@@ -8,9 +8,23 @@
 #include "app/stop_signal.h"
 #include "compare/report/numbers.h"
 #include "methods/methods.h"
+#include "record/this_machine.h"
+#include "scene/node.h"
+#include "sph_solver/parallel/comm.h"
 #include "text/plain_number.h"
 
 namespace tw::app {
+namespace {
+
+/// This machine; of those that mpirun has started ranks on, the smallest memory and the most ranks.
+Node node_of(const RunRequest& request, const Scene& scene) {
+    if (request.elsewhere) return {.memory = {}};
+    const Comm& ranks = Comm::world();
+    if (!ranks.many()) return {.ranks = scene.run.ranks};
+    return {.memory = -ranks.largest(-machine_memory()), .ranks = static_cast<int>(ranks.largest(ranks.size_here()))};
+}
+
+}  // namespace
 
 PlannedRun plan_run(const RunRequest& request) {
     Scene scene = read_scene(request.file, request.overrides);
@@ -24,7 +38,7 @@ PlannedRun plan_run(const RunRequest& request) {
     for (const std::string& m : scene.run.methods)
         if (const Solver& solver = solver_of(m); solver.refuse) solver.refuse(scene);
     const Prediction prediction = predict_here(scene);
-    refuse_oversize(scene, prediction);
+    refuse_oversize(scene, prediction, node_of(request, scene));
     return {request, std::move(scene), prediction};
 }
 

@@ -17,7 +17,8 @@ struct RunRequest {
     std::string method = {};  ///< a name, or every_method; empty: the scene's
     int threads = 0;          ///< 0: the scene's
     bool snapshots = true;
-    int ranks = 1;  ///< 0: the scene's; a run of a study is one process
+    int ranks = 1;           ///< 0: the scene's
+    bool elsewhere = false;  ///< made on other machines, of whose memory nothing is known here
 };
 /// A scene as it will be run, and what that is expected to cost on this machine.
 struct PlannedRun {
@@ -26,7 +27,8 @@ struct PlannedRun {
     Prediction prediction;
     double seconds(const std::string& method) const { return prediction.of(method).seconds; }
 };
-/// Throws InputError: the scene is wrong, or too large for this machine.
+/// Throws InputError: the scene is wrong, or too large for this machine, or for one of those that share it. All ranks
+/// call it.
 PlannedRun plan_run(const RunRequest& request);
 
 /// How one method of a scene is to be run.

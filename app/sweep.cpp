@@ -59,9 +59,17 @@ std::vector<SweptHull> variants_of(const SweepCommand& command) {
     return variants;
 }
 
+RunRequest request_of(const SweptHull& variant, const SweepCommand& command) {
+    return {.file = command.scene.file,
+            .overrides = variant.overrides,
+            .method = every_method,
+            .threads = command.threads,
+            .elsewhere = command.making.elsewhere()};
+}
+
 void plan_all(std::vector<SweptHull>& variants, const SweepCommand& command) {
     for (SweptHull& v : variants) try {
-            v.plan = plan_run({command.scene.file, v.overrides, every_method, command.threads});
+            v.plan = plan_run(request_of(v, command));
         } catch (const InputError& e) {
             v.why_not = e.what();
             complain(v.name + ": " + v.why_not);
@@ -69,7 +77,7 @@ void plan_all(std::vector<SweptHull>& variants, const SweepCommand& command) {
 }
 
 Twins twins_of(const SweptHull& variant, const fs::path& out, const SweepCommand& command) {
-    return {command.scene.file, variant.overrides, every_method, command.threads, 1, out / variant.folder / "twins"};
+    return {request_of(variant, command), out / variant.folder / "twins"};
 }
 
 CampaignRun run_of(const SweptHull& variant, const std::string& method, const fs::path& out) {

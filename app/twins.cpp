@@ -15,21 +15,17 @@ namespace tw::app {
 
 namespace fs = std::filesystem;
 
-LadderSizes sizes_of_twins(const fs::path& file, const SceneOverrides& overrides, const std::string& method,
-                           int threads, int ranks) {
-    LadderSizes sizes{.file = file, .overrides = overrides, .method = method, .threads = threads, .ranks = ranks};
-    sizes.levels = 3, sizes.ratio = std::numbers::sqrt2;
-    sizes.variations = sizes.snapshots = false;
-    return sizes;
+LadderSizes sizes_of_twins(RunRequest own) {
+    own.snapshots = false;
+    return {.request = std::move(own), .levels = 3, .ratio = std::numbers::sqrt2, .variations = false};
 }
 
-Twins::Twins(const fs::path& file, const SceneOverrides& overrides, const std::string& method, int threads,
-             int ranks, fs::path out) {
-    LadderSizes sizes = sizes_of_twins(file, overrides, method, threads, ranks);
+Twins::Twins(RunRequest own, const fs::path& out) {
+    LadderSizes sizes = sizes_of_twins(std::move(own));
     sizes.first = 1;
     plan_ = plan_ladder(sizes, out);
     harvest_.left_out = plan_.left_out;
-    sizes.method = every_method;
+    sizes.request.method = every_method;
     for (LadderJob& job : plan_ladder(sizes, out).jobs)
         if (std::ranges::none_of(plan_.jobs, [&](const LadderJob& j) { return j.run.method == job.run.method; }))
             of_other_methods_.push_back(std::move(job));

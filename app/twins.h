@@ -9,17 +9,15 @@
 namespace tw::app {
 
 /// The runs that `run` makes: the scene's own size, sqrt 2 and 2 times its sizes, and one in a wider box.
-LadderSizes sizes_of_twins(const std::filesystem::path& file, const SceneOverrides& overrides,
-                           const std::string& method, int threads, int ranks);
+LadderSizes sizes_of_twins(RunRequest own);
 
 /// Those but for the scene's own: with it they are a ladder of three sizes, which tells the discretisation error. They
 /// leave no snapshots.
 class Twins {
 public:
-    /// `method`: as for plan_run. Their folders are `out`/near_hull_.../METHOD. Nothing is thrown for a size that the
-    /// scene does not allow: it is left out and named.
-    Twins(const std::filesystem::path& file, const SceneOverrides& overrides, const std::string& method, int threads,
-          int ranks, std::filesystem::path out);
+    /// Their folders are `out`/near_hull_.../METHOD. Nothing is thrown for a size that the scene does not allow: it is
+    /// left out and named.
+    Twins(RunRequest own, const std::filesystem::path& out);
 
     std::vector<CampaignRun> runs() const;  ///< those to be made, cheapest first
     double seconds() const;                 ///< predicted, of those that are not finished [s]

@@ -6,12 +6,12 @@
 #include <thread>
 
 #include "base/errors.h"
-#include "record/this_machine.h"
 #include "scene/cores_of_particles.h"
 #include "scene/defaults.h"
 #include "scene/edge_refinement.h"
 #include "scene/effects/registry.h"
 #include "scene/mesh_cells.h"
+#include "scene/node.h"
 #include "scene/particles_of_sizes.h"
 #include "scene/refined_places.h"
 #include "scene/running_water.h"
@@ -25,6 +25,7 @@ namespace {
 // Throughput, measured on AVX-512 server cores of about 3 GHz; one place for all of them.
 constexpr double particle_steps_per_core_second = 1.1e6;            // delta-SPH with renormalised diffusion, h/dp = 1.5
 constexpr double bytes_per_particle = 240, of_several_sizes = 420;  // the prism at beam/20
+constexpr double bytes_of_start = 85;       // of each particle, on each of several ranks; the same prism
 constexpr double bytes_per_open_voxel = 8;  // while a frame is filled; afterwards it keeps one byte
 constexpr double wall_layers = 4;
 constexpr double steps_of_shedding_edges = 1.45;      // half a prism with cells halved along chine and transom
@@ -66,12 +67,26 @@ std::string key_of_domain(const Scene& scene) {
     return given_of(scene, keys[static_cast<std::size_t>(longest)]);
 }
 
-void refuse_too_fine(const Scene& scene, const MethodCost& cost, double raster_bytes) {
-    const double memory = 0.9 * machine_memory();
-    const double bytes = cost.bytes - raster_bytes;
+/// Whether ranks share the run; each then has all particles while it starts.
+bool is_shared(const Scene& scene, const MethodCost& cost) {
+    return scene.run.ranks > 1 && elements_of(cost.method) == "particles";
+}
+
+/// What a run, or the ranks of it that a node holds, need there but for the raster, which the first rank alone has.
+double bytes_on(const Node& node, const Scene& scene, const MethodCost& cost, double raster_bytes) {
+    const double whole = cost.bytes - raster_bytes;
+    if (!is_shared(scene, cost)) return whole;
+    return node.ranks * std::max(whole / scene.run.ranks, cost.most * bytes_of_start);
+}
+
+void refuse_too_fine(const Scene& scene, const MethodCost& cost, double raster_bytes, const Node& node) {
+    const double memory = 0.9 * *node.memory, bytes = bytes_on(node, scene, cost, raster_bytes);
     if (bytes <= memory) return;
-    const std::string need = fmt::format("{:.3g} {} need {:.3g} GB of memory, and {:.3g} GB are available", cost.most,
-                                         elements_of(cost.method), bytes / 1e9, memory / 1e9);
+    const std::string need =
+        fmt::format("{:.3g} {} need {:.3g} GB of memory{}, and {:.3g} GB are available", cost.most,
+                    elements_of(cost.method), bytes / 1e9,
+                    is_shared(scene, cost) ? fmt::format(" where {} of {} ranks are", node.ranks, scene.run.ranks) : "",
+                    memory / 1e9);
     const double enough = scene.resolution.near_hull * std::cbrt(bytes / memory) * 1.01;
     if (scene.hull && std::isfinite(enough) && enough > coarsest_particles(*scene.hull)) {
         const Vec3 size = scene.domain.box.size();
@@ -104,7 +119,7 @@ void refuse_too_long(const Scene& scene, const MethodCost& cost) {
         elements_of(cost.method), cost.steps, longest_run / 86400));
 }
 
-void refuse_too_many_samples(const Scene& scene, const Prediction& p) {
+void refuse_too_many_samples(const Scene& scene, const Prediction& p, const Node& node) {
     const auto refuse = [&](const char* key, const std::string& what, double expected, const char* unit) {
         throw InputError(fmt::format("{}: {}; expected at least {:.3g} {}", scene.place_of(given_of(scene, {key})),
                                      what, expected, unit));
@@ -119,7 +134,8 @@ void refuse_too_many_samples(const Scene& scene, const Prediction& p) {
     if (p.frames > most_frames)
         refuse("sampling.interval", fmt::format("{:.3g} samples would be taken", p.frames), duration / most_frames,
                "s");
-    const double memory = 0.9 * machine_memory(), excess = p.raster_bytes / (0.5 * memory);
+    if (!node.memory) return;
+    const double memory = 0.9 * *node.memory, excess = p.raster_bytes / (0.5 * memory);
     if (excess <= 1) return;
     const Sampling& sampling = scene.sampling;
     const std::string what = fmt::format(
@@ -221,12 +237,14 @@ const MethodCost& Prediction::of(const std::string& method) const {
     return *cost;
 }
 
-void refuse_oversize(const Scene& scene, const Prediction& p) {
+void refuse_oversize(const Scene& scene, const Prediction& p) { refuse_oversize(scene, p, {}); }
+
+void refuse_oversize(const Scene& scene, const Prediction& p, const Node& node) {
     for (const std::string& method : scene.run.methods) {
-        refuse_too_fine(scene, p.of(method), p.raster_bytes);
+        if (node.memory) refuse_too_fine(scene, p.of(method), p.raster_bytes, node);
         refuse_too_long(scene, p.of(method));
     }
-    refuse_too_many_samples(scene, p);
+    refuse_too_many_samples(scene, p, node);
 }
 
 }  // namespace tw

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "meshes/generate.h"
+#include "scene/node.h"
 #include "scene_text.h"
 #include "test_paths.h"
 
@@ -111,6 +112,28 @@ TEST(Cost, BillionsOfParticlesAreRefusedWithTheNumberAndThePlace) {
         std::string::npos)
         << message;
     EXPECT_NO_THROW(refuse_oversize(scene_of(tank), predict(scene_of(tank))));
+}
+
+/// A node has its ranks' share of the particles, and while they start all particles for each of them.
+TEST(Cost, AnotherNodeIsComparedByItsRanksAndAnUnknownOneNotAtAll) {
+    Scene s = scene_of(with(tank, "duration = 1\n", "duration = 1\nmethods = [\"sph\"]\nranks = 8\n"));
+    const Prediction p = predict(s);
+    const double whole = p.of("sph").bytes - p.raster_bytes;
+    const auto message = [&](std::optional<double> memory, int ranks) -> std::string {
+        if (memory) *memory /= 0.9;
+        try {
+            refuse_oversize(s, p, {.memory = memory, .ranks = ranks});
+        } catch (const InputError& e) { return e.what(); }
+        return "";
+    };
+    EXPECT_NE(message(2.7 * whole, 8).find("where 8 of 8 ranks are"), std::string::npos);
+    EXPECT_EQ(message(2.9 * whole, 8), "");
+    EXPECT_NE(message(0.34 * whole, 1), "");
+    EXPECT_EQ(message(0.36 * whole, 1), "");
+    EXPECT_EQ(message({}, 8), "");
+    s.run.ranks = 1;
+    EXPECT_NE(message(0.99 * whole, 1), "");
+    EXPECT_EQ(message(1.01 * whole, 1), "");
 }
 
 std::string refusal(const std::string& text) {
