@@ -43,21 +43,28 @@ double longest(const Site& site) { return site.time.empty() ? INFINITY : quantit
 
 }  // namespace
 
-std::string JobArray::name() const { return fmt::format("{}_{}", method, cores); }
+std::string JobArray::name() const {
+    return ranks > 1 ? fmt::format("{}_{}x{}", method, ranks, cores) : fmt::format("{}_{}", method, cores);
+}
 
 int job_cores(double elements, int most) {
     return static_cast<int>(
         std::bit_floor(static_cast<unsigned>(std::clamp(elements / elements_per_job_core, 1.0, double(most)))));
 }
 
+int cores_of_rank(const Member& member, int most) {
+    const RunRequest& r = member.request;
+    return r.threads > 0 ? r.threads : job_cores(member.elements / r.ranks, most);
+}
+
 std::vector<JobArray> arrays_of(const Study& study, const Site& site) {
     std::vector<JobArray> arrays;
     for (std::size_t k = 0; k < study.members.size(); ++k) {
         const Member& m = study.members[k];
-        const int cores = m.request.threads > 0 ? m.request.threads : job_cores(m.elements, site.cores);
-        auto found =
-            std::ranges::find_if(arrays, [&](const JobArray& a) { return a.method == m.method && a.cores == cores; });
-        if (found == arrays.end()) found = arrays.insert(arrays.end(), JobArray{m.method, cores});
+        const int cores = cores_of_rank(m, site.cores), ranks = m.request.ranks;
+        auto found = std::ranges::find_if(
+            arrays, [&](const JobArray& a) { return a.method == m.method && a.cores == cores && a.ranks == ranks; });
+        if (found == arrays.end()) found = arrays.insert(arrays.end(), JobArray{m.method, cores, ranks});
         found->members.push_back(k);
         found->seconds = std::max(found->seconds, margin_of_time * m.seconds + least_time);
         found->bytes = std::max(found->bytes, margin_of_memory * m.bytes + least_memory);
@@ -74,16 +81,18 @@ std::string slurm_time(double seconds) {
 std::string array_script(const JobArray& array, const Site& site, const std::string& program,
                          const std::string& probe) {
     const std::string limit = site.limit > 0 ? fmt::format("%{}", site.limit) : "";
-    // Ranks are tasks, which mpirun finds; threads are cores of one task.
-    const bool ranks = solver_of(array.method).elements_per_rank > 0;
-    return fmt::format(R"script(#!/bin/bash
-# Runs of a twinwake study, {method}, cores each: {cores}. What they are stands in study.json beside this file.
-#SBATCH --job-name=twinwake-{method}-{cores}
+    // Ranks are tasks, which mpirun finds; threads are cores of one task. interFoam starts its own mpirun, on one node.
+    const bool cells = solver_of(array.method).elements_per_rank > 0, shared = array.ranks > 1;
+    const std::string mpirun =
+        shared ? fmt::format("mpirun -n {} --bind-to none --quiet ", array.ranks) : std::string();
+    return fmt::format(
+        R"script(#!/bin/bash
+# Runs of a twinwake study, {method}, {each}: {cores}. What they are stands in study.json beside this file.
+#SBATCH --job-name=twinwake-{name}
 #SBATCH --array={members}{limit}
-#SBATCH --nodes=1
-#SBATCH --ntasks={tasks}
+{place}#SBATCH --ntasks={tasks}
 #SBATCH --cpus-per-task={per_task}
-#SBATCH --mem={memory}
+#SBATCH --{memory}
 #SBATCH --time={time}
 #SBATCH --requeue
 #SBATCH --signal=B:TERM@120
@@ -94,10 +103,10 @@ if [ "$(cat probe 2>/dev/null)" != {probe} ]; then
     echo "$PWD/probe is not seen on $(hostname): the folder of a study has to lie on a disk that all nodes share" >&2
     exit 2
 fi
-{modules}{call} member .. "$SLURM_ARRAY_TASK_ID" --threads {cores} --quiet &
+{modules}{mpirun}{call} member .. "$SLURM_ARRAY_TASK_ID" --threads {cores} --quiet &
 run=$!
 told=
-trap 'told=1; kill -TERM "$run" 2>/dev/null' TERM
+trap 'told=1; kill -{signal} "$run" 2>/dev/null' TERM
 while :; do
     wait "$run"
     status=$?
@@ -111,12 +120,18 @@ if [ "$status" = 5 ] && [ ! -e cancelled ] && [ "$(squeue -h -j "$job" -o %T)" =
 fi
 exit "$status"
 )script",
-                       fmt::arg("method", array.method), fmt::arg("cores", array.cores),
-                       fmt::arg("members", fmt::join(array.members, ",")), fmt::arg("limit", limit),
-                       fmt::arg("tasks", ranks ? array.cores : 1), fmt::arg("per_task", ranks ? 1 : array.cores),
-                       fmt::arg("memory", memory_text(array.bytes)), fmt::arg("time", slurm_time(array.seconds)),
-                       fmt::arg("site", asked_by_site(site, !ranks)), fmt::arg("probe", shell_word(probe)),
-                       fmt::arg("modules", loaded(site)), fmt::arg("call", call(site, program)));
+        fmt::arg("method", array.method), fmt::arg("cores", array.cores),
+        fmt::arg("members", fmt::join(array.members, ",")), fmt::arg("limit", limit),
+        fmt::arg("name", fmt::format("{}-{}", array.method, array.name().substr(array.method.size() + 1))),
+        fmt::arg("each", shared ? fmt::format("ranks each: {}, cores of a rank", array.ranks) : "cores each"),
+        fmt::arg("place", shared ? "" : "#SBATCH --nodes=1\n"), fmt::arg("tasks", cells ? array.cores : array.ranks),
+        fmt::arg("per_task", cells ? 1 : array.cores),
+        fmt::arg("memory",
+                 shared ? "mem-per-cpu=" + memory_text(array.bytes / array.cores) : "mem=" + memory_text(array.bytes)),
+        fmt::arg("time", slurm_time(array.seconds)), fmt::arg("mpirun", mpirun),
+        fmt::arg("signal", shared ? "USR1" : "TERM"),  // which mpirun hands on
+        fmt::arg("site", asked_by_site(site, !cells)), fmt::arg("probe", shell_word(probe)),
+        fmt::arg("modules", loaded(site)), fmt::arg("call", call(site, program)));
 }
 
 std::string report_script(const Study& study, const Site& site, const std::string& program, double bytes) {

@@ -7,14 +7,14 @@
 
 namespace tw::app {
 
-/// One array of jobs: runs of one method on as many cores.
+/// One array of jobs: runs of one method on as many cores, of particles on as many ranks with so many cores each.
 struct JobArray {
     std::string method;
-    int cores = 1;
+    int cores = 1, ranks = 1;
     std::vector<std::size_t> members = {};
-    double seconds = 0, bytes = 0;  ///< asked for, with margin: of the largest of them
+    double seconds = 0, bytes = 0;  ///< asked for, with margin: of the largest of them, or of its largest rank
 
-    std::string name() const;  ///< "sph_4"
+    std::string name() const;  ///< "sph_4"; of several ranks "sph_8x4"
 };
 
 /// What jobs ask for beyond what is predicted: the machine that submits may be faster than a node, and a run may have
@@ -25,6 +25,8 @@ inline constexpr double elements_per_job_core = 20000;
 
 /// Cores that a run of so many elements is given: a power of two, so that there are few arrays.
 int job_cores(double elements, int most = 32);
+/// Of a rank of a member of a study, or of all of it: its own threads, else by its elements.
+int cores_of_rank(const Member& member, int most = 32);
 /// The members by what they ask for; those of a request that has its threads keep them.
 std::vector<JobArray> arrays_of(const Study& study, const Site& site);
 

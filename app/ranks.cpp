@@ -69,11 +69,6 @@ void refuse_unshared(const PlannedRun& plan, const RunCommand& command) {
                                      command.ranks, started));
     if (ranks <= 1) return;
     const std::string asked = started > 1 ? fmt::format("mpirun -n {}", started) : asked_by(plan.scene, command.ranks);
-    if (command.making.hand_over)
-        throw InputError(fmt::format(
-            "{}: the runs of a study have one process each: give --ranks 1, or start mpirun twinwake run in a job of "
-            "your own",
-            asked));
     if (started > 1 && (command.twins || plan.scene.run.methods.size() > 1))
         throw InputError(
             fmt::format("{}: {} processes make one run: give --method sph --no-twins, or leave mpirun out and give "

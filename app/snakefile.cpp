@@ -32,8 +32,8 @@ rule member:
     resources:
         mem_mb=lambda wildcards: int(members[int(wildcards.number)]["predicted"]["bytes"] * 1.3 / 1048576 + 512),
         runtime=lambda wildcards: int(members[int(wildcards.number)]["predicted"]["seconds"] * 2 / 60 + 10)
-    params: program=study["program"]
-    shell: "{params.program:q} member .. {wildcards.number} --threads {threads} --quiet >>{log:q} 2>&1 || [ $? = 3 ]"
+    params: program=study["program"], ranks=lambda wildcards: members[int(wildcards.number)]["ranks"]
+    shell: "{params.program:q} member .. {wildcards.number} --threads $(( ({threads} - 1) / {params.ranks} + 1 )) --quiet >>{log:q} 2>&1 || [ $? = 3 ]"
 )snake";
 
 }  // namespace

@@ -11,8 +11,7 @@ void catch_stop_signals() {
     struct sigaction action {};
     action.sa_handler = [](int) { asked = 1; };
     action.sa_flags = static_cast<int>(SA_RESETHAND);
-    sigaction(SIGINT, &action, nullptr);
-    sigaction(SIGTERM, &action, nullptr);
+    for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) sigaction(signal, &action, nullptr);
 }
 
 bool stop_asked() { return asked != 0; }

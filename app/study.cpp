@@ -31,7 +31,7 @@ StudyJson json_of(const SceneOverrides& o) {
 }
 
 StudyJson json_of(const Member& m) {
-    const int cores = m.request.threads > 0 ? m.request.threads : job_cores(m.elements);
+    const int cores = m.request.ranks * cores_of_rank(m);
     return {{"name", m.name},
             {"method", m.method},
             {"folder", m.folder.string()},

@@ -9,6 +9,7 @@
 #include "app/command_words.h"
 #include "app/job_scripts.h"
 #include "app/output.h"
+#include "app/ranks.h"
 #include "app/slurm.h"
 #include "base/atomic_file.h"
 #include "base/errors.h"
@@ -78,9 +79,13 @@ private:
     void write_all() {
         study_.where = fs::current_path();
         for (Member& m : study_.members) {  // time and memory on the cores that it will have
-            if (m.request.threads == 0) m.request.threads = job_cores(m.elements, site_.cores);
-            const CampaignRun on_node{m.name, m.method, plan_run(m.request), m.folder};
-            m.seconds = on_node.plan.seconds(m.method);
+            m.request.threads = cores_of_rank(m, site_.cores);
+            const PlannedRun on_nodes = plan_run(m.request);
+            m.seconds = on_nodes.seconds(m.method);
+            if (m.request.ranks > 1) {
+                const RanksTake rank = ranks_take(on_nodes, m.request.ranks);
+                m.seconds = rank.seconds, m.bytes = std::max(rank.bytes, rank.bytes_at_start);
+            }
         }
         write_study(study_);
         for (const char* old : {"cancelled", "jobs.json"}) fs::remove(folder_ / old);
@@ -101,7 +106,8 @@ private:
     std::string table() const {
         ReportTable t{"", {words("jobs"), numbers("runs"), numbers("cores"), words("time"), numbers("memory", "GB")}};
         for (const JobArray& a : arrays_)
-            t.rows.push_back({{a.name(), a.members.size(), a.cores, slurm_time(a.seconds), a.bytes / 1e9}});
+            t.rows.push_back(
+                {{a.name(), a.members.size(), a.ranks * a.cores, slurm_time(a.seconds), a.ranks * a.bytes / 1e9}});
         return fmt::format("{}Asked for: {} times the predicted time of the longest and {}, {} times its memory.\n",
                            text_of(t), margin_of_time, time_text(least_time), margin_of_memory);
     }
@@ -179,6 +185,7 @@ private:
         for (std::size_t k = 0; k < arrays_.size(); ++k)
             json["arrays"].push_back({{"name", arrays_[k].name()},
                                       {"members", arrays_[k].members},
+                                      {"ranks", arrays_[k].ranks},
                                       {"cores", arrays_[k].cores},
                                       {"seconds", arrays_[k].seconds},
                                       {"bytes", arrays_[k].bytes},

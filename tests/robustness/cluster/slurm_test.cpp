@@ -4,6 +4,7 @@
 #include <csignal>
 #include <thread>
 
+#include "sph_solver/parallel/comm.h"
 #include "study_folder.h"
 
 namespace tw::test {
@@ -174,6 +175,30 @@ TEST_F(Slurm, JobsThatArePreemptedToldToStopOrKilledEndInTheReportOfALocalLadder
     ASSERT_EQ(twinwake(with_words(ladder, {"--out", "whole"})).status, 0);
     expect_same_records(folder_ / "whole", folder_ / "slurm");
     expect_same_tables(folder_ / "whole", folder_ / "slurm");
+}
+
+/// Of two nodes: told to stop as --signal=B:TERM tells it, it saves and goes on to the bytes of one process.
+TEST_F(Slurm, ARunSharedByRanksIsToldToStopAndEndsAsThatOfOneProcess) {
+    if (!Comm::built_with_mpi()) GTEST_SKIP() << "built without MPI";
+    for (const char* allowed : {"OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM"}) setenv(allowed, "1", 1);
+    write("column.toml", with(small_column, "duration = 0.1\ncheckpoint = 0.02", "duration = 1\ncheckpoint = 0.05"));
+    const Words run{"run", "column.toml", "--no-twins"};
+    const Outcome submitted = twinwake(with_words({"submit"}, with_words(run, {"--ranks", "2", "--out", "ranks"})));
+    ASSERT_EQ(submitted.status, 0) << submitted.err;
+    const fs::path checkpoint = folder_ / "ranks/sph/checkpoint.h5";
+    ASSERT_TRUE(happens([&] { return fs::exists(checkpoint); }, 100)) << logs("ranks");
+    const std::string job = status_of("ranks")["runs"][0]["job"];  // "2_0: RUNNING node[1-2]"
+    EXPECT_TRUE(has(job, "RUNNING node[")) << job;
+    EXPECT_EQ(std::system(("scancel --batch --signal=TERM " + job.substr(0, job.find(':'))).c_str()), 0);
+    ASSERT_TRUE(all_ended()) << logs("ranks");
+    EXPECT_TRUE(has(content(cluster_ / "log/slurmctld.log"), "Requeuing JobId=2_0")) << logs("ranks");
+    ASSERT_EQ(twinwake(with_words(run, {"--out", "one"})).status, 0);
+    const RunRecord one = read_record(folder_ / "one/sph/record.h5"),
+                    two = read_record(folder_ / "ranks/sph/record.h5");
+    EXPECT_EQ(two.state, "finished") << logs("ranks");
+    EXPECT_EQ(two.attributes.at("ranks"), "2");
+    EXPECT_EQ(first_difference(one, two), "");
+    EXPECT_TRUE(fs::exists(folder_ / "ranks/report.html")) << logs("ranks");
 }
 
 }  // namespace slurm_test

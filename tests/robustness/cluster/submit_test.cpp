@@ -4,6 +4,7 @@
 #include <chrono>
 #include <thread>
 
+#include "sph_solver/parallel/comm.h"
 #include "study_folder.h"
 
 namespace tw::test {
@@ -201,6 +202,39 @@ TEST_F(Submit, AJobThatTheClockEndsSavesAndGoesBackIntoTheQueue) {
     EXPECT_EQ(first_difference(read_record(folder_ / "whole/near_hull_30mm/sph/record.h5"),
                                read_record(folder_ / "out/near_hull_30mm/sph/record.h5")),
               "");
+}
+
+/// Of particles that ranks share: tasks on as many nodes as Slurm takes, memory by core, and a signal that mpirun hands on.
+TEST_F(Submit, RanksAreTasksThatMpirunStarts) {
+    if (!Comm::built_with_mpi()) GTEST_SKIP() << "built without MPI";
+    const Outcome o = twinwake({"submit", "run", "column.toml", "--no-twins", "--ranks", "2", "--threads", "3", "--out",
+                                "out", "--container", "apptainer exec tw.sif", "--dry-run"});
+    ASSERT_EQ(o.status, 0) << o.err;
+    const std::string script = content(folder_ / "out/study/sph_2x3.sbatch");
+    for (const char* line : {"#SBATCH --ntasks=2\n#SBATCH --cpus-per-task=3\n#SBATCH --mem-per-cpu=",
+                             "kill -USR1 \"$run\"", "\nmpirun -n 2 --bind-to none --quiet apptainer exec tw.sif "})
+        EXPECT_TRUE(has(script, line)) << line << "\n" << script;
+    EXPECT_FALSE(has(script, "--nodes")) << script;
+    EXPECT_TRUE(has(script, "member .. \"$SLURM_ARRAY_TASK_ID\" --threads 3 --quiet &")) << script;
+    EXPECT_EQ(nlohmann::json::parse(content(folder_ / "out/study/study.json"))["members"][0]["ranks"], 2);
+    // of a scene's key; interFoam has ranks of its own, and more than there are columns of particles are none
+    write("key.toml", with(small_column, "[run]\n", "[run]\nranks = 500\n"));
+    const Outcome many = twinwake({"submit", "run", "key.toml", "--no-twins", "--out", "many", "--dry-run"});
+    EXPECT_EQ(many.status, 2);
+    EXPECT_TRUE(has(many.err, "ranks = 500: the water stands in ")) << many.err;
+}
+
+/// The memory of the nodes is not known here: Slurm compares it.
+TEST_F(Submit, AStudyTooLargeForThisMachineIsHandedOver) {
+    write("column.toml", with(small_column, "near_hull = 0.03", "near_hull = 0.0001"));
+    const Words run{"run", "column.toml", "--no-twins", "--duration", "1e-5s", "--method", "sph"};
+    Words own = run, handed = run;
+    own.insert(own.end(), {"--out", "own"});
+    handed.insert(handed.begin(), "submit");
+    handed.insert(handed.end(), {"--out", "out", "--dry-run"});
+    const Outcome refused = twinwake(own), o = twinwake(handed);
+    EXPECT_TRUE(has(refused.err, "too fine for this machine")) << refused.err;
+    EXPECT_EQ(o.status, 0) << o.err;
 }
 
 }  // namespace submit_test

@@ -476,7 +476,7 @@ TEST(RanksRefused, WithTheReason) {
     has(refused(column_on_an_obstacle, {"--ranks", "2", "--method", "fvm"}), "--ranks 2: 2 ranks share a run of the");
     const std::string with_key = with(column_on_an_obstacle, "[run]", "[run]\nranks = 2");
     const std::string place = "scene.toml:23:9: [run] ranks = 2: ";
-    has(refused(with_key, {"--no-twins", "--emit", "snakemake"}), (place + "the runs of a study").c_str());
+    has(refused(with_key, {"--method", "fvm"}), (place + "2 ranks share a run of the").c_str());
     has(refused(with(column_on_an_obstacle, "[run]", "[run]\nranks = 0"), {}), "ranks = 0");
     if (!Comm::built_with_mpi()) {
         has(refused(column_on_an_obstacle, two), "built without MPI");
