@@ -1,15 +1,12 @@
 #include "app/subcommands.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <CLI/CLI.hpp>
 #include <memory>
 
 #include "app/about.h"
+#include "app/command_options.h"
 #include "app/output.h"
 #include "app/site.h"
-#include "app/solvers.h"
 #include "app/study.h"
 #include "app/submit.h"
 #include "scene/effects/registry.h"
@@ -37,96 +34,11 @@ Subcommand with_about(Subcommand row, std::string about) {
     return row;
 }
 
-// ---- options that several subcommands have
-
-void add_effect(CLI::App& c, SceneArguments& scene) {
-    c.add_option("--effect", scene.effects,
-                 fmt::format("switch an effect on or off instead of the scene's choice, e.g. viscosity=on; can be "
-                             "given again. Effects: {}",
-                             fmt::join(effect_names(), ", ")))
-        ->type_name("NAME=on|off")
-        ->allow_extra_args(false);
-}
-
-void add_scene(CLI::App& c, SceneArguments& scene) {
-    c.add_option("scene", scene.file, "scene file (TOML)")->required();
-    c.add_option("--hull", scene.hull,
-                 "swap the hull: this surface file instead of the scene's, in the same attitude and unit");
-    c.add_option("--speed", scene.speed, "speed of the stream instead of the scene's, e.g. \"30 m/s\" or \"60 kn\"");
-    c.add_option("--trim", scene.trim, "bow up, instead of the scene's, e.g. \"5 deg\"");
-    c.add_option("--near-hull", scene.near_hull, "finest size instead of the scene's, e.g. \"25 mm\"");
-    c.add_option("--spacing", scene.spacing, "largest size instead of the scene's");
-    c.add_option("--scale", scene.scale,
-                 "all sizes times this number, levels kept: 2, 1.4142 and 1 make similar meshes, for convergence");
-    c.add_option("--duration", scene.duration, "simulated time instead of the scene's, e.g. \"2 s\"");
-    c.add_option("--device", scene.device,
-                 "what makes the particles' steps: cpu, gpu, or auto for a GPU where one can, instead of the scene's")
-        ->check(CLI::IsMember({"cpu", "gpu", "auto"}));
-    add_effect(c, scene);
-}
-
-void add_method(CLI::App& c, std::string& method) {
-    c.add_option("--method", method, fmt::format("{} instead of the scene's", fmt::join(method_choices(), ", ")))
-        ->check(CLI::IsMember(method_choices()));
-}
-
-void add_threads(CLI::App& c, int& threads,
-                 const char* help = "threads (particles) and ranks (mesh); all cores unless given") {
-    c.add_option("--threads", threads, help)->check(CLI::Range(1, 4096));
-}
-
-CLI::Option* add_ranks(CLI::App& c, int& ranks, const char* help) {
-    return c.add_option("--ranks", ranks, help)->check(CLI::Range(1, 65535));
-}
-
-void add_jobs(CLI::App& c, Making& making) {
-    CLI::Option* jobs =
-        c.add_option(
-             "--jobs", making.jobs,
-             "runs side by side (1), each a process of its own; they share the cores by predicted time, but for "
-             "--threads, which each then has, and begin as cores and memory allow")
-            ->check(CLI::Range(1, 1024));
-    CLI::Option* collect =
-        c.add_flag("--collect", making.collect,
-                   "run nothing: make the report from the runs that are finished, and name the others")
-            ->excludes(jobs);
-    c.add_option_function<std::string>(
-         "--emit", [&making](const std::string&) { making.hand_over = write_snakefile; },
-         "run nothing: write study/Snakefile of the same runs and report into the folder of the results")
-        ->check(CLI::IsMember({"snakemake"}))
-        ->excludes(jobs)
-        ->excludes(collect);
-}
-
 /// The options of a study that is run on this machine.
 template <class Command, void (*options)(CLI::App&, Command&)>
 void here(CLI::App& c, Command& command) {
     options(c, command);
     add_jobs(c, command.making);
-}
-
-void add_site(CLI::App& c, SubmitOptions& submit) {
-    Site& site = submit.site;
-    const std::vector<CLI::Option*> own{
-        c.add_option("--account", site.account, "account that is charged"),
-        c.add_option("--partition", site.partition, "partition of the jobs"),
-        c.add_option("--qos", site.qos, "quality of service"),
-        c.add_option("--time", site.time,
-                     "the longest a job may ask for, e.g. 12h; a run that needs longer goes on in the next job")
-            ->type_name("TIME"),
-        c.add_option("--cores", site.cores, "at most for one run (32)")->check(CLI::Range(1, 4096)),
-        c.add_option("--gpus", site.gpus, "as sbatch --gpus has it; not for interFoam"),
-        c.add_option("--limit", site.limit, "runs of one array at a time")->check(CLI::Range(1, 100000)),
-        c.add_option("--modules", site.modules, "module to load; can be given again")->allow_extra_args(false),
-        c.add_option("--container", site.container, "what stands before the program, e.g. \"apptainer exec tw.sif\""),
-        c.add_option("--site", submit.site_file, "site file with these and `program` (TOML), see below")
-            ->type_name("FILE"),
-        c.add_flag("--dry-run", submit.dry_run, "write the scripts, print what would be submitted, and submit nothing"),
-    };
-    for (CLI::Option* option : own) {
-        option->group("Cluster");
-        submit.own["--" + option->get_lnames().front()] = option->get_items_expected_max() > 0 ? 1 : 0;
-    }
 }
 
 /// A study's command that is given to Slurm.
@@ -149,236 +61,10 @@ Subcommand submit_row(const char* name, const char* help, void (*options)(CLI::A
     return row;
 }
 
-void add_rerun(CLI::App& c, bool& overwrite) {
-    c.add_flag("--overwrite", overwrite, "run anew whatever is not a finished run of this scene");
-}
-
-/// The one thing that --require knows.
-void add_require_agree(CLI::App& c, bool& agree, const char* help) {
-    c.add_option_function<std::string>(
-         "--require", [&agree](const std::string&) { agree = true; }, help)
-        ->check(CLI::IsMember({"agree"}));
-}
-
-// ---- one function a subcommand, in the order of the table
-
-void new_options(CLI::App& c, NewCommand& create) {
-    c.add_option("template", create.kind, "planing, seaplane, tank, own")
-        ->required()
-        ->check(CLI::IsMember(template_names()));
-    c.add_option("file", create.file, "scene file to write")->required();
-    c.add_flag("--overwrite", create.overwrite, "replace the file if it is there");
-}
-
-void check_options(CLI::App& c, CheckCommand& check) {
-    add_scene(c, check.scene);
-    add_threads(c, check.threads, "predict for this many threads (particles) and ranks (mesh); all cores unless given");
-    add_ranks(c, check.ranks,
-              "say what each of so many processes takes that share the particles (MPI), instead of the scene's");
-    c.add_option("--picture", check.picture,
-                 "SVG file to write: side and plan view of the sizes of particles and cells round the hull");
-}
-
-void reference_options(CLI::App& c, ReferenceCommand& reference) {
-    c.add_option("--out", reference.out, "file to write instead of standard output");
-    c.add_option("--names", reference.names, "only the names, one on each line: effects or shapes")
-        ->check(CLI::IsMember({"effects", "shapes"}));
-}
-
-void run_options(CLI::App& c, RunCommand& run) {
-    add_scene(c, run.scene);
-    run.method.clear();
-    add_method(c, run.method);
-    c.add_option("--out", run.out, "folder of the results (runs/<name of the scene file>)");
-    CLI::Option* resume =
-        c.add_flag("--resume", run.resume, "continue from the last saved state; only if scene and numerics match");
-    c.add_flag("--overwrite", run.overwrite, "run anew in a folder that has a run")->excludes(resume);
-    c.add_flag("!--no-twins", run.twins,
-               "leave out the coarser runs (1.4142 and 2 times the sizes, and one in a wider box): then nothing is "
-               "known of the discretisation error, and there is no verdict");
-    add_require_agree(c, run.require_agree, "agree: exit status 4 unless every quantity agrees; needs the twins");
-    add_threads(c, run.threads);
-    CLI::Option* ranks =
-        add_ranks(c, run.ranks,
-                  "share the particles among so many processes (MPI), each with its threads, instead of the scene's "
-                  "[run] ranks; the same bits as one");
-    CLI::Option* budget = c.add_option("--budget", run.budget,
-                                       "choose the sizes: the finest, or the coarser ones, whose runs all together are "
-                                       "predicted to take at most this time, e.g. 5min (the scene's own sizes, however "
-                                       "long they take)")
-                              ->type_name("TIME")
-                              ->excludes(ranks);
-    for (const char* size : {"--scale", "--near-hull", "--spacing"}) budget->excludes(c.get_option(size));
-}
-
-void compare_options(CLI::App& c, CompareCommand& compare) {
-    c.add_option("sources", compare.sources, "run records, or folders of runs; or two report.json files")
-        ->required()
-        ->expected(1, 64);
-    c.add_option("--out", compare.out, "folder for report.html, report.json, CSV and figures");
-    c.add_flag("--ladder", compare.ladder,
-               "the records are runs of one scene at several sizes: verdicts that include the discretisation error");
-    c.add_option("--measured", compare.measured,
-                 "with --ladder: a measurement, as written by twinwake import; can be given again")
-        ->allow_extra_args(false);
-    c.add_flag("--force", compare.force, "compare records of different scenes, with a banner");
-    add_require_agree(
-        c, compare.require_agree,
-        "agree: exit status 4 unless every quantity agrees; needs --ladder, since runs of one size have no verdict");
-}
-
-void ladder_options(CLI::App& c, LadderCommand& ladder) {
-    add_scene(c, ladder.scene);
-    add_method(c, ladder.method);
-    c.add_option("--levels", ladder.levels, "number of sizes (4): the scene's own and coarser ones")
-        ->check(CLI::Range(1, 8));
-    c.add_option("--ratio", ladder.ratio, "of neighbouring spacings (1.4142)")->check(CLI::Range(1.05, 4.0));
-    c.add_flag(
-        "!--no-variations", ladder.variations,
-        "leave out the runs with sound speed x 1.5, half the time step, half the Courant number and a wider box");
-    c.add_flag("--surface", ladder.surface,
-               "one run more with interIsoFoam's geometric surface, where no body moves: all that it changes counts");
-    c.add_flag("!--no-fill", ladder.fill,
-               "leave out the sizes between the coarse ones, which tell scatter from a trend and narrow the interval");
-    c.add_option("--measured", ladder.measured,
-                 "a measurement, as written by twinwake import: each method's finest value is compared with it; can be "
-                 "given again")
-        ->allow_extra_args(false);
-    c.add_option("--budget", ladder.budget,
-                 "predicted time of all runs, e.g. 2h: runs that do not fit are left out and listed")
-        ->type_name("TIME");
-    c.add_flag("--plan", ladder.plan, "list the runs and their predicted time, and run nothing");
-    add_rerun(c, ladder.overwrite);
-    c.add_option("--out", ladder.out, "folder of the results (runs/<name of the scene file>_ladder)");
-    add_threads(c, ladder.threads);
-}
-
-void sweep_options(CLI::App& c, SweepCommand& sweep) {
-    c.add_option("scene", sweep.scene.file, "scene file (TOML)")->required();
-    c.add_option("--hulls", sweep.hulls, "surface files, in the attitude and unit of the scene's");
-    c.add_option("--speeds", sweep.speeds, "e.g. \"6 m/s\" \"8 m/s\"");
-    c.add_option("--trims", sweep.trims, "e.g. \"3 deg\" \"5 deg\"");
-    c.add_option("--near-hull", sweep.scene.near_hull, "finest size instead of the scene's, e.g. \"25 mm\"");
-    c.add_option("--scale", sweep.scene.scale, "all sizes times this number, levels kept");
-    c.add_option("--duration", sweep.scene.duration, "simulated time instead of the scene's, e.g. \"2 s\"");
-    add_effect(c, sweep.scene);
-    c.add_option("--twins", sweep.twins,
-                 "which scenes run coarser twins for their discretisation error: first (its relative error is taken "
-                 "for all others), all, none")
-        ->check(CLI::IsMember({"first", "all", "none"}));
-    add_rerun(c, sweep.overwrite);
-    c.add_option("--out", sweep.out, "folder of the results (runs/<name of the scene file>_sweep)");
-    add_threads(c, sweep.threads);
-}
-
-void ablate_options(CLI::App& c, AblateCommand& ablate) {
-    add_scene(c, ablate.scene);
-    c.add_option("--effects", ablate.effects, "the effects to switch (all that can be)")->type_name("NAME");
-    add_method(c, ablate.method);
-    add_rerun(c, ablate.overwrite);
-    c.add_option("--out", ablate.out, "folder of the results (runs/<name of the scene file>_ablation)");
-    add_threads(c, ablate.threads);
-}
-
-void member_options(CLI::App& c, MemberCommand& member) {
-    c.add_option("study", member.study, "folder of the study's results")->required();
-    c.add_option("number", member.number, "which of its runs, from 0")->required();
-    add_threads(c, member.threads);
-}
-
-void study_options(CLI::App& c, StudyCommand& study) {
-    c.add_option("folder", study.folder, "folder of the study's results")->required();
-}
-
-void import_options(CLI::App& c, ImportCommand& imported) {
-    c.add_option("mapping", imported.mapping, "TOML file that says which columns mean what")->required();
-    c.add_option("--out", imported.out, "folder for record.h5")->required();
-    c.add_flag("--overwrite", imported.overwrite, "replace the record if it is there");
-}
-
-void uncertainty_options(CLI::App& c, UncertaintyCommand& uncertainty) {
-    c.add_option("table", uncertainty.table, "CSV file: a header line, then a row for every level")->required();
-    c.add_option("--order", uncertainty.order,
-                 "order of the scheme (2), for the factor of safety and for tables of two levels")
-        ->check(CLI::Range(0.1, 10.0));
-}
-
-void add_surface(CLI::App& c, HullCommand& hull) {
-    c.add_option("in", hull.in, "STL, OBJ, PLY, VTP, STEP or IGES, also compressed (.gz)")->required();
-    c.add_option("--unit", hull.unit, "unit of the file: m, mm, cm, ft, in")->type_name("{m,mm,cm,ft,in}");
-    c.add_option("--axes", hull.axes, "file axes that become x (stern), y, z (up), e.g. -xyz");
-}
-
-void hull_info_options(CLI::App& c, HullCommand& hull) {
-    hull.action = "info";
-    add_surface(c, hull);
-    c.add_option("--particle-spacing", hull.particle_spacing,
-                 "also find walls too thin for particles of this spacing [m]");
-}
-
-void hull_repair_options(CLI::App& c, HullCommand& hull) {
-    hull.action = "repair";
-    add_surface(c, hull);
-    c.add_option("out", hull.out, "STL to write")->required();
-}
-
-void hull_convert_options(CLI::App& c, HullCommand& hull) {
-    hull.action = "convert";
-    add_surface(c, hull);
-    c.add_option("out", hull.out, "STL to write")->required();
-}
-
-void hull_make_options(CLI::App& c, HullCommand& hull) {
-    hull.action = "make";
-    CLI::Option* shape =
-        c.add_option("shape", hull.shape, "one of the shapes that the list without a shape names")->type_name("SHAPE");
-    c.add_option("-o,--out", hull.out, "STL to write")->needs(shape);
-    c.add_option("parameters", hull.parameters, "name=value, e.g. length=4 \"beam=100 cm\" deadrise=20deg");
-}
-
 int run_hull_action(const HullCommand& hull, const Common& common) {
     const int status = leaving_files([&] { return run_hull(hull, common); });
     if (status != done && common.quiet) complain(hull.in.string() + ": not usable; hull info without -q shows why");
     return status;
-}
-
-void case_options(CLI::App& c, CaseCommand& foam_case) {
-    add_scene(c, foam_case.scene);
-    c.add_option("folder", foam_case.folder, "new folder for the case")->required();
-}
-
-void doctor_options(CLI::App& c, DoctorCommand& doctor) {
-    c.add_option("--openfoam", doctor.openfoam, "folder of an OpenFOAM installation to examine first");
-}
-
-void stability_options(CLI::App& c, StabilityCommand& stability) {
-    c.add_flag("--quick", stability.quick, "half as fine: about a minute instead of several");
-    c.add_option("--out", stability.out, "folder for stability.html, .svg, .json and .txt (runs/stability)");
-    add_threads(c, stability.threads, "cases at a time; all cores unless given");
-}
-
-void spray_options(CLI::App& c, SprayCommand& spray) {
-    c.add_option("study", spray.study, "study file (TOML): source, extraction, air, targets, sensor")->required();
-    c.add_option("--out", spray.out, "folder of the results (runs/<name of the study>_spray)");
-    c.add_option("--openfoam-cloud", spray.cloud,
-                 "also write the droplets as an OpenFOAM cloud into this new folder, run it and compare its paths");
-    c.add_option("--against", spray.against,
-                 "results of another spray, e.g. of the other method: statistics of both sprays' droplets");
-}
-
-void bench_options(CLI::App& c, BenchCommand& bench) {
-    c.add_option("--particles", bench.particles, "number of particles")->check(CLI::Range(1000L, 1000000000L));
-    c.add_option("--h-over-dp", bench.h_over_dp, "smoothing length over spacing")->check(CLI::Range(1.1, 3.0));
-    c.add_option("--threads", bench.threads, "threads; all cores unless given")->check(CLI::Range(0, 4096));
-    c.add_option("--device", bench.device, "what makes the steps: cpu or gpu")->check(CLI::IsMember({"cpu", "gpu"}));
-    c.add_option("--seconds", bench.seconds, "how long to measure")->check(CLI::Range(0.1, 3600.0));
-}
-
-void completion_options(CLI::App& c, CompletionCommand& completion) {
-    completion.program = c.get_parent();
-    c.add_option("shell", completion.shell, "bash, zsh or fish; man: the manual page instead")
-        ->required()
-        ->check(CLI::IsMember({"bash", "zsh", "fish", "man"}));
 }
 
 }  // namespace
