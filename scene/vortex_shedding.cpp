@@ -42,8 +42,10 @@ std::optional<Finding> check_vortex_shedding(const Scene& scene) {
     const std::string sheds = fmt::format("at Re = {:.3g} on its height it sheds vortices, about one pair in {} s",
                                           reynolds, plain_number(height / (strouhal_number * speed)));
     if (missing.empty()) return Finding{Finding::Level::note, "vortex_shedding", sheds, body.min};
-    return Finding{Finding::Level::warning, "vortex_shedding",
-                   sheds + ", and this run is not expected to: drag and wake are no prediction. It takes at least " + missing, body.min};
+    return Finding{
+        Finding::Level::warning, "vortex_shedding",
+        sheds + ", and this run is not expected to: drag and wake are no prediction. It takes at least " + missing,
+        body.min};
 }
 
 }  // namespace tw
