@@ -9,13 +9,13 @@
 #include "app/command_words.h"
 #include "app/job_scripts.h"
 #include "app/output.h"
-#include "app/ranks.h"
 #include "app/slurm.h"
 #include "base/atomic_file.h"
 #include "base/errors.h"
 #include "compare/report/escape.h"
 #include "compare/report/numbers.h"
 #include "compare/report/report_table.h"
+#include "scene/node.h"
 
 namespace tw::app {
 namespace {
@@ -82,10 +82,9 @@ private:
             m.request.threads = cores_of_rank(m, site_.cores);
             const PlannedRun on_nodes = plan_run(m.request);
             m.seconds = on_nodes.seconds(m.method);
-            if (m.request.ranks > 1) {
-                const RanksTake rank = ranks_take(on_nodes, m.request.ranks);
-                m.seconds = rank.seconds, m.bytes = std::max(rank.bytes, rank.bytes_at_start);
-            }
+            const Prediction& p = on_nodes.prediction;
+            if (m.request.ranks > 1)  // of the first, which has the raster
+                m.bytes = p.raster_bytes + bytes_on({}, on_nodes.scene, p.of(m.method), p.raster_bytes);
         }
         write_study(study_);
         for (const char* old : {"cancelled", "jobs.json"}) fs::remove(folder_ / old);

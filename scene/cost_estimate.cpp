@@ -72,13 +72,6 @@ bool is_shared(const Scene& scene, const MethodCost& cost) {
     return scene.run.ranks > 1 && elements_of(cost.method) == "particles";
 }
 
-/// What a run, or the ranks of it that a node holds, need there but for the raster, which the first rank alone has.
-double bytes_on(const Node& node, const Scene& scene, const MethodCost& cost, double raster_bytes) {
-    const double whole = cost.bytes - raster_bytes;
-    if (!is_shared(scene, cost)) return whole;
-    return node.ranks * std::max(whole / scene.run.ranks, cost.most * bytes_of_start);
-}
-
 void refuse_too_fine(const Scene& scene, const MethodCost& cost, double raster_bytes, const Node& node) {
     const double memory = 0.9 * *node.memory, bytes = bytes_on(node, scene, cost, raster_bytes);
     if (bytes <= memory) return;
@@ -235,6 +228,12 @@ const MethodCost& Prediction::of(const std::string& method) const {
     const auto cost = std::ranges::find(costs, method, &MethodCost::method);
     if (cost == costs.end()) throw std::logic_error("no cost was predicted of the method " + method);
     return *cost;
+}
+
+double bytes_on(const Node& node, const Scene& scene, const MethodCost& cost, double raster_bytes) {
+    const double whole = cost.bytes - raster_bytes;
+    if (!is_shared(scene, cost)) return whole;
+    return node.ranks * std::max(whole / scene.run.ranks, cost.most * bytes_of_start);
 }
 
 void refuse_oversize(const Scene& scene, const Prediction& p) { refuse_oversize(scene, p, {}); }
