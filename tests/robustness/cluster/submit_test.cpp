@@ -207,6 +207,7 @@ TEST_F(Submit, AJobThatTheClockEndsSavesAndGoesBackIntoTheQueue) {
 /// Of particles that ranks share: tasks on as many nodes as Slurm takes, memory by core, and a signal that mpirun hands on.
 TEST_F(Submit, RanksAreTasksThatMpirunStarts) {
     if (!Comm::built_with_mpi()) GTEST_SKIP() << "built without MPI";
+    stub("sbatch", "true");
     const Outcome o = twinwake({"submit", "run", "column.toml", "--no-twins", "--ranks", "2", "--threads", "3", "--out",
                                 "out", "--container", "apptainer exec tw.sif", "--dry-run"});
     ASSERT_EQ(o.status, 0) << o.err;
@@ -225,6 +226,8 @@ TEST_F(Submit, RanksAreTasksThatMpirunStarts) {
 
 /// The memory of the nodes is not known here: Slurm compares it.
 TEST_F(Submit, AStudyTooLargeForThisMachineIsHandedOver) {
+    if (!Comm::built_with_mpi()) GTEST_SKIP() << "built without MPI";
+    stub("sbatch", "true");
     write("column.toml", with(small_column, "near_hull = 0.03", "near_hull = 0.0001"));
     const Words run{"run", "column.toml", "--no-twins", "--duration", "1e-5s", "--method", "sph", "--ranks", "2"};
     Words own = run, handed = run;
