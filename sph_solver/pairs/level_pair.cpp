@@ -3,7 +3,7 @@
 #include "sph_solver/backend/for_particles.h"
 #include "sph_solver/equations/level_pair.h"
 #include "sph_solver/levels/level.h"
-#include "sph_solver/pairs/level_pair_views.h"
+#include "sph_solver/sweeps/level_pair_views.h"
 
 namespace tw {
 

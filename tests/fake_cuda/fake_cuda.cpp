@@ -22,8 +22,8 @@
 #include "sph_solver/effects/kernels.h"
 #include "sph_solver/loops/count_kinds.h"
 #include "sph_solver/loops/force_on_dummies.h"
-#include "sph_solver/pairs/level_pair_views.h"
 #include "sph_solver/sweeps/interpolate.h"
+#include "sph_solver/sweeps/level_pair_views.h"
 #include "sph_solver/sweeps/views.h"
 
 namespace tw::in_fake_cuda {
@@ -61,9 +61,7 @@ long launches = 0;
     std::fprintf(stderr, "fake libcuda: %s\n", what);
     std::abort();
 }
-bool is_old(int device) {
-    return !option("old_device").empty() || (device == 0 && !option("two_devices").empty());
-}
+bool is_old(int device) { return !option("old_device").empty() || (device == 0 && !option("two_devices").empty()); }
 bool is_lost() {
     const std::string after = option("lost_after");
     return !after.empty() && launches > std::atol(after.c_str());
@@ -204,7 +202,7 @@ const std::map<std::string, EmulatedKernel>& kernels() {
 #undef largest
 #undef choose
 #undef sweep_of_chosen
-                    {"tw_move", move},
+                        {"tw_move", move},
         {"tw_count_kinds", count_kinds},
         {"tw_label_coarse", label<LabelCoarse>},
         {"tw_label_fine", label<LabelFine>},

@@ -1,5 +1,5 @@
 // The sweeps across the contact of two fluids, once per variant.
-#include "sph_solver/pairs/level_pair_views.h"
+#include "sph_solver/sweeps/level_pair_views.h"
 
 #include "sph_solver/equations/artificial_viscosity.h"
 #include "sph_solver/equations/continuity.h"
