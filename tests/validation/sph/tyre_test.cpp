@@ -19,7 +19,8 @@ TEST(TyreDrop, PressesTheFloorThroughTheWaterThatStaysUnderIt) {
     EXPECT_NEAR(tyre.time.at(static_cast<std::size_t>(met)), 0.0067, 0.0005) << "free fall through 20 mm of 24";
     EXPECT_GT(floor.back(), 1000) << "the tyre's inner pressure over what has grown flat";
     const double film = run.scene.domain.box.min.z() + run.scene.resolution.near_hull;
-    EXPECT_NEAR(std::ranges::min(tyre.find("lowest")->values), film, 0.25e-3);
+    EXPECT_NEAR(std::ranges::min(tyre.find("lowest")->values), film, run.scene.resolution.near_hull / 8)
+        << "what the floor's penalty lets in";
     const std::vector<double>& mass = run.record.tables.at("samples").find("mass")->values;
     EXPECT_NEAR(mass.back() / mass.front(), 1, 1e-9);
 }
