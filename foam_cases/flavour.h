@@ -53,6 +53,8 @@ struct Flavour {
     bool end_of_object() const;    ///< openfoam.org: the last time of a function object is endTime, timeEnd elsewhere
     bool expressions() const;      ///< openfoam.com: a boundary value may be an expression of the place
     bool tables_in_files() const;  ///< openfoam.com: a prescribed motion is a file beside its dictionary, else in it
+    /// What chooses cells, of a function object or a moving mesh: select; openfoam.org from 13: cellZone.
+    std::string cell_selection() const;
     /// openfoam.org from 13: translation and rotation, or acceleration, angular velocity and angular acceleration, are
     /// tables of their own.
     bool motion_in_parts() const;

@@ -41,9 +41,9 @@ Dictionary fastest(const CasePlan& plan) {
                  {"fields", List{Word("U")}}};
     if (plan.flavour.field_extremes()) {
         d.add({{"mode", Word("magnitude")}, {"location", true}});
-    } else {  // in all cells: `select` is asked for from 11 on, `regionType` before
+    } else {  // in all cells: asked for by one key from 11 on, by `regionType` before
         d.add({{"operation", Word("maxMag")},
-               {"select", Word("all")},
+               {plan.flavour.cell_selection(), Word("all")},
                {"regionType", Word("all")},
                {"writeFields", false}});
     }

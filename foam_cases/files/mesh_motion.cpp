@@ -119,8 +119,7 @@ Dictionary motion_function(const CasePlan& plan) {
 Dictionary moved_body(const CasePlan& plan) {
     if (plan.mesh_motion.whole_mesh()) {
         Dictionary whole = motion_function(plan);
-        if (!plan.flavour.tables_in_files())
-            whole.add(plan.flavour.motion_in_parts() ? "cellZone" : "select", Word("all"));
+        if (!plan.flavour.tables_in_files()) whole.add(plan.flavour.cell_selection(), Word("all"));
         return plan.flavour.motion_solver("solidBody", "", whole);
     }
     return plan.flavour.motion_solver(

@@ -90,9 +90,9 @@ std::map<std::string, std::set<std::string>> function_objects(int release) {
         {"writeCellVolumes", {}},
         {release < 8 ? "abort" : "stopAtFile", {"action"}}};
     if (release < 9) known["fieldMinMax"] = {"fields", "mode"};
-    // selects all cells where nothing is said; 11 and 12 ask for `select`
+    // selects all cells where nothing is said; 11 and 12 ask for `select`, 13 for `cellZone`
     known["volFieldValue"] = {"fields", "operation", "writeFields"};
-    if (release >= 11) known["volFieldValue"].insert("select");
+    if (release >= 11) known["volFieldValue"].insert(release < 13 ? "select" : "cellZone");
     return known;
 }
 const std::map<std::string, std::set<std::string>> sampled_surfaces{{"patch", {"patches"}},
