@@ -48,6 +48,7 @@ const char* const about_openfoam =
     "  container          export TWINWAKE_OPENFOAM_PREFIX=\"apptainer exec of.sif openfoam2506\": words after which a\n"
     "                     program runs in OpenFOAM's environment; the run's folder has the same path there (--bind)\n"
     "  neither            Debian's package with the interFoam of tools/build_openfoam_solvers.sh, then the usual "
-    "places\n";
+    "places\n"
+    "Walls that let water go need a library; tools/build_openfoam_walls.sh builds it for the release that is loaded.\n";
 
 }  // namespace tw::app

@@ -362,8 +362,8 @@ CasePlan plan_case(const Scene& scene, const OpenFoam& openfoam) {
         plan.walls = "hold water under tension: the domain is closed, no air can come in";
     else if (openfoam.wall_library.empty())
         plan.walls =
-            "hold water under tension: this OpenFOAM has no library of walls that let it go "
-            "(tools/build_openfoam_solvers.sh builds it for Debian's and Ubuntu's)";
+            "hold water under tension: this OpenFOAM has no library of walls that let it go (it is built by "
+            "tools/build_openfoam_solvers.sh for Debian's and Ubuntu's, by tools/build_openfoam_walls.sh for others)";
     else
         plan.walls = "let water go where air can come", plan.wall_library = openfoam.wall_library.string();
     return plan;

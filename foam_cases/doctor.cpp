@@ -109,7 +109,8 @@ std::vector<fs::path> project_folders(const std::string& preferred) {
     return out;
 }
 
-/// Folders that may hold solvers built by tools/build_openfoam_solvers.sh.
+/// Folders that may hold solvers built by tools/build_openfoam_solvers.sh, and beside themselves the libraries of walls
+/// built by tools/build_openfoam_walls.sh.
 std::vector<fs::path> mended_folders() {
     std::vector<fs::path> out;
     if (const fs::path p = environment_path("TWINWAKE_OPENFOAM_BIN"); !p.empty()) out.push_back(p);
@@ -119,6 +120,16 @@ std::vector<fs::path> mended_folders() {
     if (const fs::path home = environment_path("HOME"); !home.empty())
         out.push_back(home / ".local/share/twinwake/openfoam/bin");
     return out;
+}
+
+/// Built by tools/build_openfoam_walls.sh for this release; empty: none.
+fs::path wall_library_for(const OpenFoam& found) {
+    for (const fs::path& folder : mended_folders()) {
+        fs::path library =
+            folder.parent_path() / "walls" / (found.vendor + "-" + found.version) / "libventilatedWall.so";
+        if (std::error_code none; fs::exists(library, none)) return library;
+    }
+    return {};
 }
 
 bool belongs_to(const OpenFoam& found, const std::string& preferred) {
@@ -170,7 +181,10 @@ std::vector<OpenFoam> find_openfoam(const std::string& preferred) {
                 if (!fs::exists(mended.wall_library)) mended.wall_library.clear();
                 add(mended);
             }
-    for (const OpenFoam& f : installed) add(f);
+    for (OpenFoam& f : installed) {
+        f.wall_library = wall_library_for(f);
+        add(f);
+    }
     std::erase_if(all, [&](const OpenFoam& f) { return !belongs_to(f, preferred); });
     std::stable_partition(all.begin(), all.end(), [](const OpenFoam& f) { return f.loaded; });
     for (OpenFoam& candidate : all)

@@ -15,7 +15,8 @@
 # dpkg-dev, g++, make, flex, libopenmpi-dev, zlib1g-dev.
 set -euo pipefail
 
-wall_source=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)/foam_cases/ventilated_wall/ventilated_wall.C
+wall_folder=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)/foam_cases/ventilated_wall
+wall_source=$wall_folder/ventilated_wall.C
 die() { echo "build_openfoam_solvers: $*" >&2; exit 1; }
 [ $# -ge 1 ] || { sed -n '2,/^set /{/^set /d;s/^# \{0,1\}//;p}' "$0"; exit 2; }
 mkdir -p "$1"
@@ -31,7 +32,7 @@ done
 package=$(dpkg-query -W -f '${Version}' openfoam 2>/dev/null) || die "the package 'openfoam' is not installed: sudo apt-get install --no-install-recommends openfoam"
 stamp="openfoam $package, __restrict__ off"
 
-wall_stamp="$stamp, source $(sha256sum <"$wall_source" | cut -c1-16)"
+wall_stamp="$stamp, source $(cat "$wall_folder"/*.[CH] | sha256sum | cut -c1-16)"
 
 missing_solvers() {  # of the wanted ones: not here, not made from the installed package, or not able to start
     local s
@@ -101,7 +102,7 @@ done
 echo "$stamp" >"$work/stamp"
 if ! wall_is_there; then
     # shellcheck disable=SC2086   # the mending is two words
-    g++ -std=c++11 -m64 -pthread -O2 -fPIC -shared -ftemplate-depth-100 $FOAM_EXTRA_CXXFLAGS -DWM_DP \
+    g++ -std=c++11 -m64 -pthread -O2 -fPIC -shared -ftemplate-depth-100 $FOAM_EXTRA_CXXFLAGS -DOPENFOAM=1912 -DWM_DP \
         -DWM_LABEL_SIZE=$WM_LABEL_SIZE -DNoRepository -I"$src/src/finiteVolume/lnInclude" \
         -I"$src/src/OpenFOAM/lnInclude" -I"$src/src/OSspecific/POSIX/lnInclude" -I"$src/src/meshTools/lnInclude" \
         -o "$work/lib/libventilatedWall.so" "$wall_source" >>"$log" 2>&1 ||

@@ -1,20 +1,18 @@
-// Walls from which water lets go: two boundary conditions for interFoam of openfoam.com, a library of their own that
-// tools/build_openfoam_solvers.sh builds against the installed OpenFOAM. Theory: docs/theory.md, "Walls that let water
-// go"; measurements: docs/decisions/062-walls-that-let-go-interfoam.md.
+// Walls from which water lets go: two boundary conditions for interFoam of openfoam.com and openfoam.org (incompressibleVoF
+// from 11 on), a library of their own. tools/build_openfoam_solvers.sh builds it for Debian's OpenFOAM,
+// tools/build_openfoam_walls.sh for the one whose environment is loaded; what differs between them is in release.H. Theory:
+// docs/theory.md, "Walls that let water go"; measurements: docs/decisions/062-walls-that-let-go-interfoam.md.
 //
 //     0/p_rgh         type ventilatedWallPressure;   value uniform 0;
 //     0/alpha.water   type ventilatedWallFraction;   value uniform 0;
 //
 // The velocity keeps the condition of a wall.
 
-#include "addToRunTimeSelectionTable.H"
 #include "fixedFluxPressureFvPatchScalarField.H"
-#include "fvPatchFieldMapper.H"
-#include "gravityMeshObject.H"
 #include "mixedFvPatchFields.H"
+#include "release.H"
 #include "surfaceFields.H"
 #include "syncTools.H"
-#include "volFields.H"
 
 namespace Foam {
 
@@ -45,19 +43,21 @@ class ventilatedWallPressureFvPatchScalarField : public fixedFluxPressureFvPatch
 public:
     TypeName("ventilatedWallPressure");
 
+#ifdef OPENFOAM  // openfoam.org has none of these without a dictionary
     ventilatedWallPressureFvPatchScalarField(const fvPatch& p, const DimensionedField<scalar, volMesh>& field)
         : fixedFluxPressureFvPatchScalarField(p, field) {
         closeAll();
     }
+#endif
     ventilatedWallPressureFvPatchScalarField(const fvPatch& p, const DimensionedField<scalar, volMesh>& field,
                                              const dictionary& dict)
         : fixedFluxPressureFvPatchScalarField(p, field, dict) {
         closeAll();
-        if (dict.found("open")) open_ = scalarField("open", dict, p.size());
+        if (dict.found("open")) open_ = released::field("open", dict, p.size());
     }
     ventilatedWallPressureFvPatchScalarField(const ventilatedWallPressureFvPatchScalarField& other, const fvPatch& p,
                                              const DimensionedField<scalar, volMesh>& field,
-                                             const fvPatchFieldMapper& mapper)
+                                             const released::Mapper& mapper)
         : fixedFluxPressureFvPatchScalarField(other, p, field, mapper) {
         closeAll();
     }
@@ -68,19 +68,13 @@ public:
           wasOpen_(other.wasOpen_),
           ofAir_(other.ofAir_),
           step_(other.step_) {}
-    ventilatedWallPressureFvPatchScalarField(const ventilatedWallPressureFvPatchScalarField& other)
-        : ventilatedWallPressureFvPatchScalarField(other, other.internalField()) {}
-    tmp<fvPatchScalarField> clone() const override {
-        return tmp<fvPatchScalarField>(new ventilatedWallPressureFvPatchScalarField(*this));
-    }
-    tmp<fvPatchScalarField> clone(const DimensionedField<scalar, volMesh>& field) const override {
-        return tmp<fvPatchScalarField>(new ventilatedWallPressureFvPatchScalarField(*this, field));
-    }
+    RELEASED_CLONES(ventilatedWallPressureFvPatchScalarField)
 
     const scalarField& open() const { return open_; }
 
     /// Called by the solver before each pressure equation with the gradient of a wall.
-    void updateSnGrad(const scalarField& gradientOfWall) override {
+    using fixedFluxPressureFvPatchScalarField::updateCoeffs;
+    void RELEASED_TAKE_GRADIENT(const scalarField& gradientOfWall) override {
         if (updated()) return;
         if (step_ != db().time().timeIndex()) {
             step_ = db().time().timeIndex();
@@ -90,7 +84,7 @@ public:
             patch().lookupPatchField<volScalarField, scalar>("alpha.water").patchInternalField());
         const scalarField& rho = patch().lookupPatchField<volScalarField, scalar>("rho");
         const scalarField& phi = patch().lookupPatchField<surfaceScalarField, scalar>("phi");  // relative to the mesh
-        const scalarField gh(meshObjects::gravity::New(db().time()).value() & patch().Cf());
+        const scalarField gh(released::gravity(db()) & patch().Cf());
         const polyPatch& faces = patch().patch();
         // By points, so that neighbours on other processors count.
         boolList beside(patch().boundaryMesh().mesh().nPoints(), false);
@@ -110,7 +104,7 @@ public:
         if (debug)
             Info<< type() << " " << patch().name() << ": " << returnReduce(opened, sumOp<label>())
                 << " faces are open" << endl;
-        fixedFluxPressureFvPatchScalarField::updateSnGrad(gradientOfWall);
+        fixedFluxPressureFvPatchScalarField::RELEASED_TAKE_GRADIENT(gradientOfWall);
     }
 
     tmp<scalarField> snGrad() const override {
@@ -130,12 +124,11 @@ public:
     }
     void write(Ostream& os) const override {
         fixedFluxPressureFvPatchScalarField::write(os);
-        open_.writeEntry("open", os);
+        released::write(os, "open", open_);
     }
 };
 
-defineTypeNameAndDebug(ventilatedWallPressureFvPatchScalarField, 0);
-addToPatchFieldRunTimeSelection(fvPatchScalarField, ventilatedWallPressureFvPatchScalarField);
+makePatchTypeField(fvPatchScalarField, ventilatedWallPressureFvPatchScalarField);
 
 /// alpha.water at such a wall: what comes in through an opening is air; no gradient elsewhere.
 class ventilatedWallFractionFvPatchScalarField : public mixedFvPatchScalarField {
@@ -155,25 +148,18 @@ public:
         : mixedFvPatchScalarField(p, field) {
         asWall();
         if (dict.found("value"))
-            scalarField::operator=(scalarField("value", dict, p.size()));
+            scalarField::operator=(released::field("value", dict, p.size()));
         else
             scalarField::operator=(patchInternalField());
     }
     ventilatedWallFractionFvPatchScalarField(const ventilatedWallFractionFvPatchScalarField& other, const fvPatch& p,
                                              const DimensionedField<scalar, volMesh>& field,
-                                             const fvPatchFieldMapper& mapper)
+                                             const released::Mapper& mapper)
         : mixedFvPatchScalarField(other, p, field, mapper) {}
     ventilatedWallFractionFvPatchScalarField(const ventilatedWallFractionFvPatchScalarField& other,
                                              const DimensionedField<scalar, volMesh>& field)
         : mixedFvPatchScalarField(other, field) {}
-    ventilatedWallFractionFvPatchScalarField(const ventilatedWallFractionFvPatchScalarField& other)
-        : mixedFvPatchScalarField(other) {}
-    tmp<fvPatchScalarField> clone() const override {
-        return tmp<fvPatchScalarField>(new ventilatedWallFractionFvPatchScalarField(*this));
-    }
-    tmp<fvPatchScalarField> clone(const DimensionedField<scalar, volMesh>& field) const override {
-        return tmp<fvPatchScalarField>(new ventilatedWallFractionFvPatchScalarField(*this, field));
-    }
+    RELEASED_CLONES(ventilatedWallFractionFvPatchScalarField)
 
     bool fixesValue() const override { return false; }  // it would take part in the bounds of the water fraction
     void updateCoeffs() override {
@@ -189,11 +175,10 @@ public:
     }
     void write(Ostream& os) const override {
         fvPatchScalarField::write(os);
-        writeEntry("value", os);
+        released::write(os, "value", *this);
     }
 };
 
-defineTypeNameAndDebug(ventilatedWallFractionFvPatchScalarField, 0);
-addToPatchFieldRunTimeSelection(fvPatchScalarField, ventilatedWallFractionFvPatchScalarField);
+makePatchTypeField(fvPatchScalarField, ventilatedWallFractionFvPatchScalarField);
 
 }  // namespace Foam

@@ -94,6 +94,27 @@ TEST_F(InstallationTest, ItWinsOverTheMendedSolverOfDebian) {
     EXPECT_EQ(sound_openfoam().solver, bin_of("v2506") / "interFoam");
 }
 
+TEST_F(InstallationTest, TheLibraryOfWallsIsThatOfTheRelease) {
+    set("WM_PROJECT_DIR", release("v2506", "2506").string());
+    set("TWINWAKE_OPENFOAM_BIN", (folder / "own/bin").string());
+    const auto library = [&](const std::string& of_release) {
+        fs::path file = folder / "own/walls" / of_release / "libventilatedWall.so";
+        fs::create_directories(file.parent_path());
+        std::ofstream(file) << "\n";
+        return file;
+    };
+    library("openfoam.com-v2312");
+    EXPECT_TRUE(sound_openfoam().wall_library.empty());
+    const fs::path wanted = library("openfoam.com-v2506");
+    EXPECT_EQ(sound_openfoam().wall_library, wanted);
+    EXPECT_NE(sound_openfoam().verdict.find("walls let water go"), std::string::npos) << sound_openfoam().verdict;
+    // One that spoils the answer is left out.
+    const std::string solver = read_text(bin_of("v2506") / "interFoam");
+    program(bin_of("v2506") / "interFoam", "grep -q libventilatedWall system/controlDict && exit 1\n" + solver);
+    EXPECT_TRUE(sound_openfoam().wall_library.empty());
+    EXPECT_NE(sound_openfoam().verdict.find("walls hold water"), std::string::npos) << sound_openfoam().verdict;
+}
+
 TEST_F(InstallationTest, ProgramsAreOfTheReleasesOwnFolderOrNamedAsMissing) {
     const fs::path loaded = release("v2506", "2506"), other = release("v2312", "2312");
     set("TWINWAKE_OPENFOAM_PLACES", other.string());

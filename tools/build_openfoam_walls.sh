@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# Builds twinwake's library of walls that let water go where air can come (foam_cases/ventilated_wall) for the OpenFOAM
+# whose environment is loaded: openfoam.com or openfoam.org, from a package with its sources or built by hand.
+#
+#   source /opt/openfoam12/etc/bashrc               # or openfoam2506, a module, ...
+#   tools/build_openfoam_walls.sh FOLDER            -> FOLDER/walls/openfoam.org-12/libventilatedWall.so
+#
+# FOLDER is .openfoam beside twinwake's sources or ~/.local/share/twinwake/openfoam; there twinwake finds it.
+# Half a minute. `twinwake doctor` says whether walls let water go: it runs a flow with an exact answer between such
+# walls, and leaves a library out that does not load or changes the answer; without one, walls hold water under tension.
+# For Debian's and Ubuntu's own package tools/build_openfoam_solvers.sh builds it with the solver. Needs g++ and make.
+set -euo pipefail
+
+source_folder=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)/foam_cases/ventilated_wall
+die() { echo "build_openfoam_walls: $*" >&2; exit 1; }
+[ $# = 1 ] || { sed -n '2,/^set /{/^set /d;s/^# \{0,1\}//;p}' "$0"; exit 2; }
+[ -n "${WM_PROJECT_DIR:-}" ] && [ -n "${FOAM_SRC:-}" ] ||
+    die "no OpenFOAM environment is loaded (WM_PROJECT_DIR, FOAM_SRC); source the etc/bashrc of the release first"
+command -v wmake >/dev/null || die "wmake is not on the PATH; the loaded OpenFOAM ($WM_PROJECT_DIR) has no developer's part"
+[ -d "$FOAM_SRC/finiteVolume/lnInclude" ] ||
+    die "$FOAM_SRC/finiteVolume/lnInclude is missing: the loaded OpenFOAM has no sources; install its developer's package"
+
+version=${WM_PROJECT_VERSION#v}
+case $version in
+    '' | *[!0-9]*) die "release '$WM_PROJECT_VERSION' has no number; expected v2506, 12, ..." ;;
+esac
+if [ "$version" -gt 1000 ]; then release=openfoam.com-v$version; else release=openfoam.org-$version; fi
+
+mkdir -p "$1/walls/$release"
+target=$(cd "$1/walls/$release" && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+mkdir "$work/Make"
+cp "$source_folder"/*.[CH] "$work"
+# wmake knows the release's compiler, its flags and, for openfoam.com, its number (OPENFOAM).
+printf 'ventilated_wall.C\nLIB = %s/libventilatedWall\n' "$work" >"$work/Make/files"
+# shellcheck disable=SC2016   # make's variables
+printf '%s\n' 'EXE_INC = -I$(LIB_SRC)/finiteVolume/lnInclude -I$(LIB_SRC)/meshTools/lnInclude' \
+    'LIB_LIBS = -lfiniteVolume -lmeshTools' >"$work/Make/options"
+(cd "$work" && wmake libso .) >"$work/log" 2>&1 || { cat "$work/log" >&2; die "the library did not build, see above"; }
+mv "$work/libventilatedWall.so" "$target/.new" && mv "$target/.new" "$target/libventilatedWall.so"
+echo "$target/libventilatedWall.so built for $release"
