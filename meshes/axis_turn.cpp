@@ -3,6 +3,7 @@
 #include <cmath>
 #include <Eigen/LU>
 #include <string>
+#include <utility>
 
 #include "base/errors.h"
 
@@ -30,6 +31,12 @@ Eigen::Matrix3d axis_turn(std::string_view axes) {
             "\": expected each of x, y and z once, with a sign, e.g. \"xyz\", \"x-zy\" (file with y up) or "
             "\"-x-yz\" (bow towards +x in the file)");
     return turn;
+}
+
+void turn_axes(Surface& surface, const Eigen::Matrix3d& turn) {
+    for (Vec3& p : surface.points) p = turn * p;
+    if (turn.determinant() < 0)
+        for (auto& t : surface.triangles) std::swap(t[1], t[2]);
 }
 
 }  // namespace tw

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/errors.h"
+#include "meshes/axis_turn.h"
 #include "meshes/generate.h"
 #include "meshes/surface.h"
 #include "scene/hull_axes.h"
@@ -35,7 +36,9 @@ Surface read_solid(SceneSection& s, std::string& source, std::string& key) {
         std::map<std::string, double> values;
         for (const HullParameter& p : found->parameters)
             values[p.name] = s.number(p.name, p.fallback, p.kind, {p.min, p.max});
-        return make_hull(*shape, values);
+        Surface made = make_hull(*shape, values);
+        turn_axes(made, axis_turn(axes));
+        return made;
     } catch (const InputError& e) {
         if (std::string(e.what()).starts_with(scene_file.string() + ":")) throw;
         s.fail(key, e.what());

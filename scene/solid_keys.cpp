@@ -59,7 +59,7 @@ Rows solid_keys() {
         {.name = "unit", .kind = Kind::choice, .choices = {"m", "mm", "cm", "ft", "in"}, .hashed = Hashed::scene,
          .fallback = "m", .meaning = "Unit of length of the file."},
         {.name = "axes", .kind = Kind::text, .hashed = Hashed::scene, .fallback = "xyz",
-         .meaning = "Which file axes point to the stern, sideways and up, e.g. \"-xyz\" when x points to the bow."},
+         .meaning = "Which axes of the file or shape point to the stern, sideways and up, e.g. \"-xyz\" when x points to the bow."},
     };
 }
 

@@ -173,10 +173,9 @@ Surface read_surface(const fs::path& file, std::string_view unit, std::string_vi
         if (!p.allFinite())
             throw InputError(file.string() +
                              ": a corner is not a finite number (NaN or infinite); export the hull again");
-        p = scale * (turn * p);
+        p *= scale;
     }
-    if (turn.determinant() < 0)
-        for (auto& t : surface.triangles) std::swap(t[1], t[2]);
+    turn_axes(surface, turn);
     return surface;
 }
 

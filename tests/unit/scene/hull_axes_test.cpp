@@ -93,6 +93,22 @@ TEST(HullAxes, OtherAxesAreNoticedAndTheAdviceMendsThem) {
     EXPECT_NE(complaint(file_scene(flipped(upright()))).find("inverted"), std::string::npos);
 }
 
+TEST(HullAxes, TurnShapesAsTheyTurnFiles) {
+    const std::string wedge = "[tank]\nsize = [4, 1, 1]\n[resolution]\nnear_hull = 0.05\n[[water_block]]\n"
+                              "min = [0, 0, 0]\nmax = [1, 1, 0.5]\n[[obstacle]]\nshape = \"wedge\"\nwidth = 0.4\n"
+                              "span = 0.5\ndeadrise = \"45 deg\"\nposition = [2, 0.5, 0.4]\n";
+    const auto height = [](const Scene& s) {  // of the wedge's centre over its middle: its keel is the thin end
+        const Surface& solid = s.obstacles.at(0).surface;
+        return mass_properties(solid).centroid.z() - 0.5 * (solid.bounds().min.z() + solid.bounds().max.z());
+    };
+    EXPECT_GT(height(scene_of(wedge)), 0.02) << "keel down";
+    const Scene turned = scene_of(wedge + "axes = \"x-y-z\"\n"), mirrored = scene_of(wedge + "axes = \"xy-z\"\n");
+    EXPECT_LT(height(turned), -0.02);
+    EXPECT_NEAR(turned.obstacles[0].surface.bounds().max.z(), 0.4, 1e-9) << "it is turned where it stands";
+    for (const Scene* s : {&turned, &mirrored})
+        EXPECT_GT(mass_properties(s->obstacles[0].surface).volume, 0) << "inside is inside";
+}
+
 TEST(HullAxes, AKeelAtTheWaterLineNeedsADraft) {
     for (const double below : {1e-9, 3e-3}) {
         const Surface s = mapped(upright(), [&](const Vec3& p) { return Vec3(p.x(), p.y(), p.z() - below); });
