@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/numbers.h"
+#include "record/planing_plate.h"
 #include "scene/hull_bottom.h"
 
 namespace tw {
@@ -57,14 +58,38 @@ double size_of_root(const Scene& scene) {
     return std::ldexp(scene.resolution.near_hull, -halvings);
 }
 
+/// Of a section whose wet bottom is one flat face that ends at its lowest point; 0: it is not, or no flow is known.
+double of_section(const Scene& scene) {
+    const Surface& s = scene.hull->surface;
+    constexpr double flat = 0.01;  // [rad]
+    const double depth = -scene.domain.box.min.z();
+    double alpha = nan, lowest = infinite;
+    for (std::size_t k = 0; k < s.triangles.size(); ++k) {
+        const Vec3 normal = s.area_vector2(static_cast<int>(k)).normalized();
+        double low = infinite;
+        for (const auto corner : s.triangles[k]) low = std::min(low, s.points[static_cast<std::size_t>(corner)].z());
+        if (low >= 0 || normal.z() > -flat || normal.x() > flat) continue;
+        const double here = std::atan2(-normal.x(), -normal.z());
+        if (std::abs(here - alpha) > flat) return 0;
+        alpha = here, lowest = std::min(lowest, low);
+    }
+    if (!(alpha > flat) || lowest > s.bounds().min.z() + thin * scene.hull->length) return 0;
+    const std::optional<PlaningPlate> plate = planing_plate_at(alpha, lowest / depth);
+    return plate ? plate->delta * depth : 0;
+}
+
 }  // namespace
 
 std::optional<SprayJet> thin_jet(const Scene& scene) {
     using std::numbers::pi;
-    if (!scene.hull || scene.hull->section || scene.motion.kind != Motion::Kind::stream) return {};
+    if (!scene.hull || scene.motion.kind != Motion::Kind::stream) return {};
     const Hull& hull = *scene.hull;
     const Box bounds = hull.surface.bounds();
     if (!(bounds.min.z() < 0) || !(bounds.max.z() > 0)) return {};
+    if (hull.section) {
+        const double exact = of_section(scene);
+        return exact > 0 ? std::optional(SprayJet{exact, size_of_root(scene)}) : std::nullopt;
+    }
     const double tau = std::max(hull.trim, 0.0), flattest = pi / 2 * std::tan(tau);
     const auto triangles = by_station(hull, bounds);
     double thickness = 0;

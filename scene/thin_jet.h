@@ -15,8 +15,11 @@ namespace tw {
 /// a cross section of the stream meets the bottom as still water meets a wedge that enters it, and delta does not depend
 /// on how fast. beta: of the chord from the keel to there. l: wetted length. A bottom counts as flat where its stagnation
 /// line runs across rather than along it, tan(beta) < (pi/2) tan(tau) (Savitsky 1964). The thickest along the hull; an
-/// estimate, better the smaller the angles are. None: no hull in a stream, a section, a hull that does not break the
-/// surface, or one without trim and deadrise.
+/// estimate, better the smaller the angles are. None: no hull in a stream, a hull that does not break the surface, or one
+/// without trim and deadrise.
+///
+/// A section with a flat bottom has the exact thickness of the free streamlines in a channel of its box's depth
+/// (record/planing_plate.h); with another bottom, none is known.
 std::optional<SprayJet> thin_jet(const Scene& scene);
 
 }  // namespace tw

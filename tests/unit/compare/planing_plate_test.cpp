@@ -6,6 +6,7 @@
 #include "compare/reference/planing_plate.h"
 #include "meshes/generate.h"
 #include "meshes/section.h"
+#include "record/planing_plate.h"
 #include "tests/data_table.h"
 
 namespace tw {

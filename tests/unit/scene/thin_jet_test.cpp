@@ -60,8 +60,27 @@ TEST(ThinJet, WhatWouldDoDoes) {
     EXPECT_EQ((SprayJet{0.3, 0.1}.why_not_resolved()), "");
 }
 
-TEST(ThinJet, TanksAndSectionsHaveNoneThatIsKnown) {
-    EXPECT_FALSE(thin_jet(scene_of(with(planing, "half     = true\n", "") + "\n[domain]\ndimensions = 2\n")));
+/// A section in a channel 1 m deep.
+std::string in_channel(const std::string& hull) {
+    return "[hull]\n" + hull + "\n[water]\ndepth = 1\n[motion]\nspeed = 10\n[resolution]\nnear_hull = 0.02\n" +
+           "[domain]\ndimensions = 2\n";
+}
+
+// docs/results/planing_plate.md: 0.2645 and 0.0786 of the depth. Deep water's formula says 0.02 m for the first of them.
+TEST(ThinJet, OfAFlatSectionIsTheChannels) {
+    const std::string thick = "shape = \"plate\"\ntrim = \"30 deg\"\ndraft = 0.101338",
+                      thin = "shape = \"plate\"\ntrim = \"10 deg\"\ndraft = 0.007811";
+    EXPECT_NEAR(thickness(in_channel(thick)), 0.2645, 1e-4);
+    EXPECT_NEAR(thickness(in_channel(thin)), 0.0786, 1e-4);
+    const Scene scene = scene_of(with(in_channel(thin), "near_hull = 0.02", "near_hull = 0.05"));
+    EXPECT_NE(to_text(scene, predict(scene)).find("not resolved: jet of 1.6 spacings, near_hull = 0.026 m would do"),
+              std::string::npos)
+        << to_text(scene, predict(scene));
+}
+
+TEST(ThinJet, RoundSectionsAndTanksHaveNoneThatIsKnown) {
+    EXPECT_EQ(thickness(in_channel("shape = \"sphere\"\ndraft = 0.1")), 0);
+    EXPECT_EQ(thickness(in_channel("shape = \"plate\"\ntrim = \"0 deg\"\ndraft = 0.1")), 0);
 }
 
 }  // namespace thin_jet_test
