@@ -128,7 +128,8 @@ Rows sampling_keys() {
         {.name = "mean_from", .unit = "s", .range = positive, .hashed = Hashed::scene,
          .slot = slot(&Scene::sampling, &Sampling::mean_from),
          .fallback = "ramp + L/U or 8 pi U/g, the longer, and two heaves of a free hull; 5 sqrt(H/g) for a hull in still water; none in a tank without a hull",
-         .meaning = "Settled means do not begin before this time."},
+         .meaning = "Settled means do not begin before this time; in a tank without a hull nor do the largest heights of "
+                    "splash."},
         {.name = "snapshots", .unit = "s", .range = not_negative,
          .slot = slot(&Scene::sampling, &Sampling::snapshot_interval),
          .meaning = "Time between ParaView files; 0: none are written."},

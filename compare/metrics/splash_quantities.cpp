@@ -159,13 +159,14 @@ void add_splash(Comparison& comparison, const CompareOptions& options) {
         for (std::size_t s = 0; s < comparison.sources.size(); ++s) {
             const RunRecord& record = comparison.sources[s];
             const double floor = height ? 0.5 * record.raster.voxel : 0;
+            const double tank_from = record.hull.points.empty() ? comparison.analyses[s].settled_from : 0;
             MeanValue value;
             const Column* column = comparison.analyses[s].splash.find(m.column);
             if (!column) {
                 value.why_not = "no raster frames";
             } else if (!stream) {
-                value =
-                    single(largest(comparison.analyses[s].splash, *column, 0), 0, floor, record, "no airborne water");
+                value = single(largest(comparison.analyses[s].splash, *column, tank_from), 0, floor, record,
+                               "no airborne water");
             } else {
                 SettledRules rules;
                 rules.from = comparison.analyses[s].settled_from;
@@ -182,14 +183,15 @@ void add_splash(Comparison& comparison, const CompareOptions& options) {
             if (column && height)
                 withhold_if_cut_off(
                     value,
-                    largest(comparison.analyses[s].splash, *column, stream ? comparison.analyses[s].settled_from : 0),
+                    largest(comparison.analyses[s].splash, *column,
+                            stream ? comparison.analyses[s].settled_from : tank_from),
                     comparison.analyses[s].still_level, record);
             q.values.push_back(value);
         }
         if (height)
             q.definition +=
                 fmt::format("; no better than half a voxel ({:.3g} m)", 0.5 * comparison.sources[0].raster.voxel);
-        if (!stream) q.definition += "; the largest of the run, since a tank's water does not settle";
+        if (!stream) q.definition += "; the largest of the run (without a hull from mean_from on), since a tank's water does not settle";
         if (m.kind != Kind::integral) q.not_resolved = q.remark = unresolved;
         // A volume's largest value has no interval that could carry a verdict.
         if (q.not_resolved.empty() && (stream || height))

@@ -92,6 +92,22 @@ TEST(Splash, OfWaterThatReachesTheTopNoHeightIsGiven) {
     }
 }
 
+TEST(Splash, OfATankIsTheLargestFromMeanFromOn) {
+    Channel early, late;
+    early.fill({2, 1, 0}, {2.1, 1.5, 1.2});
+    late.fill({2, 1, 0}, {2.1, 1.5, 0.7});
+    RunRecord r = early.record();
+    r.frames.push_back(late.raster.frame(2.0));
+    r.attributes["motion"] = "none";
+    r.attributes["method"] = "sph", r.attributes["scene_hash"] = "tank", r.attributes["symmetry_factor"] = "1";
+    const auto height = [](const RunRecord& record) {
+        return compare_records({record}).find("splash_sheet_height")->values.front().value;
+    };
+    EXPECT_NEAR(height(r), 1.2, 0.05);
+    r.numbers["mean_from"] = 1.5;
+    EXPECT_NEAR(height(r), 0.7, 0.05);
+}
+
 TEST(Splash, WhatAMeshSmearsUpAHullIsNoWater) {
     const auto smeared = [](int share) {
         RunRecord r = Channel().record();
