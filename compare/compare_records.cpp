@@ -210,6 +210,8 @@ Comparison compare_records(std::vector<RunRecord> sources, const CompareOptions&
                 factor));
         comparison.analyses.push_back(analyse(comparison.sources[i]));
     }
+    if (const std::string walls = text_of(comparison.sources.front(), "box_walls"); !walls.empty())
+        comparison.banners.push_back("Values are those of this box, not of open water: " + walls + ".");
     add_forces(comparison, options);
     add_total_drag(comparison, options);
     add_wetted_length(comparison, options);

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <optional>
 
+#include "compare/metrics/forces.h"
 #include "compare/metrics/numerical_drag.h"
+#include "compare/metrics/splash.h"
 #include "compare/read/record_numbers.h"
 #include "compare/reference/prismatic_hull.h"
 #include "compare/statistics/settled_mean.h"
@@ -189,7 +191,9 @@ std::vector<Gate> check_gates(const RunRecord& record, const std::string& name) 
         const double high = std::max({*sum, surface.value_or(*sum), volume.value_or(*sum)});
         add("spread of the force measures", "%", 100 * (high - low) / scale, 3,
             std::string("pair sum, surface pressure and control volume measure one force") +
-                (scale > std::abs(*sum) ? "; there is hardly any lift, so in percent of a tenth of the pressure's load"
+                (scale > std::abs(*sum) ? fmt::format("; there is hardly any {}, so in percent of a tenth of the "
+                                                      "pressure's load",
+                                                      lower_case_first(force_names(is_stream(record)).up))
                                         : ""));
     }
     if (const auto numerical = numerical_drag(record); numerical)

@@ -9,6 +9,7 @@
 #include "record/hull_motion.h"
 #include "record/solid_at_rest.h"
 #include "record/this_machine.h"
+#include "scene/box_walls.h"
 #include "scene/hash.h"
 #include "scene/hull_motion.h"
 #include "scene/particle_levels.h"
@@ -160,6 +161,7 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
         record.numbers["heel"] = hull.heel;
         record.numbers["draft"] = hull.draft;
         record.numbers["displaced_volume"] = hull.still.volume;
+        if (const std::string walls = wall_warning(scene); !walls.empty()) record.attributes["box_walls"] = walls;
         if (const std::optional<SprayJet> jet = thin_jet(scene)) {
             record.numbers["jet_thickness"] = jet->thickness;
             record.numbers["jet_spacing"] = jet->size;

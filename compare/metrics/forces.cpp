@@ -8,12 +8,23 @@
 
 #include "base/numbers.h"
 #include "compare/metrics/quantity.h"
+#include "compare/metrics/splash.h"
 #include "compare/read/record_numbers.h"
 #include "compare/statistics/settled_mean.h"
 #include "compare/verdict/judge.h"
 #include "methods/methods.h"
 
 namespace tw {
+
+ForceNames force_names(bool stream) {
+    return stream ? ForceNames{"Lift", "Drag", "Friction drag", "Trim moment"}
+                  : ForceNames{"Force up", "Force along x", "Friction along x", "Moment about y"};
+}
+
+std::string lower_case_first(std::string text) {
+    if (!text.empty() && text[0] >= 'A' && text[0] <= 'Z') text[0] = static_cast<char>(text[0] - 'A' + 'a');
+    return text;
+}
 
 double flow_through_time(const RunRecord& record) {
     const double speed = number_of(record, "speed", 0), length = number_of(record, "length", 0);
@@ -94,22 +105,30 @@ double draft_term(const Comparison& comparison, const std::string& name, std::st
 }
 
 struct Force {
-    const char *name, *label, *unit, *column, *pressure, *definition;
+    const char* name;
+    std::string label;
+    const char *unit, *column, *pressure;
+    std::string definition;
 };
 
-void add_sph_measures(Comparison& comparison, const CompareOptions& options, const std::string& unit) {
+
+void add_sph_measures(Comparison& comparison, const CompareOptions& options, const ForceNames& called,
+                      const std::string& unit) {
     struct Measure {
-        const char *name, *label, *column;
+        const char* name;
+        std::string label;
+        const char* column;
     };
-    for (const Measure& m : {Measure{"lift_surface", "Lift by surface pressure", "fz_surface"},
-                             Measure{"lift_volume", "Lift by control volume", "fz_volume"},
-                             Measure{"drag_surface", "Drag by surface pressure", "fx_surface"},
-                             Measure{"drag_volume", "Drag by control volume", "fx_volume"}})
+    const std::string &up = called.up, &along = called.along;
+    for (const Measure& m : {Measure{"lift_surface", up + " by surface pressure", "fz_surface"},
+                             Measure{"lift_volume", up + " by control volume", "fz_volume"},
+                             Measure{"drag_surface", along + " by surface pressure", "fx_surface"},
+                             Measure{"drag_volume", along + " by control volume", "fx_volume"}})
         add_beside(comparison, quantity(comparison, m.name, m.label, unit,
                                         "a second, independent measure of the same force in the same run",
                                         [&](const RunRecord& r) { return mean_of(r, "forces", m.column, options); }));
     add_beside(comparison,
-               quantity(comparison, "force_measure_spread", "Spread of the force measures (lift)", "%",
+               quantity(comparison, "force_measure_spread", fmt::format("Spread of the force measures ({})", lower_case_first(up)), "%",
                         "largest minus smallest of pair sum, surface pressure and control volume, over the pair sum",
                         [&](const RunRecord& r) {
                             const MeanValue sum = mean_of(r, "forces", "fz", options);
@@ -168,11 +187,15 @@ void add_forces(Comparison& comparison, const CompareOptions& options) {
     const bool flat =
         std::ranges::any_of(sources, [](const RunRecord& r) { return number_of(r, "dimensions", 3) == 2; });
     const auto unit = [&](const char* of_whole) { return flat ? std::string(of_whole) + "/m" : of_whole; };
+    const bool stream = std::ranges::any_of(sources, is_stream);
+    const ForceNames called = force_names(stream);
+    const std::string &up = called.up, &along = called.along, on = stream ? "on the whole hull" : "on the solids";
     double lift = 0;
     for (const Force& f :
-         {Force{"lift", "Lift", "N", "fz", "fz_pressure", "mean vertical force of the water on the whole hull"},
-          Force{"drag", "Drag", "N", "fx", "fx_pressure", "mean force of the water on the whole hull along the stream"},
-          Force{"trim_moment", "Trim moment", "N m", "my", nullptr,
+         {Force{"lift", up, "N", "fz", "fz_pressure", "mean vertical force of the water " + on},
+          Force{"drag", along, "N", "fx", "fx_pressure",
+                "mean force of the water " + on + (stream ? " along the stream" : " along x")},
+          Force{"trim_moment", called.moment, "N m", "my", nullptr,
                 "mean moment of the water about one point for all sources (moment_reference), bow up positive; its "
                 "target is "
                 "taken of at least a tenth of lift times length"}}) {
@@ -201,28 +224,33 @@ void add_forces(Comparison& comparison, const CompareOptions& options) {
     }
 
     struct Beside {
-        const char *name, *label, *unit, *table, *column, *definition;
+        const char* name;
+        std::string label;
+        const char *unit, *table, *column;
+        std::string definition;
     };
+    const std::string &friction = called.friction, drag = lower_case_first(along);
     for (const Beside& b :
-         {Beside{"drag_pressure", "Pressure drag", "N", "forces", "fx_pressure", "pressure part of the drag"},
-          Beside{"drag_friction", "Friction drag", "N", "forces", "fx_viscous",
-                 "viscous part of the drag, as if the wet faces touched water alone; zero where no physical viscosity "
-                 "is solved"},
-          Beside{"drag_friction_uncorrected", "Friction drag, not corrected for air", "N", "forces",
+         {Beside{"drag_pressure", stream ? "Pressure drag" : along + " by pressure", "N", "forces", "fx_pressure",
+                 "pressure part of the " + drag},
+          Beside{"drag_friction", friction, "N", "forces", "fx_viscous",
+                 "viscous part of the " + drag +
+                     ", as if the wet faces touched water alone; zero where no physical viscosity is solved"},
+          Beside{"drag_friction_uncorrected", friction + ", not corrected for air", "N", "forces",
                  "fx_viscous_uncorrected", "friction of the mixture of water and air at the wet faces"},
-          Beside{"drag_air", "Drag by air", "N", "forces", "fx_air",
+          Beside{"drag_air", along + " by air", "N", "forces", "fx_air",
                  "force of the air, of a method that solves it (a mesh: on the dry faces); not compared"},
-          Beside{"lift_air", "Lift by air", "N", "forces", "fz_air",
+          Beside{"lift_air", up + " by air", "N", "forces", "fz_air",
                  "force of the air, of a method that solves it (a mesh: on the dry faces); not compared"},
-          Beside{"drag_total", "Drag, air included", "N", "forces", "fx_total", "all faces; not compared"},
-          Beside{"lift_total", "Lift, air included", "N", "forces", "fz_total", "all faces; not compared"},
+          Beside{"drag_total", along + ", air included", "N", "forces", "fx_total", "all faces; not compared"},
+          Beside{"lift_total", up + ", air included", "N", "forces", "fz_total", "all faces; not compared"},
           Beside{"ventilation", "Ventilation index", "-", "samples", "ventilation",
                  "share of air in what touches the wet part of the hull; friction is low in proportion"},
           Beside{"wetted_area", "Wetted area", "m2", "samples", "wetted_area", "area of the hull that water touches"}})
         add_beside(comparison,
                    quantity(comparison, b.name, b.label, *b.unit == '-' ? b.unit : unit(b.unit), b.definition,
                             [&](const RunRecord& r) { return mean_of(r, b.table, b.column, options, HUGE_VAL); }));
-    add_sph_measures(comparison, options, unit("N"));
+    add_sph_measures(comparison, options, called, unit("N"));
 }
 
 void add_total_drag(Comparison& comparison, const CompareOptions& options) {

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "compare/align/time_bins.h"
+#include "compare/metrics/forces.h"
 #include "compare/metrics/splash.h"
 #include "compare/read/record_numbers.h"
 #include "compare/report/base64.h"
@@ -28,7 +29,10 @@ double display_filter(const RunRecord& record) {
 }
 
 struct Trace {
-    const char *quantity, *title, *column, *y_label;
+    const char* quantity;
+    std::string title;
+    const char* column;
+    std::string y_label;
 };
 
 Figure force_figure(const Comparison& c, const Trace& t) {
@@ -193,8 +197,12 @@ Figures draw_figures(const Comparison& c) {
     const auto any = [&](const char* table, const char* column) {
         return std::ranges::any_of(c.sources, [&](const RunRecord& r) { return r.series(table, column) != nullptr; });
     };
-    for (const Trace& t : {Trace{"lift", "Lift", "fz", "lift [N]"}, Trace{"drag", "Drag", "fx", "drag [N]"},
-                           Trace{"trim_moment", "Trim moment, bow up", "my", "moment [N m]"}})
+    const bool stream = std::ranges::any_of(c.sources, is_stream);
+    const ForceNames called = force_names(stream);
+    const auto force = [](const std::string& name) { return lower_case_first(name) + " [N]"; };
+    for (const Trace& t : {Trace{"lift", called.up, "fz", force(called.up)},
+                           Trace{"drag", called.along, "fx", force(called.along)},
+                           Trace{"trim_moment", called.moment + (stream ? ", bow up" : ""), "my", "moment [N m]"}})
         if (any("forces", t.column)) f.forces.push_back(force_figure(c, t));
     for (const auto& [column, title, unit, quantity] :
          {std::tuple{"trim", "Running trim", "trim, bow up [deg]", "running_trim"},

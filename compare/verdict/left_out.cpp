@@ -8,6 +8,8 @@
 #include <optional>
 #include <string_view>
 
+#include "compare/metrics/forces.h"
+#include "compare/metrics/splash.h"
 #include "compare/read/record_numbers.h"
 #include "compare/verdict/sentence.h"
 
@@ -118,12 +120,17 @@ std::string left_out_text(const Comparison& c) {
         std::vector<std::string> of = {};  ///< "drag 10 %"
     };
     std::vector<Line> lines;
+    const ForceNames called = force_names(std::ranges::any_of(c.sources, is_stream));
     for (const Quantity* q : main_quantities(c.quantities))
         for (std::size_t s = 0; s < c.sources.size() && s < q->values.size(); ++s)
             for (const LeftOut& l : left_out_of(*q, q->values[s], c.sources[s])) {
                 auto line = std::ranges::find(lines, l.name, &Line::name);
                 if (line == lines.end()) line = lines.insert(line, {l.name});
-                const std::string of = planned_name(q->name) + " " + l.influence;
+                const std::string planned = planned_name(q->name),
+                                  of = (planned == "drag"   ? lower_case_first(called.along)
+                                        : planned == "lift" ? lower_case_first(called.up)
+                                                            : planned) +
+                                       " " + l.influence;
                 if (std::isfinite(l.bound) && std::ranges::find(line->of, of) == line->of.end()) line->of.push_back(of);
             }
     std::string text;

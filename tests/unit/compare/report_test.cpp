@@ -163,6 +163,12 @@ TEST(Report, OneRunAloneAndATankWithoutAHullHaveAReportToo) {
     const std::string page = read_text(write_report(compare_records({tank}), folder.path()).html);
     EXPECT_TRUE(has(page, "Water height at H1"));
     EXPECT_TRUE(has(page, "largest of the run"));
+    RunRecord with_solids = synthetic_run({.step = 4e-3});
+    with_solids.attributes["motion"] = "none";
+    const std::string forces = read_text(write_report(compare_records({with_solids}), folder.path()).html);
+    EXPECT_TRUE(has(forces, "aria-label=\"Force up"));
+    EXPECT_TRUE(has(forces, "force along x [N]"));
+    EXPECT_FALSE(has(forces, "aria-label=\"Lift"));
 }
 
 }  // namespace report_test

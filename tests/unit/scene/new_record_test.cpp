@@ -3,6 +3,7 @@
 #include "base/numbers.h"
 #include "scene/hash.h"
 #include "scene/new_record.h"
+#include "scene_text.h"
 
 namespace tw {
 namespace new_record_test {
@@ -62,6 +63,14 @@ TEST(NewRecord, CarriesWhatTheSceneSays) {
 }
 
 // Both methods show the body that the scene has, from the same surface; one that bends has none that could be moved.
+TEST(NewRecord, SaysWhatTheWallsOfTheBoxDo) {
+    const std::string narrow = test::planing + "[domain]\nside = 1.5\nbelow = 1.2\n",
+                      wide = test::planing + "[domain]\nside = 8\nbelow = 8\n";
+    EXPECT_NE(new_record(test::scene_of(narrow), "sph").attributes.at("box_walls").find("raise the lift by"),
+              std::string::npos);
+    EXPECT_FALSE(new_record(test::scene_of(wide), "sph").attributes.contains("box_walls"));
+}
+
 TEST(NewRecord, HoldsTheBodiesThatKeepTheirShape) {
     Scene scene;
     MovingBody body;
