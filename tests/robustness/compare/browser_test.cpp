@@ -259,6 +259,57 @@ TEST(Browser, PlotsTellTheirValuesAndZoom) {
     EXPECT_EQ(log.find("Content Security Policy"), std::string::npos) << log;
 }
 
+// The labels along x of a plot, in parts of it of many widths: equal steps on the screen are equal steps of the numbers,
+// which labels with too few digits are not (0, 0.03, 0.05, 0.08 for 0.025, 0.05, 0.075).
+TEST(Browser, TheTicksOfPlotsSayWhereTheyStand) {
+    if (!installed()) GTEST_SKIP() << "no chromium here";
+    if (!*plots_script) GTEST_SKIP() << "a build without npm";
+    const ScratchFolder folder;
+    const Comparison c = compare_records({synthetic_run({}), synthetic_run({.method = "fvm", .lift = 2600})});
+    const auto page = with_script(write_report(c, folder.path()).html,
+                                  until + R"(
+    const written = [], write = CanvasRenderingContext2D.prototype.fillText;
+    CanvasRenderingContext2D.prototype.fillText = function (text, x, y) {
+        written.push({canvas: this.canvas, number: Number(text.replace('\u2212', '-')), x, y});
+        write.apply(this, arguments);
+    };
+    addEventListener('load', () => setTimeout(async () => {
+        await until(() => document.querySelector('.plot-live'));
+        const live = Array.from(document.querySelectorAll('.plot-live')).find(e => e.textContent.startsWith('Lift'));
+        const over = live.querySelector('.u-over'), canvas = live.querySelector('canvas');
+        const mouse = (kind, share) => {
+            const at = over.getBoundingClientRect();
+            over.dispatchEvent(new MouseEvent(kind, {clientX: at.left + share * at.width, clientY: at.top + at.height / 2,
+                movementX: 1, bubbles: true}));
+        };
+        const drawn = () => new Promise(then => setTimeout(then, 100));
+        let steps = 0, quarters = 0, wrong = '';
+        for (const share of [0.9, 0.6, 0.45, 0.3, 0.2, 0.17, 0.15, 0.135, 0.12, 0.11, 0.1, 0.085]) {
+            mouse('dblclick', 0.5);
+            await drawn();
+            written.length = 0;
+            mouse('mousedown', 0.05);
+            mouse('mousemove', 0.05 + share);
+            mouse('mouseup', 0.05 + share);
+            await drawn();
+            const here = written.filter(w => w.canvas === canvas && Number.isFinite(w.number));
+            const row = Math.max(...here.map(w => w.y));
+            const ticks = here.filter(w => w.y === row).sort((a, b) => a.x - b.x);
+            const across = (ticks.at(-1).x - ticks[0].x) / (ticks.length - 1);
+            const step = (ticks.at(-1).number - ticks[0].number) / (ticks.length - 1);
+            if (ticks.some((t, i) => Math.abs(t.number - ticks[0].number - step * (t.x - ticks[0].x) / across) > 0.1 * step))
+                wrong += ticks.map(t => t.number).join(' ') + '; ';
+            ++steps;
+            if (String(Math.round(step * 1e6)).startsWith('25')) ++quarters;
+        }
+        Object.assign(document.body.dataset, {steps, quarters, wrong});
+    }, 500));)");
+    const auto [markup, log] = opened(page, folder / "profile");
+    EXPECT_EQ(left(markup, "steps"), "12") << log;
+    EXPECT_GE(number_after(left(markup, "quarters"), ""), 1) << "of steps that need one digit more";
+    EXPECT_EQ(left(markup, "wrong"), "");
+}
+
 // Shaders, too, are compiled there alone: a body on its way through the water, with the water cut open.
 TEST(Browser, TheViewDrawsABodyThatMovesAndOffersToCutTheWaterOpen) {
     if (!installed()) GTEST_SKIP() << "no chromium here";
