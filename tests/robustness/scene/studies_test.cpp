@@ -17,7 +17,7 @@ TEST(Studies, EveryReadySceneIsSound) {
         names.insert(entry.path().stem().string());
         EXPECT_NO_THROW({
             const Scene s = read_scene(entry.path());
-            EXPECT_GT(predict(s, {{"sph", predict_particles}}).particles, 1000) << entry.path();
+            EXPECT_GT(predict(s, {{"sph", predict_particles}}).particles, 500) << entry.path();
             EXPECT_GT(s.run.duration, s.sampling.mean_from) << entry.path();
         }) << entry.path();
     }
