@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <map>
 
 #include <fmt/format.h>
 
@@ -13,15 +12,12 @@
 #include "base/errors.h"
 #include "base/folder_lock.h"
 #include "record/code_version.h"
-#include "record/snapshot.h"
 #include "record/spray_table.h"
-#include "record/water_surface.h"
 #include "scene/defaults.h"
 #include "scene/hash.h"
 #include "scene/new_record.h"
 #include "scene/refined_places.h"
 #include "scene/time_left.h"
-#include "sph_solver/all_particles.h"
 #include "sph_solver/backend/threads.h"
 #include "sph_solver/choose_passes.h"
 #include "sph_solver/measure/certificate.h"
@@ -31,6 +27,7 @@
 #include "sph_solver/on_gpu.h"
 #include "sph_solver/parallel/comm.h"
 #include "sph_solver/ranks_refused.h"
+#include "sph_solver/run_files.h"
 #include "sph_solver/scene_setup.h"
 #include "sph_solver/state/checkpoint.h"
 
@@ -52,128 +49,33 @@ double peak_memory() {
     return 1024.0 * double(u.ru_maxrss);
 }
 
-/// Adds wall and processor time to a phase of the record while it lives.
+/// Adds wall and processor time to a phase of the record while it lives; without that of `files`, where they are written
+/// meanwhile.
 class PhaseTimer {
 public:
-    PhaseTimer(RunRecord& record, std::string name)
-        : record_(record), name_(std::move(name)), wall_(wall_now()), cpu_(cpu_now()) {}
+    PhaseTimer(RunRecord& record, std::string name, const RunFiles* files = nullptr)
+        : record_(record), name_(std::move(name)), files_(files), wall_(wall_now()), cpu_(cpu()) {}
     ~PhaseTimer() {
         auto p =
             std::find_if(record_.phases.begin(), record_.phases.end(), [&](const Phase& q) { return q.name == name_; });
         if (p == record_.phases.end()) p = record_.phases.insert(p, Phase{name_, 0, 0});
         p->wall += wall_now() - wall_;
-        p->cpu += cpu_now() - cpu_;
+        p->cpu += std::max(0.0, cpu() - cpu_);  // two clocks, which the system brings up to date at different times
     }
     PhaseTimer(const PhaseTimer&) = delete;
     PhaseTimer& operator=(const PhaseTimer&) = delete;
 
 private:
+    double cpu() const { return cpu_now() - (files_ ? files_->cpu() : 0); }
+
     RunRecord& record_;
     std::string name_;
+    const RunFiles* files_;
     double wall_, cpu_;
 };
 
 /// The next multiple of `interval` after `time`.
 double next_after(double time, double interval) { return (std::floor(time / interval + 1e-9) + 1) * interval; }
-
-/// ParaView files of one moment: particles, the hull with its pressure, and bodies where they are.
-class Snapshots {
-public:
-    explicit Snapshots(const fs::path& folder) : folder_(folder / "snapshots") {}
-    /// All ranks call it, and the first one writes.
-    void write(const Simulation& simulation, const RunRecord& record) {
-        const Comm& ranks = simulation.level(0).ranks();
-        const AllParticles particles(simulation);
-        ranks.on_first([&] { write_files(simulation, particles, record); });
-    }
-    /// The free surface of the last raster frame, under its own time; a frame that is there already is left.
-    void write_water(const RunRecord& record) {
-        if (record.frames.empty()) return;
-        const RasterFrame& frame = record.frames.back();
-        const std::string name = fmt::format("free_surface_{:09.5f}.vtp", frame.time);
-        if (!waters_.empty() && waters_.back().first == name) return;
-        const Surface water = water_surface(record, frame);
-        if (water.triangles.empty()) return;
-        write_surface(folder_ / name, water, {});
-        waters_.emplace_back(name, frame.time);
-        write_series(folder_ / "free_surface.vtp.series", waters_);
-    }
-    /// After a restart: what the series have up to `time`. Files that no series names stay where they are.
-    void find_written(double time) {
-        std::error_code none;
-        for (const auto& entry : fs::directory_iterator(folder_, none)) {
-            const std::string file = entry.path().filename().string();
-            if (!file.ends_with(".series") || !entry.is_regular_file(none)) continue;
-            Series series = read_series(entry.path());
-            std::erase_if(series, [&](const auto& f) { return f.second > time || !fs::exists(folder_ / f.first); });
-            const std::string name = file.substr(0, file.find('.'));
-            (name == "particles"      ? particles_
-             : name == "air"          ? air_
-             : name == "hull"         ? hulls_
-             : name == "free_surface" ? waters_
-                                      : bodies_[name]) = std::move(series);
-        }
-    }
-
-private:
-    using Series = std::vector<std::pair<std::string, double>>;
-
-    void write_files(const Simulation& simulation, const AllParticles& particles, const RunRecord& record) {
-        fs::create_directory(folder_);  // in the run's folder; where that was moved away, nothing is made
-        const std::string stamp = fmt::format("{:09.5f}", simulation.time());
-        const std::size_t water = simulation.water().size();
-        write_levels(simulation, 0, water, particles, "particles", particles_, stamp);
-        if (simulation.gas()) write_levels(simulation, water, water + 1, particles, "air", air_, stamp);
-        write_water(record);
-        const bool has_hull = !record.hull_pressure.empty();  // written with its pressure
-        for (const auto& body : simulation.bodies())
-            if (!body->fixed() && !(has_hull && body->is_hull())) write_body(simulation, *body, stamp);
-        if (!has_hull) return;
-        const std::string hull = "hull_" + stamp + ".vtp";
-        write_surface(folder_ / hull, record.hull,
-                      {{"pressure", 1, record.hull_pressure}, {"wet", 1, record.hull_wet}});
-        hulls_.emplace_back(hull, simulation.time());
-        write_series(folder_ / "hull.vtp.series", hulls_);
-    }
-    /// Active particles of one material, which has the levels [first, last), in one file.
-    void write_levels(const Simulation& simulation, std::size_t first, std::size_t last, const AllParticles& particles,
-                      const std::string& name, Series& series, const std::string& stamp) {
-        std::vector<Vec3> places;
-        Field velocity{"velocity", 3, {}}, pressure{"pressure", 1, {}}, kind{"kind", 1, {}}, size{"spacing", 1, {}};
-        for (std::size_t k = first; k < last; ++k) {
-            const LevelSetup& setup = simulation.level(k).setup();
-            const Particles& p = particles.of(k);
-            for (std::size_t i = 0; i < p.size(); ++i) {
-                if (!is_active(p.kind[i])) continue;
-                places.emplace_back(p.x[i], p.y[i], p.z[i]);
-                velocity.values.insert(velocity.values.end(), {p.u[i], p.v[i], p.w[i]});
-                pressure.values.push_back(
-                    static_cast<float>(double(setup.state_equation.pressure(setup.rho0, p.drho[i]))));
-                kind.values.push_back(static_cast<float>(p.kind[i]));
-                size.values.push_back(static_cast<float>(setup.dp));
-            }
-        }
-        const double time = simulation.level(first).time();
-        const std::string file = name + "_" + stamp + ".hdf";
-        write_particles(folder_ / file, time, places, {velocity, pressure, kind, size});
-        series.emplace_back(file, time);
-        write_series(folder_ / (name + ".hdf.series"), series);
-    }
-
-    /// The surface of a body where it is now; a section as thick as the water.
-    void write_body(const Simulation& simulation, const Body& body, const std::string& stamp) {
-        const SimulationSetup& s = simulation.setup();
-        const Surface now = body.surface_now(s.dimensions == 2 ? std::optional(s.domain.size().y()) : std::nullopt);
-        const std::string name = body_table(body.name()), file = name + "_" + stamp + ".vtp";
-        write_surface(folder_ / file, now, {});
-        bodies_[name].emplace_back(file, simulation.time());
-        write_series(folder_ / (name + ".vtp.series"), bodies_[name]);
-    }
-
-    fs::path folder_;
-    std::map<std::string, Series> bodies_;
-    Series particles_, air_, hulls_, waters_;
-};
 
 struct Earlier {
     RunRecord record;
@@ -218,14 +120,9 @@ void refuse_other_builds(const Comm& ranks) {
     });
 }
 
-void remove_old_run(const fs::path& folder) {
-    for (const char* name : {"record.h5", "checkpoint.h5", "snapshots"}) fs::remove_all(folder / name);
-}
-
 }  // namespace
 
 RunRecord run_sph(const Scene& scene, const RunOptions& options) {
-    const fs::path record_file = options.folder / "record.h5", checkpoint_file = options.folder / "checkpoint.h5";
     const std::string hash = run_hash(scene, "sph");
     const Comm& ranks = Comm::world();
     refuse_ranks(scene, ranks.size());
@@ -233,21 +130,22 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
     const bool on_gpu = gpu_wanted(scene);
     std::optional<FolderLock> lock;
     ranks.on_first([&] { lock.emplace(options.folder); });
+    RunFiles files(options.folder, hash, ranks, !ranks.many());
     std::optional<RunRecord> finished;
     std::optional<Earlier> earlier;
     ranks.together([&] {
-        const bool holds_run = fs::exists(record_file) || fs::exists(checkpoint_file);
+        const bool holds_run = fs::exists(files.record()) || fs::exists(files.checkpoint());
         if (holds_run && !options.resume && !options.overwrite)
             throw InputError(
                 options.folder.string() +
                 ": holds a run already; go on with --resume, begin anew with --overwrite, or choose another --out");
-        if (options.resume && fs::exists(record_file)) {
-            RunRecord before = read_record(record_file);
+        if (options.resume && fs::exists(files.record())) {
+            RunRecord before = read_record(files.record());
             if (before.state == "finished" && before.attributes["run_hash"] == hash &&
                 before.numbers["duration"] >= scene.run.duration)
                 finished = std::move(before);
         }
-        if (!finished && options.resume && holds_run) earlier = earlier_run(record_file, checkpoint_file, hash);
+        if (!finished && options.resume && holds_run) earlier = earlier_run(files.record(), files.checkpoint(), hash);
     });
     if (finished) return *finished;
 
@@ -300,7 +198,7 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
         earlier ? earlier->checkpoint.mass_at_start : simulation->mass() * double(simulation->level(0).count());
     setup->fluid = {}, setup->air = {};
 
-    if (!earlier) ranks.on_first([&] { remove_old_run(options.folder); });
+    if (!earlier) ranks.on_first([&] { files.remove(); });
     if (earlier) {
         fresh.tables = std::move(earlier->record.tables);
         fresh.frames = std::move(earlier->record.frames);
@@ -315,7 +213,6 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
     }
     Recorder recorder(scene, *simulation, std::move(fresh));
     RunRecord& record = recorder.record();
-    Snapshots snapshots(options.folder);
     const std::optional<SprayGate> gate = SprayGate::of(scene.sph);
     if (gate) record.numbers[spray_gate_number] = 1;
     bool has_checkpoint = earlier.has_value();
@@ -327,7 +224,7 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
             record.hull_pressure = std::move(earlier->record.hull_pressure);
             record.hull_wet = std::move(earlier->record.hull_wet);
         }
-        snapshots.find_written(simulation->time());
+        files.find_written(simulation->time());
     }
 
     const double duration = scene.run.duration, interval = scene.sampling.interval;
@@ -342,7 +239,8 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
                     .duration = duration - time_at_start,
                     .steps = options.predicted_steps});
 
-    const auto save = [&](const std::string& state, const std::string& reason) {
+    /// The record as it is now, with the processor time and memory of all ranks.
+    const auto record_now = [&](const std::string& state, const std::string& reason) {
         record.state = state;
         record.reason = reason;
         const Level* air = simulation->gas();
@@ -360,17 +258,23 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
         if (std::ranges::any_of(scene.bodies, [](const MovingBody& b) { return b.elastic.has_value(); }))
             record.numbers["structure_seconds"] = simulation->structure_seconds();
         record.peak_memory = std::max(record.peak_memory, ranks.sum(peak_memory()));
-        const std::vector<Phase> of_this_rank = record.phases;
-        for (Phase& phase : record.phases) phase.cpu = ranks.sum(phase.cpu);
         const auto bytes = ranks.sum(static_cast<std::int64_t>(simulation->bytes()));
         if (record.elements > 0) record.numbers["bytes_per_particle"] = double(bytes) / record.elements;
-        ranks.on_first([&] { write_record(record_file, record); });
-        if (state == "running") record.phases = of_this_rank;
+        RunRecord now = record;
+        for (Phase& phase : now.phases) {
+            if (phase.name == "output") phase.cpu += files.cpu();
+            phase.cpu = ranks.sum(phase.cpu);
+        }
+        return now;
     };
-    // The record first: a checkpoint whose rows are not all in a record is never gone on from.
-    const auto save_checkpoint = [&] {
-        save("running", "");
-        ranks.together([&] { write_checkpoint(checkpoint_file, hash, *simulation, mass_at_start); });
+    const auto end_as = [&](const std::string& state, const std::string& reason) {
+        RunRecord end = record_now(state, reason);
+        ranks.on_first([&] { write_record(files.record(), end); });
+        return end;
+    };
+    const auto checkpoint_now = [&](RunOutput& output) {
+        output.record = record_now("running", "");
+        output.checkpoint = checkpoint_of(*simulation, mass_at_start);
         has_checkpoint = true;
     };
     const auto report = [&] {
@@ -395,52 +299,64 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
     try {
         while (simulation->time() < duration) {
             {
-                const PhaseTimer timer(record, "solving");
+                const PhaseTimer timer(record, "solving", &files);
                 simulation->step();
                 watch.after_step(*simulation);
             }
             const bool last = simulation->time() >= duration, frame = last || simulation->time() >= next_frame;
             {
-                const PhaseTimer timer(record, "output");
+                const PhaseTimer timer(record, "output", &files);
                 recorder.after_step(*simulation, frame);
                 if (frame) watch.after_frame(record), next_frame = next_after(simulation->time(), interval);
-                if (last || simulation->time() >= next_snapshot) {
+                const bool picture = last || simulation->time() >= next_snapshot,
+                           checkpoint = frame && !last && simulation->time() >= next_checkpoint;
+                if (picture || checkpoint) files.finish();  // so that one output at a time takes memory
+                RunOutput output;
+                if (picture) {
                     recorder.fill_hull_pressure(*simulation);
-                    if (scene.sampling.snapshot_interval > 0) snapshots.write(*simulation, record);
+                    if (scene.sampling.snapshot_interval > 0) output.picture = picture_of(*simulation, record);
                     next_snapshot = next_after(simulation->time(), std::max(scene.sampling.snapshot_interval, 1e-300));
                 }
                 if (frame && gate) recorder.take_spray(*simulation, *gate);
-                // at a frame, where the control volume's sums begin anew
-                if (frame && !last && simulation->time() >= next_checkpoint) {
-                    save_checkpoint();
+                if (checkpoint) {  // at a frame, where the control volume's sums begin anew
+                    checkpoint_now(output);
                     simulation->mark_restart_point();
                     next_checkpoint = next_after(simulation->time(), scene.run.checkpoint);
                 }
+                if (output.picture || output.record) files.write(std::move(output));
             }
             if (wall_now() - last_report > 0.5) report();
             if (stop_asked()) {
-                save("stopped",
-                     fmt::format("asked to stop at t = {:.6g} s; --resume {}", simulation->time(),
-                                 has_checkpoint ? "goes on from the last checkpoint"
-                                                : "begins it again, as it has not reached its first checkpoint"));
-                return record;
+                files.finish();
+                return end_as("stopped",
+                              fmt::format("asked to stop at t = {:.6g} s; --resume {}", simulation->time(),
+                                          has_checkpoint
+                                              ? "goes on from the last checkpoint"
+                                              : "begins it again, as it has not reached its first checkpoint"));
             }
         }
-        save_checkpoint();
-        save("finished", "");
+        files.finish();
+        RunOutput at_end;
+        checkpoint_now(at_end);
+        files.write(std::move(at_end));
+        files.finish();
+        RunRecord end = end_as("finished", "");
         report();
+        return end;
     } catch (const std::exception& e) {
         // What ends the run ends it on all ranks alike; anything else has hit this one alone, see Comm::end.
         if (ranks.many() && dynamic_cast<const RunError*>(&e) == nullptr) throw;
         watch_stability(*simulation, record);  // what the run was stopped for
         try {
-            save("failed", e.what());
+            files.finish();
+        } catch (const std::exception&) {}  // what ended the run was before it
+        try {
+            end_as("failed", e.what());
         } catch (const std::exception& nested) {
             throw RunError(std::string(e.what()) + "; and the record could not be saved: " + nested.what());
         }
         throw RunError(e.what());
     }
-    return record;
 }
 
 }  // namespace tw

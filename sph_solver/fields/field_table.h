@@ -50,6 +50,7 @@ public:
     virtual std::size_t length() const = 0;
     virtual void set_length(std::size_t n) = 0;  ///< what is new has the element's default
     virtual void set_capacity(std::size_t n) = 0;
+    virtual void let_go() = 0;  ///< of all elements and their memory
     virtual void take(const std::vector<std::int32_t>& order) = 0;  ///< element k becomes what element order[k] was
     virtual std::size_t bytes() const = 0;
     virtual std::size_t element_bytes() const = 0;
@@ -86,11 +87,23 @@ public:
     /// What `other` has.
     void bring_all_of(const FieldTable& other) { bring(static_cast<With>(other.have_)); }
 
+    /// What is saved of other particles, and nothing else of these.
+    void copy_saved_of(const FieldTable& other) {
+        have_ = other.have_;
+        for (const std::ptrdiff_t at : places_) {
+            AnyField& field = at_place(at);
+            field.let_go();
+            const AnyField& from = other.at_place(at);
+            if (!from.saved() || !has(from.with())) continue;
+            field.set_length(from.length());
+            if (from.length() > 0) std::memcpy(field.raw(), from.raw(), from.length() * from.element_bytes());
+        }
+    }
+
     /// Calls `f(field)` for each, whether the level has it or not.
     template <class Function>
     void each(const Function& f) {
-        for (const std::ptrdiff_t at : places_)
-            f(*reinterpret_cast<AnyField*>(reinterpret_cast<std::byte*>(this) + at));
+        for (const std::ptrdiff_t at : places_) f(at_place(at));
     }
     template <class Function>
     void each(const Function& f) const {
@@ -164,6 +177,9 @@ private:
     void add(AnyField& field) {
         places_.push_back(reinterpret_cast<std::byte*>(&field) - reinterpret_cast<std::byte*>(this));
     }
+    AnyField& at_place(std::ptrdiff_t at) {
+        return *reinterpret_cast<AnyField*>(reinterpret_cast<std::byte*>(this) + at);
+    }
     const AnyField& at_place(std::ptrdiff_t at) const {
         return *reinterpret_cast<const AnyField*>(reinterpret_cast<const std::byte*>(this) + at);
     }
@@ -188,6 +204,7 @@ public:
     std::size_t length() const override { return this->size(); }
     void set_length(std::size_t n) override { this->resize(n); }
     void set_capacity(std::size_t n) override { this->reserve(n); }
+    void let_go() override { static_cast<std::vector<T>&>(*this) = {}; }
     void take(const std::vector<std::int32_t>& order) override {
         const std::vector<T> old = std::move(static_cast<std::vector<T>&>(*this));
         static_cast<std::vector<T>&>(*this) = {};

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "base/atomic_file.h"
 #include "base/errors.h"
 #include "record/checksum_line.h"
@@ -15,8 +17,9 @@ namespace {
 
 using namespace checkpoint_layout;
 
-void write_level(hid_t at, const Level& level, const Particles& particles) {
-    const Level::State s = level.state();
+/// Each quantity is let go when it is written: the file is made in memory.
+void write_level(hid_t at, Checkpoint::OfLevel& level) {
+    const Level::State& s = level.state;
     const double state[] = {s.time,
                             s.dt,
                             s.extremes.speed,
@@ -24,13 +27,14 @@ void write_level(hid_t at, const Level& level, const Particles& particles) {
                             s.extremes.density_deviation_low,
                             s.extremes.density_deviation_high};
     const long long counts[] = {s.steps, s.ledger.in, s.ledger.out, s.ledger.lost, s.ledger.held, s.ledger.next_id};
-    h5::write_attribute(at, "material", level.setup().material);
+    h5::write_attribute(at, "material", level.material);
     h5::write_attribute(at, "state", std::span<const double>(state));
     h5::write_attribute(at, "counts", std::span<const long long>(counts));
-    particles.each([&](const AnyField& field) {
-        if (!field.saved() || !particles.has(field.with())) return;
+    level.particles.each([&](AnyField& field) {
+        if (!field.saved() || !level.particles.has(field.with())) return;
         const hsize_t n = field.length();
-        h5::write_array(at, field.name(), type_of(field), field.raw(), {&n, 1}, false);
+        h5::write_array(at, field.name(), type_of(field), std::as_const(field).raw(), {&n, 1}, false);
+        field.let_go();
     });
 }
 
@@ -42,11 +46,27 @@ void write_control_volume(hid_t at, const ControlVolume::State& s) {
 
 }  // namespace
 
-void write_checkpoint(const std::filesystem::path& path, const std::string& run_hash, const Simulation& simulation,
-                      double mass_at_start) {
-    const Comm& ranks = simulation.level(0).ranks();
+Checkpoint checkpoint_of(const Simulation& simulation, double mass_at_start) {
     const AllParticles particles(simulation);
-    if (!ranks.first()) return;
+    Checkpoint c;
+    c.isa = simulation.passes().isa;
+    c.mass_at_start = mass_at_start;
+    for (std::size_t k = 0; k < simulation.levels().size(); ++k) {
+        const Level& level = simulation.level(k);
+        Checkpoint::OfLevel& saved = c.levels.emplace_back();
+        saved.material = level.setup().material;
+        saved.state = level.state();
+        saved.particles.copy_saved_of(particles.of(k));
+    }
+    for (const Refinement& refinement : simulation.refinements())
+        c.edges.push_back({refinement.ledger().births, refinement.ledger().deaths});
+    if (const ControlVolume* control = simulation.control_volume()) c.control = control->state();
+    for (const auto& body : simulation.bodies())
+        if (!body->fixed()) c.bodies.push_back(body->state());
+    return c;
+}
+
+void write_checkpoint(const std::filesystem::path& path, const std::string& run_hash, Checkpoint checkpoint) {
     try {
         const h5::Silence silence;
         const h5::Handle file = h5::create_in_memory();
@@ -54,25 +74,21 @@ void write_checkpoint(const std::filesystem::path& path, const std::string& run_
         {
             const h5::Handle own = h5::create_group(file, "simulation");
             h5::write_attribute(own, "run_hash", run_hash);
-            h5::write_attribute(own, "isa", std::string(simulation.passes().isa));
-            h5::write_attribute(own, "mass_at_start", mass_at_start);
+            h5::write_attribute(own, "isa", checkpoint.isa);
+            h5::write_attribute(own, "mass_at_start", checkpoint.mass_at_start);
         }
         const h5::Handle levels = h5::create_group(file, "levels");
-        for (std::size_t k = 0; k < simulation.levels().size(); ++k)
-            write_level(h5::create_group(levels, std::to_string(k).c_str()), simulation.level(k), particles.of(k));
-        for (std::size_t k = 0; k < simulation.refinements().size(); ++k) {
-            const Refinement::Ledger& l = simulation.refinements()[k].ledger();
-            const long long counts[] = {l.births, l.deaths};
+        for (std::size_t k = 0; k < checkpoint.levels.size(); ++k)
+            write_level(h5::create_group(levels, std::to_string(k).c_str()), checkpoint.levels[k]);
+        for (std::size_t k = 0; k < checkpoint.edges.size(); ++k) {
+            const long long counts[] = {checkpoint.edges[k].births, checkpoint.edges[k].deaths};
             h5::write_attribute(levels, edge_name(k).c_str(), std::span<const long long>(counts));
         }
-        if (const ControlVolume* control = simulation.control_volume())
-            write_control_volume(h5::create_group(file, "control_volume"), control->state());
-        std::size_t moving = 0;
-        for (const auto& body : simulation.bodies()) {
-            if (body->fixed()) continue;
-            if (moving == 0) h5::create_group(file, bodies_group);
-            h5::write_vector(h5::open_group(file, bodies_group), std::to_string(moving++).c_str(), H5T_NATIVE_DOUBLE,
-                             body->state(), false);
+        if (checkpoint.control) write_control_volume(h5::create_group(file, "control_volume"), *checkpoint.control);
+        if (!checkpoint.bodies.empty()) {
+            const h5::Handle bodies = h5::create_group(file, bodies_group);
+            for (std::size_t b = 0; b < checkpoint.bodies.size(); ++b)
+                h5::write_vector(bodies, std::to_string(b).c_str(), H5T_NATIVE_DOUBLE, checkpoint.bodies[b], false);
         }
         write_text_atomically(path, with_checksum_line(h5::image(file)));
     } catch (const h5::Failure& f) { throw RunError(path.string() + ": cannot be written: " + f.what); }
@@ -117,7 +133,7 @@ void restore(Simulation& simulation, Checkpoint checkpoint) {
         }
     for (std::size_t k = 0; k < levels; ++k)
         simulation.level(k).restore(checkpoint.levels[k].state, std::move(checkpoint.levels[k].particles));
-    if (ControlVolume* control = simulation.control_volume()) control->set_state(checkpoint.control);
+    if (ControlVolume* control = simulation.control_volume()) control->set_state(checkpoint.control.value_or(ControlVolume::State{}));
     simulation.follow_bodies();
 }
 

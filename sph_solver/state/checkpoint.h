@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,15 +27,16 @@ struct Checkpoint {
         std::int64_t births = 0, deaths = 0;
     };
     std::vector<Edge> edges;  ///< between levels of particle size, coarsest first
-    ControlVolume::State control;
+    std::optional<ControlVolume::State> control;
     std::vector<std::vector<double>> bodies;  ///< Body::state of those that move
 };
 
-/// Written atomically (raw, no compression); by the first of several ranks, which all call it, with the bytes of one
-/// process. The caller marks the restart point in the running simulation too, so that
+/// Of the run as it is now, with all that is saved of the particles and nothing else. All of several ranks call it, and
+/// the first one has what one process has. The caller marks the restart point in the running simulation too, so that
 /// both build their lists anew at this step.
-void write_checkpoint(const std::filesystem::path& file, const std::string& run_hash, const Simulation& simulation,
-                      double mass_at_start);
+Checkpoint checkpoint_of(const Simulation& simulation, double mass_at_start);
+/// Written atomically (raw, no compression). Throws RunError.
+void write_checkpoint(const std::filesystem::path& file, const std::string& run_hash, Checkpoint checkpoint);
 
 /// Throws InputError naming the file: not there, cut off, damaged, of another scene, resolution or other numerics.
 Checkpoint read_checkpoint(const std::filesystem::path& file, const std::string& run_hash);

@@ -127,6 +127,18 @@ TEST_F(Crash, OfTwoSizesOfParticlesLosesNothing) {
     EXPECT_TRUE(loses_nothing(11).tables.contains("level_1"));
 }
 
+#ifdef TWINWAKE_FAKE_CUDA
+// Files are written by a thread of their own while the device makes the next steps.
+TEST_F(Crash, BesideTheStepsOfADeviceLosesNothing) {
+    setenv("TWINWAKE_LIBCUDA", TWINWAKE_FAKE_CUDA, 1);
+    std::string text = read_text(scene);
+    write_text_atomically(scene, text.insert(text.find("[run]\n") + 6, "device = \"gpu\"\n"));
+    RunRecord run = loses_nothing(5);
+    unsetenv("TWINWAKE_LIBCUDA");
+    EXPECT_TRUE(run.attributes.contains("device"));
+}
+#endif
+
 // What was taken at the gate is in the record alone: the particles are gone.
 TEST_F(Crash, OfARunThatTakesSprayAtAGateLosesNothing) {
     write_text_atomically(scene, R"([tank]

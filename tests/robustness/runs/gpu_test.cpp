@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 
 #include "base/atomic_file.h"
 #include "program.h"
@@ -63,6 +64,44 @@ RunRecord same_table(const std::string& table, const std::vector<std::string>& m
 TEST_F(Gpu, MakesTheStepsOfARunWhoseRecordIsThatOfTheEmulatedVariant) {
     RunRecord record = same_table("forces", {"--duration", "0.12 s"});
     EXPECT_GT(record.table("forces").time.size(), 20u);
+}
+
+/// The files of a run, but for its record, which holds times of the clock.
+std::map<std::string, std::string> pictures_in(const fs::path& folder) {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : fs::directory_iterator(folder)) files[entry.path().filename()] = read_text(entry.path());
+    return files;
+}
+
+// A device makes the next steps while a thread writes; the host stands still.
+TEST_F(Gpu, WritesBesideItsStepsWhatTheHostWritesBetweenThem) {
+    const ScratchFolder folder("gpu_pictures");
+    const std::string interval = "interval = \"0.05 s\"";
+    std::string text = read_text(scene);
+    text.replace(text.find(interval), interval.size(), "interval = 0.01\nsnapshots = 0.01");
+    write_text_atomically(folder.path() / "scene.toml", text);
+    setenv("TWINWAKE_ISA", "device_emulated", 1);
+    for (const char* device : {"cpu", "gpu"}) {
+        const Ended ended = run(folder.path(), device, {"--device", device, "--duration", "0.05 s"},
+                                folder.path() / "scene.toml");
+        EXPECT_EQ(ended.status, 0) << ended.output;
+    }
+    const auto host = pictures_in(folder.path() / "cpu/sph/snapshots"),
+               gpu = pictures_in(folder.path() / "gpu/sph/snapshots");
+    EXPECT_GE(host.size(), 3 * 5u);  // particles, hull, water's surface
+    for (const auto& [name, bytes] : host) EXPECT_TRUE(gpu.contains(name) && gpu.at(name) == bytes) << name;
+    EXPECT_EQ(gpu.size(), host.size());
+}
+
+TEST_F(Gpu, OnAFullDiskSaysSoAndLeavesNoHalfWrittenFile) {
+    const ScratchFolder folder("gpu_disk_full");
+    Program full({"run", scene.string(), "--no-twins", "--method", "sph", "--out", (folder.path() / "run").string(),
+                  "--threads", "1", "--device", "gpu"},
+                 folder.path(), 60'000);
+    EXPECT_EQ(full.wait(), 3) << full.output();
+    EXPECT_NE(full.output().find(".h5: cannot be written"), std::string::npos) << full.output();
+    for (const auto& entry : fs::recursive_directory_iterator(folder.path() / "run"))
+        EXPECT_EQ(entry.path().string().find(".tmp"), std::string::npos) << "left behind: " << entry.path();
 }
 
 TEST_F(Gpu, AlsoOfWaterThatRubsOnTheHull) {

@@ -42,7 +42,7 @@ TEST(Checkpoint, GivesTheBalanceBackToTheLevelThatHasIt) {
     ASSERT_NE(&whole.at_bodies(), &whole.finest()) << "or this test sees nothing";
     whole.step();
     whole.control_volume()->set_state({Vec3(1, 2, 3), Vec3(4, 5, 6), 0.5});
-    write_checkpoint(file, "a scene", whole, 1);
+    write_checkpoint(file, "a scene", checkpoint_of(whole, 1));
     restore(resumed, read_checkpoint(file, "a scene"));
     std::filesystem::remove(file);
     const ControlVolume::State& state = resumed.control_volume()->state();
@@ -63,7 +63,7 @@ std::string refusal(const std::filesystem::path& file) {
 TEST(Checkpoint, WhoseZerosBecameOnesIsRefused) {
     const auto file = std::filesystem::temp_directory_path() / "twinwake_zeros_test.h5";
     Balanced whole;
-    write_checkpoint(file, "a scene", whole.simulation, 1);
+    write_checkpoint(file, "a scene", checkpoint_of(whole.simulation, 1));
     EXPECT_EQ(refusal(file), "");
     std::string bytes = read_text(file);
     const std::size_t zeros = bytes.find(std::string(64, '\0'), bytes.size() / 2);
@@ -80,7 +80,7 @@ TEST(Checkpoint, OfAnotherFormatIsRefusedByName) {
     for (const auto& [format, words] : {std::pair{2.0, "of format 2, by an earlier version"},
                                         {99.0, "of format 99, by a later version"},
                                         {std::nan(""), "its format is no number from 1 on"}}) {
-        write_checkpoint(file, "a scene", whole.simulation, 1);
+        write_checkpoint(file, "a scene", checkpoint_of(whole.simulation, 1));
         const hid_t h = H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
         const hid_t attribute = H5Aopen(h, "twinwake_checkpoint", H5P_DEFAULT);
         H5Awrite(attribute, H5T_NATIVE_DOUBLE, &format);

@@ -134,7 +134,7 @@ TEST_F(OnDevice, ACheckpointWithAPlateGoesFromTheHostToADeviceAndBack) {
     put_on_device(device);
     for (int k = 0; k < 40; ++k) whole.step();
     const auto hand_over = [&](const Simulation& from, Simulation& to) {
-        write_checkpoint(file, "a scene", from, 1);
+        write_checkpoint(file, "a scene", checkpoint_of(from, 1));
         whole.mark_restart_point();
         restore(to, read_checkpoint(file, "a scene"));
         expect_same_steps(whole, to, 25);

@@ -124,7 +124,7 @@ TEST(Engine, ARestartGoesOnWithTheSameBitsInletAndOutletIncluded) {
         s.effects.push_back(Viscosity{1e-3, true, EddyViscosity{}});  // its step limit hangs on the last evaluation
         Simulation whole(s, stream_water(s));
         for (int k = 0; k < 20; ++k) whole.step();
-        write_checkpoint(file, "a scene", whole, 1);
+        write_checkpoint(file, "a scene", checkpoint_of(whole, 1));
         whole.mark_restart_point();
         Simulation resumed(s, stream_water(s));
         Checkpoint saved = read_checkpoint(file, "a scene");
@@ -158,7 +158,7 @@ TEST(Engine, ARestartWithAirGoesOnWithTheSameBitsAndAnyNumberOfThreads) {
     };
     Simulation whole = make(1);
     for (int k = 0; k < 60; ++k) whole.step();
-    write_checkpoint(file, "a scene", whole, 1);
+    write_checkpoint(file, "a scene", checkpoint_of(whole, 1));
     whole.mark_restart_point();
     Simulation resumed = make(2);
     Checkpoint saved = read_checkpoint(file, "a scene");

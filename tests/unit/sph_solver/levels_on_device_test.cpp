@@ -197,7 +197,7 @@ TEST_F(OnDevice, ACheckpointOfSeveralSizesGoesFromTheHostToADeviceAndBack) {
     Simulation whole(s, water_of_stream(s), emulated());
     for (int k = 0; k < 8; ++k) whole.step();
     const auto hand_over = [&](const Simulation& from, Simulation& to) {
-        write_checkpoint(file, "a scene", from, 1);
+        write_checkpoint(file, "a scene", checkpoint_of(from, 1));
         whole.mark_restart_point();
         restore(to, read_checkpoint(file, "a scene"));
         for (int k = 0; k < 8; ++k) whole.step(), to.step();

@@ -206,7 +206,7 @@ void expect_same_bits_after_a_restart(Simulation (*make_with)(int threads), int 
     Simulation whole = make_with(1), other = make_with(3);
     for (int k = 0; k < steps; ++k) whole.step(), other.step();
     EXPECT_TRUE(same_bits(whole, other));
-    write_checkpoint(file, "a scene", whole, 1);
+    write_checkpoint(file, "a scene", checkpoint_of(whole, 1));
     whole.mark_restart_point();
     Simulation resumed = make_with(2);
     restore(resumed, read_checkpoint(file, "a scene"));

@@ -131,14 +131,14 @@ TEST_F(OnDevice, ACheckpointGoesFromTheHostToADeviceAndBack) {
     const SimulationSetup s = stream();
     Simulation whole(s, stream_water(s), emulated());
     for (int k = 0; k < 20; ++k) whole.step();
-    write_checkpoint(file, "a scene", whole, 1);
+    write_checkpoint(file, "a scene", checkpoint_of(whole, 1));
     whole.mark_restart_point();
     Simulation device(s, stream_water(s), emulated());
     put_on_device(device);
     restore(device, read_checkpoint(file, "a scene"));
     for (int k = 0; k < 20; ++k) whole.step(), device.step();
     EXPECT_TRUE(same_bits(whole.particles(), device.particles()));
-    write_checkpoint(file, "a scene", device, 1);
+    write_checkpoint(file, "a scene", checkpoint_of(device, 1));
     whole.mark_restart_point();
     Simulation back(s, stream_water(s), emulated());
     restore(back, read_checkpoint(file, "a scene"));

@@ -296,7 +296,7 @@ TEST(Bodies, GoOnWithTheSameBitsAfterARestart) {
     const std::filesystem::path file = std::filesystem::temp_directory_path() / "twinwake_bodies_checkpoint.h5";
     Simulation whole(s, water(s));
     for (int k = 0; k < 60; ++k) whole.step();
-    write_checkpoint(file, "hash", whole, 1);
+    write_checkpoint(file, "hash", checkpoint_of(whole, 1));
     whole.mark_restart_point();
     Simulation resumed(s, water(s));
     restore(resumed, read_checkpoint(file, "hash"));

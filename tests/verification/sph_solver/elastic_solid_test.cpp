@@ -135,7 +135,7 @@ TEST(ElasticSolid, GivesTheSameBitsWithAnyNumberOfThreadsAndAfterARestart) {
     const std::filesystem::path file = std::filesystem::temp_directory_path() / "twinwake_elastic_solid_checkpoint.h5";
     Simulation whole(s, column.water(s));
     for (int k = 0; k < 40; ++k) whole.step();
-    write_checkpoint(file, "hash", whole, 1);
+    write_checkpoint(file, "hash", checkpoint_of(whole, 1));
     whole.mark_restart_point();
     Simulation resumed(s, column.water(s));
     restore(resumed, read_checkpoint(file, "hash"));

@@ -146,7 +146,7 @@ TEST(MovingZone, GivesTheSameBitsWithAnyNumberOfThreadsAndAfterARestart) {
     };
     for (int k = 0; k < 20; ++k) whole.step(), three.step();
     EXPECT_TRUE(same(whole, three));
-    write_checkpoint(file, "a scene", whole, 1);
+    write_checkpoint(file, "a scene", checkpoint_of(whole, 1));
     whole.mark_restart_point();
     Simulation resumed = filled(cylinder(true, 2));
     restore(resumed, read_checkpoint(file, "a scene"));

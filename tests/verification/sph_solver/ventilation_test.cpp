@@ -167,7 +167,7 @@ TEST(Ventilation, IsResumed) {
     const auto file = std::filesystem::temp_directory_path() / "ventilation.h5";
     Simulation whole = jet.simulation(), resumed = jet.simulation();
     while (whole.time() < 0.03) whole.step();
-    write_checkpoint(file, "a jet", whole, 1);
+    write_checkpoint(file, "a jet", checkpoint_of(whole, 1));
     restore(resumed, read_checkpoint(file, "a jet"));
     for (int k = 0; k < 50; ++k) whole.step(), resumed.step();
     EXPECT_EQ(whole.load().force, resumed.load().force);
