@@ -97,7 +97,7 @@ TEST_F(Gpu, OnAFullDiskSaysSoAndLeavesNoHalfWrittenFile) {
     const ScratchFolder folder("gpu_disk_full");
     Program full({"run", scene.string(), "--no-twins", "--method", "sph", "--out", (folder.path() / "run").string(),
                   "--threads", "1", "--device", "gpu"},
-                 folder.path(), 60'000);
+                 folder.path(), 20'000);
     EXPECT_EQ(full.wait(), 3) << full.output();
     EXPECT_NE(full.output().find(".h5: cannot be written"), std::string::npos) << full.output();
     for (const auto& entry : fs::recursive_directory_iterator(folder.path() / "run"))
