@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <ostream>
+#include <string>
 
 #include "base/atomic_file.h"
 #include "foam_cases/read/field_file.h"
@@ -21,6 +23,7 @@ namespace fs = std::filesystem;
 struct Release {
     const char* folder;
     bool first_row_at_start;  ///< its tables have a row at time 0
+    friend void PrintTo(const Release& r, std::ostream* out) { *out << r.folder; }
 };
 
 class WrittenFiles : public testing::TestWithParam<Release> {
