@@ -115,6 +115,21 @@ TEST_F(InstallationTest, TheLibraryOfWallsIsThatOfTheRelease) {
     EXPECT_NE(sound_openfoam().verdict.find("walls hold water"), std::string::npos) << sound_openfoam().verdict;
 }
 
+// interFoam of openfoam.com asks for cAlpha, openfoam.org 13 stops where it finds one.
+TEST_F(InstallationTest, TheSelfTestHasTheCompressionWhereTheReleaseReadsIt) {
+    const fs::path com = release("v2506", "2506"), org = release("13", "0");
+    const std::string answer = read_text(bin_of("v2506") / "interFoam"), has = "grep -q cAlpha system/fvSolution";
+    program(bin_of("v2506") / "interFoam", has + " || exit 1\n" + answer);
+    program(bin_of("13") / "foamRun", has + " && exit 1\n" + answer);
+    fs::remove_all(org / "META-INFO");
+    std::ofstream(org / "etc/bashrc") << "export WM_PROJECT_VERSION=13\n";
+    for (const fs::path& loaded : {com, org}) {
+        set("WM_PROJECT_DIR", loaded.string());
+        EXPECT_EQ(refusal(), "taken");
+        EXPECT_EQ(sound_openfoam().project_dir, loaded);
+    }
+}
+
 TEST_F(InstallationTest, ProgramsAreOfTheReleasesOwnFolderOrNamedAsMissing) {
     const fs::path loaded = release("v2506", "2506"), other = release("v2312", "2312");
     set("TWINWAKE_OPENFOAM_PLACES", other.string());
