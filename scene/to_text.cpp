@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/numbers.h"
+#include "record/influence_words.h"
 #include "scene/box_walls.h"
 #include "scene/cost_of_sizes.h"
 #include "scene/defaults.h"
@@ -202,8 +203,8 @@ std::string jet_text(const Scene& scene) {
     const std::optional<SprayJet> jet = thin_jet(scene);
     if (!jet) return {};
     const std::string why = jet->why_not_resolved();
-    return fmt::format("  {:13} about {:.2g} m thick where it leaves the hull, by thin-jet theory; {}\n", "spray jet",
-                       jet->thickness,
+    return fmt::format("  {:13} about {:.2g} m thick where it leaves the hull, by {}; {}\n", "spray jet",
+                       jet->thickness, scene.hull->section ? "free streamlines without gravity" : "thin-jet theory",
                        why.empty() ? fmt::format("resolved by {:.2g} spacings", jet->across())
                                    : why + "; no height of splash is judged");
 }
@@ -294,7 +295,8 @@ std::string to_text(const Scene& scene, const Prediction& p) {
     for (const EffectChoice& e : scene.effects)
         out += fmt::format(
             "  {:16} {:3} {}: {}\n{:24}influence: {}{}\n", e.name, e.on ? "on" : "off",
-            e.forced ? "(as requested)" : "(auto)", e.reason, "", e.influence,
+            e.forced ? "(as requested)" : "(auto)", e.reason, "",
+            influence_in_words(e.influence, scene.motion.kind == Motion::Kind::stream),
             e.cost > 0 ? fmt::format("; cost {} {:.0f} % of a particle run", e.on ? "is" : "would be", 100 * e.cost)
                        : "");
     out += fmt::format(

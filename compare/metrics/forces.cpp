@@ -111,7 +111,6 @@ struct Force {
     std::string definition;
 };
 
-
 void add_sph_measures(Comparison& comparison, const CompareOptions& options, const ForceNames& called,
                       const std::string& unit) {
     struct Measure {
@@ -128,7 +127,8 @@ void add_sph_measures(Comparison& comparison, const CompareOptions& options, con
                                         "a second, independent measure of the same force in the same run",
                                         [&](const RunRecord& r) { return mean_of(r, "forces", m.column, options); }));
     add_beside(comparison,
-               quantity(comparison, "force_measure_spread", fmt::format("Spread of the force measures ({})", lower_case_first(up)), "%",
+               quantity(comparison, "force_measure_spread",
+                        fmt::format("Spread of the force measures ({})", lower_case_first(up)), "%",
                         "largest minus smallest of pair sum, surface pressure and control volume, over the pair sum",
                         [&](const RunRecord& r) {
                             const MeanValue sum = mean_of(r, "forces", "fz", options);

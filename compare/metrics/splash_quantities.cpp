@@ -181,17 +181,18 @@ void add_splash(Comparison& comparison, const CompareOptions& options) {
                     value.why_not = m.kind == Kind::integral ? "no water behind a hull" : "no airborne water";
             }
             if (column && height)
-                withhold_if_cut_off(
-                    value,
-                    largest(comparison.analyses[s].splash, *column,
-                            stream ? comparison.analyses[s].settled_from : tank_from),
-                    comparison.analyses[s].still_level, record);
+                withhold_if_cut_off(value,
+                                    largest(comparison.analyses[s].splash, *column,
+                                            stream ? comparison.analyses[s].settled_from : tank_from),
+                                    comparison.analyses[s].still_level, record);
             q.values.push_back(value);
         }
         if (height)
             q.definition +=
                 fmt::format("; no better than half a voxel ({:.3g} m)", 0.5 * comparison.sources[0].raster.voxel);
-        if (!stream) q.definition += "; the largest of the run (without a hull from mean_from on), since a tank's water does not settle";
+        if (!stream)
+            q.definition +=
+                "; the largest of the run (without a hull from mean_from on), since a tank's water does not settle";
         if (m.kind != Kind::integral) q.not_resolved = q.remark = unresolved;
         // A volume's largest value has no interval that could carry a verdict.
         if (q.not_resolved.empty() && (stream || height))

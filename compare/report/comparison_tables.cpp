@@ -13,6 +13,7 @@
 #include "compare/verdict/left_out.h"
 #include "compare/verdict/sentence.h"
 #include "methods/methods.h"
+#include "record/influence_words.h"
 #include "text/plain_number.h"
 
 namespace tw {
@@ -226,9 +227,9 @@ ReportTable effects_table(const Comparison& c) {
     const auto with = std::ranges::find_if(c.sources, [](const RunRecord& r) { return !r.effects.empty(); });
     if (with == c.sources.end()) return table;
     for (const EffectChoice& e : with->effects)
-        table.rows.push_back(
-            {{e.name, std::string(e.on ? "yes" : "no") + (e.forced ? " (asked for)" : ""), e.reason, e.influence,
-              e.cost > 0 ? fmt::format("{:.0f} % of a particle run", 100 * e.cost) : ""}});
+        table.rows.push_back({{e.name, std::string(e.on ? "yes" : "no") + (e.forced ? " (asked for)" : ""), e.reason,
+                               influence_in_words(e.influence, is_stream(*with)),
+                               e.cost > 0 ? fmt::format("{:.0f} % of a particle run", 100 * e.cost) : ""}});
     return table;
 }
 

@@ -200,9 +200,9 @@ Figures draw_figures(const Comparison& c) {
     const bool stream = std::ranges::any_of(c.sources, is_stream);
     const ForceNames called = force_names(stream);
     const auto force = [](const std::string& name) { return lower_case_first(name) + " [N]"; };
-    for (const Trace& t : {Trace{"lift", called.up, "fz", force(called.up)},
-                           Trace{"drag", called.along, "fx", force(called.along)},
-                           Trace{"trim_moment", called.moment + (stream ? ", bow up" : ""), "my", "moment [N m]"}})
+    for (const Trace& t :
+         {Trace{"lift", called.up, "fz", force(called.up)}, Trace{"drag", called.along, "fx", force(called.along)},
+          Trace{"trim_moment", called.moment + (stream ? ", bow up" : ""), "my", "moment [N m]"}})
         if (any("forces", t.column)) f.forces.push_back(force_figure(c, t));
     for (const auto& [column, title, unit, quantity] :
          {std::tuple{"trim", "Running trim", "trim, bow up [deg]", "running_trim"},

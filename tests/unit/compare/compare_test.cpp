@@ -324,7 +324,8 @@ TEST(Compare, SplashOfBothSidesOnTheCommonRaster) {
 
 TEST(Compare, WhatTheWallsOfTheBoxDoStandsOnTop) {
     RunRecord r = synthetic_run(sph);
-    const std::string walls = "the walls of the box (1.5 m to the side, 1.2 m deep) are expected to raise the lift by 12 %";
+    const std::string walls =
+        "the walls of the box (1.5 m to the side, 1.2 m deep) are expected to raise the lift by 12 %";
     const auto said = [&](const RunRecord& record) {
         return std::ranges::any_of(compare_records({record}).banners,
                                    [&](const std::string& b) { return b.find(walls) != std::string::npos; });
@@ -339,15 +340,18 @@ TEST(Compare, ForcesInATankAreNamedByTheirDirections) {
     tank.attributes["motion"] = "none";
     const Comparison of_stream = compare_records({stream}), of_tank = compare_records({tank});
     for (const auto& [name, in_a_stream, in_a_tank] :
-         {std::tuple{"lift", "Lift", "Force up"}, {"drag", "Drag", "Force along x"},
-          {"trim_moment", "Trim moment", "Moment about y"}, {"drag_pressure", "Pressure drag", "Force along x by pressure"},
+         {std::tuple{"lift", "Lift", "Force up"},
+          {"drag", "Drag", "Force along x"},
+          {"trim_moment", "Trim moment", "Moment about y"},
+          {"drag_pressure", "Pressure drag", "Force along x by pressure"},
           {"lift_surface", "Lift by surface pressure", "Force up by surface pressure"}}) {
         ASSERT_TRUE(of_stream.find(name) && of_tank.find(name)) << name;
         EXPECT_EQ(of_stream.find(name)->label, in_a_stream);
         EXPECT_EQ(of_tank.find(name)->label, in_a_tank);
     }
     const std::string text = summary_text(of_tank);
-    for (const char* word : {"Lift", "lift", "Drag", "drag"}) EXPECT_EQ(text.find(word), std::string::npos) << word << text;
+    for (const char* word : {"Lift", "lift", "Drag", "drag"})
+        EXPECT_EQ(text.find(word), std::string::npos) << word << text;
 }
 
 TEST(Compare, OfAJetThatIsNotResolvedTheHeightIsShownAndNotJudged) {

@@ -165,10 +165,12 @@ TEST(Report, OneRunAloneAndATankWithoutAHullHaveAReportToo) {
     EXPECT_TRUE(has(page, "largest of the run"));
     RunRecord with_solids = synthetic_run({.step = 4e-3});
     with_solids.attributes["motion"] = "none";
+    with_solids.effects = {{"viscosity", false, false, "r", "drag: 1 %; lift: 2 %; splash: none", 0}};
     const std::string forces = read_text(write_report(compare_records({with_solids}), folder.path()).html);
     EXPECT_TRUE(has(forces, "aria-label=\"Force up"));
     EXPECT_TRUE(has(forces, "force along x [N]"));
     EXPECT_FALSE(has(forces, "aria-label=\"Lift"));
+    EXPECT_TRUE(has(forces, "force along x: 1 %; force up: 2 %; splash: none"));
 }
 
 }  // namespace report_test

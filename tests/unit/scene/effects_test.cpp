@@ -29,6 +29,23 @@ TEST(Effects, ThePlanIsTheRegistryAndEveryChoiceSaysWhy) {
     EXPECT_THROW(s.effect_on("viscossity"), std::logic_error);  // a misspelt name is no effect that is off
 }
 
+TEST(Effects, CheckNamesForcesByTheirDirectionsWhereNothingStreams) {
+    const auto said = [](const std::string& text) {
+        const Scene scene = scene_of(text);
+        return to_text(scene, predict(scene));
+    };
+    const std::string stream = said(planing),
+                      tank = said(
+                          "[tank]\nsize = [1, 0.5, 0.8]\n[[water_block]]\nmin = [0, 0, 0]\nmax = [0.5, 0.5, 0.4]\n"
+                          "[resolution]\nnear_hull = 0.05\n");
+    EXPECT_NE(stream.find("influence: drag: "), std::string::npos);
+    EXPECT_NE(stream.find("; lift: "), std::string::npos);
+    EXPECT_EQ(tank.find("influence: drag: "), std::string::npos) << tank;
+    EXPECT_EQ(tank.find("; lift: "), std::string::npos) << tank;
+    EXPECT_NE(tank.find("influence: force along x: "), std::string::npos) << tank;
+    EXPECT_NE(tank.find("; force up: "), std::string::npos) << tank;
+}
+
 TEST(Effects, WhatAnEffectNeedsComesFirstAndIsAskedFor) {
     std::set<std::string> before;
     for (const EffectPart& part : effects()) {
