@@ -71,7 +71,7 @@ struct RunRecord {
     static constexpr int format_version = 1;
 
     /// method ("sph", "fvm", ...), title, scene_hash, hull_hash, hull_source, code_version, compiler, machine, threads,
-    /// ranks, isa, openfoam, started, symmetry_factor, moment_reference, calibrated,
+    /// ranks, isa, device (the GPU that made the steps), gpu_left_alone (why none did, of "auto"), openfoam, started, symmetry_factor, moment_reference, calibrated,
     /// structure ("elastic", "rigid", "rigid, strains one way": of a scene with a body that bends), ...
     std::map<std::string, std::string> attributes;
     /// spacing h, length, beam, draft, trim, speed, density, gravity, duration, mean_from, h_over_dp, c0, alpha, ...

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
+#include "scene/refined_places.h"
 #include "sph_solver/backend/variants.h"
 #include "sph_solver/simulation.h"
 #ifdef TWINWAKE_CUDA
@@ -14,6 +15,20 @@
 #endif
 
 namespace tw {
+
+namespace {
+
+/// Why the memory of the GPU here is too small for the particles that a scene is predicted to have; empty: it is not.
+std::string why_too_small(const Scene& scene) {
+    const Prediction p = predict(scene, {});
+    const double particles = p.most_particles + p.air_particles,
+                 needed = bytes_on_gpu(particles + p.wall_particles, sizes_of_particles(scene) > 1), there = gpu_memory();
+    if (needed <= there) return "";
+    return fmt::format("{} has {:.3g} GB of memory, and {:.3g} particles need {:.3g} GB there", gpu_name(), there / 1e9,
+                       particles, needed / 1e9);
+}
+
+}  // namespace
 
 double bytes_on_gpu(double particles, bool several_sizes) {
     // Measured were 300 to 500 with one size, the more the longer the kernel reaches; what the edges ask for comes on top.
@@ -27,10 +42,14 @@ bool gpu_wanted(const Scene& scene) {
         throw InputError(fmt::format(
             "{}: [run] device = \"gpu\": {}; leave the key out, or say \"auto\" for a GPU where there is one",
             scene.file.string(), why_not));
-    return why_not.empty();
+    return why_not.empty() && (scene.run.device == "gpu" || why_too_small(scene).empty());
 }
 
-std::string gpu_line(const Scene& scene) { return gpu_wanted(scene) ? "GPU: " + gpu_in_words() + "\n" : ""; }
+std::string gpu_line(const Scene& scene) {
+    if (gpu_wanted(scene)) return "GPU: " + gpu_in_words() + "\n";
+    if (scene.run.device == "cpu" || !why_no_gpu_here().empty()) return "";
+    return "GPU: left alone: " + why_too_small(scene) + "; this processor makes the steps\n";
+}
 
 const Passes& passes_beside_gpu() {
     constexpr int lanes = 8;
@@ -45,6 +64,7 @@ bool built_for_gpu() { return true; }
 std::string why_no_gpu_here() { return cuda::Device::reason_against(); }
 
 std::string gpu_name() { return cuda::Device::name_here(); }
+double gpu_memory() { return cuda::Device::memory_here(); }
 
 std::string gpu_in_words() {
     const auto device = cuda::Device::open();
@@ -62,17 +82,27 @@ std::string gpu_peaks_in_words() {
                        peaks.cache_bytes / 1e12);
 }
 
-std::string leave_steps_to_gpu(Simulation& simulation) {
-    const std::shared_ptr<cuda::Device> device = cuda::Device::open();
+namespace {
+std::string why_no_room(const cuda::Device& device, const Simulation& simulation) {
     std::int64_t particles = 0;
     std::size_t dummies = 0;
     for (const auto& level : simulation.levels()) particles += level->count(), dummies += level->walls().size();
-    const double needed = bytes_on_gpu(double(particles) + double(dummies), simulation.levels().size() > 1);
-    if (needed > double(device->free_memory()))
-        throw InputError(fmt::format(
-            "{} has {:.3g} GB free, and {} particles need {:.3g} GB there: coarser particles, a smaller domain, or "
-            "[run] device = \"cpu\"",
-            device->name(), double(device->free_memory()) / 1e9, particles, needed / 1e9));
+    const double needed = bytes_on_gpu(double(particles) + double(dummies), simulation.levels().size() > 1),
+                 free = double(device.free_memory());
+    if (needed <= free) return "";
+    return fmt::format("{} has {:.3g} GB free, and {} particles need {:.3g} GB there", device.name(), free / 1e9,
+                       particles, needed / 1e9);
+}
+}  // namespace
+
+std::string why_no_room_on_gpu(const Simulation& simulation) {
+    return why_no_room(*cuda::Device::open(), simulation);
+}
+
+std::string leave_steps_to_gpu(Simulation& simulation) {
+    const std::shared_ptr<cuda::Device> device = cuda::Device::open();
+    if (const std::string why = why_no_room(*device, simulation); !why.empty())
+        throw InputError(why + ": coarser particles, a smaller domain, or [run] device = \"cpu\"");
     for (std::size_t k = 0; k < simulation.levels().size(); ++k)
         simulation.level(k).leave_steps_to(std::make_unique<LevelOnDevice>(simulation.level(k), device));
     return device->name();
@@ -84,7 +114,9 @@ bool built_for_gpu() { return false; }
 std::string why_no_gpu_here() { return "this twinwake was built without kernels; install clang and build it anew"; }
 std::string gpu_peaks_in_words() { throw InputError(why_no_gpu_here()); }
 std::string gpu_name() { return {}; }
+double gpu_memory() { return 0; }
 std::string gpu_in_words() { throw InputError(why_no_gpu_here()); }
+std::string why_no_room_on_gpu(const Simulation&) { throw InputError(why_no_gpu_here()); }
 std::string leave_steps_to_gpu(Simulation&) { throw InputError(why_no_gpu_here()); }
 
 #endif

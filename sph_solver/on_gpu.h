@@ -18,20 +18,25 @@ double bytes_on_gpu(double particles, bool several_sizes);
 std::string why_no_gpu_here();
 /// As its maker calls it; empty: there is none.
 std::string gpu_name();
+double gpu_memory();  ///< all of it [B]; 0: there is none
 /// Its name, driver and memory, in a line; throws InputError where there is none.
 std::string gpu_in_words();
 
 /// What it was measured to do at most: arithmetic in single precision, and reading what its second cache holds.
 std::string gpu_peaks_in_words();
 
-/// Whether a scene's `[run] device` and this machine say that a GPU makes the steps. Throws InputError with the reason
-/// where one is asked for by "gpu" and is not here.
+/// Whether a scene's `[run] device` and this machine say that a GPU makes the steps. "auto" says so where there is one with
+/// memory for the particles that are predicted. Throws InputError with the reason where one is asked for by "gpu" and is
+/// not here.
 bool gpu_wanted(const Scene& scene);
-/// A line of the GPU that will make a scene's steps; empty: none will. Throws as `gpu_wanted`.
+/// A line of the GPU that will make a scene's steps, or that "auto" leaves alone for its memory; empty: there is none, or
+/// none was asked for. Throws as `gpu_wanted`.
 std::string gpu_line(const Scene& scene);
 /// What the host beside a GPU makes lists and samples with: groups have eight particles there.
 const Passes& passes_beside_gpu();
-/// The GPU's name; from now on it makes the steps.
+/// What keeps a simulation from the GPU here: too little of its memory is free; empty: nothing. It opens the GPU.
+std::string why_no_room_on_gpu(const Simulation& simulation);
+/// The GPU's name; from now on it makes the steps. Throws InputError where there is no room.
 std::string leave_steps_to_gpu(Simulation& simulation);
 
 }  // namespace tw

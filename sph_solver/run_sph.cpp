@@ -169,7 +169,10 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
         ranks.together([&] { simulation.emplace(setup->simulation, setup->fluid, passes(isa.c_str())); });
         if (setup->air) add_air(*simulation, setup->air->options, setup->air->fluid);
     }
-    if (on_gpu)
+    std::string no_room;  // others may have taken the GPU's memory
+    if (on_gpu && scene.run.device == "auto") no_room = why_no_room_on_gpu(*simulation);
+    if (!no_room.empty()) fresh.attributes["gpu_left_alone"] = no_room;
+    if (on_gpu && no_room.empty())
         fresh.attributes["device"] = leave_steps_to_gpu(*simulation);
     else if (setup->control_volume)
         simulation->set_control_volume(*setup->control_volume);

@@ -143,6 +143,11 @@ std::string Device::name_here() {
     return library.load().empty() ? library.name : "";
 }
 
+double Device::memory_here() {
+    Library library;
+    return library.load().empty() ? double(library.memory) : 0;
+}
+
 std::shared_ptr<Device> Device::open() { return std::shared_ptr<Device>(new Device()); }
 
 Device::Device() : library_(std::make_unique<Library>()) {

@@ -22,6 +22,7 @@ public:
     static std::string reason_against();
     /// Of the one that would be opened; empty: there is none.
     static std::string name_here();
+    static double memory_here();  ///< of that one, in use or not [B]; 0: there is none
     ~Device();
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;

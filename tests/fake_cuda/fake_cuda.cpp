@@ -4,7 +4,7 @@
 // device_emulated and the loops of cuda/tasks.h, one index after another.
 //
 // FAKE_CUDA (environment): words of "no_device", "old_device", "two_devices" (the first is too old), "memory=N" (bytes of the
-// device), "lost_after=N" (launches until every call fails).
+// device), "others=N" (bytes of it that other programs have), "lost_after=N" (launches until every call fails).
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -77,6 +77,7 @@ std::size_t memory() {
     const std::string bytes = option("memory");
     return bytes.empty() ? std::size_t{4} << 30 : std::strtoull(bytes.c_str(), nullptr, 10);
 }
+std::size_t others() { return std::strtoull(("0" + option("others")).c_str(), nullptr, 10); }
 std::size_t taken() {
     std::size_t sum = 0;
     for (const auto& [at, bytes] : blocks()) sum += bytes;
@@ -272,7 +273,7 @@ DRIVER cuMemFree_v2(std::uint64_t at) {
     return success;
 }
 DRIVER cuMemGetInfo_v2(std::size_t* free, std::size_t* all) {
-    return *all = memory(), *free = memory() - taken(), success;
+    return *all = memory(), *free = memory() - taken() - others(), success;
 }
 extern "C" __attribute__((visibility("default"))) void twinwake_forget(std::uint64_t at, std::size_t bytes) {
     check_inside(at, bytes);

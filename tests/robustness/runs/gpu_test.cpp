@@ -192,6 +192,28 @@ TEST_F(Gpu, WithTooLittleMemoryIsSaidBeforeTheRunBegins) {
     EXPECT_NE(full.output.find("[run] device = \"cpu\""), std::string::npos) << full.output;
 }
 
+TEST_F(Gpu, WithTooLittleMemoryIsLeftAloneByAuto) {
+    const ScratchFolder folder("gpu_small");
+    setenv("FAKE_CUDA", "memory=200000", 1);
+    const Ended small = run(folder.path(), "run", {"--device", "auto", "--duration", "0.01 s"});
+    EXPECT_EQ(small.status, 0) << small.output;
+    const std::string said = "GPU: left alone: Emulated device has 0.0002 GB of memory, and ";
+    EXPECT_NE(small.output.find(said), std::string::npos) << small.output;
+    EXPECT_NE(small.output.find("; this processor makes the steps"), std::string::npos) << small.output;
+    EXPECT_FALSE(read_record(folder.path() / "run/sph/record.h5").attributes.contains("device"));
+    setenv("FAKE_CUDA", "memory=200000000", 1);
+    const Ended large = run(folder.path(), "large", {"--device", "auto", "--duration", "0.01 s"});
+    EXPECT_EQ(large.status, 0) << large.output;
+    EXPECT_EQ(large.output.find("left alone"), std::string::npos) << large.output;
+    EXPECT_TRUE(read_record(folder.path() / "large/sph/record.h5").attributes.contains("device"));
+    setenv("FAKE_CUDA", "memory=200000000 others=199900000", 1);  // a run of somebody else
+    const Ended full = run(folder.path(), "full", {"--device", "auto", "--duration", "0.01 s"});
+    EXPECT_EQ(full.status, 0) << full.output;
+    RunRecord record = read_record(folder.path() / "full/sph/record.h5");
+    EXPECT_FALSE(record.attributes.contains("device"));
+    EXPECT_NE(record.attributes["gpu_left_alone"].find("has 0.0001 GB free"), std::string::npos);
+}
+
 TEST_F(Gpu, OfSeveralTheFirstThatCanIsTakenAndNamed) {
     const ScratchFolder folder("gpu_two");
     setenv("FAKE_CUDA", "two_devices", 1);
