@@ -51,8 +51,7 @@ std::vector<std::string> method_choices() {
 }
 
 PaceName pace_of(const Scene& scene, const std::string& method) {
-    const bool of_gpu =
-        method == "sph" && (scene.run.device == "gpu" ? !gpu_name().empty() : gpu_wanted(scene));
+    const bool of_gpu = method == "sph" && (scene.run.device == "gpu" ? !gpu_name().empty() : gpu_wanted(scene));
     if (!of_gpu) return {method};
     return {pace_on_gpu(method), true, cores_of_particles(scene)};
 }

@@ -22,7 +22,8 @@ namespace {
 std::string why_too_small(const Scene& scene) {
     const Prediction p = predict(scene, {});
     const double particles = p.most_particles + p.air_particles,
-                 needed = bytes_on_gpu(particles + p.wall_particles, sizes_of_particles(scene) > 1), there = gpu_memory();
+                 needed = bytes_on_gpu(particles + p.wall_particles, sizes_of_particles(scene) > 1),
+                 there = gpu_memory();
     if (needed <= there) return "";
     return fmt::format("{} has {:.3g} GB of memory, and {:.3g} particles need {:.3g} GB there", gpu_name(), there / 1e9,
                        particles, needed / 1e9);
@@ -95,9 +96,7 @@ std::string why_no_room(const cuda::Device& device, const Simulation& simulation
 }
 }  // namespace
 
-std::string why_no_room_on_gpu(const Simulation& simulation) {
-    return why_no_room(*cuda::Device::open(), simulation);
-}
+std::string why_no_room_on_gpu(const Simulation& simulation) { return why_no_room(*cuda::Device::open(), simulation); }
 
 std::string leave_steps_to_gpu(Simulation& simulation) {
     const std::shared_ptr<cuda::Device> device = cuda::Device::open();

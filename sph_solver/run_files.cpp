@@ -5,8 +5,12 @@
 namespace tw {
 
 RunFiles::RunFiles(const std::filesystem::path& folder, std::string run_hash, const Comm& ranks, bool beside_steps)
-    : record_(folder / "record.h5"), checkpoint_(folder / "checkpoint.h5"), run_hash_(std::move(run_hash)),
-      ranks_(ranks), beside_steps_(beside_steps), pictures_(folder) {}
+    : record_(folder / "record.h5"),
+      checkpoint_(folder / "checkpoint.h5"),
+      run_hash_(std::move(run_hash)),
+      ranks_(ranks),
+      beside_steps_(beside_steps),
+      pictures_(folder) {}
 
 void RunFiles::write(RunOutput output) {
     if (!beside_steps_) return ranks_.on_first([&] { write_here(output); });

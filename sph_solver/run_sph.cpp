@@ -238,9 +238,8 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
                                : 2 * duration;
     const double started = wall_now(), time_at_start = simulation->time();
     double last_report = 0;
-    RunWatch watch({.speed = explained_speed(scene),
-                    .duration = duration - time_at_start,
-                    .steps = options.predicted_steps});
+    RunWatch watch(
+        {.speed = explained_speed(scene), .duration = duration - time_at_start, .steps = options.predicted_steps});
 
     /// The record as it is now, with the processor time and memory of all ranks.
     const auto record_now = [&](const std::string& state, const std::string& reason) {
@@ -331,11 +330,11 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
             if (wall_now() - last_report > 0.5) report();
             if (stop_asked()) {
                 files.finish();
-                return end_as("stopped",
-                              fmt::format("asked to stop at t = {:.6g} s; --resume {}", simulation->time(),
-                                          has_checkpoint
-                                              ? "goes on from the last checkpoint"
-                                              : "begins it again, as it has not reached its first checkpoint"));
+                return end_as(
+                    "stopped",
+                    fmt::format("asked to stop at t = {:.6g} s; --resume {}", simulation->time(),
+                                has_checkpoint ? "goes on from the last checkpoint"
+                                               : "begins it again, as it has not reached its first checkpoint"));
             }
         }
         files.finish();

@@ -17,6 +17,11 @@ Picture::Cloud cloud_of(const Simulation& simulation, std::size_t first, std::si
                         const AllParticles& particles, const char* name) {
     Picture::Cloud cloud{name, simulation.level(first).time(), {}, {}};
     Field velocity{"velocity", 3, {}}, pressure{"pressure", 1, {}}, kind{"kind", 1, {}}, size{"spacing", 1, {}};
+    std::size_t all = 0;
+    for (std::size_t k = first; k < last; ++k) all += particles.of(k).size();
+    cloud.places.reserve(all);
+    for (Field* field : {&velocity, &pressure, &kind, &size})
+        field->values.reserve(all * static_cast<std::size_t>(field->components));
     for (std::size_t k = first; k < last; ++k) {
         const LevelSetup& setup = simulation.level(k).setup();
         const Particles& p = particles.of(k);

@@ -133,7 +133,8 @@ void restore(Simulation& simulation, Checkpoint checkpoint) {
         }
     for (std::size_t k = 0; k < levels; ++k)
         simulation.level(k).restore(checkpoint.levels[k].state, std::move(checkpoint.levels[k].particles));
-    if (ControlVolume* control = simulation.control_volume()) control->set_state(checkpoint.control.value_or(ControlVolume::State{}));
+    if (ControlVolume* control = simulation.control_volume())
+        control->set_state(checkpoint.control.value_or(ControlVolume::State{}));
     simulation.follow_bodies();
 }
 
