@@ -12,7 +12,7 @@ inline constexpr const char* geometric_solver = "interIsoFoam";
 
 /// Which OpenFOAM a case is written for. Two vendors share most keywords; every difference between them is one function
 /// here, and nowhere else. openfoam.com v1912 is what the settings were measured with; the rest follows the vendors'
-/// documentation, tutorials and sources (openfoam.com to v2412, openfoam.org 7 to 13); of it openfoam.org 12 was run.
+/// documentation, tutorials and sources (openfoam.com to v2412, openfoam.org 7 to 13); of it openfoam.org 12 and 13 were run.
 struct Flavour {
     enum class Vendor {
         com,
