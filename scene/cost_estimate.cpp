@@ -25,6 +25,7 @@ namespace {
 // Throughput, measured on AVX-512 server cores of about 3 GHz; one place for all of them.
 constexpr double particle_steps_per_core_second = 1.1e6;            // delta-SPH with renormalised diffusion, h/dp = 1.5
 constexpr double bytes_per_particle = 240, of_several_sizes = 420;  // the prism at beam/20
+constexpr double bytes_of_copies = 50;      // written beside the steps (sph_solver/run_files.h); 47 were measured
 constexpr double bytes_of_start = 85;       // of each particle, on each of several ranks; the same prism
 constexpr double bytes_per_open_voxel = 8;  // while a frame is filled; afterwards it keeps one byte
 constexpr double wall_layers = 4;
@@ -165,9 +166,9 @@ MethodCost predict_particles(const Scene& scene, const Prediction& p, double pac
     if (scene.effect_on("air"))
         cost.steps *=
             std::max(1.0, (scene.sph.air_c0 + speed_of_water(scene)) / (scene.sph.c0 + speed_of_water(scene)));
+    const double each = (sizes_of_particles(scene) > 1 ? of_several_sizes : bytes_per_particle) + bytes_of_copies;
     cost.bytes =
-        p.raster_bytes + (p.most_particles + p.air_particles + p.wall_particles * (p.air_particles > 0 ? 2 : 1)) *
-                             (sizes_of_particles(scene) > 1 ? of_several_sizes : bytes_per_particle);
+        p.raster_bytes + (p.most_particles + p.air_particles + p.wall_particles * (p.air_particles > 0 ? 2 : 1)) * each;
     cost.elements = p.particles + p.air_particles;
     cost.with_walls = cost.elements + p.wall_particles;
     cost.most = cost.with_walls + p.most_particles - p.particles;
