@@ -32,14 +32,14 @@ struct WendlandC2 {
 /// A kernel's numbers for one smoothing length. The pair loops count lengths in 2h and carry G V_j with each neighbour:
 /// no scaling in the loop, no division by r (coincident particles are harmless).
 template <class Form>
-struct KernelOf {
+struct SmoothingKernel {
     float support_length = 0;  ///< 2h [m]
     float inv_support = 0;     ///< 1 / 2h [1/m]
     float W_over_G = 0;        ///< [m]
     float G = 0;               ///< [1/m^(dim+1)]
 
-    KernelOf() = default;
-    KernelOf(double h, int dimensions) {
+    SmoothingKernel() = default;
+    SmoothingKernel(double h, int dimensions) {
         support_length = static_cast<float>(2 * h);
         inv_support = static_cast<float>(1 / (2 * h));
         W_over_G = static_cast<float>(Form::W_over_G(h));
@@ -62,6 +62,6 @@ private:
     double scale_ = 0;  ///< of W
 };
 /// The kernel in use.
-using Kernel = KernelOf<WendlandC2>;
+using Kernel = SmoothingKernel<WendlandC2>;
 
 }  // namespace tw

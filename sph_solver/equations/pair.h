@@ -17,7 +17,7 @@ struct Pair {
     Real FV;        ///< grad_i W_ij V_j = FV r_ji [1/m]
 
     V3<Real> V_gradW() const { return FV * r_ji; }                 ///< grad_i W_ij V_j [1/m]
-    Real V_W() const { return FV * Form::shape(t); }               ///< W_ij V_j / W_over_G [1/m], see KernelOf
+    Real V_W() const { return FV * Form::shape(t); }               ///< W_ij V_j / W_over_G [1/m], see SmoothingKernel
     Real relative_W() const { return gradient * Form::shape(t); }  ///< W_ij / (W_over_G G)
 };
 
