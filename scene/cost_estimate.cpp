@@ -166,7 +166,8 @@ MethodCost predict_particles(const Scene& scene, const Prediction& p, double pac
     if (scene.effect_on("air"))
         cost.steps *=
             std::max(1.0, (scene.sph.air_c0 + speed_of_water(scene)) / (scene.sph.c0 + speed_of_water(scene)));
-    const double each = (sizes_of_particles(scene) > 1 ? of_several_sizes : bytes_per_particle) + bytes_of_copies;
+    const double each = (sizes_of_particles(scene) > 1 ? of_several_sizes : bytes_per_particle) +
+                        (scene.run.ranks > 1 ? 0 : bytes_of_copies);  // ranks wait for the one that writes
     cost.bytes =
         p.raster_bytes + (p.most_particles + p.air_particles + p.wall_particles * (p.air_particles > 0 ? 2 : 1)) * each;
     cost.elements = p.particles + p.air_particles;
