@@ -67,20 +67,31 @@ protected:
     }
 
     /// Stops each run of a study as soon as it has saved a state in its folder, so that it cannot end before what is to
-    /// meet it; the processes, by its number. Throws std::runtime_error: one ended.
-    std::vector<pid_t> stopped_when_saved(const std::vector<fs::path>& runs) const {
-        std::vector<pid_t> stopped(runs.size(), 0);
-        std::vector<fs::file_time_type> before;
+    /// meet it; the processes, by its number. Those of `gone` are told to end already, and save once more. Throws
+    /// std::runtime_error: one ended.
+    std::vector<pid_t> stopped_when_saved(const std::vector<fs::path>& runs,
+                                          const std::vector<pid_t>& gone = {}) const {
+        std::vector<pid_t> stopped(runs.size(), 0), seen(runs.size(), 0);
+        std::vector<fs::file_time_type> before(runs.size());
         const auto saved = [&](std::size_t k) {
             std::error_code not_there;
             return fs::last_write_time(folder_ / runs[k] / "checkpoint.h5", not_there);
         };
-        for (std::size_t k = 0; k < runs.size(); ++k) before.push_back(saved(k));
+        const auto stop = [&](std::size_t k) {
+            const pid_t now = member(k);
+            if (now == 0 || std::ranges::find(gone, now) != gone.end()) return;
+            if (now != seen[k]) {
+                seen[k] = now;
+                before[k] = saved(k);
+            } else if (saved(k) != before[k]) {
+                kill(now, SIGSTOP);
+                stopped[k] = now;
+            }
+        };
         const bool all = happens(
             [&] {
                 for (std::size_t k = 0; k < runs.size(); ++k)
-                    if (stopped[k] == 0 && saved(k) != before[k] && (stopped[k] = member(k)) != 0)
-                        kill(stopped[k], SIGSTOP);
+                    if (stopped[k] == 0) stop(k);
                 return std::ranges::find(stopped, 0) == stopped.end();
             },
             60);
@@ -148,7 +159,7 @@ TEST_F(Slurm, JobsThatArePreemptedToldToStopOrKilledEndInTheReportOfALocalLadder
     const Outcome submitted = twinwake(submission);
     ASSERT_EQ(submitted.status, 0) << submitted.err;
     const std::vector<fs::path> runs{"slurm/near_hull_33mm/sph", "slurm/near_hull_30mm/sph"};
-    stopped_when_saved(runs);
+    const std::vector<pid_t> first = stopped_when_saved(runs);
 
     // Somebody who is served first asks for all three nodes.
     const std::string urgent = "sbatch --partition=urgent --nodes=3 --exclusive --output=/dev/null --wrap=true";
@@ -158,7 +169,7 @@ TEST_F(Slurm, JobsThatArePreemptedToldToStopOrKilledEndInTheReportOfALocalLadder
     ASSERT_TRUE(happens([&] { return twice(journal(), "preempted JobId=2_"); }, 60)) << journal();
 
     // The next time one is told to stop as --signal=B:TERM tells it, and the other is killed.
-    const std::vector<pid_t> again = stopped_when_saved(runs);
+    const std::vector<pid_t> again = stopped_when_saved(runs, first);
     const std::string job = status_of("slurm")["runs"][0]["job"];  // "2_0: RUNNING node1"
     EXPECT_EQ(std::system(("scancel --batch --signal=TERM " + job.substr(0, job.find(':'))).c_str()), 0);
     kill(again[0], SIGCONT);
