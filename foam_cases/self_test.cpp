@@ -100,16 +100,11 @@ std::vector<CaseFile> pipe_case(const Flavour& flavour, const fs::path& wall_lib
     const bool lets_go = !wall_library.empty();
 
     // what interFoam reads, and beside it what interIsoFoam does
-    Dictionary alpha{{"nAlphaCorr", 1},
-                     {"nAlphaSubCycles", 1},
-                     {"MULESCorr", false},
-                     {"nLimiterIter", 3},
-                     {"isoFaceTol", 1e-8},
-                     {"surfCellTol", 1e-8},
-                     {"nAlphaBounds", 3},
-                     {"snapTol", 1e-12},
-                     {"clip", true},
-                     {"reconstructionScheme", Word("isoAlpha")}};
+    Dictionary alpha{{"nAlphaCorr", 1},    {"nAlphaSubCycles", 1},
+                     {"MULESCorr", false}, {"nLimiterIter", 3},
+                     {"isoFaceTol", 1e-8}, {"surfCellTol", 1e-8},
+                     {"nAlphaBounds", 3},  {"snapTol", 1e-12},
+                     {"clip", true},       {"reconstructionScheme", Word("isoAlpha")}};
     if (!flavour.compression_in_scheme()) alpha.add("cAlpha", 1);  // openfoam.org 13 refuses it
     alpha.add(solver("smoothSolver", 1e-8));
     Dictionary solvers;

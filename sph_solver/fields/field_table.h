@@ -50,7 +50,7 @@ public:
     virtual std::size_t length() const = 0;
     virtual void set_length(std::size_t n) = 0;  ///< what is new has the element's default
     virtual void set_capacity(std::size_t n) = 0;
-    virtual void let_go() = 0;  ///< of all elements and their memory
+    virtual void let_go() = 0;                                      ///< of all elements and their memory
     virtual void take(const std::vector<std::int32_t>& order) = 0;  ///< element k becomes what element order[k] was
     virtual std::size_t bytes() const = 0;
     virtual std::size_t element_bytes() const = 0;

@@ -82,8 +82,8 @@ TEST_F(Gpu, WritesBesideItsStepsWhatTheHostWritesBetweenThem) {
     write_text_atomically(folder.path() / "scene.toml", text);
     setenv("TWINWAKE_ISA", "device_emulated", 1);
     for (const char* device : {"cpu", "gpu"}) {
-        const Ended ended = run(folder.path(), device, {"--device", device, "--duration", "0.05 s"},
-                                folder.path() / "scene.toml");
+        const Ended ended =
+            run(folder.path(), device, {"--device", device, "--duration", "0.05 s"}, folder.path() / "scene.toml");
         EXPECT_EQ(ended.status, 0) << ended.output;
     }
     const auto host = pictures_in(folder.path() / "cpu/sph/snapshots"),

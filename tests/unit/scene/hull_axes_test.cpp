@@ -94,9 +94,10 @@ TEST(HullAxes, OtherAxesAreNoticedAndTheAdviceMendsThem) {
 }
 
 TEST(HullAxes, TurnShapesAsTheyTurnFiles) {
-    const std::string wedge = "[tank]\nsize = [4, 1, 1]\n[resolution]\nnear_hull = 0.05\n[[water_block]]\n"
-                              "min = [0, 0, 0]\nmax = [1, 1, 0.5]\n[[obstacle]]\nshape = \"wedge\"\nwidth = 0.4\n"
-                              "span = 0.5\ndeadrise = \"45 deg\"\nposition = [2, 0.5, 0.4]\n";
+    const std::string wedge =
+        "[tank]\nsize = [4, 1, 1]\n[resolution]\nnear_hull = 0.05\n[[water_block]]\n"
+        "min = [0, 0, 0]\nmax = [1, 1, 0.5]\n[[obstacle]]\nshape = \"wedge\"\nwidth = 0.4\n"
+        "span = 0.5\ndeadrise = \"45 deg\"\nposition = [2, 0.5, 0.4]\n";
     const auto height = [](const Scene& s) {  // of the wedge's centre over its middle: its keel is the thin end
         const Surface& solid = s.obstacles.at(0).surface;
         return mass_properties(solid).centroid.z() - 0.5 * (solid.bounds().min.z() + solid.bounds().max.z());

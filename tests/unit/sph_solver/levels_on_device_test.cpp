@@ -28,7 +28,8 @@ SimulationSetup stream() {
             return ::testing::AssertionFailure() << "level " << k << ": " << same.message();
         const LevelLedger of_a = level_ledgers(a)[k], of_b = level_ledgers(b)[k];
         if (of_a.active != of_b.active || of_a.guards != of_b.guards || of_a.band != of_b.band ||
-            of_a.carried != of_b.carried || of_a.active + of_a.guards + of_a.band + of_a.carried != static_cast<std::int64_t>(q.size()))
+            of_a.carried != of_b.carried ||
+            of_a.active + of_a.guards + of_a.band + of_a.carried != static_cast<std::int64_t>(q.size()))
             return ::testing::AssertionFailure() << "level " << k << " counts others";
         if (p.children != q.children || p.compression != q.compression || p.aired != q.aired)
             return ::testing::AssertionFailure() << "level " << k << " knows other children, compressions or air";
