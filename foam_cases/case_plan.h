@@ -80,6 +80,8 @@ struct CasePlan {
     int outer_correctors = 1;        ///< in which mesh, flow and bodies are solved once more in each step
     bool mesh_moves() const { return !bodies.empty(); }
     bool several_bodies() const { return bodies.size() > 1; }
+    /// Whether the record's table of forces counts the load on a solid: on the hull alone, or on all where there is none.
+    bool counts_load_on(const Solid& solid) const { return solid.is_hull || !scene->hull; }
     /// The only one, or the first of several.
     const MovingBody& moving() const { return bodies.at(0).body; }
     /// interFoam, or what stands for it in the flavour; interIsoFoam where the surface is captured geometrically.

@@ -284,8 +284,7 @@ private:
         for (const TimeFolders::Moment& m : moments) {
             if (m.time <= read_to) continue;
             samples.push_back(m.time);
-            if (plan_.scene->hull && read_hull_patch(case_ / "postProcessing/hullSurface" / m.name))
-                forces.push_back(m.time);
+            if (read_load(plan_, read_walls(plan_, case_, m.name))) forces.push_back(m.time);
         }
         const auto gap = first_gap(plan_, log, left, moments.back().time);
         if (!gap) return;

@@ -46,7 +46,8 @@ struct BodyShape {
 /// What one run leaves: the same layout for SPH, FVM and any other source. One HDF5 file, written atomically.
 ///
 /// Tables every source fills as far as it can (whole hull: symmetry already applied, see attribute symmetry_factor):
-///   forces:  fx, fy, fz [N]       force of the water on the hull (the compared one)
+///   forces:  fx, fy, fz [N]       force of the water on the hull (the compared one); in a tank without a hull on all
+///                                 solids in it together, those that move among them
 ///            fx_pressure.. fz_pressure, fx_viscous.. fz_viscous [N]
 ///            my [N m]             moment about the pose's reference point (attribute moment_reference "x y z"), bow up
 ///            positive SPH: fx_surface, fz_surface (surface-pressure integral), fx_volume, fz_volume (control volume)

@@ -12,15 +12,6 @@ MeanValue mean_of(const RunRecord& record, const std::string& table, const std::
 /// wet; 0 in a tank.
 double flow_through_time(const RunRecord& record);
 
-/// How people call the forces: on a hull in a stream lift and drag; in a tank, where nothing flows past, by their
-/// directions.
-struct ForceNames {
-    std::string up, along, friction, moment;
-};
-ForceNames force_names(bool stream);
-/// "drag" of "Drag", for the middle of a sentence.
-std::string lower_case_first(std::string text);
-
 /// Drag, lift and trim moment of the water on the hull (judged) and what stands beside them (not judged): pressure and
 /// friction parts, the air's part and the total of a method that solves air, ventilation index and friction corrected
 /// for it, SPH's three force measures and their spread. Where only one side has friction, pressure parts are compared

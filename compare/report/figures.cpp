@@ -8,13 +8,13 @@
 #include <tuple>
 
 #include "compare/align/time_bins.h"
-#include "compare/metrics/forces.h"
 #include "compare/metrics/splash.h"
 #include "compare/read/record_numbers.h"
 #include "compare/report/base64.h"
 #include "compare/report/drawn_bodies.h"
 #include "compare/report/resolution_picture.h"
 #include "methods/methods.h"
+#include "record/force_names.h"
 #include "record/hull_motion.h"
 
 namespace tw {

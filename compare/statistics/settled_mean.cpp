@@ -134,7 +134,10 @@ MeanValue settled_mean(std::span<const double> time, std::span<const double> val
         return too_short(m, rules.fewest_flow_throughs * rules.flow_through - window,
                          fmt::format("{:.2g} flow-through times after the transient, {:g} needed",
                                      window / rules.flow_through, rules.fewest_flow_throughs));
-    const double allowed = allowed_error(rules, mean);
+    const double allowed = allowed_error(rules, mean), t95 = correlated_t_95(m.n_effective, 1);
+    if (u > allowed && t95 * u >= std::abs(mean))  // a longer record would have to be as long as one likes
+        return unknown(
+            fmt::format("its mean, {} ± {}, is not told from zero", plain_number(mean, 2), plain_number(t95 * u, 2)));
     if (u > allowed)
         return too_short(
             m, allowed > 0 ? window * ((u / allowed) * (u / allowed) - 1) : window,
@@ -143,7 +146,6 @@ MeanValue settled_mean(std::span<const double> time, std::span<const double> val
 
     const auto batch = static_cast<std::size_t>(std::min(n / 5, std::max(std::sqrt(n), 10 * tau)));
     const double second = batch_means_error(settled, batch);
-    const double t95 = correlated_t_95(m.n_effective, 1);
     m.known = true;
     m.value = mean;
     m.half_width = t95 * u;

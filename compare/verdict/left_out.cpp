@@ -8,10 +8,10 @@
 #include <optional>
 #include <string_view>
 
-#include "compare/metrics/forces.h"
 #include "compare/metrics/splash.h"
 #include "compare/read/record_numbers.h"
 #include "compare/verdict/sentence.h"
+#include "record/force_names.h"
 
 namespace tw {
 

@@ -10,11 +10,11 @@ Dictionary every_write(int nth = 1) {
     return {{"log", false}, {"writeControl", Word("writeTime")}, {"writeInterval", nth}};
 }
 
-/// Pressure and viscous force of water and air together on the hull or the body that moves, every step.
-Dictionary forces(const CasePlan& plan, const std::string& patch) {
+/// Pressure and viscous force of water and air together on a body that moves, or on several solids, every step.
+Dictionary forces(const CasePlan& plan, const List& patches) {
     Dictionary d{{"type", Word("forces")},
                  {"libs", plan.flavour.library("forces")},
-                 {"patches", List{Word(patch)}},
+                 {"patches", patches},
                  {"rho", Word("rho")},  // the solver's own density field
                  {"CofR", moment_reference(*plan.scene)}};
     return d.add(every_step());
@@ -77,18 +77,23 @@ Dictionary faces_of(const std::string& patch) {
     return {{"type", Word("patch")}, {"patches", List{Word(patch)}}, {"interpolate", false}, {"triangulate", false}};
 }
 
-Dictionary hull_surface(const CasePlan& plan) {
+/// What a load on the faces is made of.
+List load_fields(const CasePlan& plan) {
     List fields{Word("p"), Word("alpha.water")};
     if (plan.viscous) fields.push_back(Word("wallShearStress"));
-    return surface_output(plan, fields, {Value::named(Word("hull"), faces_of("hull"))}, every_write());
+    return fields;
 }
 
-/// Of obstacles and bodies, for the suction on them (read/frame_reader.h).
+Dictionary hull_surface(const CasePlan& plan) {
+    return surface_output(plan, load_fields(plan), {Value::named(Word("hull"), faces_of("hull"))}, every_write());
+}
+
+/// Of obstacles and bodies, for the water's load and the suction on them (read/frame_reader.h).
 Dictionary body_surfaces(const CasePlan& plan) {
     List surfaces;
     for (const Solid& s : plan.solids)
         if (!s.is_hull) surfaces.push_back(Value::named(Word(s.name), faces_of(s.name)));
-    return surface_output(plan, {Word("p"), Word("alpha.water")}, surfaces, every_write());
+    return surface_output(plan, load_fields(plan), surfaces, every_write());
 }
 
 /// The rigid counterpart of an elastic plate, for the strains (one_way.h).
@@ -138,10 +143,13 @@ bool steps_meet_writing(const CasePlan& plan) {
 
 Dictionary functions(const CasePlan& plan) {
     Dictionary f;
-    if (plan.scene->hull) f.add("forces", forces(plan, "hull"));
+    List loaded;
+    for (const Solid& s : plan.solids)
+        if (plan.counts_load_on(s)) loaded.push_back(Word(s.name));
+    if (!plan.solids.empty()) f.add("forces", forces(plan, loaded));
     if (plan.mesh_moves()) {
         for (const BodyInMesh& b : plan.bodies)
-            if (!plan.scene->hull_is_free()) f.add(b.forces(), forces(plan, b.patch));
+            if (!plan.scene->hull_is_free()) f.add(b.forces(), forces(plan, {Word(b.patch)}));
         // the log says where several bodies are
         if (!plan.several_bodies() && !plan.moving().motion.law) f.add("bodyState", body_state(plan));
         if (plan.plate_interval > 0) f.add("plateSurface", plate_surface(plan));
@@ -149,7 +157,8 @@ Dictionary functions(const CasePlan& plan) {
         f.add("cellVolumes", cells_now(plan, "writeCellVolumes"));
     }
     f.add("fastest", fastest(plan));
-    if (plan.scene->hull && plan.viscous) f.add("wallShear", wall_shear(plan));  // before hullSurface, which writes it
+    if (!plan.solids.empty() && plan.viscous)
+        f.add("wallShear", wall_shear(plan));  // before the surfaces, which write it
     if (plan.scene->hull) f.add("hullSurface", hull_surface(plan));
     if (plan.solids.size() > (plan.scene->hull ? 1 : 0)) f.add("bodySurfaces", body_surfaces(plan));
     if (plan.snapshot_every > 0) f.add("freeSurface", free_surface(plan));

@@ -8,7 +8,6 @@
 #include "base/numbers.h"
 #include "foam_cases/read/body_rows.h"
 #include "foam_cases/read/field_file.h"
-#include "foam_cases/read/hull_patch.h"
 #include "meshes/section.h"
 #include "record/certificate.h"
 #include "record/raster.h"
@@ -53,6 +52,29 @@ void keep_picture(const HullPatch& patch, bool half, RunRecord& record) {
 
 }  // namespace
 
+Walls read_walls(const CasePlan& plan, const fs::path& case_folder, const std::string& time_name) {
+    Walls walls;
+    for (const Solid& s : plan.solids)
+        walls.push_back(read_hull_patch(
+            case_folder / "postProcessing" / (s.is_hull ? "hullSurface" : "bodySurfaces") / time_name, s.name));
+    return walls;
+}
+
+std::optional<WaterLoad> read_load(const CasePlan& plan, const Walls& walls) {
+    std::optional<WaterLoad> sum;
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+        if (!plan.counts_load_on(plan.solids[i])) continue;
+        if (!walls[i]) return std::nullopt;
+        const Water& water = plan.scene->water;
+        const WaterLoad load = water_load(*walls[i], water.density, water.air_density, moment_reference(*plan.scene));
+        if (sum)
+            *sum += load;
+        else
+            sum = load;
+    }
+    return sum;
+}
+
 FrameReader::FrameReader(const CasePlan& plan, const fs::path& case_folder)
     : plan_(plan), case_(case_folder), folders_(case_folder) {
     for (const fs::path& root : folders_.roots()) parts_.push_back(read_part(root / "0"));
@@ -77,8 +99,12 @@ std::size_t FrameReader::cells() const {
 
 void FrameReader::read(const TimeFolders::Moment& moment, const SolverLog& log, RunRecord& record) {
     read_water(moment, log, record);
-    if (plan_.scene->hull) read_hull(moment, record);
-    read_walls(moment, record);
+    const Walls walls = read_walls(plan_, case_, moment.name);
+    if (const auto load = read_load(plan_, walls)) {
+        keep_load(moment.time, *load, record);
+        if (plan_.scene->hull) keep_hull(moment.time, walls.front().value(), *load, record);
+    }
+    keep_suction(walls, record);
 }
 
 void FrameReader::read_water(const TimeFolders::Moment& moment, const SolverLog& log, RunRecord& record) const {
@@ -131,37 +157,14 @@ void FrameReader::read_water(const TimeFolders::Moment& moment, const SolverLog&
     if (!plan_.mesh_moves() && !scene.tank_motion) watch_energy(record);
 }
 
-void FrameReader::read_hull(const TimeFolders::Moment& moment, RunRecord& record) const {
+void FrameReader::keep_load(double time, const WaterLoad& load, RunRecord& record) const {
     const Scene& scene = *plan_.scene;
-    const auto patch = read_hull_patch(case_ / "postProcessing" / "hullSurface" / moment.name);
-    Table& samples = record.table("samples");
-    const auto sample = [&](const char* name, const std::string& unit, double value) {
-        samples.set(samples.time.size() - 1, name, unit, value);
-    };
-    if (!patch) return;  // the solver was stopped before it wrote the surface
-    const bool half = scene.symmetry_factor() > 1;
-    if (record.numbers.count("hull_mesh_error") == 0) {  // once: corners near and below still water
-        const Vec3 low = scene.hull->surface.bounds().min;
-        const double edge = plan_.finest_cell;
-        const Surface all = plan_.scene->hull_is_free() ? free_hull_at(plan_, case_ / "postProcessing", moment.time)
-                                                        : scene.hull->surface;
-        const Surface hull = scene.hull->section ? with_span(all, scene.span()) : all;
-        const double error =
-            mesh_error(*patch, hull, half ? -1e-6 * edge : low.y(), std::max(0.0, 0.3 * std::abs(low.z())));
-        record.numbers["hull_mesh_error"] = error;
-        if (error > 0.15 * edge)
-            record.attributes["mesh_warning"] = fmt::format(
-                "an edge or corner of the hull's wet part is missed by {:.3g} m, {:.2g} of the finest cell: "
-                "the force may be off by much; use a smaller near_hull",
-                error, error / edge);
-    }
-    const WaterLoad load = water_load(*patch, scene.water.density, scene.water.air_density, moment_reference(scene));
     const double factor = scene.symmetry_factor() / scene.span();
     // The two halves' side forces cancel.
-    const Vec3 whole(factor, half ? 0 : factor, factor);
+    const Vec3 whole(factor, scene.symmetry_factor() > 1 ? 0 : factor, factor);
     const std::string N = scene.spanwise_unit("N");
     const Vec3 pressing = load.pressure.cwiseProduct(whole), rubbing = load.viscous.cwiseProduct(whole);
-    append(record.table("forces"), moment.time,
+    append(record.table("forces"), time,
            {{"fx", N, pressing.x() + rubbing.x()},
             {"fy", N, pressing.y() + rubbing.y()},
             {"fz", N, pressing.z() + rubbing.z()},
@@ -175,23 +178,48 @@ void FrameReader::read_hull(const TimeFolders::Moment& moment, RunRecord& record
             {"fx_air", N, factor * load.air.x()},
             {"fz_air", N, factor * load.air.z()},
             {"my", scene.spanwise_unit("N m"), factor * load.moment.y()}});
+}
+
+void FrameReader::keep_hull(double time, const HullPatch& patch, const WaterLoad& load, RunRecord& record) const {
+    const Scene& scene = *plan_.scene;
+    Table& samples = record.table("samples");
+    const auto sample = [&](const char* name, const std::string& unit, double value) {
+        samples.set(samples.time.size() - 1, name, unit, value);
+    };
+    const bool half = scene.symmetry_factor() > 1;
+    if (record.numbers.count("hull_mesh_error") == 0) {  // once: corners near and below still water
+        const Vec3 low = scene.hull->surface.bounds().min;
+        const double edge = plan_.finest_cell;
+        const Surface all =
+            plan_.scene->hull_is_free() ? free_hull_at(plan_, case_ / "postProcessing", time) : scene.hull->surface;
+        const Surface hull = scene.hull->section ? with_span(all, scene.span()) : all;
+        const double error =
+            mesh_error(patch, hull, half ? -1e-6 * edge : low.y(), std::max(0.0, 0.3 * std::abs(low.z())));
+        record.numbers["hull_mesh_error"] = error;
+        if (error > 0.15 * edge)
+            record.attributes["mesh_warning"] = fmt::format(
+                "an edge or corner of the hull's wet part is missed by {:.3g} m, {:.2g} of the finest cell: "
+                "the force may be off by much; use a smaller near_hull",
+                error, error / edge);
+    }
+    const double factor = scene.symmetry_factor() / scene.span();
     sample("wetted_area", scene.spanwise_unit("m2"), factor * load.wetted_area);
     sample("wetted_length", "m", load.wetted_length);
     if (scene.effect_on("friction"))
-        sample("friction_line", N, friction_by_line(scene, factor * load.wetted_area, load.wetted_length));
+        sample("friction_line", scene.spanwise_unit("N"),
+               friction_by_line(scene, factor * load.wetted_area, load.wetted_length));
     sample("ventilation", "-", load.ventilation);
-    keep_picture(*patch, half, record);
+    keep_picture(patch, half, record);
     if (scene.hull->section) record.hull = with_span(record.hull, 1);
 }
 
-void FrameReader::read_walls(const TimeFolders::Moment& moment, RunRecord& record) const {
+void FrameReader::keep_suction(const Walls& walls, RunRecord& record) const {
     const Scene& scene = *plan_.scene;
     const double factor = scene.symmetry_factor() / scene.span();
     Table& samples = record.table("samples");
-    for (const Solid& s : plan_.solids) {
-        const auto patch = read_hull_patch(
-            case_ / "postProcessing" / (s.is_hull ? "hullSurface" : "bodySurfaces") / moment.name, s.name);
-        const std::optional<WetWall> wall = patch ? std::optional(wet_wall(*patch)) : std::nullopt;
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+        const Solid& s = plan_.solids[i];
+        const std::optional<WetWall> wall = walls[i] ? std::optional(wet_wall(*walls[i])) : std::nullopt;
         const auto sample = [&](const std::string& name, const std::string& unit, double value) {
             samples.set(samples.time.size() - 1, name + s.name, unit, value);
         };

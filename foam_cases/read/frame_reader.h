@@ -2,14 +2,21 @@
 #include <vector>
 
 #include "foam_cases/case_plan.h"
+#include "foam_cases/read/hull_patch.h"
 #include "foam_cases/run/solver_log.h"
 #include "foam_cases/run/time_folders.h"
 #include "record/run_record.h"
 
 namespace tw {
 
+/// The faces of each of the plan's solids, as the solver wrote them at a write time; nothing where it was stopped before.
+using Walls = std::vector<std::optional<HullPatch>>;
+Walls read_walls(const CasePlan& plan, const std::filesystem::path& case_folder, const std::string& time_name);
+/// The water's load on those that the table of forces counts; nothing where one of them is missing, or there is none.
+std::optional<WaterLoad> read_load(const CasePlan& plan, const Walls& walls);
+
 /// Turns what the solver leaves at its write times into rows of the run record: water poured into the raster, mass,
-/// energies, the water's load on the hull. Half-model results are doubled here, once.
+/// energies, the water's load on the hull or the solids of a tank. Half-model results are doubled here, once.
 class FrameReader {
 public:
     /// Reads cell centres and volumes from the 0 folders; throws RunError when they are not there.
@@ -26,8 +33,9 @@ private:
         std::vector<double> volumes;
     };
     void read_water(const TimeFolders::Moment& moment, const SolverLog& log, RunRecord& record) const;
-    void read_hull(const TimeFolders::Moment& moment, RunRecord& record) const;
-    void read_walls(const TimeFolders::Moment& moment, RunRecord& record) const;  ///< of every solid
+    void keep_load(double time, const WaterLoad& load, RunRecord& record) const;
+    void keep_hull(double time, const HullPatch& patch, const WaterLoad& load, RunRecord& record) const;
+    void keep_suction(const Walls& walls, RunRecord& record) const;  ///< of every solid
 
     const CasePlan& plan_;
     std::filesystem::path case_;

@@ -84,12 +84,13 @@ std::optional<Gap> first_gap(const CasePlan& plan, const SolverLog& log, const R
     const auto look = [&](bool wanted, const char* table, const std::vector<Due>& due, const char* kind) {
         if (wanted) keep_earlier(gap_in(record, table, due, kind));
     };
-    look(scene.hull.has_value(), "forces_total", steps, "time steps");
+    const bool loaded = !plan.solids.empty();
+    look(loaded, "forces_total", steps, "time steps");
     for (const BodyInMesh& b : plan.bodies) look(true, plan.motion_table(b).c_str(), steps, "time steps");
     look(!scene.sampling.pressure.empty(), "pressure", steps, "time steps");
     look(!scene.sampling.height.empty(), "height", steps, "time steps");
     for (const char* table : {"samples", "forces"}) {
-        if (table == std::string("forces") && !scene.hull) continue;
+        if (table == std::string("forces") && !loaded) continue;
         if (plan.writes_at_steps)
             keep_earlier(apart_in(record, table, interval, longest, until));
         else

@@ -92,6 +92,15 @@ double mesh_error(const HullPatch& patch, const Surface& hull, double y_min, dou
     return error;
 }
 
+WaterLoad& WaterLoad::operator+=(const WaterLoad& other) {
+    pressure += other.pressure;
+    viscous += other.viscous;
+    viscous_mixture += other.viscous_mixture;
+    air += other.air;
+    moment += other.moment;
+    return *this;
+}
+
 WaterLoad water_load(const HullPatch& patch, double density, double density_air, const Vec3& reference) {
     WaterLoad load;
     double half_beam = 0, looking_down = 0, water_below = 0;

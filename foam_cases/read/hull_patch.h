@@ -46,6 +46,9 @@ struct WaterLoad {
     double wetted_area = 0;               ///< of faces with water fraction > 0.5 [m2]
     double wetted_length = 0;             ///< longest line of those along x, see record/wetted_line.h [m]
     double ventilation = 0;               ///< 1 - mean water fraction over wet faces that look down [-]
+
+    /// Adds the forces and the moment of another solid; what describes one hull stays the first one's.
+    WaterLoad& operator+=(const WaterLoad& other);
 };
 /// `density` of water [kg/m3]; `density_air` weighs the mixture's friction.
 WaterLoad water_load(const HullPatch& patch, double density, double density_air, const Vec3& reference);

@@ -94,7 +94,7 @@ void read_heights(const CasePlan& plan, const fs::path& post, RunRecord& record)
 }  // namespace
 
 void read_step_tables(const CasePlan& plan, const fs::path& case_folder, const SolverLog& log, RunRecord& record) {
-    if (plan.scene->hull) read_forces(plan, case_folder, record);
+    if (!plan.solids.empty()) read_forces(plan, case_folder, record);
     const fs::path post = case_folder / "postProcessing";
     if (plan.scene->hull_is_free()) read_free_hull(plan, post, record);
     for (const BodyInMesh& b : plan.bodies)

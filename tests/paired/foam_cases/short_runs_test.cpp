@@ -76,6 +76,45 @@ TEST_F(ShortRun, InATankTheCourantNumberSetsTheStepsAndSamplingDoesNot) {
     EXPECT_GE(double(often.frames.size()), std::min(60.0, 0.75 * often.steps));
 }
 
+TEST_F(ShortRun, WhatStandsInATankIsPressedUpByTheWaterThatItTakesThePlaceOf) {
+    const RunRecord r = run_fvm(scene(R"(
+[tank]
+size = ["1.2 m", "20 mm", "0.5 m"]
+[domain]
+dimensions = 2
+[[water_block]]
+min = [0, 0, 0]
+max = ["1.2 m", "20 mm", "0.3 m"]
+[[obstacle]]
+name = "drowned"
+min = ["0.2 m", 0, "0.1 m"]
+max = ["0.4 m", "20 mm", "0.2 m"]
+[[obstacle]]
+name = "pier"
+min = ["0.7 m", 0, "0.24 m"]
+max = ["0.9 m", "20 mm", "0.36 m"]
+[motion]
+kind = "none"
+[resolution]
+near_hull = "20 mm"
+[sampling]
+interval = "20 ms"
+[run]
+duration = "0.1 s"
+)"),
+                                options());
+    ASSERT_EQ(r.state, "finished") << r.reason;
+    const double lifted = 1000 * 9.81 * (0.2 * 0.1 + 0.2 * 0.06);  // by Archimedes [N/m]
+    const Table &forces = r.tables.at("forces"), &total = r.tables.at("forces_total");
+    EXPECT_EQ(forces.find("fz")->unit, "N/m");
+    EXPECT_EQ(forces.time, r.tables.at("samples").time);
+    EXPECT_EQ(double(total.time.size()), r.steps);
+    for (const Table* t : {&forces, &total}) {
+        EXPECT_NEAR(t->find("fz")->values.back(), lifted, 0.01 * lifted);
+        EXPECT_NEAR(t->find("fx")->values.back(), 0, 0.01 * lifted);
+    }
+}
+
 TEST_F(ShortRun, AFolderThatHoldsARunIsNotOverwrittenUnasked) {
     const Scene s = scene(dam_break("0.02 s"));
     run_fvm(s, options());

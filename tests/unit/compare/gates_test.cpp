@@ -39,6 +39,31 @@ TEST(Gates, LostParticlesFailTheirGate) {
     EXPECT_TRUE(failed);
 }
 
+TEST(Gates, WaterMayLeaveATankByItsOpenTopAndBeforeThatItMustNotVanish) {
+    RunRecord tank;
+    tank.numbers["domain_z_max"] = 0.2;
+    tank.raster.voxel = 0.1;
+    tank.raster.count = {2, 1, 2};
+    Table& samples = tank.table("samples");
+    samples.time = {0.1, 0.2, 0.3};
+    samples.column("mass", "kg").values = {10, 10, 6};
+    tank.frames = {{0.1, {255, 255, 0, 0}}, {0.2, {255, 200, 0, 0}}, {0.3, {200, 100, 0, 7}}};
+    const auto drift = [&] {
+        for (const Gate& g : check_gates(tank, "SPH"))
+            if (g.name == "mass drift") return g;
+        return Gate{};
+    };
+    EXPECT_TRUE(drift().pass);
+    EXPECT_EQ(drift().remark, "the water of a tank is conserved until it is at the tank's open top, 0.3 s");
+    samples.column("mass", "kg").values = {10, 7, 6};
+    EXPECT_FALSE(drift().pass);
+    EXPECT_NEAR(drift().value, 30, 1e-9);
+    samples.column("mass", "kg").values = {10, 10, 6};
+    tank.frames.back().water = {200, 100, 0, 0};
+    EXPECT_FALSE(drift().pass) << "it is nowhere near the top";
+    EXPECT_NEAR(drift().value, 40, 1e-9);
+}
+
 TEST(Gates, DragThatTheResolutionMakesIsToldOfASubmergedBody) {
     RunRecord torpedo = synthetic_run(fvm);  // a sphere of 0.5 m, 12.5 spacings, a metre down, 8 m/s
     torpedo.hull = make_hull("sphere", {{"diameter", 0.5}});

@@ -195,6 +195,17 @@ TEST(SettledMean, ShortRecordsAreRefusedWithTheTimeThatIsMissing) {
     EXPECT_GE(before.seconds_needed, 4);
 }
 
+// The sideways force on what is symmetric: no record is long enough for 2 % of nothing, and none is asked for.
+TEST(SettledMean, AMeanThatIsNotToldFromZeroAsksForNoMoreTime) {
+    std::mt19937 random(14);
+    std::vector<double> noise = ar1(2000, 0, 0, random);
+    for (double& v : noise) v *= 30;
+    const MeanValue none = settled_mean(steps(2000, 1e-3), noise, {});
+    EXPECT_FALSE(none.known);
+    EXPECT_EQ(none.seconds_needed, 0);
+    EXPECT_NE(none.why_not.find("± 1.3, is not told from zero"), std::string::npos) << none.why_not;
+}
+
 // interFoam's lift on a planing hull creeps up by 1.5 to 2 % while it settles: the mean is known to about that, not
 // unknown.
 TEST(SettledMean, ASlowCreepIsContainedInTheInterval) {
