@@ -16,6 +16,7 @@
 #include "compare/metrics/gauges.h"
 #include "compare/metrics/hull_motion.h"
 #include "compare/metrics/splash_quantities.h"
+#include "compare/metrics/tank_loads.h"
 #include "compare/metrics/walls.h"
 #include "compare/read/prepare.h"
 #include "compare/read/record_numbers.h"
@@ -220,6 +221,7 @@ Comparison compare_records(std::vector<RunRecord> sources, const CompareOptions&
     add_elevation(comparison, options);
     add_probes(comparison, options);
     add_bodies(comparison);
+    add_tank_loads(comparison);
     add_entries(comparison);
     add_gauges(comparison);
     add_walls(comparison);

@@ -151,10 +151,7 @@ void add_forces(Comparison& comparison, const CompareOptions& options) {
     const auto& sources = comparison.sources;
     if (std::ranges::none_of(sources, [](const RunRecord& r) { return r.tables.contains("forces"); })) return;
     // The load on a body that moves does not settle; metrics/bodies.h has its measures.
-    const auto has_bodies = [](const RunRecord& r) {
-        return std::ranges::any_of(r.tables, [](const auto& t) { return t.first.starts_with(body_table("")); });
-    };
-    if (std::ranges::any_of(sources, has_bodies)) return;
+    if (std::ranges::any_of(sources, has_moving_bodies)) return;
     const auto has_drag = [](const RunRecord& r) { return r.series("forces", "fx") != nullptr; };
     const auto with_drag = std::ranges::count_if(sources, has_drag);
     const auto with_friction =
@@ -209,7 +206,10 @@ void add_forces(Comparison& comparison, const CompareOptions& options) {
             continue;
         std::string shared_name;
         const double shared = draft_term(comparison, f.name, shared_name);
-        judge(q, comparison.names, comparison.agree_within, shared, shared_name);
+        if (stream || any_known(q))
+            judge(q, comparison.names, comparison.agree_within, shared, shared_name);
+        else
+            beside(q);  // an event: metrics/tank_loads.h
         if (shared > 0) q.remark += (q.remark.empty() ? "" : "; ") + ("interval includes " + shared_name);
         comparison.quantities.push_back(std::move(q));
     }

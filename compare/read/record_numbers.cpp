@@ -1,7 +1,9 @@
 #include "compare/read/record_numbers.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <numeric>
 
 namespace tw {
 
@@ -22,6 +24,19 @@ double number_of_text(const RunRecord& record, const std::string& name, double f
 std::string text_of(const RunRecord& record, const std::string& name, const std::string& fallback) {
     const auto found = record.attributes.find(name);
     return found == record.attributes.end() ? fallback : found->second;
+}
+
+bool has_moving_bodies(const RunRecord& record) {
+    return std::ranges::any_of(record.tables, [](const auto& t) { return t.first.starts_with(body_table("")); });
+}
+
+double typical_step(const std::vector<double>& times) {
+    if (times.size() < 2) return 0;
+    std::vector<double> steps(times.size());
+    std::adjacent_difference(times.begin(), times.end(), steps.begin());
+    const auto middle = steps.begin() + 1 + static_cast<std::ptrdiff_t>(steps.size() - 1) / 2;
+    std::nth_element(steps.begin() + 1, middle, steps.end());
+    return *middle;
 }
 
 }  // namespace tw

@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include "record/run_record.h"
 
@@ -10,5 +11,10 @@ double number_of(const RunRecord& record, const std::string& name, double fallba
 /// A number that a record holds as an attribute's text ("2"); `fallback` where it is absent or no number.
 double number_of_text(const RunRecord& record, const std::string& name, double fallback);
 std::string text_of(const RunRecord& record, const std::string& name, const std::string& fallback = {});
+
+bool has_moving_bodies(const RunRecord& record);
+
+/// The time between rows of a table, of its middle pair in length; 0 where there are fewer than two [s].
+double typical_step(const std::vector<double>& times);
 
 }  // namespace tw

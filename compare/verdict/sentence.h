@@ -33,15 +33,22 @@ struct Statement {
 std::string sentence_of(const Statement& statement);
 
 /// Where a quantity stands among those that a first page speaks of, by its name; negative: it is not one of them. Drag,
-/// lift and trim moment of a hull; way, velocity, largest force and strains of a body that moves; the splash sheet.
+/// lift and trim moment of a hull; way, velocity, largest force and strains of a body that moves; impulse and largest
+/// force on what stands in a tank; the splash sheet.
 int main_rank(const std::string& name);
 inline bool is_main_quantity(const std::string& name) { return main_rank(name) >= 0; }
-/// Those of a list, in that order.
+/// Those of a list, in that order, without those that are shown beside and never judged.
 template <class Quantities>
 auto main_quantities(const Quantities& all) {
     std::vector<decltype(all.data())> of_all;
+    const auto only_beside = [](const auto& q) {
+        if constexpr (requires { q.judged_in_ladder; })
+            return !q.judged && !q.judged_in_ladder && q.not_resolved.empty();
+        else
+            return false;
+    };
     for (const auto& q : all)
-        if (is_main_quantity(q.name)) of_all.push_back(&q);
+        if (is_main_quantity(q.name) && !only_beside(q)) of_all.push_back(&q);
     std::ranges::stable_sort(of_all, {}, [](const auto* q) { return main_rank(q->name); });
     return of_all;
 }

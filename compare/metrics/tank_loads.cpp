@@ -1,0 +1,111 @@
+#include "compare/metrics/tank_loads.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <span>
+#include <tuple>
+#include <vector>
+
+#include "base/numbers.h"
+#include "compare/metrics/probe_peaks.h"
+#include "compare/metrics/quantity.h"
+#include "compare/metrics/splash.h"
+#include "compare/read/record_numbers.h"
+#include "compare/verdict/judge.h"
+#include "record/force_names.h"
+
+namespace tw {
+namespace {
+
+/// The force in one record at every step: a method that solves air keeps it with the air's part alone.
+const Table* loads_of(const RunRecord& record) {
+    for (const char* name : {"forces_total", "forces"})
+        if (const auto found = record.tables.find(name);
+            found != record.tables.end() && found->second.find("fx") && found->second.find("fz"))
+            return &found->second;
+    return nullptr;
+}
+
+struct Load {
+    std::span<const double> t, f;  ///< [s], [N]
+};
+
+double impulse_of(const Load& load) {
+    double sum = 0;
+    for (std::size_t i = 1; i < load.t.size(); ++i)
+        if (std::isfinite(load.f[i] + load.f[i - 1]))
+            sum += (load.t[i] - load.t[i - 1]) * (load.f[i] + load.f[i - 1]) / 2;
+    return sum;
+}
+
+double peak_of(const Load& load, double window) {
+    std::vector<double> turned(load.f.begin(), load.f.end());
+    for (double& f : turned) f = -f;
+    const double most = largest_window_mean(load.t, load.f, window),
+                 least = -largest_window_mean(load.t, turned, window);
+    return std::abs(least) > std::abs(most) ? least : most;
+}
+
+}  // namespace
+
+void add_tank_loads(Comparison& comparison) {
+    const std::vector<RunRecord>& sources = comparison.sources;
+    if (std::ranges::any_of(sources, [](const RunRecord& r) { return is_stream(r) || has_moving_bodies(r); })) return;
+    std::vector<const Table*> tables;
+    double end = HUGE_VAL, window = default_filter;
+    for (const RunRecord& r : sources) {
+        tables.push_back(loads_of(r));
+        const Table* t = tables.back();
+        if (!t || t->time.empty()) continue;
+        end = std::min({end, t->time.back(), number_of(r, "duration", HUGE_VAL)});
+        window = std::max(window, typical_step(t->time));
+    }
+    if (!std::isfinite(end)) return;
+    const auto load = [&](const Table& t, const char* column) {
+        const auto rows = static_cast<std::size_t>(std::ranges::upper_bound(t.time, end) - t.time.begin());
+        return Load{{t.time.data(), rows}, {t.find(column)->values.data(), rows}};
+    };
+    const auto largest_impulse = [&](const char* column) {
+        double most = 0;
+        for (const Table* t : tables)
+            if (t) most = std::max(most, std::abs(impulse_of(load(*t, column))));
+        return most;
+    };
+    const double along = largest_impulse("fx"), up = largest_impulse("fz");
+    const ForceNames called = force_names(false);
+    for (const auto& [column, axis, impulse, other, words] :
+         {std::tuple{"fx", 'x', along, up, called.along}, {"fz", 'z', up, along, called.up}}) {
+        if (impulse <= 0.02 * other) continue;
+        const auto add = [&](const char* kind, std::string label, const char* unit, std::string definition,
+                             const std::function<double(const Load&)>& value_of) {
+            Quantity q =
+                new_quantity(fmt::format("load_{}_{}", kind, axis), std::move(label), unit, std::move(definition));
+            for (const Table* t : tables) {
+                MeanValue m;
+                m.value = t ? value_of(load(*t, column)) : nan;
+                m.known = std::isfinite(m.value);
+                if (m.known)
+                    m.half_width = 0, m.from = t->time.front(), m.to = end;
+                else
+                    m.why_not = t ? "its record has no value" : not_given;
+                q.values.push_back(m);
+            }
+            beside(q);
+            q.judged_in_ladder = true;
+            comparison.quantities.push_back(std::move(q));
+        };
+        const bool flat =
+            std::ranges::any_of(sources, [](const RunRecord& r) { return number_of(r, "dimensions", 3) == 2; });
+        const std::string by = fmt::format(" by {:.4g} s", end), force = lower_case_first(words);
+        add("impulse", "Impulse of the " + force + by, flat ? "N s/m" : "N s",
+            "integral of the " + force + " on what stands in the tank", impulse_of);
+        add("peak", fmt::format("Largest {}, mean over {:.3g} ms", force, 1e3 * window), flat ? "N/m" : "N",
+            "its largest mean over that time, of either sign: shorter peaks are sound and sampling",
+            [&](const Load& l) { return peak_of(l, window); });
+    }
+}
+
+}  // namespace tw
