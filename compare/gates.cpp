@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "compare/metrics/numerical_drag.h"
+#include "compare/metrics/raster_columns.h"
 #include "compare/metrics/splash.h"
 #include "compare/read/record_numbers.h"
 #include "compare/reference/prismatic_hull.h"
@@ -121,15 +122,19 @@ std::optional<Pocket> deepest_suction(const RunRecord& record, double speed) {
     return pocket;
 }
 
-/// When water is first seen at the open top of the domain [s], from where it may leave; infinite where it is not.
-double water_leaves_at(const RunRecord& record) {
+/// The last frame before water is seen at the open top of the domain, from where it may leave [s]; infinite where it is
+/// not.
+double no_water_leaves_until(const RunRecord& record) {
     const RasterSpec& r = record.raster;
     if (r.origin.z() + (r.count[2] + 1) * r.voxel < number_of(record, "domain_z_max", HUGE_VAL)) return HUGE_VAL;
     const auto layer = static_cast<std::ptrdiff_t>(r.count[0]) * r.count[1];
-    for (const RasterFrame& frame : record.frames)
+    double before = 0;
+    for (const RasterFrame& frame : record.frames) {
         if (std::any_of(frame.water.end() - std::min(layer, std::ssize(frame.water)), frame.water.end(),
-                        [](auto water) { return water > 0; }))
-            return frame.time;
+                        [](auto water) { return water >= least_share; }))
+            return before;
+        before = frame.time;
+    }
     return HUGE_VAL;
 }
 
@@ -159,11 +164,11 @@ std::vector<Gate> check_gates(const RunRecord& record, const std::string& name) 
         add("largest speed over stream", "-", *fastest / speed, 3,
             "spray and air reach 1.6; a larger value indicates a fault");
     if (const Column* mass = record.series("samples", "mass"); mass && !(speed > 0)) {
-        const double leaves = water_leaves_at(record);
+        const double leaves = no_water_leaves_until(record);
         const std::vector<double>& time = record.tables.at("samples").time;
         std::vector<double> known;
         for (std::size_t i = 0; i < mass->values.size(); ++i)
-            if (time[i] < leaves && std::isfinite(mass->values[i])) known.push_back(mass->values[i]);
+            if (time[i] <= leaves && std::isfinite(mass->values[i])) known.push_back(mass->values[i]);
         if (known.size() > 1 && known.front() > 0)
             add("mass drift", "%", 100 * std::abs(known.back() / known.front() - 1), 1,
                 "the water of a tank is conserved" +

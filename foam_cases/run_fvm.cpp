@@ -99,6 +99,7 @@ private:
             write_text_atomically(case_ / "system/controlDict", control_dict(plan_));  // the duration may have grown
         } else {
             write_case(plan_, case_, 1);
+            if (!plan_.solids.empty()) record_.attributes[loads_of] = plan_.scene->hull ? "the hull" : "all solids";
         }
         record_.attributes["openfoam"] = openfoam_.vendor + " " + openfoam_.version;
         record_.attributes["openfoam_solver"] = openfoam_.command();
@@ -276,6 +277,7 @@ private:
         SolverLog log;
         follow(log_file, 0, log);
         RunRecord left;
+        left.attributes = record_.attributes;
         left.numbers = record_.numbers;
         left.tables = record_.tables;
         read_step_tables(plan_, case_, log, left);
@@ -284,7 +286,7 @@ private:
         for (const TimeFolders::Moment& m : moments) {
             if (m.time <= read_to) continue;
             samples.push_back(m.time);
-            if (read_load(plan_, read_walls(plan_, case_, m.name))) forces.push_back(m.time);
+            if (read_load(plan_, case_, read_walls(plan_, case_, m.name))) forces.push_back(m.time);
         }
         const auto gap = first_gap(plan_, log, left, moments.back().time);
         if (!gap) return;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <set>
 
 #include "compare/align/time_bins.h"
@@ -68,10 +69,15 @@ double highest(const History& h) {
     return most;
 }
 
-/// The time between samples of a record's table; 0 where there are none [s].
+/// The time between samples of a record's table, of its middle pair in length; 0 where there are none [s].
 double time_between_samples(const RunRecord& record, const std::string& table) {
     const auto found = record.tables.find(table);
-    return found == record.tables.end() ? 0 : typical_step(found->second.time);
+    if (found == record.tables.end() || found->second.time.size() < 2) return 0;
+    std::vector<double> steps(found->second.time.size());
+    std::adjacent_difference(found->second.time.begin(), found->second.time.end(), steps.begin());
+    const auto middle = steps.begin() + 1 + static_cast<std::ptrdiff_t>(steps.size() - 1) / 2;
+    std::nth_element(steps.begin() + 1, middle, steps.end());
+    return *middle;
 }
 
 /// Of all records: the probe's filter, or the longest time between samples of any of them. Heights are samples of the

@@ -177,7 +177,7 @@ void add_splash(Comparison& comparison, const CompareOptions& options) {
                 rules.allowed_error = floor;
                 value = settled_mean(comparison.analyses[s].splash.time, column->values, rules);
                 widen_to(value, floor);
-                if (!value.known && value.seconds_needed == 0)
+                if (!value.known && !(largest(comparison.analyses[s].splash, *column, rules.from) > -HUGE_VAL))
                     value.why_not = m.kind == Kind::integral ? "no water behind a hull" : "no airborne water";
             }
             if (column && height)

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <span>
 #include <tuple>
 #include <vector>
 
@@ -20,7 +19,7 @@
 namespace tw {
 namespace {
 
-/// The force in one record at every step: a method that solves air keeps it with the air's part alone.
+/// A record's force at every step: a method that solves air has it in a table of its own, with the air's.
 const Table* loads_of(const RunRecord& record) {
     for (const char* name : {"forces_total", "forces"})
         if (const auto found = record.tables.find(name);
@@ -30,22 +29,34 @@ const Table* loads_of(const RunRecord& record) {
 }
 
 struct Load {
-    std::span<const double> t, f;  ///< [s], [N]
+    std::vector<double> t, f;  ///< [s], [N]
 };
 
+/// The rows from `begin` to `end`, with the force of the air where the table has it beside the water's.
+Load load_in(const Table& table, const std::string& column, double begin, double end) {
+    Load load;
+    const Column *water = table.find(column), *air = table.find(column + "_air");
+    for (std::size_t i = 0; i < table.time.size(); ++i) {
+        if (table.time[i] < begin || table.time[i] > end) continue;
+        load.t.push_back(table.time[i]);
+        load.f.push_back(water->values[i] + (air ? air->values[i] : 0));
+    }
+    return load;
+}
+
+/// NaN where a row has no value: an integral over a gap is none.
 double impulse_of(const Load& load) {
-    double sum = 0;
+    double sum = load.t.size() < 2 ? nan : 0;
     for (std::size_t i = 1; i < load.t.size(); ++i)
-        if (std::isfinite(load.f[i] + load.f[i - 1]))
-            sum += (load.t[i] - load.t[i - 1]) * (load.f[i] + load.f[i - 1]) / 2;
+        sum += (load.t[i] - load.t[i - 1]) * (load.f[i] + load.f[i - 1]) / 2;
     return sum;
 }
 
-double peak_of(const Load& load, double window) {
-    std::vector<double> turned(load.f.begin(), load.f.end());
+double peak_of(const Load& load) {
+    std::vector<double> turned = load.f;
     for (double& f : turned) f = -f;
-    const double most = largest_window_mean(load.t, load.f, window),
-                 least = -largest_window_mean(load.t, turned, window);
+    const double most = largest_window_mean(load.t, load.f, default_filter),
+                 least = -largest_window_mean(load.t, turned, default_filter);
     return std::abs(least) > std::abs(most) ? least : most;
 }
 
@@ -55,23 +66,19 @@ void add_tank_loads(Comparison& comparison) {
     const std::vector<RunRecord>& sources = comparison.sources;
     if (std::ranges::any_of(sources, [](const RunRecord& r) { return is_stream(r) || has_moving_bodies(r); })) return;
     std::vector<const Table*> tables;
-    double end = HUGE_VAL, window = default_filter;
+    double begin = 0, end = HUGE_VAL;
     for (const RunRecord& r : sources) {
         tables.push_back(loads_of(r));
         const Table* t = tables.back();
         if (!t || t->time.empty()) continue;
+        begin = std::max(begin, t->time.front());
         end = std::min({end, t->time.back(), number_of(r, "duration", HUGE_VAL)});
-        window = std::max(window, typical_step(t->time));
     }
     if (!std::isfinite(end)) return;
-    const auto load = [&](const Table& t, const char* column) {
-        const auto rows = static_cast<std::size_t>(std::ranges::upper_bound(t.time, end) - t.time.begin());
-        return Load{{t.time.data(), rows}, {t.find(column)->values.data(), rows}};
-    };
     const auto largest_impulse = [&](const char* column) {
         double most = 0;
         for (const Table* t : tables)
-            if (t) most = std::max(most, std::abs(impulse_of(load(*t, column))));
+            if (t) most = std::max(most, std::abs(impulse_of(load_in(*t, column, begin, end))));
         return most;
     };
     const double along = largest_impulse("fx"), up = largest_impulse("fz");
@@ -85,12 +92,12 @@ void add_tank_loads(Comparison& comparison) {
                 new_quantity(fmt::format("load_{}_{}", kind, axis), std::move(label), unit, std::move(definition));
             for (const Table* t : tables) {
                 MeanValue m;
-                m.value = t ? value_of(load(*t, column)) : nan;
+                m.value = t ? value_of(load_in(*t, column, begin, end)) : nan;
                 m.known = std::isfinite(m.value);
                 if (m.known)
-                    m.half_width = 0, m.from = t->time.front(), m.to = end;
+                    m.half_width = 0, m.from = begin, m.to = end;
                 else
-                    m.why_not = t ? "its record has no value" : not_given;
+                    m.why_not = t ? "its record has gaps" : "its record does not hold it";
                 q.values.push_back(m);
             }
             beside(q);
@@ -101,10 +108,10 @@ void add_tank_loads(Comparison& comparison) {
             std::ranges::any_of(sources, [](const RunRecord& r) { return number_of(r, "dimensions", 3) == 2; });
         const std::string by = fmt::format(" by {:.4g} s", end), force = lower_case_first(words);
         add("impulse", "Impulse of the " + force + by, flat ? "N s/m" : "N s",
-            "integral of the " + force + " on what stands in the tank", impulse_of);
-        add("peak", fmt::format("Largest {}, mean over {:.3g} ms", force, 1e3 * window), flat ? "N/m" : "N",
-            "its largest mean over that time, of either sign: shorter peaks are sound and sampling",
-            [&](const Load& l) { return peak_of(l, window); });
+            "integral of the " + force + " on what stands in the tank, friction included where it is solved",
+            impulse_of);
+        add("peak", fmt::format("Largest {}, mean over {:g} ms", force, 1e3 * default_filter), flat ? "N/m" : "N",
+            "its largest mean over that time, of either sign: shorter peaks are sound and sampling", peak_of);
     }
 }
 

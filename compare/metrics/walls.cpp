@@ -32,9 +32,19 @@ double mean_of_samples(const RunRecord& r, const std::string& column) {
     return c ? mean_of_rows(c->values.size(), [&](std::size_t i) { return c->values[i]; }) : nan;
 }
 
-/// Mean of the water's force on a body, or on the hull, by magnitude.
+/// Whether a record's table of forces is that of one solid: a hull, or what stands alone in a tank.
+bool forces_are_of(const RunRecord& r, const std::string& name) {
+    const auto samples = r.tables.find("samples");
+    return name == "hull" ||
+           (samples != r.tables.end() && 1 == std::ranges::count_if(samples->second.columns, [](const Column& c) {
+                                             return c.name.starts_with("suction_force_");
+                                         }));
+}
+
+/// Mean of the water's force on a body, on the hull or on an only obstacle, by magnitude.
 double mean_force(const RunRecord& r, const std::string& name) {
     const std::string table = r.tables.contains(body_table(name)) ? body_table(name) : "forces";
+    if (table == "forces" && !forces_are_of(r, name)) return nan;
     const Column *x = r.series(table, "fx"), *z = r.series(table, "fz");
     if (!x || !z) return nan;
     return mean_of_rows(x->values.size(), [&](std::size_t i) { return std::hypot(x->values[i], z->values[i]); });

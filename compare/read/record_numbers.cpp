@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <numeric>
 
 namespace tw {
 
@@ -28,15 +27,6 @@ std::string text_of(const RunRecord& record, const std::string& name, const std:
 
 bool has_moving_bodies(const RunRecord& record) {
     return std::ranges::any_of(record.tables, [](const auto& t) { return t.first.starts_with(body_table("")); });
-}
-
-double typical_step(const std::vector<double>& times) {
-    if (times.size() < 2) return 0;
-    std::vector<double> steps(times.size());
-    std::adjacent_difference(times.begin(), times.end(), steps.begin());
-    const auto middle = steps.begin() + 1 + static_cast<std::ptrdiff_t>(steps.size() - 1) / 2;
-    std::nth_element(steps.begin() + 1, middle, steps.end());
-    return *middle;
 }
 
 }  // namespace tw

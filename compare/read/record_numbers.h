@@ -1,6 +1,5 @@
 #pragma once
 #include <string>
-#include <vector>
 
 #include "record/run_record.h"
 
@@ -13,8 +12,5 @@ double number_of_text(const RunRecord& record, const std::string& name, double f
 std::string text_of(const RunRecord& record, const std::string& name, const std::string& fallback = {});
 
 bool has_moving_bodies(const RunRecord& record);
-
-/// The time between rows of a table, of its middle pair in length; 0 where there are fewer than two [s].
-double typical_step(const std::vector<double>& times);
 
 }  // namespace tw

@@ -135,7 +135,8 @@ MeanValue settled_mean(std::span<const double> time, std::span<const double> val
                          fmt::format("{:.2g} flow-through times after the transient, {:g} needed",
                                      window / rules.flow_through, rules.fewest_flow_throughs));
     const double allowed = allowed_error(rules, mean), t95 = correlated_t_95(m.n_effective, 1);
-    if (u > allowed && t95 * u >= std::abs(mean))  // a longer record would have to be as long as one likes
+    if (u > allowed && rules.allowed_error == 0 &&
+        t95 * u >= std::abs(mean))  // no record is long enough for 2 % of nothing
         return unknown(
             fmt::format("its mean, {} ± {}, is not told from zero", plain_number(mean, 2), plain_number(t95 * u, 2)));
     if (u > allowed)

@@ -29,7 +29,8 @@ struct SettledRules {
 ///   value is marked unreliable.
 /// A series of too few independent samples whose whole standard deviation s is within `allowed_error` or half of
 /// `largest_error` (a height that flickers inside one voxel) is taken as it is, +- 2 s or D T_record/T, the larger. Not known, with the reason and
-/// about how many seconds more would do, where a rule is not met; of a mean whose interval holds zero no time would do. A drift of less than about three and a half half
+/// about how many seconds more would do, where a rule is not met; where `largest_error` alone is allowed, none is named for
+/// a mean whose interval holds zero. A drift of less than about three and a half half
 /// widths over the window is not told from noise and not contained.
 MeanValue settled_mean(std::span<const double> time, std::span<const double> values, const SettledRules& rules);
 

@@ -21,8 +21,9 @@ constexpr double negligible = 1e-3;  ///< of the value [-]
 
 /// What the plan calls a quantity; empty: it does not speak of it.
 std::string planned_name(const std::string& quantity) {
-    if (quantity == "drag" || quantity == "total_drag") return "drag";
-    if (quantity == "lift" || quantity == "trim_moment") return "lift";
+    const bool of_tank = quantity.starts_with("load_");
+    if (quantity == "drag" || quantity == "total_drag" || (of_tank && quantity.ends_with("_x"))) return "drag";
+    if (quantity == "lift" || quantity == "trim_moment" || (of_tank && quantity.ends_with("_z"))) return "lift";
     return quantity.starts_with("splash") ? "splash" : "";
 }
 

@@ -57,8 +57,9 @@ OpenFOAM case written by twinwake for {1} {2} ({3}).
 
 Still water is z = 0, x points to the stern. Background cells {4:.6g} m, finest cells {5:.6g} m.
 {6}{7}
-postProcessing/forces      water and air together on the hull{8}, every step
-postProcessing/hullSurface pressure and water fraction on the hull at the write times (ParaView opens the .vtp files)
+postProcessing/forces      water and air together on the hull, in a tank without one on all solids{8}, every step
+postProcessing/hullSurface pressure and water fraction on the hull at the write times (ParaView opens the .vtp files);
+                           bodySurfaces: the same of each other solid
 postProcessing/fastest     largest velocity, every step: 1.3 to 1.6 times the stream is normal
 
 A restart does not continue bit by bit: forces differ by about 0.1 % afterwards, because interFoam does not store its last

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
 #include "base/numbers.h"
 #include "foam_cases/read/body_rows.h"
@@ -50,6 +51,16 @@ void keep_picture(const HullPatch& patch, bool half, RunRecord& record) {
     }
 }
 
+/// Whether the mesh has faces of a patch: constant/polyMesh/boundary lists each as NAME { ... nFaces N; ... }.
+bool has_faces(const fs::path& case_folder, const std::string& patch) {
+    std::ifstream file(case_folder / "constant/polyMesh/boundary");
+    std::string word;
+    while (file >> word && word != patch) {}
+    while (file >> word && word != "nFaces") {}
+    int faces = 0;
+    return file >> faces && faces > 0;
+}
+
 }  // namespace
 
 Walls read_walls(const CasePlan& plan, const fs::path& case_folder, const std::string& time_name) {
@@ -60,11 +71,14 @@ Walls read_walls(const CasePlan& plan, const fs::path& case_folder, const std::s
     return walls;
 }
 
-std::optional<WaterLoad> read_load(const CasePlan& plan, const Walls& walls) {
+std::optional<WaterLoad> read_load(const CasePlan& plan, const fs::path& case_folder, const Walls& walls) {
     std::optional<WaterLoad> sum;
     for (std::size_t i = 0; i < walls.size(); ++i) {
         if (!plan.counts_load_on(plan.solids[i])) continue;
-        if (!walls[i]) return std::nullopt;
+        if (!walls[i]) {
+            if (has_faces(case_folder, plan.solids[i].name)) return std::nullopt;
+            continue;
+        }
         const Water& water = plan.scene->water;
         const WaterLoad load = water_load(*walls[i], water.density, water.air_density, moment_reference(*plan.scene));
         if (sum)
@@ -100,7 +114,7 @@ std::size_t FrameReader::cells() const {
 void FrameReader::read(const TimeFolders::Moment& moment, const SolverLog& log, RunRecord& record) {
     read_water(moment, log, record);
     const Walls walls = read_walls(plan_, case_, moment.name);
-    if (const auto load = read_load(plan_, walls)) {
+    if (const auto load = read_load(plan_, case_, walls)) {
         keep_load(moment.time, *load, record);
         if (plan_.scene->hull) keep_hull(moment.time, walls.front().value(), *load, record);
     }

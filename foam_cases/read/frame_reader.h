@@ -12,8 +12,9 @@ namespace tw {
 /// The faces of each of the plan's solids, as the solver wrote them at a write time; nothing where it was stopped before.
 using Walls = std::vector<std::optional<HullPatch>>;
 Walls read_walls(const CasePlan& plan, const std::filesystem::path& case_folder, const std::string& time_name);
-/// The water's load on those that the table of forces counts; nothing where one of them is missing, or there is none.
-std::optional<WaterLoad> read_load(const CasePlan& plan, const Walls& walls);
+/// The water's load on those that the table of forces counts; nothing where one of them is missing, or there is none. A
+/// solid that the mesh has no face of, inside another or smaller than a cell, bears none.
+std::optional<WaterLoad> read_load(const CasePlan& plan, const std::filesystem::path& case_folder, const Walls& walls);
 
 /// Turns what the solver leaves at its write times into rows of the run record: water poured into the raster, mass,
 /// energies, the water's load on the hull or the solids of a tank. Half-model results are doubled here, once.

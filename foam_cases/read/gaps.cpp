@@ -84,7 +84,7 @@ std::optional<Gap> first_gap(const CasePlan& plan, const SolverLog& log, const R
     const auto look = [&](bool wanted, const char* table, const std::vector<Due>& due, const char* kind) {
         if (wanted) keep_earlier(gap_in(record, table, due, kind));
     };
-    const bool loaded = !plan.solids.empty();
+    const bool loaded = scene.hull || (!plan.solids.empty() && record.attributes.contains(loads_of));
     look(loaded, "forces_total", steps, "time steps");
     for (const BodyInMesh& b : plan.bodies) look(true, plan.motion_table(b).c_str(), steps, "time steps");
     look(!scene.sampling.pressure.empty(), "pressure", steps, "time steps");

@@ -10,7 +10,8 @@
 
 namespace tw {
 
-/// The hull's faces of the mesh with what the flow does on them, as the `hullSurface` function object wrote them.
+/// A solid's faces of the mesh with what the flow does on them, as the function objects `hullSurface` and `bodySurfaces`
+/// wrote them.
 struct HullPatch {
     struct Face {
         Vec3 centre = Vec3::Zero();

@@ -90,6 +90,10 @@ name = "drowned"
 min = ["0.2 m", 0, "0.1 m"]
 max = ["0.4 m", "20 mm", "0.2 m"]
 [[obstacle]]
+name = "hidden in it, without a face of the mesh"
+min = ["0.26 m", 0, "0.14 m"]
+max = ["0.34 m", "20 mm", "0.16 m"]
+[[obstacle]]
 name = "pier"
 min = ["0.7 m", 0, "0.24 m"]
 max = ["0.9 m", "20 mm", "0.36 m"]

@@ -54,7 +54,7 @@ TEST(Gates, WaterMayLeaveATankByItsOpenTopAndBeforeThatItMustNotVanish) {
         return Gate{};
     };
     EXPECT_TRUE(drift().pass);
-    EXPECT_EQ(drift().remark, "the water of a tank is conserved until it is at the tank's open top, 0.3 s");
+    EXPECT_EQ(drift().remark, "the water of a tank is conserved until it is at the tank's open top, 0.2 s");
     samples.column("mass", "kg").values = {10, 7, 6};
     EXPECT_FALSE(drift().pass);
     EXPECT_NEAR(drift().value, 30, 1e-9);

@@ -49,6 +49,19 @@ TEST(TankLoads, OfASurgeImpulseAndLargestForceAreCompared) {
     EXPECT_FALSE(mean->judged) << "it does not settle";
 }
 
+TEST(TankLoads, TheAirsForceCountsWhereItStandsBesideAndAGapIsNoImpulse) {
+    RunRecord with_air = surge("sph", "forces", 100, 1e-3), broken = surge("fvm", "forces_total", 90, 1e-3);
+    Table& forces = with_air.table("forces");
+    for (std::size_t i = 0; i < forces.time.size(); ++i) forces.set(i, "fx_air", "N", -10);
+    broken.table("forces_total").column("fx", "N").values[500] = NAN;
+    const Comparison c = compare_records({with_air, broken});
+    const Quantity* impulse = find(c, "load_impulse_x");
+    ASSERT_TRUE(impulse);
+    EXPECT_NEAR(impulse->values[0].value, -100 * 0.2 * 2 / std::numbers::pi - 10 * 0.999, 0.01);
+    EXPECT_FALSE(impulse->values[1].known);
+    EXPECT_EQ(impulse->values[1].why_not, "its record has gaps");
+}
+
 TEST(TankLoads, WhatMovesOrStreamsHasOtherMeasures) {
     RunRecord floats = surge("sph", "forces", 100, 1e-3);
     floats.table(body_table("box")).append(0.1);

@@ -71,6 +71,18 @@ TEST_F(GapsTest, WithoutAHullOrProbesNothingIsAskedOfThem) {
     EXPECT_FALSE(first_gap(tank_plan, log, record, 0.2));
 }
 
+TEST_F(GapsTest, ForcesOnWhatStandsInATankAreMissedWhereTheCaseWasToKeepThem) {
+    Scene tank = dam_break_scene();
+    tank.obstacles.push_back({"pier", make_hull("box", {{"length", 0.1}, {"beam", 0.1}, {"height", 0.1}})});
+    const CasePlan tank_plan = plan_case(tank, Flavour{});
+    for (const char* table : {"forces_total", "forces"}) record.tables.erase(table);
+    EXPECT_FALSE(first_gap(tank_plan, log, record, 0.2)) << "begun by a version that did not keep them";
+    record.attributes[loads_of] = "all solids";
+    const auto found = first_gap(tank_plan, log, record, 0.2);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->what, "forces_total has rows for 0 of 20 time steps, the first is missing at t = 0.01 s");
+}
+
 TEST_F(GapsTest, InATankRowsFollowTheStepsAndAreMissedAllTheSame) {
     const Scene tank = dam_break_scene();
     const CasePlan tank_plan = plan_case(tank, Flavour{});
