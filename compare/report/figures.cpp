@@ -28,6 +28,13 @@ double display_filter(const RunRecord& record) {
     return speed > 0 && beam > 0 ? 0.16 * beam / speed : 0;
 }
 
+/// " [N/m]": the unit that the records have a column in.
+std::string unit_of(const Comparison& c, const std::string& table, const std::string& column) {
+    for (const RunRecord& r : c.sources)
+        if (const Column* found = r.series(table, column)) return " [" + found->unit + "]";
+    return {};
+}
+
 struct Trace {
     const char* quantity;
     std::string title;
@@ -199,10 +206,11 @@ Figures draw_figures(const Comparison& c) {
     };
     const bool stream = std::ranges::any_of(c.sources, is_stream);
     const ForceNames called = force_names(stream);
-    const auto force = [](const std::string& name) { return lower_case_first(name) + " [N]"; };
     for (const Trace& t :
-         {Trace{"lift", called.up, "fz", force(called.up)}, Trace{"drag", called.along, "fx", force(called.along)},
-          Trace{"trim_moment", called.moment + (stream ? ", bow up" : ""), "my", "moment [N m]"}})
+         {Trace{"lift", called.up, "fz", lower_case_first(called.up) + unit_of(c, "forces", "fz")},
+          Trace{"drag", called.along, "fx", lower_case_first(called.along) + unit_of(c, "forces", "fx")},
+          Trace{"trim_moment", called.moment + (stream ? ", bow up" : ""), "my",
+                "moment" + unit_of(c, "forces", "my")}})
         if (any("forces", t.column)) f.forces.push_back(force_figure(c, t));
     for (const auto& [column, title, unit, quantity] :
          {std::tuple{"trim", "Running trim", "trim, bow up [deg]", "running_trim"},
@@ -252,10 +260,11 @@ Figures draw_figures(const Comparison& c) {
     int body = 0;
     for (const std::string& table : bodies) {
         const std::string name = table.substr(5);
-        for (const auto& [column, title, unit] : {std::tuple{"z", "Height of the centre of mass", "z [m]"},
-                                                  std::tuple{"vz", "Vertical velocity", "velocity [m/s]"},
-                                                  std::tuple{"fz", "Vertical force of the water", "force"}})
-            f.bodies.push_back(series_figure(c, table, column, fmt::format("{} of {}", title, name), unit, "",
+        for (const auto& [column, title, label] :
+             {std::tuple{"z", "Height of the centre of mass", "z"}, std::tuple{"vz", "Vertical velocity", "velocity"},
+              std::tuple{"fz", "Vertical force of the water", "force"}})
+            f.bodies.push_back(series_figure(c, table, column, fmt::format("{} of {}", title, name),
+                                             label + unit_of(c, table, column), "",
                                              fmt::format("body_{}_{}", body, column)));
         std::ranges::move(entry_figures(c, name, body), std::back_inserter(f.bodies));
         ++body;
