@@ -90,7 +90,7 @@ name = "drowned"
 min = ["0.2 m", 0, "0.1 m"]
 max = ["0.4 m", "20 mm", "0.2 m"]
 [[obstacle]]
-name = "hidden in it, without a face of the mesh"
+name = "hidden"   # in the other: the mesh has no face of it
 min = ["0.26 m", 0, "0.14 m"]
 max = ["0.34 m", "20 mm", "0.16 m"]
 [[obstacle]]
