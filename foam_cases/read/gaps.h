@@ -19,9 +19,9 @@ struct Gap {
 
 /// The earliest gap up to the time `until` [s], measured against the solver's log and the write interval
 /// (numbers["write_interval"] of the record): every step has a row in forces_total, pressure and height, every write
-/// time one in samples and forces, as far as the scene asks for these tables; forces on the solids of a tank only where
-/// the record's case was written to keep them (attribute loads_of: those of earlier versions were not). Where writes fall
-/// on steps, the step nearest to each write time has the row.
+/// time one in samples and forces, as far as the scene asks for these tables; forces on the solids of a tank only
+/// where the record's case was written to keep them (attribute loads_of: those of earlier versions were not). Where
+/// writes fall on steps, the step nearest to each write time has the row.
 std::optional<Gap> first_gap(const CasePlan& plan, const SolverLog& log, const RunRecord& record, double until);
 
 }  // namespace tw
