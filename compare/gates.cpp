@@ -9,6 +9,7 @@
 #include "compare/metrics/numerical_drag.h"
 #include "compare/metrics/raster_columns.h"
 #include "compare/metrics/splash.h"
+#include "compare/metrics/water_kept.h"
 #include "compare/read/record_numbers.h"
 #include "compare/reference/prismatic_hull.h"
 #include "compare/statistics/settled_mean.h"
@@ -175,6 +176,25 @@ std::vector<Gate> check_gates(const RunRecord& record, const std::string& name) 
                     (std::isfinite(leaves) ? fmt::format(" until it is at the tank's open top, {:.3g} s", leaves)
                                            : ""));
     }
+    if (const auto sunk = sunk_below_rest(record))
+        add("water below the level of its volume", "%", 100 * std::max(0.0, sunk->value), 1,
+            fmt::format("no water of constant density can be lower than at rest: volume is missing, worst at {:.4g} s; "
+                        "levels, pressures and forces are wrong by as much",
+                        sunk->time));
+    if (const auto motion = motion_at_rest(record))
+        add("motion of water at rest", "%", 100 * motion->value, 0.1,
+            fmt::format(
+                "of the water's energy above the floor, worst at {:.4g} s: nothing in this scene sets it in motion",
+                motion->time));
+    if (const auto change = change_of_water_in_box(record))
+        add("change of the water in the box", "%", 100 * std::abs(change->value), 1,
+            fmt::format("since the means begin, {} at {:.4g} s: a box that fills or empties has no steady mean",
+                        change->value < 0 ? "less" : "more", change->time));
+    if (const auto level = level_at_inlet(record); level && number_of(record, "depth", 0) > 0)
+        add("level at the inlet", "% of the depth", 100 * std::abs(level->value) / number_of(record, "depth", 0), 1,
+            fmt::format("{:+.3g} m from the still level, mean up to {:.4g} s: the stream is another one than the "
+                        "scene's",
+                        level->value, level->time));
     if (const auto air = time_mean(record, "samples", "ventilation"))
         add("ventilation index", "-", *air, 0.2,
             "beyond it, air smeared under the hull makes friction too low in proportion; a sharper surface lowers the "

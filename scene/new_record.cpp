@@ -194,6 +194,7 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
             (bends ? " bends here"
                    : " is rigid here: a difference from a run in which it bends contains its compliance");
     }
+    if (scene.tank_motion) record.attributes["tank_moves"] = "yes";
     record.scene_text = scene.text;
     record.raster = scene.sampling.raster;
     record.effects = scene.effects;

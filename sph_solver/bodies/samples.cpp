@@ -36,7 +36,7 @@ SurfaceSamples::SurfaceSamples(const Surface& surface, double size, const Box& r
     }
 }
 
-SurfaceSamples SurfaceSamples::of_section(const Surface& prism, double size) {
+SurfaceSamples SurfaceSamples::of_section(const Surface& prism, double size, const Box& region) {
     SurfaceSamples out;
     for (int t = 0; t < static_cast<int>(prism.triangles.size()); ++t) {
         int k = 0;  // a side is two triangles: the one with an edge on the low end, from corner k on
@@ -44,9 +44,10 @@ SurfaceSamples SurfaceSamples::of_section(const Surface& prism, double size) {
         if (k == 3 || prism.corner(t, (k + 2) % 3).y() < 0) continue;
         const Vec3 a = prism.corner(t, k), along = prism.corner(t, (k + 1) % 3) - a;
         const int n = std::max(1, static_cast<int>(std::ceil(along.norm() / size)));
-        const Vec3 half_strip = prism.area_vector2(t) / (2.0 * n), across(0, -2 * a.y(), 0);
+        const Vec3 across(0, -2 * a.y(), 0), half_strip = prism.area_vector2(t) / (2.0 * n * across.norm());
         for (int i = 0; i < n; ++i) {
             const Vec3 low = a + along * i / n, high = a + along * (i + 1) / n, middle = 0.5 * (low + high + across);
+            if (!region.contains(middle)) continue;
             const int first = static_cast<int>(out.patches_.points.size());
             out.patches_.points.insert(out.patches_.points.end(), {low, high, high + across, low + across});
             for (const int corner : {1, 2}) {

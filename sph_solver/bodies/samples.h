@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <vector>
 
 #include "base/vec3.h"
@@ -12,7 +13,7 @@ class Body;
 struct PointSamples {
     std::vector<Vec3> places;
     bool want_flux = false;
-    std::vector<float> p;        ///< [Pa], Shepard mean of the water near, hydrostatically corrected without `want_flux`
+    std::vector<float> p;  ///< [Pa], Shepard mean of the water near, hydrostatically corrected without `want_flux`
     std::vector<float> support;  ///< sum_j V_j W_j: 1 inside water, 1/2 on a flat wetted wall
     /// Momentum flux that the pair forces carry [Pa], xx, xy, xz, yy, yz and zz of each point; nothing out of water.
     std::vector<float> flux;
@@ -31,8 +32,10 @@ struct SurfaceSamples {
     /// `region`: patches whose centre is outside are left out.
     SurfaceSamples(const Surface& surface, double size, const Box& region);
     /// Two dimensions: of a prism along y (meshes/section.h) its sides alone, in strips across the whole span no wider
-    /// than `size`, with their centres at y = 0. Each strip is two patches.
-    static SurfaceSamples of_section(const Surface& prism, double size);
+    /// than `size`, with their centres at y = 0 and the area that they have in a metre of span [m2]. Each strip is two
+    /// patches.
+    static SurfaceSamples of_section(const Surface& prism, double size,
+                                     const Box& region = {Vec3::Constant(-HUGE_VAL), Vec3::Constant(HUGE_VAL)});
     /// The samples where a body has taken them from where they stood at its start.
     SurfaceSamples moved_with(const Body& body) const;
 

@@ -20,6 +20,7 @@
 #include "sph_solver/equations/half_space.h"
 #include "sph_solver/measure/certificate.h"
 #include "sph_solver/measure/level_ledger.h"
+#include "sph_solver/measure/packing.h"
 #include "sph_solver/measure/water_energy.h"
 #include "sph_solver/measure/water_raster.h"
 
@@ -42,7 +43,12 @@ bool is_due(const Table& table, double time, double interval) {
 /// A solid's surface in patches of about a spacing, not too many.
 SurfaceSamples samples_of(const Body& body, const SimulationSetup& s) {
     constexpr double most = 20000;
-    if (s.dimensions == 2) return SurfaceSamples::of_section(body.surface(), s.dp);
+    if (s.dimensions == 2 && !body.fixed()) return SurfaceSamples::of_section(body.surface(), s.dp);
+    if (s.dimensions == 2) {
+        Box region = s.domain;
+        region.min.y() = -HUGE_VAL, region.max.y() = HUGE_VAL;
+        return SurfaceSamples::of_section(body.surface(), s.dp, region);
+    }
     const double size = std::max(s.dp, std::sqrt(mass_properties(body.surface()).area / most));
     return {body.surface(), size, body.fixed() ? s.domain : body.surface().bounds()};
 }
@@ -203,6 +209,7 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
     t.set(k, "kinetic_energy", per_span("J"), factor_ * energy.kinetic);
     t.set(k, "potential_energy", per_span("J"), factor_ * energy.potential);
     t.set(k, "elastic_energy", per_span("J"), factor_ * energy.elastic);
+    t.set(k, "crowding", "-", crowding(simulation));
     t.set(k, "dt", "s", simulation.dt());
     t.set(k, "max_speed", "m/s", fastest);
     t.set(k, "max_mach", "-", fastest / c0);
@@ -260,7 +267,8 @@ void Recorder::record_bodies(const Simulation& simulation) {
     }
 }
 
-/// Of each solid that keeps its shape: how hard its wall pulls at the water, and where water leaves one that moves.
+/// Of each solid that keeps its shape: how hard its wall pulls at the water, and where water leaves one that moves. In a
+/// tank without a hull also the integral of the surface pressure over all of them, which measures what `fx`, `fz` sum.
 void Recorder::record_walls(Simulation& simulation, std::size_t row) {
     Table& t = record_.table("samples");
     const double h_over_dp = simulation.finest().h() / simulation.finest().setup().dp;
@@ -275,12 +283,18 @@ void Recorder::record_walls(Simulation& simulation, std::size_t row) {
             t.set(row, "leaving_angle_" + body.name(), "deg", wall.leaving_angle() / degree);
     };
     if (hull_) put(*hull_, *simulation.hull());
+    Vec3 on_solids = Vec3::Zero(), moment;
     for (const SampledSolid& solid : solids_) {
         const Body& body = simulation.body(solid.body);
         SurfaceSamples now = body.fixed() ? solid.at_start : solid.at_start.moved_with(body);
         simulation.sample(now.points);
         put(now, body);
+        on_solids += now.pressure_force(simulation.setup().moment_reference, moment);
     }
+    if (hull_ || solids_.empty() || solids_.size() < simulation.bodies().size()) return;  // bodies that bend have none
+    const std::size_t last = forces().time.size() - 1;
+    forces().set(last, "fx_surface", per_span("N"), factor_ * on_solids.x());
+    forces().set(last, "fz_surface", per_span("N"), factor_ * on_solids.z());
 }
 
 /// Of each size of particles, in a table of its own: who is there, and what has passed the edge of its zone.

@@ -1,0 +1,40 @@
+#pragma once
+#include <optional>
+
+#include "record/run_record.h"
+
+namespace tw {
+
+// Whether a run keeps the water that its heights, pressures and means take for granted. Only of what the record holds.
+
+/// The largest departure of a quantity over a run.
+struct Departure {
+    double value = 0;  ///< in the unit of the function that tells it
+    double time = 0;   ///< [s]
+};
+
+/// Of a tank at rest: by how much the water's centre of mass lies below the lowest place that its mass and density allow,
+///
+///   (z_c,min - z_c) / (z_c,min - z_floor)   [-],   z_c = E_p / (m g)
+///
+/// z_c,min: filled from the floor up into all that solids at rest leave of the tank, as if all of it were connected, so
+/// no water of constant density can be lower, however it moves. In a plain tank of still water it is the share of the
+/// volume that is gone. Water that the method compresses by its own weight makes g H / (2 c0^2) of it. Nothing for a
+/// stream and a tank that moves.
+std::optional<Departure> sunk_below_rest(const RunRecord& record);
+
+/// Of a tank in which nothing moves and whose water stands as low as it can at the start (within half a per cent of its
+/// depth): the kinetic energy of the water that should rest, over the energy that it has by its height above the floor,
+///
+///   E_k / (m g (z_c,min - z_floor))   [-]
+std::optional<Departure> motion_at_rest(const RunRecord& record);
+
+/// Of a stream: by how much the mass of the water in the box departs from what it is when the means begin [-], up to the
+/// end. A mean over a box that fills or empties is the mean of no steady flow.
+std::optional<Departure> change_of_water_in_box(const RunRecord& record);
+
+/// Of a stream without waves at its inlet: how far the mean level of the water in the tenth of the box that is nearest to
+/// the inlet lies from the still level, z = 0, in frames from `mean_from` on [m].
+std::optional<Departure> level_at_inlet(const RunRecord& record);
+
+}  // namespace tw

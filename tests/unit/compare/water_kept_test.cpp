@@ -1,0 +1,146 @@
+// Whether a run keeps its water: what the record's energies, masses and frames say of it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "compare/gates.h"
+#include "compare/metrics/water_kept.h"
+#include "meshes/generate/shapes.h"
+#include "record/raster.h"
+#include "record/solid_at_rest.h"
+
+namespace tw {
+namespace water_kept_test {
+
+constexpr double g = 9.81, rho = 1000;
+
+/// A tank 2 x 1 x 1 m from z = -0.5 m on, with the given heights of the centre of mass [m] of its 1000 kg of water, which
+/// fill it to z = 0 at rest (centre -0.25 m).
+RunRecord tank(const std::vector<double>& centres, double kinetic = 0) {
+    RunRecord r;
+    r.attributes["motion"] = "none";
+    r.numbers = {{"density", rho},      {"gravity", g},         {"dimensions", 3},     {"domain_x_min", -1.0},
+                 {"domain_x_max", 1.0}, {"domain_y_min", -0.5}, {"domain_y_max", 0.5}, {"domain_z_min", -0.5},
+                 {"domain_z_max", 0.5}, {"duration", 1.0}};
+    Table& t = r.table("samples");
+    for (std::size_t k = 0; k < centres.size(); ++k) {
+        t.time.push_back(0.1 * static_cast<double>(k));
+        t.column("mass", "kg").values.push_back(1000);
+        t.column("potential_energy", "J").values.push_back(1000 * g * centres[k]);
+        t.column("kinetic_energy", "J").values.push_back(k == 0 ? 0 : kinetic);
+    }
+    return r;
+}
+
+/// A block on the floor that takes half of the tank's breadth, up to z = -0.3 m, and reaches through the floor.
+void put_block(RunRecord& r) {
+    r.raster = RasterSpec{{-1, -0.5, -0.5}, 0.1, {20, 10, 10}};
+    Surface step = block(2, 0.5, 0.4);
+    const Box at = step.bounds();
+    for (Vec3& p : step.points) p += Vec3(-1, -0.5, -0.7) - at.min;
+    r.bodies.push_back({obstacle_table("step"), step, Vec3::Zero()});
+}
+
+TEST(WaterKept, StillWaterStandsAtTheLevelOfItsVolume) {
+    const auto sunk = sunk_below_rest(tank({-0.25, -0.25}));
+    ASSERT_TRUE(sunk);
+    EXPECT_NEAR(sunk->value, 0, 1e-12);
+}
+
+TEST(WaterKept, WhatIsMissingOfTheVolumeIsToldWithItsTime) {
+    // 12 % of the volume gone: depth 0.44 m, centre -0.28 m
+    const auto sunk = sunk_below_rest(tank({-0.25, -0.28, -0.26}));
+    ASSERT_TRUE(sunk);
+    EXPECT_NEAR(sunk->value, 0.12, 1e-12);
+    EXPECT_NEAR(sunk->time, 0.1, 1e-12);
+}
+
+TEST(WaterKept, WaterThatIsThrownUpIsNotMissing) {
+    const auto sunk = sunk_below_rest(tank({-0.25, -0.2, 0.1}));
+    ASSERT_TRUE(sunk);
+    EXPECT_NEAR(sunk->value, 0, 1e-12);
+}
+
+TEST(WaterKept, SolidsTakeTheirRoomWithinTheTank) {
+    // 2 x 0.5 x 0.2 m of block leave 0.8 m3 up to z = 0: 1 m3 stands 0.1 m higher, its centre at
+    // (1 x 0.2 x -0.4 + 2 x 0.4 x -0.1) / 1 = -0.16 m
+    RunRecord r = tank({-0.16});
+    put_block(r);
+    const auto sunk = sunk_below_rest(r);
+    ASSERT_TRUE(sunk);
+    EXPECT_NEAR(sunk->value, 0, 1e-9);
+    RunRecord blind = tank({-0.16});
+    EXPECT_LT(sunk_below_rest(blind)->value, -0.3) << "the block is what raises it";
+}
+
+TEST(WaterKept, NothingIsSaidOfStreamsAndTanksThatMove) {
+    RunRecord stream = tank({-0.28}), moving = tank({-0.28});
+    stream.attributes["motion"] = "stream";
+    moving.attributes["tank_moves"] = "yes";
+    EXPECT_FALSE(sunk_below_rest(stream));
+    EXPECT_FALSE(sunk_below_rest(moving));
+}
+
+std::optional<Gate> gate(const RunRecord& r, const std::string& name) {
+    for (const Gate& gate : check_gates(r, "SPH"))
+        if (gate.name == name) return gate;
+    return {};
+}
+
+TEST(WaterKept, MissingVolumeFailsACheck) {
+    EXPECT_TRUE(gate(tank({-0.25, -0.2515}), "water below the level of its volume")->pass);
+    EXPECT_FALSE(gate(tank({-0.25, -0.254}), "water below the level of its volume")->pass);
+}
+
+TEST(WaterKept, WaterThatShouldRestAndMovesFailsACheck) {
+    const double energy = 1000 * g * 0.25;
+    EXPECT_TRUE(gate(tank({-0.25, -0.25}, 5e-4 * energy), "motion of water at rest")->pass);
+    EXPECT_FALSE(gate(tank({-0.25, -0.25}, 5e-3 * energy), "motion of water at rest")->pass);
+    EXPECT_FALSE(gate(tank({-0.1, -0.25}, energy), "motion of water at rest")) << "a column that is let go may move";
+    RunRecord body = tank({-0.25, -0.25}, energy);
+    body.table("body_ball").append(0);
+    EXPECT_FALSE(gate(body, "motion of water at rest")) << "a body moves it";
+}
+
+/// A stream over 4 x 1 m, 0.5 m deep, with so much water in the box at each frame, and the given level at its inlet.
+RunRecord stream(const std::vector<double>& mass, double level) {
+    RunRecord r = tank({});
+    r.attributes["motion"] = "stream";
+    r.numbers["speed"] = 1, r.numbers["mean_from"] = 0.15, r.numbers["depth"] = 0.5;
+    r.raster = RasterSpec{{-1, -0.5, -0.5}, 0.05, {40, 20, 20}};
+    Raster raster(r.raster);
+    for (double x = -0.975; x < 1; x += 0.05)
+        for (double y = -0.475; y < 0.5; y += 0.05)
+            for (double z = -0.475; z < (x < -0.8 ? level : 0) - 1e-9; z += 0.05)
+                raster.pour({x, y, z}, 0.05, 0.05 * 0.05 * 0.05);
+    Table& t = r.table("samples");
+    for (std::size_t k = 0; k < mass.size(); ++k) {
+        t.time.push_back(0.1 * static_cast<double>(k + 1));
+        t.column("mass", "kg").values.push_back(mass[k]);
+        r.frames.push_back(raster.frame(t.time.back()));
+    }
+    return r;
+}
+
+TEST(WaterKept, ABoxThatFillsFailsACheck) {
+    EXPECT_TRUE(gate(stream({1200, 1000, 1005, 1002}, 0), "change of the water in the box")->pass)
+        << "what happens before the means begin is the start";
+    const auto filled = gate(stream({1000, 1000, 1200, 1414}, 0), "change of the water in the box");
+    ASSERT_TRUE(filled);
+    EXPECT_FALSE(filled->pass);
+    EXPECT_NEAR(filled->value, 41.4, 1e-9);
+}
+
+TEST(WaterKept, ALevelThatHasLeftTheScenesFailsACheck) {
+    EXPECT_TRUE(gate(stream({1000, 1000}, 0), "level at the inlet")->pass);
+    const auto raised = gate(stream({1000, 1000}, 0.05), "level at the inlet");
+    ASSERT_TRUE(raised);
+    EXPECT_FALSE(raised->pass);
+    EXPECT_NEAR(raised->value, 10, 0.1);  // 0.05 of 0.5 m
+}
+
+}  // namespace water_kept_test
+}  // namespace tw
