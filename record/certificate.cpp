@@ -9,7 +9,8 @@
 namespace tw {
 
 bool only_warns(const CertificateLine& line) {
-    return line.name == mass_drift_line || line.name == orphans_line || line.name == interface_line;
+    return line.name == mass_drift_line || line.name == orphans_line || line.name == interface_line ||
+           line.name == crowding_line;
 }
 
 void note_worst(RunRecord& record, const CertificateLine& line) {

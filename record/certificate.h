@@ -11,6 +11,8 @@ inline constexpr const char* mass_drift_line = "mass drift of a finer zone";
 inline constexpr const char* orphans_line = "orphans at a zone's edge";
 /// Of runs with bodies that bend: the energy that the interface of water and body has made lately, of that exchanged.
 inline constexpr const char* interface_line = "energy made at an elastic body (added mass)";
+/// Of the particles: how much less room (or more) they take inside the water than their densities say.
+inline constexpr const char* crowding_line = "crowding of the particles";
 /// Whether a line that is not met warns only: the run's other numbers may be used, with this in mind.
 bool only_warns(const CertificateLine& line);
 

@@ -12,6 +12,10 @@ namespace tw {
 ///   step held down         acoustic time step over the step taken    20 (told, not stopped)
 ///   particles lost         through walls                             0 (told, not stopped)
 ///
+/// and, at frames,
+///
+///   crowding               |crowding| of packing.h                   1 % (a warning)
+///
 /// and, with several sizes of particles, the worst of all edges between them,
 ///
 ///   mass drift             |Refinement::mass_drift|                  0.5 % (a warning)

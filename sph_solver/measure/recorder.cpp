@@ -209,7 +209,10 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
     t.set(k, "kinetic_energy", per_span("J"), factor_ * energy.kinetic);
     t.set(k, "potential_energy", per_span("J"), factor_ * energy.potential);
     t.set(k, "elastic_energy", per_span("J"), factor_ * energy.elastic);
-    t.set(k, "crowding", "-", crowding(simulation));
+    const double crowded = crowding(simulation);
+    t.set(k, "crowding", "-", crowded);
+    if (std::isfinite(crowded))
+        note_worst(record_, {crowding_line, "%", 100 * std::abs(crowded), 1, simulation.time()});
     t.set(k, "dt", "s", simulation.dt());
     t.set(k, "max_speed", "m/s", fastest);
     t.set(k, "max_mach", "-", fastest / c0);
