@@ -6,10 +6,9 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
-#include <sstream>
 
 #include "base/errors.h"
+#include "base/read_file.h"
 
 namespace tw {
 namespace fs = std::filesystem;
@@ -67,12 +66,6 @@ void write_text_atomically(const fs::path& path, std::string_view text) {
     });
 }
 
-std::string read_text(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream text;
-    if (!in || fs::is_directory(path) || !(text << in.rdbuf() || in.peek() == EOF))
-        throw InputError(path.string() + ": cannot be read: " + std::strerror(errno));
-    return text.str();
-}
+std::string read_text(const fs::path& path) { return read_text_within(path, std::size_t{4} << 30); }
 
 }  // namespace tw

@@ -7,6 +7,7 @@
 
 #include "base/atomic_file.h"
 #include "base/errors.h"
+#include "base/in_words.h"
 
 namespace tw {
 namespace {
@@ -29,14 +30,14 @@ bool refuse_depth(int depth, Json::parse_event_t, Json&) {
 }  // namespace
 
 void read_own_json(const std::filesystem::path& file, const std::function<void(const Json&)>& take) {
-    const auto refuse = [&](const char* why) {
+    const auto refuse = [&](const std::string& why) {
         throw InputError(fmt::format("{}: is not as this version writes it: {}", file.string(), why));
     };
     std::error_code no_size;
     if (std::filesystem::file_size(file, no_size) > most_bytes && !no_size) refuse("it has more than 64 MB");
     try {
         take(Json::parse(read_text(file), refuse_depth));
-    } catch (const Json::exception& e) { refuse(e.what()); } catch (const OutOfLimits& e) {
+    } catch (const Json::exception& e) { refuse(in_words(e)); } catch (const OutOfLimits& e) {
         refuse(e.what());
     }
 }

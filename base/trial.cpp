@@ -16,6 +16,7 @@
 #include <new>
 
 #include "base/errors.h"
+#include "base/in_words.h"
 
 namespace tw {
 namespace {
@@ -37,7 +38,7 @@ bool write_all(int to, const std::string& bytes) {
 }
 
 [[noreturn]] void try_here(const std::function<std::string()>& work, const TrialLimits& limits, int answer) {
-    for (const int signal : {SIGINT, SIGTERM, SIGALRM, SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL})
+    for (const int signal : {SIGINT, SIGTERM, SIGALRM, SIGXCPU, SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL})
         std::signal(signal, SIG_DFL);
     const rlimit no_core{0, 0};
     setrlimit(RLIMIT_CORE, &no_core);
@@ -45,6 +46,9 @@ bool write_all(int to, const std::string& bytes) {
     getrlimit(RLIMIT_AS, &memory);
     memory.rlim_cur = std::min(memory.rlim_max, static_cast<rlim_t>(mapped_memory() + limits.bytes));
     setrlimit(RLIMIT_AS, &memory);
+    const auto seconds = static_cast<rlim_t>(std::ceil(limits.processor));
+    const rlimit processor{seconds, seconds + 1};
+    setrlimit(RLIMIT_CPU, &processor);
     const int nowhere = open("/dev/null", O_WRONLY);
     dup2(nowhere, STDOUT_FILENO);
     dup2(nowhere, STDERR_FILENO);
@@ -54,7 +58,7 @@ bool write_all(int to, const std::string& bytes) {
         _exit(write_all(answer, work()) ? 0 : 1);
     } catch (const std::bad_alloc&) {
         fault = "it asks for more memory than it may have";
-    } catch (const std::exception& e) { fault = e.what(); } catch (...) {
+    } catch (const std::exception& e) { fault = in_words(e); } catch (...) {
         fault = "an error without a name";
     }
     write_all(answer, fault);
@@ -82,8 +86,9 @@ std::string answer_of_trial(const std::function<std::string()>& work, const Tria
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {}
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return said;
     if (WIFEXITED(status) && !said.empty()) throw InputError(said);
-    throw InputError(WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM ? "it does not come to an end"
-                                                                        : "its numbers contradict each other");
+    const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+    throw InputError(signal == SIGALRM || signal == SIGXCPU ? "it does not come to an end"
+                                                            : "its numbers contradict each other");
 }
 
 }  // namespace tw

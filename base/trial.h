@@ -6,8 +6,9 @@ namespace tw {
 
 /// What a trial may take beyond what the process has already.
 struct TrialLimits {
-    double seconds = 60;  ///< by the clock
-    double bytes = 4e9;   ///< of memory
+    double seconds = 60;    ///< by the clock
+    double processor = 60;  ///< [s] of its own, so that a busy machine takes none of it away
+    double bytes = 4e9;     ///< of memory
 };
 
 /// What `work` answers, done in a child process, where a crash, an endless loop or the end of memory in a library harms

@@ -33,6 +33,13 @@ TEST(Trial, SaysWhyItDidNotComeToItsEnd) {
                   },
                   {.seconds = 1}),
               "it does not come to an end");
+    EXPECT_EQ(fault_of(
+                  [] {
+                      for (volatile bool on = true; on;) {}
+                      return "";
+                  },
+                  {.processor = 1}),
+              "it does not come to an end");
 }
 
 TEST(Trial, AnswersAndChangesNothingHere) {
