@@ -10,6 +10,7 @@
 #include "base/atomic_file.h"
 #include "base/errors.h"
 #include "base/folder_lock.h"
+#include "base/in_words.h"
 #include "foam_cases/doctor.h"
 #include "foam_cases/files/case_files.h"
 #include "foam_cases/mesh/make_mesh.h"
@@ -23,6 +24,7 @@
 #include "foam_cases/run/first_steps.h"
 #include "foam_cases/run/solve.h"
 #include "foam_cases/run/watchdog.h"
+#include "foam_cases/take_up.h"
 #include "foam_cases/write_case.h"
 #include "scene/new_record.h"
 
@@ -55,7 +57,7 @@ public:
             if (!fs::exists(meshed_mark()) && !mesh(programs))
                 return end("stopped", "stopped while meshing, as asked; --resume meshes anew");
             return solve_and_read(programs);
-        } catch (const std::exception& e) { fail(e.what()); }
+        } catch (const std::exception& e) { fail(in_words(e)); }
     }
 
 private:
@@ -71,7 +73,7 @@ private:
             return {};
         SolverLog log;
         follow(CasePrograms(openfoam_, case_).log("solver"), 0, log);
-        if (first_gap(plan_, log, earlier, duration)) return {};
+        if (first_gap(plan_, log, earlier, duration) || lacks_picture(plan_, earlier)) return {};
         return earlier;
     }
 
@@ -84,7 +86,12 @@ private:
             fs::remove_all(case_);
             fs::remove(record_file_);
         }
-        if (options_.resume && fs::exists(record_file_)) take_up(read_record(record_file_));
+        if (options_.resume && fs::exists(record_file_))
+            take_up(read_record(record_file_));
+        else if (options_.resume && fs::exists(meshed_mark()))
+            throw InputError(record_file_.string() +
+                             ": is not there, and the case beside it was begun: rows that only the record had would be "
+                             "missing; put it back, or begin anew with --overwrite");
         if (options_.resume && fs::exists(meshed_mark())) {
             if (record_.numbers.contains(release_factor_name)) release_with(record_.numbers[release_factor_name]);
             if (const std::string file = changed_file(plan_, case_); !file.empty())
@@ -118,16 +125,20 @@ private:
     }
 
     void take_up(RunRecord earlier) {
-        if (earlier.attributes["method"] != "fvm" || earlier.attributes["hull_hash"] != record_.attributes["hull_hash"])
+        const auto said = [](const RunRecord& r, const char* name) {
+            const auto found = r.attributes.find(name);
+            return found == r.attributes.end() ? std::string() : found->second;
+        };
+        if (said(earlier, "method") != "fvm" || said(earlier, "hull_hash") != said(record_, "hull_hash"))
             throw InputError(record_file_.string() +
                              ": is not a record of this scene's hull and method; begin anew with --overwrite");
-        const std::string begun_with = earlier.attributes["openfoam"];
+        const std::string begun_with = said(earlier, "openfoam");
         if (!begun_with.empty() && begun_with != openfoam_.vendor + " " + openfoam_.version)
             throw InputError(fmt::format(
                 "{}: was begun with {}, which is not the OpenFOAM that is taken now ({} {}, "
                 "{}); go on with the former, or begin anew with --overwrite",
                 record_file_.string(), begun_with, openfoam_.vendor, openfoam_.version, openfoam_.command()));
-        if (earlier.attributes["run_hash"] != record_.attributes["run_hash"])
+        if (said(earlier, "run_hash") != said(record_, "run_hash"))
             throw InputError(record_file_.string() +
                              ": belongs to another scene (or the scene file was changed); put it back, or begin anew "
                              "with --overwrite");
@@ -136,17 +147,7 @@ private:
             plan_.write_interval = interval;
             plan_.raster_every = static_cast<int>(std::lround(earlier.numbers["raster_every"]));
         }
-        record_.tables = std::move(earlier.tables);
-        record_.frames = std::move(earlier.frames);
-        record_.phases = std::move(earlier.phases);
-        record_.certificate = std::move(earlier.certificate);
-        record_.peak_memory = earlier.peak_memory;
-        record_.elements = earlier.elements;
-        if (const auto factor = earlier.numbers.find(release_factor_name); factor != earlier.numbers.end())
-            record_.numbers[release_factor_name] = factor->second;
-        for (const char* kept : {"started", "mesh_check", "restarts"})
-            if (earlier.attributes.count(kept) != 0) record_.attributes[kept] = earlier.attributes[kept];
-        record_.attributes["restarts"] = std::to_string(std::atoi(record_.attributes["restarts"].c_str()) + 1);
+        tw::take_up(std::move(earlier), record_);
     }
 
     Phase& phase(const std::string& name) {
@@ -194,6 +195,7 @@ private:
         folders.forget_output_after(restart);
         FrameReader reader(plan_, case_);
         record_.elements = static_cast<double>(reader.cells());
+        if (!moments.empty()) reader.show_hull(moments.back(), record_);  // where nothing is left to be read
         if (plan_.plate_interval > 0) plate_.emplace(plan_, case_);
 
         if (moments.empty() && released_in_air(plan_) && !record_.numbers.contains(release_factor_name) &&
@@ -248,6 +250,10 @@ private:
                             "computes anew "
                             "from the last saved state before that",
                             (case_ / "postProcessing").string(), gap->what));
+        if (lacks_picture(plan_, record_))
+            throw RunError((case_ / "postProcessing/hullSurface").string() +
+                           ": the hull's pressure at the last write time is not there, and the run does not count as "
+                           "finished without it; begin anew with --overwrite");
         return end("finished", "");
     }
 
@@ -347,7 +353,7 @@ private:
         try {
             write_record(record_file_, record_);
         } catch (const std::exception& e) {
-            unsaved = std::string("\n  and the record could not be saved: ") + e.what();
+            unsaved = std::string("\n  and the record could not be saved: ") + in_words(e);
         }
         throw RunError(why + unsaved);
     }

@@ -200,22 +200,7 @@ void FrameReader::keep_hull(double time, const HullPatch& patch, const WaterLoad
     const auto sample = [&](const char* name, const std::string& unit, double value) {
         samples.set(samples.time.size() - 1, name, unit, value);
     };
-    const bool half = scene.symmetry_factor() > 1;
-    if (record.numbers.count("hull_mesh_error") == 0) {  // once: corners near and below still water
-        const Vec3 low = scene.hull->surface.bounds().min;
-        const double edge = plan_.finest_cell;
-        const Surface all =
-            plan_.scene->hull_is_free() ? free_hull_at(plan_, case_ / "postProcessing", time) : scene.hull->surface;
-        const Surface hull = scene.hull->section ? with_span(all, scene.span()) : all;
-        const double error =
-            mesh_error(patch, hull, half ? -1e-6 * edge : low.y(), std::max(0.0, 0.3 * std::abs(low.z())));
-        record.numbers["hull_mesh_error"] = error;
-        if (error > 0.15 * edge)
-            record.attributes["mesh_warning"] = fmt::format(
-                "an edge or corner of the hull's wet part is missed by {:.3g} m, {:.2g} of the finest cell: "
-                "the force may be off by much; use a smaller near_hull",
-                error, error / edge);
-    }
+    note_mesh_error(time, patch, record);
     const double factor = scene.symmetry_factor() / scene.span();
     sample("wetted_area", scene.spanwise_unit("m2"), factor * load.wetted_area);
     sample("wetted_length", "m", load.wetted_length);
@@ -223,8 +208,38 @@ void FrameReader::keep_hull(double time, const HullPatch& patch, const WaterLoad
         sample("friction_line", scene.spanwise_unit("N"),
                friction_by_line(scene, factor * load.wetted_area, load.wetted_length));
     sample("ventilation", "-", load.ventilation);
-    keep_picture(patch, half, record);
-    if (scene.hull->section) record.hull = with_span(record.hull, 1);
+    picture_hull(patch, record);
+}
+
+void FrameReader::note_mesh_error(double time, const HullPatch& patch, RunRecord& record) const {
+    if (record.numbers.count("hull_mesh_error") != 0) return;  // once: corners near and below still water
+    const Scene& scene = *plan_.scene;
+    const Vec3 low = scene.hull->surface.bounds().min;
+    const double edge = plan_.finest_cell;
+    const Surface all =
+        plan_.scene->hull_is_free() ? free_hull_at(plan_, case_ / "postProcessing", time) : scene.hull->surface;
+    const Surface hull = scene.hull->section ? with_span(all, scene.span()) : all;
+    const double error = mesh_error(patch, hull, scene.symmetry_factor() > 1 ? -1e-6 * edge : low.y(),
+                                    std::max(0.0, 0.3 * std::abs(low.z())));
+    record.numbers["hull_mesh_error"] = error;
+    if (error > 0.15 * edge)
+        record.attributes["mesh_warning"] = fmt::format(
+            "an edge or corner of the hull's wet part is missed by {:.3g} m, {:.2g} of the finest cell: "
+            "the force may be off by much; use a smaller near_hull",
+            error, error / edge);
+}
+
+void FrameReader::picture_hull(const HullPatch& patch, RunRecord& record) const {
+    keep_picture(patch, plan_.scene->symmetry_factor() > 1, record);
+    if (plan_.scene->hull->section) record.hull = with_span(record.hull, 1);
+}
+
+void FrameReader::show_hull(const TimeFolders::Moment& moment, RunRecord& record) const {
+    if (!plan_.scene->hull) return;
+    const Walls walls = read_walls(plan_, case_, moment.name);
+    if (!walls.front()) return;
+    note_mesh_error(moment.time, *walls.front(), record);
+    picture_hull(*walls.front(), record);
 }
 
 void FrameReader::keep_suction(const Walls& walls, RunRecord& record) const {

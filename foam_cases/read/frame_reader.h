@@ -27,6 +27,8 @@ public:
     /// Adds the write time to `record` (tables forces and samples, raster frames, hull pictures). The folder must be
     /// whole.
     void read(const TimeFolders::Moment& moment, const SolverLog& log, RunRecord& record);
+    /// Puts the hull's pressure at this write time into `record` as its picture, where its surface is there.
+    void show_hull(const TimeFolders::Moment& moment, RunRecord& record) const;
 
 private:
     struct Part {  ///< one root: the case or a processor's share
@@ -36,6 +38,8 @@ private:
     void read_water(const TimeFolders::Moment& moment, const SolverLog& log, RunRecord& record) const;
     void keep_load(double time, const WaterLoad& load, RunRecord& record) const;
     void keep_hull(double time, const HullPatch& patch, const WaterLoad& load, RunRecord& record) const;
+    void note_mesh_error(double time, const HullPatch& patch, RunRecord& record) const;
+    void picture_hull(const HullPatch& patch, RunRecord& record) const;
     void keep_suction(const Walls& walls, RunRecord& record) const;  ///< of every solid
 
     const CasePlan& plan_;

@@ -99,4 +99,8 @@ std::optional<Gap> first_gap(const CasePlan& plan, const SolverLog& log, const R
     return earliest;
 }
 
+bool lacks_picture(const CasePlan& plan, const RunRecord& record) {
+    return plan.scene->hull && record.hull_pressure.empty();
+}
+
 }  // namespace tw

@@ -24,4 +24,7 @@ struct Gap {
 /// writes fall on steps, the step nearest to each write time has the row.
 std::optional<Gap> first_gap(const CasePlan& plan, const SolverLog& log, const RunRecord& record, double until);
 
+/// Whether the record of a hull has no pressure on it, which every write time leaves.
+bool lacks_picture(const CasePlan& plan, const RunRecord& record);
+
 }  // namespace tw

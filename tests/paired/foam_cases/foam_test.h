@@ -91,6 +91,31 @@ duration = ")" +
            duration + "\"\n";
 }
 
+/// A box under water in a small tank: a hull whose mesh takes a second.
+inline std::string drowned_box(const std::string& duration, const std::string& interval) {
+    return R"(
+title = "drowned box"
+[hull]
+shape  = "box"
+length = 0.4
+beam   = 0.4
+height = 0.4
+draft  = 0.7
+[tank]
+min = [-0.8, -0.8, -1.2]
+max = [0.8, 0.8, 0.6]
+[motion]
+kind = "none"
+[resolution]
+near_hull = 0.1
+[[probe]]
+name = "floor"
+pressure = [0.6, 0.6, -0.95]
+[sampling]
+interval = )" +
+           interval + "\n[run]\nduration = " + duration + "\n";
+}
+
 /// A body in a tank of two dimensions, cells of 20 mm at it; `min` and `max` are the tank's corners.
 inline std::string body_in_tank(const std::string& min, const std::string& max, const std::string& body,
                                 const std::string& duration) {

@@ -57,5 +57,38 @@ TEST_F(FoamCrash, AtAStepOfWritingLosesNothing) {
     }
 }
 
+// All is read then, and the last thing to be written is the record that says so.
+TEST_F(FoamCrash, BeforeTheLastRecordTheHullKeepsItsPressure) {
+    const Scene s = scene(drowned_box("0.1", "0.05"));
+    RunOptions o = options();
+    o.folder = folder / "whole";
+    steps = 0;
+    before_write_step = [] { ++steps; };
+    const RunRecord whole = run_fvm(s, o);
+    ASSERT_EQ(whole.state, "finished");
+    ASSERT_FALSE(whole.hull_pressure.empty());
+    const int at = steps - 4;
+    o.folder = folder / "part";
+    steps = at;
+    before_write_step = [] {
+        if (steps-- == 0) ::_exit(crashed);
+    };
+    const pid_t child = ::fork();
+    if (child == 0) {
+        run_fvm(s, o);
+        ::_exit(0);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    before_write_step = nullptr;
+    ASSERT_EQ(WEXITSTATUS(status), crashed);
+    ASSERT_EQ(read_record(o.folder / "record.h5").state, "running");
+    o.resume = true;
+    const RunRecord rest = run_fvm(s, o);
+    EXPECT_EQ(rest.state, "finished");
+    EXPECT_EQ(test::first_difference(whole, rest), "");
+    EXPECT_EQ(test::first_difference(whole, read_record(o.folder / "record.h5")), "");
+}
+
 }  // namespace foam_crashes_test
 }  // namespace tw

@@ -123,31 +123,6 @@ TEST_F(FoamFailure, TwoRunsInOneFolderAreRefused) {
     EXPECT_THROW(run_fvm(scene(dam_break("0.02 s")), options()), InputError);
 }
 
-/// A box under water in a small tank: a hull whose mesh takes a second.
-std::string drowned_box(const std::string& duration, const std::string& interval) {
-    return R"(
-title = "drowned box"
-[hull]
-shape  = "box"
-length = 0.4
-beam   = 0.4
-height = 0.4
-draft  = 0.7
-[tank]
-min = [-0.8, -0.8, -1.2]
-max = [0.8, 0.8, 0.6]
-[motion]
-kind = "none"
-[resolution]
-near_hull = 0.1
-[[probe]]
-name = "floor"
-pressure = [0.6, 0.6, -0.95]
-[sampling]
-interval = )" +
-           interval + "\n[run]\nduration = " + duration + "\n";
-}
-
 // The solver starts from 0 again then, and openfoam.com begins force_0.dat beside force.dat.
 TEST_F(FoamFailure, AKillBeforeTheFirstWriteTimeLosesNoRow) {
     const Scene s = scene(drowned_box("0.2", "0.1"));
@@ -195,6 +170,44 @@ TEST_F(FoamFailure, ATableThatLostRowsIsNoFinishedRunAndResumeComputesThemAnew) 
     const auto written = fs::last_write_time(options().folder / "record.h5");
     EXPECT_EQ(run_fvm(s, resume).state, "finished");
     EXPECT_EQ(fs::last_write_time(options().folder / "record.h5"), written);
+}
+
+/// The forces on what stands in a tank are as much a part of the run as those on a hull.
+TEST_F(FoamFailure, RowsOfForcesInATankThatAreLostBeforeAResumeAreComputedAnew) {
+    const auto step = [&](const char* duration) {
+        return scene(dam_break(duration) +
+                     "[[obstacle]]\nname = \"step\"\nmin = [0.3, -0.1, 0]\nmax = [0.35, 0.1, 0.05]\n");
+    };
+    ASSERT_EQ(run_fvm(step("0.06 s"), options()).state, "finished");
+    const fs::path tables = options().folder / "case/postProcessing/forces";
+    std::size_t lost = 0;
+    for (const char* name : {"force.dat", "forces.dat"})
+        for (const Segment& s : segments(tables, name)) {
+            std::ifstream in(s.file);
+            std::string kept, line;
+            for (std::size_t row = 0; std::getline(in, line);)
+                if (line.starts_with("#") || row++ < 4 || row > 8)
+                    kept += line + "\n";
+                else
+                    ++lost;
+            write_text_atomically(s.file, kept);
+        }
+    ASSERT_EQ(lost, 4u);
+    RunOptions resume = options();
+    resume.resume = true;
+    const RunRecord record = run_fvm(step("0.1 s"), resume);
+    EXPECT_EQ(record.state, "finished");
+    EXPECT_EQ(record.attributes.at("loads_of"), "all solids");
+    EXPECT_EQ(record.tables.at("forces_total").time.size(), static_cast<std::size_t>(record.steps));
+}
+
+TEST_F(FoamFailure, ACaseWithoutItsRecordIsNotGoneOnWith) {
+    RunOptions o = options();
+    const Scene s = scene(dam_break("0.02 s"));
+    EXPECT_EQ(run_fvm(s, o).state, "finished");
+    fs::remove(o.folder / "record.h5");
+    o.resume = true;
+    EXPECT_THROW(run_fvm(s, o), InputError);
 }
 
 /// A time folder of `time` or later: tanks write at the nearest step.

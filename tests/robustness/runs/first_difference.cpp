@@ -26,6 +26,12 @@ std::string first_difference(const RunRecord& a, const RunRecord& b) {
     if (a.frames.size() != b.frames.size()) return "number of raster frames";
     for (std::size_t i = 0; i < a.frames.size(); ++i)
         if (a.frames[i].water != b.frames[i].water) return "raster frame " + std::to_string(i);
+    if (a.hull.points != b.hull.points || a.hull.triangles != b.hull.triangles) return "the hull's surface";
+    if (a.hull_pressure != b.hull_pressure || a.hull_wet != b.hull_wet) return "the hull's pressure";
+    for (const auto& [name, text] : a.attributes)
+        if (!b.attributes.contains(name)) return "attribute " + name + " is in the first only";
+    for (const auto& [name, value] : a.numbers)
+        if (!b.numbers.contains(name)) return "number " + name + " is in the first only";
     if (a.steps != b.steps) return "steps";
     if (a.elements != b.elements) return "elements";
     return {};
