@@ -3,6 +3,7 @@
 #include <SMP/Common/vtkSMPToolsAPI.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkCellType.h>
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -161,7 +162,9 @@ vtkSmartPointer<vtkUnstructuredGrid> grid_of(const VtkArrays& arrays) {
     auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
     grid->SetPoints(points_of(arrays));
     vtkNew<vtkUnsignedCharArray> types;
-    for (const std::uint8_t type : arrays.types) types->InsertNextValue(type);
+    // A polyhedron's corners are here without its faces, and VTK would take them for a list of faces.
+    for (const std::uint8_t type : arrays.types)
+        types->InsertNextValue(type == VTK_POLYHEDRON ? std::uint8_t{VTK_CONVEX_POINT_SET} : type);
     grid->SetCells(types, cells_of(arrays));
     for (const VtkArrays::Values& v : arrays.values) {
         vtkNew<vtkDoubleArray> array;

@@ -46,7 +46,7 @@ VtkArrays read_by_vtk(const std::function<vtkSmartPointer<vtkPointSet>()>& read,
                       const TrialLimits& limits = {});
 
 vtkSmartPointer<vtkPolyData> surface_of(const VtkArrays& arrays);
-/// With the values.
+/// With the values. A polyhedron becomes the convex set of its corners.
 vtkSmartPointer<vtkUnstructuredGrid> grid_of(const VtkArrays& arrays);
 
 }  // namespace tw

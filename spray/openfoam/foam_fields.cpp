@@ -52,10 +52,13 @@ FoamFields::FoamFields(const fs::path& folder, double time, At at) : folder_(fol
     double bytes = size_of(folder / "constant" / "polyMesh");
     for (const FoamTime& t : foam_times(folder))
         if (t.time == time) bytes += size_of(t.folder);
-    constexpr double slowest = 1e6;  // [bytes/s]; text is read some fifty times faster
+    constexpr double slowest = 1e6;                 // [bytes/s]; text is read some fifty times faster
+    constexpr double slowest_of_a_processor = 1e7;  // [bytes/s]
     try {
         const VtkArrays arrays = read_by_vtk([&] { return read(folder, time, at); }, false,
-                                             {.seconds = 20 + bytes / slowest, .bytes = 4e9 + 50 * bytes});
+                                             {.seconds = 20 + bytes / slowest,
+                                              .processor = 2 + bytes / slowest_of_a_processor,
+                                              .bytes = 4e9 + 50 * bytes});
         if (arrays.count() == 0) throw InputError("it has no cells");
         constexpr double farthest = 1e9;  // [m]
         for (const double x : arrays.points)

@@ -97,5 +97,28 @@ TEST(Cells, GiveTheirWaterAndWhatWasLeftOut) {
     EXPECT_THROW(foam_frames(folder / "case" / "0", {}), InputError);
 }
 
+/// Where a cell of one size meets finer ones it has more faces than a box: VTK's polyhedron.
+TEST(Cells, OfManyFacesAreReadAsTheOthers) {
+    const ScratchFolder folder;
+    write_row_of_cells(folder / "case");
+    const auto change = [&](const std::string& name, const std::string& from, const std::string& to) {
+        const fs::path file = folder / "case/constant/polyMesh" / name;
+        std::string text = read_text(file);
+        ASSERT_NE(text.find(from), std::string::npos) << name;
+        write_text_atomically(file, text.replace(text.find(from), from.size(), to));
+    };
+    change("faces", "16\n(", "17\n(");  // the face between the first two cells, in two
+    change("faces", "4(4 5 6 7)", "3(4 5 6)\n3(4 6 7)");
+    change("owner", "16\n(\n0", "17\n(\n0\n0");
+    change("neighbour", "2\n(\n1", "3\n(\n1\n1");
+    change("boundary", "startFace 2", "startFace 3");
+    double left_out = 0;
+    const WaterFrame frame = read_cells(foam_frames(folder / "", {}).at(0), 0.2, left_out);
+    EXPECT_NEAR(left_out, 0.1, 1e-7);
+    ASSERT_EQ(frame.elements.size(), 2u);
+    EXPECT_EQ(frame.elements[0].place, Vec3(0.5, 0.5, 0.5));
+    EXPECT_EQ(frame.elements[1].velocity, Vec3(3, 0, 4));
+}
+
 }  // namespace read_frames_test
 }  // namespace tw::spray
