@@ -1,5 +1,7 @@
 #include "scene/hash.h"
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <stdexcept>
 
@@ -167,6 +169,8 @@ void add_geometry(Lines& t, const Scene& scene, bool sizes) {
         if (flat)
             for (Vec3& p : surface.points) p = flattened(p, middle);
         t.add("obstacle", surface_hash(surface));
+        const auto number = &o - scene.obstacles.data() + 1;  // without a name of its own the hash is as ever
+        if (o.name != fmt::format("obstacle{}", number)) t.add("name", o.name);
     }
     for (const MovingBody& body : scene.bodies) add_body(t, body, sizes);
     if (scene.tank_motion) {

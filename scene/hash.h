@@ -6,8 +6,8 @@
 namespace tw {
 
 /// Every number that both methods use, one per line, in canonical form (shortest digits that give the same double): the
-/// keys that the table calls `Hashed::scene`, and what follows from them; and the names of bodies, probes and gauges, which
-/// are those of the record's tables and columns. Not in it: title, paths, comments, [sph] and [fvm] numerics, how a run
+/// keys that the table calls `Hashed::scene`, and what follows from them; and the names of bodies, obstacles, probes and
+/// gauges, those of the record's tables and columns. Not in it: title, paths, comments, [sph] and [fvm] numerics, how a run
 /// begins, methods, threads, device, checkpoints, snapshots and duration (runs of different length answer the same question).
 std::string canonical_text(const Scene& scene);
 /// SHA-256 of the canonical text.

@@ -118,8 +118,8 @@ Rows tank_keys() {
 Rows obstacle_keys() {
     Rows rows = solid_keys();
     const Rows own{
-        {.name = "name", .kind = Kind::name, .fallback = "obstacle1, obstacle2, ...",
-         .meaning = "Name in messages."},
+        {.name = "name", .kind = Kind::name, .hashed = Hashed::scene, .fallback = "obstacle1, obstacle2, ...",
+         .meaning = "Name in messages and in the record."},
         {.name = "min", .kind = Kind::place3, .unit = "m", .hashed = Hashed::scene, .fallback = "none",
          .meaning = "Low corner of a box."},
         {.name = "max", .kind = Kind::place3, .unit = "m", .hashed = Hashed::scene, .fallback = "none",

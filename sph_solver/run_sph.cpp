@@ -11,6 +11,7 @@
 #include "base/atomic_file.h"
 #include "base/errors.h"
 #include "base/folder_lock.h"
+#include "base/in_words.h"
 #include "record/code_version.h"
 #include "record/spray_table.h"
 #include "scene/defaults.h"
@@ -322,9 +323,11 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
                 if (frame && gate) recorder.take_spray(*simulation, *gate);
                 if (checkpoint) {  // at a frame, where the control volume's sums begin anew
                     checkpoint_now(output);
-                    simulation->mark_restart_point();
                     next_checkpoint = next_after(simulation->time(), scene.run.checkpoint);
                 }
+                // At every frame, saved or not: neighbours found anew are summed in another order, and how often a run
+                // is saved must not show in its numbers.
+                if (frame) simulation->mark_restart_point();
                 if (output.picture || output.record) files.write(std::move(output));
             }
             if (wall_now() - last_report > 0.5) report();
@@ -353,11 +356,11 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
             files.finish();
         } catch (const std::exception&) {}  // what ended the run was before it
         try {
-            end_as("failed", e.what());
+            end_as("failed", in_words(e));
         } catch (const std::exception& nested) {
-            throw RunError(std::string(e.what()) + "; and the record could not be saved: " + nested.what());
+            throw RunError(in_words(e) + "; and the record could not be saved: " + in_words(nested));
         }
-        throw RunError(e.what());
+        throw RunError(in_words(e));
     }
 }
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "base/errors.h"
+#include "base/in_words.h"
 #ifdef TWINWAKE_MPI
 #include <mpi.h>
 #include <unistd.h>
@@ -46,7 +47,7 @@ void Comm::together(const std::function<void()>& part) const {
     };
     Failed failed{size_, none};
     std::string text;
-    const auto note = [&](Kind kind, const std::exception& e) { failed = {rank_, kind}, text = e.what(); };
+    const auto note = [&](Kind kind, const std::exception& e) { failed = {rank_, kind}, text = in_words(e); };
     try {
         part();
     } catch (const InputError& e) { note(input, e); } catch (const RunError& e) {

@@ -139,6 +139,25 @@ TEST_F(Crash, BesideTheStepsOfADeviceLosesNothing) {
 }
 #endif
 
+// What is saved and how often is no part of the scene's hash, so it must not be part of the answer.
+TEST_F(Crash, HowOftenARunIsSavedOrDrawnShowsInNoBitOfIt) {
+    const fs::path planing = fs::path(TWINWAKE_SOURCE) / "tests/robustness/runs/small_planing.toml";
+    const auto run = [&](const std::string& checkpoint, const std::string& snapshots) {
+        std::string text = read_text(planing);
+        text.replace(text.find("\"0.4 s\""), 7, "\"0.1 s\"");
+        text.replace(text.find("\"0.05 s\"\n\n[run]"), 8, "\"0.01 s\"\nsnapshots = " + snapshots);
+        text.replace(text.find("\"0.04 s\""), 8, checkpoint);
+        write_text_atomically(scene, text);
+        const fs::path folder = scratch.path() / ("saved_" + checkpoint + "_" + snapshots);
+        EXPECT_EQ(run_in_child(scene, folder, false, never), ended);
+        return read_record(folder / "record.h5");
+    };
+    const RunRecord never_saved = run("1", "0"), often = run("0.02", "0"), else_often = run("0.013", "0.03");
+    EXPECT_EQ(never_saved.attributes.at("run_hash"), often.attributes.at("run_hash")) << "or another run was asked for";
+    EXPECT_EQ(first_difference(never_saved, often), "");
+    EXPECT_EQ(first_difference(never_saved, else_often), "");
+}
+
 // What was taken at the gate is in the record alone: the particles are gone.
 TEST_F(Crash, OfARunThatTakesSprayAtAGateLosesNothing) {
     write_text_atomically(scene, R"([tank]
