@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "base/atomic_file.h"
+#include "base/read_file.h"
 #include "base/errors.h"
 #include "text/section.h"
 #include "text/units.h"
@@ -47,7 +47,7 @@ int whole(Section& section, const std::string& key) {
 }
 
 Site read_site(const fs::path& file) {
-    const TextValue document = parse_document(read_text(file), file);
+    const TextValue document = parse_document(read_text_within(file, largest_document), file);
     Section section(file, "", &document);
     Site site;
     for (const auto& [key, value] : words_of_slurm) {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/atomic_file.h"
+#include "base/read_file.h"
 #include "base/errors.h"
 #include "meshes/axis_turn.h"
 #include "methods/methods.h"
@@ -167,7 +167,7 @@ Eigen::Matrix3d read_axes(Section& root) {
 }  // namespace
 
 Mapping read_mapping(const std::filesystem::path& file) {
-    const TextValue document = parse_document(read_text(file), file);
+    const TextValue document = parse_document(read_text_within(file, largest_document), file);
     Section root(file, "", &document);
     const auto required = [&](const std::string& key, const std::string& example) {
         const auto text = root.text(key);

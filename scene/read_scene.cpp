@@ -3,7 +3,7 @@
 #include <cmath>
 #include <set>
 
-#include "base/atomic_file.h"
+#include "base/read_file.h"
 #include "base/errors.h"
 #include "scene/attitude.h"
 #include "scene/check_scene.h"
@@ -130,7 +130,7 @@ Sections split_sections(const std::filesystem::path& file, const TextValue& docu
 Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overrides) {
     Scene scene;
     scene.file = file;
-    scene.text = read_text(file);
+    scene.text = read_text_within(file, largest_document);
     TextValue document = parse_document(scene.text, file);
     apply(overrides, document);
     Sections s = split_sections(file, document);

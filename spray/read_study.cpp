@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "base/atomic_file.h"
+#include "base/read_file.h"
 #include "base/errors.h"
 #include "record/run_record.h"
 #include "spray/air/foam_air.h"
@@ -197,7 +197,7 @@ void read_sensor(Section s, SprayStudy& study) {
 }  // namespace
 
 SprayStudy read_spray_study(const fs::path& file) {
-    const TextValue document = parse_document(read_text(file), file);
+    const TextValue document = parse_document(read_text_within(file, largest_document), file);
     Section root(file, "", &document);
     SprayStudy study;
     study.title = root.text("title", "");

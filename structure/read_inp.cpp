@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "base/errors.h"
+#include "base/read_file.h"
 #include "structure/mesh_builder.h"
 
 namespace tw::structure {
@@ -35,6 +36,7 @@ std::vector<std::string> fields_of(std::string_view line) {
 class InpReader {
 public:
     InpReader(const std::filesystem::path& file, double scale) : file_(file), scale_(scale), in_(file) {
+        refuse_no_file(file);
         if (!in_) throw InputError(fmt::format("{}: cannot be read", file.string()));
     }
 

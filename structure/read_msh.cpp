@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/errors.h"
+#include "base/read_file.h"
 #include "structure/mesh_builder.h"
 
 namespace tw::structure {
@@ -16,6 +17,7 @@ namespace {
 class MshReader {
 public:
     MshReader(const std::filesystem::path& file, double scale) : file_(file), scale_(scale), in_(file) {
+        refuse_no_file(file);
         if (!in_) throw InputError(fmt::format("{}: cannot be read", file.string()));
     }
 

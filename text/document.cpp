@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "base/errors.h"
+#include "text/document_limits.h"
 
 namespace tw {
 namespace {
@@ -96,6 +97,7 @@ std::string TextValue::shown() const {
 }
 
 TextValue parse_document(const std::string& text, const std::filesystem::path& file) {
+    refuse_senseless_document(text, file);
     try {
         return converted_table(toml::parse(std::string_view(text), std::string_view("scene")));
     } catch (const toml::parse_error& e) {

@@ -18,6 +18,26 @@ std::string complaint(const std::string& text, Read read) {
     return "sound";
 }
 
+/// Each dot makes a table within a table, which are walked by recursion: 15 000 of them ended the program.
+TEST(Document, OfSenselessDepthOrNumberOfTablesIsRefusedByLine) {
+    const auto of = [](const std::string& text) { return complaint(text, [](Section&) {}); };
+    std::string deep = "a";
+    for (int k = 0; k < 15000; ++k) deep += ".a";
+    for (const std::string& text : {"\n\n" + deep + " = 1\n", "\n\n[" + deep + "]\n", "\n\nx = { " + deep + " = 1 }\n"})
+        EXPECT_EQ(of(text).find("a.toml:3: a key of more than 8 parts"), 0u) << of(text).substr(0, 100);
+    EXPECT_EQ(of("a.b.c = 1.5\n[d.e]\nf = [1.5, 2.5, 3.5, 4.5, 5.5, 6.5, 7.5, 8.5, 9.5]\n"), "sound");
+    EXPECT_EQ(of("a = \"1.2.3.4.5.6.7.8.9.10\" # 1.2.3.4.5.6.7.8.9.10\nb = '1.2.3.4.5.6.7.8.9'\n"
+                 "c = \"\"\"1.2.3.4.5\n.6.7.8.9.\\\"\"\"\"\n"),
+              "sound")
+        << "dots in texts and comments";
+    std::string many;
+    for (int k = 0; k < 10001; ++k) many += "[[probe]]\nx = 1\n";
+    EXPECT_EQ(of(many).find("a.toml:20001: more than 10000 tables"), 0u);
+    many = "probe = [";
+    for (int k = 0; k < 10001; ++k) many += "{x = 1}, ";
+    EXPECT_EQ(of(many + "]\n").find("a.toml:1: more than 10000 tables"), 0u);
+}
+
 TEST(Section, ValuesAreSIWhateverTheirUnit) {
     const TextValue document = parse_document(
         "[air]\nspeed = \"36 km/h\"\nway = [1, \"2 cm\", 3]\nheat = [\"1 m\", 2]\n[[part]]\nname = \"a\"\n"
