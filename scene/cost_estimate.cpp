@@ -16,6 +16,8 @@
 #include "scene/refined_places.h"
 #include "scene/running_water.h"
 #include "scene/scene.h"
+#include "scene/tyre_steps.h"
+#include "structure/solid/solid.h"
 #include "text/plain_number.h"
 #include "text/units.h"
 
@@ -37,7 +39,14 @@ constexpr double steps_per_cell_crossing = 0.63;  // at Courant number 4: 240 st
 constexpr double steps_per_frame = 4;             // interFoam hits every sampling time and then regains its step slowly
 constexpr double start_seconds = 5;               // self-test, and starting the programs of a case
 constexpr double mesh_seconds_per_cell = 20.0 / 74e3;  // blockMesh, features, snappyHexMesh, renumber
+constexpr double seconds_per_element_step = 1e-6;      // of a tyre's hexahedra
 constexpr double parallel_share = 0.8;                 // of each further core (1.58 times on two)
+
+/// Of a run of so many steps: its sub-steps, in each half of a step, on one core.
+double seconds_of_tyre(const ElasticTyre& tyre, double duration, double steps) {
+    const TyreSteps cut = steps_of(tyre, solid_of(tyre));
+    return 2 * steps * std::ceil(duration / steps / 2 / cut.longest()) * cut.elements * seconds_per_element_step;
+}
 
 double cores(const Scene& scene) {
     if (scene.run.threads > 0) return scene.run.threads;
@@ -163,6 +172,8 @@ MethodCost predict_particles(const Scene& scene, const Prediction& p, double pac
                    (particle_steps_per_core_second * cores_of_particles(scene));
     for (const EffectChoice& e : scene.effects)
         if (e.on && !effect_part(e.name).in_the_throughput) cost.seconds *= 1 + e.cost;
+    for (const MovingBody& body : scene.bodies)
+        if (body.tyre()) cost.seconds += pace * seconds_of_tyre(*body.tyre(), scene.run.duration, cost.steps);
     if (scene.effect_on("air"))
         cost.steps *=
             std::max(1.0, (scene.sph.air_c0 + speed_of_water(scene)) / (scene.sph.c0 + speed_of_water(scene)));

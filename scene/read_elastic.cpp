@@ -226,6 +226,13 @@ void stand_elastic(MovingBody& body, double dp, SceneSection& s) {
     const double thickness = plate.thickness();
     if (plate.skin == 0) plate.skin = std::max(thickness, 6 * dp);
     if (plate.margin < 0) plate.margin = plate.mesh ? 0 : 4 * dp;
+    const double size = std::max({plate.length, plate.breadth, 16 * dp});
+    if (plate.margin > size)
+        s.fail("margin", fmt::format("goes on for more than the plate's own size; expected at most {:.3g} m, and water "
+                                     "sees no farther than the default, 4 near_hull = {:.3g} m",
+                                     size, 4 * dp));
+    if (plate.skin > size)
+        s.fail("skin", fmt::format("is thicker than the plate is long; expected at most {:.3g} m", size));
     if (plate.skin < thickness)
         s.fail("skin", fmt::format("is thinner than the plate, {:.4g} m; expected no less", thickness));
     try {

@@ -6,6 +6,7 @@
 #include "base/errors.h"
 #include "meshes/mass_properties.h"
 #include "scene/read.h"
+#include "scene/tyre_steps.h"
 #include "structure/freedoms.h"
 #include "structure/solid/wet_surface.h"
 #include "structure/tyre_static.h"
@@ -91,6 +92,11 @@ MovingBody tyre_body(SceneSection& s, std::size_t number, ElasticTyre tyre) {
     } catch (const InputError& e) { s.fail("elastic", e.what()); } catch (const RunError& e) {
         s.fail("pressure", fmt::format("bursts the tyre: {}", e.what()));
     }
+    if (const double least = least_contact_depth(tyre, steps_of(tyre, solid_of(tyre))); tyre.contact_depth < least)
+        s.fail("contact_depth",
+               fmt::format("so stiff a floor cuts time into steps more than ten times finer than the rubber needs; "
+                           "expected at least {:.2g} m",
+                           1.1 * least));
     RigidBodySetup& m = b.motion;
     const RigidMass uniform = solid_mass(b.surface, 1);
     m.mass.mass = tyre.total_mass;
