@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <fstream>
 #include <set>
 
@@ -77,6 +79,33 @@ std::optional<Vec3> check_files(const fs::path& folder, const std::string& place
     return centre;
 }
 
+/// Forces and moments are written together: but for the row that was being written, each has the other's times.
+void refuse_unmatched_rows(const fs::path& folder, const StepLoads& loads, const std::string& place) {
+    if (segments(folder, "force.dat").empty()) return;  // one file has both
+    for (const char* name : {"force.dat", "moment.dat"}) {
+        const auto rows = joined_rows(folder, name);
+        const auto until_last = std::ranges::count_if(rows, [&](const auto& r) { return r[0] <= loads.time.back(); });
+        const std::size_t matched = loads.time.size();
+        if (static_cast<std::size_t>(until_last) == matched && rows.size() <= matched + 1) continue;
+        throw InputError(fmt::format(
+            "{}: {} has {} rows, and {} of them have a row of the same time in {}; expected both files "
+            "whole: copy them again",
+            place, name, rows.size(), matched, name == std::string_view("force.dat") ? "moment.dat" : "force.dat"));
+    }
+}
+
+/// What a run that blew up leaves, and no number of a flow.
+void refuse_no_numbers(const fs::path& folder, const StepLoads& loads, const std::string& place) {
+    for (std::size_t i = 0; i < loads.time.size(); ++i)
+        for (const auto* of : {&loads.pressure, &loads.viscous})
+            for (const double v : (*of)[i])
+                if (!std::isfinite(v))
+                    throw InputError(
+                        fmt::format("{}: the loads in {} are {} at t = {:.6g} s; expected finite numbers. Did the run "
+                                    "blow up? Cut it off before that time",
+                                    place, folder.string(), v, loads.time[i]));
+}
+
 }  // namespace
 
 MomentPoint read_openfoam(const Mapping& mapping, RunRecord& record) {
@@ -89,17 +118,13 @@ MomentPoint read_openfoam(const Mapping& mapping, RunRecord& record) {
                                      place, folder.string(), post.string(), listing(post)));
     const std::optional<Vec3> centre = check_files(folder, place);
     const StepLoads loads = read_loads(folder);
-    const std::size_t rows = joined_rows(folder, "force.dat").size();
     if (loads.time.empty())
         throw InputError(
             fmt::format("{}: the force files in {} hold no whole row yet; expected rows of time, pressure "
                         "and viscous parts",
                         place, folder.string()));
-    if (rows > loads.time.size() + 1)
-        throw InputError(
-            fmt::format("{}: {} of {} rows of force.dat have a row of the same time in moment.dat; "
-                        "expected both files whole",
-                        place, loads.time.size(), rows));
+    refuse_unmatched_rows(folder, loads, place);
+    refuse_no_numbers(folder, loads, place);
 
     Table& t = record.table("forces");
     t.time = loads.time;

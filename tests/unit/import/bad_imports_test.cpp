@@ -124,6 +124,35 @@ TEST_F(ImportTest, NamesThatCouldSteerAReportOrATerminalAreRefused) {
     EXPECT_EQ(imported("csv", (folder / "f.csv").string(), columns).attributes.at("imported_from"), "f.csv");
 }
 
+/// Forces and moments of openfoam.com stand in two files, written together.
+TEST_F(ImportTest, AnOpenFoamFileThatIsCutOffOrBlewUpIsRefused) {
+    const auto file = [&](const char* name, int rows, const std::string& changed = "", int at = -1) {
+        std::string text = "# " + std::string(name) + "\n";
+        for (int i = 1; i <= rows; ++i)
+            text += std::to_string(0.01 * i) + (i == at ? changed : " 1 2 3 1 2 3 0 0 0") + "\n";
+        write("case/postProcessing/forces/0/" + std::string(name), text);
+    };
+    const auto both = [&](int forces, int moments) { file("force.dat", forces), file("moment.dat", moments); };
+    both(80, 80);
+    EXPECT_EQ(imported("openfoam", "case", "moment_point = [0, 0, 0]\n").tables.at("forces").time.size(), 80u);
+    both(79, 80);
+    EXPECT_EQ(imported("openfoam", "case", "moment_point = [0, 0, 0]\n").tables.at("forces").time.size(), 79u)
+        << "the last row was being written";
+    both(65, 80);
+    EXPECT_TRUE(says(refusal("openfoam", "case", ""),
+                     "moment.dat has 80 rows, and 65 of them have a row of the same "
+                     "time in force.dat"));
+    both(80, 65);
+    EXPECT_TRUE(says(refusal("openfoam", "case", ""), "force.dat has 80 rows, and 65"));
+    both(80, 80);
+    file("force.dat", 80, " 1 2", 40);  // one in the middle
+    EXPECT_TRUE(says(refusal("openfoam", "case", ""), "moment.dat has 80 rows, and 79"));
+    for (const char* value : {"-inf", "inf", "nan"}) {
+        file("force.dat", 80, " 1 2 3 " + std::string(value) + " 2 3 0 0 0", 70);
+        EXPECT_TRUE(says(refusal("openfoam", "case", ""), "at t = 0.7 s; expected finite numbers")) << value;
+    }
+}
+
 TEST_F(ImportTest, RowsThatAreGoneAreNamed) {
     const auto rows = [&](int from, int to, double growth) {
         std::string text = "t,Lift\n";
