@@ -10,6 +10,7 @@
 #include "app/stop_signal.h"
 #include "app/study.h"
 #include "base/errors.h"
+#include "base/in_words.h"
 #include "record/this_machine.h"
 #include "sph_solver/parallel/comm.h"
 
@@ -62,7 +63,11 @@ int run_member(const MemberCommand& command, const Common& common) {
                          " runs, numbered from 0");
     const Member& member = study.members[command.number];
     const Comm& ranks = Comm::world();
-    if (member.request.ranks > 1 && !ranks.many()) start_on_ranks(member.request.ranks);
+    if (member.request.ranks > 1 && !ranks.many()) {
+        const std::filesystem::path said = state_file(command.study, command.number);
+        return run_on_ranks(member.request.ranks,
+                            [&] { return read_member_state(said).kind == MemberState::Kind::done; });
+    }
     if (member.request.ranks != ranks.size())
         throw InputError(fmt::format("{}: run {} is for {} processes, and {} were started", command.study.string(),
                                      command.number, member.request.ranks, ranks.size()));
@@ -89,7 +94,7 @@ int run_member(const MemberCommand& command, const Common& common) {
         teller.end(MemberState::Kind::refused, e.what());
         throw;
     } catch (const std::exception& e) {
-        teller.end(MemberState::Kind::failed, e.what());
+        teller.end(MemberState::Kind::failed, in_words(e));
         throw;
     }
 }

@@ -1,14 +1,21 @@
 #include "app/ranks.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <csignal>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 
 #include "app/command_words.h"
+#include "app/output.h"
 #include "base/errors.h"
 #include "compare/report/numbers.h"
 #include "sph_solver/parallel/comm.h"
@@ -40,6 +47,35 @@ auto placed(const Scene& scene, int option, const Part& part) {
     try {
         return part();
     } catch (const InputError& e) { throw InputError(asked_by(scene, option) + ": " + e.what()); }
+}
+
+constexpr int no_program = 127;  ///< an exit status of none of ours
+volatile std::sig_atomic_t passes_to = 0;
+
+/// Runs a program of the PATH in a process group of its own, so that each signal reaches it once, and to which those
+/// that end this process are passed on; it ends with this one. Its exit status, 128 + signal where one ended it;
+/// no_program: it is not there.
+int status_of(std::vector<std::string>& words) {
+    std::vector<char*> argv;
+    for (std::string& word : words) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    const pid_t parent = getpid(), child = fork();
+    if (child < 0) throw RunError(std::string("no process can be started: ") + std::strerror(errno));
+    if (child == 0) {
+        setpgid(0, 0);
+        prctl(PR_SET_PDEATHSIG, SIGTERM);
+        const int nothing = open("/dev/null", O_RDONLY);  // behind the terminal's group nobody reads from it
+        if (getppid() == parent && dup2(nothing, STDIN_FILENO) >= 0) execvp(argv.front(), argv.data());
+        _exit(no_program);
+    }
+    setpgid(child, child);  // whichever of the two comes first
+    passes_to = child;
+    struct sigaction pass {};
+    pass.sa_handler = [](int signal) { kill(static_cast<pid_t>(passes_to), signal); };
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1}) sigaction(signal, &pass, nullptr);
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {}
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
 }  // namespace
@@ -120,7 +156,7 @@ std::string unused_ranks(const Scene& scene) {
     return scene.place_of("run.ranks") + ": not used here; each run of a study is one process\n";
 }
 
-void start_on_ranks(int ranks) {
+int run_on_ranks(int ranks, const std::function<bool()>& made) {
     std::vector<std::string> words{"mpirun", "-n", std::to_string(ranks), "--oversubscribe", "--bind-to", "none"};
     if (geteuid() == 0) words.emplace_back("--allow-run-as-root");
     words.emplace_back("--quiet");  // of mpirun's own remarks on an exit status that is ours
@@ -131,11 +167,15 @@ void start_on_ranks(int ranks) {
     words.insert(words.end(), own.begin(), own.end());
     // a run that is told to stop saves its state first; one of which a rank is dead waits for it in vain
     setenv("OMPI_MCA_odls_base_sigkill_timeout", "10", 0);  // mpirun waits twice as long
-    std::vector<char*> argv;
-    for (std::string& word : words) argv.push_back(word.data());
-    argv.push_back(nullptr);
-    execvp("mpirun", argv.data());
-    throw InputError(fmt::format("--ranks {}: mpirun is not on the PATH; install openmpi-bin", ranks));
+    const int status = status_of(words);
+    if (status == no_program)
+        throw InputError(fmt::format("--ranks {}: mpirun is not on the PATH; install openmpi-bin", ranks));
+    if (status == done && !made())
+        throw RunError(
+            fmt::format("--ranks {}: mpirun ended with exit status 0, and the run was not made. Is the mpirun on the "
+                        "PATH that of Open MPI, with which this twinwake was built?",
+                        ranks));
+    return status;
 }
 
 }  // namespace tw::app

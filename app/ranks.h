@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <string>
 
 #include "app/commands.h"
@@ -27,7 +28,8 @@ RanksTake ranks_take(const PlannedRun& plan, int option);
 /// Where a scene asks for ranks, that the runs of a study have none; else nothing.
 std::string unused_ranks(const Scene& scene);
 
-/// Becomes mpirun, which starts this very command on so many ranks. Returns only by InputError: no mpirun.
-[[noreturn]] void start_on_ranks(int ranks);
+/// Has mpirun start this very command on so many ranks, passes on signals that ask to stop, and returns their exit
+/// status. Throws InputError: no mpirun; RunError: it says that all went well, and the run is not `made`.
+int run_on_ranks(int ranks, const std::function<bool()>& made);
 
 }  // namespace tw::app

@@ -35,6 +35,13 @@ std::vector<std::string> methods_of(const Scene& scene) {
     return methods;
 }
 
+/// When a file was written last; of one that is not there the clock's first moment.
+fs::file_time_type written(const fs::path& file) {
+    std::error_code none;
+    const fs::file_time_type time = fs::last_write_time(file, none);
+    return none ? fs::file_time_type::min() : time;
+}
+
 /// A folder that holds a run is refused before another method spends an hour.
 void refuse_taken(const fs::path& folder, const std::string& method, const RunCommand& command) {
     if (command.making.collect) return;
@@ -134,6 +141,8 @@ int run_together(const PlannedRun& plan, const RunCommand& command, const Common
     const Comm& ranks = Comm::world();
     refuse_unshared(plan, command);
     const fs::path folder = out / "sph";
+    std::optional<FolderLock> lock;
+    ranks.on_first([&] { lock.emplace(out); });
     ranks.together([&] { refuse_taken(folder, "sph", command); });
     Common own = common;
     if (!ranks.first()) own.quiet = true, own.json.clear();
@@ -169,7 +178,10 @@ int run_run(const RunCommand& command, const Common& common) {
         refuse_unshared(plan, command);
         if (!command.making.hand_over && !command.twins && methods.size() == 1) {
             refuse_taken(out / "sph", "sph", command);
-            start_on_ranks(scene.run.ranks);
+            return run_on_ranks(scene.run.ranks, [&, before = written(out / "sph/record.h5")] {
+                const bool anew = written(out / "sph/record.h5") != before;
+                return (command.resume || anew) && is_finished({method_label("sph"), "sph", plan, out / "sph"});
+            });
         }
     }
     for (const std::string& method : methods) refuse_taken(out / method, method, command);
@@ -213,6 +225,7 @@ int run_run(const RunCommand& command, const Common& common) {
         }
         if (result.state == CampaignResult::State::stopped) return stopped(method_label(method));
     }
+    failed |= campaign.any_failed();  // a twin
 
     return report(plan, command, common, out, {std::move(runs), failed}, twins ? &*twins : nullptr);
 }

@@ -53,6 +53,21 @@ TEST_F(Command, AMemberThatFailsIsNamedAndTheOthersAreMade) {
     EXPECT_EQ(read_record(folder_ / "out/near_hull_30mm/sph/record.h5").state, "finished");
 }
 
+/// A run's answer rests on its twins: one that failed, or was killed, is no success.
+TEST_F(Command, ATwinThatFailsShowsInTheExitStatus) {
+    write("column.toml", small_column);
+    for (const Words& jobs : {Words{"--jobs", "2"}, Words{}}) {
+        const std::string out = jobs.empty() ? "one" : "two";
+        write(out + "/twins/near_hull_42.4264mm/sph/record.h5.tmp/in/the/way", "");
+        Words words{"run", "column.toml", "--out", out};
+        words.insert(words.end(), jobs.begin(), jobs.end());
+        const Outcome o = twinwake(words);
+        EXPECT_EQ(o.status, 3) << o.err;
+        EXPECT_TRUE(has(o.err, "0.0424264 m: failed: ")) << o.err;
+        EXPECT_EQ(read_record(folder_ / out / "sph/record.h5").state, "finished");
+    }
+}
+
 TEST_F(Command, JobsThatAreInterruptedSaveAndTheSameCommandGoesOnToTheSameBits) {
     write("column.toml", with(small_column, "duration = 0.1\ncheckpoint = 0.02", "duration = 4\ncheckpoint = 0.5"));
     const Words command = ladder_of("column.toml", "out", {"--jobs", "2", "--no-variations"});

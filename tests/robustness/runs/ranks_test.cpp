@@ -287,7 +287,9 @@ TEST_F(Ranks, AKilledRankEndsAllAndTheRunGoesOn) {
     Program program(words, folder.path());
     ASSERT_TRUE(wait_until([&] { return fs::exists(out / "sph/checkpoint.h5") || !program.running(); }, 60));
     ASSERT_TRUE(program.running()) << program.output();
-    const std::vector<pid_t> ranks = children_of(program.pid());
+    const std::vector<pid_t> mpirun = children_of(program.pid());
+    ASSERT_EQ(mpirun.size(), 1u);
+    const std::vector<pid_t> ranks = children_of(mpirun.front());
     ASSERT_EQ(ranks.size(), 3u);
     kill(ranks.back(), SIGKILL);
     ASSERT_TRUE(wait_until([&] { return !program.running(); }, 30)) << "the other ranks wait for it";
@@ -297,6 +299,22 @@ TEST_F(Ranks, AKilledRankEndsAllAndTheRunGoesOn) {
     Program rest(words, folder.path());
     ASSERT_EQ(rest.wait(), 0) << rest.output();
     expect_same(run(scene, folder.path(), 1), out / "sph", "killed and gone on");
+}
+
+TEST_F(Ranks, AnMpirunThatDoesNothingIsNotBelieved) {
+    const ScratchFolder folder("ranks_of_nobody");
+    const fs::path scene = folder.path() / "scene.toml", mpirun = folder.path() / "bin/mpirun";
+    write_text_atomically(scene, column_on_an_obstacle);
+    fs::create_directories(mpirun.parent_path());
+    write_text_atomically(mpirun, "#!/bin/sh\nexit 0\n");
+    fs::permissions(mpirun, fs::perms::owner_all);
+    const std::string path = getenv("PATH");
+    setenv("PATH", (mpirun.parent_path().string() + ":" + path).c_str(), 1);
+    Program program(command(scene, folder.path() / "out", 2), folder.path());
+    const int status = program.wait();
+    setenv("PATH", path.c_str(), 1);
+    EXPECT_EQ(status, 3);
+    EXPECT_NE(program.output().find("the run was not made"), std::string::npos) << program.output();
 }
 
 /// The words behind `env` of a run on so many ranks that take a file which may not grow for an error, as of a full
