@@ -17,7 +17,9 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t remembered = 5;
-constexpr double shortest = 10;  ///< [s]
+constexpr double shortest = 10;      ///< of a run that may teach anything [s]
+constexpr double shortest_fast = 1;  ///< of one that may teach that the machine is faster [s]
+constexpr double of_busy_hour = 2;   ///< times the pace of a later run
 
 fs::path pace_file() {
     const fs::path folder = cache_folder();
@@ -91,13 +93,22 @@ void remember_calibration(const std::string& method, double pace) {
     change([&](Json& of_machine) { of_machine[calibration(method)] = pace; });
 }
 
-void learn_pace(const std::string& method, double expected, double taken) {
-    if (!(taken > shortest) || !(expected > 0)) return;
+void learn_pace(const std::string& method, double expected, double taken, bool alone) {
+    if (!(taken > shortest_fast) || !(expected > 0)) return;
+    const double pace = taken / expected;
+    // Other programs and a run's first seconds make it slower, and nothing makes it faster than the machine is.
+    const Json paces = read_paces();
+    const bool known = knows_pace(method) || !numbers(paces, calibration("")).empty();
+    const bool faster = known && pace < median(paces, method);
+    if (!faster && (!alone || !(taken > shortest))) return;
     change([&](Json& of_machine) {
-        Json& ratios = of_machine[method];
-        if (!ratios.is_array()) ratios = Json::array();
-        ratios.push_back(taken / expected);
-        while (ratios.size() > remembered) ratios.erase(ratios.begin());
+        Json kept = Json::array();
+        if (of_machine.contains(method) && of_machine[method].is_array())
+            for (const Json& r : of_machine[method])
+                if (r.is_number() && r.get<double>() <= of_busy_hour * pace) kept.push_back(r);
+        kept.push_back(pace);
+        while (kept.size() > remembered) kept.erase(kept.begin());
+        of_machine[method] = kept;
     });
 }
 

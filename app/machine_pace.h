@@ -18,8 +18,10 @@ double calibrate_gpu_pace(const std::string& method);
 bool knows_pace(const std::string& method);
 /// Of one method, or of all those that have none ("").
 void remember_calibration(const std::string& method, double pace);
-/// A finished run: `expected` seconds by the table alone (pace 1), `taken` seconds. Runs under 10 s teach nothing. What
+/// A finished run: `expected` seconds by the table alone (pace 1), `taken` seconds. `alone`: other programs left it the
+/// processors that it used. One under 10 s, or beside others, teaches only that the machine is faster than was known; and
+/// what was learned before is forgotten where it was more than twice as slow as a later run: that was a busy hour. What
 /// cannot be written is silently not learned.
-void learn_pace(const std::string& method, double expected, double taken);
+void learn_pace(const std::string& method, double expected, double taken, bool alone);
 
 }  // namespace tw::app

@@ -1,12 +1,16 @@
 #include "app/run_method.h"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <cstdlib>
 
 #include "app/machine_pace.h"
 #include "app/progress_bar.h"
 #include "app/solvers.h"
 #include "app/stop_signal.h"
 #include "compare/report/numbers.h"
+#include "foam_cases/run/child.h"
 #include "methods/methods.h"
 #include "record/this_machine.h"
 #include "scene/node.h"
@@ -23,6 +27,28 @@ Node node_of(const RunRequest& request, const Scene& scene) {
     if (!ranks.many()) return {.ranks = scene.run.ranks};
     return {.memory = -ranks.largest(-machine_memory()), .ranks = static_cast<int>(ranks.largest(ranks.size_here()))};
 }
+
+/// Whether other programs leave this one, and those that it starts, the processors it works with.
+class Share {
+public:
+    bool left(double threads) const {
+        const double wall = wall_clock() - wall_, others = processor_time_of_all() - all_ - (own() - own_);
+        constexpr double play = 0.1;  // of the machine
+        return !(others > ((1 + play) * processors_online() - threads) * wall);
+    }
+
+private:
+    static double own() {
+        double sum = 0;
+        for (const int who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+            rusage used{};
+            getrusage(who, &used);
+            for (const timeval& t : {used.ru_utime, used.ru_stime}) sum += double(t.tv_sec) + 1e-6 * double(t.tv_usec);
+        }
+        return sum;
+    }
+    double wall_ = wall_clock(), all_ = processor_time_of_all(), own_ = own();
+};
 
 }  // namespace
 
@@ -61,13 +87,15 @@ RunRecord run_method(const std::string& method, const PlannedRun& plan, const Me
         if (run.progress) run.progress(p);
     };
     options.stop_asked = stop_asked;
+    const Share share;
     RunRecord record = solver_of(method).run(scene, options);
     // what an effect costs is an estimate of its own, and air's is the roughest
     if (record.state == "finished" && !run.resume && scene.run.ranks == 1 && !scene.effect_on("air")) {
         double taken = 0;
         for (const Phase& phase : record.phases) taken += phase.wall;
         const PaceName pace = pace_of(scene, method);
-        learn_pace(pace.name, predict_by_table(scene).of(method).seconds * pace.cores, taken);
+        learn_pace(pace.name, predict_by_table(scene).of(method).seconds * pace.cores, taken,
+                   share.left(std::atoi(record.attributes["threads"].c_str())));
     }
     return record;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <fstream>
 #include <thread>
@@ -47,6 +48,17 @@ double machine_memory() {
     if (group >> limit && limit > 0) bytes = std::min(bytes, limit);  // "max" does not read as a number
     return bytes;
 }
+
+double processor_time_of_all() {
+    std::ifstream stat("/proc/stat");
+    std::string name;
+    double user = 0, nice = 0, system = 0, idle = 0, waiting = 0, interrupts = 0, soft = 0, stolen = 0;
+    if (!(stat >> name >> user >> nice >> system >> idle >> waiting >> interrupts >> soft)) return std::nan("");
+    stat >> stolen;  // by other guests of the same machine
+    return (user + nice + system + interrupts + soft + stolen) / static_cast<double>(sysconf(_SC_CLK_TCK));
+}
+
+double processors_online() { return static_cast<double>(sysconf(_SC_NPROCESSORS_ONLN)); }
 
 std::string utc_now() {
     const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <random>
 
 #include "sph_solver/backend/for_particles.h"
@@ -74,8 +75,9 @@ BenchResult run_block(std::int64_t particles, double h_over_dp, int threads, dou
     const Timers before = simulation.timers();
     const std::int64_t first = simulation.steps();
     const double start = now();
+    const std::clock_t processor = std::clock();
     while (now() - start < seconds || simulation.steps() - first < 4) simulation.step();
-    const double wall = now() - start;
+    const double wall = now() - start, of_processor = double(std::clock() - processor) / CLOCKS_PER_SEC;
     const Timers& t = simulation.timers();
 
     BenchResult r;
@@ -84,6 +86,7 @@ BenchResult run_block(std::int64_t particles, double h_over_dp, int threads, dou
     r.isa = on_gpu ? device : passes.isa;
     r.evaluations_per_second = double(t.evaluations - before.evaluations) / wall;
     const double support = 2 * h_over_dp;
+    r.evaluations_per_processor_second = double(t.evaluations - before.evaluations) / of_processor;
     r.neighbours_per_particle = 4.0 / 3 * 3.14159265358979 * support * support * support;
     r.pairs_per_second = r.evaluations_per_second * r.neighbours_per_particle;
     r.bytes_per_particle = simulation.bytes() / double(r.particles);

@@ -14,7 +14,8 @@ struct BenchResult {
     int threads = 0;
     std::string isa;
     double evaluations_per_second = 0;  ///< particle evaluations of the whole right-hand side, everything included
-    double pairs_per_second = 0;        ///< directed pairs within the support, both passes counted as one
+    double evaluations_per_processor_second = 0;  ///< of this process: others beside it take nothing away
+    double pairs_per_second = 0;                  ///< directed pairs within the support, both passes counted as one
     double bytes_per_particle = 0;
     double bytes_on_device = 0;       ///< of those, on a GPU
     double visited_per_particle = 0;  ///< pairs that a pass works through, useful or not

@@ -192,7 +192,7 @@ void read_pace(const Input& in) {
     const std::string old = before ? before : "";
     setenv("XDG_CACHE_HOME", cache.c_str(), 1);
     app::machine_pace("sph");
-    app::learn_pace("sph", 20, 30);
+    app::learn_pace("sph", 20, 30, true);
     const double learned = app::machine_pace("sph");
     before ? setenv("XDG_CACHE_HOME", old.c_str(), 1) : unsetenv("XDG_CACHE_HOME");
     if (!(learned > 0 && learned <= 100)) throw std::logic_error("a pace that no machine has");
