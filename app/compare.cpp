@@ -4,10 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "app/output.h"
 #include "app/write_ladder.h"
 #include "base/errors.h"
+#include "base/folder_lock.h"
 #include "compare/reports/two_reports.h"
 #include "methods/methods.h"
 
@@ -38,6 +40,7 @@ int compare_ladder(const CompareCommand& command, const Common& common) {
     for (const fs::path& source : command.sources)
         for (const fs::path& file : record_files(source)) harvest.take(read_record(file), file);
     harvest.variations = take_variations(harvest.runs);
+    const FolderLock lock(command.out);
     const Ladder ladder = report_ladder(harvest, measured_records(command.measured), command.out, common);
     if (!command.require_agree) return done;
     const std::string others = not_agreeing(ladder);
@@ -83,7 +86,9 @@ int run_compare(const CompareCommand& command, const Common& common) {
     options.force = command.force;
     const Comparison comparison = compare_records(std::move(records), options);
     std::string text = summary_text(comparison);
-    if (!command.out.empty())
+    std::optional<FolderLock> lock;  // a run may be writing its own report there
+    if (!command.out.empty()) lock.emplace(command.out);
+    if (lock)
         text +=
             "\nreport: " + leaving_files([&] { return write_report(comparison, command.out); }).html.string() + "\n";
     say(common, text);

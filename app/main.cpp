@@ -2,6 +2,8 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
+#include <filesystem>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -11,6 +13,7 @@
 #include "app/quiet_waits.h"
 #include "app/subcommands.h"
 #include "base/errors.h"
+#include "base/in_words.h"
 #include "compare/report/escape.h"
 #include "record/code_version.h"
 #include "sph_solver/parallel/comm.h"
@@ -100,6 +103,20 @@ int dispatch(int argc, char** argv) {
     return chosen(common);
 }
 
+constexpr const char* no_memory =
+    "out of memory: coarsen [resolution] near_hull; twinwake check shows how much is needed";
+
+/// Of an exception that nobody could catch, such as that of a thread which finds no memory.
+[[noreturn]] void end_at_once() {
+    const char* what = "unexpected: the program ended itself";
+    try {
+        if (const std::exception_ptr now = std::current_exception()) std::rethrow_exception(now);
+    } catch (const std::bad_alloc&) { what = no_memory; } catch (...) {
+    }
+    std::fprintf(stderr, "%s\n", what);
+    std::_Exit(run_failed);
+}
+
 /// The exit status, and what went wrong.
 int status_of(int argc, char** argv, std::string& failure) {
     try {
@@ -108,8 +125,11 @@ int status_of(int argc, char** argv, std::string& failure) {
         failure = e.what();
         return bad_input;
     } catch (const RunError& e) { failure = e.what(); } catch (const std::bad_alloc&) {
-        failure = "out of memory: coarsen [resolution] near_hull; twinwake check shows how much is needed";
-    } catch (const std::exception& e) { failure = std::string("unexpected: ") + e.what(); }
+        failure = no_memory;
+    } catch (const std::filesystem::filesystem_error& e) {
+        failure = in_words(e);
+        return bad_input;
+    } catch (const std::exception& e) { failure = "unexpected: " + in_words(e); }
     return run_failed;
 }
 
@@ -121,7 +141,9 @@ int run_program(int argc, char** argv) {
     try {
         ranks = &Comm::world();
         status = status_of(argc, argv, failure);
-    } catch (const InputError& e) { failure = e.what(); }
+    } catch (const InputError& e) { failure = e.what(); } catch (const std::bad_alloc&) {
+        failure = no_memory, status = run_failed;
+    }
     if (!failure.empty() && ranks->first()) complain(failure);
     // Lost output is no success; a status that says more than that is kept.
     if (!everything_was_printed() && status == done) status = bad_input;
@@ -133,6 +155,7 @@ int run_program(int argc, char** argv) {
 }  // namespace tw::app
 
 int main(int argc, char** argv) {
+    std::set_terminate(tw::app::end_at_once);
     tw::app::spin_briefly(argv);
     // OpenFOAM believes PWD rather than the folder it is started in, and refuses one with a blank: the shell's must not
     // reach it.

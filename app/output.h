@@ -4,6 +4,7 @@
 
 #include "app/commands.h"
 #include "base/errors.h"
+#include "base/in_words.h"
 
 namespace tw::app {
 
@@ -30,7 +31,7 @@ auto leaving_files(Write write) {
     try {
         return write();
     } catch (const RunError& e) { throw InputError(e.what()); } catch (const std::filesystem::filesystem_error& e) {
-        throw InputError(e.what());
+        throw InputError(in_words(e));
     }
 }
 

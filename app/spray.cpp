@@ -5,6 +5,7 @@
 #include "app/output.h"
 #include "app/spray_cloud.h"
 #include "base/atomic_file.h"
+#include "base/folder_lock.h"
 #include "spray/read_droplets.h"
 #include "spray/read_study.h"
 #include "spray/report/write_spray.h"
@@ -43,7 +44,7 @@ std::string spray_json(const spray::SprayResult& r) {
                           {"corrected_interval", interval_json(r.peak->droplets.corrected)},
                           {"average_interval_over_windows", interval_json(r.over_windows.average)}};
     }
-    return json.dump(2) + "\n";
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace
@@ -58,6 +59,7 @@ int run_spray_command(const SprayCommand& command, const Common& common) {
         command.out.empty() ? std::filesystem::path("runs") / (command.study.stem().string() + "_spray") : command.out;
     const spray::SprayResult result = spray::run_spray(study);
     make_folder(out);
+    const FolderLock lock(out);
     leaving_files([&] { spray::write_spray(out, study, result); });
     std::string text;
     for (const ReportTable& table : spray_tables(study, result))

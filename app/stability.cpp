@@ -6,6 +6,7 @@
 #include "app/progress_bar.h"
 #include "app/stop_signal.h"
 #include "base/errors.h"
+#include "base/folder_lock.h"
 
 namespace tw::app {
 
@@ -16,6 +17,7 @@ int run_stability(const StabilityCommand& command, const Common& common) {
     std::error_code wrong;  // an impossible folder is refused before the work
     if (fs::create_directories(out, wrong); wrong)
         throw InputError("--out " + out.string() + ": no folder can be made there: " + wrong.message());
+    const FolderLock lock(out);
     std::vector<StabilityMap> maps = stability_maps(command.quick);
     {
         ProgressBar bar("stability", common.quiet);

@@ -10,6 +10,7 @@
 #include "app/study_keys.h"
 #include "base/atomic_file.h"
 #include "base/errors.h"
+#include "base/read_file.h"
 
 namespace tw::app {
 namespace {
@@ -73,6 +74,7 @@ void write_study(const Study& study) {
     const fs::path members = study_folder(study.out) / "members";
     std::error_code ignored;
     fs::remove_all(members, ignored);
+    leaving_files([&] { make_own_folder(members.parent_path()); });
     make_folder(members);
     StudyJson json = {{"where", fs::current_path().string()},
                       {"out", study.out.string()},

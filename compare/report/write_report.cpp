@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "base/atomic_file.h"
-#include "base/errors.h"
+#include "base/read_file.h"
 #include "compare/compare.h"
 #include "compare/report/csv.h"
 #include "compare/report/report_html.h"
@@ -11,9 +11,7 @@ namespace tw {
 namespace fs = std::filesystem;
 
 ReportFiles write_report(const Comparison& comparison, const fs::path& folder, const std::string& details) {
-    std::error_code error;
-    fs::create_directories(folder / "figures", error);
-    if (error) throw RunError((folder / "figures").string() + ": cannot be created: " + error.message());
+    make_own_folder(folder / "figures");
     const Figures figures = draw_figures(comparison);
     for (const auto* list : {&figures.forces, &figures.splash, &figures.wetting, &figures.cuts, &figures.probes,
                              &figures.bodies, &figures.maps, &figures.resolution})
