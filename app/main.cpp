@@ -117,6 +117,11 @@ constexpr const char* no_memory =
     std::_Exit(run_failed);
 }
 
+/// Set before the libraries' own beginnings, in which memory may already end.
+[[gnu::section(".preinit_array"), gnu::used]] void (*const before_libraries)() = [] {
+    std::set_terminate(end_at_once);
+};
+
 /// The exit status, and what went wrong.
 int status_of(int argc, char** argv, std::string& failure) {
     try {
@@ -155,7 +160,6 @@ int run_program(int argc, char** argv) {
 }  // namespace tw::app
 
 int main(int argc, char** argv) {
-    std::set_terminate(tw::app::end_at_once);
     tw::app::spin_briefly(argv);
     // OpenFOAM believes PWD rather than the folder it is started in, and refuses one with a blank: the shell's must not
     // reach it.

@@ -14,6 +14,7 @@
 #include "record/spray_table.h"
 #include "scene/hash.h"
 #include "sph_solver/run_sph.h"
+#include "test_paths.h"
 
 namespace tw::test {
 namespace crash_at_every_write_test {
