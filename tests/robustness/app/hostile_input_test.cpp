@@ -81,14 +81,14 @@ TEST_F(Command, WhatAPlateCannotNeedIsRefusedBeforeItIsMade) {
     write("gate.toml", gate);
     EXPECT_EQ(twinwake({"check", "gate.toml"}).status, 0);
     for (const auto& [key, value, message] : {std::array{"margin         = 0.008", "margin = 1e6",
-                                                         "gate.toml:22:10: [body] margin = 1e+06: goes on for more"},
+                                                         "bad.toml:22:10: [[body]] margin = 1000000: goes on for more"},
                                               std::array{"skin           = \"5 mm\"", "skin = 1e6",
-                                                         "gate.toml:23:8: [body] skin = 1e+06: is thicker than"}}) {
+                                                         "bad.toml:23:8: [[body]] skin = 1000000: is thicker than"}}) {
         write("bad.toml", with(gate, key, value));
         const auto start = std::chrono::steady_clock::now();
         const Outcome o = twinwake({"check", "bad.toml"});
         EXPECT_EQ(o.status, 2);
-        EXPECT_NE(o.err.find(std::string(message).substr(9)), std::string::npos) << o.err;
+        EXPECT_EQ(o.err.find(message), 0u) << o.err;
         EXPECT_LT(seconds_since(start), 20);
     }
 }
@@ -98,7 +98,12 @@ TEST_F(Command, AFloorAgainstWhichNoTyreCanBeFollowedIsRefusedAndWhatTheOthersTa
         write("tyre.toml", with(tyre, "contact_depth = 1e-4", "contact_depth = " + depth));
         return twinwake({"check", "tyre.toml"});
     };
-    EXPECT_EQ(predicted("1e-4").status, 0);
+    const auto seconds = [&](const std::string& depth) {
+        const std::string text = predicted(depth).out;
+        const std::size_t line = text.find("  sph  "), end = text.find('\n', line);
+        return std::stod(text.substr(text.rfind(", ", end) + 2));
+    };
+    EXPECT_GT(seconds("2e-7"), 3 * seconds("1e-4")) << "ten times as many sub-steps";
     const Outcome o = predicted("1e-12");
     EXPECT_EQ(o.status, 2);
     EXPECT_NE(o.err.find("tyre.toml:15:17: [[body]] contact_depth = 1e-12: so stiff a floor cuts time into steps"),
