@@ -26,10 +26,18 @@ struct MeanValue {
     double seconds_needed = 0;  ///< > 0: not known because the record is too short, by about this much [s]
     double second_opinion = std::numeric_limits<double>::quiet_NaN();  ///< half width by overlapping batch means
     std::string limited_by;  ///< what makes the interval as wide as it is, where that is not the series: "half a voxel"
+    /// What reading the value off its history leaves open below and above it (threshold, spacing, sampling), which no run
+    /// of another size shows [unit]; in the outer interval alone (verdict/left_out.h). `reading_of`: what that is.
+    double reading_below = 0, reading_above = 0;
+    std::string reading_of = {};
+    std::string not_resolved = {};  ///< why this source's value is not judged: "sound of the impact: ..."; empty: it is
     bool unreliable = false;  ///< the two estimates of the interval differ by more than 1.5; the wider one is used
 
-    /// The widest interval that is known; nan: none, because the sizes do not converge.
-    double bar() const { return no_uncertainty.empty() && !std::isfinite(uncertainty) ? half_width : uncertainty; }
+    /// The widest interval that is known; nan: none, because the sizes do not converge or it is not judged.
+    double bar() const {
+        if (!not_resolved.empty()) return std::numeric_limits<double>::quiet_NaN();
+        return no_uncertainty.empty() && !std::isfinite(uncertainty) ? half_width : uncertainty;
+    }
 };
 
 /// agree and differ need runs of several sizes: without them nothing is known of the discretisation error, and two

@@ -139,6 +139,25 @@ void read_cost(hid_t file, RunRecord& record) {
     record.steps = number(group, "steps");
 }
 
+void read_bounds(hid_t effects, RunRecord& record) {
+    if (!h5::has(effects, layout::bounds)) return;  // records had none at first
+    const h5::Handle group = h5::open_group(effects, layout::bounds);
+    const auto effect = h5::read_texts(group, "effect"), of = h5::read_texts(group, "of"),
+               unit = h5::read_texts(group, "unit"), source = h5::read_texts(group, "source"),
+               elements = h5::read_texts(group, "elements");
+    const auto below = h5::read_vector<double>(group, "below", H5T_NATIVE_DOUBLE),
+               above = h5::read_vector<double>(group, "above", H5T_NATIVE_DOUBLE);
+    const std::size_t n = effect.size();
+    for (const std::size_t size : {of.size(), unit.size(), source.size(), elements.size(), below.size(), above.size()})
+        if (size != n) throw h5::Failure{"the columns of the effects' bounds differ in length"};
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto at = std::ranges::find(record.effects, effect[i], &EffectChoice::name);
+        if (at == record.effects.end()) throw h5::Failure{"a bound belongs to no effect: " + effect[i]};
+        if (!(below[i] >= 0) || !(above[i] >= 0)) throw h5::Failure{"a bound of " + effect[i] + " is negative"};
+        at->bounds.push_back({of[i], below[i], above[i], unit[i], source[i], elements[i]});
+    }
+}
+
 void read_effects(hid_t file, RunRecord& record) {
     const h5::Handle group = h5::open_group(file, layout::effects);
     const auto name = h5::read_texts(group, "name"), reason = h5::read_texts(group, "reason"),
@@ -150,7 +169,8 @@ void read_effects(hid_t file, RunRecord& record) {
     if (reason.size() != n || influence.size() != n || cost.size() != n || on.size() != n || forced.size() != n)
         throw h5::Failure{"the columns of effects differ in length"};
     for (std::size_t i = 0; i < n; ++i)
-        record.effects.push_back({name[i], on[i] != 0, forced[i] != 0, reason[i], influence[i], cost[i]});
+        record.effects.push_back({name[i], on[i] != 0, forced[i] != 0, reason[i], influence[i], cost[i], {}});
+    read_bounds(group, record);
 }
 
 void read_certificate(hid_t file, RunRecord& record) {

@@ -16,6 +16,7 @@ inline constexpr const char* hull = "hull";
 inline constexpr const char* bodies = "bodies";
 inline constexpr const char* cost = "cost";
 inline constexpr const char* effects = "effects";
+inline constexpr const char* bounds = "bounds";  ///< in effects
 inline constexpr const char* certificate = "certificate";
 inline constexpr const char* resolution = "resolution";
 

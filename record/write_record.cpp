@@ -120,6 +120,23 @@ void write_cost(hid_t file, const RunRecord& record) {
     h5::write_attribute(group, "steps", record.steps);
 }
 
+void write_bounds(hid_t effects, const RunRecord& record) {
+    const h5::Handle group = h5::create_group(effects, layout::bounds);
+    std::vector<std::string> effect, of, unit, source, elements;
+    std::vector<double> below, above;
+    for (const EffectChoice& e : record.effects)
+        for (const EffectBound& b : e.bounds) {
+            effect.push_back(e.name), of.push_back(b.of), unit.push_back(b.unit);
+            source.push_back(b.source), elements.push_back(b.elements);
+            below.push_back(b.below), above.push_back(b.above);
+        }
+    for (const auto& [column, texts] : {std::pair{"effect", &effect}, std::pair{"of", &of}, std::pair{"unit", &unit},
+                                        std::pair{"source", &source}, std::pair{"elements", &elements}})
+        h5::write_texts(group, column, *texts);
+    h5::write_vector(group, "below", H5T_NATIVE_DOUBLE, below, false);
+    h5::write_vector(group, "above", H5T_NATIVE_DOUBLE, above, false);
+}
+
 void write_effects(hid_t file, const RunRecord& record) {
     const h5::Handle group = h5::create_group(file, layout::effects);
     std::vector<std::string> name, reason, influence;
@@ -139,6 +156,7 @@ void write_effects(hid_t file, const RunRecord& record) {
     h5::write_vector(group, "cost", H5T_NATIVE_DOUBLE, cost, false);
     h5::write_vector(group, "on", H5T_NATIVE_INT, on, false);
     h5::write_vector(group, "forced", H5T_NATIVE_INT, forced, false);
+    write_bounds(group, record);
 }
 
 void write_certificate(hid_t file, const RunRecord& record) {

@@ -10,6 +10,7 @@
 #include "record/solid_at_rest.h"
 #include "record/this_machine.h"
 #include "scene/box_walls.h"
+#include "scene/dry_floor.h"
 #include "scene/hash.h"
 #include "scene/hull_motion.h"
 #include "scene/particle_levels.h"
@@ -115,6 +116,8 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
         {"sampling_interval", scene.sampling.interval},
         {"dimensions", scene.domain.dimensions},
     };
+    if (scene.motion.kind != Motion::Kind::stream)
+        if (const double height = released_height(scene); height > 0) record.numbers["released_height"] = height;
     for (std::size_t k = 0; k < 3; ++k) {
         const std::string axis(1, "xyz"[k]);
         record.numbers["domain_" + axis + "_min"] = scene.domain.box.min[static_cast<Eigen::Index>(k)];

@@ -13,6 +13,7 @@
 #include "compare/align/time_bins.h"
 #include "compare/metrics/probe_peaks.h"
 #include "compare/metrics/quantity.h"
+#include "compare/metrics/sound.h"
 #include "compare/read/record_numbers.h"
 #include "compare/verdict/judge.h"
 #include "methods/methods.h"
@@ -161,9 +162,15 @@ void add_bodies(Comparison& comparison) {
         });
         const double filter = filter_of(comparison.sources, "body", name);
         const std::string over = fmt::format("over {:g} ms", 1e3 * filter);
-        add("peak", "Largest force on " + name + ", mean " + over, N,
-            "largest mean of the water's vertical force " + over + ": shorter peaks are sound and sampling",
-            [&](const BodyHistory& h) { return peak_of(h, filter); });
+        Quantity& peak = add("peak", "Largest force on " + name + ", mean " + over, N,
+                             "largest mean of the water's vertical force " + over + ": shorter peaks are sound and sampling",
+                             [&](const BodyHistory& h) { return peak_of(h, filter); });
+        for (std::size_t s = 0; s < histories.size(); ++s)
+            if (const double shortest = sound_time(comparison.sources[s]); shortest > 0 && histories[s].has("fz")) {
+                const BodyHistory& h = histories[s];
+                const std::vector<double> lasts = lasting(h.times(), h.values("fz"), shortest);
+                set_sound_aside(peak, s, largest_window_mean(h.times(), lasts, filter), shortest, comparison.names[s]);
+            }
         add("arrival", "Arrival of the force on " + name, "s",
             "when the water's vertical force has risen to a tenth of its largest mean " + over,
             [&](const BodyHistory& h) { return arrival_of(h, filter); });

@@ -10,6 +10,8 @@
 #include "compare/metrics/forces.h"
 #include "compare/metrics/probe_peaks.h"
 #include "compare/metrics/quantity.h"
+#include "compare/metrics/readings.h"
+#include "compare/metrics/sound.h"
 #include "compare/read/record_numbers.h"
 #include "compare/verdict/judge.h"
 
@@ -34,6 +36,8 @@ Span common_span(const std::vector<RunRecord>& sources, const std::string& table
 /// One probe's history in one record, within the span; empty where the record has no such probe.
 struct History {
     std::vector<double> t, x;
+    double sound = 0;                ///< what is shorter is sound [s]; 0: there is none
+    std::vector<double> lasts = {};  ///< what of it lasts longer
 };
 History history_of(const RunRecord& record, const std::string& table, const std::string& column, const Span& span) {
     History h;
@@ -45,6 +49,8 @@ History history_of(const RunRecord& record, const std::string& table, const std:
             h.t.push_back(time[i]);
             h.x.push_back(c->values[i]);
         }
+    h.sound = table == "pressure" ? sound_time(record) : 0;
+    h.lasts = lasting(h.t, h.x, h.sound);
     return h;
 }
 
@@ -62,9 +68,9 @@ MeanValue reading(double value, const History& history, const char* why_not) {
     return m;
 }
 
-double highest(const History& h) {
+double highest(std::span<const double>, std::span<const double> values) {
     double most = std::numeric_limits<double>::quiet_NaN();
-    for (const double x : h.x)
+    for (const double x : values)
         if (std::isfinite(x) && !(most >= x)) most = x;
     return most;
 }
@@ -137,6 +143,27 @@ MeanValue mean_over_run(const RunRecord& record, const std::string& table, const
     return m;
 }
 
+/// When water arrives at a gauge. The peak of which it is a share is that of what lasts: sound is no water.
+Quantity arrival_at(const Comparison& c, const std::string& table, const std::string& name,
+                    const std::vector<History>& histories, double window) {
+    Quantity q = new_quantity(
+        fmt::format("{}_arrival:{}", table, name), fmt::format("Arrival at {} ({})", name, table), "s",
+        fmt::format("first time at which the {} has risen by a tenth of the way from its first value to its largest mean "
+                    "over {:g} ms, sound left out",
+                    table, 1e3 * window));
+    for (std::size_t s = 0; s < histories.size(); ++s) {
+        const History& h = histories[s];
+        const double peak = largest_window_mean(h.t, h.lasts, window), first = h.x.empty() ? peak : h.x.front();
+        const double arrives =
+            peak > first ? arrival_time(h.t, h.x, first + arrival_share * (peak - first)) : std::nan("");
+        q.values.push_back(reading(arrives, h, "nothing arrives in the time that all records cover"));
+        set_reading(q.values.back(), reading_of_arrival(h.t, h.x, first, peak, c.sources[s]), of_arrival);
+    }
+    beside(q);
+    q.judged_in_ladder = true;
+    return q;
+}
+
 }  // namespace
 
 void add_probes(Comparison& comparison, const CompareOptions& options) {
@@ -157,7 +184,13 @@ void add_probes(Comparison& comparison, const CompareOptions& options) {
                                  std::string definition, bool in_ladder, const char* why_not, auto&& value_of) {
                 Quantity q = new_quantity(fmt::format("{}{}:{}", table, kind, name), std::move(label), its_unit,
                                           std::move(definition));
-                for (const History& h : histories) q.values.push_back(reading(value_of(h), h, why_not));
+                for (const History& h : histories) q.values.push_back(reading(value_of(h.t, h.x), h, why_not));
+                for (std::size_t s = 0; in_ladder && s < histories.size(); ++s) {
+                    const History& h = histories[s];
+                    if (h.sound > 0) set_sound_aside(q, s, value_of(h.t, h.lasts), h.sound, comparison.names[s]);
+                    if (table == "height")
+                        set_reading(q.values[s], reading_of_height(comparison.sources[s]), of_height);
+                }
                 beside(q);
                 q.judged_in_ladder = in_ladder && tank;
                 comparison.quantities.push_back(std::move(q));
@@ -179,23 +212,13 @@ void add_probes(Comparison& comparison, const CompareOptions& options) {
                     "time that all records cover: the largest impulse over its time",
                     1e3 * window, 1e3 * filter),
                 true, "its record is shorter than the window",
-                [&](const History& h) { return largest_window_mean(h.t, h.x, window); });
+                [&](auto t, auto x) { return largest_window_mean(t, x, window); });
             add("_p99",
                 fmt::format("{} at {} exceeded 1 % of the time", table == "height" ? "Height" : "Pressure", name), unit,
                 "99th percentile in time, in the time that all records cover", true, nothing,
-                [](const History& h) { return time_percentile(h.t, h.x, 0.99); });
+                [](auto t, auto x) { return time_percentile(t, x, 0.99); });
             if (tank)
-                add("_arrival", fmt::format("Arrival at {} ({})", name, table), "s",
-                    fmt::format(
-                        "first time at which the {} has risen by a tenth of the way from its first value to its "
-                        "largest mean over {:g} ms",
-                        table, 1e3 * window),
-                    true, "nothing arrives in the time that all records cover", [&](const History& h) {
-                        const double peak = largest_window_mean(h.t, h.x, window);
-                        const double first = h.x.empty() ? peak : h.x.front();
-                        if (!(peak > first)) return std::numeric_limits<double>::quiet_NaN();
-                        return arrival_time(h.t, h.x, first + arrival_share * (peak - first));
-                    });
+                comparison.quantities.push_back(arrival_at(comparison, table, name, histories, window));
 
             Quantity mean =
                 new_quantity(fmt::format("{}_mean:{}", table, name), fmt::format("Mean {} at {}", table, name), unit,
@@ -203,6 +226,8 @@ void add_probes(Comparison& comparison, const CompareOptions& options) {
             for (const RunRecord& r : comparison.sources)
                 mean.values.push_back(flow_through_time(r) > 0 ? mean_of(r, table, name, options)
                                                                : mean_over_run(r, table, name));
+            for (std::size_t s = 0; table == "height" && s < comparison.sources.size(); ++s)
+                set_reading(mean.values[s], reading_of_height(comparison.sources[s]), of_height);
             beside(mean);
             mean.judged_in_ladder = true;
             comparison.quantities.push_back(std::move(mean));

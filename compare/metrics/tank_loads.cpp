@@ -11,6 +11,7 @@
 #include "base/numbers.h"
 #include "compare/metrics/probe_peaks.h"
 #include "compare/metrics/quantity.h"
+#include "compare/metrics/sound.h"
 #include "compare/metrics/splash.h"
 #include "compare/read/record_numbers.h"
 #include "compare/verdict/judge.h"
@@ -60,6 +61,15 @@ double peak_of(const Load& load) {
     return std::abs(least) > std::abs(most) ? least : most;
 }
 
+/// What of a load, or of its opposite, lasts at least so long [s].
+Load lasting_load(Load load, double shortest, bool opposite) {
+    const double sign = opposite ? -1 : 1;
+    for (double& f : load.f) f *= sign;
+    load.f = lasting(load.t, load.f, shortest);
+    for (double& f : load.f) f *= sign;
+    return load;
+}
+
 }  // namespace
 
 void add_tank_loads(Comparison& comparison) {
@@ -100,6 +110,12 @@ void add_tank_loads(Comparison& comparison) {
                     m.why_not = t ? "its record has gaps" : "its record does not hold it";
                 q.values.push_back(m);
             }
+            for (std::size_t i = 0; kind == std::string("peak") && i < sources.size(); ++i)
+                if (const double shortest = sound_time(sources[i]); shortest > 0 && q.values[i].known)
+                    set_sound_aside(q, i,
+                                    value_of(lasting_load(load_in(*tables[i], column, begin, end), shortest,
+                                                          q.values[i].value < 0)),
+                                    shortest, comparison.names[i]);
             beside(q);
             q.judged_in_ladder = true;
             comparison.quantities.push_back(std::move(q));

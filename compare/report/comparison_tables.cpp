@@ -151,11 +151,27 @@ ReportTable quantities_table(const Comparison& c, bool judged) {
     return table;
 }
 
+namespace {
+
+/// "1492 ± 96", or from where to where of an interval that is wider to one side.
+std::string outer_text(const MeanValue& m, const OuterInterval& outer) {
+    if (!std::isfinite(outer.below)) return "–";
+    const double most = std::max(outer.below, outer.above);
+    if (std::abs(outer.above - outer.below) < 0.01 * most) return value_text(m.value, most);
+    return value_text(m.value - outer.below, most) + " … " + value_text(m.value + outer.above, most);
+}
+
+}  // namespace
+
 ReportTable left_out_table(const Comparison& c) {
     ReportTable table{"Not in these intervals",
                       {words("Quantity"), words("unit"), words("left out, with its influence")}};
     add_source_columns(table, c, true);
-    for (const Quantity* q : main_quantities(c.quantities)) {
+    std::vector<const Quantity*> all;
+    for (const Quantity* q : main_quantities(c.quantities)) all.push_back(q);
+    for (const Quantity& q : c.quantities)
+        if (q.judged && std::ranges::find(all, &q) == all.end()) all.push_back(&q);
+    for (const Quantity* q : all) {
         std::string left_out;
         std::vector<ReportCell> outer;
         for (std::size_t s = 0; s < c.sources.size(); ++s) {
@@ -164,8 +180,7 @@ ReportTable left_out_table(const Comparison& c) {
                 here += (here.empty() ? "" : ", ") + l.name + (l.influence.empty() ? "" : " (" + l.influence + ")");
             if (!here.empty() && left_out.find(here) == left_out.npos)
                 left_out += (left_out.empty() ? "" : "; ") + here;
-            const double U = outer_half_width(*q, q->values[s], c.sources[s]);
-            outer.emplace_back(std::isfinite(U) ? value_text(q->values[s].value, U) : "–");
+            outer.emplace_back(outer_text(q->values[s], outer_interval(*q, q->values[s], c.sources[s])));
         }
         if (left_out.empty()) continue;
         ReportRow row{{q->label, q->unit, left_out}};

@@ -60,9 +60,10 @@ std::string strip_of(const Comparison& c, const Quantity& q) {
     Strip strip{q.label, {}};
     for (std::size_t s = 0; s < q.values.size(); ++s) {
         const MeanValue& m = q.values[s];
+        const OuterInterval outer = outer_interval(q, m, c.sources[s]);
         strip.values.push_back({method_label(c.names[s]), c.failed(s) ? "failed" : value_with_unit(m, q.unit), s,
                                 m.known && !c.failed(s) ? m.value : std::nan(""), m.bar(),
-                                outer_half_width(q, m, c.sources[s])});
+                                outer.above, outer.below});
     }
     for (const Reference& r : c.references)
         if (r.quantity == q.name) strip.references.push_back({r.source, r.value, r.half_width});

@@ -16,6 +16,7 @@ Json quantity_json(const Comparison& comparison, const Quantity& q) {
     Json values = Json::array(), intervals = Json::array(), sources = Json::array();
     for (std::size_t i = 0; i < q.values.size(); ++i) {
         const MeanValue& m = q.values[i];
+        const OuterInterval outer = outer_interval(q, m, comparison.sources[i]);
         values.push_back(m.known ? number(m.value) : Json(nullptr));
         intervals.push_back(m.known ? number(m.bar()) : Json(nullptr));
         Json s = {{"name", comparison.names[i]},
@@ -24,7 +25,9 @@ Json quantity_json(const Comparison& comparison, const Quantity& q) {
                   {"discretisation", number(m.discretisation)},
                   {"choices", number(m.choices)},
                   {"outer_interval", number(outer_half_width(q, m, comparison.sources[i]))},
+                  {"outer", {number(m.value - outer.below), number(m.value + outer.above)}},
                   {"no_interval", m.no_uncertainty},
+                  {"not_resolved", m.not_resolved},
                   {"from", m.from},
                   {"to", m.to},
                   {"independent_samples", number(m.n_effective)},
@@ -35,7 +38,11 @@ Json quantity_json(const Comparison& comparison, const Quantity& q) {
             s["seconds_needed"] = number(m.seconds_needed);
         }
         for (const LeftOut& l : left_out_of(q, m, comparison.sources[i]))
-            s["left_out"].push_back({{"name", l.name}, {"influence", l.influence}, {"bound", number(l.bound)}});
+            s["left_out"].push_back({{"name", l.name},
+                                     {"influence", l.influence},
+                                     {"bound", number(l.bound)},
+                                     {"below", std::isfinite(l.bound) ? number(l.below) : Json(nullptr)},
+                                     {"above", std::isfinite(l.bound) ? number(l.above) : Json(nullptr)}});
         sources.push_back(std::move(s));
     }
     Json json = {{"name", q.name},

@@ -19,7 +19,8 @@ struct StripAxis {
     double low = HUGE_VAL, high = -HUGE_VAL;
 
     explicit StripAxis(const Strip& strip) {
-        for (const auto& v : strip.values) add(v.value, std::isfinite(v.outer) ? v.outer : v.half_width);
+        for (const auto& v : strip.values)
+            add(v.value, std::isfinite(v.outer) ? std::max(v.outer, v.below()) : v.half_width);
         for (const auto& r : strip.references) add(r.value, r.half_width);
         const double room = high > low ? 0.06 * (high - low) : std::max(0.1 * std::abs(low), 1e-3);
         low -= room;
@@ -47,7 +48,7 @@ std::string drawn(const Strip::Value& v, const StripAxis& X, double y) {
                                  escaped(v.text));
     if (std::isfinite(v.outer))
         out += fmt::format("<line class=\"outer s{}\" x1=\"{:.1f}\" x2=\"{:.1f}\" y1=\"{:.1f}\" y2=\"{:.1f}\"/>",
-                           v.source, X(v.value - v.outer), X(v.value + v.outer), y, y);
+                           v.source, X(v.value - v.below()), X(v.value + v.outer), y, y);
     const bool interval = std::isfinite(v.half_width) && v.half_width > 0;
     if (interval) {
         const double from = X(v.value - v.half_width), to = X(v.value + v.half_width);

@@ -7,11 +7,15 @@
 #include <cmath>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "compare/metrics/splash.h"
 #include "compare/read/record_numbers.h"
+#include "compare/verdict/quantity_kinds.h"
 #include "compare/verdict/sentence.h"
+#include "methods/methods.h"
 #include "record/force_names.h"
+#include "record/influence_words.h"
 
 namespace tw {
 
@@ -19,22 +23,20 @@ namespace {
 
 constexpr double negligible = 1e-3;  ///< of the value [-]
 
-/// What the plan calls a quantity; empty: it does not speak of it.
-std::string planned_name(const std::string& quantity) {
-    const bool of_tank = quantity.starts_with("load_");
-    if (quantity == "drag" || quantity == "total_drag" || (of_tank && quantity.ends_with("_x"))) return "drag";
-    if (quantity == "lift" || quantity == "trim_moment" || (of_tank && quantity.ends_with("_z"))) return "lift";
-    return quantity.starts_with("splash") ? "splash" : "";
-}
-
 bool is_on(const RunRecord& run, const char* effect) {
     return std::ranges::any_of(run.effects, [&](const EffectChoice& e) { return e.on && e.name == effect; });
 }
 
-/// Whether another effect that is on stands for it, or another that is off names it.
-bool said_elsewhere(const EffectChoice& e, const std::string& planned, const RunRecord& run) {
-    return e.name == "no_slip" || e.name == "friction" ||
-           (e.name == "viscosity" && planned == "drag" && is_on(run, "friction"));
+/// Of a method whose solution is not made of particles.
+bool is_of_others(const std::string& elements, const RunRecord& run) {
+    return !elements.empty() && elements_of(text_of(run, "method")) != elements;
+}
+
+/// Whether another effect that is on stands for it, or another that is off names it, or it is no shortcoming of this run.
+bool is_not_charged(const EffectChoice& e, const std::string& kind, const RunRecord& run) {
+    const auto is = [&](auto... names) { return ((e.name == names) || ...); };
+    return is("no_slip", "friction", "gravity") || (e.name == "viscosity" && kind == "drag" && is_on(run, "friction")) ||
+           (is("shifting", "tension_control", "acoustic_damping") && is_of_others("particles", run));
 }
 
 /// Takes a number off the front of a text.
@@ -91,28 +93,71 @@ std::string influence_on(const std::string& quantity, const std::string& influen
     return influence.substr(at, influence.find("; ", at) - at);
 }
 
+namespace {
+
+/// What the plan bounds as a number for one of these kinds, the first that it knows.
+const EffectBound* bound_of(const EffectChoice& e, const std::vector<std::string>& kinds) {
+    for (const std::string& kind : kinds)
+        if (const auto b = std::ranges::find(e.bounds, kind, &EffectBound::of); b != e.bounds.end()) return &*b;
+    return nullptr;
+}
+
+void add(std::vector<LeftOut>& all, const std::string& name, const EffectBound& b, double value) {
+    const double unit = b.unit == "-" ? std::abs(value) : 1;
+    LeftOut l{name, in_words(b), unit * std::max(b.below, b.above), unit * b.below, unit * b.above};
+    if (value < 0) std::swap(l.below, l.above);  // of its magnitude
+    if (l.bound >= negligible * std::abs(value)) all.push_back(std::move(l));
+}
+
+/// What the words of the plan say of a kind of quantity.
+void add_words(std::vector<LeftOut>& all, const EffectChoice& e, const std::string& kind, const Quantity& q,
+               double value) {
+    const std::string influence = influence_on(kind, e.influence);
+    const auto begins = [&](const char* word) { return influence.starts_with(word); };
+    if (influence.empty() || begins("none") || begins("below") || begins("not measured")) return;
+    const double bound = bound_of(influence, q, value);
+    if (bound < negligible * std::abs(value)) return;
+    const double side = std::isfinite(bound) ? bound : 0;
+    all.push_back({spoken(e.name), trimmed(in_short(influence)), bound, side, side});
+}
+
+}  // namespace
+
 std::vector<LeftOut> left_out_of(const Quantity& quantity, const MeanValue& value, const RunRecord& run) {
     std::vector<LeftOut> all;
-    const std::string planned = planned_name(quantity.name);
-    if (planned.empty() || !is_main_quantity(quantity.name) || !value.known) return all;
+    const std::vector<std::string> kinds = kinds_of(quantity.name);
+    if (kinds.empty() || !value.known) return all;
     for (const EffectChoice& e : run.effects) {
-        if (e.on || said_elsewhere(e, planned, run)) continue;
-        const std::string influence = influence_on(planned, e.influence);
-        const auto begins = [&](const char* word) { return influence.starts_with(word); };
-        if (influence.empty() || begins("none") || begins("below") || begins("not measured")) continue;
-        const double bound = bound_of(influence, quantity, value.value);
-        if (bound < negligible * std::abs(value.value)) continue;
-        all.push_back({spoken(e.name), trimmed(in_short(influence)), bound});
+        if (e.on || is_not_charged(e, kinds.back(), run)) continue;
+        if (const EffectBound* b = bound_of(e, kinds)) {
+            if (!is_of_others(b->elements, run)) add(all, spoken(e.name), *b, value.value);
+        } else if (is_main_quantity(quantity.name)) {
+            add_words(all, e, kinds.back(), quantity, value.value);
+        }
     }
-    if (number_of(run, "dimensions", 3) == 2) all.push_back({"the third dimension", "", nan});
+    if (number_of(run, "dimensions", 3) == 2 && is_main_quantity(quantity.name))
+        all.push_back({"the third dimension", ""});
+    const double height = number_of(run, "released_height", 0), gravity = number_of(run, "gravity", 0);
+    if (kinds.front() == "arrival" && height > 0 && gravity > 0)
+        add(all, "the gate", {.of = "arrival", .above = gate_delay * std::sqrt(height / gravity), .unit = "s"},
+            value.value);
+    if (value.reading_below > 0 || value.reading_above > 0)
+        all.push_back({value.reading_of, "", std::max(value.reading_below, value.reading_above), value.reading_below,
+                       value.reading_above});
     return all;
 }
 
-double outer_half_width(const Quantity& quantity, const MeanValue& value, const RunRecord& run) {
-    double squares = 0;
+OuterInterval outer_interval(const Quantity& quantity, const MeanValue& value, const RunRecord& run) {
+    OuterInterval squares{0, 0};
     for (const LeftOut& l : left_out_of(quantity, value, run))
-        if (std::isfinite(l.bound)) squares += l.bound * l.bound;
-    return value.known && std::isfinite(value.bar()) && squares > 0 ? std::hypot(value.bar(), std::sqrt(squares)) : nan;
+        if (std::isfinite(l.bound)) squares.below += l.below * l.below, squares.above += l.above * l.above;
+    if (!value.known || !std::isfinite(value.bar()) || !(squares.below + squares.above > 0)) return {};
+    return {std::hypot(value.bar(), std::sqrt(squares.below)), std::hypot(value.bar(), std::sqrt(squares.above))};
+}
+
+double outer_half_width(const Quantity& quantity, const MeanValue& value, const RunRecord& run) {
+    const OuterInterval outer = outer_interval(quantity, value, run);
+    return std::max(outer.below, outer.above);  // both or neither are known
 }
 
 std::string left_out_text(const Comparison& c) {
@@ -127,7 +172,7 @@ std::string left_out_text(const Comparison& c) {
             for (const LeftOut& l : left_out_of(*q, q->values[s], c.sources[s])) {
                 auto line = std::ranges::find(lines, l.name, &Line::name);
                 if (line == lines.end()) line = lines.insert(line, {l.name});
-                const std::string planned = planned_name(q->name),
+                const std::string planned = kinds_of(q->name).back(),
                                   of = (planned == "drag"   ? lower_case_first(called.along)
                                         : planned == "lift" ? lower_case_first(called.up)
                                                             : planned) +

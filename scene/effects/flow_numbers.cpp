@@ -6,6 +6,7 @@
 
 #include "meshes/below_water.h"
 #include "scene/defaults.h"
+#include "scene/dry_floor.h"
 #include "text/plain_number.h"
 
 namespace tw {
@@ -53,6 +54,8 @@ FlowNumbers flow_numbers(const Scene& scene) {
     }
     n.froude = n.speed / std::sqrt(w.gravity * n.length);
     n.mach = n.speed / scene.sph.c0;
+    if (scene.motion.kind != Motion::Kind::stream) n.released = released_height(scene);
+    if (n.released > 0) n.dry_floor = dry_floor(scene);
     const double depth = scene.hull ? scene.hull->draft : water_height(scene);
     n.cavitation = (w.atmospheric_pressure + w.density * w.gravity * std::max(0.0, depth) - w.vapour_pressure) / n.head;
     return n;

@@ -16,4 +16,10 @@ std::string influence(const std::string& drag, const std::string& lift, const st
     return fmt::format("drag: {}; lift: {}; splash: {}{}", drag, lift, splash, remark.empty() ? "" : "; " + remark);
 }
 
+std::vector<EffectBound> equal_shares(const std::vector<std::string>& kinds, double share, const std::string& source) {
+    std::vector<EffectBound> bounds;
+    for (const std::string& of : kinds) bounds.push_back({.of = of, .below = share, .above = share, .source = source});
+    return bounds;
+}
+
 }  // namespace tw

@@ -24,6 +24,9 @@ struct EffectQuestion {
 std::string influence(const std::string& drag, const std::string& lift, const std::string& splash,
                       const std::string& remark = "");
 
+/// The same share of each of these kinds of quantities, to either side.
+std::vector<EffectBound> equal_shares(const std::vector<std::string>& kinds, double share, const std::string& source);
+
 /// One physical effect that a run can be made with or without: everything that is said of it before a run.
 struct EffectPart {
     enum class Solved { by_both_methods, by_particles_only, by_neither };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "record/influence_words.h"
 #include "scene/effects/registry.h"
 
 namespace tw {
@@ -18,6 +19,7 @@ std::vector<EffectChoice> plan_effects(Scene& scene, SceneSection& section) {
         EffectQuestion question{scene, flow, section.on_off(part.name), made(part.needs), made(part.excludes)};
         EffectChoice choice = part.plan(question);
         choice.name = part.name;
+        for (const std::string& words : bounds_in_words(choice.bounds)) choice.influence += "; " + words;
         if (choice.on) {
             if (question.needed && !question.needed->on)
                 section.fail(part.name, fmt::format("needs {} = \"on\" as well", part.needs));

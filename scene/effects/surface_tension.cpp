@@ -23,6 +23,9 @@ EffectChoice plan_surface_tension(const EffectQuestion& q) {
                            : n.weber_dp > 100 ? "inertia dominates at every resolved scale"
                                               : "it acts only on the finest resolved sheets and drops");
     const std::string share = per_cent(std::min(1.0, 1 / n.weber));
+    if (!q.scene.hull)
+        c.bounds = equal_shares({"pressure", "peak", "height", "level", "arrival", "impulse", "motion"},
+                                std::min(1.0, 1 / n.weber), "1 / We");
     c.influence = influence(share, share,
                             fmt::format("drops smaller than {} m are held together by it",
                                         plain_number(12 * q.scene.water.surface_tension / (2 * n.head), 2)));

@@ -11,8 +11,9 @@ EffectChoice plan_turbulence(const EffectQuestion& q) {
         "{}; {} (turbulent from 5e5 on){}",
         q.needed->on ? "follows viscosity" : "follows viscosity, which is off", reynolds_text(q.flow),
         c.on ? "; the closures differ: Smagorinsky in the particle method, k-omega SST in the mesh method" : "");
-    c.influence = influence("4 % of the pressure drag (measured on a planing hull, air at the transom)",
-                            "0.7 % (measured on the same hull)", "not measured");
+    c.influence = q.scene.hull ? influence("4 % of the pressure drag (measured on a planing hull, air at the transom)",
+                                           "0.7 % (measured on the same hull)", "not measured")
+                               : influence("not measured", "not measured", "not measured");
     c.cost = 0.37;
     return c;
 }

@@ -82,6 +82,14 @@ TEST(RunRecordFile, GivesBackEveryFieldBitForBit) {
     EXPECT_EQ(in.effects[0].reason, out.effects[0].reason);
     EXPECT_EQ(in.effects[0].influence, out.effects[0].influence);
     EXPECT_EQ(in.effects[0].cost, 0.4);
+    ASSERT_EQ(in.effects[0].bounds.size(), 2u);
+    EXPECT_TRUE(in.effects[1].bounds.empty());
+    EXPECT_EQ(in.effects[0].bounds[0].of, "arrival");
+    EXPECT_EQ(in.effects[0].bounds[0].below, 0);
+    EXPECT_EQ(in.effects[0].bounds[0].above, 0.14);
+    EXPECT_EQ(in.effects[0].bounds[1].unit, "Pa");
+    EXPECT_EQ(in.effects[0].bounds[1].source, "Ma^2");
+    EXPECT_EQ(in.effects[0].bounds[1].elements, "particles");
     EXPECT_EQ(in.state, "stopped");
     EXPECT_EQ(in.reason, "the user asked");
 }

@@ -1,0 +1,26 @@
+#include "compare/verdict/quantity_kinds.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace tw {
+
+std::vector<std::string> kinds_of(std::string quantity) {
+    const std::string name = quantity.substr(0, quantity.find(':'));
+    const auto is = [&](auto... names) { return ((name == names) || ...); };
+    if (is("drag", "total_drag")) return {"drag"};
+    if (is("lift", "trim_moment")) return {"lift"};
+    if (name.starts_with("load_"))  // of what stands in a tank: its axis is the last letter
+        return {name.starts_with("load_peak") ? "peak" : "impulse", name.ends_with("_x") ? "drag" : "lift"};
+    if (is("pressure_arrival", "height_arrival", "body_arrival")) return {"arrival"};
+    if (is("pressure_mean")) return {quantity.replace(0, name.size(), "pressure"), "pressure"};  // of this gauge first
+    if (is("pressure", "pressure_peak", "pressure_p99", "body_peak", "strain_peak")) return {"peak"};
+    if (is("height", "height_peak", "height_p99")) return {"height"};
+    if (is("height_mean")) return {"level"};
+    if (is("body_impulse")) return {"impulse"};
+    if (is("body_depth", "body_speed", "body_turn")) return {"motion"};
+    return name.starts_with("splash") || name.starts_with("airborne") ? std::vector<std::string>{"splash"}
+                                                                      : std::vector<std::string>{};
+}
+
+}  // namespace tw
