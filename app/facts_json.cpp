@@ -78,13 +78,23 @@ std::string check_json(const Scene& scene, const Prediction& p, const RanksTake&
                 {"repairs", h.repairs}};
     }
     Json effects = Json::array();
-    for (const EffectChoice& e : scene.effects)
+    for (const EffectChoice& e : scene.effects) {
+        Json bounds = Json::array();
+        for (const EffectBound& b : e.bounds)
+            bounds.push_back({{"of", b.of},
+                              {"below", b.below},
+                              {"above", b.above},
+                              {"unit", b.unit},
+                              {"source", b.source},
+                              {"elements", b.elements}});
         effects.push_back({{"name", e.name},
                            {"on", e.on},
                            {"forced", e.forced},
                            {"reason", e.reason},
                            {"influence", e.influence},
+                           {"bounds", bounds},
                            {"cost", e.cost}});
+    }
     Json refinement = Json::array();
     for (const RefinementBox& r : scene.refinement)
         refinement.push_back({{"name", r.name}, {"level", r.level}, {"box", box(r.box)}});

@@ -14,17 +14,18 @@ struct EffectBound {
     double below = 0, above = 0;  ///< not negative [unit]
     std::string unit = "-";       ///< "-": shares of the value, of its magnitude where it is negative
     std::string source = {};      ///< the formula, or where it was measured
-    std::string elements = {};    ///< counts for methods whose solution is made of these alone ("particles"); empty: for all
+    std::string elements =
+        {};  ///< counts for methods whose solution is made of these alone ("particles"); empty: for all
 };
 
 /// One effect of the plan: whether it is solved, why, and its expected influence.
 struct EffectChoice {
     std::string name;  ///< as in the registry (scene/effects/registry.h)
     bool on = false;
-    bool forced = false;    ///< the user said so
-    std::string reason;     ///< one sentence with the numbers
-    std::string influence;  ///< estimated influence on drag, lift, splash
-    double cost = 0;        ///< what it costs, or would cost, as a fraction of a particle run without it
+    bool forced = false;                   ///< the user said so
+    std::string reason;                    ///< one sentence with the numbers
+    std::string influence;                 ///< estimated influence on drag, lift, splash
+    double cost = 0;                       ///< what it costs, or would cost, as a fraction of a particle run without it
     std::vector<EffectBound> bounds = {};  ///< of kinds of quantities, where a number is known
 };
 

@@ -162,9 +162,10 @@ void add_bodies(Comparison& comparison) {
         });
         const double filter = filter_of(comparison.sources, "body", name);
         const std::string over = fmt::format("over {:g} ms", 1e3 * filter);
-        Quantity& peak = add("peak", "Largest force on " + name + ", mean " + over, N,
-                             "largest mean of the water's vertical force " + over + ": shorter peaks are sound and sampling",
-                             [&](const BodyHistory& h) { return peak_of(h, filter); });
+        Quantity& peak =
+            add("peak", "Largest force on " + name + ", mean " + over, N,
+                "largest mean of the water's vertical force " + over + ": shorter peaks are sound and sampling",
+                [&](const BodyHistory& h) { return peak_of(h, filter); });
         for (std::size_t s = 0; s < histories.size(); ++s)
             if (const double shortest = sound_time(comparison.sources[s]); shortest > 0 && histories[s].has("fz")) {
                 const BodyHistory& h = histories[s];

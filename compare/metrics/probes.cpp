@@ -148,9 +148,10 @@ Quantity arrival_at(const Comparison& c, const std::string& table, const std::st
                     const std::vector<History>& histories, double window) {
     Quantity q = new_quantity(
         fmt::format("{}_arrival:{}", table, name), fmt::format("Arrival at {} ({})", name, table), "s",
-        fmt::format("first time at which the {} has risen by a tenth of the way from its first value to its largest mean "
-                    "over {:g} ms, sound left out",
-                    table, 1e3 * window));
+        fmt::format(
+            "first time at which the {} has risen by a tenth of the way from its first value to its largest mean "
+            "over {:g} ms, sound left out",
+            table, 1e3 * window));
     for (std::size_t s = 0; s < histories.size(); ++s) {
         const History& h = histories[s];
         const double peak = largest_window_mean(h.t, h.lasts, window), first = h.x.empty() ? peak : h.x.front();
@@ -217,8 +218,7 @@ void add_probes(Comparison& comparison, const CompareOptions& options) {
                 fmt::format("{} at {} exceeded 1 % of the time", table == "height" ? "Height" : "Pressure", name), unit,
                 "99th percentile in time, in the time that all records cover", true, nothing,
                 [](auto t, auto x) { return time_percentile(t, x, 0.99); });
-            if (tank)
-                comparison.quantities.push_back(arrival_at(comparison, table, name, histories, window));
+            if (tank) comparison.quantities.push_back(arrival_at(comparison, table, name, histories, window));
 
             Quantity mean =
                 new_quantity(fmt::format("{}_mean:{}", table, name), fmt::format("Mean {} at {}", table, name), unit,

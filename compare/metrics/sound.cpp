@@ -20,7 +20,8 @@ constexpr double particles_crossed = 6;
 void open_stretch(std::span<const double> t, std::span<const double> x, double shortest, std::span<double> out) {
     const double slack = 1e-9 * shortest;
     const auto at = [&](double time) {
-        const auto after = std::clamp<std::ptrdiff_t>(std::ranges::upper_bound(t, time) - t.begin(), 1, std::ssize(t) - 1);
+        const auto after =
+            std::clamp<std::ptrdiff_t>(std::ranges::upper_bound(t, time) - t.begin(), 1, std::ssize(t) - 1);
         const auto k = static_cast<std::size_t>(after);
         return x[k - 1] + (x[k] - x[k - 1]) * (time - t[k - 1]) / (t[k] - t[k - 1]);
     };
@@ -63,7 +64,8 @@ std::vector<double> lasting(std::span<const double> t, std::span<const double> x
 std::string why_sound(double peak, double lasts, double shortest, const std::string& unit) {
     if (!(shortest > 0) || !(std::abs(lasts) < least_lasting * std::abs(peak))) return {};
     return fmt::format(
-        "not judged: sound of the impact. Of {:.3g} {} no more than {:.2g} {} lasts for {:.2g} ms, in which sound crosses "
+        "not judged: sound of the impact. Of {:.3g} {} no more than {:.2g} {} lasts for {:.2g} ms, in which sound "
+        "crosses "
         "six particles; what is shorter grows with the sound speed and says nothing of the flow",
         peak, unit, lasts, unit, 1e3 * shortest);
 }

@@ -86,6 +86,8 @@ ReportTable quantities_table(const Comparison& c, bool judged) {
         }
         ReportRow row{{q.label, q.unit}, q.remark};
         if (!q.caveat.empty()) row.remark += (row.remark.empty() ? "" : "; ") + q.caveat;
+        if (row.remark.find(q.not_resolved) == row.remark.npos)
+            row.remark += (row.remark.empty() ? "" : "; ") + q.not_resolved;
         if (const std::string missing = missing_text(c, q); !missing.empty())
             row.remark += (row.remark.empty() ? "" : "; ") + missing;
         for (const MeanValue& m : q.values) row.cells.emplace_back(mean_text(m));

@@ -62,8 +62,7 @@ std::string strip_of(const Comparison& c, const Quantity& q) {
         const MeanValue& m = q.values[s];
         const OuterInterval outer = outer_interval(q, m, c.sources[s]);
         strip.values.push_back({method_label(c.names[s]), c.failed(s) ? "failed" : value_with_unit(m, q.unit), s,
-                                m.known && !c.failed(s) ? m.value : std::nan(""), m.bar(),
-                                outer.above, outer.below});
+                                m.known && !c.failed(s) ? m.value : std::nan(""), m.bar(), outer.above, outer.below});
     }
     for (const Reference& r : c.references)
         if (r.quantity == q.name) strip.references.push_back({r.source, r.value, r.half_width});

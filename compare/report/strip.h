@@ -13,7 +13,7 @@ struct Strip {
         std::string name, text;  ///< of the run; the value in words, with interval and unit
         std::size_t source = 0;  ///< its colour
         double value = 0;
-        double half_width = 0;  ///< not finite: no interval, drawn hollow
+        double half_width = 0;     ///< not finite: no interval, drawn hollow
         double outer = nan;        ///< half width with what the run leaves out, above; not finite: not drawn
         double outer_below = nan;  ///< and below; not finite: as above
         double below() const { return std::isfinite(outer_below) ? outer_below : outer; }

@@ -35,7 +35,8 @@ bool is_of_others(const std::string& elements, const RunRecord& run) {
 /// Whether another effect that is on stands for it, or another that is off names it, or it is no shortcoming of this run.
 bool is_not_charged(const EffectChoice& e, const std::string& kind, const RunRecord& run) {
     const auto is = [&](auto... names) { return ((e.name == names) || ...); };
-    return is("no_slip", "friction", "gravity") || (e.name == "viscosity" && kind == "drag" && is_on(run, "friction")) ||
+    return is("no_slip", "friction", "gravity") ||
+           (e.name == "viscosity" && kind == "drag" && is_on(run, "friction")) ||
            (is("shifting", "tension_control", "acoustic_damping") && is_of_others("particles", run));
 }
 
@@ -103,9 +104,10 @@ const EffectBound* bound_of(const EffectChoice& e, const std::vector<std::string
 }
 
 void add(std::vector<LeftOut>& all, const std::string& name, const EffectBound& b, double value) {
-    const double unit = b.unit == "-" ? std::abs(value) : 1;
+    const bool share = b.unit == "-";
+    const double unit = share ? std::abs(value) : 1;
     LeftOut l{name, in_words(b), unit * std::max(b.below, b.above), unit * b.below, unit * b.above};
-    if (value < 0) std::swap(l.below, l.above);  // of its magnitude
+    if (share && value < 0) std::swap(l.below, l.above);  // of its magnitude
     if (l.bound >= negligible * std::abs(value)) all.push_back(std::move(l));
 }
 
@@ -138,9 +140,10 @@ std::vector<LeftOut> left_out_of(const Quantity& quantity, const MeanValue& valu
     if (number_of(run, "dimensions", 3) == 2 && is_main_quantity(quantity.name))
         all.push_back({"the third dimension", ""});
     const double height = number_of(run, "released_height", 0), gravity = number_of(run, "gravity", 0);
-    if (kinds.front() == "arrival" && height > 0 && gravity > 0)
-        add(all, "the gate", {.of = "arrival", .above = gate_delay * std::sqrt(height / gravity), .unit = "s"},
-            value.value);
+    if (kinds.front() == "arrival" && height > 0 && gravity > 0) {
+        const double gate = gate_time * std::sqrt(height / gravity);
+        add(all, "the gate", {.of = "arrival", .below = gate, .above = gate, .unit = "s"}, value.value);
+    }
     if (value.reading_below > 0 || value.reading_above > 0)
         all.push_back({value.reading_of, "", std::max(value.reading_below, value.reading_above), value.reading_below,
                        value.reading_above});

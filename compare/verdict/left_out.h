@@ -12,9 +12,9 @@ std::string influence_on(const std::string& quantity, const std::string& influen
 
 /// Something that a run leaves out, so that no interval of its values contains it.
 struct LeftOut {
-    std::string name;           ///< of the effect, as people say it
-    std::string influence;      ///< in short what is expected of it: "3 to 5 %"; empty: no plan speaks of it
-    double bound = nan;         ///< the most that is expected, to the wider side [unit of the quantity]; nan: no number
+    std::string name;       ///< of the effect, as people say it
+    std::string influence;  ///< in short what is expected of it: "3 to 5 %"; empty: no plan speaks of it
+    double bound = nan;     ///< the most that is expected, to the wider side [unit of the quantity]; nan: no number
     double below = 0, above = 0;  ///< how far the truth may lie below and above the value, where there is a number
 };
 /// What one run leaves out of a quantity (quantity_kinds.h):
@@ -24,14 +24,16 @@ struct LeftOut {
 ///   can switch off, since a scene without weight is what was asked for; numerics and the compressibility of the particles
 ///   in other methods; friction where the friction line is added to the drag
 ///   the third dimension of a section
-///   the gate: where water is let go at the start, the moment at which a measured one was free (see gate_delay)
+///   the gate: where water is let go at the start, when a measured one was free by its clock (gate_time)
 ///   the reading: what MeanValue::reading_below and reading_above say
 std::vector<LeftOut> left_out_of(const Quantity& quantity, const MeanValue& value, const RunRecord& run);
 
-/// A real gate lets its water go later than the clock says, by up to 0.13 sqrt(H/g), H: height of the water. Three
-/// measured fronts lag a front of ideal water by 0.21 to 0.26 sqrt(a/2g), H = 2a (docs/results/dam_break_2d.md); gates
-/// that open in 1.25 sqrt(H/g) count as sudden (Lauber & Hager 1998, doi:10.1080/00221689809498626).
-inline constexpr double gate_delay = 0.13;
+/// A run lets its water go at once and at time 0. A real gate takes its time, and the clock of a measurement begins when
+/// the gate begins to move, or when it is open: arrivals are known to 0.13 sqrt(H/g), H: height of the water. Three
+/// measured fronts lag a front of ideal water by 0.21 to 0.26 sqrt(a/2g), H = 2a (docs/results/dam_break_2d.md), others lead
+/// (docs/results/coverage.md); a gate that opens in 1.25 sqrt(H/g) counts as sudden (Lauber & Hager 1998, J. Hydraul.
+/// Res. 36, 291).
+inline constexpr double gate_time = 0.13;
 
 /// Half widths of the outer interval of a value, below and above it: root of the sum of squares of its interval and of
 /// the bounds of what its run leaves out, each taken as a 95 % half width. nan: the value has no interval, or nothing left

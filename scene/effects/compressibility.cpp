@@ -12,8 +12,9 @@ EffectChoice plan_compressibility(const EffectQuestion& q) {
                            n.speed / 1480, n.mach, q.scene.sph.equation_of_state);
     const std::string share = per_cent(n.mach * n.mach);
     // Of the particle method's water: real water and interFoam's have none that matters.
-    c.bounds = equal_shares({"drag", "lift", "splash", "pressure", "peak", "height", "level", "arrival", "impulse", "motion"},
-                            n.mach * n.mach, "Ma^2 of the particle method");
+    c.bounds =
+        equal_shares({"drag", "lift", "splash", "pressure", "peak", "height", "level", "arrival", "impulse", "motion"},
+                     n.mach * n.mach, "Ma^2 of the particle method");
     for (EffectBound& b : c.bounds) b.elements = "particles";
     c.influence = influence(share, share, share,
                             n.mach > 0.11 ? "density error of the particle method above 1 %: raise [sph] c0"

@@ -12,8 +12,8 @@ struct FlowNumbers {
     double length = 0, speed = 0, wetted_area = 0;  ///< [m], [m/s], [m2]
     double head = 0;                                ///< rho U^2/2 [Pa]
     double reynolds = INFINITY, weber = INFINITY, weber_dp = INFINITY, froude = 0, mach = 0, bond = INFINITY;
-    double released = 0;   ///< height of water that is let go at the start [m]; 0: none
-    double dry_floor = 0;  ///< share of a tank's floor that its front runs over [-]; 0: none
+    double released = 0;           ///< height of water that is let go at the start [m]; 0: none
+    double dry_floor = 0;          ///< share of a tank's floor that its front runs over [-]; 0: none
     double cavitation = INFINITY;  ///< (p_atm + rho g d - p_v) / head at the deepest place
 };
 FlowNumbers flow_numbers(const Scene& scene);

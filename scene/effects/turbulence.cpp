@@ -8,8 +8,8 @@ namespace {
 EffectChoice plan_turbulence(const EffectQuestion& q) {
     EffectChoice c = q.choice(q.needed->on && q.flow.reynolds > 5e5);
     c.reason = fmt::format(
-        "{}; {} (turbulent from 5e5 on){}",
-        q.needed->on ? "follows viscosity" : "follows viscosity, which is off", reynolds_text(q.flow),
+        "{}; {} (turbulent from 5e5 on){}", q.needed->on ? "follows viscosity" : "follows viscosity, which is off",
+        reynolds_text(q.flow),
         c.on ? "; the closures differ: Smagorinsky in the particle method, k-omega SST in the mesh method" : "");
     c.influence = q.scene.hull ? influence("4 % of the pressure drag (measured on a planing hull, air at the transom)",
                                            "0.7 % (measured on the same hull)", "not measured")

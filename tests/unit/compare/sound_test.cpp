@@ -63,7 +63,8 @@ TEST(Sound, APeakThatGrowsWithTheSoundSpeedIsNotJudged) {
         const Quantity &raw = *c.find("pressure:P"), &peak = *c.find("pressure_peak:P"), &load = *c.find("load_peak_x");
         EXPECT_GT(raw.values[0].value, 1.7 * before) << "it goes with c0";
         before = raw.values[0].value;
-        EXPECT_NE(peak.not_resolved.find("SPH: not judged: sound of the impact"), std::string::npos) << peak.not_resolved;
+        EXPECT_NE(peak.not_resolved.find("SPH: not judged: sound of the impact"), std::string::npos)
+            << peak.not_resolved;
         EXPECT_TRUE(std::isnan(peak.values[0].bar())) << "no interval";
         EXPECT_NE(load.not_resolved, "") << "of the opposite sign too";
         EXPECT_NEAR(c.find("pressure_arrival:P")->values[0].value, 0.4, 1e-3) << "water still arrives";
@@ -92,7 +93,8 @@ TEST(Sound, ALadderLeavesItOutAndTheReportSaysWhy) {
         runs.push_back(ladder_run(struck("fvm", size, 0, 7000 * (1 - 5 * size), false)));
     }
     const Ladder ladder = build_ladder(runs);
-    Comparison c = compare_records({struck("sph", dp, 24, 7000, true), struck("fvm", dp, 0, 7000 * (1 - 5 * dp), false)});
+    Comparison c =
+        compare_records({struck("sph", dp, 24, 7000, true), struck("fvm", dp, 0, 7000 * (1 - 5 * dp), false)});
     judge_by_sizes(c, ladder);
     const Quantity& peak = *c.find("pressure_peak:P");
     EXPECT_TRUE(std::isnan(peak.values[0].bar()));

@@ -40,7 +40,12 @@ inline RunRecord example_record() {
     r.peak_memory = 1.5e9;
     r.elements = 123456;
     r.steps = 7890;
-    r.effects = {{"air", false, true, "because \"so\"", "3 % of lift", 0.4,
+    r.effects = {{"air",
+                  false,
+                  true,
+                  "because \"so\"",
+                  "3 % of lift",
+                  0.4,
                   {{"arrival", 0, 0.14, "-", "measured", ""}, {"peak", 0.01, 0.02, "Pa", "Ma^2", "particles"}}},
                  {"viscosity", true, false, "", "", 0}};
     r.certificate = {{"Mach number", "-", 0.31, 1, 0.25, {1, 2, -0.5}}, {"particles lost", "-", 0, 0, 0.5}};
