@@ -35,9 +35,9 @@ Eigen::Matrix3d RigidBody::inertia_at(const Eigen::Quaterniond& attitude) const 
 
 Eigen::Matrix3d RigidBody::inertia() const { return inertia_at(state_.attitude); }
 
-Vec3 RigidBody::spin_at(const Eigen::Quaterniond& attitude) const {
+Eigen::Matrix3d RigidBody::mobility_at(const Eigen::Quaterniond& attitude) const {
     const auto& free = setup_.free.about;
-    if (!free[0] && !free[1] && !free[2]) return Vec3::Zero();
+    if (!free[0] && !free[1] && !free[2]) return Eigen::Matrix3d::Zero();
     Eigen::Matrix3d inertia = inertia_at(attitude);
     for (int a = 0; a < 3; ++a) {
         if (free[static_cast<std::size_t>(a)]) continue;
@@ -45,7 +45,20 @@ Vec3 RigidBody::spin_at(const Eigen::Quaterniond& attitude) const {
         inertia.col(a).setZero();
         inertia(a, a) = 1;
     }
-    return kept(inertia.inverse() * state_.angular_momentum, free);
+    Eigen::Matrix3d inverse = inertia.inverse();
+    for (int a = 0; a < 3; ++a)
+        if (!free[static_cast<std::size_t>(a)]) inverse(a, a) = 0;
+    return inverse;
+}
+
+RigidBody::Mobility RigidBody::mobility() const {
+    const auto& along = setup_.free.along;
+    const Vec3 free(along[0], along[1], along[2]);
+    return {Vec3(free / setup_.mass.mass).asDiagonal(), mobility_at(state_.attitude)};
+}
+
+Vec3 RigidBody::spin_at(const Eigen::Quaterniond& attitude) const {
+    return kept(mobility_at(attitude) * state_.angular_momentum, setup_.free.about);
 }
 
 Vec3 RigidBody::spin() const {

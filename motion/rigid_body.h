@@ -62,11 +62,18 @@ public:
     const State& state() const { return state_; }
     void set_state(const State& state) { state_ = state; }
 
+    /// Where a point of the body is now that was at `x` at the start [m].
+    Vec3 now(const Vec3& x) const { return state_.centre + state_.attitude * (x - setup_.mass.centre); }
     Vec3 spin() const;                             ///< angular velocity [rad/s]
     Eigen::Matrix3d inertia() const;               ///< about the centre, as the body is turned now [kg m2]
     Vec3 prescribed_acceleration() const;          ///< of the centre; zero of a free body [m/s2]
     Vec3 prescribed_angular_acceleration() const;  ///< [rad/s2]
     double kinetic_energy() const;                 ///< [J]
+    /// What impulse and moment of it change: U by linear F, omega by angular M; locked motions nothing. Of a free body.
+    struct Mobility {
+        Eigen::Matrix3d linear, angular;  ///< [1/kg], [1/(kg m2)]
+    };
+    Mobility mobility() const;
 
     /// For the time `dt` [s] force and moment about the centre act on a free body; a prescribed one ignores them.
     void kick(const Vec3& force, const Vec3& moment, double dt);
@@ -75,6 +82,7 @@ public:
 
 private:
     Eigen::Matrix3d inertia_at(const Eigen::Quaterniond& attitude) const;
+    Eigen::Matrix3d mobility_at(const Eigen::Quaterniond& attitude) const;
     Vec3 spin_at(const Eigen::Quaterniond& attitude) const;
     void follow_law();
 

@@ -9,6 +9,7 @@
 #include "meshes/query.h"
 #include "scene/check_scene.h"
 #include "scene/mesh_motion.h"
+#include "scene/walls_met.h"
 
 namespace tw {
 namespace {
@@ -36,9 +37,12 @@ std::string where_key(const SceneSection& s) {
 void check_domain(const MovingBody& body, const Scene& scene, SceneSection& s) {
     static constexpr const char* axes[] = {"x", "y", "z"};
     const Box at = body.surface.bounds(), &domain = scene.domain.box;
+    Box within = domain;
+    for (const MetWall& wall : walls_met(body, scene))
+        (wall.high ? within.max : within.min)[wall.axis] += (wall.high ? 1 : -1) * touching(scene);
     for (int a = 0; a < 3; ++a) {
         if (a == 1 && scene.domain.dimensions == 2) continue;
-        if (at.min[a] > domain.min[a] && at.max[a] < domain.max[a]) continue;
+        if (at.min[a] > within.min[a] && at.max[a] < within.max[a]) continue;
         s.fail(where_key(s), fmt::format("body {} starts in a wall of the tank or outside it: in {} it spans {:.6g} to "
                                          "{:.6g} m, the tank {:.6g} to {:.6g} m",
                                          body.name, axes[a], at.min[a], at.max[a], domain.min[a], domain.max[a]));

@@ -142,6 +142,7 @@ void add_body(Lines& t, const MovingBody& body, bool sizes) {
     for (const auto& free : {m.free.along, m.free.about})
         t.add("free", {double(free[0]), double(free[1]), double(free[2])});
     t.add("velocity", m.velocity).add("spin", m.spin);
+    if (body.friction != MovingBody::default_friction) t.add("friction", {body.friction});
     if (m.law) add_law(t, *m.law);
 }
 

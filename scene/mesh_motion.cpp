@@ -12,6 +12,7 @@
 #include "base/errors.h"
 #include "base/gap.h"
 #include "meshes/query.h"
+#include "scene/walls_met.h"
 
 namespace tw {
 namespace {
@@ -201,6 +202,12 @@ void check_body(const MovingBody& body, const Scene& scene) {
                fmt::format("body {} is held at its edges and bends, which the mesh method does not solve; expected "
                            "methods = [\"sph\"], or --method sph",
                            body.name));
+    for (const MetWall& wall : walls_touched(body, scene))
+        refuse(scene, "run.methods",
+               fmt::format("body {} stands on {} of the tank: the mesh method has no contact between a body and a wall, "
+                           "and its mesh can neither open nor close the gap between them; expected methods = [\"sph\"], "
+                           "--method sph, or a body that starts more than four cells ({:.3g} m) clear of the wall",
+                           body.name, wall.name, 4 * scene.resolution.near_hull));
     const Freedoms& f = body.motion.free;
     if (!body.motion.law && f.about[0] + f.about[1] + f.about[2] == 2)
         refuse(scene, "run.methods",

@@ -99,6 +99,7 @@ MovingBody read_body(SceneSection& s, std::size_t number, int dimensions) {
         if (velocity && speed) s.fail("speed", "given twice: also velocity; keep one of the two");
         m.velocity = velocity.value_or(-speed.value_or(0) * turn.col(0));
         m.spin = s.vector("spin").value_or(Vec3::Zero());
+        b.friction = s.number("friction", b.friction);
         for (std::size_t k = 0; k < 6; ++k) {
             const auto axis = static_cast<int>(k % 3);
             if (!is_free(m.free, k) && std::abs(k < 3 ? m.velocity[axis] : m.spin[axis]) > 1e-12)
@@ -107,7 +108,7 @@ MovingBody read_body(SceneSection& s, std::size_t number, int dimensions) {
                                    flat ? " (two dimensions are the plane y = 0)" : ""));
         }
     } else {
-        for (const char* of_free : {"locked", "velocity", "speed", "spin"})
+        for (const char* of_free : {"locked", "velocity", "speed", "spin", "friction"})
             if (s.has(of_free)) s.fail(of_free, "is for free bodies; the motion of this one is prescribed by law");
         m.law = read_motion_law(s, flat);
     }

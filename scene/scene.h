@@ -126,6 +126,9 @@ struct MovingBody {
     RigidBodySetup motion;  ///< a prescribed body without a mass has zeros there, but for the centre
     std::vector<Finding> findings;
     double filter = 0;  ///< the largest force is a mean over this time [s]; 0: 5 ms
+    /// Of a free rigid body with floor and sides of a tank: Coulomb's coefficient [-].
+    double friction = default_friction;
+    static constexpr double default_friction = 0.5;
     /// Of an elastic body, whose surface is that which the water sees and whose motion that of its rigid counterpart.
     std::optional<ElasticPart> elastic = {};
 
@@ -135,6 +138,7 @@ struct MovingBody {
 
     /// An upper bound of the speed of its surface until it touches still water, z = 0, at gravity `g` [m/s].
     double fastest(double g) const;
+    bool free_and_rigid() const { return !motion.law && !elastic; }
 };
 
 struct PressureProbe {

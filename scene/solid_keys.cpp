@@ -166,6 +166,8 @@ Rows body_keys() {
          .meaning = "The same along the body's own axis, bow first, instead of `velocity`."},
         {.name = "spin", .kind = Kind::place3, .unit = "rad/s", .hashed = Hashed::scene, .fallback = "[0, 0, 0]",
          .meaning = "Angular velocity at the start, earth axes."},
+        {.name = "friction", .range = not_negative, .hashed = Hashed::scene, .fallback = "0.5",
+         .meaning = "Coulomb's coefficient between a free body and the floor and sides of its tank, on which it may stand or come to rest."},
     };
     const Rows law = motion_law_keys("required of a prescribed motion", "The body", "`centre`");
     const Rows plate{

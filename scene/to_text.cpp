@@ -18,6 +18,7 @@
 #include "scene/struck_plate.h"
 #include "scene/tank_walls.h"
 #include "scene/thin_jet.h"
+#include "scene/walls_met.h"
 #include "structure/shell/shell.h"
 #include "structure/solid/solid.h"
 #include "text/plain_number.h"
@@ -159,6 +160,15 @@ std::string law_text(const MotionLaw& law) {
                        law.turns ? "about" : "along", place(law.axis), law.fastest(), law.turns ? "rad/s" : "m/s");
 }
 
+std::string contact_text(const MovingBody& b, const Scene& scene) {
+    if (walls_met(b, scene).empty()) return {};
+    std::string touched;
+    for (const MetWall& wall : walls_touched(b, scene)) touched += (touched.empty() ? "" : " and ") + wall.name;
+    return fmt::format(
+        "  contact   with floor and sides of the tank, friction {:.4g}, no rebound (particles){}\n", b.friction,
+        touched.empty() ? "" : fmt::format("; it starts on {}", touched));
+}
+
 std::string body_text(const MovingBody& b, const Scene& scene) {
     const RigidBodySetup& m = b.motion;
     const Box at = b.surface.bounds();
@@ -175,7 +185,7 @@ std::string body_text(const MovingBody& b, const Scene& scene) {
                        m.mass.inertia(2, 2), scene.spanwise_unit("kg m2"));
     out += fmt::format("  moves     freely in {}; at the start {} m/s, spin {} rad/s\n", free, place(m.velocity),
                        place(m.spin));
-    return out + findings_text(b.findings);
+    return out + contact_text(b, scene) + findings_text(b.findings);
 }
 
 /// Of particles that run into finer zones, and one line for each of several sizes of them.

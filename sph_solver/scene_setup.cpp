@@ -10,6 +10,7 @@
 #include "scene/particle_levels.h"
 #include "scene/refined_places.h"
 #include "scene/tank_walls.h"
+#include "scene/walls_met.h"
 #include "sph_solver/bodies/elastic/elastic_setup.h"
 #include "sph_solver/effects/effects.h"
 #include "sph_solver/release_pressure.h"
@@ -71,6 +72,17 @@ Surface through_mirrors(Surface surface, const SimulationSetup& s, double coarse
                 p[a] += through;
         }
     return surface;
+}
+
+/// Of a free body with the walls of its tank; a section meets them in its plane.
+std::optional<WallContact> wall_contact(const MovingBody& body, const Scene& scene) {
+    std::vector<WallPlane> walls;
+    for (const MetWall& wall : walls_met(body, scene)) walls.push_back(wall.plane);
+    if (walls.empty()) return {};
+    std::vector<Vec3> corners = body.surface.points;
+    if (scene.domain.dimensions == 2)
+        for (Vec3& corner : corners) corner.y() = 0;
+    return WallContact(std::move(corners), std::move(walls), body.friction);
 }
 
 ElasticSetup elastic_setup(const ElasticPlate& plate) {
@@ -187,6 +199,7 @@ SphSetup sph_setup(const Scene& scene, int threads) {
         BodySetup& body =
             s.bodies.emplace_back(s.dimensions == 2 ? with_span(b.surface, endless_span(b.surface)) : b.surface);
         body.moving = b.motion;
+        body.contact = wall_contact(b, scene);
         if (s.frame && !b.motion.law) body.moving->velocity += s.frame->velocity_of_rest();
         body.name = b.name;
     }

@@ -12,6 +12,7 @@
 #include "meshes/surface.h"
 #include "motion/moving_frame.h"
 #include "motion/rigid_body.h"
+#include "motion/wall_contact.h"
 #include "sph_solver/bodies/attached.h"
 #include "sph_solver/bodies/dummies.h"
 #include "sph_solver/bodies/load.h"
@@ -19,6 +20,7 @@
 namespace tw {
 
 struct ElasticSetup;
+struct PointSamples;
 
 /// A closed solid in the water.
 struct BodySetup {
@@ -27,6 +29,7 @@ struct BodySetup {
     /// no slip).
     Vec3 sliding = Vec3::Zero();
     std::optional<RigidBodySetup> moving = {};  ///< none: fixed, or elastic
+    std::optional<WallContact> contact = {};  ///< of a free body with walls of the tank; none: it must not touch them
     std::shared_ptr<const ElasticSetup> elastic = {};
     std::string name = "body";  ///< in messages
     bool is_hull = false;       ///< the hull of the scene, whose loads and motion are reported as such
@@ -42,6 +45,7 @@ struct WaterNear {
     double density = 0, spacing = 0, sound_speed = 0;  ///< [kg/m3], [m], [m/s]
     Vec3 gravity = Vec3::Zero(), moment_reference = Vec3::Zero();
     std::optional<MovingFrame> frame = {};  ///< of a tank that moves, in whose axes the body is
+    int dimensions = 3;
 };
 
 /// A step of the finest particles: for how long forces act, what was drifted before, and what will be at its end [s].
@@ -78,8 +82,8 @@ public:
     virtual bool gives_way() const { return false; }
     /// Whether no point of it ever moves along an axis (0..2), as of a hull free in heave and pitch across its length.
     virtual bool stays_along(int /*axis*/) const { return fixed(); }
-    /// Whether it may stand on the tank's floor, because its contact with that is solved.
-    virtual bool meets_floor() const { return false; }
+    /// Whether it may touch the tank's wall of this normal into the tank, because its contact with that is solved.
+    virtual bool meets_wall(const Vec3& /*normal*/) const { return false; }
 
     // --- where it is
     /// Where a point of the body is now that was at `x` at the start, and back [m]; of one that gives way back to where
@@ -120,6 +124,9 @@ public:
     // --- take: what the water does to it in the next `rehearse` or `move`
     virtual void take(const Load& /*load*/) {}
     virtual bool takes_forces_of_dummies() const { return false; }
+    /// Where it wants to know the water's pressure, and takes it [m]; empty: nowhere now.
+    virtual std::vector<Vec3> feels_at() const { return {}; }
+    virtual void take(const PointSamples& /*felt*/) {}
     /// Forces on points attached to it [N] (per metre of width in two dimensions), and at places of its surface.
     virtual void take(const Attached& /*dummies*/, const std::vector<Vec3>& /*forces*/) {}
     virtual void take(const WallPush& /*push*/) {}

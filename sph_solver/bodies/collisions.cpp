@@ -17,19 +17,19 @@ std::vector<Vec3> places_on(const Surface& surface, const Surroundings& around, 
                                   : SurfaceSamples(surface, dp, surface.bounds()).points.places;
 }
 
-constexpr const char* floor_name = "the floor";
-
-/// The wall of the tank that a place [m] has come to within `gap` of; empty: none.
-std::string wall_at(const Vec3& x, const Surroundings& around, double gap) {
+/// The wall of the tank, other than those with which the contact of `body` is solved, that a place [m] has come to within
+/// `gap` of; empty: none.
+std::string wall_at(const Vec3& x, const Surroundings& around, double gap, const Body* body = nullptr) {
     static constexpr const char* sides[3][2] = {{"the wall at low x", "the wall at high x"},
                                                 {"the wall at low y", "the wall at high y"},
-                                                {floor_name, "the lid"}};
+                                                {"the floor", "the lid"}};
     const auto& on = around.mirrors.on;
+    const auto solved = [&](int axis, double inward) { return body && body->meets_wall(inward * Vec3::Unit(axis)); };
     for (std::size_t a = 0; a < 3; ++a) {
         if (a == 1 && around.dimensions == 2) continue;
         const auto axis = static_cast<int>(a);
-        if (on[a][0] && x[axis] <= around.domain.min[axis] + gap) return sides[a][0];
-        if (on[a][1] && x[axis] >= around.domain.max[axis] - gap) return sides[a][1];
+        if (on[a][0] && x[axis] <= around.domain.min[axis] + gap && !solved(axis, 1)) return sides[a][0];
+        if (on[a][1] && x[axis] >= around.domain.max[axis] - gap && !solved(axis, -1)) return sides[a][1];
     }
     return {};
 }
@@ -61,8 +61,7 @@ std::vector<Vec3> Collisions::clear_at_start(std::size_t body, const std::vector
 std::string Collisions::of_one_that_gives_way(std::size_t body, double gap) const {
     for (std::size_t k = 0; k < skin_[body]->size(); ++k) {
         const Vec3 x = skin_[body]->place(k);
-        if (const std::string wall = wall_at(x, around_, gap);
-            !wall.empty() && !(bodies_[body]->meets_floor() && wall == floor_name))
+        if (const std::string wall = wall_at(x, around_, gap, bodies_[body].get()); !wall.empty())
             return "touches " + wall;
         for (std::size_t other = 0; other < bodies_.size(); ++other)
             if (other != body &&
@@ -78,7 +77,7 @@ std::string Collisions::with_domain(const Body& body, double gap) const {
     for (int a = 0; a < 3; ++a)  // across a plane of symmetry, or clear of the walls as at the start
         if (body.stays_along(a)) box.min[a] = box.max[a] = 0.5 * (domain.min[a] + domain.max[a]);
     for (const Vec3& corner : {box.min, box.max})
-        if (const std::string wall = wall_at(corner, around_, gap); !wall.empty()) return "touches " + wall;
+        if (const std::string wall = wall_at(corner, around_, gap, &body); !wall.empty()) return "touches " + wall;
     for (int a = 0; a < 3; ++a) {
         if (a == 1 && around_.dimensions == 2) continue;
         if (box.max[a] < domain.min[a] || box.min[a] > domain.max[a]) return "has left the domain";

@@ -11,8 +11,8 @@ namespace tw {
 /// Whether bodies that move touch a wall of the tank, a fixed solid or each other, or have left the domain. What comes
 /// then is not solved: a run ends there. Particles cannot enter a gap below half a spacing between solids, so solids as
 /// near as that touch; a wall of the tank is touched at its face. Where a body that gives way stands within a spacing of
-/// another solid or a wall at the start, as at its supports, it may touch them; and one whose contact with the floor is
-/// solved may touch that.
+/// another solid or a wall at the start, as at its supports, it may touch them; and one whose contact with a wall of the
+/// tank is solved may touch that.
 class Collisions {
 public:
     /// Both must outlive this.

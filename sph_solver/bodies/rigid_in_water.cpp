@@ -34,7 +34,7 @@ private:
 
 }  // namespace
 
-RigidInWater::RigidInWater(BodySetup setup) : Body(setup), rigid_(setup.moving.value()) {}
+RigidInWater::RigidInWater(BodySetup setup) : Body(setup), rigid_(setup.moving.value()), contact_(setup.contact) {}
 
 BodyMotion RigidInWater::motion() const {
     const RigidBody::State& s = rigid_.state();
@@ -51,9 +51,7 @@ bool RigidInWater::stays_along(int axis) const {
     return !free.along[a] && !free.about[(a + 1) % 3] && !free.about[(a + 2) % 3];
 }
 
-Vec3 RigidInWater::now(const Vec3& x) const {
-    return rigid_.state().centre + rigid_.state().attitude * (x - rigid_.mass().centre);
-}
+Vec3 RigidInWater::now(const Vec3& x) const { return rigid_.now(x); }
 
 Vec3 RigidInWater::at_start(const Vec3& x) const {
     return rigid_.mass().centre + turned_back(x - rigid_.state().centre);
@@ -74,6 +72,7 @@ std::unique_ptr<Attached> RigidInWater::attach(std::vector<Vec3> places) const {
 
 void RigidInWater::meet(const WaterNear& water, const Dummies& dummies) {
     water_ = water;
+    if (contact_) film_.emplace(surface(), water.dimensions, water.spacing);
     shell_mass_ = 0;
     shell_inertia_.setZero();
     for (std::size_t k = 0; k < dummies.places.size(); ++k) {
@@ -128,10 +127,30 @@ void RigidInWater::kick(double dt) {
     rigid_.kick(second.force, second.moment, dt);
 }
 
+std::vector<Vec3> RigidInWater::feels_at() const {
+    if (!film_ || film_->share(contact_->gap(rigid_)) == 0) return {};
+    return film_->places(rigid_);
+}
+
+void RigidInWater::take(const PointSamples& felt) {
+    const Vec3& centre = rigid_.state().centre;
+    const Vec3 f = water_.frame ? water_.frame->force(rigid_.state().time, water_.gravity).at(centre, rigid_.state().velocity)
+                                : water_.gravity;
+    const Load pressed = film_->load(rigid_, *contact_, felt, water_.density * f);
+    const Vec3 moment = pressed.moment + (centre - water_.moment_reference).cross(pressed.force);
+    // friction is left as it is, but for its moment, which is not known apart
+    of_film_ = film_->share(contact_->gap(rigid_)) *
+               Load{pressed.force - (load_.force - load_.friction), Vec3::Zero(), moment - load_.moment};
+    load_ += of_film_;
+}
+
 void RigidInWater::move(const BodyStep& step) {
     if (!rigid_.prescribed()) {
         const Vec3 velocity = rigid_.state().velocity, spin = rigid_.spin();
         kick(step.kick);
+        of_walls_ = {};
+        last_kick_ = step.kick;
+        meet_walls(2 * step.drift);  // with the next step's first half
         const double by_mass = 1 / (1 + shell_mass_ / rigid_.mass().mass), by_inertia = 1 / (1 + shell_over_inertia());
         acceleration_ += by_mass * ((rigid_.state().velocity - velocity) / step.kick - acceleration_);
         angular_acceleration_ += by_inertia * ((rigid_.spin() - spin) / step.kick - angular_acceleration_);
@@ -139,7 +158,18 @@ void RigidInWater::move(const BodyStep& step) {
     rigid_.drift(step.drift);
 }
 
-void RigidInWater::strike(const Impulse& all) { rigid_.kick(all.impulse, about_centre(all.impulse, all.turn), 1); }
+void RigidInWater::meet_walls(double ahead) {
+    if (!contact_) return;
+    ahead_ = ahead;
+    const WallReaction reaction = contact_->resist(rigid_, ahead);
+    of_walls_.impulse += reaction.impulse, of_walls_.turn += reaction.turn;
+}
+
+void RigidInWater::strike(const Impulse& all) {
+    if (all.impulse.isZero(0) && all.turn.isZero(0)) return;
+    rigid_.kick(all.impulse, about_centre(all.impulse, all.turn), 1);
+    meet_walls(ahead_);
+}
 
 // --- what is kept of it ---------------------------------------------------------------------------------------------
 
@@ -161,6 +191,9 @@ void RigidInWater::describe(const Load& load, const Note& note) const {
     put("m", "", "N m", moment);
     put("f", "_body", "N", turned_back(load.force));
     put("m", "_body", "N m", turned_back(moment));
+    if (!contact_) return;
+    put("film_", "", "N", of_film_.force);
+    put("walls_", "", "N", last_kick_ > 0 ? Vec3(of_walls_.impulse / last_kick_) : Vec3::Zero());
 }
 
 std::vector<double> RigidInWater::state() const {

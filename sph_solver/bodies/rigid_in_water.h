@@ -1,5 +1,6 @@
 #pragma once
 #include "sph_solver/bodies/body.h"
+#include "sph_solver/bodies/water_film.h"
 
 namespace tw {
 
@@ -40,6 +41,7 @@ public:
     bool fixed() const override { return false; }
     bool prescribed() const override { return rigid_.prescribed(); }
     bool stays_along(int axis) const override;
+    bool meets_wall(const Vec3& normal) const override { return contact_ && contact_->at(normal); }
 
     Vec3 now(const Vec3& x) const override;
     Vec3 at_start(const Vec3& x) const override;
@@ -54,7 +56,9 @@ public:
     void look_ahead(double drift) override { rigid_.drift(drift); }
     void move(const BodyStep& step) override;
     void strike(const Impulse& all) override;
-    void take(const Load& load) override { load_ = load; }
+    void take(const Load& load) override { load_ = load, of_film_ = {}; }
+    std::vector<Vec3> feels_at() const override;
+    void take(const PointSamples& felt) override;
 
     void describe(const Load& load, const Note& note) const override;
     std::vector<double> state() const override;
@@ -63,6 +67,8 @@ public:
 private:
     double shell_over_inertia() const;
     void kick(double dt);
+    /// Keeps the body out of the walls for the time `ahead` [s]; the impulse counts as of the step.
+    void meet_walls(double ahead);
     Vec3 about_centre(const Vec3& force, const Vec3& moment) const;
 
     RigidBody rigid_;
@@ -72,6 +78,11 @@ private:
     double shell_mass_ = 0;
     Eigen::Matrix3d shell_inertia_ = Eigen::Matrix3d::Zero();
     Load load_;  ///< that waits for `move`
+    std::optional<WallContact> contact_;
+    std::optional<WaterFilm> film_;
+    Load of_film_;                      ///< what it adds to that of the particles, within load_
+    WallReaction of_walls_;             ///< in the last step
+    double last_kick_ = 0, ahead_ = 0;  ///< how long that was, and for how long it moves on by its velocity [s]
 };
 
 /// Throws std::bad_cast for a body that is not rigid.

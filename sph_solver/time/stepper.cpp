@@ -169,12 +169,29 @@ private:
     double& sum_;
     std::clock_t from_ = std::clock();
 };
+
+/// By all materials, each with its share of the support.
+PointSamples felt(const Tier& tier, std::vector<Vec3> places) {
+    PointSamples all{std::move(places), false, {}, {}, {}};
+    tier.water().sample(all);
+    for (std::size_t other = 1; other < tier.levels.size(); ++other) {
+        PointSamples of{all.places, false, {}, {}, {}};
+        tier.levels[other]->sample(of);
+        for (std::size_t k = 0; k < all.p.size(); ++k) {
+            const float both = all.support[k] + of.support[k];
+            if (both > 0) all.p[k] = (all.support[k] * all.p[k] + of.support[k] * of.p[k]) / both;
+            all.support[k] = both;
+        }
+    }
+    return all;
+}
 }  // namespace
 
 void Stepper::hand_over(const Tier& tier, Body& body, std::size_t b) {
     Load load = tier.water().walls().loads()[b];
     for (std::size_t other = 1; other < tier.levels.size(); ++other) load += tier.levels[other]->walls().loads()[b];
     body.take(load);
+    if (std::vector<Vec3> places = body.feels_at(); !places.empty()) body.take(felt(tier, std::move(places)));
     if (!body.takes_forces_of_dummies()) return;
     for (Level* level : tier.levels) {
         body.take(*level->walls().attached(b), level->forces_on_dummies(b));

@@ -278,9 +278,9 @@ std::optional<double> ElasticBody::energy_made_lately() const {
     return exchanged > 0 ? std::abs(made_lately_) / exchanged : 0;
 }
 
-bool ElasticBody::meets_floor() const {
+bool ElasticBody::meets_wall(const Vec3& normal) const {
     const auto* solid = std::get_if<ElasticSolid>(&setup_->structure);
-    return solid && solid->floor;
+    return solid && solid->floor && normal == Vec3::UnitZ();
 }
 
 // --- what is recorded -----------------------------------------------------------------------------------------------
@@ -308,7 +308,7 @@ void ElasticBody::describe(const Load& load, const Note& note) const {
     for (const Vec3& p : skin_at_) lowest = std::min(lowest, p.z());
     note("lowest", "m", lowest);
     put("f", "N", load.force);
-    if (meets_floor()) note("floor_force", "N", floor_force() / width());
+    if (meets_wall(Vec3::UnitZ())) note("floor_force", "N", floor_force() / width());
     for (std::size_t n = 0; n < points_.size(); ++n) put(setup_->points[n].name + "_", "m", deflection(n));
     for (std::size_t n = 0; n < setup_->gauges.size(); ++n) note(setup_->gauges[n].name, "-", strain(n));
     for (const auto& [name, value] : {std::pair{"kinetic_energy", kinetic_energy()},

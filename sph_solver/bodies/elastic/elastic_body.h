@@ -42,7 +42,7 @@ public:
     const ElasticSetup& setup() const { return *setup_; }
     bool fixed() const override { return false; }
     bool gives_way() const override { return true; }
-    bool meets_floor() const override;  ///< whether its contact with the tank's floor is solved
+    bool meets_wall(const Vec3& normal) const override;
 
     // --- points of the body
     Tie tie(const Vec3& at_start) const;

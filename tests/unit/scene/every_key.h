@@ -212,6 +212,7 @@ inline std::map<std::string, Change> changes() {
         {"body.velocity", more("velocity", "[0, 0, 0]", "[0, 0, 0.1]")},
         {"body.speed", more("speed", "0", "0.1")},
         {"body.spin", more("spin", "[0, 0, 0]", "[0, 0.1, 0]")},
+        {"body.friction", more("friction", "0.5", "0.6")},
         {"body.law", {constant, ramped}},
         {"body.along", replaced(constant, "along = [1, 0, 0]", "along = [0, 0, 1]")},
         {"body.about", {with(constant, "along", "about"), with(constant, "along = [1, 0, 0]", "about = [0, 0, 1]")}},
