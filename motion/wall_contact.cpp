@@ -43,7 +43,7 @@ std::vector<Corner> thinned(std::vector<Corner> at_wall) {
 }  // namespace
 
 WallContact::WallContact(std::vector<Vec3> corners, std::vector<WallPlane> walls, double friction)
-    : corners_(std::move(corners)), walls_(std::move(walls)), friction_(friction) {
+    : corners_(std::move(corners)), walls_(std::move(walls)), friction_(friction), cleared_(walls_.size()) {
     std::ranges::sort(corners_, [](const Vec3& a, const Vec3& b) {
         return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
     });
@@ -56,28 +56,42 @@ bool WallContact::at(const Vec3& normal) const {
     return std::ranges::any_of(walls_, [&](const WallPlane& wall) { return wall.normal == normal; });
 }
 
-double WallContact::gap(const RigidBody& body) const {
+double WallContact::gap_to(const WallPlane& wall, const RigidBody& body) const {
     double least = std::numeric_limits<double>::infinity();
-    for (const WallPlane& wall : walls_)
-        for (const Vec3& x : corners_) least = std::min(least, wall.normal.dot(body.now(x)) - wall.offset);
+    for (const Vec3& x : corners_) least = std::min(least, wall.normal.dot(body.now(x)) - wall.offset);
     return least;
 }
 
-WallReaction WallContact::resist(RigidBody& body, double ahead) const {
+double WallContact::gap(const RigidBody& body) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const WallPlane& wall : walls_) least = std::min(least, gap_to(wall, body));
+    return least;
+}
+
+void WallContact::note_clear(const RigidBody& body) {
+    if (room_ == 0) return;
+    for (std::size_t w = 0; w < walls_.size(); ++w)
+        if (!cleared_[w]) cleared_[w] = gap_to(walls_[w], body) >= room_;
+}
+
+WallReaction WallContact::resist(RigidBody& body, double ahead) {
     constexpr double let_out = 0.1;      // of what has sunk in, in a step
-    constexpr int most_rounds = 5000;
-    constexpr double settled = 1e-10;    // change of a velocity in a round, over the largest there is
+    constexpr int most_rounds = 1000;
+    constexpr double settled = 1e-9;    // change of a velocity in a round, over the largest there is
     if (body.prescribed() || body.held()) return {};
+    note_clear(body);
     const Vec3 spin = body.spin();
     const double fastest = body.state().velocity.norm() + spin.norm() * 2 * reach_;
     std::vector<Corner> corners;
-    for (const WallPlane& wall : walls_) {
+    for (std::size_t w = 0; w < walls_.size(); ++w) {
+        const WallPlane& wall = walls_[w];
         const double within = 2 * fastest * ahead;  // what meets the wall at one corner turns to another
-        if (wall.normal.dot(body.now(middle_)) - wall.offset > reach_ + within) continue;
+        const double stop = wall.offset + (cleared_[w] ? room_ : 0);
+        if (wall.normal.dot(body.now(middle_)) - stop > reach_ + within) continue;
         std::vector<Corner> at_wall;
         for (const Vec3& x : corners_) {
             const Vec3 place = body.now(x), arm = place - body.state().centre;
-            const double gap = wall.normal.dot(place) - wall.offset;
+            const double gap = wall.normal.dot(place) - stop;
             if (gap <= within) at_wall.push_back({arm, wall.normal, gap});
         }
         for (const Corner& c : thinned(std::move(at_wall))) corners.push_back(c);

@@ -29,6 +29,10 @@ struct WallReaction {
 /// stiffness and allows any time step; what rests, rests; where several corners carry the body the forces on each are not
 /// unique, their sum and moment are. What has sunk in by rounding is let out in about ten steps.
 ///
+/// Water does not get out of a gap narrower than its particles. So a body that has once been clear of a wall by `room`
+/// afterwards comes to rest that far from it, on what is left there (as tyres do, decision 041); one that starts on the wall
+/// stands on it.
+///
 /// Motions that are locked carry what the walls give along them: a corner that no free motion moves across a wall has no
 /// reaction there, and no friction either.
 class WallContact {
@@ -37,18 +41,27 @@ public:
     WallContact(std::vector<Vec3> corners, std::vector<WallPlane> walls, double friction);
 
     /// The reaction that keeps the body out of the walls for the time `ahead` [s] from now on; it is applied to the body.
-    WallReaction resist(RigidBody& body, double ahead) const;
+    WallReaction resist(RigidBody& body, double ahead);
+    void keep_room(double room) { room_ = room; }  ///< [m]; none: it comes to rest on the walls
     const std::vector<WallPlane>& walls() const { return walls_; }
     bool at(const Vec3& normal) const;  ///< whether there is a wall of this normal
     /// From the walls to the nearest corner, negative in a wall; infinite without walls [m].
     double gap(const RigidBody& body) const;
 
+    /// For each wall whether the body has been clear of it.
+    const std::vector<bool>& cleared() const { return cleared_; }
+    void set_cleared(std::vector<bool> cleared) { cleared_ = std::move(cleared); }
+
 private:
+    double gap_to(const WallPlane& wall, const RigidBody& body) const;
+    void note_clear(const RigidBody& body);
+
     std::vector<Vec3> corners_;
-    double reach_ = 0;  ///< of the farthest corner from the origin of `corners_`' circumscribed box [m]
-    Vec3 middle_ = Vec3::Zero();
+    Vec3 middle_ = Vec3::Zero();  ///< of the corners [m]
+    double reach_ = 0;            ///< from there to the farthest one [m]
     std::vector<WallPlane> walls_;
-    double friction_;
+    double friction_, room_ = 0;
+    std::vector<bool> cleared_;
 };
 
 }  // namespace tw

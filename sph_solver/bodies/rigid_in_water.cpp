@@ -72,7 +72,10 @@ std::unique_ptr<Attached> RigidInWater::attach(std::vector<Vec3> places) const {
 
 void RigidInWater::meet(const WaterNear& water, const Dummies& dummies) {
     water_ = water;
-    if (contact_) film_.emplace(surface(), water.dimensions, water.spacing);
+    if (contact_) {
+        contact_->keep_room(water.spacing);
+        film_.emplace(surface(), water.dimensions, water.spacing);
+    }
     shell_mass_ = 0;
     shell_inertia_.setZero();
     for (std::size_t k = 0; k < dummies.places.size(); ++k) {
@@ -202,11 +205,14 @@ std::vector<double> RigidInWater::state() const {
     std::vector<double> numbers{s.time, q.w(), q.x(), q.y(), q.z()};
     for (const Vec3& v : {s.centre, s.velocity, s.angular_momentum, acceleration_, angular_acceleration_})
         numbers.insert(numbers.end(), v.data(), v.data() + 3);
+    if (contact_)
+        for (const bool cleared : contact_->cleared()) numbers.push_back(cleared);
     return numbers;
 }
 
 void RigidInWater::restore(std::span<const double> n) {
-    if (n.size() != 20) throw std::invalid_argument("another number of numbers");
+    const std::size_t walls = contact_ ? contact_->walls().size() : 0;
+    if (n.size() != 20 + walls) throw std::invalid_argument("another number of numbers");
     RigidBody::State s;
     s.time = n[0];
     s.attitude = Eigen::Quaterniond(n[1], n[2], n[3], n[4]);
@@ -216,6 +222,10 @@ void RigidInWater::restore(std::span<const double> n) {
         k += 3;
     }
     rigid_.set_state(s);
+    if (!contact_) return;
+    std::vector<bool> cleared;
+    for (const double flag : n.subspan(20)) cleared.push_back(flag != 0);
+    contact_->set_cleared(std::move(cleared));
 }
 
 }  // namespace tw

@@ -7,6 +7,7 @@
 #include "meshes/surface.h"
 #include "scene/hash.h"
 #include "scene/mesh_motion.h"
+#include "scene/walls_met.h"
 #include "scene_text.h"
 
 namespace tw::test {
@@ -240,6 +241,41 @@ TEST(BodyScene, BodiesMoveBesideAHullAndInAStream) {
     EXPECT_NE(message(both).find("beside a hull that is free"), std::string::npos) << message(both);
 }
 
+/// The corner of floor and wall is 0.2 m and 0.1 m from where the box's middle and keel are; what rounds to it stands on
+/// it. The particles solve that contact, interFoam says what it misses; a stream's floor and sides are no walls to meet.
+TEST(BodyScene, MayStandOnTheFloorAndAtTheWallsOfATank) {
+    EXPECT_EQ(scene_of(afloat).bodies[0].friction, 0.5) << "the default that the reference states";
+    EXPECT_TRUE(walls_touched(scene_of(afloat).bodies[0], scene_of(afloat)).empty());
+    EXPECT_EQ(walls_met(scene_of(afloat).bodies[0], scene_of(afloat)).size(), 5u) << "the top is open";
+    for (const char* draft : {"1", "1.0000001", "0.9999999"}) {
+        const Scene s = scene_of(with(afloat, "draft = \"0.05 m\"",
+                                      "position = [0.8, 0]\nfriction = 0.2\ndraft = " + std::string(draft)));
+        const std::vector<MetWall> touched = walls_touched(s.bodies[0], s);
+        ASSERT_EQ(touched.size(), 2u) << draft;
+        EXPECT_EQ(touched[0].name + touched[1].name, "the wall at high xthe floor");
+        EXPECT_EQ(s.bodies[0].friction, 0.2);
+        try {
+            refuse_unmeshable(s);
+            FAIL();
+        } catch (const InputError& e) {
+            EXPECT_NE(std::string(e.what()).find("body body1 stands on the wall at high x of the tank: the mesh method "
+                                                 "has no contact"),
+                      std::string::npos)
+                << e.what();
+        }
+    }
+    const std::string stream = with(with(afloat, "kind = \"none\"", "kind = \"stream\"\nspeed = 1"),
+                                    "[tank]\nmin = [-1, -1, -1]\nmax = [1, 1, 1]\n",
+                                    "[domain]\nx = [-2, 3]\ny = [-1, 1]\nz = [-1, 1]\n");
+    EXPECT_NE(complaint(with(stream, "draft = \"0.05 m\"", "draft = 1")).find("starts in a wall of the tank"),
+              std::string::npos);
+    const std::string moved =
+        with(afloat, "[motion]", "motion = \"prescribed\"\nlaw = \"constant\"\nalong = [1, 0, 0]\nrate = 0\n[motion]");
+    EXPECT_NE(complaint(with(moved, "draft = \"0.05 m\"", "draft = 1")).find("starts in a wall of the tank"),
+              std::string::npos)
+        << "what a law moves is not pushed off";
+}
+
 struct Bad {
     std::string from, to, message;
 };
@@ -258,6 +294,11 @@ INSTANTIATE_TEST_SUITE_P(
             "scene.toml:11:8: [[body]] mass = 0: out of range; expected greater than 0 kg"},
         Bad{"density = \"500 kg/m3\"", "mass = -2",
             "scene.toml:11:8: [[body]] mass = -2: out of range; expected greater than 0 kg"},
+        Bad{"[motion]", "friction = -0.1\n[motion]",
+            "scene.toml:12:12: [[body]] friction = -0.1: out of range; expected at least 0"},
+        Bad{"[motion]",
+            "friction = 0.1\nmotion = \"prescribed\"\nlaw = \"constant\"\nalong = [1, 0, 0]\nrate = 1\n[motion]",
+            "scene.toml:12:12: [[body]] friction = 0.1: is for free bodies"},
         Bad{"density = \"500 kg/m3\"", "",
             "scene.toml:5:1: [[body]] mass: missing; a free body needs its mass or its density"},
         Bad{"density = \"500 kg/m3\"", "density = \"-500 kg/m3\"",
