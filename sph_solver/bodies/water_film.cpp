@@ -67,7 +67,8 @@ std::vector<Vec3> WaterFilm::places(const RigidBody& body) const {
 }
 
 /// Conjugate gradients: the matrix of the film's own patches is symmetric and, with a rim, positive definite.
-void WaterFilm::settle(const std::vector<std::size_t>& film, std::vector<double>& head) const {
+void WaterFilm::settle(const std::vector<std::size_t>& film, const std::vector<double>& dry_head,
+                       const std::vector<char>& wet, std::vector<double>& head) const {
     constexpr double settled = 1e-8;
     const std::size_t n = film.size();
     std::vector<std::ptrdiff_t> unknown(head.size(), -1);
@@ -76,7 +77,7 @@ void WaterFilm::settle(const std::vector<std::size_t>& film, std::vector<double>
     double rr = 0;
     for (std::size_t i = 0; i < n; ++i) {
         for (const Neighbour& b : beside_[film[i]])
-            if (unknown[b.patch] < 0) r[i] += b.weight * head[b.patch];
+            if (unknown[b.patch] < 0) r[i] += b.weight * (wet[b.patch] ? head[b.patch] : dry_head[film[i]]);
         rr += r[i] * r[i];
     }
     p = r;
@@ -108,28 +109,26 @@ Load WaterFilm::load(const RigidBody& body, const WallContact& walls, const Poin
                      const Vec3& weight) const {
     const std::size_t n = at_start_.size();
     const Vec3 origin = body.state().centre;  // near, so that heads are small
-    std::vector<double> head(n), film_share(n, 0);
+    std::vector<double> dry_head(n), head(n), film_share(n, 0);
+    std::vector<char> wet(n);
     std::vector<std::size_t> film;
     for (std::size_t k = 0; k < n; ++k) {
-        const bool wet = samples.support[k] >= SurfaceSamples::has_pressure;
-        head[k] = (wet ? double(samples.p[k]) : 0) - weight.dot(samples.places[k] - origin);
+        wet[k] = samples.support[k] >= SurfaceSamples::has_pressure;
+        dry_head[k] = -weight.dot(samples.places[k] - origin);
+        head[k] = (wet[k] ? double(samples.p[k]) : 0) + dry_head[k];
         if (samples.support[k] >= full_support) continue;
         const Vec3 out = (body.state().attitude * area_[k]).normalized();
         for (const WallPlane& wall : walls.walls())
             if (out.dot(wall.normal) < -facing)
-                film_share[k] =
-                    std::max(film_share[k], share(wall.normal.dot(samples.places[k]) - wall.offset));
+                film_share[k] = std::max(film_share[k], share(wall.normal.dot(samples.places[k]) - wall.offset));
         if (film_share[k] > 0) film.push_back(k);
     }
     std::vector<double> of_film = head;
-    settle(film, of_film);
+    settle(film, dry_head, wet, of_film);
     Load all;
     for (std::size_t k = 0; k < n; ++k) {
-        const bool wet = samples.support[k] >= SurfaceSamples::has_pressure;
-        double p = wet ? double(samples.p[k]) : 0;
-        if (film_share[k] > 0)
-            p += film_share[k] *
-                 (std::max(0.0, of_film[k] + weight.dot(samples.places[k] - origin)) - p);
+        double p = wet[k] ? double(samples.p[k]) : 0;
+        if (film_share[k] > 0) p += film_share[k] * (std::max(0.0, of_film[k] - dry_head[k]) - p);
         const Vec3 force = -p * (body.state().attitude * area_[k]);
         all.force += force;
         all.moment += (samples.places[k] - origin).cross(force);

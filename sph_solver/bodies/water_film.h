@@ -41,8 +41,10 @@ private:
         double weight;  ///< [1/m2]
     };
     void find_neighbours();
-    /// Lets the heads of the patches in `film` be the mean of their neighbours'.
-    void settle(const std::vector<std::size_t>& film, std::vector<double>& head) const;
+    /// Lets the heads of the patches in `film` be the mean of their neighbours'; of dry ones that of no pressure where the
+    /// patch of the film itself is.
+    void settle(const std::vector<std::size_t>& film, const std::vector<double>& dry_head, const std::vector<char>& wet,
+                std::vector<double>& head) const;
 
     double dp_;
     std::vector<Vec3> at_start_, area_;  ///< of the patches, outward [m], [m2]

@@ -116,6 +116,28 @@ TEST(BodyOnFloor, FeelsALinearUpliftBetweenAWetAndADryRim) {
     EXPECT_NEAR(load.moment.y(), about_y, 0.03 * up * length / 6);
 }
 
+/// Wet all round up to a depth the film has the pressure of the depth, and lifts as Archimedes says, upright.
+TEST(BodyOnFloor, FeelsArchimedesLiftWhereItsRimIsWetAllRound) {
+    const double depth = 0.15;
+    const Surface box = posed(make_hull("box", {{"length", 0.2}, {"beam", 0.3}, {"height", 0.2}}), {.draft = 0});
+    RigidBodySetup setup;
+    setup.mass = solid_mass(box, 500);
+    const RigidBody body(setup);
+    const WallContact walls(box.points, {{Vec3::UnitZ(), 0}}, 0.5);
+    const WaterFilm film(box, 3, 0.02);
+    PointSamples felt{film.places(body), false, {}, {}, {}};
+    for (const Vec3& x : felt.places) {
+        const bool wet = x.z() > 1e-9 && x.z() < depth;
+        felt.support.push_back(wet ? 0.5f : 0.0f);
+        felt.p.push_back(wet ? static_cast<float>(9810 * (depth - x.z())) : 0.0f);
+    }
+    const Load load = film.load(body, walls, felt, Vec3(0, 0, -9810));
+    const double up = 9810 * depth * 0.2 * 0.3;
+    EXPECT_NEAR(load.force.z(), up, 1e-4 * up);
+    EXPECT_LT(load.force.head<2>().norm(), 1e-4 * up);
+    EXPECT_LT(load.moment.norm(), 1e-5 * up);
+}
+
 std::vector<double> pushed(int threads, bool restart) {
     SimulationSetup s = tank(0.02, 0.6, 0.3, 0.3, 20);
     s.threads = threads;
