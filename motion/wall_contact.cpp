@@ -75,9 +75,9 @@ void WallContact::note_clear(const RigidBody& body) {
 }
 
 WallReaction WallContact::resist(RigidBody& body, double ahead) {
-    constexpr double let_out = 0.1;      // of what has sunk in, in a step
+    constexpr double let_out = 0.1;  // of what has sunk in, in a step
     constexpr int most_rounds = 1000;
-    constexpr double settled = 1e-9;    // change of a velocity in a round, over the largest there is
+    constexpr double settled = 1e-9;  // change of a velocity in a round, over the largest there is
     if (body.prescribed() || body.held()) return {};
     note_clear(body);
     const Vec3 spin = body.spin();
@@ -107,7 +107,7 @@ WallReaction WallContact::resist(RigidBody& body, double ahead) {
         c.normal_response = c.normal.dot(response * c.normal);
         const Eigen::Matrix3d along = Eigen::Matrix3d::Identity() - c.normal * c.normal.transpose(),
                               in_wall = along * response * along;
-        const double sum = in_wall.trace(), squares = in_wall.squaredNorm();  // of its two eigenvalues
+        const double sum = in_wall.trace(), squares = in_wall.squaredNorm();                 // of its two eigenvalues
         c.tangent_response = (sum + std::sqrt(std::max(0.0, 2 * squares - sum * sum))) / 2;  // the larger one
     }
     const double negligible = 1e-12 * mobility.linear.norm();

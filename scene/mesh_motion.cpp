@@ -203,11 +203,12 @@ void check_body(const MovingBody& body, const Scene& scene) {
                            "methods = [\"sph\"], or --method sph",
                            body.name));
     for (const MetWall& wall : walls_touched(body, scene))
-        refuse(scene, "run.methods",
-               fmt::format("body {} stands on {} of the tank: the mesh method has no contact between a body and a wall, "
-                           "and its mesh can neither open nor close the gap between them; expected methods = [\"sph\"], "
-                           "--method sph, or a body that starts more than four cells ({:.3g} m) clear of the wall",
-                           body.name, wall.name, 4 * scene.resolution.near_hull));
+        refuse(
+            scene, "run.methods",
+            fmt::format("body {} stands on {} of the tank: the mesh method has no contact between a body and a wall, "
+                        "and its mesh can neither open nor close the gap between them; expected methods = [\"sph\"], "
+                        "--method sph, or a body that starts more than four cells ({:.3g} m) clear of the wall",
+                        body.name, wall.name, 4 * scene.resolution.near_hull));
     const Freedoms& f = body.motion.free;
     if (!body.motion.law && f.about[0] + f.about[1] + f.about[2] == 2)
         refuse(scene, "run.methods",
@@ -232,7 +233,10 @@ void check_turn(const MovingBody& body, const Scene& scene) {
             const Vec3 &centre = body.motion.mass.centre, at = centre + turn * (Vec3(of(0), of(1), of(2)) - centre);
             const bool top = corner >> 2;
             if (top ? at.z() > 0 : at.z() < 0) continue;
-            refuse(scene, scene.places.contains("run.methods") ? "run.methods" : top ? "tank.max" : "tank.min",
+            refuse(scene,
+                   scene.places.contains("run.methods") ? "run.methods"
+                   : top                                ? "tank.max"
+                                                        : "tank.min",
                    fmt::format("body {} turns the whole mesh with it, and at t = {:.3g} s, turned by {:.3g} deg, a "
                                "corner of the mesh's {} still water: the mesh method does not solve such turns; "
                                "expected methods = [\"sph\"], --method sph, a smaller turn, or a shorter duration",

@@ -164,9 +164,8 @@ std::string contact_text(const MovingBody& b, const Scene& scene) {
     if (walls_met(b, scene).empty()) return {};
     std::string touched;
     for (const MetWall& wall : walls_touched(b, scene)) touched += (touched.empty() ? "" : " and ") + wall.name;
-    return fmt::format(
-        "  contact   with floor and sides of the tank, friction {:.4g}, no rebound (particles){}\n", b.friction,
-        touched.empty() ? "" : fmt::format("; it starts on {}", touched));
+    return fmt::format("  contact   with floor and sides of the tank, friction {:.4g}, no rebound (particles){}\n",
+                       b.friction, touched.empty() ? "" : fmt::format("; it starts on {}", touched));
 }
 
 std::string body_text(const MovingBody& b, const Scene& scene) {

@@ -74,7 +74,7 @@ Simulation::Simulation(const SimulationSetup& setup, std::span<const Fluid> flui
     if (all_fixed(*bodies_)) return;
     collisions_.emplace(*bodies_, *around_, setup.dp);
     if (finest > 0) collisions_->stay_within(refinements_.back().zone());
-    const WaterNear near{setup.rho0, setup.dp, setup.state_equation.c0, setup.gravity, setup.moment_reference,
+    const WaterNear near{setup.rho0,  setup.dp,        setup.state_equation.c0, setup.gravity, setup.moment_reference,
                          setup.frame, setup.dimensions};
     for (std::size_t b = 0; b < bodies_->size(); ++b)
         if (!(*bodies_)[b]->fixed()) (*bodies_)[b]->meet(near, this->finest().walls().dummies(b));

@@ -29,7 +29,7 @@ struct BodySetup {
     /// no slip).
     Vec3 sliding = Vec3::Zero();
     std::optional<RigidBodySetup> moving = {};  ///< none: fixed, or elastic
-    std::optional<WallContact> contact = {};  ///< of a free body with walls of the tank; none: it must not touch them
+    std::optional<WallContact> contact = {};    ///< of a free body with walls of the tank; none: it must not touch them
     std::shared_ptr<const ElasticSetup> elastic = {};
     std::string name = "body";  ///< in messages
     bool is_hull = false;       ///< the hull of the scene, whose loads and motion are reported as such

@@ -137,8 +137,9 @@ std::vector<Vec3> RigidInWater::feels_at() const {
 
 void RigidInWater::take(const PointSamples& felt) {
     const Vec3& centre = rigid_.state().centre;
-    const Vec3 f = water_.frame ? water_.frame->force(rigid_.state().time, water_.gravity).at(centre, rigid_.state().velocity)
-                                : water_.gravity;
+    const Vec3 f = water_.frame
+                       ? water_.frame->force(rigid_.state().time, water_.gravity).at(centre, rigid_.state().velocity)
+                       : water_.gravity;
     const Load pressed = film_->load(rigid_, *contact_, felt, water_.density * f);
     const Vec3 moment = pressed.moment + (centre - water_.moment_reference).cross(pressed.force);
     // friction is left as it is, but for its moment, which is not known apart

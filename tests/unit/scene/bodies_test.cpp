@@ -248,8 +248,8 @@ TEST(BodyScene, MayStandOnTheFloorAndAtTheWallsOfATank) {
     EXPECT_TRUE(walls_touched(scene_of(afloat).bodies[0], scene_of(afloat)).empty());
     EXPECT_EQ(walls_met(scene_of(afloat).bodies[0], scene_of(afloat)).size(), 5u) << "the top is open";
     for (const char* draft : {"1", "1.0000001", "0.9999999"}) {
-        const Scene s = scene_of(with(afloat, "draft = \"0.05 m\"",
-                                      "position = [0.8, 0]\nfriction = 0.2\ndraft = " + std::string(draft)));
+        const Scene s = scene_of(
+            with(afloat, "draft = \"0.05 m\"", "position = [0.8, 0]\nfriction = 0.2\ndraft = " + std::string(draft)));
         const std::vector<MetWall> touched = walls_touched(s.bodies[0], s);
         ASSERT_EQ(touched.size(), 2u) << draft;
         EXPECT_EQ(touched[0].name + touched[1].name, "the wall at high xthe floor");
@@ -264,9 +264,9 @@ TEST(BodyScene, MayStandOnTheFloorAndAtTheWallsOfATank) {
                 << e.what();
         }
     }
-    const std::string stream = with(with(afloat, "kind = \"none\"", "kind = \"stream\"\nspeed = 1"),
-                                    "[tank]\nmin = [-1, -1, -1]\nmax = [1, 1, 1]\n",
-                                    "[domain]\nx = [-2, 3]\ny = [-1, 1]\nz = [-1, 1]\n");
+    const std::string stream =
+        with(with(afloat, "kind = \"none\"", "kind = \"stream\"\nspeed = 1"),
+             "[tank]\nmin = [-1, -1, -1]\nmax = [1, 1, 1]\n", "[domain]\nx = [-2, 3]\ny = [-1, 1]\nz = [-1, 1]\n");
     EXPECT_NE(complaint(with(stream, "draft = \"0.05 m\"", "draft = 1")).find("starts in a wall of the tank"),
               std::string::npos);
     const std::string moved =

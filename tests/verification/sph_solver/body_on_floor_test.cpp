@@ -18,11 +18,10 @@ BodySetup standing(const SimulationSetup& s, double width, double height, double
     BodySetup body = box_body(width, height, -s.domain.min.z() - gap, density);
     std::vector<Vec3> corners = body.surface.points;
     for (Vec3& corner : corners) corner.y() = 0;
-    body.contact = WallContact(corners,
-                               {{Vec3::UnitZ(), s.domain.min.z()},
-                                {Vec3::UnitX(), s.domain.min.x()},
-                                {-Vec3::UnitX(), -s.domain.max.x()}},
-                               friction);
+    body.contact = WallContact(
+        corners,
+        {{Vec3::UnitZ(), s.domain.min.z()}, {Vec3::UnitX(), s.domain.min.x()}, {-Vec3::UnitX(), -s.domain.max.x()}},
+        friction);
     return body;
 }
 
