@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/disjoint_boxes.h"
 #include "scene/struck_plate.h"
 
 namespace tw {
@@ -217,7 +218,8 @@ double voxels(const RasterSpec& raster) {
 }
 
 std::vector<Box> blocks_of_water(const Scene& scene) {
-    if (!scene.water_blocks.empty()) return scene.water_blocks;
+    if (!scene.water_blocks.empty())
+        return disjoint_boxes(scene.water_blocks, scene.domain.dimensions, 0.5 * scene.resolution.near_hull);
     Box water = scene.domain.box;
     water.max.z() = std::min(0.0, water.max.z());
     return {water};
@@ -226,7 +228,7 @@ std::vector<Box> blocks_of_water(const Scene& scene) {
 double water_volume(const Scene& scene) {
     if (!scene.water_blocks.empty()) {
         double volume = 0;
-        for (const Box& block : scene.water_blocks) volume += block.volume();
+        for (const Box& block : blocks_of_water(scene)) volume += block.volume();
         return volume;
     }
     const Vec3 size = scene.domain.box.size();

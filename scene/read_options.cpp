@@ -121,9 +121,13 @@ Box read_box(SceneSection& s) {
 }
 
 std::vector<Box> read_water_blocks(std::vector<SceneSection>& sections) {
+    constexpr std::size_t most = 2000;
     std::vector<Box> blocks;
     for (SceneSection& s : sections) {
         blocks.push_back(read_box(s));
+        if (blocks.size() > most)
+            s.fail("min", fmt::format("{} blocks of water; expected at most {}: join those that make one box",
+                                      sections.size(), most));
         s.finish();
     }
     return blocks;

@@ -19,6 +19,7 @@
 #include "scene/tank_walls.h"
 #include "scene/thin_jet.h"
 #include "scene/walls_met.h"
+#include "scene/water_at_start.h"
 #include "structure/shell/shell.h"
 #include "structure/solid/solid.h"
 #include "text/plain_number.h"
@@ -243,6 +244,7 @@ std::string to_text(const Scene& scene, const Prediction& p) {
         if (const std::string mesh = mesh_motion(scene).sentence(); !mesh.empty()) out += "  fvm       " + mesh + "\n";
     for (const Box& b : scene.water_blocks)
         out += fmt::format("water       block {} to {} m\n", place(b.min), place(b.max));
+    for (const std::string& sentence : water_at_start(scene)) out += "  at start  " + sentence + "\n";
     const Water& w = scene.water;
     out += fmt::format("water       {:.4g} m deep, {:.5g} kg/m3, nu {:.3g} m2/s, sigma {:.3g} N/m, g {:.4g} m/s2\n",
                        w.depth, w.density, w.kinematic_viscosity, w.surface_tension, w.gravity);

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/disjoint_boxes.h"
 #include "sph_solver/lattice.h"
+#include "sph_solver/seams.h"
 #include "sph_solver/simulation.h"
 
 namespace tw {
@@ -44,36 +46,49 @@ std::vector<SurfaceQuery> queries_of(const SimulationSetup& s) {
     return queries;
 }
 
-/// Those families of particles of one spacing, halved so often from the coarsest, that are wanted.
+/// Those families of particles of one spacing, halved so often from the coarsest, that are wanted. Blocks that touch are
+/// one water: no place is filled twice, and where their lattices do not fit the particles are evened out.
 template <class Wanted>
 Fluid fill(const SimulationSetup& s, double dp, int halvings, const std::vector<SurfaceQuery>& solids,
-           const std::vector<Box>& blocks, const Wanted& wanted) {
+           const std::vector<std::vector<Box>>& waters, const Wanted& wanted, const Zone* zone = nullptr) {
     Fluid fluid;
     double volume = 0, cells = 0;  // all particles of a level have one mass: blocks share the mean
-    for (const Box& block : blocks) {
-        const Lattice lattice(s.dimensions, dp, block, halvings);
-        add_outside(places_in(lattice, wanted), solids, dp, block.max.z(), fluid);
-        volume += lattice.volume(), cells += lattice.cells();
+    std::vector<std::vector<Lattice>> lattices;
+    for (const std::vector<Box>& water : waters) {
+        lattices.push_back(lattices_of(s.dimensions, dp, water, halvings));
+        for (std::size_t k = 0; k < water.size(); ++k) {
+            const Lattice& lattice = lattices.back()[k];
+            add_outside(places_in(lattice, wanted), solids, dp, water[k].max.z(), fluid);
+            volume += lattice.volume(), cells += lattice.cells();
+        }
     }
     if (cells > 0) fluid.volume = volume / cells;
+    for (std::size_t k = 0; k < waters.size(); ++k)
+        even_out_seams({s.dimensions, dp, fluid.volume, s.h_over_dp * dp}, waters[k], lattices[k], solids, zone, fluid);
     return fluid;
+}
+
+std::vector<std::vector<Box>> waters_of(const SimulationSetup& s, const std::vector<Box>& blocks) {
+    return disjoint_groups(blocks, s.dimensions, 0.5 * s.dp);
 }
 
 }  // namespace
 
 Fluid fill_with_fluid(const SimulationSetup& s, const std::vector<Box>& blocks) {
-    return fill(s, s.dp, 0, queries_of(s), blocks, everywhere);
+    return fill(s, s.dp, 0, queries_of(s), waters_of(s, blocks), everywhere);
 }
 
 std::vector<Fluid> fill_levels(const SimulationSetup& setup, const std::vector<Box>& blocks) {
     const std::vector<SurfaceQuery> solids = queries_of(setup);
+    const std::vector<std::vector<Box>> waters = waters_of(setup, blocks);
     std::vector<Fluid> levels;
     for (std::size_t k = 0; k <= setup.zones.size(); ++k) {
         const double dp = std::ldexp(setup.dp, static_cast<int>(setup.zones.size() - k));
         const auto has_children = [&](const Vec3& parent) {
             return k == 0 || Refinement::belongs(setup.zones[k - 1], parent, dp);
         };
-        levels.push_back(fill(setup, dp, static_cast<int>(k), solids, blocks, has_children));
+        const Zone* zone = k == 0 ? nullptr : &setup.zones[k - 1];
+        levels.push_back(fill(setup, dp, static_cast<int>(k), solids, waters, has_children, zone));
     }
     return levels;
 }

@@ -185,7 +185,7 @@ RunRecord run_sph(const Scene& scene, const RunOptions& options) {
         "with a plane surface's share given back, at which water begins to compress at a surface, on the potential "
         "energy of sloshing and the reflection of a wave at an edge of two sizes; strength of the shifting, on a "
         "planing plate, jets that meet, an elliptic drop and Taylor-Green vortices";
-    if (setup->pressure_iterations > 0) fresh.numbers["release_pressure_iterations"] = setup->pressure_iterations;
+    if (setup->pressure_iterations > 0) fresh.numbers["start_pressure_iterations"] = setup->pressure_iterations;
     fresh.numbers["spacing"] = scene.resolution.near_hull;
     fresh.numbers["wall_particles"] = double(simulation->finest().walls().size());
     if (const int sizes = sizes_of_particles(scene); sizes > 1) {

@@ -13,7 +13,7 @@
 #include "scene/walls_met.h"
 #include "sph_solver/bodies/elastic/elastic_setup.h"
 #include "sph_solver/effects/effects.h"
-#include "sph_solver/release_pressure.h"
+#include "sph_solver/start_pressure.h"
 #include "structure/tyre_static.h"
 
 namespace tw {
@@ -225,7 +225,7 @@ SphSetup sph_setup(const Scene& scene, int threads) {
         blocks.push_back(water);
     }
     setup.fluid = fill_levels(s, blocks);
-    setup.pressure_iterations = find_release_pressure(s, blocks, setup.fluid.front());
+    setup.pressure_iterations = find_start_pressure(s, blocks, setup.fluid);
     if (scene.effect_on("air")) {
         AirOptions air;
         air.density = scene.water.air_density;
