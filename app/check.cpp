@@ -41,7 +41,7 @@ int run_check(const CheckCommand& command, const Common& common) {
     for (const std::string& method : scene.run.methods) own += plan.seconds(method);
     const Twins twins({.file = command.scene.file, .overrides = command.scene.overrides(), .threads = command.threads},
                       {});
-    say(common, to_text(scene, plan.prediction) + twins.prediction_text(own) +
+    say(common, to_text(scene, plan.prediction) + twins.prediction_text(scene, own) +
                     "budget: none, the scene's own sizes are run; run --budget TIME chooses the finest that fit\n");
     const RanksTake ranks = ranks_take(plan, command.ranks);
     say(common, ranks.line);

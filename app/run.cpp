@@ -194,7 +194,7 @@ int run_run(const RunCommand& command, const Common& common) {
     for (const std::string& method : methods) own += plan.seconds(method);
     say(common, fmt::format("{}\n{}{}{}results in {}\n", scene.title,
                             paid ? budget_text(*paid, budget_seconds(command.budget)) : "", prediction_text(plan),
-                            twins ? twins->prediction_text(own) : "", out.string()));
+                            twins ? twins->prediction_text(scene, own) : "", out.string()));
 
     const FolderLock lock(out);
     if (paid) remember(*paid, budget_seconds(command.budget), out);

@@ -9,7 +9,9 @@
 #include "app/solvers.h"
 #include "base/errors.h"
 #include "compare/report/numbers.h"
+#include "methods/methods.h"
 #include "scene/hash.h"
+#include "scene/refined_places.h"
 
 namespace tw::app {
 
@@ -40,7 +42,7 @@ double Twins::seconds() const {
     return sum;
 }
 
-std::string Twins::prediction_text(double own) const {
+std::string Twins::prediction_text(const Scene& scene, double own) const {
     const auto boxes = std::ranges::count_if(plan_.jobs, [](const LadderJob& j) { return j.choice != nullptr; });
     const auto sizes = static_cast<long>(plan_.jobs.size()) - boxes;
     std::string text;
@@ -49,6 +51,16 @@ std::string Twins::prediction_text(double own) const {
                            sizes == 1 ? "" : "s", boxes > 0 ? " and one in a wider box" : "", about_text(seconds()),
                            own > 0 ? 100 * seconds() / own : 0);
     for (const std::string& line : plan_.left_out) text += "! twins: " + line + "\n";
+    const int sizes_here = sizes_of_particles(scene);
+    for (const LadderJob& job : plan_.jobs) {
+        const Scene& twin = job.run.plan.scene;
+        if (elements_of(job.run.method) != "particles" || sizes_of_particles(twin) == sizes_here) continue;
+        text += fmt::format(
+            "! twins: {}: {} size{} of particles ({:.3g}) where the scene's own run has {}: no more have room at this "
+            "spacing; the runs are not similar, and the report says so\n",
+            job.run.name, sizes_of_particles(twin), sizes_of_particles(twin) == 1 ? "" : "s",
+            job.run.plan.prediction.particles, sizes_here);
+    }
     return text;
 }
 

@@ -11,8 +11,8 @@ namespace tw {
 /// its own and stays as it is. The result does not depend on the order of the boxes, but for the order of the groups.
 ///
 /// `gap`: boxes nearer to each other than this along an axis touch; both then reach half way [m]. Faces within a
-/// thousandth of it are one. `dimensions` 2: y counts for nothing. Throws InputError where boxes that touch have so many
-/// different faces that they cannot be divided.
+/// thousandth of it are one. `dimensions` 2: y counts for nothing. Throws InputError where boxes that touch have so
+/// many different faces that they cannot be divided.
 std::vector<std::vector<Box>> disjoint_groups(std::span<const Box> boxes, int dimensions, double gap);
 
 /// The boxes of all groups.

@@ -320,10 +320,12 @@ CasePlan plan_case(const Scene& scene, const Flavour& flavour) {
     plan.snappy = !plan.solids.empty() || !plan.boxes.empty();
     plan.half_space = scene.water_blocks.empty();
 
+    // Of blocks that touch the faces of the water that they are together: one within it takes a plane from its level.
+    const std::vector<Box> water = plan.half_space ? std::vector<Box>{} : blocks_of_water(scene);
     for (int a = 0; a < 3; ++a) {
         std::vector<double> wanted;
         if (a == 2 && plan.half_space) wanted.push_back(0);
-        for (const Box& b : scene.water_blocks) wanted.insert(wanted.end(), {b.min[a], b.max[a]});
+        for (const Box& b : water) wanted.insert(wanted.end(), {b.min[a], b.max[a]});
         for (const Obstacle& o : scene.obstacles)
             if (is_aligned_box(o.surface))
                 wanted.insert(wanted.end(), {o.surface.bounds().min[a], o.surface.bounds().max[a]});

@@ -9,6 +9,7 @@
 
 #include "base/errors.h"
 #include "base/numbers.h"
+#include "scene/afloat.h"
 #include "scene/box_walls.h"
 #include "scene/defaults.h"
 #include "scene/refined_places.h"
@@ -142,13 +143,18 @@ bool fills_the_domain(const Box& box, const Scene& scene) {
     return box.contains(domain.min) && box.contains(domain.max);
 }
 
-/// Whether particles of `coarse_dp` fill each block of water to 2 % of its length, or to half a particle of `dp`.
+/// How much the cells of particles may be stretched to fill a block of water. Runs at other sizes than the scene's are
+/// to have as many sizes of particles as that, and there more is allowed: of 7 cells a half.
+double most_stretch(const Scene& scene) { return scene.resolution.scale == 1 ? 0.02 : 0.07; }
+
+/// Whether particles of `coarse_dp` fill each block of water to that share of its length, or to half a particle of
+/// `dp`.
 bool fills_the_water(const Scene& scene, double coarse_dp, double dp) {
     return std::ranges::all_of(blocks_of_water(scene), [&](const Box& block) {
         Eigen::Array3d size = block.size();
         if (scene.domain.dimensions == 2) size.y() = 0;
         const Eigen::Array3d missing = ((size / coarse_dp).round() * coarse_dp - size).abs();
-        return (missing <= (0.02 * size).max(0.5 * dp)).all();
+        return (missing <= (most_stretch(scene) * size).max(0.5 * dp)).all();
     });
 }
 
@@ -194,18 +200,10 @@ bool is_refined_unasked(const Scene& scene) {
     return follows_its_hull(scene) && !scene.hull->free && planes(scene) && scene.hull->surface.bounds().max.z() > 0;
 }
 
-void follow_spacing(Scene& scene, const std::function<void()>& make_domain) {
+namespace {
+
+void keep_those_with_room(Scene& scene, const std::function<void()>& make_domain) {
     int& levels = scene.sph.levels;
-    Resolution& r = scene.resolution;
-    const bool elastic = std::ranges::any_of(scene.bodies, [](const MovingBody& b) { return b.elastic.has_value(); });
-    const bool solids = scene.hull || !scene.obstacles.empty() || !scene.bodies.empty();
-    const bool stream = scene.motion.kind == Motion::Kind::stream;
-    const bool follows = stream ? scene.hull.has_value() : solids && !elastic;
-    r.of_particles = follows && r.spacing > r.near_hull && !scene.hull_is_free();
-    if (follows && scene.sph.scheme == "kick_drift_kick")
-        levels = std::min(most_levels, 1 + static_cast<int>(std::lround(std::log2(r.spacing / r.near_hull))));
-    if (!scene.places.contains("sph.wake") && follows_its_hull(scene) && scene.hull->surface.bounds().max.z() > 0)
-        scene.sph.wake = 2;  // measured: docs/decisions/055-wake-of-a-hull.md
     make_domain();
     while (levels > 1) {
         const std::vector<Root> all = roots(scene, moving_at_start(scene));
@@ -214,6 +212,30 @@ void follow_spacing(Scene& scene, const std::function<void()>& make_domain) {
         levels = fit;
         make_domain();
     }
+}
+
+}  // namespace
+
+void follow_spacing(Scene& scene, const std::function<void()>& make_domain) {
+    int& levels = scene.sph.levels;
+    Resolution& r = scene.resolution;
+    const bool elastic = std::ranges::any_of(scene.bodies, [](const MovingBody& b) { return b.elastic.has_value(); });
+    const bool solids = scene.hull || !scene.obstacles.empty() || !scene.bodies.empty();
+    const bool stream = scene.motion.kind == Motion::Kind::stream;
+    const bool follows = stream ? scene.hull.has_value() : solids && !elastic;
+    r.of_particles = follows && r.spacing > r.near_hull && !scene.hull_is_free();
+    if (follows && scene.sph.scheme == "kick_drift_kick" && !stream) make_domain();  // which says where the water is
+    if (follows && scene.sph.scheme == "kick_drift_kick" && !carries_a_body(scene))
+        levels = std::min(most_levels, 1 + static_cast<int>(std::lround(std::log2(r.spacing / r.near_hull))));
+    if (!scene.places.contains("sph.wake") && follows_its_hull(scene) && scene.hull->surface.bounds().max.z() > 0)
+        scene.sph.wake = 2;  // measured: docs/decisions/055-wake-of-a-hull.md
+    if (r.scale != 1) {      // as many as at the scene's own size, so that runs of several sizes are similar
+        const Resolution scaled = r;
+        r.near_hull /= r.scale, r.spacing /= r.scale, r.scale = 1;
+        keep_those_with_room(scene, make_domain);
+        r = scaled;
+    }
+    keep_those_with_room(scene, make_domain);
 }
 
 bool zones_move(const Scene& scene) { return scene.hull_is_free() || !scene.bodies.empty(); }
@@ -286,8 +308,8 @@ std::vector<Zone> zones_at_start(const Scene& scene, double most) {
                                  "or a longer domain ahead",
                                  std::ldexp(scene.resolution.near_hull, fit + 1), fit + 1)
                    : fmt::format("particles of {:.4g} m have no room in this tank, or fill its water only to more than "
-                                 "2 % of its length; at most {} here",
-                                 std::ldexp(scene.resolution.near_hull, fit + 1), fit + 1));
+                                 "{:.0f} % of its length; at most {} here",
+                                 std::ldexp(scene.resolution.near_hull, fit + 1), 100 * most_stretch(scene), fit + 1));
     return zones_of(scene, moving, {}, most);
 }
 

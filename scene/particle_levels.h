@@ -32,8 +32,9 @@ std::vector<MovedSolid> moving_at_start(const Scene& scene);
 bool is_refined_unasked(const Scene& scene);
 
 /// Gives the particles round the scene's solids the sizes between its near_hull and its spacing: as many as there may
-/// be, and as have room in the domain that `make_domain` makes for them; and those in the wake of a hull that crosses
-/// the surface the default of `[sph] wake`. Without a solid one size is left. The domain is made in any case.
+/// be, and as have room in the domain that `make_domain` makes for them (one where a body floats, afloat.h; at another
+/// scale no more than at the scene's own); and those in the wake of a hull that crosses the surface the default of
+/// `[sph] wake`. Without a solid one size is left. The domain is made in any case.
 void follow_spacing(Scene& scene, const std::function<void()>& make_domain);
 
 /// Between places that sample a box of this size [m]: as `asked` [m], unless that makes more than `most` places (twice as

@@ -7,6 +7,7 @@
 
 #include "base/numbers.h"
 #include "record/influence_words.h"
+#include "scene/afloat.h"
 #include "scene/box_walls.h"
 #include "scene/cost_of_sizes.h"
 #include "scene/defaults.h"
@@ -265,6 +266,7 @@ std::string to_text(const Scene& scene, const Prediction& p) {
     for (const RefinementBox& r : scene.refinement)
         out += fmt::format("  {:13} {:.4g} m cells in {} to {} m\n", r.name, scene.resolution.spacing / (1 << r.level),
                            place(r.box.min), place(r.box.max));
+    if (const std::string why = why_one_size_afloat(scene); !why.empty()) out += "  note      " + why + "\n";
     const std::vector<Zone> zones = particle_zones(scene);
     for (std::size_t k = 0; k < zones.size(); ++k) {
         const std::vector<Box>& boxes = zones[k].boxes();

@@ -21,13 +21,15 @@ std::string where(const Box& box, bool flat) {
 }
 
 std::string state_of(const WaterGrid::Part& part) {
-    if (!part.is_free) return fmt::format("no free surface; begins with no pressure at its top, z = {:.4g} m", part.level);
+    if (!part.is_free)
+        return fmt::format("no free surface; begins with no pressure at its top, z = {:.4g} m", part.level);
     if (part.at_rest()) return fmt::format("at rest, level z = {:.4g} m", part.level);
     const std::string begins = "; begins under the pressure of incompressible water at that moment";
     if (part.let_go) return "let go where no wall holds it" + begins;
-    return fmt::format("surfaces from z = {:.4g} to {:.4g} m are connected: it runs until they are level, also into what "
-                       "a solid encloses, unless the effect air is on{}",
-                       part.lowest, part.level, begins);
+    return fmt::format(
+        "surfaces from z = {:.4g} to {:.4g} m are connected: it runs until they are level, also into what "
+        "a solid encloses, unless the effect air is on{}",
+        part.lowest, part.level, begins);
 }
 
 /// Two blocks with less than half a particle between them.
@@ -37,9 +39,10 @@ void say_gaps(const Scene& scene, std::vector<std::string>& said) {
         for (std::size_t j = 0; j < i && said.size() < most_named; ++j) {
             const double gap = gap_of_boxes(scene.water_blocks[i], scene.water_blocks[j]);
             if (gap > 1e-3 * dp && gap < 0.5 * dp)
-                said.push_back(fmt::format("blocks {} and {} are {:.3g} m apart, less than half a particle of {:.4g} m: "
-                                           "the particles take them to touch; let them share a face",
-                                           j + 1, i + 1, gap, dp));
+                said.push_back(
+                    fmt::format("blocks {} and {} are {:.3g} m apart, less than half a particle of {:.4g} m: "
+                                "the particles take them to touch; let them share a face",
+                                j + 1, i + 1, gap, dp));
         }
 }
 
@@ -79,7 +82,8 @@ std::vector<std::string> water_at_start(const Scene& scene) {
             if (parts.size() < most_named) parts.push_back(where(part.bounds, flat) + ": " + state_of(part));
         }
     }
-    if (scene.water_blocks.size() == 1 && waters == 1 && parts.front().find("at rest") != std::string::npos) return said;
+    if (scene.water_blocks.size() == 1 && waters == 1 && parts.front().find("at rest") != std::string::npos)
+        return said;
     if (waters > parts.size()) parts.push_back(fmt::format("and {} more", waters - parts.size()));
     said.insert(said.begin(), parts.begin(), parts.end());
     return said;

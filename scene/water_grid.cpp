@@ -37,7 +37,8 @@ void WaterGrid::divide(std::span<const Box> boxes, double spacing, double most) 
         double cells = 1;
         for (int a = 0; a < 3; ++a) {
             const auto axis = static_cast<std::size_t>(a);
-            planes_[axis] = a == 1 && bounds_.dimensions == 2 ? std::vector{-0.5, 0.5} : planes_through(boxes, a, spacing);
+            planes_[axis] =
+                a == 1 && bounds_.dimensions == 2 ? std::vector{-0.5, 0.5} : planes_through(boxes, a, spacing);
             cells *= double(planes_[axis].size() - 1);
         }
         if (cells <= most || cells == before) return;

@@ -29,22 +29,22 @@ public:
     enum class Face : std::uint8_t { open, wall, free };
 
     struct Cell {
-        std::array<std::int32_t, 3> at;                      ///< between which planes
-        std::int32_t part;                                   ///< of the connected parts
+        std::array<std::int32_t, 3> at;                     ///< between which planes
+        std::int32_t part;                                  ///< of the connected parts
         std::array<std::array<std::int32_t, 2>, 3> beside;  ///< [axis][low, high] the cell there; -1: none
         std::array<std::array<Face, 2>, 3> face;
     };
     const std::vector<Cell>& cells() const { return cells_; }
     Vec3 middle(const Cell& c) const;
-    Vec3 size(const Cell& c) const;                     ///< in two dimensions 1 along y
+    Vec3 size(const Cell& c) const;                      ///< in two dimensions 1 along y
     Vec3 face(const Cell& c, int axis, int side) const;  ///< its middle
 
     /// Water that is connected.
     struct Part {
-        double level = 0;       ///< z of its highest free surface, or of its top where it has none [m]
-        double lowest = 0;      ///< z of its lowest surface that looks up [m]
-        bool is_free = false;   ///< it has a free surface
-        bool let_go = false;    ///< of which a part looks down or to a side
+        double level = 0;      ///< z of its highest free surface, or of its top where it has none [m]
+        double lowest = 0;     ///< z of its lowest surface that looks up [m]
+        bool is_free = false;  ///< it has a free surface
+        bool let_go = false;   ///< of which a part looks down or to a side
         bool at_rest() const { return !let_go && lowest == level; }  ///< under hydrostatic pressure it stays as it is
         std::int32_t cells = 0;
         Box bounds;
@@ -66,7 +66,7 @@ private:
     WaterBounds bounds_;
     std::array<std::vector<double>, 3> planes_;
     std::vector<Cell> cells_;
-    std::vector<double> to_solid_;     ///< of each cell's middle, up to `reach_` [m]
+    std::vector<double> to_solid_;  ///< of each cell's middle, up to `reach_` [m]
     double reach_ = 0;
     std::vector<std::int32_t> cell_;  ///< at each place between the planes; -1: no water
     std::vector<Part> parts_;

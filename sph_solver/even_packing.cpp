@@ -67,8 +67,7 @@ public:
             for (int i = 0; i < cubes; ++i)
                 for (int j = 0; j < (flat_ ? 1 : cubes); ++j)
                     for (int k = 0; k < cubes; ++k)
-                        act(Vec3((block[0] * cubes + i + 0.5) * edge_,
-                                 flat_ ? 0 : (block[1] * cubes + j + 0.5) * edge_,
+                        act(Vec3((block[0] * cubes + i + 0.5) * edge_, flat_ ? 0 : (block[1] * cubes + j + 0.5) * edge_,
                                  (block[2] * cubes + k + 0.5) * edge_));
     }
     double edge() const { return edge_; }
@@ -85,15 +84,16 @@ private:
 };
 
 /// What is near the particles asked for: the small cubes that are filled at least in part, with their volumes, which
-/// stand for the integral (half a spacing wide; the kernel is so smooth that no narrower ones are needed), and particles.
+/// stand for the integral (half a spacing wide; the kernel is so smooth that no narrower ones are needed), and
+/// particles.
 struct PackedNear {
     std::vector<Vec3> middles, places;
     std::vector<double> volumes;
-    std::vector<std::size_t> of;  ///< which of the places were asked for
+    std::vector<std::size_t> of;   ///< which of the places were asked for
     std::vector<std::size_t> who;  ///< they are among all
 
     PackedNear(std::span<const Vec3> all, std::span<const char> asked, const EvenPacking& p,
-                 const FilledShare& filled) {
+               const FilledShare& filled) {
         const Blocks blocks(all, asked, p);
         const double edge = blocks.edge(), volume = p.dimensions == 2 ? edge * edge : edge * edge * edge;
         blocks.each_cube([&](const Vec3& middle) {

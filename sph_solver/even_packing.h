@@ -28,8 +28,9 @@ struct Unevenness {
 ///   C_i = sum_j V grad W_ij - int grad W(x_i - x) dx   over what is filled,   x_i -= h^2/2 C_i   a time
 ///
 /// which is shifting (Lind et al. 2012, doi:10.1016/j.jcp.2011.10.027) for the measure that particles are to have in
-/// place of none: at a wall, a solid or the free surface nothing is missing, because neither the sum nor the integral has
-/// anything beyond it. Other particles stay where they are. Wendland C2 of support 2h. Returns how many times all moved.
+/// place of none: at a wall, a solid or the free surface nothing is missing, because neither the sum nor the integral
+/// has anything beyond it. Other particles stay where they are. Wendland C2 of support 2h. Returns how many times all
+/// moved.
 int even_out(std::vector<Vec3>& places, std::span<const char> moves, const EvenPacking& packing,
              const FilledShare& filled);
 

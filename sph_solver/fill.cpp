@@ -46,8 +46,8 @@ std::vector<SurfaceQuery> queries_of(const SimulationSetup& s) {
     return queries;
 }
 
-/// Those families of particles of one spacing, halved so often from the coarsest, that are wanted. Blocks that touch are
-/// one water: no place is filled twice, and where their lattices do not fit the particles are evened out.
+/// Those families of particles of one spacing, halved so often from the coarsest, that are wanted. Blocks that touch
+/// are one water: no place is filled twice, and where their lattices do not fit the particles are evened out.
 template <class Wanted>
 Fluid fill(const SimulationSetup& s, double dp, int halvings, const std::vector<SurfaceQuery>& solids,
            const std::vector<std::vector<Box>>& waters, const Wanted& wanted, const Zone* zone = nullptr) {

@@ -10,8 +10,9 @@
 namespace tw {
 
 /// How a block of water is divided into cells of about dp, of which each holds a particle: the next whole number of
-/// coarsest cells (2^halvings dp) along each edge, each halved `halvings` times. The cells fill the block, so that water
-/// has the volume, the depth and the distance from its walls that the scene gives it at every size of particles.
+/// coarsest cells (2^halvings dp) along each edge, each halved `halvings` times. The cells fill the block, so that
+/// water has the volume, the depth and the distance from its walls that the scene gives it at every size of
+/// particles.
 struct Lattice {
     bool flat;                  ///< two dimensions: one cell of span 1 about the plane y = 0, in which particles stand
     Vec3 corner, cell;          ///< low corner of the block, edges of a cell [m]
@@ -45,8 +46,8 @@ private:
 };
 
 /// Of boxes that touch. All particles have one mass, so the cells of each box are given about the volume of dp in each
-/// direction: a box whose edges are no whole numbers of dp gets cells that are flatter or taller, of which there are the
-/// right number. The counts are those that keep cells of that volume as cubical as may be.
+/// direction: a box whose edges are no whole numbers of dp gets cells that are flatter or taller, of which there are
+/// the right number. The counts are those that keep cells of that volume as cubical as may be.
 std::vector<Lattice> lattices_of(int dimensions, double dp, std::span<const Box> boxes, int halvings = 0);
 
 /// A face that two of the boxes share and at which their lattices do not fit together: a flat box.

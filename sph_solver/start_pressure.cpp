@@ -105,7 +105,7 @@ private:
 
     const WaterGrid& grid_;
     const ForceAtStart& force_;
-    std::vector<std::size_t> who_;    ///< cells
+    std::vector<std::size_t> who_;   ///< cells
     std::vector<std::int32_t> row_;  ///< of each cell; -1: of another part
     Eigen::VectorXd phi_;
     int iterations_ = 0;
@@ -136,7 +136,7 @@ int find_start_pressure(const SimulationSetup& s, std::span<const Box> blocks, s
     const ForceAtStart force(s);
     if (s.stream || !(g > 0) || periodic[0] || periodic[1] || periodic[2]) return 0;
 
-    const double clear = 0.5 * s.dp;
+    const double clear = 0.5 * s.dp, weight = force.even.z() / -g;
     std::vector<SurfaceQuery> solids;
     for (const BodySetup& body : s.bodies) solids.emplace_back(body.surface);
     const WaterBounds bounds{s.dimensions, s.domain, s.mirrors.on, solids, clear};
@@ -144,9 +144,8 @@ int find_start_pressure(const SimulationSetup& s, std::span<const Box> blocks, s
     for (const Fluid& fluid : fluids) particles += fluid.places.size();
     int iterations = 0;
     for (const std::vector<Box>& group : disjoint_groups(blocks, s.dimensions, clear)) {
-        if (group.size() == 1 && force.is_weight() && stands_between_walls(s, group.front(), clear)) {
-            if (force.even.z() == -g) continue;
-        }
+        if (group.size() == 1 && force.is_weight() && weight == 1 && stands_between_walls(s, group.front(), clear))
+            continue;
         const WaterGrid grid(group, bounds, s.dp, std::max(1e5, 4.0 * double(particles)));
         std::vector<std::optional<PartOfWater>> solved(grid.parts().size());
         for (std::size_t p = 0; p < solved.size(); ++p) {
@@ -163,8 +162,8 @@ int find_start_pressure(const SimulationSetup& s, std::span<const Box> blocks, s
                 const std::int32_t cell = grid.cell_near(x);
                 if (cell < 0) continue;
                 const auto p = static_cast<std::size_t>(grid.cells()[std::size_t(cell)].part);
-                fluid.depth[i] = solved[p] ? solved[p]->pressure(cell, x) / g
-                                           : (grid.parts()[p].level - x.z()) * force.even.z() / -g;
+                fluid.depth[i] =
+                    solved[p] ? solved[p]->pressure(cell, x) / g : weight * (grid.parts()[p].level - x.z());
             }
     }
     return iterations;

@@ -29,6 +29,8 @@ LadderRun ladder_run(RunRecord record, const CompareOptions& options) {
     run.title = record.attributes["title"], run.method = record.attributes["method"];
     run.spacing = spacing->second, run.elements = record.elements, run.memory = record.peak_memory;
     run.steps = record.steps;
+    if (const auto sizes = record.numbers.find("levels"); sizes != record.numbers.end())
+        run.element_sizes = sizes->second;
     run.predicted_seconds = record.numbers["predicted_seconds"], run.duration = record.numbers["duration"];
     for (const Phase& phase : record.phases) run.seconds += phase.wall, run.core_seconds += phase.cpu;
     run.hull_hash = record.attributes["hull_hash"];
@@ -77,7 +79,8 @@ Ladder build_ladder(std::vector<LadderRun> runs, std::vector<LadderVariation> va
                             method_label(ladder.sides.front().method), method_label(side.method)));
     for (LadderVariation& v : variations) add_variation(ladder.sides, std::move(v));
     for (const LadderSide& side : ladder.sides) {
-        if (const std::string note = steps_note(side); !note.empty()) ladder.notes.push_back(note);
+        for (const std::string& note : {steps_note(side), unlike_sizes_note(side)})
+            if (!note.empty()) ladder.notes.push_back(note);
         for (const LadderVariation& v : side.variations)
             if (!v.refused.empty())
                 ladder.notes.push_back(fmt::format("{} with {}: no evidence, and no share of the intervals: {}",

@@ -21,6 +21,7 @@ struct LadderRun {
     std::filesystem::path file;            ///< its record; empty: none on disk
     double spacing = 0;                    ///< at the hull [m]
     double elements = 0;                   ///< particles or cells
+    double element_sizes = 1;              ///< how many sizes of particles it has; 1 where its record tells of none
     double steps = 0;                      ///< of time; 0: not recorded
     double seconds = 0, core_seconds = 0;  ///< everything counted: wall, processor time [s]
     double memory = 0;                     ///< peak [bytes]

@@ -100,4 +100,18 @@ std::string steps_note(const LadderSide& side) {
         method_label(side.method), counts, side.runs.size());
 }
 
+std::string unlike_sizes_note(const LadderSide& side) {
+    const auto sizes = [](const LadderRun& run) { return run.element_sizes; };
+    const auto [least, most] = std::ranges::minmax(side.runs, {}, sizes);
+    if (least.element_sizes == most.element_sizes) return {};
+    std::string counts;
+    for (const LadderRun& r : side.runs)
+        counts += fmt::format("{}{:g} ({:.3g} in all) at {:.4g} m", counts.empty() ? "" : ", ", r.element_sizes,
+                              r.elements, r.spacing);
+    return fmt::format(
+        "{}: sizes of particles in each run: {}: the runs are not similar, so the discretisation error "
+        "below is not of the spacing alone",
+        method_label(side.method), counts);
+}
+
 }  // namespace tw

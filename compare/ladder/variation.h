@@ -31,6 +31,9 @@ std::vector<Sensitivity> sensitivities_of(const std::vector<LadderSide>& sides, 
 
 /// Where the time step did not follow the spacing: the runs' estimate is then one of the spacing alone. Empty: it did.
 std::string steps_note(const LadderSide& side);
+/// What is to be said of runs that are not similar, because they have other numbers of sizes of particles; empty: they
+/// are.
+std::string unlike_sizes_note(const LadderSide& side);
 
 /// The quantity of a run, if it has been measured.
 const Quantity* find_quantity(const LadderRun& run, const std::string& name);

@@ -1,4 +1,5 @@
 #include "foam_cases/files/case_files.h"
+#include "scene/defaults.h"
 
 namespace tw {
 namespace {
@@ -9,7 +10,7 @@ std::vector<Box> water_boxes(const CasePlan& plan) {
     const Box& d = scene.domain.box;
     const Vec3 beyond = d.size();
     if (plan.half_space) return {Box{d.min - beyond, Vec3(d.max.x() + beyond.x(), d.max.y() + beyond.y(), 0)}};
-    std::vector<Box> boxes = scene.water_blocks;
+    std::vector<Box> boxes = blocks_of_water(scene);
     for (Box& b : boxes)
         for (int a = 0; a < 3; ++a) {
             if (b.min[a] <= d.min[a]) b.min[a] -= beyond[a];

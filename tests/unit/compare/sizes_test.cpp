@@ -217,6 +217,19 @@ TEST(Sizes, StepsThatDoNotFollowTheSpacingAreSaid) {
     EXPECT_TRUE(has(ladder.notes[0], "interFoam: 1275, 1260, 1259 time steps at 3 sizes")) << ladder.notes[0];
 }
 
+TEST(Sizes, RunsWithOtherNumbersOfSizesOfParticlesAreSaidNotToBeSimilar) {
+    std::vector<LadderRun> runs = runs_of(100, 2800, 10);
+    for (LadderRun& r : runs) r.element_sizes = 2;
+    EXPECT_TRUE(build_ladder(runs).notes.empty());
+    std::ranges::max_element(runs, {}, [](const LadderRun& r) { return r.spacing; })->element_sizes = 1;
+    const Ladder ladder = build_ladder(runs);
+    ASSERT_EQ(ladder.notes.size(), 1u);
+    EXPECT_TRUE(has(ladder.notes[0], "the runs are not similar")) << ladder.notes[0];
+    RunRecord record = member("sph", 2800, 10, spacings[0]);
+    record.numbers["levels"] = 3;
+    EXPECT_EQ(ladder_run(record).element_sizes, 3);
+}
+
 TEST(Sizes, AWiderBoxIsFoundAmongRecords) {
     std::vector<LadderRun> runs;
     for (const double h : spacings) {

@@ -375,6 +375,17 @@ TEST(CaseFiles, AFlatTankIsOneCellThickAndEmptySided) {
     EXPECT_SAYS(set_fields_dict(plan), "box (-0.584 -0.01 -0.4) (0.146 0.02 0.292);");
 }
 
+// A block that ends 5 mm below the surface of another takes no plane of cells from that surface: the water would stand
+// at the inner block's top.
+TEST(CaseFiles, BlocksOfOneWaterAreFilledToItsLevel) {
+    Scene scene = dam_break_scene();
+    const std::string alone = block_mesh_dict(plan_case(scene, v1912));
+    scene.water_blocks = {{Vec3(0, 0, 0), Vec3(0.146, 0.01, 0.287)}, {Vec3(0, 0, 0.1), Vec3(0.146, 0.01, 0.292)}};
+    const CasePlan plan = plan_case(scene, v1912);
+    EXPECT_EQ(block_mesh_dict(plan), alone);
+    EXPECT_SAYS(set_fields_dict(plan), "box (-0.584 -0.01 -0.4) (0.146 0.02 0.292);");
+}
+
 TEST(CaseFiles, AFlatHullIsRefinedInASlabOfWhichOneLayerIsDrawnOut) {
     const Scene scene = flat_plate_scene();
     const CasePlan plan = plan_case(scene, v1912);

@@ -354,6 +354,12 @@ TEST(ParticleLevels, OfATankFillItsWater) {
     odd = falling;
     odd.replace(odd.find("[-3, -3, -3]"), 12, "[-3, -3, -2.9]");  // 14.5 of them, 3.4 % too many
     EXPECT_EQ(levels_of(odd + sizes), 2);
+    // Coarser and finer runs of one scene are similar: as many sizes, in cells that are stretched by up to 7 %.
+    SceneOverrides larger, finer;
+    larger.scale_resolution = std::sqrt(2), finer.scale_resolution = 0.5;
+    for (const std::string& text : {falling + sizes, odd + sizes})
+        for (const SceneOverrides& scaled : {larger, finer})
+            EXPECT_EQ(scene_of(text, scaled).sph.levels, scene_of(text).sph.levels) << *scaled.scale_resolution;
     EXPECT_EQ(levels_of(falling + "scheme = \"symplectic_euler\"\n" + sizes), 1);
 }
 
