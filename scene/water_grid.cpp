@@ -77,7 +77,7 @@ Vec3 WaterGrid::face(const Cell& c, int axis, int side) const {
 }
 
 void WaterGrid::fill(std::span<const Box> boxes) {
-    cell_.assign((planes_[0].size() - 1) * (planes_[1].size() - 1) * (planes_[2].size() - 1), -1);
+    cell_.assign((planes_[0].size() - 1) * (planes_[1].size() - 1) * (planes_[2].size() - 1), no_water);
     const auto range = [&](const Box& box, std::size_t a) {
         const std::vector<double>& planes = planes_[a];
         if (a == 1 && bounds_.dimensions == 2) return std::pair<std::int32_t, std::int32_t>{0, 1};
@@ -109,6 +109,7 @@ void WaterGrid::fill(std::span<const Box> boxes) {
     }
     std::size_t kept = 0;
     for (std::size_t c = 0; c < cells_.size(); ++c) {
+        cell_[index(cells_[c].at)] = in_solid;
         if (!(to_solid_[c] > 0)) continue;
         cells_[kept] = cells_[c], to_solid_[kept] = to_solid_[c];
         cell_[index(cells_[kept].at)] = static_cast<std::int32_t>(kept);
@@ -133,7 +134,9 @@ void WaterGrid::find_faces() {
                 std::array<std::int32_t, 3> next = c.at;
                 next[a] += side == 0 ? -1 : 1;
                 const bool within = next[a] >= 0 && next[a] + 1 < static_cast<std::int32_t>(planes_[a].size());
-                if (const std::int32_t beside = within ? cell_[index(next)] : -1; beside >= 0) {
+                const std::int32_t beside = within ? cell_[index(next)] : no_water;
+                if (beside == in_solid) continue;
+                if (beside >= 0) {
                     if (solid_between(here, middle(cells_[std::size_t(beside)]), to_solid_[n])) continue;
                     c.beside[a][side] = beside, c.face[a][side] = Face::open;
                     continue;

@@ -68,7 +68,8 @@ private:
     std::vector<Cell> cells_;
     std::vector<double> to_solid_;  ///< of each cell's middle, up to `reach_` [m]
     double reach_ = 0;
-    std::vector<std::int32_t> cell_;  ///< at each place between the planes; -1: no water
+    static constexpr std::int32_t no_water = -1, in_solid = -2;
+    std::vector<std::int32_t> cell_;  ///< at each place between the planes, or one of these
     std::vector<Part> parts_;
 };
 
