@@ -9,6 +9,8 @@ const char* const about_uncertainty =
     "  0.07,  418.0,    2711\n"
     "  0.10,  431.0,    2690\n"
     "  0.14,  449.5,    2655\n\n"
+    "In its place may stand a count, N (\"cells\", \"particles\", \"nodes\"), whose spacing is N^(-1/d) with d from\n"
+    "--dimensions or the header (\"cells (3d)\"), or a number per length (\"cells per beam\").\n"
     "Commas, semicolons or tabs; lines that begin with # and empty lines are skipped; rows in any order.\n"
     "From three levels on U comes from a fit of trend and noise. Beside it stand the least squares of Eca & Hoekstra\n"
     "(2014; four levels), and of the three finest levels the grid convergence index of Celik et al. (2008) and the\n"

@@ -258,6 +258,9 @@ void uncertainty_options(CLI::App& c, UncertaintyCommand& uncertainty) {
     c.add_option("--order", uncertainty.order,
                  "order of the scheme (2), for the factor of safety and for tables of two levels")
         ->check(CLI::Range(0.1, 10.0));
+    c.add_option("--dimensions", uncertainty.dimensions,
+                 "2 or 3: in how many the runs are refined, where the first column counts cells or particles")
+        ->check(CLI::IsMember({2, 3}));
 }
 
 void hull_info_options(CLI::App& c, HullCommand& hull) {

@@ -148,6 +148,7 @@ int run_member(const MemberCommand& command, const Common& common);
 struct UncertaintyCommand {
     std::filesystem::path table;  ///< CSV: spacing, then one column per quantity
     double order = 2;             ///< of the scheme [-]
+    int dimensions = 0;           ///< in which a count of cells is refined, 2 or 3; 0: as the table's header says
 };
 int run_uncertainty(const UncertaintyCommand& command, const Common& common);
 

@@ -97,6 +97,7 @@ CsvColumns::CsvColumns(std::string whole, std::string file) : text_(std::move(wh
 }
 
 void CsvColumns::read_header(std::string_view line, int number) {
+    header_line_ = number;
     separator_ = separator_of(line);
     std::vector<Cell> cells = cells_of(line, separator_);
     if (cells.size() > 1 && cells.back().text.empty()) cells.pop_back();
@@ -138,11 +139,10 @@ std::size_t CsvColumns::column(std::string_view header) const {
     return found.front();
 }
 
-std::vector<std::string> CsvColumns::texts(std::string_view header) const {
-    const std::size_t wanted = column(header);
-    std::vector<std::string> texts;
-    for (const std::string_view row : rows_) texts.push_back(cells_of(row, separator_)[wanted].text);
-    return texts;
+std::vector<std::string> CsvColumns::texts(std::size_t column) const {
+    std::vector<std::string> cells;
+    for (const std::string_view row : rows_) cells.push_back(cells_of(row, separator_)[column].text);
+    return cells;
 }
 
 const std::vector<double>& CsvColumns::values(std::size_t column) const {

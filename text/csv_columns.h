@@ -26,6 +26,7 @@ public:
     CsvColumns& operator=(const CsvColumns&) = delete;
 
     const std::vector<std::string>& headers() const { return headers_; }
+    int header_line() const { return header_line_; }  ///< of the file, from 1
     std::size_t rows() const { return line_.size(); }
     int line(std::size_t row) const { return line_[row]; }  ///< of the file, from 1
     const std::string& file() const { return file_; }
@@ -34,8 +35,9 @@ public:
     const std::vector<double>& values(std::size_t column) const;
     /// Of the one column with this header. Throws InputError where there is none or more than one.
     const std::vector<double>& values(std::string_view header) const { return values(column(header)); }
-    /// What stands in the cells of that column.
-    std::vector<std::string> texts(std::string_view header) const;
+    /// What stands in the cells of a column.
+    std::vector<std::string> texts(std::size_t column) const;
+    std::vector<std::string> texts(std::string_view header) const { return texts(column(header)); }
     /// Columns whose header is exactly `header`.
     std::vector<std::size_t> find(std::string_view header) const;
     /// "t, Drag, Lift" for messages.
@@ -52,6 +54,7 @@ private:
 
     std::string text_, file_;
     char separator_ = ',';
+    int header_line_ = 1;
     std::vector<std::string> headers_;
     std::vector<std::vector<double>> values_;        ///< by column
     std::vector<std::optional<Fault>> first_fault_;  ///< by column

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "compare/ladder/variation.h"
@@ -11,6 +12,8 @@ namespace tw {
 namespace {
 
 constexpr double scheme_order = 2;
+/// Of the particles' pairs and of what a water raster holds: the last digits of a value, over its size.
+constexpr double single_precision = 1e-6;
 
 }  // namespace
 
@@ -26,7 +29,9 @@ LadderValue value_of(const std::vector<LadderSide>& sides, std::size_t k, const 
             continue;
         }
         known.push_back(&run);
-        v.levels.push_back({run.spacing, q->values[0].value, q->values[0].half_width});
+        const double value = q->values[0].value;
+        v.levels.push_back(
+            {run.spacing, value, q->values[0].half_width, single_precision * std::max(std::abs(value), scale)});
         v.half_widths.push_back(q->values[0].half_width);
     }
     if (v.levels.empty()) return v;

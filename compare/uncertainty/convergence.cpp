@@ -13,9 +13,10 @@ namespace tw {
 
 namespace {
 
-constexpr double least_order =
-    0.5;  ///< observed order below which an oscillation counts as undamped, as in eca_hoekstra.h
-constexpr double no_order = 0.1;  ///< below which a change from size to size is not told from one that stays
+constexpr double least_order = 0.5;         ///< observed order below which changes hardly die out, as in eca_hoekstra.h
+constexpr double no_order = 0.1;            ///< below which a change from size to size is not told from one that stays
+constexpr double largest_of_order = 2;      ///< observed order over the scheme's above which it is coincidence
+constexpr double rounding_of_order = 1e-6;  ///< so that exact values of h^0.5 count as inside
 
 void from_one_level(Estimate& e) { e.why_not = "one level shows no change; expected two or more"; }
 
@@ -30,16 +31,34 @@ void from_two_levels(Estimate& e) {
         e.uncertainties.push_back(error > 0 ? e.uncertainty * std::abs(l.value - e.limit) / error : e.uncertainty);
 }
 
+double smallest_order(const Estimate& e) { return least_order * std::min(1.0, e.p_th); }
+double largest_order(const Estimate& e) { return largest_of_order * std::max(2.0, e.p_th); }
+
+/// Observed order: of Eca & Hoekstra's fit where there is one; of alternating values, to which it does not apply, that of
+/// the three finest.
+double order_of(const Estimate& e, Convergence found) {
+    return e.levels.size() > 3 && found != Convergence::oscillatory ? e.eca_hoekstra.p : e.celik_gci.p;
+}
+
 /// The class by the three finest levels alone, or by Eca & Hoekstra's fit; where their order says nothing: scattered.
 Convergence class_of(const Estimate& e) {
-    if (e.levels.size() > 3)
-        return e.eca_hoekstra.convergence == Convergence::divergent ? Convergence::scattered
-                                                                    : e.eca_hoekstra.convergence;
-    const CelikGci& g = e.celik_gci;
-    const bool oscillates = g.convergence == Convergence::oscillatory,
-               monotone = g.convergence == Convergence::monotone;
-    if ((oscillates && g.p < least_order) || (monotone && g.p < no_order)) return Convergence::scattered;
-    return g.convergence == Convergence::divergent ? Convergence::scattered : g.convergence;
+    if (equal_within_noise(e.levels)) return Convergence::unchanged;
+    const bool many = e.levels.size() > 3;
+    const Convergence found = many ? e.eca_hoekstra.convergence : e.celik_gci.convergence;
+    const double p = order_of(e, found);
+    switch (found) {
+        case Convergence::divergent: return Convergence::scattered;
+        case Convergence::unchanged: return Convergence::irregular;  // the two finest are equal, a coarser one is not
+        case Convergence::oscillatory:
+            if (p < smallest_order(e)) return Convergence::scattered;
+            break;
+        case Convergence::monotone:
+            if (!many && p < std::min(no_order, smallest_order(e))) return Convergence::scattered;
+            break;
+        default: return found;
+    }
+    const bool credible = p > smallest_order(e) - rounding_of_order && p < largest_order(e) + rounding_of_order;
+    return credible ? found : Convergence::irregular;  // NaN: beyond the search
 }
 
 void from_many_levels(Estimate& e) {
@@ -50,7 +69,8 @@ void from_many_levels(Estimate& e) {
     }
     e.convergence = class_of(e);
     e.method = "trend and noise";
-    if (e.convergence != Convergence::scattered) e.order = e.levels.size() > 3 ? e.eca_hoekstra.p : e.celik_gci.p;
+    if (e.convergence != Convergence::scattered && e.convergence != Convergence::unchanged)
+        e.order = order_of(e, e.levels.size() > 3 ? e.eca_hoekstra.convergence : e.celik_gci.convergence);
     e.limit = e.trend_noise.phi0;
     e.uncertainty = e.trend_noise.uncertainty;
     e.uncertainties = e.trend_noise.uncertainties;
@@ -92,6 +112,15 @@ std::string scatter_sentence(const Estimate& e, const std::string& value) {
                        std::isfinite(bound) ? "; the bound of Eca & Hoekstra is ± " + two_digits(bound) : "");
 }
 
+std::string irregular_sentence(const Estimate& e, const std::string& value) {
+    const std::string found = std::isfinite(e.order) ? fmt::format("{:.2f}", e.order)
+                              : e.celik_gci.convergence == Convergence::unchanged
+                                  ? std::string("none, the two finest values being equal,")
+                                  : std::string("one beyond 10");
+    return fmt::format("not converged (order {} found, {:.2g} to {:.2g} expected of a scheme of order {:g}): {} by {}",
+                       found, smallest_order(e), largest_order(e), e.p_th, value, e.method);
+}
+
 }  // namespace
 
 Estimate estimate(std::vector<StudyLevel> levels, double p_th) {
@@ -126,6 +155,12 @@ std::string verdict_sentence(const Estimate& e) {
         return fmt::format("{} by an assumed order {:g} with Fs = 3: two levels cannot show whether it converges",
                            value, e.p_th);
     if (e.convergence == Convergence::scattered) return scatter_sentence(e, value);
+    if (e.convergence == Convergence::irregular) return irregular_sentence(e, value);
+    if (e.convergence == Convergence::unchanged)
+        return fmt::format(
+            "converged (unchanged from size to size within the values' own {}): {} by {}",
+            std::ranges::any_of(e.levels, [](const StudyLevel& l) { return l.half_width > 0; }) ? "noise" : "rounding",
+            value, e.method);
     std::string text =
         fmt::format("converged ({}{}): {} by {}", to_string(e.convergence),
                     std::isfinite(e.order) ? fmt::format(", order {:.2f}", e.order) : "", value, e.method);

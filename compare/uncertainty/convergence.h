@@ -19,8 +19,12 @@ namespace tw {
 /// - with one: none.
 /// The class is that of Eca & Hoekstra from four levels on, else that of the triplet. Scattered: no order can be found
 /// (sigma of the fit above the mean change per level; of three levels an oscillation of order below 0.5, changes that
-/// do not shrink); the interval then comes from the scatter. Divergent is left for values that run away (runaway.h):
-/// they have no uncertainty.
+/// do not shrink); the interval then comes from the scatter. Irregular: the changes die out with an order p that is not
+/// the scheme's, or the two finest values are equal and a coarser one is not. What remains of the error beyond the last
+/// change is 1/(r^p - 1) of that change: with p below 0.5 min(1, p_th) more than twice it (r = 2), which is no
+/// convergence (Eca & Hoekstra trust no p below 0.5 either); with p above 2 max(2, p_th) next to nothing, which only
+/// happens where terms cancel or the coarser sizes do not resolve what carries the answer. The interval is that of trend
+/// and noise, which does not use p. Divergent is left for values that run away (runaway.h): they have no uncertainty.
 struct Estimate {
     std::vector<StudyLevel> levels;  ///< finest first
     double p_th = 2;                 ///< order of the scheme [-]

@@ -128,7 +128,8 @@ EcaHoekstra eca_hoekstra(std::span<const StudyLevel> levels) {
 
     const double phi_max = plain.phi.maxCoeff(), phi_min = plain.phi.minCoeff();
     e.data_range = (phi_max - phi_min) / static_cast<double>(n_g - 1);
-    if (same_but_for_rounding(phi_max, phi_min, plain.phi.cwiseAbs().maxCoeff())) {
+    const auto [lowest, highest] = std::ranges::minmax(levels, {}, &StudyLevel::value);
+    if (same_but_for_rounding(lowest, highest, largest_magnitude(levels))) {
         e.known = true;
         e.convergence = Convergence::unchanged;
         e.phi0 = levels[0].value;

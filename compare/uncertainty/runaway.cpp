@@ -15,9 +15,10 @@ std::string of_three(std::span<const StudyLevel> levels) {
     const Triplet t = finest_triplet(levels);
     const double l21 = std::log(t.r21), l32 = std::log(t.r32), finest = t.eps21 / l21, coarser = t.eps32 / l32;
     if (t.convergence == Convergence::unchanged || coarser == 0 || !(finest / coarser >= 2 * (1 - 1e-9))) return {};
-    // The half width of finest - 2 coarser, of the values' own noise.
-    const double U = std::hypot(levels[0].half_width / l21, levels[1].half_width * (1 / l21 + 2 / l32),
-                                2 * levels[2].half_width / l32);
+    // The half width of finest - 2 coarser, of the values' own noise and rounding.
+    const double of_1 = 1 / l21, of_2 = 1 / l21 + 2 / l32, of_3 = 2 / l32;
+    const double U = std::hypot(levels[0].half_width * of_1, levels[1].half_width * of_2, levels[2].half_width * of_3) +
+                     levels[0].rounding * of_1 + levels[1].rounding * of_2 + levels[2].rounding * of_3;
     if (std::abs(finest - 2 * coarser) < U) return {};
     return fmt::format("the changes grow {:.2g}-fold from the coarser pair of sizes to the finest", finest / coarser);
 }
@@ -38,6 +39,7 @@ double significance_of_slope(std::span<const StudyLevel> levels) {
 }  // namespace
 
 std::string why_running_away(std::span<const StudyLevel> levels, const EcaHoekstra& eca) {
+    if (equal_within_noise(levels)) return {};
     if (levels.size() == 3) return of_three(levels);
     if (eca.convergence != Convergence::divergent) return {};
     const double t = significance_of_slope(levels), t_95 = student_t_95(static_cast<double>(levels.size()) - 2);

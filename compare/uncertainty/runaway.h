@@ -7,7 +7,8 @@
 
 namespace tw {
 
-/// Why the values run away as the spacing shrinks, and have no limit that could be estimated; empty where they do not.
+/// Why the values run away as the spacing shrinks, and have no limit that could be estimated; empty where they do not,
+/// and where they are equal within their own noise and rounding (equal_within_noise in study_level.h).
 /// - three levels: they change to one side, and per factor in h the finest pair by twice as much as the coarser one or
 ///   more: eps21/ln r21 >= 2 eps32/ln r32, the growth of 1/h between h and 2 h. (Three values of pure noise do that in
 ///   one trial of ten; with the ITTC's R >= 1 it is one of six.) Where the values have noise of their own, as time means

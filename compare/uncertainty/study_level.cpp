@@ -36,10 +36,31 @@ std::string to_string(Convergence convergence) {
         case Convergence::oscillatory: return "oscillatory";
         case Convergence::divergent: return "divergent";
         case Convergence::scattered: return "scattered";
+        case Convergence::irregular: return "irregular";
     }
     return {};
 }
 
-bool same_but_for_rounding(double a, double b, double size) { return std::abs(a - b) <= 1e-13 * size; }
+bool same_but_for_rounding(const StudyLevel& a, const StudyLevel& b, double size) {
+    return std::abs(a.value - b.value) <= 1e-13 * size + a.rounding + b.rounding;
+}
+
+bool equal_within_noise(std::span<const StudyLevel> levels) {
+    const double size = largest_magnitude(levels);
+    for (std::size_t i = 0; i < levels.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            const StudyLevel &a = levels[i], &b = levels[j];
+            if (!same_but_for_rounding(a, b, size) &&
+                std::abs(a.value - b.value) > std::hypot(a.half_width, b.half_width) + a.rounding + b.rounding)
+                return false;
+        }
+    return true;
+}
+
+double largest_magnitude(std::span<const StudyLevel> levels) {
+    double size = 0;
+    for (const StudyLevel& l : levels) size = std::max(size, std::abs(l.value));
+    return size;
+}
 
 }  // namespace tw

@@ -98,7 +98,8 @@ LevelColumns data_of(std::span<const StudyLevel> levels) {
     d.s0 = s0_share * range / static_cast<double>(n - 1);
     d.a0 = a_share * range;
     for (Eigen::Index i = 0; i < n; ++i) {
-        const double u = levels[static_cast<std::size_t>(i)].half_width / 1.96;  // standard error of the value
+        const StudyLevel& l = levels[static_cast<std::size_t>(i)];
+        const double u = std::hypot(l.half_width / 1.96, l.rounding / std::sqrt(3.0));  // standard error of the value
         d.known_variance += d.w[i] * u * u / static_cast<double>(n);
     }
     return d;
@@ -114,10 +115,10 @@ TrendNoise trend_noise(std::span<const StudyLevel> levels, double p_th) {
     }
     t.known = true;
     const auto [low, high] = std::ranges::minmax(levels, {}, &StudyLevel::value);
-    if (same_but_for_rounding(low.value, high.value, std::max(std::abs(low.value), std::abs(high.value)))) {
+    if (same_but_for_rounding(low, high, largest_magnitude(levels))) {
         t.trend = t.sigma = t.phi0_interval = t.phi1_interval = 0;
         t.phi0 = t.phi1 = levels[0].value;
-        t.uncertainty = high.value - low.value;
+        t.uncertainty = high.value - low.value + levels[0].rounding;
         t.uncertainties.assign(levels.size(), t.uncertainty);
         return t;
     }

@@ -1,6 +1,5 @@
 #include "compare/uncertainty/triplet.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace tw {
@@ -35,12 +34,12 @@ Triplet finest_triplet(std::span<const StudyLevel> levels) {
     t.r32 = l3.h / l2.h;
     t.eps21 = l2.value - l1.value;
     t.eps32 = l3.value - l2.value;
-    const double size = std::max({std::abs(l1.value), std::abs(l2.value), std::abs(l3.value)});
-    if (same_but_for_rounding(l1.value, l2.value, size)) {
+    const double size = largest_magnitude(levels.first(3));
+    if (same_but_for_rounding(l1, l2, size)) {
         t.convergence = Convergence::unchanged;
         return t;
     }
-    if (same_but_for_rounding(l2.value, l3.value, size)) {
+    if (same_but_for_rounding(l2, l3, size)) {
         t.convergence = Convergence::divergent;
         return t;
     }

@@ -416,6 +416,53 @@ TEST(RefinementTable, SemicolonsTabsByteOrderMarkAndCarriageReturns) {
     }
 }
 
+// cells.csv: h = N^(-1/3), so that the million is the finest; read as a spacing it was the coarsest.
+TEST(RefinementTable, ACountIsTurnedIntoASpacing) {
+    const std::string rows = "1000000,0.0301\n250000,0.0312\n60000,0.0335\n";
+    for (const char* header : {"cells (3d)", "Number of particles [3-D]", "N 3d", "No. of elements 3D",
+                               "grid points (3 dim)", "ncells_3d", "nodes (3D)"}) {
+        const RefinementTable t = table(std::string(header) + ",cd\n" + rows);
+        EXPECT_NEAR(t.spacing[0], 0.01, 1e-12) << header;
+        EXPECT_EQ(estimate(study(t.spacing, t.columns[0].values)).levels[0].value, 0.0301) << header;
+    }
+    EXPECT_EQ(table("cells (3d),cd\n" + rows).spacing_name, "(cells (3d))^(-1/3)");
+    const RefinementTable plane = parse_refinement_table("cells,cd\n" + rows, "t.csv", 2);
+    EXPECT_NEAR(plane.spacing[1], 0.002, 1e-12);
+    EXPECT_NE(
+        error("# x\ncells,cd\n" + rows)
+            .find("t.csv:2: first column \"cells\" found, a count and no spacing; the spacing is N^(-1/d), and d is "
+                  "not said: give --dimensions 2 or 3"),
+        std::string::npos);
+    for (const char* header : {"Cells [million]", "particles", "N", "no. of elements", "n_nodes", "DOFs"})
+        EXPECT_NE(error(std::string(header) + ",cd\n" + rows).find("a count and no spacing"), std::string::npos)
+            << header;
+}
+
+TEST(RefinementTable, ANumberPerLengthIsTurnedIntoASpacingAndOtherWordsForSpacingsAreKnown) {
+    for (const char* header : {"cells per beam", "D/dp", "1/h", "beam/near_hull", "N/L", "points per diameter"})
+        EXPECT_EQ(table(std::string(header) + ",cd\n10,1\n20,2\n").spacing, (std::vector<double>{0.1, 0.05})) << header;
+    for (const char* header :
+         {"h", "dp [m]", "cell size", "particle spacing (mm)", "Δx", "dx", "near_hull [m]", "mesh size", "grid spacing",
+          "h/D", "resolution [m]", "grid_mm", "particle diameter", "dt [s]"})
+        EXPECT_EQ(table(std::string(header) + ",cd\n10,1\n20,2\n").spacing, (std::vector<double>{10, 20})) << header;
+}
+
+TEST(RefinementTable, AFirstColumnThatMayMeanEitherIsRefusedByName) {
+    for (const char* header : {"grid", "Level", "run", "mesh", "resolution", "refinement ratio"})
+        EXPECT_NE(
+            error(std::string(header) + ",cd\n1,1\n2,2\n").find("may be a spacing, a count or a number of the row"),
+            std::string::npos)
+            << header;
+    EXPECT_NE(error("tetrahedra,cd\n120000,1\n60000,2\n").find("first column \"tetrahedra\" found"), std::string::npos);
+}
+
+TEST(RefinementTable, ValuesAreKnownToTheirLastWrittenPlace) {
+    const RefinementTable t = table("h,a,b,c\n1,0.0380,12,1.5e3\n2,0.038,13,2e2\n");
+    EXPECT_NEAR(t.columns[0].rounding, 5e-5, 1e-12);
+    EXPECT_NEAR(t.columns[1].rounding, 0.5, 1e-12);
+    EXPECT_NEAR(t.columns[2].rounding, 50, 1e-9);
+}
+
 TEST(RefinementTable, OneRowIsATable) { EXPECT_EQ(table("h,drag\n0.1,5\n").spacing.size(), 1u); }
 
 TEST(RefinementTable, FaultsAreNamedWithLineFoundAndExpected) {
@@ -554,7 +601,56 @@ TEST(Uncertainty, ChangesThatHardlyShrinkHaveAnIntervalThatHoldsTheirContinuatio
         EXPECT_GT(e.uncertainty, 0.1);  // one more change of the same size
         EXPECT_LT(e.uncertainty, 0.6);
     }
-    EXPECT_TRUE(estimate({{1, 1.0}, {2, 1.1}, {4, 1.22}}).converged);
+    EXPECT_TRUE(estimate({{1, 1.0}, {2, 1.1}, {4, 1.26}}).converged);  // p = 0.68
+}
+
+// What is left of the error is 1/(2^p - 1) of the last change: 9 times it for p = 0.15, 1/700 for p = 9.5.
+TEST(Uncertainty, AnOrderThatNoSchemeHasIsNoConvergence) {
+    for (const double p : {0.15, 0.3, 0.45, 4.5, 9.49})
+        for (const auto& h : {std::vector<double>{1, 2, 4}, {1, 1.41, 2}, five})
+            for (const double p_th : {1.0, 2.0}) {
+                const Estimate e = estimate(power(h, 1, 1e-3, p), p_th);
+                EXPECT_FALSE(e.converged) << p << " " << h.size();
+                EXPECT_TRUE(std::isfinite(e.uncertainty)) << p;
+                EXPECT_TRUE(verdict_sentence(e).find("converged (") == std::string::npos ||
+                            verdict_sentence(e).starts_with("not converged (order"))
+                    << verdict_sentence(e);
+            }
+    EXPECT_TRUE(verdict_sentence(estimate(power({1, 2, 4}, 1, 0.1, 0.15)))
+                    .starts_with("not converged (order 0.15 found, 0.5 to 4 expected of a scheme of order 2): 1.1"));
+    for (const double p : {0.5, 1.0, 2.0, 3.0, 4.0}) {
+        EXPECT_TRUE(estimate(power({1, 2, 4}, 1, 1e-3, p)).converged) << p;
+        EXPECT_TRUE(estimate(power(five, 1, 1e-3, p)).converged) << p;
+    }
+    EXPECT_TRUE(estimate(power(five, 1, 1e-3, 6), 4).converged);               // a scheme of fourth order may
+    EXPECT_TRUE(estimate(power(five, 1, 1e-3, 0.3), 0.5).converged);           // and one of order one half
+    EXPECT_FALSE(estimate(study({1, 2, 4}, {1.01, 1.0101, 1.04})).converged);  // p = 8.2
+    EXPECT_FALSE(estimate(study({1, 2, 4}, {1.01, 1.0101, 0.98})).converged);  // to and fro, p = 8.2
+    EXPECT_FALSE(estimate(study({1, 2, 4}, {1.01, 1.01, 0.98})).converged);    // no order at all
+}
+
+// A gauge in still water of 38 mm: its changes are the last digits of single precision, and grow 130-fold.
+TEST(Uncertainty, ValuesThatAreEqualWithinTheirOwnNoiseAreConverged) {
+    const std::vector<StudyLevel> bed = study({0.01, 0.0141, 0.02}, {0.038 + 1.31e-9, 0.038 + 1e-11, 0.038});
+    EXPECT_EQ(estimate(bed).convergence, Convergence::divergent) << "or this test sees nothing";
+    for (const bool of_rounding : {true, false}) {
+        std::vector<StudyLevel> levels = bed;
+        for (StudyLevel& l : levels) (of_rounding ? l.rounding : l.half_width) = 1.3e-9;
+        const Estimate e = estimate(levels);
+        EXPECT_EQ(e.convergence, Convergence::unchanged);
+        EXPECT_TRUE(e.converged);
+        EXPECT_TRUE(std::isnan(e.order));
+        EXPECT_GE(e.uncertainty, 1.3e-9);
+        EXPECT_LT(e.uncertainty, 2e-8);
+        EXPECT_NE(verdict_sentence(e).find("unchanged from size to size"), std::string::npos) << verdict_sentence(e);
+    }
+    // Four and five levels as well, and a change beyond the noise is seen.
+    std::vector<StudyLevel> levels = study(five, {1.0, 1.001, 0.999, 1.002, 1.0005});
+    for (StudyLevel& l : levels) l.half_width = 0.003;
+    EXPECT_EQ(estimate(levels).convergence, Convergence::unchanged);
+    EXPECT_GT(estimate(levels).uncertainty, 0.001);
+    levels.back().value = 1.1;
+    EXPECT_NE(estimate(levels).convergence, Convergence::unchanged);
 }
 
 TEST(Uncertainty, OnlyWhatRunsAwayIsRefused) {
