@@ -10,8 +10,8 @@ namespace tw {
 ///   constant   s = rate t
 ///   ramp       the rate rises from 0 to `rate` over `ramp`: s' = rate sin^2(pi t / (2 ramp)), then constant
 ///   sinusoid   s = amplitude (sin(2 pi t / period + phase) - sin(phase)); with ramp amplitude f sin(...), f = s'/rate
-///   table      a cubic spline through (times, values), at rest before the first and after the last: its first
-///              derivative is zero there, its second is continuous between them
+///   table      a cubic spline through (times, values). It rests before the first row; behind the last it rests where
+///              the rows come to rest there, else it keeps their last velocity (table_motion.h)
 ///
 /// A motion that begins with a velocity starts impulsively.
 struct MotionLaw {
@@ -29,7 +29,7 @@ struct MotionLaw {
     At at(double t) const;
     /// The largest |s'| of all times: exact but for a table, where it is that of 64 places in each interval.
     double fastest() const;
-    /// Throws InputError: a table needs two rows or more with times that rise.
+    /// Throws InputError: a table needs two rows or more with times that rise, and to begin after t = 0 from rest.
     void check_table() const;
 };
 

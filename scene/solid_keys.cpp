@@ -42,7 +42,7 @@ Rows motion_law_keys(const std::string& required, const std::string& who, const 
         {.name = "phase", .unit = "rad", .hashed = Hashed::scene, .fallback = "0 deg",
          .meaning = "Phase at the start; 90 deg: from rest."},
         {.name = "times", .kind = Kind::list, .unit = "s", .hashed = Hashed::scene, .fallback = "required of table",
-         .meaning = "Times of the table; they rise. " + who + " rests before the first and after the last."},
+         .meaning = "Times of the table; they rise. " + who + " rests before the first. After the last it rests too where the rows come to rest, else it keeps their last velocity."},
         {.name = "values", .kind = Kind::list, .hashed = Hashed::scene, .fallback = "required of table",
          .meaning = "Places along `along` [m], or angles about `about` [rad]."},
     };

@@ -6,6 +6,7 @@
 #include "base/errors.h"
 #include "base/numbers.h"
 #include "motion/motion_law.h"
+#include "motion/table_motion.h"
 
 namespace tw {
 namespace motion_law_test {
@@ -60,6 +61,75 @@ TEST(MotionLaw, OfATableGoesThroughItsRowsSmoothlyAndRestsBeyondThem) {
     EXPECT_EQ(law.at(2).rate, 0);
     EXPECT_NEAR(law.at(1.2 - 1e-9).rate, 0, 1e-7);
     EXPECT_GE(law.fastest(), std::abs(law.at(0.15).rate));
+}
+
+MotionLaw table_of(const std::vector<double>& times, double (*s)(double)) {
+    MotionLaw law{.kind = MotionLaw::Kind::table, .times = times};
+    for (const double t : times) law.values.push_back(s(t));
+    return law;
+}
+std::vector<double> steps(double from, double to, int n) {
+    std::vector<double> times;
+    for (int k = 0; k <= n; ++k) times.push_back(from + (to - from) * k / n);
+    return times;
+}
+
+// A tank lifted with 2 m/s2: forced to rest at its last row, the spline was accelerated by up to 350 m/s2 there.
+TEST(MotionLaw, OfATableThatEndsWhileItMovesDoesNotRingBeforeItsEnd) {
+    const MotionLaw lift = table_of(steps(0, 1.02, 51), [](double t) { return t * t; });
+    for (double t = 0; t < 1.02; t += 1e-3) {
+        EXPECT_NEAR(lift.at(t).acceleration, 2, 1e-8) << t;
+        EXPECT_NEAR(lift.at(t).rate, 2 * t, 1e-10) << t;
+    }
+    EXPECT_NEAR(largest_acceleration(lift), 2, 1e-8);
+    EXPECT_NEAR(lift.fastest(), 2.04, 1e-10);
+
+    const MotionLaw swing = table_of(steps(0, 1.13, 60), [](double t) { return 1 - std::cos(2 * pi * t); });
+    for (double t = 0; t < 1.13; t += 1e-3)
+        EXPECT_NEAR(swing.at(t).acceleration, 4 * pi * pi * std::cos(2 * pi * t), 0.02 * 4 * pi * pi) << t;
+
+    const MotionLaw uneven = table_of({0, 0.1, 0.15, 0.3, 0.34, 0.5}, [](double t) { return -3 * t * t; });
+    for (double t = 0; t < 0.5; t += 0.01) EXPECT_NEAR(uneven.at(t).acceleration, -6, 1e-9) << t;
+}
+
+TEST(MotionLaw, OfATableThatEndsWhileItMovesKeepsItsLastVelocityBeyond) {
+    const MotionLaw lift = table_of(steps(0, 1, 50), [](double t) { return t * t; });
+    EXPECT_NEAR(lift.at(1.5).rate, 2, 1e-10);
+    EXPECT_NEAR(lift.at(1.5).path, 2, 1e-10);
+    EXPECT_EQ(lift.at(1.5).acceleration, 0);
+    // A ramp that has come to its velocity, and one that has come to rest.
+    const MotionLaw ramp = table_of(steps(0, 1, 100), [](double t) { return t < 0.5 ? t * t : t - 0.25; });
+    EXPECT_NEAR(ramp.at(3).rate, 1, 1e-3);
+    const MotionLaw stops = table_of(steps(0, 1, 100), [](double t) { return t - std::sin(2 * pi * t) / (2 * pi); });
+    EXPECT_EQ(stops.at(3).path, 1);
+    EXPECT_EQ(stops.at(3).rate, 0);
+    EXPECT_NEAR(stops.at(0.995).acceleration, 2 * pi * std::sin(2 * pi * 0.995), 0.01);
+}
+
+// The same at the other end: a table of a constant velocity is that from its first row on, not 3 times as fast.
+TEST(MotionLaw, OfATableThatBeginsWhileItMovesStartsImpulsively) {
+    const MotionLaw fall = table_of(steps(0, 1, 40), [](double t) { return -0.5 * t; });
+    for (double t = 0; t < 1.5; t += 0.01) EXPECT_NEAR(fall.at(t).rate, -0.5, 1e-12) << t;
+    EXPECT_NEAR(fall.fastest(), 0.5, 1e-12);
+    const MotionLaw late{.kind = MotionLaw::Kind::table, .times = {0.5, 0.6, 0.7}, .values = {0, 0.1, 0.2}};
+    EXPECT_THROW(late.check_table(), InputError);
+    const MotionLaw from_rest{.kind = MotionLaw::Kind::table, .times = {0.5, 0.6, 0.7}, .values = {0, 0.1, 0.4}};
+    EXPECT_NO_THROW(from_rest.check_table());
+    EXPECT_EQ(from_rest.at(0.2).rate, 0);
+}
+
+TEST(MotionLaw, TheLargestAccelerationOfEveryLawIsMetAndNotPassed) {
+    for (const MotionLaw& law :
+         {MotionLaw{.kind = MotionLaw::Kind::constant, .rate = 3},
+          MotionLaw{.kind = MotionLaw::Kind::ramp, .rate = -2, .ramp = 0.5},
+          MotionLaw{.kind = MotionLaw::Kind::sinusoid, .amplitude = 0.1, .period = 1.3, .phase = 0.4},
+          MotionLaw{.kind = MotionLaw::Kind::sinusoid, .ramp = 3, .amplitude = 0.1, .period = 1.3, .phase = 0.4},
+          MotionLaw{.kind = MotionLaw::Kind::table, .times = {0, 0.3, 0.5, 1.2}, .values = {0, 0.2, 0.1, 0.4}}}) {
+        double seen = 0;
+        for (double t = 0; t < 5; t += 1e-3) seen = std::max(seen, std::abs(law.at(t).acceleration));
+        EXPECT_LE(seen, 1.001 * largest_acceleration(law));
+        EXPECT_GE(seen, 0.98 * largest_acceleration(law));
+    }
 }
 
 // Each place needs the knots around it alone: a million places of it would take hours otherwise.
