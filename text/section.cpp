@@ -102,6 +102,12 @@ std::optional<double> Section::number(const std::string& key, std::string_view u
     return si;
 }
 
+bool Section::without_unit(const std::string& key) const {
+    if (!has(key) || from_option(key)) return false;
+    const TextValue& value = *table_->find(key);
+    return value.kind == TextValue::Kind::number || (value.kind == TextValue::Kind::text && !tw::has_unit(value.text));
+}
+
 double Section::number(const std::string& key, double fallback, std::string_view unit, Range range) {
     return number(key, unit, range).value_or(fallback);
 }

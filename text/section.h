@@ -24,6 +24,9 @@ public:
 
     bool present() const { return table_ != nullptr; }
     bool has(const std::string& key) const { return table_ && table_->find(key); }
+    /// Whether a number was written without a unit: as a number, or as a text that holds nothing else. False for one of
+    /// the command line.
+    bool without_unit(const std::string& key) const;
     /// True when the value came from the command line.
     bool from_option(const std::string& key) const { return has(key) && !table_->find(key)->option.empty(); }
     const std::string& name() const { return name_; }

@@ -29,6 +29,9 @@ Unit parse_unit(std::string_view text);
 /// without a unit is taken as SI. Throws UnitError: not a finite number, unknown unit, other dimension.
 double quantity(std::string_view text, std::string_view si_unit);
 
+/// Whether something follows the number in `text`.
+bool has_unit(std::string_view text);
+
 /// A time for people: "45 s", "12 min", "3.5 h", "8.2 days", "2.1 years".
 std::string time_in_words(double seconds);
 

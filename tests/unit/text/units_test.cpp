@@ -27,6 +27,26 @@ TEST(Units, AreWhatTheStandardsSay) {
     EXPECT_NEAR(quantity("5°", "rad"), quantity("5 deg", "rad"), 0);
 }
 
+TEST(Units, TheSpellingsThatPeopleUseAreKnown) {
+    constexpr double knot = 1852.0 / 3600, slug = 0.45359237 * 9.80665 / 0.3048;
+    for (const char* text : {"1 kn", "1 kt", "1 kts", "1 knot", "1 knots"})
+        EXPECT_NEAR(quantity(text, "m/s"), knot, 1e-15) << text;
+    EXPECT_NEAR(quantity("100 kph", "m/s"), 100 / 3.6, 1e-13);
+    EXPECT_NEAR(quantity("10 fps", "m/s"), 3.048, 1e-14);
+    EXPECT_NEAR(quantity("1 slug", "kg"), slug, 1e-13);
+    EXPECT_NEAR(slug, 14.593903, 1e-6);  // NIST SP 811
+    EXPECT_NEAR(quantity("1.9403203 slug/ft3", "kg/m3"), 1000, 1e-4);
+    EXPECT_NEAR(quantity("2 slugs ft^2", "kg m2"), 2 * slug * 0.3048 * 0.3048, 1e-13);
+    EXPECT_NEAR(quantity("1 cSt", "m2/s"), 1e-6, 1e-20);
+    EXPECT_NEAR(quantity("1 St", "m2/s"), 1e-4, 1e-18);
+    EXPECT_NEAR(quantity("1 cP", "Pa s"), 1e-3, 1e-17);
+    EXPECT_NEAR(quantity("1 mPa s", "Pa s"), 1e-3, 1e-17);
+    EXPECT_NEAR(quantity("1 mPa·s", "Pa s"), 1e-3, 1e-17);
+    EXPECT_NEAR(quantity("60 rpm", "rad/s"), 2 * std::numbers::pi, 1e-14);
+    EXPECT_NEAR(quantity("30 degrees", "rad"), std::numbers::pi / 6, 1e-15);
+    for (const char* text : {"10 μm", "10 µm", "10 um"}) EXPECT_NEAR(quantity(text, "m"), 1e-5, 1e-19) << text;
+}
+
 TEST(Units, PlainNumbersAreSi) {
     EXPECT_DOUBLE_EQ(quantity(" 1.5e-3 ", "m"), 1.5e-3);
     EXPECT_DOUBLE_EQ(quantity("+2", "-"), 2);
@@ -47,6 +67,14 @@ TEST(Units, WrongDimensionIsRefusedWithTheUnitsThatFit) {
     EXPECT_NE(error_of("2 kg", "N"), "");
     EXPECT_NE(error_of("3 m^2", "m"), "");
     EXPECT_EQ(error_of("3 m^2/m", "m"), "");
+}
+
+TEST(Units, ADynamicViscosityIsNoKinematicOne) {
+    for (const char* text : {"1e-3 Pa s", "1 cP", "1 mPa s"})
+        EXPECT_NE(error_of(text, "m2/s").find("is a unit of the dynamic viscosity mu; expected the kinematic one"),
+                  std::string::npos)
+            << text;
+    EXPECT_EQ(error_of("1 cSt", "m2/s"), "");
 }
 
 TEST(Units, NonsenseIsRefused) {
