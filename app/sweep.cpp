@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/campaign.h"
+#include "app/hull_labels.h"
 #include "app/output.h"
 #include "app/ranks.h"
 #include "app/solvers.h"
@@ -42,14 +43,15 @@ std::vector<SweptHull> variants_of(const SweepCommand& command) {
     const std::vector<fs::path> hulls = command.hulls.empty() ? std::vector<fs::path>{{}} : command.hulls;
     const std::vector<std::string> speeds = command.speeds.empty() ? std::vector<std::string>{""} : command.speeds,
                                    trims = command.trims.empty() ? std::vector<std::string>{""} : command.trims;
+    const std::vector<std::string> labels = hull_labels(hulls);
     std::vector<SweptHull> variants;
-    for (const fs::path& hull : hulls)
+    for (std::size_t h = 0; h < hulls.size(); ++h)
         for (const std::string& speed : speeds)
             for (const std::string& trim : trims) {
                 SceneArguments scene = command.scene;
-                scene.hull = hull, scene.speed = speed, scene.trim = trim;
+                scene.hull = hulls[h], scene.speed = speed, scene.trim = trim;
                 std::string name;
-                for (const std::string& part : {hull.stem().string(), speed, trim.empty() ? "" : "trim " + trim})
+                for (const std::string& part : {labels[h], speed, trim.empty() ? "" : "trim " + trim})
                     if (!part.empty()) name += (name.empty() ? "" : ", ") + part;
                 if (name.empty()) name = command.scene.file.stem().string();
                 std::string folder = plain(name);  // a run that is there is found again when the lists grow
