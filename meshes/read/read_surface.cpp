@@ -17,6 +17,7 @@
 #include "base/errors.h"
 #include "meshes/axis_turn.h"
 #include "meshes/read/cad.h"
+#include "meshes/read/drawing_unit.h"
 #include "meshes/read/gzip.h"
 #include "meshes/read/ply.h"
 #include "meshes/read/precheck.h"
@@ -117,6 +118,18 @@ std::string lower_case(std::string text) {
     return text;
 }
 
+/// Length of the mark with which editors begin a text in UTF-8, 0 where there is none; UTF-16 is refused. A binary STL may
+/// begin with any bytes.
+std::size_t byte_order_mark(const fs::path& file, const std::string& type, const std::string& content) {
+    if (type == ".stl" && is_binary_stl(content)) return 0;
+    if (content.starts_with("\xFF\xFE") || content.starts_with("\xFE\xFF"))
+        throw InputError(
+            file.string() +
+            ":1: begins with the byte order mark of UTF-16; expected plain text: save it as UTF-8 or ASCII, "
+            "or export the hull again");
+    return content.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+}
+
 Surface read_by_type(const fs::path& file, std::string_view unit) {
     const bool packed = lower_case(file.extension().string()) == ".gz";
     const std::string type = lower_case((packed ? file.stem() : file.filename()).extension().string());
@@ -127,12 +140,12 @@ Surface read_by_type(const fs::path& file, std::string_view unit) {
                          ": surfaces are read from .stl, .obj, .ply, .vtp, .step and .iges files (also compressed, as "
                          ".stl.gz), not from \"" +
                          type + (packed ? ".gz\"" : "\""));
-    if (drawing && unit != "m")
-        throw InputError(file.string() + ": names its own unit, and unit = \"" + std::string(unit) +
-                         "\" is given beside it; leave the unit out");
     std::error_code error;
     if (!fs::exists(file, error)) throw InputError(file.string() + ": no such file; check the name and the folder");
     if (!fs::is_regular_file(file, error)) throw InputError(file.string() + ": is not a file");
+    if (drawing && unit != "m")
+        throw InputError(file.string() + ": names its own unit, " + unit_of_drawing(file) + ", and unit = \"" +
+                         std::string(unit) + "\" is given beside it; leave the unit out");
     constexpr std::uintmax_t largest = 4'000'000'000;  // 80 million STL triangles; indices are 32 bit
     if (fs::file_size(file, error) > largest)
         throw InputError(file.string() + ": larger than 4 GB; coarsen the surface first");
@@ -146,6 +159,10 @@ Surface read_by_type(const fs::path& file, std::string_view unit) {
         // hull.
         content = unpacked(file, content, std::min<std::size_t>(largest, 200 * content.size() + 1'000'000));
         if (content.empty()) throw InputError(file.string() + ": nothing is in it; export the hull again");
+        readable = memory.emplace(content).path();
+    }
+    if (const std::size_t mark = byte_order_mark(file, type, content); mark > 0) {
+        content.erase(0, mark);
         readable = memory.emplace(content).path();
     }
     if (type == ".obj") {

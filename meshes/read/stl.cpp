@@ -30,8 +30,12 @@ std::uint64_t promised_triangles(std::string_view content) {
 }
 }  // namespace
 
+bool is_binary_stl(std::string_view content) {
+    return content.size() >= 84 && content.size() == 84 + 50 * promised_triangles(content);
+}
+
 bool is_ascii_stl(std::string_view content) {
-    if (content.size() >= 84 && content.size() == 84 + 50 * promised_triangles(content)) return false;
+    if (is_binary_stl(content)) return false;
     const auto begin = content.find_first_not_of(" \t\r\n");
     if (begin == std::string_view::npos || !same_word(content.substr(begin, 5), "solid")) return false;
     const std::string_view start = content.substr(0, 1000);

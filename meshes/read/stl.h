@@ -13,6 +13,8 @@ namespace tw {
 
 /// True when the content is an ascii STL file; judged by its text, because binary files may begin with "solid" too.
 bool is_ascii_stl(std::string_view content);
+/// True when the size is what the header's number of triangles makes, whatever the header says else.
+bool is_binary_stl(std::string_view content);
 /// A size other than the promised number of triangles has is refused.
 Surface read_binary_stl(const std::filesystem::path& file, std::string_view content);
 /// Facets, loops and vertices in their order with three numbers each, closed by endsolid.

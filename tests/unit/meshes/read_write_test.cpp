@@ -118,6 +118,30 @@ TEST_F(ReadWrite, TextStlWithLettersOfAnotherCodeIsText) {
     EXPECT_EQ(surface_hash(read_surface(folder / "foreign.stl")), surface_hash(read_surface(folder / "plain.stl")));
 }
 
+// Editors begin a text in UTF-8 with a mark of three bytes; it made of a text STL a "damaged binary" one.
+TEST_F(ReadWrite, TextsThatBeginWithAByteOrderMarkAreRead) {
+    const fs::path plain = folder / "plain.stl", marked = folder / "marked.stl", wide = folder / "wide.stl";
+    const std::string text =
+        "solid s\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n   vertex 1 0 0\n   vertex 0 1 0\n  endloop\n "
+        "endfacet\nendsolid\n";
+    std::ofstream(plain) << text;
+    std::ofstream(marked) << "\xEF\xBB\xBF" << text;
+    EXPECT_EQ(surface_hash(read_surface(marked)), surface_hash(read_surface(plain)));
+    const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    std::ofstream(folder / "marked.obj") << "\xEF\xBB\xBF" << obj;
+    EXPECT_EQ(read_surface(folder / "marked.obj").triangles.size(), 1u);
+    std::ofstream(wide) << "\xFF\xFEs" << '\0' << "o" << '\0';
+    try {
+        read_surface(wide);
+        FAIL() << "read";
+    } catch (const InputError& e) {
+        EXPECT_NE(std::string(e.what()).find("byte order mark of UTF-16"), std::string::npos) << e.what();
+    }
+    // A binary file may begin with any bytes.
+    write_stl(folder / "binary.stl", hull, "\xEF\xBB\xBF name");
+    EXPECT_EQ(surface_hash(read_surface(folder / "binary.stl")), surface_hash(hull));
+}
+
 TEST_F(ReadWrite, MillimetresBecomeMetres) {
     write_stl(folder / "hull.stl", hull);
     expect_the_hull(read_surface(folder / "hull.stl", "mm"), 1e-3);
