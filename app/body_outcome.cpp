@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "text/plain_degrees.h"
 #include "text/plain_number.h"
 
 namespace tw::app {
@@ -71,12 +71,14 @@ std::string outcome_of_bodies(const Scene& scene, const RunRecord& record) {
         for (std::size_t k = 0; fx && fy && fz && k < t.time.size(); ++k)
             if (const double f = Vec3(fx->values[k], fy->values[k], fz->values[k]).norm(); f > most)
                 most = f, when = t.time[k];
-        const double turned = 2 * std::acos(std::clamp(std::abs(last("q0")), 0.0, 1.0)) * 180 / std::numbers::pi;
+        constexpr double rounding = 1e-7;  // [rad]: an arc cosine near 1 halves the digits
+        const double turned = 2 * std::acos(std::clamp(std::abs(last("q0")), 0.0, 1.0));
         out += fmt::format(
             "body {} at {} s: centre at {} m, {} m below its start; {} m/s; turned by {} deg; largest force {} {} at "
             "{} s\n",
             body.name, in_words(t.time.back()), place("x", "y", "z"), in_words(body.motion.mass.centre.z() - last("z")),
-            place("vx", "vy", "vz"), in_words(turned), in_words(most), scene.spanwise_unit("N"), in_words(when));
+            place("vx", "vy", "vz"), plain_degrees(turned < rounding ? 0 : turned, 4), in_words(most),
+            scene.spanwise_unit("N"), in_words(when));
     }
     if (const auto how = record.attributes.find("mesh_motion"); how != record.attributes.end() && !out.empty())
         out += how->second + "\n";

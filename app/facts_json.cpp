@@ -8,6 +8,7 @@
 #include "app/ranks.h"
 #include "scene/box_walls.h"
 #include "scene/cost_of_sizes.h"
+#include "scene/doubtful_input.h"
 
 namespace tw::app {
 namespace {
@@ -129,6 +130,7 @@ std::string check_json(const Scene& scene, const Prediction& p, const RanksTake&
                     {"wall_particles", std::round(p.wall_particles)},
                     {"air_particles", std::round(p.air_particles)},
                     {"cells", std::round(p.cells)},
+                    {"findings", findings_json(doubtful_input(scene))},
                     {"hull", hull},
                     {"domain", box(scene.domain.box)},
                     {"walls", {{"of", walls.of}, {"change", walls.change}}},

@@ -18,6 +18,7 @@
 #include "compare/ladder/judge_by_sizes.h"
 #include "compare/report/numbers.h"
 #include "methods/methods.h"
+#include "scene/doubtful_input.h"
 #include "scene/hash.h"
 #include "sph_solver/parallel/comm.h"
 #include "text/plain_number.h"
@@ -146,8 +147,8 @@ int run_together(const PlannedRun& plan, const RunCommand& command, const Common
     ranks.together([&] { refuse_taken(folder, "sph", command); });
     Common own = common;
     if (!ranks.first()) own.quiet = true, own.json.clear();
-    say(own, fmt::format("{}\n{}{} ranks, results in {}\n", plan.scene.title, prediction_text(plan), ranks.size(),
-                         out.string()));
+    say(own, fmt::format("{}\n{}{}{} ranks, results in {}\n", plan.scene.title, warnings_text(plan.scene),
+                         prediction_text(plan), ranks.size(), out.string()));
     catch_stop_signals();
     const RunRecord record = run_method("sph", plan, {folder, command.resume, command.overwrite}, own);
     const RunFacts facts = facts_of("sph", record, folder);
@@ -192,7 +193,7 @@ int run_run(const RunCommand& command, const Common& common) {
     if (!command.making.hand_over && !command.making.collect) say(common, ready_text(methods, scene));
     double own = 0;
     for (const std::string& method : methods) own += plan.seconds(method);
-    say(common, fmt::format("{}\n{}{}{}results in {}\n", scene.title,
+    say(common, fmt::format("{}\n{}{}{}{}results in {}\n", scene.title, warnings_text(scene),
                             paid ? budget_text(*paid, budget_seconds(command.budget)) : "", prediction_text(plan),
                             twins ? twins->prediction_text(scene, own) : "", out.string()));
 

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/commands.h"
 #include "base/errors.h"
 #include "scene/effects/registry.h"
+#include "scene/read.h"
 #include "text/did_you_mean.h"
 #include "text/units.h"
 
@@ -43,6 +45,11 @@ SceneOverrides SceneArguments::overrides() const {
     if (!hull.empty()) o.hull_file = hull;
     read("--speed", speed, "m/s", o.speed);
     read("--trim", trim, "rad", o.trim);
+    if (o.trim && std::abs(*o.trim) > largest_plain_angle && !has_unit(trim))
+        throw InputError(
+            fmt::format("--trim {}: a number without a unit is in radians, and this is {:.3g} degrees, more than 15; "
+                        "expected \"{} deg\", or \"{} rad\" where that is meant",
+                        trim, *o.trim / degree, trim, trim));
     read("--spacing", spacing, "m", o.spacing);
     read("--near-hull", near_hull, "m", o.near_hull);
     read("--scale", scale, "", o.scale_resolution);

@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <optional>
+
 #include "meshes/below_water.h"
+#include "meshes/check/narrow_faces.h"
 
 namespace tw {
 namespace {
@@ -27,6 +31,27 @@ Area area_of(const Surface& surface, Passes passes) {
             if (surface.corner(t, k).z() < area.lowest.z()) area.lowest = surface.corner(t, k);
     }
     return area;
+}
+
+/// The narrowest riser of a step, flat of a chine or rail of the bottom, up to where a planing hull wets its sides, where it
+/// is finer than the size at the hull.
+std::optional<Finding> narrow_part_of(const Scene& scene) {
+    const Hull& hull = *scene.hull;
+    if (hull.section) return {};
+    const double size = scene.resolution.near_hull;
+    Box wet = hull.surface.bounds();
+    wet.max.z() = std::min(wet.max.z(), 0.5 * hull.draft);
+    const std::vector<NarrowFace> narrow = narrow_faces(hull.surface, wet, size * (1 - 1e-9));
+    if (narrow.empty()) return {};
+    const NarrowFace& n = narrow.front();
+    return Finding{
+        Level::warning, "narrow_part",
+        fmt::format("a step, chine or rail near ({:.4g}, {:.4g}, {:.4g}) m is {:.3g} m wide, {:.2g} spacings of "
+                    "near_hull = {:.3g} m{}: the water hardly sees it; [resolution] near_hull = {:.2g} m would "
+                    "resolve it by three, or a [[refine]] box round it",
+                    n.middle.x(), n.middle.y(), n.middle.z(), n.width, n.width / size, size,
+                    narrow.size() > 1 ? fmt::format(" (the narrowest of {})", narrow.size()) : "", n.width / 3),
+        n.middle};
 }
 
 }  // namespace
@@ -69,6 +94,7 @@ std::vector<Finding> check_attitude(const Scene& scene) {
              hull.still.wet_bounds.min});
         break;
     }
+    if (const auto narrow = narrow_part_of(scene)) findings.push_back(*narrow);
     if (scene.motion.kind != Motion::Kind::stream) return findings;
     // A transom is flat and faces the stern, above the water too; a bow is sharp or round.
     const Area ahead = area_of(surface, [](const Vec3& n) { return n.x() < -0.95; });
@@ -78,10 +104,11 @@ std::vector<Finding> check_attitude(const Scene& scene) {
         (ahead.all > 0.3 * section && ahead.all > 3 * astern.all))
         findings.push_back(
             {Level::warning, "stern_first",
-             fmt::format("{:.3g} m2 of flat surface face the stream and {:.3g} m2 face away from it ({:.3g} and {:.3g} m2 "
-                         "of them below still water): the hull may lie with its stern to the stream, which runs along "
-                         "+x; turn it with axes, e.g. \"-x-yz\"",
-                         ahead.all, astern.all, ahead.wet, astern.wet),
+             fmt::format(
+                 "{:.3g} m2 of flat surface face the stream and {:.3g} m2 face away from it ({:.3g} and {:.3g} m2 "
+                 "of them below still water): the hull may lie with its stern to the stream, which runs along "
+                 "+x; turn it with axes, e.g. \"-x-yz\"",
+                 ahead.all, astern.all, ahead.wet, astern.wet),
              ahead.lowest});
     return findings;
 }

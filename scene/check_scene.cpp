@@ -34,6 +34,38 @@ void check_health(HullOptions& o, double particle_spacing, SceneSection& s) {
         hull.findings.insert(hull.findings.end(), more.begin(), more.end());
 }
 
+namespace {
+
+/// A hull of one side of y = 0, or one that is symmetric about a plane beside it: one hull of a catamaran, or a whole one
+/// whose file has another origin.
+bool lies_beside(const Hull& hull, double limit) {
+    const Box box = hull.surface.bounds();
+    if (box.min.y() >= -limit || box.max.y() <= limit) return true;
+    Surface in_the_middle = hull.surface;
+    for (Vec3& p : in_the_middle.points) p.y() -= 0.5 * (box.min.y() + box.max.y());
+    return asymmetry(in_the_middle).distance <= limit;
+}
+
+/// What would turn a hull upright whose file has other axes; empty where its upper and lower half differ, as a hull's do.
+std::string turn_of_upright(const Hull& hull) {
+    for (const Finding& f : hull.findings)
+        if (f.name == "lying" || f.name == "across") return f.message;
+    if (hull.trim != 0 || hull.heel != 0) return {};
+    const Box box = hull.surface.bounds();
+    Surface on_its_side = hull.surface;  // height in place of breadth
+    for (Vec3& p : on_its_side.points) p = Vec3(p.x(), p.z() - 0.5 * (box.min.z() + box.max.z()), p.y());
+    for (auto& t : on_its_side.triangles) std::swap(t[1], t[2]);
+    Surface in_the_middle = hull.surface;
+    for (Vec3& p : in_the_middle.points) p.y() -= 0.5 * (box.min.y() + box.max.y());
+    const double limit = 1e-3 * box.size().minCoeff();
+    if (asymmetry(on_its_side).distance > limit || asymmetry(in_the_middle).distance <= limit) return {};
+    return "its upper and lower half are alike, and its two sides differ: it lies on its side, or its file has y up; "
+           "axes = "
+           "\"x-zy\" sets it upright";
+}
+
+}  // namespace
+
 void make_halves_alike(Hull& hull, const Resolution& resolution, SceneSection& s) {
     const Asymmetry off = asymmetry(hull.surface);
     const double rounding = 1e-6 * hull.length;
@@ -53,10 +85,17 @@ void make_halves_alike(Hull& hull, const Resolution& resolution, SceneSection& s
             return;
         }
     }
-    std::string axes;
-    for (const Finding& f : hull.findings)
-        if (f.name == "lying" || f.name == "across") axes = "; " + f.message;
-    s.fail("half", "the hull is not symmetric about y = 0: " + where + "; set half = false" + axes);
+    const std::string not_symmetric = "the hull is not symmetric about y = 0: " + where;
+    if (const std::string turn = turn_of_upright(hull); !turn.empty()) s.fail("half", not_symmetric + "; " + turn);
+    const Box box = hull.surface.bounds();
+    if (const double middle = 0.5 * (box.min.y() + box.max.y()); std::abs(middle) > limit && lies_beside(hull, limit))
+        s.fail("half",
+               fmt::format(
+                   "the hull lies beside y = 0, from {:.4g} to {:.4g} m, and half = true mirrors what lies at y > 0 "
+                   "about y = 0. Expected of a catamaran a file with both hulls, one on each side of y = 0; of a "
+                   "hull alone one whose middle is at y = 0, here by position = [x, y] with {:.6g} m taken off y",
+                   box.min.y(), box.max.y(), middle));
+    s.fail("half", not_symmetric + "; set half = false");
 }
 
 void take_section(HullOptions& o, SceneSection& s) {

@@ -1,5 +1,6 @@
 #include "scene/hull_bottom.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "base/numbers.h"
@@ -58,6 +59,23 @@ std::optional<Box> bottom_within(const Surface& hull, std::span<const std::size_
     Box bounds = nothing();
     for (const std::size_t k : triangles) add(bounds, hull, k, part);
     return unless_empty(bounds);
+}
+
+std::vector<Breadth> breadths_within(const Surface& hull, std::span<const std::size_t> triangles, const Box& part,
+                                     double apart) {
+    std::vector<Breadth> all, joined;
+    for (const std::size_t k : triangles) {
+        Box bounds = nothing();
+        add(bounds, hull, k, part);
+        if (unless_empty(bounds)) all.push_back({bounds.min.y(), bounds.max.y()});
+    }
+    std::ranges::sort(all, {}, &Breadth::min);
+    for (const Breadth& b : all)
+        if (joined.empty() || b.min > joined.back().max + apart)
+            joined.push_back(b);
+        else
+            joined.back().max = std::max(joined.back().max, b.max);
+    return joined;
 }
 
 }  // namespace tw

@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "meshes/surface.h"
 
@@ -11,5 +12,12 @@ namespace tw {
 std::optional<Box> bottom_within(const Surface& hull, const Box& part);
 /// As far as it consists of those triangles.
 std::optional<Box> bottom_within(const Surface& hull, std::span<const std::size_t> triangles, const Box& part);
+
+/// The parts of y that the bottom covers within `part`, those less than `apart` [m] from each other as one, in rising order.
+struct Breadth {
+    double min = 0, max = 0;  ///< [m]
+};
+std::vector<Breadth> breadths_within(const Surface& hull, std::span<const std::size_t> triangles, const Box& part,
+                                     double apart);
 
 }  // namespace tw

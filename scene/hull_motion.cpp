@@ -10,6 +10,12 @@ namespace {
 /// Heave and pitch alone: the turn about y, bow up [rad].
 double turn_of(const RigidBody::State& state) { return 2 * std::atan2(state.attitude.y(), state.attitude.w()); }
 
+/// [deg]; what two turns that cancel leave is 0.
+double trim_of(const Hull& hull, double turn) {
+    const double trim = (hull.trim + turn) / degree;
+    return std::abs(trim) < 1e-9 ? 0 : trim;
+}
+
 /// Depth of the transom's keel when the centre stands at height z and the hull is turned [m].
 double transom_draft(const FreeHull& free, double z, double turn) {
     const Vec3 arm = free.transom_keel - free.motion.mass.centre;
@@ -24,7 +30,7 @@ void append_hull_motion(Table& table, double time, const Hull& hull, const Rigid
     const auto put = [&](const char* name, const char* unit, double value) { table.set(row, name, unit, value + 0.0); };
     put("z", "m", z);
     put("vz", "m/s", state.velocity.z());
-    put("trim", "deg", (hull.trim + turn) / degree);
+    put("trim", "deg", trim_of(hull, turn));
     put("trim_rate", "deg/s", spin.y() / degree);
     put("transom_draft", "m", transom_draft(hull.free.value(), z, turn));
 }
@@ -33,7 +39,7 @@ std::optional<RestingHull> resting_hull(const Hull& hull) {
     if (!hull.free || !hull.free->at_rest) return {};
     const auto& [rise, turn] = *hull.free->at_rest;
     const double z = hull.free->motion.mass.centre.z() + rise;
-    return RestingHull{z, (hull.trim + turn) / degree, transom_draft(*hull.free, z, turn)};
+    return RestingHull{z, trim_of(hull, turn), transom_draft(*hull.free, z, turn)};
 }
 
 }  // namespace tw

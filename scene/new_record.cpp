@@ -10,6 +10,7 @@
 #include "record/solid_at_rest.h"
 #include "record/this_machine.h"
 #include "scene/box_walls.h"
+#include "scene/doubtful_input.h"
 #include "scene/dry_floor.h"
 #include "scene/hash.h"
 #include "scene/hull_motion.h"
@@ -198,6 +199,9 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
                    : " is rigid here: a difference from a run in which it bends contains its compliance");
     }
     if (scene.tank_motion) record.attributes["tank_moves"] = "yes";
+    const std::vector<Finding> doubts = doubtful_input(scene);
+    for (std::size_t k = 0; k < doubts.size(); ++k)
+        record.attributes[fmt::format("scene_finding_{:02}", k)] = doubts[k].name + ": " + doubts[k].message;
     record.scene_text = scene.text;
     record.raster = scene.sampling.raster;
     record.effects = scene.effects;

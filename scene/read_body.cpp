@@ -76,6 +76,10 @@ MovingBody read_body(SceneSection& s, std::size_t number, int dimensions) {
     Pose pose;
     pose.trim = s.number("trim", 0.0);
     pose.heel = s.number("heel", 0.0);
+    for (const auto& [angle_key, angle] : {std::pair{"trim", pose.trim}, {"heel", pose.heel}})
+        if (const std::string why = why_angle_is_asked_back(s, angle_key, angle); !why.empty())
+            b.findings.push_back({Finding::Level::warning, "plain_angle",
+                                  fmt::format("{} of body {}: {}", angle_key, b.name, why), Vec3::Zero()});
     if (const auto position = s.numbers("position")) pose.position = {(*position)[0], (*position)[1], 0};
     std::string key;
     const Surface as_read = read_sound_solid(s, b.source, key);

@@ -1,10 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "base/errors.h"
 #include "meshes/axis_turn.h"
 #include "meshes/generate.h"
+#include "meshes/read/drawing_unit.h"
 #include "meshes/surface.h"
 #include "scene/hull_axes.h"
 #include "scene/read.h"
@@ -12,13 +15,34 @@
 namespace tw {
 namespace {
 constexpr double least_draft = 0.01;  // of the hull's height: with less its file has the keel at z = 0
+
+/// Of a drawing: the unit that it was read in.
+std::optional<Finding> unit_note(const SceneSection& s, const std::string& source) {
+    if (!s.has("file") || !is_drawing(source)) return {};
+    const std::filesystem::path path =
+        s.from_option("file") ? std::filesystem::path(source) : s.file().parent_path() / source;
+    return Finding{
+        Finding::Level::note, "drawing_unit",
+        fmt::format("the drawing {} is in {}, by its own header", path.filename().string(), unit_of_drawing(path)),
+        Vec3::Zero()};
+}
+
+}  // namespace
+
+std::string why_angle_is_asked_back(const SceneSection& s, const std::string& key, double angle) {
+    if (!s.without_unit(key) || std::abs(angle) <= largest_plain_angle) return {};
+    return fmt::format(
+        "a number without a unit is in radians, and this is {:.3g} degrees, more than 15; expected \"{:.6g} "
+        "deg\", or \"{:.6g} rad\" where that is meant",
+        angle / degree, angle, angle);
 }
 
 Surface read_solid(SceneSection& s, std::string& source, std::string& key) {
     const std::filesystem::path& scene_file = s.file();
     const auto file = s.text("file");
     const auto shape = s.choice("shape");
-    const std::string unit = s.choice("unit").value_or("m");
+    const auto unit_given = s.choice("unit");
+    const std::string unit = unit_given.value_or("m");
     const std::string axes = s.text("axes", "xyz");
     if (file && shape) s.fail("shape", "given twice: also file; keep one of the two");
     if (!file && !shape) s.fail("file", "missing; expected file = \"hull.stl\" or shape = \"prismatic\"");
@@ -30,6 +54,11 @@ Surface read_solid(SceneSection& s, std::string& source, std::string& key) {
             const std::filesystem::path path =
                 s.from_option("file") ? std::filesystem::path(*file) : scene_file.parent_path() / *file;
             if (!std::filesystem::exists(path)) s.fail("file", fmt::format("there is no file {}", path.string()));
+            if (unit_given && is_drawing(path))
+                s.fail("unit",
+                       fmt::format("{} is a drawing in {}, by its own header, and is read in them; expected no unit "
+                                   "beside it",
+                                   path.filename().string(), unit_of_drawing(path)));
             return read_surface(path, unit, axes);
         }
         const auto found = std::ranges::find(hull_shapes(), *shape, &HullShape::name);
@@ -59,6 +88,8 @@ HullOptions read_hull(SceneSection& s) {
     Hull& hull = o.hull;
     hull.trim = s.number("trim", hull.trim);
     hull.heel = s.number("heel", hull.heel);
+    for (const auto& [key, angle] : {std::pair{"trim", hull.trim}, {"heel", hull.heel}})
+        if (const std::string why = why_angle_is_asked_back(s, key, angle); !why.empty()) s.fail(key, why);
     const auto draft = s.number("draft");
     Pose& pose = o.pose;
     if (const auto position = s.numbers("position")) pose.position = {(*position)[0], (*position)[1], 0};
@@ -66,9 +97,8 @@ HullOptions read_hull(SceneSection& s) {
     o.repair = s.flag("repair", o.repair);
     if (hull.half && hull.heel != 0)
         s.fail("half", "a heeled hull is not symmetric about y = 0; set heel = 0 or half = false");
-    if (hull.half && pose.position.y() != 0)
-        s.fail("half", "a hull beside y = 0 is not symmetric about it; expected position = [x, 0]");
     o.as_read = read_solid(s, hull.source, o.key);
+    if (const auto of_file = unit_note(s, hull.source)) o.notes.push_back(*of_file);
     if (const auto mirrored = mirror_half(o.as_read)) o.notes.push_back(*mirrored);
     o.free = read_free_hull(s);
     s.finish();

@@ -17,17 +17,44 @@ namespace {
 constexpr int stations = 128;
 constexpr double thin = 1e-4;  ///< of a station, over the hull's length: the keel's depth changes little along it
 
-/// Of one side of the bottom in the slice from x on, of those triangles; 0 where it is dry.
-double of_wedge(const Hull& hull, double x, std::span<const std::size_t> triangles, bool port, double flattest) {
+/// One bottom of a cross section: of a catamaran each hull has one.
+struct Keel {
+    double y = 0;                ///< its lowest place, the middle of a flat one
+    double left = 0, right = 0;  ///< how far it reaches to the sides, at most to the middle between two bottoms
+};
+
+/// Of what lies under still water in the slice.
+std::vector<Keel> keels_of(const Hull& hull, std::span<const std::size_t> triangles, Box slice) {
+    slice.max.z() = 0;
+    std::vector<Keel> keels;
+    const std::vector<Breadth> wet = breadths_within(hull.surface, triangles, slice, thin * hull.length);
+    for (std::size_t k = 0; k < wet.size(); ++k) {
+        Keel keel{0, k > 0 ? 0.5 * (wet[k - 1].max + wet[k].min) : -infinite,
+                  k + 1 < wet.size() ? 0.5 * (wet[k].max + wet[k + 1].min) : infinite};
+        Box part = slice;
+        part.min.y() = keel.left, part.max.y() = keel.right;
+        const std::optional<Box> bottom = bottom_within(hull.surface, triangles, part);
+        if (!bottom) continue;
+        part.max.z() = bottom->min.z() + 0.01 * thin * hull.length;
+        if (const std::optional<Box> lowest = bottom_within(hull.surface, triangles, part))
+            keel.y = 0.5 * (lowest->min.y() + lowest->max.y());
+        keels.push_back(keel);
+    }
+    return keels;
+}
+
+/// Of one side of a bottom in the slice, of those triangles; 0 where it is dry.
+double of_wedge(const Hull& hull, Box part, std::span<const std::size_t> triangles, const Keel& keel, bool port,
+                double flattest) {
     using std::numbers::pi;
-    Box part{Vec3(x, -infinite, -infinite), Vec3(x + thin * hull.length, infinite, infinite)};
-    (port ? part.max : part.min).y() = 0;
+    part.min.y() = port ? keel.left : keel.y;
+    part.max.y() = port ? keel.y : keel.right;
     const std::optional<Box> bottom = bottom_within(hull.surface, triangles, part);
     if (!bottom || bottom->min.z() >= 0) return 0;
     part.max.z() = (1 - pi / 2) * bottom->min.z();  // to where the water rises
     const std::optional<Box> wet = bottom_within(hull.surface, triangles, part);
     if (!wet) return 0;
-    const double c = port ? -wet->min.y() : wet->max.y();
+    const double c = port ? keel.y - wet->min.y() : wet->max.y() - keel.y;
     const double tan_beta = c > 0 ? wet->size().z() / c : 0;
     return tan_beta > flattest ? c * tan_beta * tan_beta / (2 * pi) : 0;
 }
@@ -93,12 +120,14 @@ std::optional<SprayJet> thin_jet(const Scene& scene) {
     const double tau = std::max(hull.trim, 0.0), flattest = pi / 2 * std::tan(tau);
     const auto triangles = by_station(hull, bounds);
     double thickness = 0;
-    for (int k = 0; k < stations; ++k)
-        for (const bool port : {false, true}) {
-            if (port && hull.half) continue;
-            const double x = bounds.min.x() + (k + 0.5) / stations * bounds.size().x();
-            thickness = std::max(thickness, of_wedge(hull, x, triangles[static_cast<std::size_t>(k)], port, flattest));
-        }
+    for (int k = 0; k < stations; ++k) {
+        const double x = bounds.min.x() + (k + 0.5) / stations * bounds.size().x();
+        const Box slice{Vec3(x, -infinite, -infinite), Vec3(x + thin * hull.length, infinite, infinite)};
+        const auto& here = triangles[static_cast<std::size_t>(k)];
+        for (const Keel& keel : keels_of(hull, here, slice))
+            for (const bool port : {false, true})
+                thickness = std::max(thickness, of_wedge(hull, slice, here, keel, port, flattest));
+    }
     if (!(thickness > 0)) thickness = pi * hull.still.wet_bounds.size().x() * tau * tau / (4 + 2 * pi * tau);
     if (!(thickness > 0)) return {};
     return SprayJet{thickness, size_of_root(scene)};

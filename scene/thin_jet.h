@@ -13,7 +13,7 @@ namespace tw {
 ///
 /// c: half breadth up to which the risen water reaches, pi/2 of the half breadth at still water and at most the chine's;
 /// a cross section of the stream meets the bottom as still water meets a wedge that enters it, and delta does not depend
-/// on how fast. beta: of the chord from the keel to there. l: wetted length. A bottom counts as flat where its stagnation
+/// on how fast; both sides of every keel, wherever it lies. beta: of the chord from the keel to there. l: wetted length. A bottom counts as flat where its stagnation
 /// line runs across rather than along it, tan(beta) < (pi/2) tan(tau) (Savitsky 1964). The thickest along the hull; an
 /// estimate, better the smaller the angles are. None: no hull in a stream, a hull that does not break the surface, or one
 /// without trim and deadrise.

@@ -6,11 +6,13 @@
 #include <fmt/format.h>
 
 #include "base/numbers.h"
+#include "motion/table_motion.h"
 #include "record/influence_words.h"
 #include "scene/afloat.h"
 #include "scene/box_walls.h"
 #include "scene/cost_of_sizes.h"
 #include "scene/defaults.h"
+#include "scene/doubtful_input.h"
 #include "scene/edge_refinement.h"
 #include "scene/mesh_motion.h"
 #include "scene/particle_levels.h"
@@ -23,6 +25,7 @@
 #include "scene/water_at_start.h"
 #include "structure/shell/shell.h"
 #include "structure/solid/solid.h"
+#include "text/plain_degrees.h"
 #include "text/plain_number.h"
 #include "text/units.h"
 
@@ -51,17 +54,17 @@ std::string free_hull_text(const FreeHull& free, const std::string& unit_of_mass
         m.free.about[1] ? "pitch" : "", m.release, m.mass.mass, unit_of_mass, place(m.mass.centre),
         std::sqrt(m.mass.inertia(1, 1) / m.mass.mass));
     if (free.at_rest)
-        out += fmt::format("  at rest   it floats {:.4g} m {} where it stands, its bow turned {} by {:.3g} deg\n",
+        out += fmt::format("  at rest   it floats {:.4g} m {} where it stands, its bow turned {} by {} deg\n",
                            std::abs(free.at_rest->rise), free.at_rest->rise < 0 ? "below" : "above",
-                           free.at_rest->turn < 0 ? "down" : "up", std::abs(free.at_rest->turn) / degree);
+                           free.at_rest->turn < 0 ? "down" : "up", plain_degrees(std::abs(free.at_rest->turn)));
     return out;
 }
 
 std::string hull_text(const Hull& h) {
     std::string out = fmt::format(
-        "hull        {}: {:.4g} m long, {}; trim {:.3g} deg, draft {:.4g} m{}\n", h.source, h.length,
+        "hull        {}: {:.4g} m long, {}; trim {} deg, draft {:.4g} m{}\n", h.source, h.length,
         h.section ? "its section with y = 0, results are per metre of span" : fmt::format("{:.4g} m wide", h.beam),
-        h.trim / degree, h.draft, h.half ? "; one half is solved, results are for the whole hull" : "");
+        plain_degrees(h.trim), h.draft, h.half ? "; one half is solved, results are for the whole hull" : "");
     out += fmt::format(
         "            it displaces {:.4g} {} at rest and is wetted from x = {:.4g} to {:.4g} m; {} triangles\n",
         h.still.volume, h.section ? "m3 per metre" : "m3", h.still.wet_bounds.min.x(), h.still.wet_bounds.max.x(),
@@ -158,8 +161,19 @@ std::string tyre_text(const MovingBody& b) {
 
 std::string law_text(const MotionLaw& law) {
     static constexpr const char* kinds[] = {"constant rate", "ramp", "sinusoid", "table"};
-    return fmt::format("  moves     as prescribed ({}) {} {}, at most {:.4g} {}\n", kinds[static_cast<int>(law.kind)],
-                       law.turns ? "about" : "along", place(law.axis), law.fastest(), law.turns ? "rad/s" : "m/s");
+    const char* const unit = law.turns ? "rad" : "m";
+    std::string out = fmt::format("  moves     as prescribed ({}) {} {}, at most {:.4g} {}/s and {:.4g} {}/s2\n",
+                                  kinds[static_cast<int>(law.kind)], law.turns ? "about" : "along", place(law.axis),
+                                  law.fastest(), unit, largest_acceleration(law), unit);
+    if (law.kind != MotionLaw::Kind::table) return out;
+    const EndsOfTable ends = ends_of_table(law.times, law.values);
+    const auto how = [&](double rate) {
+        return rate == 0 ? std::string("at rest") : fmt::format("at {:.4g} {}/s", rate, unit);
+    };
+    return out + fmt::format(
+                     "  table     {} rows, at most {:.4g} {}/s from row to row; it begins {} and ends at {:.4g} s {}\n",
+                     law.times.size(), largest_of_table(law.times, law.values).from_row_to_row, unit, how(ends.begin),
+                     law.times.back(), how(ends.end));
 }
 
 std::string contact_text(const MovingBody& b, const Scene& scene) {
@@ -254,6 +268,7 @@ std::string to_text(const Scene& scene, const Prediction& p) {
                            scene.motion.ramp);
     else
         out += "motion      none: the water is at rest at the start\n";
+    for (const Finding& f : doubtful_input(scene)) out += fmt::format("  warning   {}: {}\n", f.name, f.message);
     const Domain& d = scene.domain;
     const auto side = [holds = tank_holds_water(scene)](Side s) { return side_name(s, holds); };
     out += fmt::format("domain      {} to {} m, {} dimensions; x: {}, {}; y: {}, {}; z: {}, {}\n", place(d.box.min),

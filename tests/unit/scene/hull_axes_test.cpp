@@ -129,5 +129,31 @@ TEST(HullAxes, CoordinatesOfAMapAreTakenOffByTheAdvice) {
     EXPECT_TRUE(usable(check_surface(mapped(there, [&](const Vec3& p) { return Vec3(p - offset); }))));
 }
 
+// What half = true is refused with has to be what mends it.
+TEST(HullAxes, OneHullOfACatamaranIsNotAdvisedToBeSolvedAloneBesideTheMiddle) {
+    const auto message = [](const std::string& keys, double y) {
+        return complaint(file_scene(mapped(upright(), [y](const Vec3& p) { return Vec3(p.x(), p.y() + y, p.z()); }),
+                                    "draft = 0.2\nhalf = true\n" + keys));
+    };
+    for (const std::string& m :
+         {message("", 2), message("", -2), message("position = [0, 2]\n", 0), message("", 0.3)}) {
+        EXPECT_NE(m.find("the hull lies beside y = 0"), std::string::npos) << m;
+        EXPECT_NE(m.find("of a catamaran a file with both hulls"), std::string::npos) << m;
+        EXPECT_EQ(m.find("half = false"), std::string::npos) << m;
+    }
+    EXPECT_EQ(message("position = [0, -2]\n", 2), "") << "a whole hull whose file has its origin elsewhere";
+}
+
+TEST(HullAxes, AHullWithYUpIsAdvisedToBeTurnedAndNotToBeSolvedWhole) {
+    const auto y_up = [](const Vec3& p) { return Vec3(p.x(), p.z(), -p.y()); };
+    const auto short_one = [&](const Vec3& p) { return y_up(Vec3(0.2 * p.x(), p.y(), p.z())); };
+    for (const Surface& hull : {mapped(upright(), y_up), mapped(upright(), short_one)}) {
+        const std::string keys = "draft = 0.2\nhalf = true\n", m = complaint(file_scene(hull, keys));
+        EXPECT_NE(m.find("axes = \"x-zy\""), std::string::npos) << m;
+        EXPECT_EQ(m.find("half = false"), std::string::npos) << m;
+        EXPECT_EQ(complaint(file_scene(hull, keys + "axes = \"x-zy\"\n")), "");
+    }
+}
+
 }  // namespace hull_axes_test
 }  // namespace tw::test

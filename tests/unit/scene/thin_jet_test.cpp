@@ -29,6 +29,28 @@ TEST(ThinJet, OfWedgesIsWagnersAtTheChine) {
     EXPECT_NEAR(thickness(with(planing, "0.2 m", "0.1 m")), dry, 0.05 * dry);
 }
 
+// The hull's place across the stream, and a second hull beside it, change nothing of how it meets the water.
+TEST(ThinJet, DoesNotDependOnWhereTheHullLiesAcrossTheStream) {
+    const std::string alone = with(planing, "half     = true\n", "");
+    const double at_middle = thickness(alone);
+    for (const char* y : {"0.1", "-0.4", "0.5", "2"})
+        EXPECT_NEAR(thickness(with(alone, "draft ", std::string("position = [0, ") + y + "]\ndraft ")), at_middle,
+                    1e-6 * at_middle)
+            << y;
+    Surface two = scene_of(alone).hull->surface, other = two;
+    const int first = static_cast<int>(two.points.size());
+    for (Vec3& p : two.points) p.y() -= 1.5;
+    for (Vec3& p : other.points) p.y() += 1.5;
+    two.points.insert(two.points.end(), other.points.begin(), other.points.end());
+    for (const auto& t : other.triangles) two.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    write_stl(scratch() / "two.stl", two);
+    const std::string catamaran = with(
+        planing,
+        "shape    = \"prismatic\"\nlength   = \"4 m\"\nbeam     = \"1 m\"\ndeadrise = \"20 deg\"\ntrim     = \"5 deg\"",
+        "file = \"two.stl\"");
+    EXPECT_NEAR(thickness(catamaran), at_middle, 0.01 * at_middle);
+}
+
 TEST(ThinJet, OfAFlatBottomFollowsFromLengthAndTrim) {
     const double tau = 5 * pi / 180, length = 0.2 / std::sin(tau);
     const double exact = pi * length * tau * tau / (4 + 2 * pi * tau);
