@@ -11,6 +11,7 @@
 #include "base/errors.h"
 #include "foam_cases/one_way.h"
 #include "foam_cases/release.h"
+#include "foam_cases/viscous_steps.h"
 #include "meshes/query.h"
 #include "meshes/section.h"
 #include "record/hull_motion.h"
@@ -197,9 +198,16 @@ void plan_times(CasePlan& plan) {
     // Gravity acts explicitly on the surface: still water would otherwise be taken in steps that shake it.
     plan.largest_step = g > 0 ? 0.5 * std::sqrt(plan.finest_cell / g) : plan.write_interval;
     const double length = scene.hull ? scene.hull->length : height;
-    plan.start_up = std::max(scene.motion.ramp, default_ramp(scene));
     const double explained = scene.motion.speed + std::sqrt(g * length) + driven;
-    plan.speed_limit = explained > 0 ? 10 * explained : std::numeric_limits<double>::infinity();
+    plan.water_speed_limit = plan.air_speed_limit = std::numeric_limits<double>::infinity();
+    if (!(explained > 0)) return;
+    plan.water_speed_limit = 10 * explained;
+    const auto longest_of = [&](const Vec3& size) {  // a section is drawn out across its plane
+        return scene.domain.dimensions == 2 ? size.x() : std::max(size.x(), size.y());
+    };
+    double longest = plan.solids.empty() ? longest_of(scene.domain.box.size()) : 0;
+    for (const Solid& s : plan.solids) longest = std::max(longest, longest_of(s.surface.bounds().size()));
+    plan.air_speed_limit = std::max(plan.water_speed_limit, 3 * explained * longest / (2 * plan.finest_cell));
 }
 
 void need_motion(const Flavour& flavour, const char* what) {
@@ -343,6 +351,7 @@ CasePlan plan_case(const Scene& scene, const Flavour& flavour) {
     plan.inlet_k = 10 * scene.water.kinematic_viscosity * plan.inlet_omega;
 
     plan_times(plan);
+    plan_viscous_steps(plan);
     if (!plan.bodies.empty() && !plan.scene->hull_is_free() && plan.moving().plate()) {
         plan.plate_interval = plan.moving().plate()->first_period() / pressures_per_period;
         plan.largest_step = std::min(plan.largest_step, plan.plate_interval);  // or there would be no pressures at it

@@ -73,11 +73,13 @@ struct CasePlan {
 
     // bodies that move, or a hull that is free
     MeshMotion mesh_motion;
-    std::vector<BodyInMesh> bodies;  ///< that the mesh follows
-    double relaxation = 1;           ///< of their accelerations, in each outer corrector
-    double newmark_gamma = 0.5;      ///< of the rule that moves them; 1 damps what swings from step to step
-    double release_factor = 1;       ///< on the scene's velocity at the release (run/first_steps.h)
-    int outer_correctors = 1;        ///< in which mesh, flow and bodies are solved once more in each step
+    std::vector<BodyInMesh> bodies;   ///< that the mesh follows
+    double relaxation = 1;            ///< of their accelerations, in each outer corrector
+    double newmark_gamma = 0.5;       ///< of the rule that moves them; 1 damps what swings from step to step
+    double release_factor = 1;        ///< on the scene's velocity at the release (run/first_steps.h)
+    int outer_correctors = 1;         ///< in which mesh, flow and bodies are solved once more in each step
+    int pressure_correctors = 1;      ///< in each of them
+    bool momentum_predictor = false;  ///< before them, where water is viscous (viscous_steps.h)
     bool mesh_moves() const { return !bodies.empty(); }
     bool several_bodies() const { return bodies.size() > 1; }
     /// Whether the record's table of forces counts the load on a solid: on the hull alone, or on all where there is none.
@@ -111,8 +113,10 @@ struct CasePlan {
         double until, step;  ///< [s]
     };
     std::vector<StepCap> step_caps;  ///< of bodies released at rest: steps are no longer than this at first
-    double speed_limit = 0;          ///< [m/s]; faster water or air stops the run; infinite where nothing moves
-    double start_up = 0;             ///< of the flow [s], in which the air may be faster than that
+    double water_speed_limit = 0;    ///< ten times what the scene explains [m/s]; infinite where nothing moves
+    /// Of the air that is pressed out of a gap of one cell, three times over [m/s]: across a gap h that closes with V it
+    /// leaves with V L / 2h, L the length of the largest solid or, without one, of the domain.
+    double air_speed_limit = 0;
 
     // probes
     std::vector<Vec3> pressure_places;  ///< [m], moved into the flow by 5 % of a cell where a wall is near

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/gap.h"
+#include "foam_cases/viscous_steps.h"
 
 // Measured: docs/decisions/064-released-bodies-in-interfoam.md.
 
@@ -36,7 +37,8 @@ void plan_coupling(CasePlan& plan) {
     // swings from step to step and dies down by 2 m / M a step only; with 1 it is gone in three steps.
     double added = 0;
     for (const BodyInMesh& b : plan.bodies)
-        added = std::max(added, added_mass(b.body, *plan.scene) / b.body.motion.mass.mass);
+        added = std::max(
+            added, (added_mass(b.body, *plan.scene) + viscous_added_mass(plan, b.body)) / b.body.motion.mass.mass);
     plan.newmark_gamma = added > 9 ? 1 : 0.5;
     const double beta = std::pow(plan.newmark_gamma + 0.5, 2) / 4;
     plan.relaxation = std::min(1 / (1 + beta * added), 0.9);

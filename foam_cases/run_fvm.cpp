@@ -233,7 +233,8 @@ private:
                 }
                 return stop_asked();
             };
-            outcome = solve(plan_, programs, ranks, log_, growing);
+            outcome =
+                solve(plan_, programs, ranks, log_, growing, [&] { return water_trouble(record_, limits_of(plan_)); });
             account(outcome.process.cpu);
             record_.peak_memory = std::max(record_.peak_memory, ranks * outcome.process.peak_memory);
         } else {

@@ -53,6 +53,15 @@ std::optional<double> energy_made(const RunRecord& record) {
     return energy(kinetic->values.size() - 1) - energy(0);
 }
 
+std::optional<double> energy_of_height(const RunRecord& record) {
+    const Column *mass = record.series("samples", "mass"), *potential = record.series("samples", "potential_energy");
+    const auto gravity = record.numbers.find("gravity"), floor = record.numbers.find("domain_z_min");
+    if (!mass || !potential || mass->values.empty() || gravity == record.numbers.end() || floor == record.numbers.end())
+        return {};
+    const double above = potential->values.front() - mass->values.front() * gravity->second * floor->second;
+    return above > 0 ? std::optional(above) : std::nullopt;
+}
+
 void watch_energy(RunRecord& record) {
     const std::optional<double> made = energy_made(record);
     if (!made) return;

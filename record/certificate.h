@@ -26,7 +26,9 @@ void note_worst(RunRecord& record, const CertificateLine& line);
 /// and the work of the water on bodies that move (free or prescribed) less that of a tank that moves. Walls at rest do no
 /// work, so nothing but a fault of the method makes energy. A stream brings its own: nothing, as before the first frame.
 std::optional<double> energy_made(const RunRecord& record);
-/// The same after each frame as a line of the certificate: a share of |E_p(0)|, limit 1 %.
+/// What the water of a tank has at its start from its height above the tank's floor, m g z [J].
+std::optional<double> energy_of_height(const RunRecord& record);
+/// The energy made after each frame as a line of the certificate: a share of |E_p(0)|, limit 1 %.
 void watch_energy(RunRecord& record);
 
 }  // namespace tw

@@ -154,7 +154,9 @@ Rows probe_keys() {
         {.name = "pressure", .kind = Kind::place3, .unit = "m", .hashed = Hashed::scene, .fallback = "none",
          .meaning = "Place at which the pressure is recorded."},
         {.name = "height", .kind = Kind::place2, .unit = "m", .hashed = Hashed::scene, .fallback = "none",
-         .meaning = "Place at which the height of the water is recorded."},
+         .meaning = "Place at which the height of the water is recorded: of the highest water that stands on the floor or a "
+                    "solid there; where all is dry, of what it would stand on; nothing where a solid lies on the water, "
+                    "as under a floating body."},
         {.name = "filter", .unit = "s", .range = positive, .hashed = Hashed::scene, .fallback = "5 ms",
          .meaning = "Time over which its peak is a mean, as the measurement it is compared with was filtered: 0.44 over the cut-off frequency of a low pass."},
     };

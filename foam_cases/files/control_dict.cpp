@@ -113,12 +113,13 @@ Dictionary free_surface(const CasePlan& plan) {
                           every_write(plan.snapshot_every));
 }
 
-Dictionary probes(const CasePlan& plan, const char* field, const std::vector<Vec3>& places, const char* interpolation) {
+Dictionary probes(const CasePlan& plan, const List& fields, const std::vector<Vec3>& places,
+                  const char* interpolation) {
     List points;
     for (const Vec3& p : places) points.push_back(p);
     Dictionary d{{"type", Word("probes")}, {"libs", plan.flavour.library("sampling")}};
     d.add(every_step());
-    d.add({{"fields", List{Word(field)}},
+    d.add({{"fields", fields},
            {"fixedLocations", true},
            {"interpolationScheme", Word(interpolation)},
            {"probeLocations", points}});
@@ -162,11 +163,13 @@ Dictionary functions(const CasePlan& plan) {
     if (plan.scene->hull) f.add("hullSurface", hull_surface(plan));
     if (plan.solids.size() > (plan.scene->hull ? 1 : 0)) f.add("bodySurfaces", body_surfaces(plan));
     if (plan.snapshot_every > 0) f.add("freeSurface", free_surface(plan));
-    if (!plan.pressure_places.empty()) f.add("pressureProbes", probes(plan, "p", plan.pressure_places, "cellPoint"));
+    if (!plan.pressure_places.empty())  // read/probes.h
+        f.add("pressureProbes",
+              probes(plan, {Word("p"), Word("p_rgh"), Word("alpha.water")}, plan.pressure_places, "cellPoint"));
     std::vector<Vec3> columns;
     for (const auto& column : plan.height_columns)
         for (const auto& point : column) columns.push_back(point.place);
-    if (!columns.empty()) f.add("heightColumns", probes(plan, "alpha.water", columns, "cell"));
+    if (!columns.empty()) f.add("heightColumns", probes(plan, {Word("alpha.water")}, columns, "cell"));
     // A file of this name in the case folder ends the run after writing its state.
     const Dictionary stop{{"type", Word(plan.flavour.stop_file_object())},
                           {"libs", plan.flavour.library("utilityFunctionObjects")},

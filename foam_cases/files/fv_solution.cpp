@@ -59,9 +59,9 @@ std::string fv_solution(const CasePlan& plan) {
                                                           {"minIter", 1}});
     Dictionary equations;
     equations.add(Key::pattern(".*"), 1);
-    Dictionary pimple{{"momentumPredictor", false},
+    Dictionary pimple{{"momentumPredictor", plan.momentum_predictor},
                       {"nOuterCorrectors", plan.outer_correctors},
-                      {"nCorrectors", !plan.mesh_moves() ? plan.scene->fvm.correctors : 1},
+                      {"nCorrectors", plan.pressure_correctors},
                       {"nNonOrthogonalCorrectors", 0},
                       // asked for only where no side is open to the air: zero in the top corner
                       {"pRefPoint", Vec3(box.max - 0.01 * box.size())},

@@ -57,6 +57,13 @@ std::vector<BodyPlace> free_places(const CasePlan& plan, const std::filesystem::
     return places;
 }
 
+std::vector<BodyPlace> body_places(const CasePlan& plan, const BodyInMesh& which, const std::filesystem::path& post,
+                                   const SolverLog& log, const std::vector<double>& times) {
+    return plan.several_bodies()   ? places_in_log(log, which.patch)
+           : which.body.motion.law ? prescribed_places(plan, times)
+                                   : free_places(plan, post);
+}
+
 void read_free_hull(const CasePlan& plan, const std::filesystem::path& post, RunRecord& record) {
     Table& t = record.table(hull_motion_table);
     t.time.clear();
@@ -84,9 +91,7 @@ void read_body(const CasePlan& plan, const BodyInMesh& which, const std::filesys
     const Scene& scene = *plan.scene;
     const MovingBody& body = which.body;
     const StepLoads loads = read_loads(post / which.forces());
-    const std::vector<BodyPlace> places = plan.several_bodies() ? places_in_log(log, which.patch)
-                                          : body.motion.law     ? prescribed_places(plan, loads.time)
-                                                                : free_places(plan, post);
+    const std::vector<BodyPlace> places = body_places(plan, which, post, log, loads.time);
     const Vec3 reference = moment_reference(scene);
     const double share = 1 / scene.span();
 

@@ -17,6 +17,11 @@ struct BodyPlace {
 /// Of a free body, every step, from the function object bodyState below `post` (postProcessing), starts joined.
 std::vector<BodyPlace> free_places(const CasePlan& plan, const std::filesystem::path& post);
 
+/// Of any body that the mesh follows, from where each kind is known: a prescribed one at the `times` [s], of several the
+/// log's.
+std::vector<BodyPlace> body_places(const CasePlan& plan, const BodyInMesh& which, const std::filesystem::path& post,
+                                   const SolverLog& log, const std::vector<double>& times);
+
 /// The same of a hull that is free (record/hull_motion.h).
 void read_free_hull(const CasePlan& plan, const std::filesystem::path& post, RunRecord& record);
 /// Its surface as it stood at the time, or at the last row before it [m].

@@ -9,6 +9,7 @@
 #include "base/numbers.h"
 #include "foam_cases/read/body_rows.h"
 #include "foam_cases/read/field_file.h"
+#include "foam_cases/run/watchdog.h"
 #include "meshes/section.h"
 #include "record/certificate.h"
 #include "record/raster.h"
@@ -125,7 +126,8 @@ void FrameReader::read_water(const TimeFolders::Moment& moment, const SolverLog&
     const Scene& scene = *plan_.scene;
     const double factor = scene.symmetry_factor() / scene.span(), density = scene.water.density,
                  g = std::abs(scene.water.gravity);
-    double volume = 0, kinetic = 0, potential = 0, fastest = 0;
+    double volume = 0, kinetic = 0, potential = 0, fastest = 0, too_fast = 0;
+    const double limit = plan_.water_speed_limit * plan_.water_speed_limit;
     const double frames = moment.time / (plan_.write_interval * plan_.raster_every);
     const bool due = plan_.writes_at_steps || std::abs(frames - std::round(frames)) < 1e-4;
     const bool to_raster = due && scene.sampling.raster.voxel > 0;
@@ -144,6 +146,7 @@ void FrameReader::read_water(const TimeFolders::Moment& moment, const SolverLog&
             kinetic += 0.5 * density * water * v2;
             potential += density * g * water * part.centres[i].z();
             if (share > 0.5) fastest = std::max(fastest, v2);
+            if (!(v2 <= limit)) too_fast += water;
         }
     }
     if (to_raster) record.frames.push_back(raster.frame(moment.time));
@@ -158,6 +161,7 @@ void FrameReader::read_water(const TimeFolders::Moment& moment, const SolverLog&
             {"dt", "s", step != nullptr ? step->step : unknown},
             {"max_courant", "-", step != nullptr ? step->courant : unknown},
             {"max_speed", "m/s", std::sqrt(fastest)},
+            {fast_water, "-", volume > 0 ? too_fast / volume : 0},
             {"cells", "-", static_cast<double>(cells())}});
     // OpenFOAM's step follows its Courant number with a delay; a multiple of the limit is a fault. Places are not
     // known.

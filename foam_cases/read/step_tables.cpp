@@ -3,7 +3,7 @@
 
 #include "foam_cases/read/body_rows.h"
 #include "foam_cases/read/frame_reader.h"
-#include "foam_cases/read/number_rows.h"
+#include "foam_cases/read/probes.h"
 #include "foam_cases/read/step_loads.h"
 
 namespace tw {
@@ -49,48 +49,6 @@ void read_forces(const CasePlan& plan, const fs::path& case_folder, RunRecord& r
     }
 }
 
-/// Probes that lie in no cell read as a huge number.
-double found(double value) { return std::abs(value) > 1e100 ? std::nan("") : value; }
-
-void read_pressure(const CasePlan& plan, const fs::path& post, RunRecord& record) {
-    const auto& probes = plan.scene->sampling.pressure;
-    if (probes.empty()) return;
-    Table& t = record.table("pressure");
-    t.time.clear();
-    t.columns.clear();
-    for (const PressureProbe& p : probes) t.column(p.name, "Pa");
-    for (const auto& row : joined_rows(post / "pressureProbes", "p")) {
-        if (row.size() != probes.size() + 1) continue;
-        const std::size_t at = t.append(row[0]);
-        for (std::size_t i = 0; i < probes.size(); ++i) t.set(at, probes[i].name, "Pa", found(row[i + 1]));
-    }
-}
-
-/// Elevation of the water at a height probe: the foot of the column plus the water in it, sum of alpha dz. Overturning
-/// water counts with what it holds, as a capacitive wave gauge would.
-void read_heights(const CasePlan& plan, const fs::path& post, RunRecord& record) {
-    const auto& probes = plan.scene->sampling.height;
-    if (probes.empty()) return;
-    Table& t = record.table("height");
-    t.time.clear();
-    t.columns.clear();
-    for (const HeightProbe& p : probes) t.column(p.name, "m");
-    std::size_t points = 0;
-    for (const auto& column : plan.height_columns) points += column.size();
-    for (const auto& row : joined_rows(post / "heightColumns", "alpha.water")) {
-        if (row.size() != points + 1) continue;
-        const std::size_t time = t.append(row[0]);
-        std::size_t at = 1;
-        for (std::size_t i = 0; i < probes.size(); ++i) {
-            double level = plan.scene->domain.box.min.z();
-            for (const auto& point : plan.height_columns[i])
-                if (const double alpha = found(row[at++]); std::isfinite(alpha))
-                    level += std::clamp(alpha, 0.0, 1.0) * point.height;
-            t.set(time, probes[i].name, "m", level);
-        }
-    }
-}
-
 }  // namespace
 
 void read_step_tables(const CasePlan& plan, const fs::path& case_folder, const SolverLog& log, RunRecord& record) {
@@ -99,8 +57,8 @@ void read_step_tables(const CasePlan& plan, const fs::path& case_folder, const S
     if (plan.scene->hull_is_free()) read_free_hull(plan, post, record);
     for (const BodyInMesh& b : plan.bodies)
         if (!plan.scene->hull_is_free()) read_body(plan, b, post, log, record);
-    read_pressure(plan, post, record);
-    read_heights(plan, post, record);
+    read_pressure_probes(plan, post, record);
+    read_height_probes(plan, post, log, record);
 }
 
 }  // namespace tw

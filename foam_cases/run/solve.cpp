@@ -48,17 +48,15 @@ long long follow(const fs::path& file, long long offset, SolverLog& log) {
 }
 
 SolverOutcome solve(const CasePlan& plan, const CasePrograms& programs, int ranks, SolverLog& log,
-                    const std::function<bool()>& growing) {
+                    const std::function<bool()>& growing,
+                    const std::function<std::optional<std::string>()>& wrong_in_water) {
     const fs::path stop_file = programs.case_folder() / "stop", log_file = programs.log("solver");
     std::error_code none;
     fs::remove(stop_file, none);
     long long offset = follow(log_file, 0, log);  // earlier starts of the same run
     SolverLog now;                                // this start only: its end, its errors
     long long now_offset = offset;
-    Limits limits;
-    limits.smallest_step = std::min(1e-8, 1e-4 * plan.first_step);
-    limits.speed = plan.speed_limit;
-    limits.start_up = plan.start_up;
+    const Limits limits = limits_of(plan);
 
     const auto child = programs.start(programs.openfoam().solver, plan.flavour.solver_arguments(), "solver", ranks);
     SolverOutcome out;
@@ -86,6 +84,7 @@ SolverOutcome solve(const CasePlan& plan, const CasePrograms& programs, int rank
             std::optional<std::string> wrong =
                 trouble(now, latest_fastest(programs.case_folder() / "postProcessing", time), limits);
             if (!wrong) wrong = body_trouble(plan, now);
+            if (!wrong) wrong = wrong_in_water();
             // Two more write times and the record have to fit.
             if (!wrong) wrong = disk_trouble(programs.case_folder(), 50e6);
             if (wrong) {

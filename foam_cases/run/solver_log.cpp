@@ -71,7 +71,15 @@ void SolverLog::line(std::string_view text) {
     } else if (text.rfind("Interface Courant Number", 0) == 0) {
         next_.alpha_courant = number_after(text, "max:").value_or(next_.alpha_courant);
     } else if (text.rfind("Phase-1 volume fraction", 0) == 0) {
-        if (!steps_.empty()) steps_.back().water = number_after(text, "fraction =").value_or(steps_.back().water);
+        if (steps_.empty()) return;
+        Step& step = steps_.back();
+        step.water = number_after(text, "fraction =").value_or(step.water);
+        step.least = number_after(text, "Min(alpha.water) =").value_or(step.least);
+        step.most = number_after(text, "Max(alpha.water) =").value_or(step.most);
+    } else if (text.rfind("time step continuity errors", 0) == 0) {
+        if (steps_.empty()) return;
+        steps_.back().continuity = number_after(text, "sum local =").value_or(steps_.back().continuity);
+        steps_.back().made = number_after(text, "cumulative =").value_or(steps_.back().made);
     } else if (text.rfind("ExecutionTime", 0) == 0) {
         if (steps_.empty()) return;
         steps_.back().cpu = number_after(text, "ExecutionTime =").value_or(steps_.back().cpu);

@@ -86,7 +86,7 @@ double work_up_to(const Table& t, std::size_t row) {
 }  // namespace
 
 Recorder::Recorder(const Scene& scene, const Simulation& simulation, RunRecord record)
-    : scene_(scene), record_(std::move(record)), factor_(scene.symmetry_factor()) {
+    : scene_(scene), record_(std::move(record)), factor_(scene.symmetry_factor()), gauges_(scene, simulation.setup()) {
     const SimulationSetup& s = simulation.setup();
     if (scene.hull) {
         Box region = scene.hull->surface.bounds();
@@ -101,11 +101,6 @@ Recorder::Recorder(const Scene& scene, const Simulation& simulation, RunRecord r
         if (const Body& body = simulation.body(b); !body.is_hull() && !body.gives_way())
             solids_.push_back({b, samples_of(body, s)});
     for (const PressureProbe& p : scene.sampling.pressure) pressure_points_.places.push_back(p.place);
-    height_step_ = s.dp / 2;
-    heights_per_gauge_ = static_cast<int>(std::ceil(s.domain.size().z() / height_step_));
-    for (const HeightProbe& g : scene.sampling.height)
-        for (int k = 0; k < heights_per_gauge_; ++k)
-            height_points_.places.emplace_back(g.x, g.y, s.domain.min.z() + (k + 0.5) * height_step_);
     if (scene.tank_motion) tank_.emplace().begin(simulation);
 }
 
@@ -243,7 +238,7 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
             t.set(k, "friction_line", per_span("N"), friction_by_line(scene_, area, length));
     }
     record_walls(simulation, k);
-    if (!height_points_.places.empty()) probe_height(simulation);
+    gauges_.record(simulation, record_);
     if (tank_) tank_->record(simulation, record_.table(tank_table), per_span("N"), per_span("J"));
     record_levels(simulation);
 }
@@ -336,21 +331,6 @@ void Recorder::probe_pressure(Simulation& simulation) {
               pressure_points_.support[n] >= SurfaceSamples::has_pressure || simulation.gas()
                   ? double(pressure_points_.p[n])
                   : 0.0);
-}
-
-/// Elevation of the water column over the floor: the integral of its share of each height.
-void Recorder::probe_height(Simulation& simulation) {
-    Table& t = record_.table("height");
-    const std::size_t k = t.append(simulation.time());
-    simulation.sample(height_points_);
-    for (std::size_t n = 0; n < scene_.sampling.height.size(); ++n) {
-        double column = 0;
-        for (int j = 0; j < heights_per_gauge_; ++j)
-            column += height_step_ *
-                      std::min(1.0, double(height_points_.support[n * static_cast<std::size_t>(heights_per_gauge_) +
-                                                                  static_cast<std::size_t>(j)]));
-        t.set(k, scene_.sampling.height[n].name.c_str(), "m", simulation.setup().domain.min.z() + column);
-    }
 }
 
 /// The control volume's sums begin anew at a frame, with what is in it then.

@@ -4,6 +4,7 @@
 #include "record/run_record.h"
 #include "scene/scene.h"
 #include "sph_solver/bodies/samples.h"
+#include "sph_solver/measure/height_gauges.h"
 #include "sph_solver/measure/spray_gate.h"
 #include "sph_solver/measure/tank_balance.h"
 #include "sph_solver/simulation.h"
@@ -35,7 +36,6 @@ private:
     void record_bodies(const Simulation& simulation);
     void record_walls(Simulation& simulation, std::size_t row);
     void probe_pressure(Simulation& simulation);
-    void probe_height(Simulation& simulation);
     Table& forces() { return record_.table("forces"); }
     std::string per_span(const char* unit) const { return scene_.spanwise_unit(unit); }
 
@@ -49,9 +49,8 @@ private:
         SurfaceSamples at_start;
     };
     std::vector<SampledSolid> solids_;
-    PointSamples pressure_points_, height_points_;
-    int heights_per_gauge_ = 0;
-    double height_step_ = 0;
+    PointSamples pressure_points_;
+    HeightGauges gauges_;
     Vec3 momentum_ = Vec3::Zero();  ///< in the control volume at the last frame
     bool momentum_known_ = false;
     bool volume_held_ = true;  ///< since then, by particles of its size

@@ -18,6 +18,8 @@ protected:
                               "[domain]\ndimensions = 2\n[motion]\nkind = \"none\"\n[resolution]\nnear_hull = 0.025\n"
                               "[[probe]]\nname = \"left\"\nheight = [-0.475, 0]\n[[probe]]\nname = \"right\"\n"
                               "height = [0.475, 0]\n[[probe]]\nname = \"floor\"\npressure = [0.1, 0, -0.25]\n"
+                              "[[probe]]\nname = \"on_floor\"\npressure = [0.1, 0, -0.3]\n"
+                              "[[probe]]\nname = \"corner\"\npressure = [0.5, 0, -0.3]\n"
                               "[sampling]\ninterval = 0.02\n[run]\nduration = " +
                               std::to_string(duration) + "\n");
         return run_fvm(s, options());
@@ -36,7 +38,11 @@ TEST_F(MovingTanks, ThatHeaveMakeTheirWaterHeavierAndLighter) {
     const double w = 2 * std::numbers::pi, swing = 1000 * 0.25 * 0.05 * w * w;
     for (std::size_t i = 0; i < t.time.size(); ++i) {
         if (t.time[i] < 0.05) continue;
-        EXPECT_NEAR(p[i], 1000 * 0.25 * (g - 0.05 * w * w * std::cos(w * t.time[i])), 0.05 * swing) << t.time[i];
+        const double felt = g - 0.05 * w * w * std::cos(w * t.time[i]);
+        EXPECT_NEAR(p[i], 1000 * 0.25 * felt, 0.05 * swing) << t.time[i];
+        // Half a cell of 25 mm would be 4 %.
+        for (const char* wall : {"on_floor", "corner"})
+            EXPECT_NEAR(t.find(wall)->values[i], 1000 * 0.3 * felt, 0.003 * 1000 * 0.3 * g) << wall << " " << t.time[i];
     }
 }
 

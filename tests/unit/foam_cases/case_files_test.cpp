@@ -308,17 +308,17 @@ TEST(CaseFiles, ABodyThatComesThroughTheAirIsReleasedFaster) {
 // Where nothing falls, the walls of a tank and its surface's tension say how fast water may be.
 TEST(CaseFiles, TheWatchdogsSpeedComesFromWhatMovesTheWater) {
     Scene scene = dam_break_scene();
-    const double falling = plan_case(scene, v1912).speed_limit;
+    const double falling = plan_case(scene, v1912).water_speed_limit;
     EXPECT_NEAR(falling, 10 * (1 + std::sqrt(2)) * std::sqrt(9.81 * 0.4), 1e-9);
     scene.tank_motion.emplace().law = {.axis = Vec3::UnitX(), .rate = 2};
-    EXPECT_NEAR(plan_case(scene, v1912).speed_limit, falling + 20, 1e-9);
+    EXPECT_NEAR(plan_case(scene, v1912).water_speed_limit, falling + 20, 1e-9);
     scene.water.gravity = 0;
-    EXPECT_NEAR(plan_case(scene, v1912).speed_limit, 20, 1e-9);
+    EXPECT_NEAR(plan_case(scene, v1912).water_speed_limit, 20, 1e-9);
     scene.tank_motion.reset();
-    EXPECT_EQ(plan_case(scene, v1912).speed_limit, HUGE_VAL);
+    EXPECT_EQ(plan_case(scene, v1912).water_speed_limit, HUGE_VAL);
     EffectChoice& tension = scene.effects.emplace_back();
     tension.name = "surface_tension", tension.on = true;
-    EXPECT_NEAR(plan_case(scene, v1912).speed_limit, 10 * std::sqrt(pi * 0.072 / (1000 * 0.0146)), 1e-9);
+    EXPECT_NEAR(plan_case(scene, v1912).water_speed_limit, 10 * std::sqrt(pi * 0.072 / (1000 * 0.0146)), 1e-9);
 }
 
 // A sphere driven in for 10 ms took a last step to 10.4 ms, beyond a table that ended at 10.1 ms.

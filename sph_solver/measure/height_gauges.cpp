@@ -1,0 +1,70 @@
+#include "sph_solver/measure/height_gauges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "record/gauge_level.h"
+#include "sph_solver/equations/half_space.h"
+
+namespace tw {
+
+namespace {
+
+/// Of the particles whose size is sampled at a place [m].
+double smoothing_length_at(const Simulation& simulation, const Vec3& place) {
+    std::size_t k = 0;
+    while (k < simulation.refinements().size() && simulation.refinements()[k].zone().outside(place) < 0) ++k;
+    return simulation.level(k).h();
+}
+
+/// What solids leave of the kernel at a place in the water.
+double room_at(const Simulation& simulation, const Vec3& place) {
+    const double h = smoothing_length_at(simulation, place);
+    double nearest = 2 * h;
+    for (const auto& body : simulation.bodies())
+        nearest = std::min(nearest, body->query().nearest(body->at_start(place), nearest).distance);
+    return 1 - half_space_support(std::max(nearest, 0.0) / h);
+}
+
+}  // namespace
+
+HeightGauges::HeightGauges(const Scene& scene, const SimulationSetup& setup)
+    : scene_(scene),
+      line_{setup.domain.min.z(), setup.domain.max.z()},
+      step_(setup.dp / 2),
+      per_gauge_(static_cast<std::size_t>(std::ceil(line_.length() / step_))) {
+    for (const HeightProbe& g : scene.sampling.height)
+        for (std::size_t k = 0; k < per_gauge_; ++k)
+            points_.places.emplace_back(g.x, g.y, line_.low + (static_cast<double>(k) + 0.5) * step_);
+}
+
+std::vector<Stretch> HeightGauges::solids_at(const Simulation& simulation, const HeightProbe& gauge) const {
+    SolidColumn column(gauge.x, gauge.y);
+    for (const auto& body : simulation.bodies()) {
+        const Box at = body->bounds();
+        if (gauge.x >= at.min.x() && gauge.x <= at.max.x() && gauge.y >= at.min.y() && gauge.y <= at.max.y())
+            column.add(body->surface_now());
+    }
+    return column.stretches();
+}
+
+void HeightGauges::record(Simulation& simulation, RunRecord& record) {
+    if (points_.places.empty()) return;
+    Table& t = record.table("height");
+    const std::size_t row = t.append(simulation.time());
+    simulation.sample(points_);
+    std::vector<GaugePart> parts(per_gauge_);
+    for (std::size_t n = 0; n < scene_.sampling.height.size(); ++n) {
+        const HeightProbe& gauge = scene_.sampling.height[n];
+        for (std::size_t k = 0; k < per_gauge_; ++k) {
+            const std::size_t i = n * per_gauge_ + k;
+            const double support = points_.support[i];
+            parts[k].at = {points_.places[i].z() - step_ / 2, points_.places[i].z() + step_ / 2};
+            parts[k].water = support > 0 ? support / room_at(simulation, points_.places[i]) : 0;
+        }
+        t.set(row, gauge.name.c_str(), "m", gauge_level(line_, solids_at(simulation, gauge), parts, 2 * step_));
+    }
+}
+
+}  // namespace tw

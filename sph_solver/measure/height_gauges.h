@@ -1,0 +1,34 @@
+#pragma once
+#include "meshes/query/solid_column.h"
+#include "record/run_record.h"
+#include "scene/scene.h"
+#include "sph_solver/bodies/samples.h"
+#include "sph_solver/simulation.h"
+
+namespace tw {
+
+/// The height probes of a scene, read from the particles as record/gauge_level.h defines their elevation. The share of
+/// water at a place is the kernel support of the water there over what solids leave of the kernel:
+///
+///   water = S / (1 - S_wall(d))
+///
+/// d: distance from the nearest solid, S_wall: support of a half space (equations/half_space.h). Walls of the tank need
+/// none of that: the water's mirror images count in S.
+class HeightGauges {
+public:
+    /// `scene` must outlive it.
+    HeightGauges(const Scene& scene, const SimulationSetup& setup);
+    /// Adds a row of the present time to the record's table of heights, where the scene has such probes.
+    void record(Simulation& simulation, RunRecord& record);
+
+private:
+    std::vector<Stretch> solids_at(const Simulation& simulation, const HeightProbe& gauge) const;
+
+    const Scene& scene_;
+    Stretch line_;
+    double step_ = 0;
+    std::size_t per_gauge_ = 0;
+    PointSamples points_;
+};
+
+}  // namespace tw
