@@ -66,7 +66,7 @@ TEST_F(MovingBodies, ACylinderLetGoUnderWaterCarriesAllOfItsAddedMass) {
 //
 //   U = |rho_rod - rho| g pi D^2 / 4 (ln(W/D) - 0.9157 + 1.724 (D/W)^2 - 1.730 (D/W)^4) / (4 pi mu)
 //
-// (Faxen 1946, in Happel & Brenner 1983, 7-7.6). At nu dt / dx^2 = 15 a step without momentum predictor carries no
+// (Faxen 1946). At nu dt / dx^2 = 15 a step without momentum predictor carries no
 // momentum. The light rod takes three times its own mass of oil along.
 TEST_F(MovingBodies, ARodSettlesInOilAsFaxenSays) {
     RunOptions how = options();
@@ -89,9 +89,9 @@ density = )" + std::to_string(1000 * q) + R"(
 [motion]
 kind = "none"
 [resolution]
-near_hull = "5 mm"
+near_hull = "4 mm"
 [run]
-duration = "80 ms"
+duration = "60 ms"
 [sampling]
 interval = "20 ms"
 )"),

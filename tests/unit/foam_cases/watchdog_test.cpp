@@ -155,7 +155,7 @@ struct SinkingRod {
         scene.run.duration = 0.6;
         MovingBody& rod = scene.bodies.emplace_back();
         rod.name = "rod";
-        rod.surface = make_hull("cylinder", {{"diameter", 0.02}, {"length", 1}});
+        rod.surface = make_hull("cylinder", {{"diameter", 0.02}, {"span", 1}});
         const Box at = rod.surface.bounds();
         for (Vec3& p : rod.surface.points) p.z() -= 0.1 + at.max.z();
         rod.motion.mass = {1.2 * scene.water.density * mass_properties(rod.surface).volume, Vec3(0, 0, -0.11),

@@ -38,7 +38,7 @@ TEST(GaugeLevel, StandsOnWhatIsUnderTheWater) {
     EXPECT_NEAR(level(bar, water({{-0.1, 0}})), 0, 1e-12);
     EXPECT_NEAR(level(bar, water({})), -0.1, 1e-12) << "a weir or slope that is dry: its top";
     EXPECT_NEAR(level(bar, water({{-0.1, -0.099}})), -0.099, 1e-12) << "a thin tongue is more than its top";
-    EXPECT_NEAR(level({{-0.2, -0.103}}, water({{-0.103, 0}})), 0, 1e-12) << "a solid between the parts' limits";
+    EXPECT_NEAR(level({{-0.2, -0.103}}, water({{-0.2, 0}})), 0, 1e-12) << "a solid between the parts' limits";
     const std::vector<Stretch> drowned{{-0.15, -0.1}};
     EXPECT_NEAR(level(drowned, water({{-0.2, -0.15}, {-0.1, 0}})), 0, 1e-12);
 }
